@@ -1,0 +1,71 @@
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "fusee/cam/arm.h"
+#include "fusee/cam/guide.h"
+#include "fusee/core/finding.h"
+#include "fusee/core/units.h"
+
+namespace fusee::cam {
+
+/// The cable's centreline on the cam at one direction psi of its normal, in the body frame S (world frame at cam angle 0):
+/// n = (cos psi, sin psi), t = (-sin psi, cos psi), point = h n + h' t, height z.
+struct PathPoint {
+    double psi = 0.0;    ///< [rad], not wrapped: a helix goes on past 2 pi
+    double h = 0.0;      ///< support function [m]
+    double slope = 0.0;  ///< h' = dh/dpsi [m/rad]
+    double rho = 0.0;    ///< h + h'' = radius of curvature in the plane [m]
+    double z = 0.0;      ///< [m]
+    [[nodiscard]] double x() const;
+    [[nodiscard]] double y() const;
+};
+
+/// One working position: what is asked (arm) and where the cable then touches (path).
+struct Contact {
+    ArmPoint arm;
+    PathPoint path;
+    double span = 0.0;   ///< free cable from the contact to the guide in the plane [m]; 0 for a parallel exit
+    double fleet = 0.0;  ///< angle between free cable and the contact's plane [rad]
+};
+
+enum class PathKind { kPlanar, kHelix };
+enum class Lead { kConstantPitch, kAimedAtGuide };
+
+struct PathOptions {
+    PathKind kind = PathKind::kPlanar;
+    Lead lead = Lead::kConstantPitch;
+    double pitch = 0.0;      ///< height gained per turn [m]; helix only
+    double margin = 0.35;    ///< groove beyond the working arc at both ends of a helix, and to the anchor [rad]
+    double min_idle_curvature_radius = 2e-3;  ///< rho on the idle arc [m]
+};
+
+struct CamOptions {
+    Guide guide;
+    PathOptions path;
+    int torque_sign = 1;           ///< sign of the tension's torque about +z
+    double cable_diameter = 1e-3;  ///< d [m]
+    int target_rows = 400;         ///< working positions kept in `Cam::working`, evenly spaced in cam angle; >= 200
+};
+
+/// A finished cam in the plane and in space; immutable. What solids, checks, exports and reports are made from.
+struct Cam {
+    PartKind kind = PartKind::kSeries;
+    CamOptions options;
+    int rotation_sign = 1;             ///< body at cam angle a is turned by rotation_sign * a about +z
+    std::vector<Contact> working;      ///< by rising cam angle
+    core::Range working_psi;           ///< psi of the working arc, low < high
+    core::Range groove_psi;            ///< where a groove is cut: planar = one whole turn, helix = working arc and margins
+    double anchor_psi = 0.0;           ///< where the cable is fixed, just outside the working arc, at the end that stays wound
+    std::function<PathPoint(double)> path;  ///< at any psi of groove_psi; C2, thread-safe
+    [[nodiscard]] bool closed() const { return options.path.kind == PathKind::kPlanar; }
+};
+
+/// Turns an arm function into a cam: contact and contour from the guide's geometry, height, margins and (planar) the closed idle arc.
+/// Refusals (findings): "cam.guide" (arm longer than the guide is far), "cam.convexity" (rho <= 0 on the working arc), "cam.wrap" (planar and
+/// more than a turn), "cam.idle_arc" (the idle arc does not close with the least radius).
+/// @throws InvalidInput naming the option
+[[nodiscard]] core::Outcome<Cam> synthesize_cam(const ArmFunction& arm, const CamOptions& options);
+
+}  // namespace fusee::cam

@@ -1,0 +1,37 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace fusee::core {
+
+/// Writes to a temporary name beside `path` and renames it, so that a reader never sees half a file.
+/// @throws IoError
+void write_file(const std::filesystem::path& path, std::string_view bytes);
+
+/// @throws IoError
+[[nodiscard]] std::string read_file(const std::filesystem::path& path);
+
+/// Lower-case hex SHA-256 of the bytes.
+[[nodiscard]] std::string sha256_hex(std::string_view bytes);
+
+/// A folder that is filled under a hidden name beside its target and takes the target's place only when it is complete; what stood
+/// there before is replaced as a whole. Destroyed uncommitted, it leaves nothing behind.
+class StagedFolder {
+public:
+    /// @throws IoError
+    explicit StagedFolder(std::filesystem::path target);
+    ~StagedFolder();
+    StagedFolder(const StagedFolder&) = delete;
+    StagedFolder& operator=(const StagedFolder&) = delete;
+
+    [[nodiscard]] const std::filesystem::path& path() const { return staging_; }
+    /// @throws IoError; after a throw the earlier target still stands
+    void commit();
+
+private:
+    std::filesystem::path target_, staging_;
+    bool committed_ = false;
+};
+
+}  // namespace fusee::core

@@ -1,0 +1,30 @@
+#pragma once
+#include <cstddef>
+#include <mutex>
+#include <string>
+
+namespace fusee::core {
+
+/// Shows how far long work has come on stderr: a bar on a terminal, plain lines otherwise. Thread-safe.
+class Progress {
+public:
+    Progress(std::string title, std::size_t total);
+    ~Progress();
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+
+    /// One more item is finished; `label` names it.
+    void advance(const std::string& label);
+
+private:
+    std::string title_;
+    std::size_t total_, done_ = 0;
+    bool terminal_;
+    std::mutex mutex_;
+};
+
+/// Makes Ctrl-C (SIGINT) and SIGTERM a request to stop instead of an end: what is finished stays, nothing new is begun.
+void catch_interrupts();
+[[nodiscard]] bool interrupted();
+
+}  // namespace fusee::core

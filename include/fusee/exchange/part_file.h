@@ -1,0 +1,59 @@
+#pragma once
+#include <array>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "fusee/core/provenance.h"
+#include "fusee/solid/part.h"
+#include "fusee/spring/base_spring.h"
+
+namespace fusee::exchange {
+
+/// One exported file beside PART.json.
+struct FileEntry {
+    std::string name;             ///< file name without folder
+    std::string sha256;
+    std::size_t triangles = 0;    ///< 0 where the format has none
+    double chordal_error_mm = 0.0;
+};
+
+/// One row of the law that the part has to have.
+struct TargetRow {
+    double angle_rad = 0.0;
+    double arm_mm = 0.0;
+    double load = 0.0;                      ///< cable tension [N]
+    std::array<double, 3> contact_mm = {};  ///< where the cable's centreline touches, body frame
+};
+
+struct PartGuide {
+    std::string kind;                       ///< "parallel", "point", "idler"
+    std::array<double, 2> direction = {};   ///< parallel: unit vector in the world, from the cam along the cable
+    std::array<double, 2> position_mm = {}; ///< point, idler
+    double radius_mm = 0.0;                 ///< idler
+    int sense = 1;                          ///< idler
+};
+
+/// PART.json: what anybody needs to recompute the law from an exported part (docs/part-file.md). The cam's axis is +z through the origin,
+/// lengths in mm; body and world agree at cam angle 0; at cam angle a the body is turned by rotation_sign * a about +z.
+struct PartFile {
+    std::string part;             ///< "k_se" or "k_pe"
+    double cable_diameter_mm = 0.0;
+    int rotation_sign = 1, torque_sign = 1;
+    PartGuide guide;
+    std::string spring_kind;      ///< "torsion" or "compression"
+    double spring_rate = 0.0;     ///< JSON key rate_Nm_per_rad (torsion) or rate_N_per_m (compression)
+    double spring_preload = 0.0;  ///< JSON key preload_rad or preload_m
+    std::vector<TargetRow> target;
+    std::vector<FileEntry> files;
+    std::string provenance;
+};
+
+[[nodiscard]] PartFile describe_part(const solid::Part& part, const spring::BaseSpring& spring, std::vector<FileEntry> files,
+                                     const core::Provenance& provenance);
+/// @throws IoError
+void write_part_file(const std::filesystem::path& path, const PartFile& part);
+/// @throws IoError naming the file and the key that is missing or of the wrong kind
+[[nodiscard]] PartFile read_part_file(const std::filesystem::path& path);
+
+}  // namespace fusee::exchange

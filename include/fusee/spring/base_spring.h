@@ -1,0 +1,31 @@
+#pragma once
+#include <string>
+
+namespace fusee::spring {
+
+enum class BaseKind {
+    kTorsion,      ///< coiled torsion spring behind a K_SE spool: state in rad, load in Nm
+    kCompression,  ///< linear compression spring behind a K_PE cam: state in m, load in N
+};
+
+/// The linear spring that a cam turns into a nonlinear one. The wire data are optional (0 = unknown) and only feed the checks.
+struct BaseSpring {
+    BaseKind kind = BaseKind::kTorsion;
+    double rate = 0.0;     ///< k_t [Nm/rad] or k [N/m]
+    double preload = 0.0;  ///< phi0 [rad] or y0 [m], at the law's lowest load
+    double max_state = 0.0;      ///< largest allowed phi + phi0 [rad] or y + y0 (travel to solid) [m]; 0 = unknown
+    double max_load = 0.0;       ///< largest allowed torque [Nm] or force [N]; 0 = unknown
+    double wire_diameter = 0.0;  ///< [m]
+    double coil_diameter = 0.0;  ///< mean [m]
+    double active_coils = 0.0;
+    double free_length = 0.0;    ///< compression spring [m]
+    double tensile_strength = 0.0;  ///< UTS of the wire [Pa]
+    double stress_share = 0.8;      ///< allowed share of UTS: 0.8 music wire, 0.6 stainless 302 (katyspring)
+
+    /// phi + phi0 or y + y0 after `energy` [J] was added to the preloaded spring: sqrt(preload^2 + 2 energy / rate).
+    [[nodiscard]] double state(double energy) const;
+    /// Torque [Nm] or force [N] in that state.
+    [[nodiscard]] double load(double energy) const { return rate * state(energy); }
+};
+
+}  // namespace fusee::spring

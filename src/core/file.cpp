@@ -1,0 +1,88 @@
+#include "fusee/core/file.h"
+
+#include <fmt/format.h>
+#include <openssl/evp.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <fstream>
+#include <sstream>
+#include <system_error>
+
+#include "fusee/core/error.h"
+
+namespace fs = std::filesystem;
+
+namespace fusee::core {
+
+namespace {
+/// A name beside `path` that no other process or thread uses.
+fs::path hidden_sibling(const fs::path& path, std::string_view purpose) {
+    static std::atomic<unsigned> serial{0};
+    return path.parent_path() / fmt::format(".{}.{}-{}-{}", path.filename().string(), purpose, ::getpid(), serial++);
+}
+}  // namespace
+
+void write_file(const fs::path& path, std::string_view bytes) {
+    const fs::path temporary = hidden_sibling(path, "part");
+    std::ofstream out(temporary, std::ios::binary);
+    out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    out.close();
+    std::error_code error;
+    if (!out) {
+        fs::remove(temporary, error);
+        throw IoError(path.string(), "cannot be written");
+    }
+    fs::rename(temporary, path, error);
+    if (error) throw IoError(path.string(), error.message());
+}
+
+std::string read_file(const fs::path& path) {
+    std::error_code error;
+    if (fs::is_directory(path, error)) throw IoError(path.string(), "is a folder, not a file");
+    std::ifstream in(path, std::ios::binary);
+    if (!in) throw IoError(path.string(), "cannot be opened for reading");
+    std::ostringstream bytes;
+    bytes << in.rdbuf();
+    return std::move(bytes).str();
+}
+
+std::string sha256_hex(std::string_view bytes) {
+    std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
+    unsigned int length = 0;
+    EVP_Digest(bytes.data(), bytes.size(), digest.data(), &length, EVP_sha256(), nullptr);
+    std::string hex;
+    for (unsigned int i = 0; i < length; ++i) hex += fmt::format("{:02x}", digest[i]);
+    return hex;
+}
+
+StagedFolder::StagedFolder(fs::path target)
+    : target_(std::move(target)), staging_(hidden_sibling(fs::absolute(target_).lexically_normal(), "partial")) {
+    std::error_code error;
+    fs::create_directories(staging_, error);
+    if (error) throw IoError(staging_.string(), error.message());
+}
+
+StagedFolder::~StagedFolder() {
+    std::error_code ignored;
+    if (!committed_) fs::remove_all(staging_, ignored);
+}
+
+void StagedFolder::commit() {
+    std::error_code error;
+    const fs::path earlier = hidden_sibling(fs::absolute(target_).lexically_normal(), "earlier");
+    const bool replaces = fs::exists(target_, error);
+    if (replaces) fs::rename(target_, earlier, error);
+    if (error) throw IoError(target_.string(), error.message());
+    fs::rename(staging_, target_, error);
+    if (error) {
+        const std::string why = error.message();
+        if (replaces) fs::rename(earlier, target_, error);
+        throw IoError(target_.string(), why);
+    }
+    committed_ = true;
+    if (replaces) fs::remove_all(earlier, error);
+}
+
+}  // namespace fusee::core

@@ -1,0 +1,41 @@
+#include "fusee/core/progress.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <csignal>
+
+namespace fusee::core {
+
+namespace {
+volatile std::sig_atomic_t g_interrupted = 0;
+constexpr std::size_t kBarWidth = 30;
+}  // namespace
+
+Progress::Progress(std::string title, std::size_t total) : title_(std::move(title)), total_(total), terminal_(::isatty(STDERR_FILENO) != 0) {}
+
+Progress::~Progress() {
+    if (terminal_ && done_ > 0) fmt::print(stderr, "\n");
+}
+
+void Progress::advance(const std::string& label) {
+    const std::scoped_lock lock(mutex_);
+    ++done_;
+    if (!terminal_) {
+        fmt::print(stderr, "{} {}/{}: {}\n", title_, done_, total_, label);
+        return;
+    }
+    const std::size_t filled = total_ == 0 ? kBarWidth : kBarWidth * done_ / total_;
+    fmt::print(stderr, "\r\x1b[K{} [{}{}] {}/{} {}", title_, std::string(filled, '#'), std::string(kBarWidth - filled, '.'), done_, total_, label);
+    std::fflush(stderr);
+}
+
+void catch_interrupts() {
+    const auto handler = [](int) { g_interrupted = 1; };
+    std::signal(SIGINT, handler);
+    std::signal(SIGTERM, handler);
+}
+
+bool interrupted() { return g_interrupted != 0; }
+
+}  // namespace fusee::core

@@ -1,0 +1,60 @@
+#include "fusee/core/file.h"
+
+#include <gtest/gtest.h>
+
+#include "fusee/core/error.h"
+
+namespace fs = std::filesystem;
+
+namespace fusee::core {
+namespace {
+
+class FileTest : public ::testing::Test {
+protected:
+    void SetUp() override { fs::create_directories(folder_); }
+    void TearDown() override { fs::remove_all(folder_); }
+    std::size_t entries() const { return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), fs::directory_iterator())); }
+    fs::path folder_ = fs::path(::testing::TempDir()) / "fusee_file_test";
+};
+
+TEST_F(FileTest, Sha256OfAbc) {
+    // FIPS 180-2, appendix B.1
+    EXPECT_EQ(sha256_hex("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+}
+
+TEST_F(FileTest, WritesReadsAndLeavesNothingElse) {
+    write_file(folder_ / "a", "one");
+    write_file(folder_ / "a", "two");
+    EXPECT_EQ(read_file(folder_ / "a"), "two");
+    EXPECT_EQ(entries(), 1u);
+    EXPECT_THROW((void)read_file(folder_ / "missing"), IoError);
+    EXPECT_THROW((void)read_file(folder_), IoError);
+    EXPECT_THROW(write_file(folder_ / "no" / "such" / "folder", "x"), IoError);
+}
+
+TEST_F(FileTest, StagedFolderReplacesAsAWhole) {
+    {
+        StagedFolder first(folder_ / "out");
+        write_file(first.path() / "old", "1");
+        first.commit();
+    }
+    {
+        StagedFolder second(folder_ / "out");
+        write_file(second.path() / "new", "2");
+        second.commit();
+    }
+    EXPECT_TRUE(fs::exists(folder_ / "out" / "new"));
+    EXPECT_FALSE(fs::exists(folder_ / "out" / "old"));
+    EXPECT_EQ(entries(), 1u);
+}
+
+TEST_F(FileTest, StagedFolderLeftUncommittedLeavesTheEarlierOne) {
+    fs::create_directories(folder_ / "out");
+    write_file(folder_ / "out" / "old", "1");
+    { StagedFolder staged(folder_ / "out"); write_file(staged.path() / "half", "x"); }
+    EXPECT_EQ(read_file(folder_ / "out" / "old"), "1");
+    EXPECT_EQ(entries(), 1u);
+}
+
+}  // namespace
+}  // namespace fusee::core

@@ -1,0 +1,48 @@
+#include "fusee/core/finding.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace fusee::core {
+namespace {
+
+Finding bend(double measured) {
+    Finding f;
+    f.rule = "cable.bend_ratio";
+    f.measured = measured;
+    f.allowed = 8.0;
+    f.suggestion = "a thinner cable";
+    return f;
+}
+
+TEST(Finding, PassesOnTheBoundAndDropsItsSuggestion) {
+    const Finding f = judged(bend(8.0), Severity::kRequired);
+    EXPECT_EQ(f.severity, Severity::kPass);
+    EXPECT_TRUE(f.suggestion.empty());
+}
+
+TEST(Finding, BrokenOrNotANumberGetsTheSeverity) {
+    EXPECT_EQ(judged(bend(7.9), Severity::kReview).severity, Severity::kReview);
+    EXPECT_EQ(judged(bend(std::numeric_limits<double>::quiet_NaN()), Severity::kRequired).severity, Severity::kRequired);
+    EXPECT_TRUE(any_required({judged(bend(1.0), Severity::kRequired)}));
+    EXPECT_FALSE(any_required({judged(bend(1.0), Severity::kReview)}));
+}
+
+TEST(Finding, LineNamesRuleMeasuredAllowedAndChange) {
+    const std::string line = to_line(judged(bend(6.0), Severity::kRequired));
+    for (const char* word : {"required change", "cable.bend_ratio", "6", "at least 8", "a thinner cable"})
+        EXPECT_NE(line.find(word), std::string::npos) << word << " in " << line;
+}
+
+TEST(Outcome, HoldsAValueOrARefusal) {
+    const Outcome<int> good = 3;
+    const Outcome<int> bad = judged(bend(1.0), Severity::kRequired);
+    EXPECT_TRUE(good);
+    EXPECT_EQ(*good, 3);
+    EXPECT_FALSE(bad);
+    EXPECT_EQ(bad.refusal().front().rule, "cable.bend_ratio");
+}
+
+}  // namespace
+}  // namespace fusee::core

@@ -1,0 +1,39 @@
+#pragma once
+#include <vector>
+
+#include "fusee/core/finding.h"
+
+namespace fusee::cam {
+
+/// State of a planar curve at one normal direction.
+struct SupportState {
+    double h = 0.0;      ///< [m]
+    double slope = 0.0;  ///< h' [m/rad]
+    double rho = 0.0;    ///< h + h'' [m]
+};
+
+/// The arc that closes a contour where no cable runs: on the normals that are left, the radius of curvature is piecewise linear in psi, meets
+/// the working arc's at both ends (C2), never falls below a least radius, and is otherwise as even as closing allows (least integral of rho^2).
+/// h follows from h'' + h = rho in closed form, so the curve is exact and convex (docs/theory/cams.md, eq. 9).
+class IdleArc {
+public:
+    /// @param begin state where the working arc ends, at arc angle 0
+    /// @param end   state where it starts again, at arc angle `width`
+    /// Refusal: "cam.idle_arc" with the radius that can be had at most.
+    [[nodiscard]] static core::Outcome<IdleArc> close(const SupportState& begin, const SupportState& end, double width, double least_rho);
+
+    /// An arc that closes nothing: goes on from `begin` and lets the radius of curvature run out to `final_rho` within a millimetre.
+    [[nodiscard]] static IdleArc run_out(const SupportState& begin, double width, double final_rho);
+
+    /// @pre 0 <= x <= width
+    [[nodiscard]] SupportState at(double x) const;
+
+private:
+    struct Knot {
+        double x;
+        SupportState state;
+    };
+    std::vector<Knot> knots_;
+};
+
+}  // namespace fusee::cam

@@ -1,0 +1,55 @@
+#pragma once
+#include <vector>
+
+#include "fusee/cam/cam.h"
+#include "fusee/cam/idle_arc.h"
+
+namespace fusee::cam {
+
+/// The contour's working arc, addressed by psi: exact between its samples (the load that leads there is solved for, nothing is interpolated).
+class WorkingArc {
+public:
+    /// @param contacts touched at rising loads; psi strictly monotone
+    WorkingArc(const ArmFunction& arm, const CamOptions& options, const std::vector<Contact>& contacts);
+
+    [[nodiscard]] core::Range psi() const { return {entries_.front().psi, entries_.back().psi}; }
+    /// Height not yet included. @pre psi inside psi() (clamped)
+    [[nodiscard]] PathPoint at(double psi) const;
+
+private:
+    struct Entry {
+        double psi, tau;
+    };
+    ArmFunction arm_;
+    CamOptions options_;
+    std::vector<Entry> entries_;  // by rising psi
+};
+
+/// Height of the groove over psi (docs/theory/cams.md, eq. 8): flat, rising with constant pitch from 0 at the working arc's low end, or aimed so
+/// that the groove points at the guide: dz/ds = (z_guide - z)/free span along the leaving cable. Straight on beyond the working arc.
+class Height {
+public:
+    Height(const CamOptions& options, const std::vector<Contact>& contacts);
+    [[nodiscard]] double at(double psi) const;
+
+private:
+    struct Entry {
+        double psi, z, slope;
+    };
+    std::vector<Entry> entries_;  // by rising psi; empty = flat
+};
+
+/// A helix beyond one end of its working arc: convex, C2, its radius of curvature running out to that of a circle about the axis.
+class RunOut {
+public:
+    /// @param direction +1 beyond the arc's high end, -1 below its low end
+    RunOut(const PathPoint& end, int direction, double width);
+    [[nodiscard]] PathPoint at(double psi) const;
+
+private:
+    double psi_;
+    int direction_;
+    IdleArc arc_;
+};
+
+}  // namespace fusee::cam

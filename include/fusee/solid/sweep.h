@@ -1,0 +1,34 @@
+#pragma once
+#include <vector>
+
+#include "fusee/cam/cam.h"
+#include "fusee/solid/mesh.h"
+#include "fusee/solid/part.h"
+
+namespace fusee::solid {
+
+/// What stands beside the groove, for one part.
+struct Flanges {
+    double height_mm = 0.0;      ///< above the lips; helix: the flange is a circle that far outside the farthest lip
+    double rib_mm = 1.0;         ///< thickness
+    double core_radius_mm = 0.0; ///< circle about the axis that the lower flange must hold (boss); 0 = none
+};
+
+/// A swept lateral surface, open at top and bottom: the rings are its boundary, counter-clockwise seen from above.
+struct SweptBody {
+    Mesh mesh;
+    std::vector<std::uint32_t> lower_ring, upper_ring;
+    double z_low_mm = 0.0, z_high_mm = 0.0;
+    double lower_lip_mm = 0.0;        ///< z of the lower flange's inner face
+    std::vector<double> columns_psi;  ///< one turn of column directions
+};
+
+/// Sweeps the groove's section along the cam's path, with its flanges: vertices lie on the analytic surface, one column for each psi, as dense as
+/// `tolerance_mm` needs (sagitta rho dpsi^2/8). A helix gets a wall where its groove begins and ends. `section` is bottom to top.
+/// @pre helix: neighbouring turns do not touch (see `least_turn_gap_mm`)
+[[nodiscard]] SweptBody sweep(const cam::Cam& cam, const std::vector<SectionPoint>& section, const Flanges& flanges, double tolerance_mm);
+
+/// Least land between the lips of neighbouring turns [mm]; infinity when there is only one turn.
+[[nodiscard]] double least_turn_gap_mm(const cam::Cam& cam, const std::vector<SectionPoint>& section);
+
+}  // namespace fusee::solid

@@ -1,0 +1,20 @@
+#pragma once
+#include <string>
+
+#include "fusee/solid/mesh.h"
+
+namespace fusee::solid {
+
+/// What has to hold before a solid is written (CGAL, exact predicates).
+struct Validity {
+    bool closed = false;               ///< every edge has two triangles, manifold
+    bool outward = false;              ///< bounds a volume, normals outside
+    bool self_intersecting = true;
+    std::size_t components = 0;
+    [[nodiscard]] bool good() const { return closed && outward && !self_intersecting && components == 1; }
+    /// "closed, outward, 1 component, no self-intersection" or what is wrong.
+    [[nodiscard]] std::string line() const;
+};
+[[nodiscard]] Validity validate(const Mesh& mesh);
+
+}  // namespace fusee::solid

@@ -1,0 +1,157 @@
+#include "fusee/cam/idle_arc.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "fusee/core/units.h"
+
+namespace fusee::cam {
+
+namespace {
+
+constexpr int kInterior = 48;             // knots between the two ends: finer changes the outline by less than a micrometre
+constexpr double kRunOut = 1e-3;          // arc length [m] over which a working end's radius gives way to the idle one
+constexpr double kEvenness = 0.05;        // weight of rho'^2 beside rho^2: enough to leave no visible ripple
+
+/// (h, h') after going `step` along a piece whose rho runs linearly from rho0 to rho1.
+SupportState advance(const SupportState& from, double rho1, double step, double width) {
+    const double a = from.rho, b = (rho1 - from.rho) / width;
+    const double cosine = from.h - a, sine = from.slope - b;
+    return {a + b * step + cosine * std::cos(step) + sine * std::sin(step), b - cosine * std::sin(step) + sine * std::cos(step), a + b * step};
+}
+
+/// Angle over which a working end's radius gives way, at most 0.05 rad.
+double run_out_angle(double rho, double width) { return std::min({0.1 * width, 2.0 * kRunOut / rho, 0.05}); }
+
+std::vector<double> knot_places(double begin_rho, double end_rho, double width) {
+    const double first = run_out_angle(begin_rho, width), last = run_out_angle(end_rho, width);
+    std::vector<double> x{0.0};
+    for (int i = 0; i < kInterior; ++i) x.push_back(first + (width - first - last) * i / (kInterior - 1));
+    x.push_back(width);
+    return x;
+}
+
+/// End state as a linear function of the knots' radii: {h, h'} = base + influence * rho.
+struct Closing {
+    Eigen::Matrix<double, 2, Eigen::Dynamic> influence;
+    Eigen::Vector2d base;
+};
+
+Closing closing_conditions(const SupportState& begin, const std::vector<double>& x, double end_rho) {
+    const auto end_state = [&](const SupportState& from, const std::vector<double>& rho) {
+        SupportState s = from;
+        for (std::size_t i = 1; i < x.size(); ++i) s = advance(s, rho[i], x[i] - x[i - 1], x[i] - x[i - 1]);
+        return Eigen::Vector2d(s.h, s.slope);
+    };
+    std::vector<double> rho(x.size(), 0.0);
+    rho.back() = end_rho;
+    Closing closing{Eigen::Matrix<double, 2, Eigen::Dynamic>(2, kInterior), end_state(begin, rho)};
+    rho.back() = 0.0;
+    for (int i = 0; i < kInterior; ++i) {
+        const auto knot = static_cast<std::size_t>(i) + 1;
+        rho[knot] = 1.0;
+        closing.influence.col(i) = end_state({0.0, 0.0, 0.0}, rho);
+        rho[knot] = 0.0;
+    }
+    return closing;
+}
+
+Eigen::MatrixXd cost_of(const std::vector<double>& x) {
+    Eigen::MatrixXd cost = Eigen::MatrixXd::Zero(kInterior, kInterior);
+    for (int i = 0; i < kInterior; ++i) {
+        const auto knot = static_cast<std::size_t>(i) + 1;
+        cost(i, i) += 0.5 * (x[knot + 1] - x[knot - 1]);
+        if (i + 1 == kInterior) break;
+        const double stiffness = kEvenness / (x[knot + 1] - x[knot]);
+        cost(i, i) += stiffness;
+        cost(i + 1, i + 1) += stiffness;
+        cost(i, i + 1) -= stiffness;
+        cost(i + 1, i) -= stiffness;
+    }
+    return cost;
+}
+
+/// min rho' cost rho with influence rho = target and rho >= least, by an active set that pins the lowest offenders and never lets go.
+std::optional<Eigen::VectorXd> evenest(const Eigen::MatrixXd& cost, const Closing& closing, const Eigen::Vector2d& target, double least) {
+    std::vector<bool> pinned(kInterior, false);
+    for (int round = 0; round < kInterior; ++round) {
+        Eigen::MatrixXd kkt = Eigen::MatrixXd::Zero(kInterior + 2, kInterior + 2);
+        Eigen::VectorXd right = Eigen::VectorXd::Zero(kInterior + 2);
+        kkt.topLeftCorner(kInterior, kInterior) = cost;
+        kkt.topRightCorner(kInterior, 2) = closing.influence.transpose();
+        kkt.bottomLeftCorner(2, kInterior) = closing.influence;
+        right.tail<2>() = target;
+        for (int i = 0; i < kInterior; ++i) {
+            if (!pinned[static_cast<std::size_t>(i)]) continue;
+            kkt.row(i).setZero();
+            kkt(i, i) = 1.0;
+            right(i) = least;
+        }
+        const Eigen::VectorXd solution = kkt.fullPivLu().solve(right);
+        if ((closing.influence * solution.head(kInterior) - target).norm() > 1e-9 * (target.norm() + 1e-3)) return std::nullopt;
+        bool grew = false;
+        for (int i = 0; i < kInterior; ++i)
+            if (solution(i) < least * (1.0 - 1e-9)) pinned[static_cast<std::size_t>(i)] = grew = true;
+        if (!grew) return solution.head(kInterior);
+    }
+    return std::nullopt;
+}
+
+core::Finding refusal(double width, double least_rho, double possible) {
+    core::Finding f;
+    f.rule = "cam.idle_arc";
+    f.severity = core::Severity::kRequired;
+    f.what = "the arc without cable cannot close the contour convexly with the least radius";
+    f.measured = core::mm_from_m(possible);
+    f.allowed = core::mm_from_m(least_rho);
+    f.unit = "mm";
+    f.where = fmt::format("idle arc of {:.1f} deg", core::deg_from_rad(width));
+    f.suggestion = possible > 0.0 ? fmt::format("path.min_idle_radius_mm = {:.2f}", 0.95 * core::mm_from_m(possible))
+                                  : "less wrap (a larger spring preload or a smaller travel), or path.kind = \"helix\"";
+    f.source = "a convex closed curve needs rho > 0 everywhere";
+    return f;
+}
+
+}  // namespace
+
+core::Outcome<IdleArc> IdleArc::close(const SupportState& begin, const SupportState& end, double width, double least_rho) {
+    const std::vector<double> x = knot_places(begin.rho, end.rho, width);
+    const Closing closing = closing_conditions(begin, x, end.rho);
+    const Eigen::Vector2d target = Eigen::Vector2d(end.h, end.slope) - closing.base;
+    const Eigen::MatrixXd cost = cost_of(x);
+    const auto rho = evenest(cost, closing, target, least_rho);
+    if (!rho) {
+        double possible = 0.0;
+        for (double share = 0.9; share > 0.01 && possible == 0.0; share -= 0.1)
+            if (evenest(cost, closing, target, share * least_rho)) possible = share * least_rho;
+        return refusal(width, least_rho, possible);
+    }
+    IdleArc arc;
+    arc.knots_.push_back({0.0, begin});
+    for (std::size_t i = 1; i < x.size(); ++i) {
+        const double next = i + 1 < x.size() ? (*rho)(static_cast<Eigen::Index>(i) - 1) : end.rho;
+        const double step = x[i] - x[i - 1];
+        arc.knots_.push_back({x[i], advance(arc.knots_.back().state, next, step, step)});
+    }
+    return arc;
+}
+
+IdleArc IdleArc::run_out(const SupportState& begin, double width, double final_rho) {
+    const double first = run_out_angle(begin.rho, width);
+    IdleArc arc;
+    arc.knots_ = {{0.0, begin}, {first, advance(begin, final_rho, first, first)}};
+    arc.knots_.push_back({width, advance(arc.knots_.back().state, final_rho, width - first, width - first)});
+    return arc;
+}
+
+SupportState IdleArc::at(double x) const {
+    auto after = std::upper_bound(knots_.begin() + 1, knots_.end() - 1, x, [](double value, const Knot& k) { return value < k.x; });
+    const Knot& from = *(after - 1);
+    return advance(from.state, after->state.rho, x - from.x, after->x - from.x);
+}
+
+}  // namespace fusee::cam

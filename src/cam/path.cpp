@@ -1,0 +1,69 @@
+#include "fusee/cam/path.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fusee/cam/contact.h"
+#include "solve.h"
+
+namespace fusee::cam {
+
+WorkingArc::WorkingArc(const ArmFunction& arm, const CamOptions& options, const std::vector<Contact>& contacts) : arm_(arm), options_(options) {
+    for (const Contact& c : contacts) entries_.push_back({c.path.psi, c.arm.tau});
+    if (entries_.front().psi > entries_.back().psi) std::reverse(entries_.begin(), entries_.end());
+}
+
+PathPoint WorkingArc::at(double psi) const {
+    psi = std::clamp(psi, entries_.front().psi, entries_.back().psi);
+    const auto after = std::upper_bound(entries_.begin() + 1, entries_.end() - 1, psi, [](double v, const Entry& e) { return v < e.psi; });
+    const Entry &low = *(after - 1), &high = *after;
+    const double tau = solve_between([&](double t) { return touch(arm_.kind(), arm_.at_load(t), options_).path.psi - psi; },
+                                     std::min(low.tau, high.tau), std::max(low.tau, high.tau));
+    PathPoint point = touch(arm_.kind(), arm_.at_load(tau), options_).path;
+    point.psi = psi;
+    return point;
+}
+
+Height::Height(const CamOptions& options, const std::vector<Contact>& contacts) {
+    if (options.path.kind == PathKind::kPlanar) return;
+    std::vector<Contact> rising = contacts;
+    if (rising.front().path.psi > rising.back().path.psi) std::reverse(rising.begin(), rising.end());
+    if (options.path.lead == Lead::kConstantPitch) {
+        const double slope = options.path.pitch / (2.0 * core::kPi), low = rising.front().path.psi;
+        for (const Contact& c : rising) entries_.push_back({c.path.psi, slope * (c.path.psi - low), slope});
+        return;
+    }
+    // Along the leaving cable psi moves with the torque's sign; from the wound end on, z_guide - z decays with the integral of rho/span.
+    if (options.torque_sign < 0) std::reverse(rising.begin(), rising.end());
+    const double guide_z = options.guide.z;
+    double decay = 0.0, earlier = 0.0;
+    for (std::size_t i = 0; i < rising.size(); ++i) {
+        const double rate = rising[i].path.rho / rising[i].span;
+        if (i > 0) decay += 0.5 * (rate + earlier) * std::abs(rising[i].path.psi - rising[i - 1].path.psi);
+        earlier = rate;
+        const double gap = guide_z * std::exp(-decay);
+        entries_.push_back({rising[i].path.psi, guide_z - gap, options.torque_sign * rate * gap});
+    }
+    if (options.torque_sign < 0) std::reverse(entries_.begin(), entries_.end());
+}
+
+double Height::at(double psi) const {
+    if (entries_.empty()) return 0.0;
+    if (psi <= entries_.front().psi) return entries_.front().z + entries_.front().slope * (psi - entries_.front().psi);
+    if (psi >= entries_.back().psi) return entries_.back().z + entries_.back().slope * (psi - entries_.back().psi);
+    const auto after = std::upper_bound(entries_.begin() + 1, entries_.end() - 1, psi, [](double v, const Entry& e) { return v < e.psi; });
+    const Entry &a = *(after - 1), &b = *after;
+    const double width = b.psi - a.psi, s = (psi - a.psi) / width;  // cubic Hermite: the slopes are known exactly
+    return (1 + 2 * s) * (1 - s) * (1 - s) * a.z + s * (1 - s) * (1 - s) * width * a.slope + s * s * (3 - 2 * s) * b.z - s * s * (1 - s) * width * b.slope;
+}
+
+// Below the low end the arc is walked backwards: with -psi for psi, h' changes its sign.
+RunOut::RunOut(const PathPoint& end, int direction, double width)
+    : psi_(end.psi), direction_(direction), arc_(IdleArc::run_out({end.h, direction * end.slope, end.rho}, width, end.h)) {}
+
+PathPoint RunOut::at(double psi) const {
+    const SupportState s = arc_.at(direction_ * (psi - psi_));
+    return {psi, s.h, direction_ * s.slope, s.rho, 0.0};
+}
+
+}  // namespace fusee::cam

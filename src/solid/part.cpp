@@ -1,0 +1,156 @@
+#include "fusee/solid/part.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "fusee/core/error.h"
+#include "fusee/core/units.h"
+#include "fusee/solid/cut.h"
+#include "fusee/solid/cutters.h"
+#include "fusee/solid/fill.h"
+#include "fusee/solid/outline.h"
+#include "fusee/solid/sweep.h"
+#include "fusee/solid/validity.h"
+
+namespace fusee::solid {
+
+namespace {
+
+using core::mm_from_m;
+
+constexpr double kBossRim_mm = 1.0;  // the lower flange reaches this far beyond a boss
+
+void validate_options(const std::string& part, const PartOptions& o) {
+    const HubOptions& hub = o.hub;
+    core::require_within(part + ".groove.rib", o.groove.rib, 0.1e-3, 0.1, "m");
+    core::require_positive(part + ".hub.bore", hub.bore_diameter, "m");
+    core::require_within(part + ".hub.clearance", hub.bore_clearance, 0.0, 2e-3, "m");
+    core::require_within(part + ".flange_height", o.flange_height, 0.0, 0.1, "m");
+    const double bore = hub.bore_diameter + hub.bore_clearance;
+    if (hub.lock == HubLock::kKeyway) core::require_within(part + ".hub.key_width", hub.key_width, 0.1e-3, 0.9 * bore, "m");
+    if (hub.lock == HubLock::kKeyway) core::require_within(part + ".hub.key_depth", hub.key_depth, 0.1e-3, bore, "m");
+    if (hub.lock == HubLock::kDFlat) core::require_within(part + ".hub.flat_depth", hub.flat_depth, 0.01e-3, 0.45 * bore, "m");
+    if (hub.kind == HubKind::kOverhung || hub.lock == HubLock::kSetScrew) {
+        core::require_positive(part + ".hub.boss_height", hub.boss_height, "m");
+        core::require_within(part + ".hub.boss", hub.boss_diameter, 2e-3 * bore_reach_mm(hub) + 0.2e-3, 1.0, "m");
+    }
+    if (hub.kind == HubKind::kOverhung) core::require_within(part + ".hub.web", hub.web, 0.1e-3, o.groove.rib + hub.boss_height - 0.5e-3, "m");
+    if (hub.lock == HubLock::kSetScrew) core::require_within(part + ".hub.screw", hub.screw_diameter, 0.5e-3, 0.9 * hub.boss_height, "m");
+    const FeatureOptions& f = o.features;
+    if (f.leg_slot_width > 0.0) {
+        core::require_within(part + ".features.leg_slot_length", f.leg_slot_length, 1.05 * f.leg_slot_width, 1.0, "m");
+        core::require_positive(part + ".features.leg_slot_depth", f.leg_slot_depth, "m");
+    }
+    if (f.mark_width > 0.0) core::require_positive(part + ".features.mark_depth", f.mark_depth, "m");
+}
+
+core::Finding refusal(const char* rule, std::string what, double measured, double allowed, const std::string& where, std::string suggestion) {
+    core::Finding f;
+    f.rule = rule;
+    f.severity = core::Severity::kRequired;
+    f.what = std::move(what);
+    f.measured = measured;
+    f.allowed = allowed;
+    f.unit = "mm";
+    f.where = where;
+    f.suggestion = std::move(suggestion);
+    f.source = "geometry of the part";
+    return f;
+}
+
+/// The bore, and neighbouring turns, must leave material; how much is for the checks to judge.
+core::Findings check_room(const cam::Cam& cam, const PartOptions& o, const std::vector<SectionPoint>& section) {
+    core::Findings findings;
+    const std::string part = to_string(cam.kind);
+    const double gap = least_turn_gap_mm(cam, section), rib = mm_from_m(o.groove.rib);
+    if (gap < rib)
+        findings.push_back(refusal("solid.turns", "the land between neighbouring turns is thinner than the rib", gap, rib, part,
+                                   fmt::format("{}.path.pitch_mm = {:.2f}", part, mm_from_m(cam.options.path.pitch) + rib - gap + 0.05)));
+    if (o.hub.kind == HubKind::kOverhung) return findings;
+    double least = mm_from_m(cam.path(cam.groove_psi.low).h);
+    for (double psi = cam.groove_psi.low; psi <= cam.groove_psi.high; psi += 0.01) least = std::min(least, mm_from_m(cam.path(psi).h));
+    const double floor = least - mm_from_m(0.5 * cam.options.cable_diameter), reach = bore_reach_mm(o.hub);
+    if (floor <= reach + 0.05)
+        findings.push_back(refusal("solid.bore", "the bore breaks into the groove's floor", floor, reach + 0.05, part,
+                                   fmt::format("{}.hub.bore_mm = {:.2f}, or {}.hub.kind = \"overhung\"", part,
+                                               std::max(0.0, mm_from_m(o.hub.bore_diameter) - 2.0 * (reach + 0.3 - floor)), part)));
+    return findings;
+}
+
+/// Bore, boss and the two faces: closes a swept body. `bored` false leaves the body full (the skin).
+void close_body(SweptBody& body, const HubOptions& hub, double tolerance, bool bored) {
+    Mesh& mesh = body.mesh;
+    const bool boss = hub.boss_height > 0.0, through = hub.kind == HubKind::kThrough;
+    const double z_boss = body.z_low_mm - (boss ? mm_from_m(hub.boss_height) : 0.0);
+    const Ring bore = bore_ring(hub, tolerance);
+    VertexRing bottom_outer = body.lower_ring;
+    if (boss) {
+        const Ring circle = circle_ring(mm_from_m(0.5 * hub.boss_diameter), tolerance);
+        const VertexRing upper = add_ring(mesh, circle, body.z_low_mm), lower = add_ring(mesh, circle, z_boss);
+        fill_face(mesh, body.lower_ring, {upper}, false);
+        add_wall_between(mesh, lower, upper, true);
+        bottom_outer = lower;
+    }
+    if (!bored) {
+        fill_face(mesh, bottom_outer, {}, false);
+        fill_face(mesh, body.upper_ring, {}, true);
+        return;
+    }
+    const double z_end = through ? body.z_high_mm : body.lower_lip_mm - mm_from_m(hub.web);
+    const VertexRing low = add_ring(mesh, bore, z_boss), high = add_ring(mesh, bore, z_end);
+    fill_face(mesh, bottom_outer, {low}, false);
+    add_wall_between(mesh, low, high, false);
+    if (!through) fill_face(mesh, high, {}, false);
+    fill_face(mesh, body.upper_ring, through ? std::vector<VertexRing>{high} : std::vector<VertexRing>{}, true);
+}
+
+core::Finding invalid(const cam::Cam& cam, const Validity& validity) {
+    core::Finding f = refusal("solid.validity", "the solid is not valid: " + validity.line(), validity.good() ? 1.0 : 0.0, 1.0, to_string(cam.kind),
+                              "a wider rib or pitch, or a shallower groove, so that no face meets another");
+    f.unit = "";
+    f.source = "CGAL: closed, oriented, one component, no self-intersection";
+    return f;
+}
+
+}  // namespace
+
+core::Outcome<Part> build_part(const cam::Cam& cam, const PartOptions& options) {
+    validate_options(to_string(cam.kind), options);
+    // Along the path and across the section each take half of the chordal error.
+    const double tolerance = 0.5 * mm_from_m(options.chordal_error);
+    Part part;
+    part.cam = cam;
+    part.options = options;
+    part.section = groove_section(options.groove, cam.options.cable_diameter, 0.5 * options.chordal_error);
+    if (core::Findings findings = check_room(cam, options, part.section); !findings.empty()) return findings;
+
+    const bool boss = options.hub.boss_height > 0.0;
+    const Flanges flanges{mm_from_m(options.flange_height), mm_from_m(options.groove.rib),
+                          boss ? mm_from_m(0.5 * options.hub.boss_diameter) + kBossRim_mm : 0.0};
+    SweptBody body = sweep(cam, part.section, flanges, tolerance);
+    Ring upper_outline;
+    for (const std::uint32_t v : body.upper_ring) upper_outline.push_back({body.mesh.points_mm[v][0], body.mesh.points_mm[v][1]});
+    part.columns_psi = body.columns_psi;
+    part.z_low = core::m_from_mm(body.z_low_mm);
+    part.z_high = core::m_from_mm(body.z_high_mm);
+    part.chordal_error_mm = mm_from_m(options.chordal_error);
+    close_body(body, options.hub, tolerance, true);
+    if (!cam.closed()) {
+        SweptBody skin = sweep(cam, {part.section.front(), part.section.back()}, flanges, tolerance);
+        close_body(skin, options.hub, tolerance, false);
+        part.skin = std::move(skin.mesh);
+    }
+
+    std::vector<Mesh> tools;
+    for (const Cutter& cutter : make_cutters(cam, options, {body.z_low_mm, body.z_high_mm, upper_outline, tolerance})) tools.push_back(cutter.mesh());
+    const auto finished = cut(body.mesh, tools);
+    if (!finished) return invalid(cam, validate(body.mesh));
+    part.mesh = *finished;
+    const Validity validity = validate(part.mesh);
+    if (!validity.good()) return invalid(cam, validity);
+    return part;
+}
+
+}  // namespace fusee::solid

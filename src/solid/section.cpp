@@ -1,0 +1,30 @@
+#include <cmath>
+
+#include "fusee/core/error.h"
+#include "fusee/core/units.h"
+#include "fusee/solid/part.h"
+
+namespace fusee::solid {
+
+std::vector<SectionPoint> groove_section(const GrooveOptions& groove, double cable_diameter, double chordal_error) {
+    const double d = core::mm_from_m(core::require_positive("cable.diameter", cable_diameter, "m"));
+    const double tolerance = core::mm_from_m(core::require_within("tolerances.chordal_error", chordal_error, 1e-8, 1e-3, "m"));
+    const double radius = d * core::require_within("groove.radius_ratio", groove.radius_ratio, 0.5, 2.0);
+    const double half_throat = 0.5 * core::require_within("groove.throat", groove.throat, 0.0, core::rad_from_deg(150.0), "rad");
+    const double sweep = core::kPi / 2.0 - half_throat;  // the arc's half angle: it meets the flanks tangentially
+    const double arc_depth = radius * (1.0 - std::cos(sweep));
+    const double depth = d * core::require_within("groove.depth_ratio", groove.depth_ratio, arc_depth / d + 1e-6, 10.0, "cable diameters");
+
+    const double step = 2.0 * std::acos(1.0 - std::min(tolerance / radius, 1.0));
+    const int half = std::max(2, static_cast<int>(std::ceil(sweep / step)));
+    const double lip = radius * std::sin(sweep) + (depth - arc_depth) * std::tan(half_throat);
+    std::vector<SectionPoint> section{{depth - d / 2.0, -lip}};
+    for (int i = -half; i <= half; ++i) {
+        const double angle = sweep * i / half;
+        section.push_back({radius * (1.0 - std::cos(angle)) - d / 2.0, radius * std::sin(angle)});
+    }
+    section.push_back({depth - d / 2.0, lip});
+    return section;
+}
+
+}  // namespace fusee::solid

@@ -1,4 +1,5 @@
 # Everything comes from Debian 12 packages (packages.txt); nothing is downloaded at configure time.
+# fuseeConfig.cmake.in names the same packages for those who link an installed fusee.
 find_package(Threads REQUIRED)
 find_package(fmt REQUIRED)
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)
@@ -10,12 +11,6 @@ find_package(assimp REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(tomlplusplus REQUIRED)
 find_package(CLI11 REQUIRED)
+find_package(lib3mf MODULE REQUIRED)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(dxflib REQUIRED IMPORTED_TARGET dxflib)
-
-# lib3mf's own pkg-config asks for a library that Debian does not ship, so it is found by hand.
-find_library(LIB3MF_LIBRARY 3MF REQUIRED)
-find_path(LIB3MF_INCLUDE_DIR NAMES Model/COM/NMR_DLLInterfaces.h PATH_SUFFIXES lib3mf REQUIRED)
-add_library(lib3mf INTERFACE IMPORTED)
-target_link_libraries(lib3mf INTERFACE "${LIB3MF_LIBRARY}")
-target_include_directories(lib3mf SYSTEM INTERFACE "${LIB3MF_INCLUDE_DIR}")

@@ -22,17 +22,20 @@ function(fusee_module room)
           FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 endfunction()
 
-# Every `#include "fusee/X/..."` of a room must name the room itself or one that it declares in USES.
+# Every `#include "fusee/X/..."` of a room must name the room itself or one that it declares in USES, and no include may climb
+# out of its folder, which would go round that rule. Linking is transitive, including is not.
 function(fusee_check_layering room uses)
-  file(GLOB files CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/include/fusee/${room}/*.h"
+  file(GLOB_RECURSE files CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/include/fusee/${room}/*.h"
        "${PROJECT_SOURCE_DIR}/src/${room}/*.cpp" "${PROJECT_SOURCE_DIR}/src/${room}/*.h")
+  set(allowed ${room} ${uses})
   foreach(file IN LISTS files)
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${file}")
-    file(STRINGS "${file}" lines REGEX "^[ \t]*#[ \t]*include[ \t]*[\"<]fusee/")
+    file(STRINGS "${file}" lines REGEX "^[ \t]*#[ \t]*include[ \t]*([\"<]fusee/|\"[^\"]*\\.\\./)")
     foreach(line IN LISTS lines)
-      string(REGEX REPLACE ".*fusee/([a-z_]+)/.*" "\\1" other "${line}")
-      if(NOT other STREQUAL room AND NOT other IN_LIST uses)
-        message(FATAL_ERROR "${file}: room '${room}' may not include '${other}' (it USES: ${uses})")
+      string(REGEX REPLACE "^[^\"<]*[\"<]fusee/([a-z_]+)/.*" "\\1" other "${line}")
+      if(line MATCHES "\\.\\./" OR NOT other IN_LIST allowed)
+        string(STRIP "${line}" line)
+        message(FATAL_ERROR "${file}: room '${room}' (USES ${uses}) may not have: ${line}")
       endif()
     endforeach()
   endforeach()

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kInterior = 48;             // knots between the two ends: finer changes the outline by less than a micrometre
 constexpr double kRunOut = 1e-3;          // arc length [m] over which a working end's radius gives way to the idle one
-constexpr double kEvenness = 0.05;        // weight of rho'^2 beside rho^2: enough to leave no visible ripple
+constexpr double kEvenness = 0.05;        // weight of rho'^2 beside rho^2: a compact outline first, without visible ripple
 
 /// (h, h') after going `step` along a piece whose rho runs linearly from rho0 to rho1.
 SupportState advance(const SupportState& from, double rho1, double step, double width) {

@@ -13,7 +13,7 @@ struct SupportState {
 };
 
 /// The arc that closes a contour where no cable runs: on the normals that are left, the radius of curvature is piecewise linear in psi, meets
-/// the working arc's at both ends (C2), never falls below a least radius, and is otherwise as even as closing allows (least integral of rho^2).
+/// the working arc's at both ends (C2), never falls below a least radius, and is otherwise as small and even as closing allows (least integral of rho^2 + rho'^2/20).
 /// h follows from h'' + h = rho in closed form, so the curve is exact and convex (docs/theory/cams.md, eq. 9).
 class IdleArc {
 public:

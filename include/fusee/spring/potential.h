@@ -20,6 +20,9 @@ public:
 };
 using PotentialPtr = std::shared_ptr<const Potential>;
 
+/// Upper end of a formula's domain [rad]: 16 turns, more than any capstan winds. The lower end is 0, the preload stop.
+inline constexpr double kLongestDeflection = 100.0;
+
 /// F(x) = sum_i coefficients[i] x^i, coefficients[0] = torque at x = 0. @throws InvalidInput
 [[nodiscard]] PotentialPtr make_polynomial(std::vector<double> coefficients);
 /// F(x) = scale (exp(rate x) - 1) + offset. @throws InvalidInput
@@ -30,7 +33,7 @@ struct TableOptions {
     int knots = 16;           ///< intervals of the quintic B-spline
     double smoothing = -1.0;  ///< weight of the roughness penalty; below 0: chosen by generalised cross-validation
 };
-/// Quintic smoothing spline (C4) through noisy (x, F) rows: penalised B-spline (Eilers & Marx 1996).
+/// Quintic smoothing spline (C4) through noisy (x, F) rows: penalised B-spline (Eilers & Marx 1996). Domain: the rows' range.
 /// @pre x ascending, at least 8 rows, all finite. @throws InvalidInput naming the row
 [[nodiscard]] PotentialPtr make_tabulated(const std::vector<double>& x, const std::vector<double>& force, const TableOptions& options = {});
 

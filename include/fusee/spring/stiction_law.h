@@ -20,4 +20,7 @@ struct StictionLawOptions {
 /// @throws InvalidInput naming the option (k > 0, mu > 0, 0 < start < end, u and c finite and not both 0)
 [[nodiscard]] core::Outcome<SpringLawPtr> make_stiction_law(const StictionLawOptions& options);
 
+/// tau_min = (C + sqrt(C^2 + 4 u^2/mu))/2 [Nm]: T = 1 there, and below it the law does not exist.
+[[nodiscard]] double least_feasible_load(const StictionLawOptions& options);
+
 }  // namespace fusee::spring

@@ -1,0 +1,48 @@
+#pragma once
+#include <array>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "fusee/solid/part.h"
+
+namespace fusee::exchange {
+
+using Vec2 = std::array<double, 2>;
+
+struct DxfPolyline {
+    std::vector<Vec2> points_mm;
+    bool closed = true;
+};
+struct DxfCircle {
+    Vec2 centre_mm{};
+    double radius_mm = 0.0;
+};
+struct DxfLayer {
+    std::string name;
+    std::vector<DxfPolyline> polylines;
+    std::vector<DxfCircle> circles;
+    std::vector<Vec2> points_mm;
+};
+
+/// A flat drawing in millimetres, nominal: kerf is the shop's to apply.
+struct DxfDrawing {
+    std::vector<DxfLayer> layers;
+    std::string provenance;  ///< kept as a comment (group 999)
+    /// The layer of that name, or nullptr.
+    [[nodiscard]] const DxfLayer* layer(const std::string& name) const;
+};
+
+/// Writes DXF R2000 with dxflib: LWPOLYLINE, CIRCLE and POINT on named layers, $INSUNITS 4 (mm), shortest digits that give the number back,
+/// whatever the locale. @throws IoError
+void write_dxf(const std::filesystem::path& path, const DxfDrawing& drawing);
+/// Reads such a file with dxflib; entities of other kinds are passed over.
+/// @throws IoError naming the file: unreadable, cut short, not in millimetres, or a number that is not finite
+[[nodiscard]] DxfDrawing read_dxf(const std::filesystem::path& path);
+
+/// The outlines of a part seen from +z: layers PITCH (cable centreline), FLOOR (groove's floor), FLANGE (outer edge), LOWER_FLANGE (where a boss
+/// widens it), BORE (with keyway or flat) and MARK (timing mark, a point at body angle 0 on the outer edge). A helix has open PITCH and FLOOR
+/// and a round FLANGE. Chord error below 1 micrometre.
+[[nodiscard]] DxfDrawing spool_drawing(const solid::Part& part, const std::string& provenance);
+
+}  // namespace fusee::exchange

@@ -1,0 +1,26 @@
+#pragma once
+#include <filesystem>
+#include <vector>
+
+#include "fusee/core/finding.h"
+#include "fusee/core/provenance.h"
+#include "fusee/pipeline/design.h"
+#include "fusee/readback/readback.h"
+#include "fusee/report/report.h"
+
+namespace fusee::pipeline {
+
+/// Which kernel makes the STL.
+enum class Via {
+    kCgal,      ///< directly from the parametric surface (default: fast)
+    kOpenScad,  ///< by OpenSCAD from the exported SCAD file: the independent second kernel
+};
+[[nodiscard]] const char* to_string(Via via);
+
+/// Writes one part in every format that the profile asks for, with PART.json beside it, and reads every file back.
+/// Broken arms come back as required findings "readback.arm".
+/// @throws core::IoError
+[[nodiscard]] report::PartReport export_part(const DesignedPart& designed, const profile::Profile& profile, const core::Provenance& provenance,
+                                             Via via, const std::filesystem::path& folder);
+
+}  // namespace fusee::pipeline

@@ -1,0 +1,30 @@
+#pragma once
+#include <filesystem>
+#include <string>
+
+#include "fusee/core/finding.h"
+#include "fusee/pipeline/export.h"
+#include "fusee/profile/profile.h"
+
+namespace fusee::pipeline {
+
+struct MakeOptions {
+    std::filesystem::path out = "out";  ///< the design lands in out/NAME, complete or not at all
+    Via via = Via::kCgal;
+};
+
+/// What became of one profile.
+struct MakeResult {
+    std::string name;
+    bool made = false;                 ///< out/NAME is complete, and every file carries the law
+    std::filesystem::path folder;      ///< empty when nothing was written
+    core::Findings findings;           ///< all of them, passes too; a refusal holds the binding limits
+    double worst_arm_error = 0.0;      ///< relative, over all files
+    double dead_band_peak_deg = 0.0;   ///< exact, full width at the joint, at peak torque
+};
+
+/// One profile in, two cams out: law, arms, contours, solids, rules, files, read-back, report (README, "How it works").
+/// An impossible design writes nothing. @throws core::InvalidInput, core::IoError
+[[nodiscard]] MakeResult make(const profile::Profile& profile, const MakeOptions& options = {});
+
+}  // namespace fusee::pipeline

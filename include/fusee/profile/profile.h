@@ -1,0 +1,100 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "fusee/cam/cam.h"
+#include "fusee/checks/check.h"
+#include "fusee/solid/part.h"
+#include "fusee/spring/base_spring.h"
+#include "fusee/spring/potential.h"
+#include "fusee/spring/stiction_law.h"
+
+/// One TOML file to the options of the rooms, and back. Each room owns its options and their defaults; this room only translates.
+namespace fusee::profile {
+
+/// The numbers of actuator::Actuator; the law joins them in the pipeline.
+struct Rig {
+    double capstan_radius = 0.0;    ///< r_c [m]
+    double joint_radius = 0.0;      ///< r_j [m]
+    double gear_friction = 0.0;     ///< mu
+    double least_torque = 0.0;      ///< [Nm]
+    double peak_torque = 0.0;       ///< [Nm]
+    double overdrive_torque = 0.0;  ///< [Nm]
+};
+
+/// F(x) = sum_i c_i x^i of both springs over the capstan's angle: arguments of spring::make_polynomial.
+struct PolynomialPair {
+    std::vector<double> series, parallel;  ///< [Nm/rad^i]
+};
+
+/// F(x) = scale (exp(rate x) - 1) + offset of both springs: arguments of spring::make_exponential.
+struct ExponentialPair {
+    struct Curve {
+        double scale = 0.0;   ///< [Nm]
+        double rate = 0.0;    ///< [1/rad]
+        double offset = 0.0;  ///< [Nm]
+    };
+    Curve series, parallel;
+};
+
+/// Measured curves of both springs: arguments of spring::make_tabulated.
+struct TablePair {
+    std::filesystem::path file;           ///< as written in the profile, relative to the profile's folder
+    std::vector<double> angle;            ///< capstan angle, ascending [rad]
+    std::vector<double> series, parallel; ///< torque [Nm]
+    spring::TableOptions smoothing;
+};
+
+/// The spring law asked for. StictionLawOptions come complete: mu is the rig's, the torques are this law's.
+struct LawSpec {
+    std::variant<spring::StictionLawOptions, PolynomialPair, ExponentialPair, TablePair> curves;
+    double start_torque = 0.0;    ///< lowest load [Nm], lead-in not counted
+    double end_torque = 0.0;      ///< highest load [Nm]
+    double lead_in_travel = 0.0;  ///< argument of spring::with_lead_in [rad]
+};
+
+/// One cam: its base spring, its path and its body.
+struct PartSpec {
+    spring::BaseSpring spring;
+    cam::CamOptions cam;
+    solid::PartOptions solid;
+};
+
+/// Files to write beside springs.csv, the reports and PART.json.
+struct Outputs {
+    bool stl = true, scad = true, dxf = true, three_mf = true;
+    int springs_rows = 400;  ///< rows of springs.csv, >= 200
+};
+
+/// All that a design is made from. Cable diameter, groove and chordal error stand once in the file and in both parts here.
+struct Profile {
+    Profile();
+
+    std::string name;            ///< letters, digits, '.', '_', '-': also the name of the design's folder
+    std::filesystem::path file;  ///< where it was read from
+    std::string sha256;          ///< of the TOML's bytes followed by those of the CSV it names: `cat a.toml a.csv | sha256sum`
+    Rig rig;
+    LawSpec law;
+    PartSpec k_se, k_pe;
+    checks::Cable cable;
+    checks::Process process;
+    Outputs outputs;
+};
+
+/// No profile and no table is longer [bytes].
+inline constexpr std::size_t kLargestFile = 10'000'000;
+
+/// Reads a profile and the CSV file that it names (docs/profile.md lists every key).
+/// @throws core::IoError if a file is missing, too large or no TOML (line and column)
+/// @throws core::InvalidInput "file:line:column: key": unknown key (with the nearest known one), wrong type, NaN, out of range, missing
+[[nodiscard]] Profile read_profile(const std::filesystem::path& path);
+
+/// The profile as TOML with every key that applies. Read from the same folder it gives the same numbers, bit for bit.
+[[nodiscard]] std::string to_toml(const Profile& profile);
+
+/// Every key with unit, allowed values, default and meaning: the Markdown tables of docs/profile.md.
+[[nodiscard]] std::string profile_reference();
+
+}  // namespace fusee::profile

@@ -1,0 +1,70 @@
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "fusee/actuator/dead_band.h"
+#include "fusee/core/finding.h"
+#include "fusee/core/provenance.h"
+#include "fusee/exchange/part_file.h"
+#include "fusee/readback/readback.h"
+#include "fusee/solid/part.h"
+#include "fusee/solid/quality.h"
+#include "fusee/spring/base_spring.h"
+#include "fusee/spring/law.h"
+
+/// Results to files that a program (JSON, CSV) or a person (HTML) reads. Nothing is computed here that a design depends on.
+namespace fusee::report {
+
+/// The pair of spring laws as designed.
+struct LawReport {
+    std::vector<spring::LawPoint> samples;  ///< by rising load, lead-in included; at least 2
+    core::Range design_loads;               ///< loads without the lead-in [Nm]
+    double lead_in_travel = 0.0;            ///< capstan travel of the low-load law [rad]
+    double least_feasible_start = std::numeric_limits<double>::quiet_NaN();  ///< tau_min [Nm]; NaN: the kind of law knows none
+    core::Range stiction_loads;             ///< what resting capstans may carry: actuator::Actuator::loads [Nm]
+    /// Do the springs reach every load that stiction allows?
+    [[nodiscard]] bool covers_stiction() const;
+};
+
+/// One file written.
+struct FileRow {
+    exchange::FileEntry entry;
+    std::uintmax_t bytes = 0;
+};
+
+struct PartReport {
+    const solid::Part* part = nullptr;  ///< not owned, never null
+    spring::BaseSpring spring;
+    core::Findings findings;
+    std::vector<FileRow> files;
+    std::vector<readback::ArmError> arm_errors;
+    solid::Quality quality;  ///< of part->mesh
+};
+
+/// Everything that the reports show.
+struct DesignReport {
+    core::Provenance provenance;
+    LawReport law;
+    std::vector<actuator::DeadBand> dead_band;  ///< by rising co-contraction
+    core::Findings findings;                    ///< of the law and of the design as a whole
+    std::vector<PartReport> parts;
+    std::vector<FileRow> files;  ///< that belong to no part: springs.csv
+};
+
+/// kPass: can be made; kReview: a person must accept something; kRequired: cannot be made, or a file does not carry the law.
+[[nodiscard]] core::Severity verdict(const DesignReport& design);
+
+/// `rows` loads, evenly spaced: tau_Nm,theta_rad,f_se_Nm,f_pe_Nm,s_Nm_per_rad,p_Nm_per_rad,u_se_J,u_pe_J,t with 17 digits (docs/report.md).
+/// @throws core::InvalidInput if rows < 200; core::IoError
+void write_springs_csv(const std::filesystem::path& path, const spring::SpringLaw& law, std::size_t rows);
+
+/// The keys of docs/report.md, in that order; a NaN is null.
+[[nodiscard]] std::string report_json(const DesignReport& design);
+
+/// One page in one file that opens offline: no script, no request.
+[[nodiscard]] std::string report_html(const DesignReport& design);
+
+}  // namespace fusee::report

@@ -1,0 +1,105 @@
+#include "fusee/actuator/dead_band.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "fusee/core/error.h"
+#include "fusee/math/roots.h"
+
+// Equation numbers: docs/theory/dead_band.md.
+namespace fusee::actuator {
+
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+/// The resting place at the edge of the dead-band where capstan 1 carries the low load and capstan 2 the high one (eq. 5-7). The joint
+/// is balanced, so both series springs are deflected by x: theta_1 = x - g q, theta_2 = x + g q.
+class Edge {
+public:
+    Edge(const spring::SpringLaw& law, core::Range loads) : law_(law), loads_(loads), angles_(law.angles()) {}
+
+    /// g q [rad]; nothing if a parallel spring would have to leave the law.
+    [[nodiscard]] std::optional<double> reach() const {
+        if (loads_.width() == 0.0) return 0.0;
+        const double low = law_.at_load(loads_.low).theta, high = law_.at_load(loads_.high).theta;
+        const auto x = math::bracketed_root([this](double at) { return excess(at); }, low, high);
+        if (!x) return std::nullopt;
+        const std::optional<double> theta_1 = low_side(*x);
+        if (!theta_1 || 2.0 * *x - *theta_1 > angles_.high) return std::nullopt;
+        return *x - *theta_1;
+    }
+
+private:
+    /// theta_1 from F_PE(theta_1) + F_SE(x) = low load.
+    [[nodiscard]] std::optional<double> low_side(double x) const {
+        const double wanted = loads_.low - law_.at_angle(x).f_se;
+        return math::bracketed_root([&](double theta) { return law_.at_angle(theta).f_pe - wanted; }, angles_.low, x);
+    }
+
+    /// F_PE(theta_2) + F_SE(x) - high load: rises with x. Springs are held at the law's ends; reach() refuses a root found there.
+    [[nodiscard]] double excess(double x) const {
+        const double theta_2 = 2.0 * x - low_side(x).value_or(angles_.low);
+        return law_.at_angle(theta_2).f_pe + law_.at_angle(x).f_se - loads_.high;
+    }
+
+    const spring::SpringLaw& law_;
+    core::Range loads_, angles_;
+};
+
+/// Full width at the joint, eq. 7; nothing where the law does not cover the loads that stiction allows.
+std::optional<double> extreme_width(const Actuator& actuator, double tau) {
+    const core::Range loads{tau / (1.0 + actuator.gear_friction), tau / (1.0 - actuator.gear_friction)};
+    const core::Range covered = actuator.law->loads();
+    if (!covered.holds(loads.low) || !covered.holds(loads.high)) return std::nullopt;
+    const std::optional<double> reach = Edge(*actuator.law, loads).reach();
+    if (!reach) return std::nullopt;
+    return 2.0 * *reach / actuator.ratio();
+}
+
+/// eq. 4: d(T tau_f)/dtau with tau_f = mu tau along equal co-contraction, where dtau/dtheta = S + P.
+double condition_6(const spring::LawPoint& p, double mu) {
+    const double sum = p.s + p.p;
+    const double transmission_slope = (p.s_slope * p.p - p.s * p.p_slope) / (sum * sum * sum);
+    return mu * (p.transmission() + p.tau * transmission_slope);
+}
+
+}  // namespace
+
+DeadBand dead_band(const Actuator& actuator, double tau) {
+    DeadBand band;
+    band.tau = tau;
+    const std::optional<double> extreme = extreme_width(actuator, tau);
+    band.covered = extreme.has_value();
+    band.extreme = extreme.value_or(kNan);
+    if (!actuator.law->loads().holds(tau)) {
+        band.linear = band.joint_stiffness = band.free_joint_stiffness = band.theta = band.condition_6 = kNan;
+        return band;
+    }
+    const spring::LawPoint p = actuator.law->at_load(tau);
+    const double g = actuator.ratio();
+    band.linear = 2.0 * actuator.gear_friction * tau / (g * p.p);
+    band.joint_stiffness = 2.0 * g * g * p.s;
+    band.free_joint_stiffness = band.joint_stiffness * p.p / (p.s + p.p);
+    band.theta = p.theta;
+    band.condition_6 = condition_6(p, actuator.gear_friction);
+    return band;
+}
+
+std::vector<DeadBand> dead_band_curve(const Actuator& actuator, std::size_t count) {
+    if (count < 2) throw core::InvalidInput("count", fmt::format("{}", count), "at least 2 levels");
+    std::vector<DeadBand> curve;
+    curve.reserve(count);
+    const double width = actuator.overdrive_torque - actuator.least_torque;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double share = static_cast<double>(i) / static_cast<double>(count - 1);
+        curve.push_back(dead_band(actuator, i + 1 == count ? actuator.overdrive_torque : actuator.least_torque + share * width));
+    }
+    return curve;
+}
+
+}  // namespace fusee::actuator

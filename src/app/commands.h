@@ -1,0 +1,14 @@
+#pragma once
+#include <CLI/CLI.hpp>
+#include <functional>
+
+namespace fusee::app {
+
+/// What a parsed command line asks for: returns the exit code.
+using Action = std::function<int()>;
+
+/// Each adds its subcommand(s) to `app` and sets `action` when the user calls one.
+void add_make(CLI::App& app, Action& action);
+void add_lists(CLI::App& app, Action& action);
+
+}  // namespace fusee::app

@@ -1,0 +1,37 @@
+#include <fmt/format.h>
+
+#include "commands.h"
+#include "fusee/core/error.h"
+#include "fusee/core/provenance.h"
+
+namespace {
+constexpr int kBadInput = 2, kFailed = 3;
+}
+
+int main(int argc, char** argv) {
+    using namespace fusee;
+    CLI::App app("fusee turns the spring energies of a variable-stiffness joint into cams that a shop can print or machine", "fusee");
+    app.set_version_flag("--version", core::version());
+    app.require_subcommand(1);
+    app.footer("Example:\n  fusee make profiles/pnrvsa.toml\n\nHelp on a command: fusee COMMAND --help");
+    app::Action action;
+    app::add_make(app, action);
+    app::add_lists(app, action);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& e) {
+        return app.exit(e) == 0 ? 0 : kBadInput;
+    }
+    try {
+        return action();
+    } catch (const core::InvalidInput& e) {
+        fmt::print(stderr, "fusee: {}\n", e.what());
+        return kBadInput;
+    } catch (const core::IoError& e) {
+        fmt::print(stderr, "fusee: {}\n", e.what());
+        return kBadInput;
+    } catch (const std::exception& e) {
+        fmt::print(stderr, "fusee: a failure inside, please report it: {}\n", e.what());
+        return kFailed;
+    }
+}

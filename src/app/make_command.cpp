@@ -1,0 +1,45 @@
+#include <fmt/format.h>
+
+#include <map>
+#include <memory>
+
+#include "commands.h"
+#include "fusee/batch/batch.h"
+#include "fusee/core/progress.h"
+
+namespace fusee::app {
+
+namespace {
+
+struct MakeArguments {
+    std::vector<std::filesystem::path> paths;
+    pipeline::MakeOptions options;
+    unsigned jobs = 0;
+};
+
+int make(const MakeArguments& arguments) {
+    core::catch_interrupts();
+    const auto rows = batch::make_all(batch::find_profiles(arguments.paths), arguments.options, arguments.jobs);
+    const int code = batch::exit_code(rows);
+    fmt::print(code == 0 ? stdout : stderr, "{}", batch::closing_table(rows));
+    return code;
+}
+
+}  // namespace
+
+void add_make(CLI::App& app, Action& action) {
+    const auto arguments = std::make_shared<MakeArguments>();
+    CLI::App* command = app.add_subcommand("make", "Turn profiles into checked cams: out/NAME with STL, 3MF, DXF, SCAD, PART.json and a report");
+    command->add_option("profiles", arguments->paths, "Profiles (*.toml), or folders of them")->required();
+    command->add_option("-o,--out", arguments->options.out, "Folder that gets one folder per design")->capture_default_str();
+    command->add_option("--via", arguments->options.via, "Kernel that makes the STL: cgal (direct, fast) or openscad (second, independent kernel)")
+        ->transform(CLI::CheckedTransformer(std::map<std::string, pipeline::Via>{{"cgal", pipeline::Via::kCgal}, {"openscad", pipeline::Via::kOpenScad}}));
+    command->add_option("-j,--jobs", arguments->jobs, "Designs made at the same time; 0 = one for each processor")->capture_default_str();
+    command->footer(
+        "Example:\n  fusee make profiles/pnrvsa.toml\n  fusee make profiles --out /tmp/cams --jobs 2\n\n"
+        "Exit code: 0 all made, 1 a design cannot be made (the binding limit and the nearest feasible change are printed),\n"
+        "2 bad input (file, line and key are named), 130 stopped by Ctrl-C. A design that was not made leaves nothing behind.");
+    command->callback([arguments, &action] { action = [arguments] { return make(*arguments); }; });
+}
+
+}  // namespace fusee::app

@@ -1,0 +1,106 @@
+#include "fusee/batch/batch.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <set>
+#include <thread>
+
+#include "fusee/core/error.h"
+#include "fusee/core/progress.h"
+
+namespace fs = std::filesystem;
+
+namespace fusee::batch {
+
+namespace {
+
+/// Runs `work` and turns what it throws into a row's outcome and error.
+template <class Work>
+void guarded(Row& row, const Work& work) {
+    try {
+        work();
+    } catch (const core::InvalidInput& e) {
+        row.outcome = Outcome::kBadInput, row.error = e.what();
+    } catch (const core::IoError& e) {
+        row.outcome = Outcome::kBadInput, row.error = e.what();
+    } catch (const std::exception& e) {
+        row.outcome = Outcome::kFailed, row.error = e.what();
+    }
+}
+
+struct Job {
+    Row row;
+    std::optional<profile::Profile> profile;
+};
+
+/// All profiles are read before the first is made: what is wrong with a file is known at once, and names are compared.
+std::vector<Job> read_all(const std::vector<fs::path>& paths) {
+    std::vector<Job> jobs;
+    std::set<std::string> names;
+    for (const fs::path& path : paths) {
+        Job& job = jobs.emplace_back();
+        job.row.profile = path;
+        guarded(job.row, [&] {
+            profile::Profile read = profile::read_profile(path);
+            job.row.result.name = read.name;
+            if (!names.insert(read.name).second)
+                throw core::InvalidInput(path.string() + ": name", read.name, "a name that no other profile of this run has: each design gets out/NAME");
+            job.profile = std::move(read);
+        });
+    }
+    return jobs;
+}
+
+void run(Job& job, const pipeline::MakeOptions& options) {
+    const auto begin = std::chrono::steady_clock::now();
+    guarded(job.row, [&] {
+        job.row.result = pipeline::make(*job.profile, options);
+        job.row.outcome = job.row.result.made ? Outcome::kMade : Outcome::kRefused;
+    });
+    job.row.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+}  // namespace
+
+std::vector<fs::path> find_profiles(const std::vector<fs::path>& paths) {
+    std::vector<fs::path> found;
+    for (const fs::path& path : paths) {
+        if (!fs::is_directory(path)) {
+            found.push_back(path);
+            continue;
+        }
+        std::vector<fs::path> inside;
+        for (const auto& entry : fs::directory_iterator(path))
+            if (entry.path().extension() == ".toml") inside.push_back(entry.path());
+        if (inside.empty()) throw core::IoError(path.string(), "holds no profile (*.toml)");
+        std::sort(inside.begin(), inside.end());
+        found.insert(found.end(), inside.begin(), inside.end());
+    }
+    return found;
+}
+
+std::vector<Row> make_all(const std::vector<fs::path>& profiles, const pipeline::MakeOptions& options, unsigned jobs) {
+    std::vector<Job> work = read_all(profiles);
+    std::unique_ptr<core::Progress> progress;
+    if (work.size() > 1) progress = std::make_unique<core::Progress>("make", work.size());
+    std::atomic<std::size_t> next{0};
+    const auto worker = [&] {
+        for (std::size_t i = next++; i < work.size() && !core::interrupted(); i = next++) {
+            if (work[i].profile) run(work[i], options);
+            if (progress) progress->advance(work[i].row.profile.filename().string() + ": " + to_string(work[i].row.outcome));
+        }
+    };
+    const std::size_t wanted = jobs > 0 ? jobs : std::max(1u, std::thread::hardware_concurrency());
+    std::vector<std::jthread> pool;
+    for (std::size_t i = 1; i < std::min(wanted, work.size()); ++i) pool.emplace_back(worker);
+    worker();
+    pool.clear();  // joins
+    std::vector<Row> rows;
+    for (Job& job : work) rows.push_back(std::move(job.row));
+    return rows;
+}
+
+}  // namespace fusee::batch

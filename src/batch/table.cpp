@@ -1,0 +1,68 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "fusee/batch/batch.h"
+
+namespace fusee::batch {
+
+const char* to_string(Outcome outcome) {
+    switch (outcome) {
+        case Outcome::kMade: return "made";
+        case Outcome::kRefused: return "refused";
+        case Outcome::kBadInput: return "bad input";
+        case Outcome::kFailed: return "failed";
+        case Outcome::kInterrupted: return "not begun";
+    }
+    return "";
+}
+
+int exit_code(const std::vector<Row>& rows) {
+    const auto code = [](Outcome outcome) {
+        switch (outcome) {
+            case Outcome::kMade: return 0;
+            case Outcome::kRefused: return 1;
+            case Outcome::kBadInput: return 2;
+            case Outcome::kFailed: return 3;
+            case Outcome::kInterrupted: return 130;
+        }
+        return 3;
+    };
+    int gravest = 0;
+    for (const Row& row : rows) gravest = std::max(gravest, code(row.outcome));
+    return gravest;
+}
+
+namespace {
+
+std::string made_line(const Row& row) {
+    const auto count = [&](core::Severity severity) {
+        return std::count_if(row.result.findings.begin(), row.result.findings.end(), [&](const core::Finding& f) { return f.severity == severity; });
+    };
+    return fmt::format("{}/  worst arm error {:.4f} %, exact dead-band {:.1f} deg at peak torque, {} rules passed, {} to review", row.result.folder.string(),
+                       100.0 * row.result.worst_arm_error, row.result.dead_band_peak_deg, count(core::Severity::kPass), count(core::Severity::kReview));
+}
+
+std::string details(const Row& row) {
+    if (!row.error.empty()) return "    " + row.error + "\n";
+    std::string lines;
+    for (const core::Finding& f : row.result.findings)
+        if (f.severity != core::Severity::kPass) lines += "    " + core::to_line(f) + "\n";
+    return lines;
+}
+
+}  // namespace
+
+std::string closing_table(const std::vector<Row>& rows) {
+    std::size_t width = 0;
+    for (const Row& row : rows) width = std::max(width, row.profile.string().size());
+    std::string table;
+    for (const Row& row : rows) {
+        table += fmt::format("{:{}}  {:9}  {:6.2f} s  {}\n", row.profile.string(), width, to_string(row.outcome), row.seconds,
+                             row.outcome == Outcome::kMade ? made_line(row) : "");
+        table += details(row);
+    }
+    return table;
+}
+
+}  // namespace fusee::batch

@@ -1,0 +1,99 @@
+#include "fusee/checks/limits.h"
+
+#include <array>
+#include <cmath>
+
+#include "fusee/core/error.h"
+#include "fusee/core/units.h"
+
+namespace fusee::checks {
+
+namespace {
+
+constexpr std::array kCables = {
+    CableLimits{"fibre", 4.0, 8.0, "The Complete Rigger's Apprentice: fibre 4-6, better 6-8"},
+    CableLimits{"7x7", 28.0, 40.0, "Sava: 40; Strandcore: desired 42, critical 28"},
+    CableLimits{"7x19", 18.0, 25.0, "Sava: 25; Strandcore: desired 24, critical 18"},
+    CableLimits{"7x49", 15.0, 16.0, "Sava: 15, low life below 16"},
+};
+
+struct Strength {
+    double bend_ratio, left;
+};
+constexpr std::array kStrength = {Strength{1.0, 0.50},  Strength{2.0, 0.65},  Strength{6.0, 0.79},
+                                  Strength{10.0, 0.86}, Strength{20.0, 0.91}, Strength{40.0, 0.95}};
+
+constexpr std::array kProcesses = {
+    ProcessLimits{ProcessKind::kFdm, 0.8e-3, 1.2e-3, 2e-3, core::rad_from_deg(45.0), 0.0, 0.3e-3,
+                  "FDM: 3dservicesusa, cifproto, arti90, layerx3d"},
+    ProcessLimits{ProcessKind::kSla, 0.5e-3, 1.0e-3, 0.5e-3, 0.0, 0.0, 0.1e-3, "SLA: 3dservicesusa, cifproto, arti90, layerx3d"},
+    ProcessLimits{ProcessKind::kSls, 0.7e-3, 0.8e-3, 1.0e-3, 0.0, 0.0, 0.2e-3, "SLS: 3dservicesusa, cifproto, arti90, layerx3d"},
+    ProcessLimits{ProcessKind::kMill, 0.8e-3, 1.5e-3, 0.5e-3, 0.0, 0.25e-3, 0.127e-3,
+                  "milling: zekes3d, procurabl, neptunelabs, super-ingenuity, Xometry"},
+};
+
+constexpr std::array kKeys = {
+    KeySize{6e-3, 8e-3, 2e-3, 1.0e-3},   KeySize{8e-3, 10e-3, 3e-3, 1.4e-3},  KeySize{10e-3, 12e-3, 4e-3, 1.8e-3},
+    KeySize{12e-3, 17e-3, 5e-3, 2.3e-3}, KeySize{17e-3, 22e-3, 6e-3, 2.8e-3}, KeySize{22e-3, 30e-3, 8e-3, 3.3e-3},
+};
+
+constexpr double kSameLength = 1e-9;  // [m]: 8e-3 read from millimetres may miss 8e-3 by its last bit
+
+}  // namespace
+
+const char* to_string(ProcessKind kind) {
+    switch (kind) {
+        case ProcessKind::kFdm:
+            return "fdm";
+        case ProcessKind::kSla:
+            return "sla";
+        case ProcessKind::kSls:
+            return "sls";
+        case ProcessKind::kMill:
+            return "mill";
+    }
+    return "";
+}
+
+std::span<const CableLimits> cable_table() { return kCables; }
+std::span<const ProcessLimits> process_table() { return kProcesses; }
+std::span<const KeySize> key_table() { return kKeys; }
+
+const CableLimits& cable_limits(const std::string& construction) {
+    for (const CableLimits& row : kCables)
+        if (construction == row.construction) return row;
+    std::string known;
+    for (const CableLimits& row : kCables) known += (known.empty() ? "" : ", ") + std::string(row.construction);
+    throw core::InvalidInput("cable.construction", construction, known);
+}
+
+double strength_left(double bend_ratio) {
+    if (!(bend_ratio > kStrength.front().bend_ratio)) return kStrength.front().left;
+    for (std::size_t i = 1; i < kStrength.size(); ++i) {
+        const Strength &a = kStrength[i - 1], &b = kStrength[i];
+        if (bend_ratio <= b.bend_ratio)
+            return a.left + (b.left - a.left) * std::log(bend_ratio / a.bend_ratio) / std::log(b.bend_ratio / a.bend_ratio);
+    }
+    return kStrength.back().left;
+}
+
+ProcessLimits process_limits(const Process& process) {
+    ProcessLimits limits = kProcesses.front();
+    for (const ProcessLimits& row : kProcesses)
+        if (row.kind == process.kind) limits = row;
+    if (process.min_wall > 0.0) limits.wall = limits.loaded_wall = process.min_wall;
+    if (process.min_hole > 0.0) limits.hole = process.min_hole;
+    if (process.max_overhang > 0.0) limits.overhang = process.max_overhang;
+    if (process.cutter_radius > 0.0) limits.cutter_radius = process.cutter_radius;
+    if (process.tolerance > 0.0) limits.tolerance = process.tolerance;
+    return limits;
+}
+
+const KeySize* key_size(double shaft_diameter) {
+    if (shaft_diameter < kKeys.front().above - kSameLength) return nullptr;
+    for (const KeySize& key : kKeys)
+        if (shaft_diameter <= key.up_to + kSameLength) return &key;
+    return nullptr;
+}
+
+}  // namespace fusee::checks

@@ -1,0 +1,30 @@
+#include <fmt/format.h>
+
+#include "fusee/core/units.h"
+#include "measure.h"
+#include "rules.h"
+
+namespace fusee::checks {
+
+namespace {
+
+core::Findings run(const Design& design) {
+    if (design.process.kind != ProcessKind::kMill) return {};
+    const solid::GrooveOptions& groove = design.part.options.groove;
+    const double depth = core::mm_from_m(groove.depth_ratio * design.cable.diameter);
+    core::Finding f = at_most(depth, {{}, 0.0}, "mm");
+    f.what = "depth of the groove under its upper flange, out of reach of a tool along the axis";
+    f.where = name(design) + " all along the groove";
+    f.suggestion =
+        fmt::format("a 4th axis, a form cutter of {:.3f} mm radius", core::mm_from_m(groove.radius_ratio * design.cable.diameter));
+    if (design.part.cam.closed()) f.suggestion += ", or two plates split at z = 0 mm";
+    return {f};
+}
+
+}  // namespace
+
+Rule process_undercut() {
+    return {"process.undercut", "a rim groove that three axes cannot reach", "geometry: the groove opens sideways", run};
+}
+
+}  // namespace fusee::checks

@@ -1,0 +1,49 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "fusee/core/units.h"
+#include "measure.h"
+#include "rules.h"
+#include "spring_change.h"
+
+namespace fusee::checks {
+
+namespace {
+
+constexpr double kYoung = 207e9, kShear = 79.3e9;  // spring steel [Pa]
+constexpr double kEnds = 0.5;                      // alpha: both ends on flat parallel plates
+constexpr double kC1 = kYoung / (2.0 * (kYoung - kShear));
+constexpr double kC2 = 2.0 * core::kPi * core::kPi * (kYoung - kShear) / (2.0 * kShear + kYoung);
+
+/// Free length below which the spring is stable at every compression: lambda^2 = C2, that is 5.25 D.
+double stable_length(const spring::BaseSpring& s) { return std::sqrt(kC2) * s.coil_diameter / kEnds; }
+
+/// y_cr = L0 C1 (1 - sqrt(1 - C2/lambda^2)), lambda = alpha L0/D. @pre longer than stable_length
+double critical_compression(const spring::BaseSpring& s) {
+    const double slenderness = kEnds * s.free_length / s.coil_diameter;
+    return s.free_length * kC1 * (1.0 - std::sqrt(1.0 - kC2 / (slenderness * slenderness)));
+}
+
+core::Findings run(const Design& design) {
+    const spring::BaseSpring& s = design.spring;
+    if (s.kind != spring::BaseKind::kCompression || s.free_length <= 0.0 || s.coil_diameter <= 0.0) return {};
+    core::Finding f;
+    if (s.free_length <= stable_length(s)) {
+        f = at_most(core::mm_from_m(s.free_length), {{}, core::mm_from_m(stable_length(s))}, "mm");
+        f.what = "free length of the base spring: stable at every compression";
+        return {f};
+    }
+    f = at_most(core::mm_from_m(largest_state(design)), {{}, core::mm_from_m(critical_compression(s))}, "mm");
+    f.what = "largest compression of the slender base spring, against the one at which it buckles between flat plates";
+    f.suggestion = fmt::format("{}.spring.free_length_mm = {}, or a guide rod", name(design), down(core::mm_from_m(stable_length(s))));
+    return {f};
+}
+
+}  // namespace
+
+Rule spring_buckling() {
+    return {"spring.buckling", "the compression spring buckling", "roymech, machinecalcs: stable below 5.25 D on flat plates", run};
+}
+
+}  // namespace fusee::checks

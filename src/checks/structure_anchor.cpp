@@ -1,0 +1,63 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "fusee/checks/limits.h"
+#include "fusee/core/units.h"
+#include "measure.h"
+#include "rules.h"
+#include "shape.h"
+
+namespace fusee::checks {
+
+namespace {
+
+struct Neighbour {
+    double wall;  ///< from the hole's edge [m]
+    const char* what;
+};
+
+/// What the hole, axial from the groove's plane to the top, comes near to.
+std::vector<Neighbour> neighbours(const Design& design, const cam::PathPoint& anchor, Vec2 centre, double radius) {
+    const solid::PartOptions& options = design.part.options;
+    std::vector<Neighbour> all;
+    if (options.hub.kind == solid::HubKind::kThrough) all.push_back({distance_to_bore(options.hub, centre) - radius, "bore"});
+    if (has_slot(options.features)) all.push_back({leg_slot(options.features).distance(centre) - radius, "spring leg's slot"});
+    if (design.part.cam.closed()) return all;
+    std::vector<cam::PathPoint> above;  // turns that the hole passes on its way to the top
+    for (const cam::PathPoint& p : contour(design.part.cam))
+        if (p.z > anchor.z && std::abs(p.psi - anchor.psi) > core::kPi) above.push_back(p);
+    if (!above.empty())
+        all.push_back({distance_inside(above, -0.5 * design.cable.diameter, centre).distance - radius, "groove of the turns above"});
+    return all;
+}
+
+core::Findings run(const Design& design) {
+    const cam::Cam& cam = design.part.cam;
+    const double radius = 0.5 * design.part.options.features.anchor_hole_diameter;
+    if (radius <= 0.0 || !cam.path || cam.working.empty()) return {};
+    const cam::PathPoint anchor = cam.path(cam.anchor_psi);
+    const core::Place at = place(anchor, -radius);  // the hole touches the pitch curve from inside
+    const Vec2 centre{core::m_from_mm(at.point_mm[0]), core::m_from_mm(at.point_mm[1])};
+    const std::vector<Neighbour> all = neighbours(design, anchor, centre, radius);
+    if (all.empty()) return {};
+    const Neighbour nearest =
+        *std::min_element(all.begin(), all.end(), [](const Neighbour& a, const Neighbour& b) { return a.wall < b.wall; });
+    core::Finding f = at_least(core::mm_from_m(nearest.wall), {core::mm_from_m(process_limits(design.process).wall), {}}, "mm");
+    f.what = fmt::format("wall between the cable's anchor hole and the {}", nearest.what);
+    f.where = where(design, cam.anchor_psi);
+    f.place = at;
+    const double smaller = 2.0 * radius - core::m_from_mm(f.allowed - f.measured);  // its far edge stays at the pitch curve
+    f.suggestion = smaller > 0.0 ? fmt::format("{}.features.anchor_hole_mm = {}", name(design), down(core::mm_from_m(smaller)))
+                                 : fmt::format("{}.features.anchor_hole_mm = 0 and a knot or clamp outside the part", name(design));
+    return {f};
+}
+
+}  // namespace
+
+Rule structure_anchor() {
+    return {"structure.anchor", "the anchor hole breaking into bore, slot or another turn", "the process's thinnest wall", run};
+}
+
+}  // namespace fusee::checks

@@ -1,0 +1,39 @@
+#include <fmt/format.h>
+
+#include "fusee/core/units.h"
+#include "measure.h"
+#include "rules.h"
+#include "shape.h"
+
+namespace fusee::checks {
+
+namespace {
+
+constexpr double kSampled = 1e-6;  // the closing arc meets its least radius between samples
+
+core::Findings run(const Design& design) {
+    const cam::Cam& cam = design.part.cam;
+    const cam::PathPoint* sharpest = nullptr;
+    const std::vector<cam::PathPoint> path = contour(cam);
+    for (const cam::PathPoint& p : path)
+        if (!cam.working_psi.holds(p.psi) && (!sharpest || !(p.rho >= sharpest->rho))) sharpest = &p;
+    if (!sharpest) return {};
+    const double cusp = core::mm_from_m(0.5 * design.cable.diameter), wanted = core::mm_from_m(cam.options.path.min_idle_curvature_radius);
+    core::Finding f = at_least(core::mm_from_m(sharpest->rho) * (1.0 + kSampled), {cusp, wanted}, "mm");
+    f.what = "least radius of curvature outside the working arc; the groove's floor has a cusp below half a cable";
+    f.where = where(design, sharpest->psi);
+    f.place = place(*sharpest, -0.5 * design.cable.diameter);
+    const double margin = core::deg_from_rad(cam.options.path.margin);
+    f.suggestion = cam.closed() ? fmt::format("{}.path.min_idle_radius_mm = {}", name(design), up(f.allowed))
+                                : fmt::format("{}.path.margin_deg = {}: a longer run-out bends less", name(design), up(1.5 * margin));
+    return {f};
+}
+
+}  // namespace
+
+Rule structure_idle_curvature() {
+    return {"structure.idle_curvature", "a contour too sharp to cut outside its working arc",
+            "geometry: rho > d/2; path.min_idle_radius_mm", run};
+}
+
+}  // namespace fusee::checks

@@ -1,0 +1,97 @@
+#include <dxflib/dl_creationadapter.h>
+#include <dxflib/dl_dxf.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+#include <sstream>
+
+#include "fusee/core/error.h"
+#include "fusee/core/file.h"
+#include "fusee/exchange/dxf.h"
+
+namespace fusee::exchange {
+
+namespace {
+
+/// Takes what dxflib finds into a drawing.
+class Collector : public DL_CreationAdapter {
+public:
+    explicit Collector(const std::filesystem::path& path) : path_(path) {}
+
+    void addComment(const std::string& text) override {
+        if (drawing.provenance.empty()) drawing.provenance = text;
+    }
+    void setVariableInt(const std::string& key, int value, int) override {
+        if (key == "$INSUNITS") units = value;
+    }
+    void addLayer(const DL_LayerData& data) override {
+        if (data.name != "0") layer(data.name);
+    }
+    void addPolyline(const DL_PolylineData& data) override {
+        finish();
+        layer(attributes.getLayer()).polylines.push_back({{}, (data.flags & 1) != 0});
+        open_ = attributes.getLayer();
+        awaited_ = data.number;
+    }
+    void addVertex(const DL_VertexData& v) override {
+        if (!open_.empty()) layer(open_).polylines.back().points_mm.push_back(point(v.x, v.y));
+    }
+    void addCircle(const DL_CircleData& c) override {
+        if (!(c.radius > 0.0)) throw core::IoError(path_.string(), "holds a circle without a radius above 0");
+        layer(attributes.getLayer()).circles.push_back({point(c.cx, c.cy), c.radius});
+    }
+    void addPoint(const DL_PointData& p) override { layer(attributes.getLayer()).points_mm.push_back(point(p.x, p.y)); }
+
+    /// The last polyline is complete when the file ends or another one begins. @throws IoError if vertices are missing
+    void finish() {
+        if (!open_.empty() && layer(open_).polylines.back().points_mm.size() != static_cast<std::size_t>(awaited_))
+            throw core::IoError(path_.string(), fmt::format("layer {}: a polyline lacks vertices", open_));
+        open_.clear();
+    }
+
+    DxfDrawing drawing;
+    int units = 0;
+
+private:
+    DxfLayer& layer(const std::string& name) {
+        auto& layers = drawing.layers;
+        const auto found = std::find_if(layers.begin(), layers.end(), [&](const DxfLayer& l) { return l.name == name; });
+        return found == layers.end() ? layers.emplace_back(DxfLayer{name, {}, {}, {}}) : *found;
+    }
+    [[nodiscard]] Vec2 point(double x, double y) const {
+        if (!std::isfinite(x) || !std::isfinite(y)) throw core::IoError(path_.string(), "holds a coordinate that is not finite");
+        return {x, y};
+    }
+
+    std::filesystem::path path_;
+    std::string open_;  ///< layer of the polyline whose vertices follow
+    int awaited_ = 0;
+};
+
+/// dxflib counts its lines in a variable shared by all readers.
+void collect(const std::string& bytes, Collector& collector) {
+    static std::mutex mutex;
+    const std::scoped_lock lock(mutex);
+    std::istringstream in(bytes);
+    in.imbue(std::locale::classic());
+    DL_Dxf().in(in, &collector);
+}
+
+}  // namespace
+
+DxfDrawing read_dxf(const std::filesystem::path& path) {
+    const std::string bytes = core::read_file(path);
+    // dxflib ends at the end of the stream as at the end of the drawing: only the last group tells a whole file from a cut one.
+    const std::size_t end = bytes.find_last_not_of(" \r\n");
+    if (end == std::string::npos || end < 2 || bytes.compare(end - 2, 3, "EOF") != 0)
+        throw core::IoError(path.string(), "is not a DXF file or is cut short: EOF is missing");
+    Collector collector(path);
+    collect(bytes, collector);
+    collector.finish();
+    if (collector.units != 4) throw core::IoError(path.string(), fmt::format("$INSUNITS is {}, not 4 (millimetres)", collector.units));
+    return std::move(collector.drawing);
+}
+
+}  // namespace fusee::exchange

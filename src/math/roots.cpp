@@ -1,0 +1,22 @@
+#include "fusee/math/roots.h"
+
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace fusee::math {
+
+std::optional<double> bracketed_root(const std::function<double(double)>& f, double low, double high) {
+    const double f_low = f(low), f_high = f(high);
+    if (f_low == 0.0) return low;
+    if (f_high == 0.0) return high;
+    if (!(low < high) || std::isnan(f_low) || std::isnan(f_high) || (f_low < 0.0) == (f_high < 0.0)) return std::nullopt;
+    // 200 halvings take the widest bracket of doubles apart; TOMS 748 needs about ten evaluations.
+    std::uintmax_t evaluations = 200;
+    const boost::math::tools::eps_tolerance<double> tight(std::numeric_limits<double>::digits - 1);
+    const auto [left, right] = boost::math::tools::toms748_solve(f, low, high, f_low, f_high, tight, evaluations);
+    return std::abs(f(left)) <= std::abs(f(right)) ? left : right;
+}
+
+}  // namespace fusee::math

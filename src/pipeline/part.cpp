@@ -1,0 +1,19 @@
+#include "fusee/cam/arm.h"
+#include "fusee/checks/check.h"
+#include "fusee/pipeline/design.h"
+
+namespace fusee::pipeline {
+
+core::Outcome<DesignedPart> design_part(cam::PartKind kind, const profile::Profile& profile, const spring::SpringLawPtr& law) {
+    const profile::PartSpec& spec = kind == cam::PartKind::kSeries ? profile.k_se : profile.k_pe;
+    const cam::ArmFunction arm(kind, law, spec.spring, profile.rig.capstan_radius);
+    const auto cam = cam::synthesize_cam(arm, spec.cam);
+    if (!cam) return cam.refusal();
+    auto part = solid::build_part(*cam, spec.solid);
+    if (!part) return part.refusal();
+    core::Findings findings = checks::check({*part, spec.spring, profile.cable, profile.process});
+    if (core::any_required(findings)) return findings;
+    return DesignedPart{std::move(part).value(), std::move(findings)};
+}
+
+}  // namespace fusee::pipeline

@@ -1,0 +1,154 @@
+#pragma once
+#include <algorithm>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+#include "fusee/core/units.h"
+#include "fusee/profile/profile.h"
+
+/// The list of keys: the one place that knows what may stand in a profile. Reading, refusing, writing and documenting all walk it.
+namespace fusee::profile {
+
+/// SI = value * numerator / denominator: with integers of one digit or ten's powers, "0.8 mm" becomes the double nearest to 8e-4.
+struct Unit {
+    const char* name;
+    double numerator = 1.0, denominator = 1.0;
+    [[nodiscard]] double to_si(double value) const { return value * numerator / denominator; }
+    [[nodiscard]] double from_si(double si) const { return si * denominator / numerator; }
+};
+inline constexpr Unit kPure{""}, kNm{"Nm"}, kNewton{"N"}, kRad{"rad"}, kPerRad{"1/rad"}, kPerNmRad{"1/(Nm rad)"}, kNmPerRad{"Nm/rad"},
+    kNPerM{"N/m"}, kMm{"mm", 1.0, 1e3}, kDeg{"deg", core::kPi, 180.0}, kMPa{"MPa", 1e6, 1.0};
+
+/// Allowed numbers, in the key's own unit; always finite.
+struct Limits {
+    double low = 0.0, high = 0.0;
+    bool low_allowed = true;
+};
+constexpr Limits within(double low, double high) { return {low, high, true}; }
+constexpr Limits above(double low, double high) { return {low, high, false}; }
+
+enum class Kind { kNumber, kInteger, kName, kFile, kChoice, kSign, kNumbers, kChoices };
+
+/// Numbers in SI.
+using Value = std::variant<double, int, std::string, std::vector<double>, std::vector<std::string>>;
+
+/// The key has a meaning only while another one, further up in the list, has one of these values.
+struct Condition {
+    std::string key;
+    std::vector<std::string> values;
+};
+
+struct Key {
+    std::string path;     ///< "k_se.guide.direction_deg"
+    Kind kind = Kind::kNumber;
+    std::string meaning;  ///< one line
+    Unit unit = kPure;
+    Limits limits{};
+    std::size_t least_count = 1, most_count = 1;  ///< of an array
+    std::vector<std::string> choices;
+    bool required = false;
+    Condition when;  ///< empty key: always
+    std::function<Value(const Profile&)> get;
+    std::function<void(Profile&, const Value&)> set;
+
+    [[nodiscard]] std::string table() const;  ///< "k_se.guide"; "" at the top
+    [[nodiscard]] std::string leaf() const;   ///< "direction_deg"
+};
+
+[[nodiscard]] const std::vector<Key>& keys();
+/// nullptr if there is none.
+[[nodiscard]] const Key* find_key(std::string_view path);
+[[nodiscard]] bool is_table(std::string_view path);
+/// The known key that the writer of `path` most likely meant.
+[[nodiscard]] const Key& nearest_key(std::string_view path);
+[[nodiscard]] std::string nearest_table(std::string_view path);
+
+/// Does the key have a meaning in this profile, as far as it is read?
+[[nodiscard]] bool applies(const Key& key, const Profile& profile);
+/// "a number above 0, at most 95", "\"planar\" or \"helix\"".
+[[nodiscard]] std::string allowed_text(const Key& key);
+/// The key's value as TOML, numbers in the key's unit with the fewest digits that give the same SI number.
+[[nodiscard]] std::string toml_text(const Key& key, const Profile& profile);
+
+/// The tables' shares of the list (keys.cpp, law_keys.cpp, part_keys.cpp).
+[[nodiscard]] std::vector<Key> law_keys();
+[[nodiscard]] std::vector<Key> part_keys(const std::string& part, PartSpec Profile::*member);
+
+// How a row of the list is made: `at` is a generic lambda from a (const) Profile& to the member.
+template <class T, class At>
+Key plain_key(std::string path, Kind kind, std::string meaning, At at) {
+    Key key;
+    key.path = std::move(path);
+    key.kind = kind;
+    key.meaning = std::move(meaning);
+    key.get = [at](const Profile& p) { return Value(T(at(p))); };
+    key.set = [at](Profile& p, const Value& v) { at(p) = std::get<T>(v); };
+    return key;
+}
+
+template <class At>
+Key number(std::string path, Unit unit, Limits limits, std::string meaning, At at) {
+    Key key = plain_key<double>(std::move(path), Kind::kNumber, std::move(meaning), at);
+    key.unit = unit;
+    key.limits = limits;
+    return key;
+}
+
+template <class At>
+Key integer(std::string path, Limits limits, std::string meaning, At at) {
+    Key key = plain_key<int>(std::move(path), Kind::kInteger, std::move(meaning), at);
+    key.limits = limits;
+    return key;
+}
+
+template <class At>
+Key sign(std::string path, std::string meaning, At at) {
+    return plain_key<int>(std::move(path), Kind::kSign, std::move(meaning), at);
+}
+
+template <class At>
+Key numbers(std::string path, Unit unit, Limits limits, std::size_t least, std::size_t most, std::string meaning, At at) {
+    Key key = plain_key<std::vector<double>>(std::move(path), Kind::kNumbers, std::move(meaning), at);
+    key.unit = unit;
+    key.limits = limits;
+    key.least_count = least;
+    key.most_count = most;
+    return key;
+}
+
+/// A text out of a list; for an enum the list names its values in order.
+template <class At>
+Key choice(std::string path, std::vector<std::string> names, std::string meaning, At at) {
+    using Member = std::remove_cvref_t<decltype(at(std::declval<Profile&>()))>;
+    Key key;
+    key.path = std::move(path);
+    key.kind = Kind::kChoice;
+    key.meaning = std::move(meaning);
+    if constexpr (std::is_enum_v<Member>) {
+        key.get = [at, names](const Profile& p) { return Value(names.at(static_cast<std::size_t>(at(p)))); };
+        key.set = [at, names](Profile& p, const Value& v) {
+            const auto place = std::find(names.begin(), names.end(), std::get<std::string>(v)) - names.begin();
+            at(p) = static_cast<Member>(place);
+        };
+    } else {
+        key.get = [at](const Profile& p) { return Value(std::string(at(p))); };
+        key.set = [at](Profile& p, const Value& v) { at(p) = std::get<std::string>(v); };
+    }
+    key.choices = std::move(names);
+    return key;
+}
+
+inline Key required(Key key) {
+    key.required = true;
+    return key;
+}
+inline Key when(std::string other, std::vector<std::string> values, Key key) {
+    key.when = {std::move(other), std::move(values)};
+    return key;
+}
+
+}  // namespace fusee::profile

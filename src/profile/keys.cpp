@@ -1,0 +1,126 @@
+#include "key.h"
+
+namespace fusee::profile {
+
+namespace {
+
+#define FIELD(member) [](auto& p) -> auto& { return p.member; }
+
+std::vector<Key> rig_keys() {
+    return {
+        required(plain_key<std::string>("name", Kind::kName, "the design's name and that of its folder under out/", FIELD(name))),
+        required(number("rig.capstan_radius_mm", kMm, above(0, 1000), "r_c, radius at which the capstan takes the joint's cable",
+                        FIELD(rig.capstan_radius))),
+        required(number("rig.joint_radius_mm", kMm, above(0, 1000), "r_j, radius of the joint's pulley", FIELD(rig.joint_radius))),
+        required(number("rig.gear_friction", kPure, within(0, 0.95),
+                        "mu: a resting capstan at motor torque tau carries loads from tau/(1+mu) to tau/(1-mu)", FIELD(rig.gear_friction))),
+        required(number("rig.least_torque_Nm", kNm, above(0, 1e4), "least co-contraction used; below the peak torque",
+                        FIELD(rig.least_torque))),
+        required(number("rig.peak_torque_Nm", kNm, above(0, 1e4), "the motors' continuous torque at the capstan", FIELD(rig.peak_torque))),
+        required(number("rig.overdrive_torque_Nm", kNm, above(0, 1e4), "for a short time; not below the peak torque",
+                        FIELD(rig.overdrive_torque))),
+    };
+}
+
+std::vector<Key> cable_keys() {
+    return {
+        required(number("cable.diameter_mm", kMm, above(0, 20), "d, of the cable under load", FIELD(cable.diameter))),
+        choice("cable.construction", {"fibre", "7x7", "7x19", "7x49"}, "gives the default bend ratio", FIELD(cable.construction)),
+        number("cable.min_bend_ratio", kPure, within(0, 200), "least D/d, D = diameter of the groove's floor; 0 = by construction",
+               FIELD(cable.min_bend_ratio)),
+        number("cable.breaking_load_N", kNewton, within(0, 1e6), "0 = not checked", FIELD(cable.breaking_load)),
+        number("cable.max_pressure_MPa", kMPa, within(0, 1e4), "bearing pressure 2T/(D d) that the part's material takes; 0 = not checked",
+               FIELD(cable.max_pressure)),
+        number("cable.max_fleet_deg", kDeg, within(0, 20), "angle between the free cable and the groove's plane; 0 = 2 deg, grooved",
+               FIELD(cable.max_fleet)),
+        number("groove.radius_ratio", kPure, within(0.5, 2), "radius of the round floor over d", FIELD(k_se.solid.groove.radius_ratio)),
+        number("groove.depth_ratio", kPure, within(0.1, 10), "height of the lips above the floor, in d",
+               FIELD(k_se.solid.groove.depth_ratio)),
+        number("groove.throat_deg", kDeg, within(0, 170), "full angle between the flanks", FIELD(k_se.solid.groove.throat)),
+        number("groove.rib_mm", kMm, above(0, 100), "flange beside the groove (planar), least land between turns (helix)",
+               FIELD(k_se.solid.groove.rib)),
+    };
+}
+
+Key build_volume() {
+    Key key;
+    key.path = "process.build_mm";
+    key.kind = Kind::kNumbers;
+    key.meaning = "build volume or stock: x, y, z";
+    key.unit = kMm;
+    key.limits = above(0, 1e4);
+    key.least_count = key.most_count = 3;
+    key.get = [](const Profile& p) { return Value(std::vector<double>{p.process.build_x, p.process.build_y, p.process.build_z}); };
+    key.set = [](Profile& p, const Value& v) {
+        const auto& xyz = std::get<std::vector<double>>(v);
+        p.process.build_x = xyz[0];
+        p.process.build_y = xyz[1];
+        p.process.build_z = xyz[2];
+    };
+    return key;
+}
+
+std::vector<Key> process_keys() {
+    return {
+        required(choice("process.kind", {"fdm", "sla", "sls", "mill"}, "gives the defaults of the limits below", FIELD(process.kind))),
+        build_volume(),
+        number("process.min_wall_mm", kMm, within(0, 100), "0 = by process", FIELD(process.min_wall)),
+        number("process.min_hole_mm", kMm, within(0, 100), "diameter; 0 = by process", FIELD(process.min_hole)),
+        number("process.max_overhang_deg", kDeg, within(0, 90), "of a face that looks down, from the vertical; 0 = by process",
+               FIELD(process.max_overhang)),
+        number("process.cutter_radius_mm", kMm, within(0, 100), "smallest ball or end mill at hand; 0 = by process",
+               FIELD(process.cutter_radius)),
+        number("process.tolerance_mm", kMm, within(0, 10), "of a contour, one side; 0 = by process", FIELD(process.tolerance)),
+        number("tolerances.chordal_error_mm", kMm, above(0, 1), "largest distance between the exported mesh and the exact surface",
+               FIELD(k_se.solid.chordal_error)),
+    };
+}
+
+/// The four switches of Outputs as a list of names.
+Key formats() {
+    static constexpr bool Outputs::*kSwitches[] = {&Outputs::stl, &Outputs::scad, &Outputs::dxf, &Outputs::three_mf};
+    Key key;
+    key.path = "outputs.formats";
+    key.kind = Kind::kChoices;
+    key.meaning = "part files to write; dxf: the outline of a planar spool";
+    key.choices = {"stl", "scad", "dxf", "3mf"};
+    key.most_count = key.choices.size();
+    key.get = [names = key.choices](const Profile& p) {
+        std::vector<std::string> chosen;
+        for (std::size_t i = 0; i < names.size(); ++i)
+            if (p.outputs.*kSwitches[i]) chosen.push_back(names[i]);
+        return Value(chosen);
+    };
+    key.set = [names = key.choices](Profile& p, const Value& v) {
+        const auto& chosen = std::get<std::vector<std::string>>(v);
+        for (std::size_t i = 0; i < names.size(); ++i)
+            p.outputs.*kSwitches[i] = std::find(chosen.begin(), chosen.end(), names[i]) != chosen.end();
+    };
+    return key;
+}
+
+std::vector<Key> all_keys() {
+    std::vector<Key> all;
+    const auto add = [&all](std::vector<Key> more) {
+        std::move(more.begin(), more.end(), std::back_inserter(all));
+    };
+    add(rig_keys());
+    add(law_keys());
+    add(cable_keys());
+    add(process_keys());
+    add({formats(), integer("outputs.springs_rows", within(200, 100000), "rows of springs.csv", FIELD(outputs.springs_rows))});
+    add(part_keys("k_se", &Profile::k_se));
+    add(part_keys("k_pe", &Profile::k_pe));
+    return all;
+}
+
+#undef FIELD
+
+}  // namespace
+
+const std::vector<Key>& keys() {
+    static const std::vector<Key> all = all_keys();
+    return all;
+}
+
+}  // namespace fusee::profile

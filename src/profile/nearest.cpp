@@ -1,0 +1,61 @@
+#include <array>
+#include <tuple>
+
+#include "key.h"
+
+namespace fusee::profile {
+
+namespace {
+
+/// Least number of letters to insert, delete, replace or swap with the next one (optimal string alignment).
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+    std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+    for (std::size_t i = 0; i <= a.size(); ++i) d[i][0] = i;
+    for (std::size_t j = 0; j <= b.size(); ++j) d[0][j] = j;
+    for (std::size_t i = 1; i <= a.size(); ++i)
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            const std::size_t replaced = d[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+            d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, replaced});
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+        }
+    return d.back().back();
+}
+
+/// The name without its unit, so that "lead_in_rad" finds "lead_in_deg" before anything that is merely spelled alike.
+std::string_view stem(std::string_view name) {
+    static constexpr std::array kUnits{"m",  "cm", "mm", "um", "in", "inch", "deg", "rad", "Nm",  "nm",  "mNm", "Ncm",
+                                       "kN", "N",  "Pa", "kPa", "MPa", "GPa", "per", "J",  "psi", "lbf", "mpa", "degrees"};
+    while (true) {
+        const auto cut = name.rfind('_');
+        if (cut == std::string_view::npos) return name;
+        if (std::find(kUnits.begin(), kUnits.end(), name.substr(cut + 1)) == kUnits.end()) return name;
+        name = name.substr(0, cut);
+    }
+}
+
+std::pair<std::string_view, std::string_view> split(std::string_view path) {
+    const auto dot = path.rfind('.');
+    return dot == std::string_view::npos ? std::pair{std::string_view{}, path} : std::pair{path.substr(0, dot), path.substr(dot + 1)};
+}
+
+}  // namespace
+
+const Key& nearest_key(std::string_view path) {
+    const auto [table, leaf] = split(path);
+    const auto cost = [table = table, leaf = leaf](const Key& key) {
+        const auto [known_table, known_leaf] = split(key.path);
+        return std::tuple(edit_distance(table, known_table) + edit_distance(stem(leaf), stem(known_leaf)), edit_distance(leaf, known_leaf));
+    };
+    return *std::min_element(keys().begin(), keys().end(), [&](const Key& a, const Key& b) { return cost(a) < cost(b); });
+}
+
+std::string nearest_table(std::string_view path) {
+    std::vector<std::string> tables;
+    for (const Key& key : keys())
+        for (std::string table = key.table(); !table.empty(); table = std::string(split(table).first)) tables.push_back(table);
+    return *std::min_element(tables.begin(), tables.end(), [path](const std::string& a, const std::string& b) {
+        return edit_distance(path, a) < edit_distance(path, b);
+    });
+}
+
+}  // namespace fusee::profile

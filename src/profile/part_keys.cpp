@@ -1,0 +1,119 @@
+#include "key.h"
+
+namespace fusee::profile {
+
+namespace {
+
+#define OF(field) [member](auto& p) -> auto& { return (p.*member).field; }
+
+std::vector<Key> body_keys(const std::string& part, PartSpec Profile::*member) {
+    return {
+        sign(part + ".torque_sign", "sign of the tension's torque about +z", OF(cam.torque_sign)),
+        integer(part + ".target_rows", within(200, 100000), "working positions in PART.json", OF(cam.target_rows)),
+        number(part + ".flange_height_mm", kMm, within(0, 100), "how far the flanges stand above the groove's lips",
+               OF(solid.flange_height)),
+    };
+}
+
+/// The two base springs differ in what they measure: angle and torque, or travel and force.
+std::vector<Key> spring_keys(const std::string& part, PartSpec Profile::*member) {
+    const std::string t = part + ".spring.";
+    std::vector<Key> all;
+    if (part == "k_se") {
+        all = {required(number(t + "rate_Nm_per_rad", kNmPerRad, above(0, 1e6), "k_t of the torsion spring, as measured", OF(spring.rate))),
+               required(number(t + "preload_rad", kRad, within(0, 1e3), "phi0, wound at the law's lowest load", OF(spring.preload))),
+               number(t + "max_angle_rad", kRad, within(0, 1e3), "largest allowed winding, preload counted; 0 = unknown",
+                      OF(spring.max_state)),
+               number(t + "max_torque_Nm", kNm, within(0, 1e4), "0 = unknown", OF(spring.max_load))};
+    } else {
+        all = {required(number(t + "rate_N_per_m", kNPerM, above(0, 1e9), "k of the compression spring, as measured", OF(spring.rate))),
+               required(number(t + "preload_mm", kMm, within(0, 1e4), "y0, compressed at the law's lowest load", OF(spring.preload))),
+               number(t + "max_travel_mm", kMm, within(0, 1e4), "travel to solid, preload counted; 0 = unknown", OF(spring.max_state)),
+               number(t + "max_force_N", kNewton, within(0, 1e6), "0 = unknown", OF(spring.max_load))};
+    }
+    all.push_back(number(t + "wire_mm", kMm, within(0, 100), "wire diameter; 0 = unknown, stress not checked", OF(spring.wire_diameter)));
+    all.push_back(number(t + "coil_mm", kMm, within(0, 1000), "mean coil diameter; 0 = unknown", OF(spring.coil_diameter)));
+    all.push_back(number(t + "active_coils", kPure, within(0, 1000), "0 = unknown", OF(spring.active_coils)));
+    all.push_back(number(t + "free_length_mm", kMm, within(0, 1e4), "0 = unknown, buckling not checked", OF(spring.free_length)));
+    all.push_back(number(t + "tensile_strength_MPa", kMPa, within(0, 1e4), "of the wire; 0 = unknown", OF(spring.tensile_strength)));
+    all.push_back(number(t + "stress_share", kPure, above(0, 1), "allowed share of it: 0.8 music wire, 0.6 stainless 302",
+                         OF(spring.stress_share)));
+    return all;
+}
+
+std::vector<Key> guide_keys(const std::string& part, PartSpec Profile::*member) {
+    const std::string t = part + ".guide.", kind = t + "kind";
+    return {
+        choice(kind, {"parallel", "point", "idler"}, "where the cable goes: straight off, to a point, over an idler", OF(cam.guide.kind)),
+        number(t + "direction_deg", kDeg, within(-360, 360), "parallel: along the cable, away from the cam; else towards the guide's centre",
+               OF(cam.guide.direction)),
+        when(kind, {"point", "idler"},
+             required(number(t + "distance_mm", kMm, above(0, 1e4), "cam axis to the guide's centre", OF(cam.guide.distance)))),
+        when(kind, {"idler"}, required(number(t + "radius_mm", kMm, above(0, 1000), "pitch radius of the idler", OF(cam.guide.radius)))),
+        when(kind, {"idler"}, sign(t + "sense", "side on which the cable passes the idler's centre", OF(cam.guide.sense))),
+        number(t + "z_mm", kMm, within(-1e4, 1e4), "height of the guide, for a path aimed at it", OF(cam.guide.z)),
+    };
+}
+
+std::vector<Key> path_keys(const std::string& part, PartSpec Profile::*member) {
+    const std::string t = part + ".path.", kind = t + "kind";
+    return {
+        choice(kind, {"planar", "helix"}, "one closed turn, or a groove that climbs for as many turns as the law needs", OF(cam.path.kind)),
+        when(kind, {"helix"}, choice(t + "lead", {"constant_pitch", "aimed"}, "aimed: climbs so that the cable always points at the guide",
+                                     OF(cam.path.lead))),
+        when(kind, {"helix"}, number(t + "pitch_mm", kMm, within(0, 1000), "height gained per turn; above 0 for a constant pitch",
+                                     OF(cam.path.pitch))),
+        number(t + "margin_deg", kDeg, within(0, 180), "groove beyond the working arc, to the anchor", OF(cam.path.margin)),
+        number(t + "min_idle_radius_mm", kMm, above(0, 1000), "least radius of curvature on the idle arc that closes a planar path",
+               OF(cam.path.min_idle_curvature_radius)),
+    };
+}
+
+std::vector<Key> hub_keys(const std::string& part, PartSpec Profile::*member) {
+    const std::string t = part + ".hub.";
+    const Limits length = within(0, 1000);
+    return {
+        choice(t + "kind", {"through", "overhung"}, "overhung: a blind bore in a boss below, for arms too short to hold a shaft",
+               OF(solid.hub.kind)),
+        choice(t + "lock", {"plain", "keyway", "d_flat", "set_screw"}, "what holds the shaft", OF(solid.hub.lock)),
+        number(t + "bore_mm", kMm, above(0, 1000), "shaft diameter", OF(solid.hub.bore_diameter)),
+        number(t + "clearance_mm", kMm, within(0, 10), "added to the bore's diameter", OF(solid.hub.bore_clearance)),
+        number(t + "key_width_mm", kMm, length, "keyway: b of DIN 6885-1", OF(solid.hub.key_width)),
+        number(t + "key_depth_mm", kMm, length, "keyway: t2 of DIN 6885-1, beyond the bore's radius", OF(solid.hub.key_depth)),
+        number(t + "flat_depth_mm", kMm, length, "d_flat: bore radius minus the flat's distance from the axis", OF(solid.hub.flat_depth)),
+        number(t + "screw_mm", kMm, length, "set_screw: diameter of the radial hole in the boss", OF(solid.hub.screw_diameter)),
+        number(t + "boss_mm", kMm, length, "diameter of the boss: overhung and set_screw", OF(solid.hub.boss_diameter)),
+        number(t + "boss_height_mm", kMm, length, "below the lower flange; 0 = no boss", OF(solid.hub.boss_height)),
+        number(t + "web_mm", kMm, length, "overhung: material above the blind bore's end", OF(solid.hub.web)),
+    };
+}
+
+std::vector<Key> feature_keys(const std::string& part, PartSpec Profile::*member) {
+    const std::string t = part + ".features.";
+    const Limits length = within(0, 1000);
+    return {
+        number(t + "anchor_hole_mm", kMm, length, "axial hole for the cable's end on the groove's floor; 0 = none",
+               OF(solid.features.anchor_hole_diameter)),
+        number(t + "leg_slot_width_mm", kMm, length, "slot for the spring's leg: wire and clearance; 0 = none",
+               OF(solid.features.leg_slot_width)),
+        number(t + "leg_slot_length_mm", kMm, length, "radial", OF(solid.features.leg_slot_length)),
+        number(t + "leg_slot_radius_mm", kMm, length, "its middle, from the axis", OF(solid.features.leg_slot_radius)),
+        number(t + "leg_slot_depth_mm", kMm, length, "from the top face", OF(solid.features.leg_slot_depth)),
+        number(t + "leg_slot_angle_deg", kDeg, within(-360, 360), "in the part's frame", OF(solid.features.leg_slot_angle)),
+        number(t + "mark_width_mm", kMm, length, "timing mark at angle 0 on the top face; 0 = none", OF(solid.features.mark_width)),
+        number(t + "mark_depth_mm", kMm, length, "of the timing mark", OF(solid.features.mark_depth)),
+    };
+}
+
+#undef OF
+
+}  // namespace
+
+std::vector<Key> part_keys(const std::string& part, PartSpec Profile::*member) {
+    std::vector<Key> all;
+    for (const auto share : {body_keys, spring_keys, guide_keys, path_keys, hub_keys, feature_keys})
+        for (Key& key : share(part, member)) all.push_back(std::move(key));
+    return all;
+}
+
+}  // namespace fusee::profile

@@ -1,0 +1,148 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <map>
+
+#include "convert.h"
+#include "csv.h"
+#include "fusee/core/error.h"
+#include "fusee/core/file.h"
+#include "toml_guard.h"
+
+namespace fs = std::filesystem;
+
+namespace fusee::profile {
+
+namespace {
+
+std::string read_bytes(const fs::path& path) {
+    std::error_code error;
+    const auto size = fs::file_size(path, error);
+    if (!error && size > kLargestFile) throw core::IoError(path.string(), fmt::format("{} bytes; at most {} are read", size, kLargestFile));
+    return core::read_file(path);
+}
+
+toml::table parse(const std::string& bytes, const std::string& file) {
+    require_ascii_syntax(bytes, file);
+    try {
+        return toml::parse(bytes);
+    } catch (const toml::parse_error& e) {
+        const toml::source_position at = e.source().begin;
+        throw core::IoError(fmt::format("{}:{}:{}", file, at.line, at.column), fmt::format("no valid TOML: {}", e.description()));
+    }
+}
+
+/// One pair of keys that must stand in order.
+struct Order {
+    const char *low, *high;
+    bool may_be_equal;
+};
+constexpr Order kOrders[] = {{"rig.least_torque_Nm", "rig.peak_torque_Nm", false},
+                             {"rig.peak_torque_Nm", "rig.overdrive_torque_Nm", true},
+                             {"law.start_torque_Nm", "law.end_torque_Nm", false}};
+
+class Reader {
+public:
+    explicit Reader(std::string file) : file_(std::move(file)) {}
+
+    /// Notes every leaf of the file under its path. @throws InvalidInput for what the list of keys does not know
+    void collect(const toml::table& table, const std::string& prefix) {
+        regions_[prefix] = table.source();
+        for (const auto& [name, node] : table) {
+            const std::string path = prefix.empty() ? std::string(name.str()) : prefix + "." + std::string(name.str());
+            if (node.is_table() && is_table(path)) {
+                collect(*node.as_table(), path);
+            } else if (find_key(path) != nullptr) {
+                nodes_[path] = &node;
+            } else {
+                refuse_unknown(path, name.source(), node.is_table());
+            }
+        }
+    }
+
+    void assign(Profile& profile) const {
+        for (const Key& key : keys()) {
+            const auto found = nodes_.find(key.path);
+            const bool wanted = applies(key, profile);
+            if (found == nodes_.end()) {
+                if (wanted && key.required) refuse_missing(key);
+            } else if (!wanted) {
+                refuse_unused(key, *found->second);
+            } else {
+                key.set(profile, convert(key, *found->second, file_));
+            }
+        }
+        for (const Order& order : kOrders) check(order, profile);
+    }
+
+private:
+    [[noreturn]] void refuse_unknown(const std::string& path, const toml::source_region& at, bool table) const {
+        if (is_table(path)) throw core::InvalidInput(place(file_, at, path), "a single value", fmt::format("a table [{}]", path));
+        if (table)
+            throw core::InvalidInput(place(file_, at, path), "unknown table", fmt::format("nearest known one: [{}]", nearest_table(path)));
+        const Key& near = nearest_key(path);
+        throw core::InvalidInput(place(file_, at, path), "unknown key",
+                                 fmt::format("nearest known one: {}, {}", near.path, allowed_text(near)));
+    }
+    [[noreturn]] void refuse_missing(const Key& key) const {
+        std::string table = key.table();
+        while (!regions_.contains(table)) table = table.substr(0, table.find('.') == std::string::npos ? 0 : table.rfind('.'));
+        throw core::InvalidInput(place(file_, regions_.at(table), key.path), "missing", allowed_text(key));
+    }
+    [[noreturn]] void refuse_unused(const Key& key, const toml::node& node) const {
+        throw core::InvalidInput(place(file_, node.source(), key.path), "has no meaning here",
+                                 fmt::format("only with {} = \"{}\"", key.when.key, fmt::join(key.when.values, "\" or \"")));
+    }
+    void check(const Order& order, const Profile& profile) const {
+        const Key &low = *find_key(order.low), &high = *find_key(order.high);
+        const double a = std::get<double>(low.get(profile)), b = std::get<double>(high.get(profile));
+        if (a < b || (order.may_be_equal && a == b)) return;
+        throw core::InvalidInput(place(file_, nodes_.at(high.path)->source(), high.path), toml_text(high, profile),
+                                 fmt::format("{} {} = {} {}", order.may_be_equal ? "at least" : "above", low.path, toml_text(low, profile),
+                                             low.unit.name));
+    }
+
+    std::string file_;
+    std::map<std::string, const toml::node*> nodes_;
+    std::map<std::string, toml::source_region> regions_;
+};
+
+/// What stands once in the file and in several rooms' options.
+void distribute(Profile& p) {
+    p.k_pe.solid.groove = p.k_se.solid.groove;
+    p.k_pe.solid.chordal_error = p.k_se.solid.chordal_error;
+    p.k_se.cam.cable_diameter = p.k_pe.cam.cable_diameter = p.cable.diameter;
+    if (auto* law = std::get_if<spring::StictionLawOptions>(&p.law.curves)) {
+        law->mu = p.rig.gear_friction;
+        law->start_torque = p.law.start_torque;
+        law->end_torque = p.law.end_torque;
+    }
+}
+
+}  // namespace
+
+Profile::Profile() {
+    k_se.spring.kind = spring::BaseKind::kTorsion;
+    k_pe.spring.kind = spring::BaseKind::kCompression;
+}
+
+Profile read_profile(const fs::path& path) {
+    std::string bytes = read_bytes(path);
+    const toml::table table = parse(bytes, path.string());
+    Reader reader(path.string());
+    reader.collect(table, "");
+    Profile profile;
+    profile.file = path;
+    reader.assign(profile);
+    distribute(profile);
+    if (auto* measured = std::get_if<TablePair>(&profile.law.curves)) {
+        const fs::path csv = path.parent_path() / measured->file;
+        const std::string rows = read_bytes(csv);
+        read_table(rows, csv.string(), *measured);
+        bytes += rows;
+    }
+    profile.sha256 = core::sha256_hex(bytes);
+    return profile;
+}
+
+}  // namespace fusee::profile

@@ -1,0 +1,68 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "key.h"
+
+namespace fusee::profile {
+
+namespace {
+
+/// One heading and its table; two parts with the same keys share one.
+struct Section {
+    std::string titles, body, first_table;
+};
+
+/// The default is whatever a room's options hold untouched, so it is asked from there.
+std::string default_text(const Key& key) {
+    if (key.required) return "required";
+    Profile untouched;
+    if (!key.when.key.empty()) find_key(key.when.key)->set(untouched, key.when.values.front());
+    if (key.kind == Kind::kNumber) return fmt::format("`{:.6g}`", key.unit.from_si(std::get<double>(key.get(untouched))));
+    return "`" + toml_text(key, untouched) + "`";
+}
+
+std::string row(const Key& key) {
+    std::string only;
+    if (!key.when.key.empty()) {
+        const std::string other = key.when.key.substr(key.when.key.rfind('.') + 1);
+        only = fmt::format(" (only with `{}` = `{}`)", other, fmt::join(key.when.values, "` or `"));
+    }
+    return fmt::format("| `{}` | {} | {} | {}{} |\n", key.leaf(), allowed_text(key), default_text(key), key.meaning, only);
+}
+
+std::vector<Section> sections() {
+    std::vector<Section> all;
+    for (const Key& key : keys()) {
+        const std::string table = key.table();
+        if (all.empty() || all.back().first_table != table) all.push_back({fmt::format("`[{}]`", table), "", table});
+        if (table.empty()) all.back().titles = "At the top";
+        all.back().body += row(key);
+    }
+    return all;
+}
+
+/// Joins the k_pe table to the k_se table of the same content.
+std::vector<Section> merged(const std::vector<Section>& all) {
+    std::vector<Section> out;
+    for (const Section& section : all) {
+        const auto same = std::find_if(out.begin(), out.end(), [&](const Section& s) {
+            return s.first_table.starts_with("k_") && section.first_table.starts_with("k_") && s.body == section.body;
+        });
+        if (same == out.end())
+            out.push_back(section);
+        else
+            same->titles += ", " + section.titles;
+    }
+    return out;
+}
+
+}  // namespace
+
+std::string profile_reference() {
+    std::string text;
+    for (const Section& section : merged(sections()))
+        text += fmt::format("### {}\n\n| key | allowed | default | meaning |\n|---|---|---|---|\n{}\n", section.titles, section.body);
+    return text;
+}
+
+}  // namespace fusee::profile

@@ -1,0 +1,71 @@
+#include "toml_guard.h"
+
+#include <fmt/format.h>
+
+#include "fusee/core/error.h"
+
+namespace fusee::profile {
+
+namespace {
+
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+/// Walks over comments and strings as wholes; everything else is syntax.
+class Scanner {
+public:
+    explicit Scanner(std::string_view text) : text_(text) {
+        if (text_.starts_with(kByteOrderMark)) at_ = line_start_ = kByteOrderMark.size();
+    }
+
+    /// To the next character of syntax that is not ASCII; false at the end.
+    bool find_foreign() {
+        while (at_ < text_.size()) {
+            if (static_cast<unsigned char>(text_[at_]) >= 0x80) return true;
+            if (text_[at_] == '#')
+                skip_comment();
+            else if (text_[at_] == '"' || text_[at_] == '\'')
+                skip_string(text_[at_]);
+            else
+                step();
+        }
+        return false;
+    }
+    [[nodiscard]] std::size_t line() const { return line_; }
+    [[nodiscard]] std::size_t column() const { return at_ - line_start_ + 1; }
+
+private:
+    void step() {
+        if (text_[at_++] != '\n') return;
+        ++line_;
+        line_start_ = at_;
+    }
+    void skip_comment() {
+        while (at_ < text_.size() && text_[at_] != '\n') step();
+    }
+    void skip_string(char quote) {
+        const std::string triple(3, quote);
+        const bool many_lines = text_.substr(at_).starts_with(triple);
+        const std::string end = many_lines ? triple : triple.substr(0, 1);
+        for (std::size_t i = 0; i < end.size(); ++i) step();
+        while (at_ < text_.size() && !text_.substr(at_).starts_with(end)) {
+            if (text_[at_] == '\n' && !many_lines) return;  // an unclosed string: the parser says so
+            if (quote == '"' && text_[at_] == '\\' && at_ + 1 < text_.size()) step();
+            step();
+        }
+        for (std::size_t i = 0; i < end.size() && at_ < text_.size(); ++i) step();
+    }
+
+    std::string_view text_;
+    std::size_t at_ = 0, line_ = 1, line_start_ = 0;
+};
+
+}  // namespace
+
+void require_ascii_syntax(std::string_view toml, const std::string& file) {
+    Scanner scanner(toml);
+    if (scanner.find_foreign())
+        throw core::IoError(fmt::format("{}:{}:{}", file, scanner.line(), scanner.column()),
+                            "a character outside ASCII; such characters may stand in comments and quoted texts only");
+}
+
+}  // namespace fusee::profile

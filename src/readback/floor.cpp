@@ -1,0 +1,97 @@
+#include "floor.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "fusee/core/error.h"
+#include "fusee/core/units.h"
+#include "ray_search.h"
+
+namespace fusee::readback {
+
+namespace {
+
+constexpr int kRaysPerRow = 5;
+constexpr int kRaysRound = 2048;         // round a planar outline: chord error r (2 pi / 2048)^2 / 8, 1.2e-6 of the arm
+constexpr double kSameHeight_mm = 1e-6;  // contacts of a planar part differ by less: the last digit of single precision at 10 mm
+
+/// A place where a ray is shot.
+struct Aim {
+    double azimuth = 0.0, z_mm = 0.0;
+};
+
+/// Direction from contact `i` back to its neighbour, on to the next one: the tangent of the centreline as the rows give it.
+Point tangent(const std::vector<exchange::TargetRow>& rows, std::size_t i) {
+    const auto& a = rows[i == 0 ? 0 : i - 1].contact_mm;
+    const auto& b = rows[std::min(i + 1, rows.size() - 1)].contact_mm;
+    const double length = std::hypot(b[0] - a[0], b[1] - a[1]);
+    return length > 0.0 ? Point{(b[0] - a[0]) / length, (b[1] - a[1]) / length} : Point{};
+}
+
+/// Where the floor is expected under each row: half a cable from the contact towards the axis, square to the centreline. Only the rays' places
+/// follow from it; what they find is the file's.
+std::vector<Aim> aims(const exchange::PartFile& part) {
+    std::vector<Aim> result;
+    for (std::size_t i = 0; i < part.target.size(); ++i) {
+        const auto& c = part.target[i].contact_mm;
+        const Point t = tangent(part.target, i);
+        Point n{t[1], -t[0]};
+        if (n[0] * c[0] + n[1] * c[1] < 0.0) n = {-n[0], -n[1]};
+        const double half = part.cable_diameter_mm / 2.0;
+        double azimuth = std::atan2(c[1] - half * n[1], c[0] - half * n[0]);
+        if (i > 0) azimuth = result.back().azimuth + std::remainder(azimuth - result.back().azimuth, 2.0 * core::kPi);
+        result.push_back({azimuth, c[2]});
+    }
+    return result;
+}
+
+/// kRaysPerRow aims from every row to the next, and a row's worth beyond both ends, where the last tangents may touch.
+std::vector<Aim> refined(const std::vector<Aim>& rows) {
+    std::vector<Aim> result;
+    const auto between = [](const Aim& a, const Aim& b, double s) {
+        return Aim{a.azimuth + s * (b.azimuth - a.azimuth), a.z_mm + s * (b.z_mm - a.z_mm)};
+    };
+    const int last = static_cast<int>(rows.size()) - 1;
+    for (int k = -2 * kRaysPerRow; k <= (last + 2) * kRaysPerRow; ++k) {
+        const int i = std::clamp(k / kRaysPerRow, 0, std::max(last - 1, 0));
+        const Aim &a = rows[static_cast<std::size_t>(i)], &b = rows[static_cast<std::size_t>(std::min(i + 1, last))];
+        result.push_back(between(a, b, static_cast<double>(k) / kRaysPerRow - i));
+    }
+    return result;
+}
+
+bool one_height(const std::vector<Aim>& rows) {
+    const auto [low, high] = std::minmax_element(rows.begin(), rows.end(), [](const Aim& a, const Aim& b) { return a.z_mm < b.z_mm; });
+    return high->z_mm - low->z_mm <= kSameHeight_mm;
+}
+
+}  // namespace
+
+Floor find_floor(const solid::Mesh& mesh, const exchange::PartFile& part) {
+    const std::vector<Aim> rows = aims(part);
+    std::vector<Aim> rays = refined(rows);
+    Floor floor;
+    floor.planar = one_height(rows);
+    for (const Aim& row : rows) floor.row_azimuth.push_back(row.azimuth);
+    for (int i = 0; floor.planar && i < kRaysRound; ++i) rays.push_back({2.0 * core::kPi * i / kRaysRound, rows.front().z_mm});
+    const auto [low, high] = std::minmax_element(rays.begin(), rays.end(), [](const Aim& a, const Aim& b) { return a.z_mm < b.z_mm; });
+    const RaySearch search(mesh, low->z_mm, high->z_mm);
+    for (const Aim& ray : rays)
+        if (const auto r = search.outermost(ray.azimuth, ray.z_mm))
+            floor.points.push_back({{*r * std::cos(ray.azimuth), *r * std::sin(ray.azimuth)}, ray.azimuth});
+    return floor;
+}
+
+Floor drawn_floor(const exchange::DxfDrawing& drawing, const exchange::PartFile& part, const std::string& file) {
+    const exchange::DxfLayer* layer = drawing.layer("FLOOR");
+    if (layer == nullptr || layer->polylines.empty()) throw core::IoError(file, "has no polyline on the layer FLOOR");
+    if (!one_height(aims(part))) throw core::IoError(file, "a flat drawing cannot hold the groove of a helix");
+    Floor floor;
+    for (const exchange::DxfPolyline& line : layer->polylines)
+        for (const Point& p : line.points_mm) floor.points.push_back({p, 0.0});
+    return floor;
+}
+
+}  // namespace fusee::readback

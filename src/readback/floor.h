@@ -1,0 +1,32 @@
+#pragma once
+#include <array>
+#include <vector>
+
+#include "fusee/exchange/dxf.h"
+#include "fusee/exchange/part_file.h"
+
+namespace fusee::readback {
+
+using Point = std::array<double, 2>;
+
+/// One place of the groove's floor as the file has it, in the body frame.
+struct FloorPoint {
+    Point xy_mm{};
+    double azimuth = 0.0;  ///< of the ray that found it [rad], unwrapped along the groove
+};
+
+struct Floor {
+    std::vector<FloorPoint> points;
+    bool planar = true;  ///< the whole outline lies at one height; otherwise each point belongs to its own turn
+    std::vector<double> row_azimuth;  ///< where the floor is expected under each target row [rad], unwrapped alike
+};
+
+/// Horizontal rays from the axis: along the working arc about five per target row, and round the whole outline where the contacts share one
+/// height; the outermost hit at a contact's height is the floor, which is open to the outside. A ray that hits nothing leaves a gap.
+[[nodiscard]] Floor find_floor(const solid::Mesh& mesh, const exchange::PartFile& part);
+
+/// The floor as drawn: the vertices of the layer FLOOR.
+/// @throws IoError if the drawing has no such layer or the part is not planar
+[[nodiscard]] Floor drawn_floor(const exchange::DxfDrawing& drawing, const exchange::PartFile& part, const std::string& file);
+
+}  // namespace fusee::readback

@@ -1,0 +1,85 @@
+#include "ray_search.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fusee::readback {
+
+namespace {
+
+constexpr std::size_t kBins = 1024;
+constexpr double kTurn = 6.283185307179586;
+
+std::size_t bin_of(double azimuth) {
+    const double share = azimuth / kTurn - std::floor(azimuth / kTurn);
+    return std::min(kBins - 1, static_cast<std::size_t>(share * kBins));
+}
+
+struct Direction {
+    double x, y;
+};
+
+/// Farthest point along the ray of the horizontal segment pq; -1 if it passes beside. Closed at both ends: two facets that share a point
+/// of the section compute it from the same numbers, so that no ray slips between them.
+double hit(Direction u, const std::array<double, 2>& p, const std::array<double, 2>& q) {
+    const double cp = u.x * p[1] - u.y * p[0], cq = u.x * q[1] - u.y * q[0];
+    const double ap = u.x * p[0] + u.y * p[1], aq = u.x * q[0] + u.y * q[1];
+    if (cp == 0.0 && cq == 0.0) return std::max(ap, aq);
+    if ((cp > 0.0 && cq > 0.0) || (cp < 0.0 && cq < 0.0)) return -1.0;
+    return ap + (aq - ap) * cp / (cp - cq);
+}
+
+/// Where edge ab crosses height z; the lower end first, so that both facets of an edge round alike.
+std::array<double, 2> crossing(const solid::Vec3& a, const solid::Vec3& b, double z) {
+    const solid::Vec3 &low = a[2] <= b[2] ? a : b, &high = a[2] <= b[2] ? b : a;
+    const double t = (z - low[2]) / (high[2] - low[2]);
+    return {low[0] + (high[0] - low[0]) * t, low[1] + (high[1] - low[1]) * t};
+}
+
+double farthest_hit(const std::array<solid::Vec3, 3>& corner, Direction u, double z) {
+    std::array<std::array<double, 2>, 6> cut{};  // corners on the plane, then proper crossings
+    std::size_t n = 0;
+    for (const solid::Vec3& c : corner)
+        if (c[2] == z) cut[n++] = {c[0], c[1]};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const solid::Vec3 &a = corner[i], &b = corner[(i + 1) % 3];
+        if ((a[2] < z && b[2] > z) || (a[2] > z && b[2] < z)) cut[n++] = crossing(a, b, z);
+    }
+    double far = n == 1 ? hit(u, cut[0], cut[0]) : -1.0;
+    for (std::size_t i = 0; i + 1 < n; ++i)
+        for (std::size_t j = i + 1; j < n; ++j) far = std::max(far, hit(u, cut[i], cut[j]));
+    return far;
+}
+
+}  // namespace
+
+RaySearch::RaySearch(const solid::Mesh& mesh, double low_mm, double high_mm) : bins_(kBins) {
+    for (const solid::Triangle& t : mesh.triangles) {
+        Facet facet{{mesh.points_mm[t[0]], mesh.points_mm[t[1]], mesh.points_mm[t[2]]}, 0.0, 0.0};
+        const auto& c = facet.corner;
+        facet.low = std::min({c[0][2], c[1][2], c[2][2]});
+        facet.high = std::max({c[0][2], c[1][2], c[2][2]});
+        if (facet.high < low_mm || facet.low > high_mm) continue;
+        // Azimuths of the corners relative to the first; a facet that has the axis inside or on it spans more than half a turn.
+        const double base = std::atan2(c[0][1], c[0][0]);
+        const auto relative = [&](const solid::Vec3& p) { return std::remainder(std::atan2(p[1], p[0]) - base, kTurn); };
+        const double b = relative(c[1]), d = relative(c[2]);
+        const double begin = std::min({0.0, b, d}), end = std::max({0.0, b, d});
+        const bool all = end - begin >= kTurn / 2.0 - 1e-9 || std::hypot(c[0][0], c[0][1]) == 0.0 || std::hypot(c[1][0], c[1][1]) == 0.0 ||
+                         std::hypot(c[2][0], c[2][1]) == 0.0;
+        // One bin more on both sides: the ray's own azimuth is rounded too.
+        const std::size_t first = all ? 0 : (bin_of(base + begin) + kBins - 1) % kBins;
+        const std::size_t count = all ? kBins : std::min(kBins, static_cast<std::size_t>((end - begin) / kTurn * kBins) + 4);
+        for (std::size_t i = 0; i < count; ++i) bins_[(first + i) % kBins].push_back(facet);
+    }
+}
+
+std::optional<double> RaySearch::outermost(double azimuth, double z_mm) const {
+    const Direction u{std::cos(azimuth), std::sin(azimuth)};
+    double far = -1.0;
+    for (const Facet& facet : bins_[bin_of(azimuth)])
+        if (facet.low <= z_mm && z_mm <= facet.high) far = std::max(far, farthest_hit(facet.corner, u, z_mm));
+    return far > 0.0 ? std::optional(far) : std::nullopt;
+}
+
+}  // namespace fusee::readback

@@ -1,0 +1,27 @@
+#pragma once
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "fusee/exchange/stl.h"
+
+namespace fusee::readback {
+
+/// Answers horizontal rays from the z axis: triangles in bins of azimuth, each with its height range.
+class RaySearch {
+public:
+    /// Keeps the triangles that reach into heights [low_mm, high_mm].
+    RaySearch(const solid::Mesh& mesh, double low_mm, double high_mm);
+
+    /// Distance from the axis of the outermost hit at height z; nothing where the ray meets no surface.
+    [[nodiscard]] std::optional<double> outermost(double azimuth, double z_mm) const;
+
+private:
+    struct Facet {
+        std::array<solid::Vec3, 3> corner;
+        double low, high;
+    };
+    std::vector<std::vector<Facet>> bins_;
+};
+
+}  // namespace fusee::readback

@@ -1,0 +1,69 @@
+#include "fusee/readback/readback.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "fusee/core/error.h"
+#include "fusee/core/file.h"
+#include "fusee/exchange/stl.h"
+#include "fusee/exchange/three_mf.h"
+#include "taut_cable.h"
+
+namespace fusee::readback {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+void require_entry(const fs::path& path, const exchange::FileEntry& entry) {
+    const std::string found = core::sha256_hex(core::read_file(path));
+    if (found != entry.sha256) throw core::IoError(path.string(), fmt::format("SHA-256 is {}, not {} as stated", found, entry.sha256));
+}
+
+ArmError compare(const fs::path& path, const char* reader, const Floor& floor, const exchange::PartFile& part) {
+    ArmError error;
+    error.file = path.filename().string();
+    error.reader = reader;
+    error.rows = part.target.size();
+    const std::vector<double> arms = taut_arms(floor, part);
+    for (std::size_t i = 0; i < arms.size(); ++i) {
+        const double relative = std::abs(arms[i] / part.target[i].arm_mm - 1.0);
+        if (relative <= error.worst_relative) continue;  // NaN is not: it becomes the worst and stays
+        error.worst_relative = relative;
+        error.worst_angle_rad = part.target[i].angle_rad;
+        if (std::isnan(relative)) break;
+    }
+    return error;
+}
+
+ArmError compare_mesh(const fs::path& path, const char* reader, const solid::Mesh& mesh, const exchange::FileEntry& entry,
+                      const exchange::PartFile& part) {
+    if (mesh.triangles.size() != entry.triangles)
+        throw core::IoError(path.string(), fmt::format("{} finds {} triangles, not {} as stated", reader, mesh.triangles.size(), entry.triangles));
+    return compare(path, reader, find_floor(mesh, part), part);
+}
+
+}  // namespace
+
+std::vector<ArmError> read_back(const fs::path& folder, const exchange::PartFile& part) {
+    std::vector<ArmError> errors;
+    for (const exchange::FileEntry& entry : part.files) {
+        const fs::path path = folder / entry.name;
+        require_entry(path, entry);
+        const std::string extension = path.extension().string();
+        if (extension == ".stl") {
+            errors.push_back(compare_mesh(path, "assimp", exchange::read_stl_assimp(path), entry, part));
+            errors.push_back(compare_mesh(path, "openmesh", exchange::read_stl_openmesh(path), entry, part));
+        } else if (extension == ".3mf") {
+            errors.push_back(compare_mesh(path, "lib3mf", exchange::read_3mf(path), entry, part));
+        } else if (extension == ".dxf") {
+            errors.push_back(compare(path, "dxflib", drawn_floor(exchange::read_dxf(path), part, path.string()), part));
+        } else if (extension != ".scad") {
+            throw core::IoError(path.string(), "is of a kind that cannot be read back");
+        }
+    }
+    return errors;
+}
+
+}  // namespace fusee::readback

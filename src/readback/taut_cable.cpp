@@ -1,0 +1,80 @@
+#include "taut_cable.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "fusee/core/units.h"
+
+namespace fusee::readback {
+
+namespace {
+
+double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1]; }
+
+Point turned(const Point& p, double angle) {
+    const double c = std::cos(angle), s = std::sin(angle);
+    return {c * p[0] - s * p[1], s * p[0] + c * p[1]};
+}
+
+/// Normal n of a cable that runs in direction D from the cam to the guide, such that the tension's moment has the wanted sign where n points
+/// from the axis to the cable: x cross D = torque_sign (n.x).
+Point normal(const Point& direction, double torque_sign) { return {torque_sign * direction[1], -torque_sign * direction[0]}; }
+
+/// The guide in the body frame at one working angle.
+struct BodyGuide {
+    bool parallel = true;
+    Point place{};        ///< parallel: the cable's normal; else the guide's centre [mm]
+    double torque_sign = 1.0;
+    double beyond = 0.0;  ///< n.(centre) - arm: how far outside the cable's line the idler's centre lies [mm]
+};
+
+BodyGuide in_body(const exchange::PartFile& part, double angle) {
+    const double back = -part.rotation_sign * angle;
+    BodyGuide guide;
+    guide.torque_sign = part.torque_sign;
+    guide.parallel = part.guide.kind == "parallel";
+    guide.place = guide.parallel ? normal(turned(part.guide.direction, back), part.torque_sign) : turned(part.guide.position_mm, back);
+    // (point on the cable - centre) cross D has the sign `sense` and the size `radius`; cross D is torque_sign (n.x).
+    if (part.guide.kind == "idler") guide.beyond = -part.torque_sign * part.guide.sense * part.guide.radius_mm;
+    return guide;
+}
+
+/// Arm of the line that passes the guide and keeps half a cable from the floor point F.
+double arm_over(const BodyGuide& guide, const Point& floor, double half_cable) {
+    if (guide.parallel) return dot(guide.place, floor) + half_cable;
+    // n.F + half_cable + beyond = n.G: with v = G - F the line's normal has the component `reach` along v.
+    const Point v{guide.place[0] - floor[0], guide.place[1] - floor[1]};
+    const double length = std::hypot(v[0], v[1]), reach = half_cable + guide.beyond;
+    if (std::abs(reach) >= length) return std::numeric_limits<double>::quiet_NaN();
+    const Point along{v[0] / length, v[1] / length}, across = normal(along, guide.torque_sign);
+    const double s = reach / length, c = std::sqrt(1.0 - s * s);
+    return dot({s * along[0] + c * across[0], s * along[1] + c * across[1]}, floor) + half_cable;
+}
+
+/// The largest arm over the floor's points; NaN if there is none, or if the guide lies within the cable's reach of the floor.
+double row_arm(const Floor& floor, const BodyGuide& guide, double row_azimuth, double half_cable) {
+    double arm = -std::numeric_limits<double>::infinity();
+    for (const FloorPoint& p : floor.points) {
+        // On a helix the cable meets its own turn only: what lies more than a quarter turn on along the groove is at another height.
+        if (!floor.planar && std::abs(p.azimuth - row_azimuth) > core::kPi / 2.0) continue;
+        const double candidate = arm_over(guide, p.xy_mm, half_cable);
+        if (std::isnan(candidate)) return candidate;
+        arm = std::max(arm, candidate);
+    }
+    return std::isinf(arm) ? std::numeric_limits<double>::quiet_NaN() : arm;
+}
+
+}  // namespace
+
+std::vector<double> taut_arms(const Floor& floor, const exchange::PartFile& part) {
+    std::vector<double> arms;
+    arms.reserve(part.target.size());
+    for (std::size_t row = 0; row < part.target.size(); ++row) {
+        const double azimuth = floor.planar ? 0.0 : floor.row_azimuth[row];
+        arms.push_back(row_arm(floor, in_body(part, part.target[row].angle_rad), azimuth, part.cable_diameter_mm / 2.0));
+    }
+    return arms;
+}
+
+}  // namespace fusee::readback

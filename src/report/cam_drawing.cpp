@@ -1,0 +1,117 @@
+#include "cam_drawing.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "fusee/core/units.h"
+#include "html.h"
+#include "markers.h"
+#include "slice.h"
+
+namespace fusee::report {
+
+namespace {
+
+using core::mm_from_m;
+using Point = std::array<double, 2>;
+using Line = std::vector<Point>;
+
+constexpr double kStepsPerTurn = 720;
+// Below the top face by less than any timing mark is deep, and at no height at which a mesh has vertices.
+constexpr double kUnderTop_mm = 0.0137;
+
+/// The parallel of the pitch curve at `offset` from psi `low` to `high`.
+Line parallel(const cam::Cam& cam, double low, double high, double offset) {
+    const int steps = std::max(2, static_cast<int>(std::ceil((high - low) / (2.0 * core::kPi) * kStepsPerTurn)));
+    Line line;
+    for (int i = 0; i <= steps; ++i) {
+        const cam::PathPoint p = cam.path(low + (high - low) * i / steps);
+        const double c = std::cos(p.psi), s = std::sin(p.psi), h = p.h + offset;
+        line.push_back({mm_from_m(h * c - p.slope * s), mm_from_m(h * s + p.slope * c)});
+    }
+    return line;
+}
+
+/// SVG's y points down, the body's up.
+std::string path_data(const Line& line, bool closed) {
+    std::string out;
+    for (const Point& p : line) out += (out.empty() ? "M" : "L") + coordinate(p[0]) + " " + coordinate(-p[1]);
+    return closed && !out.empty() ? out + "Z" : out;
+}
+
+std::string path_element(const char* css, const std::string& data) { return fmt::format("<path class=\"{}\" d=\"{}\"/>", css, data); }
+
+std::string rings(const solid::Mesh& mesh, double z_mm, double& reach) {
+    std::string data;
+    for (const Line& ring : slice(mesh, z_mm)) {
+        for (const Point& p : ring) reach = std::max(reach, std::hypot(p[0], p[1]));
+        data += path_data(ring, true);
+    }
+    return data;
+}
+
+/// Text and marks grow with the drawing, so that a small cam and a large one read alike.
+struct Sheet {
+    double half = 0.0;  ///< of the square's side [mm]
+    [[nodiscard]] double unit() const { return half / 50.0; }
+};
+
+/// The cable where it touches at one end of the law, drawn as it leaves: the tension's torque about +z has the sign torque_sign.
+std::string cable(const cam::Cam& cam, const cam::Contact& contact, const Sheet& sheet, const char* css, const std::string& name) {
+    const double x = mm_from_m(contact.path.x()), y = -mm_from_m(contact.path.y()), u = sheet.unit();
+    const double tx = -std::sin(contact.path.psi) * cam.options.torque_sign, ty = -std::cos(contact.path.psi) * cam.options.torque_sign;
+    const double length = 26 * u, end_x = x + length * tx, end_y = y + length * ty;
+    return fmt::format("<g class=\"{}\"><path d=\"M{} {}L{} {}\"/><circle cx=\"{}\" cy=\"{}\" r=\"{}\"/>"
+                       "<text x=\"{}\" y=\"{}\" font-size=\"{}\" text-anchor=\"middle\">{}</text></g>",
+                       css, coordinate(x), coordinate(y), coordinate(end_x), coordinate(end_y), coordinate(x), coordinate(y),
+                       coordinate(0.8 * u), coordinate(end_x), coordinate(end_y + (ty < 0 ? -1.2 * u : 3.2 * u)), coordinate(2.6 * u),
+                       escape(name));
+}
+
+std::string scale_bar(const Sheet& sheet) {
+    const double want = 0.4 * sheet.half, power = std::pow(10.0, std::floor(std::log10(want))), u = sheet.unit();
+    const double length = want >= 5 * power ? 5 * power : want >= 2 * power ? 2 * power : power;
+    const double x = -sheet.half + 3 * u, y = sheet.half - 3 * u;
+    return fmt::format("<g class=\"scale\"><path d=\"M{} {}v{}h{}v{}\"/><text x=\"{}\" y=\"{}\" font-size=\"{}\">{:g} mm</text></g>", coordinate(x),
+                       coordinate(y - 1.5 * u), coordinate(1.5 * u), coordinate(length), coordinate(-1.5 * u), coordinate(x + length + 1.5 * u),
+                       coordinate(y), coordinate(2.8 * u), length);
+}
+
+std::string axis(const Sheet& sheet) {
+    const double u = sheet.unit();
+    return fmt::format("<g class=\"axis\"><path d=\"M{0} 0H{1}M0 {0}V{2}\"/><text x=\"{3}\" y=\"{4}\" font-size=\"{5}\">x</text>"
+                       "<text x=\"{4}\" y=\"{6}\" font-size=\"{5}\">y</text></g>",
+                       coordinate(-2 * u), coordinate(7 * u), coordinate(-7 * u), coordinate(7.4 * u), coordinate(0.8 * u), coordinate(2.4 * u),
+                       coordinate(-7.4 * u));
+}
+
+}  // namespace
+
+std::string cam_svg(const solid::Part& part, const std::vector<Marker>& markers) {
+    const cam::Cam& cam = part.cam;
+    const double d = cam.options.cable_diameter;
+    const Line pitch = parallel(cam, cam.groove_psi.low, cam.groove_psi.high, 0.0);
+    double reach = 0.0;
+    for (const Point& p : pitch) reach = std::max(reach, std::hypot(p[0], p[1]));
+    const std::string body = rings(part.mesh, mm_from_m(part.z_high) - kUnderTop_mm, reach);
+    const double boss_mm = mm_from_m(part.options.hub.boss_height);
+    const std::string boss = boss_mm > 0.0 ? rings(part.mesh, mm_from_m(part.z_low) - 0.487 * boss_mm, reach) : "";
+
+    const Sheet sheet{1.38 * reach};
+    std::string out = fmt::format("<svg class=\"cam {0}\" width=\"{1}mm\" height=\"{1}mm\" viewBox=\"{2} {2} {1} {1}\" role=\"img\" "
+                                  "aria-label=\"{0} to scale\">",
+                                  cam::to_string(cam.kind), coordinate(2 * sheet.half), coordinate(-sheet.half));
+    out += path_element("body", body) + (boss.empty() ? "" : path_element("boss", boss));
+    out += path_element("floor", path_data(parallel(cam, cam.groove_psi.low, cam.groove_psi.high, -0.5 * d), cam.closed()));
+    out += path_element("pitch", path_data(pitch, cam.closed()));
+    out += path_element("working", path_data(parallel(cam, cam.working_psi.low, cam.working_psi.high, 0.0), false));
+    out += axis(sheet);
+    out += cable(cam, cam.working.front(), sheet, "cable", fmt::format("{:.3g} Nm", cam.working.front().arm.tau));
+    out += cable(cam, cam.working.back(), sheet, "cable end", fmt::format("{:.3g} Nm", cam.working.back().arm.tau));
+    out += markers_svg(markers, reach + 6.5 * sheet.unit(), 2.1 * sheet.unit());
+    return out + scale_bar(sheet) + "</svg>\n";
+}
+
+}  // namespace fusee::report

@@ -1,0 +1,27 @@
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fusee::report {
+
+/// Text that may stand between tags and in quoted attributes.
+[[nodiscard]] std::string escape(std::string_view text);
+/// `digits` significant digits; an en dash for NaN.
+[[nodiscard]] std::string number(double value, int digits = 4);
+/// Coordinates for SVG: three decimals without trailing zeros (a thousandth of a millimetre or of a pixel).
+[[nodiscard]] std::string coordinate(double value);
+/// "12.3 kB"
+[[nodiscard]] std::string bytes_text(double bytes);
+
+/// One cell of a table: HTML, and a class ("num", "code", ...) or "".
+struct Cell {
+    std::string html;
+    std::string css;
+};
+/// @param head plain texts; escaped here
+[[nodiscard]] std::string html_table(const std::vector<std::string>& head, const std::vector<std::vector<Cell>>& rows);
+/// A list of name and value; both plain texts.
+[[nodiscard]] std::string html_facts(const std::vector<std::pair<std::string, std::string>>& facts);
+
+}  // namespace fusee::report

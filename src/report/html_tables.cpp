@@ -1,0 +1,99 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "html.h"
+#include "page.h"
+
+namespace fusee::report {
+
+namespace {
+
+std::string tag(core::Severity severity) {
+    switch (severity) {
+        case core::Severity::kPass: return "<span class=\"tag pass-tag\">\u2713 pass</span>";
+        case core::Severity::kReview: return "<span class=\"tag review-tag\">! review</span>";
+        case core::Severity::kRequired: return "<span class=\"tag required-tag\">\u2715 change</span>";
+    }
+    return "";
+}
+
+std::string with_unit(double value, const std::string& unit) { return number(value) + (unit.empty() ? "" : " " + escape(unit)); }
+
+std::vector<Cell> finding_row(const NumberedFinding& n) {
+    const core::Finding& f = n.finding;
+    std::string text = escape(f.what);
+    if (!f.suggestion.empty()) text += "<br><span class=\"fix\">" + escape(f.suggestion) + "</span>";
+    if (!f.source.empty()) text += "<br><span class=\"faint\">" + escape(f.source) + "</span>";
+    const std::string bound = f.bound == core::Bound::kAtMost ? "\u2264 " : "\u2265 ";
+    return {{fmt::format("{}", n.number), "num"},          {tag(f.severity), ""},
+            {escape(f.rule), "code"},                      {text, ""},
+            {with_unit(f.measured, f.unit), "num"},        {bound + with_unit(f.allowed, f.unit), "num"},
+            {escape(f.where.empty() ? n.part : f.where), "faint"}};
+}
+
+void add_files(std::vector<std::vector<Cell>>& rows, const std::vector<FileRow>& files) {
+    for (const FileRow& file : files)
+        rows.push_back({{escape(file.entry.name), "code"},
+                        {bytes_text(static_cast<double>(file.bytes)), "num"},
+                        {file.entry.triangles > 0 ? fmt::format("{}", file.entry.triangles) : "\u2013", "num"},
+                        {file.entry.chordal_error_mm > 0.0 ? number(file.entry.chordal_error_mm) + " mm" : "\u2013", "num"},
+                        {fmt::format("<span title=\"{0}\">{0}</span>", escape(file.entry.sha256)), "code"}});
+}
+
+}  // namespace
+
+std::vector<NumberedFinding> numbered(const DesignReport& design) {
+    std::vector<NumberedFinding> all;
+    for (const core::Finding& finding : design.findings) all.push_back({0, "law", finding});
+    for (const PartReport& part : design.parts)
+        for (const core::Finding& finding : part.findings) all.push_back({0, cam::to_string(part.part->cam.kind), finding});
+    std::stable_sort(all.begin(), all.end(), [](const NumberedFinding& a, const NumberedFinding& b) { return a.finding.severity > b.finding.severity; });
+    for (std::size_t i = 0; i < all.size(); ++i) all[i].number = static_cast<int>(i) + 1;
+    return all;
+}
+
+std::vector<Marker> markers_of(const std::vector<NumberedFinding>& findings, const std::string& part) {
+    std::vector<Marker> markers;
+    for (const NumberedFinding& n : findings)
+        if (n.part == part && n.finding.place)
+            markers.push_back({n.number, n.finding.severity, n.finding.place->point_mm[0], n.finding.place->point_mm[1],
+                               fmt::format("{}. {}: {}", n.number, n.finding.rule, n.finding.what)});
+    return markers;
+}
+
+std::string findings_section(const std::vector<NumberedFinding>& findings) {
+    if (findings.empty()) return "";
+    std::vector<std::vector<Cell>> rows;
+    for (const NumberedFinding& finding : findings) rows.push_back(finding_row(finding));
+    return "<section><h2>Findings</h2><p>Numbers are those on the drawings. Each rule names the source of its limit; every limit can be set in "
+           "the profile.</p>" +
+           html_table({"#", "", "rule", "finding", "measured", "allowed", "where"}, rows) + "</section>\n";
+}
+
+std::string read_back_section(const DesignReport& design) {
+    std::vector<std::vector<Cell>> rows;
+    for (const PartReport& part : design.parts)
+        for (const readback::ArmError& e : part.arm_errors)
+            rows.push_back({{tag(e.passed() ? core::Severity::kPass : core::Severity::kRequired), ""},
+                            {escape(e.file), "code"},
+                            {escape(e.reader), ""},
+                            {number(100.0 * e.worst_relative, 3) + " %", "num"},
+                            {"\u2264 " + number(100.0 * e.allowed, 3) + " %", "num"},
+                            {number(core::deg_from_rad(e.worst_angle_rad), 4) + " deg", "num"},
+                            {fmt::format("{}", e.rows), "num"}});
+    if (rows.empty()) return "";
+    return "<section><h2>Read back from the files</h2><p>Every file was read again and its lever arm found anew, by rays to the groove's floor "
+           "and a taut cable, with no code of the synthesis.</p>" +
+           html_table({"", "file", "reader", "worst arm error", "allowed", "at cam angle", "positions"}, rows) + "</section>\n";
+}
+
+std::string files_section(const DesignReport& design) {
+    std::vector<std::vector<Cell>> rows;
+    for (const PartReport& part : design.parts) add_files(rows, part.files);
+    add_files(rows, design.files);
+    if (rows.empty()) return "";
+    return "<section><h2>Files</h2>" + html_table({"name", "size", "triangles", "chordal error", "SHA-256"}, rows) + "</section>\n";
+}
+
+}  // namespace fusee::report

@@ -1,0 +1,59 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "html.h"
+
+namespace fusee::report {
+
+std::string escape(std::string_view text) {
+    std::string out;
+    for (const char c : text) {
+        switch (c) {
+            case '&': out += "&amp;"; break;
+            case '<': out += "&lt;"; break;
+            case '>': out += "&gt;"; break;
+            case '"': out += "&quot;"; break;
+            case '\'': out += "&#39;"; break;
+            default: out += c;
+        }
+    }
+    return out;
+}
+
+std::string number(double value, int digits) {
+    if (std::isnan(value)) return "\u2013";
+    return fmt::format("{:.{}g}", value, digits);
+}
+
+std::string coordinate(double value) {
+    std::string text = fmt::format("{:.3f}", value);
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.ends_with('.')) text.pop_back();
+    return text == "-0" ? "0" : text;
+}
+
+std::string bytes_text(double bytes) {
+    if (bytes < 1e3) return fmt::format("{:.0f} B", bytes);
+    return bytes < 1e6 ? fmt::format("{:.1f} kB", bytes / 1e3) : fmt::format("{:.2f} MB", bytes / 1e6);
+}
+
+std::string html_table(const std::vector<std::string>& head, const std::vector<std::vector<Cell>>& rows) {
+    std::string out = "<div class=\"scroll\"><table><thead><tr>";
+    for (const std::string& name : head) out += "<th>" + escape(name) + "</th>";
+    out += "</tr></thead><tbody>\n";
+    for (const std::vector<Cell>& row : rows) {
+        out += "<tr>";
+        for (const Cell& cell : row) out += (cell.css.empty() ? "<td>" : "<td class=\"" + cell.css + "\">") + cell.html + "</td>";
+        out += "</tr>\n";
+    }
+    return out + "</tbody></table></div>\n";
+}
+
+std::string html_facts(const std::vector<std::pair<std::string, std::string>>& facts) {
+    std::string out = "<dl>";
+    for (const auto& [name, value] : facts) out += "<dt>" + escape(name) + "</dt><dd>" + escape(value) + "</dd>";
+    return out + "</dl>\n";
+}
+
+}  // namespace fusee::report

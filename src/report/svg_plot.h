@@ -1,0 +1,50 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "fusee/core/units.h"
+
+namespace fusee::report {
+
+/// Round values inside the range, about `count` of them: steps of 1, 2 or 5 times a power of ten.
+[[nodiscard]] std::vector<double> round_ticks(const core::Range& range, int count);
+
+/// Curves over one axis as an inline SVG; colours come from the page's style sheet.
+class Plot {
+public:
+    /// Axis names with unit, e.g. "capstan angle [rad]".
+    Plot(std::string title, std::string x_name, std::string y_name);
+
+    /// @param css colour class of the style sheet, e.g. "se"; @param dashed for a second curve of the same thing. NaN leaves a gap.
+    Plot& curve(std::string label, std::vector<double> x, std::vector<double> y, std::string css, bool dashed = false);
+    /// A band over a range of x with its name.
+    Plot& shade(const core::Range& x, std::string label);
+    /// A vertical line with its name.
+    Plot& mark(double x, std::string label);
+    /// Makes the y axis begin at zero.
+    Plot& from_zero();
+
+    [[nodiscard]] std::string svg() const;
+
+private:
+    struct Curve {
+        std::string label;
+        std::vector<double> x, y;
+        std::string css;
+        bool dashed;
+    };
+    struct Frame;
+    [[nodiscard]] Frame frame() const;
+    [[nodiscard]] std::string axes(const Frame& f) const;
+    [[nodiscard]] std::string curves(const Frame& f) const;
+    [[nodiscard]] std::string notes(const Frame& f) const;
+    [[nodiscard]] std::string legend() const;
+
+    std::string title_, x_name_, y_name_;
+    std::vector<Curve> curves_;
+    std::vector<std::pair<core::Range, std::string>> shades_;
+    std::vector<std::pair<double, std::string>> marks_;
+    bool from_zero_ = false;
+};
+
+}  // namespace fusee::report

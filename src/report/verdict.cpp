@@ -1,0 +1,31 @@
+#include <algorithm>
+
+#include "fusee/report/report.h"
+
+namespace fusee::report {
+
+namespace {
+// The ends of a law come out of a root search in the angle: loads agree to better than this share.
+constexpr double kSameLoad = 1e-9;
+}  // namespace
+
+bool LawReport::covers_stiction() const {
+    if (samples.empty()) return false;
+    return samples.front().tau <= stiction_loads.low * (1.0 + kSameLoad) && samples.back().tau >= stiction_loads.high * (1.0 - kSameLoad);
+}
+
+core::Severity verdict(const DesignReport& design) {
+    core::Severity worst = core::Severity::kPass;
+    const auto weigh = [&worst](const core::Findings& findings) {
+        for (const core::Finding& finding : findings) worst = std::max(worst, finding.severity);
+    };
+    weigh(design.findings);
+    for (const PartReport& part : design.parts) {
+        weigh(part.findings);
+        for (const readback::ArmError& error : part.arm_errors)
+            if (!error.passed()) worst = core::Severity::kRequired;
+    }
+    return worst;
+}
+
+}  // namespace fusee::report

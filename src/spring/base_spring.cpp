@@ -1,0 +1,10 @@
+#include "fusee/spring/base_spring.h"
+
+#include <cmath>
+
+namespace fusee::spring {
+
+// rate/2 (state^2 - preload^2) = energy
+double BaseSpring::state(double energy) const { return std::sqrt(preload * preload + 2.0 * energy / rate); }
+
+}  // namespace fusee::spring

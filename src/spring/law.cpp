@@ -1,0 +1,96 @@
+#include "fusee/spring/law.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+
+#include "fusee/core/error.h"
+
+namespace fusee::spring {
+
+std::vector<LawPoint> sample_by_load(const SpringLaw& law, std::size_t count) {
+    if (count < 2) throw core::InvalidInput("count", fmt::format("{}", count), "at least 2 points");
+    const core::Range loads = law.loads();
+    std::vector<LawPoint> points;
+    points.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const double share = static_cast<double>(i) / static_cast<double>(count - 1);
+        points.push_back(law.at_load(i + 1 == count ? loads.high : loads.low + share * loads.width()));
+    }
+    return points;
+}
+
+namespace {
+
+constexpr std::size_t kScanPoints = 801;
+
+/// One condition "margin above 0" on every point of a law.
+struct Condition {
+    const char* rule;
+    const char* what;
+    const char* unit;
+    core::Bound bound;
+    double allowed;
+    std::function<double(const LawPoint&)> measure;
+    [[nodiscard]] double margin(const LawPoint& p) const {
+        return bound == core::Bound::kAtLeast ? measure(p) - allowed : allowed - measure(p);
+    }
+    [[nodiscard]] bool broken(const LawPoint& p) const { return !(margin(p) > 0.0); }
+};
+
+/// The longest way out: end before the first broken point, or start after the last one if the law breaks at its start.
+std::string nearest_feasible(const std::vector<LawPoint>& points, std::size_t first, std::size_t last) {
+    if (first > 1) return fmt::format("end_torque_Nm = {:.4g}", points[first - 1].tau);
+    if (last + 2 < points.size()) return fmt::format("start_torque_Nm = {:.4g}", points[last + 1].tau);
+    return "another law: no part of this one is feasible";
+}
+
+std::optional<core::Finding> judge(const Condition& condition, const std::vector<LawPoint>& points) {
+    std::size_t first = points.size(), last = 0, worst = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (condition.margin(points[i]) < condition.margin(points[worst])) worst = i;
+        if (!condition.broken(points[i])) continue;
+        first = std::min(first, i);
+        last = i;
+    }
+    if (first == points.size()) return std::nullopt;
+    core::Finding finding;
+    finding.rule = condition.rule;
+    finding.severity = core::Severity::kRequired;
+    finding.what = condition.what;
+    finding.measured = condition.measure(points[worst]);
+    finding.bound = condition.bound;
+    finding.allowed = condition.allowed;
+    finding.unit = condition.unit;
+    finding.where = fmt::format("law at {:.4g} Nm first, worst at {:.4g} Nm", points[first].tau, points[worst].tau);
+    finding.suggestion = nearest_feasible(points, first, last);
+    finding.source = "docs/theory/springs.md, eq. 3";
+    return finding;
+}
+
+const std::vector<Condition>& conditions() {
+    using core::Bound;
+    static const std::vector<Condition> all = {
+        {"law.transmission", "the transmission T = S/(S+P) must stay above 0", "", Bound::kAtLeast, 0.0, &LawPoint::transmission},
+        {"law.transmission", "the transmission T = S/(S+P) must stay below 1", "", Bound::kAtMost, 1.0, &LawPoint::transmission},
+        {"law.stiffness", "the series stiffness S must stay above 0", "Nm/rad", Bound::kAtLeast, 0.0, &LawPoint::s},
+        {"law.stiffness", "the parallel stiffness P must stay above 0", "Nm/rad", Bound::kAtLeast, 0.0, &LawPoint::p},
+        {"law.torque", "the series torque must stay above 0: a cable cannot push", "Nm", Bound::kAtLeast, 0.0, &LawPoint::f_se},
+        {"law.torque", "the parallel torque must stay above 0: a cable cannot push", "Nm", Bound::kAtLeast, 0.0, &LawPoint::f_pe},
+    };
+    return all;
+}
+
+}  // namespace
+
+core::Findings check_law(const SpringLaw& law) {
+    const std::vector<LawPoint> points = sample_by_load(law, kScanPoints);
+    core::Findings findings;
+    for (const Condition& condition : conditions())
+        if (auto finding = judge(condition, points)) findings.push_back(std::move(*finding));
+    return findings;
+}
+
+}  // namespace fusee::spring

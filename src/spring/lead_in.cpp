@@ -1,0 +1,122 @@
+#include "fusee/spring/lead_in.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "fusee/core/error.h"
+#include "fusee/math/roots.h"
+
+namespace fusee::spring {
+
+namespace {
+
+/// One spring's continuation below the start of a law; x in [-travel, 0] (docs/theory/springs.md, eq. 12-14).
+struct Tail {
+    double force0 = 0.0, stiffness0 = 0.0, slope0 = 0.0, travel = 0.0;
+
+    [[nodiscard]] double slope(double x) const { return slope0 * (1.0 + x / travel); }
+    [[nodiscard]] double stiffness(double x) const { return stiffness0 + slope0 * x * (1.0 + 0.5 * x / travel); }
+    [[nodiscard]] double force(double x) const { return force0 + x * (stiffness0 + slope0 * x * (0.5 + x / (6.0 * travel))); }
+    /// Energy above that at the law's start; below 0.
+    [[nodiscard]] double energy(double x) const {
+        return x * (force0 + x * (0.5 * stiffness0 + slope0 * x * (1.0 / 6.0 + x / (24.0 * travel))));
+    }
+
+    /// The travel at which the stiffness or the torque at the lower end reaches zero first.
+    [[nodiscard]] double longest_travel() const {
+        constexpr double kNone = std::numeric_limits<double>::infinity();
+        const double by_stiffness = slope0 > 0.0 ? 2.0 * stiffness0 / slope0 : kNone;
+        // force(-travel) = force0 - stiffness0 travel + slope0 travel^2/3 = 0, its smaller positive root
+        const double root = stiffness0 * stiffness0 - 4.0 / 3.0 * slope0 * force0;
+        const double by_force = root >= 0.0 ? 2.0 * force0 / (stiffness0 + std::sqrt(root)) : kNone;
+        return std::min(by_stiffness, by_force);
+    }
+};
+
+class LeadInLaw final : public SpringLaw {
+public:
+    LeadInLaw(SpringLawPtr law, const Tail& series, const Tail& parallel)
+        : law_(std::move(law)), series_(series), parallel_(parallel), travel_(series.travel), start_(law_->loads().low) {}
+
+    [[nodiscard]] core::Range loads() const override { return {load_at(-travel_), law_->loads().high}; }
+    [[nodiscard]] core::Range angles() const override { return {0.0, travel_ + law_->angles().high}; }
+
+    [[nodiscard]] LawPoint at_load(double tau) const override {
+        if (tau >= start_) return lifted(law_->at_load(tau));
+        const double load = std::max(tau, load_at(-travel_));
+        const auto x = math::bracketed_root([&](double at) { return load_at(at) - load; }, -travel_, 0.0);
+        LawPoint point = tail_point(x.value_or(0.0));  // nothing only when rounding puts `load` above the junction
+        point.tau = load;
+        return point;
+    }
+
+    [[nodiscard]] LawPoint at_angle(double theta) const override {
+        if (theta >= travel_) return lifted(law_->at_angle(theta - travel_));
+        return tail_point(std::max(theta, 0.0) - travel_);
+    }
+
+private:
+    [[nodiscard]] double load_at(double x) const { return series_.force(x) + parallel_.force(x); }
+
+    /// A point of the law itself, counted from the lead-in's lower end.
+    [[nodiscard]] LawPoint lifted(LawPoint point) const {
+        point.theta += travel_;
+        point.u_se -= series_.energy(-travel_);
+        point.u_pe -= parallel_.energy(-travel_);
+        return point;
+    }
+
+    [[nodiscard]] LawPoint tail_point(double x) const {
+        LawPoint point;
+        point.tau = load_at(x);
+        point.theta = x + travel_;
+        point.f_se = series_.force(x);
+        point.f_pe = parallel_.force(x);
+        point.s = series_.stiffness(x);
+        point.p = parallel_.stiffness(x);
+        point.s_slope = series_.slope(x);
+        point.p_slope = parallel_.slope(x);
+        point.u_se = series_.energy(x) - series_.energy(-travel_);
+        point.u_pe = parallel_.energy(x) - parallel_.energy(-travel_);
+        return point;
+    }
+
+    SpringLawPtr law_;
+    Tail series_, parallel_;
+    double travel_, start_;
+};
+
+core::Finding too_long(const char* spring, double travel, double longest) {
+    const double safe = 0.98 * longest;
+    core::Finding finding;
+    finding.rule = "law.lead_in";
+    finding.severity = core::Severity::kRequired;
+    finding.what = fmt::format("{}'s stiffness and torque must stay above 0 over the lead-in", spring);
+    finding.measured = travel;
+    finding.bound = core::Bound::kAtMost;
+    finding.allowed = longest;
+    finding.unit = "rad";
+    finding.where = "lower end of the law's lead-in";
+    finding.suggestion = fmt::format("lead-in travel = {:.4g} rad ({:.4g} deg)", safe, core::deg_from_rad(safe));
+    finding.source = "docs/theory/springs.md, eq. 15";
+    return finding;
+}
+
+}  // namespace
+
+core::Outcome<SpringLawPtr> with_lead_in(SpringLawPtr law, double travel) {
+    core::require_within("lead-in travel", travel, 0.0, std::numeric_limits<double>::max(), "rad");
+    if (travel == 0.0) return law;
+    const LawPoint start = law->at_angle(0.0);
+    const Tail series{start.f_se, start.s, start.s_slope, travel};
+    const Tail parallel{start.f_pe, start.p, start.p_slope, travel};
+    const bool series_binds = series.longest_travel() <= parallel.longest_travel();
+    const double longest = std::min(series.longest_travel(), parallel.longest_travel());
+    if (travel >= longest) return too_long(series_binds ? "K_SE" : "K_PE", travel, longest);
+    return SpringLawPtr(std::make_shared<LeadInLaw>(std::move(law), series, parallel));
+}
+
+}  // namespace fusee::spring

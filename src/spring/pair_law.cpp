@@ -1,0 +1,149 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "fusee/core/error.h"
+#include "fusee/math/roots.h"
+#include "fusee/spring/potential.h"
+
+namespace fusee::spring {
+
+namespace {
+
+constexpr int kWalkSteps = 2000;  ///< over the common domain, to find where the loads are reached
+constexpr int kScanSteps = 800;   ///< over the law's range, to find falling load
+
+/// Both springs at one deflection.
+struct Pair {
+    PotentialPtr series, parallel;
+
+    [[nodiscard]] core::Range domain() const {
+        const core::Range a = series->domain(), b = parallel->domain();
+        return {std::max(a.low, b.low), std::min(a.high, b.high)};
+    }
+    [[nodiscard]] double load(double x) const { return series->force(x) + parallel->force(x); }
+    [[nodiscard]] double stiffness(double x) const { return series->stiffness(x) + parallel->stiffness(x); }
+    /// @pre load(low) <= tau <= load(high)
+    [[nodiscard]] double deflection(double tau, core::Range x) const {
+        const double cap = 1e6 * tau;  // an exponential far out is infinite
+        const auto root = math::bracketed_root([&](double at) { return std::min(load(at), cap) - tau; }, x.low, x.high);
+        return root.value_or(load(x.low) >= tau ? x.low : x.high);
+    }
+};
+
+class PairLaw final : public SpringLaw {
+public:
+    PairLaw(Pair pair, core::Range x, core::Range loads) : pair_(std::move(pair)), x_(x), loads_(loads) {}
+
+    [[nodiscard]] core::Range loads() const override { return loads_; }
+    [[nodiscard]] core::Range angles() const override { return {0.0, x_.width()}; }
+    [[nodiscard]] LawPoint at_load(double tau) const override {
+        const double load = std::clamp(tau, loads_.low, loads_.high);
+        LawPoint point = point_at(pair_.deflection(load, x_));
+        point.tau = load;
+        return point;
+    }
+    [[nodiscard]] LawPoint at_angle(double theta) const override { return point_at(x_.low + std::clamp(theta, 0.0, x_.width())); }
+
+private:
+    [[nodiscard]] LawPoint point_at(double x) const {
+        LawPoint point;
+        point.theta = x - x_.low;
+        point.f_se = pair_.series->force(x);
+        point.f_pe = pair_.parallel->force(x);
+        point.tau = point.f_se + point.f_pe;
+        point.s = pair_.series->stiffness(x);
+        point.p = pair_.parallel->stiffness(x);
+        point.s_slope = pair_.series->slope(x);
+        point.p_slope = pair_.parallel->slope(x);
+        point.u_se = pair_.series->energy(x) - pair_.series->energy(x_.low);
+        point.u_pe = pair_.parallel->energy(x) - pair_.parallel->energy(x_.low);
+        return point;
+    }
+
+    Pair pair_;
+    core::Range x_, loads_;  ///< deflection of the potentials [rad], load [Nm]
+};
+
+core::Finding refuse(const char* rule, const char* what, double measured, core::Bound bound, double allowed, const char* unit) {
+    core::Finding finding;
+    finding.rule = rule;
+    finding.severity = core::Severity::kRequired;
+    finding.what = what;
+    finding.measured = measured;
+    finding.bound = bound;
+    finding.allowed = allowed;
+    finding.unit = unit;
+    finding.source = "docs/theory/springs.md, eq. 1";
+    return finding;
+}
+
+core::Finding out_of_range(const char* end, double torque, core::Bound bound, double reached, double x) {
+    core::Finding finding = refuse("law.range", "the potentials do not reach the law's load", torque, bound, reached, "Nm");
+    finding.where = fmt::format("law at its {} torque, potentials at {:.4g} rad", end, x);
+    const double nearest = bound == core::Bound::kAtMost ? 0.999 * reached : 1.001 * reached;
+    finding.suggestion = nearest > 0.0 ? fmt::format("{}_torque_Nm = {:.6g}", end, nearest)
+                                       : fmt::format("potentials whose torque rises to {:.4g} Nm", torque);
+    return finding;
+}
+
+/// @param peak load before it falls [Nm]
+core::Finding falling(const Pair& pair, double x, double peak, double start) {
+    const double stiffness = pair.stiffness(x);
+    core::Finding finding =
+        refuse("law.stiffness", "load must rise with the capstan's angle: S + P > 0", stiffness, core::Bound::kAtLeast, 0.0, "Nm/rad");
+    finding.where = fmt::format("law at {:.4g} Nm, potentials at {:.4g} rad", pair.load(x), x);
+    const double end = 0.98 * peak;
+    finding.suggestion = end > start ? fmt::format("end_torque_Nm = {:.4g}", end)
+                                     : fmt::format("a stiffness higher by {:.4g} Nm/rad there", std::abs(stiffness));
+    return finding;
+}
+
+/// Deflections where the load first reaches `start` and, rising on, `end`.
+core::Outcome<core::Range> find_range(const Pair& pair, double start, double end) {
+    using core::Bound;
+    const core::Range domain = pair.domain();
+    if (!(domain.width() > 0.0))
+        return refuse("law.range", "the potentials share no deflection", domain.width(), Bound::kAtLeast, 0.0, "rad");
+    double x = domain.low, load = pair.load(x), highest = load;
+    if (load > start) return out_of_range("start", start, Bound::kAtLeast, load, x);
+    std::optional<double> x_start;
+    if (load == start) x_start = x;
+    for (int i = 1; i <= kWalkSteps; ++i) {
+        const double next = domain.low + domain.width() * i / kWalkSteps, next_load = pair.load(next);
+        if (!x_start && next_load >= start) x_start = pair.deflection(start, {x, next});
+        if (x_start && next_load >= end) return core::Range{*x_start, pair.deflection(end, {x, next})};
+        if (x_start && !(next_load >= std::max(load, start))) return falling(pair, next, load, start);
+        x = next;
+        load = next_load;
+        highest = std::max(highest, load);
+    }
+    return out_of_range(x_start ? "end" : "start", x_start ? end : start, Bound::kAtMost, highest, x);
+}
+
+/// The first place where load falls, if any.
+std::optional<core::Finding> find_fall(const Pair& pair, core::Range x, double start) {
+    for (int i = 0; i <= kScanSteps; ++i) {
+        const double at = x.low + x.width() * i / kScanSteps;
+        if (!(pair.stiffness(at) > 0.0)) return falling(pair, at, pair.load(at), start);
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+core::Outcome<SpringLawPtr> make_pair_law(PotentialPtr series, PotentialPtr parallel, double start_torque, double end_torque) {
+    core::require_positive("start_torque", start_torque, "Nm");
+    core::require_positive("end_torque", end_torque, "Nm");
+    if (end_torque <= start_torque)
+        throw core::InvalidInput("end_torque", fmt::format("{:g}", end_torque), fmt::format("above start_torque = {:g} Nm", start_torque));
+    Pair pair{std::move(series), std::move(parallel)};
+    const auto x = find_range(pair, start_torque, end_torque);
+    if (!x) return x.refusal();
+    if (auto fall = find_fall(pair, *x, start_torque)) return *std::move(fall);
+    return SpringLawPtr(std::make_shared<PairLaw>(std::move(pair), *x, core::Range{start_torque, end_torque}));
+}
+
+}  // namespace fusee::spring

@@ -1,0 +1,57 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "fusee/core/error.h"
+#include "fusee/spring/potential.h"
+
+namespace fusee::spring {
+
+namespace {
+
+/// sum_i coefficients[i] x^i by Horner's rule
+double sum_of_powers(const std::vector<double>& coefficients, double x) {
+    double sum = 0.0;
+    for (auto c = coefficients.rbegin(); c != coefficients.rend(); ++c) sum = sum * x + *c;
+    return sum;
+}
+
+std::vector<double> derived(const std::vector<double>& coefficients) {
+    std::vector<double> result;
+    for (std::size_t i = 1; i < coefficients.size(); ++i) result.push_back(static_cast<double>(i) * coefficients[i]);
+    return result;
+}
+
+std::vector<double> integrated(const std::vector<double>& coefficients) {
+    std::vector<double> result{0.0};
+    for (std::size_t i = 0; i < coefficients.size(); ++i) result.push_back(coefficients[i] / static_cast<double>(i + 1));
+    return result;
+}
+
+class Polynomial final : public Potential {
+public:
+    explicit Polynomial(std::vector<double> force)
+        : energy_(integrated(force)), stiffness_(derived(force)), slope_(derived(stiffness_)), force_(std::move(force)) {}
+
+    [[nodiscard]] core::Range domain() const override { return {0.0, kLongestDeflection}; }
+    [[nodiscard]] double energy(double x) const override { return sum_of_powers(energy_, x); }
+    [[nodiscard]] double force(double x) const override { return sum_of_powers(force_, x); }
+    [[nodiscard]] double stiffness(double x) const override { return sum_of_powers(stiffness_, x); }
+    [[nodiscard]] double slope(double x) const override { return sum_of_powers(slope_, x); }
+
+private:
+    std::vector<double> energy_, stiffness_, slope_, force_;
+};
+
+}  // namespace
+
+PotentialPtr make_polynomial(std::vector<double> coefficients) {
+    if (coefficients.empty()) throw core::InvalidInput("coefficients", "none", "at least one");
+    for (std::size_t i = 0; i < coefficients.size(); ++i)
+        if (!std::isfinite(coefficients[i]))
+            throw core::InvalidInput(fmt::format("coefficients[{}]", i), fmt::format("{:g}", coefficients[i]), "a finite number");
+    return std::make_shared<Polynomial>(std::move(coefficients));
+}
+
+}  // namespace fusee::spring

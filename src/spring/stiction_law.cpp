@@ -1,0 +1,169 @@
+#include "fusee/spring/stiction_law.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "fusee/core/error.h"
+
+// Equation numbers: docs/theory/springs.md.
+namespace fusee::spring {
+
+namespace {
+
+/// How far inside the feasible range a suggested torque lies.
+constexpr double kMargin = 0.02;
+
+class StictionLaw final : public SpringLaw {
+public:
+    explicit StictionLaw(const StictionLawOptions& options)
+        : k_(options.k), a_(options.u * options.u / options.mu), c_(options.c), start_(options.start_torque), end_(options.end_torque) {
+        f_start_ = transmission(start_) * start_;
+        theta_inf_ = a_ / (3.0 * k_ * start_ * start_ * start_) + c_ / (2.0 * k_ * start_ * start_);
+        theta_end_ = theta(std::log(end_ / start_));
+    }
+
+    [[nodiscard]] core::Range loads() const override { return {start_, end_}; }
+    [[nodiscard]] core::Range angles() const override { return {0.0, theta_end_}; }
+
+    [[nodiscard]] LawPoint at_load(double tau) const override {
+        const double load = std::clamp(tau, start_, end_);
+        return point(load, theta(std::log1p((load - start_) / start_)));
+    }
+
+    [[nodiscard]] LawPoint at_angle(double theta) const override {
+        const double angle = std::clamp(theta, 0.0, theta_end_);
+        return point(load_at(angle), angle);
+    }
+
+private:
+    [[nodiscard]] double transmission(double tau) const { return (a_ / tau + c_) / tau; }
+
+    /// Integral of tau^-n from the start to the load whose ln(tau/start) is `log`; exact to the last digits near the start too.
+    [[nodiscard]] double power_integral(int n, double log) const { return -std::expm1((1 - n) * log) * std::pow(start_, 1 - n) / (n - 1); }
+    /// Integral of ln(tau/start) tau^-n, by parts.
+    [[nodiscard]] double log_integral(int n, double log) const {
+        return (power_integral(n, log) - log * std::pow(start_, 1 - n) * std::exp((1 - n) * log)) / (n - 1);
+    }
+
+    /// eq. 5
+    [[nodiscard]] double theta(double log) const { return (a_ * power_integral(4, log) + c_ * power_integral(3, log)) / k_; }
+
+    /// Root of eq. 6 in v = 1/tau: a v^3/3 + c v^2/2 = k (theta_inf - theta). The left side rises and is convex wherever T > 0, so Newton's
+    /// steps from the start torque's side come down to the root without passing it.
+    [[nodiscard]] double load_at(double theta) const {
+        const double level = k_ * (theta_inf_ - theta);
+        double v = 1.0 / start_;
+        for (double next = v;; v = next) {
+            next = v - (v * v * (a_ * v / 3.0 + c_ / 2.0) - level) / (v * (a_ * v + c_));
+            if (!(next < v)) break;
+        }
+        return std::clamp(1.0 / v, start_, end_);
+    }
+
+    [[nodiscard]] LawPoint point(double tau, double angle) const {
+        const double log = std::log1p((tau - start_) / start_);
+        const double t = transmission(tau);
+        LawPoint p;
+        p.tau = tau;
+        p.theta = angle;
+        p.f_se = f_start_ + c_ * log + a_ * (tau - start_) / (tau * start_);  // eq. 7
+        p.f_pe = tau - p.f_se;
+        p.s = k_ * tau * tau;
+        p.p = (1.0 / t - 1.0) * p.s;
+        const double rise = p.s / t;  // dtau/dtheta = S + P
+        p.s_slope = 2.0 * k_ * tau * rise;
+        const double down = a_ + c_ * tau;
+        const double rise_slope = k_ * tau * tau * tau * (4.0 * a_ + 3.0 * c_ * tau) / (down * down) * rise;  // eq. 9
+        p.p_slope = rise_slope - p.s_slope;
+        p.u_se = series_energy(log);
+        p.u_pe = (a_ * power_integral(3, log) + c_ * power_integral(2, log)) / k_ - p.u_se;  // eq. 11
+        return p;
+    }
+
+    /// eq. 10: integral of F_SE dtheta with F_SE = base + c ln(tau/start) - a/tau
+    [[nodiscard]] double series_energy(double log) const {
+        const double base = f_start_ + a_ / start_;
+        const double i3 = power_integral(3, log), i4 = power_integral(4, log), i5 = power_integral(5, log);
+        return (base * (a_ * i4 + c_ * i3) + c_ * (a_ * log_integral(4, log) + c_ * log_integral(3, log)) - a_ * (a_ * i5 + c_ * i4)) / k_;
+    }
+
+    double k_, a_, c_, start_, end_;  // a = u^2/mu
+    double f_start_ = 0.0, theta_inf_ = 0.0, theta_end_ = 0.0;
+};
+
+void require_finite(const char* field, double value, const char* unit) {
+    constexpr double kLargest = std::numeric_limits<double>::max();
+    core::require_within(field, value, -kLargest, kLargest, unit);
+}
+
+void validate(const StictionLawOptions& options) {
+    core::require_positive("k", options.k, "1/(Nm rad)");
+    require_finite("u", options.u, "Nm");
+    require_finite("c", options.c, "Nm");
+    if (options.u == 0.0 && options.c == 0.0) throw core::InvalidInput("u and c", "0 and 0", "not both 0: the transmission would be 0");
+    core::require_positive("mu", options.mu);
+    core::require_positive("start_torque", options.start_torque, "Nm");
+    core::require_positive("end_torque", options.end_torque, "Nm");
+    if (options.end_torque <= options.start_torque)
+        throw core::InvalidInput("end_torque", fmt::format("{:g}", options.end_torque),
+                                 fmt::format("above start_torque = {:g} Nm", options.start_torque));
+}
+
+core::Finding transmission_finding(double measured, core::Bound bound, double allowed, const char* what, const char* end) {
+    core::Finding finding;
+    finding.rule = "law.transmission";
+    finding.severity = core::Severity::kRequired;
+    finding.what = what;
+    finding.measured = measured;
+    finding.bound = bound;
+    finding.allowed = allowed;
+    finding.unit = "Nm";
+    finding.where = fmt::format("law at its {} torque", end);
+    finding.source = "docs/theory/springs.md, eq. 3 and 4";
+    return finding;
+}
+
+/// T >= 1 at the start: the least feasible start torque, or the constant C that puts it below the given one.
+core::Finding start_too_low(const StictionLawOptions& options, double least) {
+    core::Finding finding = transmission_finding(options.start_torque, core::Bound::kAtLeast, least,
+                                                 "the transmission reaches 1 at the start torque: no K_PE is that soft", "start");
+    const double safe = options.start_torque * (1.0 - kMargin);
+    finding.suggestion = fmt::format("C_Nm = {:.4g}", safe - options.u * options.u / (options.mu * safe));
+    const double start = least * (1.0 + kMargin);
+    if (start < options.end_torque) finding.suggestion = fmt::format("start_torque_Nm = {:.4g} (or {})", start, finding.suggestion);
+    return finding;
+}
+
+/// T <= 0 at the end (C < 0): the highest feasible end torque, or the constant C that puts it above the given one.
+core::Finding end_too_high(const StictionLawOptions& options, double highest) {
+    core::Finding finding = transmission_finding(options.end_torque, core::Bound::kAtMost, highest,
+                                                 "the transmission reaches 0 at the end torque: no K_PE is that stiff", "end");
+    const double a = options.u * options.u / options.mu;
+    finding.suggestion = a > 0.0 ? fmt::format("C_Nm = {:.4g}", -a / (options.end_torque * (1.0 + kMargin)))
+                                 : fmt::format("C_Nm = {:.4g}", options.start_torque * (1.0 - kMargin));
+    const double end = highest * (1.0 - kMargin);
+    if (end > options.start_torque) finding.suggestion = fmt::format("end_torque_Nm = {:.4g} (or {})", end, finding.suggestion);
+    return finding;
+}
+
+}  // namespace
+
+double least_feasible_load(const StictionLawOptions& options) {
+    return 0.5 * (options.c + std::sqrt(options.c * options.c + 4.0 * options.u * options.u / options.mu));  // eq. 4: T(least) = 1
+}
+
+core::Outcome<SpringLawPtr> make_stiction_law(const StictionLawOptions& options) {
+    validate(options);
+    const double a = options.u * options.u / options.mu;
+    const double least = least_feasible_load(options);
+    core::Findings refusal;
+    if (options.start_torque <= least) refusal.push_back(start_too_low(options, least));
+    if (options.c < 0.0 && options.end_torque >= a / -options.c) refusal.push_back(end_too_high(options, a / -options.c));
+    if (!refusal.empty()) return refusal;
+    return SpringLawPtr(std::make_shared<StictionLaw>(options));
+}
+
+}  // namespace fusee::spring

@@ -1,0 +1,134 @@
+#include "fusee/actuator/dead_band.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "fusee/core/error.h"
+#include "fusee/spring/lead_in.h"
+#include "fusee/spring/potential.h"
+#include "fusee/spring/stiction_law.h"
+
+namespace fusee::actuator {
+namespace {
+
+constexpr double kMu = 0.28;
+
+/// Joint and capstan of one radius, so that widths at the joint are those at the capstan.
+Actuator with_law(spring::SpringLawPtr law, double mu = kMu, double ratio = 1.0) {
+    return {.law = std::move(law),
+            .capstan_radius = 0.03,
+            .joint_radius = 0.03 * ratio,
+            .gear_friction = mu,
+            .least_torque = 0.8,
+            .peak_torque = 1.0,
+            .overdrive_torque = 1.5};
+}
+
+spring::SpringLawPtr soft_law(double end) {
+    return *spring::make_stiction_law({.k = 0.225, .u = 0.0012, .c = 0.265, .mu = kMu, .start_torque = 0.6, .end_torque = end});
+}
+
+/// The widest pair of resting places by exhaustive search over a grid of deflections: no root is solved, nothing assumed about the edge.
+double widest_by_search(const Actuator& actuator, double tau) {
+    constexpr int kGrid = 1200;
+    const double reach = actuator.law->angles().high, low = tau / (1.0 + actuator.gear_friction),
+                 high = tau / (1.0 - actuator.gear_friction);
+    std::vector<spring::LawPoint> at;
+    for (int i = 0; i <= kGrid; ++i) at.push_back(actuator.law->at_angle(reach * i / kGrid));
+    const auto held = [&](int x, int theta) {
+        const double load = at[static_cast<std::size_t>(x)].f_se + at[static_cast<std::size_t>(theta)].f_pe;
+        return load >= low && load <= high;
+    };
+    int widest = 0;
+    for (int x = 0; x <= kGrid; ++x)
+        for (int q = widest + 1; q <= std::min(x, kGrid - x); ++q)
+            if (held(x, x - q) && held(x, x + q)) widest = q;
+    return 2.0 * reach * widest / kGrid;
+}
+
+TEST(DeadBand, LinearWidthsOfADesignAreKnown) {
+    const auto law = spring::make_stiction_law({.k = 0.69, .u = 0.0027, .c = 0.30, .mu = kMu, .start_torque = 0.5, .end_torque = 1.5});
+    const Actuator actuator = with_law(*law);
+    EXPECT_NEAR(core::deg_from_rad(dead_band(actuator, 0.5).linear), 140.0, 0.5);  // the reference is rounded there
+    EXPECT_NEAR(core::deg_from_rad(dead_band(actuator, 1.0).linear), 19.9, 0.05);
+    EXPECT_NEAR(core::deg_from_rad(dead_band(actuator, 1.5).linear), 7.8, 0.05);
+}
+
+TEST(DeadBand, ExactWidthAgreesWithExhaustiveSearch) {
+    const Actuator actuator = with_law(soft_law(2.4));
+    EXPECT_NEAR(core::deg_from_rad(dead_band(actuator, 1.0).extreme), 51.3, 0.05);
+    for (const double tau : {1.0, 1.25, 1.5}) {
+        const DeadBand band = dead_band(actuator, tau);
+        ASSERT_TRUE(band.covered) << tau;
+        // The search loses up to two steps of q and one of x to its grid.
+        const double step = 2.0 * actuator.law->angles().high / 1200.0;
+        EXPECT_LE(widest_by_search(actuator, tau), band.extreme + 1e-12) << tau;
+        EXPECT_NEAR(widest_by_search(actuator, tau), band.extreme, 3.0 * step) << tau;
+    }
+}
+
+/// Linear springs: the edges solve S x + P (x -+ q) = loads, so 2 q = (high - low)/P whatever S.
+TEST(DeadBand, LinearSpringsAreKnownByHand) {
+    const double s = 0.4, p = 0.6;
+    const auto law = spring::make_pair_law(spring::make_polynomial({0.0, s}), spring::make_polynomial({0.0, p}), 0.05, 20.0);
+    ASSERT_TRUE(law);
+    const double g = 1.5;
+    const DeadBand band = dead_band(with_law(*law, kMu, g), 1.0);
+    EXPECT_TRUE(band.covered);
+    EXPECT_NEAR(band.extreme, (1.0 / (1.0 - kMu) - 1.0 / (1.0 + kMu)) / (p * g), 1e-12);
+    EXPECT_NEAR(band.linear, 2.0 * kMu / (p * g), 1e-14);
+    EXPECT_NEAR(band.joint_stiffness, 2.0 * g * g * s, 1e-14);
+    EXPECT_NEAR(band.free_joint_stiffness, 2.0 * g * g * s * p / (s + p), 1e-14);
+    EXPECT_NEAR(band.theta, 1.0 / (s + p) - 0.05, 1e-13);
+    EXPECT_NEAR(band.condition_6, kMu * s / (s + p), 1e-14);  // constant T: the dead-band grows with load
+}
+
+TEST(DeadBand, ExactTendsToLinearAsFrictionVanishes) {
+    const spring::SpringLawPtr law = soft_law(2.4);
+    for (const double mu : {1e-2, 1e-3, 1e-4}) {
+        const DeadBand band = dead_band(with_law(law, mu), 1.2);
+        EXPECT_NEAR(band.extreme / band.linear, 1.0, 20.0 * mu * mu + 1e-9);  // symmetric in +-mu to first order
+    }
+    EXPECT_EQ(dead_band(with_law(law, 0.0), 1.2).extreme, 0.0);
+}
+
+TEST(DeadBand, Condition6IsTheSlopeOfTheTransmittedStiction) {
+    const Actuator actuator = with_law(soft_law(2.4));
+    const auto transmitted = [&](double tau) { return actuator.law->at_load(tau).transmission() * kMu * tau; };
+    const double h = 1e-5;
+    for (const double tau : {0.7, 1.0, 1.4, 2.0}) {
+        EXPECT_NEAR(dead_band(actuator, tau).condition_6, (transmitted(tau + h) - transmitted(tau - h)) / (2.0 * h), 1e-10);
+        // The law is made so that T tau_f = u^2/tau + mu C falls as -u^2/tau^2.
+        EXPECT_NEAR(dead_band(actuator, tau).condition_6, -0.0012 * 0.0012 / (tau * tau), 1e-14);
+    }
+}
+
+TEST(DeadBand, UncoveredLoadsAreSaid) {
+    const DeadBand low = dead_band(with_law(soft_law(2.4)), 0.65);  // needs 0.508 Nm, the law starts at 0.6
+    EXPECT_FALSE(low.covered);
+    EXPECT_TRUE(std::isnan(low.extreme));
+    EXPECT_FALSE(std::isnan(low.linear));
+    const DeadBand outside = dead_band(with_law(soft_law(2.4)), 0.5);
+    EXPECT_TRUE(std::isnan(outside.linear));
+    // 1.5/(1 - mu) = 2.083 Nm lies in the law, but capstan 2 turns farther than it would under that load at rest.
+    EXPECT_FALSE(dead_band(with_law(soft_law(2.1)), 1.5).covered);
+    EXPECT_TRUE(dead_band(with_law(soft_law(2.21)), 1.5).covered);
+    const auto longer = spring::with_lead_in(soft_law(2.4), 1.5);
+    EXPECT_TRUE(dead_band(with_law(*longer), 0.8).covered);
+}
+
+TEST(DeadBandCurve, RunsFromLeastToOverdrive) {
+    const Actuator actuator = with_law(soft_law(2.4));
+    const auto curve = dead_band_curve(actuator, 8);
+    ASSERT_EQ(curve.size(), 8u);
+    EXPECT_EQ(curve.front().tau, 0.8);
+    EXPECT_NEAR(curve[1].tau, 0.9, 1e-15);
+    EXPECT_EQ(curve.back().tau, 1.5);
+    for (std::size_t i = 1; i < curve.size(); ++i) EXPECT_LT(curve[i].linear, curve[i - 1].linear);
+    EXPECT_THROW((void)dead_band_curve(actuator, 1), core::InvalidInput);
+}
+
+}  // namespace
+}  // namespace fusee::actuator

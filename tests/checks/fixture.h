@@ -1,0 +1,176 @@
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "fusee/checks/check.h"
+#include "fusee/core/units.h"
+
+/// Parts made by hand, whose every measure is known: a disc and a helix of constant radius.
+namespace fusee::checks {
+
+/// Owns what a Design refers to.
+struct Bench {
+    solid::Part part;
+    spring::BaseSpring spring;
+    Cable cable;
+    Process process;
+    [[nodiscard]] Design design() const { return {part, spring, cable, process}; }
+};
+
+inline constexpr double kMm = 1e-3;
+inline constexpr double kWorking = 2.0;  // the disc works from psi = -2 to 2
+inline constexpr int kRows = 201;        // odd: one of them lies at psi = 0
+
+/// The part's groove as corners only: lip, flank, floor, flank, lip.
+inline void cut_groove(Bench& b) {
+    const solid::GrooveOptions& g = b.part.options.groove;
+    const double d = b.cable.diameter / kMm, r = g.radius_ratio * d, half = 0.5 * g.throat, depth = g.depth_ratio * d;
+    const double flank_offset = r * (1.0 - std::sin(half)), flank_z = r * std::cos(half);
+    const double lip_z = flank_z + (depth - flank_offset) * std::tan(half), floor = -0.5 * d;
+    b.part.section = {
+        {depth + floor, -lip_z}, {flank_offset + floor, -flank_z}, {floor, 0.0}, {flank_offset + floor, flank_z}, {depth + floor, lip_z}};
+    double z_low = 0.0, z_high = 0.0;
+    for (const cam::Contact& c : b.part.cam.working) z_low = std::min(z_low, c.path.z), z_high = std::max(z_high, c.path.z);
+    b.part.z_low = z_low - lip_z * kMm - g.rib;
+    b.part.z_high = z_high + lip_z * kMm + g.rib;
+}
+
+/// Adds a closed box to a mesh [mm].
+inline void add_box(solid::Mesh& mesh, const solid::Vec3& low, const solid::Vec3& high) {
+    const auto base = static_cast<std::uint32_t>(mesh.points_mm.size());
+    for (int i = 0; i < 8; ++i) mesh.points_mm.push_back({i & 1 ? high[0] : low[0], i & 2 ? high[1] : low[1], i & 4 ? high[2] : low[2]});
+    const solid::Triangle sides[] = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                                     {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+    for (const solid::Triangle& t : sides) mesh.triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
+}
+
+inline solid::Mesh box(const solid::Vec3& low, const solid::Vec3& high) {
+    solid::Mesh mesh;
+    add_box(mesh, low, high);
+    return mesh;
+}
+
+/// Contacts at rising psi over [low, high]; the state rises evenly from the preload to `last_state`.
+inline void work(Bench& b, double low, double high, double last_state) {
+    b.part.cam.working.clear();
+    b.part.cam.working_psi = {low, high};
+    for (int i = 0; i < kRows; ++i) {
+        const double share = static_cast<double>(i) / (kRows - 1);
+        cam::Contact c;
+        c.path = b.part.cam.path(low + (high - low) * share);
+        c.arm = {1.0,
+                 high - low,
+                 c.path.h,
+                 c.path.slope,
+                 c.path.rho - c.path.h,
+                 50.0,
+                 b.spring.preload + (last_state - b.spring.preload) * share};
+        c.arm.angle = (high - low) * share;
+        c.span = 0.1;
+        b.part.cam.working.push_back(c);
+    }
+}
+
+inline void set_cable(Bench& b, double diameter) {
+    b.cable.diameter = b.part.cam.options.cable_diameter = diameter;
+    b.cable.breaking_load = 2000.0;
+    b.cable.max_pressure = 50e6;
+}
+
+/// A printed K_SE spool: disc of radius R about (e, 0), so h = R + e cos psi and rho = R.
+inline Bench disc(double radius, double eccentricity) {
+    Bench b;
+    set_cable(b, 0.8 * kMm);
+    b.spring.rate = 0.02;
+    b.spring.preload = 4.0;
+    b.spring.max_state = 12.0;
+    b.spring.max_load = 0.3;
+    b.spring.wire_diameter = 1.2 * kMm;
+    b.spring.coil_diameter = 12.0 * kMm;
+    b.spring.tensile_strength = 2000e6;
+    cam::Cam& cam = b.part.cam;
+    cam.kind = cam::PartKind::kSeries;
+    cam.options.guide.kind = cam::GuideKind::kPoint;
+    cam.options.guide.distance = 0.1;
+    cam.path = [=](double psi) {
+        return cam::PathPoint{psi, radius + eccentricity * std::cos(psi), -eccentricity * std::sin(psi), radius, 0.0};
+    };
+    work(b, -kWorking, kWorking, 10.0);
+    cam.groove_psi = {-kWorking, -kWorking + 2.0 * core::kPi};
+    cam.anchor_psi = -kWorking - cam.options.path.margin + 2.0 * core::kPi;
+    b.part.options.hub.bore_diameter = 6.0 * kMm;
+    solid::FeatureOptions& f = b.part.options.features;
+    f.leg_slot_width = 1.4 * kMm;
+    f.leg_slot_length = 2.4 * kMm;
+    f.leg_slot_radius = 6.0 * kMm;
+    f.leg_slot_depth = 2.0 * kMm;
+    const double inside = 0.5 * radius / kMm;
+    b.part.mesh = box({-inside, -inside, -2.0}, {inside, inside, 2.0});
+    cut_groove(b);
+    return b;
+}
+
+inline Bench spool() { return disc(10.0 * kMm, 1.0 * kMm); }
+
+/// A printed K_PE cam: helix of constant radius and pitch, one and a half turns of work, overhung on its boss.
+inline Bench helix(double radius, double pitch) {
+    Bench b;
+    set_cable(b, 0.8 * kMm);
+    b.spring.kind = spring::BaseKind::kCompression;
+    b.spring.rate = 7460.0;
+    b.spring.preload = 10.0 * kMm;
+    b.spring.max_state = 30.0 * kMm;
+    b.spring.free_length = 60.0 * kMm;
+    b.spring.active_coils = 8.0;
+    b.spring.wire_diameter = 2.0 * kMm;
+    b.spring.coil_diameter = 16.0 * kMm;
+    b.spring.tensile_strength = 2000e6;
+    cam::Cam& cam = b.part.cam;
+    cam.kind = cam::PartKind::kParallel;
+    cam.rotation_sign = -1;
+    cam.options.path.kind = cam::PathKind::kHelix;
+    cam.options.path.pitch = pitch;
+    cam.path = [=](double psi) { return cam::PathPoint{psi, radius, 0.0, radius, pitch * psi / (2.0 * core::kPi)}; };
+    work(b, 0.0, 3.0 * core::kPi, 20.0 * kMm);
+    const double margin = cam.options.path.margin;
+    cam.groove_psi = {-1.6 * margin, 3.0 * core::kPi + 1.6 * margin};
+    cam.anchor_psi = -margin;
+    solid::HubOptions& hub = b.part.options.hub;
+    hub.kind = solid::HubKind::kOverhung;
+    hub.bore_diameter = 6.0 * kMm;
+    hub.boss_diameter = 14.0 * kMm;
+    hub.boss_height = 10.0 * kMm;
+    const double inside = 0.5 * radius / kMm;
+    b.part.mesh = box({-inside, -inside, -2.0}, {inside, inside, 2.0});
+    cut_groove(b);
+    const double beyond = 1.6 * margin * pitch / (2.0 * core::kPi);  // the groove climbs on in its margins
+    b.part.z_low -= beyond;
+    b.part.z_high += beyond;
+    return b;
+}
+
+inline Bench pusher() { return helix(10.0 * kMm, 4.0 * kMm); }
+
+/// The spool on a milling machine.
+inline Bench milled() {
+    Bench b = spool();
+    b.process.kind = ProcessKind::kMill;
+    b.part.options.features.leg_slot_radius = 5.85 * kMm;  // the loaded wall is 1.5 mm on both sides
+    return b;
+}
+
+inline core::Findings run_rule(const std::string& id, const Bench& bench) {
+    for (const Rule& rule : rules())
+        if (id == rule.id) return rule.run(bench.design());
+    return {};
+}
+
+/// The rule's gravest finding; a pass without words if it has none.
+inline core::Finding gravest(const std::string& id, const Bench& bench) {
+    const core::Findings all = run_rule(id, bench);
+    const auto grave = std::max_element(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.severity < b.severity; });
+    return grave == all.end() ? core::Finding{} : *grave;
+}
+
+}  // namespace fusee::checks

@@ -1,0 +1,75 @@
+#include "fusee/checks/limits.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "fusee/core/error.h"
+#include "fusee/core/units.h"
+
+namespace fusee::checks {
+namespace {
+
+TEST(Limits, StrengthLeftMeetsItsTable) {
+    EXPECT_DOUBLE_EQ(strength_left(40.0), 0.95);
+    EXPECT_DOUBLE_EQ(strength_left(10.0), 0.86);
+    EXPECT_DOUBLE_EQ(strength_left(1.0), 0.50);
+    EXPECT_DOUBLE_EQ(strength_left(1000.0), 0.95) << "nothing is promised beyond the table";
+    EXPECT_DOUBLE_EQ(strength_left(0.1), 0.50);
+    EXPECT_NEAR(strength_left(std::sqrt(200.0)), 0.885, 1e-12) << "half way in the logarithm from 10 to 20";
+}
+
+TEST(Limits, StrengthLeftRisesWithTheBend) {
+    for (double ratio = 0.5; ratio < 60.0; ratio *= 1.1) EXPECT_LE(strength_left(ratio), strength_left(1.1 * ratio)) << ratio;
+}
+
+TEST(Limits, OwnLimitsReplaceTheTable) {
+    Process own;
+    own.kind = ProcessKind::kSla;
+    EXPECT_DOUBLE_EQ(process_limits(own).loaded_wall, 1.0e-3);
+    own.min_wall = 2e-3, own.min_hole = 3e-3, own.max_overhang = 0.5, own.cutter_radius = 4e-3, own.tolerance = 5e-3;
+    const ProcessLimits limits = process_limits(own);
+    EXPECT_DOUBLE_EQ(limits.wall, 2e-3);
+    EXPECT_DOUBLE_EQ(limits.loaded_wall, 2e-3);
+    EXPECT_DOUBLE_EQ(limits.hole, 3e-3);
+    EXPECT_DOUBLE_EQ(limits.overhang, 0.5);
+    EXPECT_DOUBLE_EQ(limits.cutter_radius, 4e-3);
+    EXPECT_DOUBLE_EQ(limits.tolerance, 5e-3);
+}
+
+TEST(Limits, EveryProcessHasARow) {
+    for (const ProcessKind kind : {ProcessKind::kFdm, ProcessKind::kSla, ProcessKind::kSls, ProcessKind::kMill}) {
+        Process process;
+        process.kind = kind;
+        EXPECT_EQ(process_limits(process).kind, kind) << to_string(kind);
+    }
+}
+
+TEST(Limits, KeysOfDin6885) {
+    struct Row {
+        double shaft_mm, width_mm, depth_mm;
+    };
+    for (const Row& row : {Row{6, 2, 1.0}, Row{8, 2, 1.0}, Row{9, 3, 1.4}, Row{10, 3, 1.4}, Row{12, 4, 1.8}, Row{13, 5, 2.3},
+                           Row{17, 5, 2.3}, Row{20, 6, 2.8}, Row{30, 8, 3.3}}) {
+        const KeySize* key = key_size(core::m_from_mm(row.shaft_mm));
+        ASSERT_NE(key, nullptr) << row.shaft_mm;
+        EXPECT_DOUBLE_EQ(core::mm_from_m(key->width), row.width_mm) << row.shaft_mm;
+        EXPECT_DOUBLE_EQ(core::mm_from_m(key->hub_depth), row.depth_mm) << row.shaft_mm;
+    }
+    EXPECT_EQ(key_size(5.9e-3), nullptr);
+    EXPECT_EQ(key_size(31e-3), nullptr);
+}
+
+TEST(Limits, UnknownConstructionIsRefusedByName) {
+    try {
+        (void)cable_limits("6x19");
+        FAIL();
+    } catch (const core::InvalidInput& e) {
+        EXPECT_EQ(e.field(), "cable.construction");
+        EXPECT_EQ(e.value(), "6x19");
+        EXPECT_NE(e.allowed().find("fibre"), std::string::npos);
+    }
+}
+
+}  // namespace
+}  // namespace fusee::checks

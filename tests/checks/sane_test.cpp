@@ -1,0 +1,80 @@
+#include <gtest/gtest.h>
+
+#include "checks/fixture.h"
+
+// A part that people make must not be forbidden, and what nobody stated must not be judged.
+namespace fusee::checks {
+namespace {
+
+core::Findings forbidden(const core::Findings& findings) {
+    core::Findings some;
+    for (const core::Finding& f : findings)
+        if (f.severity == core::Severity::kRequired) some.push_back(f);
+    return some;
+}
+
+std::string lines(const core::Findings& findings) {
+    std::string text;
+    for (const core::Finding& f : findings) text += core::to_line(f) + "\n";
+    return text;
+}
+
+/// Printed K_PE whose arm grows from 3 to 9.5 mm over one and a half turns, h = 3 + 6.5 x^2, rho = h + 13/width^2 > h.
+Bench growing_cam() {
+    Bench b = pusher();
+    const double width = 3.0 * core::kPi, pitch = 4.0 * kMm;
+    b.part.cam.path = [=](double psi) {
+        const double x = psi / width;
+        const double bend = 13.0 * kMm / (width * width), h = 3.0 * kMm + 0.5 * bend * psi * psi;
+        return cam::PathPoint{psi, h, 13.0 * kMm * x / width, h + bend, pitch * psi / (2.0 * core::kPi)};
+    };
+    work(b, 0.0, width, 20.0 * kMm);
+    b.part.mesh = box({-1, -1, -4}, {1, 1, 10});
+    return b;
+}
+
+TEST(Sane, PrintedSpoolHasNothingToChange) {
+    const core::Findings findings = check(spool().design());
+    EXPECT_EQ(lines(forbidden(findings)), "");
+    EXPECT_GE(findings.size(), 20u) << "passes are reported with their margin";
+}
+
+TEST(Sane, PrintedHelicalCamHasNothingToChange) { EXPECT_EQ(lines(forbidden(check(growing_cam().design()))), ""); }
+
+TEST(Sane, MilledSpoolHasNothingToChange) { EXPECT_EQ(lines(forbidden(check(milled().design()))), ""); }
+
+TEST(Sane, UnknownDataIsNotJudged) {
+    Bench b = spool();
+    b.cable.breaking_load = b.cable.max_pressure = 0.0;
+    b.spring = {};
+    b.spring.rate = 0.02;
+    b.part.mesh = {};
+    for (const char* rule : {"cable.breaking_load", "cable.pressure", "cable.free_path", "spring.travel", "spring.torsion_angle",
+                             "spring.load", "spring.stress", "spring.buckling", "process.build_volume", "process.support"})
+        EXPECT_TRUE(run_rule(rule, b).empty()) << rule;
+    Bench compression = pusher();
+    compression.spring = {};
+    compression.spring.kind = spring::BaseKind::kCompression;
+    compression.spring.rate = 7460.0;
+    for (const char* rule : {"spring.travel", "spring.load", "spring.stress", "spring.buckling"})
+        EXPECT_TRUE(run_rule(rule, compression).empty()) << rule;
+}
+
+TEST(Sane, RulesOfOneKindOfPartLeaveTheOtherAlone) {
+    for (const char* rule :
+         {"groove.pitch", "groove.neighbour_turns", "cable.groove_angle", "process.undercut", "process.cutter", "spring.travel"})
+        EXPECT_TRUE(run_rule(rule, spool()).empty()) << rule;
+    Bench resin = spool();
+    resin.process.kind = ProcessKind::kSla;
+    for (const char* rule : {"process.overhang", "process.support"}) EXPECT_TRUE(run_rule(rule, resin).empty()) << rule;
+}
+
+TEST(Sane, NotANumberNeverPasses) {
+    Bench b = spool();
+    b.part.cam.working[5].path.rho = b.part.cam.working[5].fleet = std::nan("");
+    EXPECT_EQ(gravest("cable.bend_ratio", b).severity, core::Severity::kRequired);
+    EXPECT_EQ(gravest("cable.fleet", b).severity, core::Severity::kRequired);
+}
+
+}  // namespace
+}  // namespace fusee::checks

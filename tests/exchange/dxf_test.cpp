@@ -1,0 +1,109 @@
+#include "fusee/exchange/dxf.h"
+
+#include <cmath>
+
+#include "exchange/fixtures/disc.h"
+#include "exchange/fixtures/expect_io_error.h"
+#include "fusee/core/file.h"
+
+namespace fusee::exchange {
+namespace {
+
+using DxfTest = fixtures::FolderTest;
+
+DxfDrawing small_drawing() {
+    DxfDrawing drawing;
+    drawing.provenance = "fusee test";
+    drawing.layers.push_back({"FLOOR", {{{{1.0 / 3.0, -2e-7}, {10.0, 0.1}, {12345.678901234567, 7.0}}, true}}, {}, {}});
+    drawing.layers.push_back({"BORE", {{{{0.0, 1.0}, {2.0, 3.0}}, false}}, {{{0.5, -0.25}, 2.6}}, {{20.0, 0.0}}});
+    return drawing;
+}
+
+/// A disc of pitch radius R about (e, 0) as the drawing's source: h = R + e cos psi, rho = R.
+solid::Part disc_part(double radius, double offset) {
+    solid::Part part;
+    part.cam.options.cable_diameter = 1e-3;
+    part.cam.groove_psi = {0.0, 2.0 * core::kPi};
+    part.cam.path = [=](double psi) { return cam::PathPoint{psi, radius + offset * std::cos(psi), -offset * std::sin(psi), radius, 0.0}; };
+    part.section = {{1.0, -1.5}, {-0.5, 0.0}, {1.0, 1.5}};
+    return part;
+}
+
+TEST_F(DxfTest, RoundtripIsExact) {
+    const DxfDrawing drawing = small_drawing();
+    write_dxf(folder_ / "a.dxf", drawing);
+    const DxfDrawing back = read_dxf(folder_ / "a.dxf");
+    EXPECT_EQ(back.provenance, "fusee test");
+    ASSERT_EQ(back.layers.size(), 2u);
+    for (const DxfLayer& layer : drawing.layers) {
+        const DxfLayer* read = back.layer(layer.name);
+        ASSERT_NE(read, nullptr);
+        ASSERT_EQ(read->polylines.size(), 1u);
+        EXPECT_EQ(read->polylines[0].points_mm, layer.polylines[0].points_mm);  // shortest digits that give the number back
+        EXPECT_EQ(read->polylines[0].closed, layer.polylines[0].closed);
+        EXPECT_EQ(read->points_mm, layer.points_mm);
+    }
+    ASSERT_EQ(back.layer("BORE")->circles.size(), 1u);
+    EXPECT_EQ(back.layer("BORE")->circles[0].radius_mm, 2.6);
+    EXPECT_EQ(back.layer("BORE")->circles[0].centre_mm, (Vec2{0.5, -0.25}));
+    EXPECT_EQ(back.layer("MISSING"), nullptr);
+}
+
+TEST_F(DxfTest, SameBytesTwiceInMillimetresR2000) {
+    write_dxf(folder_ / "a.dxf", small_drawing());
+    write_dxf(folder_ / "b.dxf", small_drawing());
+    const std::string bytes = core::read_file(folder_ / "a.dxf");
+    EXPECT_EQ(bytes, core::read_file(folder_ / "b.dxf"));
+    EXPECT_NE(bytes.find("AC1015"), std::string::npos);
+    EXPECT_NE(bytes.find("$INSUNITS\n 70\n4\n"), std::string::npos);
+    EXPECT_NE(bytes.find("LWPOLYLINE"), std::string::npos);
+}
+
+TEST_F(DxfTest, RefusesBrokenFilesByName) {
+    write_dxf(folder_ / "whole.dxf", small_drawing());
+    const std::string bytes = core::read_file(folder_ / "whole.dxf");
+    std::string inches = bytes, fewer = bytes;
+    inches.replace(bytes.find("$INSUNITS\n 70\n4"), 15, "$INSUNITS\n 70\n1");
+    fewer.erase(bytes.find(" 10\n12345.678901234567"), std::string(" 10\n12345.678901234567\n 20\n7\n").size());
+    core::write_file(folder_ / "cut.dxf", bytes.substr(0, bytes.size() / 2));
+    core::write_file(folder_ / "inches.dxf", inches);
+    core::write_file(folder_ / "fewer.dxf", fewer);
+    core::write_file(folder_ / "empty.dxf", "");
+    for (const char* name : {"cut.dxf", "inches.dxf", "fewer.dxf", "empty.dxf", "missing.dxf"})
+        fixtures::expect_io_error([&] { (void)read_dxf(folder_ / name); }, {name});
+}
+
+TEST_F(DxfTest, OutlinesOfADiscStayWithinAMicrometre) {
+    const DxfDrawing drawing = spool_drawing(disc_part(20e-3, 5e-3), "fusee test");
+    const std::vector<std::pair<const char*, double>> radii{{"PITCH", 20.0}, {"FLOOR", 19.5}, {"FLANGE", 21.0}};
+    for (const auto& [name, radius] : radii) {
+        const DxfLayer* layer = drawing.layer(name);
+        ASSERT_NE(layer, nullptr) << name;
+        ASSERT_EQ(layer->polylines.size(), 1u);
+        const auto& points = layer->polylines[0].points_mm;
+        EXPECT_TRUE(layer->polylines[0].closed);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const Vec2 &a = points[i], &b = points[(i + 1) % points.size()];
+            EXPECT_NEAR(std::hypot(a[0] - 5.0, a[1]), radius, 1e-9);
+            EXPECT_GT(std::hypot((a[0] + b[0]) / 2 - 5.0, (a[1] + b[1]) / 2), radius - 1.001e-3) << name << " " << i;
+        }
+    }
+    ASSERT_EQ(drawing.layer("MARK")->points_mm.size(), 1u);
+    EXPECT_NEAR(drawing.layer("MARK")->points_mm[0][0], 26.0, 1e-3);
+}
+
+TEST_F(DxfTest, BoreIsACircleOrAClosedOutlineWithKey) {
+    solid::Part part = disc_part(20e-3, 5e-3);
+    part.options.hub.lock = solid::HubLock::kPlain;
+    const DxfLayer plain = *spool_drawing(part, "").layer("BORE");
+    ASSERT_EQ(plain.circles.size(), 1u);
+    EXPECT_NEAR(plain.circles[0].radius_mm, 2.6, 1e-12);  // 5 mm and 0.2 mm of clearance
+    part.options.hub.lock = solid::HubLock::kKeyway;
+    const DxfLayer keyed = *spool_drawing(part, "").layer("BORE");
+    ASSERT_EQ(keyed.polylines.size(), 1u);
+    EXPECT_TRUE(keyed.polylines[0].closed);
+    EXPECT_TRUE(keyed.circles.empty());
+}
+
+}  // namespace
+}  // namespace fusee::exchange

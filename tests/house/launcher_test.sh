@@ -1,0 +1,108 @@
+#!/bin/bash
+# ./fusee builds what changed and hands on arguments, folder and exit code; tried on a house of one small program.
+# launcher_test.sh LAUNCHER
+. "$(dirname -- "$0")/lib.sh"
+unset FUSEE_BUILD_DIR
+house="$work/a house"
+mkdir -p "$house" "$work/elsewhere/sub folder" "$work/bin"
+cp "$1" "$house/fusee"
+echo 'dpkg  # always there' >"$house/packages.txt"
+cat >"$house/CMakeLists.txt" <<'END'
+cmake_minimum_required(VERSION 3.25)
+project(house LANGUAGES CXX)
+enable_testing()
+add_executable(fusee_app main.cpp)
+set_target_properties(fusee_app PROPERTIES OUTPUT_NAME fusee RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/bin")
+add_test(NAME says COMMAND fusee_app 1)
+END
+cat >"$house/main.cpp" <<'END'
+#include <cstdio>
+#include <filesystem>
+int main(int count, char** words) {
+    std::printf("first %s", std::filesystem::current_path().filename().c_str());
+    for (int i = 1; i < count; ++i) std::printf("|%s", words[i]);
+    return count - 1 == 3 ? 42 : 0;
+}
+END
+
+cd "$work/elsewhere/sub folder"
+expect_same 'arguments and folder' 'first sub folder|make|a b.toml' "$("$house/fusee" make 'a b.toml' 2>"$work/err")"
+expect_same 'nothing else on stderr' '' "$(cat "$work/err")"
+[ -s "$house/build/fusee-build.log" ] || fail 'there is no log'
+
+code=0
+../../"a house"/fusee 1 2 3 >"$work/out" || code=$?
+expect_same 'exit code' 42 "$code"
+ln -s "$house/fusee" "$work/bin/linked"
+expect_same 'through a symbolic link' 'first elsewhere|x' "$(cd .. && ../bin/linked x)"
+
+sed -i 's/first/second/' "$house/main.cpp"
+expect_same 'a changed source' 'second sub folder' "$("$house/fusee")"
+
+# Two calls at once on a changed source: both run the new program.
+sed -i 's/second/third/' "$house/main.cpp"
+"$house/fusee" a >"$work/a" &
+first=$!
+"$house/fusee" b >"$work/b"
+wait "$first"
+expect_same 'two at once, first' 'third sub folder|a' "$(cat "$work/a")"
+expect_same 'two at once, second' 'third sub folder|b' "$(cat "$work/b")"
+
+# A running program does not hold the lock: the next build need not wait for it.
+exec 8>"$work/held"
+"$house/fusee" >&8
+flock -n "$house/build/.fusee-lock" true || fail 'the lock is still held'
+
+"$house/fusee" test >"$work/out" || fail 'test failed'
+expect_in 'test runs ctest' '100% tests passed, 0 tests failed out of 1' "$work/out"
+"$house/fusee" test -R nothing-of-this-name >"$work/out" 2>&1
+expect_in 'ctest gets the arguments' 'No tests were found' "$work/out"
+
+FUSEE_BUILD_DIR="other build" "$house/fusee" >"$work/out"
+[ -x "$work/elsewhere/sub folder/other build/bin/fusee" ] || fail 'FUSEE_BUILD_DIR was ignored'
+
+# A copied tree builds its own sources, not those that its build folder remembers.
+cp -r "$house" "$work/copy"
+sed -i 's/third/copied/' "$work/copy/main.cpp"
+expect_same 'a copied tree' 'copied sub folder' "$("$work/copy/fusee")"
+
+echo 'int broken = "no";' >>"$house/main.cpp"
+code=0
+"$house/fusee" 2>"$work/err" >"$work/out" || code=$?
+expect_same 'a broken build' 3 "$code"
+expect_same 'a broken build runs nothing' '' "$(cat "$work/out")"
+expect_in 'the compiler is quoted' 'invalid conversion' "$work/err"
+expect_in 'the log is named' 'fusee-build.log' "$work/err"
+
+# A missing package, with a pretended package system.
+mkdir "$work/fake"
+sed -i '$d' "$house/main.cpp"
+echo 'libabsent-dev' >>"$house/packages.txt"
+cat >"$work/fake/dpkg-query" <<END
+#!/bin/sh
+echo 'installed dpkg'
+if [ -e '$work/fake/absent' ]; then echo 'installed libabsent-dev'; fi
+END
+cat >"$work/fake/apt-get" <<END
+#!/bin/sh
+echo "\$DEBIAN_FRONTEND \$*" >>'$work/fake/calls'
+case "\$*" in
+*update*) touch '$work/fake/updated' ;;
+*) [ -e '$work/fake/updated' ] && touch '$work/fake/absent' ;;
+esac
+END
+printf '#!/bin/sh\nprintenv FAKE_ID || echo 0\n' >"$work/fake/id"
+chmod +x "$work"/fake/*
+PATH="$work/fake:$PATH" "$house/fusee" >"$work/out" 2>"$work/err" || fail 'packages could not be installed'
+expect_in 'says what it installs' 'installing libabsent-dev' "$work/err"
+expect_same 'first without, then after an update' \
+    "$(printf '%s\n' 'install libabsent-dev' update 'install libabsent-dev')" \
+    "$(sed 's/.*10min//; s/^noninteractive -qy -o DPkg::Lock::Timeout=600 //; s/ --no-install-recommends//; s/ *$//' "$work/fake/calls")"
+
+# Neither root nor sudo: it says what to do.
+rm "$work/fake/absent"
+for tool in sh printenv readlink dirname sed tr mkdir flock grep cat tail; do ln -s "$(command -v $tool)" "$work/fake/$tool"; done
+code=0
+FAKE_ID=1000 PATH="$work/fake" "$house/fusee" 2>"$work/err" || code=$?
+expect_same 'no rights' 3 "$code"
+expect_in 'no rights' 'apt-get install --no-install-recommends libabsent-dev' "$work/err"

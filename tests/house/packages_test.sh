@@ -1,0 +1,25 @@
+#!/bin/bash
+# packages.txt is complete: every library header that a source includes belongs to a package of that list, and each is installed.
+# packages_test.sh SOURCE_FOLDER
+. "$(dirname -- "$0")/lib.sh"
+cd "$1"
+command -v dpkg-query >/dev/null || skip 'not a Debian system'
+mapfile -t wanted < <(sed 's/#.*//; /^[[:space:]]*$/d; s/[[:space:]]//g' packages.txt)
+dpkg-query -W -f='${Package} ${db:Status-Status}\n' "${wanted[@]}" >"$work/status" || fail 'a package of packages.txt is not known'
+if grep -v ' installed$' "$work/status"; then fail 'the packages above are not installed'; fi
+
+# The standard library and the system come with build-essential; libboost-dev and its like only point to a version of themselves.
+dpkg-query -W -f='${Package}\n${Depends}\n' "${wanted[@]}" | tr ',|' '\n\n' | sed 's/^ *//; s/[ :].*//' | sort -u >"$work/provided"
+grep -rhoP --include='*.h' --include='*.cpp' '^\s*#\s*include\s*<\K[^>]+' include src tests | sort -u >"$work/included"
+roots=(/usr/include /usr/include/eigen3 /usr/include/lib3mf /usr/include/dxflib)
+while read -r header; do
+    for root in "${roots[@]}"; do
+        if [ -e "$root/$header" ]; then readlink -f "$root/$header"; break; fi
+    done
+done <"$work/included" >"$work/files"
+[ -s "$work/files" ] || fail 'no library header was found at all'
+xargs dpkg-query -S <"$work/files" | sed 's/[:,].*//' | sort -u >"$work/owners"
+while read -r owner; do
+    case $owner in libc6-dev | linux-libc-dev | libstdc++-*) continue ;; esac
+    grep -qxF -- "$owner" "$work/provided" || fail "$owner is included from, but is not in packages.txt"
+done <"$work/owners"

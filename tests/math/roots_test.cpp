@@ -1,0 +1,34 @@
+#include "fusee/math/roots.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace fusee::math {
+namespace {
+
+TEST(BracketedRoot, FindsKnownRootsToTheLastDigits) {
+    const auto root2 = bracketed_root([](double x) { return x * x - 2.0; }, 0.0, 2.0);
+    ASSERT_TRUE(root2);
+    EXPECT_NEAR(*root2, std::sqrt(2.0), 4e-16);  // two units in the last place of sqrt(2)
+    const auto falling = bracketed_root([](double x) { return 1.0 - std::exp(x); }, -3.0, 1.0);
+    ASSERT_TRUE(falling);
+    EXPECT_NEAR(*falling, 0.0, 1e-15);
+}
+
+TEST(BracketedRoot, TakesAnEndThatIsTheRootAndAHugeFarEnd) {
+    EXPECT_EQ(bracketed_root([](double x) { return x; }, 0.0, 1.0), 0.0);
+    EXPECT_EQ(bracketed_root([](double x) { return x; }, -1.0, 0.0), 0.0);
+    const auto steep = bracketed_root([](double x) { return x > 50.0 ? 1e300 : x - 0.125; }, 0.0, 100.0);
+    ASSERT_TRUE(steep);
+    EXPECT_NEAR(*steep, 0.125, 1e-15);
+}
+
+TEST(BracketedRoot, RefusesWithoutASignChange) {
+    EXPECT_FALSE(bracketed_root([](double x) { return x + 1.0; }, 0.0, 1.0));
+    EXPECT_FALSE(bracketed_root([](double) { return std::nan(""); }, 0.0, 1.0));
+    EXPECT_FALSE(bracketed_root([](double x) { return x; }, 1.0, -1.0));
+}
+
+}  // namespace
+}  // namespace fusee::math

@@ -1,0 +1,60 @@
+#include "profile/fixture.h"
+
+namespace fusee::profile {
+namespace {
+
+constexpr const char* kHeader = "angle_rad,series_Nm,parallel_Nm\n";
+constexpr const char* kRows = "0,0.1,0.2\n0.5,0.2,0.3\n1.0,0.3,0.4\n1.5,0.4,0.5\n2,0.5,0.6\n2.5,0.6,0.7\n3,0.7,0.8\n3.5,0.8,0.9\n";
+
+class CsvTest : public ProfileTest {
+protected:
+    TablePair table(const std::string& csv) const {
+        core::write_file(folder_ / "t.csv", csv);
+        return std::get<TablePair>(read(toml()).law.curves);
+    }
+    std::string refusal_of(const std::string& csv) const {
+        core::write_file(folder_ / "t.csv", csv);
+        return refusal(toml());
+    }
+    static std::string toml() {
+        return edited("kind = \"stiction_compensating\"\nk_per_Nm_rad = 0.225\nu_Nm = 0.0012\nc_Nm = 0.265\n",
+                      "kind = \"table\"\nfile = \"t.csv\"\n");
+    }
+};
+
+TEST_F(CsvTest, ReadsRowsCommentsSpacesAndForeignLineEnds) {
+    const TablePair t = table(std::string("\xEF\xBB\xBF# bench 3\r\n angle_rad, series_Nm ,parallel_Nm\r\n\r\n 0 , +1e-1,0.2\r\n") +
+                              std::string(kRows).substr(10));
+    EXPECT_EQ(t.angle.size(), 8u);
+    EXPECT_EQ(t.series.front(), 0.1);
+    EXPECT_EQ(t.parallel.back(), 0.9);
+}
+
+TEST_F(CsvTest, LastLineNeedsNoLineEnd) {
+    const std::string rows = kRows;
+    EXPECT_EQ(table(kHeader + rows.substr(0, rows.size() - 1)).parallel.back(), 0.9);
+}
+
+TEST_F(CsvTest, RefusesAndNamesFileLineAndColumn) {
+    const std::string head = kHeader, rows = kRows;
+    expect_words(refusal_of(head + rows + "4,,1\n"), {"t.csv:10:3: series_Nm", "missing"});
+    expect_words(refusal_of(head + rows + "4,0.9\n"), {"t.csv:10:6: parallel_Nm", "missing"});
+    expect_words(refusal_of(head + rows + "4,0.9,\n"), {"t.csv:10:7: parallel_Nm", "missing"});
+    expect_words(refusal_of(head + rows + "4,nan,1\n"), {"t.csv:10:3: series_Nm", "'nan'", "finite"});
+    expect_words(refusal_of(head + rows + "4,0.9,1 Nm\n"), {"t.csv:10:7: parallel_Nm", "'1 Nm'"});
+    expect_words(refusal_of(head + rows + "4,\"0.9\",1\n"), {"t.csv:10:3: series_Nm"});
+    expect_words(refusal_of(head + rows + "4,0.9,1,2\n"), {"t.csv:10:9: row", "three columns"});
+    expect_words(refusal_of(head + rows + "3.5,0.9,1\n"), {"t.csv:10:1: angle_rad", "above the row before, 3.5"});
+    expect_words(refusal_of(head + rows.substr(0, rows.rfind("3.5"))), {"t.csv", "rows", "7", "at least 8"});
+}
+
+TEST_F(CsvTest, RefusesAnotherHeader) {
+    expect_words(refusal_of("angle_deg,series_Nm,parallel_Nm\n" + std::string(kRows)), {"t.csv:1:1: header", "'angle_deg'", "angle_rad,series_Nm"});
+    expect_words(refusal_of("angle_rad;series_Nm;parallel_Nm\n" + std::string(kRows)), {"t.csv:1:1: header"});
+    expect_words(refusal_of("angle_rad,series_Nm\n" + std::string(kRows)), {"t.csv:1:20: header", "missing"});
+    expect_words(refusal_of(std::string(kRows)), {"t.csv:1:1: header", "'0'"});
+    expect_words(refusal_of("# nothing\n"), {"t.csv:1:1: header", "missing"});
+}
+
+}  // namespace
+}  // namespace fusee::profile

@@ -1,0 +1,65 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "report/fixture.h"
+
+namespace fusee::report {
+namespace {
+
+TEST(ReportJson, HoldsWhatItDocuments) {
+    const Fixture fixture;
+    const auto j = nlohmann::json::parse(report_json(fixture.design));
+    EXPECT_EQ(j["name"], "disc");
+    EXPECT_EQ(j["fusee"], core::version());
+    EXPECT_EQ(j["verdict"], "review and accept");
+    EXPECT_EQ(j["law"]["loads_Nm"], (std::vector<double>{0.3, 1.3}));
+    EXPECT_EQ(j["law"]["covers_stiction"], true);
+    EXPECT_TRUE(j["law"]["least_feasible_start_Nm"].is_null());
+    EXPECT_EQ(j["dead_band"].size(), 5u);
+    EXPECT_EQ(j["dead_band"][0]["linear_rad"], 1.0 / 0.4);
+    EXPECT_TRUE(j["dead_band"][4]["exact_rad"].is_null());
+    ASSERT_EQ(j["parts"].size(), 2u);
+    const auto& spool = j["parts"][0];
+    EXPECT_EQ(spool["part"], "k_se");
+    EXPECT_EQ(spool["spring"]["kind"], "torsion");
+    EXPECT_EQ(spool["spring"]["states_rad"], (std::vector<double>{3.0, 5.0}));
+    EXPECT_EQ(spool["cam"]["tensions_N"], (std::vector<double>{5.0, 9.0}));
+    EXPECT_EQ(spool["cam"]["travel_rad"], 2.0);
+    EXPECT_EQ(spool["mesh"]["triangles"], fixture.spool.mesh.triangles.size());
+    EXPECT_EQ(spool["files"][0]["bytes"], 51084);
+    EXPECT_EQ(spool["read_back"][0]["passed"], true);
+    EXPECT_EQ(spool["findings"][1]["severity"], "review and accept");
+    EXPECT_EQ(spool["findings"][1]["place"]["point_mm"].size(), 3u);
+    EXPECT_EQ(j["parts"][1]["cam"]["path"], "helix");
+    EXPECT_EQ(j["files"][0]["name"], "springs.csv");
+}
+
+TEST(ReportJson, TextsThatAreNoUtf8DoNotLoseTheReport) {
+    const Fixture fixture("bad\xFF");
+    const auto j = nlohmann::json::parse(report_json(fixture.design));
+    EXPECT_EQ(j["name"], "bad\uFFFD");
+}
+
+TEST(Verdict, IsTheGravestOfAllFindingsAndReadings) {
+    Fixture fixture;
+    EXPECT_EQ(verdict(fixture.design), core::Severity::kReview);
+    fixture.design.parts[1].arm_errors[0].worst_relative = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(verdict(fixture.design), core::Severity::kRequired);
+    EXPECT_EQ(verdict(DesignReport{}), core::Severity::kPass);
+}
+
+TEST(LawReport, CoversStictionOnlyAtBothEnds) {
+    Fixture fixture;
+    LawReport& law = fixture.design.law;
+    EXPECT_TRUE(law.covers_stiction());
+    law.stiction_loads = {0.3, 1.3};
+    EXPECT_TRUE(law.covers_stiction());
+    law.stiction_loads = {0.3, 1.31};
+    EXPECT_FALSE(law.covers_stiction());
+    law.stiction_loads = {0.29, 1.3};
+    EXPECT_FALSE(law.covers_stiction());
+}
+
+}  // namespace
+}  // namespace fusee::report

@@ -1,0 +1,165 @@
+#include "fusee/spring/stiction_law.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "fusee/core/error.h"
+#include "law_properties.h"
+
+namespace fusee::spring {
+namespace {
+
+StictionLawOptions design(double k, double u, double c, double start, double end) {
+    return {.k = k, .u = u, .c = c, .mu = 0.28, .start_torque = start, .end_torque = end};
+}
+
+struct Golden {
+    StictionLawOptions options;
+    double theta, f_se, u_se;  // from start to end; 30-digit quadrature of eq. 5, 7 and 10
+};
+const Golden kGolden[] = {
+    {design(0.69, 0.0027, 0.30, 0.5, 1.5), 0.77304375431332, 0.329618400886147, 0.316071216785352},
+    {design(0.42, 0.03, 0.05, 0.12, 1.0), 5.54780801209373, 0.129584605381433, 0.591089678038514},
+};
+
+TEST(StictionLaw, AgreesWithThirtyDigitQuadrature) {
+    for (const Golden& golden : kGolden) {
+        const auto law = make_stiction_law(golden.options);
+        ASSERT_TRUE(law);
+        const LawPoint start = (*law)->at_load(golden.options.start_torque), end = (*law)->at_load(golden.options.end_torque);
+        // The reference has 15 digits; 1e-13 leaves two for the sums of the closed form.
+        EXPECT_NEAR(end.theta - start.theta, golden.theta, 1e-13 * golden.theta);
+        EXPECT_NEAR(end.f_se - start.f_se, golden.f_se, 1e-13);
+        EXPECT_NEAR(end.u_se, golden.u_se, 1e-13);
+        EXPECT_NEAR(start.f_se, start.transmission() * golden.options.start_torque, 1e-15);
+        EXPECT_EQ(start.theta, 0.0);
+    }
+}
+
+TEST(StictionLaw, MeetsThePapersDefinitions) {
+    const StictionLawOptions o = kGolden[1].options;
+    const auto law = make_stiction_law(o);
+    ASSERT_TRUE(law);
+    for (const LawPoint& p : sample_by_load(**law, 50)) {
+        EXPECT_NEAR(p.s, o.k * p.tau * p.tau, 1e-15);                                            // (16)
+        EXPECT_NEAR(p.transmission(), o.u * o.u / (o.mu * p.tau * p.tau) + o.c / p.tau, 1e-15);  // (11)
+        EXPECT_NEAR(p.p, (1.0 / p.transmission() - 1.0) * p.s, 1e-14);                           // (12)
+    }
+}
+
+/// Paper (18), signs corrected: the real root of 6 k mu x tau^3 + 3 mu C tau + 2 u^2 = 0 for x = theta - theta_inf < 0. With one real
+/// root (19), Cardano's radicals apply to tau^3 + p tau + q = 0.
+TEST(StictionLaw, InverseAgreesWithTheRadicalForm) {
+    const StictionLawOptions o = design(0.42, 0.5, -0.05, 1.0, 2.5);
+    const auto law = make_stiction_law(o);
+    ASSERT_TRUE(law);
+    const double theta_inf = o.u * o.u / (3.0 * o.k * o.mu) + o.c / (2.0 * o.k);  // at start = 1 Nm
+    for (int i = 0; i <= 20; ++i) {
+        const double theta = (*law)->angles().high * i / 20.0, x = theta - theta_inf;
+        const double p = o.c / (2.0 * o.k * x), q = o.u * o.u / (3.0 * o.k * o.mu * x);
+        const double root = q * q / 4.0 + p * p * p / 27.0;
+        ASSERT_GT(root, 0.0);
+        const double tau = std::cbrt(-q / 2.0 + std::sqrt(root)) + std::cbrt(-q / 2.0 - std::sqrt(root));
+        EXPECT_NEAR((*law)->at_angle(theta).tau, tau, 1e-13 * tau);
+    }
+}
+
+TEST(StictionLaw, IsLawfulOverItsWholeParameterSpace) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> unit(0.0, 1.0);
+    for (int i = 0; i < 200; ++i) {
+        StictionLawOptions o = design(std::pow(10.0, -2.0 + 3.0 * unit(random)), 0.2 * unit(random), 0.4 * unit(random) - 0.1, 1.0, 2.0);
+        o.mu = 0.05 + 0.4 * unit(random);
+        const double a = o.u * o.u / o.mu, least = (o.c + std::sqrt(o.c * o.c + 4.0 * a)) / 2.0;
+        if (least < 1e-3) continue;
+        o.start_torque = least * (1.02 + 2.0 * unit(random));
+        o.end_torque = o.start_torque * (1.2 + 2.0 * unit(random));
+        if (o.c < 0.0) o.end_torque = std::min(o.end_torque, 0.95 * a / -o.c);
+        if (o.end_torque < 1.05 * o.start_torque) continue;
+        SCOPED_TRACE(testing::Message() << "k " << o.k << " u " << o.u << " C " << o.c << " mu " << o.mu << " from " << o.start_torque
+                                        << " to " << o.end_torque);
+        const auto law = make_stiction_law(o);
+        ASSERT_TRUE(law);
+        expect_lawful(**law, 1e-6);  // P has a pole just above the end for C < 0
+        EXPECT_TRUE(check_law(**law).empty());
+    }
+}
+
+TEST(StictionLaw, ClampsToItsRange) {
+    const auto law = make_stiction_law(kGolden[0].options);
+    EXPECT_EQ((*law)->at_load(0.1).tau, 0.5);
+    EXPECT_EQ((*law)->at_load(9.0).tau, 1.5);
+    EXPECT_EQ((*law)->at_angle(-1.0).tau, 0.5);
+    EXPECT_EQ((*law)->at_angle(9.0).theta, (*law)->angles().high);
+}
+
+TEST(StictionLawRefusal, StartTooLowNamesTheLeastTorqueAndTheChangeWorks) {
+    StictionLawOptions o = design(0.42, 0.03, 0.30, 0.12, 1.0);
+    const auto refused = make_stiction_law(o);
+    ASSERT_FALSE(refused);
+    const core::Finding& finding = refused.refusal().front();
+    EXPECT_EQ(finding.rule, "law.transmission");
+    EXPECT_EQ(finding.measured, 0.12);
+    const double least = finding.allowed;
+    EXPECT_NEAR(0.03 * 0.03 / (0.28 * least * least) + 0.30 / least, 1.0, 1e-14);
+    double start = 0.0, c = 0.0;
+    ASSERT_EQ(std::sscanf(finding.suggestion.c_str(), "start_torque_Nm = %lf (or C_Nm = %lf)", &start, &c), 2) << finding.suggestion;
+    EXPECT_LT(start, least * 1.03);
+    o.c = c;
+    EXPECT_TRUE(make_stiction_law(o));
+    o.c = 0.30;
+    o.start_torque = start;
+    EXPECT_TRUE(make_stiction_law(o));
+}
+
+TEST(StictionLawRefusal, EndTooHighNamesTheHighestTorqueAndTheChangeWorks) {
+    StictionLawOptions o = design(0.42, 0.2, -0.1, 0.5, 2.0);
+    const auto refused = make_stiction_law(o);
+    ASSERT_FALSE(refused);
+    const core::Finding& finding = refused.refusal().front();
+    EXPECT_EQ(finding.measured, 2.0);
+    EXPECT_NEAR(finding.allowed, 0.2 * 0.2 / (0.28 * 0.1), 1e-14);
+    double end = 0.0, c = 0.0;
+    ASSERT_EQ(std::sscanf(finding.suggestion.c_str(), "end_torque_Nm = %lf (or C_Nm = %lf)", &end, &c), 2) << finding.suggestion;
+    o.end_torque = end;
+    EXPECT_TRUE(make_stiction_law(o));
+    o.end_torque = 2.0;
+    o.c = c;
+    EXPECT_TRUE(make_stiction_law(o));
+}
+
+TEST(StictionLawRefusal, NoDeadBandReductionAndNegativeConstantAsksForAnotherConstant) {
+    StictionLawOptions o = design(0.42, 0.0, -0.1, 0.5, 2.0);  // T = C/tau < 0 everywhere
+    const auto refused = make_stiction_law(o);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.refusal().front().allowed, 0.0);
+    ASSERT_EQ(std::sscanf(refused.refusal().front().suggestion.c_str(), "C_Nm = %lf", &o.c), 1);
+    EXPECT_TRUE(make_stiction_law(o));
+}
+
+TEST(StictionLawRefusal, BadOptionsAreNamed) {
+    const auto field = [](const StictionLawOptions& o) -> std::string {
+        try {
+            (void)make_stiction_law(o);
+        } catch (const core::InvalidInput& error) {
+            return error.field();
+        }
+        return "accepted";
+    };
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(field(design(0.0, 0.03, 0.05, 0.12, 1.0)), "k");
+    EXPECT_EQ(field(design(0.42, nan, 0.05, 0.12, 1.0)), "u");
+    EXPECT_EQ(field(design(0.42, 0.03, nan, 0.12, 1.0)), "c");
+    EXPECT_EQ(field(design(0.42, 0.0, 0.0, 0.12, 1.0)), "u and c");
+    EXPECT_EQ(field(design(0.42, 0.03, 0.05, -0.12, 1.0)), "start_torque");
+    EXPECT_EQ(field(design(0.42, 0.03, 0.05, 0.12, 0.12)), "end_torque");
+    StictionLawOptions slippery = design(0.42, 0.03, 0.05, 0.12, 1.0);
+    slippery.mu = 0.0;
+    EXPECT_EQ(field(slippery), "mu");
+}
+
+}  // namespace
+}  // namespace fusee::spring

@@ -79,7 +79,8 @@ module groove_tube() {
     walls = [for (i = [0 : last]) for (k = [0 : m - 1])
         let (a = i * m, b = (i + 1) % n * m, next = (k + 1) % m)
         each [[a + k, b + k, b + next], [a + k, b + next, a + next]]];
-    caps = closed ? [] : [[for (k = [0 : m - 1]) k], reversed([for (k = [0 : m - 1]) (n - 1) * m + k])];
+    end = (n - 1) * m;  // both ends are convex: fans of triangles, since a polygon of rounded points is not flat
+    caps = closed ? [] : [for (k = [1 : m - 2]) each [[0, k, k + 1], [end, end + k + 1, end + k]]];
     polyhedron(points, concat(walls, caps), convexity = 20);
 }
 

@@ -38,7 +38,9 @@ private:
     /// theta_1 from F_PE(theta_1) + F_SE(x) = low load.
     [[nodiscard]] std::optional<double> low_side(double x) const {
         const double wanted = loads_.low - law_.at_angle(x).f_se;
-        return math::bracketed_root([&](double theta) { return law_.at_angle(theta).f_pe - wanted; }, angles_.low, x);
+        const auto beyond = [&](double theta) { return law_.at_angle(theta).f_pe - wanted; };
+        if (beyond(x) <= 0.0) return x;  // x is where the whole law carries the low load, but for rounding: there theta_1 = x
+        return math::bracketed_root(beyond, angles_.low, x);
     }
 
     /// F_PE(theta_2) + F_SE(x) - high load: rises with x. Springs are held at the law's ends; reach() refuses a root found there.

@@ -18,6 +18,7 @@ namespace {
 
 constexpr std::size_t kScan = 801;          // loads at which contacts are checked and bracketed
 constexpr double kLeastIdleArc = 0.2;       // [rad] of normals that a planar contour needs to close
+constexpr double kIdleDistance = 0.9;       // of the least arm: the idle arc leaves a bore nearly as much room as the working arc does
 
 void validate(const ArmFunction& arm, const CamOptions& o) {
     const std::string part = to_string(arm.kind());
@@ -123,10 +124,10 @@ core::Finding too_much_wrap(const ArmFunction& arm, double wrap, double allowed)
 }
 
 /// Planar: the working arc and the idle arc that closes it.
-core::Outcome<std::function<PathPoint(double)>> closed_path(std::shared_ptr<const WorkingArc> arc, const CamOptions& options) {
+core::Outcome<std::function<PathPoint(double)>> closed_path(std::shared_ptr<const WorkingArc> arc, const CamOptions& options, double least_arm) {
     const core::Range psi = arc->psi();
     const auto idle = IdleArc::close(state_of(arc->at(psi.high)), state_of(arc->at(psi.low)), 2.0 * core::kPi - psi.width(),
-                                     options.path.min_idle_curvature_radius);
+                                     {options.path.min_idle_curvature_radius, kIdleDistance * least_arm});
     if (!idle) return idle.refusal();
     return std::function<PathPoint(double)>([arc, psi, closing = *idle](double angle) -> PathPoint {
         const double turn = 2.0 * core::kPi;
@@ -189,7 +190,8 @@ core::Outcome<Cam> synthesize_cam(const ArmFunction& arm, const CamOptions& opti
     }
     const double room = 2.0 * core::kPi - kLeastIdleArc;
     if (cam.working_psi.width() > room) return too_much_wrap(arm, cam.working_psi.width(), room);
-    auto path = closed_path(arc, options);
+    const auto least = std::min_element(scanned.begin(), scanned.end(), [](const Contact& a, const Contact& b) { return a.arm.arm < b.arm.arm; });
+    auto path = closed_path(arc, options, least->arm.arm);
     if (!path) return path.refusal();
     cam.path = *path;
     cam.groove_psi = {cam.working_psi.low, cam.working_psi.low + 2.0 * core::kPi};

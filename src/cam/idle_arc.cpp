@@ -4,6 +4,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -15,7 +16,7 @@ namespace {
 
 constexpr int kInterior = 48;             // knots between the two ends: finer changes the outline by less than a micrometre
 constexpr double kRunOut = 1e-3;          // arc length [m] over which a working end's radius gives way to the idle one
-constexpr double kEvenness = 0.05;        // weight of rho'^2 beside rho^2: a compact outline first, without visible ripple
+constexpr std::array kEvenness = {0.05, 0.2, 0.8, 3.2, 12.8};  // weights of rho'^2 beside rho^2, tried in turn: small outlines first
 
 /// (h, h') after going `step` along a piece whose rho runs linearly from rho0 to rho1.
 SupportState advance(const SupportState& from, double rho1, double step, double width) {
@@ -60,13 +61,13 @@ Closing closing_conditions(const SupportState& begin, const std::vector<double>&
     return closing;
 }
 
-Eigen::MatrixXd cost_of(const std::vector<double>& x) {
+Eigen::MatrixXd cost_of(const std::vector<double>& x, double evenness) {
     Eigen::MatrixXd cost = Eigen::MatrixXd::Zero(kInterior, kInterior);
     for (int i = 0; i < kInterior; ++i) {
         const auto knot = static_cast<std::size_t>(i) + 1;
         cost(i, i) += 0.5 * (x[knot + 1] - x[knot - 1]);
         if (i + 1 == kInterior) break;
-        const double stiffness = kEvenness / (x[knot + 1] - x[knot]);
+        const double stiffness = evenness / (x[knot + 1] - x[knot]);
         cost(i, i) += stiffness;
         cost(i + 1, i + 1) += stiffness;
         cost(i, i + 1) -= stiffness;
@@ -118,26 +119,33 @@ core::Finding refusal(double width, double least_rho, double possible) {
 
 }  // namespace
 
-core::Outcome<IdleArc> IdleArc::close(const SupportState& begin, const SupportState& end, double width, double least_rho) {
+core::Outcome<IdleArc> IdleArc::close(const SupportState& begin, const SupportState& end, double width, const Least& least) {
     const std::vector<double> x = knot_places(begin.rho, end.rho, width);
     const Closing closing = closing_conditions(begin, x, end.rho);
     const Eigen::Vector2d target = Eigen::Vector2d(end.h, end.slope) - closing.base;
-    const Eigen::MatrixXd cost = cost_of(x);
-    const auto rho = evenest(cost, closing, target, least_rho);
-    if (!rho) {
-        double possible = 0.0;
-        for (double share = 0.9; share > 0.01 && possible == 0.0; share -= 0.1)
-            if (evenest(cost, closing, target, share * least_rho)) possible = share * least_rho;
-        return refusal(width, least_rho, possible);
+    std::optional<IdleArc> best;
+    for (const double evenness : kEvenness) {
+        const auto rho = evenest(cost_of(x, evenness), closing, target, least.rho);
+        if (!rho) break;
+        IdleArc arc;
+        arc.knots_.push_back({0.0, begin});
+        for (std::size_t i = 1; i < x.size(); ++i) {
+            const double next = i + 1 < x.size() ? (*rho)(static_cast<Eigen::Index>(i) - 1) : end.rho;
+            const double step = x[i] - x[i - 1];
+            arc.knots_.push_back({x[i], advance(arc.knots_.back().state, next, step, step)});
+        }
+        if (!best || arc.least_h() > best->least_h()) best = std::move(arc);
+        if (best->least_h() >= least.h) break;
     }
-    IdleArc arc;
-    arc.knots_.push_back({0.0, begin});
-    for (std::size_t i = 1; i < x.size(); ++i) {
-        const double next = i + 1 < x.size() ? (*rho)(static_cast<Eigen::Index>(i) - 1) : end.rho;
-        const double step = x[i] - x[i - 1];
-        arc.knots_.push_back({x[i], advance(arc.knots_.back().state, next, step, step)});
-    }
-    return arc;
+    if (best) return *std::move(best);
+    double possible = 0.0;
+    for (double share = 0.9; share > 0.01 && possible == 0.0; share -= 0.1)
+        if (evenest(cost_of(x, kEvenness.front()), closing, target, share * least.rho)) possible = share * least.rho;
+    return refusal(width, least.rho, possible);
+}
+
+double IdleArc::least_h() const {
+    return std::min_element(knots_.begin(), knots_.end(), [](const Knot& a, const Knot& b) { return a.state.h < b.state.h; })->state.h;
 }
 
 IdleArc IdleArc::run_out(const SupportState& begin, double width, double final_rho) {

@@ -43,20 +43,33 @@ std::string path_data(const Line& line, bool closed) {
 
 std::string path_element(const char* css, const std::string& data) { return fmt::format("<path class=\"{}\" d=\"{}\"/>", css, data); }
 
-std::string rings(const solid::Mesh& mesh, double z_mm, double& reach) {
+std::string rings(const std::vector<Line>& lines) {
     std::string data;
-    for (const Line& ring : slice(mesh, z_mm)) {
-        for (const Point& p : ring) reach = std::max(reach, std::hypot(p[0], p[1]));
-        data += path_data(ring, true);
-    }
+    for (const Line& ring : lines) data += path_data(ring, true);
     return data;
 }
 
-/// Text and marks grow with the drawing, so that a small cam and a large one read alike.
+/// The square of paper: centred on what is drawn. Text and marks grow with it, so that a small cam and a large one read alike.
 struct Sheet {
-    double half = 0.0;  ///< of the square's side [mm]
-    [[nodiscard]] double unit() const { return half / 50.0; }
+    Point centre{};
+    double reach = 0.0;  ///< of what is drawn, from the centre [mm]
+    [[nodiscard]] double half() const { return 1.36 * reach; }  // room for markers and cables
+    [[nodiscard]] double unit() const { return half() / 50.0; }
 };
+
+Sheet sheet_around(const std::vector<Line>& lines) {
+    Point low{}, high{};  // the axis is always on the sheet
+    for (const Line& line : lines)
+        for (const Point& p : line)
+            for (std::size_t i = 0; i < 2; ++i) {
+                low[i] = std::min(low[i], p[i]);
+                high[i] = std::max(high[i], p[i]);
+            }
+    Sheet sheet{{0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1])}};
+    for (const Line& line : lines)
+        for (const Point& p : line) sheet.reach = std::max(sheet.reach, std::hypot(p[0] - sheet.centre[0], p[1] - sheet.centre[1]));
+    return sheet;
+}
 
 /// The cable where it touches at one end of the law, drawn as it leaves: the tension's torque about +z has the sign torque_sign.
 std::string cable(const cam::Cam& cam, const cam::Contact& contact, const Sheet& sheet, const char* css, const std::string& name) {
@@ -71,9 +84,9 @@ std::string cable(const cam::Cam& cam, const cam::Contact& contact, const Sheet&
 }
 
 std::string scale_bar(const Sheet& sheet) {
-    const double want = 0.4 * sheet.half, power = std::pow(10.0, std::floor(std::log10(want))), u = sheet.unit();
+    const double want = 0.4 * sheet.half(), power = std::pow(10.0, std::floor(std::log10(want))), u = sheet.unit();
     const double length = want >= 5 * power ? 5 * power : want >= 2 * power ? 2 * power : power;
-    const double x = -sheet.half + 3 * u, y = sheet.half - 3 * u;
+    const double x = sheet.centre[0] - sheet.half() + 3 * u, y = -sheet.centre[1] + sheet.half() - 3 * u;
     return fmt::format("<g class=\"scale\"><path d=\"M{} {}v{}h{}v{}\"/><text x=\"{}\" y=\"{}\" font-size=\"{}\">{:g} mm</text></g>", coordinate(x),
                        coordinate(y - 1.5 * u), coordinate(1.5 * u), coordinate(length), coordinate(-1.5 * u), coordinate(x + length + 1.5 * u),
                        coordinate(y), coordinate(2.8 * u), length);
@@ -93,24 +106,26 @@ std::string cam_svg(const solid::Part& part, const std::vector<Marker>& markers)
     const cam::Cam& cam = part.cam;
     const double d = cam.options.cable_diameter;
     const Line pitch = parallel(cam, cam.groove_psi.low, cam.groove_psi.high, 0.0);
-    double reach = 0.0;
-    for (const Point& p : pitch) reach = std::max(reach, std::hypot(p[0], p[1]));
-    const std::string body = rings(part.mesh, mm_from_m(part.z_high) - kUnderTop_mm, reach);
+    const std::vector<Line> body = slice(part.mesh, mm_from_m(part.z_high) - kUnderTop_mm);
     const double boss_mm = mm_from_m(part.options.hub.boss_height);
-    const std::string boss = boss_mm > 0.0 ? rings(part.mesh, mm_from_m(part.z_low) - 0.487 * boss_mm, reach) : "";
+    const std::vector<Line> boss = boss_mm > 0.0 ? slice(part.mesh, mm_from_m(part.z_low) - 0.487 * boss_mm) : std::vector<Line>{};
+    std::vector<Line> all = body;
+    all.insert(all.end(), boss.begin(), boss.end());
+    all.push_back(pitch);
+    const Sheet sheet = sheet_around(all);
 
-    const Sheet sheet{1.38 * reach};
-    std::string out = fmt::format("<svg class=\"cam {0}\" width=\"{1}mm\" height=\"{1}mm\" viewBox=\"{2} {2} {1} {1}\" role=\"img\" "
+    std::string out = fmt::format("<svg class=\"cam {0}\" width=\"{1}mm\" height=\"{1}mm\" viewBox=\"{2} {3} {1} {1}\" role=\"img\" "
                                   "aria-label=\"{0} to scale\">",
-                                  cam::to_string(cam.kind), coordinate(2 * sheet.half), coordinate(-sheet.half));
-    out += path_element("body", body) + (boss.empty() ? "" : path_element("boss", boss));
+                                  cam::to_string(cam.kind), coordinate(2 * sheet.half()), coordinate(sheet.centre[0] - sheet.half()),
+                                  coordinate(-sheet.centre[1] - sheet.half()));
+    out += path_element("body", rings(body)) + path_element("boss", rings(boss));
     out += path_element("floor", path_data(parallel(cam, cam.groove_psi.low, cam.groove_psi.high, -0.5 * d), cam.closed()));
     out += path_element("pitch", path_data(pitch, cam.closed()));
     out += path_element("working", path_data(parallel(cam, cam.working_psi.low, cam.working_psi.high, 0.0), false));
     out += axis(sheet);
     out += cable(cam, cam.working.front(), sheet, "cable", fmt::format("{:.3g} Nm", cam.working.front().arm.tau));
     out += cable(cam, cam.working.back(), sheet, "cable end", fmt::format("{:.3g} Nm", cam.working.back().arm.tau));
-    out += markers_svg(markers, reach + 6.5 * sheet.unit(), 2.1 * sheet.unit());
+    out += markers_svg(markers, sheet.centre, sheet.reach + 6.5 * sheet.unit(), 2.1 * sheet.unit());
     return out + scale_bar(sheet) + "</svg>\n";
 }
 

@@ -32,6 +32,14 @@ double worst_arm_error(const DesignReport& design) {
     return worst;
 }
 
+/// The lowest and the highest co-contraction for which the springs reach far enough; the whole range if none.
+std::pair<actuator::DeadBand, actuator::DeadBand> exact_ends(const std::vector<actuator::DeadBand>& band) {
+    const auto known = [](const actuator::DeadBand& d) { return std::isfinite(d.extreme); };
+    const auto first = std::find_if(band.begin(), band.end(), known);
+    if (first == band.end()) return {band.front(), band.back()};
+    return {*first, *std::find_if(band.rbegin(), band.rend(), known)};
+}
+
 std::string findings_text(const DesignReport& design) {
     int changes = 0, reviews = 0;
     for (const NumberedFinding& n : numbered(design)) {
@@ -51,7 +59,7 @@ std::string head_section(const DesignReport& design) {
         out += tile(number(design.law.samples.front().tau, 3) + " to " + number(design.law.samples.back().tau, 3) + " Nm",
                     design.law.covers_stiction() ? "loads, all that stiction allows" : "loads, stiction not covered");
     if (!design.dead_band.empty()) {
-        const actuator::DeadBand &first = design.dead_band.front(), &last = design.dead_band.back();
+        const auto [first, last] = exact_ends(design.dead_band);
         out += tile(fmt::format("{} \u2192 {} deg", number(core::deg_from_rad(first.extreme), 3), number(core::deg_from_rad(last.extreme), 3)),
                     fmt::format("exact dead-band, {} to {} Nm", number(first.tau, 3), number(last.tau, 3)));
     }

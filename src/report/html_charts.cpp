@@ -120,8 +120,8 @@ std::string part_section(const PartReport& report, const std::vector<Marker>& ma
     return fmt::format("<section><h2>{}: {}</h2><div class=\"part\"><figure class=\"card\">", cam::to_string(cam.kind),
                        series ? "spool of the series spring" : "cam of the parallel spring") +
            cam_svg(*report.part, markers) +
-           "<p class=\"faint\">Seen from +z at cam angle 0; true size when printed at 100 %. Filled: the part just under its top face; coloured: "
-           "the cable's centreline on the working arc; thin: groove floor; straight: the cable at the lowest and (dashed) at the highest load; "
+           "<p class=\"faint\">Seen from +z at cam angle 0, to scale. Filled: the part just under its top face; coloured: the "
+           "cable's centreline on the working arc; thin: groove floor; straight: the cable at the lowest and (dashed) at the highest load; "
            "numbers: findings.</p></figure><div class=\"stack\">" +
            cam_facts(report) + arm.svg() + (cam.closed() ? "" : height.svg()) + "</div></div></section>\n";
 }

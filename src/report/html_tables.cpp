@@ -18,7 +18,11 @@ std::string tag(core::Severity severity) {
     return "";
 }
 
-std::string with_unit(double value, const std::string& unit) { return number(value) + (unit.empty() ? "" : " " + escape(unit)); }
+/// "199 mm^2" with a raised two.
+std::string with_unit(double value, std::string unit) {
+    if (unit.ends_with("^2")) unit.replace(unit.size() - 2, 2, "\u00b2");
+    return number(value) + (unit.empty() ? "" : " " + escape(unit));
+}
 
 std::vector<Cell> finding_row(const NumberedFinding& n) {
     const core::Finding& f = n.finding;
@@ -64,11 +68,14 @@ std::vector<Marker> markers_of(const std::vector<NumberedFinding>& findings, con
 
 std::string findings_section(const std::vector<NumberedFinding>& findings) {
     if (findings.empty()) return "";
-    std::vector<std::vector<Cell>> rows;
-    for (const NumberedFinding& finding : findings) rows.push_back(finding_row(finding));
-    return "<section><h2>Findings</h2><p>Numbers are those on the drawings. Each rule names the source of its limit; every limit can be set in "
-           "the profile.</p>" +
-           html_table({"#", "", "rule", "finding", "measured", "allowed", "where"}, rows) + "</section>\n";
+    std::vector<std::vector<Cell>> broken, held;
+    for (const NumberedFinding& n : findings) (n.finding.severity == core::Severity::kPass ? held : broken).push_back(finding_row(n));
+    const std::vector<std::string> head{"#", "", "rule", "finding", "measured", "allowed", "where"};
+    std::string out = "<section><h2>Findings</h2><p>Numbers are those on the drawings. Each rule names the source of its limit; every limit can be set in "
+                      "the profile.</p>";
+    if (!broken.empty()) out += html_table(head, broken);
+    if (!held.empty()) out += fmt::format("<h3 class=\"held\">{} rules hold</h3><div class=\"dense\">", held.size()) + html_table(head, held) + "</div>";
+    return out + "</section>\n";
 }
 
 std::string read_back_section(const DesignReport& design) {

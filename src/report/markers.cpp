@@ -44,14 +44,14 @@ std::vector<double> spread_angles(std::vector<double> wanted, double least) {
     return wanted;
 }
 
-std::string markers_svg(const std::vector<Marker>& markers, double radius_mm, double size_mm) {
+std::string markers_svg(const std::vector<Marker>& markers, const std::array<double, 2>& centre_mm, double radius_mm, double size_mm) {
     std::vector<double> angles;
-    for (const Marker& marker : markers) angles.push_back(std::atan2(marker.y_mm, marker.x_mm));
+    for (const Marker& marker : markers) angles.push_back(std::atan2(marker.y_mm - centre_mm[1], marker.x_mm - centre_mm[0]));
     angles = spread_angles(angles, 2.3 * size_mm / radius_mm);
     std::string out;
     for (std::size_t i = 0; i < markers.size(); ++i) {
         const Marker& m = markers[i];
-        const double x = radius_mm * std::cos(angles[i]), y = radius_mm * std::sin(angles[i]);
+        const double x = centre_mm[0] + radius_mm * std::cos(angles[i]), y = centre_mm[1] + radius_mm * std::sin(angles[i]);
         out += fmt::format("<g class=\"place {}\"><title>{}</title><path class=\"leader\" d=\"M{} {}L{} {}\"/><circle cx=\"{}\" cy=\"{}\" r=\"{}\"/>",
                            css(m.severity), escape(m.title), coordinate(m.x_mm), coordinate(-m.y_mm), coordinate(x), coordinate(-y),
                            coordinate(m.x_mm), coordinate(-m.y_mm), coordinate(0.28 * size_mm));

@@ -14,7 +14,7 @@ std::string style_sheet() {
 body{margin:0;background:var(--page);color:var(--ink);font:15px/1.5 system-ui,-apple-system,"Segoe UI",Roboto,"DejaVu Sans",sans-serif}
 main{max-width:1160px;margin:0 auto;padding:32px 24px 64px}
 h1{font-size:30px;line-height:1.2;margin:2px 0 10px;overflow-wrap:anywhere}h2{font-size:20px;margin:40px 0 12px}h3{font-size:16px;margin:0 0 8px}
-p{margin:6px 0 12px;max-width:80ch}.eyebrow,.stamp{color:var(--soft);font-size:13px;margin:0;overflow-wrap:anywhere}
+p{margin:6px 0 12px;max-width:80ch}.eyebrow,.stamp{color:var(--soft);font-size:13px;margin:8px 0 0;overflow-wrap:anywhere}
 .verdict,.tag{display:inline-block;border-radius:99px;font-weight:600;white-space:nowrap}.verdict{padding:6px 16px}.tag{padding:1px 10px;font-size:13px}
 .pass-tag{background:var(--pass-bg);color:var(--pass)}.review-tag{background:var(--review-bg);color:var(--review)}
 .required-tag{background:var(--required-bg);color:var(--required)}
@@ -25,7 +25,7 @@ p{margin:6px 0 12px;max-width:80ch}.eyebrow,.stamp{color:var(--soft);font-size:1
 .part{display:grid;grid-template-columns:minmax(0,1.15fr) minmax(0,1fr);gap:14px}.stack{display:grid;gap:14px;align-content:start}
 figure{margin:0}.plot{background:var(--card);border:1px solid var(--line);border-radius:12px;padding:14px 12px 8px}
 figcaption{font-weight:600;font-size:14px;padding:0 6px 2px}
-svg{display:block;width:100%;height:auto;font-family:inherit}svg text{fill:var(--soft)}
+svg{display:block;font-family:inherit}svg.cam,.plot svg{width:100%;height:auto}svg text{fill:var(--soft)}
 .plot text{font-size:12px}.plot .name{fill:var(--ink)}.plot .key{fill:var(--ink)}.plot .note{font-size:11px;fill:var(--faint)}
 .plot .rule{stroke:var(--line);fill:none}.plot .axis{stroke:var(--faint);fill:none}
 .plot .shade{fill:var(--ink);opacity:.06}.plot .mark{stroke:var(--faint);stroke-dasharray:3 3;fill:none}
@@ -47,13 +47,17 @@ svg.cam path,svg.cam circle{vector-effect:non-scaling-stroke}
 table{border-collapse:collapse;width:100%;font-size:14px}th{color:var(--soft);font-weight:600;text-align:left;font-size:13px;white-space:nowrap}
 th,td{padding:9px 12px;border-bottom:1px solid var(--line);vertical-align:top}tbody tr:last-child td{border-bottom:0}
 .num{font-variant-numeric:tabular-nums;white-space:nowrap}.code{font-family:ui-monospace,Menlo,Consolas,"DejaVu Sans Mono",monospace;font-size:12.5px}
+.held{margin:20px 0 8px}.dense table{font-size:13px}.dense td{padding:5px 12px}.dense br{display:none}.dense span.faint::before{content:" \00b7\00a0"}.dense .faint{font-size:12px}
 .faint{color:var(--soft);font-size:13px}.fix{font-weight:600}
 dl{display:grid;grid-template-columns:max-content 1fr;gap:5px 16px;margin:0;font-size:14px}dt{color:var(--soft)}
 dd{margin:0;text-align:right;font-variant-numeric:tabular-nums}
-@media (max-width:820px){.grid,.part{grid-template-columns:1fr}main{padding:20px 14px 48px}}
-@media print{:root{--page:#fff}body{font-size:11px}main{max-width:none;padding:0}h2{break-after:avoid}
-.card,.plot,.tile,tr,svg{break-inside:avoid}.part{display:block}.part>*{margin-bottom:12px}svg.cam{width:auto;height:auto;max-width:none}
-.scroll{overflow:visible}}
+.wide dl{grid-template-columns:repeat(2,max-content 1fr)}.wide dd{text-align:left}
+@media (max-width:820px){.wide dl{grid-template-columns:max-content 1fr}.grid,.part{grid-template-columns:1fr}main{padding:20px 14px 48px}}
+@page{margin:12mm}
+@media print{:root{--page:#fff}body{font-size:11px}main{max-width:none;padding:0}h1{font-size:22px}h2{font-size:15px;margin:18px 0 8px;break-after:avoid}
+dl,table,.dense table{font-size:10px}th,.faint,.dense .faint,.code,.tag{font-size:9.5px}th,td,.dense td{padding:3px 7px}.tile b{font-size:15px}
+.tiles{grid-template-columns:repeat(4,1fr)}figcaption,h3{font-size:11px;break-after:avoid}.grid{grid-template-columns:1fr 1fr}.part{grid-template-columns:1.2fr 1fr}.wide dl{grid-template-columns:repeat(2,max-content 1fr)}
+.card,.plot,.tile,tr,svg{break-inside:avoid}.scroll{overflow:visible}}
 )css";
 }
 

@@ -12,8 +12,9 @@ namespace fusee::report {
 
 namespace {
 // Drawing units; the page scales the whole picture.
-constexpr double kWidth = 520, kHeight = 300, kLeft = 58, kRight = 14, kTop = 34, kBottom = 46, kTick = 5;
+constexpr double kWidth = 520, kHeight = 300, kLeft = 58, kRight = 14, kLegend = 34, kBare = 12, kBottom = 46, kTick = 5;
 constexpr int kTicks = 5;
+constexpr double kNoteHeight = 14;
 constexpr double kLegendLetter = 6.6, kLegendGap = 40;
 
 /// The finite values' range; {0, 1} if there are none, widened if they are all alike.
@@ -50,8 +51,9 @@ std::vector<double> round_ticks(const core::Range& range, int count) {
 /// From values to drawing units.
 struct Plot::Frame {
     core::Range x, y;
+    double top = kBare;
     [[nodiscard]] double at_x(double value) const { return kLeft + (value - x.low) / x.width() * (kWidth - kLeft - kRight); }
-    [[nodiscard]] double at_y(double value) const { return kHeight - kBottom - (value - y.low) / y.width() * (kHeight - kTop - kBottom); }
+    [[nodiscard]] double at_y(double value) const { return kHeight - kBottom - (value - y.low) / y.width() * (kHeight - top - kBottom); }
 };
 
 Plot::Plot(std::string title, std::string x_name, std::string y_name)
@@ -80,7 +82,7 @@ Plot::Frame Plot::frame() const {
         xs.push_back(&curve.x);
         ys.push_back(&curve.y);
     }
-    Frame f{range_of(xs), range_of(ys)};
+    Frame f{range_of(xs), range_of(ys), curves_.size() > 1 ? kLegend : kBare};
     if (from_zero_) f.y.low = std::min(0.0, f.y.low);
     const double step = round_step(f.y.width(), kTicks);
     f.y = {std::floor(f.y.low / step + 1e-9) * step, std::ceil(f.y.high / step - 1e-9) * step};
@@ -100,7 +102,7 @@ std::string Plot::axes(const Frame& f) const {
     out += fmt::format("<text class=\"name\" x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>", (kLeft + kWidth - kRight) / 2, kHeight - 8,
                        escape(x_name_));
     out += fmt::format("<text class=\"name\" transform=\"translate(15 {}) rotate(-90)\" text-anchor=\"middle\">{}</text>",
-                       (kTop + bottom) / 2, escape(y_name_));
+                       (f.top + bottom) / 2, escape(y_name_));
     return out;
 }
 
@@ -124,16 +126,18 @@ std::string Plot::notes(const Frame& f) const {
     std::string out;
     for (const auto& [range, label] : shades_) {
         const double left = f.at_x(std::max(range.low, f.x.low)), right = f.at_x(std::min(range.high, f.x.high));
-        out += fmt::format("<rect class=\"shade\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"><title>{}</title></rect>", coordinate(left), kTop,
-                           coordinate(std::max(0.0, right - left)), kHeight - kTop - kBottom, escape(label));
+        out += fmt::format("<rect class=\"shade\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"><title>{}</title></rect>", coordinate(left), f.top,
+                           coordinate(std::max(0.0, right - left)), kHeight - f.top - kBottom, escape(label));
+        if (right - left < kNoteHeight) continue;  // the name would cover the curves; it still shows under the pointer
         out += fmt::format("<text class=\"note\" transform=\"translate({} {}) rotate(-90)\" text-anchor=\"end\">{}</text>",
-                           coordinate((left + right) / 2 + 4), kTop + 5, escape(label));
+                           coordinate((left + right) / 2 + 4), f.top + 5, escape(label));
     }
     for (const auto& [x, label] : marks_) {
         if (!f.x.holds(x)) continue;
-        out += fmt::format("<path class=\"mark\" d=\"M{} {}V{}\"/>", coordinate(f.at_x(x)), kTop, kHeight - kBottom);
+        const bool left_half = f.at_x(x) < kWidth / 2;
+        out += fmt::format("<path class=\"mark\" d=\"M{} {}V{}\"/>", coordinate(f.at_x(x)), f.top, kHeight - kBottom);
         out += fmt::format("<text class=\"note\" transform=\"translate({} {}) rotate(-90)\" text-anchor=\"start\">{}</text>",
-                           coordinate(f.at_x(x) - 4), kHeight - kBottom - 6, escape(label));
+                           coordinate(f.at_x(x) + (left_half ? kNoteHeight - 2 : -4)), kHeight - kBottom - 6, escape(label));
     }
     return out;
 }

@@ -67,7 +67,9 @@ core::Findings check_room(const cam::Cam& cam, const PartOptions& o, const std::
     const double gap = least_turn_gap_mm(cam, section), rib = mm_from_m(o.groove.rib);
     if (gap < rib)
         findings.push_back(refusal("solid.turns", "the land between neighbouring turns is thinner than the rib", gap, rib, part,
-                                   fmt::format("{}.path.pitch_mm = {:.2f}", part, mm_from_m(cam.options.path.pitch) + rib - gap + 0.05)));
+                                   cam.options.path.lead == cam::Lead::kConstantPitch
+                                       ? fmt::format("{}.path.pitch_mm = {:.2f}", part, mm_from_m(cam.options.path.pitch) + rib - gap + 0.05)
+                                       : fmt::format("{}.guide.z_mm larger, or {}.path.lead = \"constant_pitch\"", part, part)));
     if (o.hub.kind == HubKind::kOverhung) return findings;
     double least = mm_from_m(cam.path(cam.groove_psi.low).h);
     for (double psi = cam.groove_psi.low; psi <= cam.groove_psi.high; psi += 0.01) least = std::min(least, mm_from_m(cam.path(psi).h));

@@ -119,6 +119,19 @@ TEST(DeadBand, UncoveredLoadsAreSaid) {
     EXPECT_TRUE(dead_band(with_law(*longer), 0.8).covered);
 }
 
+// Rounding at the ends of the search once left holes: the width rises steadily with the torque, so it must be there at every torque.
+TEST(DeadBand, CoverHasNoHoles) {
+    const auto law = spring::make_pair_law(spring::make_polynomial({0.0, 0.10, 0.02}), spring::make_polynomial({0.0, 0.25, 0.03}), 0.06, 1.65);
+    const Actuator actuator = with_law(*law);
+    double earlier = 0.0;
+    for (double tau = 0.12; tau <= 1.0; tau += 0.001) {
+        const DeadBand band = dead_band(actuator, tau);
+        ASSERT_TRUE(band.covered) << tau;
+        EXPECT_GT(band.extreme, earlier) << tau;
+        earlier = band.extreme;
+    }
+}
+
 TEST(DeadBandCurve, RunsFromLeastToOverdrive) {
     const Actuator actuator = with_law(soft_law(2.4));
     const auto curve = dead_band_curve(actuator, 8);

@@ -59,14 +59,8 @@ inline void work(Bench& b, double low, double high, double last_state) {
         const double share = static_cast<double>(i) / (kRows - 1);
         cam::Contact c;
         c.path = b.part.cam.path(low + (high - low) * share);
-        c.arm = {1.0,
-                 high - low,
-                 c.path.h,
-                 c.path.slope,
-                 c.path.rho - c.path.h,
-                 50.0,
-                 b.spring.preload + (last_state - b.spring.preload) * share};
-        c.arm.angle = (high - low) * share;
+        const double state = b.spring.preload + (last_state - b.spring.preload) * share;
+        c.arm = {1.0, (high - low) * share, c.path.h, c.path.slope, c.path.rho - c.path.h, 50.0, state};
         c.span = 0.1;
         b.part.cam.working.push_back(c);
     }

@@ -5,7 +5,6 @@
 #include <set>
 
 #include "checks/fixture.h"
-#include "fusee/core/error.h"
 
 // Known: every rule is broken by a part whose measure was worked out by hand, and passes its good twin.
 namespace fusee::checks {
@@ -237,35 +236,6 @@ TEST(Rules, EachHasAKnownBadPart) {
     std::set<std::string> tried;
     for (const Case& c : all_cases()) tried.insert(c.rule);
     for (const Rule& rule : rules()) EXPECT_TRUE(tried.count(rule.id)) << rule.id;
-}
-
-TEST(Rules, WorstPlaceIsNamed) {
-    Bench b = spool();
-    b.part.cam.working[kRows / 2].path.rho = 1.5 * kMm;  // psi = 0, (11, 0)
-    const core::Finding f = gravest("cable.bend_ratio", b);
-    ASSERT_TRUE(f.place);
-    EXPECT_NEAR(f.place->angle, 0.0, 1e-12);
-    EXPECT_NEAR(f.place->point_mm[0], 11.0, 1e-9);
-    EXPECT_EQ(f.where, "k_se at psi 0.0 deg");
-}
-
-TEST(Rules, APartMayBeTurnedToFitTheBuildVolume) {
-    Bench b = spool();
-    b.process.build_x = 0.3, b.process.build_y = 0.1;
-    b.part.mesh = box({0, 0, 0}, {90, 250, 10});
-    EXPECT_EQ(gravest("process.build_volume", b).severity, Severity::kPass);
-}
-
-TEST(Rules, CallersMistakesAreNamed) {
-    Bench b = spool();
-    b.cable.construction = "rope";
-    try {
-        (void)check(b.design());
-        FAIL() << "an unknown construction passed";
-    } catch (const core::InvalidInput& e) {
-        EXPECT_EQ(e.field(), "cable.construction");
-        EXPECT_NE(e.allowed().find("7x19"), std::string::npos);
-    }
 }
 
 }  // namespace

@@ -13,14 +13,19 @@ struct SupportState {
 };
 
 /// The arc that closes a contour where no cable runs: on the normals that are left, the radius of curvature is piecewise linear in psi, meets
-/// the working arc's at both ends (C2), never falls below a least radius, and is otherwise as small and even as closing allows (least integral of rho^2 + rho'^2/20).
+/// the working arc's at both ends (C2), never falls below a least radius, and is otherwise as small and even as closing allows (least integral of
+/// rho^2 + evenness rho'^2, the evenness raised until the arc keeps its distance from the axis).
 /// h follows from h'' + h = rho in closed form, so the curve is exact and convex (docs/theory/cams.md, eq. 9).
 class IdleArc {
 public:
+    struct Least {
+        double rho = 0.0;  ///< radius of curvature [m]: kept or refused
+        double h = 0.0;    ///< distance of the tangents from the axis [m]: kept if possible, else as large as possible
+    };
     /// @param begin state where the working arc ends, at arc angle 0
     /// @param end   state where it starts again, at arc angle `width`
     /// Refusal: "cam.idle_arc" with the radius that can be had at most.
-    [[nodiscard]] static core::Outcome<IdleArc> close(const SupportState& begin, const SupportState& end, double width, double least_rho);
+    [[nodiscard]] static core::Outcome<IdleArc> close(const SupportState& begin, const SupportState& end, double width, const Least& least);
 
     /// An arc that closes nothing: goes on from `begin` and lets the radius of curvature run out to `final_rho` within a millimetre.
     [[nodiscard]] static IdleArc run_out(const SupportState& begin, double width, double final_rho);
@@ -29,6 +34,8 @@ public:
     [[nodiscard]] SupportState at(double x) const;
 
 private:
+    [[nodiscard]] double least_h() const;
+
     struct Knot {
         double x;
         SupportState state;

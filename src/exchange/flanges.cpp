@@ -5,22 +5,13 @@
 
 #include "fusee/core/units.h"
 #include "fusee/solid/outline.h"
+#include "fusee/solid/sweep.h"
 
 namespace fusee::exchange {
 
-namespace {
-constexpr double kBossRim_mm = 1.0;  // as solid::build_part: the lower flange reaches this far beyond a boss
-constexpr double kProud_mm = 0.3;    // as solid::sweep: a flange widened by a boss stands at least this far beyond the lips
-}  // namespace
-
 FlangeReach flange_reach(const solid::Part& part) {
-    const bool boss = part.options.hub.boss_height > 0.0;
-    FlangeReach reach;
-    reach.lip = part.section.front().offset_mm;
-    reach.upper = core::mm_from_m(part.options.flange_height);
-    reach.lower = boss ? std::max(reach.upper, kProud_mm) : reach.upper;
-    reach.core_radius = boss ? core::mm_from_m(0.5 * part.options.hub.boss_diameter) + kBossRim_mm : 0.0;
-    return reach;
+    const solid::Flanges flanges = solid::flanges_of(part.options);
+    return {part.section.front().offset_mm, flanges.upper_height_mm, flanges.lower_height_mm, flanges.core_radius_mm};
 }
 
 std::vector<std::array<double, 2>> upper_outline(const solid::Part& part) {

@@ -70,7 +70,8 @@ public:
     }
     [[nodiscard]] std::string one_of(std::initializer_list<std::string_view> allowed) const {
         std::string value = text();
-        if (std::find(allowed.begin(), allowed.end(), value) == allowed.end()) fail(fmt::format("is \"{}\", not one of: {}", value, fmt::join(allowed, ", ")));
+        if (std::find(allowed.begin(), allowed.end(), value) == allowed.end())
+            fail(fmt::format("is \"{}\", not one of: {}", value, fmt::join(allowed, ", ")));
         return value;
     }
     template <std::size_t N>
@@ -111,7 +112,8 @@ TargetRow read_row(const Node& node) {
 }
 
 FileEntry read_entry(const Node& node) {
-    FileEntry entry{node.at("name").text(), node.at("sha256").text(), node.at("triangles").count(), node.at("chordal_error_mm").number(0.0)};
+    FileEntry entry{node.at("name").text(), node.at("sha256").text(), node.at("triangles").count(),
+                    node.at("chordal_error_mm").number(0.0)};
     if (std::filesystem::path(entry.name).filename() != entry.name) node.at("name").fail("must be a file name without a folder");
     return entry;
 }

@@ -37,7 +37,8 @@ std::vector<double> groove_columns(const solid::Part& part) {
     if (part.cam.closed()) return part.columns_psi;
     std::vector<double> columns;
     for (const double u : part.columns_psi)
-        for (double psi = u; psi <= part.cam.groove_psi.high + 1e-9; psi += 2.0 * core::kPi) columns.push_back(psi);
+        for (double psi = u; psi <= part.cam.groove_psi.high + 1e-9; psi += 2.0 * core::kPi)
+            if (psi >= part.cam.groove_psi.low - 1e-9) columns.push_back(psi);
     std::sort(columns.begin(), columns.end());
     return columns;
 }
@@ -48,7 +49,8 @@ void add_sweep(Values& values, const solid::Part& part) {
         const cam::PathPoint p = part.cam.path(psi);
         return fmt::format("[{}, {}, {}, {}]", number(psi), number(mm_from_m(p.h)), number(mm_from_m(p.slope)), number(mm_from_m(p.z)));
     });
-    values["GROOVE"] = list(part.section, [](const solid::SectionPoint& s) { return fmt::format("[{}, {}]", number(s.offset_mm), number(s.z_mm)); });
+    values["GROOVE"] =
+        list(part.section, [](const solid::SectionPoint& s) { return fmt::format("[{}, {}]", number(s.offset_mm), number(s.z_mm)); });
     values["CLOSED"] = part.cam.closed() ? "true" : "false";
     values["CHORD"] = number(0.5 * part.chordal_error_mm);
     values["CHORDAL_ERROR"] = number(part.chordal_error_mm);
@@ -58,9 +60,11 @@ void add_sweep(Values& values, const solid::Part& part) {
     values["LOWER_PROUD"] = number(reach.lower);
     values["UPPER_PROUD"] = number(reach.upper);
     values["CORE_RADIUS"] = number(reach.core_radius);
-    values["SKIN_POINTS"] = list(part.skin.points_mm, [](const solid::Vec3& p) { return fmt::format("[{}, {}, {}]", number(p[0]), number(p[1]), number(p[2])); });
+    values["SKIN_POINTS"] = list(
+        part.skin.points_mm, [](const solid::Vec3& p) { return fmt::format("[{}, {}, {}]", number(p[0]), number(p[1]), number(p[2])); });
     // OpenSCAD wants faces clockwise as seen from outside.
-    values["SKIN_FACES"] = list(part.skin.triangles, [](const solid::Triangle& t) { return fmt::format("[{}, {}, {}]", t[0], t[2], t[1]); });
+    values["SKIN_FACES"] =
+        list(part.skin.triangles, [](const solid::Triangle& t) { return fmt::format("[{}, {}, {}]", t[0], t[2], t[1]); });
 }
 
 void add_hub(Values& values, const solid::HubOptions& hub) {
@@ -88,9 +92,13 @@ void add_features(Values& values, const solid::Part& part) {
     values["MARK_WIDTH"] = number(mm_from_m(f.mark_width));
     values["MARK_DEPTH"] = number(mm_from_m(f.mark_depth));
     values["MARK_FROM"] = values["MARK_TO"] = "0";
-    for (const solid::Cutter& c : solid::make_cutters(part.cam, part.options, {mm_from_m(part.z_low), z_high, outline, 0.5 * part.chordal_error_mm})) {
+    for (const solid::Cutter& c :
+         solid::make_cutters(part.cam, part.options, {mm_from_m(part.z_low), z_high, outline, 0.5 * part.chordal_error_mm})) {
         const auto [left, right] = std::minmax_element(c.ring.begin(), c.ring.end());
-        if (c.name == "mark") values["MARK_FROM"] = number((*left)[0]), values["MARK_TO"] = number((*right)[0]);
+        if (c.name == "mark") {
+            values["MARK_FROM"] = number((*left)[0]);
+            values["MARK_TO"] = number((*right)[0]);
+        }
         if (c.name != "anchor") continue;
         const double radius = mm_from_m(0.5 * f.anchor_hole_diameter);  // the ring begins at angle 0 of its circle
         values["ANCHOR_POSITION"] = fmt::format("[{}, {}, {}]", number(c.ring[0][0] - radius), number(c.ring[0][1]), number(c.low_mm));
@@ -113,7 +121,8 @@ std::string filled(std::string_view text, const Values& values, const std::strin
         if (begin == text.npos) return result;
         const std::string_view key = end == text.npos ? text.substr(begin + 1) : text.substr(begin + 1, end - begin - 1);
         const auto found = values.find(key);
-        if (found == values.end()) throw core::InvalidInput(name, fmt::format("@{}@", key.substr(0, 40)), fmt::format("a value of the part"));
+        if (found == values.end())
+            throw core::InvalidInput(name, fmt::format("@{}@", key.substr(0, 40)), fmt::format("a value of the part"));
         result += found->second;
         text.remove_prefix(end + 1);
     }
@@ -121,10 +130,12 @@ std::string filled(std::string_view text, const Values& values, const std::strin
 
 }  // namespace
 
-void write_scad(const std::filesystem::path& path, const solid::Part& part, const std::string& provenance, const std::filesystem::path& templates) {
+void write_scad(const std::filesystem::path& path, const solid::Part& part, const std::string& provenance,
+                const std::filesystem::path& templates) {
     const std::string name = std::string(cam::to_string(part.cam.kind)) + ".scad";
     const bool series = part.cam.kind == cam::PartKind::kSeries;
-    if (!series && part.options.features.leg_slot_width > 0.0) throw core::InvalidInput("k_pe.features.leg_slot_width", "above 0", "0: no torsion spring");
+    if (!series && part.options.features.leg_slot_width > 0.0)
+        throw core::InvalidInput("k_pe.features.leg_slot_width", "above 0", "0: no torsion spring");
     const auto text = [&](const char* file, std::string_view built_in) {
         return templates.empty() ? std::string(built_in) : core::read_file(templates / file);
     };

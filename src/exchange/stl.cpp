@@ -1,12 +1,11 @@
 #include "fusee/exchange/stl.h"
 
-#include <fmt/format.h>
-
-#include <assimp/Importer.hpp>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
+#include <fmt/format.h>
 
 #include <array>
+#include <assimp/Importer.hpp>
 #include <cmath>
 #include <cstring>
 
@@ -77,7 +76,8 @@ solid::Mesh read_stl_assimp(const std::filesystem::path& path) {
     const std::string bytes = read_stl_bytes(path);
     Assimp::Importer importer;
     const aiScene* scene = importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, "stl");
-    if (scene == nullptr || scene->mNumMeshes == 0) throw core::IoError(path.string(), fmt::format("assimp: {}", importer.GetErrorString()));
+    if (scene == nullptr || scene->mNumMeshes == 0)
+        throw core::IoError(path.string(), fmt::format("assimp: {}", importer.GetErrorString()));
     // assimp's own joining merges points nearer than 1e-5; corners of one STL vertex are equal bit by bit, which asks for no tolerance.
     Welder welder;
     for (unsigned int m = 0; m < scene->mNumMeshes; ++m) {

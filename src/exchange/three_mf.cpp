@@ -65,8 +65,8 @@ void set_mesh(const Handle& object, const solid::Mesh& mesh) {
     for (const solid::Vec3& p : mesh.points_mm)
         vertices.push_back({{static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])}});
     for (const solid::Triangle& t : mesh.triangles) triangles.push_back({{t[0], t[1], t[2]}});
-    const auto result = NMR::lib3mf_meshobject_setgeometry(object.get(), vertices.data(), static_cast<DWORD>(vertices.size()), triangles.data(),
-                                                           static_cast<DWORD>(triangles.size()));
+    const auto result = NMR::lib3mf_meshobject_setgeometry(object.get(), vertices.data(), static_cast<DWORD>(vertices.size()),
+                                                           triangles.data(), static_cast<DWORD>(triangles.size()));
     BOOL sound = 0;
     if (result == 0) NMR::lib3mf_meshobject_ismanifoldandoriented(object.get(), &sound);
     if (result != 0 || sound == 0)
@@ -95,7 +95,8 @@ solid::Mesh take_mesh(const Handle& object, const std::filesystem::path& path) {
     std::vector<NMR::MODELMESHVERTEX> vertex(points);
     std::vector<NMR::MODELMESHTRIANGLE> triangle(triangles);
     require(NMR::lib3mf_meshobject_getvertices(object.get(), vertex.data(), points, nullptr), object, path, "reading vertices");
-    require(NMR::lib3mf_meshobject_gettriangleindices(object.get(), triangle.data(), triangles, nullptr), object, path, "reading triangles");
+    require(NMR::lib3mf_meshobject_gettriangleindices(object.get(), triangle.data(), triangles, nullptr), object, path,
+            "reading triangles");
     solid::Mesh mesh;
     mesh.points_mm.reserve(points);
     mesh.triangles.reserve(triangles);

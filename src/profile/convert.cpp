@@ -20,14 +20,22 @@ public:
 
     [[nodiscard]] Value convert(const toml::node& node) const {
         switch (key_.kind) {
-            case Kind::kNumber: return key_.unit.to_si(number(node));
-            case Kind::kInteger: return integer(node);
-            case Kind::kSign: return sign(node);
-            case Kind::kName: return name(node);
-            case Kind::kFile: return text(node);
-            case Kind::kChoice: return choice(node);
-            case Kind::kNumbers: return numbers(node);
-            case Kind::kChoices: return choices(node);
+            case Kind::kNumber:
+                return key_.unit.to_si(number(node));
+            case Kind::kInteger:
+                return integer(node);
+            case Kind::kSign:
+                return sign(node);
+            case Kind::kName:
+                return name(node);
+            case Kind::kFile:
+                return text(node);
+            case Kind::kChoice:
+                return choice(node);
+            case Kind::kNumbers:
+                return numbers(node);
+            case Kind::kChoices:
+                return choices(node);
         }
         refuse(node);
     }

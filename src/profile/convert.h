@@ -1,6 +1,7 @@
 #pragma once
-#include <string>
 #include <toml++/toml.h>
+
+#include <string>
 
 #include "key.h"
 

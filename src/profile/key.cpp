@@ -41,8 +41,9 @@ std::vector<std::string> quoted(const std::vector<std::string>& texts) {
 
 std::string range_text(const Limits& limits, const Unit& unit) {
     const std::string name = unit.name;
-    return fmt::format("{}{}", limits.low_allowed ? fmt::format("{:g} to {:g}", limits.low, limits.high)
-                                                  : fmt::format("above {:g}, at most {:g}", limits.low, limits.high),
+    return fmt::format("{}{}",
+                       limits.low_allowed ? fmt::format("{:g} to {:g}", limits.low, limits.high)
+                                          : fmt::format("above {:g}, at most {:g}", limits.low, limits.high),
                        name.empty() ? "" : " " + name);
 }
 
@@ -79,13 +80,20 @@ bool applies(const Key& key, const Profile& profile) {
 
 std::string allowed_text(const Key& key) {
     switch (key.kind) {
-        case Kind::kNumber: return "a number, " + range_text(key.limits, key.unit);
-        case Kind::kInteger: return "a whole number, " + range_text(key.limits, key.unit);
-        case Kind::kName: return "a text of 1 to 64 letters, digits, '.', '_' or '-', beginning with a letter or digit";
-        case Kind::kFile: return "a file name as text";
-        case Kind::kChoice: return fmt::format("{}", fmt::join(quoted(key.choices), " or "));
-        case Kind::kSign: return "1 or -1";
-        case Kind::kNumbers: return fmt::format("an array of {} numbers, each {}", count_text(key), range_text(key.limits, key.unit));
+        case Kind::kNumber:
+            return "a number, " + range_text(key.limits, key.unit);
+        case Kind::kInteger:
+            return "a whole number, " + range_text(key.limits, key.unit);
+        case Kind::kName:
+            return "a text of 1 to 64 letters, digits, '.', '_' or '-', beginning with a letter or digit";
+        case Kind::kFile:
+            return "a file name as text";
+        case Kind::kChoice:
+            return fmt::format("{}", fmt::join(quoted(key.choices), " or "));
+        case Kind::kSign:
+            return "1 or -1";
+        case Kind::kNumbers:
+            return fmt::format("an array of {} numbers, each {}", count_text(key), range_text(key.limits, key.unit));
         case Kind::kChoices:
             return fmt::format("an array of {} different ones of {}", count_text(key), fmt::join(quoted(key.choices), ", "));
     }

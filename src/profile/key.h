@@ -43,7 +43,7 @@ struct Condition {
 };
 
 struct Key {
-    std::string path;     ///< "k_se.guide.direction_deg"
+    std::string path;  ///< "k_se.guide.direction_deg"
     Kind kind = Kind::kNumber;
     std::string meaning;  ///< one line
     Unit unit = kPure;

@@ -4,7 +4,8 @@ namespace fusee::profile {
 
 namespace {
 
-#define FIELD(member) [](auto& p) -> auto& { return p.member; }
+#define FIELD(member) \
+    [](auto& p) -> auto& { return p.member; }
 
 std::vector<Key> rig_keys() {
     return {
@@ -14,8 +15,8 @@ std::vector<Key> rig_keys() {
         required(number("rig.joint_radius_mm", kMm, above(0, 1000), "r_j, radius of the joint's pulley", FIELD(rig.joint_radius))),
         required(number("rig.gear_friction", kPure, within(0, 0.95),
                         "mu: a resting capstan at motor torque tau carries loads from tau/(1+mu) to tau/(1-mu)", FIELD(rig.gear_friction))),
-        required(number("rig.least_torque_Nm", kNm, above(0, 1e4), "least co-contraction used; below the peak torque",
-                        FIELD(rig.least_torque))),
+        required(
+            number("rig.least_torque_Nm", kNm, above(0, 1e4), "least co-contraction used; below the peak torque", FIELD(rig.least_torque))),
         required(number("rig.peak_torque_Nm", kNm, above(0, 1e4), "the motors' continuous torque at the capstan", FIELD(rig.peak_torque))),
         required(number("rig.overdrive_torque_Nm", kNm, above(0, 1e4), "for a short time; not below the peak torque",
                         FIELD(rig.overdrive_torque))),
@@ -101,9 +102,7 @@ Key formats() {
 
 std::vector<Key> all_keys() {
     std::vector<Key> all;
-    const auto add = [&all](std::vector<Key> more) {
-        std::move(more.begin(), more.end(), std::back_inserter(all));
-    };
+    const auto add = [&all](std::vector<Key> more) { std::move(more.begin(), more.end(), std::back_inserter(all)); };
     add(rig_keys());
     add(law_keys());
     add(cable_keys());

@@ -26,7 +26,8 @@ Key law_kind() {
     return key;
 }
 
-#define OF(alternative, member) [](auto& p) -> auto& { return std::get<alternative>(p.law.curves).member; }
+#define OF(alternative, member) \
+    [](auto& p) -> auto& { return std::get<alternative>(p.law.curves).member; }
 
 std::vector<Key> curve_keys() {
     using Stiction = spring::StictionLawOptions;
@@ -42,14 +43,16 @@ std::vector<Key> curve_keys() {
         polynomial(numbers("law.series_Nm", kNm, coefficient, 1, 12, "K_SE: c_i of F(x) = sum c_i x^i, x = capstan angle in rad",
                            OF(PolynomialPair, series))),
         polynomial(numbers("law.parallel_Nm", kNm, coefficient, 1, 12, "K_PE: the same", OF(PolynomialPair, parallel))),
-        exponential(number("law.series_scale_Nm", kNm, torque, "K_SE: a of F(x) = a (exp(b x) - 1) + c", OF(ExponentialPair, series.scale))),
+        exponential(
+            number("law.series_scale_Nm", kNm, torque, "K_SE: a of F(x) = a (exp(b x) - 1) + c", OF(ExponentialPair, series.scale))),
         exponential(number("law.series_rate_per_rad", kPerRad, within(-1e3, 1e3), "K_SE: b", OF(ExponentialPair, series.rate))),
         exponential(number("law.series_offset_Nm", kNm, torque, "K_SE: c", OF(ExponentialPair, series.offset))),
         exponential(number("law.parallel_scale_Nm", kNm, torque, "K_PE: a", OF(ExponentialPair, parallel.scale))),
         exponential(number("law.parallel_rate_per_rad", kPerRad, within(-1e3, 1e3), "K_PE: b", OF(ExponentialPair, parallel.rate))),
         exponential(number("law.parallel_offset_Nm", kNm, torque, "K_PE: c", OF(ExponentialPair, parallel.offset))),
-        table(required(plain_key<std::string>("law.file", Kind::kFile, "CSV beside the profile: angle_rad,series_Nm,parallel_Nm",
-                                              [](auto& p) -> auto& { return std::get<TablePair>(p.law.curves).file; }))),
+        table(required(plain_key<std::string>(
+            "law.file", Kind::kFile, "CSV beside the profile: angle_rad,series_Nm,parallel_Nm",
+            [](auto& p) -> auto& { return std::get<TablePair>(p.law.curves).file; }))),
         table(integer("law.knots", within(4, 400), "intervals of the smoothing spline", OF(TablePair, smoothing.knots))),
         table(number("law.smoothing", kPure, within(-1, 1e9), "weight of the roughness penalty; below 0: by cross-validation",
                      OF(TablePair, smoothing.smoothing))),
@@ -61,12 +64,15 @@ std::vector<Key> curve_keys() {
 std::vector<Key> law_keys() {
     std::vector<Key> all{law_kind()};
     for (Key& key : curve_keys()) all.push_back(std::move(key));
-    all.push_back(required(number("law.start_torque_Nm", kNm, above(0, 1e4), "lowest load of the law, lead-in not counted",
-                                  [](auto& p) -> auto& { return p.law.start_torque; })));
-    all.push_back(required(number("law.end_torque_Nm", kNm, above(0, 1e4), "highest load; to cover stiction: overdrive torque / (1 - mu)",
-                                  [](auto& p) -> auto& { return p.law.end_torque; })));
-    all.push_back(number("law.lead_in_deg", kDeg, within(0, 720), "capstan travel of the low-load law below the start",
-                         [](auto& p) -> auto& { return p.law.lead_in_travel; }));
+    all.push_back(required(number(
+        "law.start_torque_Nm", kNm, above(0, 1e4), "lowest load of the law, lead-in not counted",
+        [](auto& p) -> auto& { return p.law.start_torque; })));
+    all.push_back(required(number(
+        "law.end_torque_Nm", kNm, above(0, 1e4), "highest load; to cover stiction: overdrive torque / (1 - mu)",
+        [](auto& p) -> auto& { return p.law.end_torque; })));
+    all.push_back(number(
+        "law.lead_in_deg", kDeg, within(0, 720), "capstan travel of the low-load law below the start",
+        [](auto& p) -> auto& { return p.law.lead_in_travel; }));
     return all;
 }
 

@@ -7,6 +7,8 @@ namespace fusee::profile {
 
 namespace {
 
+constexpr std::size_t kLongestCompared = 100;  // letters: no known path has half as many
+
 /// Least number of letters to insert, delete, replace or swap with the next one (optimal string alignment).
 std::size_t edit_distance(std::string_view a, std::string_view b) {
     std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
@@ -23,8 +25,8 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 /// The name without its unit, so that "lead_in_rad" finds "lead_in_deg" before anything that is merely spelled alike.
 std::string_view stem(std::string_view name) {
-    static constexpr std::array kUnits{"m",  "cm", "mm", "um", "in", "inch", "deg", "rad", "Nm",  "nm",  "mNm", "Ncm",
-                                       "kN", "N",  "Pa", "kPa", "MPa", "GPa", "per", "J",  "psi", "lbf", "mpa", "degrees"};
+    static constexpr std::array kUnits{"m",  "cm", "mm", "um",  "in",  "inch", "deg", "rad", "Nm",  "nm",  "mNm", "Ncm",
+                                       "kN", "N",  "Pa", "kPa", "MPa", "GPa",  "per", "J",   "psi", "lbf", "mpa", "degrees"};
     while (true) {
         const auto cut = name.rfind('_');
         if (cut == std::string_view::npos) return name;
@@ -41,6 +43,7 @@ std::pair<std::string_view, std::string_view> split(std::string_view path) {
 }  // namespace
 
 const Key& nearest_key(std::string_view path) {
+    path = path.substr(0, kLongestCompared);
     const auto [table, leaf] = split(path);
     const auto cost = [table = table, leaf = leaf](const Key& key) {
         const auto [known_table, known_leaf] = split(key.path);
@@ -50,6 +53,7 @@ const Key& nearest_key(std::string_view path) {
 }
 
 std::string nearest_table(std::string_view path) {
+    path = path.substr(0, kLongestCompared);
     std::vector<std::string> tables;
     for (const Key& key : keys())
         for (std::string table = key.table(); !table.empty(); table = std::string(split(table).first)) tables.push_back(table);

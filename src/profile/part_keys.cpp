@@ -4,7 +4,8 @@ namespace fusee::profile {
 
 namespace {
 
-#define OF(field) [member](auto& p) -> auto& { return (p.*member).field; }
+#define OF(field) \
+    [member](auto& p) -> auto& { return (p.*member).field; }
 
 std::vector<Key> body_keys(const std::string& part, PartSpec Profile::*member) {
     return {
@@ -36,8 +37,8 @@ std::vector<Key> spring_keys(const std::string& part, PartSpec Profile::*member)
     all.push_back(number(t + "active_coils", kPure, within(0, 1000), "0 = unknown", OF(spring.active_coils)));
     all.push_back(number(t + "free_length_mm", kMm, within(0, 1e4), "0 = unknown, buckling not checked", OF(spring.free_length)));
     all.push_back(number(t + "tensile_strength_MPa", kMPa, within(0, 1e4), "of the wire; 0 = unknown", OF(spring.tensile_strength)));
-    all.push_back(number(t + "stress_share", kPure, above(0, 1), "allowed share of it: 0.8 music wire, 0.6 stainless 302",
-                         OF(spring.stress_share)));
+    all.push_back(
+        number(t + "stress_share", kPure, above(0, 1), "allowed share of it: 0.8 music wire, 0.6 stainless 302", OF(spring.stress_share)));
     return all;
 }
 
@@ -45,8 +46,8 @@ std::vector<Key> guide_keys(const std::string& part, PartSpec Profile::*member) 
     const std::string t = part + ".guide.", kind = t + "kind";
     return {
         choice(kind, {"parallel", "point", "idler"}, "where the cable goes: straight off, to a point, over an idler", OF(cam.guide.kind)),
-        number(t + "direction_deg", kDeg, within(-360, 360), "parallel: along the cable, away from the cam; else towards the guide's centre",
-               OF(cam.guide.direction)),
+        number(t + "direction_deg", kDeg, within(-360, 360),
+               "parallel: along the cable, away from the cam; else towards the guide's centre", OF(cam.guide.direction)),
         when(kind, {"point", "idler"},
              required(number(t + "distance_mm", kMm, above(0, 1e4), "cam axis to the guide's centre", OF(cam.guide.distance)))),
         when(kind, {"idler"}, required(number(t + "radius_mm", kMm, above(0, 1000), "pitch radius of the idler", OF(cam.guide.radius)))),
@@ -59,10 +60,11 @@ std::vector<Key> path_keys(const std::string& part, PartSpec Profile::*member) {
     const std::string t = part + ".path.", kind = t + "kind";
     return {
         choice(kind, {"planar", "helix"}, "one closed turn, or a groove that climbs for as many turns as the law needs", OF(cam.path.kind)),
-        when(kind, {"helix"}, choice(t + "lead", {"constant_pitch", "aimed"}, "aimed: climbs so that the cable always points at the guide",
-                                     OF(cam.path.lead))),
-        when(kind, {"helix"}, number(t + "pitch_mm", kMm, within(0, 1000), "height gained per turn; above 0 for a constant pitch",
-                                     OF(cam.path.pitch))),
+        when(kind, {"helix"},
+             choice(t + "lead", {"constant_pitch", "aimed"}, "aimed: climbs so that the cable always points at the guide",
+                    OF(cam.path.lead))),
+        when(kind, {"helix"},
+             number(t + "pitch_mm", kMm, within(0, 1000), "height gained per turn; above 0 for a constant pitch", OF(cam.path.pitch))),
         number(t + "margin_deg", kDeg, within(0, 180), "groove beyond the working arc, to the anchor", OF(cam.path.margin)),
         number(t + "min_idle_radius_mm", kMm, above(0, 1000), "least radius of curvature on the idle arc that closes a planar path",
                OF(cam.path.min_idle_curvature_radius)),

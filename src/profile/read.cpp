@@ -50,6 +50,7 @@ public:
         regions_[prefix] = table.source();
         for (const auto& [name, node] : table) {
             const std::string path = prefix.empty() ? std::string(name.str()) : prefix + "." + std::string(name.str());
+            if (name.str().find('.') != std::string_view::npos) refuse_unknown(path, name.source(), false);  // "a.b" in quotes is no a.b
             if (node.is_table() && is_table(path)) {
                 collect(*node.as_table(), path);
             } else if (find_key(path) != nullptr) {
@@ -97,9 +98,9 @@ private:
         const Key &low = *find_key(order.low), &high = *find_key(order.high);
         const double a = std::get<double>(low.get(profile)), b = std::get<double>(high.get(profile));
         if (a < b || (order.may_be_equal && a == b)) return;
-        throw core::InvalidInput(place(file_, nodes_.at(high.path)->source(), high.path), toml_text(high, profile),
-                                 fmt::format("{} {} = {} {}", order.may_be_equal ? "at least" : "above", low.path, toml_text(low, profile),
-                                             low.unit.name));
+        throw core::InvalidInput(
+            place(file_, nodes_.at(high.path)->source(), high.path), toml_text(high, profile),
+            fmt::format("{} {} = {} {}", order.may_be_equal ? "at least" : "above", low.path, toml_text(low, profile), low.unit.name));
     }
 
     std::string file_;

@@ -30,8 +30,8 @@ Point tangent(const std::vector<exchange::TargetRow>& rows, std::size_t i) {
     return length > 0.0 ? Point{(b[0] - a[0]) / length, (b[1] - a[1]) / length} : Point{};
 }
 
-/// Where the floor is expected under each row: half a cable from the contact towards the axis, square to the centreline. Only the rays' places
-/// follow from it; what they find is the file's.
+/// Where the floor is expected under each row: half a cable from the contact towards the axis, square to the centreline. Only the rays'
+/// places follow from it; what they find is the file's.
 std::vector<Aim> aims(const exchange::PartFile& part) {
     std::vector<Aim> result;
     for (std::size_t i = 0; i < part.target.size(); ++i) {

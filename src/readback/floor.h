@@ -17,7 +17,7 @@ struct FloorPoint {
 
 struct Floor {
     std::vector<FloorPoint> points;
-    bool planar = true;  ///< the whole outline lies at one height; otherwise each point belongs to its own turn
+    bool planar = true;               ///< the whole outline lies at one height; otherwise each point belongs to its own turn
     std::vector<double> row_azimuth;  ///< where the floor is expected under each target row [rad], unwrapped alike
 };
 

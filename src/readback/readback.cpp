@@ -40,7 +40,8 @@ ArmError compare(const fs::path& path, const char* reader, const Floor& floor, c
 ArmError compare_mesh(const fs::path& path, const char* reader, const solid::Mesh& mesh, const exchange::FileEntry& entry,
                       const exchange::PartFile& part) {
     if (mesh.triangles.size() != entry.triangles)
-        throw core::IoError(path.string(), fmt::format("{} finds {} triangles, not {} as stated", reader, mesh.triangles.size(), entry.triangles));
+        throw core::IoError(path.string(),
+                            fmt::format("{} finds {} triangles, not {} as stated", reader, mesh.triangles.size(), entry.triangles));
     return compare(path, reader, find_floor(mesh, part), part);
 }
 

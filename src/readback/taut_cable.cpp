@@ -17,14 +17,14 @@ Point turned(const Point& p, double angle) {
     return {c * p[0] - s * p[1], s * p[0] + c * p[1]};
 }
 
-/// Normal n of a cable that runs in direction D from the cam to the guide, such that the tension's moment has the wanted sign where n points
-/// from the axis to the cable: x cross D = torque_sign (n.x).
+/// Normal n of a cable that runs in direction D from the cam to the guide, such that the tension's moment has the wanted sign where n
+/// points from the axis to the cable: x cross D = torque_sign (n.x).
 Point normal(const Point& direction, double torque_sign) { return {torque_sign * direction[1], -torque_sign * direction[0]}; }
 
 /// The guide in the body frame at one working angle.
 struct BodyGuide {
     bool parallel = true;
-    Point place{};        ///< parallel: the cable's normal; else the guide's centre [mm]
+    Point place{};  ///< parallel: the cable's normal; else the guide's centre [mm]
     double torque_sign = 1.0;
     double beyond = 0.0;  ///< n.(centre) - arm: how far outside the cable's line the idler's centre lies [mm]
 };

@@ -52,7 +52,7 @@ std::string rings(const std::vector<Line>& lines) {
 /// The square of paper: centred on what is drawn. Text and marks grow with it, so that a small cam and a large one read alike.
 struct Sheet {
     Point centre{};
-    double reach = 0.0;  ///< of what is drawn, from the centre [mm]
+    double reach = 0.0;                                         ///< of what is drawn, from the centre [mm]
     [[nodiscard]] double half() const { return 1.36 * reach; }  // room for markers and cables
     [[nodiscard]] double unit() const { return half() / 50.0; }
 };
@@ -76,28 +76,29 @@ std::string cable(const cam::Cam& cam, const cam::Contact& contact, const Sheet&
     const double x = mm_from_m(contact.path.x()), y = -mm_from_m(contact.path.y()), u = sheet.unit();
     const double tx = -std::sin(contact.path.psi) * cam.options.torque_sign, ty = -std::cos(contact.path.psi) * cam.options.torque_sign;
     const double length = 26 * u, end_x = x + length * tx, end_y = y + length * ty;
-    return fmt::format("<g class=\"{}\"><path d=\"M{} {}L{} {}\"/><circle cx=\"{}\" cy=\"{}\" r=\"{}\"/>"
-                       "<text x=\"{}\" y=\"{}\" font-size=\"{}\" text-anchor=\"middle\">{}</text></g>",
-                       css, coordinate(x), coordinate(y), coordinate(end_x), coordinate(end_y), coordinate(x), coordinate(y),
-                       coordinate(0.8 * u), coordinate(end_x), coordinate(end_y + (ty < 0 ? -1.2 * u : 3.2 * u)), coordinate(2.6 * u),
-                       escape(name));
+    return fmt::format(
+        "<g class=\"{}\"><path d=\"M{} {}L{} {}\"/><circle cx=\"{}\" cy=\"{}\" r=\"{}\"/>"
+        "<text x=\"{}\" y=\"{}\" font-size=\"{}\" text-anchor=\"middle\">{}</text></g>",
+        css, coordinate(x), coordinate(y), coordinate(end_x), coordinate(end_y), coordinate(x), coordinate(y), coordinate(0.8 * u),
+        coordinate(end_x), coordinate(end_y + (ty < 0 ? -1.2 * u : 3.2 * u)), coordinate(2.6 * u), escape(name));
 }
 
 std::string scale_bar(const Sheet& sheet) {
     const double want = 0.4 * sheet.half(), power = std::pow(10.0, std::floor(std::log10(want))), u = sheet.unit();
     const double length = want >= 5 * power ? 5 * power : want >= 2 * power ? 2 * power : power;
     const double x = sheet.centre[0] - sheet.half() + 3 * u, y = -sheet.centre[1] + sheet.half() - 3 * u;
-    return fmt::format("<g class=\"scale\"><path d=\"M{} {}v{}h{}v{}\"/><text x=\"{}\" y=\"{}\" font-size=\"{}\">{:g} mm</text></g>", coordinate(x),
-                       coordinate(y - 1.5 * u), coordinate(1.5 * u), coordinate(length), coordinate(-1.5 * u), coordinate(x + length + 1.5 * u),
-                       coordinate(y), coordinate(2.8 * u), length);
+    return fmt::format("<g class=\"scale\"><path d=\"M{} {}v{}h{}v{}\"/><text x=\"{}\" y=\"{}\" font-size=\"{}\">{:g} mm</text></g>",
+                       coordinate(x), coordinate(y - 1.5 * u), coordinate(1.5 * u), coordinate(length), coordinate(-1.5 * u),
+                       coordinate(x + length + 1.5 * u), coordinate(y), coordinate(2.8 * u), length);
 }
 
 std::string axis(const Sheet& sheet) {
     const double u = sheet.unit();
-    return fmt::format("<g class=\"axis\"><path d=\"M{0} 0H{1}M0 {0}V{2}\"/><text x=\"{3}\" y=\"{4}\" font-size=\"{5}\">x</text>"
-                       "<text x=\"{4}\" y=\"{6}\" font-size=\"{5}\">y</text></g>",
-                       coordinate(-2 * u), coordinate(7 * u), coordinate(-7 * u), coordinate(7.4 * u), coordinate(0.8 * u), coordinate(2.4 * u),
-                       coordinate(-7.4 * u));
+    return fmt::format(
+        "<g class=\"axis\"><path d=\"M{0} 0H{1}M0 {0}V{2}\"/><text x=\"{3}\" y=\"{4}\" font-size=\"{5}\">x</text>"
+        "<text x=\"{4}\" y=\"{6}\" font-size=\"{5}\">y</text></g>",
+        coordinate(-2 * u), coordinate(7 * u), coordinate(-7 * u), coordinate(7.4 * u), coordinate(0.8 * u), coordinate(2.4 * u),
+        coordinate(-7.4 * u));
 }
 
 }  // namespace
@@ -114,10 +115,11 @@ std::string cam_svg(const solid::Part& part, const std::vector<Marker>& markers)
     all.push_back(pitch);
     const Sheet sheet = sheet_around(all);
 
-    std::string out = fmt::format("<svg class=\"cam {0}\" width=\"{1}mm\" height=\"{1}mm\" viewBox=\"{2} {3} {1} {1}\" role=\"img\" "
-                                  "aria-label=\"{0} to scale\">",
-                                  cam::to_string(cam.kind), coordinate(2 * sheet.half()), coordinate(sheet.centre[0] - sheet.half()),
-                                  coordinate(-sheet.centre[1] - sheet.half()));
+    std::string out = fmt::format(
+        "<svg class=\"cam {0}\" width=\"{1}mm\" height=\"{1}mm\" viewBox=\"{2} {3} {1} {1}\" role=\"img\" "
+        "aria-label=\"{0} to scale\">",
+        cam::to_string(cam.kind), coordinate(2 * sheet.half()), coordinate(sheet.centre[0] - sheet.half()),
+        coordinate(-sheet.centre[1] - sheet.half()));
     out += path_element("body", rings(body)) + path_element("boss", rings(boss));
     out += path_element("floor", path_data(parallel(cam, cam.groove_psi.low, cam.groove_psi.high, -0.5 * d), cam.closed()));
     out += path_element("pitch", path_data(pitch, cam.closed()));

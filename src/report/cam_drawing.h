@@ -15,10 +15,10 @@ struct Marker {
     std::string title;
 };
 
-/// The cam seen from +z in its body frame, to scale: the drawing's unit is the millimetre, and so is the size that it asks for (the page shows
-/// it larger: hence the scale bar). Shows the saw cuts under the top face (flange, bore, holes) and through the boss, both of the exported
-/// mesh, the pitch curve with its working arc, the groove's floor, the cable at both ends of the law, and the markers. A helix shows as
-/// the spiral that it is from above.
+/// The cam seen from +z in its body frame, to scale: the drawing's unit is the millimetre, and so is the size that it asks for (the page
+/// shows it larger: hence the scale bar). Shows the saw cuts under the top face (flange, bore, holes) and through the boss, both of the
+/// exported mesh, the pitch curve with its working arc, the groove's floor, the cable at both ends of the law, and the markers. A helix
+/// shows as the spiral that it is from above.
 [[nodiscard]] std::string cam_svg(const solid::Part& part, const std::vector<Marker>& markers);
 
 }  // namespace fusee::report

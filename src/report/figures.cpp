@@ -16,8 +16,11 @@ CamFigures measure(const cam::Cam& cam) {
     assert(!cam.working.empty());
     const cam::Contact& first = cam.working.front();
     const double arm_mm = core::mm_from_m(first.arm.arm);
-    CamFigures f{cam.working.back().arm.angle - first.arm.angle, {arm_mm, arm_mm}, {first.arm.tension, first.arm.tension},
-                 {first.arm.state, first.arm.state}, core::mm_from_m(first.path.rho)};
+    CamFigures f{cam.working.back().arm.angle - first.arm.angle,
+                 {arm_mm, arm_mm},
+                 {first.arm.tension, first.arm.tension},
+                 {first.arm.state, first.arm.state},
+                 core::mm_from_m(first.path.rho)};
     for (const cam::Contact& contact : cam.working) {
         widen(f.arms_mm, core::mm_from_m(contact.arm.arm));
         widen(f.tensions, contact.arm.tension);

@@ -6,7 +6,7 @@ namespace fusee::report {
 
 /// What a reader asks of a cam first.
 struct CamFigures {
-    double travel = 0.0;        ///< cam rotation over the law [rad]
+    double travel = 0.0;  ///< cam rotation over the law [rad]
     core::Range arms_mm;
     core::Range tensions;       ///< cable [N]
     core::Range states;         ///< of the base spring [rad] or [m]

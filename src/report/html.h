@@ -7,7 +7,7 @@ namespace fusee::report {
 
 /// Text that may stand between tags and in quoted attributes.
 [[nodiscard]] std::string escape(std::string_view text);
-/// `digits` significant digits; an en dash for NaN.
+/// `digits` significant digits, whole numbers in full; an en dash for NaN.
 [[nodiscard]] std::string number(double value, int digits = 4);
 /// Coordinates for SVG: three decimals without trailing zeros (a thousandth of a millimetre or of a pixel).
 [[nodiscard]] std::string coordinate(double value);

@@ -27,8 +27,8 @@ std::string range_text(const core::Range& r, const std::string& unit, int digits
 std::string law_plots(const LawReport& law) {
     using P = spring::LawPoint;
     const auto of = [&law](const std::function<double(const P&)>& get) { return column<P>(law.samples, get); };
-    const auto tau = of([](const P& p) { return p.tau; }), theta = of([](const P& p) { return p.theta; });
-    const auto f_se = of([](const P& p) { return p.f_se; }), f_pe = of([](const P& p) { return p.f_pe; });
+    const auto tau = of([](const P&p) { return p.tau; }), theta = of([](const P&p) { return p.theta; });
+    const auto f_se = of([](const P&p) { return p.f_se; }), f_pe = of([](const P&p) { return p.f_pe; });
     const core::Range lead_in{law.samples.front().tau, law.design_loads.low}, lead_in_angle{0.0, law.lead_in_travel};
     const std::string angle = "capstan angle [rad]", load = "capstan load [Nm]";
 
@@ -50,7 +50,8 @@ std::string law_facts(const LawReport& law) {
     std::vector<std::pair<std::string, std::string>> facts{
         {"loads, lead-in included", range_text({law.samples.front().tau, law.samples.back().tau}, "Nm")},
         {"loads of the law itself", range_text(law.design_loads, "Nm")},
-        {"capstan travel", fmt::format("{} rad ({} deg)", number(law.samples.back().theta), number(deg_from_rad(law.samples.back().theta)))},
+        {"capstan travel",
+         fmt::format("{} rad ({} deg)", number(law.samples.back().theta), number(deg_from_rad(law.samples.back().theta)))},
         {"lead-in", law.lead_in_travel > 0.0 ? fmt::format("{} deg of capstan, {} to {} Nm", number(deg_from_rad(law.lead_in_travel)),
                                                            number(law.samples.front().tau), number(law.design_loads.low))
                                              : "none"},
@@ -74,16 +75,17 @@ std::string cam_facts(const PartReport& report) {
                        {"cam travel", fmt::format("{} deg", number(deg_from_rad(f.travel)))},
                        {"working arc", fmt::format("{} turns", number(part.cam.working_psi.width() / (2.0 * core::kPi), 3))},
                        {"least radius of curvature", number(f.least_rho_mm) + " mm"},
-                       {"cable", fmt::format("{} mm, {}", number(core::mm_from_m(part.cam.options.cable_diameter)), range_text(f.tensions, "N", 3))},
+                       {"cable",
+                        fmt::format("{} mm, {}", number(core::mm_from_m(part.cam.options.cable_diameter)), range_text(f.tensions, "N", 3))},
                        {"base spring", fmt::format("{} {}", number(report.spring.rate), torsion ? "Nm/rad" : "N/m")},
                        {torsion ? "spring winding" : "spring travel", range_text(states, torsion ? "rad" : "mm")},
                        {torsion ? "spring torque" : "spring force", range_text(loads, torsion ? "Nm" : "N")},
-                       {"box", fmt::format("{} x {} x {} mm", number(box.high_mm[0] - box.low_mm[0]), number(box.high_mm[1] - box.low_mm[1]),
-                                           number(box.high_mm[2] - box.low_mm[2]))},
+                       {"box", fmt::format("{} x {} x {} mm", number(box.high_mm[0] - box.low_mm[0]),
+                                           number(box.high_mm[1] - box.low_mm[1]), number(box.high_mm[2] - box.low_mm[2]))},
                        {"volume", fmt::format("{} mm\u00b3", number(solid::volume_mm3(part.mesh)))},
                        {"mesh", fmt::format("{} triangles, within {} mm", part.mesh.triangles.size(), number(part.chordal_error_mm))},
-                       {"smallest angle, shortest edge",
-                        fmt::format("{} deg, {} mm", number(report.quality.smallest_angle_deg, 2), number(report.quality.shortest_edge_mm, 2))}}) +
+                       {"smallest angle, shortest edge", fmt::format("{} deg, {} mm", number(report.quality.smallest_angle_deg, 2),
+                                                                     number(report.quality.shortest_edge_mm, 2))}}) +
            "</div>\n";
 }
 
@@ -99,7 +101,8 @@ std::string dead_band_section(const DesignReport& design) {
     using D = actuator::DeadBand;
     const auto tau = column<D>(design.dead_band, [](const D& d) { return d.tau; });
     Plot band("Dead-band at the joint, edge to edge", "co-contraction, motor torque at the capstan [Nm]", "dead-band [deg]");
-    band.curve("linear: 2 mu tau / (g P)", tau, column<D>(design.dead_band, [](const D& d) { return deg_from_rad(d.linear); }), "linear", true);
+    band.curve("linear: 2 mu tau / (g P)", tau, column<D>(design.dead_band, [](const D& d) { return deg_from_rad(d.linear); }), "linear",
+               true);
     band.curve("exact extremes", tau, column<D>(design.dead_band, [](const D& d) { return deg_from_rad(d.extreme); }), "exact").from_zero();
     Plot stiffness("Stiffness of the joint", "co-contraction, motor torque at the capstan [Nm]", "stiffness [Nm/rad]");
     stiffness.curve("capstans held", tau, column<D>(design.dead_band, [](const D& d) { return d.joint_stiffness; }), "se");

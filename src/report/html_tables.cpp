@@ -11,9 +11,12 @@ namespace {
 
 std::string tag(core::Severity severity) {
     switch (severity) {
-        case core::Severity::kPass: return "<span class=\"tag pass-tag\">\u2713 pass</span>";
-        case core::Severity::kReview: return "<span class=\"tag review-tag\">! review</span>";
-        case core::Severity::kRequired: return "<span class=\"tag required-tag\">\u2715 change</span>";
+        case core::Severity::kPass:
+            return "<span class=\"tag pass-tag\">\u2713 pass</span>";
+        case core::Severity::kReview:
+            return "<span class=\"tag review-tag\">! review</span>";
+        case core::Severity::kRequired:
+            return "<span class=\"tag required-tag\">\u2715 change</span>";
     }
     return "";
 }
@@ -30,9 +33,12 @@ std::vector<Cell> finding_row(const NumberedFinding& n) {
     if (!f.suggestion.empty()) text += "<br><span class=\"fix\">" + escape(f.suggestion) + "</span>";
     if (!f.source.empty()) text += "<br><span class=\"faint\">" + escape(f.source) + "</span>";
     const std::string bound = f.bound == core::Bound::kAtMost ? "\u2264 " : "\u2265 ";
-    return {{fmt::format("{}", n.number), "num"},          {tag(f.severity), ""},
-            {escape(f.rule), "code"},                      {text, ""},
-            {with_unit(f.measured, f.unit), "num"},        {bound + with_unit(f.allowed, f.unit), "num"},
+    return {{fmt::format("{}", n.number), "num"},
+            {tag(f.severity), ""},
+            {escape(f.rule), "code"},
+            {text, ""},
+            {with_unit(f.measured, f.unit), "num"},
+            {bound + with_unit(f.allowed, f.unit), "num"},
             {escape(f.where.empty() ? n.part : f.where), "faint"}};
 }
 
@@ -52,7 +58,8 @@ std::vector<NumberedFinding> numbered(const DesignReport& design) {
     for (const core::Finding& finding : design.findings) all.push_back({0, "law", finding});
     for (const PartReport& part : design.parts)
         for (const core::Finding& finding : part.findings) all.push_back({0, cam::to_string(part.part->cam.kind), finding});
-    std::stable_sort(all.begin(), all.end(), [](const NumberedFinding& a, const NumberedFinding& b) { return a.finding.severity > b.finding.severity; });
+    std::stable_sort(all.begin(), all.end(),
+                     [](const NumberedFinding& a, const NumberedFinding& b) { return a.finding.severity > b.finding.severity; });
     for (std::size_t i = 0; i < all.size(); ++i) all[i].number = static_cast<int>(i) + 1;
     return all;
 }
@@ -71,10 +78,13 @@ std::string findings_section(const std::vector<NumberedFinding>& findings) {
     std::vector<std::vector<Cell>> broken, held;
     for (const NumberedFinding& n : findings) (n.finding.severity == core::Severity::kPass ? held : broken).push_back(finding_row(n));
     const std::vector<std::string> head{"#", "", "rule", "finding", "measured", "allowed", "where"};
-    std::string out = "<section><h2>Findings</h2><p>Numbers are those on the drawings. Each rule names the source of its limit; every limit can be set in "
-                      "the profile.</p>";
+    std::string out =
+        "<section><h2>Findings</h2><p>Numbers are those on the drawings. Each rule names the source of its limit; every limit can be set "
+        "in "
+        "the profile.</p>";
     if (!broken.empty()) out += html_table(head, broken);
-    if (!held.empty()) out += fmt::format("<h3 class=\"held\">{} rules hold</h3><div class=\"dense\">", held.size()) + html_table(head, held) + "</div>";
+    if (!held.empty())
+        out += fmt::format("<h3 class=\"held\">{} rules hold</h3><div class=\"dense\">", held.size()) + html_table(head, held) + "</div>";
     return out + "</section>\n";
 }
 
@@ -90,7 +100,8 @@ std::string read_back_section(const DesignReport& design) {
                             {number(core::deg_from_rad(e.worst_angle_rad), 4) + " deg", "num"},
                             {fmt::format("{}", e.rows), "num"}});
     if (rows.empty()) return "";
-    return "<section><h2>Read back from the files</h2><p>Every file was read again and its lever arm found anew, by rays to the groove's floor "
+    return "<section><h2>Read back from the files</h2><p>Every file was read again and its lever arm found anew, by rays to the groove's "
+           "floor "
            "and a taut cable, with no code of the synthesis.</p>" +
            html_table({"", "file", "reader", "worst arm error", "allowed", "at cam angle", "positions"}, rows) + "</section>\n";
 }

@@ -15,9 +15,12 @@ namespace {
 
 const char* css(core::Severity severity) {
     switch (severity) {
-        case core::Severity::kPass: return "pass";
-        case core::Severity::kReview: return "review";
-        case core::Severity::kRequired: return "required";
+        case core::Severity::kPass:
+            return "pass";
+        case core::Severity::kReview:
+            return "review";
+        case core::Severity::kRequired:
+            return "required";
     }
     return "";
 }
@@ -52,13 +55,15 @@ std::string markers_svg(const std::vector<Marker>& markers, const std::array<dou
     for (std::size_t i = 0; i < markers.size(); ++i) {
         const Marker& m = markers[i];
         const double x = centre_mm[0] + radius_mm * std::cos(angles[i]), y = centre_mm[1] + radius_mm * std::sin(angles[i]);
-        out += fmt::format("<g class=\"place {}\"><title>{}</title><path class=\"leader\" d=\"M{} {}L{} {}\"/><circle cx=\"{}\" cy=\"{}\" r=\"{}\"/>",
-                           css(m.severity), escape(m.title), coordinate(m.x_mm), coordinate(-m.y_mm), coordinate(x), coordinate(-y),
-                           coordinate(m.x_mm), coordinate(-m.y_mm), coordinate(0.28 * size_mm));
-        out += fmt::format("<circle class=\"disc\" cx=\"{}\" cy=\"{}\" r=\"{}\"/><text x=\"{}\" y=\"{}\" font-size=\"{}\" text-anchor=\"middle\">"
-                           "{}</text></g>",
-                           coordinate(x), coordinate(-y), coordinate(size_mm), coordinate(x), coordinate(-y + 0.42 * size_mm),
-                           coordinate(1.2 * size_mm), m.number);
+        out += fmt::format(
+            "<g class=\"place {}\"><title>{}</title><path class=\"leader\" d=\"M{} {}L{} {}\"/><circle cx=\"{}\" cy=\"{}\" r=\"{}\"/>",
+            css(m.severity), escape(m.title), coordinate(m.x_mm), coordinate(-m.y_mm), coordinate(x), coordinate(-y), coordinate(m.x_mm),
+            coordinate(-m.y_mm), coordinate(0.28 * size_mm));
+        out += fmt::format(
+            "<circle class=\"disc\" cx=\"{}\" cy=\"{}\" r=\"{}\"/><text x=\"{}\" y=\"{}\" font-size=\"{}\" text-anchor=\"middle\">"
+            "{}</text></g>",
+            coordinate(x), coordinate(-y), coordinate(size_mm), coordinate(x), coordinate(-y + 0.42 * size_mm), coordinate(1.2 * size_mm),
+            m.number);
     }
     return out;
 }

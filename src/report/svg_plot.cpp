@@ -99,8 +99,8 @@ std::string Plot::axes(const Frame& f) const {
         out += fmt::format("<path class=\"axis\" d=\"M{} {}v{}\"/><text class=\"tick\" x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>",
                            coordinate(f.at_x(tick)), bottom, kTick, coordinate(f.at_x(tick)), bottom + 19, tick_text(tick));
     out += fmt::format("<path class=\"axis\" d=\"M{} {}H{}\"/>", kLeft, bottom, kWidth - kRight);
-    out += fmt::format("<text class=\"name\" x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>", (kLeft + kWidth - kRight) / 2, kHeight - 8,
-                       escape(x_name_));
+    out += fmt::format("<text class=\"name\" x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>", (kLeft + kWidth - kRight) / 2,
+                       kHeight - 8, escape(x_name_));
     out += fmt::format("<text class=\"name\" transform=\"translate(15 {}) rotate(-90)\" text-anchor=\"middle\">{}</text>",
                        (f.top + bottom) / 2, escape(y_name_));
     return out;
@@ -126,8 +126,8 @@ std::string Plot::notes(const Frame& f) const {
     std::string out;
     for (const auto& [range, label] : shades_) {
         const double left = f.at_x(std::max(range.low, f.x.low)), right = f.at_x(std::min(range.high, f.x.high));
-        out += fmt::format("<rect class=\"shade\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"><title>{}</title></rect>", coordinate(left), f.top,
-                           coordinate(std::max(0.0, right - left)), kHeight - f.top - kBottom, escape(label));
+        out += fmt::format("<rect class=\"shade\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"><title>{}</title></rect>", coordinate(left),
+                           f.top, coordinate(std::max(0.0, right - left)), kHeight - f.top - kBottom, escape(label));
         if (right - left < kNoteHeight) continue;  // the name would cover the curves; it still shows under the pointer
         out += fmt::format("<text class=\"note\" transform=\"translate({} {}) rotate(-90)\" text-anchor=\"end\">{}</text>",
                            coordinate((left + right) / 2 + 4), f.top + 5, escape(label));

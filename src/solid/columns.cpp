@@ -11,69 +11,117 @@ namespace fusee::solid {
 namespace {
 
 constexpr double kTurn = 2.0 * core::kPi;
-constexpr double kWidestStep = 0.12;   // [rad] between columns however small the radius: a round part looks round
-constexpr double kProud = 0.3;         // [mm] that a flange widened by a boss stands beyond the lips everywhere: no sliver faces
-
-Vec3 section_vertex(const cam::PathPoint& path, const SectionPoint& s) {
-    const OutlinePoint p = flange_point(path, s.offset_mm, 0.0);
-    return {p.point[0], p.point[1], core::mm_from_m(path.z) + s.z_mm};
-}
+constexpr double kWidestStep = 0.12;  // [rad] between columns however small the radius: a round part looks round
+constexpr double kProud_mm = 0.3;     // that a flange widened by a boss, or a helix's, stands beyond the lips everywhere: no sliver faces
+constexpr double kBossRim_mm = 1.0;   // the lower flange reaches this far beyond a boss
 
 }  // namespace
 
-ColumnMaker::ColumnMaker(const cam::Cam& cam, const std::vector<SectionPoint>& section, const Flanges& flanges)
-    : cam_(cam), section_(section), flanges_(flanges), lip_(section.front().offset_mm), half_width_(section.back().z_mm) {
-    const core::Range psi = cam.groove_psi;
-    double lowest = 0.0, highest = 0.0, farthest = 0.0;
-    if (!cam.closed()) {
-        lowest = std::min(core::mm_from_m(cam.path(psi.low).z), core::mm_from_m(cam.path(psi.high).z));
-        highest = std::max(core::mm_from_m(cam.path(psi.low).z), core::mm_from_m(cam.path(psi.high).z));
-        for (double a = psi.low; a <= psi.high; a += 0.01) {
-            const OutlinePoint lip = flange_point(cam.path(a), lip_, 0.0);
-            farthest = std::max(farthest, std::hypot(lip.point[0], lip.point[1]));
-        }
-        circle_ = std::max(farthest + std::max(flanges.height_mm, kProud), flanges.core_radius_mm);
-    }
-    z_low_ = lowest - half_width_ - flanges.rib_mm;
-    z_high_ = highest + half_width_ + flanges.rib_mm;
+Flanges flanges_of(const PartOptions& options) {
+    const double height = core::mm_from_m(options.flange_height);
+    if (options.hub.boss_height <= 0.0) return {height, height, core::mm_from_m(options.groove.rib), 0.0};
+    return {std::max(height, kProud_mm), height, core::mm_from_m(options.groove.rib), core::mm_from_m(0.5 * options.hub.boss_diameter) + kBossRim_mm};
 }
 
-int ColumnMaker::turns_at(double u) const { return 1 + static_cast<int>(std::floor((cam_.groove_psi.high - u) / kTurn)); }
+ColumnMaker::ColumnMaker(const cam::Cam& cam, const std::vector<SectionPoint>& section, const Flanges& flanges)
+    : cam_(cam), section_(section), flanges_(flanges), lip_(section.front().offset_mm), half_width_(section.back().z_mm), reach_(cam.groove_psi) {
+    z_low_ = -half_width_ - flanges.rib_mm;
+    z_high_ = half_width_ + flanges.rib_mm;
+    if (!cam.closed()) measure_helix();
+}
 
-ColumnPoints ColumnMaker::at(double u, int turns) const {
-    ColumnPoints column;
-    if (cam_.closed()) {
-        const cam::PathPoint path = cam_.path(u);
-        const auto rails = [&](double z_outer, double z_lip, double core_radius) {
-            const double proud = std::max(flanges_.height_mm, core_radius > 0.0 ? kProud : 0.0);
-            const OutlinePoint p = flange_point(path, lip_ + proud, core_radius);
-            std::vector<Vec3> points{{p.point[0], p.point[1], z_outer}};
-            if (proud > 0.0) points.push_back({p.point[0], p.point[1], z_lip});
-            return points;
-        };
-        column.lower = rails(z_low_, -half_width_, flanges_.core_radius_mm);
-        column.upper = rails(z_high_, half_width_, 0.0);
-        std::reverse(column.upper.begin(), column.upper.end());
-    } else {
+void ColumnMaker::measure_helix() {
+    const auto farthest_lip = [&] {
+        double farthest = 0.0;
+        for (double a = reach_.low; a <= reach_.high; a += 0.01) {
+            const OutlinePoint lip = flange_point(cam_.path(a), lip_, 0.0);
+            farthest = std::max(farthest, std::hypot(lip.point[0], lip.point[1]));
+        }
+        return farthest;
+    };
+    // A lip turns on about the axis while it runs out to radius R only if it takes longer than h' R/(h rho).
+    const double farthest = farthest_lip();
+    const auto run_out_at = [&](double psi) {
+        const cam::PathPoint p = cam_.path(psi);
+        return std::clamp(1.5 * std::abs(p.slope) * core::m_from_mm(farthest) / (p.h * p.rho), 0.35, 2.0);
+    };
+    reach_ = {reach_.low - run_out_at(reach_.low), reach_.high + run_out_at(reach_.high)};
+    circle_ = std::max(farthest_lip() + std::max(flanges_.upper_height_mm, kProud_mm), flanges_.core_radius_mm);
+    const double z0 = core::mm_from_m(cam_.path(reach_.low).z), z1 = core::mm_from_m(cam_.path(reach_.high).z);
+    z_low_ += std::min(z0, z1);
+    z_high_ += std::max(z0, z1);
+}
+
+std::vector<Stretch> ColumnMaker::stretches() const {
+    const double low = reach_.low;
+    if (cam_.closed()) return {{low, low + kTurn, {true}, 0}};
+    const auto direction = [&](double psi) { return low + std::fmod(psi - low, kTurn); };
+    std::vector<double> borders{low, direction(cam_.groove_psi.low), direction(cam_.groove_psi.high), direction(reach_.high), low + kTurn};
+    std::sort(borders.begin(), borders.end());
+    std::vector<Stretch> stretches;
+    for (std::size_t i = 1; i < borders.size(); ++i) {
+        Stretch s{borders[i - 1], borders[i], {}, 0};
+        const double middle = 0.5 * (s.low + s.high);
+        for (double psi = middle; psi < reach_.high; psi += kTurn) s.cut.push_back(cam_.groove_psi.holds(psi));
+        if (s.high > s.low) stretches.push_back(s);
+    }
+    return stretches;
+}
+
+std::vector<Vec3> ColumnMaker::lower_rails(double u) const {
+    if (!cam_.closed()) {
         const double x = circle_ * std::cos(u), y = circle_ * std::sin(u);
-        column.lower = {{x, y, z_low_}, {x, y, z_low_ + flanges_.rib_mm}};
-        column.upper = {{x, y, z_high_ - flanges_.rib_mm}, {x, y, z_high_}};
+        return {{x, y, z_low_}, {x, y, z_low_ + flanges_.rib_mm}};
     }
-    for (int j = 0; j < turns; ++j) {
-        const cam::PathPoint path = cam_.path(u + kTurn * j);
-        std::vector<Vec3>& slot = column.slots.emplace_back();
-        for (const SectionPoint& s : section_) slot.push_back(section_vertex(path, s));
+    const OutlinePoint p = flange_point(cam_.path(u), lip_ + flanges_.lower_height_mm, flanges_.core_radius_mm);
+    std::vector<Vec3> rails{{p.point[0], p.point[1], z_low_}};
+    if (flanges_.lower_height_mm > 0.0) rails.push_back({p.point[0], p.point[1], -half_width_});
+    return rails;
+}
+
+std::vector<Vec3> ColumnMaker::upper_rails(double u) const {
+    if (!cam_.closed()) {
+        const double x = circle_ * std::cos(u), y = circle_ * std::sin(u);
+        return {{x, y, z_high_ - flanges_.rib_mm}, {x, y, z_high_}};
     }
-    return column;
+    const OutlinePoint p = flange_point(cam_.path(u), lip_ + flanges_.upper_height_mm, 0.0);
+    std::vector<Vec3> rails{{p.point[0], p.point[1], z_high_}};
+    if (flanges_.upper_height_mm > 0.0) rails.insert(rails.begin(), {p.point[0], p.point[1], half_width_});
+    return rails;
+}
+
+std::vector<Vec3> ColumnMaker::section_at(double psi) const {
+    const cam::PathPoint path = cam_.path(psi);
+    std::vector<Vec3> points;
+    for (const SectionPoint& s : section_) {
+        const OutlinePoint p = flange_point(path, s.offset_mm, 0.0);
+        points.push_back({p.point[0], p.point[1], core::mm_from_m(path.z) + s.z_mm});
+    }
+    return points;
+}
+
+ColumnMaker::Lips ColumnMaker::run_out(double psi) const {
+    const core::Range& groove = cam_.groove_psi;
+    const bool below = psi < 0.5 * (groove.low + groove.high);
+    const double share = below ? (groove.low - psi) / (groove.low - reach_.low) : (psi - groove.high) / (reach_.high - groove.high);
+    const std::vector<Vec3> section = section_at(psi);
+    const Vec3 edge = below ? lower_rails(psi).back() : upper_rails(psi).front();
+    const auto towards_edge = [&](const Vec3& lip) {
+        Vec3 p{};
+        for (std::size_t i = 0; i < 3; ++i) p[i] = lip[i] + share * (edge[i] - lip[i]);
+        return p;
+    };
+    return {towards_edge(section.front()), towards_edge(section.back()), share > 1.0 - 1e-9};
 }
 
 double ColumnMaker::flattest_mm(double u) const {
-    double flattest = circle_;
-    for (int j = 0; j < std::max(1, turns_at(u)); ++j) {
-        const cam::PathPoint path = cam_.path(u + kTurn * j);
-        flattest = std::max(flattest, core::mm_from_m(path.rho) + lip_ + flanges_.height_mm);
-        if (cam_.closed()) flattest = std::max(flattest, flange_point(path, lip_ + flanges_.height_mm, flanges_.core_radius_mm).rho);
+    if (cam_.closed()) {
+        const cam::PathPoint path = cam_.path(u);
+        return std::max({core::mm_from_m(path.rho) + lip_ + flanges_.upper_height_mm,
+                         flange_point(path, lip_ + flanges_.lower_height_mm, flanges_.core_radius_mm).rho});
     }
+    double flattest = circle_;
+    for (double psi = u; psi <= reach_.high; psi += kTurn) flattest = std::max(flattest, core::mm_from_m(cam_.path(psi).rho) + lip_);
     return flattest;
 }
 

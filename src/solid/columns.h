@@ -5,30 +5,44 @@
 
 namespace fusee::solid {
 
-/// One vertical line of vertices at direction u: flange rails, the groove's section for every turn j that has psi = u + 2 pi j, flange rails.
-struct ColumnPoints {
-    std::vector<Vec3> lower, upper;          ///< flange rails, bottom to top
-    std::vector<std::vector<Vec3>> slots;    ///< [turn][section point]
+/// Turns first <= j < last have something at direction u of a stretch; the turns whose groove is cut there are marked.
+struct Stretch {
+    double low = 0.0, high = 0.0;  ///< directions u [rad]
+    std::vector<bool> cut;         ///< [turn - first]; false: only its two lips, running out
+    int first = 0;
 };
 
-/// Computes columns and how far apart they may stand.
+/// Computes the points of the columns and how far apart they may stand.
 class ColumnMaker {
 public:
     ColumnMaker(const cam::Cam& cam, const std::vector<SectionPoint>& section, const Flanges& flanges);
 
-    /// Turns first <= j < last that have a groove at direction u in [psi_low, psi_low + 2 pi).
-    [[nodiscard]] int turns_at(double u) const;
-    [[nodiscard]] ColumnPoints at(double u, int turns) const;
+    /// One turn of directions, cut where a groove begins or ends to run out: between two cuts every column has the same rails.
+    [[nodiscard]] std::vector<Stretch> stretches() const;
+
+    [[nodiscard]] std::vector<Vec3> lower_rails(double u) const;  ///< flange, bottom to top
+    [[nodiscard]] std::vector<Vec3> upper_rails(double u) const;
+    [[nodiscard]] std::vector<Vec3> section_at(double psi) const;
+    /// The two lips beyond the groove's ends, on their way into the flange's edge; `merged` once they are there.
+    struct Lips {
+        Vec3 lower, upper;
+        bool merged = false;
+    };
+    [[nodiscard]] Lips run_out(double psi) const;
+
     /// Largest radius of curvature of any rail at u [mm].
     [[nodiscard]] double flattest_mm(double u) const;
     [[nodiscard]] double z_low_mm() const { return z_low_; }
     [[nodiscard]] double z_high_mm() const { return z_high_; }
 
 private:
+    void measure_helix();
+
     const cam::Cam& cam_;
     const std::vector<SectionPoint>& section_;
     Flanges flanges_;
     double lip_, half_width_, z_low_ = 0.0, z_high_ = 0.0, circle_ = 0.0;
+    core::Range reach_;  ///< psi of groove and run-outs
 };
 
 /// Directions from `low` to `high`, both included, so that the sagitta of every rail stays within the tolerance; evenly stretched.

@@ -20,8 +20,6 @@ namespace {
 
 using core::mm_from_m;
 
-constexpr double kBossRim_mm = 1.0;  // the lower flange reaches this far beyond a boss
-
 void validate_options(const std::string& part, const PartOptions& o) {
     const HubOptions& hub = o.hub;
     core::require_within(part + ".groove.rib", o.groove.rib, 0.1e-3, 0.1, "m");
@@ -128,9 +126,7 @@ core::Outcome<Part> build_part(const cam::Cam& cam, const PartOptions& options) 
     part.section = groove_section(options.groove, cam.options.cable_diameter, 0.5 * options.chordal_error);
     if (core::Findings findings = check_room(cam, options, part.section); !findings.empty()) return findings;
 
-    const bool boss = options.hub.boss_height > 0.0;
-    const Flanges flanges{mm_from_m(options.flange_height), mm_from_m(options.groove.rib),
-                          boss ? mm_from_m(0.5 * options.hub.boss_diameter) + kBossRim_mm : 0.0};
+    const Flanges flanges = flanges_of(options);
     SweptBody body = sweep(cam, part.section, flanges, tolerance);
     Ring upper_outline;
     for (const std::uint32_t v : body.upper_ring) upper_outline.push_back({body.mesh.points_mm[v][0], body.mesh.points_mm[v][1]});

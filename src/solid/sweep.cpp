@@ -1,7 +1,6 @@
 #include "fusee/solid/sweep.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "columns.h"
@@ -12,101 +11,145 @@ namespace fusee::solid {
 namespace {
 
 constexpr double kTurn = 2.0 * core::kPi;
+using Numbers = std::vector<std::uint32_t>;
 
-/// Vertex numbers of one column.
+/// Vertex numbers of one column; slots by turn, from `first` on.
 struct Column {
-    std::vector<std::uint32_t> lower, upper;
-    std::vector<std::vector<std::uint32_t>> slots;
+    Numbers lower, upper;
+    std::vector<Numbers> slots;
+    int first = 0;
 
-    [[nodiscard]] std::vector<std::uint32_t> rails() const {
-        std::vector<std::uint32_t> all = lower;
-        for (const auto& slot : slots) all.insert(all.end(), slot.begin(), slot.end());
+    [[nodiscard]] Numbers rails() const {
+        Numbers all = lower;
+        for (const Numbers& slot : slots) all.insert(all.end(), slot.begin(), slot.end());
         all.insert(all.end(), upper.begin(), upper.end());
         return all;
     }
+    [[nodiscard]] const Numbers* slot(int turn) const {
+        const int i = turn - first;
+        return i < 0 || i >= static_cast<int>(slots.size()) ? nullptr : &slots[static_cast<std::size_t>(i)];
+    }
 };
 
-std::vector<std::uint32_t> add_points(Mesh& mesh, const std::vector<Vec3>& points) {
-    std::vector<std::uint32_t> numbers;
-    for (const Vec3& p : points) {
-        numbers.push_back(static_cast<std::uint32_t>(mesh.points_mm.size()));
-        mesh.points_mm.push_back(p);
-    }
+std::uint32_t add_point(Mesh& mesh, const Vec3& p) {
+    mesh.points_mm.push_back(p);
+    return static_cast<std::uint32_t>(mesh.points_mm.size() - 1);
+}
+
+Numbers add_points(Mesh& mesh, const std::vector<Vec3>& points) {
+    Numbers numbers;
+    for (const Vec3& p : points) numbers.push_back(add_point(mesh, p));
     return numbers;
 }
 
-Column add_column(Mesh& mesh, const ColumnPoints& points) {
-    Column column{add_points(mesh, points.lower), add_points(mesh, points.upper), {}};
-    for (const auto& slot : points.slots) column.slots.push_back(add_points(mesh, slot));
-    return column;
+void add_triangle(Mesh& mesh, const Triangle& t) {
+    if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) mesh.triangles.push_back(t);  // rails that have merged span nothing
 }
 
 /// Two triangles for each pair of rails; outward because t x z = n.
-void add_strip(Mesh& mesh, const std::vector<std::uint32_t>& left, const std::vector<std::uint32_t>& right) {
+void add_strip(Mesh& mesh, const Numbers& left, const Numbers& right) {
     for (std::size_t k = 0; k + 1 < left.size(); ++k) {
-        mesh.triangles.push_back({left[k], right[k], right[k + 1]});
-        mesh.triangles.push_back({left[k], right[k + 1], left[k + 1]});
+        add_triangle(mesh, {left[k], right[k], right[k + 1]});
+        add_triangle(mesh, {left[k], right[k + 1], left[k + 1]});
     }
 }
 
-/// The wall where a turn's groove begins (material before it) or ends (material after it): below, section bottom to top, above.
-void add_wall(Mesh& mesh, std::uint32_t below, const std::vector<std::uint32_t>& slot, std::uint32_t above, bool begins) {
-    std::vector<Triangle> wall{{below, slot.front(), slot.back()}, {below, slot.back(), above}};
-    for (std::size_t k = 1; k + 1 < slot.size(); ++k) wall.push_back({slot.front(), slot[k], slot[k + 1]});
-    for (Triangle& t : wall)
-        if (!begins) std::swap(t[1], t[2]);
-    mesh.triangles.insert(mesh.triangles.end(), wall.begin(), wall.end());
+/// The flat end of a groove: its section, convex and in one plane. @param begins true: the groove lies on the side of rising psi
+void add_wall(Mesh& mesh, const Numbers& slot, bool begins) {
+    for (std::size_t k = 1; k + 1 < slot.size(); ++k)
+        add_triangle(mesh, begins ? Triangle{slot.front(), slot[k], slot[k + 1]} : Triangle{slot.front(), slot[k + 1], slot[k]});
 }
 
-/// Closes the seam of a helix: past the last column comes the first one, without the turn that begins there.
-Column without_first_slot(const Column& column) {
-    Column rest = column;
-    rest.slots.erase(rest.slots.begin());
-    return rest;
+/// Builds columns; where two stretches meet, both have a column at the same direction and share what stands in both.
+class Builder {
+public:
+    Builder(const ColumnMaker& maker, Mesh& mesh) : maker_(maker), mesh_(mesh) {}
+
+    Column column(double u, const Stretch& stretch, const Column* twin) {
+        Column c;
+        c.lower = twin ? twin->lower : add_points(mesh_, maker_.lower_rails(u));
+        c.upper = twin ? twin->upper : add_points(mesh_, maker_.upper_rails(u));
+        c.first = stretch.first;
+        for (std::size_t i = 0; i < stretch.cut.size(); ++i) {
+            const int turn = stretch.first + static_cast<int>(i);
+            const Numbers* shared = twin ? twin->slot(turn) : nullptr;
+            c.slots.push_back(stretch.cut[i] ? cut_slot(u + kTurn * turn, shared) : lips(u + kTurn * turn, shared, c));
+        }
+        return c;
+    }
+
+private:
+    Numbers cut_slot(double psi, const Numbers* shared) {
+        const std::vector<Vec3> points = maker_.section_at(psi);
+        if (shared && shared->size() == points.size()) return *shared;
+        if (!shared) return add_points(mesh_, points);
+        Numbers slot = add_points(mesh_, {points.begin() + 1, points.end() - 1});
+        slot.insert(slot.begin(), shared->front());
+        slot.push_back(shared->back());
+        return slot;
+    }
+
+    Numbers lips(double psi, const Numbers* shared, const Column& column) {
+        if (shared) return {shared->front(), shared->back()};
+        const ColumnMaker::Lips points = maker_.run_out(psi);
+        if (points.merged) {
+            const std::uint32_t edge = points.lower[2] < 0.5 * (maker_.z_low_mm() + maker_.z_high_mm()) ? column.lower.back() : column.upper.front();
+            return {edge, edge};
+        }
+        return {add_point(mesh_, points.lower), add_point(mesh_, points.upper)};
+    }
+
+    const ColumnMaker& maker_;
+    Mesh& mesh_;
+};
+
+void add_walls(Mesh& mesh, const Column& before, const Column& after) {
+    for (int turn = before.first; before.slot(turn); ++turn) {
+        const Numbers *left = before.slot(turn), *right = after.slot(turn);
+        if (!right || left->size() == right->size()) continue;
+        add_wall(mesh, left->size() < right->size() ? *right : *left, left->size() < right->size());
+    }
+}
+
+/// The first column as the last one meets it a turn later: its turn 1 is turn 0 there, and a groove that only begins has no rails yet.
+Column seen_from_behind(const Column& first, bool closed) {
+    Column seam = first;
+    if (closed) return seam;
+    seam.slots.erase(seam.slots.begin());
+    return seam;
 }
 
 }  // namespace
 
 SweptBody sweep(const cam::Cam& cam, const std::vector<SectionPoint>& section, const Flanges& flanges, double tolerance_mm) {
     const ColumnMaker maker(cam, section, flanges);
-    const double low = cam.groove_psi.low;
-    const int most_turns = maker.turns_at(low);
-    // Where the topmost turn ends; a planar groove ends nowhere.
-    const double end = cam.closed() ? low + kTurn : cam.groove_psi.high - kTurn * (most_turns - 1);
     SweptBody body;
     body.z_low_mm = maker.z_low_mm();
     body.z_high_mm = maker.z_high_mm();
     body.lower_lip_mm = body.z_low_mm + flanges.rib_mm;
 
-    std::vector<Column> columns;
-    for (const double u : place_columns(maker, low, end, tolerance_mm)) {
-        if (cam.closed() && u >= end) break;  // the first column again
-        columns.push_back(add_column(body.mesh, maker.at(u, cam.closed() ? 1 : most_turns)));
-        body.columns_psi.push_back(u);
-        if (columns.size() > 1) add_strip(body.mesh, columns[columns.size() - 2].rails(), columns.back().rails());
-    }
-    if (cam.closed()) {
-        add_strip(body.mesh, columns.back().rails(), columns.front().rails());
-    } else {
-        Column last = columns.back();
-        const std::vector<std::uint32_t> ended = last.slots.back();
-        last.slots.pop_back();
-        add_wall(body.mesh, last.slots.empty() ? last.lower.back() : last.slots.back().back(), ended, last.upper.front(), false);
-        for (const double u : place_columns(maker, end, low + kTurn, tolerance_mm)) {
-            if (u <= end || u >= low + kTurn) continue;
-            columns.push_back(add_column(body.mesh, maker.at(u, most_turns - 1)));
-            body.columns_psi.push_back(u);
-            add_strip(body.mesh, last.rails(), columns.back().rails());
-            last = columns.back();
+    Builder builder(maker, body.mesh);
+    const std::vector<Stretch> stretches = maker.stretches();
+    const double end = stretches.back().high;
+    Column first, last;
+    for (const Stretch& stretch : stretches) {
+        for (const double u : place_columns(maker, stretch.low, stretch.high, tolerance_mm)) {
+            if (u == end) break;  // the first column again
+            const bool begins = u == stretch.low && !body.columns_psi.empty();
+            Column column = builder.column(u, stretch, begins ? &last : nullptr);
+            if (begins) {
+                add_walls(body.mesh, last, column);
+            } else {
+                if (body.columns_psi.empty()) first = column;
+                if (!body.columns_psi.empty()) add_strip(body.mesh, last.rails(), column.rails());
+                body.columns_psi.push_back(u);
+                body.lower_ring.push_back(column.lower.front());
+                body.upper_ring.push_back(column.upper.back());
+            }
+            last = std::move(column);
         }
-        const Column seam = without_first_slot(columns.front());
-        add_strip(body.mesh, last.rails(), seam.rails());
-        add_wall(body.mesh, seam.lower.back(), columns.front().slots.front(), seam.slots.empty() ? seam.upper.front() : seam.slots.front().front(), true);
     }
-    for (const Column& c : columns) {
-        body.lower_ring.push_back(c.lower.front());
-        body.upper_ring.push_back(c.upper.back());
-    }
+    add_strip(body.mesh, last.rails(), seen_from_behind(first, cam.closed()).rails());
     return body;
 }
 

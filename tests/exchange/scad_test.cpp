@@ -64,7 +64,8 @@ TEST_F(ScadTest, SameBytesTwiceAndFromTheFolderAsBuiltIn) {
     EXPECT_EQ(text, core::read_file(folder_ / "b.scad"));
     EXPECT_EQ(text.find("@"), text.npos);
     EXPECT_EQ(text.find("hull("), text.npos);
-    for (const char* word : {"fusee test", "/* [Shaft and hub] */", "bore_diameter = 5;", "hub_lock = \"keyway\";", "label_text = \"\";", "detail = 1;"})
+    for (const char* word :
+         {"fusee test", "/* [Shaft and hub] */", "bore_diameter = 5;", "hub_lock = \"keyway\";", "label_text = \"\";", "detail = 1;"})
         EXPECT_NE(text.find(word), text.npos) << word;
 }
 

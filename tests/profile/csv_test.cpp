@@ -49,7 +49,8 @@ TEST_F(CsvTest, RefusesAndNamesFileLineAndColumn) {
 }
 
 TEST_F(CsvTest, RefusesAnotherHeader) {
-    expect_words(refusal_of("angle_deg,series_Nm,parallel_Nm\n" + std::string(kRows)), {"t.csv:1:1: header", "'angle_deg'", "angle_rad,series_Nm"});
+    expect_words(refusal_of("angle_deg,series_Nm,parallel_Nm\n" + std::string(kRows)),
+                 {"t.csv:1:1: header", "'angle_deg'", "angle_rad,series_Nm"});
     expect_words(refusal_of("angle_rad;series_Nm;parallel_Nm\n" + std::string(kRows)), {"t.csv:1:1: header"});
     expect_words(refusal_of("angle_rad,series_Nm\n" + std::string(kRows)), {"t.csv:1:20: header", "missing"});
     expect_words(refusal_of(std::string(kRows)), {"t.csv:1:1: header", "'0'"});

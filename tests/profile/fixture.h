@@ -44,17 +44,17 @@ protected:
     }
 
     static constexpr const char* kShort =
-        "name = \"short\"\n"                                                                                        // line 1
-        "[rig]\n"                                                                                                   // 2
-        "capstan_radius_mm = 30\njoint_radius_mm = 25\ngear_friction = 0.28\n"                                      // 3-5
-        "least_torque_Nm = 0.78\npeak_torque_Nm = 1.0\noverdrive_torque_Nm = 1.5\n"                                 // 6-8
-        "[law]\n"                                                                                                   // 9
-        "kind = \"stiction_compensating\"\nk_per_Nm_rad = 0.225\nu_Nm = 0.0012\nc_Nm = 0.265\n"                     // 10-13
-        "start_torque_Nm = 0.6\nend_torque_Nm = 2.09\nlead_in_deg = 5\n"                                            // 14-16
-        "[cable]\ndiameter_mm = 0.8\n"                                                                              // 17-18
-        "[process]\nkind = \"fdm\"\n"                                                                               // 19-20
-        "[k_se.spring]\nrate_Nm_per_rad = 0.0183\npreload_rad = 3.6\n"                                              // 21-23
-        "[k_pe.spring]\nrate_N_per_m = 7460\npreload_mm = 14.6\n";                                                  // 24-26
+        "name = \"short\"\n"                                                                     // line 1
+        "[rig]\n"                                                                                // 2
+        "capstan_radius_mm = 30\njoint_radius_mm = 25\ngear_friction = 0.28\n"                   // 3-5
+        "least_torque_Nm = 0.78\npeak_torque_Nm = 1.0\noverdrive_torque_Nm = 1.5\n"              // 6-8
+        "[law]\n"                                                                                // 9
+        "kind = \"stiction_compensating\"\nk_per_Nm_rad = 0.225\nu_Nm = 0.0012\nc_Nm = 0.265\n"  // 10-13
+        "start_torque_Nm = 0.6\nend_torque_Nm = 2.09\nlead_in_deg = 5\n"                         // 14-16
+        "[cable]\ndiameter_mm = 0.8\n"                                                           // 17-18
+        "[process]\nkind = \"fdm\"\n"                                                            // 19-20
+        "[k_se.spring]\nrate_Nm_per_rad = 0.0183\npreload_rad = 3.6\n"                           // 21-23
+        "[k_pe.spring]\nrate_N_per_m = 7460\npreload_mm = 14.6\n";                               // 24-26
     std::filesystem::path folder_;
 };
 

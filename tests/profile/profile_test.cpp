@@ -81,7 +81,8 @@ TEST_F(ProfileTest, TheShippedProfileIsThePapersActuator) {
 TEST_F(ProfileTest, HashIsOfTheBytesOfTheProfileAndItsTable) {
     EXPECT_EQ(read(kShort).sha256, core::sha256_hex(kShort));
     std::string csv = "angle_rad,series_Nm,parallel_Nm\n";
-    for (int i = 0; i < 8; ++i) csv += std::to_string(0.5 * i) + "," + std::to_string(0.1 + 0.1 * i) + "," + std::to_string(0.2 + 0.2 * i) + "\n";
+    for (int i = 0; i < 8; ++i)
+        csv += std::to_string(0.5 * i) + "," + std::to_string(0.1 + 0.1 * i) + "," + std::to_string(0.2 + 0.2 * i) + "\n";
     core::write_file(folder_ / "measured.csv", csv);
     const std::string toml = edited("kind = \"stiction_compensating\"\nk_per_Nm_rad = 0.225\nu_Nm = 0.0012\nc_Nm = 0.265\n",
                                     "kind = \"table\"\nfile = \"measured.csv\"\nknots = 9\n");
@@ -95,7 +96,10 @@ TEST_F(ProfileTest, HashIsOfTheBytesOfTheProfileAndItsTable) {
 }
 
 TEST_F(ProfileTest, ByteOrderMarkCarriageReturnsAndForeignComments) {
-    std::string toml = "\xEF\xBB\xBF# \xC3\xBC" "ber den Aktor\n" + std::string(kShort);
+    std::string toml =
+        "\xEF\xBB\xBF# \xC3\xBC"
+        "ber den Aktor\n" +
+        std::string(kShort);
     for (std::size_t at = 0; (at = toml.find('\n', at)) != std::string::npos; at += 2) toml.insert(at, "\r");
     EXPECT_EQ(read(toml).rig.peak_torque, 1.0);
 }

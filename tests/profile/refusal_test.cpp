@@ -8,6 +8,7 @@ using RefusalTest = ProfileTest;
 TEST_F(RefusalTest, UnknownKeyNamesFileLineColumnAndTheNearest) {
     expect_words(refusal(edited("gear_friction", "gear_fricton")), {"p.toml:5:1: rig.gear_fricton", "unknown key", "rig.gear_friction"});
     expect_words(refusal(edited("[k_pe.spring]", "[k_ep.spring]")), {"p.toml:24:", "k_ep", "unknown table", "[k_pe]"});
+    expect_words(refusal("\"rig.gear_friction\" = 0.1\n" + std::string(kShort)), {"p.toml:1:1: rig.gear_friction", "unknown key"});
     expect_words(refusal(std::string(kShort) + "[k_pe.gide]\nz_mm = 1\n"), {"p.toml:27:", "unknown table", "[k_pe.guide]"});
 }
 
@@ -46,8 +47,10 @@ TEST_F(RefusalTest, KeyThatTheChosenKindDoesNotUse) {
 }
 
 TEST_F(RefusalTest, FiguresOutOfOrder) {
-    expect_words(refusal(edited("least_torque_Nm = 0.78", "least_torque_Nm = 1.0")), {"rig.peak_torque_Nm", "above rig.least_torque_Nm = 1 Nm"});
-    expect_words(refusal(edited("end_torque_Nm = 2.09", "end_torque_Nm = 0.5")), {"p.toml:15:", "law.end_torque_Nm", "law.start_torque_Nm = 0.6"});
+    expect_words(refusal(edited("least_torque_Nm = 0.78", "least_torque_Nm = 1.0")),
+                 {"rig.peak_torque_Nm", "above rig.least_torque_Nm = 1 Nm"});
+    expect_words(refusal(edited("end_torque_Nm = 2.09", "end_torque_Nm = 0.5")),
+                 {"p.toml:15:", "law.end_torque_Nm", "law.start_torque_Nm = 0.6"});
     EXPECT_EQ(refusal(edited("overdrive_torque_Nm = 1.5", "overdrive_torque_Nm = 1")), "");
 }
 

@@ -2,6 +2,7 @@
 
 #include "exchange/fixtures/disc.h"
 #include "exchange/fixtures/expect_io_error.h"
+#include "exchange/fixtures/parts.h"
 #include "fusee/core/file.h"
 #include "fusee/exchange/dxf.h"
 #include "fusee/exchange/stl.h"
@@ -118,6 +119,51 @@ TEST_F(ReadBackTest, HelixOfMoreThanATurnMeetsItsOwnTurnOnly) {
     write_mesh(part, helix_ribbon(radius, growth, 3.0, 0.35, travel));
     // columns: (10.7/3000)^2/8 of the arm, 1.6e-6; rays: (10/399/5)^2/8, 3e-6; floor points have heights between two columns: below 1e-5
     for (const ArmError& e : read_back(folder_, part)) EXPECT_LT(e.worst_relative, 2e-5) << e.reader << " at " << e.worst_angle_rad;
+}
+
+struct RealCase {
+    const char* name;
+    cam::Cam cam;
+    solid::PartOptions options;
+    double first_psi, travel;
+};
+
+/// With torque_sign 1, rotation_sign -1 and a parallel exit, psi rises with the cam angle: psi = first_psi + a.
+solid::Part build(RealCase c) {
+    c.cam.rotation_sign = -1;
+    c.cam.options.guide.direction = c.first_psi + core::kPi / 2.0;
+    for (int i = 0; i < 300; ++i) {
+        cam::Contact contact;
+        contact.arm.angle = c.travel * i / 299;
+        contact.path = c.cam.path(c.first_psi + contact.arm.angle);
+        contact.arm.arm = contact.path.h;
+        c.cam.working.push_back(contact);
+    }
+    c.options.chordal_error = 2e-6;
+    auto part = solid::build_part(c.cam, c.options);
+    if (!part) throw std::runtime_error(core::to_line(part.refusal().front()));
+    return *part;
+}
+
+TEST_F(ReadBackTest, BuiltPartsKeepTheirArmInEveryFormat) {
+    const std::vector<RealCase> real{{"planar", fixtures::planar_cam(), fixtures::keyed_options(), 0.5, 2.5},
+                                     {"helix", fixtures::helix_cam(), fixtures::overhung_options(), 0.0, 9.4}};
+    for (const RealCase& c : real) {
+        const solid::Part built = build(c);
+        exchange::write_stl(file("a.stl"), built.mesh, "fusee test");
+        exchange::write_3mf(file("a.3mf"), built.mesh, "part", "fusee test");
+        std::vector<exchange::FileEntry> files{entry("a.stl", built.mesh.triangles.size()), entry("a.3mf", built.mesh.triangles.size())};
+        if (built.cam.closed()) {
+            exchange::write_dxf(file("a.dxf"), exchange::spool_drawing(built, "fusee test"));
+            files.push_back(entry("a.dxf", 0));
+        }
+        exchange::write_part_file(file("a.json"), exchange::describe_part(built, {}, files, {"test", "0123456789abcdef", ""}));
+        const std::vector<ArmError> errors = read_back(folder_, exchange::read_part_file(file("a.json")));
+        EXPECT_EQ(errors.size(), files.size() + 1);
+        // chordal error 2e-3 mm of an arm of at least 8.5 mm; it cannot be exceeded where mesh and drawing keep what they state
+        for (const ArmError& e : errors)
+            EXPECT_LT(e.worst_relative, 2e-3 / 8.5) << c.name << " " << e.reader << " at " << e.worst_angle_rad;
+    }
 }
 
 TEST_F(ReadBackTest, WrongPartsAreNoticed) {

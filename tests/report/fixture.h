@@ -14,7 +14,7 @@ public:
     [[nodiscard]] core::Range angles() const override { return {0.0, 2.0}; }
     [[nodiscard]] spring::LawPoint at_load(double tau) const override { return at_angle((tau - 0.3) / 0.5); }
     [[nodiscard]] spring::LawPoint at_angle(double x) const override {
-        return {0.3 + 0.5 * x, x,   0.1 + 0.2 * x, 0.2 + 0.3 * x, 0.2, 0.3, 0.0, 0.0, 0.1 * x + 0.1 * x * x, 0.2 * x + 0.15 * x * x};
+        return {0.3 + 0.5 * x, x, 0.1 + 0.2 * x, 0.2 + 0.3 * x, 0.2, 0.3, 0.0, 0.0, 0.1 * x + 0.1 * x * x, 0.2 * x + 0.15 * x * x};
     }
 };
 
@@ -100,7 +100,8 @@ struct Fixture {
             report.spring.kind = part == &spool ? spring::BaseKind::kTorsion : spring::BaseKind::kCompression;
             report.spring.rate = 0.02;
             const std::string stem = cam::to_string(part->cam.kind);
-            report.findings = {finding("cable.pressure", core::Severity::kPass, 0.6), finding("cable.bend_ratio", core::Severity::kReview, 2.4)};
+            report.findings = {finding("cable.pressure", core::Severity::kPass, 0.6),
+                               finding("cable.bend_ratio", core::Severity::kReview, 2.4)};
             report.files = {{{stem + ".stl", std::string(64, 'b'), 1020, 0.002}, 51084}};
             report.arm_errors = {{stem + ".stl", "assimp", 400, 2e-4, 1.0, 1e-3}};
             design.parts.push_back(std::move(report));

@@ -1,9 +1,10 @@
+#include "report/html.h"
+
 #include <gtest/gtest.h>
 
 #include <regex>
 
 #include "report/fixture.h"
-#include "report/html.h"
 
 namespace fusee::report {
 namespace {
@@ -43,9 +44,13 @@ TEST(ReportHtml, IsWellFormedAndAsksForNothing) {
 TEST(ReportHtml, ShowsEverySection) {
     const Fixture fixture;
     const std::string html = report_html(fixture.design);
-    for (const char* word : {"Review and accept", "Spring law", "What stiction leaves", "k_se: spool", "k_pe: cam", "Height of the cable on the helix",
-                             "Findings", "cable.bend_ratio", "preload 4.1 rad", "a handbook", "6.1 mm", "\u2265 8 mm", "Read back", "assimp",
-                             "0.02 %", "springs.csv", "51.1 kB", "lead-in", "exact extremes", "covered", "via=cgal"})
+    for (const char* word : {"Review and accept", "Spring law",       "What stiction leaves",
+                             "k_se: spool",       "k_pe: cam",        "Height of the cable on the helix",
+                             "Findings",          "cable.bend_ratio", "preload 4.1 rad",
+                             "a handbook",        "6.1 mm",           "\u2265 8 mm",
+                             "Read back",         "assimp",           "0.02 %",
+                             "springs.csv",       "51.1 kB",          "lead-in",
+                             "exact extremes",    "covered",          "via=cgal"})
         EXPECT_NE(html.find(word), std::string::npos) << word;
 }
 
@@ -82,6 +87,8 @@ TEST(ReportHtml, SameInputSameBytes) {
 TEST(Html, NumbersAndSizes) {
     EXPECT_EQ(number(std::numeric_limits<double>::quiet_NaN()), "\u2013");
     EXPECT_EQ(number(1234.5678), "1235");
+    EXPECT_EQ(number(40763.2), "40763");
+    EXPECT_EQ(number(0.000123456), "0.0001235");
     EXPECT_EQ(coordinate(-0.0001), "0");
     EXPECT_EQ(coordinate(1.25), "1.25");
     EXPECT_EQ(bytes_text(999), "999 B");

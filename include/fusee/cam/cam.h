@@ -58,7 +58,7 @@ struct Cam {
     core::Range working_psi;           ///< psi of the working arc, low < high
     core::Range groove_psi;            ///< where a groove is cut: planar = one whole turn, helix = working arc and margins
     double anchor_psi = 0.0;           ///< where the cable is fixed, just outside the working arc, at the end that stays wound
-    std::function<PathPoint(double)> path;  ///< at any psi of groove_psi; C2, thread-safe
+    std::function<PathPoint(double)> path;  ///< at any psi of groove_psi, helix: and beyond; C2, thread-safe
     [[nodiscard]] bool closed() const { return options.path.kind == PathKind::kPlanar; }
 };
 

@@ -40,9 +40,9 @@ void write_dxf(const std::filesystem::path& path, const DxfDrawing& drawing);
 /// @throws IoError naming the file: unreadable, cut short, not in millimetres, or a number that is not finite
 [[nodiscard]] DxfDrawing read_dxf(const std::filesystem::path& path);
 
-/// The outlines of a part seen from +z: layers PITCH (cable centreline), FLOOR (groove's floor), FLANGE (outer edge), LOWER_FLANGE (where a boss
-/// widens it), BORE (with keyway or flat) and MARK (timing mark, a point at body angle 0 on the outer edge). A helix has open PITCH and FLOOR
-/// and a round FLANGE. Chord error below 1 micrometre.
+/// The outlines of a part seen from +z: layers PITCH (cable centreline), FLOOR (groove's floor), FLANGE (outer edge), LOWER_FLANGE (where a
+/// boss widens it), BORE (with keyway or flat) and MARK (timing mark, a point at body angle 0 on the outer edge). A helix has open PITCH
+/// and FLOOR and a round FLANGE. Chord error below 1 micrometre.
 [[nodiscard]] DxfDrawing spool_drawing(const solid::Part& part, const std::string& provenance);
 
 }  // namespace fusee::exchange

@@ -12,9 +12,9 @@ namespace fusee::exchange {
 
 /// One exported file beside PART.json.
 struct FileEntry {
-    std::string name;             ///< file name without folder
+    std::string name;  ///< file name without folder
     std::string sha256;
-    std::size_t triangles = 0;    ///< 0 where the format has none
+    std::size_t triangles = 0;  ///< 0 where the format has none
     double chordal_error_mm = 0.0;
 };
 
@@ -27,17 +27,17 @@ struct TargetRow {
 };
 
 struct PartGuide {
-    std::string kind;                       ///< "parallel", "point", "idler"
-    std::array<double, 2> direction = {};   ///< parallel: unit vector in the world, from the cam along the cable
-    std::array<double, 2> position_mm = {}; ///< point, idler
-    double radius_mm = 0.0;                 ///< idler
-    int sense = 1;                          ///< idler
+    std::string kind;                        ///< "parallel", "point", "idler"
+    std::array<double, 2> direction = {};    ///< parallel: unit vector in the world, from the cam along the cable
+    std::array<double, 2> position_mm = {};  ///< point, idler
+    double radius_mm = 0.0;                  ///< idler
+    int sense = 1;                           ///< idler
 };
 
 /// PART.json: what anybody needs to recompute the law from an exported part (docs/part-file.md). The cam's axis is +z through the origin,
 /// lengths in mm; body and world agree at cam angle 0; at cam angle a the body is turned by rotation_sign * a about +z.
 struct PartFile {
-    std::string part;             ///< "k_se" or "k_pe"
+    std::string part;  ///< "k_se" or "k_pe"
     double cable_diameter_mm = 0.0;
     int rotation_sign = 1, torque_sign = 1;
     PartGuide guide;

@@ -41,9 +41,9 @@ struct ExponentialPair {
 
 /// Measured curves of both springs: arguments of spring::make_tabulated.
 struct TablePair {
-    std::filesystem::path file;           ///< as written in the profile, relative to the profile's folder
-    std::vector<double> angle;            ///< capstan angle, ascending [rad]
-    std::vector<double> series, parallel; ///< torque [Nm]
+    std::filesystem::path file;            ///< as written in the profile, relative to the profile's folder
+    std::vector<double> angle;             ///< capstan angle, ascending [rad]
+    std::vector<double> series, parallel;  ///< torque [Nm]
     spring::TableOptions smoothing;
 };
 

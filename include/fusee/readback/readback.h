@@ -11,17 +11,17 @@ namespace fusee::readback {
 /// What an exported file says of the law. Nothing here knows how the part was made: this room uses `core` and `exchange` only.
 struct ArmError {
     std::string file;
-    std::string reader;          ///< "assimp", "openmesh", "lib3mf", "dxflib"
-    std::size_t rows = 0;        ///< working positions compared
-    double worst_relative = 0.0; ///< largest |arm found / arm asked - 1| over the working range
+    std::string reader;           ///< "assimp", "openmesh", "lib3mf", "dxflib"
+    std::size_t rows = 0;         ///< working positions compared
+    double worst_relative = 0.0;  ///< largest |arm found / arm asked - 1| over the working range
     double worst_angle_rad = 0.0;
     double allowed = 1e-3;
     [[nodiscard]] bool passed() const { return worst_relative <= allowed; }  ///< false for NaN
 };
 
-/// Reads every file of `part.files` in `folder` with each of its readers and recomputes the arm: horizontal rays from the axis find the groove's
-/// floor, the body is turned to each working angle, a taut cable is laid from the guide (tangent of largest moment), half a cable is added.
-/// Also demands that the bytes have the stated SHA-256 and a mesh the stated number of triangles. SCAD files are not read here.
+/// Reads every file of `part.files` in `folder` with each of its readers and recomputes the arm: horizontal rays from the axis find the
+/// groove's floor, the body is turned to each working angle, a taut cable is laid from the guide (tangent of largest moment), half a cable
+/// is added. Also demands that the bytes have the stated SHA-256 and a mesh the stated number of triangles. SCAD files are not read here.
 /// @throws IoError if a file cannot be read or does not match its entry
 [[nodiscard]] std::vector<ArmError> read_back(const std::filesystem::path& folder, const exchange::PartFile& part);
 

@@ -20,11 +20,11 @@ namespace fusee::report {
 
 /// The pair of spring laws as designed.
 struct LawReport {
-    std::vector<spring::LawPoint> samples;  ///< by rising load, lead-in included; at least 2
-    core::Range design_loads;               ///< loads without the lead-in [Nm]
-    double lead_in_travel = 0.0;            ///< capstan travel of the low-load law [rad]
+    std::vector<spring::LawPoint> samples;                                   ///< by rising load, lead-in included; at least 2
+    core::Range design_loads;                                                ///< loads without the lead-in [Nm]
+    double lead_in_travel = 0.0;                                             ///< capstan travel of the low-load law [rad]
     double least_feasible_start = std::numeric_limits<double>::quiet_NaN();  ///< tau_min [Nm]; NaN: the kind of law knows none
-    core::Range stiction_loads;             ///< what resting capstans may carry: actuator::Actuator::loads [Nm]
+    core::Range stiction_loads;  ///< what resting capstans may carry: actuator::Actuator::loads [Nm]
     /// Do the springs reach every load that stiction allows?
     [[nodiscard]] bool covers_stiction() const;
 };

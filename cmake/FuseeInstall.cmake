@@ -1,4 +1,4 @@
-# cmake --install: the program, its templates, profiles and shell completions, and the rooms for find_package(fusee).
+# cmake --install, beside the program and the rooms: templates, profiles, shell completions and find_package(fusee).
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 
@@ -10,9 +10,6 @@ install(EXPORT fuseeTargets NAMESPACE fusee:: DESTINATION "${package_dir}")
 install(FILES "${PROJECT_BINARY_DIR}/fuseeConfig.cmake" "${PROJECT_BINARY_DIR}/fuseeConfigVersion.cmake" cmake/Findlib3mf.cmake
         DESTINATION "${package_dir}")
 
-if(TARGET fusee_app)
-  install(TARGETS fusee_app RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
-endif()
 install(DIRECTORY templates profiles DESTINATION "${CMAKE_INSTALL_DATADIR}/fusee")
 install(FILES completions/fusee.bash DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions" RENAME fusee)
 install(FILES completions/fusee.zsh DESTINATION "${CMAKE_INSTALL_DATADIR}/zsh/site-functions" RENAME _fusee)

@@ -13,24 +13,24 @@ _fusee() {
     COMPREPLY=()
     for ((i = 1; i < COMP_CWORD; ++i)); do
         case ${COMP_WORDS[i]} in
-            make | reference | rules | completion) command=${COMP_WORDS[i]} && break ;;
+            make | keys | rules | completion) command=${COMP_WORDS[i]} && break ;;
         esac
     done
     local choices=
     case $command:$before in
-        make:--out)
+        make:--out | make:-o)
             compopt -o filenames 2>/dev/null
             mapfile -t COMPREPLY < <(compgen -d -- "$word")
             return ;;
         make:--via) choices='cgal openscad' ;;
-        make:--jobs) return ;;
+        make:--jobs | make:-j) return ;;
         make:*)
             case $word in
                 -*) choices='--out --via --jobs --help' ;;
                 *) _fusee_profiles "$word"; return ;;
             esac ;;
         completion:completion) choices='bash zsh fish' ;;
-        :*) choices='make reference rules completion --help --version' ;;
+        :*) choices='make keys rules completion --help --version' ;;
         *) choices='--help' ;;
     esac
     mapfile -t COMPREPLY < <(compgen -W "$choices" -- "$word")

@@ -6,8 +6,8 @@ _fusee() {
     typeset -A opt_args
     local -a commands=(
         'make:turn profiles into checked, exported cams'
-        'reference:print every key of a profile'
-        'rules:print the rules that a part is checked by'
+        'keys:list every key of a profile'
+        'rules:list the rules that a part is checked by'
         'completion:print the completion script of a shell'
     )
     _arguments -C \
@@ -21,9 +21,9 @@ _fusee() {
             case $words[1] in
                 make)
                     _arguments \
-                        '--out[folder for the results]:folder:_files -/' \
+                        '(-o --out)'{-o,--out}'[folder for the results]:folder:_files -/' \
                         '--via[kernel that makes the solids]:kernel:(cgal openscad)' \
-                        '--jobs[designs made at once]:number:' \
+                        '(-j --jobs)'{-j,--jobs}'[designs made at once]:number:' \
                         '(- *)--help[say how to use make]' \
                         '*:profile:_files -g "*.toml"' ;;
                 completion) _arguments '(- *)--help[say how to use completion]' '1:shell:(bash zsh fish)' ;;

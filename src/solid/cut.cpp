@@ -16,7 +16,7 @@ namespace pmp = CGAL::Polygon_mesh_processing;
 using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
 using ExactPoints = SurfaceMesh::Property_map<SurfaceMesh::Vertex_index, Exact::Point_3>;
 
-constexpr double kShortest_mm = 1e-5;  // below the last digit of any file; cures what rounding exact points leaves
+constexpr double kShortest_mm = 1e-4;  // cures what rounding exact points leaves; far above a float's last digit at 200 mm, far below any tolerance
 
 /// Keeps the exact points beside the rounded ones through consecutive operations (CGAL manual, "Consecutive Boolean operations").
 struct ExactMap {

@@ -106,6 +106,12 @@ void close_body(SweptBody& body, const HubOptions& hub, double tolerance, bool b
     fill_face(mesh, body.upper_ring, through ? std::vector<VertexRing>{high} : std::vector<VertexRing>{}, true);
 }
 
+/// STL holds single precision: the mesh is rounded to it before it is proven valid, so that what is proven is what is written.
+void round_to_file(Mesh& mesh) {
+    for (Vec3& p : mesh.points_mm)
+        for (double& coordinate : p) coordinate = static_cast<double>(static_cast<float>(coordinate));
+}
+
 core::Finding invalid(const cam::Cam& cam, const Validity& validity) {
     core::Finding f = refusal("solid.validity", "the solid is not valid: " + validity.line(), validity.good() ? 1.0 : 0.0, 1.0, to_string(cam.kind),
                               "a wider rib or pitch, or a shallower groove, so that no face meets another");
@@ -146,6 +152,7 @@ core::Outcome<Part> build_part(const cam::Cam& cam, const PartOptions& options) 
     const auto finished = cut(body.mesh, tools);
     if (!finished) return invalid(cam, validate(body.mesh));
     part.mesh = *finished;
+    round_to_file(part.mesh);
     const Validity validity = validate(part.mesh);
     if (!validity.good()) return invalid(cam, validity);
     return part;

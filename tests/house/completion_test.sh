@@ -18,8 +18,8 @@ after() {
     _fusee 2>/dev/null
     printf '%s\n' "${COMPREPLY[@]}" | sort | paste -sd'|'
 }
-expect_same 'commands' '--help|--version|completion|make|reference|rules' "$(after fusee '')"
-expect_same 'a command begun' 'reference' "$(after fusee re)"
+expect_same 'commands' '--help|--version|completion|keys|make|rules' "$(after fusee '')"
+expect_same 'a command begun' 'keys' "$(after fusee k)"
 expect_same 'profiles and folders' 'my arm.toml|some folder' "$(after fusee make '')"
 expect_same 'a second profile' 'my arm.toml' "$(after fusee make a.toml my)"
 expect_same 'options' '--help|--jobs|--out|--via' "$(after fusee make a.toml -)"
@@ -27,7 +27,7 @@ expect_same 'folders' 'some folder' "$(after fusee make --out '')"
 expect_same 'kernels' 'cgal|openscad' "$(after fusee make --via '')"
 expect_same 'shells' 'bash|fish|zsh' "$(after fusee completion '')"
 
-for word in make reference rules completion out via jobs cgal openscad help version; do
+for word in make keys rules completion out via jobs cgal openscad help version; do
     for shell in bash zsh fish; do
         grep -qw -- "$word" "$completions/fusee.$shell" || fail "fusee.$shell does not know '$word'"
     done
@@ -38,7 +38,7 @@ done
 
 [ -n "$program" ] || exit 0
 "$program" --help >"$work/help"
-for word in make reference rules completion --version; do expect_in 'fusee --help' "$word" "$work/help"; done
+for word in make keys rules completion --version; do expect_in 'fusee --help' "$word" "$work/help"; done
 "$program" make --help >"$work/help"
 for word in --out --via --jobs cgal openscad; do expect_in 'fusee make --help' "$word" "$work/help"; done
 for shell in bash zsh fish; do

@@ -1,3 +1,4 @@
+# shellcheck shell=sh
 # Shared by the house's tests: a folder of their own, and words for what went wrong.
 set -eu
 work=$(mktemp -d)

@@ -9,7 +9,7 @@ dpkg-query -W -f='${Package} ${db:Status-Status}\n' "${wanted[@]}" >"$work/statu
 if grep -v ' installed$' "$work/status"; then fail 'the packages above are not installed'; fi
 
 # The standard library and the system come with build-essential; libboost-dev and its like only point to a version of themselves.
-dpkg-query -W -f='${Package}\n${Depends}\n' "${wanted[@]}" | tr ',|' '\n\n' | sed 's/^ *//; s/[ :].*//' | sort -u >"$work/provided"
+dpkg-query -W -f='${Package}\n${Depends}\n' "${wanted[@]}" | tr ',|' '\n' | sed 's/^ *//; s/[ :].*//' | sort -u >"$work/provided"
 grep -rhoP --include='*.h' --include='*.cpp' '^\s*#\s*include\s*<\K[^>]+' include src tests | sort -u >"$work/included"
 roots=(/usr/include /usr/include/eigen3 /usr/include/lib3mf /usr/include/dxflib)
 while read -r header; do

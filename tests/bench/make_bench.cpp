@@ -1,0 +1,63 @@
+// The main job beside the OpenSCAD way on the same two solids at the same resolution: run with
+//   cmake -S . -B build-bench -G Ninja -DFUSEE_BUILD_BENCH=ON && cmake --build build-bench --target bench
+// BM_Make is the whole of `fusee make`: law, both cams, solids, rules, all files, read-back, reports. BM_OpenScad renders the two SCAD files that
+// it wrote, one after the other, and nothing else. `peak_MB` is the largest resident size of this process up to the end of the benchmark.
+#include <benchmark/benchmark.h>
+#include <sys/resource.h>
+
+#include <filesystem>
+
+#include "fusee/exchange/openscad.h"
+#include "fusee/pipeline/design.h"
+#include "fusee/pipeline/make.h"
+#include "fusee/profile/profile.h"
+
+namespace fs = std::filesystem;
+using namespace fusee;
+
+namespace {
+
+fs::path out_folder() { return fs::temp_directory_path() / "fusee_bench"; }
+
+profile::Profile paper_profile() { return profile::read_profile(fs::path(FUSEE_SOURCE_DIR) / "profiles" / "pnrvsa.toml"); }
+
+void count_peak(benchmark::State& state) {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    state.counters["peak_MB"] = static_cast<double>(usage.ru_maxrss) / 1024.0;
+}
+
+void BM_Make(benchmark::State& state) {
+    const profile::Profile profile = paper_profile();
+    for (auto _ : state) {
+        const auto made = pipeline::make(profile, {out_folder(), pipeline::Via::kCgal});
+        if (!made.made) state.SkipWithError("the profile was refused");
+    }
+    count_peak(state);
+}
+BENCHMARK(BM_Make)->Unit(benchmark::kMillisecond)->UseRealTime()->MinTime(3.0);
+
+void BM_OpenScad(benchmark::State& state) {
+    const auto made = pipeline::make(paper_profile(), {out_folder(), pipeline::Via::kCgal});
+    for (auto _ : state)
+        for (const char* part : {"k_se", "k_pe"})
+            exchange::render_scad(made.folder / (std::string(part) + ".scad"), out_folder() / (std::string(part) + "_openscad.stl"));
+}
+BENCHMARK(BM_OpenScad)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1);
+
+// Where the time of `make` goes: law and one part's design; the rest is files, read-back and reports.
+void BM_DesignLaw(benchmark::State& state) {
+    const profile::Profile profile = paper_profile();
+    for (auto _ : state) benchmark::DoNotOptimize(pipeline::design_law(profile));
+}
+BENCHMARK(BM_DesignLaw)->Unit(benchmark::kMillisecond);
+
+void BM_DesignPart(benchmark::State& state) {
+    const profile::Profile profile = paper_profile();
+    const auto law = pipeline::design_law(profile);
+    for (auto _ : state)
+        benchmark::DoNotOptimize(pipeline::design_part(state.range(0) == 0 ? cam::PartKind::kSeries : cam::PartKind::kParallel, profile, law->law));
+}
+BENCHMARK(BM_DesignPart)->Arg(0)->Arg(1)->ArgName("k_pe")->Unit(benchmark::kMillisecond);
+
+}  // namespace

@@ -32,10 +32,12 @@ function sides(radius) = max(3, ceil(360 / (2 * acos(1 - min(0.5, chord * detail
 // ---- outlines ----
 
 // Point of the outline at distance `offset`, widened to hold a circle about the axis (p-sum of the two support functions).
+firey = 8;
+function support(row, offset, core) =
+    core > 0 ? pow(pow(row[1] + offset, firey) + pow(core, firey), 1 / firey) : row[1] + offset;
 function outline_point(row, offset, core) =
-    let (f = row[1] + offset, c = cos(degrees(row[0])), s = sin(degrees(row[0])), p = 8,
-         h = core > 0 ? pow(pow(f, p) + pow(core, p), 1 / p) : f,
-         slope = core > 0 ? pow(f / h, p - 1) * row[2] : row[2])
+    let (c = cos(degrees(row[0])), s = sin(degrees(row[0])), h = support(row, offset, core),
+         slope = core > 0 ? pow((row[1] + offset) / h, firey - 1) * row[2] : row[2])
     [h * c - slope * s, h * s + slope * c];
 
 module slab(offset, core, from, to)
@@ -45,8 +47,9 @@ module slab(offset, core, from, to)
 module body() {
     if (closed) {
         slab(lip, 0, z_low, z_high);
-        if (lower_proud > 0) slab(lip + lower_proud, core_radius, z_low, -half_width);
-        if (upper_proud > 0) slab(lip + upper_proud, 0, half_width, z_high);
+        // Flanges that stand beyond the lips reach to the middle: the tube's own face becomes their inner face.
+        if (lower_proud > 0) slab(lip + lower_proud, core_radius, z_low, 0);
+        if (upper_proud > 0) slab(lip + upper_proud, 0, 0, z_high);
         if (boss_height > 0) translate([0, 0, z_low - boss_height])
             cylinder(r = boss_diameter / 2, h = boss_height + rib / 2, $fn = sides(boss_diameter / 2));
     } else {
@@ -56,12 +59,16 @@ module body() {
 
 // ---- the groove: one tube swept along the path ----
 
-// The tube has to end outside the part. Beside a flange it leaves along the flange's inner face, from flush lips along its own flank; a helix
-// leaves its lips by next to nothing, since its neighbouring turns are near.
+// How far the widest flange stands beyond the lips, and a little more.
+flange_reach = 1 + max([for (row = columns) support(row, lip + lower_proud, core_radius) - row[1] - lip]);
+
+// The tube has to end outside the part. From flush lips it leaves along its own flank, beside a flange along the flange's inner face; a helix leaves
+// its lips by next to nothing, since its neighbouring turns are near.
 function past(lip_point, flank_point, proud) =
     !closed ? [lip_point + [detail > 1 ? 0.05 : 0.0001, 0], lip_point]
-    : proud > 0 ? [lip_point + [proud + 1, 0], lip_point]
-    : [lip_point + (lip_point - flank_point) / norm(lip_point - flank_point)];
+    : proud > 0 ? [lip_point + [flange_reach, 0], lip_point]
+    : let (out = lip_point + (lip_point - flank_point) / norm(lip_point - flank_point))
+      lower_proud > 0 ? [[lip_point[0] + flange_reach, out[1]], out] : [out];
 
 function reversed(list) = [for (i = [len(list) - 1 : -1 : 0]) list[i]];
 

@@ -11,7 +11,7 @@ namespace fusee::exchange {
 
 FlangeReach flange_reach(const solid::Part& part) {
     const solid::Flanges flanges = solid::flanges_of(part.options);
-    return {part.section.front().offset_mm, flanges.upper_height_mm, flanges.lower_height_mm, flanges.core_radius_mm};
+    return {part.section.front().offset_mm, flanges.lower_height_mm, flanges.upper_height_mm, flanges.core_radius_mm};
 }
 
 std::vector<std::array<double, 2>> upper_outline(const solid::Part& part) {

@@ -14,7 +14,8 @@ protected:
     void SetUp() override { fs::create_directories(folder_); }
     void TearDown() override { fs::remove_all(folder_); }
     std::size_t entries() const { return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), fs::directory_iterator())); }
-    fs::path folder_ = fs::path(::testing::TempDir()) / "fusee_file_test";
+    // One folder for each test: ctest runs them side by side.
+    fs::path folder_ = fs::path(::testing::TempDir()) / (std::string("fusee_file_") + ::testing::UnitTest::GetInstance()->current_test_info()->name());
 };
 
 TEST_F(FileTest, Sha256OfAbc) {

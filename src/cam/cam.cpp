@@ -10,6 +10,7 @@
 #include "fusee/cam/idle_arc.h"
 #include "fusee/cam/path.h"
 #include "fusee/core/error.h"
+#include "refusal.h"
 #include "solve.h"
 
 namespace fusee::cam {
@@ -17,77 +18,20 @@ namespace fusee::cam {
 namespace {
 
 constexpr std::size_t kScan = 801;          // loads at which contacts are checked and bracketed
-constexpr double kLeastIdleArc = 0.2;       // [rad] of normals that a planar contour needs to close
 constexpr double kIdleDistance = 0.9;       // of the least arm: the idle arc leaves a bore nearly as much room as the working arc does
 
 void validate(const ArmFunction& arm, const CamOptions& o) {
     const std::string part = to_string(arm.kind());
     if (o.torque_sign != 1 && o.torque_sign != -1) throw core::InvalidInput(part + ".torque_sign", fmt::format("{}", o.torque_sign), "1 or -1");
-    core::require_within(part + ".target_rows", o.target_rows, 200, 100000);
-    core::require_positive("cable.diameter", o.cable_diameter, "m");
-    core::require_within(part + ".path.margin", o.path.margin, 0.05, 3.0, "rad");
-    if (o.guide.kind != GuideKind::kParallel) core::require_positive(part + ".guide.distance", o.guide.distance, "m");
-    if (o.guide.kind == GuideKind::kIdler) core::require_positive(part + ".guide.radius", o.guide.radius, "m");
+    core::require_within(part + ".target_rows", o.target_rows, 200, 10000);
+    core::require_positive("cable.diameter_mm", core::mm_from_m(o.cable_diameter), "mm");
+    core::require_within(part + ".path.margin_deg", core::deg_from_rad(o.path.margin), 2.8, 172.0, "deg");
+    if (o.guide.kind != GuideKind::kParallel) core::require_positive(part + ".guide.distance_mm", core::mm_from_m(o.guide.distance), "mm");
+    if (o.guide.kind == GuideKind::kIdler) core::require_positive(part + ".guide.radius_mm", core::mm_from_m(o.guide.radius), "mm");
     if (o.path.kind == PathKind::kPlanar) return;
-    if (o.path.lead == Lead::kConstantPitch) core::require_positive(part + ".path.pitch", o.path.pitch, "m");
+    if (o.path.lead == Lead::kConstantPitch) core::require_positive(part + ".path.pitch_mm", core::mm_from_m(o.path.pitch), "mm");
     if (o.path.lead == Lead::kAimedAtGuide && o.guide.kind == GuideKind::kParallel)
         throw core::InvalidInput(part + ".path.lead", "aimed", "constant_pitch with a parallel guide: there is no point to aim at");
-}
-
-core::Finding broken(const ArmFunction& arm, const char* rule, const char* what, const Contact& at, double measured_mm, std::string suggestion) {
-    core::Finding f;
-    f.rule = rule;
-    f.severity = core::Severity::kRequired;
-    f.what = what;
-    f.measured = measured_mm;
-    f.allowed = 0.0;
-    f.unit = "mm";
-    f.where = fmt::format("{} at {:.4g} Nm, cam angle {:.1f} deg", to_string(arm.kind()), at.arm.tau, core::deg_from_rad(at.arm.angle));
-    f.suggestion = std::move(suggestion);
-    f.source = "cable kinematics: the envelope of the cable's lines exists and is convex";
-    return f;
-}
-
-/// The loads on the other side of the first and last break, as the nearest feasible change.
-std::string feasible_range(const std::vector<Contact>& contacts, const std::vector<bool>& good) {
-    const auto first_bad = std::find(good.begin(), good.end(), false);
-    if (first_bad != good.begin())
-        return fmt::format("law.end_torque_Nm = {:.4g}, or a base spring that keeps the arm's bend smaller",
-                           contacts[static_cast<std::size_t>(first_bad - good.begin()) - 1].arm.tau);
-    const auto first_good = std::find(good.begin(), good.end(), true);
-    if (first_good == good.end()) return "another base spring (rate, preload): no load of the law can be had";
-    return fmt::format("law.start_torque_Nm = {:.4g}, or a larger preload", contacts[static_cast<std::size_t>(first_good - good.begin())].arm.tau);
-}
-
-core::Findings check_contacts(const ArmFunction& arm, const CamOptions& options, const std::vector<Contact>& contacts) {
-    core::Findings findings;
-    std::vector<bool> reached, convex;
-    const Contact *nearest = &contacts.front(), *sharpest = &contacts.front();
-    for (const Contact& c : contacts) {
-        const double reach = guide_reach(arm.kind(), c.arm, options);
-        if (!(reach >= guide_reach(arm.kind(), nearest->arm, options))) nearest = &c;
-        if (!(c.path.rho >= sharpest->path.rho)) sharpest = &c;
-        reached.push_back(reach > 0.0);
-        convex.push_back(c.path.rho > 0.0);
-    }
-    const double least_reach = guide_reach(arm.kind(), nearest->arm, options);
-    if (!(least_reach > 0.0))
-        findings.push_back(broken(arm, "cam.guide", "the guide is too near: no straight cable from cam to guide has the arm asked for", *nearest,
-                                  core::mm_from_m(least_reach),
-                                  fmt::format("{}.guide.distance_mm = {:.1f}", to_string(arm.kind()),
-                                              core::mm_from_m(options.guide.distance) + 1.1 * std::abs(core::mm_from_m(least_reach)))));
-    else if (!(sharpest->path.rho > 0.0))
-        findings.push_back(broken(arm, "cam.convexity", "no convex contour has this arm: its radius of curvature would not be positive", *sharpest,
-                                  core::mm_from_m(sharpest->path.rho), feasible_range(contacts, convex)));
-    return findings;
-}
-
-std::vector<Contact> scan(const ArmFunction& arm, const CamOptions& options) {
-    std::vector<Contact> contacts;
-    const core::Range loads = arm.law().loads();
-    for (std::size_t i = 0; i < kScan; ++i)
-        contacts.push_back(touch(arm.kind(), arm.at_load(loads.low + loads.width() * static_cast<double>(i) / (kScan - 1)), options));
-    return contacts;
 }
 
 /// Working positions evenly spaced in cam angle.
@@ -108,27 +52,22 @@ std::vector<Contact> working_rows(const ArmFunction& arm, const CamOptions& opti
 
 SupportState state_of(const PathPoint& p) { return {p.h, p.slope, p.rho}; }
 
-core::Finding too_much_wrap(const ArmFunction& arm, double wrap, double allowed) {
-    core::Finding f;
-    f.rule = "cam.wrap";
-    f.severity = core::Severity::kRequired;
-    f.what = "a planar groove cannot hold this wrap: it would run over itself";
-    f.measured = core::deg_from_rad(wrap);
-    f.bound = core::Bound::kAtMost;
-    f.allowed = core::deg_from_rad(allowed);
-    f.unit = "deg";
-    f.where = to_string(arm.kind());
-    f.suggestion = fmt::format("{}.path.kind = \"helix\"", to_string(arm.kind()));
-    f.source = "geometry: one turn less the idle arc";
-    return f;
+/// An idle arc does not know whose it is.
+core::Findings named(core::Findings findings, PartKind kind) {
+    for (core::Finding& f : findings) {
+        f.where = fmt::format("{}: {}", to_string(kind), f.where);
+        f.suggestion = fmt::format("{}.{}", to_string(kind), f.suggestion);
+    }
+    return findings;
 }
 
 /// Planar: the working arc and the idle arc that closes it.
-core::Outcome<std::function<PathPoint(double)>> closed_path(std::shared_ptr<const WorkingArc> arc, const CamOptions& options, double least_arm) {
+core::Outcome<std::function<PathPoint(double)>> closed_path(PartKind kind, std::shared_ptr<const WorkingArc> arc, const CamOptions& options,
+                                                           double least_arm) {
     const core::Range psi = arc->psi();
     const auto idle = IdleArc::close(state_of(arc->at(psi.high)), state_of(arc->at(psi.low)), 2.0 * core::kPi - psi.width(),
                                      {options.path.min_idle_curvature_radius, kIdleDistance * least_arm});
-    if (!idle) return idle.refusal();
+    if (!idle) return named(idle.refusal(), kind);
     return std::function<PathPoint(double)>([arc, psi, closing = *idle](double angle) -> PathPoint {
         const double turn = 2.0 * core::kPi;
         const double inside = angle - turn * std::floor((angle - psi.low) / turn);
@@ -171,7 +110,7 @@ double PathPoint::y() const { return h * std::sin(psi) + slope * std::cos(psi); 
 
 core::Outcome<Cam> synthesize_cam(const ArmFunction& arm, const CamOptions& options) {
     validate(arm, options);
-    const std::vector<Contact> scanned = scan(arm, options);
+    const std::vector<Contact> scanned = scan_contacts(arm, options, kScan);
     if (core::Findings findings = check_contacts(arm, options, scanned); !findings.empty()) return findings;
     const auto arc = std::make_shared<const WorkingArc>(arm, options, scanned);
     const Height height(options, scanned);
@@ -180,6 +119,7 @@ core::Outcome<Cam> synthesize_cam(const ArmFunction& arm, const CamOptions& opti
     cam.options = options;
     cam.rotation_sign = rotation_sign(arm.kind(), options.torque_sign);
     cam.working_psi = arc->psi();
+    if (core::Findings findings = check_wrap(arm, cam, scanned.back().arm.angle); !findings.empty()) return findings;
     cam.working = working_rows(arm, options, scanned, height);
     const double margin = options.path.margin, wound = options.torque_sign > 0 ? cam.working_psi.low : cam.working_psi.high;
     cam.anchor_psi = wound - options.torque_sign * margin;
@@ -188,10 +128,8 @@ core::Outcome<Cam> synthesize_cam(const ArmFunction& arm, const CamOptions& opti
         cam.path = open_path(arc, height, cam.groove_psi);
         return cam;
     }
-    const double room = 2.0 * core::kPi - kLeastIdleArc;
-    if (cam.working_psi.width() > room) return too_much_wrap(arm, cam.working_psi.width(), room);
     const auto least = std::min_element(scanned.begin(), scanned.end(), [](const Contact& a, const Contact& b) { return a.arm.arm < b.arm.arm; });
-    auto path = closed_path(arc, options, least->arm.arm);
+    auto path = closed_path(arm.kind(), arc, options, least->arm.arm);
     if (!path) return path.refusal();
     cam.path = *path;
     cam.groove_psi = {cam.working_psi.low, cam.working_psi.low + 2.0 * core::kPi};

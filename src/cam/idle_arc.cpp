@@ -112,7 +112,7 @@ core::Finding refusal(double width, double least_rho, double possible) {
     f.unit = "mm";
     f.where = fmt::format("idle arc of {:.1f} deg", core::deg_from_rad(width));
     f.suggestion = possible > 0.0 ? fmt::format("path.min_idle_radius_mm = {:.2f}", 0.95 * core::mm_from_m(possible))
-                                  : "less wrap (a larger spring preload or a smaller travel), or path.kind = \"helix\"";
+                                  : "path.kind = \"helix\", or less wrap (another spring preload or a smaller travel)";
     f.source = "a convex closed curve needs rho > 0 everywhere";
     return f;
 }
@@ -139,7 +139,7 @@ core::Outcome<IdleArc> IdleArc::close(const SupportState& begin, const SupportSt
     }
     if (best) return *std::move(best);
     double possible = 0.0;
-    for (double share = 0.9; share > 0.01 && possible == 0.0; share -= 0.1)
+    for (double share = 0.9; share > 0.005 && possible == 0.0; share *= 0.9)
         if (evenest(cost_of(x, kEvenness.front()), closing, target, share * least.rho)) possible = share * least.rho;
     return refusal(width, least.rho, possible);
 }

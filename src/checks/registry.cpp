@@ -57,6 +57,7 @@ std::span<const Rule> rules() {
         stamped(structure_idle_curvature()),
         stamped(structure_leg_slot()),
         stamped(structure_anchor()),
+        stamped(structure_anchor_floor()),
         stamped(shaft_key()),
         stamped(shaft_screw()),
         stamped(shaft_hub_wall()),

@@ -26,6 +26,7 @@ Rule structure_wall_to_bore();
 Rule structure_idle_curvature();
 Rule structure_leg_slot();
 Rule structure_anchor();
+Rule structure_anchor_floor();
 Rule shaft_key();
 Rule shaft_screw();
 Rule shaft_hub_wall();

@@ -7,7 +7,6 @@
 #include <array>
 #include <atomic>
 #include <fstream>
-#include <sstream>
 #include <system_error>
 
 #include "fusee/core/error.h"
@@ -38,14 +37,20 @@ void write_file(const fs::path& path, std::string_view bytes) {
     if (error) throw IoError(path.string(), error.message());
 }
 
-std::string read_file(const fs::path& path) {
+std::string read_file(const fs::path& path, std::size_t largest) {
     std::error_code error;
     if (fs::is_directory(path, error)) throw IoError(path.string(), "is a folder, not a file");
     std::ifstream in(path, std::ios::binary);
     if (!in) throw IoError(path.string(), "cannot be opened for reading");
-    std::ostringstream bytes;
-    bytes << in.rdbuf();
-    return std::move(bytes).str();
+    // A piece at a time: what has no end (a device) is given up at the limit.
+    std::string bytes;
+    std::array<char, 1 << 16> piece;
+    while (in.read(piece.data(), piece.size()), in.gcount() > 0) {
+        bytes.append(piece.data(), static_cast<std::size_t>(in.gcount()));
+        if (bytes.size() > largest) throw IoError(path.string(), fmt::format("is larger than the {} bytes that are read", largest));
+    }
+    if (in.bad()) throw IoError(path.string(), "cannot be read to its end");
+    return bytes;
 }
 
 std::string sha256_hex(std::string_view bytes) {
@@ -61,7 +66,7 @@ StagedFolder::StagedFolder(fs::path target)
     : target_(std::move(target)), staging_(hidden_sibling(fs::absolute(target_).lexically_normal(), "partial")) {
     std::error_code error;
     fs::create_directories(staging_, error);
-    if (error) throw IoError(staging_.string(), error.message());
+    if (error) throw IoError(target_.string(), "the folder cannot be made: " + error.message());
 }
 
 StagedFolder::~StagedFolder() {

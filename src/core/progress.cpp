@@ -31,7 +31,10 @@ void Progress::advance(const std::string& label) {
 }
 
 void catch_interrupts() {
-    const auto handler = [](int) { g_interrupted = 1; };
+    const auto handler = [](int signal) {
+        g_interrupted = 1;
+        std::signal(signal, SIG_DFL);
+    };
     std::signal(SIGINT, handler);
     std::signal(SIGTERM, handler);
 }

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "fusee/core/file.h"
 #include "fusee/core/units.h"
 #include "fusee/exchange/dxf.h"
@@ -31,7 +33,7 @@ solid::Mesh exported_mesh(const solid::Part& part, Via via, const fs::path& scad
     return exchange::read_stl_openmesh(stl);
 }
 
-core::Finding judge(const readback::ArmError& error, const std::string& part) {
+core::Finding judge(const readback::ArmError& error, const std::string& part, double chordal_error_mm) {
     core::Finding f;
     f.rule = "readback.arm";
     f.what = fmt::format("the lever arm recomputed from {} (read by {}) is the one asked for", error.file, error.reader);
@@ -40,7 +42,7 @@ core::Finding judge(const readback::ArmError& error, const std::string& part) {
     f.allowed = 100.0 * error.allowed;
     f.unit = "%";
     f.where = fmt::format("{} at cam angle {:.1f} deg, worst of {} positions", part, core::deg_from_rad(error.worst_angle_rad), error.rows);
-    f.suggestion = "a smaller tolerances.chordal_error_mm";
+    f.suggestion = fmt::format("tolerances.chordal_error_mm = {:.2g}, unless something stands in the cable's way there", 0.5 * chordal_error_mm * std::min(1.0, error.allowed / error.worst_relative));
     f.source = "docs/part-file.md: turn the part, lay a taut cable over the groove's floor";
     return core::judged(f, core::Severity::kRequired);
 }
@@ -81,7 +83,7 @@ report::PartReport export_part(const DesignedPart& designed, const profile::Prof
     report.spring = spec.spring;
     report.findings = designed.findings;
     report.arm_errors = readback::read_back(folder, exchange::read_part_file(json));
-    for (const readback::ArmError& error : report.arm_errors) report.findings.push_back(judge(error, name));
+    for (const readback::ArmError& error : report.arm_errors) report.findings.push_back(judge(error, name, part.chordal_error_mm));
     for (exchange::FileEntry& entry : entries) report.files.push_back({entry, fs::file_size(folder / entry.name)});
     report.files.push_back({entry_of(json, 0, 0.0), fs::file_size(json)});
     report.quality = solid::measure_quality(part.mesh);

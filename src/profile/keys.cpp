@@ -25,7 +25,7 @@ std::vector<Key> rig_keys() {
 
 std::vector<Key> cable_keys() {
     return {
-        required(number("cable.diameter_mm", kMm, above(0, 20), "d, of the cable under load", FIELD(cable.diameter))),
+        required(number("cable.diameter_mm", kMm, within(0.05, 20), "d, of the cable under load", FIELD(cable.diameter))),
         choice("cable.construction", {"fibre", "7x7", "7x19", "7x49"}, "gives the default bend ratio", FIELD(cable.construction)),
         number("cable.min_bend_ratio", kPure, within(0, 200), "least D/d, D = diameter of the groove's floor; 0 = by construction",
                FIELD(cable.min_bend_ratio)),
@@ -37,8 +37,8 @@ std::vector<Key> cable_keys() {
         number("groove.radius_ratio", kPure, within(0.5, 2), "radius of the round floor over d", FIELD(k_se.solid.groove.radius_ratio)),
         number("groove.depth_ratio", kPure, within(0.1, 10), "height of the lips above the floor, in d",
                FIELD(k_se.solid.groove.depth_ratio)),
-        number("groove.throat_deg", kDeg, within(0, 170), "full angle between the flanks", FIELD(k_se.solid.groove.throat)),
-        number("groove.rib_mm", kMm, above(0, 100), "flange beside the groove (planar), least land between turns (helix)",
+        number("groove.throat_deg", kDeg, within(0, 150), "full angle between the flanks", FIELD(k_se.solid.groove.throat)),
+        number("groove.rib_mm", kMm, within(0.1, 100), "flange beside the groove (planar), least land between turns (helix)",
                FIELD(k_se.solid.groove.rib)),
     };
 }

@@ -10,7 +10,7 @@ namespace {
 std::vector<Key> body_keys(const std::string& part, PartSpec Profile::*member) {
     return {
         sign(part + ".torque_sign", "sign of the tension's torque about +z", OF(cam.torque_sign)),
-        integer(part + ".target_rows", within(200, 100000), "working positions in PART.json", OF(cam.target_rows)),
+        integer(part + ".target_rows", within(200, 10000), "working positions in PART.json", OF(cam.target_rows)),
         number(part + ".flange_height_mm", kMm, within(0, 100), "how far the flanges stand above the groove's lips",
                OF(solid.flange_height)),
     };
@@ -65,7 +65,7 @@ std::vector<Key> path_keys(const std::string& part, PartSpec Profile::*member) {
                     OF(cam.path.lead))),
         when(kind, {"helix"},
              number(t + "pitch_mm", kMm, within(0, 1000), "height gained per turn; above 0 for a constant pitch", OF(cam.path.pitch))),
-        number(t + "margin_deg", kDeg, within(0, 180), "groove beyond the working arc, to the anchor", OF(cam.path.margin)),
+        number(t + "margin_deg", kDeg, within(3, 170), "groove beyond the working arc, to the anchor", OF(cam.path.margin)),
         number(t + "min_idle_radius_mm", kMm, above(0, 1000), "least radius of curvature on the idle arc that closes a planar path",
                OF(cam.path.min_idle_curvature_radius)),
     };
@@ -79,7 +79,7 @@ std::vector<Key> hub_keys(const std::string& part, PartSpec Profile::*member) {
                OF(solid.hub.kind)),
         choice(t + "lock", {"plain", "keyway", "d_flat", "set_screw"}, "what holds the shaft", OF(solid.hub.lock)),
         number(t + "bore_mm", kMm, above(0, 1000), "shaft diameter", OF(solid.hub.bore_diameter)),
-        number(t + "clearance_mm", kMm, within(0, 10), "added to the bore's diameter", OF(solid.hub.bore_clearance)),
+        number(t + "clearance_mm", kMm, within(0, 2), "added to the bore's diameter", OF(solid.hub.bore_clearance)),
         number(t + "key_width_mm", kMm, length, "keyway: b of DIN 6885-1", OF(solid.hub.key_width)),
         number(t + "key_depth_mm", kMm, length, "keyway: t2 of DIN 6885-1, beyond the bore's radius", OF(solid.hub.key_depth)),
         number(t + "flat_depth_mm", kMm, length, "d_flat: bore radius minus the flat's distance from the axis", OF(solid.hub.flat_depth)),

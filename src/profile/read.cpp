@@ -15,13 +15,6 @@ namespace fusee::profile {
 
 namespace {
 
-std::string read_bytes(const fs::path& path) {
-    std::error_code error;
-    const auto size = fs::file_size(path, error);
-    if (!error && size > kLargestFile) throw core::IoError(path.string(), fmt::format("{} bytes; at most {} are read", size, kLargestFile));
-    return core::read_file(path);
-}
-
 toml::table parse(const std::string& bytes, const std::string& file) {
     require_ascii_syntax(bytes, file);
     try {
@@ -74,6 +67,7 @@ public:
             }
         }
         for (const Order& order : kOrders) check(order, profile);
+        for (const auto& [path, node] : nodes_) profile.places[path] = place(file_, node->source(), path);
     }
 
 private:
@@ -127,8 +121,13 @@ Profile::Profile() {
     k_pe.spring.kind = spring::BaseKind::kCompression;
 }
 
+std::string Profile::place_of(const std::string& key) const {
+    const auto found = places.find(key);
+    return found != places.end() ? found->second : fmt::format("{}: {}", file.string(), key);
+}
+
 Profile read_profile(const fs::path& path) {
-    std::string bytes = read_bytes(path);
+    std::string bytes = core::read_file(path, kLargestFile);
     const toml::table table = parse(bytes, path.string());
     Reader reader(path.string());
     reader.collect(table, "");
@@ -138,7 +137,7 @@ Profile read_profile(const fs::path& path) {
     distribute(profile);
     if (auto* measured = std::get_if<TablePair>(&profile.law.curves)) {
         const fs::path csv = path.parent_path() / measured->file;
-        const std::string rows = read_bytes(csv);
+        const std::string rows = core::read_file(csv, kLargestFile);
         read_table(rows, csv.string(), *measured);
         bytes += rows;
     }

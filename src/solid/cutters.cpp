@@ -41,7 +41,8 @@ Cutter anchor(const cam::Cam& cam, double diameter_mm, const PartFrame& frame) {
     const cam::PathPoint path = cam.path(cam.anchor_psi);
     // The hole touches the pitch curve from inside, so that the cable turns from the groove's floor straight into it.
     const OutlinePoint centre = flange_point(path, -0.5 * diameter_mm, 0.0);
-    return {"anchor", circle_ring(0.5 * diameter_mm, frame.tolerance_mm, centre.point), core::mm_from_m(path.z), frame.z_high_mm + kThrough_mm};
+    const double bottom = core::mm_from_m(path.z - 0.5 * cam.options.cable_diameter);  // the cable lies in it as in the groove
+    return {"anchor", circle_ring(0.5 * diameter_mm, frame.tolerance_mm, centre.point), bottom, frame.z_high_mm + kThrough_mm};
 }
 
 }  // namespace

@@ -20,28 +20,39 @@ namespace {
 
 using core::mm_from_m;
 
-void validate_options(const std::string& part, const PartOptions& o) {
-    const HubOptions& hub = o.hub;
-    core::require_within(part + ".groove.rib", o.groove.rib, 0.1e-3, 0.1, "m");
-    core::require_positive(part + ".hub.bore", hub.bore_diameter, "m");
-    core::require_within(part + ".hub.clearance", hub.bore_clearance, 0.0, 2e-3, "m");
-    core::require_within(part + ".flange_height", o.flange_height, 0.0, 0.1, "m");
-    const double bore = hub.bore_diameter + hub.bore_clearance;
-    if (hub.lock == HubLock::kKeyway) core::require_within(part + ".hub.key_width", hub.key_width, 0.1e-3, 0.9 * bore, "m");
-    if (hub.lock == HubLock::kKeyway) core::require_within(part + ".hub.key_depth", hub.key_depth, 0.1e-3, bore, "m");
-    if (hub.lock == HubLock::kDFlat) core::require_within(part + ".hub.flat_depth", hub.flat_depth, 0.01e-3, 0.45 * bore, "m");
+/// Fields are named as in a profile, since that is where a person changes them.
+void require_mm(const std::string& field, double metres, double low_mm, double high_mm) {
+    constexpr double kRounding = 1e-9;  // of a limit: it may be met in another unit
+    core::require_within(field + "_mm", mm_from_m(metres), low_mm * (1.0 - kRounding), high_mm * (1.0 + kRounding), "mm");
+}
+
+void require_above_0_mm(const std::string& field, double metres) { core::require_positive(field + "_mm", mm_from_m(metres), "mm"); }
+
+void validate_hub(const std::string& hub_of, const HubOptions& hub, double rib) {
+    require_above_0_mm(hub_of + "bore", hub.bore_diameter);
+    require_mm(hub_of + "clearance", hub.bore_clearance, 0.0, 2.0);
+    const double bore_mm = mm_from_m(hub.bore_diameter + hub.bore_clearance), boss_height_mm = mm_from_m(hub.boss_height);
+    if (hub.lock == HubLock::kKeyway) require_mm(hub_of + "key_width", hub.key_width, 0.1, 0.9 * bore_mm);
+    if (hub.lock == HubLock::kKeyway) require_mm(hub_of + "key_depth", hub.key_depth, 0.1, bore_mm);
+    if (hub.lock == HubLock::kDFlat) require_mm(hub_of + "flat_depth", hub.flat_depth, 0.01, 0.45 * bore_mm);
     if (hub.kind == HubKind::kOverhung || hub.lock == HubLock::kSetScrew) {
-        core::require_positive(part + ".hub.boss_height", hub.boss_height, "m");
-        core::require_within(part + ".hub.boss", hub.boss_diameter, 2e-3 * bore_reach_mm(hub) + 0.2e-3, 1.0, "m");
+        require_above_0_mm(hub_of + "boss_height", hub.boss_height);
+        require_mm(hub_of + "boss", hub.boss_diameter, 2.0 * bore_reach_mm(hub) + 0.2, 1000.0);
     }
-    if (hub.kind == HubKind::kOverhung) core::require_within(part + ".hub.web", hub.web, 0.1e-3, o.groove.rib + hub.boss_height - 0.5e-3, "m");
-    if (hub.lock == HubLock::kSetScrew) core::require_within(part + ".hub.screw", hub.screw_diameter, 0.5e-3, 0.9 * hub.boss_height, "m");
+    if (hub.kind == HubKind::kOverhung) require_mm(hub_of + "web", hub.web, 0.1, mm_from_m(rib) + boss_height_mm - 0.5);
+    if (hub.lock == HubLock::kSetScrew) require_mm(hub_of + "screw", hub.screw_diameter, 0.5, 0.9 * boss_height_mm);
+}
+
+void validate_options(const std::string& part, const PartOptions& o) {
+    require_mm("groove.rib", o.groove.rib, 0.1, 100.0);
+    require_mm(part + ".flange_height", o.flange_height, 0.0, 100.0);
+    validate_hub(part + ".hub.", o.hub, o.groove.rib);
     const FeatureOptions& f = o.features;
     if (f.leg_slot_width > 0.0) {
-        core::require_within(part + ".features.leg_slot_length", f.leg_slot_length, 1.05 * f.leg_slot_width, 1.0, "m");
-        core::require_positive(part + ".features.leg_slot_depth", f.leg_slot_depth, "m");
+        require_mm(part + ".features.leg_slot_length", f.leg_slot_length, 1.05 * mm_from_m(f.leg_slot_width), 1000.0);
+        require_above_0_mm(part + ".features.leg_slot_depth", f.leg_slot_depth);
     }
-    if (f.mark_width > 0.0) core::require_positive(part + ".features.mark_depth", f.mark_depth, "m");
+    if (f.mark_width > 0.0) require_above_0_mm(part + ".features.mark_depth", f.mark_depth);
 }
 
 core::Finding refusal(const char* rule, std::string what, double measured, double allowed, const std::string& where, std::string suggestion) {

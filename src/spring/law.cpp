@@ -42,8 +42,8 @@ struct Condition {
 
 /// The longest way out: end before the first broken point, or start after the last one if the law breaks at its start.
 std::string nearest_feasible(const std::vector<LawPoint>& points, std::size_t first, std::size_t last) {
-    if (first > 1) return fmt::format("end_torque_Nm = {:.4g}", points[first - 1].tau);
-    if (last + 2 < points.size()) return fmt::format("start_torque_Nm = {:.4g}", points[last + 1].tau);
+    if (first > 1) return fmt::format("law.end_torque_Nm = {:.4g}", points[first - 1].tau);
+    if (last + 2 < points.size()) return fmt::format("law.start_torque_Nm = {:.4g}", points[last + 1].tau);
     return "another law: no part of this one is feasible";
 }
 

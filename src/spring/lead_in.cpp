@@ -95,12 +95,12 @@ core::Finding too_long(const char* spring, double travel, double longest) {
     finding.rule = "law.lead_in";
     finding.severity = core::Severity::kRequired;
     finding.what = fmt::format("{}'s stiffness and torque must stay above 0 over the lead-in", spring);
-    finding.measured = travel;
+    finding.measured = core::deg_from_rad(travel);
     finding.bound = core::Bound::kAtMost;
-    finding.allowed = longest;
-    finding.unit = "rad";
+    finding.allowed = core::deg_from_rad(longest);
+    finding.unit = "deg";
     finding.where = "lower end of the law's lead-in";
-    finding.suggestion = fmt::format("lead-in travel = {:.4g} rad ({:.4g} deg)", safe, core::deg_from_rad(safe));
+    finding.suggestion = fmt::format("law.lead_in_deg = {:.4g}", core::deg_from_rad(safe));
     finding.source = "docs/theory/springs.md, eq. 15";
     return finding;
 }
@@ -108,7 +108,7 @@ core::Finding too_long(const char* spring, double travel, double longest) {
 }  // namespace
 
 core::Outcome<SpringLawPtr> with_lead_in(SpringLawPtr law, double travel) {
-    core::require_within("lead-in travel", travel, 0.0, std::numeric_limits<double>::max(), "rad");
+    core::require_within("law.lead_in_deg", core::deg_from_rad(travel), 0.0, std::numeric_limits<double>::max(), "deg");
     if (travel == 0.0) return law;
     const LawPoint start = law->at_angle(0.0);
     const Tail series{start.f_se, start.s, start.s_slope, travel};

@@ -84,7 +84,7 @@ core::Finding out_of_range(const char* end, double torque, core::Bound bound, do
     core::Finding finding = refuse("law.range", "the potentials do not reach the law's load", torque, bound, reached, "Nm");
     finding.where = fmt::format("law at its {} torque, potentials at {:.4g} rad", end, x);
     const double nearest = bound == core::Bound::kAtMost ? 0.999 * reached : 1.001 * reached;
-    finding.suggestion = nearest > 0.0 ? fmt::format("{}_torque_Nm = {:.6g}", end, nearest)
+    finding.suggestion = nearest > 0.0 ? fmt::format("law.{}_torque_Nm = {:.6g}", end, nearest)
                                        : fmt::format("potentials whose torque rises to {:.4g} Nm", torque);
     return finding;
 }
@@ -96,7 +96,7 @@ core::Finding falling(const Pair& pair, double x, double peak, double start) {
         refuse("law.stiffness", "load must rise with the capstan's angle: S + P > 0", stiffness, core::Bound::kAtLeast, 0.0, "Nm/rad");
     finding.where = fmt::format("law at {:.4g} Nm, potentials at {:.4g} rad", pair.load(x), x);
     const double end = 0.98 * peak;
-    finding.suggestion = end > start ? fmt::format("end_torque_Nm = {:.4g}", end)
+    finding.suggestion = end > start ? fmt::format("law.end_torque_Nm = {:.4g}", end)
                                      : fmt::format("a stiffness higher by {:.4g} Nm/rad there", std::abs(stiffness));
     return finding;
 }
@@ -135,10 +135,10 @@ std::optional<core::Finding> find_fall(const Pair& pair, core::Range x, double s
 }  // namespace
 
 core::Outcome<SpringLawPtr> make_pair_law(PotentialPtr series, PotentialPtr parallel, double start_torque, double end_torque) {
-    core::require_positive("start_torque", start_torque, "Nm");
-    core::require_positive("end_torque", end_torque, "Nm");
+    core::require_positive("law.start_torque_Nm", start_torque, "Nm");
+    core::require_positive("law.end_torque_Nm", end_torque, "Nm");
     if (end_torque <= start_torque)
-        throw core::InvalidInput("end_torque", fmt::format("{:g}", end_torque), fmt::format("above start_torque = {:g} Nm", start_torque));
+        throw core::InvalidInput("law.end_torque_Nm", fmt::format("{:g}", end_torque), fmt::format("above start_torque = {:g} Nm", start_torque));
     Pair pair{std::move(series), std::move(parallel)};
     const auto x = find_range(pair, start_torque, end_torque);
     if (!x) return x.refusal();

@@ -100,15 +100,15 @@ void require_finite(const char* field, double value, const char* unit) {
 }
 
 void validate(const StictionLawOptions& options) {
-    core::require_positive("k", options.k, "1/(Nm rad)");
-    require_finite("u", options.u, "Nm");
-    require_finite("c", options.c, "Nm");
-    if (options.u == 0.0 && options.c == 0.0) throw core::InvalidInput("u and c", "0 and 0", "not both 0: the transmission would be 0");
-    core::require_positive("mu", options.mu);
-    core::require_positive("start_torque", options.start_torque, "Nm");
-    core::require_positive("end_torque", options.end_torque, "Nm");
+    core::require_positive("law.k_per_Nm_rad", options.k, "1/(Nm rad)");
+    require_finite("law.u_Nm", options.u, "Nm");
+    require_finite("law.c_Nm", options.c, "Nm");
+    if (options.u == 0.0 && options.c == 0.0) throw core::InvalidInput("law.c_Nm", "0, and law.u_Nm too", "not both 0: the transmission would be 0");
+    core::require_positive("rig.gear_friction", options.mu);
+    core::require_positive("law.start_torque_Nm", options.start_torque, "Nm");
+    core::require_positive("law.end_torque_Nm", options.end_torque, "Nm");
     if (options.end_torque <= options.start_torque)
-        throw core::InvalidInput("end_torque", fmt::format("{:g}", options.end_torque),
+        throw core::InvalidInput("law.end_torque_Nm", fmt::format("{:g}", options.end_torque),
                                  fmt::format("above start_torque = {:g} Nm", options.start_torque));
 }
 
@@ -131,9 +131,9 @@ core::Finding start_too_low(const StictionLawOptions& options, double least) {
     core::Finding finding = transmission_finding(options.start_torque, core::Bound::kAtLeast, least,
                                                  "the transmission reaches 1 at the start torque: no K_PE is that soft", "start");
     const double safe = options.start_torque * (1.0 - kMargin);
-    finding.suggestion = fmt::format("C_Nm = {:.4g}", safe - options.u * options.u / (options.mu * safe));
+    finding.suggestion = fmt::format("law.c_Nm = {:.4g}", safe - options.u * options.u / (options.mu * safe));
     const double start = least * (1.0 + kMargin);
-    if (start < options.end_torque) finding.suggestion = fmt::format("start_torque_Nm = {:.4g} (or {})", start, finding.suggestion);
+    if (start < options.end_torque) finding.suggestion = fmt::format("law.start_torque_Nm = {:.4g} (or {})", start, finding.suggestion);
     return finding;
 }
 
@@ -142,10 +142,10 @@ core::Finding end_too_high(const StictionLawOptions& options, double highest) {
     core::Finding finding = transmission_finding(options.end_torque, core::Bound::kAtMost, highest,
                                                  "the transmission reaches 0 at the end torque: no K_PE is that stiff", "end");
     const double a = options.u * options.u / options.mu;
-    finding.suggestion = a > 0.0 ? fmt::format("C_Nm = {:.4g}", -a / (options.end_torque * (1.0 + kMargin)))
-                                 : fmt::format("C_Nm = {:.4g}", options.start_torque * (1.0 - kMargin));
+    finding.suggestion = a > 0.0 ? fmt::format("law.c_Nm = {:.4g}", -a / (options.end_torque * (1.0 + kMargin)))
+                                 : fmt::format("law.c_Nm = {:.4g}", options.start_torque * (1.0 - kMargin));
     const double end = highest * (1.0 - kMargin);
-    if (end > options.start_torque) finding.suggestion = fmt::format("end_torque_Nm = {:.4g} (or {})", end, finding.suggestion);
+    if (end > options.start_torque) finding.suggestion = fmt::format("law.end_torque_Nm = {:.4g} (or {})", end, finding.suggestion);
     return finding;
 }
 

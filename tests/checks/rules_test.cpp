@@ -160,6 +160,9 @@ std::vector<Case> structure_cases() {
         // hole's middle at (1, 0) + 7 (cos, sin)(-2.35), 3 mm hole and 3.1 mm bore
         {"structure.anchor", "wide hole", spool, [](Bench& b) { b.part.options.features.anchor_hole_diameter = 6 * kMm; },
          Severity::kRequired, 0.2373509, 0.8},
+        // floor on a circle of 9.6 mm, hole's middle on one of 9 mm, 0.1 rad apart: sqrt(81 + 92.16 - 172.8 cos 0.1) - 1
+        {"structure.anchor_floor", "too near", spool, [](Bench& b) { b.part.cam.anchor_psi = b.part.cam.working_psi.low - 0.1; },
+         Severity::kRequired, 0.1060223, 0.4, 1e-3},
         {"shaft.key", "width", spool, [](Bench& b) { b.part.options.hub.key_width = 3 * kMm; }, Severity::kReview, 3.0, 2.0},
         {"shaft.key", "depth", spool, [](Bench& b) { b.part.options.hub.key_depth = 0.8 * kMm; }, Severity::kReview, 0.8, 1.0},
         {"shaft.key", "no such shaft", spool, [](Bench& b) { b.part.options.hub.bore_diameter = 5 * kMm; }, Severity::kReview, 5.0, 6.0},

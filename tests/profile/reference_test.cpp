@@ -12,7 +12,7 @@ TEST(Reference, StandsInTheDocumentationWordForWord) {
 
 TEST(Reference, NamesDefaultsFromTheRooms) {
     const std::string text = profile_reference();
-    expect_words(text, {"| `radius_ratio` | a number, 0.5 to 2 | `0.53` |", "| `throat_deg` | a number, 0 to 170 deg | `90` |",
+    expect_words(text, {"| `radius_ratio` | a number, 0.5 to 2 | `0.53` |", "| `throat_deg` | a number, 0 to 150 deg | `90` |",
                         "### `[k_se.guide]`, `[k_pe.guide]`", "(only with `kind` = `table`)"});
 }
 

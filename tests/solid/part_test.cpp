@@ -145,7 +145,7 @@ TEST(Part, NamesTheBadOption) {
         (void)build_part(disc(), o);
         FAIL() << "a key wider than the bore was accepted";
     } catch (const core::InvalidInput& e) {
-        EXPECT_EQ(e.field(), "k_se.hub.key_width");
+        EXPECT_EQ(e.field(), "k_se.hub.key_width_mm");
     }
 }
 

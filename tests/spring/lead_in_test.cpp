@@ -60,10 +60,10 @@ TEST(LeadInRefusal, TooLongNamesTheLongestTravelAndItsBindingSpring) {
     EXPECT_EQ(finding.rule, "law.lead_in");
     EXPECT_EQ(finding.measured, 2.0);
     const LawPoint start = law->at_angle(0.0);
-    EXPECT_NEAR(finding.allowed, 2.0 * start.p / start.p_slope, 1e-14);  // here K_PE's stiffness fades first
-    EXPECT_TRUE(with_lead_in(law, 0.999 * finding.allowed));
-    EXPECT_TRUE(check_law(**with_lead_in(law, 0.999 * finding.allowed)).empty());
-    EXPECT_FALSE(with_lead_in(law, 1.001 * finding.allowed));
+    EXPECT_NEAR(core::rad_from_deg(finding.allowed), 2.0 * start.p / start.p_slope, 1e-14);  // here K_PE's stiffness fades first
+    EXPECT_TRUE(with_lead_in(law, 0.999 * core::rad_from_deg(finding.allowed)));
+    EXPECT_TRUE(check_law(**with_lead_in(law, 0.999 * core::rad_from_deg(finding.allowed))).empty());
+    EXPECT_FALSE(with_lead_in(law, 1.001 * core::rad_from_deg(finding.allowed)));
 }
 
 TEST(LeadInRefusal, TorqueBindsForASteepStart) {
@@ -72,7 +72,7 @@ TEST(LeadInRefusal, TorqueBindsForASteepStart) {
     const LawPoint start = law->at_angle(0.0);
     const auto refused = with_lead_in(law, 10.0);
     ASSERT_FALSE(refused);
-    const double longest = refused.refusal().front().allowed;
+    const double longest = core::rad_from_deg(refused.refusal().front().allowed);
     const auto nearly = with_lead_in(law, longest * (1.0 - 1e-9));
     ASSERT_TRUE(nearly);
     const LawPoint low = (*nearly)->at_angle(0.0);

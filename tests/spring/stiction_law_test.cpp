@@ -106,7 +106,7 @@ TEST(StictionLawRefusal, StartTooLowNamesTheLeastTorqueAndTheChangeWorks) {
     const double least = finding.allowed;
     EXPECT_NEAR(0.03 * 0.03 / (0.28 * least * least) + 0.30 / least, 1.0, 1e-14);
     double start = 0.0, c = 0.0;
-    ASSERT_EQ(std::sscanf(finding.suggestion.c_str(), "start_torque_Nm = %lf (or C_Nm = %lf)", &start, &c), 2) << finding.suggestion;
+    ASSERT_EQ(std::sscanf(finding.suggestion.c_str(), "law.start_torque_Nm = %lf (or law.c_Nm = %lf)", &start, &c), 2) << finding.suggestion;
     EXPECT_LT(start, least * 1.03);
     o.c = c;
     EXPECT_TRUE(make_stiction_law(o));
@@ -123,7 +123,7 @@ TEST(StictionLawRefusal, EndTooHighNamesTheHighestTorqueAndTheChangeWorks) {
     EXPECT_EQ(finding.measured, 2.0);
     EXPECT_NEAR(finding.allowed, 0.2 * 0.2 / (0.28 * 0.1), 1e-14);
     double end = 0.0, c = 0.0;
-    ASSERT_EQ(std::sscanf(finding.suggestion.c_str(), "end_torque_Nm = %lf (or C_Nm = %lf)", &end, &c), 2) << finding.suggestion;
+    ASSERT_EQ(std::sscanf(finding.suggestion.c_str(), "law.end_torque_Nm = %lf (or law.c_Nm = %lf)", &end, &c), 2) << finding.suggestion;
     o.end_torque = end;
     EXPECT_TRUE(make_stiction_law(o));
     o.end_torque = 2.0;
@@ -136,7 +136,7 @@ TEST(StictionLawRefusal, NoDeadBandReductionAndNegativeConstantAsksForAnotherCon
     const auto refused = make_stiction_law(o);
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.refusal().front().allowed, 0.0);
-    ASSERT_EQ(std::sscanf(refused.refusal().front().suggestion.c_str(), "C_Nm = %lf", &o.c), 1);
+    ASSERT_EQ(std::sscanf(refused.refusal().front().suggestion.c_str(), "law.c_Nm = %lf", &o.c), 1);
     EXPECT_TRUE(make_stiction_law(o));
 }
 
@@ -150,15 +150,15 @@ TEST(StictionLawRefusal, BadOptionsAreNamed) {
         return "accepted";
     };
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_EQ(field(design(0.0, 0.03, 0.05, 0.12, 1.0)), "k");
-    EXPECT_EQ(field(design(0.42, nan, 0.05, 0.12, 1.0)), "u");
-    EXPECT_EQ(field(design(0.42, 0.03, nan, 0.12, 1.0)), "c");
-    EXPECT_EQ(field(design(0.42, 0.0, 0.0, 0.12, 1.0)), "u and c");
-    EXPECT_EQ(field(design(0.42, 0.03, 0.05, -0.12, 1.0)), "start_torque");
-    EXPECT_EQ(field(design(0.42, 0.03, 0.05, 0.12, 0.12)), "end_torque");
+    EXPECT_EQ(field(design(0.0, 0.03, 0.05, 0.12, 1.0)), "law.k_per_Nm_rad");
+    EXPECT_EQ(field(design(0.42, nan, 0.05, 0.12, 1.0)), "law.u_Nm");
+    EXPECT_EQ(field(design(0.42, 0.03, nan, 0.12, 1.0)), "law.c_Nm");
+    EXPECT_EQ(field(design(0.42, 0.0, 0.0, 0.12, 1.0)), "law.c_Nm");
+    EXPECT_EQ(field(design(0.42, 0.03, 0.05, -0.12, 1.0)), "law.start_torque_Nm");
+    EXPECT_EQ(field(design(0.42, 0.03, 0.05, 0.12, 0.12)), "law.end_torque_Nm");
     StictionLawOptions slippery = design(0.42, 0.03, 0.05, 0.12, 1.0);
     slippery.mu = 0.0;
-    EXPECT_EQ(field(slippery), "mu");
+    EXPECT_EQ(field(slippery), "rig.gear_friction");
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ struct CamOptions {
     PathOptions path;
     int torque_sign = 1;           ///< sign of the tension's torque about +z
     double cable_diameter = 1e-3;  ///< d [m]
-    int target_rows = 400;         ///< working positions kept in `Cam::working`, evenly spaced in cam angle; >= 200
+    int target_rows = 400;         ///< working positions kept in `Cam::working`, evenly spaced in cam angle; 200 to 10000
 };
 
 /// A finished cam in the plane and in space; immutable. What solids, checks, exports and reports are made from.
@@ -63,8 +63,8 @@ struct Cam {
 };
 
 /// Turns an arm function into a cam: contact and contour from the guide's geometry, height, margins and (planar) the closed idle arc.
-/// Refusals (findings): "cam.guide" (arm longer than the guide is far), "cam.convexity" (rho <= 0 on the working arc), "cam.wrap" (planar and
-/// more than a turn), "cam.idle_arc" (the idle arc does not close with the least radius).
+/// Refusals (findings): "cam.arm" (an arm under 0.1 mm or over 1 m), "cam.guide" (arm longer than the guide is far), "cam.convexity" (rho <= 0
+/// on the working arc), "cam.wrap" (planar and more than a turn, or more than 20 turns), "cam.idle_arc" (the idle arc does not close with the least radius).
 /// @throws InvalidInput naming the option
 [[nodiscard]] core::Outcome<Cam> synthesize_cam(const ArmFunction& arm, const CamOptions& options);
 

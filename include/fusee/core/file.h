@@ -1,5 +1,7 @@
 #pragma once
+#include <cstddef>
 #include <filesystem>
+#include <limits>
 #include <string>
 #include <string_view>
 
@@ -9,8 +11,8 @@ namespace fusee::core {
 /// @throws IoError
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 
-/// @throws IoError
-[[nodiscard]] std::string read_file(const std::filesystem::path& path);
+/// @throws IoError, also when there are more than `largest` bytes
+[[nodiscard]] std::string read_file(const std::filesystem::path& path, std::size_t largest = std::numeric_limits<std::size_t>::max());
 
 /// Lower-case hex SHA-256 of the bytes.
 [[nodiscard]] std::string sha256_hex(std::string_view bytes);

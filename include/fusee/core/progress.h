@@ -24,6 +24,7 @@ private:
 };
 
 /// Makes Ctrl-C (SIGINT) and SIGTERM a request to stop instead of an end: what is finished stays, nothing new is begun.
+/// Asked a second time, the program ends at once.
 void catch_interrupts();
 [[nodiscard]] bool interrupted();
 

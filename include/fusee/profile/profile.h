@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <map>
 #include <string>
 #include <variant>
 #include <vector>
@@ -81,6 +82,10 @@ struct Profile {
     checks::Cable cable;
     checks::Process process;
     Outputs outputs;
+    std::map<std::string, std::string> places;  ///< of the keys that stand in the file: "file:line:column: key"
+
+    /// Where a key stands; of one that is left out, file and key.
+    [[nodiscard]] std::string place_of(const std::string& key) const;
 };
 
 /// No profile and no table is longer [bytes].

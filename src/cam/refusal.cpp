@@ -1,0 +1,159 @@
+#include "refusal.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <optional>
+
+#include "fusee/cam/contact.h"
+#include "solve.h"
+
+namespace fusee::cam {
+
+namespace {
+
+constexpr core::Range kArms{1e-4, 1.0};       // [m] a cam with other arms is a mistake in the profile, not a part
+constexpr double kLeastIdleArc = 0.2;         // [rad] of normals that a planar contour needs to close
+constexpr double kLongestHelix = 20.0 * 2.0 * core::kPi;  // [rad] more turns than any cable drum of this kind has
+constexpr double kInside = 1e-3;              // share by which a suggested value lies inside its limit
+
+using Test = std::function<bool(const Contact&)>;
+
+/// A contact's share in a cam: in the order in which what is broken first hides the rest.
+bool sane_arm(const Contact& c) { return kArms.holds(c.arm.arm); }
+bool convex(const Contact& c) { return c.path.rho > 0.0; }
+Test within_reach(const ArmFunction& arm, const CamOptions& options) {
+    return [&](const Contact& c) { return guide_reach(arm.kind(), c.arm, options) > 0.0; };
+}
+
+core::Finding broken(const ArmFunction& arm, const char* rule, const char* what, const Contact& at, double measured_mm, double allowed_mm) {
+    core::Finding f;
+    f.rule = rule;
+    f.severity = core::Severity::kRequired;
+    f.what = what;
+    f.measured = measured_mm;
+    f.allowed = allowed_mm;
+    f.unit = "mm";
+    f.where = fmt::format("{} at {:.4g} Nm, cam angle {:.1f} deg", to_string(arm.kind()), at.arm.tau, core::deg_from_rad(at.arm.angle));
+    f.source = "cable kinematics: the envelope of the cable's lines exists and is convex";
+    return f;
+}
+
+std::string spring_key(const ArmFunction& arm, double preload) {
+    const bool torsion = arm.kind() == PartKind::kSeries;
+    return fmt::format("{}.spring.{} = {:.4g}", to_string(arm.kind()), torsion ? "preload_rad" : "preload_mm", torsion ? preload : core::mm_from_m(preload));
+}
+
+/// The preload nearest to the given one, in proportion, with which every contact is sound.
+std::string other_preload(const ArmFunction& arm, const CamOptions& options) {
+    constexpr double kStep = 1.1, kFromNothing = 0.01;  // an unloaded spring is first tried with 1 % of its final state
+    constexpr int kSteps = 60;
+    constexpr std::size_t kContacts = 201;
+    const double given = arm.base().preload, middle = given > 0.0 ? given : kFromNothing * arm.at_load(arm.law().loads().high).state;
+    for (int i = 1; i <= kSteps; ++i)
+        for (const int direction : {1, -1}) {
+            const double preload = middle * std::pow(kStep, direction * i);
+            const ArmFunction other = arm.with_preload(preload);
+            const std::vector<Contact> contacts = scan_contacts(other, options, kContacts);
+            const Test reached = within_reach(other, options);
+            if (std::all_of(contacts.begin(), contacts.end(), [&](const Contact& c) { return sane_arm(c) && reached(c) && convex(c); }))
+                return spring_key(arm, preload);
+        }
+    return {};
+}
+
+/// Where the law has to end so that `good` holds up to there: between the last good contact and the first bad one after the start.
+std::string earlier_end(const ArmFunction& arm, const CamOptions& options, const std::vector<Contact>& contacts, const Test& good) {
+    const auto bad = std::find_if_not(contacts.begin(), contacts.end(), good);
+    if (bad == contacts.begin() || bad == contacts.end()) return {};
+    double inside = (bad - 1)->arm.tau, outside = bad->arm.tau;
+    for (int i = 0; i < 40; ++i) {
+        const double middle = 0.5 * (inside + outside);
+        (good(touch(arm.kind(), arm.at_load(middle), options)) ? inside : outside) = middle;
+    }
+    return fmt::format("law.end_torque_Nm = {:.4g}", (1.0 - kInside) * inside);
+}
+
+std::string first_of(const std::string& a, const std::string& b) {
+    if (a.empty() && b.empty()) return "another base spring (rate, preload) or law: no preload makes all of it sound";
+    return a.empty() || b.empty() ? a + b : a + ", or " + b;
+}
+
+/// Rate and preload that stretch every arm alike (docs/theory/cams.md, table 1).
+std::string scaled_arms(const ArmFunction& arm, double factor) {
+    const bool torsion = arm.kind() == PartKind::kSeries;
+    const double power = torsion ? 1.0 : -1.0, rate = arm.base().rate * std::pow(factor, 2.0 * power);
+    return fmt::format("{}.spring.{} = {:.4g} with {} (every arm x {:.3g})", to_string(arm.kind()), torsion ? "rate_Nm_per_rad" : "rate_N_per_m", rate,
+                       spring_key(arm, arm.base().preload * std::pow(factor, -power)), factor);
+}
+
+core::Finding arm_beyond(const ArmFunction& arm, const CamOptions& options, const Contact& at) {
+    const bool shorter = at.arm.arm < kArms.low;
+    core::Finding f = broken(arm, "cam.arm", "no cam has such a lever arm", at, core::mm_from_m(at.arm.arm), core::mm_from_m(shorter ? kArms.low : kArms.high));
+    f.bound = shorter ? core::Bound::kAtLeast : core::Bound::kAtMost;
+    f.source = "docs/theory/cams.md, table 1: springs and law of one size";
+    if (std::isfinite(at.arm.arm) && at.arm.arm > 0.0)
+        f.suggestion = scaled_arms(arm, shorter ? (1.0 + kInside) * kArms.low / at.arm.arm : (1.0 - kInside) * kArms.high / at.arm.arm);
+    else
+        f.suggestion = first_of(other_preload(arm, options), "");
+    return f;
+}
+
+}  // namespace
+
+std::vector<Contact> scan_contacts(const ArmFunction& arm, const CamOptions& options, std::size_t count) {
+    std::vector<Contact> contacts;
+    const core::Range loads = arm.law().loads();
+    for (std::size_t i = 0; i < count; ++i)
+        contacts.push_back(
+            touch(arm.kind(), arm.at_load(loads.low + loads.width() * static_cast<double>(i) / static_cast<double>(count - 1)), options));
+    return contacts;
+}
+
+core::Findings check_contacts(const ArmFunction& arm, const CamOptions& options, const std::vector<Contact>& contacts) {
+    const auto misfit = [](const Contact& c) { return sane_arm(c) ? 0.0 : std::isfinite(c.arm.arm) && c.arm.arm > 0.0 ? std::abs(std::log(c.arm.arm)) : INFINITY; };
+    const Contact *oddest = &contacts.front(), *nearest = oddest, *sharpest = oddest;
+    for (const Contact& c : contacts) {
+        if (misfit(c) > misfit(*oddest)) oddest = &c;
+        if (!(guide_reach(arm.kind(), c.arm, options) >= guide_reach(arm.kind(), nearest->arm, options))) nearest = &c;
+        if (!(c.path.rho >= sharpest->path.rho)) sharpest = &c;
+    }
+    if (!sane_arm(*oddest)) return {arm_beyond(arm, options, *oddest)};
+    const double reach_mm = core::mm_from_m(guide_reach(arm.kind(), nearest->arm, options));
+    if (!(reach_mm > 0.0)) {
+        core::Finding f = broken(arm, "cam.guide", "the guide is too near: no straight cable from cam to guide has the arm asked for", *nearest, reach_mm, 0.0);
+        f.suggestion = fmt::format("{}.guide.distance_mm = {:.1f}", to_string(arm.kind()), core::mm_from_m(options.guide.distance) + 1.1 * std::abs(reach_mm) + 0.1);
+        return {f};
+    }
+    if (convex(*sharpest)) return {};
+    core::Finding f = broken(arm, "cam.convexity", "no convex contour has this arm: its radius of curvature would not be above 0", *sharpest,
+                             core::mm_from_m(sharpest->path.rho), 0.0);
+    f.suggestion = first_of(earlier_end(arm, options, contacts, convex), other_preload(arm, options));
+    return {f};
+}
+
+core::Findings check_wrap(const ArmFunction& arm, const Cam& cam, double travel) {
+    const double wrap = cam.working_psi.width(), allowed = cam.closed() ? 2.0 * core::kPi - kLeastIdleArc : kLongestHelix;
+    if (wrap <= allowed) return {};
+    core::Finding f;
+    f.rule = "cam.wrap";
+    f.severity = core::Severity::kRequired;
+    f.what = cam.closed() ? "a planar groove cannot hold this wrap: it would run over itself" : "more turns of groove than a cam can have";
+    f.measured = core::deg_from_rad(wrap);
+    f.bound = core::Bound::kAtMost;
+    f.allowed = core::deg_from_rad(allowed);
+    f.unit = "deg";
+    f.where = to_string(arm.kind());
+    // Contacts wander a little against the cam's angle as the arm changes; what is left of it is for the next run to find.
+    const double angle = 0.97 * travel * allowed / wrap;
+    const core::Range loads = arm.law().loads();
+    const double end = solve_between([&](double tau) { return arm.at_load(tau).angle - angle; }, loads.low, loads.high);
+    f.suggestion = fmt::format("law.end_torque_Nm = {:.4g}", end);
+    if (cam.closed()) f.suggestion = fmt::format("{}.path.kind = \"helix\", or {}", to_string(arm.kind()), f.suggestion);
+    f.source = cam.closed() ? "geometry: one turn less the idle arc" : "docs/theory/cams.md: arms and law of one size";
+    return {f};
+}
+
+}  // namespace fusee::cam

@@ -12,7 +12,7 @@ int main(int argc, char** argv) {
     using namespace fusee;
     CLI::App app("fusee turns the spring energies of a variable-stiffness joint into cams that a shop can print or machine", "fusee");
     app.set_version_flag("--version", core::version());
-    app.require_subcommand(1);
+    app.require_subcommand(0, 1);  // none is refused below: CLI11 would pass over a wrong word
     app.footer("Example:\n  fusee make profiles/pnrvsa.toml\n\nHelp on a command: fusee COMMAND --help");
     app::Action action;
     app::add_make(app, action);
@@ -21,6 +21,10 @@ int main(int argc, char** argv) {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& e) {
         return app.exit(e) == 0 ? 0 : kBadInput;
+    }
+    if (!action) {
+        fmt::print(stderr, "A command is required: make, reference, rules or completion\nRun with --help for more information.\n");
+        return kBadInput;
     }
     try {
         return action();

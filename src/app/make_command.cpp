@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
-#include <map>
 #include <memory>
 
 #include "commands.h"
 #include "fusee/batch/batch.h"
+#include "fusee/core/error.h"
 #include "fusee/core/progress.h"
 
 namespace fusee::app {
@@ -14,11 +14,13 @@ namespace {
 struct MakeArguments {
     std::vector<std::filesystem::path> paths;
     pipeline::MakeOptions options;
+    std::string via = to_string(options.via);
     unsigned jobs = 0;
 };
 
 int make(const MakeArguments& arguments) {
     core::catch_interrupts();
+    if (arguments.paths.empty()) throw core::InvalidInput("make", "no profile", "at least one profile (*.toml) or folder of them");
     const auto rows = batch::make_all(batch::find_profiles(arguments.paths), arguments.options, arguments.jobs);
     const int code = batch::exit_code(rows);
     fmt::print(code == 0 ? stdout : stderr, "{}", batch::closing_table(rows));
@@ -30,16 +32,20 @@ int make(const MakeArguments& arguments) {
 void add_make(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<MakeArguments>();
     CLI::App* command = app.add_subcommand("make", "Turn profiles into checked cams: out/NAME with STL, 3MF, DXF, SCAD, PART.json and a report");
-    command->add_option("profiles", arguments->paths, "Profiles (*.toml), or folders of them")->required();
+    command->add_option("profiles", arguments->paths, "Profiles (*.toml), or folders of them: at least one");
     command->add_option("-o,--out", arguments->options.out, "Folder that gets one folder per design")->capture_default_str();
-    command->add_option("--via", arguments->options.via, "Kernel that makes the STL: cgal (direct, fast) or openscad (second, independent kernel)")
-        ->transform(CLI::CheckedTransformer(std::map<std::string, pipeline::Via>{{"cgal", pipeline::Via::kCgal}, {"openscad", pipeline::Via::kOpenScad}}));
+    command->add_option("--via", arguments->via, "Kernel that makes the STL: cgal (direct, fast) or openscad (second, independent kernel)")
+        ->check(CLI::IsMember({"cgal", "openscad"}))
+        ->capture_default_str();
     command->add_option("-j,--jobs", arguments->jobs, "Designs made at the same time; 0 = one for each processor")->capture_default_str();
     command->footer(
         "Example:\n  fusee make profiles/pnrvsa.toml\n  fusee make profiles --out /tmp/cams --jobs 2\n\n"
         "Exit code: 0 all made, 1 a design cannot be made (the binding limit and the nearest feasible change are printed),\n"
-        "2 bad input (file, line and key are named), 130 stopped by Ctrl-C. A design that was not made leaves nothing behind.");
-    command->callback([arguments, &action] { action = [arguments] { return make(*arguments); }; });
+        "2 bad input (file, line and key are named), 3 a failure inside, 130 stopped by Ctrl-C. A design that was not made leaves nothing behind.");
+    command->callback([arguments, &action] {
+        arguments->options.via = arguments->via == "cgal" ? pipeline::Via::kCgal : pipeline::Via::kOpenScad;
+        action = [arguments] { return make(*arguments); };
+    });
 }
 
 }  // namespace fusee::app

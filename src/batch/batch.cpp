@@ -47,7 +47,7 @@ std::vector<Job> read_all(const std::vector<fs::path>& paths) {
             profile::Profile read = profile::read_profile(path);
             job.row.result.name = read.name;
             if (!names.insert(read.name).second)
-                throw core::InvalidInput(path.string() + ": name", read.name, "a name that no other profile of this run has: each design gets out/NAME");
+                throw core::InvalidInput(read.place_of("name"), read.name, "a name that no other profile of this run has: each design gets out/NAME");
             job.profile = std::move(read);
         });
     }
@@ -57,7 +57,11 @@ std::vector<Job> read_all(const std::vector<fs::path>& paths) {
 void run(Job& job, const pipeline::MakeOptions& options) {
     const auto begin = std::chrono::steady_clock::now();
     guarded(job.row, [&] {
-        job.row.result = pipeline::make(*job.profile, options);
+        try {
+            job.row.result = pipeline::make(*job.profile, options);
+        } catch (const core::InvalidInput& e) {  // a room below knows the key, the profile its line
+            throw core::InvalidInput(job.profile->place_of(e.field()), e.value(), e.allowed());
+        }
         job.row.outcome = job.row.result.made ? Outcome::kMade : Outcome::kRefused;
     });
     job.row.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -68,13 +72,16 @@ void run(Job& job, const pipeline::MakeOptions& options) {
 std::vector<fs::path> find_profiles(const std::vector<fs::path>& paths) {
     std::vector<fs::path> found;
     for (const fs::path& path : paths) {
-        if (!fs::is_directory(path)) {
-            found.push_back(path);
+        std::error_code error;
+        if (!fs::is_directory(path, error)) {
+            found.push_back(path);  // also what does not exist: that becomes its row
             continue;
         }
+        error.clear();
         std::vector<fs::path> inside;
-        for (const auto& entry : fs::directory_iterator(path))
-            if (entry.path().extension() == ".toml") inside.push_back(entry.path());
+        for (auto entry = fs::directory_iterator(path, error); !error && entry != fs::directory_iterator(); entry.increment(error))
+            if (entry->path().extension() == ".toml" && !fs::is_directory(entry->path())) inside.push_back(entry->path());
+        if (error) throw core::IoError(path.string(), error.message());
         if (inside.empty()) throw core::IoError(path.string(), "holds no profile (*.toml)");
         std::sort(inside.begin(), inside.end());
         found.insert(found.end(), inside.begin(), inside.end());

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "fusee/batch/batch.h"
 
@@ -39,8 +40,11 @@ std::string made_line(const Row& row) {
     const auto count = [&](core::Severity severity) {
         return std::count_if(row.result.findings.begin(), row.result.findings.end(), [&](const core::Finding& f) { return f.severity == severity; });
     };
-    return fmt::format("{}/  worst arm error {:.4f} %, exact dead-band {:.1f} deg at peak torque, {} rules passed, {} to review", row.result.folder.string(),
-                       100.0 * row.result.worst_arm_error, row.result.dead_band_peak_deg, count(core::Severity::kPass), count(core::Severity::kReview));
+    const double width = row.result.dead_band_peak_deg;
+    const std::string dead_band = std::isfinite(width) ? fmt::format("exact dead-band {:.1f} deg at peak torque", width)
+                                                       : "the springs do not cover the dead-band at peak torque";
+    return fmt::format("{}/  worst arm error {:.4f} %, {}, {} rules passed, {} to review", row.result.folder.string(),
+                       100.0 * row.result.worst_arm_error, dead_band, count(core::Severity::kPass), count(core::Severity::kReview));
 }
 
 std::string details(const Row& row) {

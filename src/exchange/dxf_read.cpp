@@ -42,7 +42,6 @@ public:
         if (!(c.radius > 0.0)) throw core::IoError(path_.string(), "holds a circle without a radius above 0");
         layer(attributes.getLayer()).circles.push_back({point(c.cx, c.cy), c.radius});
     }
-    void addPoint(const DL_PointData& p) override { layer(attributes.getLayer()).points_mm.push_back(point(p.x, p.y)); }
 
     /// The last polyline is complete when the file ends or another one begins. @throws IoError if vertices are missing
     void finish() {
@@ -58,7 +57,7 @@ private:
     DxfLayer& layer(const std::string& name) {
         auto& layers = drawing.layers;
         const auto found = std::find_if(layers.begin(), layers.end(), [&](const DxfLayer& l) { return l.name == name; });
-        return found == layers.end() ? layers.emplace_back(DxfLayer{name, {}, {}, {}}) : *found;
+        return found == layers.end() ? layers.emplace_back(DxfLayer{name, {}, {}}) : *found;
     }
     [[nodiscard]] Vec2 point(double x, double y) const {
         if (!std::isfinite(x) || !std::isfinite(y)) throw core::IoError(path_.string(), "holds a coordinate that is not finite");

@@ -66,7 +66,6 @@ void write_layer(DL_Dxf& dxf, MemoryWriter& out, const DxfLayer& layer) {
         dxf.writePolylineEnd(out);
     }
     for (const DxfCircle& c : layer.circles) dxf.writeCircle(out, DL_CircleData(c.centre_mm[0], c.centre_mm[1], 0.0, c.radius_mm), look);
-    for (const Vec2& p : layer.points_mm) dxf.writePoint(out, DL_PointData(p[0], p[1], 0.0), look);
 }
 
 }  // namespace

@@ -11,7 +11,8 @@ namespace fusee::exchange {
 
 namespace {
 
-constexpr double kChord = 1e-3;    // chord error of the drawing [mm]
+constexpr double kChord = kDrawingChord_mm;
+constexpr double kMarkFrom = 0.7;  // of the rim, as the part's own mark
 constexpr double kLargest = 0.05;  // step where the outline is nearly straight in psi [rad]
 
 using Outline = std::function<solid::OutlinePoint(const cam::PathPoint&)>;
@@ -38,21 +39,21 @@ Outline parallel(double offset_mm) {
 }
 
 /// Where the ray at body angle 0 leaves the outline: the crossing farthest out.
-Vec2 crossing_at_zero(const DxfPolyline& line) {
-    Vec2 far{};
+double crossing_at_zero(const DxfPolyline& line) {
+    double far = 0.0;
     const std::size_t n = line.points_mm.size();
     for (std::size_t i = line.closed ? 0 : 1; i < n; ++i) {
         const Vec2 &a = line.points_mm[(i + n - 1) % n], &b = line.points_mm[i];
         if ((a[1] < 0.0) == (b[1] < 0.0)) continue;
-        far[0] = std::max(far[0], a[0] + (b[0] - a[0]) * a[1] / (a[1] - b[1]));
+        far = std::max(far, a[0] + (b[0] - a[0]) * a[1] / (a[1] - b[1]));
     }
     return far;
 }
 
 DxfLayer bore_layer(const solid::HubOptions& hub) {
     if (hub.lock == solid::HubLock::kKeyway || hub.lock == solid::HubLock::kDFlat)
-        return {"BORE", {{solid::bore_ring(hub, kChord), true}}, {}, {}};
-    return {"BORE", {}, {{{0.0, 0.0}, core::mm_from_m(0.5 * (hub.bore_diameter + hub.bore_clearance))}}, {}};
+        return {"BORE", {{solid::bore_ring(hub, kChord), true}}, {}};
+    return {"BORE", {}, {{{0.0, 0.0}, core::mm_from_m(0.5 * (hub.bore_diameter + hub.bore_clearance))}}};
 }
 
 }  // namespace
@@ -63,19 +64,20 @@ DxfDrawing spool_drawing(const solid::Part& part, const std::string& provenance)
     const DxfPolyline flange = sampled(part.cam, parallel(reach.lip + reach.upper));
     DxfDrawing drawing;
     drawing.provenance = provenance;
-    drawing.layers.push_back({"PITCH", {sampled(part.cam, parallel(0.0))}, {}, {}});
-    drawing.layers.push_back({"FLOOR", {sampled(part.cam, parallel(-half_cable))}, {}, {}});
+    drawing.layers.push_back({"PITCH", {sampled(part.cam, parallel(0.0))}, {}});
+    drawing.layers.push_back({"FLOOR", {sampled(part.cam, parallel(-half_cable))}, {}});
     if (part.cam.closed()) {
-        drawing.layers.push_back({"FLANGE", {flange}, {}, {}});
+        drawing.layers.push_back({"FLANGE", {flange}, {}});
         if (reach.core_radius > 0.0) {
             const auto lower = [&](const cam::PathPoint& p) { return solid::flange_point(p, reach.lip + reach.lower, reach.core_radius); };
-            drawing.layers.push_back({"LOWER_FLANGE", {sampled(part.cam, lower)}, {}, {}});
+            drawing.layers.push_back({"LOWER_FLANGE", {sampled(part.cam, lower)}, {}});
         }
     } else {
-        drawing.layers.push_back({"FLANGE", {}, {{{0.0, 0.0}, helix_radius_mm(part)}}, {}});
+        drawing.layers.push_back({"FLANGE", {}, {{{0.0, 0.0}, helix_radius_mm(part)}}});
     }
     drawing.layers.push_back(bore_layer(part.options.hub));
-    drawing.layers.push_back({"MARK", {}, {}, {part.cam.closed() ? crossing_at_zero(flange) : Vec2{helix_radius_mm(part), 0.0}}});
+    const double rim = part.cam.closed() ? crossing_at_zero(flange) : helix_radius_mm(part);
+    drawing.layers.push_back({"MARK", {{{{kMarkFrom * rim, 0.0}, {rim, 0.0}}, false}}, {}});
     return drawing;
 }
 

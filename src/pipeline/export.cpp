@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "fusee/core/file.h"
 #include "fusee/core/units.h"
@@ -23,17 +24,52 @@ exchange::FileEntry entry_of(const fs::path& path, std::size_t triangles, double
     return {path.filename().string(), core::sha256_hex(core::read_file(path)), triangles, chordal_error_mm};
 }
 
-/// The mesh that goes into the files: fusee's own, or OpenSCAD's rendering of the SCAD file.
-solid::Mesh exported_mesh(const solid::Part& part, Via via, const fs::path& scad, const fs::path& stl, const std::string& provenance) {
-    if (via == Via::kCgal) {
-        exchange::write_stl(stl, part.mesh, provenance);
-        return part.mesh;
-    }
+fs::path with_ending(const fs::path& base, const char* ending) { return fs::path(base) += ending; }
+
+/// OpenSCAD's own rendering of the SCAD file.
+solid::Mesh rendered(const fs::path& scad, const fs::path& stl) {
     exchange::render_scad(scad, stl);
     return exchange::read_stl_openmesh(stl);
 }
 
-core::Finding judge(const readback::ArmError& error, const std::string& part, double chordal_error_mm) {
+/// Every format asked for. Through OpenSCAD the mesh comes from the SCAD file by way of an STL file; what was not asked for goes again.
+std::vector<exchange::FileEntry> write_files(const solid::Part& part, const profile::Outputs& outputs, const std::string& provenance, Via via,
+                                             const fs::path& base) {
+    const fs::path scad = with_ending(base, ".scad"), stl = with_ending(base, ".stl"), three_mf = with_ending(base, ".3mf"),
+                   dxf = with_ending(base, ".dxf");
+    const bool direct = via == Via::kCgal;
+    if (outputs.scad || !direct) exchange::write_scad(scad, part, provenance);
+    const solid::Mesh mesh = direct ? part.mesh : rendered(scad, stl);
+    if (outputs.stl && direct) exchange::write_stl(stl, mesh, provenance);
+    if (outputs.three_mf) exchange::write_3mf(three_mf, mesh, base.filename().string(), provenance);
+    const bool flat_spool = part.cam.kind == cam::PartKind::kSeries && part.cam.closed();
+    if (outputs.dxf && flat_spool) exchange::write_dxf(dxf, exchange::spool_drawing(part, provenance));
+    if (!outputs.scad) fs::remove(scad);
+    if (!outputs.stl) fs::remove(stl);
+
+    std::vector<exchange::FileEntry> entries;
+    const auto list = [&](bool written, const fs::path& path, std::size_t triangles, double chordal_error_mm) {
+        if (written) entries.push_back(entry_of(path, triangles, chordal_error_mm));
+    };
+    list(outputs.stl, stl, mesh.triangles.size(), part.chordal_error_mm);
+    list(outputs.three_mf, three_mf, mesh.triangles.size(), part.chordal_error_mm);
+    list(outputs.scad, scad, 0, part.chordal_error_mm);
+    list(outputs.dxf && flat_spool, dxf, 0, exchange::kDrawingChord_mm);
+    return entries;
+}
+
+/// A mesh keeps its chordal error, and no arm is off by more: the suggested one suits the least arm. Where no cable can be laid at all, the
+/// guide is in the part's way.
+std::string nearest_change(const readback::ArmError& error, const cam::Cam& cam) {
+    double least = cam.working.front().path.h, farthest = 0.0;
+    for (const cam::Contact& c : cam.working) least = std::min(least, c.path.h), farthest = std::max(farthest, std::hypot(c.path.h, c.path.slope));
+    if (std::isfinite(error.worst_relative)) return fmt::format("tolerances.chordal_error_mm = {:.2g}", 0.8 * error.allowed * core::mm_from_m(least));
+    const cam::Guide& guide = cam.options.guide;
+    return fmt::format("{}.guide.distance_mm = {:.1f}: the guide lies within the part", to_string(cam.kind),
+                       core::mm_from_m(farthest + guide.radius + 2.0 * cam.options.cable_diameter));
+}
+
+core::Finding judge(const readback::ArmError& error, const cam::Cam& cam) {
     core::Finding f;
     f.rule = "readback.arm";
     f.what = fmt::format("the lever arm recomputed from {} (read by {}) is the one asked for", error.file, error.reader);
@@ -41,8 +77,8 @@ core::Finding judge(const readback::ArmError& error, const std::string& part, do
     f.bound = core::Bound::kAtMost;
     f.allowed = 100.0 * error.allowed;
     f.unit = "%";
-    f.where = fmt::format("{} at cam angle {:.1f} deg, worst of {} positions", part, core::deg_from_rad(error.worst_angle_rad), error.rows);
-    f.suggestion = fmt::format("tolerances.chordal_error_mm = {:.2g}, unless something stands in the cable's way there", 0.5 * chordal_error_mm * std::min(1.0, error.allowed / error.worst_relative));
+    f.where = fmt::format("{} at cam angle {:.1f} deg, worst of {} positions", to_string(cam.kind), core::deg_from_rad(error.worst_angle_rad), error.rows);
+    f.suggestion = nearest_change(error, cam);
     f.source = "docs/part-file.md: turn the part, lay a taut cable over the groove's floor";
     return core::judged(f, core::Severity::kRequired);
 }
@@ -54,28 +90,9 @@ const char* to_string(Via via) { return via == Via::kCgal ? "cgal" : "openscad";
 report::PartReport export_part(const DesignedPart& designed, const profile::Profile& profile, const core::Provenance& provenance, Via via,
                                const fs::path& folder) {
     const solid::Part& part = designed.part;
-    const std::string name = to_string(part.cam.kind);
-    const profile::Outputs& outputs = profile.outputs;
-    const fs::path base = folder / name, stl = fs::path(base) += ".stl", scad = fs::path(base) += ".scad";
-    std::vector<exchange::FileEntry> entries;
-    if (outputs.scad || via == Via::kOpenScad) {
-        exchange::write_scad(scad, part, provenance.line());
-        entries.push_back(entry_of(scad, 0, part.chordal_error_mm));
-    }
-    const solid::Mesh mesh = exported_mesh(part, via, scad, stl, provenance.line());
-    entries.push_back(entry_of(stl, mesh.triangles.size(), part.chordal_error_mm));
-    if (outputs.three_mf) {
-        const fs::path path = fs::path(base) += ".3mf";
-        exchange::write_3mf(path, mesh, name, provenance.line());
-        entries.push_back(entry_of(path, mesh.triangles.size(), part.chordal_error_mm));
-    }
-    if (outputs.dxf && part.cam.kind == cam::PartKind::kSeries && part.cam.closed()) {
-        const fs::path path = fs::path(base) += ".dxf";
-        exchange::write_dxf(path, exchange::spool_drawing(part, provenance.line()));
-        entries.push_back(entry_of(path, 0, 1e-3));
-    }
     const profile::PartSpec& spec = part.cam.kind == cam::PartKind::kSeries ? profile.k_se : profile.k_pe;
-    const fs::path json = fs::path(base) += ".json";
+    const fs::path base = folder / to_string(part.cam.kind), json = with_ending(base, ".json");
+    const std::vector<exchange::FileEntry> entries = write_files(part, profile.outputs, provenance.line(), via, base);
     exchange::write_part_file(json, exchange::describe_part(part, spec.spring, entries, provenance));
 
     report::PartReport report;
@@ -83,8 +100,8 @@ report::PartReport export_part(const DesignedPart& designed, const profile::Prof
     report.spring = spec.spring;
     report.findings = designed.findings;
     report.arm_errors = readback::read_back(folder, exchange::read_part_file(json));
-    for (const readback::ArmError& error : report.arm_errors) report.findings.push_back(judge(error, name, part.chordal_error_mm));
-    for (exchange::FileEntry& entry : entries) report.files.push_back({entry, fs::file_size(folder / entry.name)});
+    for (const readback::ArmError& error : report.arm_errors) report.findings.push_back(judge(error, part.cam));
+    for (const exchange::FileEntry& entry : entries) report.files.push_back({entry, fs::file_size(folder / entry.name)});
     report.files.push_back({entry_of(json, 0, 0.0), fs::file_size(json)});
     report.quality = solid::measure_quality(part.mesh);
     return report;

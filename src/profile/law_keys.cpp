@@ -68,7 +68,7 @@ std::vector<Key> law_keys() {
         "law.start_torque_Nm", kNm, above(0, 1e4), "lowest load of the law, lead-in not counted",
         [](auto& p) -> auto& { return p.law.start_torque; })));
     all.push_back(required(number(
-        "law.end_torque_Nm", kNm, above(0, 1e4), "highest load; to cover stiction: overdrive torque / (1 - mu)",
+        "law.end_torque_Nm", kNm, above(0, 1e4), "highest load; to cover stiction: somewhat more than overdrive torque / (1 - mu)",
         [](auto& p) -> auto& { return p.law.end_torque; })));
     all.push_back(number(
         "law.lead_in_deg", kDeg, within(0, 720), "capstan travel of the low-load law below the start",

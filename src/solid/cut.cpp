@@ -4,7 +4,9 @@
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 
+#include <algorithm>
 #include <exception>
+#include <numeric>
 
 #include "surface_mesh.h"
 
@@ -66,6 +68,26 @@ void collapse_short_edges(SurfaceMesh& mesh) {
     mesh.collect_garbage();
 }
 
+/// Corefinement numbers new vertices and faces by address, so the same solid comes in another order from run to run: points are put in order of
+/// their coordinates, triangles in that of their points.
+Mesh in_canonical_order(const Mesh& mesh) {
+    std::vector<std::uint32_t> order(mesh.points_mm.size()), rank(order.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return mesh.points_mm[a] < mesh.points_mm[b]; });
+    Mesh out;
+    for (std::uint32_t i = 0; i < order.size(); ++i) {
+        rank[order[i]] = i;
+        out.points_mm.push_back(mesh.points_mm[order[i]]);
+    }
+    for (const Triangle& t : mesh.triangles) {
+        Triangle ranked{rank[t[0]], rank[t[1]], rank[t[2]]};
+        std::rotate(ranked.begin(), std::min_element(ranked.begin(), ranked.end()), ranked.end());  // keeps the orientation
+        out.triangles.push_back(ranked);
+    }
+    std::sort(out.triangles.begin(), out.triangles.end());
+    return out;
+}
+
 Mesh from_surface_mesh(const SurfaceMesh& mesh) {
     Mesh out;
     for (const auto v : mesh.vertices()) out.points_mm.push_back({mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z()});
@@ -95,7 +117,7 @@ std::optional<Mesh> cut(const Mesh& body, const std::vector<Mesh>& tools) try {
     }
     solid.collect_garbage();
     collapse_short_edges(solid);
-    return from_surface_mesh(solid);
+    return in_canonical_order(from_surface_mesh(solid));
 } catch (const std::exception&) {
     return std::nullopt;  // CGAL throws on an input that intersects itself; `validate` says so to the caller
 }

@@ -20,6 +20,9 @@ namespace {
 
 using core::mm_from_m;
 
+constexpr double kSharpestFloor = 1.02;  // of half a cable: at 1 the floor has a cusp
+constexpr double kLeastBore_mm = 0.5;    // a smaller bore is no suggestion
+
 /// Fields are named as in a profile, since that is where a person changes them.
 void require_mm(const std::string& field, double metres, double low_mm, double high_mm) {
     constexpr double kRounding = 1e-9;  // of a limit: it may be met in another unit
@@ -79,14 +82,25 @@ core::Findings check_room(const cam::Cam& cam, const PartOptions& o, const std::
                                    cam.options.path.lead == cam::Lead::kConstantPitch
                                        ? fmt::format("{}.path.pitch_mm = {:.2f}", part, mm_from_m(cam.options.path.pitch) + rib - gap + 0.05)
                                        : fmt::format("{}.guide.z_mm larger, or {}.path.lead = \"constant_pitch\"", part, part)));
+    double least = mm_from_m(cam.path(cam.groove_psi.low).h), sharpest = mm_from_m(cam.path(cam.groove_psi.low).rho);
+    for (double psi = cam.groove_psi.low; psi <= cam.groove_psi.high; psi += 0.01) {
+        least = std::min(least, mm_from_m(cam.path(psi).h));
+        sharpest = std::min(sharpest, mm_from_m(cam.path(psi).rho));
+    }
+    const double half_cable = mm_from_m(0.5 * cam.options.cable_diameter);
+    if (sharpest <= half_cable * kSharpestFloor) {
+        findings.push_back(refusal("solid.floor", "the groove's floor folds: the cable's centreline bends within half a cable", sharpest,
+                                   half_cable * kSharpestFloor, part,
+                                   fmt::format("cable.diameter_mm = {:.3g}", 0.99 * 2.0 * sharpest / kSharpestFloor)));
+        return findings;
+    }
     if (o.hub.kind == HubKind::kOverhung) return findings;
-    double least = mm_from_m(cam.path(cam.groove_psi.low).h);
-    for (double psi = cam.groove_psi.low; psi <= cam.groove_psi.high; psi += 0.01) least = std::min(least, mm_from_m(cam.path(psi).h));
-    const double floor = least - mm_from_m(0.5 * cam.options.cable_diameter), reach = bore_reach_mm(o.hub);
-    if (floor <= reach + 0.05)
-        findings.push_back(refusal("solid.bore", "the bore breaks into the groove's floor", floor, reach + 0.05, part,
-                                   fmt::format("{}.hub.bore_mm = {:.2f}, or {}.hub.kind = \"overhung\"", part,
-                                               std::max(0.0, mm_from_m(o.hub.bore_diameter) - 2.0 * (reach + 0.3 - floor)), part)));
+    const double floor = least - half_cable, reach = bore_reach_mm(o.hub);
+    if (floor > reach + 0.05) return findings;
+    const double bore = mm_from_m(o.hub.bore_diameter) - 2.0 * (reach + 0.3 - floor);
+    const std::string smaller = bore > kLeastBore_mm ? fmt::format("{}.hub.bore_mm = {:.2f}, or ", part, bore) : "";
+    findings.push_back(refusal("solid.bore", "the bore breaks into the groove's floor", floor, reach + 0.05, part,
+                               fmt::format("{}{}.hub.kind = \"overhung\"", smaller, part)));
     return findings;
 }
 

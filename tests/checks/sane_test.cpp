@@ -23,6 +23,7 @@ std::string lines(const core::Findings& findings) {
 Bench growing_cam() {
     Bench b = pusher();
     const double width = 3.0 * core::kPi, pitch = 4.0 * kMm;
+    b.part.cam.anchor_psi = -0.8;  // arms of 3 mm: the default 20 deg would put the hole into the working floor
     b.part.cam.path = [=](double psi) {
         const double x = psi / width;
         const double bend = 13.0 * kMm / (width * width), h = 3.0 * kMm + 0.5 * bend * psi * psi;

@@ -14,8 +14,8 @@ using DxfTest = fixtures::FolderTest;
 DxfDrawing small_drawing() {
     DxfDrawing drawing;
     drawing.provenance = "fusee test";
-    drawing.layers.push_back({"FLOOR", {{{{1.0 / 3.0, -2e-7}, {10.0, 0.1}, {12345.678901234567, 7.0}}, true}}, {}, {}});
-    drawing.layers.push_back({"BORE", {{{{0.0, 1.0}, {2.0, 3.0}}, false}}, {{{0.5, -0.25}, 2.6}}, {{20.0, 0.0}}});
+    drawing.layers.push_back({"FLOOR", {{{{1.0 / 3.0, -2e-7}, {10.0, 0.1}, {12345.678901234567, 7.0}}, true}}, {}});
+    drawing.layers.push_back({"BORE", {{{{0.0, 1.0}, {2.0, 3.0}}, false}}, {{{0.5, -0.25}, 2.6}}});
     return drawing;
 }
 
@@ -41,7 +41,6 @@ TEST_F(DxfTest, RoundtripIsExact) {
         ASSERT_EQ(read->polylines.size(), 1u);
         EXPECT_EQ(read->polylines[0].points_mm, layer.polylines[0].points_mm);  // shortest digits that give the number back
         EXPECT_EQ(read->polylines[0].closed, layer.polylines[0].closed);
-        EXPECT_EQ(read->points_mm, layer.points_mm);
     }
     ASSERT_EQ(back.layer("BORE")->circles.size(), 1u);
     EXPECT_EQ(back.layer("BORE")->circles[0].radius_mm, 2.6);
@@ -88,8 +87,9 @@ TEST_F(DxfTest, OutlinesOfADiscStayWithinAMicrometre) {
             EXPECT_GT(std::hypot((a[0] + b[0]) / 2 - 5.0, (a[1] + b[1]) / 2), radius - 1.001e-3) << name << " " << i;
         }
     }
-    ASSERT_EQ(drawing.layer("MARK")->points_mm.size(), 1u);
-    EXPECT_NEAR(drawing.layer("MARK")->points_mm[0][0], 26.0, 1e-3);
+    ASSERT_EQ(drawing.layer("MARK")->polylines.size(), 1u);
+    EXPECT_FALSE(drawing.layer("MARK")->polylines[0].closed);
+    EXPECT_NEAR(drawing.layer("MARK")->polylines[0].points_mm.back()[0], 26.0, 1e-3);
 }
 
 TEST_F(DxfTest, BoreIsACircleOrAClosedOutlineWithKey) {

@@ -77,7 +77,7 @@ TEST_F(ReadBackTest, ThreeMfAndDrawingAgreeWithTheStl) {
         floor.points_mm.push_back({disc.offset_mm + r * std::cos(psi), r * std::sin(psi)});
     }
     exchange::write_3mf(file("a.3mf"), mesh, "k_se", "fusee test");
-    exchange::write_dxf(file("a.dxf"), {{{"FLOOR", {floor}, {}, {}}}, "fusee test"});
+    exchange::write_dxf(file("a.dxf"), {{{"FLOOR", {floor}, {}}}, "fusee test"});
     core::write_file(file("a.scad"), "// not read here");
     part.files = {entry("a.3mf", mesh.triangles.size()), entry("a.dxf", 0), entry("a.scad", 0)};
     const std::vector<ArmError> errors = read_back(folder_, part);
@@ -216,7 +216,7 @@ TEST_F(ReadBackTest, RefusesFilesThatAreNotTheOnesStated) {
     core::write_file(file("a.step"), "ISO-10303-21;");
     part.files = {entry("a.step", 0)};
     fixtures::expect_io_error([&] { (void)read_back(folder_, part); }, {"a.step"});
-    exchange::write_dxf(file("a.dxf"), {{{"PITCH", {}, {}, {}}}, ""});
+    exchange::write_dxf(file("a.dxf"), {{{"PITCH", {}, {}}}, ""});
     part.files = {entry("a.dxf", 0)};
     fixtures::expect_io_error([&] { (void)read_back(folder_, part); }, {"a.dxf", "FLOOR"});
 }

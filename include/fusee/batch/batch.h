@@ -25,7 +25,8 @@ struct Row {
     double seconds = 0.0;
 };
 
-/// Files as given; a folder stands for its *.toml files, by name. @throws IoError if one does not exist or a folder holds none
+/// Files as given, whether they exist or not (a missing one becomes a row); a folder stands for its *.toml files, by name.
+/// @throws IoError if a folder holds none or cannot be read
 [[nodiscard]] std::vector<std::filesystem::path> find_profiles(const std::vector<std::filesystem::path>& paths);
 
 /// Makes every profile on its own, `jobs` at a time (0: one for each processor); one failure is one row. Rows come in the profiles' order, whatever

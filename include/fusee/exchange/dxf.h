@@ -10,6 +10,9 @@ namespace fusee::exchange {
 
 using Vec2 = std::array<double, 2>;
 
+/// Chord error of `spool_drawing` [mm].
+inline constexpr double kDrawingChord_mm = 1e-3;
+
 struct DxfPolyline {
     std::vector<Vec2> points_mm;
     bool closed = true;
@@ -22,7 +25,6 @@ struct DxfLayer {
     std::string name;
     std::vector<DxfPolyline> polylines;
     std::vector<DxfCircle> circles;
-    std::vector<Vec2> points_mm;
 };
 
 /// A flat drawing in millimetres, nominal: kerf is the shop's to apply.
@@ -33,7 +35,7 @@ struct DxfDrawing {
     [[nodiscard]] const DxfLayer* layer(const std::string& name) const;
 };
 
-/// Writes DXF R2000 with dxflib: LWPOLYLINE, CIRCLE and POINT on named layers, $INSUNITS 4 (mm), shortest digits that give the number back,
+/// Writes DXF R2000 with dxflib: LWPOLYLINE and CIRCLE on named layers, $INSUNITS 4 (mm), shortest digits that give the number back,
 /// whatever the locale. @throws IoError
 void write_dxf(const std::filesystem::path& path, const DxfDrawing& drawing);
 /// Reads such a file with dxflib; entities of other kinds are passed over.
@@ -41,7 +43,7 @@ void write_dxf(const std::filesystem::path& path, const DxfDrawing& drawing);
 [[nodiscard]] DxfDrawing read_dxf(const std::filesystem::path& path);
 
 /// The outlines of a part seen from +z: layers PITCH (cable centreline), FLOOR (groove's floor), FLANGE (outer edge), LOWER_FLANGE (where a
-/// boss widens it), BORE (with keyway or flat) and MARK (timing mark, a point at body angle 0 on the outer edge). A helix has open PITCH
+/// boss widens it), BORE (with keyway or flat) and MARK (timing mark, a line at body angle 0 up to the outer edge). A helix has open PITCH
 /// and FLOOR and a round FLANGE. Chord error below 1 micrometre.
 [[nodiscard]] DxfDrawing spool_drawing(const solid::Part& part, const std::string& provenance);
 

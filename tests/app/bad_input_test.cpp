@@ -1,0 +1,108 @@
+#include "app/run.h"
+
+// Refusal: a malformed profile ends with 2 and names file, line and key; nothing is written.
+namespace fusee::app {
+namespace {
+
+class BadInput : public Program {
+protected:
+    std::string text_ = core::read_file(fixtures::shipped("measured_table"));
+    std::string csv_ = core::read_file(fixtures::shipped("measured_table").replace_extension(".csv"));
+
+    void expect_refused(const std::string& file, std::initializer_list<std::string> words) const {
+        const Run refused = run("make " + file);
+        EXPECT_EQ(refused.code, 2) << refused.all();
+        EXPECT_EQ(refused.out, "");
+        expect_words(refused.err, words);
+        EXPECT_FALSE(fs::exists(folder_ / "out"));
+    }
+    void expect_key_refused(const std::string& key, const std::string& value, std::initializer_list<std::string> words) const {
+        write("measured_table.csv", csv_);
+        write("t.toml", fixtures::with_key(text_, key, value));
+        SCOPED_TRACE(key + " = " + value);
+        expect_refused("t.toml", words);
+    }
+};
+
+TEST_F(BadInput, NoSuchFile) {
+    expect_refused("missing.toml", {"missing.toml"});
+    expect_refused("''", {"cannot be opened"});
+    expect_refused("\"$(printf 'a%.0s' $(seq 5000))\"", {"aaaa"});
+    fs::create_symlink("loop.toml", folder_ / "loop.toml");
+    expect_refused("loop.toml", {"loop.toml"});
+    fs::create_directories(folder_ / "empty");
+    expect_refused("empty", {"empty", "holds no profile"});
+}
+
+TEST_F(BadInput, NoToml) {
+    write("t.toml", "name = \"x\"\n[rig\ngear_friction = 0.2\n");
+    expect_refused("t.toml", {"t.toml:2:", "no valid TOML"});
+    write("t.toml", "name = \"\xff\xfe\"\n");
+    expect_refused("t.toml", {"t.toml:1:", "utf-8"});
+    write("t.toml", std::string("\xff\xfen\0a\0", 6));
+    expect_refused("t.toml", {"t.toml:1:1"});
+    write("t.toml", "");
+    expect_refused("t.toml", {"t.toml:1:1: name: missing"});
+    write("t.toml", std::string(20'000'000, '#'));
+    expect_refused("t.toml", {"t.toml", "10000000"});
+    expect_refused("/dev/zero", {"/dev/zero", "10000000"});
+    write("t.toml", std::string(100'000, '['));
+    expect_refused("t.toml", {"t.toml:1:"});
+}
+
+TEST_F(BadInput, WrongKeysAndValues) {
+    expect_key_refused("rig.gear_frictoin", "0.2", {"t.toml:", "rig.gear_frictoin: unknown key", "rig.gear_friction"});
+    expect_key_refused("cable.diameter_cm", "0.08", {"cable.diameter_cm: unknown key", "cable.diameter_mm"});
+    expect_key_refused("cabel.diameter_mm", "0.8", {"cabel", "unknown table", "[cable]"});
+    expect_key_refused("rig.gear_friction", "nan", {"t.toml:", "rig.gear_friction: nan"});
+    expect_key_refused("rig.gear_friction", "inf", {"t.toml:", "rig.gear_friction: inf"});
+    expect_key_refused("rig.gear_friction", "\"0.2\"", {"t.toml:", "rig.gear_friction", "a number"});
+    expect_key_refused("rig.gear_friction", "1e999", {"t.toml:"});
+    expect_key_refused("cable.diameter_mm", "-0.8", {"t.toml:", "cable.diameter_mm: -0.8"});
+    expect_key_refused("rig.peak_torque_Nm", "0.1", {"t.toml:", "rig.peak_torque_Nm", "rig.least_torque_Nm"});
+    expect_key_refused("outputs.springs_rows", "100", {"t.toml:", "outputs.springs_rows: 100"});
+    expect_key_refused("k_se.target_rows", "100000", {"t.toml:", "k_se.target_rows", "200 to 10000"});
+    expect_key_refused("law.u_Nm", "0.1", {"t.toml:", "law.u_Nm", "stiction_compensating"});
+    for (const char* name : {"\"../up\"", "\"a/b\"", "\"\"", "\".hidden\"", "\"a b\"", "\"\u00e4\""}) expect_key_refused("name", name, {"t.toml:", "name: "});
+}
+
+// The key's place is known where the profile is read, its fault only where the part is built.
+TEST_F(BadInput, WhatDoesNotFitTogether) {
+    expect_key_refused("k_se.hub.key_width_mm", "8.0", {"t.toml:", "k_se.hub.key_width_mm: 8", "mm"});
+    expect_key_refused("k_pe.path.kind", "\"helix\"", {"t.toml: k_pe.path.pitch_mm"});
+    expect_key_refused("groove.depth_ratio", "0.1", {"t.toml:", "groove.depth_ratio: 0.1"});
+    expect_key_refused("k_se.hub.kind", "\"overhung\"", {"t.toml: k_se.hub.boss_height_mm"});
+}
+
+TEST_F(BadInput, TablesWithFaults) {
+    write("t.toml", text_);
+    expect_refused("t.toml", {"measured_table.csv", "cannot be opened"});
+    const auto expect_row_refused = [&](const std::string& row, std::initializer_list<std::string> words) {
+        std::string rows = "angle_rad,series_Nm,parallel_Nm\n";
+        for (int i = 0; i < 10; ++i) rows += i == 4 ? row + "\n" : std::to_string(i) + ",0." + std::to_string(i) + ",0." + std::to_string(i) + "\n";
+        write("measured_table.csv", rows);
+        SCOPED_TRACE(row);
+        expect_refused("t.toml", words);
+    };
+    expect_row_refused("4,,0.4", {"measured_table.csv:6", "series_Nm"});
+    expect_row_refused("4,0.4", {"measured_table.csv:6"});
+    expect_row_refused("4,0.4,nan", {"measured_table.csv:6", "parallel_Nm"});
+    expect_row_refused("4,0.4,0.4,0.4", {"measured_table.csv:6"});
+    expect_row_refused("3,0.4,0.4", {"measured_table.csv:6", "angle_rad"});
+    expect_row_refused("four,0.4,0.4", {"measured_table.csv:6", "four"});
+    write("measured_table.csv", "angle_deg,series_Nm,parallel_Nm\n");
+    expect_refused("t.toml", {"measured_table.csv:1", "angle_rad"});
+    write("measured_table.csv", "");
+    expect_refused("t.toml", {"measured_table.csv"});
+}
+
+TEST_F(BadInput, AnOutFolderThatCannotBe) {
+    write("out.txt", "a file");
+    const Run refused = run("make '" + fixtures::shipped("pnrvsa").string() + "' --out out.txt");
+    EXPECT_EQ(refused.code, 2) << refused.all();
+    expect_words(refused.err, {"out.txt/pnrvsa", "cannot be made"});
+    EXPECT_EQ(core::read_file(folder_ / "out.txt"), "a file");
+}
+
+}  // namespace
+}  // namespace fusee::app

@@ -1,0 +1,35 @@
+#pragma once
+#include <sys/wait.h>
+
+#include <initializer_list>
+
+#include "pipeline/fixture.h"
+
+namespace fusee::app {
+
+namespace fs = std::filesystem;
+
+/// What the program said and how it ended.
+struct Run {
+    int code = -1;
+    std::string out, err;
+    [[nodiscard]] std::string all() const { return out + err; }
+};
+
+class Program : public fixtures::TempFolder {
+protected:
+    /// Runs `fusee ARGUMENTS` in the test's folder; the arguments go through the shell. More than 20 s is a hang: exit code 124.
+    Run run(const std::string& arguments) const {
+        const std::string out = (folder_ / ".stdout").string(), err = (folder_ / ".stderr").string();
+        const std::string command =
+            "cd '" + folder_.string() + "' && timeout 20 '" FUSEE_PROGRAM "' " + arguments + " >'" + out + "' 2>'" + err + "' </dev/null";
+        const int status = std::system(command.c_str());
+        return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, core::read_file(out), core::read_file(err)};
+    }
+};
+
+inline void expect_words(const std::string& text, std::initializer_list<std::string> words) {
+    for (const std::string& word : words) EXPECT_NE(text.find(word), std::string::npos) << "'" << word << "' in\n" << text;
+}
+
+}  // namespace fusee::app

@@ -1,0 +1,100 @@
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "fusee/exchange/part_file.h"
+#include "fusee/pipeline/make.h"
+#include "pipeline/fixture.h"
+
+namespace fusee::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Shipped : public fixtures::TempFolder, public testing::WithParamInterface<const char*> {
+protected:
+    MakeResult made() const { return make(profile::read_profile(fixtures::shipped(GetParam())), {.out = folder_ / "out"}); }
+};
+INSTANTIATE_TEST_SUITE_P(Pipeline, Shipped, testing::Values("pnrvsa", "first_prototype", "measured_table"),
+                         [](const auto& one) { return std::string(one.param); });
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> lines;
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);) lines.push_back(line);
+    return lines;
+}
+
+TEST_P(Shipped, LeavesEveryFileAndEachIsTheOneStated) {
+    const MakeResult result = made();
+    ASSERT_TRUE(result.made);
+    EXPECT_EQ(result.folder, folder_ / "out" / GetParam());
+    const auto files = fixtures::contents(folder_ / "out");
+    std::vector<std::string> names;
+    for (const auto& [name, bytes] : files) names.push_back(fs::path(name).filename().string());
+    EXPECT_EQ(names, (std::vector<std::string>{"k_pe.3mf", "k_pe.json", "k_pe.scad", "k_pe.stl", "k_se.3mf", "k_se.dxf", "k_se.json", "k_se.scad",
+                                               "k_se.stl", "report.html", "report.json", "springs.csv"}));
+    for (const char* part : {"k_se", "k_pe"}) {
+        const exchange::PartFile stated = exchange::read_part_file(result.folder / (std::string(part) + ".json"));
+        EXPECT_EQ(stated.part, part);
+        EXPECT_GE(stated.target.size(), 200u);
+        EXPECT_EQ(stated.files.size(), std::string(part) == "k_se" ? 4u : 3u);
+        for (const exchange::FileEntry& file : stated.files)
+            EXPECT_EQ(core::sha256_hex(core::read_file(result.folder / file.name)), file.sha256) << file.name;
+    }
+}
+
+// What was asked is what the files hold, by every reader.
+TEST_P(Shipped, EveryFileCarriesTheLaw) {
+    const MakeResult result = made();
+    EXPECT_GT(result.worst_arm_error, 0.0);
+    EXPECT_LE(result.worst_arm_error, 1e-3);
+    EXPECT_FALSE(core::any_required(result.findings));
+    const auto readings = std::count_if(result.findings.begin(), result.findings.end(), [](const core::Finding& f) { return f.rule == "readback.arm"; });
+    EXPECT_EQ(readings, 7);  // STL twice and 3MF once for both parts, DXF for the spool
+    EXPECT_GT(result.dead_band_peak_deg, 0.0);
+}
+
+TEST_P(Shipped, SpringsAreATable) {
+    const MakeResult result = made();
+    const auto lines = lines_of(core::read_file(result.folder / "springs.csv"));
+    ASSERT_GE(lines.size(), 201u);
+    EXPECT_EQ(lines.front(), "tau_Nm,theta_rad,f_se_Nm,f_pe_Nm,s_Nm_per_rad,p_Nm_per_rad,u_se_J,u_pe_J,t");
+    for (std::size_t i = 1; i < lines.size(); ++i) {
+        std::vector<double> row;
+        std::istringstream cells(lines[i]);
+        for (std::string cell; std::getline(cells, cell, ',');) row.push_back(std::stod(cell));
+        ASSERT_EQ(row.size(), 9u) << lines[i];
+        EXPECT_NEAR(row[2] + row[3], row[0], 1e-9 * row[0]) << "the springs' torques are the load";
+        EXPECT_NEAR(row[4] / (row[4] + row[5]), row[8], 1e-12) << "T = S/(S+P)";
+    }
+}
+
+TEST_P(Shipped, ReportsTellTheSame) {
+    const MakeResult result = made();
+    const auto report = nlohmann::json::parse(core::read_file(result.folder / "report.json"));
+    EXPECT_EQ(report["name"], GetParam());
+    EXPECT_EQ(report["parts"].size(), 2u);
+    double worst = 0.0;
+    for (const auto& part : report["parts"])
+        for (const auto& reading : part["read_back"]) {
+            EXPECT_EQ(reading["passed"], true);
+            worst = std::max(worst, reading["worst_relative"].get<double>());
+        }
+    EXPECT_DOUBLE_EQ(worst, result.worst_arm_error);
+    const std::string page = core::read_file(result.folder / "report.html");
+    EXPECT_EQ(page.rfind("<!", 0), 0u);
+    EXPECT_EQ(page.find("<script"), std::string::npos);
+    EXPECT_EQ(page.find("src=\"http"), std::string::npos) << "opens offline";
+    EXPECT_NE(page.find(GetParam()), std::string::npos);
+}
+
+TEST_P(Shipped, TwoRunsGiveTheSameBytes) {
+    ASSERT_TRUE(made().made);
+    const auto first = fixtures::contents(folder_ / "out");
+    ASSERT_TRUE(made().made);
+    EXPECT_TRUE(fixtures::contents(folder_ / "out") == first);
+}
+
+}  // namespace
+}  // namespace fusee::pipeline

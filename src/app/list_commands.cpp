@@ -19,7 +19,8 @@ int list_rules() {
 }
 
 int print_completion(const std::string& shell) {
-    const std::map<std::string, std::string_view> scripts{{"bash", k_bash_completion}, {"zsh", k_zsh_completion}, {"fish", k_fish_completion}};
+    const std::map<std::string, std::string_view> scripts{
+        {"bash", k_bash_completion}, {"zsh", k_zsh_completion}, {"fish", k_fish_completion}};
     fmt::print("{}", scripts.at(shell));
     return 0;
 }
@@ -27,9 +28,9 @@ int print_completion(const std::string& shell) {
 }  // namespace
 
 void add_lists(CLI::App& app, Action& action) {
-    CLI::App* reference = app.add_subcommand("reference", "List every key of a profile with unit, allowed values and default");
-    reference->footer("Example:\n  fusee reference | less");
-    reference->callback([&action] { action = [] { return fmt::print("{}", profile::profile_reference()), 0; }; });
+    CLI::App* keys = app.add_subcommand("keys", "List every key of a profile with unit, allowed values and default");
+    keys->footer("Example:\n  fusee keys | less");
+    keys->callback([&action] { action = [] { return fmt::print("{}", profile::profile_reference()), 0; }; });
 
     CLI::App* rules = app.add_subcommand("rules", "List every manufacturability rule with its source");
     rules->footer("Example:\n  fusee rules");

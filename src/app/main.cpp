@@ -23,7 +23,7 @@ int main(int argc, char** argv) {
         return app.exit(e) == 0 ? 0 : kBadInput;
     }
     if (!action) {
-        fmt::print(stderr, "A command is required: make, reference, rules or completion\nRun with --help for more information.\n");
+        fmt::print(stderr, "A command is required: make, keys, rules or completion\nRun with --help for more information.\n");
         return kBadInput;
     }
     try {

@@ -31,7 +31,8 @@ int make(const MakeArguments& arguments) {
 
 void add_make(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<MakeArguments>();
-    CLI::App* command = app.add_subcommand("make", "Turn profiles into checked cams: out/NAME with STL, 3MF, DXF, SCAD, PART.json and a report");
+    CLI::App* command =
+        app.add_subcommand("make", "Turn profiles into checked cams: out/NAME with STL, 3MF, DXF, SCAD, PART.json and a report");
     command->add_option("profiles", arguments->paths, "Profiles (*.toml), or folders of them: at least one");
     command->add_option("-o,--out", arguments->options.out, "Folder that gets one folder per design")->capture_default_str();
     command->add_option("--via", arguments->via, "Kernel that makes the STL: cgal (direct, fast) or openscad (second, independent kernel)")
@@ -41,7 +42,8 @@ void add_make(CLI::App& app, Action& action) {
     command->footer(
         "Example:\n  fusee make profiles/pnrvsa.toml\n  fusee make profiles --out /tmp/cams --jobs 2\n\n"
         "Exit code: 0 all made, 1 a design cannot be made (the binding limit and the nearest feasible change are printed),\n"
-        "2 bad input (file, line and key are named), 3 a failure inside, 130 stopped by Ctrl-C. A design that was not made leaves nothing behind.");
+        "2 bad input (file, line and key are named), 3 a failure inside, 130 stopped by Ctrl-C. A design that was not made leaves nothing "
+        "behind.");
     command->callback([arguments, &action] {
         arguments->options.via = arguments->via == "cgal" ? pipeline::Via::kCgal : pipeline::Via::kOpenScad;
         action = [arguments] { return make(*arguments); };

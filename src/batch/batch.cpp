@@ -92,11 +92,13 @@ std::vector<fs::path> find_profiles(const std::vector<fs::path>& paths) {
 std::vector<Row> make_all(const std::vector<fs::path>& profiles, const pipeline::MakeOptions& options, unsigned jobs) {
     std::vector<Job> work = read_all(profiles);
     std::unique_ptr<core::Progress> progress;
-    if (work.size() > 1) progress = std::make_unique<core::Progress>("make", work.size());
+    if (work.size() > 1 || options.via == pipeline::Via::kOpenScad) progress = std::make_unique<core::Progress>("make", work.size());
+    pipeline::MakeOptions watched = options;
+    if (progress) watched.note = [&](const std::string& what) { progress->note(what); };
     std::atomic<std::size_t> next{0};
     const auto worker = [&] {
         for (std::size_t i = next++; i < work.size() && !core::interrupted(); i = next++) {
-            if (work[i].profile) run(work[i], options);
+            if (work[i].profile) run(work[i], watched);
             if (progress) progress->advance(work[i].row.profile.filename().string() + ": " + to_string(work[i].row.outcome));
         }
     };

@@ -9,11 +9,16 @@ namespace fusee::batch {
 
 const char* to_string(Outcome outcome) {
     switch (outcome) {
-        case Outcome::kMade: return "made";
-        case Outcome::kRefused: return "refused";
-        case Outcome::kBadInput: return "bad input";
-        case Outcome::kFailed: return "failed";
-        case Outcome::kInterrupted: return "not begun";
+        case Outcome::kMade:
+            return "made";
+        case Outcome::kRefused:
+            return "refused";
+        case Outcome::kBadInput:
+            return "bad input";
+        case Outcome::kFailed:
+            return "failed";
+        case Outcome::kInterrupted:
+            return "not begun";
     }
     return "";
 }
@@ -21,11 +26,16 @@ const char* to_string(Outcome outcome) {
 int exit_code(const std::vector<Row>& rows) {
     const auto code = [](Outcome outcome) {
         switch (outcome) {
-            case Outcome::kMade: return 0;
-            case Outcome::kRefused: return 1;
-            case Outcome::kBadInput: return 2;
-            case Outcome::kFailed: return 3;
-            case Outcome::kInterrupted: return 130;
+            case Outcome::kMade:
+                return 0;
+            case Outcome::kRefused:
+                return 1;
+            case Outcome::kBadInput:
+                return 2;
+            case Outcome::kFailed:
+                return 3;
+            case Outcome::kInterrupted:
+                return 130;
         }
         return 3;
     };
@@ -38,7 +48,8 @@ namespace {
 
 std::string made_line(const Row& row) {
     const auto count = [&](core::Severity severity) {
-        return std::count_if(row.result.findings.begin(), row.result.findings.end(), [&](const core::Finding& f) { return f.severity == severity; });
+        return std::count_if(row.result.findings.begin(), row.result.findings.end(),
+                             [&](const core::Finding& f) { return f.severity == severity; });
     };
     const double width = row.result.dead_band_peak_deg;
     const std::string dead_band = std::isfinite(width) ? fmt::format("exact dead-band {:.1f} deg at peak torque", width)

@@ -17,11 +17,7 @@ ArmFunction::ArmFunction(PartKind kind, spring::SpringLawPtr law, spring::BaseSp
     core::require_positive("rig.capstan_radius", capstan_radius_, "m");
 }
 
-ArmFunction ArmFunction::with_preload(double preload) const {
-    spring::BaseSpring other = base_;
-    other.preload = preload;
-    return {kind_, law_, other, capstan_radius_};
-}
+ArmFunction ArmFunction::on(const spring::BaseSpring& base) const { return {kind_, law_, base, capstan_radius_}; }
 
 // docs/theory/cams.md, table 1. Primes are by the cam's own angle: phi for the spool, theta for the cam.
 ArmPoint ArmFunction::at_load(double tau) const {

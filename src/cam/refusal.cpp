@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <optional>
 
 #include "fusee/cam/contact.h"
@@ -14,15 +15,16 @@ namespace fusee::cam {
 
 namespace {
 
-constexpr core::Range kArms{1e-4, 1.0};       // [m] a cam with other arms is a mistake in the profile, not a part
-constexpr double kLeastIdleArc = 0.2;         // [rad] of normals that a planar contour needs to close
+constexpr core::Range kArms{1e-4, 1.0};  // [m] arms, and how far from the axis the cable touches: beyond is a mistake in the profile
+constexpr double kLeastIdleArc = 0.2;    // [rad] of normals that a planar contour needs to close
 constexpr double kLongestHelix = 20.0 * 2.0 * core::kPi;  // [rad] more turns than any cable drum of this kind has
-constexpr double kInside = 1e-3;              // share by which a suggested value lies inside its limit
+constexpr double kWorthwhile = 1.2;                       // a law that ends sooner, as a ratio of its loads, is none
+constexpr double kInside = 1e-3;                          // share by which a suggested value lies inside its limit
 
 using Test = std::function<bool(const Contact&)>;
 
 /// A contact's share in a cam: in the order in which what is broken first hides the rest.
-bool sane_arm(const Contact& c) { return kArms.holds(c.arm.arm); }
+bool sane_arm(const Contact& c) { return kArms.holds(c.arm.arm) && !(std::hypot(c.path.h, c.path.slope) > kArms.high); }
 bool convex(const Contact& c) { return c.path.rho > 0.0; }
 Test within_reach(const ArmFunction& arm, const CamOptions& options) {
     return [&](const Contact& c) { return guide_reach(arm.kind(), c.arm, options) > 0.0; };
@@ -41,25 +43,46 @@ core::Finding broken(const ArmFunction& arm, const char* rule, const char* what,
     return f;
 }
 
-std::string spring_key(const ArmFunction& arm, double preload) {
+std::string preload_text(const ArmFunction& arm) {
     const bool torsion = arm.kind() == PartKind::kSeries;
-    return fmt::format("{}.spring.{} = {:.4g}", to_string(arm.kind()), torsion ? "preload_rad" : "preload_mm", torsion ? preload : core::mm_from_m(preload));
+    const double preload = arm.base().preload;
+    return fmt::format("{}.spring.{} = {:.4g}", to_string(arm.kind()), torsion ? "preload_rad" : "preload_mm",
+                       torsion ? preload : core::mm_from_m(preload));
 }
 
-/// The preload nearest to the given one, in proportion, with which every contact is sound.
-std::string other_preload(const ArmFunction& arm, const CamOptions& options) {
-    constexpr double kStep = 1.1, kFromNothing = 0.01;  // an unloaded spring is first tried with 1 % of its final state
-    constexpr int kSteps = 60;
-    constexpr std::size_t kContacts = 201;
-    const double given = arm.base().preload, middle = given > 0.0 ? given : kFromNothing * arm.at_load(arm.law().loads().high).state;
-    for (int i = 1; i <= kSteps; ++i)
+std::string rate_text(const ArmFunction& arm) {
+    return fmt::format("{}.spring.{} = {:.4g}", to_string(arm.kind()), arm.kind() == PartKind::kSeries ? "rate_Nm_per_rad" : "rate_N_per_m",
+                       arm.base().rate);
+}
+
+/// Can a cam be made of every contact?
+bool sound(const ArmFunction& arm, const CamOptions& options) {
+    constexpr int kContacts = 200;
+    const core::Range loads = arm.law().loads();
+    const Test reached = within_reach(arm, options);
+    for (int i = 0; i <= kContacts; ++i) {
+        const Contact c = touch(arm.kind(), arm.at_load(loads.low + loads.width() * i / kContacts), options);
+        if (!sane_arm(c) || !reached(c) || !convex(c)) return false;
+    }
+    return true;
+}
+
+/// The preload, or else the rate, nearest to the given one in proportion with which all contacts are sound.
+std::string other_spring(const ArmFunction& arm, const CamOptions& options) {
+    constexpr double kPreloadStep = 1.1, kRateStep = 1.25, kFromNothing = 0.01;  // no preload: first 1 % of the final state
+    constexpr int kPreloadSteps = 60, kRateSteps = 160;                          // a factor of 300, of 3e15
+    spring::BaseSpring base = arm.base();
+    const double preload = base.preload > 0.0 ? base.preload : kFromNothing * arm.at_load(arm.law().loads().high).state;
+    for (int i = 1; i <= kPreloadSteps; ++i)
         for (const int direction : {1, -1}) {
-            const double preload = middle * std::pow(kStep, direction * i);
-            const ArmFunction other = arm.with_preload(preload);
-            const std::vector<Contact> contacts = scan_contacts(other, options, kContacts);
-            const Test reached = within_reach(other, options);
-            if (std::all_of(contacts.begin(), contacts.end(), [&](const Contact& c) { return sane_arm(c) && reached(c) && convex(c); }))
-                return spring_key(arm, preload);
+            base.preload = preload * std::pow(kPreloadStep, direction * i);
+            if (const ArmFunction other = arm.on(base); sound(other, options)) return preload_text(other);
+        }
+    base = arm.base();
+    for (int i = 1; i <= kRateSteps; ++i)
+        for (const int direction : {1, -1}) {
+            base.rate = arm.base().rate * std::pow(kRateStep, direction * i);
+            if (const ArmFunction other = arm.on(base); sound(other, options)) return rate_text(other);
         }
     return {};
 }
@@ -73,31 +96,23 @@ std::string earlier_end(const ArmFunction& arm, const CamOptions& options, const
         const double middle = 0.5 * (inside + outside);
         (good(touch(arm.kind(), arm.at_load(middle), options)) ? inside : outside) = middle;
     }
+    if (inside < kWorthwhile * contacts.front().arm.tau) return {};
     return fmt::format("law.end_torque_Nm = {:.4g}", (1.0 - kInside) * inside);
 }
 
-std::string first_of(const std::string& a, const std::string& b) {
-    if (a.empty() && b.empty()) return "another base spring (rate, preload) or law: no preload makes all of it sound";
+std::string joined(const std::string& a, const std::string& b) {
+    if (a.empty() && b.empty()) return "another base spring or law: neither preload nor rate alone makes all of it sound";
     return a.empty() || b.empty() ? a + b : a + ", or " + b;
 }
 
-/// Rate and preload that stretch every arm alike (docs/theory/cams.md, table 1).
-std::string scaled_arms(const ArmFunction& arm, double factor) {
-    const bool torsion = arm.kind() == PartKind::kSeries;
-    const double power = torsion ? 1.0 : -1.0, rate = arm.base().rate * std::pow(factor, 2.0 * power);
-    return fmt::format("{}.spring.{} = {:.4g} with {} (every arm x {:.3g})", to_string(arm.kind()), torsion ? "rate_Nm_per_rad" : "rate_N_per_m", rate,
-                       spring_key(arm, arm.base().preload * std::pow(factor, -power)), factor);
-}
-
-core::Finding arm_beyond(const ArmFunction& arm, const CamOptions& options, const Contact& at) {
-    const bool shorter = at.arm.arm < kArms.low;
-    core::Finding f = broken(arm, "cam.arm", "no cam has such a lever arm", at, core::mm_from_m(at.arm.arm), core::mm_from_m(shorter ? kArms.low : kArms.high));
+core::Finding arm_beyond(const ArmFunction& arm, const CamOptions& options, const std::vector<Contact>& contacts, const Contact& at) {
+    const bool shorter = at.arm.arm < kArms.low, far_out = kArms.holds(at.arm.arm);
+    const char* what = far_out ? "the cable would touch farther from the axis than any cam reaches" : "no cam has such a lever arm";
+    const double measured = far_out ? std::hypot(at.path.h, at.path.slope) : at.arm.arm;
+    core::Finding f = broken(arm, "cam.arm", what, at, core::mm_from_m(measured), core::mm_from_m(shorter ? kArms.low : kArms.high));
     f.bound = shorter ? core::Bound::kAtLeast : core::Bound::kAtMost;
     f.source = "docs/theory/cams.md, table 1: springs and law of one size";
-    if (std::isfinite(at.arm.arm) && at.arm.arm > 0.0)
-        f.suggestion = scaled_arms(arm, shorter ? (1.0 + kInside) * kArms.low / at.arm.arm : (1.0 - kInside) * kArms.high / at.arm.arm);
-    else
-        f.suggestion = first_of(other_preload(arm, options), "");
+    f.suggestion = joined(earlier_end(arm, options, contacts, sane_arm), other_spring(arm, options));
     return f;
 }
 
@@ -113,24 +128,31 @@ std::vector<Contact> scan_contacts(const ArmFunction& arm, const CamOptions& opt
 }
 
 core::Findings check_contacts(const ArmFunction& arm, const CamOptions& options, const std::vector<Contact>& contacts) {
-    const auto misfit = [](const Contact& c) { return sane_arm(c) ? 0.0 : std::isfinite(c.arm.arm) && c.arm.arm > 0.0 ? std::abs(std::log(c.arm.arm)) : INFINITY; };
+    // How far beyond the sane arms, in proportion; infinite arms are the worst.
+    const auto misfit = [](const Contact& c) {
+        if (sane_arm(c)) return 0.0;
+        if (!std::isfinite(c.arm.arm) || c.arm.arm <= 0.0) return std::numeric_limits<double>::infinity();
+        return std::max({c.arm.arm / kArms.high, std::hypot(c.path.h, c.path.slope) / kArms.high, kArms.low / c.arm.arm});
+    };
     const Contact *oddest = &contacts.front(), *nearest = oddest, *sharpest = oddest;
     for (const Contact& c : contacts) {
         if (misfit(c) > misfit(*oddest)) oddest = &c;
         if (!(guide_reach(arm.kind(), c.arm, options) >= guide_reach(arm.kind(), nearest->arm, options))) nearest = &c;
         if (!(c.path.rho >= sharpest->path.rho)) sharpest = &c;
     }
-    if (!sane_arm(*oddest)) return {arm_beyond(arm, options, *oddest)};
+    if (!sane_arm(*oddest)) return {arm_beyond(arm, options, contacts, *oddest)};
     const double reach_mm = core::mm_from_m(guide_reach(arm.kind(), nearest->arm, options));
     if (!(reach_mm > 0.0)) {
-        core::Finding f = broken(arm, "cam.guide", "the guide is too near: no straight cable from cam to guide has the arm asked for", *nearest, reach_mm, 0.0);
-        f.suggestion = fmt::format("{}.guide.distance_mm = {:.1f}", to_string(arm.kind()), core::mm_from_m(options.guide.distance) + 1.1 * std::abs(reach_mm) + 0.1);
+        core::Finding f = broken(arm, "cam.guide", "the guide is too near: no straight cable from cam to guide has the arm asked for",
+                                 *nearest, reach_mm, 0.0);
+        f.suggestion = fmt::format("{}.guide.distance_mm = {:.1f}", to_string(arm.kind()),
+                                   core::mm_from_m(options.guide.distance) + 1.1 * std::abs(reach_mm) + 0.1);
         return {f};
     }
     if (convex(*sharpest)) return {};
-    core::Finding f = broken(arm, "cam.convexity", "no convex contour has this arm: its radius of curvature would not be above 0", *sharpest,
-                             core::mm_from_m(sharpest->path.rho), 0.0);
-    f.suggestion = first_of(earlier_end(arm, options, contacts, convex), other_preload(arm, options));
+    core::Finding f = broken(arm, "cam.convexity", "no convex contour has this arm: its radius of curvature would not be above 0",
+                             *sharpest, core::mm_from_m(sharpest->path.rho), 0.0);
+    f.suggestion = joined(earlier_end(arm, options, contacts, convex), other_spring(arm, options));
     return {f};
 }
 

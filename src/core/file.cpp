@@ -6,8 +6,12 @@
 
 #include <array>
 #include <atomic>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
 #include <fstream>
 #include <system_error>
+#include <vector>
 
 #include "fusee/core/error.h"
 
@@ -62,8 +66,25 @@ std::string sha256_hex(std::string_view bytes) {
     return hex;
 }
 
+namespace {
+/// What a run that was killed left beside `target`: hidden folders named after a process that is no more.
+void remove_orphans(const fs::path& target) {
+    const std::string prefix = "." + target.filename().string() + ".partial-";
+    std::error_code ignored;
+    std::vector<fs::path> orphans;
+    for (auto entry = fs::directory_iterator(target.parent_path(), ignored); !ignored && entry != fs::directory_iterator(); entry.increment(ignored)) {
+        const std::string name = entry->path().filename().string();
+        if (name.rfind(prefix, 0) != 0) continue;
+        const int process = std::atoi(name.c_str() + prefix.size());
+        if (process > 0 && ::kill(process, 0) != 0 && errno == ESRCH) orphans.push_back(entry->path());
+    }
+    for (const fs::path& orphan : orphans) fs::remove_all(orphan, ignored);
+}
+}  // namespace
+
 StagedFolder::StagedFolder(fs::path target)
     : target_(std::move(target)), staging_(hidden_sibling(fs::absolute(target_).lexically_normal(), "partial")) {
+    remove_orphans(fs::absolute(target_).lexically_normal());
     std::error_code error;
     fs::create_directories(staging_, error);
     if (error) throw IoError(target_.string(), "the folder cannot be made: " + error.message());

@@ -15,12 +15,21 @@ constexpr std::size_t kBarWidth = 30;
 Progress::Progress(std::string title, std::size_t total) : title_(std::move(title)), total_(total), terminal_(::isatty(STDERR_FILENO) != 0) {}
 
 Progress::~Progress() {
-    if (terminal_ && done_ > 0) fmt::print(stderr, "\n");
+    if (terminal_) fmt::print(stderr, "\n");
 }
 
 void Progress::advance(const std::string& label) {
     const std::scoped_lock lock(mutex_);
     ++done_;
+    draw(label);
+}
+
+void Progress::note(const std::string& label) {
+    const std::scoped_lock lock(mutex_);
+    draw(label);
+}
+
+void Progress::draw(const std::string& label) const {
     if (!terminal_) {
         fmt::print(stderr, "{} {}/{}: {}\n", title_, done_, total_, label);
         return;

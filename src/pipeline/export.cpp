@@ -33,8 +33,8 @@ solid::Mesh rendered(const fs::path& scad, const fs::path& stl) {
 }
 
 /// Every format asked for. Through OpenSCAD the mesh comes from the SCAD file by way of an STL file; what was not asked for goes again.
-std::vector<exchange::FileEntry> write_files(const solid::Part& part, const profile::Outputs& outputs, const std::string& provenance, Via via,
-                                             const fs::path& base) {
+std::vector<exchange::FileEntry> write_files(const solid::Part& part, const profile::Outputs& outputs, const std::string& provenance,
+                                             Via via, const fs::path& base) {
     const fs::path scad = with_ending(base, ".scad"), stl = with_ending(base, ".stl"), three_mf = with_ending(base, ".3mf"),
                    dxf = with_ending(base, ".dxf");
     const bool direct = via == Via::kCgal;
@@ -62,8 +62,10 @@ std::vector<exchange::FileEntry> write_files(const solid::Part& part, const prof
 /// guide is in the part's way.
 std::string nearest_change(const readback::ArmError& error, const cam::Cam& cam) {
     double least = cam.working.front().path.h, farthest = 0.0;
-    for (const cam::Contact& c : cam.working) least = std::min(least, c.path.h), farthest = std::max(farthest, std::hypot(c.path.h, c.path.slope));
-    if (std::isfinite(error.worst_relative)) return fmt::format("tolerances.chordal_error_mm = {:.2g}", 0.8 * error.allowed * core::mm_from_m(least));
+    for (const cam::Contact& c : cam.working)
+        least = std::min(least, c.path.h), farthest = std::max(farthest, std::hypot(c.path.h, c.path.slope));
+    if (std::isfinite(error.worst_relative))
+        return fmt::format("tolerances.chordal_error_mm = {:.2g}", 0.8 * error.allowed * core::mm_from_m(least));
     const cam::Guide& guide = cam.options.guide;
     return fmt::format("{}.guide.distance_mm = {:.1f}: the guide lies within the part", to_string(cam.kind),
                        core::mm_from_m(farthest + guide.radius + 2.0 * cam.options.cable_diameter));
@@ -77,7 +79,8 @@ core::Finding judge(const readback::ArmError& error, const cam::Cam& cam) {
     f.bound = core::Bound::kAtMost;
     f.allowed = 100.0 * error.allowed;
     f.unit = "%";
-    f.where = fmt::format("{} at cam angle {:.1f} deg, worst of {} positions", to_string(cam.kind), core::deg_from_rad(error.worst_angle_rad), error.rows);
+    f.where = fmt::format("{} at cam angle {:.1f} deg, worst of {} positions", to_string(cam.kind),
+                          core::deg_from_rad(error.worst_angle_rad), error.rows);
     f.suggestion = nearest_change(error, cam);
     f.source = "docs/part-file.md: turn the part, lay a taut cable over the groove's floor";
     return core::judged(f, core::Severity::kRequired);

@@ -78,6 +78,7 @@ MakeResult make(const profile::Profile& profile, const MakeOptions& options) {
     design.dead_band = actuator::dead_band_curve(actuator_of(profile, law->law), kDeadBandLevels);
     design.findings = law->findings;
     design.files = {springs_file(staged.path(), *law->law, profile)};
+    if (options.via == Via::kOpenScad && options.note) options.note(profile.name + ": OpenSCAD renders both solids");
     auto [series, parallel] = both_parts([&, &se = k_se, &pe = k_pe](cam::PartKind kind) {
         return export_part(kind == cam::PartKind::kSeries ? *se : *pe, profile, design.provenance, options.via, staged.path());
     });

@@ -72,7 +72,7 @@ std::vector<Key> process_keys() {
         number("process.cutter_radius_mm", kMm, within(0, 100), "smallest ball or end mill at hand; 0 = by process",
                FIELD(process.cutter_radius)),
         number("process.tolerance_mm", kMm, within(0, 10), "of a contour, one side; 0 = by process", FIELD(process.tolerance)),
-        number("tolerances.chordal_error_mm", kMm, above(0, 1), "largest distance between the exported mesh and the exact surface",
+        number("tolerances.chordal_error_mm", kMm, within(1e-4, 1), "largest distance between the exported mesh and the exact surface",
                FIELD(k_se.solid.chordal_error)),
     };
 }

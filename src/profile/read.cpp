@@ -34,6 +34,9 @@ constexpr Order kOrders[] = {{"rig.least_torque_Nm", "rig.peak_torque_Nm", false
                              {"rig.peak_torque_Nm", "rig.overdrive_torque_Nm", true},
                              {"law.start_torque_Nm", "law.end_torque_Nm", false}};
 
+/// Keys whose 0 would leave no curve.
+constexpr const char* kFactors[] = {"law.series_scale_Nm", "law.series_rate_per_rad", "law.parallel_scale_Nm", "law.parallel_rate_per_rad"};
+
 class Reader {
 public:
     explicit Reader(std::string file) : file_(std::move(file)) {}
@@ -67,6 +70,7 @@ public:
             }
         }
         for (const Order& order : kOrders) check(order, profile);
+        for (const char* factor : kFactors) require_not_0(*find_key(factor), profile);
         for (const auto& [path, node] : nodes_) profile.places[path] = place(file_, node->source(), path);
     }
 
@@ -87,6 +91,10 @@ private:
     [[noreturn]] void refuse_unused(const Key& key, const toml::node& node) const {
         throw core::InvalidInput(place(file_, node.source(), key.path), "has no meaning here",
                                  fmt::format("only with {} = \"{}\"", key.when.key, fmt::join(key.when.values, "\" or \"")));
+    }
+    void require_not_0(const Key& key, const Profile& profile) const {
+        if (applies(key, profile) && std::get<double>(key.get(profile)) == 0.0)
+            throw core::InvalidInput(place(file_, nodes_.at(key.path)->source(), key.path), "0", "another number than 0");
     }
     void check(const Order& order, const Profile& profile) const {
         const Key &low = *find_key(order.low), &high = *find_key(order.high);

@@ -51,16 +51,21 @@ void mark_depth(Triangulation& cdt) {
 
 }  // namespace
 
-void fill_face(Mesh& mesh, const VertexRing& outer, const std::vector<VertexRing>& holes, bool up) {
+bool fill_face(Mesh& mesh, const VertexRing& outer, const std::vector<VertexRing>& holes, bool up) {
     Triangulation cdt;
-    constrain(cdt, mesh, outer);
-    for (const VertexRing& hole : holes) constrain(cdt, mesh, hole);
+    try {
+        constrain(cdt, mesh, outer);
+        for (const VertexRing& hole : holes) constrain(cdt, mesh, hole);
+    } catch (const Triangulation::Intersection_of_constraints_exception&) {
+        return false;
+    }
     mark_depth(cdt);
     for (auto f : cdt.finite_face_handles()) {
         if (f->info() % 2 == 0) continue;
         const std::uint32_t a = f->vertex(0)->info(), b = f->vertex(1)->info(), c = f->vertex(2)->info();
         mesh.triangles.push_back(up ? Triangle{a, b, c} : Triangle{a, c, b});
     }
+    return true;
 }
 
 VertexRing add_ring(Mesh& mesh, const std::vector<std::array<double, 2>>& ring, double z_mm) {

@@ -22,6 +22,7 @@ using core::mm_from_m;
 
 constexpr double kSharpestFloor = 1.02;  // of half a cable: at 1 the floor has a cusp
 constexpr double kLeastBore_mm = 0.5;    // a smaller bore is no suggestion
+constexpr double kLeastLip_mm = 0.2;     // from the axis
 
 /// Fields are named as in a profile, since that is where a person changes them.
 void require_mm(const std::string& field, double metres, double low_mm, double high_mm) {
@@ -55,7 +56,8 @@ void validate_options(const std::string& part, const PartOptions& o) {
         require_mm(part + ".features.leg_slot_length", f.leg_slot_length, 1.05 * mm_from_m(f.leg_slot_width), 1000.0);
         require_above_0_mm(part + ".features.leg_slot_depth", f.leg_slot_depth);
     }
-    if (f.mark_width > 0.0) require_above_0_mm(part + ".features.mark_depth", f.mark_depth);
+    require_mm(part + ".features.mark_width", f.mark_width, 0.0, 5.0);
+    if (f.mark_width > 0.0) require_mm(part + ".features.mark_depth", f.mark_depth, 0.05, mm_from_m(o.groove.rib));  // deeper: into the groove
 }
 
 core::Finding refusal(const char* rule, std::string what, double measured, double allowed, const std::string& where, std::string suggestion) {
@@ -94,6 +96,20 @@ core::Findings check_room(const cam::Cam& cam, const PartOptions& o, const std::
                                    fmt::format("cable.diameter_mm = {:.3g}", 0.99 * 2.0 * sharpest / kSharpestFloor)));
         return findings;
     }
+    const double lip = least + section.front().offset_mm;
+    if (cam.closed() && lip < kLeastLip_mm) {
+        findings.push_back(refusal("solid.axis", "the contour does not go round the axis: on the idle arc its lips pass the axis on the wrong side", lip,
+                                   kLeastLip_mm, part, fmt::format("{}.path.kind = \"helix\", or a base spring whose arms differ less", part)));
+        return findings;
+    }
+    const double anchor = mm_from_m(o.features.anchor_hole_diameter), inside = o.hub.kind == HubKind::kThrough ? bore_reach_mm(o.hub) : kLeastLip_mm;
+    const double anchor_room = mm_from_m(cam.path(cam.anchor_psi).h) - inside - kLeastLip_mm;
+    if (anchor > std::max(anchor_room, 0.0)) {
+        core::Finding f = refusal("solid.anchor", "the anchor hole is as wide as the part is there", anchor, std::max(anchor_room, 0.0), part,
+                                  fmt::format("{}.features.anchor_hole_mm = {:.2f}", part, std::max(0.95 * anchor_room, 0.0)));
+        f.bound = core::Bound::kAtMost;
+        findings.push_back(f);
+    }
     if (o.hub.kind == HubKind::kOverhung) return findings;
     const double floor = least - half_cable, reach = bore_reach_mm(o.hub);
     if (floor > reach + 0.05) return findings;
@@ -104,31 +120,31 @@ core::Findings check_room(const cam::Cam& cam, const PartOptions& o, const std::
     return findings;
 }
 
-/// Bore, boss and the two faces: closes a swept body. `bored` false leaves the body full (the skin).
-void close_body(SweptBody& body, const HubOptions& hub, double tolerance, bool bored) {
+/// Bore, boss and the two faces: closes a swept body. `bored` false leaves the body full (the skin). False where outlines cross.
+[[nodiscard]] bool close_body(SweptBody& body, const HubOptions& hub, double tolerance, bool bored) {
     Mesh& mesh = body.mesh;
     const bool boss = hub.boss_height > 0.0, through = hub.kind == HubKind::kThrough;
     const double z_boss = body.z_low_mm - (boss ? mm_from_m(hub.boss_height) : 0.0);
     const Ring bore = bore_ring(hub, tolerance);
     VertexRing bottom_outer = body.lower_ring;
+    bool simple = true;
     if (boss) {
         const Ring circle = circle_ring(mm_from_m(0.5 * hub.boss_diameter), tolerance);
         const VertexRing upper = add_ring(mesh, circle, body.z_low_mm), lower = add_ring(mesh, circle, z_boss);
-        fill_face(mesh, body.lower_ring, {upper}, false);
+        simple &= fill_face(mesh, body.lower_ring, {upper}, false);
         add_wall_between(mesh, lower, upper, true);
         bottom_outer = lower;
     }
     if (!bored) {
-        fill_face(mesh, bottom_outer, {}, false);
-        fill_face(mesh, body.upper_ring, {}, true);
-        return;
+        simple &= fill_face(mesh, bottom_outer, {}, false);
+        return simple & fill_face(mesh, body.upper_ring, {}, true);
     }
     const double z_end = through ? body.z_high_mm : body.lower_lip_mm - mm_from_m(hub.web);
     const VertexRing low = add_ring(mesh, bore, z_boss), high = add_ring(mesh, bore, z_end);
-    fill_face(mesh, bottom_outer, {low}, false);
+    simple &= fill_face(mesh, bottom_outer, {low}, false);
     add_wall_between(mesh, low, high, false);
-    if (!through) fill_face(mesh, high, {}, false);
-    fill_face(mesh, body.upper_ring, through ? std::vector<VertexRing>{high} : std::vector<VertexRing>{}, true);
+    if (!through) simple &= fill_face(mesh, high, {}, false);
+    return simple & fill_face(mesh, body.upper_ring, through ? std::vector<VertexRing>{high} : std::vector<VertexRing>{}, true);
 }
 
 /// STL holds single precision: the mesh is rounded to it before it is proven valid, so that what is proven is what is written.
@@ -165,10 +181,10 @@ core::Outcome<Part> build_part(const cam::Cam& cam, const PartOptions& options) 
     part.z_low = core::m_from_mm(body.z_low_mm);
     part.z_high = core::m_from_mm(body.z_high_mm);
     part.chordal_error_mm = mm_from_m(options.chordal_error);
-    close_body(body, options.hub, tolerance, true);
+    if (!close_body(body, options.hub, tolerance, true)) return invalid(cam, validate(body.mesh));
     if (!cam.closed()) {
         SweptBody skin = sweep(cam, {part.section.front(), part.section.back()}, flanges, tolerance);
-        close_body(skin, options.hub, tolerance, false);
+        if (!close_body(skin, options.hub, tolerance, false)) return invalid(cam, validate(skin.mesh));
         part.skin = std::move(skin.mesh);
     }
 

@@ -89,13 +89,24 @@ core::Finding out_of_range(const char* end, double torque, core::Bound bound, do
     return finding;
 }
 
-/// @param peak load before it falls [Nm]
-core::Finding falling(const Pair& pair, double x, double peak, double start) {
+/// The highest load, on the way from `start` to deflection x, up to which both springs are stiff: more than that the load rises.
+double stiff_up_to(const Pair& pair, double x, double start) {
+    const double low = pair.domain().low;
+    double highest = 0.0;
+    for (int i = 0; i <= kScanSteps; ++i) {
+        const double at = low + (x - low) * i / kScanSteps, load = pair.load(at);
+        if (load >= start && !(std::min(pair.series->stiffness(at), pair.parallel->stiffness(at)) > 0.0)) break;
+        highest = std::max(highest, load);
+    }
+    return highest;
+}
+
+core::Finding falling(const Pair& pair, double x, double start) {
     const double stiffness = pair.stiffness(x);
     core::Finding finding =
         refuse("law.stiffness", "load must rise with the capstan's angle: S + P > 0", stiffness, core::Bound::kAtLeast, 0.0, "Nm/rad");
     finding.where = fmt::format("law at {:.4g} Nm, potentials at {:.4g} rad", pair.load(x), x);
-    const double end = 0.98 * peak;
+    const double end = 0.98 * stiff_up_to(pair, x, start);
     finding.suggestion = end > start ? fmt::format("law.end_torque_Nm = {:.4g}", end)
                                      : fmt::format("a stiffness higher by {:.4g} Nm/rad there", std::abs(stiffness));
     return finding;
@@ -115,7 +126,7 @@ core::Outcome<core::Range> find_range(const Pair& pair, double start, double end
         const double next = domain.low + domain.width() * i / kWalkSteps, next_load = pair.load(next);
         if (!x_start && next_load >= start) x_start = pair.deflection(start, {x, next});
         if (x_start && next_load >= end) return core::Range{*x_start, pair.deflection(end, {x, next})};
-        if (x_start && !(next_load >= std::max(load, start))) return falling(pair, next, load, start);
+        if (x_start && !(next_load >= std::max(load, start))) return falling(pair, next, start);
         x = next;
         load = next_load;
         highest = std::max(highest, load);
@@ -127,7 +138,7 @@ core::Outcome<core::Range> find_range(const Pair& pair, double start, double end
 std::optional<core::Finding> find_fall(const Pair& pair, core::Range x, double start) {
     for (int i = 0; i <= kScanSteps; ++i) {
         const double at = x.low + x.width() * i / kScanSteps;
-        if (!(pair.stiffness(at) > 0.0)) return falling(pair, at, pair.load(at), start);
+        if (!(pair.stiffness(at) > 0.0)) return falling(pair, at, start);
     }
     return std::nullopt;
 }

@@ -5,41 +5,46 @@ namespace fusee::app {
 namespace {
 
 TEST_F(Program, SaysItsVersion) {
-    const Run version = run("--version");
+    const Ended version = run("--version");
     EXPECT_EQ(version.code, 0);
     EXPECT_EQ(version.out, std::string(core::version()) + "\n");
 }
 
 TEST_F(Program, HelpOfEveryCommandHasAnExample) {
-    const Run help = run("--help");
+    const Ended help = run("--help");
     EXPECT_EQ(help.code, 0);
-    expect_words(help.out, {"Example:\n  fusee make", "make", "reference", "rules", "completion", "--version"});
-    for (const std::string command : {"make", "reference", "rules", "completion"}) {
-        const Run of_command = run(command + " --help");
+    expect_words(help.out, {"Example:\n  fusee make", "make", "keys", "rules", "completion", "--version"});
+    for (const std::string command : {"make", "keys", "rules", "completion"}) {
+        const Ended of_command = run(command + " --help");
         EXPECT_EQ(of_command.code, 0);
         expect_words(of_command.out, {"Usage: fusee " + command, "Example:\n  ", "fusee " + command});
     }
 }
 
 TEST_F(Program, ListsKeysAndRulesAndCompletions) {
-    expect_words(run("reference").out, {"`gear_friction`", "### `[k_pe.path]`", "| key | allowed | default | meaning |"});
+    expect_words(run("keys").out, {"`gear_friction`", "`[k_pe.path]`", "| key | allowed | default | meaning |"});
     expect_words(run("rules").out, {"cable.bend_ratio", "process.overhang", "source: "});
     for (const std::string shell : {"bash", "zsh", "fish"}) {
-        const Run completion = run("completion " + shell);
+        const Ended completion = run("completion " + shell);
         EXPECT_EQ(completion.code, 0);
         EXPECT_EQ(completion.out, core::read_file(fs::path(FUSEE_SOURCE_DIR) / "completions" / ("fusee." + shell)));
     }
 }
 
 TEST_F(Program, WrongArgumentsAreNamedAndEndWith2) {
-    const std::pair<const char*, std::string> cases[] = {{"", "command is required"}, {"mkae", "mkae"},
-                                                         {"make", "at least one profile"},  {"make --bar x.toml", "--bar"},
-                                                         {"--bar", "--bar"},                {"make x.toml --via foo", "foo"},
-                                                         {"make x.toml --jobs -1", "--jobs"}, {"make x.toml -j two", "--jobs"},
-                                                         {"completion", "shell"},           {"completion tcsh", "tcsh"},
+    const std::pair<const char*, std::string> cases[] = {{"", "command is required"},
+                                                         {"mkae", "mkae"},
+                                                         {"make", "at least one profile"},
+                                                         {"make --bar x.toml", "--bar"},
+                                                         {"--bar", "--bar"},
+                                                         {"make x.toml --via foo", "foo"},
+                                                         {"make x.toml --jobs -1", "--jobs"},
+                                                         {"make x.toml -j two", "--jobs"},
+                                                         {"completion", "shell"},
+                                                         {"completion tcsh", "tcsh"},
                                                          {"rules extra", "extra"}};
     for (const auto& [arguments, word] : cases) {
-        const Run wrong = run(arguments);
+        const Ended wrong = run(arguments);
         EXPECT_EQ(wrong.code, 2) << arguments;
         EXPECT_EQ(wrong.out, "") << arguments;
         expect_words(wrong.err, {word});
@@ -47,7 +52,7 @@ TEST_F(Program, WrongArgumentsAreNamedAndEndWith2) {
 }
 
 TEST_F(Program, MakesADesignAndSaysSo) {
-    const Run made = run("make '" + fixtures::shipped("first_prototype").string() + "' --out 'my cams'");
+    const Ended made = run("make '" + fixtures::shipped("first_prototype").string() + "' --out 'my cams'");
     EXPECT_EQ(made.code, 0) << made.all();
     expect_words(made.out, {"first_prototype.toml", "made", "my cams/first_prototype/", "worst arm error 0.0"});
     EXPECT_TRUE(fs::exists(folder_ / "my cams" / "first_prototype" / "k_pe.stl"));
@@ -55,17 +60,18 @@ TEST_F(Program, MakesADesignAndSaysSo) {
 
 TEST_F(Program, AnImpossibleDesignEndsWith1AndWritesNothing) {
     write("t.toml", fixtures::with_key(core::read_file(fixtures::shipped("pnrvsa")), "law.start_torque_Nm", "0.2"));
-    const Run refused = run("make t.toml");
+    const Ended refused = run("make t.toml");
     EXPECT_EQ(refused.code, 1);
     EXPECT_EQ(refused.out, "");
-    expect_words(refused.err, {"t.toml  refused", "required change: law.transmission", "measured 0.2 Nm, allowed at least 0.265", "law.start_torque_Nm = 0.2"});
+    expect_words(refused.err, {"t.toml  refused", "required change: law.transmission", "measured 0.2 Nm, allowed at least 0.265",
+                               "law.start_torque_Nm = 0.2"});
     EXPECT_FALSE(fs::exists(folder_ / "out"));
 }
 
 TEST_F(Program, SeveralProfilesEndInOneTable) {
     write("p/a.toml", fixtures::with_key(core::read_file(fixtures::shipped("pnrvsa")), "name", "\"a\""));
     write("p/b.toml", "name = 3\n");
-    const Run several = run("make p missing.toml -j 2");
+    const Ended several = run("make p missing.toml -j 2");
     EXPECT_EQ(several.code, 2);
     expect_words(several.err, {"p/a.toml      made", "p/b.toml      bad input", "missing.toml  bad input", "p/b.toml:1:", "make 3/3"});
     EXPECT_TRUE(fs::exists(folder_ / "out" / "a" / "report.html"));

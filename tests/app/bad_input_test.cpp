@@ -10,7 +10,7 @@ protected:
     std::string csv_ = core::read_file(fixtures::shipped("measured_table").replace_extension(".csv"));
 
     void expect_refused(const std::string& file, std::initializer_list<std::string> words) const {
-        const Run refused = run("make " + file);
+        const Ended refused = run("make " + file);
         EXPECT_EQ(refused.code, 2) << refused.all();
         EXPECT_EQ(refused.out, "");
         expect_words(refused.err, words);
@@ -63,13 +63,15 @@ TEST_F(BadInput, WrongKeysAndValues) {
     expect_key_refused("outputs.springs_rows", "100", {"t.toml:", "outputs.springs_rows: 100"});
     expect_key_refused("k_se.target_rows", "100000", {"t.toml:", "k_se.target_rows", "200 to 10000"});
     expect_key_refused("law.u_Nm", "0.1", {"t.toml:", "law.u_Nm", "stiction_compensating"});
-    for (const char* name : {"\"../up\"", "\"a/b\"", "\"\"", "\".hidden\"", "\"a b\"", "\"\u00e4\""}) expect_key_refused("name", name, {"t.toml:", "name: "});
+    for (const char* name : {"\"../up\"", "\"a/b\"", "\"\"", "\".hidden\"", "\"a b\"", "\"\u00e4\""})
+        expect_key_refused("name", name, {"t.toml:", "name: "});
 }
 
 // The key's place is known where the profile is read, its fault only where the part is built.
 TEST_F(BadInput, WhatDoesNotFitTogether) {
     expect_key_refused("k_se.hub.key_width_mm", "8.0", {"t.toml:", "k_se.hub.key_width_mm: 8", "mm"});
     expect_key_refused("k_pe.path.kind", "\"helix\"", {"t.toml: k_pe.path.pitch_mm"});
+    expect_key_refused("k_pe.features.mark_depth_mm", "50.0", {"t.toml:", "k_pe.features.mark_depth_mm: 50"});
     expect_key_refused("groove.depth_ratio", "0.1", {"t.toml:", "groove.depth_ratio: 0.1"});
     expect_key_refused("k_se.hub.kind", "\"overhung\"", {"t.toml: k_se.hub.boss_height_mm"});
 }
@@ -79,7 +81,8 @@ TEST_F(BadInput, TablesWithFaults) {
     expect_refused("t.toml", {"measured_table.csv", "cannot be opened"});
     const auto expect_row_refused = [&](const std::string& row, std::initializer_list<std::string> words) {
         std::string rows = "angle_rad,series_Nm,parallel_Nm\n";
-        for (int i = 0; i < 10; ++i) rows += i == 4 ? row + "\n" : std::to_string(i) + ",0." + std::to_string(i) + ",0." + std::to_string(i) + "\n";
+        for (int i = 0; i < 10; ++i)
+            rows += i == 4 ? row + "\n" : std::to_string(i) + ",0." + std::to_string(i) + ",0." + std::to_string(i) + "\n";
         write("measured_table.csv", rows);
         SCOPED_TRACE(row);
         expect_refused("t.toml", words);
@@ -98,7 +101,7 @@ TEST_F(BadInput, TablesWithFaults) {
 
 TEST_F(BadInput, AnOutFolderThatCannotBe) {
     write("out.txt", "a file");
-    const Run refused = run("make '" + fixtures::shipped("pnrvsa").string() + "' --out out.txt");
+    const Ended refused = run("make '" + fixtures::shipped("pnrvsa").string() + "' --out out.txt");
     EXPECT_EQ(refused.code, 2) << refused.all();
     expect_words(refused.err, {"out.txt/pnrvsa", "cannot be made"});
     EXPECT_EQ(core::read_file(folder_ / "out.txt"), "a file");

@@ -10,7 +10,7 @@ namespace fusee::app {
 namespace fs = std::filesystem;
 
 /// What the program said and how it ended.
-struct Run {
+struct Ended {
     int code = -1;
     std::string out, err;
     [[nodiscard]] std::string all() const { return out + err; }
@@ -19,7 +19,7 @@ struct Run {
 class Program : public fixtures::TempFolder {
 protected:
     /// Runs `fusee ARGUMENTS` in the test's folder; the arguments go through the shell. More than 20 s is a hang: exit code 124.
-    Run run(const std::string& arguments) const {
+    Ended run(const std::string& arguments) const {
         const std::string out = (folder_ / ".stdout").string(), err = (folder_ / ".stderr").string();
         const std::string command =
             "cd '" + folder_.string() + "' && timeout 20 '" FUSEE_PROGRAM "' " + arguments + " >'" + out + "' 2>'" + err + "' </dev/null";

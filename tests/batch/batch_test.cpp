@@ -1,6 +1,7 @@
 #include "fusee/batch/batch.h"
 
 #include <algorithm>
+#include <cmath>
 #include <csignal>
 
 #include "fusee/core/error.h"
@@ -37,14 +38,15 @@ TEST_F(Batch, FolderStandsForItsProfilesByName) {
     write("p/deeper/c.toml", "");
     fs::create_directories(folder_ / "p" / "d.toml");
     EXPECT_EQ(find_profiles({other, folder_ / "p"}), (std::vector<fs::path>{other, a, b}));
-    EXPECT_EQ(find_profiles({folder_ / "missing.toml"}), (std::vector<fs::path>{folder_ / "missing.toml"})) << "its row says that it is missing";
-    EXPECT_THROW((void)find_profiles({folder_ / "p" / "deeper" / ".."/ "d.toml"}), core::IoError) << "a folder without profiles";
+    EXPECT_EQ(find_profiles({folder_ / "missing.toml"}), (std::vector<fs::path>{folder_ / "missing.toml"}))
+        << "its row says that it is missing";
+    EXPECT_THROW((void)find_profiles({folder_ / "p" / "deeper" / ".." / "d.toml"}), core::IoError) << "a folder without profiles";
     EXPECT_EQ(find_profiles({std::string(5000, 'a')}).size(), 1u) << "no name that a file system takes";
 }
 
 TEST_F(Batch, OneFailureIsOneRowAndTheRestGoesOn) {
-    const std::vector<fs::path> profiles{design("first"), write("broken.toml", "name = [\n"), design("refused", {{"k_pe.spring.preload_mm", "0.0"}}),
-                                         folder_ / "missing.toml", design("last")};
+    const std::vector<fs::path> profiles{design("first"), write("broken.toml", "name = [\n"),
+                                         design("refused", {{"k_pe.spring.preload_mm", "0.0"}}), folder_ / "missing.toml", design("last")};
     const std::vector<Row> rows = make(profiles, 2);
     EXPECT_EQ(outcomes(rows), (std::vector{Outcome::kMade, Outcome::kBadInput, Outcome::kRefused, Outcome::kBadInput, Outcome::kMade}));
     for (std::size_t i = 0; i < rows.size(); ++i) EXPECT_EQ(rows[i].profile, profiles[i]);
@@ -85,13 +87,15 @@ TEST_F(Batch, BadInputFoundLateNamesItsLine) {
                                        1);
     const auto line_of = [](const Row& row, const std::string& key) {
         const std::string text = core::read_file(row.profile);
-        return row.profile.string() + ":" + std::to_string(1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(text.find(key)), '\n'));
+        return row.profile.string() + ":" +
+               std::to_string(1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(text.find(key)), '\n'));
     };
     EXPECT_EQ(outcomes(rows), (std::vector{Outcome::kBadInput, Outcome::kBadInput, Outcome::kBadInput}));
     EXPECT_EQ(rows[0].error.rfind(line_of(rows[0], "key_width_mm") + ":", 0), 0u) << rows[0].error;
     EXPECT_NE(rows[0].error.find("k_se.hub.key_width_mm: 9"), std::string::npos) << rows[0].error;
     EXPECT_EQ(rows[1].error.rfind(line_of(rows[1], "gear_friction") + ":", 0), 0u) << rows[1].error;
-    EXPECT_NE(rows[2].error.find("unpitched.toml: k_pe.path.pitch_mm"), std::string::npos) << "left out, so it has no line: " << rows[2].error;
+    EXPECT_NE(rows[2].error.find("unpitched.toml: k_pe.path.pitch_mm"), std::string::npos)
+        << "left out, so it has no line: " << rows[2].error;
 }
 
 TEST(ExitCode, TheGravestCounts) {
@@ -123,7 +127,8 @@ TEST_F(Batch, AfterARequestToStopNothingIsBegun) {
         core::catch_interrupts();
         std::raise(SIGINT);
         const std::vector<Row> rows = make_all({good, bad}, {.out = folder_ / "out"}, 2);
-        const bool right = rows[0].outcome == Outcome::kInterrupted && rows[1].outcome == Outcome::kBadInput && !fs::exists(folder_ / "out");
+        const bool right =
+            rows[0].outcome == Outcome::kInterrupted && rows[1].outcome == Outcome::kBadInput && !fs::exists(folder_ / "out");
         std::_Exit(right ? exit_code(rows) : 99);
     };
     EXPECT_EXIT(stopped(), testing::ExitedWithCode(130), "");

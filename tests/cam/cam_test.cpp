@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
 
 #include "fixture.h"
 #include "fusee/core/error.h"
@@ -116,6 +117,29 @@ TEST(Cam, RefusesWithTheBindingLimit) {
     EXPECT_FALSE(refused.refusal().front().suggestion.empty());
 }
 
+// An unloaded spring, or one of another size than the law, asks for arms that no cam has; the change that is suggested makes a cam.
+TEST(Cam, RefusesArmsOfNoSizeAndNamesASpringThatSuits) {
+    const auto suggested = [](const ArmFunction& arm, const char* format) {
+        const auto refused = synthesize_cam(arm, CamOptions{});
+        EXPECT_FALSE(refused);
+        const core::Finding& f = refused.refusal().front();
+        EXPECT_EQ(f.rule, "cam.arm");
+        double value = 0.0;
+        EXPECT_EQ(std::sscanf(f.suggestion.c_str(), format, &value), 1) << f.suggestion;
+        return value;
+    };
+    const auto makes = [](const spring::BaseSpring& base, PartKind kind) {
+        return bool(synthesize_cam(ArmFunction(kind, stiction_law(), base, kCapstan), CamOptions{}));
+    };
+    const auto with = [](const spring::BaseSpring& base, PartKind kind) { return ArmFunction(kind, stiction_law(), base, kCapstan); };
+    const double y0 = suggested(with(compression(7460.0, 0.0), PartKind::kParallel), "k_pe.spring.preload_mm = %lf");
+    EXPECT_TRUE(makes(compression(7460.0, 1e-3 * y0), PartKind::kParallel)) << y0;
+    const double k = suggested(with(compression(1e9), PartKind::kParallel), "k_pe.spring.rate_N_per_m = %lf");
+    const auto softer = synthesize_cam(with(compression(k), PartKind::kParallel), CamOptions{});
+    EXPECT_NE(softer ? "made" : softer.refusal().front().rule, "cam.arm") << k;
+    EXPECT_GT(suggested(with(torsion(0.0183, 0.0), PartKind::kSeries), "k_se.spring.preload_rad = %lf"), 0.0);
+}
+
 TEST(Cam, NamesTheBadOption) {
     const auto field_of = [](const CamOptions& o) -> std::string {
         try {
@@ -131,7 +155,7 @@ TEST(Cam, NamesTheBadOption) {
     o = {};
     o.target_rows = 10;
     EXPECT_EQ(field_of(o), "k_pe.target_rows");
-    EXPECT_EQ(field_of(helix(0.0)), "k_pe.path.pitch");
+    EXPECT_EQ(field_of(helix(0.0)), "k_pe.path.pitch_mm");
     o = helix(4e-3);
     o.path.lead = Lead::kAimedAtGuide;
     EXPECT_EQ(field_of(o), "k_pe.path.lead");

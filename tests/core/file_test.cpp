@@ -1,6 +1,7 @@
 #include "fusee/core/file.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "fusee/core/error.h"
 
@@ -55,6 +56,15 @@ TEST_F(FileTest, StagedFolderLeftUncommittedLeavesTheEarlierOne) {
     { StagedFolder staged(folder_ / "out"); write_file(staged.path() / "half", "x"); }
     EXPECT_EQ(read_file(folder_ / "out" / "old"), "1");
     EXPECT_EQ(entries(), 1u);
+}
+
+TEST_F(FileTest, StagedFolderClearsAwayWhatAKilledProcessLeft) {
+    const fs::path orphan = folder_ / ".out.partial-4194303-0", alive = folder_ / (".out.partial-" + std::to_string(::getpid()) + "-99");
+    fs::create_directories(orphan);  // 4194303 is Linux's highest process number: practically never in use
+    fs::create_directories(alive);
+    { const StagedFolder staged(folder_ / "out"); }
+    EXPECT_FALSE(fs::exists(orphan));
+    EXPECT_TRUE(fs::exists(alive));
 }
 
 }  // namespace

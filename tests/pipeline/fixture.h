@@ -37,7 +37,8 @@ inline fs::path shipped(const std::string& name) { return fs::path(FUSEE_SOURCE_
 /// The profile with one key set: "k_se.spring.preload_rad", "3.5" as TOML. The key's line is replaced, or begun under its table's heading.
 inline std::string with_key(const std::string& text, const std::string& key, const std::string& value) {
     const std::size_t dot = key.rfind('.');
-    const std::string table = dot == std::string::npos ? "" : key.substr(0, dot), leaf = dot == std::string::npos ? key : key.substr(dot + 1);
+    const std::string table = dot == std::string::npos ? "" : key.substr(0, dot),
+                      leaf = dot == std::string::npos ? key : key.substr(dot + 1);
     std::string result, current;
     bool done = false;
     for (std::size_t at = 0; at < text.size();) {

@@ -32,8 +32,8 @@ TEST_P(Shipped, LeavesEveryFileAndEachIsTheOneStated) {
     const auto files = fixtures::contents(folder_ / "out");
     std::vector<std::string> names;
     for (const auto& [name, bytes] : files) names.push_back(fs::path(name).filename().string());
-    EXPECT_EQ(names, (std::vector<std::string>{"k_pe.3mf", "k_pe.json", "k_pe.scad", "k_pe.stl", "k_se.3mf", "k_se.dxf", "k_se.json", "k_se.scad",
-                                               "k_se.stl", "report.html", "report.json", "springs.csv"}));
+    EXPECT_EQ(names, (std::vector<std::string>{"k_pe.3mf", "k_pe.json", "k_pe.scad", "k_pe.stl", "k_se.3mf", "k_se.dxf", "k_se.json",
+                                               "k_se.scad", "k_se.stl", "report.html", "report.json", "springs.csv"}));
     for (const char* part : {"k_se", "k_pe"}) {
         const exchange::PartFile stated = exchange::read_part_file(result.folder / (std::string(part) + ".json"));
         EXPECT_EQ(stated.part, part);
@@ -50,7 +50,8 @@ TEST_P(Shipped, EveryFileCarriesTheLaw) {
     EXPECT_GT(result.worst_arm_error, 0.0);
     EXPECT_LE(result.worst_arm_error, 1e-3);
     EXPECT_FALSE(core::any_required(result.findings));
-    const auto readings = std::count_if(result.findings.begin(), result.findings.end(), [](const core::Finding& f) { return f.rule == "readback.arm"; });
+    const auto readings =
+        std::count_if(result.findings.begin(), result.findings.end(), [](const core::Finding& f) { return f.rule == "readback.arm"; });
     EXPECT_EQ(readings, 7);  // STL twice and 3MF once for both parts, DXF for the spool
     EXPECT_GT(result.dead_band_peak_deg, 0.0);
 }

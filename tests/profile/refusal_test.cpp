@@ -70,7 +70,7 @@ TEST_F(RefusalTest, ForeignCharactersOutsideOfTextsAreFoundBeforeTheParserMeetsT
 TEST_F(RefusalTest, MissingAndOversizedFile) {
     EXPECT_THROW((void)read_profile(folder_ / "none.toml"), core::IoError);
     EXPECT_THROW((void)read_profile(folder_), core::IoError);
-    expect_words(refusal(std::string(kLargestFile + 1, '#')), {"p.toml", "10000001 bytes"});
+    expect_words(refusal(std::string(kLargestFile + 1, '#')), {"p.toml", "10000000 bytes"});
     expect_words(refusal(edited("kind = \"stiction_compensating\"\nk_per_Nm_rad = 0.225\nu_Nm = 0.0012\nc_Nm = 0.265\n",
                                 "kind = \"table\"\nfile = \"none.csv\"\n")),
                  {"none.csv"});

@@ -40,6 +40,13 @@ TEST(Fill, PrismIsASolidOfKnownVolume) {
     EXPECT_NEAR(q.smallest_angle_deg, 36.8699, 1e-3);  // atan(3/4)
 }
 
+TEST(FillFace, RingsThatCrossAreNotFilled) {
+    Mesh mesh;
+    const VertexRing bow = add_ring(mesh, {{0.0, 0.0}, {2.0, 2.0}, {2.0, 0.0}, {0.0, 2.0}}, 0.0);
+    EXPECT_FALSE(fill_face(mesh, bow, {}, true));
+    EXPECT_TRUE(mesh.triangles.empty());
+}
+
 TEST(Validity, SeesWhatIsWrong) {
     Mesh open = prism(kSquare, 0.0, 1.0);
     open.triangles.pop_back();

@@ -132,6 +132,21 @@ TEST(Part, RefusesWithTheBindingLimit) {
     const auto bored = build_part(disc(), wide);
     ASSERT_FALSE(bored);
     EXPECT_EQ(bored.refusal().front().rule, "solid.bore");
+    const auto thick = build_part(disc(3.9e-3, 0.0, 8e-3), plain());
+    ASSERT_FALSE(thick);
+    EXPECT_EQ(thick.refusal().front().rule, "solid.floor");
+    PartOptions below = plain();
+    below.hub.kind = HubKind::kOverhung;
+    below.hub.boss_diameter = 16e-3;
+    below.hub.boss_height = 12e-3;
+    const auto beside = build_part(disc(12e-3, 14e-3), below);  // the axis is 2 mm outside the disc
+    ASSERT_FALSE(beside);
+    EXPECT_EQ(beside.refusal().front().rule, "solid.axis");
+    PartOptions anchored = plain();
+    anchored.features.anchor_hole_diameter = 30e-3;
+    const auto holed = build_part(disc(), anchored);
+    ASSERT_FALSE(holed);
+    EXPECT_EQ(holed.refusal().front().rule, "solid.anchor");
     const auto crowded = build_part(snail(1.5, 2e-3, 1e-3), plain());
     ASSERT_FALSE(crowded);
     EXPECT_EQ(crowded.refusal().front().rule, "solid.turns");

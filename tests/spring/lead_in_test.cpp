@@ -58,7 +58,7 @@ TEST(LeadInRefusal, TooLongNamesTheLongestTravelAndItsBindingSpring) {
     ASSERT_FALSE(refused);
     const core::Finding& finding = refused.refusal().front();
     EXPECT_EQ(finding.rule, "law.lead_in");
-    EXPECT_EQ(finding.measured, 2.0);
+    EXPECT_EQ(finding.measured, core::deg_from_rad(2.0));
     const LawPoint start = law->at_angle(0.0);
     EXPECT_NEAR(core::rad_from_deg(finding.allowed), 2.0 * start.p / start.p_slope, 1e-14);  // here K_PE's stiffness fades first
     EXPECT_TRUE(with_lead_in(law, 0.999 * core::rad_from_deg(finding.allowed)));

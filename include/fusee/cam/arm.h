@@ -29,8 +29,8 @@ public:
     ArmFunction(PartKind kind, spring::SpringLawPtr law, spring::BaseSpring base, double capstan_radius);
 
     [[nodiscard]] ArmPoint at_load(double tau) const;
-    /// The same law on the same spring, wound or pressed otherwise at its lowest load.
-    [[nodiscard]] ArmFunction with_preload(double preload) const;
+    /// The same law on another base spring. @throws InvalidInput as the constructor
+    [[nodiscard]] ArmFunction on(const spring::BaseSpring& base) const;
     [[nodiscard]] PartKind kind() const { return kind_; }
     [[nodiscard]] const spring::SpringLaw& law() const { return *law_; }
     [[nodiscard]] const spring::BaseSpring& base() const { return base_; }

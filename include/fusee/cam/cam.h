@@ -63,7 +63,7 @@ struct Cam {
 };
 
 /// Turns an arm function into a cam: contact and contour from the guide's geometry, height, margins and (planar) the closed idle arc.
-/// Refusals (findings): "cam.arm" (an arm under 0.1 mm or over 1 m), "cam.guide" (arm longer than the guide is far), "cam.convexity" (rho <= 0
+/// Refusals (findings): "cam.arm" (an arm under 0.1 mm, or a contact over 1 m off), "cam.guide" (arm longer than the guide is far), "cam.convexity" (rho <= 0
 /// on the working arc), "cam.wrap" (planar and more than a turn, or more than 20 turns), "cam.idle_arc" (the idle arc does not close with the least radius).
 /// @throws InvalidInput naming the option
 [[nodiscard]] core::Outcome<Cam> synthesize_cam(const ArmFunction& arm, const CamOptions& options);

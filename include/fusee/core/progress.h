@@ -15,8 +15,12 @@ public:
 
     /// One more item is finished; `label` names it.
     void advance(const std::string& label);
+    /// Something that takes long has begun: shown behind the bar, or as a line.
+    void note(const std::string& label);
 
 private:
+    void draw(const std::string& label) const;
+
     std::string title_;
     std::size_t total_, done_ = 0;
     bool terminal_;

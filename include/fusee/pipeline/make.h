@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <functional>
 #include <string>
 
 #include "fusee/core/finding.h"
@@ -11,6 +12,7 @@ namespace fusee::pipeline {
 struct MakeOptions {
     std::filesystem::path out = "out";  ///< the design lands in out/NAME, complete or not at all
     Via via = Via::kCgal;
+    std::function<void(const std::string&)> note = {};  ///< told when something long begins; may be empty; called on the caller's thread
 };
 
 /// What became of one profile.

@@ -47,7 +47,8 @@ std::vector<Job> read_all(const std::vector<fs::path>& paths) {
             profile::Profile read = profile::read_profile(path);
             job.row.result.name = read.name;
             if (!names.insert(read.name).second)
-                throw core::InvalidInput(read.place_of("name"), read.name, "a name that no other profile of this run has: each design gets out/NAME");
+                throw core::InvalidInput(read.place_of("name"), read.name,
+                                         "a name that no other profile of this run has: each design gets out/NAME");
             job.profile = std::move(read);
         });
     }

@@ -25,8 +25,8 @@ ArmPoint ArmFunction::at_load(double tau) const {
     ArmPoint a;
     a.tau = tau;
     if (kind_ == PartKind::kSeries) {
-        const double force = p.f_se / capstan_radius_;                                   // U' of the cable [N]
-        const double rate = p.s / (capstan_radius_ * capstan_radius_);                   // U'' [N/m]
+        const double force = p.f_se / capstan_radius_;                                          // U' of the cable [N]
+        const double rate = p.s / (capstan_radius_ * capstan_radius_);                          // U'' [N/m]
         const double rise = p.s_slope / (capstan_radius_ * capstan_radius_ * capstan_radius_);  // U''' [N/m^2]
         a.state = base_.state(p.u_se);
         a.angle = a.state - base_.preload;

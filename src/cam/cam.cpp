@@ -17,12 +17,13 @@ namespace fusee::cam {
 
 namespace {
 
-constexpr std::size_t kScan = 801;          // loads at which contacts are checked and bracketed
-constexpr double kIdleDistance = 0.9;       // of the least arm: the idle arc leaves a bore nearly as much room as the working arc does
+constexpr std::size_t kScan = 801;     // loads at which contacts are checked and bracketed
+constexpr double kIdleDistance = 0.9;  // of the least arm: the idle arc leaves a bore nearly as much room as the working arc does
 
 void validate(const ArmFunction& arm, const CamOptions& o) {
     const std::string part = to_string(arm.kind());
-    if (o.torque_sign != 1 && o.torque_sign != -1) throw core::InvalidInput(part + ".torque_sign", fmt::format("{}", o.torque_sign), "1 or -1");
+    if (o.torque_sign != 1 && o.torque_sign != -1)
+        throw core::InvalidInput(part + ".torque_sign", fmt::format("{}", o.torque_sign), "1 or -1");
     core::require_within(part + ".target_rows", o.target_rows, 200, 10000);
     core::require_positive("cable.diameter_mm", core::mm_from_m(o.cable_diameter), "mm");
     core::require_within(part + ".path.margin_deg", core::deg_from_rad(o.path.margin), 2.8, 172.0, "deg");
@@ -35,12 +36,14 @@ void validate(const ArmFunction& arm, const CamOptions& o) {
 }
 
 /// Working positions evenly spaced in cam angle.
-std::vector<Contact> working_rows(const ArmFunction& arm, const CamOptions& options, const std::vector<Contact>& scanned, const Height& height) {
+std::vector<Contact> working_rows(const ArmFunction& arm, const CamOptions& options, const std::vector<Contact>& scanned,
+                                  const Height& height) {
     std::vector<Contact> rows;
     const double last = scanned.back().arm.angle;
     for (int i = 0; i < options.target_rows; ++i) {
         const double angle = last * i / (options.target_rows - 1);
-        const auto after = std::upper_bound(scanned.begin() + 1, scanned.end() - 1, angle, [](double v, const Contact& c) { return v < c.arm.angle; });
+        const auto after =
+            std::upper_bound(scanned.begin() + 1, scanned.end() - 1, angle, [](double v, const Contact& c) { return v < c.arm.angle; });
         const double tau = solve_between([&](double t) { return arm.at_load(t).angle - angle; }, (after - 1)->arm.tau, after->arm.tau);
         Contact row = touch(arm.kind(), arm.at_load(tau), options);
         row.path.z = height.at(row.path.psi);
@@ -63,7 +66,7 @@ core::Findings named(core::Findings findings, PartKind kind) {
 
 /// Planar: the working arc and the idle arc that closes it.
 core::Outcome<std::function<PathPoint(double)>> closed_path(PartKind kind, std::shared_ptr<const WorkingArc> arc, const CamOptions& options,
-                                                           double least_arm) {
+                                                            double least_arm) {
     const core::Range psi = arc->psi();
     const auto idle = IdleArc::close(state_of(arc->at(psi.high)), state_of(arc->at(psi.low)), 2.0 * core::kPi - psi.width(),
                                      {options.path.min_idle_curvature_radius, kIdleDistance * least_arm});
@@ -83,7 +86,8 @@ core::Outcome<std::function<PathPoint(double)>> closed_path(PartKind kind, std::
     });
 }
 
-/// The working arc, the margin to the anchor and some groove beyond it. Never close to whole turns: begin and end of the groove would make slivers.
+/// The working arc, the margin to the anchor and some groove beyond it. Never close to whole turns: begin and end of the groove would make
+/// slivers.
 core::Range open_groove(const core::Range& working, double margin) {
     constexpr double kBeyondAnchor = 1.6, kTurn = 2.0 * core::kPi, kApart = 0.05;
     core::Range groove{working.low - kBeyondAnchor * margin, working.high + kBeyondAnchor * margin};
@@ -128,7 +132,8 @@ core::Outcome<Cam> synthesize_cam(const ArmFunction& arm, const CamOptions& opti
         cam.path = open_path(arc, height, cam.groove_psi);
         return cam;
     }
-    const auto least = std::min_element(scanned.begin(), scanned.end(), [](const Contact& a, const Contact& b) { return a.arm.arm < b.arm.arm; });
+    const auto least =
+        std::min_element(scanned.begin(), scanned.end(), [](const Contact& a, const Contact& b) { return a.arm.arm < b.arm.arm; });
     auto path = closed_path(arm.kind(), arc, options, least->arm.arm);
     if (!path) return path.refusal();
     cam.path = *path;

@@ -14,15 +14,16 @@ namespace fusee::cam {
 
 namespace {
 
-constexpr int kInterior = 48;             // knots between the two ends: finer changes the outline by less than a micrometre
-constexpr double kRunOut = 1e-3;          // arc length [m] over which a working end's radius gives way to the idle one
+constexpr int kInterior = 48;     // knots between the two ends: finer changes the outline by less than a micrometre
+constexpr double kRunOut = 1e-3;  // arc length [m] over which a working end's radius gives way to the idle one
 constexpr std::array kEvenness = {0.05, 0.2, 0.8, 3.2, 12.8};  // weights of rho'^2 beside rho^2, tried in turn: small outlines first
 
 /// (h, h') after going `step` along a piece whose rho runs linearly from rho0 to rho1.
 SupportState advance(const SupportState& from, double rho1, double step, double width) {
     const double a = from.rho, b = (rho1 - from.rho) / width;
     const double cosine = from.h - a, sine = from.slope - b;
-    return {a + b * step + cosine * std::cos(step) + sine * std::sin(step), b - cosine * std::sin(step) + sine * std::cos(step), a + b * step};
+    return {a + b * step + cosine * std::cos(step) + sine * std::sin(step), b - cosine * std::sin(step) + sine * std::cos(step),
+            a + b * step};
 }
 
 /// Angle over which a working end's radius gives way, at most 0.05 rad.

@@ -8,7 +8,8 @@
 
 namespace fusee::cam {
 
-WorkingArc::WorkingArc(const ArmFunction& arm, const CamOptions& options, const std::vector<Contact>& contacts) : arm_(arm), options_(options) {
+WorkingArc::WorkingArc(const ArmFunction& arm, const CamOptions& options, const std::vector<Contact>& contacts)
+    : arm_(arm), options_(options) {
     for (const Contact& c : contacts) entries_.push_back({c.path.psi, c.arm.tau});
     if (entries_.front().psi > entries_.back().psi) std::reverse(entries_.begin(), entries_.end());
 }
@@ -54,7 +55,8 @@ double Height::at(double psi) const {
     const auto after = std::upper_bound(entries_.begin() + 1, entries_.end() - 1, psi, [](double v, const Entry& e) { return v < e.psi; });
     const Entry &a = *(after - 1), &b = *after;
     const double width = b.psi - a.psi, s = (psi - a.psi) / width;  // cubic Hermite: the slopes are known exactly
-    return (1 + 2 * s) * (1 - s) * (1 - s) * a.z + s * (1 - s) * (1 - s) * width * a.slope + s * s * (3 - 2 * s) * b.z - s * s * (1 - s) * width * b.slope;
+    return (1 + 2 * s) * (1 - s) * (1 - s) * a.z + s * (1 - s) * (1 - s) * width * a.slope + s * s * (3 - 2 * s) * b.z -
+           s * s * (1 - s) * width * b.slope;
 }
 
 // Below the low end the arc is walked backwards: with -psi for psi, h' changes its sign.

@@ -12,7 +12,7 @@ namespace fusee::checks {
 
 namespace {
 
-constexpr double kMarginStep = 5.0;   // [deg] in which a larger margin is looked for
+constexpr double kMarginStep = 5.0;    // [deg] in which a larger margin is looked for
 constexpr double kMostMargin = 170.0;  // [deg] as far as a profile may put the anchor
 
 struct Clearance {
@@ -47,7 +47,8 @@ core::Findings run(const Design& design) {
     f.suggestion = fmt::format("{}.features.anchor_hole_mm = 0 and a knot or clamp outside the part", name(design));
     for (double margin = core::deg_from_rad(cam.options.path.margin) + kMarginStep; margin < kMostMargin; margin += kMarginStep) {
         const double wound = cam.options.torque_sign > 0 ? cam.working_psi.low : cam.working_psi.high;
-        if (clearance(cam, wound - cam.options.torque_sign * core::rad_from_deg(margin), radius).gap < 0.55 * design.cable.diameter) continue;
+        if (clearance(cam, wound - cam.options.torque_sign * core::rad_from_deg(margin), radius).gap < 0.55 * design.cable.diameter)
+            continue;
         f.suggestion = fmt::format("{}.path.margin_deg = {:.0f}", name(design), margin);
         break;
     }
@@ -57,8 +58,8 @@ core::Findings run(const Design& design) {
 }  // namespace
 
 Rule structure_anchor_floor() {
-    return {"structure.anchor_floor", "the anchor hole taking away the groove's floor where the cable works", "geometry: the arm is made by the floor",
-            run};
+    return {"structure.anchor_floor", "the anchor hole taking away the groove's floor where the cable works",
+            "geometry: the arm is made by the floor", run};
 }
 
 }  // namespace fusee::checks

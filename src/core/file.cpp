@@ -72,7 +72,8 @@ void remove_orphans(const fs::path& target) {
     const std::string prefix = "." + target.filename().string() + ".partial-";
     std::error_code ignored;
     std::vector<fs::path> orphans;
-    for (auto entry = fs::directory_iterator(target.parent_path(), ignored); !ignored && entry != fs::directory_iterator(); entry.increment(ignored)) {
+    for (auto entry = fs::directory_iterator(target.parent_path(), ignored); !ignored && entry != fs::directory_iterator();
+         entry.increment(ignored)) {
         const std::string name = entry->path().filename().string();
         if (name.rfind(prefix, 0) != 0) continue;
         const int process = std::atoi(name.c_str() + prefix.size());

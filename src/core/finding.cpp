@@ -20,9 +20,12 @@ bool any_required(const Findings& findings) {
 
 const char* to_string(Severity severity) {
     switch (severity) {
-        case Severity::kPass: return "pass";
-        case Severity::kReview: return "review and accept";
-        case Severity::kRequired: return "required change";
+        case Severity::kPass:
+            return "pass";
+        case Severity::kReview:
+            return "review and accept";
+        case Severity::kRequired:
+            return "required change";
     }
     return "";
 }

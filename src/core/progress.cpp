@@ -12,7 +12,8 @@ volatile std::sig_atomic_t g_interrupted = 0;
 constexpr std::size_t kBarWidth = 30;
 }  // namespace
 
-Progress::Progress(std::string title, std::size_t total) : title_(std::move(title)), total_(total), terminal_(::isatty(STDERR_FILENO) != 0) {}
+Progress::Progress(std::string title, std::size_t total)
+    : title_(std::move(title)), total_(total), terminal_(::isatty(STDERR_FILENO) != 0) {}
 
 Progress::~Progress() {
     if (terminal_) fmt::print(stderr, "\n");
@@ -35,7 +36,8 @@ void Progress::draw(const std::string& label) const {
         return;
     }
     const std::size_t filled = total_ == 0 ? kBarWidth : kBarWidth * done_ / total_;
-    fmt::print(stderr, "\r\x1b[K{} [{}{}] {}/{} {}", title_, std::string(filled, '#'), std::string(kBarWidth - filled, '.'), done_, total_, label);
+    fmt::print(stderr, "\r\x1b[K{} [{}{}] {}/{} {}", title_, std::string(filled, '#'), std::string(kBarWidth - filled, '.'), done_, total_,
+               label);
     std::fflush(stderr);
 }
 

@@ -59,7 +59,8 @@ core::Finding covers(const actuator::Actuator& joint, const char* side, double t
     const core::Range loads = joint.law->loads();
     // How far a law has to reach grows about as the torque does.
     f.suggestion = low ? fmt::format("rig.least_torque_Nm = {:.3g}, or law.lead_in_deg larger", 1.005 * f.measured)
-                       : fmt::format("law.end_torque_Nm = {:.3g}, or rig.overdrive_torque_Nm = {:.3g}", 1.01 * loads.high * torque / f.measured, 0.995 * f.measured);
+                       : fmt::format("law.end_torque_Nm = {:.3g}, or rig.overdrive_torque_Nm = {:.3g}",
+                                     1.01 * loads.high * torque / f.measured, 0.995 * f.measured);
     f.source = "a capstan at motor torque tau rests at loads from tau/(1+mu) to tau/(1-mu) (docs/theory/dead_band.md)";
     return core::judged(f, core::Severity::kReview);
 }
@@ -68,13 +69,8 @@ core::Finding covers(const actuator::Actuator& joint, const char* side, double t
 
 actuator::Actuator actuator_of(const profile::Profile& profile, const spring::SpringLawPtr& law) {
     const profile::Rig& rig = profile.rig;
-    actuator::Actuator joint{law,
-                             rig.capstan_radius,
-                             rig.joint_radius,
-                             rig.gear_friction,
-                             rig.least_torque,
-                             rig.peak_torque,
-                             rig.overdrive_torque};
+    actuator::Actuator joint{
+        law, rig.capstan_radius, rig.joint_radius, rig.gear_friction, rig.least_torque, rig.peak_torque, rig.overdrive_torque};
     actuator::validate(joint);
     return joint;
 }

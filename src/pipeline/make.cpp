@@ -44,7 +44,9 @@ report::LawReport law_report(const DesignedLaw& designed, const profile::Profile
     return law;
 }
 
-MakeResult refused(const profile::Profile& profile, core::Findings findings) { return {profile.name, false, {}, std::move(findings), 0.0, 0.0}; }
+MakeResult refused(const profile::Profile& profile, core::Findings findings) {
+    return {profile.name, false, {}, std::move(findings), 0.0, 0.0};
+}
 
 double worst_arm_error(const report::DesignReport& design) {
     double worst = 0.0;

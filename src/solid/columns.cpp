@@ -20,11 +20,17 @@ constexpr double kBossRim_mm = 1.0;   // the lower flange reaches this far beyon
 Flanges flanges_of(const PartOptions& options) {
     const double height = core::mm_from_m(options.flange_height);
     if (options.hub.boss_height <= 0.0) return {height, height, core::mm_from_m(options.groove.rib), 0.0};
-    return {std::max(height, kProud_mm), height, core::mm_from_m(options.groove.rib), core::mm_from_m(0.5 * options.hub.boss_diameter) + kBossRim_mm};
+    return {std::max(height, kProud_mm), height, core::mm_from_m(options.groove.rib),
+            core::mm_from_m(0.5 * options.hub.boss_diameter) + kBossRim_mm};
 }
 
 ColumnMaker::ColumnMaker(const cam::Cam& cam, const std::vector<SectionPoint>& section, const Flanges& flanges)
-    : cam_(cam), section_(section), flanges_(flanges), lip_(section.front().offset_mm), half_width_(section.back().z_mm), reach_(cam.groove_psi) {
+    : cam_(cam),
+      section_(section),
+      flanges_(flanges),
+      lip_(section.front().offset_mm),
+      half_width_(section.back().z_mm),
+      reach_(cam.groove_psi) {
     z_low_ = -half_width_ - flanges.rib_mm;
     z_high_ = half_width_ + flanges.rib_mm;
     if (!cam.closed()) measure_helix();

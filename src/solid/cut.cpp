@@ -18,7 +18,8 @@ namespace pmp = CGAL::Polygon_mesh_processing;
 using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
 using ExactPoints = SurfaceMesh::Property_map<SurfaceMesh::Vertex_index, Exact::Point_3>;
 
-constexpr double kShortest_mm = 1e-4;  // cures what rounding exact points leaves; far above a float's last digit at 200 mm, far below any tolerance
+constexpr double kShortest_mm =
+    1e-4;  // cures what rounding exact points leaves; far above a float's last digit at 200 mm, far below any tolerance
 
 /// Keeps the exact points beside the rounded ones through consecutive operations (CGAL manual, "Consecutive Boolean operations").
 struct ExactMap {
@@ -56,7 +57,8 @@ bool flips(const SurfaceMesh& mesh, SurfaceMesh::Halfedge_index towards_moved, c
 void collapse_short_edges(SurfaceMesh& mesh) {
     std::vector<SurfaceMesh::Edge_index> shorts;
     for (const auto e : mesh.edges())
-        if (CGAL::squared_distance(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))) < kShortest_mm * kShortest_mm) shorts.push_back(e);
+        if (CGAL::squared_distance(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))) < kShortest_mm * kShortest_mm)
+            shorts.push_back(e);
     for (const auto e : shorts) {
         if (mesh.is_removed(e) || !CGAL::Euler::does_satisfy_link_condition(e, mesh)) continue;
         const auto h = mesh.halfedge(e);
@@ -68,8 +70,8 @@ void collapse_short_edges(SurfaceMesh& mesh) {
     mesh.collect_garbage();
 }
 
-/// Corefinement numbers new vertices and faces by address, so the same solid comes in another order from run to run: points are put in order of
-/// their coordinates, triangles in that of their points.
+/// Corefinement numbers new vertices and faces by address, so the same solid comes in another order from run to run: points are put in
+/// order of their coordinates, triangles in that of their points.
 Mesh in_canonical_order(const Mesh& mesh) {
     std::vector<std::uint32_t> order(mesh.points_mm.size()), rank(order.size());
     std::iota(order.begin(), order.end(), 0u);
@@ -112,7 +114,8 @@ std::optional<Mesh> cut(const Mesh& body, const std::vector<Mesh>& tools) try {
         if (!to_surface_mesh(tool, knife)) return std::nullopt;
         const ExactMap knife_map(knife);
         if (!pmp::corefine_and_compute_difference(solid, knife, solid, CGAL::parameters::vertex_point_map(solid_map),
-                                                  CGAL::parameters::vertex_point_map(knife_map), CGAL::parameters::vertex_point_map(solid_map)))
+                                                  CGAL::parameters::vertex_point_map(knife_map),
+                                                  CGAL::parameters::vertex_point_map(solid_map)))
             return std::nullopt;
     }
     solid.collect_garbage();

@@ -61,14 +61,15 @@ std::vector<Cutter> make_cutters(const cam::Cam& cam, const PartOptions& options
     if (f.anchor_hole_diameter > 0.0) cutters.push_back(anchor(cam, core::mm_from_m(f.anchor_hole_diameter), frame));
     if (f.leg_slot_width > 0.0)
         cutters.push_back({"leg_slot",
-                           stadium(core::mm_from_m(f.leg_slot_width), core::mm_from_m(f.leg_slot_length), core::mm_from_m(f.leg_slot_radius),
-                                   f.leg_slot_angle, frame.tolerance_mm),
+                           stadium(core::mm_from_m(f.leg_slot_width), core::mm_from_m(f.leg_slot_length),
+                                   core::mm_from_m(f.leg_slot_radius), f.leg_slot_angle, frame.tolerance_mm),
                            frame.z_high_mm - core::mm_from_m(f.leg_slot_depth), frame.z_high_mm + kThrough_mm});
     if (f.mark_width > 0.0) {
         const double rim = rim_at_mark(frame.upper_outline), half = 0.5 * core::mm_from_m(f.mark_width), inner = 0.7 * rim;
         cutters.push_back({"mark",
                            {{inner, -half}, {rim + kThrough_mm, -half}, {rim + kThrough_mm, half}, {inner, half}},
-                           frame.z_high_mm - core::mm_from_m(f.mark_depth), frame.z_high_mm + kThrough_mm});
+                           frame.z_high_mm - core::mm_from_m(f.mark_depth),
+                           frame.z_high_mm + kThrough_mm});
     }
     if (hub.lock == HubLock::kSetScrew) {
         const double middle = frame.z_low_mm - 0.5 * core::mm_from_m(hub.boss_height);

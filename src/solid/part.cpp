@@ -57,10 +57,12 @@ void validate_options(const std::string& part, const PartOptions& o) {
         require_above_0_mm(part + ".features.leg_slot_depth", f.leg_slot_depth);
     }
     require_mm(part + ".features.mark_width", f.mark_width, 0.0, 5.0);
-    if (f.mark_width > 0.0) require_mm(part + ".features.mark_depth", f.mark_depth, 0.05, mm_from_m(o.groove.rib));  // deeper: into the groove
+    if (f.mark_width > 0.0)
+        require_mm(part + ".features.mark_depth", f.mark_depth, 0.05, mm_from_m(o.groove.rib));  // deeper: into the groove
 }
 
-core::Finding refusal(const char* rule, std::string what, double measured, double allowed, const std::string& where, std::string suggestion) {
+core::Finding refusal(const char* rule, std::string what, double measured, double allowed, const std::string& where,
+                      std::string suggestion) {
     core::Finding f;
     f.rule = rule;
     f.severity = core::Severity::kRequired;
@@ -80,10 +82,11 @@ core::Findings check_room(const cam::Cam& cam, const PartOptions& o, const std::
     const std::string part = to_string(cam.kind);
     const double gap = least_turn_gap_mm(cam, section), rib = mm_from_m(o.groove.rib);
     if (gap < rib)
-        findings.push_back(refusal("solid.turns", "the land between neighbouring turns is thinner than the rib", gap, rib, part,
-                                   cam.options.path.lead == cam::Lead::kConstantPitch
-                                       ? fmt::format("{}.path.pitch_mm = {:.2f}", part, mm_from_m(cam.options.path.pitch) + rib - gap + 0.05)
-                                       : fmt::format("{}.guide.z_mm larger, or {}.path.lead = \"constant_pitch\"", part, part)));
+        findings.push_back(
+            refusal("solid.turns", "the land between neighbouring turns is thinner than the rib", gap, rib, part,
+                    cam.options.path.lead == cam::Lead::kConstantPitch
+                        ? fmt::format("{}.path.pitch_mm = {:.2f}", part, mm_from_m(cam.options.path.pitch) + rib - gap + 0.05)
+                        : fmt::format("{}.guide.z_mm larger, or {}.path.lead = \"constant_pitch\"", part, part)));
     double least = mm_from_m(cam.path(cam.groove_psi.low).h), sharpest = mm_from_m(cam.path(cam.groove_psi.low).rho);
     for (double psi = cam.groove_psi.low; psi <= cam.groove_psi.high; psi += 0.01) {
         least = std::min(least, mm_from_m(cam.path(psi).h));
@@ -98,15 +101,17 @@ core::Findings check_room(const cam::Cam& cam, const PartOptions& o, const std::
     }
     const double lip = least + section.front().offset_mm;
     if (cam.closed() && lip < kLeastLip_mm) {
-        findings.push_back(refusal("solid.axis", "the contour does not go round the axis: on the idle arc its lips pass the axis on the wrong side", lip,
-                                   kLeastLip_mm, part, fmt::format("{}.path.kind = \"helix\", or a base spring whose arms differ less", part)));
+        findings.push_back(
+            refusal("solid.axis", "the contour does not go round the axis: on the idle arc its lips pass the axis on the wrong side", lip,
+                    kLeastLip_mm, part, fmt::format("{}.path.kind = \"helix\", or a base spring whose arms differ less", part)));
         return findings;
     }
-    const double anchor = mm_from_m(o.features.anchor_hole_diameter), inside = o.hub.kind == HubKind::kThrough ? bore_reach_mm(o.hub) : kLeastLip_mm;
+    const double anchor = mm_from_m(o.features.anchor_hole_diameter),
+                 inside = o.hub.kind == HubKind::kThrough ? bore_reach_mm(o.hub) : kLeastLip_mm;
     const double anchor_room = mm_from_m(cam.path(cam.anchor_psi).h) - inside - kLeastLip_mm;
     if (anchor > std::max(anchor_room, 0.0)) {
-        core::Finding f = refusal("solid.anchor", "the anchor hole is as wide as the part is there", anchor, std::max(anchor_room, 0.0), part,
-                                  fmt::format("{}.features.anchor_hole_mm = {:.2f}", part, std::max(0.95 * anchor_room, 0.0)));
+        core::Finding f = refusal("solid.anchor", "the anchor hole is as wide as the part is there", anchor, std::max(anchor_room, 0.0),
+                                  part, fmt::format("{}.features.anchor_hole_mm = {:.2f}", part, std::max(0.95 * anchor_room, 0.0)));
         f.bound = core::Bound::kAtMost;
         findings.push_back(f);
     }
@@ -154,8 +159,8 @@ void round_to_file(Mesh& mesh) {
 }
 
 core::Finding invalid(const cam::Cam& cam, const Validity& validity) {
-    core::Finding f = refusal("solid.validity", "the solid is not valid: " + validity.line(), validity.good() ? 1.0 : 0.0, 1.0, to_string(cam.kind),
-                              "a wider rib or pitch, or a shallower groove, so that no face meets another");
+    core::Finding f = refusal("solid.validity", "the solid is not valid: " + validity.line(), validity.good() ? 1.0 : 0.0, 1.0,
+                              to_string(cam.kind), "a wider rib or pitch, or a shallower groove, so that no face meets another");
     f.unit = "";
     f.source = "CGAL: closed, oriented, one component, no self-intersection";
     return f;
@@ -189,7 +194,8 @@ core::Outcome<Part> build_part(const cam::Cam& cam, const PartOptions& options) 
     }
 
     std::vector<Mesh> tools;
-    for (const Cutter& cutter : make_cutters(cam, options, {body.z_low_mm, body.z_high_mm, upper_outline, tolerance})) tools.push_back(cutter.mesh());
+    for (const Cutter& cutter : make_cutters(cam, options, {body.z_low_mm, body.z_high_mm, upper_outline, tolerance}))
+        tools.push_back(cutter.mesh());
     const auto finished = cut(body.mesh, tools);
     if (!finished) return invalid(cam, validate(body.mesh));
     part.mesh = *finished;

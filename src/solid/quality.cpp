@@ -1,7 +1,6 @@
 #include "fusee/solid/quality.h"
 
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -21,8 +20,7 @@ using OpenTriMesh = OpenMesh::TriMesh_ArrayKernelT<Traits>;
 Quality measure_quality(const Mesh& mesh) {
     OpenTriMesh om;
     for (const Vec3& p : mesh.points_mm) om.add_vertex({p[0], p[1], p[2]});
-    for (const Triangle& t : mesh.triangles)
-        om.add_face(om.vertex_handle(t[0]), om.vertex_handle(t[1]), om.vertex_handle(t[2]));
+    for (const Triangle& t : mesh.triangles) om.add_face(om.vertex_handle(t[0]), om.vertex_handle(t[1]), om.vertex_handle(t[2]));
     Quality q;
     q.triangles = om.n_faces();
     q.vertices = om.n_vertices();

@@ -93,7 +93,8 @@ private:
         if (shared) return {shared->front(), shared->back()};
         const ColumnMaker::Lips points = maker_.run_out(psi);
         if (points.merged) {
-            const std::uint32_t edge = points.lower[2] < 0.5 * (maker_.z_low_mm() + maker_.z_high_mm()) ? column.lower.back() : column.upper.front();
+            const std::uint32_t edge =
+                points.lower[2] < 0.5 * (maker_.z_low_mm() + maker_.z_high_mm()) ? column.lower.back() : column.upper.front();
             return {edge, edge};
         }
         return {add_point(mesh_, points.lower), add_point(mesh_, points.upper)};

@@ -24,7 +24,8 @@ Validity validate(const Mesh& mesh) {
     const auto component = surface.add_property_map<SurfaceMesh::Face_index, std::size_t>("f:component").first;
     validity.components = pmp::connected_components(surface, component);
     validity.self_intersecting = pmp::does_self_intersect<CGAL::Sequential_tag>(surface);
-    validity.outward = validity.closed && !validity.self_intersecting && pmp::does_bound_a_volume(surface) && pmp::is_outward_oriented(surface);
+    validity.outward =
+        validity.closed && !validity.self_intersecting && pmp::does_bound_a_volume(surface) && pmp::is_outward_oriented(surface);
     return validity;
 }
 

@@ -149,7 +149,8 @@ core::Outcome<SpringLawPtr> make_pair_law(PotentialPtr series, PotentialPtr para
     core::require_positive("law.start_torque_Nm", start_torque, "Nm");
     core::require_positive("law.end_torque_Nm", end_torque, "Nm");
     if (end_torque <= start_torque)
-        throw core::InvalidInput("law.end_torque_Nm", fmt::format("{:g}", end_torque), fmt::format("above start_torque = {:g} Nm", start_torque));
+        throw core::InvalidInput("law.end_torque_Nm", fmt::format("{:g}", end_torque),
+                                 fmt::format("above start_torque = {:g} Nm", start_torque));
     Pair pair{std::move(series), std::move(parallel)};
     const auto x = find_range(pair, start_torque, end_torque);
     if (!x) return x.refusal();

@@ -103,7 +103,8 @@ void validate(const StictionLawOptions& options) {
     core::require_positive("law.k_per_Nm_rad", options.k, "1/(Nm rad)");
     require_finite("law.u_Nm", options.u, "Nm");
     require_finite("law.c_Nm", options.c, "Nm");
-    if (options.u == 0.0 && options.c == 0.0) throw core::InvalidInput("law.c_Nm", "0, and law.u_Nm too", "not both 0: the transmission would be 0");
+    if (options.u == 0.0 && options.c == 0.0)
+        throw core::InvalidInput("law.c_Nm", "0, and law.u_Nm too", "not both 0: the transmission would be 0");
     core::require_positive("rig.gear_friction", options.mu);
     core::require_positive("law.start_torque_Nm", options.start_torque, "Nm");
     core::require_positive("law.end_torque_Nm", options.end_torque, "Nm");

@@ -121,7 +121,8 @@ TEST(DeadBand, UncoveredLoadsAreSaid) {
 
 // Rounding at the ends of the search once left holes: the width rises steadily with the torque, so it must be there at every torque.
 TEST(DeadBand, CoverHasNoHoles) {
-    const auto law = spring::make_pair_law(spring::make_polynomial({0.0, 0.10, 0.02}), spring::make_polynomial({0.0, 0.25, 0.03}), 0.06, 1.65);
+    const auto law =
+        spring::make_pair_law(spring::make_polynomial({0.0, 0.10, 0.02}), spring::make_polynomial({0.0, 0.25, 0.03}), 0.06, 1.65);
     const Actuator actuator = with_law(*law);
     double earlier = 0.0;
     for (double tau = 0.12; tau <= 1.0; tau += 0.001) {

@@ -1,7 +1,8 @@
 // The main job beside the OpenSCAD way on the same two solids at the same resolution: run with
 //   cmake -S . -B build-bench -G Ninja -DFUSEE_BUILD_BENCH=ON && cmake --build build-bench --target bench
-// BM_Make is the whole of `fusee make`: law, both cams, solids, rules, all files, read-back, reports. BM_OpenScad renders the two SCAD files that
-// it wrote, one after the other, and nothing else. `peak_MB` is the largest resident size of this process up to the end of the benchmark.
+// BM_Make is the whole of `fusee make`: law, both cams, solids, rules, all files, read-back, reports. BM_OpenScad renders the two SCAD
+// files that it wrote, one after the other, and nothing else. `peak_MB` is the largest resident size of this process up to the end of the
+// benchmark.
 #include <benchmark/benchmark.h>
 #include <sys/resource.h>
 
@@ -56,7 +57,8 @@ void BM_DesignPart(benchmark::State& state) {
     const profile::Profile profile = paper_profile();
     const auto law = pipeline::design_law(profile);
     for (auto _ : state)
-        benchmark::DoNotOptimize(pipeline::design_part(state.range(0) == 0 ? cam::PartKind::kSeries : cam::PartKind::kParallel, profile, law->law));
+        benchmark::DoNotOptimize(
+            pipeline::design_part(state.range(0) == 0 ? cam::PartKind::kSeries : cam::PartKind::kParallel, profile, law->law));
 }
 BENCHMARK(BM_DesignPart)->Arg(0)->Arg(1)->ArgName("k_pe")->Unit(benchmark::kMillisecond);
 

@@ -55,7 +55,8 @@ TEST_P(ArmLaw, MovesTheRightLengthOfCable) {
         moved += 0.5 * (earlier.arm + now.arm) * (now.angle - earlier.angle);
         earlier = now;
     }
-    const double expected = GetParam() == PartKind::kSeries ? kCapstan * function.law().angles().width() : earlier.state - function.base().preload;
+    const double expected =
+        GetParam() == PartKind::kSeries ? kCapstan * function.law().angles().width() : earlier.state - function.base().preload;
     EXPECT_NEAR(moved, expected, 1e-6 * expected);
 }
 

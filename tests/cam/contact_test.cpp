@@ -44,7 +44,8 @@ TEST_P(ContactOnDisc, LiesOnTheDisc) {
     const auto arm_at = [&](double angle) { return arm_by_hand(c, sign * angle); };
     for (const double angle : {0.1, 0.9, 2.0, 3.3, 5.0}) {
         const double h = 1e-3;
-        const double m2 = arm_at(angle - 2 * h), m1 = arm_at(angle - h), r0 = arm_at(angle), p1 = arm_at(angle + h), p2 = arm_at(angle + 2 * h);
+        const double m2 = arm_at(angle - 2 * h), m1 = arm_at(angle - h), r0 = arm_at(angle), p1 = arm_at(angle + h),
+                     p2 = arm_at(angle + 2 * h);
         ArmPoint arm;
         arm.angle = angle;
         arm.arm = r0;
@@ -55,7 +56,8 @@ TEST_P(ContactOnDisc, LiesOnTheDisc) {
         EXPECT_NEAR(contact.path.rho, kDisc, 1e-7) << angle;
         EXPECT_NEAR(contact.path.h, kDisc + kEccentric * std::cos(contact.path.psi), 1e-11) << angle;
         if (c.guide.kind != GuideKind::kPoint) continue;
-        const double gx = c.guide.distance * std::cos(c.guide.direction - sign * angle), gy = c.guide.distance * std::sin(c.guide.direction - sign * angle);
+        const double gx = c.guide.distance * std::cos(c.guide.direction - sign * angle),
+                     gy = c.guide.distance * std::sin(c.guide.direction - sign * angle);
         EXPECT_NEAR(contact.span, std::hypot(gx - contact.path.x(), gy - contact.path.y()), 1e-10) << angle;
     }
 }
@@ -66,11 +68,14 @@ constexpr Guide kIdlerLeft{GuideKind::kIdler, 0.7, 0.06, 0.007, 1, 0.0};
 constexpr Guide kIdlerRight{GuideKind::kIdler, 0.7, 0.06, 0.007, -1, 0.0};
 
 INSTANTIATE_TEST_SUITE_P(Guides, ContactOnDisc,
-                         ::testing::Values(Case{"spool_parallel", PartKind::kSeries, kParallelUp, 1}, Case{"cam_parallel", PartKind::kParallel, kParallelUp, 1},
+                         ::testing::Values(Case{"spool_parallel", PartKind::kSeries, kParallelUp, 1},
+                                           Case{"cam_parallel", PartKind::kParallel, kParallelUp, 1},
                                            Case{"cam_parallel_mirrored", PartKind::kParallel, kParallelUp, -1},
-                                           Case{"spool_point", PartKind::kSeries, kPointAway, 1}, Case{"cam_point", PartKind::kParallel, kPointAway, 1},
+                                           Case{"spool_point", PartKind::kSeries, kPointAway, 1},
+                                           Case{"cam_point", PartKind::kParallel, kPointAway, 1},
                                            Case{"cam_point_mirrored", PartKind::kParallel, kPointAway, -1},
-                                           Case{"spool_idler_left", PartKind::kSeries, kIdlerLeft, 1}, Case{"cam_idler_left", PartKind::kParallel, kIdlerLeft, 1},
+                                           Case{"spool_idler_left", PartKind::kSeries, kIdlerLeft, 1},
+                                           Case{"cam_idler_left", PartKind::kParallel, kIdlerLeft, 1},
                                            Case{"cam_idler_right", PartKind::kParallel, kIdlerRight, 1},
                                            Case{"cam_idler_right_mirrored", PartKind::kParallel, kIdlerRight, -1}),
                          [](const auto& instance) { return std::string(instance.param.name); });

@@ -28,7 +28,8 @@ inline ArmFunction parallel_arm() { return {PartKind::kParallel, stiction_law(),
 
 /// Soft springs over more than a turn and a half of capstan, for cams that have to be helical.
 inline spring::SpringLawPtr long_law() {
-    return spring::make_pair_law(spring::make_polynomial({0.02, 0.01, 0.003}), spring::make_polynomial({0.05, 0.02, 0.006}), 0.1, 1.5).value();
+    return spring::make_pair_law(spring::make_polynomial({0.02, 0.01, 0.003}), spring::make_polynomial({0.05, 0.02, 0.006}), 0.1, 1.5)
+        .value();
 }
 inline ArmFunction long_parallel_arm() { return {PartKind::kParallel, long_law(), compression(1500.0, 0.008), kCapstan}; }
 

@@ -8,7 +8,8 @@
 namespace fusee::cam {
 namespace {
 
-// Known: between two mirror images the arc is its own mirror image; that of a circle stays inside the circle's tangents (rho' = 0 at mid-arc).
+// Known: between two mirror images the arc is its own mirror image; that of a circle stays inside the circle's tangents (rho' = 0 at
+// mid-arc).
 TEST(IdleArc, IsSymmetricBetweenMirroredEnds) {
     const SupportState begin{0.01, 1e-3, 0.008}, end{0.01, -1e-3, 0.008};
     const auto arc = IdleArc::close(begin, end, 2.5, {1e-3, 0.0});
@@ -38,7 +39,8 @@ TEST(IdleArc, MeetsBothEndsAndStaysConvex) {
     }
 }
 
-// Known: a circle about the axis can be closed by itself, so a distance of 99 % of its radius can be kept; the compact arc alone dips to 91 %.
+// Known: a circle about the axis can be closed by itself, so a distance of 99 % of its radius can be kept; the compact arc alone dips to 91
+// %.
 TEST(IdleArc, KeepsItsDistanceFromTheAxis) {
     const SupportState circle{0.01, 0.0, 0.01};
     const auto least_of = [&](double h) {

@@ -14,9 +14,12 @@ class FileTest : public ::testing::Test {
 protected:
     void SetUp() override { fs::create_directories(folder_); }
     void TearDown() override { fs::remove_all(folder_); }
-    std::size_t entries() const { return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), fs::directory_iterator())); }
+    std::size_t entries() const {
+        return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
+    }
     // One folder for each test: ctest runs them side by side.
-    fs::path folder_ = fs::path(::testing::TempDir()) / (std::string("fusee_file_") + ::testing::UnitTest::GetInstance()->current_test_info()->name());
+    fs::path folder_ =
+        fs::path(::testing::TempDir()) / (std::string("fusee_file_") + ::testing::UnitTest::GetInstance()->current_test_info()->name());
 };
 
 TEST_F(FileTest, Sha256OfAbc) {
@@ -53,7 +56,10 @@ TEST_F(FileTest, StagedFolderReplacesAsAWhole) {
 TEST_F(FileTest, StagedFolderLeftUncommittedLeavesTheEarlierOne) {
     fs::create_directories(folder_ / "out");
     write_file(folder_ / "out" / "old", "1");
-    { StagedFolder staged(folder_ / "out"); write_file(staged.path() / "half", "x"); }
+    {
+        StagedFolder staged(folder_ / "out");
+        write_file(staged.path() / "half", "x");
+    }
     EXPECT_EQ(read_file(folder_ / "out" / "old"), "1");
     EXPECT_EQ(entries(), 1u);
 }

@@ -9,7 +9,7 @@
 namespace fusee::solid {
 namespace {
 
-double area(const Ring& ring) {
+double area(const Ring &ring) {
     double twice = 0.0;
     for (std::size_t i = 0; i < ring.size(); ++i) {
         const Point2 &a = ring[i], &b = ring[(i + 1) % ring.size()];
@@ -27,8 +27,8 @@ TEST(Outline, CircleStaysWithinTolerance) {
     }
 }
 
-// Known areas: the circle, the circle and a key's rectangle less their common cap, the circle less a segment. The inscribed polygon loses at
-// most circumference x tolerance.
+// Known areas: the circle, the circle and a key's rectangle less their common cap, the circle less a segment. The inscribed polygon loses
+// at most circumference x tolerance.
 TEST(Outline, BoresHaveTheirAreas) {
     const double radius = 3.0, tolerance = 1e-4, loss = 2.0 * core::kPi * radius * tolerance;
     HubOptions hub;
@@ -44,7 +44,8 @@ TEST(Outline, BoresHaveTheirAreas) {
     EXPECT_NEAR(area(bore_ring(hub, tolerance)), core::kPi * 9.0 - (9.0 * open - 2.5 * 3.0 * std::sin(open)), loss);
 }
 
-// Law: the flange's support function holds both the offset contour and the boss, and stays within 2^(1/8) of the larger; its rho is h + h''.
+// Law: the flange's support function holds both the offset contour and the boss, and stays within 2^(1/8) of the larger; its rho is h +
+// h''.
 TEST(Outline, FlangeHoldsContourAndBoss) {
     const cam::Cam cam = test::disc(0.010, 0.007);
     for (double psi = 0.0; psi < 6.28; psi += 0.1) {

@@ -14,8 +14,8 @@ namespace {
 
 using namespace test;
 
-// Known (Pappus): a turned disc with a groove has pi (R_lip^2 - R_bore^2) H less 2 pi x groove area x its centroid's radius; both integrals are
-// taken over the section's own polygon, so only the sweep's chords remain: relative loss (2/3) sin^2 < 1e-3 at 0.12 rad columns.
+// Known (Pappus): a turned disc with a groove has pi (R_lip^2 - R_bore^2) H less 2 pi x groove area x its centroid's radius; both integrals
+// are taken over the section's own polygon, so only the sweep's chords remain: relative loss (2/3) sin^2 < 1e-3 at 0.12 rad columns.
 TEST(Part, DiscHasItsVolume) {
     PartOptions o = plain();
     o.chordal_error = 0.2e-6;
@@ -31,8 +31,8 @@ TEST(Part, DiscHasItsVolume) {
     EXPECT_LT(volume_mm3(part.mesh), expected);  // inscribed outside, and the bore is small
 }
 
-// Known: every vertex of the groove lies on the analytic surface, every triangle within the stated chordal error of it. For a disc about (e, 0)
-// the surface is turned: distance in the half-plane through the disc's own axis.
+// Known: every vertex of the groove lies on the analytic surface, every triangle within the stated chordal error of it. For a disc about
+// (e, 0) the surface is turned: distance in the half-plane through the disc's own axis.
 TEST(Part, GrooveStaysWithinTheStatedChordalError) {
     PartOptions o = plain();
     const double e = 3.0, radius = 12.0, cable = 0.8, floor_radius = 0.53 * cable;
@@ -50,7 +50,8 @@ TEST(Part, GrooveStaysWithinTheStatedChordalError) {
         }
         if (!on_floor) continue;
         ++tested;
-        const double distance = std::hypot(std::hypot(centre[0] - e, centre[1]) - radius + cable / 2.0 - floor_radius, centre[2]) - floor_radius;
+        const double distance =
+            std::hypot(std::hypot(centre[0] - e, centre[1]) - radius + cable / 2.0 - floor_radius, centre[2]) - floor_radius;
         worst = std::max(worst, std::abs(distance));
     }
     EXPECT_GT(tested, 1000u);

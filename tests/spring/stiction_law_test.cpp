@@ -106,7 +106,8 @@ TEST(StictionLawRefusal, StartTooLowNamesTheLeastTorqueAndTheChangeWorks) {
     const double least = finding.allowed;
     EXPECT_NEAR(0.03 * 0.03 / (0.28 * least * least) + 0.30 / least, 1.0, 1e-14);
     double start = 0.0, c = 0.0;
-    ASSERT_EQ(std::sscanf(finding.suggestion.c_str(), "law.start_torque_Nm = %lf (or law.c_Nm = %lf)", &start, &c), 2) << finding.suggestion;
+    ASSERT_EQ(std::sscanf(finding.suggestion.c_str(), "law.start_torque_Nm = %lf (or law.c_Nm = %lf)", &start, &c), 2)
+        << finding.suggestion;
     EXPECT_LT(start, least * 1.03);
     o.c = c;
     EXPECT_TRUE(make_stiction_law(o));

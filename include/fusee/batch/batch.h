@@ -29,10 +29,11 @@ struct Row {
 /// @throws IoError if a folder holds none or cannot be read
 [[nodiscard]] std::vector<std::filesystem::path> find_profiles(const std::vector<std::filesystem::path>& paths);
 
-/// Makes every profile on its own, `jobs` at a time (0: one for each processor); one failure is one row. Rows come in the profiles' order, whatever
-/// the number of jobs. Ctrl-C lets what is begun finish and begins nothing new. Shows progress when there is more than one.
-/// Two profiles with one name would write one folder: the later one is a kBadInput row.
-[[nodiscard]] std::vector<Row> make_all(const std::vector<std::filesystem::path>& profiles, const pipeline::MakeOptions& options, unsigned jobs);
+/// Makes every profile on its own, `jobs` at a time (0: one for each processor); one failure is one row. Rows come in the profiles' order,
+/// whatever the number of jobs. Ctrl-C lets what is begun finish and begins nothing new. Shows progress when there is more than one. Two
+/// profiles with one name would write one folder: the later one is a kBadInput row.
+[[nodiscard]] std::vector<Row> make_all(const std::vector<std::filesystem::path>& profiles, const pipeline::MakeOptions& options,
+                                        unsigned jobs);
 
 /// 0 all made, 1 a design refused, 2 bad input, 3 a failure inside, 130 interrupted; the gravest counts.
 [[nodiscard]] int exit_code(const std::vector<Row>& rows);

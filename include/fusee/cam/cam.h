@@ -36,8 +36,8 @@ enum class Lead { kConstantPitch, kAimedAtGuide };
 struct PathOptions {
     PathKind kind = PathKind::kPlanar;
     Lead lead = Lead::kConstantPitch;
-    double pitch = 0.0;      ///< height gained per turn [m]; helix only
-    double margin = 0.35;    ///< groove beyond the working arc at both ends of a helix, and to the anchor [rad]
+    double pitch = 0.0;                       ///< height gained per turn [m]; helix only
+    double margin = 0.35;                     ///< groove beyond the working arc at both ends of a helix, and to the anchor [rad]
     double min_idle_curvature_radius = 2e-3;  ///< rho on the idle arc [m]
 };
 
@@ -53,18 +53,19 @@ struct CamOptions {
 struct Cam {
     PartKind kind = PartKind::kSeries;
     CamOptions options;
-    int rotation_sign = 1;             ///< body at cam angle a is turned by rotation_sign * a about +z
-    std::vector<Contact> working;      ///< by rising cam angle
-    core::Range working_psi;           ///< psi of the working arc, low < high
-    core::Range groove_psi;            ///< where a groove is cut: planar = one whole turn, helix = working arc and margins
-    double anchor_psi = 0.0;           ///< where the cable is fixed, just outside the working arc, at the end that stays wound
+    int rotation_sign = 1;                  ///< body at cam angle a is turned by rotation_sign * a about +z
+    std::vector<Contact> working;           ///< by rising cam angle
+    core::Range working_psi;                ///< psi of the working arc, low < high
+    core::Range groove_psi;                 ///< where a groove is cut: planar = one whole turn, helix = working arc and margins
+    double anchor_psi = 0.0;                ///< where the cable is fixed, just outside the working arc, at the end that stays wound
     std::function<PathPoint(double)> path;  ///< at any psi of groove_psi, helix: and beyond; C2, thread-safe
     [[nodiscard]] bool closed() const { return options.path.kind == PathKind::kPlanar; }
 };
 
 /// Turns an arm function into a cam: contact and contour from the guide's geometry, height, margins and (planar) the closed idle arc.
-/// Refusals (findings): "cam.arm" (an arm under 0.1 mm, or a contact over 1 m off), "cam.guide" (arm longer than the guide is far), "cam.convexity" (rho <= 0
-/// on the working arc), "cam.wrap" (planar and more than a turn, or more than 20 turns), "cam.idle_arc" (the idle arc does not close with the least radius).
+/// Refusals (findings): "cam.arm" (an arm under 0.1 mm, or a contact over 1 m off), "cam.guide" (arm longer than the guide is far),
+/// "cam.convexity" (rho <= 0 on the working arc), "cam.wrap" (planar and more than a turn, or more than 20 turns), "cam.idle_arc" (the idle
+/// arc does not close with the least radius).
 /// @throws InvalidInput naming the option
 [[nodiscard]] core::Outcome<Cam> synthesize_cam(const ArmFunction& arm, const CamOptions& options);
 

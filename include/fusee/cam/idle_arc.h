@@ -12,10 +12,10 @@ struct SupportState {
     double rho = 0.0;    ///< h + h'' [m]
 };
 
-/// The arc that closes a contour where no cable runs: on the normals that are left, the radius of curvature is piecewise linear in psi, meets
-/// the working arc's at both ends (C2), never falls below a least radius, and is otherwise as small and even as closing allows (least integral of
-/// rho^2 + evenness rho'^2, the evenness raised until the arc keeps its distance from the axis).
-/// h follows from h'' + h = rho in closed form, so the curve is exact and convex (docs/theory/cams.md, eq. 9).
+/// The arc that closes a contour where no cable runs: on the normals that are left, the radius of curvature is piecewise linear in psi,
+/// meets the working arc's at both ends (C2), never falls below a least radius, and is otherwise as small and even as closing allows (least
+/// integral of rho^2 + evenness rho'^2, the evenness raised until the arc keeps its distance from the axis). h follows from h'' + h = rho
+/// in closed form, so the curve is exact and convex (docs/theory/cams.md, eq. 9).
 class IdleArc {
 public:
     struct Least {

@@ -6,7 +6,8 @@
 
 namespace fusee::cam {
 
-/// The contour's working arc, addressed by psi: exact between its samples (the load that leads there is solved for, nothing is interpolated).
+/// The contour's working arc, addressed by psi: exact between its samples (the load that leads there is solved for, nothing is
+/// interpolated).
 class WorkingArc {
 public:
     /// @param contacts touched at rising loads; psi strictly monotone
@@ -25,8 +26,9 @@ private:
     std::vector<Entry> entries_;  // by rising psi
 };
 
-/// Height of the groove over psi (docs/theory/cams.md, eq. 8): flat, rising with constant pitch from 0 at the working arc's low end, or aimed so
-/// that the groove points at the guide: dz/ds = (z_guide - z)/free span along the leaving cable. Straight on beyond the working arc.
+/// Height of the groove over psi (docs/theory/cams.md, eq. 8): flat, rising with constant pitch from 0 at the working arc's low end, or
+/// aimed so that the groove points at the guide: dz/ds = (z_guide - z)/free span along the leaving cable. Straight on beyond the working
+/// arc.
 class Height {
 public:
     Height(const CamOptions& options, const std::vector<Contact>& contacts);

@@ -12,12 +12,12 @@ namespace fusee::checks {
 
 /// The cable as bought. Limits that are 0 are taken from the construction's entry in docs/checks.md.
 struct Cable {
-    double diameter = 1e-3;            ///< d [m]
+    double diameter = 1e-3;              ///< d [m]
     std::string construction = "fibre";  ///< "fibre", "7x7", "7x19", "7x49"
-    double min_bend_ratio = 0.0;       ///< least D/d, D = 2 rho - d = groove floor diameter; 0 = by construction
-    double breaking_load = 0.0;        ///< [N]; 0 = not checked
-    double max_pressure = 0.0;         ///< allowed bearing pressure 2T/(D d) of the part's material [Pa]; 0 = not checked
-    double max_fleet = 0.0;            ///< [rad]; 0 = 2 deg (grooved)
+    double min_bend_ratio = 0.0;         ///< least D/d, D = 2 rho - d = groove floor diameter; 0 = by construction
+    double breaking_load = 0.0;          ///< [N]; 0 = not checked
+    double max_pressure = 0.0;           ///< allowed bearing pressure 2T/(D d) of the part's material [Pa]; 0 = not checked
+    double max_fleet = 0.0;              ///< [rad]; 0 = 2 deg (grooved)
 };
 
 enum class ProcessKind { kFdm, kSla, kSls, kMill };
@@ -27,11 +27,11 @@ enum class ProcessKind { kFdm, kSla, kSls, kMill };
 struct Process {
     ProcessKind kind = ProcessKind::kFdm;
     double build_x = 0.2, build_y = 0.2, build_z = 0.2;  ///< build volume or stock [m]
-    double min_wall = 0.0;      ///< [m]
-    double min_hole = 0.0;      ///< diameter [m]
-    double max_overhang = 0.0;  ///< of a face that looks down, from the vertical [rad]; FDM
-    double cutter_radius = 0.0; ///< smallest ball or end mill at hand [m]; mill
-    double tolerance = 0.0;     ///< of a contour, one side [m]
+    double min_wall = 0.0;                               ///< [m]
+    double min_hole = 0.0;                               ///< diameter [m]
+    double max_overhang = 0.0;                           ///< of a face that looks down, from the vertical [rad]; FDM
+    double cutter_radius = 0.0;                          ///< smallest ball or end mill at hand [m]; mill
+    double tolerance = 0.0;                              ///< of a contour, one side [m]
 };
 
 /// All that a rule may look at.

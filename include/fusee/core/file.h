@@ -18,7 +18,8 @@ void write_file(const std::filesystem::path& path, std::string_view bytes);
 [[nodiscard]] std::string sha256_hex(std::string_view bytes);
 
 /// A folder that is filled under a hidden name beside its target and takes the target's place only when it is complete; what stood
-/// there before is replaced as a whole. Destroyed uncommitted, it leaves nothing behind; what a killed process left is removed by the next one.
+/// there before is replaced as a whole. Destroyed uncommitted, it leaves nothing behind; what a killed process left is removed by the next
+/// one.
 class StagedFolder {
 public:
     /// @throws IoError

@@ -25,14 +25,14 @@ struct Place {
 
 /// What a rule or a synthesis step measured, and what to change. An impossible design is a finding, not an exception.
 struct Finding {
-    std::string rule;        ///< stable id "group.name", e.g. "cable.bend_ratio"
+    std::string rule;  ///< stable id "group.name", e.g. "cable.bend_ratio"
     Severity severity = Severity::kPass;
-    std::string what;        ///< one sentence that a person understands
+    std::string what;  ///< one sentence that a person understands
     double measured = 0.0;
     Bound bound = Bound::kAtLeast;
     double allowed = 0.0;
-    std::string unit;        ///< of measured and allowed, e.g. "mm"; "" when they have none
-    std::string where;       ///< part and place in words, e.g. "k_pe at psi 12.0 deg", "law at 0.5 Nm"
+    std::string unit;   ///< of measured and allowed, e.g. "mm"; "" when they have none
+    std::string where;  ///< part and place in words, e.g. "k_pe at psi 12.0 deg", "law at 0.5 Nm"
     std::optional<Place> place;
     std::string suggestion;  ///< the nearest feasible change, with a number; empty when the rule passes
     std::string source;      ///< where the limit comes from
@@ -52,8 +52,8 @@ void append(Findings& to, const Findings& more);
 template <class T>
 class Outcome {
 public:
-    Outcome(T value) : state_(std::move(value)) {}                 // NOLINT(google-explicit-constructor)
-    Outcome(Findings refusal) : state_(std::move(refusal)) {}      // NOLINT(google-explicit-constructor)
+    Outcome(T value) : state_(std::move(value)) {}                      // NOLINT(google-explicit-constructor)
+    Outcome(Findings refusal) : state_(std::move(refusal)) {}           // NOLINT(google-explicit-constructor)
     Outcome(Finding refusal) : state_(Findings{std::move(refusal)}) {}  // NOLINT(google-explicit-constructor)
 
     [[nodiscard]] explicit operator bool() const { return state_.index() == 0; }

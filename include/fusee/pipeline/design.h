@@ -10,8 +10,8 @@ namespace fusee::pipeline {
 /// The spring law that a profile asks for, lead-in included, and what is known of it.
 struct DesignedLaw {
     spring::SpringLawPtr law;
-    core::Range design_loads;    ///< without the lead-in [Nm]
-    core::Findings findings;     ///< passes and reviews: coverage of the loads that stiction allows
+    core::Range design_loads;  ///< without the lead-in [Nm]
+    core::Findings findings;   ///< passes and reviews: coverage of the loads that stiction allows
 };
 /// Refusals: whatever the law's maker, its lead-in or `spring::check_law` finds broken.
 [[nodiscard]] core::Outcome<DesignedLaw> design_law(const profile::Profile& profile);

@@ -20,7 +20,7 @@ enum class Via {
 /// Writes one part in every format that the profile asks for, with PART.json beside it, and reads every file back.
 /// Broken arms come back as required findings "readback.arm".
 /// @throws core::IoError
-[[nodiscard]] report::PartReport export_part(const DesignedPart& designed, const profile::Profile& profile, const core::Provenance& provenance,
-                                             Via via, const std::filesystem::path& folder);
+[[nodiscard]] report::PartReport export_part(const DesignedPart& designed, const profile::Profile& profile,
+                                             const core::Provenance& provenance, Via via, const std::filesystem::path& folder);
 
 }  // namespace fusee::pipeline

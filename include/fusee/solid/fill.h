@@ -7,7 +7,8 @@ namespace fusee::solid {
 
 using VertexRing = std::vector<std::uint32_t>;  ///< vertex numbers of a mesh, counter-clockwise seen from above
 
-/// Fills a horizontal face between an outer ring and holes with a constrained Delaunay triangulation over the rings' own vertices (none added).
+/// Fills a horizontal face between an outer ring and holes with a constrained Delaunay triangulation over the rings' own vertices (none
+/// added).
 /// @param up true: the face looks up (+z); false: down
 /// @pre the holes lie inside the outer ring
 /// @returns false where a ring crosses itself or another: nothing is added then

@@ -22,8 +22,8 @@ struct OutlinePoint {
     Point2 point{};
     double rho = 0.0;
 };
-/// The pitch curve's parallel at `offset_mm`, widened to hold a circle of `core_radius_mm` about the axis (0 = none): Firey's p-sum of the two
-/// support functions, convex and as smooth as they are (Firey 1962).
+/// The pitch curve's parallel at `offset_mm`, widened to hold a circle of `core_radius_mm` about the axis (0 = none): Firey's p-sum of the
+/// two support functions, convex and as smooth as they are (Firey 1962).
 [[nodiscard]] OutlinePoint flange_point(const cam::PathPoint& path, double offset_mm, double core_radius_mm);
 
 }  // namespace fusee::solid

@@ -9,10 +9,10 @@ namespace fusee::solid {
 
 /// Section of the cable groove: a round floor, straight flanks at half the throat angle, lips.
 struct GrooveOptions {
-    double radius_ratio = 0.53;   ///< floor radius over cable diameter
-    double depth_ratio = 1.5;     ///< depth of the lips above the floor, in cable diameters
+    double radius_ratio = 0.53;          ///< floor radius over cable diameter
+    double depth_ratio = 1.5;            ///< depth of the lips above the floor, in cable diameters
     double throat = 1.5707963267948966;  ///< full angle between the flanks [rad]
-    double rib = 1e-3;            ///< flange thickness beside the groove (planar), least land between turns (helix) [m]
+    double rib = 1e-3;                   ///< flange thickness beside the groove (planar), least land between turns (helix) [m]
 };
 
 enum class HubKind {
@@ -24,15 +24,15 @@ enum class HubLock { kPlain, kKeyway, kDFlat, kSetScrew };
 struct HubOptions {
     HubKind kind = HubKind::kThrough;
     HubLock lock = HubLock::kKeyway;
-    double bore_diameter = 5e-3;      ///< [m], nominal plus `bore_clearance`
-    double bore_clearance = 0.2e-3;   ///< added to the diameter [m]
-    double key_width = 2e-3;          ///< b, DIN 6885-1 [m]
-    double key_depth = 1e-3;          ///< t2, above the bore's radius [m]
-    double flat_depth = 0.5e-3;       ///< D-flat: bore radius minus distance of the flat from the axis [m]
-    double screw_diameter = 0.0;      ///< set screw hole, radial, in the boss [m]
-    double boss_diameter = 0.0;       ///< [m]; overhung and set screw
-    double boss_height = 0.0;         ///< below the lower flange [m]; 0 = no boss
-    double web = 1.5e-3;              ///< overhung: material between the blind bore's end and the lower flange's top [m]
+    double bore_diameter = 5e-3;     ///< [m], nominal plus `bore_clearance`
+    double bore_clearance = 0.2e-3;  ///< added to the diameter [m]
+    double key_width = 2e-3;         ///< b, DIN 6885-1 [m]
+    double key_depth = 1e-3;         ///< t2, above the bore's radius [m]
+    double flat_depth = 0.5e-3;      ///< D-flat: bore radius minus distance of the flat from the axis [m]
+    double screw_diameter = 0.0;     ///< set screw hole, radial, in the boss [m]
+    double boss_diameter = 0.0;      ///< [m]; overhung and set screw
+    double boss_height = 0.0;        ///< below the lower flange [m]; 0 = no boss
+    double web = 1.5e-3;             ///< overhung: material between the blind bore's end and the lower flange's top [m]
 };
 
 struct FeatureOptions {
@@ -42,16 +42,16 @@ struct FeatureOptions {
     double leg_slot_radius = 0.0;        ///< its middle, from the axis [m]
     double leg_slot_depth = 0.0;         ///< from the top face [m]
     double leg_slot_angle = 3.1415926535897931;  ///< in the body frame [rad]
-    double mark_width = 0.5e-3;          ///< timing mark at body angle 0 on the top face [m]; 0 = none
-    double mark_depth = 0.4e-3;          ///< [m]
+    double mark_width = 0.5e-3;                  ///< timing mark at body angle 0 on the top face [m]; 0 = none
+    double mark_depth = 0.4e-3;                  ///< [m]
 };
 
 struct PartOptions {
     GrooveOptions groove;
     HubOptions hub;
     FeatureOptions features;
-    double chordal_error = 2e-6;   ///< largest distance between mesh and analytic surface [m]
-    double flange_height = 0.0;    ///< how far the flanges stand above the lips [m]; 0 = flush with the lips
+    double chordal_error = 2e-6;  ///< largest distance between mesh and analytic surface [m]
+    double flange_height = 0.0;   ///< how far the flanges stand above the lips [m]; 0 = flush with the lips
 };
 
 /// One vertex rail of the section: at every psi a point at `offset` from the cable's centreline along n, `z` above the path's height.
@@ -74,9 +74,10 @@ struct Part {
     double chordal_error_mm = 0.0;      ///< stated and kept by the sweep
 };
 
-/// Builds the solid: swept groove and faces meshed from the parametric surface, Booleans only for anchor hole, leg slot, mark and set screw.
-/// Refusals: "solid.turns" (no land between turns), "solid.floor" (the groove's floor folds), "solid.axis" (the contour
-/// passes the axis by), "solid.anchor" (too wide a hole), "solid.bore" (the bore breaks out), "solid.self_intersection", "solid.boolean" (a cut failed).
+/// Builds the solid: swept groove and faces meshed from the parametric surface, Booleans only for anchor hole, leg slot, mark and set
+/// screw. Refusals: "solid.turns" (no land between turns), "solid.floor" (the groove's floor folds), "solid.axis" (the contour passes the
+/// axis by), "solid.anchor" (too wide a hole), "solid.bore" (the bore breaks out), "solid.self_intersection", "solid.boolean" (a cut
+/// failed).
 /// @throws InvalidInput naming the option
 [[nodiscard]] core::Outcome<Part> build_part(const cam::Cam& cam, const PartOptions& options);
 

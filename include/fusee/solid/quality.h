@@ -8,8 +8,8 @@ namespace fusee::solid {
 /// How well shaped a mesh is (OpenMesh).
 struct Quality {
     std::size_t triangles = 0, vertices = 0;
-    std::size_t boundary_edges = 0;      ///< 0 for a closed mesh
-    int euler = 0;                       ///< V - E + F = 2 - 2 x (through holes)
+    std::size_t boundary_edges = 0;  ///< 0 for a closed mesh
+    int euler = 0;                   ///< V - E + F = 2 - 2 x (through holes)
     double shortest_edge_mm = 0.0;
     double smallest_angle_deg = 0.0;
 };

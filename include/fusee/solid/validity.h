@@ -7,8 +7,8 @@ namespace fusee::solid {
 
 /// What has to hold before a solid is written (CGAL, exact predicates).
 struct Validity {
-    bool closed = false;               ///< every edge has two triangles, manifold
-    bool outward = false;              ///< bounds a volume, normals outside
+    bool closed = false;   ///< every edge has two triangles, manifold
+    bool outward = false;  ///< bounds a volume, normals outside
     bool self_intersecting = true;
     std::size_t components = 0;
     [[nodiscard]] bool good() const { return closed && outward && !self_intersecting && components == 1; }

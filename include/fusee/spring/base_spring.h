@@ -11,14 +11,14 @@ enum class BaseKind {
 /// The linear spring that a cam turns into a nonlinear one. The wire data are optional (0 = unknown) and only feed the checks.
 struct BaseSpring {
     BaseKind kind = BaseKind::kTorsion;
-    double rate = 0.0;     ///< k_t [Nm/rad] or k [N/m]
-    double preload = 0.0;  ///< phi0 [rad] or y0 [m], at the law's lowest load
+    double rate = 0.0;           ///< k_t [Nm/rad] or k [N/m]
+    double preload = 0.0;        ///< phi0 [rad] or y0 [m], at the law's lowest load
     double max_state = 0.0;      ///< largest allowed phi + phi0 [rad] or y + y0 (travel to solid) [m]; 0 = unknown
     double max_load = 0.0;       ///< largest allowed torque [Nm] or force [N]; 0 = unknown
     double wire_diameter = 0.0;  ///< [m]
     double coil_diameter = 0.0;  ///< mean [m]
     double active_coils = 0.0;
-    double free_length = 0.0;    ///< compression spring [m]
+    double free_length = 0.0;       ///< compression spring [m]
     double tensile_strength = 0.0;  ///< UTS of the wire [Pa]
     double stress_share = 0.8;      ///< allowed share of UTS: 0.8 music wire, 0.6 stainless 302 (katyspring)
 

@@ -97,13 +97,18 @@ core::Range open_groove(const core::Range& working, double margin) {
 }
 
 /// Helix: the working arc and a run-out at both ends of the groove.
-std::function<PathPoint(double)> open_path(std::shared_ptr<const WorkingArc> arc, const Height& height, const core::Range& groove) {
+std::function<PathPoint(double)> open_path(std::shared_ptr<const WorkingArc> arc, const Height& height, const core::Range& groove,
+                                           Lead lead) {
     const core::Range psi = arc->psi();
-    const RunOut below(arc->at(psi.low), -1, psi.low - groove.low), above(arc->at(psi.high), +1, groove.high - psi.high);
-    return [arc, psi, below, above, height](double angle) {
-        PathPoint point = angle < psi.low ? below.at(angle) : angle > psi.high ? above.at(angle) : arc->at(angle);
+    const auto working = [arc, height](double angle) {
+        PathPoint point = arc->at(angle);
         point.z = height.at(angle);
         return point;
+    };
+    const RunOut below(working(psi.low), -1, psi.low - groove.low, height.slope_at(false), lead);
+    const RunOut above(working(psi.high), +1, groove.high - psi.high, height.slope_at(true), lead);
+    return [working, psi, below, above](double angle) {
+        return angle < psi.low ? below.at(angle) : angle > psi.high ? above.at(angle) : working(angle);
     };
 }
 
@@ -129,7 +134,7 @@ core::Outcome<Cam> synthesize_cam(const ArmFunction& arm, const CamOptions& opti
     cam.anchor_psi = wound - options.torque_sign * margin;
     if (!cam.closed()) {
         cam.groove_psi = open_groove(cam.working_psi, margin);
-        cam.path = open_path(arc, height, cam.groove_psi);
+        cam.path = open_path(arc, height, cam.groove_psi, options.path.lead);
         return cam;
     }
     const auto least =

@@ -157,6 +157,16 @@ IdleArc IdleArc::run_out(const SupportState& begin, double width, double final_r
     return arc;
 }
 
+double IdleArc::length(double x) const {
+    double sum = 0.0;
+    for (std::size_t i = 1; i < knots_.size() && knots_[i - 1].x < x; ++i) {
+        const bool last = i + 1 == knots_.size();
+        const double to = last ? x : std::min(x, knots_[i].x);
+        sum += 0.5 * (knots_[i - 1].state.rho + at(to).rho) * (to - knots_[i - 1].x);  // rho is linear between knots
+    }
+    return sum;
+}
+
 SupportState IdleArc::at(double x) const {
     auto after = std::upper_bound(knots_.begin() + 1, knots_.end() - 1, x, [](double value, const Knot& k) { return value < k.x; });
     const Knot& from = *(after - 1);

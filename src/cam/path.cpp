@@ -50,8 +50,7 @@ Height::Height(const CamOptions& options, const std::vector<Contact>& contacts) 
 
 double Height::at(double psi) const {
     if (entries_.empty()) return 0.0;
-    if (psi <= entries_.front().psi) return entries_.front().z + entries_.front().slope * (psi - entries_.front().psi);
-    if (psi >= entries_.back().psi) return entries_.back().z + entries_.back().slope * (psi - entries_.back().psi);
+    psi = std::clamp(psi, entries_.front().psi, entries_.back().psi);
     const auto after = std::upper_bound(entries_.begin() + 1, entries_.end() - 1, psi, [](double v, const Entry& e) { return v < e.psi; });
     const Entry &a = *(after - 1), &b = *after;
     const double width = b.psi - a.psi, s = (psi - a.psi) / width;  // cubic Hermite: the slopes are known exactly
@@ -59,13 +58,21 @@ double Height::at(double psi) const {
            s * s * (1 - s) * width * b.slope;
 }
 
+double Height::slope_at(bool high_end) const { return entries_.empty() ? 0.0 : high_end ? entries_.back().slope : entries_.front().slope; }
+
 // Below the low end the arc is walked backwards: with -psi for psi, h' changes its sign.
-RunOut::RunOut(const PathPoint& end, int direction, double width)
-    : psi_(end.psi), direction_(direction), arc_(IdleArc::run_out({end.h, direction * end.slope, end.rho}, width, end.h)) {}
+RunOut::RunOut(const PathPoint& end, int direction, double width, double climb, Lead lead)
+    : end_(end),
+      direction_(direction),
+      climb_(climb),
+      lead_(lead),
+      arc_(IdleArc::run_out({end.h, direction * end.slope, end.rho}, width, end.h)) {}
 
 PathPoint RunOut::at(double psi) const {
-    const SupportState s = arc_.at(direction_ * (psi - psi_));
-    return {psi, s.h, direction_ * s.slope, s.rho, 0.0};
+    const double x = direction_ * (psi - end_.psi);
+    const SupportState s = arc_.at(x);
+    const double gone = lead_ == Lead::kConstantPitch ? x : arc_.length(x) / end_.rho;
+    return {psi, s.h, direction_ * s.slope, s.rho, end_.z + direction_ * climb_ * gone};
 }
 
 }  // namespace fusee::cam

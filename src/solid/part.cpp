@@ -13,16 +13,13 @@
 #include "fusee/solid/outline.h"
 #include "fusee/solid/sweep.h"
 #include "fusee/solid/validity.h"
+#include "room.h"
 
 namespace fusee::solid {
 
 namespace {
 
 using core::mm_from_m;
-
-constexpr double kSharpestFloor = 1.02;  // of half a cable: at 1 the floor has a cusp
-constexpr double kLeastBore_mm = 0.5;    // a smaller bore is no suggestion
-constexpr double kLeastLip_mm = 0.2;     // from the axis
 
 /// Fields are named as in a profile, since that is where a person changes them.
 void require_mm(const std::string& field, double metres, double low_mm, double high_mm) {
@@ -59,70 +56,6 @@ void validate_options(const std::string& part, const PartOptions& o) {
     require_mm(part + ".features.mark_width", f.mark_width, 0.0, 5.0);
     if (f.mark_width > 0.0)
         require_mm(part + ".features.mark_depth", f.mark_depth, 0.05, mm_from_m(o.groove.rib));  // deeper: into the groove
-}
-
-core::Finding refusal(const char* rule, std::string what, double measured, double allowed, const std::string& where,
-                      std::string suggestion) {
-    core::Finding f;
-    f.rule = rule;
-    f.severity = core::Severity::kRequired;
-    f.what = std::move(what);
-    f.measured = measured;
-    f.allowed = allowed;
-    f.unit = "mm";
-    f.where = where;
-    f.suggestion = std::move(suggestion);
-    f.source = "geometry of the part";
-    return f;
-}
-
-/// The bore, and neighbouring turns, must leave material; how much is for the checks to judge.
-core::Findings check_room(const cam::Cam& cam, const PartOptions& o, const std::vector<SectionPoint>& section) {
-    core::Findings findings;
-    const std::string part = to_string(cam.kind);
-    const double gap = least_turn_gap_mm(cam, section), rib = mm_from_m(o.groove.rib);
-    if (gap < rib)
-        findings.push_back(
-            refusal("solid.turns", "the land between neighbouring turns is thinner than the rib", gap, rib, part,
-                    cam.options.path.lead == cam::Lead::kConstantPitch
-                        ? fmt::format("{}.path.pitch_mm = {:.2f}", part, mm_from_m(cam.options.path.pitch) + rib - gap + 0.05)
-                        : fmt::format("{}.guide.z_mm larger, or {}.path.lead = \"constant_pitch\"", part, part)));
-    double least = mm_from_m(cam.path(cam.groove_psi.low).h), sharpest = mm_from_m(cam.path(cam.groove_psi.low).rho);
-    for (double psi = cam.groove_psi.low; psi <= cam.groove_psi.high; psi += 0.01) {
-        least = std::min(least, mm_from_m(cam.path(psi).h));
-        sharpest = std::min(sharpest, mm_from_m(cam.path(psi).rho));
-    }
-    const double half_cable = mm_from_m(0.5 * cam.options.cable_diameter);
-    if (sharpest <= half_cable * kSharpestFloor) {
-        findings.push_back(refusal("solid.floor", "the groove's floor folds: the cable's centreline bends within half a cable", sharpest,
-                                   half_cable * kSharpestFloor, part,
-                                   fmt::format("cable.diameter_mm = {:.3g}", 0.99 * 2.0 * sharpest / kSharpestFloor)));
-        return findings;
-    }
-    const double lip = least + section.front().offset_mm;
-    if (cam.closed() && lip < kLeastLip_mm) {
-        findings.push_back(
-            refusal("solid.axis", "the contour does not go round the axis: on the idle arc its lips pass the axis on the wrong side", lip,
-                    kLeastLip_mm, part, fmt::format("{}.path.kind = \"helix\", or a base spring whose arms differ less", part)));
-        return findings;
-    }
-    const double anchor = mm_from_m(o.features.anchor_hole_diameter),
-                 inside = o.hub.kind == HubKind::kThrough ? bore_reach_mm(o.hub) : kLeastLip_mm;
-    const double anchor_room = mm_from_m(cam.path(cam.anchor_psi).h) - inside - kLeastLip_mm;
-    if (anchor > std::max(anchor_room, 0.0)) {
-        core::Finding f = refusal("solid.anchor", "the anchor hole is as wide as the part is there", anchor, std::max(anchor_room, 0.0),
-                                  part, fmt::format("{}.features.anchor_hole_mm = {:.2f}", part, std::max(0.95 * anchor_room, 0.0)));
-        f.bound = core::Bound::kAtMost;
-        findings.push_back(f);
-    }
-    if (o.hub.kind == HubKind::kOverhung) return findings;
-    const double floor = least - half_cable, reach = bore_reach_mm(o.hub);
-    if (floor > reach + 0.05) return findings;
-    const double bore = mm_from_m(o.hub.bore_diameter) - 2.0 * (reach + 0.3 - floor);
-    const std::string smaller = bore > kLeastBore_mm ? fmt::format("{}.hub.bore_mm = {:.2f}, or ", part, bore) : "";
-    findings.push_back(refusal("solid.bore", "the bore breaks into the groove's floor", floor, reach + 0.05, part,
-                               fmt::format("{}{}.hub.kind = \"overhung\"", smaller, part)));
-    return findings;
 }
 
 /// Bore, boss and the two faces: closes a swept body. `bored` false leaves the body full (the skin). False where outlines cross.

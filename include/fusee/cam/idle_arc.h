@@ -32,6 +32,8 @@ public:
 
     /// @pre 0 <= x <= width
     [[nodiscard]] SupportState at(double x) const;
+    /// Length of the curve from the beginning to x: the integral of rho [m].
+    [[nodiscard]] double length(double x) const;
 
 private:
     [[nodiscard]] double least_h() const;

@@ -27,12 +27,14 @@ private:
 };
 
 /// Height of the groove over psi (docs/theory/cams.md, eq. 8): flat, rising with constant pitch from 0 at the working arc's low end, or
-/// aimed so that the groove points at the guide: dz/ds = (z_guide - z)/free span along the leaving cable. Straight on beyond the working
-/// arc.
+/// aimed so that the groove points at the guide: dz/ds = (z_guide - z)/free span along the leaving cable.
 class Height {
 public:
     Height(const CamOptions& options, const std::vector<Contact>& contacts);
+    /// @pre inside the working arc (clamped to it)
     [[nodiscard]] double at(double psi) const;
+    /// dz/dpsi where the working arc begins (false) and ends (true) [m/rad].
+    [[nodiscard]] double slope_at(bool high_end) const;
 
 private:
     struct Entry {
@@ -41,16 +43,21 @@ private:
     std::vector<Entry> entries_;  // by rising psi; empty = flat
 };
 
-/// A helix beyond one end of its working arc: convex, C2, its radius of curvature running out to that of a circle about the axis.
+/// A helix beyond one end of its working arc: convex, C2, its radius of curvature running out to that of a circle about the axis; the
+/// height goes on with the same pitch (constant pitch) or the same slope along the groove (aimed).
 class RunOut {
 public:
+    /// @param end       where the working arc ends, height included
     /// @param direction +1 beyond the arc's high end, -1 below its low end
-    RunOut(const PathPoint& end, int direction, double width);
+    /// @param climb     dz/dpsi there [m/rad]
+    RunOut(const PathPoint& end, int direction, double width, double climb, Lead lead);
     [[nodiscard]] PathPoint at(double psi) const;
 
 private:
-    double psi_;
+    PathPoint end_;
     int direction_;
+    double climb_;
+    Lead lead_;
     IdleArc arc_;
 };
 

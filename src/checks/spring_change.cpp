@@ -48,7 +48,9 @@ std::string limit_state(const Design& design, double state) {
     const double gain = state_gain(design), start = design.spring.preload, softest = state * state - start * start;
     const std::string less = state * state > gain ? preload(design, down(in_profile_unit(design, std::sqrt(state * state - gain)))) : "";
     const std::string stiffer = softest > 0.0 ? rate(design, up(design.spring.rate * gain / softest)) : "";
-    return joined(less, stiffer);
+    // Both together keep the cam's shape: with rate and preload of `scale_arms` every state is scaled too.
+    const double share = state / largest_state(design);
+    return joined(joined(less, stiffer), scale_arms(design, torsion(design) ? 1.0 / share : share));
 }
 
 std::string limit_load(const Design& design, double load) {

@@ -13,7 +13,7 @@ double largest_state(const Design& design);
 /// K_PE: r = U'/sqrt((k y0)^2 + 2 k U), so k/f^2 and y0 f.
 std::string scale_arms(const Design& design, double factor);
 
-/// A preload, or a rate, with which the largest state is `state` [rad or m].
+/// A preload, or a rate, or both in the proportion of `scale_arms`, with which the largest state is `state` [rad or m].
 std::string limit_state(const Design& design, double state);
 
 /// A preload, or a rate, with which the largest load is `load` [Nm or N].

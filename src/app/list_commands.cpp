@@ -19,8 +19,7 @@ int list_rules() {
 }
 
 int print_completion(const std::string& shell) {
-    const std::map<std::string, std::string_view> scripts{
-        {"bash", k_bash_completion}, {"zsh", k_zsh_completion}, {"fish", k_fish_completion}};
+    const std::map<std::string, std::string_view> scripts{{"bash", kBashCompletion}, {"zsh", kZshCompletion}, {"fish", kFishCompletion}};
     fmt::print("{}", scripts.at(shell));
     return 0;
 }

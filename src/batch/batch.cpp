@@ -104,11 +104,14 @@ std::vector<Row> make_all(const std::vector<fs::path>& profiles, const pipeline:
         }
     };
     const std::size_t wanted = jobs > 0 ? jobs : std::max(1u, std::thread::hardware_concurrency());
+    const std::size_t workers = std::min(wanted, work.size());
     std::vector<std::jthread> pool;
-    for (std::size_t i = 1; i < std::min(wanted, work.size()); ++i) pool.emplace_back(worker);
+    pool.reserve(workers);
+    for (std::size_t i = 1; i < workers; ++i) pool.emplace_back(worker);  // this thread is one of them
     worker();
     pool.clear();  // joins
     std::vector<Row> rows;
+    rows.reserve(work.size());
     for (Job& job : work) rows.push_back(std::move(job.row));
     return rows;
 }

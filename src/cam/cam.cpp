@@ -65,8 +65,8 @@ core::Findings named(core::Findings findings, PartKind kind) {
 }
 
 /// Planar: the working arc and the idle arc that closes it.
-core::Outcome<std::function<PathPoint(double)>> closed_path(PartKind kind, std::shared_ptr<const WorkingArc> arc, const CamOptions& options,
-                                                            double least_arm) {
+core::Outcome<std::function<PathPoint(double)>> closed_path(PartKind kind, const std::shared_ptr<const WorkingArc>& arc,
+                                                            const CamOptions& options, double least_arm) {
     const core::Range psi = arc->psi();
     const auto idle = IdleArc::close(state_of(arc->at(psi.high)), state_of(arc->at(psi.low)), 2.0 * core::kPi - psi.width(),
                                      {options.path.min_idle_curvature_radius, kIdleDistance * least_arm});
@@ -97,7 +97,7 @@ core::Range open_groove(const core::Range& working, double margin) {
 }
 
 /// Helix: the working arc and a run-out at both ends of the groove.
-std::function<PathPoint(double)> open_path(std::shared_ptr<const WorkingArc> arc, const Height& height, const core::Range& groove,
+std::function<PathPoint(double)> open_path(const std::shared_ptr<const WorkingArc>& arc, const Height& height, const core::Range& groove,
                                            Lead lead) {
     const core::Range psi = arc->psi();
     const auto working = [arc, height](double angle) {

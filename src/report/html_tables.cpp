@@ -79,9 +79,8 @@ std::string findings_section(const std::vector<NumberedFinding>& findings) {
     for (const NumberedFinding& n : findings) (n.finding.severity == core::Severity::kPass ? held : broken).push_back(finding_row(n));
     const std::vector<std::string> head{"#", "", "rule", "finding", "measured", "allowed", "where"};
     std::string out =
-        "<section><h2>Findings</h2><p>Numbers are those on the drawings. Each rule names the source of its limit; every limit can be set "
-        "in "
-        "the profile.</p>";
+        "<section><h2>Findings</h2><p>Numbers are those on the drawings. Each rule names the source of its limit; those of cable, springs "
+        "and process can be set in the profile.</p>";
     if (!broken.empty()) out += html_table(head, broken);
     if (!held.empty())
         out += fmt::format("<h3 class=\"held\">{} rules hold</h3><div class=\"dense\">", held.size()) + html_table(head, held) + "</div>";

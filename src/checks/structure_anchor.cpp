@@ -16,6 +16,7 @@ namespace {
 struct Neighbour {
     double wall;  ///< from the hole's edge [m]
     const char* what;
+    bool from_inside = true;  ///< a smaller hole, its far edge still at the pitch curve, leaves more
 };
 
 /// What the hole, axial from the groove's plane to the top, comes near to.
@@ -29,7 +30,7 @@ std::vector<Neighbour> neighbours(const Design& design, const cam::PathPoint& an
     for (const cam::PathPoint& p : contour(design.part.cam))
         if (p.z > anchor.z && std::abs(p.psi - anchor.psi) > core::kPi) above.push_back(p);
     if (!above.empty())
-        all.push_back({distance_inside(above, -0.5 * design.cable.diameter, centre).distance - radius, "groove of the turns above"});
+        all.push_back({distance_inside(above, -0.5 * design.cable.diameter, centre).distance - radius, "groove of the turns above", false});
     return all;
 }
 
@@ -49,8 +50,9 @@ core::Findings run(const Design& design) {
     f.where = where(design, cam.anchor_psi);
     f.place = at;
     const double smaller = 2.0 * radius - core::m_from_mm(f.allowed - f.measured);  // its far edge stays at the pitch curve
-    f.suggestion = smaller > 0.0 ? fmt::format("{}.features.anchor_hole_mm = {}", name(design), down(core::mm_from_m(smaller)))
-                                 : fmt::format("{}.features.anchor_hole_mm = 0 and a knot or clamp outside the part", name(design));
+    f.suggestion = nearest.from_inside && smaller > 0.0
+                       ? fmt::format("{}.features.anchor_hole_mm = {}", name(design), down(core::mm_from_m(smaller)))
+                       : fmt::format("{}.features.anchor_hole_mm = 0 and a knot or clamp outside the part", name(design));
     return {f};
 }
 

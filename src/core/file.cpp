@@ -67,9 +67,9 @@ std::string sha256_hex(std::string_view bytes) {
 }
 
 namespace {
-/// What a run that was killed left beside `target`: hidden folders named after a process that is no more.
-void remove_orphans(const fs::path& target) {
-    const std::string prefix = "." + target.filename().string() + ".partial-";
+/// Hidden siblings of `target` made for `purpose` by a process that is no more.
+std::vector<fs::path> orphans_of(const fs::path& target, const std::string& purpose) {
+    const std::string prefix = "." + target.filename().string() + "." + purpose + "-";
     std::error_code ignored;
     std::vector<fs::path> orphans;
     for (auto entry = fs::directory_iterator(target.parent_path(), ignored); !ignored && entry != fs::directory_iterator();
@@ -79,13 +79,22 @@ void remove_orphans(const fs::path& target) {
         const int process = std::atoi(name.c_str() + prefix.size());
         if (process > 0 && ::kill(process, 0) != 0 && errno == ESRCH) orphans.push_back(entry->path());
     }
-    for (const fs::path& orphan : orphans) fs::remove_all(orphan, ignored);
+    return orphans;
+}
+
+/// Clears away what a killed run left; one killed between its two renames gets its earlier folder back.
+void tidy_up(const fs::path& target) {
+    std::error_code ignored;
+    for (const fs::path& earlier : orphans_of(target, "earlier"))
+        if (!fs::exists(target, ignored)) fs::rename(earlier, target, ignored);
+    for (const char* purpose : {"partial", "earlier"})
+        for (const fs::path& orphan : orphans_of(target, purpose)) fs::remove_all(orphan, ignored);
 }
 }  // namespace
 
 StagedFolder::StagedFolder(fs::path target)
     : target_(std::move(target)), staging_(hidden_sibling(fs::absolute(target_).lexically_normal(), "partial")) {
-    remove_orphans(fs::absolute(target_).lexically_normal());
+    tidy_up(fs::absolute(target_).lexically_normal());
     std::error_code error;
     fs::create_directories(staging_, error);
     if (error) throw IoError(target_.string(), "the folder cannot be made: " + error.message());

@@ -71,6 +71,12 @@ TEST_F(FileTest, StagedFolderClearsAwayWhatAKilledProcessLeft) {
     { const StagedFolder staged(folder_ / "out"); }
     EXPECT_FALSE(fs::exists(orphan));
     EXPECT_TRUE(fs::exists(alive));
+    const fs::path earlier = folder_ / ".out.earlier-4194303-1";  // killed between its two renames
+    fs::create_directories(earlier);
+    write_file(earlier / "kept", "1");
+    { const StagedFolder staged(folder_ / "out"); }
+    EXPECT_EQ(read_file(folder_ / "out" / "kept"), "1");
+    EXPECT_FALSE(fs::exists(earlier));
 }
 
 }  // namespace

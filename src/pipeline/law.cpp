@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
-#include <limits>
+#include <cmath>
+#include <optional>
 #include <type_traits>
 #include <variant>
 
@@ -36,32 +37,51 @@ core::Outcome<spring::SpringLawPtr> bare_law(const profile::LawSpec& spec) {
         spec.curves);
 }
 
-/// The co-contraction nearest to `wanted` whose dead-band the springs cover, looking from the torque in the middle of the law's loads.
-double covered_torque(const actuator::Actuator& joint, double wanted) {
+/// The co-contraction nearest to `wanted` whose whole dead-band lies inside the law; none if no co-contraction has that.
+std::optional<double> covered_torque(const actuator::Actuator& joint, double wanted) {
+    constexpr int kScan = 200;
     const auto covered = [&](double tau) { return actuator::dead_band(joint, tau).covered; };
     if (covered(wanted)) return wanted;
-    double inside = 0.5 * (joint.law->loads().low + joint.law->loads().high), outside = wanted;
-    if (!covered(inside)) return std::numeric_limits<double>::quiet_NaN();
+    const core::Range loads = joint.law->loads();  // a resting capstan at tau carries tau/(1+mu) to tau/(1-mu)
+    const core::Range torques{loads.low * (1.0 + joint.gear_friction), loads.high * (1.0 - joint.gear_friction)};
+    std::optional<double> nearest;
+    for (int i = 0; i <= kScan; ++i) {
+        const double tau = torques.low + torques.width() * i / kScan;
+        if (covered(tau) && (!nearest || std::abs(tau - wanted) < std::abs(*nearest - wanted))) nearest = tau;
+    }
+    if (!nearest) return std::nullopt;
+    double inside = *nearest, outside = wanted;
     for (int i = 0; i < 40; ++i) (covered(0.5 * (inside + outside)) ? inside : outside) = 0.5 * (inside + outside);
     return inside;
 }
 
+/// The edge of a dead-band lies about this share beyond the load at rest (docs/theory/dead_band.md).
+constexpr double kBeyondRest = 0.06;
+
 core::Finding covers(const actuator::Actuator& joint, const char* side, double torque, core::Bound bound) {
     const bool low = bound == core::Bound::kAtMost;
+    const core::Range loads = joint.law->loads(), needed = joint.loads();
+    const std::optional<double> covered = covered_torque(joint, torque);
     core::Finding f;
     f.rule = low ? "law.covers_least" : "law.covers_greatest";
-    f.what = fmt::format("the springs must reach every resting place that stiction allows at the {} co-contraction", side);
-    f.measured = covered_torque(joint, torque);
     f.bound = bound;
-    f.allowed = torque;
     f.unit = "Nm";
     f.where = "law";
-    const core::Range loads = joint.law->loads();
-    // How far a law has to reach grows about as the torque does.
-    f.suggestion = low ? fmt::format("rig.least_torque_Nm = {:.3g}, or law.lead_in_deg larger", 1.005 * f.measured)
-                       : fmt::format("law.end_torque_Nm = {:.3g}, or rig.overdrive_torque_Nm = {:.3g}",
-                                     1.01 * loads.high * torque / f.measured, 0.995 * f.measured);
     f.source = "a capstan at motor torque tau rests at loads from tau/(1+mu) to tau/(1-mu) (docs/theory/dead_band.md)";
+    if (!covered) {
+        f.what = fmt::format("at no co-contraction do the springs reach every resting place that stiction allows; the {} load", side);
+        f.measured = low ? loads.low : loads.high;
+        f.allowed = low ? (1.0 - kBeyondRest) * needed.low : (1.0 + kBeyondRest) * needed.high;
+        f.suggestion = fmt::format("law.{}_torque_Nm = {:.3g}", low ? "start" : "end", f.allowed);
+        return core::judged(f, core::Severity::kReview);
+    }
+    f.what = fmt::format("the springs must reach every resting place that stiction allows at the {} co-contraction", side);
+    f.measured = *covered;
+    f.allowed = torque;
+    // How far a law has to reach grows about as the torque does.
+    f.suggestion = low ? fmt::format("rig.least_torque_Nm = {:.3g}, or law.lead_in_deg larger", 1.005 * *covered)
+                       : fmt::format("law.end_torque_Nm = {:.3g}, or rig.overdrive_torque_Nm = {:.3g}",
+                                     1.01 * loads.high * torque / *covered, 0.995 * *covered);
     return core::judged(f, core::Severity::kReview);
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <ostream>
 
 namespace fusee::cam {
 namespace {
@@ -16,6 +17,7 @@ struct Case {
     Guide guide;
     int torque_sign;
 };
+void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
 
 /// Distance of the cable's line from the axis when the body is turned by `turned`: the line is tangent to the disc and to the guide.
 double arm_by_hand(const Case& c, double turned) {

@@ -1,3 +1,5 @@
+#include <ostream>
+
 #include "fusee/core/units.h"
 #include "fusee/exchange/part_file.h"
 #include "fusee/pipeline/make.h"
@@ -56,6 +58,7 @@ struct Case {
     double turns;
     const char* guide;
 };
+void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
 
 class LongHelix : public fixtures::TempFolder, public testing::WithParamInterface<Case> {};
 INSTANTIATE_TEST_SUITE_P(Pipeline, LongHelix,

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <ostream>
 
 #include "fusee/pipeline/make.h"
 #include "pipeline/fixture.h"
@@ -20,6 +21,7 @@ struct Case {
     const char* rule;
     std::vector<const char*> suggested;  ///< keys whose suggested number has to clear the finding, each by itself ("a+b": both together)
 };
+void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
 
 const Case kCases[] = {
     {"transmission_of_1", "pnrvsa", {{"law.start_torque_Nm", "0.2"}}, "law.transmission", {"law.start_torque_Nm", "law.c_Nm"}},

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <ostream>
 
 #include "fixture.h"
 #include "fusee/core/error.h"
@@ -65,6 +66,7 @@ struct HubCase {
     HubLock lock;
     int through_holes;  // genus
 };
+void PrintTo(const HubCase& c, std::ostream* out) { *out << c.name; }
 class EveryHub : public ::testing::TestWithParam<HubCase> {};
 
 TEST_P(EveryHub, IsAValidSolidOfTheRightGenus) {

@@ -104,13 +104,8 @@ std::optional<Eigen::VectorXd> evenest(const Eigen::MatrixXd& cost, const Closin
 }
 
 core::Finding refusal(double width, double least_rho, double possible) {
-    core::Finding f;
-    f.rule = "cam.idle_arc";
-    f.severity = core::Severity::kRequired;
-    f.what = "the arc without cable cannot close the contour convexly with the least radius";
-    f.measured = core::mm_from_m(possible);
-    f.allowed = core::mm_from_m(least_rho);
-    f.unit = "mm";
+    core::Finding f = core::required_change("cam.idle_arc", "the arc without cable cannot close the contour convexly with the least radius",
+                                            core::mm_from_m(possible), core::Bound::kAtLeast, core::mm_from_m(least_rho), "mm");
     f.where = fmt::format("idle arc of {:.1f} deg", core::deg_from_rad(width));
     f.suggestion = possible > 0.0 ? fmt::format("path.min_idle_radius_mm = {:.2f}", 0.95 * core::mm_from_m(possible))
                                   : "path.kind = \"helix\", or less wrap (another spring preload or a smaller travel)";

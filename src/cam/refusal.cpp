@@ -31,13 +31,7 @@ Test within_reach(const ArmFunction& arm, const CamOptions& options) {
 }
 
 core::Finding broken(const ArmFunction& arm, const char* rule, const char* what, const Contact& at, double measured_mm, double allowed_mm) {
-    core::Finding f;
-    f.rule = rule;
-    f.severity = core::Severity::kRequired;
-    f.what = what;
-    f.measured = measured_mm;
-    f.allowed = allowed_mm;
-    f.unit = "mm";
+    core::Finding f = core::required_change(rule, what, measured_mm, core::Bound::kAtLeast, allowed_mm, "mm");
     f.where = fmt::format("{} at {:.4g} Nm, cam angle {:.1f} deg", to_string(arm.kind()), at.arm.tau, core::deg_from_rad(at.arm.angle));
     f.source = "cable kinematics: the envelope of the cable's lines exists and is convex";
     return f;
@@ -159,14 +153,10 @@ core::Findings check_contacts(const ArmFunction& arm, const CamOptions& options,
 core::Findings check_wrap(const ArmFunction& arm, const Cam& cam, double travel) {
     const double wrap = cam.working_psi.width(), allowed = cam.closed() ? 2.0 * core::kPi - kLeastIdleArc : kLongestHelix;
     if (wrap <= allowed) return {};
-    core::Finding f;
-    f.rule = "cam.wrap";
-    f.severity = core::Severity::kRequired;
-    f.what = cam.closed() ? "a planar groove cannot hold this wrap: it would run over itself" : "more turns of groove than a cam can have";
-    f.measured = core::deg_from_rad(wrap);
-    f.bound = core::Bound::kAtMost;
-    f.allowed = core::deg_from_rad(allowed);
-    f.unit = "deg";
+    core::Finding f = core::required_change(
+        "cam.wrap",
+        cam.closed() ? "a planar groove cannot hold this wrap: it would run over itself" : "more turns of groove than a cam can have",
+        core::deg_from_rad(wrap), core::Bound::kAtMost, core::deg_from_rad(allowed), "deg");
     f.where = to_string(arm.kind());
     // Contacts wander a little against the cam's angle as the arm changes; what is left of it is for the next run to find.
     const double angle = 0.97 * travel * allowed / wrap;

@@ -7,6 +7,18 @@
 
 namespace fusee::core {
 
+Finding required_change(std::string rule, std::string what, double measured, Bound bound, double allowed, std::string unit) {
+    Finding f;
+    f.rule = std::move(rule);
+    f.severity = Severity::kRequired;
+    f.what = std::move(what);
+    f.measured = measured;
+    f.bound = bound;
+    f.allowed = allowed;
+    f.unit = std::move(unit);
+    return f;
+}
+
 Finding judged(Finding finding, Severity when_broken) {
     const bool holds = finding.bound == Bound::kAtMost ? finding.measured <= finding.allowed : finding.measured >= finding.allowed;
     finding.severity = holds && !std::isnan(finding.measured) ? Severity::kPass : when_broken;

@@ -20,10 +20,6 @@ namespace fusee::pipeline {
 
 namespace {
 
-exchange::FileEntry entry_of(const fs::path& path, std::size_t triangles, double chordal_error_mm) {
-    return {path.filename().string(), core::sha256_hex(core::read_file(path)), triangles, chordal_error_mm};
-}
-
 fs::path with_ending(const fs::path& base, const char* ending) { return fs::path(base) += ending; }
 
 /// OpenSCAD's own rendering of the SCAD file.
@@ -32,9 +28,11 @@ solid::Mesh rendered(const fs::path& scad, const fs::path& stl) {
     return exchange::read_stl_openmesh(stl);
 }
 
+using FileRows = std::vector<report::FileRow>;
+
 /// Every format asked for. Through OpenSCAD the mesh comes from the SCAD file by way of an STL file; what was not asked for goes again.
-std::vector<exchange::FileEntry> write_files(const solid::Part& part, const profile::Outputs& outputs, const std::string& provenance,
-                                             Via via, const fs::path& base) {
+FileRows write_files(const solid::Part& part, const profile::Outputs& outputs, const std::string& provenance, Via via,
+                     const fs::path& base) {
     const fs::path scad = with_ending(base, ".scad"), stl = with_ending(base, ".stl"), three_mf = with_ending(base, ".3mf"),
                    dxf = with_ending(base, ".dxf");
     const bool direct = via == Via::kCgal;
@@ -47,15 +45,15 @@ std::vector<exchange::FileEntry> write_files(const solid::Part& part, const prof
     if (!outputs.scad) fs::remove(scad);
     if (!outputs.stl) fs::remove(stl);
 
-    std::vector<exchange::FileEntry> entries;
+    FileRows rows;
     const auto list = [&](bool written, const fs::path& path, std::size_t triangles, double chordal_error_mm) {
-        if (written) entries.push_back(entry_of(path, triangles, chordal_error_mm));
+        if (written) rows.push_back(file_row(path, triangles, chordal_error_mm));
     };
     list(outputs.stl, stl, mesh.triangles.size(), part.chordal_error_mm);
     list(outputs.three_mf, three_mf, mesh.triangles.size(), part.chordal_error_mm);
     list(outputs.scad, scad, 0, part.chordal_error_mm);
     list(outputs.dxf && flat_spool, dxf, 0, exchange::kDrawingChord_mm);
-    return entries;
+    return rows;
 }
 
 /// A mesh keeps its chordal error, and no arm is off by more: the suggested one suits the least arm. Where no cable can be laid at all, the
@@ -90,12 +88,19 @@ core::Finding judge(const readback::ArmError& error, const cam::Cam& cam) {
 
 const char* to_string(Via via) { return via == Via::kCgal ? "cgal" : "openscad"; }
 
+report::FileRow file_row(const fs::path& path, std::size_t triangles, double chordal_error_mm) {
+    const std::string bytes = core::read_file(path);
+    return {{path.filename().string(), core::sha256_hex(bytes), triangles, chordal_error_mm}, bytes.size()};
+}
+
 report::PartReport export_part(const DesignedPart& designed, const profile::Profile& profile, const core::Provenance& provenance, Via via,
                                const fs::path& folder) {
     const solid::Part& part = designed.part;
     const profile::PartSpec& spec = part.cam.kind == cam::PartKind::kSeries ? profile.k_se : profile.k_pe;
     const fs::path base = folder / to_string(part.cam.kind), json = with_ending(base, ".json");
-    const std::vector<exchange::FileEntry> entries = write_files(part, profile.outputs, provenance.line(), via, base);
+    FileRows rows = write_files(part, profile.outputs, provenance.line(), via, base);
+    std::vector<exchange::FileEntry> entries;
+    for (const report::FileRow& row : rows) entries.push_back(row.entry);
     exchange::write_part_file(json, exchange::describe_part(part, spec.spring, entries, provenance));
 
     report::PartReport report;
@@ -104,8 +109,8 @@ report::PartReport export_part(const DesignedPart& designed, const profile::Prof
     report.findings = designed.findings;
     report.arm_errors = readback::read_back(folder, exchange::read_part_file(json));
     for (const readback::ArmError& error : report.arm_errors) report.findings.push_back(judge(error, part.cam));
-    for (const exchange::FileEntry& entry : entries) report.files.push_back({entry, fs::file_size(folder / entry.name)});
-    report.files.push_back({entry_of(json, 0, 0.0), fs::file_size(json)});
+    rows.push_back(file_row(json));
+    report.files = std::move(rows);
     report.quality = solid::measure_quality(part.mesh);
     return report;
 }

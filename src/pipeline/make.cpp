@@ -30,21 +30,22 @@ auto both_parts(const Work& work) {
 report::FileRow springs_file(const fs::path& folder, const spring::SpringLaw& law, const profile::Profile& profile) {
     const fs::path path = folder / "springs.csv";
     report::write_springs_csv(path, law, static_cast<std::size_t>(profile.outputs.springs_rows));
-    return {{path.filename().string(), core::sha256_hex(core::read_file(path)), 0, 0.0}, fs::file_size(path)};
+    return file_row(path);
 }
 
-report::LawReport law_report(const DesignedLaw& designed, const profile::Profile& profile) {
+report::LawReport law_report(const DesignedLaw& designed, const profile::Profile& profile, const actuator::Actuator& joint) {
     report::LawReport law;
     law.samples = spring::sample_by_load(*designed.law, kLawSamples);
     law.design_loads = designed.design_loads;
     law.lead_in_travel = profile.law.lead_in_travel;
-    law.stiction_loads = actuator_of(profile, designed.law).loads();
+    law.stiction_loads = joint.loads();
     if (const auto* options = std::get_if<spring::StictionLawOptions>(&profile.law.curves))
         law.least_feasible_start = spring::least_feasible_load(*options);
     return law;
 }
 
-MakeResult refused(const profile::Profile& profile, core::Findings findings) {
+/// Nothing is left in out/ until a result says that it was made.
+MakeResult not_made(const profile::Profile& profile, core::Findings findings) {
     return {profile.name, false, {}, std::move(findings), 0.0, 0.0};
 }
 
@@ -65,19 +66,20 @@ core::Findings all_findings(const report::DesignReport& design) {
 
 MakeResult make(const profile::Profile& profile, const MakeOptions& options) {
     const auto law = design_law(profile);
-    if (!law) return refused(profile, law.refusal());
+    if (!law) return not_made(profile, law.refusal());
     const auto [k_se, k_pe] = both_parts([&](cam::PartKind kind) { return design_part(kind, profile, law->law); });
     if (!k_se || !k_pe) {
         core::Findings findings = law->findings;
         for (const auto* part : {&k_se, &k_pe}) core::append(findings, *part ? (*part)->findings : part->refusal());
-        return refused(profile, findings);
+        return not_made(profile, findings);
     }
 
+    const actuator::Actuator joint = actuator_of(profile, law->law);
     core::StagedFolder staged(options.out / profile.name);
     report::DesignReport design;
     design.provenance = {profile.name, profile.sha256, std::string("via=") + to_string(options.via)};
-    design.law = law_report(*law, profile);
-    design.dead_band = actuator::dead_band_curve(actuator_of(profile, law->law), kDeadBandLevels);
+    design.law = law_report(*law, profile, joint);
+    design.dead_band = actuator::dead_band_curve(joint, kDeadBandLevels);
     design.findings = law->findings;
     design.files = {springs_file(staged.path(), *law->law, profile)};
     if (options.via == Via::kOpenScad && options.note) options.note(profile.name + ": OpenSCAD renders both solids");
@@ -86,7 +88,7 @@ MakeResult make(const profile::Profile& profile, const MakeOptions& options) {
     });
     design.parts = {std::move(series), std::move(parallel)};
 
-    MakeResult result = refused(profile, all_findings(design));
+    MakeResult result = not_made(profile, all_findings(design));
     result.worst_arm_error = worst_arm_error(design);
     if (core::any_required(result.findings)) return result;  // a file does not carry the law: the staged folder goes
     core::write_file(staged.path() / "report.json", report::report_json(design));
@@ -94,7 +96,7 @@ MakeResult make(const profile::Profile& profile, const MakeOptions& options) {
     staged.commit();
     result.made = true;
     result.folder = options.out / profile.name;
-    result.dead_band_peak_deg = core::deg_from_rad(actuator::dead_band(actuator_of(profile, law->law), profile.rig.peak_torque).extreme);
+    result.dead_band_peak_deg = core::deg_from_rad(actuator::dead_band(joint, joint.peak_torque).extreme);
     return result;
 }
 

@@ -60,13 +60,13 @@ void ColumnMaker::measure_helix() {
 
 std::vector<Stretch> ColumnMaker::stretches() const {
     const double low = reach_.low;
-    if (cam_.closed()) return {{low, low + kTurn, {true}, 0}};
+    if (cam_.closed()) return {{low, low + kTurn, {true}}};
     const auto direction = [&](double psi) { return low + std::fmod(psi - low, kTurn); };
     std::vector<double> borders{low, direction(cam_.groove_psi.low), direction(cam_.groove_psi.high), direction(reach_.high), low + kTurn};
     std::sort(borders.begin(), borders.end());
     std::vector<Stretch> stretches;
     for (std::size_t i = 1; i < borders.size(); ++i) {
-        Stretch s{borders[i - 1], borders[i], {}, 0};
+        Stretch s{borders[i - 1], borders[i], {}};
         const double middle = 0.5 * (s.low + s.high);
         for (double psi = middle; psi < reach_.high; psi += kTurn) s.cut.push_back(cam_.groove_psi.holds(psi));
         if (s.high > s.low) stretches.push_back(s);

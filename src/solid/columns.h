@@ -5,11 +5,10 @@
 
 namespace fusee::solid {
 
-/// Turns first <= j < last have something at direction u of a stretch; the turns whose groove is cut there are marked.
+/// Directions over which every column has the same turns, the lowest first; the turns whose groove is cut there are marked.
 struct Stretch {
     double low = 0.0, high = 0.0;  ///< directions u [rad]
-    std::vector<bool> cut;         ///< [turn - first]; false: only its two lips, running out
-    int first = 0;
+    std::vector<bool> cut;         ///< [turn]; false: only its two lips, running out
 };
 
 /// Computes the points of the columns and how far apart they may stand.

@@ -13,11 +13,10 @@ namespace {
 constexpr double kTurn = 2.0 * core::kPi;
 using Numbers = std::vector<std::uint32_t>;
 
-/// Vertex numbers of one column; slots by turn, from `first` on.
+/// Vertex numbers of one column; slots by turn.
 struct Column {
     Numbers lower, upper;
     std::vector<Numbers> slots;
-    int first = 0;
 
     [[nodiscard]] Numbers rails() const {
         Numbers all = lower;
@@ -25,10 +24,7 @@ struct Column {
         all.insert(all.end(), upper.begin(), upper.end());
         return all;
     }
-    [[nodiscard]] const Numbers* slot(int turn) const {
-        const int i = turn - first;
-        return i < 0 || i >= static_cast<int>(slots.size()) ? nullptr : &slots[static_cast<std::size_t>(i)];
-    }
+    [[nodiscard]] const Numbers* slot(std::size_t turn) const { return turn < slots.size() ? &slots[turn] : nullptr; }
 };
 
 std::uint32_t add_point(Mesh& mesh, const Vec3& p) {
@@ -69,11 +65,10 @@ public:
         Column c;
         c.lower = twin ? twin->lower : add_points(mesh_, maker_.lower_rails(u));
         c.upper = twin ? twin->upper : add_points(mesh_, maker_.upper_rails(u));
-        c.first = stretch.first;
-        for (std::size_t i = 0; i < stretch.cut.size(); ++i) {
-            const int turn = stretch.first + static_cast<int>(i);
+        for (std::size_t turn = 0; turn < stretch.cut.size(); ++turn) {
             const Numbers* shared = twin ? twin->slot(turn) : nullptr;
-            c.slots.push_back(stretch.cut[i] ? cut_slot(u + kTurn * turn, shared) : lips(u + kTurn * turn, shared, c));
+            const double psi = u + kTurn * static_cast<double>(turn);
+            c.slots.push_back(stretch.cut[turn] ? cut_slot(psi, shared) : lips(psi, shared, c));
         }
         return c;
     }
@@ -105,7 +100,7 @@ private:
 };
 
 void add_walls(Mesh& mesh, const Column& before, const Column& after) {
-    for (int turn = before.first; before.slot(turn); ++turn) {
+    for (std::size_t turn = 0; before.slot(turn); ++turn) {
         const Numbers *left = before.slot(turn), *right = after.slot(turn);
         if (!right || left->size() == right->size()) continue;
         add_wall(mesh, left->size() < right->size() ? *right : *left, left->size() < right->size());

@@ -68,14 +68,7 @@ private:
 };
 
 core::Finding refuse(const char* rule, const char* what, double measured, core::Bound bound, double allowed, const char* unit) {
-    core::Finding finding;
-    finding.rule = rule;
-    finding.severity = core::Severity::kRequired;
-    finding.what = what;
-    finding.measured = measured;
-    finding.bound = bound;
-    finding.allowed = allowed;
-    finding.unit = unit;
+    core::Finding finding = core::required_change(rule, what, measured, bound, allowed, unit);
     finding.source = "docs/theory/springs.md, eq. 1";
     return finding;
 }

@@ -114,14 +114,7 @@ void validate(const StictionLawOptions& options) {
 }
 
 core::Finding transmission_finding(double measured, core::Bound bound, double allowed, const char* what, const char* end) {
-    core::Finding finding;
-    finding.rule = "law.transmission";
-    finding.severity = core::Severity::kRequired;
-    finding.what = what;
-    finding.measured = measured;
-    finding.bound = bound;
-    finding.allowed = allowed;
-    finding.unit = "Nm";
+    core::Finding finding = core::required_change("law.transmission", what, measured, bound, allowed, "Nm");
     finding.where = fmt::format("law at its {} torque", end);
     finding.source = "docs/theory/springs.md, eq. 3 and 4";
     return finding;

@@ -39,6 +39,9 @@ struct Finding {
 };
 using Findings = std::vector<Finding>;
 
+/// What forbids a design: a finding of severity kRequired. Place, suggestion and source are for the caller to add.
+[[nodiscard]] Finding required_change(std::string rule, std::string what, double measured, Bound bound, double allowed, std::string unit);
+
 /// Sets the severity by comparing measured with allowed: `when_broken` if the bound is broken or the value is NaN.
 Finding judged(Finding finding, Severity when_broken);
 

@@ -17,6 +17,9 @@ enum class Via {
 };
 [[nodiscard]] const char* to_string(Via via);
 
+/// A file as written: name, SHA-256 and size of its bytes. @throws core::IoError
+[[nodiscard]] report::FileRow file_row(const std::filesystem::path& path, std::size_t triangles = 0, double chordal_error_mm = 0.0);
+
 /// Writes one part in every format that the profile asks for, with PART.json beside it, and reads every file back.
 /// Broken arms come back as required findings "readback.arm".
 /// @throws core::IoError

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/core/units.h"
 #include "fusee/exchange/dxf.h"
@@ -13,6 +14,8 @@
 #include "fusee/exchange/scad.h"
 #include "fusee/exchange/stl.h"
 #include "fusee/exchange/three_mf.h"
+#include "fusee/solid/cut.h"
+#include "fusee/solid/validity.h"
 
 namespace fs = std::filesystem;
 
@@ -22,10 +25,15 @@ namespace {
 
 fs::path with_ending(const fs::path& base, const char* ending) { return fs::path(base) += ending; }
 
-/// OpenSCAD's own rendering of the SCAD file.
+/// OpenSCAD's own rendering of the SCAD file, without the slivers that its rounding leaves, and held to what fusee's own solids are held
+/// to.
 solid::Mesh rendered(const fs::path& scad, const fs::path& stl) {
     exchange::render_scad(scad, stl);
-    return exchange::read_stl_openmesh(stl);
+    const solid::Mesh raw = exchange::read_stl_openmesh(stl);
+    solid::Mesh mesh = solid::without_slivers(raw).value_or(raw);
+    if (const solid::Validity validity = solid::validate(mesh); !validity.good())
+        throw core::IoError(scad.filename().string(), "OpenSCAD's solid is not valid: " + validity.line());
+    return mesh;
 }
 
 using FileRows = std::vector<report::FileRow>;
@@ -38,7 +46,7 @@ FileRows write_files(const solid::Part& part, const profile::Outputs& outputs, c
     const bool direct = via == Via::kCgal;
     if (outputs.scad || !direct) exchange::write_scad(scad, part, provenance);
     const solid::Mesh mesh = direct ? part.mesh : rendered(scad, stl);
-    if (outputs.stl && direct) exchange::write_stl(stl, mesh, provenance);
+    if (outputs.stl) exchange::write_stl(stl, mesh, provenance);
     if (outputs.three_mf) exchange::write_3mf(three_mf, mesh, base.filename().string(), provenance);
     const bool flat_spool = part.cam.kind == cam::PartKind::kSeries && part.cam.closed();
     if (outputs.dxf && flat_spool) exchange::write_dxf(dxf, exchange::spool_drawing(part, provenance));

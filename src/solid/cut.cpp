@@ -125,4 +125,11 @@ std::optional<Mesh> cut(const Mesh& body, const std::vector<Mesh>& tools) try {
     return std::nullopt;  // CGAL throws on an input that intersects itself; `validate` says so to the caller
 }
 
+std::optional<Mesh> without_slivers(const Mesh& mesh) {
+    SurfaceMesh surface;
+    if (!to_surface_mesh(mesh, surface)) return std::nullopt;
+    collapse_short_edges(surface);
+    return in_canonical_order(from_surface_mesh(surface));
+}
+
 }  // namespace fusee::solid

@@ -12,4 +12,8 @@ namespace fusee::solid {
 /// @pre body and tools are closed, oriented and free of self-intersections
 [[nodiscard]] std::optional<Mesh> cut(const Mesh& body, const std::vector<Mesh>& tools);
 
+/// A mesh that another kernel made and rounded, with its edges under 1e-4 mm collapsed: what rounding folds over is that small. Comes back
+/// in the order of `cut`; empty if the triangles form no manifold.
+[[nodiscard]] std::optional<Mesh> without_slivers(const Mesh& mesh);
+
 }  // namespace fusee::solid

@@ -1,0 +1,69 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fusee/core/error.h"
+
+namespace fusee::core {
+
+/// A column that a reader knows.
+struct CsvColumn {
+    enum class Kind { kNumber, kText };
+    std::string name;  ///< as in the header line
+    Kind kind = Kind::kNumber;
+    bool required = true;  ///< an optional column may be absent as a whole; where it stands, every row fills it
+};
+
+struct CsvOptions {
+    bool extra_columns = true;                ///< columns that the reader does not know are passed over; else refused
+    std::size_t least_rows = 1;               ///< rows below the header
+    std::size_t most_rows = 1'000'000;        ///< about 12 bytes of memory for each number
+    std::size_t largest_bytes = 200'000'000;  ///< of the file
+};
+
+/// The known columns of a CSV file; immutable. Rows count from 0.
+class CsvTable {
+public:
+    [[nodiscard]] std::size_t rows() const { return lines_.size(); }
+    [[nodiscard]] bool has(std::string_view column) const;
+    /// @pre has(column), and it is of that kind
+    [[nodiscard]] const std::vector<double>& numbers(std::string_view column) const;
+    [[nodiscard]] const std::vector<std::string>& texts(std::string_view column) const;
+    /// Where the row stands in the file, from 1.
+    [[nodiscard]] std::size_t line(std::size_t row) const { return lines_.at(row); }
+    /// For what only the caller can judge: an error "file:line:column: name" to throw. @pre has(column), row < rows()
+    [[nodiscard]] InvalidInput fault(std::size_t row, std::string_view column, std::string value, std::string allowed) const;
+
+private:
+    friend class CsvParser;
+    struct Column {
+        CsvColumn known;
+        std::size_t cell = 0;  // its place in the header line
+        std::vector<double> numbers;
+        std::vector<std::string> texts;
+        std::vector<std::uint32_t> places;  // where its cell begins in each line, from 1
+    };
+    [[nodiscard]] const Column& column(std::string_view name) const;
+
+    std::string file_;
+    std::vector<std::uint32_t> lines_;  // of each row, from 1
+    std::vector<Column> columns_;
+};
+
+/// Reads a header line with the columns' names in any order, then one row a line, cells parted by commas. A byte order mark, CR LF, spaces
+/// around cells, blank lines and lines that begin with '#' are passed over. Numbers are finite, with a decimal point; texts are not empty
+/// and hold no quotation marks. Nothing else is guessed at.
+/// @param file the name used in messages
+/// @throws InvalidInput "file:line:column: name" for a gap, a text in place of a number, a NaN; "...: header" for a header that lacks a
+/// required column, has one twice or, where extra columns are refused, an unknown one; "...: row", "...: rows" for too many cells, too few
+/// or too many rows
+[[nodiscard]] CsvTable parse_csv(std::string_view bytes, const std::string& file, const std::vector<CsvColumn>& columns,
+                                 const CsvOptions& options = {});
+/// The same from a file. @throws IoError, also when the file is larger than options.largest_bytes
+[[nodiscard]] CsvTable read_csv(const std::filesystem::path& path, const std::vector<CsvColumn>& columns, const CsvOptions& options = {});
+
+}  // namespace fusee::core

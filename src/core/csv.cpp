@@ -1,0 +1,176 @@
+#include "fusee/core/csv.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <charconv>
+#include <cmath>
+
+#include "fusee/core/file.h"
+
+namespace fusee::core {
+
+namespace {
+
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+constexpr std::size_t kShown = 60;  // letters of a wrong cell that a message repeats
+
+struct Cell {
+    std::string_view text;
+    std::size_t place;  // of its first character, from 1
+};
+
+void split(std::string_view line, std::vector<Cell>& cells) {
+    cells.clear();
+    for (std::size_t begin = 0; begin <= line.size();) {
+        const std::size_t end = std::min(line.find(',', begin), line.size());
+        std::size_t first = begin, last = end;
+        while (first < last && (line[first] == ' ' || line[first] == '\t')) ++first;
+        while (last > first && (line[last - 1] == ' ' || line[last - 1] == '\t')) --last;
+        cells.push_back({line.substr(first, last - first), first + 1});
+        begin = end + 1;
+    }
+}
+
+std::string shown(std::string_view text) { return fmt::format("'{}{}'", text.substr(0, kShown), text.size() > kShown ? "..." : ""); }
+
+std::string count_of_columns(std::size_t count) {
+    constexpr std::array<const char*, 10> kWords{"no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine"};
+    return fmt::format("{} column{}", count < kWords.size() ? kWords[count] : fmt::format("{}", count), count == 1 ? "" : "s");
+}
+
+InvalidInput fault_at(const std::string& file, std::size_t line, std::size_t place, std::string_view what, std::string value,
+                      std::string allowed) {
+    return {fmt::format("{}:{}:{}: {}", file, line, place, what), std::move(value), std::move(allowed)};
+}
+
+}  // namespace
+
+/// One pass over the lines; the table grows row by row.
+class CsvParser {
+public:
+    CsvParser(const std::string& file, const std::vector<CsvColumn>& columns, const CsvOptions& options)
+        : known_(columns), options_(options) {
+        table_.file_ = file;
+        for (const CsvColumn& column : known_) names_ += (names_.empty() ? "" : ",") + column.name;
+    }
+
+    CsvTable parse(std::string_view bytes) {
+        if (bytes.starts_with(kByteOrderMark)) bytes.remove_prefix(kByteOrderMark.size());
+        while (!bytes.empty()) {
+            const std::size_t end = std::min(bytes.find('\n'), bytes.size());
+            std::string_view text = bytes.substr(0, end);
+            bytes.remove_prefix(std::min(end + 1, bytes.size()));
+            ++line_;
+            if (text.ends_with('\r')) text.remove_suffix(1);
+            if (text.find_first_not_of(" \t") == std::string_view::npos || text.starts_with('#')) continue;
+            split(text, cells_);
+            headed_ ? read_row(text) : read_header(text);
+            headed_ = true;
+        }
+        if (!headed_) throw fault_at(table_.file_, 1, 1, "header", "(missing)", shown(names_));
+        if (table_.rows() < options_.least_rows)
+            throw fault(1, "rows", fmt::format("{}", table_.rows()), fmt::format("at least {}", options_.least_rows));
+        return std::move(table_);
+    }
+
+private:
+    [[nodiscard]] InvalidInput fault(std::size_t place, std::string_view what, std::string value, std::string allowed) const {
+        return fault_at(table_.file_, line_, place, what, std::move(value), std::move(allowed));
+    }
+
+    void read_header(std::string_view text) {
+        for (std::size_t i = 0; i < cells_.size(); ++i) {
+            const Cell& cell = cells_[i];
+            const auto same = [&cell](const auto& other) { return other.text == cell.text; };
+            const auto end = cells_.begin() + static_cast<std::ptrdiff_t>(i);
+            if (!cell.text.empty() && std::find_if(cells_.begin(), end, same) != end)
+                throw fault(cell.place, "header", shown(cell.text), "every column once");
+            const auto known = std::find_if(known_.begin(), known_.end(), [&cell](const CsvColumn& c) { return c.name == cell.text; });
+            if (known != known_.end())
+                table_.columns_.push_back({*known, i, {}, {}, {}});
+            else if (!options_.extra_columns)
+                throw fault(cell.place, "header", shown(cell.text), shown(names_));
+        }
+        for (const CsvColumn& column : known_)
+            if (column.required && !table_.has(column.name))
+                throw fault(text.size() + 1, "header", shown(column.name) + " (missing)", shown(names_));
+        width_ = cells_.size();
+    }
+
+    void read_row(std::string_view text) {
+        if (table_.rows() >= options_.most_rows) throw fault(1, "rows", "more", fmt::format("at most {}", options_.most_rows));
+        for (CsvTable::Column& column : table_.columns_) {
+            const Cell cell = column.cell < cells_.size() ? cells_[column.cell] : Cell{{}, text.size() + 1};
+            if (column.known.kind == CsvColumn::Kind::kNumber)
+                column.numbers.push_back(number(cell, column.known.name));
+            else
+                column.texts.emplace_back(words(cell, column.known.name));
+            column.places.push_back(static_cast<std::uint32_t>(cell.place));
+        }
+        if (cells_.size() > width_) throw fault(cells_[width_].place, "row", shown(cells_[width_].text), count_of_columns(width_));
+        table_.lines_.push_back(static_cast<std::uint32_t>(line_));
+    }
+
+    [[nodiscard]] double number(const Cell& cell, const std::string& name) const {
+        if (cell.text.empty()) throw fault(cell.place, name, "(missing)", "a finite number in every row");
+        std::string_view digits = cell.text;
+        if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-') digits.remove_prefix(1);
+        double value = 0.0;
+        const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+        if (error != std::errc() || end != digits.data() + digits.size() || !std::isfinite(value))
+            throw fault(cell.place, name, shown(cell.text), "a finite number with a decimal point");
+        return value;
+    }
+
+    [[nodiscard]] std::string_view words(const Cell& cell, const std::string& name) const {
+        if (cell.text.empty()) throw fault(cell.place, name, "(missing)", "a text in every row");
+        if (cell.text.find('"') != std::string_view::npos)
+            throw fault(cell.place, name, shown(cell.text), "a text without quotation marks");
+        return cell.text;
+    }
+
+    const std::vector<CsvColumn>& known_;
+    const CsvOptions& options_;
+    CsvTable table_;
+    std::string names_;  // of the known columns, as a header line
+    std::vector<Cell> cells_;
+    std::size_t line_ = 0, width_ = 0;
+    bool headed_ = false;
+};
+
+bool CsvTable::has(std::string_view name) const {
+    return std::any_of(columns_.begin(), columns_.end(), [name](const Column& c) { return c.known.name == name; });
+}
+
+const CsvTable::Column& CsvTable::column(std::string_view name) const {
+    const auto found = std::find_if(columns_.begin(), columns_.end(), [name](const Column& c) { return c.known.name == name; });
+    assert(found != columns_.end());
+    return *found;
+}
+
+const std::vector<double>& CsvTable::numbers(std::string_view name) const {
+    assert(column(name).known.kind == CsvColumn::Kind::kNumber);
+    return column(name).numbers;
+}
+
+const std::vector<std::string>& CsvTable::texts(std::string_view name) const {
+    assert(column(name).known.kind == CsvColumn::Kind::kText);
+    return column(name).texts;
+}
+
+InvalidInput CsvTable::fault(std::size_t row, std::string_view name, std::string value, std::string allowed) const {
+    return fault_at(file_, lines_.at(row), column(name).places.at(row), name, std::move(value), std::move(allowed));
+}
+
+CsvTable parse_csv(std::string_view bytes, const std::string& file, const std::vector<CsvColumn>& columns, const CsvOptions& options) {
+    return CsvParser(file, columns, options).parse(bytes);
+}
+
+CsvTable read_csv(const std::filesystem::path& path, const std::vector<CsvColumn>& columns, const CsvOptions& options) {
+    return parse_csv(read_file(path, options.largest_bytes), path.string(), columns, options);
+}
+
+}  // namespace fusee::core

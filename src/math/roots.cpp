@@ -1,5 +1,6 @@
 #include "fusee/math/roots.h"
 
+#include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
@@ -17,6 +18,22 @@ std::optional<double> bracketed_root(const std::function<double(double)>& f, dou
     const boost::math::tools::eps_tolerance<double> tight(std::numeric_limits<double>::digits - 1);
     const auto [left, right] = boost::math::tools::toms748_solve(f, low, high, f_low, f_high, tight, evaluations);
     return std::abs(f(left)) <= std::abs(f(right)) ? left : right;
+}
+
+double rising_root(const std::function<Tangent(double)>& f, double low, double high, double start) {
+    constexpr int kMostSteps = 200;  // halvings alone take the widest bracket of doubles apart
+    double x = std::clamp(start, low, high);
+    for (int step = 0; step < kMostSteps; ++step) {
+        const Tangent at = f(x);
+        if (at.value == 0.0) break;
+        (at.value > 0.0 ? high : low) = x;
+        double next = x - at.value / at.slope;
+        if (!(next >= low && next <= high)) next = 0.5 * (low + high);
+        const double moved = std::abs(next - x);
+        x = next;
+        if (moved <= std::numeric_limits<double>::epsilon() * std::abs(x)) break;
+    }
+    return x;
 }
 
 }  // namespace fusee::math

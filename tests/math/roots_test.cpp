@@ -30,5 +30,24 @@ TEST(BracketedRoot, RefusesWithoutASignChange) {
     EXPECT_FALSE(bracketed_root([](double x) { return x; }, 1.0, -1.0));
 }
 
+TEST(RisingRoot, FindsKnownRootsFromAnyStart) {
+    for (const double start : {-5.0, 0.0, 1e-3, 1.4, 9.0, 99.0}) {
+        EXPECT_NEAR(rising_root([](double x) { return Tangent{x * x - 2.0, 2.0 * x}; }, 0.0, 10.0, start), std::sqrt(2.0), 4e-16);
+        // The slope says too little far out and too much near: Newton alone would leave the bracket.
+        EXPECT_NEAR(rising_root(
+                        [](double x) {
+                            return Tangent{std::atan(x - 3.0), 1.0 / (1.0 + (x - 3.0) * (x - 3.0))};
+                        },
+                        -10.0, 10.0, start),
+                    3.0, 1e-15);
+    }
+}
+
+TEST(RisingRoot, GivesTheEndBeyondWhichTheRootLies) {
+    const auto line = [](double x) { return Tangent{x - 5.0, 1.0}; };
+    EXPECT_NEAR(rising_root(line, 0.0, 2.0, 1.0), 2.0, 1e-15);
+    EXPECT_NEAR(rising_root(line, 6.0, 8.0, 7.0), 6.0, 1e-15);
+}
+
 }  // namespace
 }  // namespace fusee::math

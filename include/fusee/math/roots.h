@@ -9,4 +9,13 @@ namespace fusee::math {
 /// @return nothing if f(low) and f(high) have the same sign or are not numbers
 [[nodiscard]] std::optional<double> bracketed_root(const std::function<double(double)>& f, double low, double high);
 
+/// Value and slope of a function at one place.
+struct Tangent {
+    double value = 0.0;
+    double slope = 0.0;
+};
+/// The root in [low, high] of a function that rises, to the last bit or two: Newton's steps from `start`, halving the bracket where one
+/// would leave it. An end if the root lies beyond it.
+[[nodiscard]] double rising_root(const std::function<Tangent(double)>& f, double low, double high, double start);
+
 }  // namespace fusee::math

@@ -1,0 +1,68 @@
+#include "fusee/math/curve.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "fusee/core/error.h"
+#include "fusee/math/smoothing_spline.h"
+
+namespace fusee::math {
+
+namespace {
+
+class Smoothed final : public Curve {
+public:
+    Smoothed(const std::vector<double>& x, const std::vector<double>& y) : spline_(x, y) {}
+
+    [[nodiscard]] core::Range domain() const override { return spline_.domain(); }
+    [[nodiscard]] double value(double x) const override { return spline_.value(x); }
+    [[nodiscard]] double derivative(double x, int order) const override { return spline_.derivative(x, order); }
+
+private:
+    SmoothingSpline spline_;
+};
+
+class Callable final : public Curve {
+public:
+    Callable(std::function<double(double, int)> f, core::Range domain) : f_(std::move(f)), domain_(domain) {}
+
+    [[nodiscard]] core::Range domain() const override { return domain_; }
+    [[nodiscard]] double value(double x) const override { return derivative(x, 0); }
+    [[nodiscard]] double derivative(double x, int order) const override { return f_(std::clamp(x, domain_.low, domain_.high), order); }
+
+private:
+    std::function<double(double, int)> f_;
+    core::Range domain_;
+};
+
+void require_finite(const std::string& column, std::size_t row, double value) {
+    if (!std::isfinite(value)) throw core::InvalidInput(fmt::format("{}[{}]", column, row), fmt::format("{:g}", value), "a finite number");
+}
+
+}  // namespace
+
+void require_table(const std::vector<double>& x, const std::vector<double>& y, std::size_t least, const std::string& x_name,
+                   const std::string& y_name) {
+    if (x.size() != y.size())
+        throw core::InvalidInput(y_name, fmt::format("{} rows", y.size()), fmt::format("as many as {} has: {}", x_name, x.size()));
+    if (x.size() < least) throw core::InvalidInput(x_name, fmt::format("{} rows", x.size()), fmt::format("at least {} rows", least));
+    for (std::size_t row = 0; row < x.size(); ++row) {
+        require_finite(x_name, row, x[row]);
+        require_finite(y_name, row, y[row]);
+        if (row > 0 && x[row] <= x[row - 1])
+            throw core::InvalidInput(fmt::format("{}[{}]", x_name, row), fmt::format("{:g}", x[row]),
+                                     fmt::format("above the row before, {:g}", x[row - 1]));
+    }
+}
+
+CurvePtr make_smoothed(const std::vector<double>& x, const std::vector<double>& y) {
+    constexpr std::size_t kLeastRows = 8;
+    require_table(x, y, kLeastRows);
+    return std::make_shared<Smoothed>(x, y);
+}
+
+CurvePtr make_curve(std::function<double(double, int)> f, core::Range domain) { return std::make_shared<Callable>(std::move(f), domain); }
+
+}  // namespace fusee::math

@@ -5,26 +5,22 @@
 #include <algorithm>
 #include <functional>
 #include <optional>
+#include <span>
 
 #include "fusee/core/error.h"
+#include "rules.h"
 
 namespace fusee::spring {
-
-std::vector<LawPoint> sample_by_load(const SpringLaw& law, std::size_t count) {
-    if (count < 2) throw core::InvalidInput("count", fmt::format("{}", count), "at least 2 points");
-    const core::Range loads = law.loads();
-    std::vector<LawPoint> points;
-    points.reserve(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        const double share = static_cast<double>(i) / static_cast<double>(count - 1);
-        points.push_back(law.at_load(i + 1 == count ? loads.high : loads.low + share * loads.width()));
-    }
-    return points;
-}
 
 namespace {
 
 constexpr std::size_t kScanPoints = 801;
+
+/// Load `i` of `count` evenly spaced ones, both ends included.
+double even_load(core::Range loads, std::size_t i, std::size_t count) {
+    const double share = static_cast<double>(i) / static_cast<double>(count - 1);
+    return i + 1 == count ? loads.high : loads.low + share * loads.width();
+}
 
 /// One condition "margin above 0" on every point of a law.
 struct Condition {
@@ -39,13 +35,6 @@ struct Condition {
     }
     [[nodiscard]] bool broken(const LawPoint& p) const { return !(margin(p) > 0.0); }
 };
-
-/// The longest way out: end before the first broken point, or start after the last one if the law breaks at its start.
-std::string nearest_feasible(const std::vector<LawPoint>& points, std::size_t first, std::size_t last) {
-    if (first > 1) return fmt::format("law.end_torque_Nm = {:.4g}", points[first - 1].tau);
-    if (last + 2 < points.size()) return fmt::format("law.start_torque_Nm = {:.4g}", points[last + 1].tau);
-    return "another law: no part of this one is feasible";
-}
 
 std::optional<core::Finding> judge(const Condition& condition, const std::vector<LawPoint>& points) {
     std::size_t first = points.size(), last = 0, worst = 0;
@@ -64,6 +53,7 @@ std::optional<core::Finding> judge(const Condition& condition, const std::vector
     return finding;
 }
 
+/// Those of the stiffnesses alone come first.
 const std::vector<Condition>& conditions() {
     using core::Bound;
     static const std::vector<Condition> all = {
@@ -76,15 +66,50 @@ const std::vector<Condition>& conditions() {
     };
     return all;
 }
+constexpr std::size_t kOfStiffnesses = 3;
+
+core::Findings judge_all(const std::vector<LawPoint>& points, std::span<const Condition> rules) {
+    core::Findings findings;
+    for (const Condition& condition : rules)
+        if (auto finding = judge(condition, points)) findings.push_back(std::move(*finding));
+    return findings;
+}
 
 }  // namespace
 
-core::Findings check_law(const SpringLaw& law) {
-    const std::vector<LawPoint> points = sample_by_load(law, kScanPoints);
-    core::Findings findings;
-    for (const Condition& condition : conditions())
-        if (auto finding = judge(condition, points)) findings.push_back(std::move(*finding));
-    return findings;
+std::vector<LawPoint> sample_by_load(const SpringLaw& law, std::size_t count) {
+    if (count < 2) throw core::InvalidInput("count", fmt::format("{}", count), "at least 2 points");
+    const core::Range loads = law.loads();
+    std::vector<LawPoint> points;
+    points.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) points.push_back(law.at_load(even_load(loads, i, count)));
+    return points;
+}
+
+core::Findings check_law(const SpringLaw& law) { return judge_all(sample_by_load(law, kScanPoints), conditions()); }
+
+core::Range require_torques(double start, double end) {
+    core::require_positive("law.start_torque_Nm", start, "Nm");
+    core::require_positive("law.end_torque_Nm", end, "Nm");
+    if (end <= start)
+        throw core::InvalidInput("law.end_torque_Nm", fmt::format("{:g}", end), fmt::format("above start_torque = {:g} Nm", start));
+    return {start, end};
+}
+
+core::Findings check_stiffnesses(const std::vector<LawPoint>& points) {
+    return judge_all(points, std::span(conditions()).first(kOfStiffnesses));
+}
+
+std::string nearest_feasible(const std::vector<LawPoint>& points, std::size_t first, std::size_t last) {
+    if (first > 1) return fmt::format("law.end_torque_Nm = {:.4g}", points[first - 1].tau);
+    if (last + 2 < points.size()) return fmt::format("law.start_torque_Nm = {:.4g}", points[last + 1].tau);
+    return "another law: no part of this one is feasible";
+}
+
+std::vector<double> scan_loads(core::Range loads) {
+    std::vector<double> result;
+    for (std::size_t i = 0; i < kScanPoints; ++i) result.push_back(even_load(loads, i, kScanPoints));
+    return result;
 }
 
 }  // namespace fusee::spring

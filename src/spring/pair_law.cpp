@@ -4,9 +4,9 @@
 #include <cmath>
 #include <optional>
 
-#include "fusee/core/error.h"
 #include "fusee/math/roots.h"
 #include "fusee/spring/potential.h"
+#include "rules.h"
 
 namespace fusee::spring {
 
@@ -139,16 +139,12 @@ std::optional<core::Finding> find_fall(const Pair& pair, core::Range x, double s
 }  // namespace
 
 core::Outcome<SpringLawPtr> make_pair_law(PotentialPtr series, PotentialPtr parallel, double start_torque, double end_torque) {
-    core::require_positive("law.start_torque_Nm", start_torque, "Nm");
-    core::require_positive("law.end_torque_Nm", end_torque, "Nm");
-    if (end_torque <= start_torque)
-        throw core::InvalidInput("law.end_torque_Nm", fmt::format("{:g}", end_torque),
-                                 fmt::format("above start_torque = {:g} Nm", start_torque));
+    const core::Range loads = require_torques(start_torque, end_torque);
     Pair pair{std::move(series), std::move(parallel)};
     const auto x = find_range(pair, start_torque, end_torque);
     if (!x) return x.refusal();
     if (auto fall = find_fall(pair, *x, start_torque)) return *std::move(fall);
-    return SpringLawPtr(std::make_shared<PairLaw>(std::move(pair), *x, core::Range{start_torque, end_torque}));
+    return SpringLawPtr(std::make_shared<PairLaw>(std::move(pair), *x, loads));
 }
 
 }  // namespace fusee::spring

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "fusee/core/error.h"
+#include "rules.h"
 
 // Equation numbers: docs/theory/springs.md.
 namespace fusee::spring {
@@ -16,12 +17,18 @@ namespace {
 /// How far inside the feasible range a suggested torque lies.
 constexpr double kMargin = 0.02;
 
+/// theta_inf of eq. 6
+double asymptote(const StictionLawOptions& o) {
+    const double a = o.u * o.u / o.mu, start = o.start_torque;
+    return (a / (3.0 * start * start * start) + o.c / (2.0 * start * start)) / o.k;
+}
+
 class StictionLaw final : public SpringLaw {
 public:
     explicit StictionLaw(const StictionLawOptions& options)
         : k_(options.k), a_(options.u * options.u / options.mu), c_(options.c), start_(options.start_torque), end_(options.end_torque) {
         f_start_ = transmission(start_) * start_;
-        theta_inf_ = a_ / (3.0 * k_ * start_ * start_ * start_) + c_ / (2.0 * k_ * start_ * start_);
+        theta_inf_ = asymptote(options);
         theta_end_ = theta(std::log(end_ / start_));
     }
 
@@ -99,20 +106,6 @@ void require_finite(const char* field, double value, const char* unit) {
     core::require_within(field, value, -kLargest, kLargest, unit);
 }
 
-void validate(const StictionLawOptions& options) {
-    core::require_positive("law.k_per_Nm_rad", options.k, "1/(Nm rad)");
-    require_finite("law.u_Nm", options.u, "Nm");
-    require_finite("law.c_Nm", options.c, "Nm");
-    if (options.u == 0.0 && options.c == 0.0)
-        throw core::InvalidInput("law.c_Nm", "0, and law.u_Nm too", "not both 0: the transmission would be 0");
-    core::require_positive("rig.gear_friction", options.mu);
-    core::require_positive("law.start_torque_Nm", options.start_torque, "Nm");
-    core::require_positive("law.end_torque_Nm", options.end_torque, "Nm");
-    if (options.end_torque <= options.start_torque)
-        throw core::InvalidInput("law.end_torque_Nm", fmt::format("{:g}", options.end_torque),
-                                 fmt::format("above start_torque = {:g} Nm", options.start_torque));
-}
-
 core::Finding transmission_finding(double measured, core::Bound bound, double allowed, const char* what, const char* end) {
     core::Finding finding = core::required_change("law.transmission", what, measured, bound, allowed, "Nm");
     finding.where = fmt::format("law at its {} torque", end);
@@ -145,8 +138,23 @@ core::Finding end_too_high(const StictionLawOptions& options, double highest) {
 
 }  // namespace
 
+void validate(const StictionLawOptions& options) {
+    core::require_positive("law.k_per_Nm_rad", options.k, "1/(Nm rad)");
+    require_finite("law.u_Nm", options.u, "Nm");
+    require_finite("law.c_Nm", options.c, "Nm");
+    if (options.u == 0.0 && options.c == 0.0)
+        throw core::InvalidInput("law.c_Nm", "0, and law.u_Nm too", "not both 0: the transmission would be 0");
+    core::require_positive("rig.gear_friction", options.mu);
+    require_torques(options.start_torque, options.end_torque);
+}
+
 double least_feasible_load(const StictionLawOptions& options) {
     return 0.5 * (options.c + std::sqrt(options.c * options.c + 4.0 * options.u * options.u / options.mu));  // eq. 4: T(least) = 1
+}
+
+bool single_real_root(const StictionLawOptions& options, double theta) {
+    const double x = theta - asymptote(options);  // below 0: P(19) is x^3 (...) > 0
+    return std::pow(options.c, 3) * options.mu * options.mu + 6.0 * options.k * x * std::pow(options.u, 4) < 0.0;
 }
 
 core::Outcome<SpringLawPtr> make_stiction_law(const StictionLawOptions& options) {

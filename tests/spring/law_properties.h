@@ -2,11 +2,47 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 
 #include "fusee/spring/law.h"
+#include "fusee/spring/lead_in.h"
 
 namespace fusee::spring {
+
+/// The energies are what the torques have done on the way, by Gauss's rule over the load: dU = F dtheta = F/(S + P) dtau. It shares no
+/// line with any law's own integration.
+inline void expect_energy_balance(const SpringLaw& law, double relative) {
+    constexpr int kPieces = 400;  // of 5 points: kinks in a stiffness's curvature cost (1/400)^3
+    double u_se = 0.0, u_pe = 0.0, theta = 0.0;
+    const core::Range loads = law.loads();
+    for (int i = 0; i < kPieces; ++i) {
+        const double low = std::lerp(loads.low, loads.high, double(i) / kPieces),
+                     high = std::lerp(loads.low, loads.high, (i + 1.0) / kPieces);
+        using Gauss = boost::math::quadrature::gauss<double, 5>;
+        const auto over = [&](auto f) { return Gauss::integrate([&](double tau) { return f(law.at_load(tau)); }, low, high); };
+        theta += over([](const LawPoint& p) { return 1.0 / (p.s + p.p); });
+        u_se += over([](const LawPoint& p) { return p.f_se / (p.s + p.p); });
+        u_pe += over([](const LawPoint& p) { return p.f_pe / (p.s + p.p); });
+    }
+    const LawPoint end = law.at_load(loads.high);
+    EXPECT_NEAR(theta, end.theta, 0.1 * relative * end.theta);
+    EXPECT_NEAR(u_se, end.u_se, 0.1 * relative * end.u_se);
+    EXPECT_NEAR(u_pe, end.u_pe, 0.1 * relative * end.u_pe);
+}
+
+/// Load, angle, torques and energies rise together, from the law's lower end to its upper one and to nowhere else.
+inline void expect_rising(const SpringLaw& law) {
+    const auto points = sample_by_load(law, 101);
+    for (std::size_t i = 1; i < points.size(); ++i)
+        for (const auto member : {&LawPoint::tau, &LawPoint::theta, &LawPoint::f_se, &LawPoint::f_pe, &LawPoint::u_se, &LawPoint::u_pe})
+            EXPECT_GT(points[i].*member, points[i - 1].*member) << i;
+    const core::Range loads = law.loads(), angles = law.angles();
+    EXPECT_EQ(law.at_load(0.5 * loads.low).tau, loads.low);
+    EXPECT_EQ(law.at_load(2.0 * loads.high).tau, loads.high);
+    EXPECT_EQ(law.at_angle(-1.0).theta, 0.0);
+    EXPECT_EQ(law.at_angle(2.0 * angles.high).theta, angles.high);
+}
 
 /// What holds for every law: forces are the slopes of the energies, stiffnesses those of the forces, load and angle name the same point.
 /// Central differences over h err by h^2/6 of the third derivative and by rounding eps |f|/h; `relative` must cover both.
@@ -35,6 +71,26 @@ inline void expect_lawful(const SpringLaw& law, double relative) {
         EXPECT_NEAR(same.theta, theta, 1e-12 * angles.width() + 1e-13 * end.tau / (p.s + p.p));
         EXPECT_NEAR(same.u_se, p.u_se, 1e-12 * end.u_se);
     }
+    expect_energy_balance(law, relative);
+    expect_rising(law);
+}
+
+/// A lead-in goes on from the law with the same forces, stiffnesses and slopes of these (U is C3), and both together are lawful.
+inline void expect_smooth_lead_in(const SpringLawPtr& law, double travel) {
+    const auto longer = with_lead_in(law, travel);
+    ASSERT_TRUE(longer);
+    const LawPoint start = law->at_angle(0.0), low = (*longer)->at_angle(0.0), at = (*longer)->at_angle(travel);
+    const double d = 1e-9 * travel;
+    const LawPoint below = (*longer)->at_angle(travel - d), above = (*longer)->at_angle(travel + d);
+    for (const auto member : {&LawPoint::f_se, &LawPoint::f_pe, &LawPoint::s, &LawPoint::p, &LawPoint::s_slope, &LawPoint::p_slope}) {
+        // A step of 2e-9 of the travel changes each by about as much of itself.
+        const double size = std::abs(start.*member) + std::abs(low.*member);
+        EXPECT_NEAR(at.*member, start.*member, 1e-13 * size);
+        EXPECT_NEAR(below.*member, above.*member, 1e-7 * size);
+    }
+    EXPECT_EQ(low.s_slope, 0.0);
+    EXPECT_EQ(low.p_slope, 0.0);
+    EXPECT_TRUE(check_law(**longer).empty());
 }
 
 }  // namespace fusee::spring

@@ -50,20 +50,37 @@ TEST(StictionLaw, MeetsThePapersDefinitions) {
     }
 }
 
-/// Paper (18), signs corrected: the real root of 6 k mu x tau^3 + 3 mu C tau + 2 u^2 = 0 for x = theta - theta_inf < 0. With one real
-/// root (19), Cardano's radicals apply to tau^3 + p tau + q = 0.
+/// Paper (18) with the angle counted from the asymptote, x = theta - theta_inf < 0: Cardano's radical for the real root of
+/// 6 k mu x tau^3 + 3 mu C tau + 2 u^2 = 0, valid where that root is the only one (19).
+double radical_form(const StictionLawOptions& o, double x) {
+    const double inside =
+        6.0 * std::pow(o.k, 3) * std::pow(o.mu, 4) * std::pow(x, 3) * (std::pow(o.c, 3) * o.mu * o.mu + 6.0 * o.k * x * std::pow(o.u, 4));
+    EXPECT_GT(inside, 0.0);  // (19)
+    const double gamma = std::sqrt(inside) + 6.0 * o.k * o.k * o.mu * o.mu * x * x * o.u * o.u;
+    return (std::cbrt(6.0) * o.k * x * o.c * o.mu * o.mu - std::cbrt(gamma * gamma)) / (std::cbrt(36.0 * gamma) * o.k * x * o.mu);
+}
+
 TEST(StictionLaw, InverseAgreesWithTheRadicalForm) {
-    const StictionLawOptions o = design(0.42, 0.5, -0.05, 1.0, 2.5);
-    const auto law = make_stiction_law(o);
-    ASSERT_TRUE(law);
-    const double theta_inf = o.u * o.u / (3.0 * o.k * o.mu) + o.c / (2.0 * o.k);  // at start = 1 Nm
-    for (int i = 0; i <= 20; ++i) {
-        const double theta = (*law)->angles().high * i / 20.0, x = theta - theta_inf;
-        const double p = o.c / (2.0 * o.k * x), q = o.u * o.u / (3.0 * o.k * o.mu * x);
-        const double root = q * q / 4.0 + p * p * p / 27.0;
-        ASSERT_GT(root, 0.0);
-        const double tau = std::cbrt(-q / 2.0 + std::sqrt(root)) + std::cbrt(-q / 2.0 - std::sqrt(root));
-        EXPECT_NEAR((*law)->at_angle(theta).tau, tau, 1e-13 * tau);
+    for (const StictionLawOptions& o : {design(0.42, 0.5, -0.05, 1.0, 2.5), design(0.3, 0.2, 0.05, 0.8, 1.2)}) {
+        const auto law = make_stiction_law(o);
+        ASSERT_TRUE(law);
+        const double theta_inf = (o.u * o.u / (3.0 * o.mu * std::pow(o.start_torque, 3)) + o.c / (2.0 * std::pow(o.start_torque, 2))) / o.k;
+        for (int i = 0; i <= 20; ++i) {
+            const double theta = (*law)->angles().high * i / 20.0;
+            ASSERT_TRUE(single_real_root(o, theta));
+            const double tau = radical_form(o, theta - theta_inf);
+            EXPECT_NEAR((*law)->at_angle(theta).tau, tau, 1e-13 * tau);
+        }
+    }
+}
+
+/// (19) tells how many roots the cubic has, not whether there is a law: both known designs break it and are pairs of springs.
+TEST(StictionLaw, ThreeRealRootsMakeNoWorseALaw) {
+    for (const Golden& golden : kGolden) {
+        const auto law = make_stiction_law(golden.options);
+        ASSERT_TRUE(law);
+        EXPECT_FALSE(single_real_root(golden.options, 0.5 * golden.theta));
+        EXPECT_TRUE(check_law(**law).empty());
     }
 }
 

@@ -23,4 +23,9 @@ struct StictionLawOptions {
 /// tau_min = (C + sqrt(C^2 + 4 u^2/mu))/2 [Nm]: T = 1 there, and below it the law does not exist.
 [[nodiscard]] double least_feasible_load(const StictionLawOptions& options);
 
+/// The paper's (19) at the capstan angle theta of the law (0 at its start): has the cubic between angle and load one real root? Reported,
+/// not a filter: where it has three, the law is as valid, and one of them is its load.
+/// @pre theta below the law's asymptote
+[[nodiscard]] bool single_real_root(const StictionLawOptions& options, double theta);
+
 }  // namespace fusee::spring

@@ -1,0 +1,105 @@
+#include "fusee/spring/catalogue.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "fusee/core/csv.h"
+#include "fusee/core/file.h"
+#include "fusee/core/units.h"
+
+namespace fusee::spring {
+
+namespace {
+
+using Kind = core::CsvColumn::Kind;
+constexpr std::size_t kMostSprings = 100'000;
+constexpr std::size_t kLargestFile = 10'000'000;  // [bytes]
+
+const std::vector<core::CsvColumn>& columns() {
+    static const std::vector<core::CsvColumn> all = {{"kind", Kind::kText},
+                                                     {"name", Kind::kText},
+                                                     {"rate"},
+                                                     {"wire_mm"},
+                                                     {"coil_mm"},
+                                                     {"active_coils"},
+                                                     {"free_length_mm"},
+                                                     {"max_deflection"},
+                                                     {"max_load"},
+                                                     {"tensile_strength_MPa"},
+                                                     {"stress_share", Kind::kNumber, false}};
+    return all;
+}
+
+/// One row of the table; every refusal names its cell.
+class Row {
+public:
+    Row(const core::CsvTable& table, std::size_t row) : table_(table), row_(row) {}
+
+    [[nodiscard]] const std::string& text(const char* column) const { return table_.texts(column)[row_]; }
+    [[nodiscard]] double number(const char* column) const { return table_.numbers(column)[row_]; }
+    [[nodiscard]] double above_0(const char* column) const {
+        if (const double value = number(column); value > 0.0) return value;
+        throw fault(column, fmt::format("{:g}", number(column)), "above 0");
+    }
+    [[nodiscard]] core::InvalidInput fault(const char* column, std::string value, std::string allowed) const {
+        return table_.fault(row_, column, std::move(value), std::move(allowed));
+    }
+
+private:
+    const core::CsvTable& table_;
+    std::size_t row_;
+};
+
+BaseKind kind_of(const Row& row) {
+    const std::string& kind = row.text("kind");
+    if (kind != "torsion" && kind != "compression") throw row.fault("kind", kind, "torsion or compression");
+    return kind == "torsion" ? BaseKind::kTorsion : BaseKind::kCompression;
+}
+
+BaseSpring spring_of(const Row& row) {
+    BaseSpring s;
+    s.kind = kind_of(row);
+    const bool torsion = s.kind == BaseKind::kTorsion;
+    s.rate = row.above_0("rate");
+    s.wire_diameter = core::m_from_mm(row.above_0("wire_mm"));
+    s.coil_diameter = core::m_from_mm(row.above_0("coil_mm"));
+    if (s.coil_diameter <= s.wire_diameter) throw row.fault("coil_mm", fmt::format("{:g}", row.number("coil_mm")), "above wire_mm");
+    s.active_coils = row.above_0("active_coils");
+    s.free_length = torsion ? 0.0 : core::m_from_mm(row.above_0("free_length_mm"));
+    s.max_state = torsion ? row.above_0("max_deflection") : core::m_from_mm(row.above_0("max_deflection"));
+    s.max_load = row.above_0("max_load");
+    s.tensile_strength = row.above_0("tensile_strength_MPa") * 1e6;
+    return s;
+}
+
+double stress_share(const Row& row) {
+    const double share = row.above_0("stress_share");
+    if (share > 1.0) throw row.fault("stress_share", fmt::format("{:g}", share), "at most 1");
+    return share;
+}
+
+}  // namespace
+
+Catalogue parse_catalogue(std::string_view bytes, const std::string& file) {
+    const core::CsvTable table =
+        core::parse_csv(bytes, file, columns(), {.extra_columns = true, .least_rows = 1, .most_rows = kMostSprings});
+    Catalogue catalogue;
+    std::set<std::string> names;
+    for (std::size_t i = 0; i < table.rows(); ++i) {
+        const Row row(table, i);
+        CatalogueSpring entry{row.text("name"), spring_of(row)};
+        if (table.has("stress_share")) entry.spring.stress_share = stress_share(row);
+        if (!names.insert(entry.name).second) throw row.fault("name", entry.name, "a name that stands once");
+        (entry.spring.kind == BaseKind::kTorsion ? catalogue.torsion : catalogue.compression).push_back(std::move(entry));
+    }
+    const auto softer = [](const CatalogueSpring& a, const CatalogueSpring& b) { return a.spring.rate < b.spring.rate; };
+    std::stable_sort(catalogue.torsion.begin(), catalogue.torsion.end(), softer);
+    std::stable_sort(catalogue.compression.begin(), catalogue.compression.end(), softer);
+    return catalogue;
+}
+
+Catalogue read_catalogue(const std::filesystem::path& path) { return parse_catalogue(core::read_file(path, kLargestFile), path.string()); }
+
+}  // namespace fusee::spring

@@ -1,0 +1,97 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "by_load.h"
+#include "fusee/core/error.h"
+#include "fusee/spring/transmission_law.h"
+#include "rules.h"
+
+namespace fusee::spring {
+
+namespace {
+
+/// The stiffest K_PE that a dead-band may ask for, in series stiffnesses: T = 1/1001.
+constexpr double kStiffestRatio = 1000.0;
+
+/// P = 2 tau_f/(g DB) and its slope by the load; S as given or chosen.
+class Wanted {
+public:
+    explicit Wanted(const DeadBandLawOptions& options) : options_(options) {
+        const double start = options.start_torque, t = options.start_transmission;
+        k_ = t / (1.0 - t) * parallel(start).p / (start * start);
+    }
+
+    [[nodiscard]] Stiffnesses operator()(double tau) const {
+        Stiffnesses at = parallel(tau);
+        at.s = options_.series_stiffness ? options_.series_stiffness->value(tau) : k_ * tau * tau;
+        at.s_rate = options_.series_stiffness ? options_.series_stiffness->derivative(tau, 1) : 2.0 * k_ * tau;
+        return at;
+    }
+    [[nodiscard]] double dead_band(double tau) const { return options_.dead_band->value(tau); }
+    /// The least dead-band that a K_PE of kStiffestRatio times S gives.
+    [[nodiscard]] double least(double tau) const {
+        return 2.0 * options_.friction.at_rest(tau) / (options_.ratio * kStiffestRatio * (*this)(tau).s);
+    }
+
+private:
+    [[nodiscard]] Stiffnesses parallel(double tau) const {
+        const double tau_f = options_.friction.at_rest(tau), width = dead_band(tau);
+        const double p = 2.0 * tau_f / (options_.ratio * width);
+        const double growth = options_.friction.slope(tau) / tau_f - options_.dead_band->derivative(tau, 1) / width;
+        return {.p = p, .p_rate = p * growth};
+    }
+
+    DeadBandLawOptions options_;
+    double k_ = 0.0;  ///< of the chosen S = k tau^2
+};
+
+void validate(const DeadBandLawOptions& options) {
+    const core::Range loads = require_torques(options.start_torque, options.end_torque);
+    core::require_positive("rig.ratio", options.ratio);
+    require_friction(options.friction, loads);
+    require_reach("law.dead_band_deg", *options.dead_band, loads);
+    if (options.series_stiffness) return require_reach("law.series_stiffness_Nm_per_rad", *options.series_stiffness, loads);
+    core::require_within("law.start_transmission", options.start_transmission, 1.0 / (1.0 + kStiffestRatio), 0.999);
+}
+
+/// Where the dead-band is narrower than any K_PE makes it.
+std::optional<core::Finding> find_too_narrow(const Wanted& wanted, core::Range range) {
+    const std::vector<double> loads = scan_loads(range);
+    // A series stiffness that fails is for another finding to say.
+    const bool stiff = std::all_of(loads.begin(), loads.end(), [&](double tau) { return wanted(tau).s > 0.0; });
+    std::vector<LawPoint> points;
+    std::vector<double> margins;
+    for (const double tau : loads) {
+        points.push_back({.tau = tau});
+        margins.push_back(wanted.dead_band(tau) - (stiff ? wanted.least(tau) : 0.0));
+    }
+    const auto broken = [](double margin) { return !(margin > 0.0); };
+    const auto first = std::find_if(margins.begin(), margins.end(), broken);
+    if (first == margins.end()) return std::nullopt;
+    const auto last = std::find_if(margins.rbegin(), margins.rend(), broken).base() - 1;
+    const auto worst = std::min_element(margins.begin(), margins.end());
+    const double tau = points[static_cast<std::size_t>(worst - margins.begin())].tau, width = wanted.dead_band(tau);
+    const double least = core::deg_from_rad(width - *worst);
+    core::Finding finding = core::required_change("law.dead_band", "a dead-band that vanishes needs an infinitely stiff K_PE",
+                                                  core::deg_from_rad(width), core::Bound::kAtLeast, least, "deg");
+    finding.where = fmt::format("law at {:.4g} Nm", tau);
+    finding.suggestion = fmt::format(
+        "{} (or law.dead_band_deg above {:.4g} at {:.4g} Nm)",
+        nearest_feasible(points, static_cast<std::size_t>(first - margins.begin()), static_cast<std::size_t>(last - margins.begin())),
+        least, tau);
+    finding.source = "docs/theory/springs.md, eq. 20";
+    return finding;
+}
+
+}  // namespace
+
+core::Outcome<SpringLawPtr> make_dead_band_law(const DeadBandLawOptions& options) {
+    validate(options);
+    const Wanted wanted(options);
+    if (auto narrow = find_too_narrow(wanted, {options.start_torque, options.end_torque})) return *std::move(narrow);
+    return integrate_by_load(wanted, {options.start_torque, options.end_torque});
+}
+
+}  // namespace fusee::spring

@@ -1,0 +1,43 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "by_load.h"
+#include "fusee/core/error.h"
+#include "fusee/spring/transmission_law.h"
+#include "rules.h"
+
+namespace fusee::spring {
+
+namespace {
+
+void require_knots(const FreeCurveOptions& options) {
+    const auto& [loads, stiffness, transmission] = options;
+    math::require_table(loads, stiffness, 4, "law.loads_Nm", "law.series_Nm_per_rad");
+    math::require_table(loads, transmission, 4, "law.loads_Nm", "law.transmission");
+    require_torques(loads.front(), loads.back());
+    for (std::size_t i = 0; i < loads.size(); ++i) {
+        core::require_positive(fmt::format("law.series_Nm_per_rad[{}]", i), stiffness[i], "Nm/rad");
+        if (!(transmission[i] > 0.0 && transmission[i] < 1.0))
+            throw core::InvalidInput(fmt::format("law.transmission[{}]", i), fmt::format("{:g}", transmission[i]), "above 0 and below 1");
+    }
+}
+
+}  // namespace
+
+core::Outcome<SpringLawPtr> make_free_curve(const FreeCurveOptions& options) {
+    require_knots(options);
+    std::vector<double> log_s, log_ratio;  // ln S, ln(S/P)
+    for (const double s : options.series_stiffness) log_s.push_back(std::log(s));
+    for (const double t : options.transmission) log_ratio.push_back(std::log(t / (1.0 - t)));
+    const auto at = [s_curve = math::make_interpolant(options.loads, log_s),
+                     ratio_curve = math::make_interpolant(options.loads, log_ratio)](double tau) {
+        const double s = std::exp(s_curve->value(tau)), p = s * std::exp(-ratio_curve->value(tau));
+        const double s_growth = s_curve->derivative(tau, 1);
+        return Stiffnesses{s, p, s * s_growth, p * (s_growth - ratio_curve->derivative(tau, 1))};
+    };
+    constexpr bool kPositive = true;  // whatever the knots
+    return integrate_by_load(at, options.loads, kPositive);
+}
+
+}  // namespace fusee::spring

@@ -1,0 +1,22 @@
+#include "fusee/spring/transmission_law.h"
+
+#include <fmt/format.h>
+
+#include "by_load.h"
+#include "fusee/core/error.h"
+#include "rules.h"
+
+namespace fusee::spring {
+
+core::Outcome<SpringLawPtr> make_transmission_law(math::CurvePtr series_stiffness, math::CurvePtr transmission, double start_torque,
+                                                  double end_torque) {
+    const core::Range loads = require_torques(start_torque, end_torque);
+    require_reach("law.series_stiffness_Nm_per_rad", *series_stiffness, loads);
+    require_reach("law.transmission", *transmission, loads);
+    const auto at = [s = std::move(series_stiffness), t = std::move(transmission)](double tau) {
+        return from_transmission(s->value(tau), s->derivative(tau, 1), t->value(tau), t->derivative(tau, 1));
+    };
+    return integrate_by_load(at, {loads.low, loads.high});
+}
+
+}  // namespace fusee::spring

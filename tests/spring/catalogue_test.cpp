@@ -1,0 +1,57 @@
+#include "fusee/spring/catalogue.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "fusee/core/error.h"
+
+namespace fusee::spring {
+namespace {
+
+const std::string kHeader = "kind,name,rate,wire_mm,coil_mm,active_coils,free_length_mm,max_deflection,max_load,tensile_strength_MPa\n";
+const std::string kStiff = "compression,D2,7500,1.8,14,8,50,25,180,1900\n", kSoft = "compression,D1,5000,1.6,14,8,55,28,140,1950\n",
+                  kTorsion = "torsion,T1,0.02,0.8,10,30,0,12,0.3,2100\n";
+
+std::string field_refused(const std::string& rows) {
+    try {
+        (void)parse_catalogue(kHeader + rows, "springs.csv");
+    } catch (const core::InvalidInput& e) {
+        return e.field();
+    }
+    return "accepted";
+}
+
+TEST(Catalogue, SpringsComeInSiAndByRisingRate) {
+    const Catalogue c = parse_catalogue(kHeader + kStiff + kTorsion + kSoft, "springs.csv");
+    ASSERT_EQ(c.compression.size(), 2u);
+    ASSERT_EQ(c.torsion.size(), 1u);
+    EXPECT_EQ(c.of(BaseKind::kCompression).front().name, "D1");
+    const BaseSpring& stiff = c.compression.back().spring;
+    EXPECT_EQ(stiff.rate, 7500.0);
+    EXPECT_DOUBLE_EQ(stiff.wire_diameter, 1.8e-3);
+    EXPECT_DOUBLE_EQ(stiff.max_state, 25e-3);
+    EXPECT_EQ(stiff.max_load, 180.0);
+    EXPECT_DOUBLE_EQ(stiff.tensile_strength, 1900e6);
+    EXPECT_EQ(stiff.stress_share, 0.8);
+    EXPECT_EQ(c.torsion.front().spring.max_state, 12.0);  // rad, as written
+    EXPECT_EQ(c.torsion.front().spring.preload, 0.0);
+}
+
+TEST(Catalogue, MistakesNameTheirCell) {
+    EXPECT_EQ(field_refused("extension,D1,5000,1.6,14,8,55,28,140,1950\n"), "springs.csv:2:1: kind");
+    EXPECT_EQ(field_refused(kSoft + kSoft), "springs.csv:3:13: name");
+    EXPECT_EQ(field_refused("compression,D1,0,1.6,14,8,55,28,140,1950\n"), "springs.csv:2:16: rate");
+    EXPECT_EQ(field_refused("compression,D1,5000,1.6,1.5,8,55,28,140,1950\n"), "springs.csv:2:25: coil_mm");
+    EXPECT_EQ(field_refused("compression,D1,5000,1.6,14,8,0,28,140,1950\n"), "springs.csv:2:30: free_length_mm");
+    EXPECT_EQ(field_refused("compression,D1,5000,1.6,14,8,55,x,140,1950\n"), "springs.csv:2:33: max_deflection");
+}
+
+TEST(Catalogue, TheOneThatComesWithFuseeCanBeRead) {
+    const Catalogue c = read_catalogue(std::filesystem::path(FUSEE_SOURCE_DIR) / "profiles/springs/catalogue.csv");
+    EXPECT_GE(c.torsion.size(), 20u);
+    EXPECT_GE(c.compression.size(), 20u);
+}
+
+}  // namespace
+}  // namespace fusee::spring

@@ -6,6 +6,10 @@ _fusee() {
     typeset -A opt_args
     local -a commands=(
         'make:turn profiles into checked, exported cams'
+        'simulate:say what the joints of profiles do'
+        "design:find springs for a profile's joint"
+        "identify:find a gear's friction from break-away tests"
+        "paper:make the paper's tables and figures anew"
         'keys:list every key of a profile'
         'rules:list the rules that a part is checked by'
         'completion:print the completion script of a shell'
@@ -26,6 +30,36 @@ _fusee() {
                         '(-j --jobs)'{-j,--jobs}'[designs made at once]:number:' \
                         '(- *)--help[say how to use make]' \
                         '*:profile:_files -g "*.toml"' ;;
+                simulate)
+                    _arguments \
+                        '(-o --out)'{-o,--out}'[folder for the results]:folder:_files -/' \
+                        '--levels[levels of co-contraction]:number:' \
+                        '--push-torque[joint torque of the push-and-release test]:torque:' \
+                        '(-j --jobs)'{-j,--jobs}'[profiles simulated at once]:number:' \
+                        '(- *)--help[say how to use simulate]' \
+                        '*:profile:_files -g "*.toml"' ;;
+                design)
+                    _arguments \
+                        '--method[how springs are looked for]:method:(algorithm_1 co_design pareto)' \
+                        '(-o --out)'{-o,--out}'[folder for the results]:folder:_files -/' \
+                        '--population[members of a generation]:number:' \
+                        '--generations[generations]:number:' \
+                        '--seed[seed of the search]:number:' \
+                        '(-j --jobs)'{-j,--jobs}'[threads]:number:' \
+                        '--resume[go on from the checkpoint]' \
+                        '(- *)--help[say how to use design]' \
+                        '1:profile:_files -g "*.toml"' ;;
+                identify)
+                    _arguments \
+                        '(-o --out)'{-o,--out}'[folder for the results]:folder:_files -/' \
+                        '(- *)--help[say how to use identify]' \
+                        '1:rows:_files -g "*.csv"' ;;
+                paper)
+                    _arguments \
+                        '(-o --out)'{-o,--out}'[folder for the results]:folder:_files -/' \
+                        '--profiles[folder of the shipped profiles]:folder:_files -/' \
+                        '(-j --jobs)'{-j,--jobs}'[threads]:number:' \
+                        '(- *)--help[say how to use paper]' ;;
                 completion) _arguments '(- *)--help[say how to use completion]' '1:shell:(bash zsh fish)' ;;
                 *) _arguments '(- *)--help[say how to use it]' ;;
             esac ;;

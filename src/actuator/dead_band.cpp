@@ -26,6 +26,36 @@ public:
     /// g q [rad]; nothing if a parallel spring would have to leave the law.
     [[nodiscard]] std::optional<double> reach() const {
         if (loads_.width() == 0.0) return 0.0;
+        const std::optional<double> near = by_newton();
+        return near ? near : by_bracket();
+    }
+
+private:
+    /// Newton's method on (6) in (x, g q), several times as fast as the bracket; a step that would leave the law stops short of its end.
+    /// Nothing where that does not get through: the edge lies beyond the law, or nearly.
+    [[nodiscard]] std::optional<double> by_newton() const {
+        constexpr int kMostSteps = 12;
+        constexpr double kRounding = 1e-13, kShortOfEnd = 0.9;
+        double x = 0.5 * (law_.at_load(loads_.low).theta + law_.at_load(loads_.high).theta), reach = 0.0;
+        for (int i = 0; i < kMostSteps; ++i) {
+            const spring::LawPoint se = law_.at_angle(x), low = law_.at_angle(x - reach), high = law_.at_angle(x + reach);
+            const double left_low = se.f_se + low.f_pe - loads_.low, left_high = se.f_se + high.f_pe - loads_.high;
+            if (std::max(std::abs(left_low), std::abs(left_high)) <= kRounding * loads_.high) return reach;
+            const double determinant = (se.s + low.p) * high.p + (se.s + high.p) * low.p;
+            const double step = -(high.p * left_low + low.p * left_high) / determinant;
+            const double wider = -((se.s + low.p) * left_high - (se.s + high.p) * left_low) / determinant;
+            const double down = (x - reach - angles_.low) / (wider - step), up = (angles_.high - x - reach) / (wider + step);
+            double share = 1.0;
+            if (wider > step) share = std::min(share, kShortOfEnd * down);
+            if (wider > -step) share = std::min(share, kShortOfEnd * up);
+            x += share * step;
+            reach += share * wider;
+        }
+        return std::nullopt;
+    }
+
+    /// eq. 7, where Newton's method does not get through.
+    [[nodiscard]] std::optional<double> by_bracket() const {
         const double low = law_.at_load(loads_.low).theta, high = law_.at_load(loads_.high).theta;
         const auto x = math::bracketed_root([this](double at) { return excess(at); }, low, high);
         if (!x) return std::nullopt;
@@ -34,7 +64,6 @@ public:
         return *x - *theta_1;
     }
 
-private:
     /// theta_1 from F_PE(theta_1) + F_SE(x) = low load.
     [[nodiscard]] std::optional<double> low_side(double x) const {
         const double wanted = loads_.low - law_.at_angle(x).f_se;
@@ -55,7 +84,7 @@ private:
 
 /// Full width at the joint, eq. 7; nothing where the law does not cover the loads that stiction allows.
 std::optional<double> extreme_width(const Actuator& actuator, double tau) {
-    const core::Range loads{tau / (1.0 + actuator.gear_friction), tau / (1.0 - actuator.gear_friction)};
+    const core::Range loads = actuator.gear_friction.resting_loads(tau);
     const core::Range covered = actuator.law->loads();
     if (!covered.holds(loads.low) || !covered.holds(loads.high)) return std::nullopt;
     const std::optional<double> reach = Edge(*actuator.law, loads).reach();
@@ -63,11 +92,11 @@ std::optional<double> extreme_width(const Actuator& actuator, double tau) {
     return 2.0 * *reach / actuator.ratio();
 }
 
-/// eq. 4: d(T tau_f)/dtau with tau_f = mu tau along equal co-contraction, where dtau/dtheta = S + P.
-double condition_6(const spring::LawPoint& p, double mu) {
+/// eq. 4: d(T tau_f)/dtau along equal co-contraction, where dtau/dtheta = S + P.
+double condition_6(const spring::LawPoint& p, const friction::Law& friction) {
     const double sum = p.s + p.p;
     const double transmission_slope = (p.s_slope * p.p - p.s * p.p_slope) / (sum * sum * sum);
-    return mu * (p.transmission() + p.tau * transmission_slope);
+    return p.transmission() * friction.slope(p.tau) + friction.at_rest(p.tau) * transmission_slope;
 }
 
 }  // namespace
@@ -84,7 +113,7 @@ DeadBand dead_band(const Actuator& actuator, double tau) {
     }
     const spring::LawPoint p = actuator.law->at_load(tau);
     const double g = actuator.ratio();
-    band.linear = 2.0 * actuator.gear_friction * tau / (g * p.p);
+    band.linear = 2.0 * actuator.gear_friction.at_rest(tau) / (g * p.p);
     band.joint_stiffness = 2.0 * g * g * p.s;
     band.free_joint_stiffness = band.joint_stiffness * p.p / (p.s + p.p);
     band.theta = p.theta;
@@ -102,6 +131,30 @@ std::vector<DeadBand> dead_band_curve(const Actuator& actuator, std::size_t coun
         curve.push_back(dead_band(actuator, i + 1 == count ? actuator.overdrive_torque : actuator.least_torque + share * width));
     }
     return curve;
+}
+
+ConditionSummary summarize_condition(const Actuator& actuator) {
+    constexpr int kScan = 400;
+    const core::Range covered = actuator.law->loads();
+    ConditionSummary summary;
+    summary.torques = {std::max(actuator.least_torque, covered.low), std::min(actuator.overdrive_torque, covered.high)};
+    summary.values = {kNan, kNan};
+    if (summary.torques.width() < 0.0) return summary;
+    const auto condition = [&](double tau) { return condition_6(actuator.law->at_load(tau), actuator.gear_friction); };
+    double earlier = summary.torques.low, before = condition(earlier);
+    summary.values = {before, before};
+    if (before < 0.0) summary.holds.push_back({earlier, earlier});
+    for (int i = 1; i <= kScan; ++i) {
+        const double tau = summary.torques.low + summary.torques.width() * i / kScan, now = condition(tau);
+        const bool changed = (now < 0.0) != (before < 0.0);
+        const double from = changed ? math::bracketed_root(condition, earlier, tau).value_or(tau) : earlier;
+        if (changed && now < 0.0) summary.holds.push_back({from, tau});
+        if (before < 0.0) summary.holds.back().high = changed ? from : tau;
+        summary.values = {std::min(summary.values.low, now), std::max(summary.values.high, now)};
+        earlier = tau;
+        before = now;
+    }
+    return summary;
 }
 
 }  // namespace fusee::actuator

@@ -9,6 +9,10 @@ using Action = std::function<int()>;
 
 /// Each adds its subcommand(s) to `app` and sets `action` when the user calls one.
 void add_make(CLI::App& app, Action& action);
+void add_simulate(CLI::App& app, Action& action);
+void add_identify(CLI::App& app, Action& action);
+void add_design(CLI::App& app, Action& action);
+void add_paper(CLI::App& app, Action& action);
 void add_lists(CLI::App& app, Action& action);
 
 }  // namespace fusee::app

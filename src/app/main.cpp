@@ -1,4 +1,8 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <string>
+#include <vector>
 
 #include "commands.h"
 #include "fusee/core/error.h"
@@ -16,6 +20,10 @@ int main(int argc, char** argv) {
     app.footer("Example:\n  fusee make profiles/pnrvsa.toml\n\nHelp on a command: fusee COMMAND --help");
     app::Action action;
     app::add_make(app, action);
+    app::add_simulate(app, action);
+    app::add_identify(app, action);
+    app::add_design(app, action);
+    app::add_paper(app, action);
     app::add_lists(app, action);
     try {
         app.parse(argc, argv);
@@ -23,7 +31,9 @@ int main(int argc, char** argv) {
         return app.exit(e) == 0 ? 0 : kBadInput;
     }
     if (!action) {
-        fmt::print(stderr, "A command is required: make, keys, rules or completion\nRun with --help for more information.\n");
+        std::vector<std::string> commands;
+        for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) commands.push_back(command->get_name());
+        fmt::print(stderr, "A command is required: {}\nRun with --help for more information.\n", fmt::join(commands, ", "));
         return kBadInput;
     }
     try {

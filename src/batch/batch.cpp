@@ -1,15 +1,11 @@
 #include "fusee/batch/batch.h"
 
 #include <algorithm>
-#include <atomic>
-#include <chrono>
 #include <memory>
-#include <optional>
-#include <set>
-#include <thread>
 
 #include "fusee/core/error.h"
-#include "fusee/core/progress.h"
+#include "fusee/core/file.h"
+#include "run_each.h"
 
 namespace fs = std::filesystem;
 
@@ -17,55 +13,16 @@ namespace fusee::batch {
 
 namespace {
 
-/// Runs `work` and turns what it throws into a row's outcome and error.
-template <class Work>
-void guarded(Row& row, const Work& work) {
-    try {
-        work();
-    } catch (const core::InvalidInput& e) {
-        row.outcome = Outcome::kBadInput, row.error = e.what();
-    } catch (const core::IoError& e) {
-        row.outcome = Outcome::kBadInput, row.error = e.what();
-    } catch (const std::exception& e) {
-        row.outcome = Outcome::kFailed, row.error = e.what();
-    }
+/// The rows' own results under how each ended.
+template <class AnyRow>
+std::vector<AnyRow> joined(std::vector<AnyRow> rows, const std::vector<Ended>& ended) {
+    for (std::size_t i = 0; i < rows.size(); ++i) static_cast<Ended&>(rows[i]) = ended[i];
+    return rows;
 }
 
-struct Job {
-    Row row;
-    std::optional<profile::Profile> profile;
-};
-
-/// All profiles are read before the first is made: what is wrong with a file is known at once, and names are compared.
-std::vector<Job> read_all(const std::vector<fs::path>& paths) {
-    std::vector<Job> jobs;
-    std::set<std::string> names;
-    for (const fs::path& path : paths) {
-        Job& job = jobs.emplace_back();
-        job.row.profile = path;
-        guarded(job.row, [&] {
-            profile::Profile read = profile::read_profile(path);
-            job.row.result.name = read.name;
-            if (!names.insert(read.name).second)
-                throw core::InvalidInput(read.place_of("name"), read.name,
-                                         "a name that no other profile of this run has: each design gets out/NAME");
-            job.profile = std::move(read);
-        });
-    }
-    return jobs;
-}
-
-void run(Job& job, const pipeline::MakeOptions& options) {
-    const auto begin = std::chrono::steady_clock::now();
-    guarded(job.row, [&] {
-        try {
-            job.row.result = pipeline::make(*job.profile, options);
-        } catch (const core::InvalidInput& e) {  // a room below knows the key, the profile its line
-            throw core::InvalidInput(job.profile->place_of(e.field()), e.value(), e.allowed());
-        }
-        job.row.outcome = job.row.result.made ? Outcome::kMade : Outcome::kRefused;
-    });
-    job.row.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+/// A bar is worth its line when there is more than one to wait for.
+std::unique_ptr<core::Progress> bar(const char* title, std::size_t count, bool long_work) {
+    return count > 1 || long_work ? std::make_unique<core::Progress>(title, count) : nullptr;
 }
 
 }  // namespace
@@ -91,29 +48,42 @@ std::vector<fs::path> find_profiles(const std::vector<fs::path>& paths) {
 }
 
 std::vector<Row> make_all(const std::vector<fs::path>& profiles, const pipeline::MakeOptions& options, unsigned jobs) {
-    std::vector<Job> work = read_all(profiles);
-    std::unique_ptr<core::Progress> progress;
-    if (work.size() > 1 || options.via == pipeline::Via::kOpenScad) progress = std::make_unique<core::Progress>("make", work.size());
+    const auto progress = bar("make", profiles.size(), options.via == pipeline::Via::kOpenScad);
     pipeline::MakeOptions watched = options;
     if (progress) watched.note = [&](const std::string& what) { progress->note(what); };
-    std::atomic<std::size_t> next{0};
-    const auto worker = [&] {
-        for (std::size_t i = next++; i < work.size() && !core::interrupted(); i = next++) {
-            if (work[i].profile) run(work[i], watched);
-            if (progress) progress->advance(work[i].row.profile.filename().string() + ": " + to_string(work[i].row.outcome));
-        }
+    std::vector<Row> rows(profiles.size());
+    const auto work = [&](const profile::Profile& profile, std::size_t place) {
+        rows[place].result = pipeline::make(profile, watched);
+        return rows[place].result.made;
     };
-    const std::size_t wanted = jobs > 0 ? jobs : std::max(1u, std::thread::hardware_concurrency());
-    const std::size_t workers = std::min(wanted, work.size());
-    std::vector<std::jthread> pool;
-    pool.reserve(workers);
-    for (std::size_t i = 1; i < workers; ++i) pool.emplace_back(worker);  // this thread is one of them
-    worker();
-    pool.clear();  // joins
-    std::vector<Row> rows;
-    rows.reserve(work.size());
-    for (Job& job : work) rows.push_back(std::move(job.row));
-    return rows;
+    const std::vector<Ended> ended = run_each(profiles, work, jobs, progress.get());
+    return joined(std::move(rows), ended);
+}
+
+std::vector<SimulationRow> simulate_all(const std::vector<fs::path>& profiles, const fs::path& out,
+                                        const pipeline::SimulateOptions& options, unsigned jobs) {
+    const auto progress = bar("simulate", profiles.size(), false);
+    std::vector<SimulationRow> rows(profiles.size());
+    const auto work = [&](const profile::Profile& profile, std::size_t place) {
+        SimulationRow& row = rows[place];
+        auto simulation = pipeline::simulate(profile, options);
+        if (!simulation) {
+            row.refusal = simulation.refusal();
+            return false;
+        }
+        const fs::path folder = out / profile.name;
+        (void)pipeline::write_simulation(*simulation, folder);
+        row.folder = folder;
+        row.simulation = std::move(simulation).value();
+        return true;
+    };
+    const std::vector<Ended> ended = run_each(profiles, work, jobs, progress.get());
+    std::vector<report::Simulation> done;
+    for (const SimulationRow& row : rows)
+        if (row.simulation) done.push_back(*row.simulation);
+    const auto relative = [](const report::Simulation& s) { return s.survey.arrangement != actuator::Arrangement::kPnrvsa; };
+    if (std::any_of(done.begin(), done.end(), relative)) core::write_file(out / "relatives.csv", report::relatives_csv(done));
+    return joined(std::move(rows), ended);
 }
 
 }  // namespace fusee::batch

@@ -23,25 +23,20 @@ const char* to_string(Outcome outcome) {
     return "";
 }
 
-int exit_code(const std::vector<Row>& rows) {
-    const auto code = [](Outcome outcome) {
-        switch (outcome) {
-            case Outcome::kMade:
-                return 0;
-            case Outcome::kRefused:
-                return 1;
-            case Outcome::kBadInput:
-                return 2;
-            case Outcome::kFailed:
-                return 3;
-            case Outcome::kInterrupted:
-                return 130;
-        }
-        return 3;
-    };
-    int gravest = 0;
-    for (const Row& row : rows) gravest = std::max(gravest, code(row.outcome));
-    return gravest;
+int exit_code(Outcome outcome) {
+    switch (outcome) {
+        case Outcome::kMade:
+            return 0;
+        case Outcome::kRefused:
+            return 1;
+        case Outcome::kBadInput:
+            return 2;
+        case Outcome::kFailed:
+            return 3;
+        case Outcome::kInterrupted:
+            return 130;
+    }
+    return 3;
 }
 
 namespace {
@@ -58,26 +53,44 @@ std::string made_line(const Row& row) {
                        100.0 * row.result.worst_arm_error, dead_band, count(core::Severity::kPass), count(core::Severity::kReview));
 }
 
-std::string details(const Row& row) {
+/// What went wrong, or what binds; under a row.
+std::string details(const Ended& row, const core::Findings& findings) {
     if (!row.error.empty()) return "    " + row.error + "\n";
     std::string lines;
-    for (const core::Finding& f : row.result.findings)
+    for (const core::Finding& f : findings)
         if (f.severity != core::Severity::kPass) lines += "    " + core::to_line(f) + "\n";
     return lines;
+}
+
+/// "profiles/pnrvsa.toml  made         1.20 s  "
+template <class AnyRow>
+std::string beginning(const AnyRow& row, const std::vector<AnyRow>& rows) {
+    std::size_t width = 0;
+    for (const Ended& other : rows) width = std::max(width, other.profile.string().size());
+    return fmt::format("{:{}}  {:9}  {:6.2f} s  ", row.profile.string(), width, to_string(row.outcome), row.seconds);
 }
 
 }  // namespace
 
 std::string closing_table(const std::vector<Row>& rows) {
-    std::size_t width = 0;
-    for (const Row& row : rows) width = std::max(width, row.profile.string().size());
     std::string table;
     for (const Row& row : rows) {
-        table += fmt::format("{:{}}  {:9}  {:6.2f} s  {}\n", row.profile.string(), width, to_string(row.outcome), row.seconds,
-                             row.outcome == Outcome::kMade ? made_line(row) : "");
-        table += details(row);
+        table += beginning(row, rows) + (row.outcome == Outcome::kMade ? made_line(row) : "") + "\n";
+        table += details(row, row.result.findings);
     }
     return table;
+}
+
+std::string closing_table(const std::vector<SimulationRow>& rows) {
+    std::string table;
+    std::vector<report::Simulation> done;
+    for (const SimulationRow& row : rows) {
+        table += beginning(row, rows) + (row.simulation ? row.folder.string() + "/" : "") + "\n" + details(row, row.refusal);
+        if (!row.simulation) continue;
+        table += report::simulation_text(*row.simulation);
+        done.push_back(*row.simulation);
+    }
+    return done.size() > 1 ? table + report::survey_text(done) : table;
 }
 
 }  // namespace fusee::batch

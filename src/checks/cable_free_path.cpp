@@ -81,7 +81,7 @@ core::Findings run(const Design& design) {
 }  // namespace
 
 Rule cable_free_path() {
-    return {"cable.free_path", "the part standing in the way of its own cable", "geometry: free cable against the mesh", run};
+    return {"cable.free_path", "the part standing in the way of its own cable", "geometry: free cable against the mesh", run, true};
 }
 
 }  // namespace fusee::checks

@@ -58,7 +58,7 @@ core::Findings run(const Design& design) {
 
 Rule process_build_volume() {
     return {"process.build_volume", "a part larger than the machine or the stock", "process.build_mm; turning about z by 90 deg allowed",
-            run};
+            run, true};
 }
 
 }  // namespace fusee::checks

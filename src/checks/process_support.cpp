@@ -48,7 +48,7 @@ core::Findings run(const Design& design) {
 
 Rule process_support() {
     return {"process.support", "ceilings that a printer cannot bridge", "FDM bridge 5-10 mm: 3dservicesusa, cifproto, arti90, layerx3d",
-            run};
+            run, true};
 }
 
 }  // namespace fusee::checks

@@ -80,4 +80,12 @@ core::Findings check(const Design& design) {
     return findings;
 }
 
+core::Findings check_without_mesh(const Design& design) {
+    validate(design);
+    core::Findings findings;
+    for (const Rule& rule : rules())
+        if (!rule.needs_mesh) core::append(findings, rule.run(design));
+    return findings;
+}
+
 }  // namespace fusee::checks

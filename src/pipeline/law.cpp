@@ -2,48 +2,24 @@
 
 #include <cmath>
 #include <optional>
-#include <type_traits>
-#include <variant>
 
 #include "fusee/actuator/dead_band.h"
 #include "fusee/pipeline/design.h"
 #include "fusee/spring/lead_in.h"
+#include "spring_law.h"
 
 namespace fusee::pipeline {
 
 namespace {
-
-core::Outcome<spring::SpringLawPtr> bare_law(const profile::LawSpec& spec) {
-    return std::visit(
-        [&](const auto& curves) -> core::Outcome<spring::SpringLawPtr> {
-            using Curves = std::decay_t<decltype(curves)>;
-            if constexpr (std::is_same_v<Curves, spring::StictionLawOptions>) {
-                return spring::make_stiction_law(curves);
-            } else {
-                spring::PotentialPtr series, parallel;
-                if constexpr (std::is_same_v<Curves, profile::PolynomialPair>) {
-                    series = spring::make_polynomial(curves.series);
-                    parallel = spring::make_polynomial(curves.parallel);
-                } else if constexpr (std::is_same_v<Curves, profile::ExponentialPair>) {
-                    series = spring::make_exponential(curves.series.scale, curves.series.rate, curves.series.offset);
-                    parallel = spring::make_exponential(curves.parallel.scale, curves.parallel.rate, curves.parallel.offset);
-                } else {
-                    series = spring::make_tabulated(curves.angle, curves.series, curves.smoothing);
-                    parallel = spring::make_tabulated(curves.angle, curves.parallel, curves.smoothing);
-                }
-                return spring::make_pair_law(series, parallel, spec.start_torque, spec.end_torque);
-            }
-        },
-        spec.curves);
-}
 
 /// The co-contraction nearest to `wanted` whose whole dead-band lies inside the law; none if no co-contraction has that.
 std::optional<double> covered_torque(const actuator::Actuator& joint, double wanted) {
     constexpr int kScan = 200;
     const auto covered = [&](double tau) { return actuator::dead_band(joint, tau).covered; };
     if (covered(wanted)) return wanted;
-    const core::Range loads = joint.law->loads();  // a resting capstan at tau carries tau/(1+mu) to tau/(1-mu)
-    const core::Range torques{loads.low * (1.0 + joint.gear_friction), loads.high * (1.0 - joint.gear_friction)};
+    const core::Range loads = joint.law->loads();
+    // The motor torques at which a resting capstan's least and greatest load are the law's ends.
+    const core::Range torques{loads.low + joint.gear_friction.at_rest(loads.low), loads.high - joint.gear_friction.at_rest(loads.high)};
     std::optional<double> nearest;
     for (int i = 0; i <= kScan; ++i) {
         const double tau = torques.low + torques.width() * i / kScan;
@@ -90,13 +66,13 @@ core::Finding covers(const actuator::Actuator& joint, const char* side, double t
 actuator::Actuator actuator_of(const profile::Profile& profile, const spring::SpringLawPtr& law) {
     const profile::Rig& rig = profile.rig;
     actuator::Actuator joint{
-        law, rig.capstan_radius, rig.joint_radius, rig.gear_friction, rig.least_torque, rig.peak_torque, rig.overdrive_torque};
+        law, rig.capstan_radius, rig.joint_radius, gear_friction(profile), rig.least_torque, rig.peak_torque, rig.overdrive_torque};
     actuator::validate(joint);
     return joint;
 }
 
 core::Outcome<DesignedLaw> design_law(const profile::Profile& profile) {
-    const auto bare = bare_law(profile.law);
+    const auto bare = spring_law(profile);
     if (!bare) return bare.refusal();
     if (core::Findings broken = spring::check_law(**bare); core::any_required(broken)) return broken;
     const auto law = spring::with_lead_in(*bare, profile.law.lead_in_travel);

@@ -8,6 +8,7 @@
 #include "fusee/core/file.h"
 #include "fusee/core/units.h"
 #include "fusee/pipeline/design.h"
+#include "fusee/pipeline/simulate.h"
 #include "fusee/report/report.h"
 
 namespace fs = std::filesystem;
@@ -65,8 +66,10 @@ core::Findings all_findings(const report::DesignReport& design) {
 }  // namespace
 
 MakeResult make(const profile::Profile& profile, const MakeOptions& options) {
+    require_parts(profile);
     const auto law = design_law(profile);
     if (!law) return not_made(profile, law.refusal());
+    auto simulation = std::async(std::launch::async, [&profile] { return simulate(profile); });  // needs no part
     const auto [k_se, k_pe] = both_parts([&](cam::PartKind kind) { return design_part(kind, profile, law->law); });
     if (!k_se || !k_pe) {
         core::Findings findings = law->findings;
@@ -81,7 +84,8 @@ MakeResult make(const profile::Profile& profile, const MakeOptions& options) {
     design.law = law_report(*law, profile, joint);
     design.dead_band = actuator::dead_band_curve(joint, kDeadBandLevels);
     design.findings = law->findings;
-    design.files = {springs_file(staged.path(), *law->law, profile)};
+    design.files = write_simulation(*simulation.get(), staged.path());
+    design.files.push_back(springs_file(staged.path(), *law->law, profile));
     if (options.via == Via::kOpenScad && options.note) options.note(profile.name + ": OpenSCAD renders both solids");
     auto [series, parallel] = both_parts([&, &se = k_se, &pe = k_pe](cam::PartKind kind) {
         return export_part(kind == cam::PartKind::kSeries ? *se : *pe, profile, design.provenance, options.via, staged.path());

@@ -29,7 +29,8 @@ public:
             case Kind::kName:
                 return name(node);
             case Kind::kFile:
-                return text(node);
+            case Kind::kFormula:
+                return name_or_formula(node);
             case Kind::kChoice:
                 return choice(node);
             case Kind::kNumbers:
@@ -66,6 +67,11 @@ private:
     [[nodiscard]] std::string text(const toml::node& node) const {
         if (!node.is_string() || node.as_string()->get().empty()) refuse(node);
         return node.as_string()->get();
+    }
+    /// What may be left out may also be empty.
+    [[nodiscard]] std::string name_or_formula(const toml::node& node) const {
+        const bool left_out = !key_.required && node.is_string() && node.as_string()->get().empty();
+        return left_out ? "" : text(node);
     }
     [[nodiscard]] std::string name(const toml::node& node) const {
         static constexpr std::size_t kLongest = 64;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <array>
 #include <charconv>
 
 namespace fusee::profile {
@@ -61,6 +62,19 @@ std::string Key::table() const {
 
 std::string Key::leaf() const { return path.substr(path.rfind('.') + 1); }
 
+bool Key::of_part() const {
+    static constexpr std::array kTables{"cable", "groove", "process", "tolerances", "outputs", "k_se", "k_pe"};
+    return std::find(kTables.begin(), kTables.end(), path.substr(0, path.find('.'))) != kTables.end();
+}
+
+std::string Condition::text(std::string_view key_quote, std::string_view value_quote) const {
+    const std::string other = fmt::format("{0}{1}{0}", key_quote, key);
+    if (std::find(values.begin(), values.end(), "") != values.end()) return "only without " + other;
+    std::vector<std::string> named;
+    for (const std::string& value : values) named.push_back(fmt::format("{0}{1}{0}", value_quote, value));
+    return fmt::format("only with {} = {}", other, fmt::join(named, " or "));
+}
+
 const Key* find_key(std::string_view path) {
     for (const Key& key : keys())
         if (key.path == path) return &key;
@@ -73,9 +87,11 @@ bool is_table(std::string_view path) {
 }
 
 bool applies(const Key& key, const Profile& profile) {
-    if (key.when.key.empty()) return true;
-    const std::string now = std::get<std::string>(find_key(key.when.key)->get(profile));
-    return std::find(key.when.values.begin(), key.when.values.end(), now) != key.when.values.end();
+    if (key.of_part() && !profile.has_parts) return false;
+    return std::all_of(key.when.begin(), key.when.end(), [&profile](const Condition& when) {
+        const std::string now = std::get<std::string>(find_key(when.key)->get(profile));
+        return std::find(when.values.begin(), when.values.end(), now) != when.values.end();
+    });
 }
 
 std::string allowed_text(const Key& key) {
@@ -87,7 +103,9 @@ std::string allowed_text(const Key& key) {
         case Kind::kName:
             return "a text of 1 to 64 letters, digits, '.', '_' or '-', beginning with a letter or digit";
         case Kind::kFile:
-            return "a file name as text";
+            return key.required ? "a file name as text" : "a file name as text, \"\" = none";
+        case Kind::kFormula:
+            return key.required ? "a formula as text" : "a formula as text, \"\" = none";
         case Kind::kChoice:
             return fmt::format("{}", fmt::join(quoted(key.choices), " or "));
         case Kind::kSign:

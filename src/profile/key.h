@@ -21,7 +21,8 @@ struct Unit {
     [[nodiscard]] double from_si(double si) const { return si * denominator / numerator; }
 };
 inline constexpr Unit kPure{""}, kNm{"Nm"}, kNewton{"N"}, kRad{"rad"}, kPerRad{"1/rad"}, kPerNmRad{"1/(Nm rad)"}, kNmPerRad{"Nm/rad"},
-    kNPerM{"N/m"}, kMm{"mm", 1.0, 1e3}, kDeg{"deg", core::kPi, 180.0}, kMPa{"MPa", 1e6, 1.0};
+    kNPerM{"N/m"}, kKgm2{"kg m^2"}, kNms{"Nm s"}, kNm2s{"(Nm)^2 s"}, kMm{"mm", 1.0, 1e3}, kDeg{"deg", core::kPi, 180.0},
+    kMPa{"MPa", 1e6, 1.0};
 
 /// Allowed numbers, in the key's own unit; always finite.
 struct Limits {
@@ -31,15 +32,18 @@ struct Limits {
 constexpr Limits within(double low, double high) { return {low, high, true}; }
 constexpr Limits above(double low, double high) { return {low, high, false}; }
 
-enum class Kind { kNumber, kInteger, kName, kFile, kChoice, kSign, kNumbers, kChoices };
+enum class Kind { kNumber, kInteger, kName, kFile, kFormula, kChoice, kSign, kNumbers, kChoices };
 
 /// Numbers in SI.
 using Value = std::variant<double, int, std::string, std::vector<double>, std::vector<std::string>>;
 
-/// The key has a meaning only while another one, further up in the list, has one of these values.
+/// The key has a meaning only while another one, further up in the list, has one of these values; "" among them: while that one is left
+/// out.
 struct Condition {
     std::string key;
     std::vector<std::string> values;
+    /// "only with law.kind = "table"", "only without law.file"; the quotes stand around the key and around each value.
+    [[nodiscard]] std::string text(std::string_view key_quote, std::string_view value_quote) const;
 };
 
 struct Key {
@@ -51,12 +55,13 @@ struct Key {
     std::size_t least_count = 1, most_count = 1;  ///< of an array
     std::vector<std::string> choices;
     bool required = false;
-    Condition when;  ///< empty key: always
+    std::vector<Condition> when;  ///< all must hold; asked in this order
     std::function<Value(const Profile&)> get;
     std::function<void(Profile&, const Value&)> set;
 
     [[nodiscard]] std::string table() const;  ///< "k_se.guide"; "" at the top
     [[nodiscard]] std::string leaf() const;   ///< "direction_deg"
+    [[nodiscard]] bool of_part() const;       ///< of the tables that only making parts needs: a profile has all of them or none
 };
 
 [[nodiscard]] const std::vector<Key>& keys();
@@ -74,8 +79,12 @@ struct Key {
 /// The key's value as TOML, numbers in the key's unit with the fewest digits that give the same SI number.
 [[nodiscard]] std::string toml_text(const Key& key, const Profile& profile);
 
-/// The tables' shares of the list (keys.cpp, law_keys.cpp, part_keys.cpp).
+/// The tables' shares of the list, each in its file.
+[[nodiscard]] std::vector<Key> rig_keys();
 [[nodiscard]] std::vector<Key> law_keys();
+[[nodiscard]] std::vector<Key> simulation_keys();
+[[nodiscard]] std::vector<Key> design_keys();
+[[nodiscard]] std::vector<Key> codesign_keys();
 [[nodiscard]] std::vector<Key> part_keys(const std::string& part, PartSpec Profile::*member);
 
 // How a row of the list is made: `at` is a generic lambda from a (const) Profile& to the member.
@@ -88,6 +97,17 @@ Key plain_key(std::string path, Kind kind, std::string meaning, At at) {
     key.get = [at](const Profile& p) { return Value(T(at(p))); };
     key.set = [at](Profile& p, const Value& v) { at(p) = std::get<T>(v); };
     return key;
+}
+
+/// Left out or "": none.
+template <class At>
+Key file(std::string path, std::string meaning, At at) {
+    return plain_key<std::string>(std::move(path), Kind::kFile, std::move(meaning), at);
+}
+
+template <class At>
+Key formula(std::string path, std::string meaning, At at) {
+    return plain_key<std::string>(std::move(path), Kind::kFormula, std::move(meaning), at);
 }
 
 template <class At>
@@ -120,6 +140,24 @@ Key numbers(std::string path, Unit unit, Limits limits, std::size_t least, std::
     return key;
 }
 
+/// A core::Range: two numbers, the lower first (the room that uses it refuses another order).
+template <class At>
+Key range(std::string path, Unit unit, Limits limits, std::string meaning, At at) {
+    Key key;
+    key.path = std::move(path);
+    key.kind = Kind::kNumbers;
+    key.meaning = std::move(meaning);
+    key.unit = unit;
+    key.limits = limits;
+    key.least_count = key.most_count = 2;
+    key.get = [at](const Profile& p) { return Value(std::vector<double>{at(p).low, at(p).high}); };
+    key.set = [at](Profile& p, const Value& v) {
+        const auto& ends = std::get<std::vector<double>>(v);
+        at(p) = {ends[0], ends[1]};
+    };
+    return key;
+}
+
 /// A text out of a list; for an enum the list names its values in order.
 template <class At>
 Key choice(std::string path, std::vector<std::string> names, std::string meaning, At at) {
@@ -147,7 +185,7 @@ inline Key required(Key key) {
     return key;
 }
 inline Key when(std::string other, std::vector<std::string> values, Key key) {
-    key.when = {std::move(other), std::move(values)};
+    key.when.insert(key.when.begin(), {std::move(other), std::move(values)});
     return key;
 }
 

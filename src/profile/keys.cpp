@@ -7,22 +7,6 @@ namespace {
 #define FIELD(member) \
     [](auto& p) -> auto& { return p.member; }
 
-std::vector<Key> rig_keys() {
-    return {
-        required(plain_key<std::string>("name", Kind::kName, "the design's name and that of its folder under out/", FIELD(name))),
-        required(number("rig.capstan_radius_mm", kMm, above(0, 1000), "r_c, radius at which the capstan takes the joint's cable",
-                        FIELD(rig.capstan_radius))),
-        required(number("rig.joint_radius_mm", kMm, above(0, 1000), "r_j, radius of the joint's pulley", FIELD(rig.joint_radius))),
-        required(number("rig.gear_friction", kPure, within(0, 0.95),
-                        "mu: a resting capstan at motor torque tau carries loads from tau/(1+mu) to tau/(1-mu)", FIELD(rig.gear_friction))),
-        required(
-            number("rig.least_torque_Nm", kNm, above(0, 1e4), "least co-contraction used; below the peak torque", FIELD(rig.least_torque))),
-        required(number("rig.peak_torque_Nm", kNm, above(0, 1e4), "the motors' continuous torque at the capstan", FIELD(rig.peak_torque))),
-        required(number("rig.overdrive_torque_Nm", kNm, above(0, 1e4), "for a short time; not below the peak torque",
-                        FIELD(rig.overdrive_torque))),
-    };
-}
-
 std::vector<Key> cable_keys() {
     return {
         required(number("cable.diameter_mm", kMm, within(0.05, 20), "d, of the cable under load", FIELD(cable.diameter))),
@@ -105,6 +89,9 @@ std::vector<Key> all_keys() {
     const auto add = [&all](std::vector<Key> more) { std::move(more.begin(), more.end(), std::back_inserter(all)); };
     add(rig_keys());
     add(law_keys());
+    add(simulation_keys());
+    add(design_keys());
+    add(codesign_keys());
     add(cable_keys());
     add(process_keys());
     add({formats(), integer("outputs.springs_rows", within(200, 100000), "rows of springs.csv", FIELD(outputs.springs_rows))});

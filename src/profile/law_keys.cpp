@@ -5,7 +5,10 @@ namespace fusee::profile {
 namespace {
 
 constexpr const char* kKindKey = "law.kind";
-constexpr const char *kStiction = "stiction_compensating", *kPolynomial = "polynomial", *kExponential = "exponential", *kTable = "table";
+constexpr const char *kStiction = "stiction_compensating", *kPolynomial = "polynomial", *kExponential = "exponential", *kTable = "table",
+                     *kFromDeadBand = "from_dead_band", *kFreeCurve = "free_curve";
+constexpr const char *kDeadBandFile = "law.dead_band_file", *kSeriesFile = "law.series_stiffness_file",
+                     *kSeriesFormula = "law.series_stiffness_Nm_per_rad";
 
 /// Chooses the alternative of LawSpec::curves; the names stand in the variant's order.
 Key law_kind() {
@@ -13,7 +16,7 @@ Key law_kind() {
     key.path = kKindKey;
     key.kind = Kind::kChoice;
     key.meaning = "how the pair of springs is given; brings its own keys below";
-    key.choices = {kStiction, kPolynomial, kExponential, kTable};
+    key.choices = {kStiction, kPolynomial, kExponential, kTable, kFromDeadBand, kFreeCurve};
     key.required = true;
     key.get = [names = key.choices](const Profile& p) { return Value(names.at(p.law.curves.index())); };
     key.set = [](Profile& p, const Value& v) {
@@ -22,6 +25,8 @@ Key law_kind() {
         if (name == kPolynomial) p.law.curves = PolynomialPair{};
         if (name == kExponential) p.law.curves = ExponentialPair{};
         if (name == kTable) p.law.curves = TablePair{};
+        if (name == kFromDeadBand) p.law.curves = DeadBandSpec{};
+        if (name == kFreeCurve) p.law.curves = spring::FreeCurveOptions{};
     };
     return key;
 }
@@ -50,12 +55,37 @@ std::vector<Key> curve_keys() {
         exponential(number("law.parallel_scale_Nm", kNm, torque, "K_PE: a", OF(ExponentialPair, parallel.scale))),
         exponential(number("law.parallel_rate_per_rad", kPerRad, within(-1e3, 1e3), "K_PE: b", OF(ExponentialPair, parallel.rate))),
         exponential(number("law.parallel_offset_Nm", kNm, torque, "K_PE: c", OF(ExponentialPair, parallel.offset))),
-        table(required(plain_key<std::string>(
-            "law.file", Kind::kFile, "CSV beside the profile: angle_rad,series_Nm,parallel_Nm",
-            [](auto& p) -> auto& { return std::get<TablePair>(p.law.curves).file; }))),
+        table(required(file("law.file", "CSV beside the profile: angle_rad,series_Nm,parallel_Nm", OF(TablePair, file)))),
         table(integer("law.knots", within(4, 400), "intervals of the smoothing spline", OF(TablePair, smoothing.knots))),
         table(number("law.smoothing", kPure, within(-1, 1e9), "weight of the roughness penalty; below 0: by cross-validation",
                      OF(TablePair, smoothing.smoothing))),
+    };
+}
+
+/// Springs given by what they shall do: the dead-band they leave, or stiffness and transmission over the load.
+std::vector<Key> wish_keys() {
+    const auto wanted = [](Key key) { return when(kKindKey, {kFromDeadBand}, std::move(key)); };
+    const auto curve = [](Key key) { return when(kKindKey, {kFreeCurve}, required(std::move(key))); };
+    const auto no_file = [](const char* other, Key key) { return when(other, {""}, std::move(key)); };
+    using Free = spring::FreeCurveOptions;
+    return {
+        wanted(file(kDeadBandFile, "the dead-band wanted: CSV beside the profile with tau_Nm,dead_band_deg",
+                    OF(DeadBandSpec, dead_band.rows.file))),
+        wanted(no_file(kDeadBandFile,
+                       required(formula("law.dead_band_deg", "the same as a formula in tau [Nm]: full width at the joint, linear",
+                                        OF(DeadBandSpec, dead_band.formula))))),
+        wanted(file(kSeriesFile, "S, stiffness of K_SE: CSV beside the profile with tau_Nm,stiffness_Nm_per_rad",
+                    OF(DeadBandSpec, series_stiffness.rows.file))),
+        wanted(no_file(kSeriesFile, formula(kSeriesFormula, "S as a formula in tau [Nm]; neither: chosen, S = k tau^2",
+                                            OF(DeadBandSpec, series_stiffness.formula)))),
+        wanted(no_file(kSeriesFile, no_file(kSeriesFormula,
+                                            number("law.start_transmission", kPure, above(0, 0.999),
+                                                   "T at the start torque, from which k follows", OF(DeadBandSpec, start_transmission))))),
+        curve(numbers("law.loads_Nm", kNm, above(0, 1e4), 4, 100,
+                      "knots of the free curve, rising; the first and the last are the law's ends", OF(Free, loads))),
+        curve(numbers("law.series_Nm_per_rad", kNmPerRad, above(0, 1e6), 4, 100, "S, stiffness of K_SE, at each knot",
+                      OF(Free, series_stiffness))),
+        curve(numbers("law.transmission", kPure, above(0, 0.999), 4, 100, "T = S/(S+P) at each knot", OF(Free, transmission))),
     };
 }
 
@@ -64,10 +94,14 @@ std::vector<Key> curve_keys() {
 std::vector<Key> law_keys() {
     std::vector<Key> all{law_kind()};
     for (Key& key : curve_keys()) all.push_back(std::move(key));
-    all.push_back(required(number(
+    for (Key& key : wish_keys()) all.push_back(std::move(key));
+    const auto with_ends = [](Key key) {
+        return when(kKindKey, {kStiction, kPolynomial, kExponential, kTable, kFromDeadBand}, required(std::move(key)));
+    };
+    all.push_back(with_ends(number(
         "law.start_torque_Nm", kNm, above(0, 1e4), "lowest load of the law, lead-in not counted",
         [](auto& p) -> auto& { return p.law.start_torque; })));
-    all.push_back(required(number(
+    all.push_back(with_ends(number(
         "law.end_torque_Nm", kNm, above(0, 1e4), "highest load; to cover stiction: somewhat more than overdrive torque / (1 - mu)",
         [](auto& p) -> auto& { return p.law.end_torque; })));
     all.push_back(number(

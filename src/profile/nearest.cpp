@@ -25,8 +25,8 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 /// The name without its unit, so that "lead_in_rad" finds "lead_in_deg" before anything that is merely spelled alike.
 std::string_view stem(std::string_view name) {
-    static constexpr std::array kUnits{"m",  "cm", "mm", "um",  "in",  "inch", "deg", "rad", "Nm",  "nm",  "mNm", "Ncm",
-                                       "kN", "N",  "Pa", "kPa", "MPa", "GPa",  "per", "J",   "psi", "lbf", "mpa", "degrees"};
+    static constexpr std::array kUnits{"m",  "cm",  "mm",  "um",  "in",  "inch", "deg", "rad", "Nm",  "nm",      "mNm",  "Ncm", "kN",  "N",
+                                       "Pa", "kPa", "MPa", "GPa", "per", "J",    "psi", "lbf", "mpa", "degrees", "kgm2", "Nms", "Nm2s"};
     while (true) {
         const auto cut = name.rfind('_');
         if (cut == std::string_view::npos) return name;

@@ -4,7 +4,7 @@
 #include <map>
 
 #include "convert.h"
-#include "csv.h"
+#include "files.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "toml_guard.h"
@@ -58,7 +58,9 @@ public:
     }
 
     void assign(Profile& profile) const {
+        profile.has_parts = std::any_of(nodes_.begin(), nodes_.end(), [](const auto& node) { return find_key(node.first)->of_part(); });
         for (const Key& key : keys()) {
+            if (key.of_part()) refuse_parts_of_others(profile);
             const auto found = nodes_.find(key.path);
             const bool wanted = applies(key, profile);
             if (found == nodes_.end()) {
@@ -69,6 +71,7 @@ public:
                 key.set(profile, convert(key, *found->second, file_));
             }
         }
+        check_knots(profile);
         for (const Order& order : kOrders) check(order, profile);
         for (const char* factor : kFactors) require_not_0(*find_key(factor), profile);
         for (const auto& [path, node] : nodes_) profile.places[path] = place(file_, node->source(), path);
@@ -89,15 +92,41 @@ private:
         throw core::InvalidInput(place(file_, regions_.at(table), key.path), "missing", allowed_text(key));
     }
     [[noreturn]] void refuse_unused(const Key& key, const toml::node& node) const {
+        std::vector<std::string> conditions;
+        for (const Condition& when : key.when) conditions.push_back(when.text("", "\""));
         throw core::InvalidInput(place(file_, node.source(), key.path), "has no meaning here",
-                                 fmt::format("only with {} = \"{}\"", key.when.key, fmt::join(key.when.values, "\" or \"")));
+                                 fmt::format("{}", fmt::join(conditions, ", ")));
+    }
+    /// Cams are known for the paper's arrangement only.
+    void refuse_parts_of_others(const Profile& profile) const {
+        if (!profile.has_parts || profile.rig.arrangement == actuator::Arrangement::kPnrvsa) return;
+        for (const auto& [path, node] : nodes_)
+            if (find_key(path)->of_part())
+                throw core::InvalidInput(place(file_, node->source(), path), "has no meaning here",
+                                         "only with rig.arrangement = \"pnrvsa\": the others cannot be made");
     }
     void require_not_0(const Key& key, const Profile& profile) const {
         if (applies(key, profile) && std::get<double>(key.get(profile)) == 0.0)
             throw core::InvalidInput(place(file_, nodes_.at(key.path)->source(), key.path), "0", "another number than 0");
     }
+    void check_knots(const Profile& profile) const {
+        const auto* curve = std::get_if<spring::FreeCurveOptions>(&profile.law.curves);
+        if (curve == nullptr) return;
+        const auto refuse = [this](const char* path, std::string value, std::string allowed) {
+            throw core::InvalidInput(place(file_, nodes_.at(path)->source(), path), std::move(value), std::move(allowed));
+        };
+        const std::vector<double>& loads = curve->loads;
+        for (std::size_t i = 1; i < loads.size(); ++i)
+            if (loads[i] <= loads[i - 1])
+                refuse("law.loads_Nm", fmt::format("{:g}", loads[i]), fmt::format("above the knot before, {:g} Nm", loads[i - 1]));
+        for (const auto& [path, knots] :
+             {std::pair{"law.series_Nm_per_rad", &curve->series_stiffness}, {"law.transmission", &curve->transmission}})
+            if (knots->size() != loads.size())
+                refuse(path, fmt::format("{} numbers", knots->size()), fmt::format("as many as law.loads_Nm, {}", loads.size()));
+    }
     void check(const Order& order, const Profile& profile) const {
         const Key &low = *find_key(order.low), &high = *find_key(order.high);
+        if (!applies(high, profile)) return;
         const double a = std::get<double>(low.get(profile)), b = std::get<double>(high.get(profile));
         if (a < b || (order.may_be_equal && a == b)) return;
         throw core::InvalidInput(
@@ -120,6 +149,10 @@ void distribute(Profile& p) {
         law->start_torque = p.law.start_torque;
         law->end_torque = p.law.end_torque;
     }
+    if (const auto* law = std::get_if<spring::FreeCurveOptions>(&p.law.curves)) {
+        p.law.start_torque = law->loads.front();
+        p.law.end_torque = law->loads.back();
+    }
 }
 
 }  // namespace
@@ -127,6 +160,13 @@ void distribute(Profile& p) {
 Profile::Profile() {
     k_se.spring.kind = spring::BaseKind::kTorsion;
     k_pe.spring.kind = spring::BaseKind::kCompression;
+    // Assumed: a small geared motor and a light arm; noise that moves a joint of 0.3 Nm/rad by about a degree.
+    dynamics = {.motor_inertia = 2e-3,
+                .joint_inertia = 6e-3,
+                .motor_viscous = 4e-3,
+                .joint_viscous = 2e-3,
+                .motor_noise = 1e-6,
+                .joint_noise = 1e-6};
 }
 
 std::string Profile::place_of(const std::string& key) const {
@@ -143,12 +183,7 @@ Profile read_profile(const fs::path& path) {
     profile.file = path;
     reader.assign(profile);
     distribute(profile);
-    if (auto* measured = std::get_if<TablePair>(&profile.law.curves)) {
-        const fs::path csv = path.parent_path() / measured->file;
-        const std::string rows = core::read_file(csv, kLargestFile);
-        read_table(rows, csv.string(), *measured);
-        bytes += rows;
-    }
+    bytes += read_files(profile);
     profile.sha256 = core::sha256_hex(bytes);
     return profile;
 }

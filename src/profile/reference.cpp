@@ -16,17 +16,18 @@ struct Section {
 std::string default_text(const Key& key) {
     if (key.required) return "required";
     Profile untouched;
-    if (!key.when.key.empty()) find_key(key.when.key)->set(untouched, key.when.values.front());
+    for (const Condition& when : key.when) find_key(when.key)->set(untouched, when.values.front());
     if (key.kind == Kind::kNumber) return fmt::format("`{:.6g}`", key.unit.from_si(std::get<double>(key.get(untouched))));
     return "`" + toml_text(key, untouched) + "`";
 }
 
 std::string row(const Key& key) {
     std::string only;
-    if (!key.when.key.empty()) {
-        const std::string other = key.when.key.substr(key.when.key.rfind('.') + 1);
-        only = fmt::format(" (only with `{}` = `{}`)", other, fmt::join(key.when.values, "` or `"));
+    for (Condition when : key.when) {
+        when.key = find_key(when.key)->leaf();
+        only += fmt::format("{} {}", only.empty() ? "" : ",", when.text("`", "`"));
     }
+    if (!only.empty()) only = " (" + only.substr(1) + ")";
     return fmt::format("| `{}` | {} | {} | {}{} |\n", key.leaf(), allowed_text(key), default_text(key), key.meaning, only);
 }
 

@@ -23,10 +23,6 @@ std::string verdict_text(core::Severity severity) {
     return "";
 }
 
-std::string tile(const std::string& value, const std::string& name) {
-    return "<div class=\"tile\"><b>" + escape(value) + "</b><span>" + escape(name) + "</span></div>";
-}
-
 /// The worst arm error of all files; NaN if none was read back.
 double worst_arm_error(const DesignReport& design) {
     double worst = std::numeric_limits<double>::quiet_NaN();
@@ -59,29 +55,26 @@ std::string head_section(const DesignReport& design) {
     std::string out = "<header><p class=\"eyebrow\">fusee design report</p><h1>" + escape(made_by.name) + "</h1>" +
                       verdict_text(verdict(design)) + "<p class=\"stamp\">" + escape(made_by.line()) + "</p><div class=\"tiles\">";
     if (!design.law.samples.empty())
-        out += tile(number(design.law.samples.front().tau, 3) + " to " + number(design.law.samples.back().tau, 3) + " Nm",
-                    design.law.covers_stiction() ? "loads, all that stiction allows" : "loads, stiction not covered");
+        out += html_tile(number(design.law.samples.front().tau, 3) + " to " + number(design.law.samples.back().tau, 3) + " Nm",
+                         design.law.covers_stiction() ? "loads, all that stiction allows" : "loads, stiction not covered");
     if (!design.dead_band.empty()) {
         const auto [first, last] = exact_ends(design.dead_band);
-        out +=
-            tile(fmt::format("{} \u2192 {} deg", number(core::deg_from_rad(first.extreme), 3), number(core::deg_from_rad(last.extreme), 3)),
-                 fmt::format("exact dead-band, {} to {} Nm", number(first.tau, 3), number(last.tau, 3)));
+        out += html_tile(
+            fmt::format("{} \u2192 {} deg", number(core::deg_from_rad(first.extreme), 3), number(core::deg_from_rad(last.extreme), 3)),
+            fmt::format("exact dead-band, {} to {} Nm", number(first.tau, 3), number(last.tau, 3)));
     }
     if (const double worst = worst_arm_error(design); !std::isnan(worst))
-        out += tile(number(100.0 * worst, 2) + " %", "worst arm error, read from files");
-    return out + tile(findings_text(design), "changes required / to review") + "</div></header>\n";
+        out += html_tile(number(100.0 * worst, 2) + " %", "worst arm error, read from files");
+    return out + html_tile(findings_text(design), "changes required / to review") + "</div></header>\n";
 }
 
 std::string report_html(const DesignReport& design) {
     const std::vector<NumberedFinding> findings = numbered(design);
-    std::string out =
-        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
-        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"><title>" +
-        escape(design.provenance.name) + " \u2013 fusee</title><style>" + style_sheet() + "</style></head><body><main>\n";
-    out += head_section(design);
-    for (const PartReport& part : design.parts) out += part_section(part, markers_of(findings, cam::to_string(part.part->cam.kind)));
-    out += findings_section(findings) + law_section(design) + dead_band_section(design) + read_back_section(design) + files_section(design);
-    return out + "</main></body></html>\n";
+    std::string body = head_section(design);
+    for (const PartReport& part : design.parts) body += part_section(part, markers_of(findings, cam::to_string(part.part->cam.kind)));
+    body +=
+        findings_section(findings) + law_section(design) + dead_band_section(design) + read_back_section(design) + files_section(design);
+    return html_page(design.provenance.name, body);
 }
 
 }  // namespace fusee::report

@@ -23,5 +23,9 @@ struct Cell {
 [[nodiscard]] std::string html_table(const std::vector<std::string>& head, const std::vector<std::vector<Cell>>& rows);
 /// A list of name and value; both plain texts.
 [[nodiscard]] std::string html_facts(const std::vector<std::pair<std::string, std::string>>& facts);
+/// One figure of a page's head, inside `<div class="tiles">`; both plain texts.
+[[nodiscard]] std::string html_tile(const std::string& value, const std::string& name);
+/// A whole page that opens offline. @param title plain text; @param body HTML
+[[nodiscard]] std::string html_page(const std::string& title, const std::string& body);
 
 }  // namespace fusee::report

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
-#include <functional>
-
+#include "column.h"
 #include "figures.h"
 #include "html.h"
 #include "page.h"
@@ -13,20 +12,13 @@ namespace {
 
 using core::deg_from_rad;
 
-template <class Row>
-std::vector<double> column(const std::vector<Row>& rows, const std::function<double(const Row&)>& of) {
-    std::vector<double> values;
-    for (const Row& row : rows) values.push_back(of(row));
-    return values;
-}
-
 std::string range_text(const core::Range& r, const std::string& unit, int digits = 4) {
     return number(r.low, digits) + " to " + number(r.high, digits) + " " + unit;
 }
 
 std::string law_plots(const LawReport& law) {
     using P = spring::LawPoint;
-    const auto of = [&law](const std::function<double(const P&)>& get) { return column<P>(law.samples, get); };
+    const auto of = [&law](const auto& get) { return column(law.samples, get); };
     const auto tau = of([](const P&p) { return p.tau; }), theta = of([](const P&p) { return p.theta; });
     const auto f_se = of([](const P&p) { return p.f_se; }), f_pe = of([](const P&p) { return p.f_pe; });
     const core::Range lead_in{law.samples.front().tau, law.design_loads.low}, lead_in_angle{0.0, law.lead_in_travel};
@@ -99,14 +91,14 @@ std::string law_section(const DesignReport& design) {
 std::string dead_band_section(const DesignReport& design) {
     if (design.dead_band.empty()) return "";
     using D = actuator::DeadBand;
-    const auto tau = column<D>(design.dead_band, [](const D& d) { return d.tau; });
+    const auto tau = column(design.dead_band, [](const D& d) { return d.tau; });
     Plot band("Dead-band at the joint, edge to edge", "co-contraction, motor torque at the capstan [Nm]", "dead-band [deg]");
-    band.curve("linear: 2 mu tau / (g P)", tau, column<D>(design.dead_band, [](const D& d) { return deg_from_rad(d.linear); }), "linear",
+    band.curve("linear: 2 mu tau / (g P)", tau, column(design.dead_band, [](const D& d) { return deg_from_rad(d.linear); }), "linear",
                true);
-    band.curve("exact extremes", tau, column<D>(design.dead_band, [](const D& d) { return deg_from_rad(d.extreme); }), "exact").from_zero();
+    band.curve("exact extremes", tau, column(design.dead_band, [](const D& d) { return deg_from_rad(d.extreme); }), "exact").from_zero();
     Plot stiffness("Stiffness of the joint", "co-contraction, motor torque at the capstan [Nm]", "stiffness [Nm/rad]");
-    stiffness.curve("capstans held", tau, column<D>(design.dead_band, [](const D& d) { return d.joint_stiffness; }), "se");
-    stiffness.curve("capstans free", tau, column<D>(design.dead_band, [](const D& d) { return d.free_joint_stiffness; }), "sum", true);
+    stiffness.curve("capstans held", tau, column(design.dead_band, [](const D& d) { return d.joint_stiffness; }), "se");
+    stiffness.curve("capstans free", tau, column(design.dead_band, [](const D& d) { return d.free_joint_stiffness; }), "sum", true);
     return "<section><h2>What stiction leaves at the joint</h2><div class=\"grid\">" + band.svg() + stiffness.from_zero().svg() +
            "</div></section>\n";
 }
@@ -114,12 +106,11 @@ std::string dead_band_section(const DesignReport& design) {
 std::string part_section(const PartReport& report, const std::vector<Marker>& markers) {
     const cam::Cam& cam = report.part->cam;
     const bool series = cam.kind == cam::PartKind::kSeries;
-    const auto angle = column<cam::Contact>(cam.working, [](const cam::Contact& c) { return deg_from_rad(c.arm.angle); });
+    const auto angle = column(cam.working, [](const cam::Contact& c) { return deg_from_rad(c.arm.angle); });
     Plot arm("Lever arm", "cam angle [deg]", "arm [mm]");
-    arm.curve("arm", angle, column<cam::Contact>(cam.working, [](const cam::Contact& c) { return core::mm_from_m(c.arm.arm); }),
-              series ? "se" : "pe");
+    arm.curve("arm", angle, column(cam.working, [](const cam::Contact& c) { return core::mm_from_m(c.arm.arm); }), series ? "se" : "pe");
     Plot height("Height of the cable on the helix", "cam angle [deg]", "z [mm]");
-    height.curve("z", angle, column<cam::Contact>(cam.working, [](const cam::Contact& c) { return core::mm_from_m(c.path.z); }), "sum");
+    height.curve("z", angle, column(cam.working, [](const cam::Contact& c) { return core::mm_from_m(c.path.z); }), "sum");
     return fmt::format("<section><h2>{}: {}</h2><div class=\"part\"><figure class=\"card\">", cam::to_string(cam.kind),
                        series ? "spool of the series spring" : "cam of the parallel spring") +
            cam_svg(*report.part, markers) +

@@ -58,6 +58,10 @@ std::vector<NumberedFinding> numbered(const DesignReport& design) {
     for (const core::Finding& finding : design.findings) all.push_back({0, "law", finding});
     for (const PartReport& part : design.parts)
         for (const core::Finding& finding : part.findings) all.push_back({0, cam::to_string(part.part->cam.kind), finding});
+    return ranked(std::move(all));
+}
+
+std::vector<NumberedFinding> ranked(std::vector<NumberedFinding> all) {
     std::stable_sort(all.begin(), all.end(),
                      [](const NumberedFinding& a, const NumberedFinding& b) { return a.finding.severity > b.finding.severity; });
     for (std::size_t i = 0; i < all.size(); ++i) all[i].number = static_cast<int>(i) + 1;

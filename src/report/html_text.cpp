@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "html.h"
+#include "page.h"
 
 namespace fusee::report {
 
@@ -67,6 +68,17 @@ std::string html_facts(const std::vector<std::pair<std::string, std::string>>& f
     std::string out = "<dl>";
     for (const auto& [name, value] : facts) out += "<dt>" + escape(name) + "</dt><dd>" + escape(value) + "</dd>";
     return out + "</dl>\n";
+}
+
+std::string html_tile(const std::string& value, const std::string& name) {
+    return "<div class=\"tile\"><b>" + escape(value) + "</b><span>" + escape(name) + "</span></div>";
+}
+
+std::string html_page(const std::string& title, const std::string& body) {
+    return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
+           "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"><title>" +
+           escape(title) + " \u2013 fusee</title><style>" + style_sheet() + "</style></head><body><main>\n" + body +
+           "</main></body></html>\n";
 }
 
 }  // namespace fusee::report

@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "figures.h"
+#include "findings_json.h"
 #include "fusee/report/report.h"
 
 namespace fusee::report {
@@ -34,25 +35,6 @@ Json dead_band_json(const actuator::DeadBand& d) {
             {"joint_stiffness_Nm_per_rad", d.joint_stiffness},
             {"free_joint_stiffness_Nm_per_rad", d.free_joint_stiffness},
             {"condition_6", d.condition_6}};
-}
-
-Json findings_json(const core::Findings& findings) {
-    Json all = Json::array();
-    for (const core::Finding& f : findings) {
-        Json j{{"rule", f.rule},
-               {"severity", core::to_string(f.severity)},
-               {"what", f.what},
-               {"measured", f.measured},
-               {"bound", f.bound == core::Bound::kAtMost ? "at most" : "at least"},
-               {"allowed", f.allowed},
-               {"unit", f.unit},
-               {"where", f.where}};
-        if (f.place) j["place"] = {{"angle_rad", f.place->angle}, {"point_mm", f.place->point_mm}};
-        j["suggestion"] = f.suggestion;
-        j["source"] = f.source;
-        all.push_back(std::move(j));
-    }
-    return all;
 }
 
 Json files_json(const std::vector<FileRow>& files) {

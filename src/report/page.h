@@ -17,7 +17,9 @@ struct NumberedFinding {
     std::string part;
     core::Finding finding;
 };
-/// All findings, the gravest first, numbered in that order.
+/// The gravest first, numbered in that order.
+[[nodiscard]] std::vector<NumberedFinding> ranked(std::vector<NumberedFinding> findings);
+/// All findings, ranked.
 [[nodiscard]] std::vector<NumberedFinding> numbered(const DesignReport& design);
 [[nodiscard]] std::vector<Marker> markers_of(const std::vector<NumberedFinding>& findings, const std::string& part);
 

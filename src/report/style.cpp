@@ -36,6 +36,8 @@ svg{display:block;font-family:inherit}svg.cam,.plot svg{width:100%;height:auto}s
 .curve{fill:none;stroke-width:2;stroke-linejoin:round}.dashed{stroke-dasharray:6 4}
 .curve.se{stroke:var(--se)}.curve.pe{stroke:var(--pe)}.curve.sum{stroke:var(--sum)}.curve.t{stroke:var(--t)}
 .curve.exact{stroke:var(--exact)}.curve.linear{stroke:var(--linear)}
+.dot.se,.band.se{fill:var(--se)}.dot.pe,.band.pe{fill:var(--pe)}.dot.t,.band.t{fill:var(--t)}
+.dot.linear,.band.linear{fill:var(--linear)}.dot.sum,.band.sum{fill:var(--sum)}.band{opacity:.15}.curve.bar{stroke-width:1.1}
 svg.cam path,svg.cam circle{vector-effect:non-scaling-stroke}
 .cam .body{fill:var(--body);fill-rule:evenodd;stroke:var(--sum);stroke-width:1.2}
 .cam .boss{fill:none;stroke:var(--faint);stroke-dasharray:5 3}

@@ -12,10 +12,13 @@ namespace fusee::report {
 
 namespace {
 // Drawing units; the page scales the whole picture.
-constexpr double kWidth = 520, kHeight = 300, kLeft = 58, kRight = 14, kLegend = 34, kBare = 12, kBottom = 46, kTick = 5;
+constexpr double kWidth = 520, kHeight = 300, kLeft = 58, kRight = 14, kLegend = 16, kLegendRow = 18, kBare = 12, kBottom = 46, kTick = 5;
 constexpr int kTicks = 5;
 constexpr double kNoteHeight = 14;
 constexpr double kLegendLetter = 6.6, kLegendGap = 40;
+constexpr double kDot = 2.6, kCap = 3;
+
+double key_width(const std::string& label) { return kLegendGap + kLegendLetter * static_cast<double>(label.size()); }
 
 /// The finite values' range; {0, 1} if there are none, widened if they are all alike.
 core::Range range_of(const std::vector<const std::vector<double>*>& columns) {
@@ -63,6 +66,20 @@ Plot& Plot::curve(std::string label, std::vector<double> x, std::vector<double> 
     curves_.push_back({std::move(label), std::move(x), std::move(y), std::move(css), dashed});
     return *this;
 }
+Plot& Plot::points(std::string label, std::vector<double> x, std::vector<double> y, std::string css, std::vector<double> deviation) {
+    std::vector<double> low = y, high = y;
+    for (std::size_t i = 0; i < deviation.size(); ++i) {
+        if (!std::isfinite(deviation[i])) continue;
+        low[i] -= deviation[i];
+        high[i] += deviation[i];
+    }
+    points_.push_back({std::move(label), std::move(x), std::move(y), std::move(css), std::move(low), std::move(high)});
+    return *this;
+}
+Plot& Plot::band(std::string label, std::vector<double> x, std::vector<double> low, std::vector<double> high, std::string css) {
+    bands_.push_back({std::move(label), std::move(x), std::move(low), std::move(high), std::move(css)});
+    return *this;
+}
 Plot& Plot::shade(const core::Range& x, std::string label) {
     if (x.width() > 0.0) shades_.emplace_back(x, std::move(label));
     return *this;
@@ -82,7 +99,16 @@ Plot::Frame Plot::frame() const {
         xs.push_back(&curve.x);
         ys.push_back(&curve.y);
     }
-    Frame f{range_of(xs), range_of(ys), curves_.size() > 1 ? kLegend : kBare};
+    for (const Points& points : points_) {
+        xs.push_back(&points.x);
+        ys.insert(ys.end(), {&points.low, &points.high});
+    }
+    for (const Band& band : bands_) {
+        xs.push_back(&band.x);
+        ys.insert(ys.end(), {&band.low, &band.high});
+    }
+    const std::size_t keys = legend_rows().size();
+    Frame f{range_of(xs), range_of(ys), keys > 0 ? kLegend + kLegendRow * static_cast<double>(keys) : kBare};
     if (from_zero_) f.y.low = std::min(0.0, f.y.low);
     const double step = round_step(f.y.width(), kTicks);
     f.y = {std::floor(f.y.low / step + 1e-9) * step, std::ceil(f.y.high / step - 1e-9) * step};
@@ -106,6 +132,22 @@ std::string Plot::axes(const Frame& f) const {
     return out;
 }
 
+std::string Plot::bands(const Frame& f) const {
+    std::string out;
+    for (const Band& band : bands_) {
+        std::string path, back;
+        for (std::size_t i = 0; i < band.x.size(); ++i) {
+            if (!std::isfinite(band.x[i]) || !std::isfinite(band.low[i]) || !std::isfinite(band.high[i])) continue;
+            const std::string x = coordinate(f.at_x(band.x[i])) + " ";
+            path += (path.empty() ? "M" : "L") + x + coordinate(f.at_y(band.low[i]));
+            back = "L" + x + coordinate(f.at_y(band.high[i])) + back;
+        }
+        if (path.empty()) continue;
+        out += fmt::format("<path class=\"band {}\" d=\"{}{}Z\"><title>{}</title></path>", band.css, path, back, escape(band.label));
+    }
+    return out;
+}
+
 std::string Plot::curves(const Frame& f) const {
     std::string out;
     for (const Curve& curve : curves_) {
@@ -118,6 +160,26 @@ std::string Plot::curves(const Frame& f) const {
         }
         out += fmt::format("<path class=\"curve {}{}\" d=\"{}\"><title>{}</title></path>", curve.css, curve.dashed ? " dashed" : "", path,
                            escape(curve.label));
+    }
+    return out;
+}
+
+std::string Plot::dots(const Frame& f) const {
+    std::string out;
+    for (const Points& points : points_) {
+        std::string bars, circles;
+        for (std::size_t i = 0; i < points.x.size(); ++i) {
+            if (!std::isfinite(points.x[i]) || !std::isfinite(points.y[i])) continue;
+            const double x = f.at_x(points.x[i]);
+            circles += fmt::format("<circle class=\"dot {}\" cx=\"{}\" cy=\"{}\" r=\"{}\"/>", points.css, coordinate(x),
+                                   coordinate(f.at_y(points.y[i])), kDot);
+            if (!(points.high[i] > points.low[i])) continue;
+            const std::string left = coordinate(x - kCap), low = coordinate(f.at_y(points.low[i])),
+                              high = coordinate(f.at_y(points.high[i]));
+            bars += fmt::format("M{0} {1}h{3}M{0} {2}h{3}M{4} {1}V{2}", left, low, high, 2 * kCap, coordinate(x));
+        }
+        if (!bars.empty()) out += fmt::format("<path class=\"curve {} bar\" d=\"{}\"/>", points.css, bars);
+        out += fmt::format("<g><title>{}</title>{}</g>", escape(points.label), circles);
     }
     return out;
 }
@@ -142,14 +204,36 @@ std::string Plot::notes(const Frame& f) const {
     return out;
 }
 
+/// The legend's keys in lines that fit the width; none if there is only one thing to see.
+std::vector<std::vector<Plot::Key>> Plot::legend_rows() const {
+    std::vector<std::vector<Key>> rows;
+    if (curves_.size() + points_.size() < 2) return rows;
+    double x = kWidth;
+    const auto add = [&](std::string mark, const std::string& label) {
+        if (rows.empty() || x + key_width(label) > kWidth) {
+            rows.emplace_back();
+            x = kLeft;
+        }
+        rows.back().push_back({std::move(mark), label});
+        x += key_width(label);
+    };
+    for (const Curve& curve : curves_)
+        add(fmt::format("<path class=\"curve {}{}\" d=\"M0 0h20\"/>", curve.css, curve.dashed ? " dashed" : ""), curve.label);
+    for (const Points& points : points_) add(fmt::format("<circle class=\"dot {}\" cx=\"10\" r=\"{}\"/>", points.css, kDot), points.label);
+    return rows;
+}
+
 std::string Plot::legend() const {
-    if (curves_.size() < 2) return "";
     std::string out;
-    double x = kLeft;
-    for (const Curve& curve : curves_) {
-        out += fmt::format("<path class=\"curve {}{}\" d=\"M{} 20h20\"/><text class=\"key\" x=\"{}\" y=\"24\">{}</text>", curve.css,
-                           curve.dashed ? " dashed" : "", coordinate(x), coordinate(x + 26), escape(curve.label));
-        x += kLegendGap + kLegendLetter * static_cast<double>(curve.label.size());
+    double y = 20;
+    for (const std::vector<Key>& row : legend_rows()) {
+        double x = kLeft;
+        for (const Key& key : row) {
+            out += fmt::format("<g transform=\"translate({} {})\">{}<text class=\"key\" x=\"26\" y=\"4\">{}</text></g>", coordinate(x), y,
+                               key.mark, escape(key.label));
+            x += key_width(key.label);
+        }
+        y += kLegendRow;
     }
     return out;
 }
@@ -158,7 +242,7 @@ std::string Plot::svg() const {
     const Frame f = frame();
     return fmt::format("<figure class=\"plot\"><figcaption>{}</figcaption><svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">",
                        escape(title_), kWidth, kHeight, escape(title_)) +
-           axes(f) + notes(f) + curves(f) + legend() + "</svg></figure>\n";
+           axes(f) + notes(f) + bands(f) + curves(f) + dots(f) + legend() + "</svg></figure>\n";
 }
 
 }  // namespace fusee::report

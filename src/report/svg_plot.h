@@ -9,7 +9,7 @@ namespace fusee::report {
 /// Round values inside the range, about `count` of them: steps of 1, 2 or 5 times a power of ten.
 [[nodiscard]] std::vector<double> round_ticks(const core::Range& range, int count);
 
-/// Curves over one axis as an inline SVG; colours come from the page's style sheet.
+/// Curves and dots over one axis as an inline SVG; colours come from the page's style sheet.
 class Plot {
 public:
     /// Axis names with unit, e.g. "capstan angle [rad]".
@@ -17,6 +17,10 @@ public:
 
     /// @param css colour class of the style sheet, e.g. "se"; @param dashed for a second curve of the same thing. NaN leaves a gap.
     Plot& curve(std::string label, std::vector<double> x, std::vector<double> y, std::string css, bool dashed = false);
+    /// Dots; with `deviation`, bars from y - deviation to y + deviation (none for NaN). Classes: se, pe, t, linear, sum.
+    Plot& points(std::string label, std::vector<double> x, std::vector<double> y, std::string css, std::vector<double> deviation = {});
+    /// The area between two curves, behind everything else and not in the legend.
+    Plot& band(std::string label, std::vector<double> x, std::vector<double> low, std::vector<double> high, std::string css);
     /// A band over a range of x with its name.
     Plot& shade(const core::Range& x, std::string label);
     /// A vertical line with its name.
@@ -33,15 +37,34 @@ private:
         std::string css;
         bool dashed;
     };
+    struct Points {
+        std::string label;
+        std::vector<double> x, y;
+        std::string css;
+        std::vector<double> low, high;  // ends of the bars; y itself without bars
+    };
+    struct Band {
+        std::string label;
+        std::vector<double> x, low, high;
+        std::string css;
+    };
+    struct Key {  // of the legend
+        std::string mark, label;
+    };
     struct Frame;
     [[nodiscard]] Frame frame() const;
     [[nodiscard]] std::string axes(const Frame& f) const;
+    [[nodiscard]] std::string bands(const Frame& f) const;
     [[nodiscard]] std::string curves(const Frame& f) const;
+    [[nodiscard]] std::string dots(const Frame& f) const;
     [[nodiscard]] std::string notes(const Frame& f) const;
+    [[nodiscard]] std::vector<std::vector<Key>> legend_rows() const;
     [[nodiscard]] std::string legend() const;
 
     std::string title_, x_name_, y_name_;
     std::vector<Curve> curves_;
+    std::vector<Points> points_;
+    std::vector<Band> bands_;
     std::vector<std::pair<core::Range, std::string>> shades_;
     std::vector<std::pair<double, std::string>> marks_;
     bool from_zero_ = false;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "columns.h"
 #include "fusee/core/error.h"
 #include "fusee/core/units.h"
 #include "fusee/solid/cut.h"
@@ -101,24 +102,31 @@ core::Finding invalid(const cam::Cam& cam, const Validity& validity) {
 
 }  // namespace
 
-core::Outcome<Part> build_part(const cam::Cam& cam, const PartOptions& options) {
+core::Outcome<Part> outline_part(const cam::Cam& cam, const PartOptions& options) {
     validate_options(to_string(cam.kind), options);
-    // Along the path and across the section each take half of the chordal error.
-    const double tolerance = 0.5 * mm_from_m(options.chordal_error);
     Part part;
     part.cam = cam;
     part.options = options;
     part.section = groove_section(options.groove, cam.options.cable_diameter, 0.5 * options.chordal_error);
     if (core::Findings findings = check_room(cam, options, part.section); !findings.empty()) return findings;
+    const ColumnMaker maker(cam, part.section, flanges_of(options));
+    part.z_low = core::m_from_mm(maker.z_low_mm());
+    part.z_high = core::m_from_mm(maker.z_high_mm());
+    part.chordal_error_mm = mm_from_m(options.chordal_error);
+    return part;
+}
 
+core::Outcome<Part> build_part(const cam::Cam& cam, const PartOptions& options) {
+    auto outline = outline_part(cam, options);
+    if (!outline) return outline.refusal();
+    Part part = std::move(outline).value();
+    // Along the path and across the section each take half of the chordal error.
+    const double tolerance = 0.5 * mm_from_m(options.chordal_error);
     const Flanges flanges = flanges_of(options);
     SweptBody body = sweep(cam, part.section, flanges, tolerance);
     Ring upper_outline;
     for (const std::uint32_t v : body.upper_ring) upper_outline.push_back({body.mesh.points_mm[v][0], body.mesh.points_mm[v][1]});
     part.columns_psi = body.columns_psi;
-    part.z_low = core::m_from_mm(body.z_low_mm);
-    part.z_high = core::m_from_mm(body.z_high_mm);
-    part.chordal_error_mm = mm_from_m(options.chordal_error);
     if (!close_body(body, options.hub, tolerance, true)) return invalid(cam, validate(body.mesh));
     if (!cam.closed()) {
         SweptBody skin = sweep(cam, {part.section.front(), part.section.back()}, flanges, tolerance);

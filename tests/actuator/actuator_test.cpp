@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "fusee/core/error.h"
 #include "fusee/spring/stiction_law.h"
 
@@ -15,7 +13,7 @@ Actuator rig() {
     a.law = *spring::make_stiction_law({.k = 0.225, .u = 0.0012, .c = 0.265, .mu = 0.28, .start_torque = 0.6, .end_torque = 2.1});
     a.capstan_radius = 0.03;
     a.joint_radius = 0.045;
-    a.gear_friction = 0.28;
+    a.gear_friction = friction::Law::proportional(0.28);
     a.least_torque = 0.8;
     a.peak_torque = 1.0;
     a.overdrive_torque = 1.5;
@@ -39,8 +37,6 @@ TEST(ActuatorRefusal, BadMembersAreNamed) {
         {"law", [](Actuator& a) { a.law = nullptr; }},
         {"capstan_radius", [](Actuator& a) { a.capstan_radius = 0.0; }},
         {"joint_radius", [](Actuator& a) { a.joint_radius = -0.01; }},
-        {"gear_friction", [](Actuator& a) { a.gear_friction = 1.0; }},
-        {"gear_friction", [](Actuator& a) { a.gear_friction = std::nan(""); }},
         {"least_torque", [](Actuator& a) { a.least_torque = 0.0; }},
         {"peak_torque", [](Actuator& a) { a.peak_torque = 0.5; }},
         {"overdrive_torque", [](Actuator& a) { a.overdrive_torque = 0.9; }},

@@ -20,7 +20,7 @@ Actuator with_law(spring::SpringLawPtr law, double mu = kMu, double ratio = 1.0)
     return {.law = std::move(law),
             .capstan_radius = 0.03,
             .joint_radius = 0.03 * ratio,
-            .gear_friction = mu,
+            .gear_friction = friction::Law::proportional(mu),
             .least_torque = 0.8,
             .peak_torque = 1.0,
             .overdrive_torque = 1.5};
@@ -33,8 +33,7 @@ spring::SpringLawPtr soft_law(double end) {
 /// The widest pair of resting places by exhaustive search over a grid of deflections: no root is solved, nothing assumed about the edge.
 double widest_by_search(const Actuator& actuator, double tau) {
     constexpr int kGrid = 1200;
-    const double reach = actuator.law->angles().high, low = tau / (1.0 + actuator.gear_friction),
-                 high = tau / (1.0 - actuator.gear_friction);
+    const double reach = actuator.law->angles().high, low = tau / (1.0 + kMu), high = tau / (1.0 - kMu);
     std::vector<spring::LawPoint> at;
     for (int i = 0; i <= kGrid; ++i) at.push_back(actuator.law->at_angle(reach * i / kGrid));
     const auto held = [&](int x, int theta) {
@@ -142,6 +141,62 @@ TEST(DeadBandCurve, RunsFromLeastToOverdrive) {
     EXPECT_EQ(curve.back().tau, 1.5);
     for (std::size_t i = 1; i < curve.size(); ++i) EXPECT_LT(curve[i].linear, curve[i - 1].linear);
     EXPECT_THROW((void)dead_band_curve(actuator, 1), core::InvalidInput);
+}
+
+spring::SpringLawPtr prototype_law() {
+    return *spring::make_pair_law(spring::make_polynomial({0.0, 0.10, 0.02}), spring::make_polynomial({0.0, 0.25, 0.03}), 0.06, 1.65);
+}
+
+TEST(DeadBand, FollowsAnyFrictionLaw) {
+    Actuator actuator = with_law(prototype_law());
+    actuator.gear_friction = friction::Law::affine(0.02, 0.2, 0.25);  // 0.025 + 0.25 tau at rest
+    const DeadBand band = dead_band(actuator, 0.6);
+    EXPECT_NEAR(band.linear, 2.0 * 0.175 / actuator.law->at_load(0.6).p, 1e-14);
+    const auto transmitted = [&](double tau) { return actuator.law->at_load(tau).transmission() * (0.025 + 0.25 * tau); };
+    const double h = 1e-4;
+    EXPECT_NEAR(band.condition_6, (transmitted(0.6 + h) - transmitted(0.6 - h)) / (2.0 * h), 1e-9);
+    EXPECT_TRUE(std::isnan(band.protocol));  // the caller's
+    // Linear springs: (high - low)/P with the loads of the law, 0.775/1.25 Nm below and 0.825/0.75 Nm above 0.8 Nm.
+    const auto linear = spring::make_pair_law(spring::make_polynomial({0.0, 0.4}), spring::make_polynomial({0.0, 0.6}), 0.01, 20.0);
+    actuator.law = *linear;
+    EXPECT_NEAR(dead_band(actuator, 0.8).extreme, (0.825 / 0.75 - 0.775 / 1.25) / 0.6, 1e-12);
+    // A motor weaker than the constant part of the friction holds the capstan where its cable is slack: no law covers that.
+    EXPECT_FALSE(dead_band(actuator, 0.02).covered);
+}
+
+/// P(6) over the whole range: the first prototype fails it everywhere, the springs made for it hold it everywhere.
+TEST(ConditionSummary, FirstPrototypeFailsAndTheStictionCompensatingLawHolds) {
+    Actuator prototype = with_law(prototype_law());
+    prototype.least_torque = 0.12;  // table I
+    const ConditionSummary fails = summarize_condition(prototype);
+    EXPECT_TRUE(fails.nowhere());
+    EXPECT_FALSE(fails.everywhere());
+    EXPECT_GT(fails.values.low, 0.0);
+    EXPECT_EQ(fails.torques.low, 0.12);
+    const ConditionSummary holds = summarize_condition(with_law(soft_law(2.21)));
+    EXPECT_TRUE(holds.everywhere());
+    ASSERT_EQ(holds.holds.size(), 1u);
+    EXPECT_EQ(holds.holds[0].low, 0.8);
+    EXPECT_EQ(holds.holds[0].high, 1.5);
+    EXPECT_NEAR(holds.values.high, -0.0012 * 0.0012 / (1.5 * 1.5), 1e-14);
+}
+
+/// Into its lead-in the law carries on with slopes that fade: the condition is lost there, and the summary says where.
+TEST(ConditionSummary, FindsTheTorqueFromWhichItHolds) {
+    Actuator actuator = with_law(*spring::with_lead_in(soft_law(2.4), 1.0));
+    actuator.least_torque = actuator.law->loads().low;
+    const ConditionSummary summary = summarize_condition(actuator);
+    EXPECT_FALSE(summary.everywhere());
+    ASSERT_EQ(summary.holds.size(), 1u);
+    EXPECT_GT(summary.holds[0].low, actuator.least_torque);
+    EXPECT_LT(summary.holds[0].low, 0.6);
+    EXPECT_EQ(summary.holds[0].high, 1.5);
+    EXPECT_NEAR(dead_band(actuator, summary.holds[0].low).condition_6, 0.0, 1e-9);
+    actuator.law = soft_law(0.7);
+    EXPECT_LT(summarize_condition(actuator).torques.low, 0.7 + 1e-15);
+    actuator.least_torque = 0.9;
+    EXPECT_TRUE(summarize_condition(actuator).nowhere());
+    EXPECT_TRUE(std::isnan(summarize_condition(actuator).values.high));
 }
 
 }  // namespace

@@ -67,7 +67,8 @@ TEST_F(Batch, TheSameRowsAndBytesForAnyNumberOfJobs) {
     ASSERT_EQ(outcomes(one), outcomes(four));
     EXPECT_EQ(std::count(profiles.begin(), profiles.end(), one[2].profile), 1);
     EXPECT_TRUE(fixtures::contents(folder_ / "one") == fixtures::contents(folder_ / "four"));
-    EXPECT_EQ(fixtures::contents(folder_ / "one").size(), 4u * 7u);  // per design: springs, two reports, STL and PART.json of both parts
+    EXPECT_EQ(fixtures::contents(folder_ / "one").size(),
+              4u * 10u);  // per design: springs, two reports, three of the simulation, STL and PART.json of both parts
     for (std::size_t i = 0; i < one.size(); ++i) EXPECT_EQ(one[i].error, four[i].error);
 }
 

@@ -45,6 +45,28 @@ TEST(Check, ReportsInTheOrderOfTheRules) {
     }
 }
 
+TEST(Check, WithoutMeshOnlyTheRulesThatNeedItAreLeftOut) {
+    Bench b = spool();
+    const core::Findings all = check(b.design()), fewer = check_without_mesh(b.design());
+    std::size_t at = 0;
+    for (const core::Finding& f : all) {
+        const Rule& rule = *std::find_if(rules().begin(), rules().end(), [&](const Rule& r) { return r.id == f.rule; });
+        if (rule.needs_mesh) continue;
+        ASSERT_LT(at, fewer.size());
+        EXPECT_EQ(core::to_line(fewer[at++]), core::to_line(f));
+    }
+    EXPECT_EQ(at, fewer.size());
+    EXPECT_LT(fewer.size(), all.size());
+}
+
+TEST(Check, RulesThatDoNotNeedAMeshDoNotLookAtIt) {
+    Bench with = spool(), without = spool();
+    without.part.mesh = {};
+    const core::Findings a = check_without_mesh(with.design()), b = check_without_mesh(without.design());
+    ASSERT_EQ(a.size(), b.size());
+    for (std::size_t i = 0; i < a.size(); ++i) EXPECT_EQ(core::to_line(a[i]), core::to_line(b[i]));
+}
+
 TEST(Check, SameFindingsTwice) {
     const core::Findings first = check(pusher().design()), second = check(pusher().design());
     ASSERT_EQ(first.size(), second.size());

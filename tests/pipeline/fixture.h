@@ -28,6 +28,12 @@ protected:
         core::write_file(folder_ / file, text);
         return folder_ / file;
     }
+    /// The tables that shipped profiles name, beside the profiles that a test writes.
+    void lay_tables() const {
+        fs::create_directories(folder_ / "paper");
+        for (const char* table : {"measured_table.csv", "paper/table_1.csv"})
+            fs::copy_file(fs::path(FUSEE_SOURCE_DIR) / "profiles" / table, folder_ / table, fs::copy_options::overwrite_existing);
+    }
 
     fs::path folder_;
 };

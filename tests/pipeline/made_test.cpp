@@ -32,8 +32,9 @@ TEST_P(Shipped, LeavesEveryFileAndEachIsTheOneStated) {
     const auto files = fixtures::contents(folder_ / "out");
     std::vector<std::string> names;
     for (const auto& [name, bytes] : files) names.push_back(fs::path(name).filename().string());
-    EXPECT_EQ(names, (std::vector<std::string>{"k_pe.3mf", "k_pe.json", "k_pe.scad", "k_pe.stl", "k_se.3mf", "k_se.dxf", "k_se.json",
-                                               "k_se.scad", "k_se.stl", "report.html", "report.json", "springs.csv"}));
+    EXPECT_EQ(names, (std::vector<std::string>{"dead_band.csv", "k_pe.3mf", "k_pe.json", "k_pe.scad", "k_pe.stl", "k_se.3mf", "k_se.dxf",
+                                               "k_se.json", "k_se.scad", "k_se.stl", "report.html", "report.json", "simulation.html",
+                                               "simulation.json", "springs.csv"}));
     for (const char* part : {"k_se", "k_pe"}) {
         const exchange::PartFile stated = exchange::read_part_file(result.folder / (std::string(part) + ".json"));
         EXPECT_EQ(stated.part, part);

@@ -56,8 +56,7 @@ protected:
     MakeResult try_to_make(const Changes& changes) const {
         std::string text = core::read_file(fixtures::shipped(GetParam().profile));
         for (const Changes& some : {GetParam().changes, changes}) text = fixtures::with_keys(text, some);
-        fs::copy_file(fixtures::shipped("measured_table").replace_extension(".csv"), folder_ / "measured_table.csv",
-                      fs::copy_options::skip_existing);
+        lay_tables();
         return make(profile::read_profile(write("t.toml", text)), {.out = folder_ / "out"});
     }
 };

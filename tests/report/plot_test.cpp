@@ -31,6 +31,42 @@ TEST(Plot, NothingToShowIsStillAPicture) {
     EXPECT_EQ(Plot("t", "x", "y").curve("a", {1, 2}, {3, 3}, "se").svg().find("inf"), std::string::npos);
 }
 
+TEST(Plot, DotsCarryBarsWhereADeviationIsKnown) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const std::string svg = Plot("t", "x", "y").points("p", {0, 1, 2, nan}, {1, 2, 3, 4}, "se", {0.5, nan, 1.0, 1.0}).svg();
+    const auto count = [&svg](const std::string& what) {
+        std::size_t n = 0;
+        for (std::size_t at = svg.find(what); at != std::string::npos; at = svg.find(what, at + 1)) ++n;
+        return n;
+    };
+    EXPECT_EQ(count("<circle"), 3u);
+    const auto at = svg.find("bar\" d=\"");
+    ASSERT_NE(at, std::string::npos);
+    const std::string bars = svg.substr(at, svg.find("\"/", at) - at);
+    EXPECT_EQ(std::count(bars.begin(), bars.end(), 'V'), 2);
+    // The bar of the last dot reaches to y = 4: the axis does too.
+    EXPECT_NE(svg.find(">4</text>"), std::string::npos);
+}
+
+TEST(Plot, ALegendThatIsTooLongTakesMoreLines) {
+    Plot plot("t", "x", "y");
+    for (const char* name : {"the first of these curves", "the second of these curves", "the third of these curves"})
+        plot.curve(name, {0, 1}, {0, 1}, "se");
+    const std::string svg = plot.svg();
+    EXPECT_NE(svg.find("translate(58 20)"), std::string::npos);
+    EXPECT_NE(svg.find("translate(58 38)"), std::string::npos);
+}
+
+TEST(Plot, ABandIsOneClosedPath) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const std::string svg = Plot("t", "x", "y").band("b", {0, 1, 2}, {0, 0, nan}, {1, 2, 3}, "sum").svg();
+    const auto at = svg.find("class=\"band sum\" d=\"");
+    ASSERT_NE(at, std::string::npos);
+    const std::string path = svg.substr(at, svg.find("\">", at + 20) - at);
+    EXPECT_EQ(std::count(path.begin(), path.end(), 'L'), 3);
+    EXPECT_EQ(path.back(), 'Z');
+}
+
 TEST(Plot, EscapesItsTexts) {
     const std::string svg = Plot("a<b", "x&y", "\"y\"").shade({0, 1}, "<s>").mark(1, "<m>").curve("<c>", {0, 2}, {0, 1}, "se").svg();
     for (const char* raw : {"a<b", "x&y", "<s>", "<m>", "<c>"}) EXPECT_EQ(svg.find(raw), std::string::npos) << raw;

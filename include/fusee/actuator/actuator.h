@@ -1,19 +1,21 @@
 #pragma once
+#include "fusee/friction/law.h"
 #include "fusee/spring/law.h"
 
 namespace fusee::actuator {
 
 /// The symmetric antagonistic joint: two capstans, each with one gear, one K_SE and one K_PE. Immutable.
 struct Actuator {
-    spring::SpringLawPtr law;       ///< both sides alike
-    double capstan_radius = 0.0;    ///< r_c [m]
-    double joint_radius = 0.0;      ///< r_j [m]
-    double gear_friction = 0.0;     ///< mu: a resting capstan at motor torque tau carries loads from tau/(1+mu) to tau/(1-mu)
-    double least_torque = 0.0;      ///< least co-contraction used [Nm]
-    double peak_torque = 0.0;       ///< continuous [Nm]
-    double overdrive_torque = 0.0;  ///< for a short time [Nm]; >= peak_torque
+    spring::SpringLawPtr law;                                                     ///< both sides alike
+    double capstan_radius = 0.0;                                                  ///< r_c [m]
+    double joint_radius = 0.0;                                                    ///< r_j [m]
+    friction::Law gear_friction = friction::Law::proportional(0.0);               ///< of both gears
+    double least_torque = 0.0;                                                    ///< least co-contraction used [Nm]
+    double peak_torque = 0.0;                                                     ///< continuous [Nm]
+    double overdrive_torque = 0.0;                                                ///< for a short time [Nm]; >= peak_torque
     [[nodiscard]] double ratio() const { return joint_radius / capstan_radius; }  ///< g = r_j / r_c
-    /// Loads that the springs must carry when stiction is counted in: least/(1+mu) to overdrive/(1-mu) [Nm].
+    /// Loads that the springs must carry when stiction is counted in: from the least resting load at least_torque to the greatest at
+    /// overdrive_torque [Nm]; least/(1+mu) to overdrive/(1-mu) for friction in proportion to the load.
     [[nodiscard]] core::Range loads() const;
 };
 

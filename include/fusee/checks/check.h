@@ -48,11 +48,14 @@ struct Rule {
     const char* title;   ///< what it guards against
     const char* source;  ///< of the default limit
     std::function<core::Findings(const Design&)> run;
+    bool needs_mesh = false;  ///< looks at the solid, not only at cam, options and springs
 };
 
 /// Every rule, in the order in which they are reported.
 [[nodiscard]] std::span<const Rule> rules();
 /// Runs every rule on one part.
 [[nodiscard]] core::Findings check(const Design& design);
+/// Every rule but those that need the solid: what a search asks of a part whose mesh is still empty (docs/theory/co_design.md).
+[[nodiscard]] core::Findings check_without_mesh(const Design& design);
 
 }  // namespace fusee::checks

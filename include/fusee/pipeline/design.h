@@ -1,6 +1,7 @@
 #pragma once
 #include "fusee/actuator/actuator.h"
 #include "fusee/core/finding.h"
+#include "fusee/friction/law.h"
 #include "fusee/profile/profile.h"
 #include "fusee/solid/part.h"
 #include "fusee/spring/law.h"
@@ -16,8 +17,14 @@ struct DesignedLaw {
 /// Refusals: whatever the law's maker, its lead-in or `spring::check_law` finds broken.
 [[nodiscard]] core::Outcome<DesignedLaw> design_law(const profile::Profile& profile);
 
+/// The friction of both gears that a profile asks for. @throws core::InvalidInput naming the row of its table
+[[nodiscard]] friction::Law gear_friction(const profile::Profile& profile);
+
 /// The joint that the law drives.
 [[nodiscard]] actuator::Actuator actuator_of(const profile::Profile& profile, const spring::SpringLawPtr& law);
+
+/// What simulating needs is in every profile, what making needs is not. @throws core::InvalidInput naming the first key that is missing
+void require_parts(const profile::Profile& profile);
 
 /// One cam as a solid, with what every rule says of it.
 struct DesignedPart {
@@ -25,6 +32,7 @@ struct DesignedPart {
     core::Findings findings;
 };
 /// Arm, cam, solid, rules. Refusal: the findings, when a required change is among them.
+/// @pre require_parts(profile)
 [[nodiscard]] core::Outcome<DesignedPart> design_part(cam::PartKind kind, const profile::Profile& profile, const spring::SpringLawPtr& law);
 
 }  // namespace fusee::pipeline

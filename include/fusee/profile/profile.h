@@ -5,21 +5,40 @@
 #include <variant>
 #include <vector>
 
+#include "fusee/actuator/noise.h"
+#include "fusee/actuator/relatives.h"
 #include "fusee/cam/cam.h"
 #include "fusee/checks/check.h"
+#include "fusee/design/algorithm_1.h"
+#include "fusee/design/codesign_options.h"
+#include "fusee/design/search.h"
 #include "fusee/solid/part.h"
 #include "fusee/spring/base_spring.h"
 #include "fusee/spring/potential.h"
 #include "fusee/spring/stiction_law.h"
+#include "fusee/spring/transmission_law.h"
 
 /// One TOML file to the options of the rooms, and back. Each room owns its options and their defaults; this room only translates.
 namespace fusee::profile {
 
+/// Two columns of a CSV file, the first ascending, in SI; no file: none.
+struct Rows {
+    std::filesystem::path file;  ///< as written in the profile, relative to the profile's folder
+    std::vector<double> x, y;
+};
+
 /// The numbers of actuator::Actuator; the law joins them in the pipeline.
 struct Rig {
-    double capstan_radius = 0.0;    ///< r_c [m]
-    double joint_radius = 0.0;      ///< r_j [m]
-    double gear_friction = 0.0;     ///< mu
+    actuator::Arrangement arrangement = actuator::Arrangement::kPnrvsa;
+    double position_stiffness = 0.0;         ///< of a position loop at each motor of the other arrangements [Nm/rad]
+    double cross_stretch = 1.0;              ///< of a cross-coupled joint's third spring before the motors turn [rad]
+    double capstan_radius = 0.0;             ///< r_c [m]
+    double joint_radius = 0.0;               ///< r_j [m]
+    double gear_friction = 0.0;              ///< mu
+    double gear_friction_constant = 0.0;     ///< [Nm]
+    double gear_friction_rest_excess = 0.0;  ///< friction at rest over friction in motion, less 1
+    Rows gear_friction_table;                ///< friction over load [Nm]; in place of mu and constant
+    actuator::OutputFriction joint_friction;
     double least_torque = 0.0;      ///< [Nm]
     double peak_torque = 0.0;       ///< [Nm]
     double overdrive_torque = 0.0;  ///< [Nm]
@@ -48,10 +67,23 @@ struct TablePair {
     spring::TableOptions smoothing;
 };
 
-/// The spring law asked for. StictionLawOptions come complete: mu is the rig's, the torques are this law's.
+/// A curve over the torque tau [Nm]: a formula, or rows; neither: left to be chosen.
+struct TorqueCurve {
+    std::string formula;
+    Rows rows;
+};
+
+/// Springs from the dead-band wanted: what spring::DeadBandLawOptions are made from.
+struct DeadBandSpec {
+    TorqueCurve dead_band;            ///< full width at the joint [rad]; its formula gives degrees
+    TorqueCurve series_stiffness;     ///< S [Nm/rad]; neither: S = k tau^2
+    double start_transmission = 0.5;  ///< T at the start torque, when S is chosen
+};
+
+/// The spring law asked for. StictionLawOptions come complete: mu is the rig's, the torques are this law's; so do FreeCurveOptions.
 struct LawSpec {
-    std::variant<spring::StictionLawOptions, PolynomialPair, ExponentialPair, TablePair> curves;
-    double start_torque = 0.0;    ///< lowest load [Nm], lead-in not counted
+    std::variant<spring::StictionLawOptions, PolynomialPair, ExponentialPair, TablePair, DeadBandSpec, spring::FreeCurveOptions> curves;
+    double start_torque = 0.0;    ///< lowest load [Nm], lead-in not counted; of a free curve its first
     double end_torque = 0.0;      ///< highest load [Nm]
     double lead_in_travel = 0.0;  ///< argument of spring::with_lead_in [rad]
 };
@@ -69,15 +101,28 @@ struct Outputs {
     int springs_rows = 400;  ///< rows of springs.csv, >= 200
 };
 
+/// What `fusee simulate` is asked for.
+struct Simulation {
+    int levels = 15;           ///< of co-contraction, least to overdrive torque
+    double push_torque = 0.0;  ///< at the joint [Nm]; 0: strong enough
+    Rows measured;             ///< dead-band [rad], full width at the joint, over co-contraction [Nm]
+};
+
 /// All that a design is made from. Cable diameter, groove and chordal error stand once in the file and in both parts here.
 struct Profile {
     Profile();
 
     std::string name;            ///< letters, digits, '.', '_', '-': also the name of the design's folder
     std::filesystem::path file;  ///< where it was read from
-    std::string sha256;          ///< of the TOML's bytes followed by those of the CSV it names: `cat a.toml a.csv | sha256sum`
+    std::string sha256;          ///< of the TOML's bytes followed by those of the CSV files it names: `cat a.toml a.csv | sha256sum`
     Rig rig;
     LawSpec law;
+    actuator::NoiseOptions dynamics;
+    Simulation simulate;
+    design::SearchOptions search;
+    design::Algorithm1Options algorithm_1;
+    design::CoDesignOptions co_design;
+    bool has_parts = true;  ///< false: the file holds none of the tables below, so that it can be simulated but not made
     PartSpec k_se, k_pe;
     checks::Cable cable;
     checks::Process process;
@@ -91,7 +136,7 @@ struct Profile {
 /// No profile and no table is longer [bytes].
 inline constexpr std::size_t kLargestFile = 10'000'000;
 
-/// Reads a profile and the CSV file that it names (docs/profile.md lists every key).
+/// Reads a profile and the CSV files that it names (docs/profile.md lists every key).
 /// @throws core::IoError if a file is missing, too large or no TOML (line and column)
 /// @throws core::InvalidInput "file:line:column: key": unknown key (with the nearest known one), wrong type, NaN, out of range, missing
 [[nodiscard]] Profile read_profile(const std::filesystem::path& path);

@@ -1,0 +1,106 @@
+#pragma once
+#include <Eigen/Core>
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fusee/actuator/dead_band.h"
+#include "fusee/actuator/relatives.h"
+#include "fusee/actuator/stick_slip.h"
+#include "fusee/core/finding.h"
+#include "fusee/core/provenance.h"
+
+/// What a simulated joint does, to files that a program (JSON, CSV) or a person (HTML) reads (docs/simulation.md).
+namespace fusee::report {
+
+inline constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+/// The joint at one level of equal co-contraction. Widths are full widths at the joint.
+struct SimulatedLevel {
+    actuator::DeadBand dead_band;           ///< linear, extreme and protocol [rad]
+    actuator::ReleaseReading reading;       ///< of the push-and-release test that `dead_band.protocol` comes from
+    double within_laws = kUnknown;          ///< read after the strongest push on which no spring leaves its law [rad]
+    Eigen::Matrix3d sensitivity;            ///< paper (2), d(theta_1, theta_2, q)/d(tau_1, tau_2, tau_q) [rad/Nm]; NaN: no springs hold it
+    Eigen::Vector3d noise;                  ///< standard deviations of theta_1, theta_2, q under white torque noise [rad]; NaN: unbounded
+    double frame = kUnknown;                ///< read with masses for motors, so with the bearing's friction only [rad]
+    core::Range built{kUnknown, kUnknown};  ///< 5 to 95 % of joints as a shop builds them, exact extremes [rad]; NaN: not known
+};
+
+/// The level at `tau`, and the paper's joint beside its relatives, with nothing known.
+[[nodiscard]] SimulatedLevel unknown_level(double tau);
+[[nodiscard]] actuator::ArrangementRow unknown_survey();
+
+/// One row of a table of measured dead-bands beside the three that are computed.
+struct MeasuredRow {
+    double tau = 0.0;       ///< [Nm]
+    double measured = 0.0;  ///< [rad]
+    actuator::DeadBand computed;
+};
+
+/// A place on the path of a push-and-release test.
+struct PathPoint {
+    double joint_torque = 0.0;  ///< [Nm]
+    double q = 0.0;             ///< [rad]
+    double load_1 = 0.0;        ///< of the agonist's capstan [Nm]
+    double load_2 = 0.0;        ///< of the antagonist's [Nm]
+};
+/// Push up, release, push down, release at one co-contraction.
+struct ReleasePath {
+    double tau = 0.0;           ///< [Nm]
+    core::Range resting_loads;  ///< that stiction allows [Nm]
+    std::vector<PathPoint> up, down;
+};
+/// Joint torque cycled until the path repeats: the last cycle.
+struct DeflectionLoop {
+    double tau = 0.0;  ///< [Nm]
+    std::vector<PathPoint> cycle;
+};
+
+/// Figure 8: what a motor subsystem shows when its load is lowered or raised until it breaks away.
+struct BreakAwayRow {
+    double motor_torque = 0.0;  ///< at the capstan [Nm]
+    core::Range loads;          ///< least and greatest at rest [Nm]
+};
+
+/// Where condition (6), d(T tau_f)/dtau < 0, holds.
+enum class ConditionVerdict { kHolds, kFails, kMixed, kNotKnown };
+
+/// Everything that the files show. Of the paper's relatives only `survey` and the levels' linear figures are known.
+struct Simulation {
+    core::Provenance provenance;
+    actuator::ArrangementRow survey;
+    double push_torque = 0.0;              ///< asked for; 0: strong enough [Nm]
+    actuator::ConditionSummary condition;  ///< (6) between the levels too
+    std::vector<SimulatedLevel> levels;    ///< by rising co-contraction; at least 2
+    std::vector<MeasuredRow> measured;
+    std::optional<ReleasePath> path;  ///< at peak torque
+    std::vector<DeflectionLoop> loops;
+    std::vector<BreakAwayRow> break_away;
+    actuator::OutputFriction bearing;  ///< friction of the frame subsystem
+    core::Findings findings;           ///< of the law
+    std::vector<std::string> gaps;     ///< what could not be computed, and why
+};
+
+[[nodiscard]] ConditionVerdict condition_verdict(const Simulation& simulation);
+[[nodiscard]] const char* to_string(ConditionVerdict verdict);  ///< "holds", "fails", "holds in part", "not known"
+
+/// Where the linear, the exact and the read dead-band part, in sentences with figures; and what the measured rows say.
+[[nodiscard]] std::vector<std::string> remarks(const Simulation& simulation);
+
+/// tau_Nm,linear_rad,extreme_rad,protocol_rad,condition_6,joint_stiffness_Nm_per_rad,capstan_rad with 17 digits, one row a level; nan where
+/// the springs do not reach.
+[[nodiscard]] std::string dead_band_csv(const std::vector<SimulatedLevel>& levels);
+/// The keys of docs/simulation.md, in that order; a NaN is null.
+[[nodiscard]] std::string simulation_json(const Simulation& simulation);
+/// One page in one file that opens offline: no script, no request.
+[[nodiscard]] std::string simulation_html(const Simulation& simulation);
+/// The paper's comparison of arrangements: one row each, the unit at the end of the column's name.
+[[nodiscard]] std::string relatives_csv(const std::vector<Simulation>& simulations);
+/// The levels as a table for a terminal, with measured rows and remarks below.
+[[nodiscard]] std::string simulation_text(const Simulation& simulation);
+/// Stiffness range, torque range and dead-band of several joints as a table for a terminal.
+[[nodiscard]] std::string survey_text(const std::vector<Simulation>& simulations);
+
+}  // namespace fusee::report

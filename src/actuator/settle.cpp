@@ -1,0 +1,117 @@
+#include "settle.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "fusee/math/roots.h"
+
+namespace fusee::actuator {
+
+namespace {
+
+constexpr int kMostSteps = 200;        ///< a dozen is usual
+constexpr double kLongestStep = 10.0;  ///< [rad], before it is seen that the energy falls further
+constexpr double kFarAway = 1e6;       ///< [rad]: what gets there is held by nothing
+constexpr double kRounding = 1e-14;    ///< of the torques that act on a body
+constexpr double kSettling = 1e-10;    ///< below this share a step that no longer halves the rest only stirs the rounding
+constexpr double kSteep = 1e200;       ///< stands for a torque that overflows
+
+bool frozen(const Joint& joint, int body) { return joint.frozen[static_cast<std::size_t>(body)]; }
+
+/// 0 at frozen bodies: what their support bears.
+Eigen::Vector3d borne_by_motion(const Joint& joint, Eigen::Vector3d torques) {
+    for (int body = 0; body < 3; ++body)
+        if (frozen(joint, body)) torques[body] = 0.0;
+    return torques;
+}
+
+Eigen::Vector3d unbalanced(const Joint& joint, const Eigen::Vector3d& torque, const Eigen::Vector3d& z) {
+    return borne_by_motion(joint, spring_torques(joint, z) - torque);
+}
+
+/// Newton's direction; where stiffness is missing or negative, a downhill one all the same.
+Eigen::Vector3d direction(const Joint& joint, const Eigen::Vector3d& z, const Eigen::Vector3d& rest) {
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> modes(free_stiffness(joint, z));
+    const double largest = modes.eigenvalues().cwiseAbs().maxCoeff();
+    const double floor = std::max(1e-12 * largest, 1e-12 * rest.lpNorm<Eigen::Infinity>());
+    const Eigen::Vector3d stiffness = modes.eigenvalues().cwiseAbs().cwiseMax(floor);
+    Eigen::Vector3d step = -(modes.eigenvectors() * (modes.eigenvectors().transpose() * rest).cwiseQuotient(stiffness));
+    const double length = step.norm();
+    if (length > kLongestStep) step *= kLongestStep / length;
+    return step;
+}
+
+/// How many steps to go until the energy no longer falls; 1 where that is nearly so, `longest` if it falls all the way.
+/// @param slope of the energy along the way, rising; `first` < 0 is where it begins
+double stretch(const std::function<double(double)>& slope, double first, double longest) {
+    const double near_enough = 0.1 * std::abs(first);
+    double low = 0.0;
+    for (double high = 1.0; high < longest; high *= 2.0) {
+        const double here = slope(high);
+        if (std::abs(here) <= near_enough) return high;
+        if (here > 0.0) return math::bracketed_root(slope, low, high).value_or(low);
+        low = high;
+    }
+    return longest;
+}
+
+/// A start at which no torque overflows.
+Eigen::Vector3d finite_start(const Joint& joint, const Eigen::Vector3d& start) {
+    Eigen::Vector3d z = start;
+    for (int i = 0; i < kMostSteps && !(spring_torques(joint, z).lpNorm<Eigen::Infinity>() < kSteep); ++i)
+        for (int body = 0; body < 3; ++body)
+            if (!frozen(joint, body)) z[body] *= 0.5;
+    return z;
+}
+
+double largest_torque(const Joint& joint, const Eigen::Vector3d& torque, const Eigen::Vector3d& z) {
+    double largest = borne_by_motion(joint, torque).lpNorm<Eigen::Infinity>();
+    for (const JointSpring& spring : joint.springs)
+        largest = std::max(largest, std::abs(spring.potential->force(deflection(spring, z))) * spring.reach.lpNorm<Eigen::Infinity>());
+    return largest;
+}
+
+}  // namespace
+
+Eigen::Matrix3d free_stiffness(const Joint& joint, const Eigen::Vector3d& z) {
+    Eigen::Matrix3d matrix = stiffness(joint, z);
+    for (int body = 0; body < 3; ++body)
+        if (frozen(joint, body)) {
+            matrix.row(body).setZero();
+            matrix.col(body).setZero();
+        }
+    const double largest = matrix.diagonal().maxCoeff();
+    for (int body = 0; body < 3; ++body)
+        if (frozen(joint, body)) matrix(body, body) = largest > 0.0 ? largest : 1.0;
+    return matrix;
+}
+
+Settled settle(const Joint& joint, const Eigen::Vector3d& torque, const Eigen::Vector3d& start) {
+    Settled now;
+    now.z = finite_start(joint, start);
+    Eigen::Vector3d rest = unbalanced(joint, torque, now.z);
+    const auto measure = [&](const Eigen::Vector3d& z) {
+        now.residual = rest.lpNorm<Eigen::Infinity>();
+        now.scale = largest_torque(joint, torque, z);
+    };
+    for (measure(now.z); now.steps < kMostSteps && !now.ran_away && now.residual > kRounding * now.scale; ++now.steps) {
+        const Eigen::Vector3d step = direction(joint, now.z, rest);
+        const auto slope = [&](double t) {
+            const double here = unbalanced(joint, torque, now.z + t * step).dot(step);
+            return std::isnan(here) ? kSteep : std::clamp(here, -kSteep, kSteep);
+        };
+        const double longest = kFarAway / step.norm(), stretched = stretch(slope, rest.dot(step), longest);
+        now.ran_away = stretched == longest;
+        const Eigen::Vector3d next = now.z + stretched * step, left = unbalanced(joint, torque, next);
+        const double less = left.lpNorm<Eigen::Infinity>();
+        if (now.residual <= kSettling * now.scale && !(less < 0.5 * now.residual)) break;
+        now.z = next;
+        rest = left;
+        measure(now.z);
+    }
+    return now;
+}
+
+}  // namespace fusee::actuator

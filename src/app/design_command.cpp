@@ -1,0 +1,127 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <optional>
+
+#include "commands.h"
+#include "fusee/codesign/algorithm_1_run.h"
+#include "fusee/codesign/co_design_run.h"
+#include "fusee/codesign/pareto_run.h"
+#include "fusee/core/error.h"
+#include "fusee/core/progress.h"
+#include "fusee/profile/profile.h"
+
+namespace fusee::app {
+
+namespace {
+
+constexpr int kRefused = 1, kInterrupted = 130;
+
+struct DesignArguments {
+    std::filesystem::path profile;
+    std::string method;  // empty: the profile's
+    std::optional<int> population, generations, seed;
+    codesign::RunOptions options;
+};
+
+const std::map<std::string, design::Method> kMethods{
+    {"algorithm_1", design::Method::kAlgorithm1}, {"co_design", design::Method::kCoDesign}, {"pareto", design::Method::kPareto}};
+
+/// The profile with what the command line says instead.
+profile::Profile read(const DesignArguments& arguments) {
+    profile::Profile profile = profile::read_profile(arguments.profile);
+    design::SearchOptions& search = profile.search;
+    if (!arguments.method.empty()) search.method = kMethods.at(arguments.method);
+    search.population = arguments.population.value_or(search.population);
+    search.generations = arguments.generations.value_or(search.generations);
+    search.seed = arguments.seed.value_or(search.seed);
+    return profile;
+}
+
+codesign::RunResult run(const profile::Profile& profile, const codesign::RunOptions& options) {
+    switch (profile.search.method) {
+        case design::Method::kAlgorithm1:
+            return codesign::run_algorithm_1(profile, options);
+        case design::Method::kCoDesign:
+            return codesign::run_co_design(profile, options);
+        case design::Method::kPareto:
+            break;
+    }
+    return codesign::run_pareto(profile, options);
+}
+
+/// A bar of at most so many steps: off a terminal each is a line.
+class Steps {
+public:
+    explicit Steps(int generations)
+        : generations_(generations), steps_(std::min(generations, 25)), progress_("design", static_cast<std::size_t>(steps_)) {}
+    void reach(int generation, double best) {
+        for (; shown_ < static_cast<long>(generation) * steps_ / generations_; ++shown_)
+            progress_.advance(fmt::format("generation {}, best cost {:.6g}", generation, best));
+    }
+
+private:
+    int generations_;
+    long steps_, shown_ = 0;
+    core::Progress progress_;
+};
+
+codesign::RunResult watched(const profile::Profile& profile, codesign::RunOptions options) {
+    Steps steps(profile.search.generations);
+    options.progress = [&steps](int generation, double best) { steps.reach(generation, best); };
+    return run(profile, options);
+}
+
+int say(const codesign::RunResult& result) {
+    if (!result.found) {
+        if (result.interrupted) fmt::print(stderr, "stopped before any springs were found\n");
+        for (const core::Finding& finding : result.findings) fmt::print(stderr, "{}\n", core::to_line(finding));
+        return result.interrupted ? kInterrupted : kRefused;
+    }
+    for (const std::string& line : result.summary) fmt::print("{}\n", line);
+    for (const core::Finding& finding : result.findings)
+        if (finding.severity != core::Severity::kPass) fmt::print("  {}\n", core::to_line(finding));
+    fmt::print("{}: {}\n", result.interrupted ? "stopped early; the best so far" : "written", (result.folder / "").string());
+    return result.interrupted ? kInterrupted : 0;
+}
+
+int design(const DesignArguments& arguments) {
+    core::catch_interrupts();
+    const profile::Profile profile = read(arguments);
+    try {
+        return say(watched(profile, arguments.options));
+    } catch (const core::InvalidInput& e) {  // a room below knows the key, the profile its line
+        throw core::InvalidInput(profile.place_of(e.field()), e.value(), e.allowed());
+    }
+}
+
+}  // namespace
+
+void add_design(CLI::App& app, Action& action) {
+    constexpr int kMost = 1'000'000;
+    const auto arguments = std::make_shared<DesignArguments>();
+    CLI::App* command = app.add_subcommand("design", "Find springs for a profile's joint: out/NAME-design with the law found as a profile");
+    command->add_option("profile", arguments->profile, "Profile (*.toml); [design] and the method's own table say what to look for")
+        ->required();
+    command->add_option("--method", arguments->method, "In place of the profile's: algorithm_1, co_design or pareto")
+        ->check(CLI::IsMember({"algorithm_1", "co_design", "pareto"}));
+    command->add_option("-o,--out", arguments->options.out, "Folder that gets NAME-design and NAME-design.checkpoint")
+        ->capture_default_str();
+    command->add_option("--population", arguments->population, "Members of a generation, in place of the profile's")
+        ->check(CLI::Range(8, 100000));
+    command->add_option("--generations", arguments->generations, "Generations, in place of the profile's")->check(CLI::Range(1, kMost));
+    command->add_option("--seed", arguments->seed, "Seed, in place of the profile's: the same one gives the same result")
+        ->check(CLI::Range(0, 1'000'000'000));
+    command->add_option("-j,--jobs", arguments->options.jobs, "Threads; 0 = one for each processor; no influence on the result")
+        ->capture_default_str();
+    command->add_flag("--resume", arguments->options.resume, "Go on from the checkpoint of a search that was stopped");
+    command->footer(
+        "Example:\n  fusee design profiles/pnrvsa.toml\n  fusee design profiles/pnrvsa.toml --generations 1000 --resume\n\n"
+        "Exit code: 0 found, 1 no springs found (what binds and what to change is printed), 2 bad input (file, line and key are named),\n"
+        "3 a failure inside, 130 stopped by Ctrl-C: the best so far is written.");
+    command->callback([arguments, &action] { action = [arguments] { return design(*arguments); }; });
+}
+
+}  // namespace fusee::app

@@ -1,0 +1,48 @@
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "commands.h"
+#include "fusee/core/file.h"
+#include "fusee/gap/break_away.h"
+#include "fusee/report/identification.h"
+
+namespace fusee::app {
+
+namespace {
+
+struct IdentifyArguments {
+    std::filesystem::path csv, out = "out";
+};
+
+int identify(const IdentifyArguments& arguments) {
+    const std::string bytes = core::read_file(arguments.csv, gap::kLargestBreakAwayFile);
+    const report::Identification found{arguments.csv.stem().string(), core::sha256_hex(bytes),
+                                       gap::identify_friction(gap::parse_break_away(bytes, arguments.csv.string()))};
+    const std::filesystem::path target = arguments.out / ("identify-" + found.name);
+    core::StagedFolder folder(target);
+    core::write_file(folder.path() / "identification.json", report::identification_json(found));
+    core::write_file(folder.path() / "identification.html", report::identification_html(found));
+    folder.commit();
+    fmt::print("{}\nwritten: {}/identification.html, identification.json\n", report::identification_text(found), target.string());
+    return found.friction.law ? 0 : 1;
+}
+
+}  // namespace
+
+void add_identify(CLI::App& app, Action& action) {
+    const auto arguments = std::make_shared<IdentifyArguments>();
+    CLI::App* command = app.add_subcommand(
+        "identify",
+        "Find a gear's friction from break-away tests: out/identify-FILE with identification.json and a page as the paper's figure 8");
+    command->add_option("csv", arguments->csv, "Rows of side,direction,motor_torque_Nm,load_torque_Nm; direction is drive or backdrive")
+        ->required();
+    command->add_option("-o,--out", arguments->out, "Folder that gets one folder per file")->capture_default_str();
+    command->footer(
+        "Example:\n  fusee identify profiles/examples/break_away.csv\n\n"
+        "Exit code: 0 a law was found, 1 the rows are no gear's friction (what was found is written all the same),\n"
+        "2 bad input (file, line and column are named), 3 a failure inside.");
+    command->callback([arguments, &action] { action = [arguments] { return identify(*arguments); }; });
+}
+
+}  // namespace fusee::app

@@ -1,0 +1,91 @@
+#include "run_each.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <optional>
+#include <set>
+#include <thread>
+
+#include "fusee/core/error.h"
+
+namespace fs = std::filesystem;
+
+namespace fusee::batch {
+
+namespace {
+
+/// Runs `work` and turns what it throws into a row's outcome and error.
+template <class Guarded>
+void guarded(Ended& row, const Guarded& work) {
+    try {
+        work();
+    } catch (const core::InvalidInput& e) {
+        row.outcome = Outcome::kBadInput, row.error = e.what();
+    } catch (const core::IoError& e) {
+        row.outcome = Outcome::kBadInput, row.error = e.what();
+    } catch (const std::exception& e) {
+        row.outcome = Outcome::kFailed, row.error = e.what();
+    }
+}
+
+struct Job {
+    Ended row;
+    std::optional<profile::Profile> profile;
+};
+
+/// All profiles are read before work begins on the first: what is wrong with a file is known at once, and names are compared.
+std::vector<Job> read_all(const std::vector<fs::path>& paths) {
+    std::vector<Job> jobs;
+    std::set<std::string> names;
+    for (const fs::path& path : paths) {
+        Job& job = jobs.emplace_back();
+        job.row.profile = path;
+        guarded(job.row, [&] {
+            profile::Profile read = profile::read_profile(path);
+            if (!names.insert(read.name).second)
+                throw core::InvalidInput(read.place_of("name"), read.name,
+                                         "a name that no other profile of this run has: each design gets out/NAME");
+            job.profile = std::move(read);
+        });
+    }
+    return jobs;
+}
+
+void run(Job& job, const Work& work, std::size_t place) {
+    const auto begin = std::chrono::steady_clock::now();
+    guarded(job.row, [&] {
+        try {
+            job.row.outcome = work(*job.profile, place) ? Outcome::kMade : Outcome::kRefused;
+        } catch (const core::InvalidInput& e) {  // a room below knows the key, the profile its line
+            throw core::InvalidInput(job.profile->place_of(e.field()), e.value(), e.allowed());
+        }
+    });
+    job.row.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+}  // namespace
+
+std::vector<Ended> run_each(const std::vector<fs::path>& profiles, const Work& work, unsigned jobs, core::Progress* progress) {
+    std::vector<Job> all = read_all(profiles);
+    std::atomic<std::size_t> next{0};
+    const auto worker = [&] {
+        for (std::size_t i = next++; i < all.size() && !core::interrupted(); i = next++) {
+            if (all[i].profile) run(all[i], work, i);
+            if (progress != nullptr) progress->advance(all[i].row.profile.filename().string() + ": " + to_string(all[i].row.outcome));
+        }
+    };
+    const std::size_t wanted = jobs > 0 ? jobs : std::max(1u, std::thread::hardware_concurrency());
+    const std::size_t workers = std::min(wanted, all.size());
+    std::vector<std::jthread> pool;
+    pool.reserve(workers);
+    for (std::size_t i = 1; i < workers; ++i) pool.emplace_back(worker);  // this thread is one of them
+    worker();
+    pool.clear();  // joins
+    std::vector<Ended> rows;
+    rows.reserve(all.size());
+    for (Job& job : all) rows.push_back(std::move(job.row));
+    return rows;
+}
+
+}  // namespace fusee::batch

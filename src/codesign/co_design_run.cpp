@@ -1,0 +1,156 @@
+#include "fusee/codesign/co_design_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "curves.h"
+#include "draft.h"
+#include "fusee/actuator/dead_band.h"
+#include "fusee/codesign/problem.h"
+#include "fusee/core/file.h"
+#include "fusee/core/units.h"
+#include "fusee/design/evolution.h"
+#include "fusee/pipeline/design.h"
+#include "fusee/report/search.h"
+#include "verdict.h"
+#include "verify.h"
+
+namespace fs = std::filesystem;
+
+namespace fusee::codesign {
+
+namespace {
+
+using core::deg_from_rad;
+
+design::EvolutionResult search(const Problem& problem, const RunOptions& run) {
+    const profile::Profile& base = problem.base();
+    design::EvolutionOptions options;
+    options.bounds = problem.bounds();
+    options.population = base.search.population;
+    options.generations = base.search.generations;
+    options.seed = static_cast<std::uint64_t>(base.search.seed);
+    options.jobs = run.jobs;
+    options.checkpoint = checkpoint_file(base, run);
+    options.resume = run.resume;
+    options.problem = "co_design " + base.sha256;
+    options.progress = run.progress;
+    options.stop = run.stop;
+    return design::evolve([&problem](std::span<const double> x) { return cost(problem.evaluate(x)); }, options);
+}
+
+/// The profile's own law, where it can be made: what the design found stands beside.
+struct Own {
+    spring::SpringLawPtr law;
+    actuator::Actuator joint;
+};
+
+std::optional<Own> own_of(const profile::Profile& profile) {
+    const auto designed = pipeline::design_law(profile);
+    if (!designed) return std::nullopt;
+    return Own{designed->law, pipeline::actuator_of(profile, designed->law)};
+}
+
+std::vector<report::ComparedFigure> figures_of(const Trial& trial, const design::CoDesignOptions& o, const std::optional<Own>& own) {
+    std::vector<report::ComparedFigure> all;
+    for (std::size_t i = 0; i < o.torques.size(); ++i)
+        all.push_back({fmt::format("exact dead-band at {:g} Nm, full width at the joint", o.torques[i]), "deg",
+                       deg_from_rad(trial.dead_band[i]), own ? deg_from_rad(actuator::dead_band(own->joint, o.torques[i]).extreme) : NAN});
+    const spring::LawPoint low = own ? own->law->at_load(o.loads.low) : spring::LawPoint{};
+    const spring::LawPoint high = own ? own->law->at_load(o.loads.high) : spring::LawPoint{};
+    const double twice = own ? 2.0 * std::pow(own->joint.ratio(), 2) : NAN;
+    all.push_back({fmt::format("capstan travel from {:g} to {:g} Nm", o.loads.low, o.loads.high), "rad", trial.travel,
+                   own ? high.theta - low.theta : NAN});
+    all.push_back({fmt::format("joint stiffness, capstans held, at {:g} Nm", o.loads.low), "Nm/rad", trial.stiffness.low, twice * low.s});
+    all.push_back(
+        {fmt::format("joint stiffness, capstans held, at {:g} Nm", o.loads.high), "Nm/rad", trial.stiffness.high, twice * high.s});
+    all.push_back({"largest contour radius of both cams, idle arcs included", "mm", core::mm_from_m(trial.radius)});
+    return all;
+}
+
+std::vector<std::string> remarks_of(const Trial& trial, const design::CoDesignOptions& o, const pipeline::MakeResult& made) {
+    std::vector<std::string> all;
+    std::string line = "exact dead-band, full width at the joint:";
+    for (std::size_t i = 0; i < o.torques.size(); ++i)
+        line += fmt::format("{} {:.2f} deg at {:g} Nm", i == 0 ? "" : ",", deg_from_rad(trial.dead_band[i]), o.torques[i]);
+    all.push_back(line);
+    all.push_back(fmt::format("capstan travel {:.4g} rad from {:g} to {:g} Nm; joint stiffness {:.4g} to {:.4g} Nm/rad", trial.travel,
+                              o.loads.low, o.loads.high, trial.stiffness.low, trial.stiffness.high));
+    line = "limited by:";
+    for (const Limit& limit : binding(trial))
+        line += fmt::format("{} {} ({:.4g} of {:.4g}{})", line.back() == ':' ? "" : ",", limit.name, limit.measured, limit.allowed,
+                            limit.unit.empty() ? "" : " " + limit.unit);
+    all.push_back(line.back() == ':' ? "nothing limits it but the box that was searched" : line);
+    all.push_back(fmt::format("made and read back: worst arm error {:.4f} %", 100.0 * made.worst_arm_error));
+    return all;
+}
+
+report::SearchReport report_of(const profile::Profile& profile, const Problem& problem, const design::EvolutionResult& found,
+                               const profile::Profile& best) {
+    const Trial trial = problem.evaluate(best);
+    const std::optional<Own> own = own_of(profile);
+    const core::Range torques{profile.rig.least_torque, profile.rig.overdrive_torque};
+    report::SearchReport report;
+    report.provenance = {best.name, profile.sha256, "method=co_design"};
+    report.method = "co_design";
+    report.population = profile.search.population;
+    report.generations = found.generations;
+    report.seed = profile.search.seed;
+    report.evaluations = found.evaluations;
+    report.interrupted = found.interrupted;
+    report.cost = found.cost;
+    report.history = found.history;
+    for (std::size_t i = 0; i < problem.size(); ++i) {
+        const Problem::Shown v = problem.show(i, found.best[i]);
+        report.variables.push_back({v.name, v.unit, v.box, v.value});
+    }
+    report.figures = figures_of(trial, problem.options(), own);
+    const auto law = pipeline::design_law(best);
+    report.findings = law->findings;
+    report.found = law_curves(best, law->law, torques);
+    if (own) report.own = law_curves(profile, own->law, torques);
+    for (const cam::PartKind kind : {cam::PartKind::kSeries, cam::PartKind::kParallel})
+        report.cams.push_back(cam_curve(kind, best, law->law));
+    return report;
+}
+
+void write_all(const fs::path& folder, const report::SearchReport& report, const profile::Profile& best) {
+    core::write_file(folder / (best.name + ".toml"), profile::to_toml(best));
+    core::write_file(folder / "history.csv", report::history_csv(report.history));
+    core::write_file(folder / "design.json", report::search_json(report));
+    core::write_file(folder / "design.html", report::search_html(report));
+}
+
+}  // namespace
+
+RunResult run_co_design(const profile::Profile& profile, const RunOptions& options) {
+    const Problem problem(profile);
+    fs::create_directories(options.out);
+    const design::EvolutionResult found = search(problem, options);
+    RunResult result;
+    result.interrupted = found.interrupted;
+    profile::Profile best = problem.candidate(found.best);
+    if (const Trial trial = problem.evaluate(best); !trial.feasible()) {
+        result.findings = broken(trial);
+        return result;
+    }
+    best = renamed(std::move(best), "-best");
+    const pipeline::MakeResult made = make_to_verify(best);
+    result.findings = made.findings;
+    if (!made.made) return result;
+    result.folder = result_folder(profile, options);
+    best = moved(std::move(best), result.folder);
+    report::SearchReport report = report_of(profile, problem, found, best);
+    report.remarks = remarks_of(problem.evaluate(best), problem.options(), made);
+    core::StagedFolder staged(result.folder);
+    write_all(staged.path(), report, best);
+    staged.commit();
+    result.found = true;
+    result.summary = report.remarks;
+    return result;
+}
+
+}  // namespace fusee::codesign

@@ -1,0 +1,158 @@
+#include "fusee/codesign/pareto_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+#include "draft.h"
+#include "front.h"
+#include "fusee/codesign/problem.h"
+#include "fusee/core/file.h"
+#include "fusee/core/units.h"
+#include "fusee/design/evolution.h"
+#include "fusee/report/pareto.h"
+#include "verdict.h"
+#include "verify.h"
+
+namespace fs = std::filesystem;
+
+namespace fusee::codesign {
+
+namespace {
+
+// Where single searches look for members to begin the front with, as shares of the travel demanded or of the contour's radius; NSGA-II
+// alone stays near the first feasible design it meets. Against travel the first is also where the front begins.
+constexpr std::array kTravels{0.25, 1.0, 1.5, 2.0}, kRadii{1.0, 0.85, 0.7, 0.55};
+
+bool against_size(const Problem& problem) { return problem.options().against == design::Against::kSize; }
+
+/// Dead-band in degrees, and what is set against it so that less is better; an infeasible candidate costs its violation in both.
+std::array<double, 2> costs_of(const Problem& problem, const Trial& trial) {
+    const double figure = cost(trial);
+    if (!trial.feasible()) return {figure, figure};
+    return {figure, against_size(problem) ? core::mm_from_m(trial.radius) : -trial.travel};
+}
+
+/// The least dead-band for the demands of `problem`: a member to begin the front with. Half of the generations have to do.
+std::vector<double> best_of(const Problem& problem, const RunOptions& run) {
+    design::EvolutionOptions options;
+    options.bounds = problem.bounds();
+    options.population = problem.base().search.population;
+    options.generations = (problem.base().search.generations + 1) / 2;
+    options.seed = static_cast<std::uint64_t>(problem.base().search.seed);
+    options.jobs = run.jobs;
+    options.stop = run.stop;
+    return design::evolve([&problem](std::span<const double> x) { return cost(problem.evaluate(x)); }, options).best;
+}
+
+/// The same search with another share of the travel demanded, or of the radius allowed.
+profile::Profile with_share(const Problem& demanded, double share) {
+    profile::Profile profile = demanded.base();
+    design::CoDesignOptions& o = profile.co_design;
+    (against_size(demanded) ? o.contour_radius : o.travel) *= share;
+    return profile;
+}
+
+std::string limits_text(const Trial& trial) {
+    std::string text;
+    for (const Limit& limit : binding(trial)) text += (text.empty() ? "" : ", ") + limit.name;
+    return text;
+}
+
+/// What became of the front's members: profiles that were made, and the rules that forbade the others.
+struct Made {
+    std::vector<std::pair<report::ParetoPoint, profile::Profile>> points;
+    std::size_t dropped = 0;
+    std::set<std::string> rules;
+};
+
+Made make_all(const Problem& problem, const Front& front, const fs::path& folder) {
+    Made made;
+    for (const std::vector<double>& x : front.members) {
+        profile::Profile profile = problem.candidate(x);
+        const Trial trial = problem.evaluate(profile);
+        if (!trial.feasible()) continue;
+        const std::string number = fmt::format("{:02}", made.points.size() + 1);
+        profile = renamed(std::move(profile), "-" + number);
+        const pipeline::MakeResult result = make_to_verify(profile);
+        if (!result.made) {
+            ++made.dropped;
+            for (const core::Finding& f : result.findings)
+                if (f.severity == core::Severity::kRequired) made.rules.insert(f.rule);
+            continue;
+        }
+        made.points.push_back({{"pareto/" + number + ".toml", trial.figure, trial.dead_band, trial.travel, trial.stiffness, trial.radius,
+                                profile.rig.capstan_radius, limits_text(trial)},
+                               moved(profile, folder / "pareto")});
+    }
+    return made;
+}
+
+report::ParetoReport report_of(const profile::Profile& profile, const Problem& problem, const Front& front, const Made& made) {
+    report::ParetoReport report;
+    report.provenance = {profile.name + "-design", profile.sha256, "method=pareto"};
+    report.against_size = against_size(problem);
+    report.torques = problem.options().torques;
+    report.loads = problem.options().loads;
+    for (const auto& [point, written] : made.points) report.points.push_back(point);
+    report.dropped = made.dropped;
+    report.dropped_by = {made.rules.begin(), made.rules.end()};
+    report.evaluations = front.evaluations;
+    report.population = profile.search.population;
+    report.generations = front.generations;
+    report.seed = profile.search.seed;
+    report.interrupted = front.interrupted;
+    return report;
+}
+
+Front search(const Problem& problem, const Problem& demanded, const RunOptions& run) {
+    FrontOptions options;
+    options.bounds = problem.bounds();
+    options.population = problem.base().search.population;
+    options.generations = problem.base().search.generations;
+    options.seed = static_cast<unsigned>(problem.base().search.seed);
+    options.jobs = run.jobs;
+    options.progress = run.progress;
+    options.stop = run.stop;
+    for (const double share : against_size(demanded) ? kRadii : kTravels)
+        options.seeds.push_back(best_of(Problem(with_share(demanded, share)), run));
+    return find_front([&problem](std::span<const double> x) { return costs_of(problem, problem.evaluate(x)); }, options);
+}
+
+}  // namespace
+
+RunResult run_pareto(const profile::Profile& profile, const RunOptions& options) {
+    const Problem demanded(profile);
+    const Problem problem(with_share(demanded, against_size(demanded) ? kRadii.front() : kTravels.front()));
+    fs::create_directories(options.out);
+    const Front front = search(problem, demanded, options);
+    RunResult result;
+    result.interrupted = front.interrupted;
+    const fs::path folder = result_folder(profile, options);
+    const Made made = make_all(problem, front, folder);
+    if (made.points.empty()) {
+        result.findings = broken(problem.evaluate(front.members.front()));
+        return result;
+    }
+    const report::ParetoReport report = report_of(profile, problem, front, made);
+    core::StagedFolder staged(folder);
+    fs::create_directories(staged.path() / "pareto");
+    for (const auto& [point, written] : made.points) core::write_file(staged.path() / point.file, profile::to_toml(written));
+    core::write_file(staged.path() / "pareto.csv", report::pareto_csv(report));
+    core::write_file(staged.path() / "pareto.html", report::pareto_html(report));
+    staged.commit();
+    result.found = true;
+    result.folder = folder;
+    const report::ParetoPoint &least = report.points.front(), &most = report.points.back();
+    result.summary = {
+        fmt::format("{} designs from {:.2f} deg at {:.3g} rad of travel, radius {:.3g} mm, to {:.2f} deg at {:.3g} rad, {:.3g} mm",
+                    report.points.size(), core::deg_from_rad(least.figure), least.travel, core::mm_from_m(least.radius),
+                    core::deg_from_rad(most.figure), most.travel, core::mm_from_m(most.radius)),
+        fmt::format("{} dropped: they could not be made", report.dropped)};
+    return result;
+}
+
+}  // namespace fusee::codesign

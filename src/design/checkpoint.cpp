@@ -1,0 +1,79 @@
+#include "checkpoint.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "fusee/core/error.h"
+#include "fusee/core/file.h"
+
+namespace fusee::design {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kFormat = "fusee evolution 1";
+constexpr std::size_t kLargest = 100'000'000;  // bytes of a checkpoint
+
+/// What has to be the same for a search to go on as if it had never stopped. JSON's numbers are written with all digits that matter.
+Json identity(const EvolutionOptions& options) {
+    Json bounds = Json::array();
+    for (const core::Range& range : options.bounds) bounds.push_back({range.low, range.high});
+    return {{"format", kFormat},        {"problem", options.problem},     {"bounds", bounds},    {"population", options.population},
+            {"weight", options.weight}, {"crossover", options.crossover}, {"seed", options.seed}};
+}
+
+void require_same(const Json& stored, const EvolutionOptions& options) {
+    const Json wanted = identity(options);
+    for (const auto& [key, value] : wanted.items()) {
+        const Json found = stored.value(key, Json());
+        if (found != value)
+            throw core::InvalidInput(options.checkpoint.string() + ": " + key, found.dump(),
+                                     value.dump() + " as asked for now: resume with what the search began with, or begin anew");
+    }
+}
+
+bool plausible(const Generation& state, const EvolutionOptions& options) {
+    const std::size_t n = static_cast<std::size_t>(options.population), dimension = options.bounds.size();
+    if (state.number < 0 || state.members.size() != n * dimension || state.costs.size() != n) return false;
+    if (state.history.size() != static_cast<std::size_t>(state.number) + 1) return false;
+    for (std::size_t i = 0; i < state.members.size(); ++i)
+        if (!options.bounds[i % dimension].holds(state.members[i])) return false;
+    return std::none_of(state.costs.begin(), state.costs.end(), [](double cost) { return std::isnan(cost); });
+}
+
+}  // namespace
+
+void write_checkpoint(const EvolutionOptions& options, const Generation& state) {
+    Json json = identity(options);
+    json["generation"] = state.number;
+    json["evaluations"] = state.evaluations;
+    json["members"] = state.members;
+    json["costs"] = state.costs;
+    json["history"] = state.history;
+    core::write_file(options.checkpoint, json.dump(1) + "\n");
+}
+
+std::optional<Generation> read_checkpoint(const EvolutionOptions& options) {
+    if (!std::filesystem::exists(options.checkpoint)) return std::nullopt;
+    const std::string file = options.checkpoint.string();
+    const Json json = Json::parse(core::read_file(options.checkpoint, kLargest), nullptr, false);
+    if (!json.is_object() || json.value("format", Json()) != kFormat)
+        throw core::IoError(file, "is no checkpoint of a search, or a damaged one");
+    require_same(json, options);
+    Generation state;
+    try {
+        json.at("generation").get_to(state.number);
+        json.at("evaluations").get_to(state.evaluations);
+        json.at("members").get_to(state.members);
+        json.at("costs").get_to(state.costs);
+        json.at("history").get_to(state.history);
+    } catch (const Json::exception& e) {
+        throw core::IoError(file, std::string("is a damaged checkpoint: ") + e.what());
+    }
+    if (!plausible(state, options)) throw core::IoError(file, "is a damaged checkpoint: its population is not of its own size or box");
+    return state;
+}
+
+}  // namespace fusee::design

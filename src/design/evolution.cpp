@@ -1,0 +1,169 @@
+#include "fusee/design/evolution.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "batch.h"
+#include "checkpoint.h"
+#include "fusee/core/error.h"
+#include "stream.h"
+
+namespace fusee::design {
+
+namespace {
+
+constexpr int kLeastPopulation = 8, kMost = 1'000'000;
+constexpr double kDither = 0.2;
+
+void validate(const EvolutionOptions& o) {
+    if (o.bounds.empty()) throw core::InvalidInput("bounds", "none", "a range for each variable");
+    constexpr double kLargest = std::numeric_limits<double>::max();
+    for (std::size_t i = 0; i < o.bounds.size(); ++i) {
+        core::require_within(fmt::format("bounds[{}].low", i), o.bounds[i].low, -kLargest, kLargest);
+        core::require_within(fmt::format("bounds[{}].high", i), o.bounds[i].high, o.bounds[i].low, kLargest);
+    }
+    core::require_within("population", o.population, kLeastPopulation, kMost);
+    core::require_within("generations", o.generations, 1, kMost);
+    core::require_positive("weight", o.weight);
+    core::require_within("weight", o.weight, 0.0, 2.0);
+    core::require_within("crossover", o.crossover, 0.0, 1.0);
+    core::require_within("tolerance", o.tolerance, 0.0, kLargest);
+    core::require_within("checkpoint_every", o.checkpoint_every, 1, kMost);
+    if (o.resume && o.checkpoint.empty()) throw core::InvalidInput("resume", "no checkpoint", "the file to go on from");
+}
+
+/// Draws of one individual: dither, the variable that always crosses over, two for each variable; the partners' come last, since it takes
+/// as many as it takes until they differ.
+enum Draw : std::uint64_t { kDitherDraw = 0, kSureDraw = 1, kVariableDraw = 2, kPartnerDraw = std::uint64_t{1} << 32 };
+
+/// Three members that differ from each other and from `self`.
+std::array<int, 3> partners(const Stream& random, int population, int self) {
+    std::array<int, 3> others{self, self, self};
+    std::uint64_t draw = kPartnerDraw;
+    for (std::size_t k = 0; k < others.size(); ++k) {
+        int pick = self;
+        while (pick == self || std::find(others.begin(), others.begin() + k, pick) != others.begin() + k)
+            pick = random.index(draw++, population);
+        others[k] = pick;
+    }
+    return others;
+}
+
+/// One search: the population, and the rules by which the next one comes of it.
+class Search {
+public:
+    Search(const Cost& cost, const EvolutionOptions& options)
+        : o_(options), evaluate_(cost, options.bounds, options.jobs), dimension_(options.bounds.size()) {}
+
+    void begin() {
+        state_ = {};
+        state_.members.resize(static_cast<std::size_t>(o_.population) * dimension_);
+        for (std::size_t i = 0; i < state_.members.size(); ++i) {
+            const core::Range& range = o_.bounds[i % dimension_];
+            const double share = Stream(o_.seed, 0, i / dimension_).uniform(kVariableDraw + i % dimension_);
+            state_.members[i] = std::clamp(range.low + share * range.width(), range.low, range.high);
+        }
+        state_.costs = evaluated(state_.members);
+        note_best();
+    }
+    void go_on(Generation state) { state_ = std::move(state); }
+
+    void step() {
+        const std::size_t best = this->best();
+        std::vector<double> trials;
+        trials.reserve(state_.members.size());
+        for (int i = 0; i < o_.population; ++i) append_trial(i, best, trials);
+        const std::vector<double> costs = evaluated(trials);
+        for (std::size_t i = 0; i < costs.size(); ++i) {
+            if (costs[i] > state_.costs[i]) continue;
+            state_.costs[i] = costs[i];
+            std::copy_n(trials.begin() + offset(i), dimension_, state_.members.begin() + offset(i));
+        }
+        ++state_.number;
+        note_best();
+    }
+
+    [[nodiscard]] bool finished() const {
+        const auto [least, most] = std::minmax_element(state_.costs.begin(), state_.costs.end());
+        return state_.number >= o_.generations || (o_.tolerance > 0.0 && *most - *least <= o_.tolerance);
+    }
+    [[nodiscard]] const Generation& state() const { return state_; }
+    [[nodiscard]] EvolutionResult result(bool interrupted) const {
+        const auto row = state_.members.begin() + offset(best());
+        return {{row, row + static_cast<std::ptrdiff_t>(dimension_)},
+                state_.costs[best()],
+                state_.evaluations,
+                state_.number,
+                interrupted,
+                state_.history};
+    }
+
+private:
+    [[nodiscard]] std::ptrdiff_t offset(std::size_t member) const { return static_cast<std::ptrdiff_t>(member * dimension_); }
+    [[nodiscard]] std::size_t best() const {
+        return static_cast<std::size_t>(std::min_element(state_.costs.begin(), state_.costs.end()) - state_.costs.begin());
+    }
+    void note_best() { state_.history.push_back(state_.costs[best()]); }
+
+    std::vector<double> evaluated(const std::vector<double>& rows) {
+        std::vector<double> costs = evaluate_(rows);
+        state_.evaluations += costs.size();
+        for (std::size_t i = 0; o_.observe && i < costs.size(); ++i) o_.observe({rows.data() + offset(i), dimension_}, costs[i]);
+        return costs;
+    }
+
+    /// v = r1 + F (best - r1) + F (r2 - r3), crossed with the member. What leaves the box lands at random between its base and the bound.
+    void append_trial(int self, std::size_t best, std::vector<double>& trials) const {
+        const Stream random(o_.seed, static_cast<std::uint64_t>(state_.number) + 1, static_cast<std::uint64_t>(self));
+        const std::array<int, 3> others = partners(random, o_.population, self);
+        const double weight = o_.weight * (1.0 + kDither * (2.0 * random.uniform(kDitherDraw) - 1.0));
+        const std::size_t sure = static_cast<std::size_t>(random.index(kSureDraw, static_cast<int>(dimension_)));
+        const auto at = [&](auto member, std::size_t j) { return state_.members[static_cast<std::size_t>(member) * dimension_ + j]; };
+        for (std::size_t j = 0; j < dimension_; ++j) {
+            if (j != sure && random.uniform(kVariableDraw + 2 * j) >= o_.crossover) {
+                trials.push_back(at(self, j));
+                continue;
+            }
+            const double base = at(others[0], j);
+            const double wanted = base + weight * (at(best, j) - base + at(others[1], j) - at(others[2], j));
+            const core::Range& box = o_.bounds[j];
+            const double bound = std::clamp(wanted, box.low, box.high);
+            const double inside = bound == wanted ? wanted : base + random.uniform(kVariableDraw + 2 * j + 1) * (bound - base);
+            trials.push_back(std::clamp(inside, box.low, box.high));
+        }
+    }
+
+    const EvolutionOptions& o_;
+    Batch evaluate_;
+    std::size_t dimension_;
+    Generation state_;
+};
+
+}  // namespace
+
+EvolutionResult evolve(const Cost& cost, const EvolutionOptions& options) {
+    validate(options);
+    Search search(cost, options);
+    std::optional<Generation> stored;
+    if (options.resume) stored = read_checkpoint(options);
+    if (stored)
+        search.go_on(std::move(*stored));
+    else
+        search.begin();
+    const auto stopped = [&] { return options.stop && options.stop(); };
+    while (!search.finished() && !stopped()) {
+        search.step();
+        const Generation& state = search.state();
+        if (options.progress) options.progress(state.number, state.history.back());
+        if (!options.checkpoint.empty() && state.number % options.checkpoint_every == 0) write_checkpoint(options, state);
+    }
+    if (!options.checkpoint.empty()) write_checkpoint(options, search.state());
+    return search.result(!search.finished());
+}
+
+}  // namespace fusee::design

@@ -1,0 +1,274 @@
+#include "fusee/design/robust.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <future>
+#include <limits>
+#include <optional>
+#include <thread>
+#include <vector>
+
+#include "fusee/actuator/dead_band.h"
+#include "fusee/actuator/equilibrium.h"
+#include "fusee/core/error.h"
+#include "fusee/math/roots.h"
+#include "fusee/spring/built_spring.h"
+#include "fusee/spring/cable.h"
+#include "fusee/spring/resampled.h"
+#include "stream.h"
+
+// Equation numbers: docs/theory/robust.md.
+namespace fusee::design {
+
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kPercentile = 1.6448536269514722;  ///< 95 % of a normal distribution lie below that many standard deviations
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+void validate(const Drawing& drawing, double tau, const ShopScatter& scatter) {
+    actuator::validate(drawing.actuator);
+    core::require_positive("tau", tau, "Nm");
+    core::require_positive("base_se.rate", drawing.base_se.rate);
+    core::require_positive("base_se.preload", drawing.base_se.preload);
+    core::require_positive("base_pe.rate", drawing.base_pe.rate);
+    core::require_positive("base_pe.preload", drawing.base_pe.preload);
+    core::require_within("scatter.rate_se", scatter.rate_se, 0.0, 0.3);  // three standard deviations leave a spring
+    core::require_within("scatter.rate_pe", scatter.rate_pe, 0.0, 0.3);
+    core::require_within("scatter.contour", scatter.contour, 0.0, 1e-2, "m");
+    core::require_within("scatter.friction", scatter.friction, 0.0, 0.3);
+}
+
+/// What can be wrong on each side of an actuator.
+enum Error : std::size_t { kRateSe, kRatePe, kContourSe, kContourPe, kFriction, kErrors };
+/// The member of ShopScatter that it belongs to.
+constexpr std::array<std::size_t, kErrors> kSource{0, 1, 2, 2, 3};
+
+std::array<double, kErrors> sigmas(const ShopScatter& scatter) {
+    return {scatter.rate_se, scatter.rate_pe, scatter.contour, scatter.contour, scatter.friction};
+}
+
+// ---- first order
+
+/// Share of a normal distribution below x; of one without width, all or nothing.
+double share_below(double x, double sigma) {
+    if (sigma == 0.0) return x >= 0.0 ? 1.0 : 0.0;
+    return 0.5 * std::erfc(-x / (sigma * std::sqrt(2.0)));
+}
+
+/// One spring where it stands at an edge.
+struct Stretched {
+    Error rate, contour;
+    std::size_t side;
+    Vector3d reach;
+    const spring::BaseSpring& base;
+    double x, force, stiffness, energy;  ///< deflection and energy count from the law's lowest load
+
+    /// dF/d(radius) at a fixed deflection, the radius being added to every arm of the cam (eq. 4, 5) [Nm/m].
+    [[nodiscard]] double by_radius(double capstan_radius) const {
+        const double load = base.load(energy);
+        if (base.kind == spring::BaseKind::kCompression) return base.rate * x * force / load + load;
+        return -((base.state(energy) - base.preload) * stiffness + force * force / load) / capstan_radius;
+    }
+};
+
+std::array<Stretched, 4> stretch(const Drawing& drawing, const Vector3d& z) {
+    const spring::SpringLaw& law = *drawing.actuator.law;
+    const double g = drawing.actuator.ratio(), x = z(actuator::kAgonist) + g * z(actuator::kOutput);
+    const spring::LawPoint both = law.at_angle(x), first = law.at_angle(z(0)), second = law.at_angle(z(1));
+    const auto series = [&](std::size_t side, const Vector3d& reach) -> Stretched {
+        return {kRateSe, kContourSe, side, reach, drawing.base_se, x, both.f_se, both.s, both.u_se};
+    };
+    const auto parallel = [&](std::size_t side, const Vector3d& reach, const spring::LawPoint& at) -> Stretched {
+        return {kRatePe, kContourPe, side, reach, drawing.base_pe, at.theta, at.f_pe, at.p, at.u_pe};
+    };
+    return {parallel(0, {1.0, 0.0, 0.0}, first), series(0, {1.0, 0.0, g}), series(1, {0.0, 1.0, -g}), parallel(1, {0.0, 1.0, 0.0}, second)};
+}
+
+/// The edge at which capstan 1 carries its least load and capstan 2 its greatest, and how (theta_1, theta_2, q) there move for one standard
+/// deviation of each error on each side.
+struct Edge {
+    Vector3d z;
+    std::array<std::array<Vector3d, 2>, kErrors> moves;
+};
+
+/// theta_1, theta_2 and q from the width between the edges: F_SE(x) + F_PE(x - g q) is the least load (eq. 1).
+std::optional<Vector3d> place_of(const actuator::Actuator& rig, double width, double least_load) {
+    const double q = 0.5 * width, turn = rig.ratio() * q;
+    const auto excess = [&](double x) { return rig.law->at_angle(x).f_se + rig.law->at_angle(x - turn).f_pe - least_load; };
+    const auto x = math::bracketed_root(excess, turn, rig.law->angles().high);
+    if (!x) return std::nullopt;
+    return Vector3d(*x - turn, *x + turn, q);
+}
+
+/// eq. 2, 3
+Edge differentiate(const Drawing& drawing, const Vector3d& z, core::Range loads, const std::array<double, kErrors>& sigma) {
+    const std::array<Stretched, 4> springs = stretch(drawing, z);
+    Eigen::Matrix3d k = Eigen::Matrix3d::Zero();
+    for (const Stretched& spring : springs) k += spring.stiffness * spring.reach * spring.reach.transpose();
+    const Eigen::Matrix3d m = k.inverse();
+    Edge edge{.z = z, .moves = {}};
+    for (const Stretched& spring : springs) {
+        const Vector3d per_torque = -m * spring.reach;
+        edge.moves[spring.rate][spring.side] = sigma[spring.rate] * spring.force * per_torque;
+        edge.moves[spring.contour][spring.side] = sigma[spring.contour] * spring.by_radius(drawing.actuator.capstan_radius) * per_torque;
+    }
+    const friction::Law& gear = drawing.actuator.gear_friction;
+    edge.moves[kFriction][0] = -sigma[kFriction] * gear.at_rest(loads.low) / (1.0 + gear.slope(loads.low)) * m.col(actuator::kAgonist);
+    edge.moves[kFriction][1] = sigma[kFriction] * gear.at_rest(loads.high) / (1.0 - gear.slope(loads.high)) * m.col(actuator::kAntagonist);
+    return edge;
+}
+
+/// Share of the built actuators whose parallel springs reach both edges: what is left of capstan 2's law above and of capstan 1's below.
+double covered_share(const Edge& edge, core::Range angles) {
+    double share = 1.0;
+    for (const auto& [body, left] : {std::pair{actuator::kAgonist, edge.z(actuator::kAgonist) - angles.low},
+                                     {actuator::kAntagonist, angles.high - edge.z(actuator::kAntagonist)}}) {
+        double variance = 0.0;
+        for (const auto& sides : edge.moves)
+            for (const Vector3d& move : sides) variance += move(body) * move(body);
+        share *= share_below(left, std::sqrt(variance));
+    }
+    return share * share;
+}
+
+// ---- Monte Carlo
+
+/// Loads with load +- factor tau_f(load) = tau: of a gear with `factor` times the drawn friction. NaN if it locks itself.
+core::Range resting_loads(const friction::Law& gear, double tau, double factor) {
+    const auto edge = [&](double sign) {
+        const auto excess = [&](double load) { return load + sign * factor * gear.at_rest(load) - tau; };
+        double reach = tau;
+        while (sign < 0.0 && excess(reach) < 0.0 && reach < 1e3 * tau) reach *= 2.0;
+        return math::bracketed_root(excess, sign > 0.0 ? -tau : 0.0, reach).value_or(kNan);
+    };
+    return {edge(1.0), edge(-1.0)};
+}
+
+/// Builds one actuator after another.
+class Shop {
+public:
+    Shop(const Drawing& drawing, double tau, const ShopScatter& scatter, std::uint64_t seed)
+        : drawing_(drawing),
+          tau_(tau),
+          sigma_(sigmas(scatter)),
+          seed_(seed),
+          series_(spring::resampled(spring::series_spring(drawing.actuator.law))),
+          parallel_(spring::resampled(spring::parallel_spring(drawing.actuator.law))) {}
+
+    /// Dead-band of the actuator of that number; NaN if its springs do not reach an edge.
+    [[nodiscard]] double width(int number) const {
+        const Stream stream(seed_, 0, static_cast<std::uint64_t>(number));
+        std::array<spring::PotentialPtr, 2> se, pe;
+        std::array<core::Range, 2> loads;
+        for (std::size_t side = 0; side < 2; ++side) {
+            std::array<double, kErrors> error;
+            for (std::size_t i = 0; i < kErrors; ++i) error[i] = sigma_[i] * normal(stream, 2 * (side * kErrors + i));
+            se[side] = built(series_, drawing_.base_se, error[kRateSe], error[kContourSe]);
+            pe[side] = built(parallel_, drawing_.base_pe, error[kRatePe], error[kContourPe]);
+            loads[side] = resting_loads(drawing_.actuator.gear_friction, tau_, std::max(0.0, 1.0 + error[kFriction]));
+            if (std::isnan(loads[side].width())) return kNan;
+        }
+        const actuator::Actuator& rig = drawing_.actuator;
+        const actuator::Joint joint =
+            actuator::antagonist(pe[0], se[0], se[1], pe[1], {rig.gear_friction, rig.gear_friction}, rig.capstan_radius, rig.joint_radius);
+        const auto high = actuator::find_equilibrium(joint, {loads[0].low, loads[1].high, 0.0});
+        const auto low = actuator::find_equilibrium(joint, {loads[0].high, loads[1].low, 0.0});
+        return high && low ? high->z(actuator::kOutput) - low->z(actuator::kOutput) : kNan;
+    }
+
+private:
+    /// Box and Muller (1958).
+    static double normal(const Stream& stream, std::uint64_t draw) {
+        return std::sqrt(-2.0 * std::log1p(-stream.uniform(draw))) * std::cos(2.0 * core::kPi * stream.uniform(draw + 1));
+    }
+    [[nodiscard]] spring::PotentialPtr built(const spring::PotentialPtr& law, const spring::BaseSpring& base, double rate,
+                                             double radius) const {
+        return spring::make_built_spring(law, base, drawing_.actuator.capstan_radius, {.rate = rate, .radius = radius, .preload = 0.0});
+    }
+
+    const Drawing& drawing_;
+    double tau_;
+    std::array<double, kErrors> sigma_;
+    std::uint64_t seed_;
+    spring::PotentialPtr series_, parallel_;
+};
+
+/// Every width at its place, whoever computed it.
+std::vector<double> widths_of(const Shop& shop, const SampleOptions& options) {
+    std::vector<double> widths(static_cast<std::size_t>(options.count));
+    const unsigned jobs = options.jobs ? options.jobs : std::max(1u, std::thread::hardware_concurrency());
+    const auto work = [&](unsigned first) {
+        for (std::size_t i = first; i < widths.size(); i += jobs) widths[i] = shop.width(static_cast<int>(i));
+    };
+    std::vector<std::future<void>> others;
+    for (unsigned job = 1; job < jobs; ++job) others.push_back(std::async(std::launch::async, work, job));
+    work(0);
+    for (std::future<void>& other : others) other.get();
+    return widths;
+}
+
+/// @pre sorted, not empty
+double quantile(const std::vector<double>& sorted, double share) {
+    const double at = share * static_cast<double>(sorted.size() - 1);
+    const auto below = static_cast<std::size_t>(at);
+    return std::lerp(sorted[below], sorted[std::min(below + 1, sorted.size() - 1)], at - std::floor(at));
+}
+
+}  // namespace
+
+RobustBand robust_dead_band(const Drawing& drawing, double tau, const ShopScatter& scatter) {
+    validate(drawing, tau, scatter);
+    RobustBand band{.tau = tau, .nominal = kNan, .sigma = kNan, .band = {kNan, kNan}, .sources = {kNan, kNan, kNan, kNan}};
+    const core::Range loads = drawing.actuator.gear_friction.resting_loads(tau);
+    const double width = actuator::dead_band(drawing.actuator, tau).extreme;
+    const auto z = std::isnan(width) ? std::nullopt : place_of(drawing.actuator, width, loads.low);
+    if (!z) return band;
+    band.nominal = width;
+    const Edge edge = differentiate(drawing, *z, loads, sigmas(scatter));
+    std::array<double, 4> variances{};
+    for (std::size_t i = 0; i < kErrors; ++i) {
+        const double move = edge.moves[i][0](actuator::kOutput) + edge.moves[i][1](actuator::kOutput);
+        variances[kSource[i]] += 2.0 * move * move;  // eq. 6; the other edge is this one's mirror image
+    }
+    double variance = 0.0;
+    for (std::size_t i = 0; i < variances.size(); ++i) {
+        variance += variances[i];
+        band.sources[i] = std::sqrt(variances[i]);
+    }
+    band.sigma = std::sqrt(variance);
+    // A dead-band is a product of what scatters, 2 tau_f/(g P) to first order, so that its logarithm is what spreads evenly (eq. 7).
+    const double spread = band.sigma > 0.0 ? kPercentile * band.sigma / band.nominal : 0.0;
+    band.band = {band.nominal * std::exp(-spread), band.nominal * std::exp(spread)};
+    band.covered_share = covered_share(edge, drawing.actuator.law->angles());
+    return band;
+}
+
+double percentile_95(const Drawing& drawing, double tau, const ShopScatter& scatter) {
+    return robust_dead_band(drawing, tau, scatter).band.high;
+}
+
+SampledBand sample_dead_band(const Drawing& drawing, double tau, const ShopScatter& scatter, const SampleOptions& options) {
+    validate(drawing, tau, scatter);
+    if (options.count < 20) throw core::InvalidInput("count", fmt::format("{}", options.count), "at least 20 actuators");
+    std::vector<double> widths = widths_of(Shop(drawing, tau, scatter, options.seed), options);
+    std::erase_if(widths, [](double width) { return std::isnan(width); });
+    SampledBand band{.tau = tau, .mean = kNan, .sigma = kNan, .band = {kNan, kNan}};
+    band.covered_share = static_cast<double>(widths.size()) / options.count;
+    if (widths.size() < 2) return band;
+    std::sort(widths.begin(), widths.end());
+    const double count = static_cast<double>(widths.size());
+    band.mean = 0.0;
+    for (const double width : widths) band.mean += width / count;
+    double squares = 0.0;
+    for (const double width : widths) squares += (width - band.mean) * (width - band.mean);
+    band.sigma = std::sqrt(squares / (count - 1.0));
+    band.band = {quantile(widths, 0.05), quantile(widths, 0.95)};
+    return band;
+}
+
+}  // namespace fusee::design

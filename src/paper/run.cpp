@@ -1,0 +1,148 @@
+#include "fusee/paper/run.h"
+
+#include <utility>
+#include <vector>
+
+#include "fusee/batch/batch.h"
+#include "fusee/codesign/algorithm_1_run.h"
+#include "fusee/core/file.h"
+#include "fusee/gap/break_away.h"
+#include "fusee/paper/figures.h"
+#include "fusee/pipeline/simulate.h"
+#include "fusee/profile/profile.h"
+
+namespace fs = std::filesystem;
+
+namespace fusee::paper {
+
+namespace {
+
+const pipeline::SimulateOptions kEnds{.levels = 2, .push_torque = {}};  // least and greatest co-contraction
+
+/// All that the figures are made from, read before anything long begins.
+struct Sources {
+    profile::Profile first_prototype, new_springs, pnrvsa;
+    std::vector<profile::Profile> relatives;
+    std::string break_away_name, break_away;  // the CSV file's bytes
+};
+
+Sources read_sources(const fs::path& folder) {
+    const fs::path csv = folder / "examples" / "break_away.csv";
+    Sources sources{profile::read_profile(folder / "first_prototype.toml"),
+                    profile::read_profile(folder / "paper" / "new_springs.toml"),
+                    profile::read_profile(folder / "pnrvsa.toml"),
+                    {},
+                    csv.string(),
+                    core::read_file(csv, gap::kLargestBreakAwayFile)};
+    for (const fs::path& path : batch::find_profiles({folder / "relatives"})) sources.relatives.push_back(profile::read_profile(path));
+    return sources;
+}
+
+core::Provenance provenance(const Sources& sources) {
+    std::string hashes = sources.first_prototype.sha256 + sources.new_springs.sha256 + sources.pnrvsa.sha256;
+    for (const profile::Profile& relative : sources.relatives) hashes += relative.sha256;
+    return {"paper", core::sha256_hex(hashes + core::sha256_hex(sources.break_away)), ""};
+}
+
+/// The figures as they are made; what is refused is noted with the profile's name.
+class Maker {
+public:
+    Maker(const Sources& sources, const Options& options) : sources_(sources), options_(options) {
+        paper_.provenance = provenance(sources);
+    }
+
+    /// False: asked to stop in between.
+    bool make_all() {
+        const std::pair<const char*, std::function<void()>> pieces[] = {
+            {"figure 1", [this] { paper_.figure_1 = noise_figure(); }},
+            {"figure 2", [this] { keep(sources_.first_prototype, hill_figure(sources_.first_prototype), paper_.figure_2); }},
+            {"figure 6 and table I", [this] { keep(sources_.first_prototype, replay_table(sources_.first_prototype), paper_.table_1); }},
+            {"table II", [this] { keep(sources_.new_springs, replay_table(sources_.new_springs), paper_.table_2); }},
+            {"figure 8", [this] { identify(); }},
+            {"figure 9", [this] { search(); }},
+            {"relatives", [this] { survey(); }}};
+        static_assert(std::size(pieces) == kPieces);
+        for (const auto& [name, make] : pieces) {
+            if (options_.stop()) return false;
+            make();
+            if (options_.note) options_.note(name);
+        }
+        return !options_.stop();
+    }
+
+    [[nodiscard]] const report::Paper& paper() const { return paper_; }
+    [[nodiscard]] const core::Findings& refusals() const { return refusals_; }
+
+private:
+    template <class T>
+    void keep(const profile::Profile& profile, core::Outcome<T> outcome, T& place) {
+        if (outcome) {
+            place = std::move(outcome).value();
+            return;
+        }
+        for (core::Finding finding : outcome.refusal()) {
+            finding.where = profile.name + (finding.where.empty() ? "" : ", " + finding.where);
+            refusals_.push_back(std::move(finding));
+        }
+    }
+    void identify() {
+        const fs::path file = sources_.break_away_name;
+        paper_.figure_8 = {file.stem().string(), core::sha256_hex(sources_.break_away),
+                           gap::identify_friction(gap::parse_break_away(sources_.break_away, sources_.break_away_name))};
+    }
+    void search() {
+        const codesign::RunOptions run{.out = {}, .jobs = options_.jobs, .stop = options_.stop};
+        keep(sources_.pnrvsa, codesign::search_algorithm_1(sources_.pnrvsa, run), paper_.figure_9);
+    }
+    void survey() {
+        for (profile::Profile relative : sources_.relatives) {
+            keep(relative, pipeline::simulate(relative, kEnds), paper_.relatives.emplace_back());
+            relative.rig.position_stiffness = 0.0;
+            report::Simulation alone;
+            keep(relative, pipeline::simulate(relative, kEnds), alone);
+            paper_.torque_control.push_back(alone.survey);
+        }
+    }
+
+    const Sources& sources_;
+    const Options& options_;
+    report::Paper paper_;
+    core::Findings refusals_;
+};
+
+void write_all(const report::Paper& paper, const fs::path& folder) {
+    const auto write = [&folder](const char* name, const std::string& bytes) { core::write_file(folder / name, bytes); };
+    write("figure_1.csv", report::figure_1_csv(paper.figure_1));
+    write("figure_2.csv", report::figure_2_csv(paper.figure_2));
+    write("figure_2_passive.csv", report::figure_2_passive_csv(paper.figure_2));
+    if (paper.table_1.simulation.path) write("figure_6.csv", report::figure_6_csv(*paper.table_1.simulation.path));
+    write("figure_8.csv", report::figure_8_csv(paper.figure_8));
+    write("figure_9.csv", report::figure_9_csv(paper.figure_9.costs));
+    write("figure_9_springs.csv", report::figure_9_springs_csv(paper.figure_9.found));
+    write("figure_9_arms.csv", report::figure_9_arms_csv(paper.figure_9.cams));
+    write("table_1.csv", report::table_csv(paper.table_1));
+    write("table_2.csv", report::table_csv(paper.table_2));
+    write("relatives.csv", report::relatives_csv(paper.relatives));
+    write("paper.json", report::paper_json(paper));
+    write("paper.html", report::paper_html(paper));
+}
+
+}  // namespace
+
+Result run(const Options& options) {
+    const Sources sources = read_sources(options.profiles);
+    Maker maker(sources, options);
+    Result result;
+    result.interrupted = !maker.make_all();
+    result.findings = maker.refusals();
+    if (result.interrupted || !result.findings.empty()) return result;
+    result.folder = options.out / "paper";
+    core::StagedFolder staged(result.folder);
+    write_all(maker.paper(), staged.path());
+    staged.commit();
+    result.made = true;
+    result.summary = report::paper_text(maker.paper());
+    return result;
+}
+
+}  // namespace fusee::paper

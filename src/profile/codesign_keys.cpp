@@ -1,0 +1,60 @@
+#include "key.h"
+
+namespace fusee::profile {
+
+namespace {
+
+#define OF(member) \
+    [](auto& p) -> auto& { return p.co_design.member; }
+
+std::vector<Key> wishes() {
+    const Limits torque = within(0, 1e4);
+    return {
+        choice("co_design.law", {"stiction_compensating", "free_curve"}, "which law is searched together with springs, radius and lead-in",
+               OF(law)),
+        when("co_design.law", {"free_curve"},
+             integer("co_design.knots", within(4, 12), "of the free curve, evenly spaced in ln(load)", OF(knots))),
+        choice("co_design.figure", {"mean", "worst", "percentile_95"},
+               "of the exact dead-bands at co_design.torques_Nm; percentile_95: the mean of the 95th percentiles over the shop's scatter",
+               OF(figure)),
+        numbers("co_design.torques_Nm", kNm, torque, 0, 40, "co-contraction at which the dead-band counts; none: 6 from least to overdrive",
+                OF(torques)),
+        range("co_design.loads_Nm", kNm, torque, "between these loads travel, at them stiffness is demanded; 0, 0: least to overdrive",
+              OF(loads)),
+        number("co_design.travel_rad", kRad, within(0, 100), "least capstan travel between them; 0: that of the profile's own law",
+               OF(travel)),
+        number("co_design.soft_Nm_per_rad", kNmPerRad, within(0, 1e6),
+               "joint stiffness, capstans held, at the lower load: at most this; 0: as the profile's own law", OF(soft)),
+        number("co_design.stiff_Nm_per_rad", kNmPerRad, within(0, 1e6), "at the upper load: at least this; 0: as the profile's own law",
+               OF(stiff)),
+        choice("co_design.against", {"travel", "size"}, "what a Pareto front sets against the dead-band", OF(against)),
+    };
+}
+
+std::vector<Key> limits() {
+    return {
+        number("co_design.contour_radius_mm", kMm, above(0, 1000), "of both cams' working arcs at most; idle arcs go a few mm beyond",
+               OF(contour_radius)),
+        number("co_design.least_rho_se_mm", kMm, within(0, 1000), "least radius of curvature of K_SE's working arc", OF(least_rho_se)),
+        number("co_design.least_rho_pe_mm", kMm, within(0, 1000), "least radius of curvature of K_PE's working arc", OF(least_rho_pe)),
+        choice("co_design.reviews", {"avoid", "accept"}, "what the rules would have a person review", OF(reviews)),
+        range("co_design.capstan_radius_mm", kMm, within(0, 1000), "r_c searched; 0, 0: the profile's. r_j/r_c stays", OF(capstan_radius)),
+        range("co_design.lead_in_deg", kDeg, within(0, 720), "lead-in searched", OF(lead_in)),
+        range("co_design.winding_rad", kRad, within(0, 1e3), "preload of the torsion spring searched", OF(winding)),
+        range("co_design.compression_mm", kMm, within(0, 1e3), "preload of the compression spring searched", OF(compression)),
+        number("co_design.span", kPure, above(1, 1e3), "rates and k are searched from 1/span to span times the profile's", OF(span)),
+        file("co_design.catalogue", "CSV of springs beside the profile that both are taken from; left out: any rate", OF(catalogue_file)),
+    };
+}
+
+}  // namespace
+
+std::vector<Key> codesign_keys() {
+    std::vector<Key> all = wishes();
+    for (Key& key : limits()) all.push_back(std::move(key));
+    return all;
+}
+
+#undef OF
+
+}  // namespace fusee::profile

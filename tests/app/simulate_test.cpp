@@ -1,0 +1,71 @@
+#include "app/run.h"
+
+// `fusee simulate` from outside: what it says, writes and refuses.
+namespace fusee::app {
+namespace {
+
+TEST_F(Program, SimulatesAJointAndSaysSo) {
+    const Ended done = run("simulate '" + fixtures::shipped("pnrvsa").string() + "' --levels 4 --out 'my joints'");
+    EXPECT_EQ(done.code, 0) << done.all();
+    expect_words(done.out,
+                 {"pnrvsa.toml  made", "my joints/pnrvsa/", "test reads", "Condition (6) holds from 0.85 Nm to 1.5 Nm", "levels=4"});
+    for (const char* file : {"simulation.json", "dead_band.csv", "simulation.html"})
+        EXPECT_TRUE(fs::exists(folder_ / "my joints" / "pnrvsa" / file)) << file;
+}
+
+TEST_F(Program, RelativesEndInOneTable) {
+    const Ended done = run("simulate '" + (fs::path(FUSEE_SOURCE_DIR) / "profiles" / "relatives").string() + "' --levels 2");
+    EXPECT_EQ(done.code, 0) << done.all();
+    const std::string csv = core::read_file(folder_ / "out" / "relatives.csv");
+    for (const std::string arrangement :
+         {"pnrvsa", "series_elastic", "simple_antagonist", "quasi_antagonist", "bidirectional", "cross_coupled"}) {
+        expect_words(done.out, {" " + arrangement + " "});
+        expect_words(csv, {"," + arrangement + ","});
+    }
+    expect_words(csv, {"name,arrangement,stiffness_low_Nm_per_rad,"});
+}
+
+TEST_F(Program, SimulateRefusesWithTheKeyAndWritesNothing) {
+    const std::string text = core::read_file(fs::path(FUSEE_SOURCE_DIR) / "profiles" / "relatives" / "pnrvsa.toml");
+    const auto expect_refused = [&](const std::string& key, const std::string& value, int code, std::initializer_list<std::string> words) {
+        write("t.toml", fixtures::with_key(text, key, value));
+        const Ended refused = run("simulate t.toml");
+        EXPECT_EQ(refused.code, code) << refused.all();
+        EXPECT_EQ(refused.out, "");
+        expect_words(refused.err, words);
+        EXPECT_FALSE(fs::exists(folder_ / "out"));
+    };
+    expect_refused("simulate.levels", "1", 2, {"t.toml:", "simulate.levels: 1", "2 to 1000"});
+    expect_refused("rig.arrangement", "\"antagonist\"", 2, {"t.toml:", "rig.arrangement", "\"series_elastic\""});
+    expect_refused("rig.gear_friction_constant_Nm", "-0.1", 2, {"t.toml:", "rig.gear_friction_constant_Nm: -0.1"});
+    expect_refused("simulate.measured", "\"none.csv\"", 2, {"none.csv", "cannot be opened"});
+    expect_refused("law.parallel_Nm", "[0.0, 0.25, -0.09]", 1, {"t.toml  refused", "law.stiffness"});
+}
+
+TEST_F(Program, MakeSaysWhatAProfileWithoutPartsLacks) {
+    const fs::path profiles = fs::path(FUSEE_SOURCE_DIR) / "profiles";
+    const Ended partless = run("make '" + (profiles / "paper" / "new_springs.toml").string() + "'");
+    EXPECT_EQ(partless.code, 2) << partless.all();
+    expect_words(partless.err, {"new_springs.toml: k_se.spring.rate_Nm_per_rad: missing", "can be simulated"});
+    const Ended relative = run("make '" + (profiles / "relatives" / "bidirectional.toml").string() + "'");
+    EXPECT_EQ(relative.code, 2) << relative.all();
+    expect_words(relative.err, {"bidirectional.toml:", "rig.arrangement: bidirectional", "\"pnrvsa\""});
+    EXPECT_FALSE(fs::exists(folder_ / "out"));
+}
+
+TEST_F(Program, SimulateArguments) {
+    const std::pair<const char*, std::string> cases[] = {{"simulate", "at least one profile"},
+                                                         {"simulate x.toml --levels 1", "--levels"},
+                                                         {"simulate x.toml --levels two", "--levels"},
+                                                         {"simulate x.toml --push-torque -1", "--push-torque"},
+                                                         {"simulate x.toml --foo", "--foo"}};
+    for (const auto& [arguments, word] : cases) {
+        const Ended wrong = run(arguments);
+        EXPECT_EQ(wrong.code, 2) << arguments;
+        expect_words(wrong.err, {word});
+    }
+    expect_words(run("simulate --help").out, {"Usage: fusee simulate", "Example:\n  fusee simulate", "Exit code"});
+}
+
+}  // namespace
+}  // namespace fusee::app

@@ -1,0 +1,128 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "fusee/actuator/dead_band.h"
+#include "fusee/codesign/co_design_run.h"
+#include "fusee/codesign/pareto_run.h"
+#include "fusee/codesign/problem.h"
+#include "fusee/core/csv.h"
+#include "fusee/core/units.h"
+#include "fusee/pipeline/design.h"
+#include "fusee/pipeline/make.h"
+#include "pipeline/fixture.h"
+
+namespace fusee::codesign {
+namespace {
+
+namespace fs = std::filesystem;
+
+class CoDesignRun : public fixtures::TempFolder {
+protected:
+    /// The neighbourhood of the co-designed profile under weak demands, so that few generations find what is feasible.
+    [[nodiscard]] profile::Profile read(const std::map<std::string, std::string>& keys = {}) const {
+        std::string text = core::read_file(fixtures::shipped("pnrvsa_co_design"));
+        for (const auto& [key, value] : std::map<std::string, std::string>{{"name", "\"small\""},
+                                                                           {"design.population", "24"},
+                                                                           {"design.generations", "22"},
+                                                                           {"outputs.formats", "[\"stl\"]"},
+                                                                           {"co_design.travel_rad", "1.0"},
+                                                                           {"co_design.stiff_Nm_per_rad", "0.5"},
+                                                                           {"co_design.contour_radius_mm", "60.0"},
+                                                                           {"co_design.least_rho_se_mm", "3.0"},
+                                                                           {"co_design.span", "1.2"},
+                                                                           {"co_design.lead_in_deg", "[0.0, 3.0]"},
+                                                                           {"co_design.winding_rad", "[2.5, 4.0]"},
+                                                                           {"co_design.compression_mm", "[2.0, 4.0]"},
+                                                                           {"co_design.capstan_radius_mm", "[38.0, 40.0]"}})
+            text = fixtures::with_key(text, key, value);
+        for (const auto& [key, value] : keys) text = fixtures::with_key(text, key, value);
+        return profile::read_profile(write("p/small.toml", text));
+    }
+    [[nodiscard]] RunOptions into(const std::string& out, unsigned jobs = 0) const {
+        RunOptions options;
+        options.out = folder_ / out;
+        options.jobs = jobs;
+        return options;
+    }
+    [[nodiscard]] static std::map<std::string, std::string> files_in(const fs::path& folder) {
+        std::map<std::string, std::string> files;
+        for (const auto& entry : fs::recursive_directory_iterator(folder))
+            if (entry.is_regular_file()) files[entry.path().lexically_relative(folder).string()] = core::read_file(entry.path());
+        return files;
+    }
+};
+
+TEST_F(CoDesignRun, FindsADesignThatMakeAcceptsAndSaysWhatLimitsIt) {
+    const RunResult result = run_co_design(read(), into("out"));
+    ASSERT_TRUE(result.found);
+    const auto files = files_in(result.folder);
+    ASSERT_TRUE(files.contains("small-best.toml") && files.contains("design.json") && files.contains("design.html"));
+    const profile::Profile best = profile::read_profile(result.folder / "small-best.toml");
+    const pipeline::MakeResult made = pipeline::make(best, {.out = folder_ / "made"});
+    EXPECT_TRUE(made.made);
+    EXPECT_FALSE(core::any_required(made.findings));
+
+    const auto law = pipeline::design_law(best);
+    const double width = actuator::dead_band(pipeline::actuator_of(best, law->law), 1.0).extreme;
+    const auto json = nlohmann::json::parse(files.at("design.json"));
+    EXPECT_EQ(json["method"], "co_design");
+    EXPECT_NEAR(json["figures"][0]["found"].get<double>(), core::deg_from_rad(width), 1e-6);
+    EXPECT_NE(result.summary[2].find("limited by"), std::string::npos);
+}
+
+TEST_F(CoDesignRun, SameBytesOnAnyNumberOfThreadsAndWhenResumed) {
+    const profile::Profile profile = read();
+    ASSERT_TRUE(run_co_design(profile, into("one", 1)).found);
+    ASSERT_TRUE(run_co_design(profile, into("three", 3)).found);
+    EXPECT_EQ(files_in(folder_ / "one/small-design"), files_in(folder_ / "three/small-design"));
+
+    RunOptions stopped = into("parts");
+    int looks = 0;
+    stopped.stop = [&looks] { return ++looks > 4; };
+    EXPECT_TRUE(run_co_design(profile, stopped).interrupted);
+    RunOptions resumed = into("parts");
+    resumed.resume = true;
+    ASSERT_TRUE(run_co_design(profile, resumed).found);
+    EXPECT_EQ(files_in(folder_ / "one/small-design"), files_in(folder_ / "parts/small-design"));
+}
+
+TEST_F(CoDesignRun, WhatCannotBeNamesTheLimitsAndWritesNothing) {
+    const RunResult result = run_co_design(read({{"design.generations", "3"}, {"co_design.contour_radius_mm", "5.0"}}), into("out"));
+    EXPECT_FALSE(result.found);
+    EXPECT_FALSE(fs::exists(folder_ / "out/small-design"));
+    ASSERT_FALSE(result.findings.empty());
+    EXPECT_TRUE(std::any_of(result.findings.begin(), result.findings.end(),
+                            [](const core::Finding& f) { return f.rule == "limit.contour_radius"; }));
+    for (const core::Finding& f : result.findings) EXPECT_EQ(f.severity, core::Severity::kRequired);
+}
+
+TEST_F(CoDesignRun, EachPointOfAFrontIsAProfileThatMakeAccepts) {
+    const RunResult result = run_pareto(read({{"design.population", "12"}, {"design.generations", "16"}}), into("out"));
+    ASSERT_TRUE(result.found);
+    const auto files = files_in(result.folder);
+    ASSERT_TRUE(files.contains("pareto.csv") && files.contains("pareto.html") && files.contains("pareto/01.toml"));
+    const profile::Profile first = profile::read_profile(result.folder / "pareto/01.toml");
+    EXPECT_TRUE(pipeline::make(first, {.out = folder_ / "made"}).made);
+    // as many rows as profiles; a wider dead-band buys more travel
+    const core::CsvTable table = core::read_csv(result.folder / "pareto.csv", {{"figure_deg"}, {"travel_rad"}});
+    EXPECT_EQ(table.rows() + 2, files.size());  // and the CSV and the page
+    for (std::size_t i = 1; i < table.rows(); ++i) {
+        EXPECT_GE(table.numbers("figure_deg")[i], table.numbers("figure_deg")[i - 1]);
+        EXPECT_GE(table.numbers("travel_rad")[i], table.numbers("travel_rad")[i - 1]);
+    }
+}
+
+TEST_F(CoDesignRun, AFrontAgainstSizeTradesOneForTheOther) {
+    const RunResult result =
+        run_pareto(read({{"design.population", "16"}, {"design.generations", "12"}, {"co_design.against", "\"size\""}}), into("out"));
+    ASSERT_TRUE(result.found);
+    const core::CsvTable table = core::read_csv(result.folder / "pareto.csv", {{"figure_deg"}, {"radius_mm"}});
+    for (std::size_t i = 1; i < table.rows(); ++i) {
+        EXPECT_GE(table.numbers("figure_deg")[i], table.numbers("figure_deg")[i - 1]);
+        EXPECT_LE(table.numbers("radius_mm")[i], table.numbers("radius_mm")[i - 1]);
+    }
+}
+
+}  // namespace
+}  // namespace fusee::codesign

@@ -1,0 +1,89 @@
+#include "fusee/paper/run.h"
+
+#include <nlohmann/json.hpp>
+
+#include "fusee/core/error.h"
+#include "pipeline/fixture.h"
+
+namespace fusee::paper {
+namespace {
+
+using namespace fixtures;
+
+class Paper : public TempFolder {
+protected:
+    [[nodiscard]] Options options(const std::string& out, unsigned jobs = 2) const {
+        Options options;
+        options.profiles = fs::path(FUSEE_SOURCE_DIR) / "profiles";
+        options.out = folder_ / out;
+        options.jobs = jobs;
+        return options;
+    }
+    /// The shipped profiles in the test's folder, to be changed.
+    [[nodiscard]] fs::path copied() const {
+        fs::copy(fs::path(FUSEE_SOURCE_DIR) / "profiles", folder_ / "profiles", fs::copy_options::recursive);
+        return folder_ / "profiles";
+    }
+};
+
+TEST_F(Paper, MakesEveryTableAndFigureAnewWithEqualBytesOnAnyNumberOfThreads) {
+    Options watched = options("one", 1);
+    std::vector<std::string> pieces;
+    watched.note = [&](const std::string& piece) { pieces.push_back(piece); };
+    const Result made = run(watched);
+    ASSERT_TRUE(made.made);
+    EXPECT_EQ(pieces.size(), kPieces);
+    EXPECT_NE(made.summary.find("table II"), std::string::npos);
+
+    const auto files = contents(made.folder);
+    for (const char* name : {"figure_1.csv", "figure_2.csv", "figure_2_passive.csv", "figure_8.csv", "figure_9.csv", "figure_9_springs.csv",
+                             "figure_9_arms.csv", "table_1.csv", "table_2.csv", "relatives.csv", "paper.json", "paper.html"})
+        EXPECT_TRUE(files.contains(name)) << name;
+    const auto json = nlohmann::json::parse(files.at("paper.json"));
+    EXPECT_EQ(json["claims"].size(), 8u);
+    EXPECT_EQ(json["table_1"]["rows"].size(), 4u);
+    EXPECT_EQ(json["table_2"]["rows"].size(), 5u);
+    EXPECT_EQ(json["relatives"].size(), 6u);
+    EXPECT_NEAR(json["figure_8"]["mu"].get<double>(), 0.28, 0.005);
+    EXPECT_LT(json["figure_9"]["cost"].get<double>(), 0.0);
+    for (const char* never : {"http", "<script", ">nan", "\"nan"})
+        EXPECT_EQ(files.at("paper.html").find(never), std::string::npos) << never;
+
+    ASSERT_TRUE(run(options("three", 3)).made);
+    EXPECT_EQ(contents(folder_ / "three" / "paper"), files);
+}
+
+TEST_F(Paper, StoppedInBetweenWritesNothing) {
+    Options stopped = options("out");
+    int asked = 0;
+    stopped.stop = [&] { return ++asked > 2; };
+    const Result result = run(stopped);
+    EXPECT_TRUE(result.interrupted);
+    EXPECT_FALSE(result.made);
+    EXPECT_FALSE(fs::exists(folder_ / "out"));
+}
+
+TEST_F(Paper, ALawThatCannotBeIsNamedWithItsProfileAndNothingIsWritten) {
+    Options changed = options("out");
+    changed.profiles = copied();
+    const fs::path springs = changed.profiles / "paper" / "new_springs.toml";
+    core::write_file(springs, with_key(core::read_file(springs), "law.start_torque_Nm", "0.01"));
+    const Result result = run(changed);
+    EXPECT_FALSE(result.made);
+    ASSERT_FALSE(result.findings.empty());
+    EXPECT_EQ(result.findings.front().rule, "law.transmission");
+    EXPECT_EQ(result.findings.front().where.rfind("new_springs", 0), 0u) << result.findings.front().where;
+    EXPECT_FALSE(fs::exists(folder_ / "out"));
+}
+
+TEST_F(Paper, MissingSourcesAreNamed) {
+    Options missing = options("out");
+    missing.profiles = copied();
+    fs::remove(missing.profiles / "examples" / "break_away.csv");
+    EXPECT_THROW((void)run(missing), core::IoError);
+    missing.profiles = folder_ / "nowhere";
+    EXPECT_THROW((void)run(missing), core::IoError);
+}
+
+}  // namespace
+}  // namespace fusee::paper

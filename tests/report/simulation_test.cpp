@@ -1,0 +1,97 @@
+#include "fusee/report/simulation.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "fusee/core/units.h"
+
+namespace fusee::report {
+namespace {
+
+/// Two levels: at 1 Nm the exact extremes are not covered.
+Simulation example(const std::string& name = "joint") {
+    Simulation s;
+    s.provenance = {name, std::string(64, 'a'), "levels=2"};
+    s.survey = unknown_survey();
+    s.condition = {.torques = {0.5, 1.0}, .holds = {{0.5, 1.0}}, .values = {-0.2, -0.1}};
+    for (const double tau : {0.5, 1.0}) {
+        SimulatedLevel level = unknown_level(tau);
+        level.dead_band.linear = 0.1 / tau;
+        level.dead_band.extreme = tau < 1.0 ? 0.22 : kUnknown;
+        level.dead_band.protocol = 0.11 / tau;
+        level.dead_band.condition_6 = -0.1;
+        level.reading.push_torque = 0.3;
+        level.reading.full_push = tau < 1.0 ? 0.25 : 0.4;
+        level.reading.covered_push = 0.3;
+        s.levels.push_back(level);
+    }
+    MeasuredRow row{0.5, core::rad_from_deg(12.0), s.levels[0].dead_band};
+    s.measured = {row};
+    s.path = ReleasePath{1.0, {0.8, 1.4}, {{0.0, 0.0, 1.0, 1.0}, {0.3, 0.2, 1.2, 0.8}}, {{0.0, 0.1, 1.0, 1.0}}};
+    s.break_away = {{0.0, {0.0, 0.0}}, {1.0, {0.8, 1.4}}};
+    return s;
+}
+
+TEST(SimulationCsv, HasExactlyItsColumnsAndEveryBit) {
+    const std::string csv = dead_band_csv(example().levels);
+    EXPECT_EQ(csv,
+              "tau_Nm,linear_rad,extreme_rad,protocol_rad,condition_6,joint_stiffness_Nm_per_rad,capstan_rad\n"
+              "0.5,0.20000000000000001,0.22,0.22,-0.10000000000000001,nan,nan\n"
+              "1,0.10000000000000001,nan,0.11,-0.10000000000000001,nan,nan\n");
+}
+
+TEST(SimulationJson, HoldsWhatItDocuments) {
+    const auto j = nlohmann::json::parse(simulation_json(example()));
+    for (const char* key : {"fusee", "name", "profile_sha256", "options", "survey", "condition_6", "levels", "measured", "path_columns",
+                            "path", "loops", "break_away", "bearing", "findings", "remarks", "not_known"})
+        EXPECT_TRUE(j.contains(key)) << key;
+    EXPECT_EQ(j["condition_6"]["verdict"], "holds");
+    EXPECT_EQ(j["levels"][0]["extreme_rad"], 0.22);
+    EXPECT_TRUE(j["levels"][1]["extreme_rad"].is_null());
+    EXPECT_EQ(j["levels"][0]["full_push_Nm"], 0.25);
+    EXPECT_EQ(j["path"]["up"][1], (std::vector<double>{0.3, 0.2, 1.2, 0.8}));
+    EXPECT_EQ(j["break_away"][1]["loads_Nm"], (std::vector<double>{0.8, 1.4}));
+}
+
+TEST(SimulationRemarks, SayWhereTheThreeDeadBandsPart) {
+    std::string words;
+    for (const std::string& remark : remarks(example())) words += remark + "\n";
+    for (const char* part :
+         {"Condition (6) holds from 0.5 Nm to 1 Nm", "9.1 % less (11.5 against 12.6 deg at 0.5 Nm)", "too weak to reach the edges at 1 Nm",
+          "would have to be 0.4 Nm", "The exact extremes are not covered at 1 Nm", "Measured, 1 rows", "no friction"})
+        EXPECT_NE(words.find(part), std::string::npos) << part << " in\n" << words;
+}
+
+TEST(SimulationVerdict, FollowsTheSummary) {
+    Simulation s = example();
+    EXPECT_EQ(condition_verdict(s), ConditionVerdict::kHolds);
+    s.condition = {.torques = {0.5, 1.0}, .holds = {}, .values = {0.1, 0.2}};
+    EXPECT_EQ(condition_verdict(s), ConditionVerdict::kFails);
+    s.condition = {.torques = {0.5, 1.0}, .holds = {{0.7, 1.0}}, .values = {-0.1, 0.2}};
+    EXPECT_EQ(condition_verdict(s), ConditionVerdict::kMixed);
+    s.condition.values = {kUnknown, kUnknown};
+    EXPECT_EQ(condition_verdict(s), ConditionVerdict::kNotKnown);
+}
+
+TEST(SimulationPage, OpensOfflineAndEscapesNames) {
+    const std::string page = simulation_html(example("a<b"));
+    EXPECT_EQ(page.rfind("<!DOCTYPE html>", 0), 0u);
+    EXPECT_EQ(page.find("<script"), std::string::npos);
+    EXPECT_EQ(page.find("http"), std::string::npos);
+    EXPECT_NE(page.find("a&lt;b"), std::string::npos);
+    EXPECT_EQ(page.find("nan"), std::string::npos) << "what is not known is a dash or a gap";
+    for (const char* words : {"Beside what was measured", "Equilibrium and sensitivity", "Motor subsystem", "Frame subsystem", "noise"})
+        EXPECT_NE(page.find(words), std::string::npos) << words;
+}
+
+TEST(SimulationText, ComparesSeveral) {
+    const std::string text = survey_text({example("one"), example("two")});
+    EXPECT_NE(text.find("one"), std::string::npos);
+    EXPECT_NE(text.find("two"), std::string::npos);
+    EXPECT_EQ(text.find("nan"), std::string::npos);
+    EXPECT_NE(relatives_csv({example("one")}).find("\none,pnrvsa,nan,"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace fusee::report

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -96,6 +97,24 @@ TEST_P(Shipped, TwoRunsGiveTheSameBytes) {
     const auto first = fixtures::contents(folder_ / "out");
     ASSERT_TRUE(made().made);
     EXPECT_TRUE(fixtures::contents(folder_ / "out") == first);
+}
+
+using FromDeadBand = fixtures::TempFolder;
+
+/// Wanted in the profile, cut into cams, and simulated from them: the same dead-band.
+TEST_F(FromDeadBand, TheDeadBandAskedForIsTheOneThatTheJointHas) {
+    const MakeResult result = make(profile::read_profile(fixtures::shipped("from_dead_band")), {.out = folder_});
+    ASSERT_TRUE(result.made);
+    const auto lines = lines_of(core::read_file(result.folder / "dead_band.csv"));
+    ASSERT_GE(lines.size(), 3u);
+    for (std::size_t i = 1; i < lines.size(); ++i) {
+        std::istringstream cells(lines[i]);
+        double tau = 0.0, linear = 0.0;
+        char comma = 0;
+        cells >> tau >> comma >> linear;
+        const double wanted = core::rad_from_deg(48.0 * std::pow(tau, -2.2));
+        EXPECT_NEAR(linear, wanted, 1e-8 * wanted) << lines[i];
+    }
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ _fusee() {
             return ;;
         make:--via) choices='cgal openscad' ;;
         design:--method) choices='algorithm_1 co_design pareto' ;;
-        make:--jobs | make:-j | simulate:--jobs | simulate:-j | simulate:--levels | simulate:--push-torque | design:--jobs | design:-j | paper:--jobs | paper:-j | design:--population | design:--generations | design:--seed) return ;;
+        make:--jobs | make:-j | simulate:--jobs | simulate:-j | simulate:--levels | simulate:--push-torque | simulate:--at | design:--jobs | design:-j | paper:--jobs | paper:-j | design:--population | design:--generations | design:--seed) return ;;
         make:*)
             case $word in
                 -*) choices='--out --via --jobs --help' ;;
@@ -32,7 +32,7 @@ _fusee() {
             esac ;;
         simulate:*)
             case $word in
-                -*) choices='--out --levels --push-torque --jobs --help' ;;
+                -*) choices='--out --levels --push-torque --at --jobs --help' ;;
                 *) _fusee_files "$word" toml; return ;;
             esac ;;
         design:*)

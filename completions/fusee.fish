@@ -19,6 +19,7 @@ complete -c fusee -n '__fish_seen_subcommand_from simulate' -a '(__fish_complete
 complete -c fusee -n '__fish_seen_subcommand_from simulate' -s o -l out -x -a '(__fish_complete_directories)' -d 'folder for the results'
 complete -c fusee -n '__fish_seen_subcommand_from simulate' -l levels -x -d 'levels of co-contraction'
 complete -c fusee -n '__fish_seen_subcommand_from simulate' -l push-torque -x -d 'joint torque of the push-and-release test'
+complete -c fusee -n '__fish_seen_subcommand_from simulate' -l at -x -d 'torques T1,T2,TQ of an equilibrium'
 complete -c fusee -n '__fish_seen_subcommand_from simulate' -s j -l jobs -x -d 'profiles simulated at once'
 complete -c fusee -n '__fish_seen_subcommand_from design' -a '(__fish_complete_suffix .toml)'
 complete -c fusee -n '__fish_seen_subcommand_from design' -l method -x -a 'algorithm_1 co_design pareto' -d 'how springs are looked for'

@@ -35,6 +35,7 @@ _fusee() {
                         '(-o --out)'{-o,--out}'[folder for the results]:folder:_files -/' \
                         '--levels[levels of co-contraction]:number:' \
                         '--push-torque[joint torque of the push-and-release test]:torque:' \
+                        '*--at[torques T1,T2,TQ of an equilibrium]:torques:' \
                         '(-j --jobs)'{-j,--jobs}'[profiles simulated at once]:number:' \
                         '(- *)--help[say how to use simulate]' \
                         '*:profile:_files -g "*.toml"' ;;

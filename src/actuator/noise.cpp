@@ -126,15 +126,13 @@ private:
         const VectorXd z = to_unit_mass_.transpose() * shape;
         Eigen::Index most = 0;
         const double largest = z.cwiseAbs().maxCoeff(&most);
+        // Anything above 0 would do; a hundredth of what already acts on that body holds or brakes it without changing much else.
+        const double present = lacking(most, most), enough = present > 0.0 ? 0.01 * present : 0.01;
         core::Finding finding = core::required_change("noise.unbounded", fmt::format("{}: noise drives it arbitrarily far", what),
-                                                      z.dot(lacking * z) / (largest * largest), core::Bound::kAtLeast,
-                                                      std::numeric_limits<double>::min(), unit);
+                                                      z.dot(lacking * z) / (largest * largest), core::Bound::kAtLeast, enough, unit);
         for (Eigen::Index i = 0; i < z.size(); ++i)
             finding.where += fmt::format("{}{} {:.3g}", i ? ", " : "motion: ", names[static_cast<std::size_t>(i)], z(i) / z(most));
-        // A hundredth of what already acts on that body holds or brakes it without changing much else.
-        const double present = lacking(most, most);
-        finding.suggestion = fmt::format("{:.4g} {} between {} and ground", present > 0.0 ? 0.01 * present : 0.01, unit,
-                                         names[static_cast<std::size_t>(most)]);
+        finding.suggestion = fmt::format("{:.4g} {} between {} and ground", enough, unit, names[static_cast<std::size_t>(most)]);
         finding.source = "docs/theory/noise.md, eq. 3";
         return finding;
     }

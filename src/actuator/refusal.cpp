@@ -16,6 +16,10 @@ constexpr std::array<const char*, 3> kBodies{"capstan 1", "capstan 2", "output"}
 
 /// Stiffness below this share of the largest is none: some fifty roundings of the largest.
 constexpr double kNoStiffness = 1e-14;
+/// A torque below this share of the largest is rounding.
+constexpr double kNoTorque = 1e-12;
+/// A stiffness that would do, as a share of the largest: anything above kNoStiffness does, but a person shall understand the figure.
+constexpr double kEnoughStiffness = 0.01;
 
 /// How far inside the ends of a law a suggested resting place lies [rad].
 double margin(core::Range domain) { return 1e-3 * std::min(domain.width(), 1.0); }
@@ -51,7 +55,8 @@ std::string nearest_torques(const Joint& joint, const Eigen::Vector3d& torque, c
         spring.potential = std::make_shared<Stopped>(spring.potential, torque.lpNorm<Eigen::Infinity>());
     const Settled held = settle(stopped, torque, settled.ran_away ? Eigen::Vector3d::Zero() : settled.z);
     if (!held.at_rest() || !outside(joint, held.z).empty() || !free_motion(joint, held.z).empty()) return "";
-    const Eigen::Vector3d within = spring_torques(joint, held.z);
+    const Eigen::Vector3d torques = spring_torques(joint, held.z);
+    const Eigen::Vector3d within = (torques.array().abs() < kNoTorque * torques.lpNorm<Eigen::Infinity>()).select(0.0, torques);
     return fmt::format("tau_1 = {:.8g} Nm, tau_2 = {:.8g} Nm, tau_q = {:.8g} Nm", within[kAgonist], within[kAntagonist], within[kOutput]);
 }
 
@@ -103,12 +108,12 @@ core::Findings beyond_laws(const Joint& joint, const Eigen::Vector3d& z) {
 
 core::Findings free_motion(const Joint& joint, const Eigen::Vector3d& z) {
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> modes(free_stiffness(joint, z));
-    const double least = modes.eigenvalues()[0], needed = kNoStiffness * modes.eigenvalues()[2];
-    if (least > needed) return {};
+    const double least = modes.eigenvalues()[0], greatest = modes.eigenvalues()[2];
+    if (least > kNoStiffness * greatest) return {};
     Eigen::Index body = 0;
     modes.eigenvectors().col(0).cwiseAbs().maxCoeff(&body);
-    core::Finding f =
-        core::required_change("equilibrium.free", "no spring holds a motion of the joint", least, core::Bound::kAtLeast, needed, "Nm/rad");
+    core::Finding f = core::required_change("equilibrium.free", "no spring holds a motion of the joint", std::max(0.0, least),
+                                            core::Bound::kAtLeast, kEnoughStiffness * greatest, "Nm/rad");
     f.where = fmt::format("mostly the {}", kBodies[static_cast<std::size_t>(body)]);
     f.suggestion = "a spring to the ground: not both a = 0 and b = 0 in the paper's figure 1";
     f.source = kSource;

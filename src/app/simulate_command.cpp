@@ -1,6 +1,9 @@
 #include <fmt/format.h>
 
+#include <charconv>
+#include <cmath>
 #include <memory>
+#include <optional>
 
 #include "commands.h"
 #include "fusee/batch/batch.h"
@@ -15,13 +18,38 @@ struct SimulateArguments {
     std::vector<std::filesystem::path> paths;
     std::filesystem::path out = "out";
     pipeline::SimulateOptions options;
+    std::vector<std::string> at;  ///< checked by parse_torques
     unsigned jobs = 0;
 };
+
+constexpr double kLargestTorque = 1e4;
+
+/// "1,0.8,0" as (tau_1, tau_2, tau_q) [Nm]; nothing if these are not three torques.
+std::optional<Eigen::Vector3d> parse_torques(const std::string& text) {
+    Eigen::Vector3d torques;
+    const char* next = text.data();
+    const char* const end = next + text.size();
+    for (int i = 0; i < 3; ++i) {
+        if (i > 0 && (next == end || *next++ != ',')) return std::nullopt;
+        const auto [rest, error] = std::from_chars(next, end, torques[i]);
+        if (error != std::errc() || !(std::abs(torques[i]) <= kLargestTorque)) return std::nullopt;
+        next = rest;
+    }
+    return next == end ? std::optional(torques) : std::nullopt;
+}
+
+std::string three_torques(const std::string& text) {
+    if (parse_torques(text)) return "";
+    return fmt::format("{}; allowed are three torques in Nm parted by commas, each from {:g} to {:g}, such as 1,0.8,0", text,
+                       -kLargestTorque, kLargestTorque);
+}
 
 int simulate(const SimulateArguments& arguments) {
     core::catch_interrupts();
     if (arguments.paths.empty()) throw core::InvalidInput("simulate", "no profile", "at least one profile (*.toml) or folder of them");
-    const auto rows = batch::simulate_all(batch::find_profiles(arguments.paths), arguments.out, arguments.options, arguments.jobs);
+    pipeline::SimulateOptions options = arguments.options;
+    for (const std::string& torques : arguments.at) options.at.push_back(*parse_torques(torques));
+    const auto rows = batch::simulate_all(batch::find_profiles(arguments.paths), arguments.out, options, arguments.jobs);
     const int code = batch::exit_code(rows);
     fmt::print(code == 0 ? stdout : stderr, "{}", batch::closing_table(rows));
     return code;
@@ -31,7 +59,6 @@ int simulate(const SimulateArguments& arguments) {
 
 void add_simulate(CLI::App& app, Action& action) {
     constexpr int kMostLevels = 1000;
-    constexpr double kLargestPush = 1e4;
     const auto arguments = std::make_shared<SimulateArguments>();
     CLI::App* command = app.add_subcommand(
         "simulate", "Say what the joints of profiles do: out/NAME with dead_band.csv, simulation.json and a page of pictures");
@@ -42,12 +69,20 @@ void add_simulate(CLI::App& app, Action& action) {
         ->check(CLI::Range(2, kMostLevels));
     command
         ->add_option("--push-torque", arguments->options.push_torque, "Joint torque of the push-and-release test [Nm]; 0 = strong enough")
-        ->check(CLI::Range(0.0, kLargestPush));
+        ->check(CLI::Range(0.0, kLargestTorque));
+    command
+        ->add_option("--at", arguments->at,
+                     "Torques of agonist, antagonist and joint [Nm] at which equilibrium, sensitivity and dead-band are asked for, such as "
+                     "1,0.8,0; may be given again")
+        ->allow_extra_args(false)
+        ->type_name("T1,T2,TQ")
+        ->check(CLI::Validator(three_torques, ""));
     command->add_option("-j,--jobs", arguments->jobs, "Profiles simulated at the same time; 0 = one for each processor")
         ->capture_default_str();
     command->footer(
-        "Example:\n  fusee simulate profiles/pnrvsa.toml\n  fusee simulate profiles/relatives --levels 5\n\n"
-        "Exit code: 0 all simulated, 1 a law cannot be (the binding limit and the nearest feasible change are printed),\n"
+        "Example:\n  fusee simulate profiles/pnrvsa.toml\n  fusee simulate profiles/relatives --levels 5\n  fusee simulate "
+        "profiles/pnrvsa.toml --at 1,0.9,0 --at 1,1,0.05\n\n"
+        "Exit code: 0 all simulated, 1 a law or an equilibrium cannot be (what binds and the nearest feasible change are printed),\n"
         "2 bad input (file, line and key are named), 3 a failure inside, 130 stopped by Ctrl-C.");
     command->callback([arguments, &action] { action = [arguments] { return simulate(*arguments); }; });
 }

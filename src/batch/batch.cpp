@@ -75,7 +75,8 @@ std::vector<SimulationRow> simulate_all(const std::vector<fs::path>& profiles, c
         (void)pipeline::write_simulation(*simulation, folder);
         row.folder = folder;
         row.simulation = std::move(simulation).value();
-        return true;
+        row.refusal = report::refusals(*row.simulation);
+        return row.refusal.empty();
     };
     const std::vector<Ended> ended = run_each(profiles, work, jobs, progress.get());
     std::vector<report::Simulation> done;

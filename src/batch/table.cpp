@@ -62,12 +62,13 @@ std::string details(const Ended& row, const core::Findings& findings) {
     return lines;
 }
 
-/// "profiles/pnrvsa.toml  made         1.20 s  "
+/// "profiles/pnrvsa.toml  made         1.20 s  "; `done` is the word for what went well.
 template <class AnyRow>
-std::string beginning(const AnyRow& row, const std::vector<AnyRow>& rows) {
+std::string beginning(const AnyRow& row, const std::vector<AnyRow>& rows, const char* done) {
     std::size_t width = 0;
     for (const Ended& other : rows) width = std::max(width, other.profile.string().size());
-    return fmt::format("{:{}}  {:9}  {:6.2f} s  ", row.profile.string(), width, to_string(row.outcome), row.seconds);
+    return fmt::format("{:{}}  {:9}  {:6.2f} s  ", row.profile.string(), width,
+                       row.outcome == Outcome::kMade ? done : to_string(row.outcome), row.seconds);
 }
 
 }  // namespace
@@ -75,7 +76,7 @@ std::string beginning(const AnyRow& row, const std::vector<AnyRow>& rows) {
 std::string closing_table(const std::vector<Row>& rows) {
     std::string table;
     for (const Row& row : rows) {
-        table += beginning(row, rows) + (row.outcome == Outcome::kMade ? made_line(row) : "") + "\n";
+        table += beginning(row, rows, "made") + (row.outcome == Outcome::kMade ? made_line(row) : "") + "\n";
         table += details(row, row.result.findings);
     }
     return table;
@@ -85,7 +86,7 @@ std::string closing_table(const std::vector<SimulationRow>& rows) {
     std::string table;
     std::vector<report::Simulation> done;
     for (const SimulationRow& row : rows) {
-        table += beginning(row, rows) + (row.simulation ? row.folder.string() + "/" : "") + "\n" + details(row, row.refusal);
+        table += beginning(row, rows, "simulated") + (row.simulation ? row.folder.string() + "/" : "") + "\n" + details(row, row.refusal);
         if (!row.simulation) continue;
         table += report::simulation_text(*row.simulation);
         done.push_back(*row.simulation);

@@ -127,8 +127,9 @@ void Judge::remark(report::SearchReport& report, std::span<const double> found) 
     for (std::size_t j = 0; j < report.variables.size(); ++j) {
         const report::SearchedVariable& v = report.variables[j];
         const double edge = 1e-6 * v.box.width();
-        if (v.found - v.box.low <= edge || v.box.high - v.found <= edge)
-            all.push_back(fmt::format("{} stands at the edge of its box, {:.6g} {}", v.name, v.found, v.unit));
+        const bool low = v.found - v.box.low <= edge;
+        if (low || v.box.high - v.found <= edge)
+            all.push_back(fmt::format("{} stands at the edge of its box, {:.6g} {}", v.name, low ? v.box.low : v.box.high, v.unit));
     }
     for (const report::CamCurve& cam : report.cams)
         all.push_back(cam.part ? fmt::format("{} can be cut on the profile's base spring", cam::to_string(cam.kind))

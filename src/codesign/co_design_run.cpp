@@ -45,23 +45,38 @@ design::EvolutionResult search(const Problem& problem, const RunOptions& run) {
 /// The profile's own law, where it can be made: what the design found stands beside.
 struct Own {
     spring::SpringLawPtr law;
-    actuator::Actuator joint;
+    design::Drawing drawing;
 };
 
 std::optional<Own> own_of(const profile::Profile& profile) {
     const auto designed = pipeline::design_law(profile);
     if (!designed) return std::nullopt;
-    return Own{designed->law, pipeline::actuator_of(profile, designed->law)};
+    return Own{designed->law, {pipeline::actuator_of(profile, designed->law), profile.k_se.spring, profile.k_pe.spring}};
+}
+
+/// What a shop's scatter makes of the design found and of the profile's own.
+void add_bands(std::vector<report::ComparedFigure>& all, const Trial& trial, const design::CoDesignOptions& o,
+               const std::optional<Own>& own) {
+    for (const design::RobustBand& built : trial.bands) {
+        design::RobustBand before{.nominal = NAN, .band = {NAN, NAN}, .covered_share = NAN};
+        if (own) before = design::robust_dead_band(own->drawing, built.tau, o.scatter);
+        all.push_back({fmt::format("95th percentile of built joints at {:g} Nm", built.tau), "deg", deg_from_rad(built.band.high),
+                       deg_from_rad(before.band.high)});
+        all.push_back({fmt::format("of them with the whole dead-band on their springs at {:g} Nm", built.tau), "%",
+                       100.0 * built.covered_share, 100.0 * before.covered_share});
+    }
 }
 
 std::vector<report::ComparedFigure> figures_of(const Trial& trial, const design::CoDesignOptions& o, const std::optional<Own>& own) {
     std::vector<report::ComparedFigure> all;
     for (std::size_t i = 0; i < o.torques.size(); ++i)
         all.push_back({fmt::format("exact dead-band at {:g} Nm, full width at the joint", o.torques[i]), "deg",
-                       deg_from_rad(trial.dead_band[i]), own ? deg_from_rad(actuator::dead_band(own->joint, o.torques[i]).extreme) : NAN});
+                       deg_from_rad(trial.dead_band[i]),
+                       own ? deg_from_rad(actuator::dead_band(own->drawing.actuator, o.torques[i]).extreme) : NAN});
+    add_bands(all, trial, o, own);
     const spring::LawPoint low = own ? own->law->at_load(o.loads.low) : spring::LawPoint{};
     const spring::LawPoint high = own ? own->law->at_load(o.loads.high) : spring::LawPoint{};
-    const double twice = own ? 2.0 * std::pow(own->joint.ratio(), 2) : NAN;
+    const double twice = own ? 2.0 * std::pow(own->drawing.actuator.ratio(), 2) : NAN;
     all.push_back({fmt::format("capstan travel from {:g} to {:g} Nm", o.loads.low, o.loads.high), "rad", trial.travel,
                    own ? high.theta - low.theta : NAN});
     all.push_back({fmt::format("joint stiffness, capstans held, at {:g} Nm", o.loads.low), "Nm/rad", trial.stiffness.low, twice * low.s});
@@ -77,6 +92,9 @@ std::vector<std::string> remarks_of(const Trial& trial, const design::CoDesignOp
     for (std::size_t i = 0; i < o.torques.size(); ++i)
         line += fmt::format("{} {:.2f} deg at {:g} Nm", i == 0 ? "" : ",", deg_from_rad(trial.dead_band[i]), o.torques[i]);
     all.push_back(line);
+    for (const design::RobustBand& built : trial.bands)
+        all.push_back(fmt::format("as built, at {:g} Nm: 95 % of the joints within {:.2f} deg; {:.1f} % have all of it on their springs",
+                                  built.tau, deg_from_rad(built.band.high), 100.0 * built.covered_share));
     all.push_back(fmt::format("capstan travel {:.4g} rad from {:g} to {:g} Nm; joint stiffness {:.4g} to {:.4g} Nm/rad", trial.travel,
                               o.loads.low, o.loads.high, trial.stiffness.low, trial.stiffness.high));
     line = "limited by:";
@@ -139,7 +157,8 @@ RunResult run_co_design(const profile::Profile& profile, const RunOptions& optio
     }
     best = renamed(std::move(best), "-best");
     const pipeline::MakeResult made = make_to_verify(best);
-    result.findings = made.findings;
+    for (const core::Finding& f : made.findings)
+        if (f.severity != core::Severity::kPass) result.findings.push_back(f);
     if (!made.made) return result;
     result.folder = result_folder(profile, options);
     best = moved(std::move(best), result.folder);

@@ -49,21 +49,8 @@ profile::Profile renamed(profile::Profile profile, const std::string& ending) {
     return profile;
 }
 
-namespace {
-
-/// Closed in the load where the friction is in proportion to it.
-core::Outcome<spring::SpringLawPtr> stiction_law(const profile::Profile& profile) {
-    const auto& law = std::get<spring::StictionLawOptions>(profile.law.curves);
-    const friction::Law friction = pipeline::gear_friction(profile);
-    if (friction.is_proportional()) return spring::make_stiction_law(law);
-    return spring::make_general_stiction_law({law.k, law.u, law.c, friction, law.start_torque, law.end_torque});
-}
-
-}  // namespace
-
 core::Outcome<spring::SpringLawPtr> law_of(const profile::Profile& profile) {
-    const auto* free = std::get_if<spring::FreeCurveOptions>(&profile.law.curves);
-    const auto law = free != nullptr ? spring::make_free_curve(*free) : stiction_law(profile);
+    const auto law = pipeline::spring_law(profile);
     if (!law) return law.refusal();
     return spring::with_lead_in(*law, profile.law.lead_in_travel);
 }

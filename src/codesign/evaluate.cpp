@@ -57,7 +57,7 @@ private:
     }
     void refuse(const core::Findings& findings, const std::string& of) {
         for (const core::Finding& f : findings) {
-            Limit limit{of + " " + f.rule, f.unit, f.measured, f.allowed, f.bound};
+            Limit limit{f.rule + " " + of, f.unit, f.measured, f.allowed, f.bound};
             trial_.violation += std::max(kUnmade, limit.excess());
             trial_.limits.push_back(std::move(limit));
         }
@@ -92,18 +92,28 @@ private:
         // In shares of the whole travel: angles begin at 0.
         keep({"cover.least", "of the travel", 1.0 + lowest / angles.width(), 1.0, Bound::kAtLeast});
         keep({"cover.greatest", "of the travel", highest / angles.width(), 1.0, Bound::kAtMost});
+        if (options_.figure == design::DeadBandFigure::kPercentile95) judge_scatter();
         trial_.figure = figure();
+    }
+
+    /// What a shop makes of the dead-band, and how many built joints have all of it on their springs: a percentile over the others would
+    /// reward springs that end early.
+    void judge_scatter() {
+        const design::Drawing drawing{pipeline::actuator_of(p_, law_), p_.k_se.spring, p_.k_pe.spring};
+        double least = 1.0;
+        for (const double torque : options_.torques) {
+            trial_.bands.push_back(design::robust_dead_band(drawing, torque, options_.scatter));
+            least = std::min(least, trial_.bands.back().covered_share);
+        }
+        if (options_.covered_share > 0.0) keep({"demand.covered_share", "of built joints", least, options_.covered_share, Bound::kAtLeast});
     }
 
     /// Where a drawing does not cover its edges, its percentiles are not known: `cover` is broken then, and the drawing's own widths do.
     [[nodiscard]] double figure() const {
         std::vector<double> all = trial_.dead_band;
         if (options_.figure == design::DeadBandFigure::kWorst) return *std::max_element(all.begin(), all.end());
-        if (options_.figure == design::DeadBandFigure::kPercentile95) {
-            const design::Drawing drawing{pipeline::actuator_of(p_, law_), p_.k_se.spring, p_.k_pe.spring};
-            for (std::size_t i = 0; i < all.size(); ++i)
-                if (const double high = design::percentile_95(drawing, options_.torques[i]); !std::isnan(high)) all[i] = high;
-        }
+        for (std::size_t i = 0; i < trial_.bands.size(); ++i)
+            if (const double high = trial_.bands[i].band.high; !std::isnan(high)) all[i] = high;
         return std::accumulate(all.begin(), all.end(), 0.0) / static_cast<double>(all.size());
     }
 

@@ -37,7 +37,7 @@ std::array<double, 2> costs_of(const Problem& problem, const Trial& trial) {
 }
 
 /// The least dead-band for the demands of `problem`: a member to begin the front with. Half of the generations have to do.
-std::vector<double> best_of(const Problem& problem, const RunOptions& run) {
+design::EvolutionResult best_of(const Problem& problem, const RunOptions& run) {
     design::EvolutionOptions options;
     options.bounds = problem.bounds();
     options.population = problem.base().search.population;
@@ -45,7 +45,7 @@ std::vector<double> best_of(const Problem& problem, const RunOptions& run) {
     options.seed = static_cast<std::uint64_t>(problem.base().search.seed);
     options.jobs = run.jobs;
     options.stop = run.stop;
-    return design::evolve([&problem](std::span<const double> x) { return cost(problem.evaluate(x)); }, options).best;
+    return design::evolve([&problem](std::span<const double> x) { return cost(problem.evaluate(x)); }, options);
 }
 
 /// The same search with another share of the travel demanded, or of the radius allowed.
@@ -117,9 +117,15 @@ Front search(const Problem& problem, const Problem& demanded, const RunOptions& 
     options.jobs = run.jobs;
     options.progress = run.progress;
     options.stop = run.stop;
-    for (const double share : against_size(demanded) ? kRadii : kTravels)
-        options.seeds.push_back(best_of(Problem(with_share(demanded, share)), run));
-    return find_front([&problem](std::span<const double> x) { return costs_of(problem, problem.evaluate(x)); }, options);
+    std::size_t before = 0;
+    for (const double share : against_size(demanded) ? kRadii : kTravels) {
+        design::EvolutionResult member = best_of(Problem(with_share(demanded, share)), run);
+        options.seeds.push_back(std::move(member.best));
+        before += member.evaluations;
+    }
+    Front front = find_front([&problem](std::span<const double> x) { return costs_of(problem, problem.evaluate(x)); }, options);
+    front.evaluations += before;
+    return front;
 }
 
 }  // namespace

@@ -12,9 +12,10 @@ namespace fusee::codesign {
 
 namespace {
 
-constexpr double kMilli = 1e3;                // mm in a metre
-constexpr core::Range kStartShare{0.6, 1.0};  // of the least load that stiction allows
-constexpr core::Range kEndShare{1.0, 1.15};   // of the greatest: the edges of a dead-band lie beyond it
+constexpr double kMilli = 1e3;                   // mm in a metre
+constexpr core::Range kStartShare{0.6, 1.0};     // of the least load that stiction allows
+constexpr core::Range kEndShare{1.0, 1.15};      // of the greatest: the edges of a dead-band lie beyond it
+constexpr core::Range kBuiltEndShare{1.0, 1.4};  // those of built joints farther out still
 constexpr core::Range kStartTransmission{0.02, 0.98}, kUShare{0.0, 1.0};
 constexpr core::Range kLogit{-5.0, 3.0};  // T of the free curve: 0.7 % to 95 %
 
@@ -62,7 +63,8 @@ void Problem::add_rig() {
     const double least = friction.resting_loads(base_.rig.least_torque).low;
     const double greatest = friction.resting_loads(base_.rig.overdrive_torque).high;
     add("start", "Nm", {kStartShare.low * least, kStartShare.high * least}, [](Draft& d, double x) { d.start = x; });
-    add("end", "Nm", {kEndShare.low * greatest, kEndShare.high * greatest}, [](Draft& d, double x) { d.end = x; });
+    const core::Range end = options().figure == design::DeadBandFigure::kPercentile95 ? kBuiltEndShare : kEndShare;
+    add("end", "Nm", {end.low * greatest, end.high * greatest}, [](Draft& d, double x) { d.end = x; });
     add("lead-in", "rad", options().lead_in, [](Draft& d, double x) { d.profile.law.lead_in_travel = rounded(x, core::kPi, 180.0); });
 }
 

@@ -77,6 +77,13 @@ Weighing weigh(const std::vector<BreakAway>& rows, const std::vector<Group>& fin
     return w;
 }
 
+/// Those of the groups that have a line; all rows if none has.
+std::vector<Group> with_lines(const std::vector<BreakAway>& rows, std::vector<Group> groups) {
+    const std::vector<double> even(rows.size(), 1.0);
+    std::erase_if(groups, [&](const Group& group) { return !has_line(line_model(rows, group, even)); });
+    return groups.empty() ? std::vector{all_of(rows)} : groups;
+}
+
 Group without(const Group& all, const std::vector<std::size_t>& outliers) {
     Group rest{"all without outliers", {}};
     std::set_difference(all.rows.begin(), all.rows.end(), outliers.begin(), outliers.end(), std::back_inserter(rest.rows));
@@ -141,10 +148,7 @@ FrictionReport identify_friction(const std::vector<BreakAway>& rows) {
     const auto by_both = by_direction.empty() || by_side.empty()
                              ? std::vector<Group>{}
                              : groups_by(rows, [](const BreakAway& row) { return row.side + " " + direction_of(row); });
-    const std::vector<double> even(rows.size(), 1.0);
-    std::vector<Group> finest = !by_both.empty() ? by_both : !by_side.empty() ? by_side : by_direction;
-    std::erase_if(finest, [&](const Group& group) { return !has_line(line_model(rows, group, even)); });
-    if (finest.empty()) finest.push_back(all);
+    const std::vector<Group> finest = with_lines(rows, !by_both.empty() ? by_both : !by_side.empty() ? by_side : by_direction);
     const Weighing weighing = weigh(rows, finest);
 
     FrictionReport report;
@@ -164,10 +168,8 @@ FrictionReport identify_friction(const std::vector<BreakAway>& rows) {
                         finest,
                         weighing.outliers,
                         weighing.scatter};
-    report.lines.insert(report.lines.end(), fitted.directions.begin(), fitted.directions.end());
-    report.lines.insert(report.lines.end(), fitted.sides.begin(), fitted.sides.end());
-    const auto both = lines_of(rows, by_both, weighing.weights);
-    report.lines.insert(report.lines.end(), both.begin(), both.end());
+    for (const auto& lines : {fitted.directions, fitted.sides, lines_of(rows, by_both, weighing.weights)})
+        report.lines.insert(report.lines.end(), lines.begin(), lines.end());
     report.remarks = remarks_on(fitted);
     report.law = law_of(fitted.trusted);
     if (!report.law)

@@ -61,6 +61,18 @@ std::vector<report::HillFigure::Passive> passive_curve(const spring::Potential& 
     return curve;
 }
 
+/// Capstan travel over the measured rows: dtheta/dtau = 1/(S + P), about 1/P where T is small. Between two rows tau/P, in proportion to
+/// the width for tau_f = mu tau, is taken as a + b tau.
+double implied_travel(const std::vector<report::MeasuredRow>& rows, const std::vector<double>& parallel) {
+    double travel = 0.0;
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+        const double from = rows[i - 1].tau, to = rows[i].tau;
+        const double slope = (to / parallel[i] - from / parallel[i - 1]) / (to - from);
+        travel += (from / parallel[i - 1] - slope * from) * std::log(to / from) + slope * (to - from);
+    }
+    return travel;
+}
+
 }  // namespace
 
 std::vector<report::NoiseCurve> noise_figure() {
@@ -99,9 +111,7 @@ core::Outcome<report::PaperTable> replay_table(const profile::Profile& profile) 
     const double ratio = profile.rig.joint_radius / profile.rig.capstan_radius;
     for (const report::MeasuredRow& row : table.simulation.measured)
         table.parallel.push_back(2.0 * gear.at_rest(row.tau) / (ratio * row.measured));  // docs/theory/dead_band.md, eq. 2
-    const auto& rows = table.simulation.measured;
-    for (std::size_t i = 1; i < rows.size(); ++i)  // dtheta/dtau = 1/(S + P), about 1/P where T is small
-        table.travel += 0.5 * (rows[i].tau - rows[i - 1].tau) * (1.0 / table.parallel[i] + 1.0 / table.parallel[i - 1]);
+    table.travel = implied_travel(table.simulation.measured, table.parallel);
     return table;
 }
 

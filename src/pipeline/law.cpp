@@ -6,7 +6,6 @@
 #include "fusee/actuator/dead_band.h"
 #include "fusee/pipeline/design.h"
 #include "fusee/spring/lead_in.h"
-#include "spring_law.h"
 
 namespace fusee::pipeline {
 

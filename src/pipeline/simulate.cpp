@@ -15,6 +15,7 @@
 #include "fusee/design/robust.h"
 #include "fusee/pipeline/export.h"
 #include "fusee/spring/cable.h"
+#include "fusee/spring/resampled.h"
 
 namespace fs = std::filesystem;
 
@@ -68,7 +69,8 @@ public:
         : profile_(profile),
           actuator_(actuator_of(profile, law)),
           joint_(joint_of(profile, law)),
-          frame_(joint_of(profile, law, false)),
+          path_joint_(path_joint_of(profile, law)),
+          frame_(path_joint_of(profile, law, false)),
           test_{.push_torque = push_torque} {}
 
     void fill(report::Simulation& simulation, const std::vector<double>& levels) {
@@ -76,18 +78,18 @@ public:
         simulation.condition = actuator::summarize_condition(actuator_);
         simulation.measured = measured();
         const double peak = actuator_.peak_torque;
-        if (const actuator::ReleaseReading at_peak = actuator::release_test(joint_, peak, test_); at_peak.push_torque > 0.0)
-            simulation.path = release_path(joint_, peak, at_peak.push_torque);
-        for (const std::size_t i : {std::size_t{0}, levels.size() / 2, levels.size() - 1})
+        if (const actuator::ReleaseReading at_peak = actuator::release_test(path_joint_, peak, test_); at_peak.push_torque > 0.0)
+            simulation.path = release_path(path_joint_, peak, at_peak.push_torque);
+        for (const std::size_t i : std::set{std::size_t{0}, levels.size() / 2, levels.size() - 1})
             if (const double push = simulation.levels[i].reading.push_torque; push > 0.0)
-                simulation.loops.push_back(deflection_loop(joint_, levels[i], push));
+                simulation.loops.push_back(deflection_loop(path_joint_, levels[i], push));
         simulation.break_away = break_away_rows(actuator_.gear_friction, actuator_.overdrive_torque, kBreakAwayRows);
         simulation.gaps = gaps_.list();
     }
 
 private:
     report::SimulatedLevel level(double tau) {
-        report::SimulatedLevel level = simulate_level(actuator_, joint_, tau, test_);
+        report::SimulatedLevel level = simulate_level(actuator_, path_joint_, tau, test_);
         if (level.reading.push_torque > 0.0) level.frame = read(frame_, tau, level.reading.push_torque);
         if (const double theta = level.dead_band.theta; std::isfinite(theta)) {
             if (const auto matrix = actuator::sensitivity(joint_, {theta, theta, 0.0}))
@@ -106,13 +108,13 @@ private:
         const profile::Rows& table = profile_.simulate.measured;
         std::vector<report::MeasuredRow> rows;
         for (std::size_t i = 0; i < table.x.size(); ++i)
-            rows.push_back({table.x[i], table.y[i], simulate_level(actuator_, joint_, table.x[i], test_).dead_band});
+            rows.push_back({table.x[i], table.y[i], simulate_level(actuator_, path_joint_, table.x[i], test_).dead_band});
         return rows;
     }
 
     const profile::Profile& profile_;
     actuator::Actuator actuator_;
-    actuator::Joint joint_, frame_;
+    actuator::Joint joint_, path_joint_, frame_;
     actuator::ReleaseTest test_;
     Gaps gaps_;
 };
@@ -128,6 +130,13 @@ actuator::ArrangementRow survey_of(const actuator::ArrangementOptions& options, 
     return actuator::survey(options, torques);
 }
 
+/// The torques that equilibria are asked for, as a stamp shows them.
+std::string at_text(const std::vector<Eigen::Vector3d>& at) {
+    std::string text;
+    for (const Eigen::Vector3d& torque : at) text += fmt::format(", at={},{},{}", torque[0], torque[1], torque[2]);
+    return text;
+}
+
 /// What the table of relatives knows of one level.
 report::SimulatedLevel surveyed_level(const actuator::ArrangementOptions& options, double tau) {
     const actuator::ArrangementRow row = actuator::survey(options, {tau, tau});
@@ -140,8 +149,17 @@ report::SimulatedLevel surveyed_level(const actuator::ArrangementOptions& option
 
 }  // namespace
 
-actuator::Joint joint_of(const profile::Profile& profile, const spring::SpringLawPtr& law, bool gears) {
-    actuator::Joint joint = actuator::joint_of(actuator_of(profile, law), gears);
+actuator::Joint joint_of(const profile::Profile& profile, const spring::SpringLawPtr& law) {
+    actuator::Joint joint = actuator::joint_of(actuator_of(profile, law));
+    joint.output_friction = profile.rig.joint_friction;
+    return joint;
+}
+
+actuator::Joint path_joint_of(const profile::Profile& profile, const spring::SpringLawPtr& law, bool gears) {
+    const auto series = spring::resampled(spring::series_spring(law)), parallel = spring::resampled(spring::parallel_spring(law));
+    const friction::Law gear = gears ? gear_friction(profile) : friction::Law::proportional(0.0);
+    actuator::Joint joint =
+        actuator::antagonist(parallel, series, series, parallel, {gear, gear}, profile.rig.capstan_radius, profile.rig.joint_radius);
     joint.output_friction = profile.rig.joint_friction;
     return joint;
 }
@@ -167,7 +185,7 @@ core::Outcome<report::Simulation> simulate(const profile::Profile& profile, cons
     const std::vector<double> levels = torques(rig, count);
 
     report::Simulation simulation;
-    simulation.provenance = {profile.name, profile.sha256, fmt::format("levels={}, push_torque_Nm={}", count, push)};
+    simulation.provenance = {profile.name, profile.sha256, fmt::format("levels={}, push_torque_Nm={}{}", count, push, at_text(options.at))};
     simulation.survey = survey_of(arrangement, rig, law->law->loads());
     simulation.push_torque = push;
     simulation.bearing = rig.joint_friction;
@@ -176,6 +194,11 @@ core::Outcome<report::Simulation> simulate(const profile::Profile& profile, cons
         JointSimulator(profile, law->law, push).fill(simulation, levels);
     } else {
         for (const double tau : levels) simulation.levels.push_back(surveyed_level(arrangement, tau));
+    }
+    if (!options.at.empty()) {
+        const bool paper = rig.arrangement == actuator::Arrangement::kPnrvsa;
+        const actuator::Joint joint = paper ? joint_of(profile, law->law) : actuator::make_arrangement(arrangement);
+        for (const Eigen::Vector3d& torque : options.at) simulation.equilibria.push_back(equilibrium_at(joint, torque));
     }
     return simulation;
 }

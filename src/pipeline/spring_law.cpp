@@ -1,5 +1,3 @@
-#include "spring_law.h"
-
 #include <variant>
 
 #include "fusee/core/units.h"

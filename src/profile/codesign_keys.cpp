@@ -31,6 +31,26 @@ std::vector<Key> wishes() {
     };
 }
 
+/// Only what is minimised over a shop's scatter knows of it.
+Key of_scatter(Key key) { return when("co_design.figure", {"percentile_95"}, std::move(key)); }
+
+std::vector<Key> scatter() {
+    const Limits share = within(0, 0.3);
+    return {
+        of_scatter(number("co_design.scatter_rate_se", kPure, share,
+                          "of K_SE's base springs, one standard deviation over the rate: a promised +-10 % is two of them",
+                          OF(scatter.rate_se))),
+        of_scatter(number("co_design.scatter_rate_pe", kPure, share, "of K_PE's base springs", OF(scatter.rate_pe))),
+        of_scatter(number("co_design.scatter_contour_mm", kMm, within(0, 10),
+                          "of what a cam's arms are too long by, one standard deviation", OF(scatter.contour))),
+        of_scatter(number("co_design.scatter_friction", kPure, share,
+                          "of each gear, one standard deviation over its friction: +-20 % is two of them", OF(scatter.friction))),
+        of_scatter(number("co_design.covered_share", kPure, within(0, 1),
+                          "least share of built joints whose springs reach both edges, at each of co_design.torques_Nm; 0: not asked for",
+                          OF(covered_share))),
+    };
+}
+
 std::vector<Key> limits() {
     return {
         number("co_design.contour_radius_mm", kMm, above(0, 1000), "of both cams' working arcs at most; idle arcs go a few mm beyond",
@@ -51,6 +71,7 @@ std::vector<Key> limits() {
 
 std::vector<Key> codesign_keys() {
     std::vector<Key> all = wishes();
+    for (Key& key : scatter()) all.push_back(std::move(key));
     for (Key& key : limits()) all.push_back(std::move(key));
     return all;
 }

@@ -55,7 +55,7 @@ std::string words(const Simulation& s) {
     return out + "</ul></section>\n";
 }
 
-std::string level_table(const Simulation& s) {
+std::string level_section(const Simulation& s) {
     std::vector<std::vector<Cell>> rows;
     for (const SimulatedLevel& level : s.levels) {
         const actuator::DeadBand& d = level.dead_band;
@@ -63,9 +63,11 @@ std::string level_table(const Simulation& s) {
                         figure(deg_from_rad(level.within_laws)), figure(d.condition_6, 3), figure(d.joint_stiffness),
                         figure(d.free_joint_stiffness), figure(level.reading.push_torque, 3), figure(level.reading.full_push, 3)});
     }
-    return html_table({"tau [Nm]", "linear [deg]", "exact [deg]", "test reads [deg]", "within the laws [deg]", "condition (6)",
+    return "<section><h2>Levels of co-contraction</h2>" +
+           html_table({"tau [Nm]", "linear [deg]", "exact [deg]", "test reads [deg]", "within the laws [deg]", "condition (6)",
                        "held [Nm/rad]", "free [Nm/rad]", "push [Nm]", "full push [Nm]"},
-                      rows);
+                      rows) +
+           "</section>\n";
 }
 
 /// Equilibrium (1) and sensitivity (2) at equal co-contraction: the joint stays at 0, both capstans turn alike.
@@ -117,14 +119,15 @@ std::string grid(const std::string& title, const std::string& text, const std::s
 
 std::string simulation_html(const Simulation& s) {
     std::string body = head(s) + words(s);
-    if (!is_paper(s)) return html_page(s.provenance.name, body + survey_section(s) + level_table(s));
+    body += equilibria_section(s);
+    if (!is_paper(s)) return html_page(s.provenance.name, body + survey_section(s) + level_section(s));
     body += measured_section(s);
     body +=
         grid("The joint over co-contraction",
              "Linear: paper (3)-(4). Exact: the widest pair of places at which gear friction can hold the joint. Push and release: what a "
              "test reads, which depends on the path.",
              joint_charts(s));
-    body += "<section>" + level_table(s) + "</section>\n" + equilibrium_section(s);
+    body += level_section(s) + equilibrium_section(s);
     body += grid("Pushed and released", "Each capstan is a play whose limits are its friction: it stays until its load leaves them.",
                  push_charts(s));
     body +=

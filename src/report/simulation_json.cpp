@@ -79,6 +79,25 @@ Json path_json(const ReleasePath& path) {
             {"down", points_json(path.down)}};
 }
 
+Json equilibrium_json(const EquilibriumRow& row) {
+    const auto three = [](const Eigen::Vector3d& v) { return Json::array({v[0], v[1], v[2]}); };
+    Json j = {{"torques_Nm", three(row.torque)},
+              {"z_rad", three(row.z)},
+              {"sensitivity_rad_per_Nm", matrix(row.sensitivity)},
+              {"hatted_sensitivity_m_per_N", matrix(row.hatted)},
+              {"joint_stiffness_Nm_per_rad", row.joint_stiffness},
+              {"free_joint_stiffness_Nm_per_rad", row.free_joint_stiffness},
+              {"dead_band", Json()},
+              {"findings", findings_json(row.refusal)}};
+    if (const auto& band = row.dead_band)
+        j["dead_band"] = {{"linear_rad", band->linear},
+                          {"extreme_rad", band->extreme},
+                          {"edges_rad", range(band->edges)},
+                          {"condition_5", band->condition_5},
+                          {"condition_6", band->condition_6}};
+    return j;
+}
+
 /// One entry a row.
 template <class Row, class ToJson>
 Json listed(const std::vector<Row>& rows, const ToJson& to_json) {
@@ -99,6 +118,7 @@ std::string simulation_json(const Simulation& s) {
     j["condition_6"] = condition_json(s);
     j["levels"] = listed(s.levels, level_json);
     j["measured"] = listed(s.measured, measured_json);
+    j["equilibria"] = listed(s.equilibria, equilibrium_json);
     j["path_columns"] = {"joint_torque_Nm", "q_rad", "load_1_Nm", "load_2_Nm"};
     j["path"] = s.path ? path_json(*s.path) : Json();
     j["loops"] = listed(s.loops, [](const DeflectionLoop& loop) { return Json{{"tau_Nm", loop.tau}, {"cycle", points_json(loop.cycle)}}; });

@@ -3,6 +3,7 @@
 #include "fusee/core/units.h"
 #include "fusee/report/simulation.h"
 #include "html.h"
+#include "simulation_page.h"
 
 namespace fusee::report {
 
@@ -26,6 +27,7 @@ std::string simulation_text(const Simulation& s) {
     for (const MeasuredRow& row : s.measured)
         text += fmt::format("  measured at {} Nm: {} deg; linear {}, exact {}, test reads {}\n", number(row.tau, 4), deg(row.measured),
                             deg(row.computed.linear), deg(row.computed.extreme), deg(row.computed.protocol));
+    text += equilibria_text(s);
     for (const std::string& remark : remarks(s)) text += "  " + remark + "\n";
     for (const std::string& gap : s.gaps) text += "  not known: " + gap + "\n";
     return text;

@@ -27,7 +27,7 @@ p{margin:6px 0 12px;max-width:80ch}.eyebrow,.stamp{color:var(--soft);font-size:1
 .grid{display:grid;grid-template-columns:repeat(2,minmax(0,1fr));gap:14px}.wide{grid-column:1/-1}
 .part{display:grid;grid-template-columns:minmax(0,1.15fr) minmax(0,1fr);gap:14px}.part>figure{align-self:start}
 .stack{display:grid;gap:14px;align-content:start}
-figure{margin:0}.plot{background:var(--card);border:1px solid var(--line);border-radius:12px;padding:14px 12px 8px}
+figure{margin:0}.plot{max-width:760px;background:var(--card);border:1px solid var(--line);border-radius:12px;padding:14px 12px 8px}
 figcaption{font-weight:600;font-size:14px;padding:0 6px 2px}
 svg{display:block;font-family:inherit}svg.cam,.plot svg{width:100%;height:auto}svg text{fill:var(--soft)}
 .plot text{font-size:12px}.plot .name{fill:var(--ink)}.plot .key{fill:var(--ink)}.plot .note{font-size:11px;fill:var(--faint)}
@@ -37,7 +37,8 @@ svg{display:block;font-family:inherit}svg.cam,.plot svg{width:100%;height:auto}s
 .curve.se{stroke:var(--se)}.curve.pe{stroke:var(--pe)}.curve.sum{stroke:var(--sum)}.curve.t{stroke:var(--t)}
 .curve.exact{stroke:var(--exact)}.curve.linear{stroke:var(--linear)}
 .dot.se,.band.se{fill:var(--se)}.dot.pe,.band.pe{fill:var(--pe)}.dot.t,.band.t{fill:var(--t)}
-.dot.linear,.band.linear{fill:var(--linear)}.dot.sum,.band.sum{fill:var(--sum)}.band{opacity:.15}.curve.bar{stroke-width:1.1}
+.dot.exact,.band.exact{fill:var(--exact)}.dot.linear,.band.linear{fill:var(--linear)}.dot.sum,.band.sum{fill:var(--sum)}
+.band{opacity:.15}.curve.bar{stroke-width:1.1}
 svg.cam path,svg.cam circle{vector-effect:non-scaling-stroke}
 .cam .body{fill:var(--body);fill-rule:evenodd;stroke:var(--sum);stroke-width:1.2}
 .cam .boss{fill:none;stroke:var(--faint);stroke-dasharray:5 3}

@@ -15,10 +15,11 @@ namespace {
 constexpr double kWidth = 520, kHeight = 300, kLeft = 58, kRight = 14, kLegend = 16, kLegendRow = 18, kBare = 12, kBottom = 46, kTick = 5;
 constexpr int kTicks = 5;
 constexpr double kNoteHeight = 14;
-constexpr double kLegendLetter = 6.6, kLegendGap = 40;
+constexpr double kLetter = 6.6, kLegendGap = 40;
+constexpr double kTickGap = 8, kNameWidth = 22;  // from tick labels to the axis; of the axis's name beside them
 constexpr double kDot = 2.6, kCap = 3;
 
-double key_width(const std::string& label) { return kLegendGap + kLegendLetter * static_cast<double>(label.size()); }
+double key_width(const std::string& label) { return kLegendGap + kLetter * static_cast<double>(label.size()); }
 
 /// The finite values' range; {0, 1} if there are none, widened if they are all alike.
 core::Range range_of(const std::vector<const std::vector<double>*>& columns) {
@@ -54,8 +55,8 @@ std::vector<double> round_ticks(const core::Range& range, int count) {
 /// From values to drawing units.
 struct Plot::Frame {
     core::Range x, y;
-    double top = kBare;
-    [[nodiscard]] double at_x(double value) const { return kLeft + (value - x.low) / x.width() * (kWidth - kLeft - kRight); }
+    double top = kBare, left = kLeft;
+    [[nodiscard]] double at_x(double value) const { return left + (value - x.low) / x.width() * (kWidth - left - kRight); }
     [[nodiscard]] double at_y(double value) const { return kHeight - kBottom - (value - y.low) / y.width() * (kHeight - top - kBottom); }
 };
 
@@ -109,9 +110,11 @@ Plot::Frame Plot::frame() const {
     }
     const std::size_t keys = legend_rows().size();
     Frame f{range_of(xs), range_of(ys), keys > 0 ? kLegend + kLegendRow * static_cast<double>(keys) : kBare};
-    if (from_zero_) f.y.low = std::min(0.0, f.y.low);
+    if (from_zero_) f.y = {std::min(0.0, f.y.low), std::max(0.0, f.y.high)};
     const double step = round_step(f.y.width(), kTicks);
     f.y = {std::floor(f.y.low / step + 1e-9) * step, std::ceil(f.y.high / step - 1e-9) * step};
+    for (const double tick : round_ticks(f.y, kTicks))  // kLeft has room for four letters
+        f.left = std::max(f.left, kNameWidth + kLetter * static_cast<double>(tick_text(tick).size()) + kTickGap);
     return f;
 }
 
@@ -120,13 +123,14 @@ std::string Plot::axes(const Frame& f) const {
     std::string out;
     for (const double tick : round_ticks(f.y, kTicks))
         out += fmt::format("<path class=\"rule\" d=\"M{} {}H{}\"/><text class=\"tick\" x=\"{}\" y=\"{}\" text-anchor=\"end\">{}</text>",
-                           kLeft, coordinate(f.at_y(tick)), kWidth - kRight, kLeft - 8, coordinate(f.at_y(tick) + 4), tick_text(tick));
+                           coordinate(f.left), coordinate(f.at_y(tick)), kWidth - kRight, coordinate(f.left - kTickGap),
+                           coordinate(f.at_y(tick) + 4), tick_text(tick));
     for (const double tick : round_ticks(f.x, kTicks + 1))
         out += fmt::format("<path class=\"axis\" d=\"M{} {}v{}\"/><text class=\"tick\" x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>",
                            coordinate(f.at_x(tick)), bottom, kTick, coordinate(f.at_x(tick)), bottom + 19, tick_text(tick));
-    out += fmt::format("<path class=\"axis\" d=\"M{} {}H{}\"/>", kLeft, bottom, kWidth - kRight);
-    out += fmt::format("<text class=\"name\" x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>", (kLeft + kWidth - kRight) / 2,
-                       kHeight - 8, escape(x_name_));
+    out += fmt::format("<path class=\"axis\" d=\"M{} {}H{}\"/>", coordinate(f.left), bottom, kWidth - kRight);
+    out += fmt::format("<text class=\"name\" x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>",
+                       coordinate((f.left + kWidth - kRight) / 2), kHeight - 8, escape(x_name_));
     out += fmt::format("<text class=\"name\" transform=\"translate(15 {}) rotate(-90)\" text-anchor=\"middle\">{}</text>",
                        (f.top + bottom) / 2, escape(y_name_));
     return out;

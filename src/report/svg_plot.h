@@ -25,7 +25,7 @@ public:
     Plot& shade(const core::Range& x, std::string label);
     /// A vertical line with its name.
     Plot& mark(double x, std::string label);
-    /// Makes the y axis begin at zero.
+    /// Makes the y axis hold zero: begin there, or end there for values below it.
     Plot& from_zero();
 
     [[nodiscard]] std::string svg() const;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "actuator/with_law.h"
 #include "fusee/core/error.h"
 #include "fusee/spring/lead_in.h"
 #include "fusee/spring/potential.h"
@@ -12,19 +13,6 @@
 
 namespace fusee::actuator {
 namespace {
-
-constexpr double kMu = 0.28;
-
-/// Joint and capstan of one radius, so that widths at the joint are those at the capstan.
-Actuator with_law(spring::SpringLawPtr law, double mu = kMu, double ratio = 1.0) {
-    return {.law = std::move(law),
-            .capstan_radius = 0.03,
-            .joint_radius = 0.03 * ratio,
-            .gear_friction = friction::Law::proportional(mu),
-            .least_torque = 0.8,
-            .peak_torque = 1.0,
-            .overdrive_torque = 1.5};
-}
 
 spring::SpringLawPtr soft_law(double end) {
     return *spring::make_stiction_law({.k = 0.225, .u = 0.0012, .c = 0.265, .mu = kMu, .start_torque = 0.6, .end_torque = end});

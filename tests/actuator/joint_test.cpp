@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "fusee/core/error.h"
 #include "random_joint.h"
+#include "refused.h"
 
 namespace fusee::actuator {
 namespace {
@@ -80,13 +80,8 @@ TEST(Joint, SpringsOutsideTheirLawAreNamed) {
 TEST(JointRefusal, MissingPartsAreNamed) {
     const auto spring = spring::make_polynomial({0.0, 1.0});
     const std::array<friction::Law, 2> gears{friction::Law::proportional(0.0), friction::Law::proportional(0.0)};
-    const auto field = [&](const spring::PotentialPtr& u3, double capstan, double joint) -> std::string {
-        try {
-            (void)antagonist(spring, spring, u3, spring, gears, capstan, joint);
-        } catch (const core::InvalidInput& error) {
-            return error.field();
-        }
-        return "accepted";
+    const auto field = [&](const spring::PotentialPtr& u3, double capstan, double joint) {
+        return field_refused([&] { return antagonist(spring, spring, u3, spring, gears, capstan, joint); });
     };
     EXPECT_EQ(field(spring, 0.02, 0.03), "accepted");
     EXPECT_EQ(field(nullptr, 0.02, 0.03), "u3");

@@ -189,6 +189,8 @@ TEST(PassiveNoise, UnboundedWithoutAPathToGround) {
     const core::Finding& finding = refused.refusal().front();
     EXPECT_EQ(finding.rule, "noise.unbounded");
     EXPECT_EQ(finding.where, "motion: motor 1, joint 1");
+    EXPECT_EQ(finding.allowed, 0.01) << "a stiffness that a person understands: the one suggested";
+    EXPECT_LT(finding.measured, 1e-12);
     EXPECT_NE(finding.suggestion.find("0.01 Nm/rad between"), std::string::npos) << finding.suggestion;
     path.b = 0.01;
     EXPECT_TRUE(passive_noise(path));

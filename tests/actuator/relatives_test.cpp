@@ -6,9 +6,9 @@
 #include <random>
 
 #include "fusee/actuator/dead_band.h"
-#include "fusee/core/error.h"
 #include "fusee/spring/cable.h"
 #include "fusee/spring/stiction_law.h"
+#include "refused.h"
 
 namespace fusee::actuator {
 namespace {
@@ -168,13 +168,8 @@ TEST(Relatives, SpringsThatPullAndPushAreOdd) {
 }
 
 TEST(RelativesRefusal, BadOptionsAreNamed) {
-    const auto field = [](const ArrangementOptions& options, core::Range levels = kLevels) -> std::string {
-        try {
-            (void)survey(options, levels);
-        } catch (const core::InvalidInput& error) {
-            return error.field();
-        }
-        return "accepted";
+    const auto field = [](const ArrangementOptions& options, core::Range levels = kLevels) {
+        return field_refused([&] { return survey(options, levels); });
     };
     EXPECT_EQ(field(options(Arrangement::kSimpleAntagonist, nullptr)), "series");
     EXPECT_EQ(field(options(Arrangement::kPnrvsa, quadratic())), "parallel");

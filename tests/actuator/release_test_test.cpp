@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "actuator/random_joint.h"
+#include "actuator/with_law.h"
 #include "fusee/actuator/dead_band.h"
 #include "fusee/actuator/stick_slip.h"
 #include "fusee/core/error.h"
@@ -14,30 +15,18 @@
 namespace fusee::actuator {
 namespace {
 
-constexpr double kMu = 0.28;
-
-Actuator with_law(const core::Outcome<spring::SpringLawPtr>& law, double mu = kMu, double ratio = 1.0) {
-    return {.law = *law,
-            .capstan_radius = 0.03,
-            .joint_radius = 0.03 * ratio,
-            .gear_friction = friction::Law::proportional(mu),
-            .least_torque = 0.8,
-            .peak_torque = 1.0,
-            .overdrive_torque = 1.5};
-}
-
-core::Outcome<spring::SpringLawPtr> paper_law() {
-    return spring::make_stiction_law({.k = 0.225, .u = 0.0012, .c = 0.265, .mu = kMu, .start_torque = 0.6, .end_torque = 2.21});
+spring::SpringLawPtr paper_law() {
+    return *spring::make_stiction_law({.k = 0.225, .u = 0.0012, .c = 0.265, .mu = kMu, .start_torque = 0.6, .end_torque = 2.21});
 }
 
 /// The first prototype's, up to load `end`.
-core::Outcome<spring::SpringLawPtr> prototype_law(double end) {
-    return spring::make_pair_law(spring::make_polynomial({0.0, 0.10, 0.02}), spring::make_polynomial({0.0, 0.25, 0.03}), 0.06, end);
+spring::SpringLawPtr prototype_law(double end) {
+    return *spring::make_pair_law(spring::make_polynomial({0.0, 0.10, 0.02}), spring::make_polynomial({0.0, 0.25, 0.03}), 0.06, end);
 }
 
 /// A stiff K_SE (T = 0.6) that reaches far: both capstans slide back before the joint comes to rest.
-core::Outcome<spring::SpringLawPtr> linear_law() {
-    return spring::make_pair_law(spring::make_polynomial({0.0, 0.6}), spring::make_polynomial({0.0, 0.4}), 0.01, 20.0);
+spring::SpringLawPtr linear_law() {
+    return *spring::make_pair_law(spring::make_polynomial({0.0, 0.6}), spring::make_polynomial({0.0, 0.4}), 0.01, 20.0);
 }
 
 /// docs/theory/stick_slip.md, eq. 8: the reading of a full push from the law alone. The capstan that wound in while its cable hung loose

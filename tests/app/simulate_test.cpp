@@ -1,3 +1,5 @@
+#include <nlohmann/json.hpp>
+
 #include "app/run.h"
 
 // `fusee simulate` from outside: what it says, writes and refuses.
@@ -8,9 +10,29 @@ TEST_F(Program, SimulatesAJointAndSaysSo) {
     const Ended done = run("simulate '" + fixtures::shipped("pnrvsa").string() + "' --levels 4 --out 'my joints'");
     EXPECT_EQ(done.code, 0) << done.all();
     expect_words(done.out,
-                 {"pnrvsa.toml  made", "my joints/pnrvsa/", "test reads", "Condition (6) holds from 0.85 Nm to 1.5 Nm", "levels=4"});
+                 {"pnrvsa.toml  simulated", "my joints/pnrvsa/", "test reads", "Condition (6) holds from 0.85 Nm to 1.5 Nm", "levels=4"});
     for (const char* file : {"simulation.json", "dead_band.csv", "simulation.html"})
         EXPECT_TRUE(fs::exists(folder_ / "my joints" / "pnrvsa" / file)) << file;
+}
+
+TEST_F(Program, EquilibriaAreFoundAtAnyTorques) {
+    const std::string profile = "simulate '" + fixtures::shipped("pnrvsa").string() + "' --levels 2 ";
+    const Ended done = run(profile + "--at 1.5,1.5,0 --at 1,0.9,-0.02");
+    EXPECT_EQ(done.code, 0) << done.all();
+    expect_words(done.out, {"at tau_1 = 1.5 Nm, tau_2 = 1.5 Nm, tau_q = 0 Nm", "q = 0 rad (0 deg)", "condition (5)", "with hats",
+                            "at tau_1 = 1 Nm, tau_2 = 0.9 Nm, tau_q = -0.02 Nm", "defined without joint torque only"});
+    const auto json = nlohmann::json::parse(core::read_file(folder_ / "out" / "pnrvsa" / "simulation.json"));
+    const auto &equal = json["equilibria"][0], &level = json["levels"][1];  // the greatest level: 1.5 Nm of both motors
+    // The search ends where 1e-14 of the torques is left over; the softest motion yields about 4 rad/Nm.
+    for (const int capstan : {0, 1}) EXPECT_NEAR(equal["z_rad"][capstan].get<double>(), level["capstan_rad"].get<double>(), 1e-12);
+    EXPECT_NEAR(equal["z_rad"][2].get<double>(), 0.0, 1e-12);
+    EXPECT_NEAR(equal["dead_band"]["linear_rad"].get<double>(), level["linear_rad"].get<double>(), 1e-10);
+    EXPECT_NEAR(equal["dead_band"]["extreme_rad"].get<double>(), level["extreme_rad"].get<double>(), 1e-10);
+    expect_words(core::read_file(folder_ / "out" / "pnrvsa" / "simulation.html"), {"Equilibria asked for"});
+
+    const Ended refused = run(profile + "--at 5,1,0");
+    EXPECT_EQ(refused.code, 1) << refused.all();
+    expect_words(refused.err, {"pnrvsa.toml  refused", "equilibrium.outside", "at 5, 1, 0 Nm", "nearest feasible: tau_1 = 2."});
 }
 
 TEST_F(Program, RelativesEndInOneTable) {
@@ -58,7 +80,13 @@ TEST_F(Program, SimulateArguments) {
                                                          {"simulate x.toml --levels 1", "--levels"},
                                                          {"simulate x.toml --levels two", "--levels"},
                                                          {"simulate x.toml --push-torque -1", "--push-torque"},
-                                                         {"simulate x.toml --foo", "--foo"}};
+                                                         {"simulate x.toml --foo", "--foo"},
+                                                         {"simulate x.toml --at 1,1", "--at: 1,1;"},
+                                                         {"simulate x.toml --at 1,1,0,0", "--at"},
+                                                         {"simulate x.toml --at 1,1,nan", "--at"},
+                                                         {"simulate x.toml --at 1,1,2e4", "from -10000 to 10000"},
+                                                         {"simulate x.toml --at '1, 1, 0'", "--at"},
+                                                         {"simulate x.toml --at 1,1,0 --at one,1,0", "--at: one,1,0;"}};
     for (const auto& [arguments, word] : cases) {
         const Ended wrong = run(arguments);
         EXPECT_EQ(wrong.code, 2) << arguments;

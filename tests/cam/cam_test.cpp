@@ -6,7 +6,7 @@
 #include <cstdio>
 
 #include "fixture.h"
-#include "fusee/core/error.h"
+#include "refused.h"
 
 namespace fusee::cam {
 namespace {
@@ -141,14 +141,7 @@ TEST(Cam, RefusesArmsOfNoSizeAndNamesASpringThatSuits) {
 }
 
 TEST(Cam, NamesTheBadOption) {
-    const auto field_of = [](const CamOptions& o) -> std::string {
-        try {
-            (void)synthesize_cam(parallel_arm(), o);
-        } catch (const core::InvalidInput& e) {
-            return e.field();
-        }
-        return "none";
-    };
+    const auto field_of = [](const CamOptions& o) { return field_refused([&] { return synthesize_cam(parallel_arm(), o); }); };
     CamOptions o;
     o.torque_sign = 0;
     EXPECT_EQ(field_of(o), "k_pe.torque_sign");

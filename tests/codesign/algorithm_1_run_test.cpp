@@ -18,10 +18,11 @@ using Json = nlohmann::json;
 
 class Algorithm1Run : public fixtures::TempFolder {
 protected:
-    /// The shipped profile with keys set; a short search, since every test makes cams.
+    /// The shipped profile with keys set; a short search and coarse solids, since every test makes cams.
     [[nodiscard]] profile::Profile read(const std::map<std::string, std::string>& keys = {}) const {
         std::string text = core::read_file(fixtures::shipped("pnrvsa"));
         text = fixtures::with_key(text, "design.generations", "120");
+        text = fixtures::with_key(text, "tolerances.chordal_error_mm", "0.02");
         for (const auto& [key, value] : keys) text = fixtures::with_key(text, key, value);
         return profile::read_profile(write("p/pnrvsa.toml", text));
     }

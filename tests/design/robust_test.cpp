@@ -10,6 +10,7 @@
 #include "fusee/spring/cable.h"
 #include "fusee/spring/potential.h"
 #include "fusee/spring/stiction_law.h"
+#include "refused.h"
 
 namespace fusee::design {
 namespace {
@@ -188,16 +189,11 @@ TEST(Robust, GearsWithConstantAndMeasuredFriction) {
 }
 
 TEST(RobustRefusal, BadInputIsNamed) {
-    const auto field = [](const auto& spoil, double tau = 1.0) -> std::string {
+    const auto field = [](const auto& spoil, double tau = 1.0) {
         Drawing drawing = paper();
         ShopScatter scatter;
         spoil(drawing, scatter);
-        try {
-            (void)robust_dead_band(drawing, tau, scatter);
-        } catch (const core::InvalidInput& error) {
-            return error.field();
-        }
-        return "accepted";
+        return field_refused([&] { return robust_dead_band(drawing, tau, scatter); });
     };
     EXPECT_EQ(field([](Drawing&, ShopScatter& s) { s.rate_se = -0.1; }), "scatter.rate_se");
     EXPECT_EQ(field([](Drawing&, ShopScatter& s) { s.rate_pe = 0.5; }), "scatter.rate_pe");

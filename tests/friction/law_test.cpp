@@ -4,12 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <random>
-#include <string>
+#include <vector>
 
-#include "fusee/core/error.h"
+#include "refused.h"
 
 namespace fusee::friction {
 namespace {
@@ -152,63 +151,29 @@ TEST(FrictionLaw, ATableIsAsMonotoneAsItsRows) {
     }
 }
 
-struct Fault {
-    const char* field;
-    std::function<Law()> make;
-};
-
 TEST(FrictionLawRefusal, BadNumbersAreNamed) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    const Fault faults[] = {
-        {"friction.mu", [] { return Law::proportional(-0.1); }},
-        {"friction.mu", [] { return Law::proportional(0.96); }},
-        {"friction.mu", [=] { return Law::proportional(nan); }},
-        {"friction.mu", [] { return Law::affine(0.0, 0.7, 0.4); }},  // 0.98 at rest
-        {"friction.constant", [] { return Law::affine(-0.01, 0.2); }},
-        {"friction.rest_excess", [] { return Law::affine(0.0, 0.2, -0.1); }},
-        {"friction.rest_excess",
-         [=] {
-             return Law::tabulated({0.0, 1.0}, {0.0, 0.3}, nan);
-         }},
-        {"friction table", [] { return Law::tabulated({1.0}, {0.3}); }},
-        {"friction table",
-         [] {
-             return Law::tabulated({0.0, 1.0}, {0.0, 0.3, 0.4});
-         }},
-        {"friction table, row 1: load_Nm",
-         [] {
-             return Law::tabulated({-0.1, 1.0}, {0.0, 0.3});
-         }},
-        {"friction table, row 3: load_Nm",
-         [] {
-             return Law::tabulated({0.0, 1.0, 1.0}, {0.0, 0.3, 0.4});
-         }},
-        {"friction table, row 2: friction_Nm",
-         [] {
-             return Law::tabulated({0.0, 1.0}, {0.0, -0.3});
-         }},
-        {"friction table, row 2: friction_Nm",
-         [] {
-             return Law::tabulated({0.0, 1.0, 2.0}, {0.0, 0.96, 1.0});
-         }},
-        {"friction table, row 3: friction_Nm",
-         [] {
-             return Law::tabulated({0.0, 1.0, 2.0}, {0.0, 0.2, 0.9}, 0.4);
-         }},
-        // No row rises by more than 0.8, but the cubic between level ends does.
-        {"friction table, row 3: friction_Nm",
-         [] {
-             return Law::tabulated({0.0, 1.0, 2.0, 3.0}, {0.1, 0.1, 0.9, 0.9});
-         }},
+    for (const double mu : {-0.1, 0.96, nan}) EXPECT_EQ(field_refused([&] { return Law::proportional(mu); }), "friction.mu");
+    const auto affine = [](double constant, double mu, double rest_excess) {
+        return field_refused([&] { return Law::affine(constant, mu, rest_excess); });
     };
-    for (const Fault& fault : faults) {
-        try {
-            (void)fault.make();
-            ADD_FAILURE() << fault.field << " was accepted";
-        } catch (const core::InvalidInput& error) {
-            EXPECT_EQ(error.field(), fault.field);
-        }
-    }
+    EXPECT_EQ(affine(0.0, 0.7, 0.4), "friction.mu") << "0.98 at rest";
+    EXPECT_EQ(affine(-0.01, 0.2, 0.0), "friction.constant");
+    EXPECT_EQ(affine(0.0, 0.2, -0.1), "friction.rest_excess");
+    using Column = std::vector<double>;
+    const auto table = [](const Column& load, const Column& friction, double rest_excess = 0.0) {
+        return field_refused([&] { return Law::tabulated(load, friction, rest_excess); });
+    };
+    EXPECT_EQ(table({0.0, 1.0}, {0.0, 0.3}, nan), "friction.rest_excess");
+    EXPECT_EQ(table({1.0}, {0.3}), "friction table");
+    EXPECT_EQ(table({0.0, 1.0}, {0.0, 0.3, 0.4}), "friction table");
+    EXPECT_EQ(table({-0.1, 1.0}, {0.0, 0.3}), "friction table, row 1: load_Nm");
+    EXPECT_EQ(table({0.0, 1.0, 1.0}, {0.0, 0.3, 0.4}), "friction table, row 3: load_Nm");
+    EXPECT_EQ(table({0.0, 1.0}, {0.0, -0.3}), "friction table, row 2: friction_Nm");
+    EXPECT_EQ(table({0.0, 1.0, 2.0}, {0.0, 0.96, 1.0}), "friction table, row 2: friction_Nm");
+    EXPECT_EQ(table({0.0, 1.0, 2.0}, {0.0, 0.2, 0.9}, 0.4), "friction table, row 3: friction_Nm");
+    EXPECT_EQ(table({0.0, 1.0, 2.0, 3.0}, {0.1, 0.1, 0.9, 0.9}), "friction table, row 3: friction_Nm")
+        << "no row rises by more than 0.8, but the cubic between level ends does";
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "fusee/core/error.h"
+#include "refused.h"
 
 namespace fusee::math {
 namespace {
@@ -180,13 +181,8 @@ TEST(Callable, IsClampedToItsDomain) {
 }
 
 TEST(TableRefusal, NamesColumnAndRow) {
-    const auto field = [](const std::vector<double>& x, const std::vector<double>& y) -> std::string {
-        try {
-            (void)make_interpolant(x, y);
-        } catch (const core::InvalidInput& error) {
-            return error.field();
-        }
-        return "accepted";
+    const auto field = [](const std::vector<double>& x, const std::vector<double>& y) {
+        return field_refused([&] { return make_interpolant(x, y); });
     };
     const double nan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_EQ(field({0, 1, 2}, {0, 1, 2}), "x");

@@ -84,7 +84,7 @@ TEST(ReplayTable, TableIIFallsAndImpliesTheTravelOfSoftSprings) {
     EXPECT_EQ(condition_verdict(table->simulation), report::ConditionVerdict::kHolds);
     ASSERT_EQ(table->parallel.size(), 5u);
     EXPECT_NEAR(table->parallel.back(), 0.97, 0.005);
-    EXPECT_NEAR(table->travel, 7.4, 0.1);
+    EXPECT_NEAR(table->travel, 6.76, 0.01) << "by hand: DB as a broken line over tau, divided by 2 mu tau and integrated";
 }
 
 TEST_F(Figures, ATableNeedsMeasuredRows) {

@@ -14,6 +14,15 @@ TEST(Plot, TicksAreRoundAndInside) {
     EXPECT_EQ(round_ticks({-1.0, 1.0}, 2), (std::vector<double>{-1.0, 0.0, 1.0}));
 }
 
+TEST(Plot, LongTickLabelsStandBesideTheAxisName) {
+    // 22 units for the name, "-1.5e-06" with 6.6 a letter, 8 to the axis.
+    const std::string small = Plot("t", "x", "y").curve("a", {0, 1}, {-2e-6, -1e-6}, "se").from_zero().svg();
+    EXPECT_NE(small.find(">-1.5e-06</text>"), std::string::npos);
+    EXPECT_NE(small.find("d=\"M82.8 "), std::string::npos);
+    EXPECT_NE(small.find(">0</text>"), std::string::npos) << "an axis of values below zero ends at zero";
+    EXPECT_NE(Plot("t", "x", "y").curve("a", {0, 1}, {0, 1}, "se").svg().find("d=\"M58 "), std::string::npos);
+}
+
 TEST(Plot, ANotANumberLeavesAGap) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const std::string svg = Plot("t", "x", "y").curve("a", {0, 1, 2, 3, 4}, {0, 1, nan, 3, 4}, "se").svg();

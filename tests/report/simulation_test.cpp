@@ -43,8 +43,8 @@ TEST(SimulationCsv, HasExactlyItsColumnsAndEveryBit) {
 
 TEST(SimulationJson, HoldsWhatItDocuments) {
     const auto j = nlohmann::json::parse(simulation_json(example()));
-    for (const char* key : {"fusee", "name", "profile_sha256", "options", "survey", "condition_6", "levels", "measured", "path_columns",
-                            "path", "loops", "break_away", "bearing", "findings", "remarks", "not_known"})
+    for (const char* key : {"fusee", "name", "profile_sha256", "options", "survey", "condition_6", "levels", "measured", "equilibria",
+                            "path_columns", "path", "loops", "break_away", "bearing", "findings", "remarks", "not_known"})
         EXPECT_TRUE(j.contains(key)) << key;
     EXPECT_EQ(j["condition_6"]["verdict"], "holds");
     EXPECT_EQ(j["levels"][0]["extreme_rad"], 0.22);
@@ -83,6 +83,38 @@ TEST(SimulationPage, OpensOfflineAndEscapesNames) {
     EXPECT_EQ(page.find("nan"), std::string::npos) << "what is not known is a dash or a gap";
     for (const char* words : {"Beside what was measured", "Equilibrium and sensitivity", "Motor subsystem", "Frame subsystem", "noise"})
         EXPECT_NE(page.find(words), std::string::npos) << words;
+}
+
+TEST(SimulationEquilibria, SayWhereTheJointRestsOrWhyNot) {
+    Simulation s = example();
+    EXPECT_EQ(simulation_html(s).find("Equilibria asked for"), std::string::npos);
+    EquilibriumRow rests{.torque = {1.0, 0.9, 0.0}}, refused{.torque = {5.0, 1.0, 0.0}}, pulled{.torque = {1.0, 1.0, 0.1}};
+    for (EquilibriumRow* row : {&rests, &pulled}) {
+        row->z = {0.5, 0.25, 1e-17};
+        row->sensitivity.setConstant(2.0);
+        row->hatted.setConstant(0.003);
+    }
+    rests.dead_band.emplace();
+    rests.dead_band->linear = core::rad_from_deg(10.0);
+    rests.dead_band->extreme = kUnknown;
+    rests.dead_band->covered = false;
+    refused.refusal = {core::required_change("equilibrium.outside", "wound beyond", 1.9, core::Bound::kAtMost, 1.5, "rad")};
+    s.equilibria = {rests, refused, pulled};
+    const auto j = nlohmann::json::parse(simulation_json(s))["equilibria"];
+    ASSERT_EQ(j.size(), 3u);
+    EXPECT_EQ(j[0]["torques_Nm"], (std::vector<double>{1.0, 0.9, 0.0}));
+    EXPECT_EQ(j[0]["z_rad"][0], 0.5);
+    EXPECT_EQ(j[0]["hatted_sensitivity_m_per_N"][2][1], 0.003);
+    EXPECT_TRUE(j[0]["dead_band"]["extreme_rad"].is_null());
+    EXPECT_TRUE(j[1]["z_rad"][0].is_null());
+    EXPECT_EQ(j[1]["findings"][0]["rule"], "equilibrium.outside");
+    EXPECT_TRUE(j[2]["dead_band"].is_null());
+    ASSERT_EQ(refusals(s).size(), 1u);
+    const std::string text = simulation_text(s), page = simulation_html(s);
+    for (const char* words : {"tau_1 = 1 Nm, tau_2 = 0.9 Nm, tau_q = 0 Nm", "theta_1 = 0.5 rad, theta_2 = 0.25 rad, q = 0 rad (0 deg)",
+                              "linear 10 deg; exact not known", "defined without joint torque only", "equilibrium.outside"})
+        for (const std::string& shown : {text, page}) EXPECT_NE(shown.find(words), std::string::npos) << words << " in\n" << shown;
+    EXPECT_EQ(page.find("nan"), std::string::npos);
 }
 
 TEST(SimulationText, ComparesSeveral) {

@@ -9,6 +9,7 @@
 #include "fusee/spring/lead_in.h"
 #include "fusee/spring/resampled.h"
 #include "fusee/spring/stiction_law.h"
+#include "refused.h"
 
 namespace fusee::spring {
 namespace {
@@ -157,13 +158,8 @@ TEST(BuiltSpring, AgreesWithAWalkAlongTheCam) {
 }
 
 TEST(BuiltSpringRefusal, ImpossibleErrorsAreNamed) {
-    const auto field = [](const BuildError& error) -> std::string {
-        try {
-            (void)make_built_spring(constant_cam(0.012), kCompression, kCapstan, error);
-        } catch (const core::InvalidInput& invalid) {
-            return invalid.field();
-        }
-        return "accepted";
+    const auto field = [](const BuildError& error) {
+        return field_refused([&] { return make_built_spring(constant_cam(0.012), kCompression, kCapstan, error); });
     };
     EXPECT_EQ(field({.radius = -0.0119}), "accepted");
     EXPECT_EQ(field({.radius = -0.0121}), "build_error.radius");

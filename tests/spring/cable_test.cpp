@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
-#include "fusee/core/error.h"
 #include "fusee/spring/lead_in.h"
 #include "fusee/spring/stiction_law.h"
+#include "refused.h"
 
 namespace fusee::spring {
 namespace {
@@ -93,17 +93,12 @@ TEST(BehindCable, SpringWithoutPreloadIsSlackBelow) {
 }
 
 TEST(BehindCableRefusal, BadStopAndPushingSpringAreNamed) {
-    const auto field = [](auto make) -> std::string {
-        try {
-            (void)make();
-        } catch (const core::InvalidInput& error) {
-            return error.field();
-        }
-        return "accepted";
-    };
-    EXPECT_EQ(field([] { return behind_cable(make_polynomial({0.1, 1.0}), 0.0); }), "stop_travel");
-    EXPECT_EQ(field([] { return behind_cable(make_polynomial({0.1, 1.0}), std::numeric_limits<double>::infinity()); }), "stop_travel");
-    EXPECT_EQ(field([] { return behind_cable(make_polynomial({-0.1, 1.0})); }), "spring");
+    EXPECT_EQ(field_refused([] { return behind_cable(make_polynomial({0.1, 1.0}), 0.0); }), "stop_travel");
+    EXPECT_EQ(field_refused([] {
+                  return behind_cable(make_polynomial({0.1, 1.0}), std::numeric_limits<double>::infinity());
+              }),
+              "stop_travel");
+    EXPECT_EQ(field_refused([] { return behind_cable(make_polynomial({-0.1, 1.0})); }), "spring");
 }
 
 }  // namespace

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <cstdio>
 
-#include "fusee/core/error.h"
 #include "fusee/spring/transmission_law.h"
 #include "law_properties.h"
+#include "refused.h"
 
 namespace fusee::spring {
 namespace {
@@ -160,14 +160,7 @@ TEST(DeadBandLawRefusal, NegativeSeriesStiffnessIsItsOwnFinding) {
 }
 
 TEST(DeadBandLawRefusal, BadOptionsAreNamed) {
-    const auto field = [](const DeadBandLawOptions& options) -> std::string {
-        try {
-            (void)make_dead_band_law(options);
-        } catch (const core::InvalidInput& error) {
-            return error.field();
-        }
-        return "accepted";
-    };
+    const auto field = [](const DeadBandLawOptions& options) { return field_refused([&] { return make_dead_band_law(options); }); };
     const DeadBandLawOptions good{.dead_band = wanted_formula(), .start_torque = 0.4, .end_torque = 2.0};
     EXPECT_EQ(field(good), "accepted");
     DeadBandLawOptions bad = good;

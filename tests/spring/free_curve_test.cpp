@@ -3,9 +3,9 @@
 #include <cmath>
 #include <random>
 
-#include "fusee/core/error.h"
 #include "fusee/spring/transmission_law.h"
 #include "law_properties.h"
+#include "refused.h"
 
 namespace fusee::spring {
 namespace {
@@ -74,14 +74,7 @@ TEST(FreeCurve, AnyKnotsAreALaw) {
 }
 
 TEST(FreeCurveRefusal, BadKnotsAreNamed) {
-    const auto field = [](const FreeCurveOptions& options) -> std::string {
-        try {
-            (void)make_free_curve(options);
-        } catch (const core::InvalidInput& error) {
-            return error.field();
-        }
-        return "accepted";
-    };
+    const auto field = [](const FreeCurveOptions& options) { return field_refused([&] { return make_free_curve(options); }); };
     FreeCurveOptions o = six_knots();
     o.transmission[2] = 1.0;
     EXPECT_EQ(field(o), "law.transmission[2]");

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <cstdio>
 
-#include "fusee/core/error.h"
 #include "fusee/spring/stiction_law.h"
 #include "fusee/spring/transmission_law.h"
 #include "law_properties.h"
+#include "refused.h"
 
 namespace fusee::spring {
 namespace {
@@ -61,13 +61,8 @@ TEST(GeneralStictionLawRefusal, StartTooLowNamesALoadThatWorks) {
 }
 
 TEST(GeneralStictionLawRefusal, BadOptionsAreNamed) {
-    const auto field = [](const GeneralStictionOptions& options) -> std::string {
-        try {
-            (void)make_general_stiction_law(options);
-        } catch (const core::InvalidInput& error) {
-            return error.field();
-        }
-        return "accepted";
+    const auto field = [](const GeneralStictionOptions& options) {
+        return field_refused([&] { return make_general_stiction_law(options); });
     };
     GeneralStictionOptions o = design(friction::Law::proportional(0.28));
     o.k = 0.0;

@@ -6,7 +6,7 @@
 #include <limits>
 #include <random>
 
-#include "fusee/core/error.h"
+#include "refused.h"
 
 namespace fusee::spring {
 namespace {
@@ -106,30 +106,22 @@ TEST(Tabulated, WithoutSmoothingACubicIsReproduced) {
 
 TEST(PotentialRefusal, BadInputIsNamed) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    const auto field = [](auto make) -> std::string {
-        try {
-            (void)make();
-        } catch (const core::InvalidInput& error) {
-            return error.field();
-        }
-        return "accepted";
-    };
-    EXPECT_EQ(field([] { return make_polynomial({}); }), "coefficients");
-    EXPECT_EQ(field([&] { return make_polynomial({0.1, nan}); }), "coefficients[1]");
-    EXPECT_EQ(field([] { return make_exponential(0.0, 1.0, 0.0); }), "scale");
-    EXPECT_EQ(field([&] { return make_exponential(1.0, nan, 0.0); }), "rate");
-    EXPECT_EQ(field([&] { return make_exponential(1.0, 1.0, nan); }), "offset");
+    EXPECT_EQ(field_refused([] { return make_polynomial({}); }), "coefficients");
+    EXPECT_EQ(field_refused([&] { return make_polynomial({0.1, nan}); }), "coefficients[1]");
+    EXPECT_EQ(field_refused([] { return make_exponential(0.0, 1.0, 0.0); }), "scale");
+    EXPECT_EQ(field_refused([&] { return make_exponential(1.0, nan, 0.0); }), "rate");
+    EXPECT_EQ(field_refused([&] { return make_exponential(1.0, 1.0, nan); }), "offset");
     Measured good = measured(20, 0.0, 1);
-    EXPECT_EQ(field([&] { return make_tabulated({0, 1, 2}, {0, 1, 2}); }), "x");
-    EXPECT_EQ(field([&] { return make_tabulated(good.x, {0, 1, 2}); }), "force");
-    EXPECT_EQ(field([&] { return make_tabulated(good.x, good.force, {.knots = 0, .smoothing = -1.0}); }), "knots");
-    EXPECT_EQ(field([&] { return make_tabulated(good.x, good.force, {.knots = 8, .smoothing = nan}); }), "smoothing");
+    EXPECT_EQ(field_refused([&] { return make_tabulated({0, 1, 2}, {0, 1, 2}); }), "x");
+    EXPECT_EQ(field_refused([&] { return make_tabulated(good.x, {0, 1, 2}); }), "force");
+    EXPECT_EQ(field_refused([&] { return make_tabulated(good.x, good.force, {.knots = 0, .smoothing = -1.0}); }), "knots");
+    EXPECT_EQ(field_refused([&] { return make_tabulated(good.x, good.force, {.knots = 8, .smoothing = nan}); }), "smoothing");
     Measured gap = good;
     gap.force[7] = nan;
-    EXPECT_EQ(field([&] { return make_tabulated(gap.x, gap.force); }), "force[7]");
+    EXPECT_EQ(field_refused([&] { return make_tabulated(gap.x, gap.force); }), "force[7]");
     gap = good;
     gap.x[5] = gap.x[4];
-    EXPECT_EQ(field([&] { return make_tabulated(gap.x, gap.force); }), "x[5]");
+    EXPECT_EQ(field_refused([&] { return make_tabulated(gap.x, gap.force); }), "x[5]");
 }
 
 }  // namespace

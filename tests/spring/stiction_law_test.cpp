@@ -6,8 +6,8 @@
 #include <limits>
 #include <random>
 
-#include "fusee/core/error.h"
 #include "law_properties.h"
+#include "refused.h"
 
 namespace fusee::spring {
 namespace {
@@ -159,14 +159,7 @@ TEST(StictionLawRefusal, NoDeadBandReductionAndNegativeConstantAsksForAnotherCon
 }
 
 TEST(StictionLawRefusal, BadOptionsAreNamed) {
-    const auto field = [](const StictionLawOptions& o) -> std::string {
-        try {
-            (void)make_stiction_law(o);
-        } catch (const core::InvalidInput& error) {
-            return error.field();
-        }
-        return "accepted";
-    };
+    const auto field = [](const StictionLawOptions& o) { return field_refused([&] { return make_stiction_law(o); }); };
     const double nan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_EQ(field(design(0.0, 0.03, 0.05, 0.12, 1.0)), "law.k_per_Nm_rad");
     EXPECT_EQ(field(design(0.42, nan, 0.05, 0.12, 1.0)), "law.u_Nm");

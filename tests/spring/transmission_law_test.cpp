@@ -5,9 +5,9 @@
 #include <cmath>
 #include <cstdio>
 
-#include "fusee/core/error.h"
 #include "fusee/spring/stiction_law.h"
 #include "law_properties.h"
+#include "refused.h"
 
 namespace fusee::spring {
 namespace {
@@ -144,13 +144,8 @@ TEST(TransmissionLawRefusal, ANarrowDipIsFound) {
 }
 
 TEST(TransmissionLawRefusal, BadRangesAreNamed) {
-    const auto field = [](double start, double end, const math::CurvePtr& s, const math::CurvePtr& t) -> std::string {
-        try {
-            (void)make_transmission_law(s, t, start, end);
-        } catch (const core::InvalidInput& error) {
-            return error.field();
-        }
-        return "accepted";
+    const auto field = [](double start, double end, const math::CurvePtr& s, const math::CurvePtr& t) {
+        return field_refused([&] { return make_transmission_law(s, t, start, end); });
     };
     const math::CurvePtr half = constant(0.5), shorter = math::make_formula("t", "0.5", "tau", {0.3, 1.0});
     EXPECT_EQ(field(0.0, 1.0, half, half), "law.start_torque_Nm");

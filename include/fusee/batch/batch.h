@@ -36,7 +36,7 @@ struct Row : Ended {
 struct SimulationRow : Ended {
     std::optional<report::Simulation> simulation;
     std::filesystem::path folder;  ///< where its files are
-    core::Findings refusal;        ///< why there is none
+    core::Findings refusal;        ///< why there is none, or why it lacks an equilibrium that was asked for
 };
 
 /// Files as given, whether they exist or not (a missing one becomes a row); a folder stands for its *.toml files, by name.

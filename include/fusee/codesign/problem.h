@@ -7,13 +7,14 @@
 #include "fusee/core/finding.h"
 #include "fusee/core/units.h"
 #include "fusee/design/codesign_options.h"
+#include "fusee/design/robust.h"
 #include "fusee/profile/profile.h"
 
 namespace fusee::codesign {
 
 /// One thing that a design has to keep, as measured: a demand, a limit of the search, a rule, or a refusal of law and cam.
 struct Limit {
-    std::string name;  ///< "demand.travel", "limit.rho_se" or the rule's id with its part
+    std::string name;  ///< "demand.travel", "limit.rho k_se" or the rule's id with its part
     std::string unit;
     double measured = 0.0, allowed = 0.0;
     core::Bound bound = core::Bound::kAtLeast;
@@ -23,13 +24,14 @@ struct Limit {
 
 /// What is known of one candidate without making its solids.
 struct Trial {
-    double violation = 0.0;         ///< sum of the broken limits' excesses; 0: feasible
-    std::vector<Limit> limits;      ///< all that could be measured
-    std::vector<double> dead_band;  ///< exact, full width at the joint, at CoDesignOptions::torques [rad]
-    double figure = 0.0;            ///< CoDesignOptions::figure of them [rad]
-    double travel = 0.0;            ///< of the capstan, between CoDesignOptions::loads [rad]
-    core::Range stiffness;          ///< of the joint, capstans held, at those loads [Nm/rad]
-    double radius = 0.0;            ///< largest contour radius of both cams, idle arcs included where they could be made [m]
+    double violation = 0.0;                 ///< sum of the broken limits' excesses; 0: feasible
+    std::vector<Limit> limits;              ///< all that could be measured
+    std::vector<double> dead_band;          ///< exact, full width at the joint, at CoDesignOptions::torques [rad]
+    std::vector<design::RobustBand> bands;  ///< there too, if CoDesignOptions::figure is kPercentile95
+    double figure = 0.0;                    ///< CoDesignOptions::figure of dead_band or bands [rad]
+    double travel = 0.0;                    ///< of the capstan, between CoDesignOptions::loads [rad]
+    core::Range stiffness;                  ///< of the joint, capstans held, at those loads [Nm/rad]
+    double radius = 0.0;                    ///< largest contour radius of both cams, idle arcs included where they could be made [m]
     [[nodiscard]] bool feasible() const { return violation == 0.0; }
 };
 

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "fusee/core/units.h"
+#include "fusee/design/robust.h"
 #include "fusee/spring/catalogue.h"
 
 namespace fusee::design {
@@ -17,7 +18,7 @@ enum class SearchedLaw {
 enum class DeadBandFigure {
     kMean,
     kWorst,
-    kPercentile95,  ///< mean of the 95th percentiles over the shop's scatter (design/robust.h)
+    kPercentile95,  ///< mean of the 95th percentiles over the shop's scatter (robust.h)
 };
 
 /// What a Pareto front sets against the dead-band.
@@ -36,6 +37,8 @@ struct CoDesignOptions {
     int knots = 6;  ///< of the free curve, evenly spaced in ln(load), 4 to 12
 
     DeadBandFigure figure = DeadBandFigure::kMean;
+    ShopScatter scatter = {};          ///< of kPercentile95
+    double covered_share = 0.95;       ///< of kPercentile95: least RobustBand::covered_share at each of `torques`; 0: not asked for
     std::vector<double> torques = {};  ///< co-contraction at which the exact dead-band counts [Nm]; empty: 6 from least to overdrive
     core::Range loads = {};            ///< between these loads travel is measured, at them stiffness [Nm]; 0 0: least to overdrive torque
     double travel = 0.0;               ///< least capstan travel between them [rad]

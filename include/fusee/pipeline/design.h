@@ -8,6 +8,10 @@
 
 namespace fusee::pipeline {
 
+/// The law that `profile.law` describes, without its lead-in. Refusal and @throws: those of its maker in room spring; a formula's mistake
+/// names its key.
+[[nodiscard]] core::Outcome<spring::SpringLawPtr> spring_law(const profile::Profile& profile);
+
 /// The spring law that a profile asks for, lead-in included, and what is known of it.
 struct DesignedLaw {
     spring::SpringLawPtr law;

@@ -16,19 +16,27 @@ namespace fusee::pipeline {
 struct SimulateOptions {
     int levels = 0;                          ///< of co-contraction; 0: as the profile says
     std::optional<double> push_torque = {};  ///< of the push-and-release test [Nm]; none: as the profile says
+    std::vector<Eigen::Vector3d> at = {};    ///< torques (tau_1, tau_2, tau_q) at which the equilibrium is asked for [Nm]
 };
 
 /// The joint that a profile describes, at rest and pushed, with its motor and frame subsystems and its noise; of the paper's relatives the
 /// comparison only. Needs no parts.
-/// Refusal: the law's. @throws core::InvalidInput
+/// Refusal: the law's; why an equilibrium asked for does not exist stands in its row. @throws core::InvalidInput
 [[nodiscard]] core::Outcome<report::Simulation> simulate(const profile::Profile& profile, const SimulateOptions& options = {});
 
 /// Writes simulation.json, dead_band.csv and simulation.html into `folder`, which is made if it is missing; each file whole or
 /// not at all, every other file left alone. @throws core::IoError
 std::vector<report::FileRow> write_simulation(const report::Simulation& simulation, const std::filesystem::path& folder);
 
-/// The profile's joint with its bearing; the gears without friction if `gears` is false (paper: the frame subsystem).
-[[nodiscard]] actuator::Joint joint_of(const profile::Profile& profile, const spring::SpringLawPtr& law, bool gears = true);
+/// The profile's joint with its bearing.
+[[nodiscard]] actuator::Joint joint_of(const profile::Profile& profile, const spring::SpringLawPtr& law);
+/// The same with each spring tabulated once (spring::resampled), for paths of thousands of steps; the gears without friction if `gears` is
+/// false (paper: the frame subsystem).
+[[nodiscard]] actuator::Joint path_joint_of(const profile::Profile& profile, const spring::SpringLawPtr& law, bool gears = true);
+
+/// Equilibrium (1), sensitivity (2) and dead-band under any three torques, or why there is none.
+/// @throws core::InvalidInput if a torque is not finite
+[[nodiscard]] report::EquilibriumRow equilibrium_at(const actuator::Joint& joint, const Eigen::Vector3d& torque);
 
 /// All three dead-bands at one co-contraction. @param joint the actuator's, with its bearing
 [[nodiscard]] report::SimulatedLevel simulate_level(const actuator::Actuator& actuator, const actuator::Joint& joint, double tau,

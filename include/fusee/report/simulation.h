@@ -64,6 +64,17 @@ struct BreakAwayRow {
     core::Range loads;          ///< least and greatest at rest [Nm]
 };
 
+/// The joint at rest under three torques (tau_1, tau_2, tau_q), in the signs of actuator::Joint. NaN where it does not rest.
+struct EquilibriumRow {
+    Eigen::Vector3d torque;                                              ///< asked for [Nm]
+    Eigen::Vector3d z = Eigen::Vector3d::Constant(kUnknown);             ///< (theta_1, theta_2, q), paper (1) [rad]
+    Eigen::Matrix3d sensitivity = Eigen::Matrix3d::Constant(kUnknown);   ///< paper (2) [rad/Nm]
+    Eigen::Matrix3d hatted = Eigen::Matrix3d::Constant(kUnknown);        ///< the same with the paper's hats [m/N]
+    double joint_stiffness = kUnknown, free_joint_stiffness = kUnknown;  ///< capstans held; free [Nm/rad]
+    std::optional<actuator::JointDeadBand> dead_band = {};               ///< without joint torque only
+    core::Findings refusal = {};                                         ///< why it does not rest
+};
+
 /// Where condition (6), d(T tau_f)/dtau < 0, holds.
 enum class ConditionVerdict { kHolds, kFails, kMixed, kNotKnown };
 
@@ -75,13 +86,17 @@ struct Simulation {
     actuator::ConditionSummary condition;  ///< (6) between the levels too
     std::vector<SimulatedLevel> levels;    ///< by rising co-contraction; at least 2
     std::vector<MeasuredRow> measured;
-    std::optional<ReleasePath> path;  ///< at peak torque
+    std::vector<EquilibriumRow> equilibria;  ///< asked for
+    std::optional<ReleasePath> path;         ///< at peak torque
     std::vector<DeflectionLoop> loops;
     std::vector<BreakAwayRow> break_away;
     actuator::OutputFriction bearing;  ///< friction of the frame subsystem
     core::Findings findings;           ///< of the law
     std::vector<std::string> gaps;     ///< what could not be computed, and why
 };
+
+/// Why equilibria that were asked for do not exist; empty if all do.
+[[nodiscard]] core::Findings refusals(const Simulation& simulation);
 
 [[nodiscard]] ConditionVerdict condition_verdict(const Simulation& simulation);
 [[nodiscard]] const char* to_string(ConditionVerdict verdict);  ///< "holds", "fails", "holds in part", "not known"

@@ -80,8 +80,8 @@ struct Part {
 
 /// Builds the solid: swept groove and faces meshed from the parametric surface, Booleans only for anchor hole, leg slot, mark and set
 /// screw. Refusals: "solid.turns" (no land between turns), "solid.floor" (the groove's floor folds), "solid.axis" (the contour passes the
-/// axis by), "solid.anchor" (too wide a hole), "solid.bore" (the bore breaks out), "solid.self_intersection", "solid.boolean" (a cut
-/// failed).
+/// axis by), "solid.anchor" (too wide a hole), "solid.bore" (the bore breaks out), "solid.validity" (not closed, not of one
+/// piece, or it meets itself).
 /// @throws InvalidInput naming the option
 [[nodiscard]] core::Outcome<Part> build_part(const cam::Cam& cam, const PartOptions& options);
 

@@ -91,7 +91,7 @@ TEST_F(CoDesignRun, SameBytesOnAnyNumberOfThreadsAndWhenResumed) {
 }
 
 TEST_F(CoDesignRun, MinimisedOverAShopsScatterItsCostIsWhatBuiltJointsHaveAndTheirSpringsReach) {
-    const auto robust = [this](const profile::Profile& best, double torque) {
+    const auto robust = [](const profile::Profile& best, double torque) {
         const design::Drawing drawing{pipeline::actuator_of(best, pipeline::design_law(best)->law), best.k_se.spring, best.k_pe.spring};
         return design::robust_dead_band(drawing, torque, {.rate_se = 0.05, .rate_pe = 0.05, .contour = 0.05e-3, .friction = 0.05});
     };

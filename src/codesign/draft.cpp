@@ -21,7 +21,7 @@ profile::Profile finished(Draft draft) {
     p.law.end_torque = rounded(draft.end);
     if (draft.series_stiffness.empty()) {
         spring::StictionLawOptions law;
-        law.mu = p.rig.gear_friction;
+        law.mu = p.rig.rest_friction();
         law.start_torque = p.law.start_torque;
         law.end_torque = p.law.end_torque;
         // T(start) = u^2/(mu start^2) + C/start

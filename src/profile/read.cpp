@@ -145,7 +145,7 @@ void distribute(Profile& p) {
     p.k_pe.solid.chordal_error = p.k_se.solid.chordal_error;
     p.k_se.cam.cable_diameter = p.k_pe.cam.cable_diameter = p.cable.diameter;
     if (auto* law = std::get_if<spring::StictionLawOptions>(&p.law.curves)) {
-        law->mu = p.rig.gear_friction;
+        law->mu = p.rig.rest_friction();
         law->start_torque = p.law.start_torque;
         law->end_torque = p.law.end_torque;
     }

@@ -119,6 +119,17 @@ TEST_F(Simulate, PathsStayWithinFrictionAndLoopsClose) {
         EXPECT_NEAR(loop.cycle.front().q, loop.cycle.back().q, 1e-6 * std::abs(loop.cycle.back().q));
 }
 
+/// The rate at which (k, u, C) springs take stiction from the joint is u^2/tau^2, whatever the gear: they are made for the friction at
+/// rest.
+TEST_F(Simulate, StictionCompensationIsMadeForTheFrictionAtRest) {
+    const report::Simulation simulation = simulated(changed("pnrvsa", {{"rig.gear_friction_rest_excess", "0.1"}}), {.levels = 3});
+    ASSERT_EQ(simulation.levels.size(), 3u);
+    for (const report::SimulatedLevel& level : simulation.levels) {
+        const double tau = level.dead_band.tau, wanted = -0.0012 * 0.0012 / (tau * tau);
+        EXPECT_NEAR(level.dead_band.condition_6, wanted, 1e-6 * -wanted) << tau;  // T + tau T' leaves 1e-9 of 0.07
+    }
+}
+
 TEST_F(Simulate, PathsAreThoseOfTheExactSprings) {
     for (const char* name : {"pnrvsa", "first_prototype"}) {
         const profile::Profile profile = profile::read_profile(fixtures::shipped(name));

@@ -37,7 +37,9 @@ struct Rig {
     double gear_friction = 0.0;              ///< mu
     double gear_friction_constant = 0.0;     ///< [Nm]
     double gear_friction_rest_excess = 0.0;  ///< friction at rest over friction in motion, less 1
-    Rows gear_friction_table;                ///< friction over load [Nm]; in place of mu and constant
+    /// mu of a gear that rests: what the (k, u, C) law is made for.
+    [[nodiscard]] double rest_friction() const { return (1.0 + gear_friction_rest_excess) * gear_friction; }
+    Rows gear_friction_table;  ///< friction over load [Nm]; in place of mu and constant
     actuator::OutputFriction joint_friction;
     double least_torque = 0.0;      ///< [Nm]
     double peak_torque = 0.0;       ///< [Nm]

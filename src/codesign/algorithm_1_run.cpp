@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "algorithm_1_judge.h"
+#include "curves.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/core/units.h"
@@ -152,13 +153,7 @@ Found find(const profile::Profile& profile, const RunOptions& options) {
     }
     found.best = judge.best(search_result.best, result_folder(profile, options));
     report::SearchReport& report = found.report.emplace(judge.report(search_result.best, found.best));
-    report.population = profile.search.population;
-    report.generations = search_result.generations;
-    report.seed = profile.search.seed;
-    report.evaluations = search_result.evaluations;
-    report.interrupted = search_result.interrupted;
-    report.cost = search_result.cost;
-    report.history = search_result.history;
+    note_search(report, profile, search_result);
     report.costs = cost_curves(algorithm, search_result.best, watch);
     return found;
 }

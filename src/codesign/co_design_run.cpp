@@ -114,13 +114,7 @@ report::SearchReport report_of(const profile::Profile& profile, const Problem& p
     report::SearchReport report;
     report.provenance = {best.name, profile.sha256, "method=co_design"};
     report.method = "co_design";
-    report.population = profile.search.population;
-    report.generations = found.generations;
-    report.seed = profile.search.seed;
-    report.evaluations = found.evaluations;
-    report.interrupted = found.interrupted;
-    report.cost = found.cost;
-    report.history = found.history;
+    note_search(report, profile, found);
     for (std::size_t i = 0; i < problem.size(); ++i) {
         const Problem::Shown v = problem.show(i, found.best[i]);
         report.variables.push_back({v.name, v.unit, v.box, v.value});

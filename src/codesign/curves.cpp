@@ -35,4 +35,14 @@ report::CamCurve cam_curve(cam::PartKind kind, const profile::Profile& profile, 
     return curve;
 }
 
+void note_search(report::SearchReport& report, const profile::Profile& profile, const design::EvolutionResult& found) {
+    report.population = profile.search.population;
+    report.generations = found.generations;
+    report.seed = profile.search.seed;
+    report.evaluations = found.evaluations;
+    report.interrupted = found.interrupted;
+    report.cost = found.cost;
+    report.history = found.history;
+}
+
 }  // namespace fusee::codesign

@@ -1,13 +1,36 @@
 #include "fusee/cam/arm.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "fusee/core/error.h"
 
 namespace fusee::cam {
 
+namespace {
+
+/// 1/S has to stay above the compliance, or the spool would have to be stiffer than rigid.
+void require_softer(const spring::SpringLaw& law, double compliance) {
+    constexpr int kPlaces = 200;
+    core::require_within("k_se.cable_compliance_rad_per_Nm", compliance, 0.0, 1e6, "rad/Nm");
+    if (compliance == 0.0) return;
+    const core::Range loads = law.loads();
+    double stiffest = 0.0;
+    for (int i = 0; i <= kPlaces; ++i) stiffest = std::max(stiffest, law.at_load(loads.low + loads.width() * i / kPlaces).s);
+    if (compliance * stiffest >= 1.0)
+        throw core::InvalidInput(
+            "k_se.cable_compliance_rad_per_Nm", fmt::format("{:.4g} rad/Nm", compliance),
+            fmt::format("below {:.4g} rad/Nm = 1/S of the law's stiffest place: a stiffer cable, or a softer law", 1.0 / stiffest));
+}
+
+}  // namespace
+
 const char* to_string(PartKind kind) { return kind == PartKind::kSeries ? "k_se" : "k_pe"; }
 
-ArmFunction::ArmFunction(PartKind kind, spring::SpringLawPtr law, spring::BaseSpring base, double capstan_radius)
-    : kind_(kind), law_(std::move(law)), base_(base), capstan_radius_(capstan_radius) {
+ArmFunction::ArmFunction(PartKind kind, spring::SpringLawPtr law, spring::BaseSpring base, double capstan_radius,
+                         const Allowance& allowance)
+    : kind_(kind), law_(std::move(law)), base_(base), capstan_radius_(capstan_radius), allowance_(allowance) {
     const auto wanted = kind == PartKind::kSeries ? spring::BaseKind::kTorsion : spring::BaseKind::kCompression;
     const std::string part = to_string(kind);
     if (base_.kind != wanted)
@@ -15,13 +38,29 @@ ArmFunction::ArmFunction(PartKind kind, spring::SpringLawPtr law, spring::BaseSp
     core::require_positive(part + ".spring.rate", base_.rate);
     core::require_within(part + ".spring.preload", base_.preload, 0.0, 1e6);
     core::require_positive("rig.capstan_radius", capstan_radius_, "m");
+    core::require_within(part + ".radius_allowance", allowance_.radius, -1.0, 1.0, "m");
+    if (kind_ != PartKind::kSeries) return;
+    require_softer(*law_, allowance_.series_compliance);
+    least_series_torque_ = law_->at_load(law_->loads().low).f_se;
 }
 
-ArmFunction ArmFunction::on(const spring::BaseSpring& base) const { return {kind_, law_, base, capstan_radius_}; }
+ArmFunction ArmFunction::on(const spring::BaseSpring& base) const { return {kind_, law_, base, capstan_radius_, allowance_}; }
+
+/// The law's point with the cable's share taken off K_SE: same torque, the spool's own stiffness and energy.
+spring::LawPoint ArmFunction::behind_cable(double tau) const {
+    spring::LawPoint p = law_->at_load(tau);
+    const double c = allowance_.series_compliance;
+    if (c == 0.0) return p;
+    const double share = 1.0 - c * p.s;  // of the deflection that is left to the spool
+    p.u_se -= 0.5 * c * (p.f_se * p.f_se - least_series_torque_ * least_series_torque_);
+    p.s_slope /= share * share * share;
+    p.s /= share;
+    return p;
+}
 
 // docs/theory/cams.md, table 1. Primes are by the cam's own angle: phi for the spool, theta for the cam.
 ArmPoint ArmFunction::at_load(double tau) const {
-    const spring::LawPoint p = law_->at_load(tau);
+    const spring::LawPoint p = behind_cable(tau);
     ArmPoint a;
     a.tau = tau;
     if (kind_ == PartKind::kSeries) {
@@ -42,6 +81,7 @@ ArmPoint ArmFunction::at_load(double tau) const {
         a.slope = (p.p - base_.rate * a.arm * a.arm) / a.tension;
         a.bend = (p.p_slope - 3.0 * base_.rate * a.arm * a.slope) / a.tension;
     }
+    a.arm -= allowance_.radius;
     return a;
 }
 

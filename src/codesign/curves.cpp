@@ -27,7 +27,7 @@ report::CamCurve cam_curve(cam::PartKind kind, const profile::Profile& profile, 
     report::CamCurve curve;
     curve.kind = kind;
     const profile::PartSpec& spec = kind == cam::PartKind::kSeries ? profile.k_se : profile.k_pe;
-    const cam::ArmFunction arm(kind, law, spec.spring, profile.rig.capstan_radius);
+    const cam::ArmFunction arm(kind, law, spec.spring, profile.rig.capstan_radius, spec.allowance);
     for (const spring::LawPoint& p : spring::sample_by_load(*law, kSamples)) curve.arms.push_back(arm.at_load(p.tau));
     auto designed = pipeline::design_part(kind, profile, law);
     curve.findings = designed ? designed->findings : designed.refusal();

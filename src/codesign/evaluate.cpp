@@ -118,7 +118,9 @@ private:
     }
 
     [[nodiscard]] const profile::PartSpec& spec(cam::PartKind kind) const { return kind == cam::PartKind::kSeries ? p_.k_se : p_.k_pe; }
-    [[nodiscard]] cam::ArmFunction arm(cam::PartKind kind) const { return {kind, law_, spec(kind).spring, p_.rig.capstan_radius}; }
+    [[nodiscard]] cam::ArmFunction arm(cam::PartKind kind) const {
+        return {kind, law_, spec(kind).spring, p_.rig.capstan_radius, spec(kind).allowance};
+    }
 
     void judge_shape(cam::PartKind kind) {
         const std::string part = to_string(kind);

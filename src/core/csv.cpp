@@ -15,7 +15,8 @@ namespace fusee::core {
 namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-constexpr std::size_t kShown = 60;  // letters of a wrong cell that a message repeats
+constexpr std::size_t kShown = 60;               // letters of a wrong cell that a message repeats
+constexpr std::size_t kLongestLine = 1'000'000;  // bytes: what has longer ones is no table
 
 struct Cell {
     std::string_view text;
@@ -34,7 +35,13 @@ void split(std::string_view line, std::vector<Cell>& cells) {
     }
 }
 
-std::string shown(std::string_view text) { return fmt::format("'{}{}'", text.substr(0, kShown), text.size() > kShown ? "..." : ""); }
+/// In quotes and shortened; control characters would reach the reader's terminal.
+std::string shown(std::string_view text) {
+    std::string plain(text.substr(0, kShown));
+    std::replace_if(
+        plain.begin(), plain.end(), [](unsigned char c) { return c < 0x20 || c == 0x7F; }, '?');
+    return fmt::format("'{}{}'", plain, text.size() > kShown ? "..." : "");
+}
 
 std::string count_of_columns(std::size_t count) {
     constexpr std::array<const char*, 10> kWords{"no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine"};
@@ -48,7 +55,7 @@ InvalidInput fault_at(const std::string& file, std::size_t line, std::size_t pla
 
 }  // namespace
 
-/// One pass over the lines; the table grows row by row.
+/// One pass over the lines, which may come in pieces; the table grows row by row.
 class CsvParser {
 public:
     CsvParser(const std::string& file, const std::vector<CsvColumn>& columns, const CsvOptions& options)
@@ -57,19 +64,28 @@ public:
         for (const CsvColumn& column : known_) names_ += (names_.empty() ? "" : ",") + column.name;
     }
 
-    CsvTable parse(std::string_view bytes) {
-        if (bytes.starts_with(kByteOrderMark)) bytes.remove_prefix(kByteOrderMark.size());
+    /// The next bytes of the file, cut anywhere.
+    void take(std::string_view bytes) {
         while (!bytes.empty()) {
-            const std::size_t end = std::min(bytes.find('\n'), bytes.size());
-            std::string_view text = bytes.substr(0, end);
-            bytes.remove_prefix(std::min(end + 1, bytes.size()));
-            ++line_;
-            if (text.ends_with('\r')) text.remove_suffix(1);
-            if (text.find_first_not_of(" \t") == std::string_view::npos || text.starts_with('#')) continue;
-            split(text, cells_);
-            headed_ ? read_row(text) : read_header(text);
-            headed_ = true;
+            const std::size_t end = bytes.find('\n');
+            if (rest_.size() + std::min(end, bytes.size()) > kLongestLine)
+                throw fault_at(table_.file_, line_ + 1, 1, "line", "longer", fmt::format("at most {} bytes", kLongestLine));
+            if (end == std::string_view::npos) {
+                rest_.append(bytes);
+                return;
+            }
+            if (rest_.empty()) {
+                read_line(bytes.substr(0, end));
+            } else {
+                read_line(rest_.append(bytes.substr(0, end)));
+                rest_.clear();
+            }
+            bytes.remove_prefix(end + 1);
         }
+    }
+
+    CsvTable finish() {
+        if (!rest_.empty()) read_line(rest_);
         if (!headed_) throw fault_at(table_.file_, 1, 1, "header", "(missing)", shown(names_));
         if (table_.rows() < options_.least_rows)
             throw fault(1, "rows", fmt::format("{}", table_.rows()), fmt::format("at least {}", options_.least_rows));
@@ -81,6 +97,15 @@ private:
         return fault_at(table_.file_, line_, place, what, std::move(value), std::move(allowed));
     }
 
+    void read_line(std::string_view text) {
+        if (line_++ == 0 && text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+        if (text.ends_with('\r')) text.remove_suffix(1);
+        if (text.find_first_not_of(" \t") == std::string_view::npos || text.starts_with('#')) return;
+        split(text, cells_);
+        headed_ ? read_row(text) : read_header(text);
+        headed_ = true;
+    }
+
     void read_header(std::string_view text) {
         for (std::size_t i = 0; i < cells_.size(); ++i) {
             const Cell& cell = cells_[i];
@@ -89,10 +114,11 @@ private:
             if (!cell.text.empty() && std::find_if(cells_.begin(), end, same) != end)
                 throw fault(cell.place, "header", shown(cell.text), "every column once");
             const auto known = std::find_if(known_.begin(), known_.end(), [&cell](const CsvColumn& c) { return c.name == cell.text; });
-            if (known != known_.end())
+            if (known != known_.end()) {
+                if (known->name == options_.span_column) span_column_ = table_.columns_.size();
                 table_.columns_.push_back({*known, i, {}, {}, {}});
-            else if (!options_.extra_columns)
-                throw fault(cell.place, "header", shown(cell.text), shown(names_));
+            }
+            if (known == known_.end() && !options_.extra_columns) throw fault(cell.place, "header", shown(cell.text), shown(names_));
         }
         for (const CsvColumn& column : known_)
             if (column.required && !table_.has(column.name))
@@ -101,20 +127,59 @@ private:
     }
 
     void read_row(std::string_view text) {
-        if (table_.rows() >= options_.most_rows) throw fault(1, "rows", "more", fmt::format("at most {}", options_.most_rows));
-        for (CsvTable::Column& column : table_.columns_) {
-            const Cell cell = column.cell < cells_.size() ? cells_[column.cell] : Cell{{}, text.size() + 1};
-            if (column.known.kind == CsvColumn::Kind::kNumber)
-                column.numbers.push_back(number(cell, column.known.name));
+        if (table_.rows_read_ >= options_.most_rows) throw fault(1, "rows", "more", fmt::format("at most {}", options_.most_rows));
+        if (cells_.size() > width_) throw fault(cells_[width_].place, "row", shown(cells_[width_].text), count_of_columns(width_));
+        values_.clear();
+        for (const CsvTable::Column& column : table_.columns_) {
+            if (column.cell >= cells_.size()) cells_.resize(column.cell + 1, Cell{{}, text.size() + 1});
+            const Cell& cell = cells_[column.cell];
+            if (column.known.kind == CsvColumn::Kind::kText) require_words(cell, column.known.name);
+            values_.push_back(column.known.kind == CsvColumn::Kind::kText ? 0.0 : number(cell, column.known));
+        }
+        const bool beyond = is_beyond();
+        table_.rows_beyond_ += beyond ? 1 : 0;
+        if (table_.rows() >= options_.most_kept && table_.rows_read_ % table_.stride_ == 0 && !beyond) thin();
+        if (table_.rows_read_++ % table_.stride_ == 0 && !beyond) keep_row();
+    }
+
+    /// Of the row in `values_`.
+    [[nodiscard]] bool is_beyond() {
+        if (span_column_ == kNone) return false;
+        if (table_.rows_read_ == 0) span_start_ = values_[span_column_];
+        return values_[span_column_] - span_start_ > options_.longest_span;
+    }
+
+    void keep_row() {
+        for (std::size_t i = 0; i < table_.columns_.size(); ++i) {
+            CsvTable::Column& column = table_.columns_[i];
+            const Cell& cell = cells_[column.cell];
+            if (column.known.kind == CsvColumn::Kind::kText)
+                column.texts.emplace_back(cell.text);
             else
-                column.texts.emplace_back(words(cell, column.known.name));
+                column.numbers.push_back(values_[i]);
             column.places.push_back(static_cast<std::uint32_t>(cell.place));
         }
-        if (cells_.size() > width_) throw fault(cells_[width_].place, "row", shown(cells_[width_].text), count_of_columns(width_));
         table_.lines_.push_back(static_cast<std::uint32_t>(line_));
     }
 
-    [[nodiscard]] double number(const Cell& cell, const std::string& name) const {
+    /// Keeps every second row of those kept so far, and will do so.
+    void thin() {
+        const auto halve = [](auto& cells) {
+            for (std::size_t i = 2; i < cells.size(); i += 2) cells[i / 2] = std::move(cells[i]);
+            cells.resize((cells.size() + 1) / 2);
+        };
+        halve(table_.lines_);
+        for (CsvTable::Column& column : table_.columns_) {
+            halve(column.numbers);
+            halve(column.texts);
+            halve(column.places);
+        }
+        table_.stride_ *= 2;
+    }
+
+    [[nodiscard]] double number(const Cell& cell, const CsvColumn& column) const {
+        const std::string& name = column.name;
+        if (cell.text.empty() && column.gaps) return std::numeric_limits<double>::quiet_NaN();
         if (cell.text.empty()) throw fault(cell.place, name, "(missing)", "a finite number in every row");
         std::string_view digits = cell.text;
         if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-') digits.remove_prefix(1);
@@ -125,11 +190,10 @@ private:
         return value;
     }
 
-    [[nodiscard]] std::string_view words(const Cell& cell, const std::string& name) const {
+    void require_words(const Cell& cell, const std::string& name) const {
         if (cell.text.empty()) throw fault(cell.place, name, "(missing)", "a text in every row");
         if (cell.text.find('"') != std::string_view::npos)
             throw fault(cell.place, name, shown(cell.text), "a text without quotation marks");
-        return cell.text;
     }
 
     const std::vector<CsvColumn>& known_;
@@ -137,6 +201,11 @@ private:
     CsvTable table_;
     std::string names_;  // of the known columns, as a header line
     std::vector<Cell> cells_;
+    std::vector<double> values_;  // of the known columns' numbers in the row, 0 for texts
+    static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+    std::size_t span_column_ = kNone;  // its place among the known columns
+    double span_start_ = 0.0;
+    std::string rest_;  // of a line that is not complete
     std::size_t line_ = 0, width_ = 0;
     bool headed_ = false;
 };
@@ -166,11 +235,19 @@ InvalidInput CsvTable::fault(std::size_t row, std::string_view name, std::string
 }
 
 CsvTable parse_csv(std::string_view bytes, const std::string& file, const std::vector<CsvColumn>& columns, const CsvOptions& options) {
-    return CsvParser(file, columns, options).parse(bytes);
+    CsvParser parser(file, columns, options);
+    parser.take(bytes);
+    return parser.finish();
 }
 
-CsvTable read_csv(const std::filesystem::path& path, const std::vector<CsvColumn>& columns, const CsvOptions& options) {
-    return parse_csv(read_file(path, options.largest_bytes), path.string(), columns, options);
+CsvTable read_csv(const std::filesystem::path& path, const std::vector<CsvColumn>& columns, const CsvOptions& options,
+                  const std::function<void(std::string_view)>& seen) {
+    CsvParser parser(path.string(), columns, options);
+    read_pieces(path, options.largest_bytes, [&](std::string_view piece) {
+        seen(piece);
+        parser.take(piece);
+    });
+    return parser.finish();
 }
 
 }  // namespace fusee::core

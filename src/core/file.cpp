@@ -41,29 +41,48 @@ void write_file(const fs::path& path, std::string_view bytes) {
     if (error) throw IoError(path.string(), error.message());
 }
 
-std::string read_file(const fs::path& path, std::size_t largest) {
+void read_pieces(const fs::path& path, std::size_t largest, const std::function<void(std::string_view)>& take) {
     std::error_code error;
     if (fs::is_directory(path, error)) throw IoError(path.string(), "is a folder, not a file");
     std::ifstream in(path, std::ios::binary);
     if (!in) throw IoError(path.string(), "cannot be opened for reading");
-    // A piece at a time: what has no end (a device) is given up at the limit.
-    std::string bytes;
+    // What has no end (a device) is given up at the limit.
     std::array<char, 1 << 16> piece;
+    std::size_t size = 0;
     while (in.read(piece.data(), piece.size()), in.gcount() > 0) {
-        bytes.append(piece.data(), static_cast<std::size_t>(in.gcount()));
-        if (bytes.size() > largest) throw IoError(path.string(), fmt::format("is larger than the {} bytes that are read", largest));
+        const auto count = static_cast<std::size_t>(in.gcount());
+        size += count;
+        if (size > largest) throw IoError(path.string(), fmt::format("is larger than the {} bytes that are read", largest));
+        take({piece.data(), count});
     }
     if (in.bad()) throw IoError(path.string(), "cannot be read to its end");
+}
+
+std::string read_file(const fs::path& path, std::size_t largest) {
+    std::string bytes;
+    read_pieces(path, largest, [&bytes](std::string_view piece) { bytes.append(piece); });
     return bytes;
 }
 
-std::string sha256_hex(std::string_view bytes) {
+Sha256::Sha256() : state_(EVP_MD_CTX_new(), [](void* state) { EVP_MD_CTX_free(static_cast<EVP_MD_CTX*>(state)); }) {
+    EVP_DigestInit_ex(static_cast<EVP_MD_CTX*>(state_.get()), EVP_sha256(), nullptr);
+}
+
+void Sha256::add(std::string_view bytes) { EVP_DigestUpdate(static_cast<EVP_MD_CTX*>(state_.get()), bytes.data(), bytes.size()); }
+
+std::string Sha256::hex() {
     std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
     unsigned int length = 0;
-    EVP_Digest(bytes.data(), bytes.size(), digest.data(), &length, EVP_sha256(), nullptr);
+    EVP_DigestFinal_ex(static_cast<EVP_MD_CTX*>(state_.get()), digest.data(), &length);
     std::string hex;
     for (unsigned int i = 0; i < length; ++i) hex += fmt::format("{:02x}", digest[i]);
     return hex;
+}
+
+std::string sha256_hex(std::string_view bytes) {
+    Sha256 hash;
+    hash.add(bytes);
+    return hash.hex();
 }
 
 namespace {

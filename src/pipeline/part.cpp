@@ -17,7 +17,7 @@ void require_parts(const profile::Profile& profile) {
 
 core::Outcome<DesignedPart> design_part(cam::PartKind kind, const profile::Profile& profile, const spring::SpringLawPtr& law) {
     const profile::PartSpec& spec = kind == cam::PartKind::kSeries ? profile.k_se : profile.k_pe;
-    const cam::ArmFunction arm(kind, law, spec.spring, profile.rig.capstan_radius);
+    const cam::ArmFunction arm(kind, law, spec.spring, profile.rig.capstan_radius, spec.allowance);
     const auto cam = cam::synthesize_cam(arm, spec.cam);
     if (!cam) return cam.refusal();
     auto part = solid::build_part(*cam, spec.solid);

@@ -21,8 +21,8 @@ struct Unit {
     [[nodiscard]] double from_si(double si) const { return si * denominator / numerator; }
 };
 inline constexpr Unit kPure{""}, kNm{"Nm"}, kNewton{"N"}, kRad{"rad"}, kPerRad{"1/rad"}, kPerNmRad{"1/(Nm rad)"}, kNmPerRad{"Nm/rad"},
-    kNPerM{"N/m"}, kKgm2{"kg m^2"}, kNms{"Nm s"}, kNm2s{"(Nm)^2 s"}, kMm{"mm", 1.0, 1e3}, kDeg{"deg", core::kPi, 180.0},
-    kMPa{"MPa", 1e6, 1.0};
+    kRadPerNm{"rad/Nm"}, kNPerM{"N/m"}, kKgm2{"kg m^2"}, kNms{"Nm s"}, kNm2s{"(Nm)^2 s"}, kMm{"mm", 1.0, 1e3},
+    kDeg{"deg", core::kPi, 180.0}, kMPa{"MPa", 1e6, 1.0};
 
 /// Allowed numbers, in the key's own unit; always finite.
 struct Limits {

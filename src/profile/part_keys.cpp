@@ -8,12 +8,19 @@ namespace {
     [member](auto& p) -> auto& { return (p.*member).field; }
 
 std::vector<Key> body_keys(const std::string& part, PartSpec Profile::*member) {
-    return {
+    std::vector<Key> all{
         sign(part + ".torque_sign", "sign of the tension's torque about +z", OF(cam.torque_sign)),
         integer(part + ".target_rows", within(200, 10000), "working positions in PART.json", OF(cam.target_rows)),
         number(part + ".flange_height_mm", kMm, within(0, 100), "how far the flanges stand above the groove's lips",
                OF(solid.flange_height)),
+        number(part + ".radius_allowance_mm", kMm, within(-100, 100),
+               "what the rig adds to every arm (cable, overcut): the cam is cut with arms smaller by it", OF(allowance.radius)),
     };
+    if (part == "k_se")
+        all.push_back(number("k_se.cable_compliance_rad_per_Nm", kRadPerNm, within(0, 1e3),
+                             "of the cable behind the spool, at the capstan: the spool is cut stiffer by it; below 1/S of the law",
+                             OF(allowance.series_compliance)));
+    return all;
 }
 
 /// The two base springs differ in what they measure: angle and torque, or travel and force.

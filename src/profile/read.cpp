@@ -7,7 +7,7 @@
 #include "files.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
-#include "toml_guard.h"
+#include "fusee/core/toml_guard.h"
 
 namespace fs = std::filesystem;
 
@@ -16,7 +16,7 @@ namespace fusee::profile {
 namespace {
 
 toml::table parse(const std::string& bytes, const std::string& file) {
-    require_ascii_syntax(bytes, file);
+    core::require_ascii_syntax(bytes, file);
     try {
         return toml::parse(bytes);
     } catch (const toml::parse_error& e) {
@@ -174,17 +174,18 @@ std::string Profile::place_of(const std::string& key) const {
     return found != places.end() ? found->second : fmt::format("{}: {}", file.string(), key);
 }
 
-Profile read_profile(const fs::path& path) {
-    std::string bytes = core::read_file(path, kLargestFile);
-    const toml::table table = parse(bytes, path.string());
+Profile read_profile(const fs::path& path) { return parse_profile(core::read_file(path, kLargestFile), path); }
+
+Profile parse_profile(std::string toml, const fs::path& path) {
+    const toml::table table = parse(toml, path.string());
     Reader reader(path.string());
     reader.collect(table, "");
     Profile profile;
     profile.file = path;
     reader.assign(profile);
     distribute(profile);
-    bytes += read_files(profile);
-    profile.sha256 = core::sha256_hex(bytes);
+    toml += read_files(profile);
+    profile.sha256 = core::sha256_hex(toml);
     return profile;
 }
 

@@ -77,6 +77,41 @@ TEST(Arm, IsSmoothWhereTheLeadInEnds) {
     }
 }
 
+// What the rig adds is cut off the arm and nothing else: cable, angle, state, slope and bend are those of the arm wanted.
+TEST(Arm, IsCutWithoutWhatTheRigAdds) {
+    for (const PartKind kind : {PartKind::kSeries, PartKind::kParallel}) {
+        const spring::BaseSpring base = kind == PartKind::kSeries ? torsion() : compression();
+        const ArmFunction wanted(kind, stiction_law(), base, kCapstan), cut(kind, stiction_law(), base, kCapstan, {.radius = 3e-4});
+        const ArmPoint a = wanted.at_load(1.1), b = cut.at_load(1.1), c = cut.on(base).at_load(1.1);
+        EXPECT_DOUBLE_EQ(b.arm, a.arm - 3e-4);
+        EXPECT_EQ(c.arm, b.arm);
+        EXPECT_EQ(b.slope, a.slope);
+        EXPECT_EQ(b.bend, a.bend);
+        EXPECT_EQ(b.tension, a.tension);
+        EXPECT_EQ(b.angle, a.angle);
+    }
+}
+
+// Known: behind a compliance c a law of stiffness S needs a spool of stiffness S/(1 - c S); of a straight one without preload the arm is
+// r_c sqrt(k_t (1 - c S)/S). Slope and bend remain derivatives by the spool's own angle (steps as above).
+TEST(Arm, MakesUpForACableThatStretches) {
+    const double s = 0.08, p = 0.12, start = 0.2, kt = 0.02, c = 4.0;
+    const auto straight = spring::make_pair_law(spring::make_polynomial({0.0, s}), spring::make_polynomial({0.0, p}), start, 1.0).value();
+    const double x0 = start / (s + p), own = s / (1.0 - c * s);
+    const ArmFunction spool(PartKind::kSeries, straight, torsion(kt, s * x0 / std::sqrt(kt * own)), kCapstan, {.series_compliance = c});
+    for (const double tau : {0.2, 0.5, 1.0}) EXPECT_NEAR(spool.at_load(tau).arm, kCapstan * std::sqrt(kt / own), 1e-13);
+    const ArmFunction curved(PartKind::kSeries, stiction_law(), torsion(), kCapstan, {.series_compliance = 0.2});
+    for (const double tau : {0.7, 1.4, 1.9}) {
+        const double h = 2e-4;
+        const ArmPoint low = curved.at_load(tau - h), mid = curved.at_load(tau), high = curved.at_load(tau + h);
+        const double width = high.angle - low.angle;
+        EXPECT_NEAR((high.arm - low.arm) / width, mid.slope, 2e-5 * std::abs(mid.slope) + 1e-7) << tau;
+        EXPECT_NEAR((high.slope - low.slope) / width, mid.bend, 2e-5 * std::abs(mid.bend) + 1e-6) << tau;
+    }
+    EXPECT_THROW(ArmFunction(PartKind::kSeries, straight, torsion(), kCapstan, {.series_compliance = 1.01 / s}), core::InvalidInput);
+    EXPECT_THROW(ArmFunction(PartKind::kSeries, straight, torsion(), kCapstan, {.series_compliance = -0.1}), core::InvalidInput);
+}
+
 TEST(Arm, RefusesTheWrongSpring) {
     EXPECT_THROW(ArmFunction(PartKind::kSeries, stiction_law(), compression(), kCapstan), core::InvalidInput);
     EXPECT_THROW(ArmFunction(PartKind::kParallel, stiction_law(), compression(-1.0), kCapstan), core::InvalidInput);

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cmath>
+
 #include "fusee/core/file.h"
 
 namespace fusee::core {
@@ -50,9 +52,41 @@ TEST(Csv, RefusesCellsAndNamesThePlace) {
     for (const std::string wrong : {"nan", "inf", "-inf", "1e999", "1 Nm", "0x10", "+-1", "1,5e", "one", "--1", "1.0.0"})
         EXPECT_NE(refusal(head + "a," + wrong + ",1\n").find("t.csv:2:"), std::string::npos) << wrong;
     EXPECT_EQ(refusal(head + "a,1,1,2\n"), "t.csv:2:7: row: '2' (allowed: three columns)");
+    EXPECT_EQ(refusal(head + "a,\x1B[2J,1\n"), "t.csv:2:3: torque_Nm: '?[2J' (allowed: a finite number with a decimal point)");
     const std::string shown = refusal(head + "a," + std::string(100'000, 'x') + ",1\n");
     EXPECT_NE(shown.find("xxx...'"), std::string::npos);
     EXPECT_LT(shown.size(), 200u);
+}
+
+TEST(Csv, ThinsByAConstantStrideAndChecksWhatItLeavesOut) {
+    std::string csv = "side,torque_Nm\n";
+    for (int i = 0; i < 21; ++i) csv += "a" + std::to_string(i) + "," + std::to_string(i) + "\n";
+    const CsvOptions few{.most_kept = 6};
+    const CsvTable t = parse_csv(csv, "t.csv", kColumns, few);
+    EXPECT_EQ(t.rows_read(), 21u);
+    EXPECT_EQ(t.stride(), 4u);
+    EXPECT_EQ(t.numbers("torque_Nm"), (std::vector<double>{0, 4, 8, 12, 16, 20}));
+    EXPECT_EQ(t.texts("side"), (std::vector<std::string>{"a0", "a4", "a8", "a12", "a16", "a20"}));
+    EXPECT_EQ(t.line(1), 6u);
+    EXPECT_EQ(refusal(csv + "a,x\n", few), "t.csv:23:3: torque_Nm: 'x' (allowed: a finite number with a decimal point)");
+    EXPECT_EQ(parse_csv(csv, "t.csv", kColumns, {.most_kept = 21}).stride(), 1u);
+}
+
+TEST(Csv, RowsBeyondASpanAreCheckedOnly) {
+    const CsvOptions span{.span_column = "torque_Nm", .longest_span = 2.0};
+    const std::string csv = "side,torque_Nm\na,5\nb,6\nc,7\nd,8\ne,7\n";
+    const CsvTable t = parse_csv(csv, "t.csv", kColumns, span);
+    EXPECT_EQ(t.numbers("torque_Nm"), (std::vector<double>{5, 6, 7, 7}));
+    EXPECT_EQ(t.rows_beyond_span(), 1u);
+    EXPECT_EQ(t.rows_read(), 5u);
+    EXPECT_EQ(refusal(csv + "f,9\ng,\n", span), "t.csv:8:3: torque_Nm: (missing) (allowed: a finite number in every row)");
+}
+
+TEST(Csv, AnEmptyCellMayBeAllowed) {
+    const CsvTable t =
+        parse_csv("torque_Nm,side\n,a\n2,b\n", "t.csv", {{"side", CsvColumn::Kind::kText}, {.name = "torque_Nm", .gaps = true}});
+    EXPECT_TRUE(std::isnan(t.numbers("torque_Nm")[0]));
+    EXPECT_EQ(t.numbers("torque_Nm")[1], 2.0);
 }
 
 TEST(Csv, RefusesHeaders) {
@@ -78,6 +112,24 @@ TEST(Csv, ReadsAFileUpToItsLimit) {
     EXPECT_THROW((void)read_csv(path, kColumns, {.largest_bytes = 10}), IoError);
     std::filesystem::remove(path);
     EXPECT_THROW((void)read_csv(path, kColumns), IoError);
+}
+
+/// A file is read in pieces that cut lines anywhere.
+TEST(Csv, PiecesOfAFileGiveWhatTheWholeGives) {
+    const std::filesystem::path path = std::filesystem::path(::testing::TempDir()) / ("fusee_csv_" + std::to_string(::getpid()) + ".csv");
+    std::string csv = "side,torque_Nm\r\n";
+    for (int i = 0; i < 30'000; ++i) csv += "left," + std::to_string(i) + (i % 3 == 0 ? "\r\n" : "\n");
+    csv += "end,-1";
+    write_file(path, csv);
+    Sha256 hash;
+    const CsvTable read = read_csv(path, kColumns, {}, [&hash](std::string_view bytes) { hash.add(bytes); });
+    const CsvTable whole = parse_csv(csv, "t.csv", kColumns);
+    EXPECT_EQ(read.numbers("torque_Nm"), whole.numbers("torque_Nm"));
+    EXPECT_EQ(read.texts("side"), whole.texts("side"));
+    EXPECT_EQ(read.line(30'000), 30'002u);
+    EXPECT_EQ(hash.hex(), sha256_hex(csv));
+    std::filesystem::remove(path);
+    EXPECT_EQ(refusal("side,torque_Nm\n" + std::string(2'000'000, 'x')), "t.csv:2:1: line: longer (allowed: at most 1000000 bytes)");
 }
 
 }  // namespace

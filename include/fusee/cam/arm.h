@@ -21,12 +21,21 @@ struct ArmPoint {
     double state = 0.0;    ///< phi + phi0 [rad] or y + y0 [m] of the base spring
 };
 
+/// What the rig adds to a cam, so that the cam has to be cut without it (docs/guides/close-the-loop.md). All 0: a rig as it is drawn.
+struct Allowance {
+    double radius = 0.0;             ///< added to every arm [m]: a thicker cable, overcut, less shrinkage; of either sign
+    double series_compliance = 0.0;  ///< of the cable behind K_SE's spool, >= 0 [rad/Nm] at the capstan; K_SE only
+};
+
 /// The duality of spool and cam: energy gives the arm, without an ODE (docs/theory/cams.md, table 1).
 class ArmFunction {
 public:
     /// @param capstan_radius r_c [m], turns the series torque into cable tension
-    /// @throws InvalidInput if the base spring is of the other kind, its rate or the radius is not above 0, or its preload below 0
-    ArmFunction(PartKind kind, spring::SpringLawPtr law, spring::BaseSpring base, double capstan_radius);
+    /// @param allowance the arms are those with which rig and cam together carry the law: r - dr; behind a compliance c the spool gives
+    /// the cable's travel less c (F_SE - F_SE at the law's lowest load), so that its own stiffness is S/(1 - c S)
+    /// @throws InvalidInput if the base spring is of the other kind, its rate or the radius is not above 0, its preload below 0, or the
+    /// compliance not below 1/S over the law: no spool makes up for it
+    ArmFunction(PartKind kind, spring::SpringLawPtr law, spring::BaseSpring base, double capstan_radius, const Allowance& allowance = {});
 
     [[nodiscard]] ArmPoint at_load(double tau) const;
     /// The same law on another base spring. @throws InvalidInput as the constructor
@@ -36,10 +45,14 @@ public:
     [[nodiscard]] const spring::BaseSpring& base() const { return base_; }
 
 private:
+    [[nodiscard]] spring::LawPoint behind_cable(double tau) const;
+
     PartKind kind_;
     spring::SpringLawPtr law_;
     spring::BaseSpring base_;
     double capstan_radius_;
+    Allowance allowance_;
+    double least_series_torque_ = 0.0;  ///< F_SE at the law's lowest load [Nm]
 };
 
 }  // namespace fusee::cam

@@ -2,6 +2,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,6 +18,7 @@ struct CsvColumn {
     std::string name;  ///< as in the header line
     Kind kind = Kind::kNumber;
     bool required = true;  ///< an optional column may be absent as a whole; where it stands, every row fills it
+    bool gaps = false;     ///< of numbers: an empty cell is NaN
 };
 
 struct CsvOptions {
@@ -23,12 +26,21 @@ struct CsvOptions {
     std::size_t least_rows = 1;               ///< rows below the header
     std::size_t most_rows = 1'000'000;        ///< about 12 bytes of memory for each number
     std::size_t largest_bytes = 200'000'000;  ///< of the file
+    /// Of more rows, only every 2nd, 4th, 8th, ... is kept, from the first on; the others are checked all the same.
+    std::size_t most_kept = std::numeric_limits<std::size_t>::max();
+    /// A column of numbers; rows that lie more than `longest_span` above its first row are not kept, but checked. "": none.
+    std::string span_column = {};
+    double longest_span = std::numeric_limits<double>::infinity();
 };
 
 /// The known columns of a CSV file; immutable. Rows count from 0.
 class CsvTable {
 public:
     [[nodiscard]] std::size_t rows() const { return lines_.size(); }
+    /// Of the file, also those not kept; and 1, or which are kept: every stride-th.
+    [[nodiscard]] std::size_t rows_read() const { return rows_read_; }
+    [[nodiscard]] std::size_t rows_beyond_span() const { return rows_beyond_; }
+    [[nodiscard]] std::size_t stride() const { return stride_; }
     [[nodiscard]] bool has(std::string_view column) const;
     /// @pre has(column), and it is of that kind
     [[nodiscard]] const std::vector<double>& numbers(std::string_view column) const;
@@ -50,6 +62,7 @@ private:
     [[nodiscard]] const Column& column(std::string_view name) const;
 
     std::string file_;
+    std::size_t rows_read_ = 0, rows_beyond_ = 0, stride_ = 1;
     std::vector<std::uint32_t> lines_;  // of each row, from 1
     std::vector<Column> columns_;
 };
@@ -60,10 +73,14 @@ private:
 /// @param file the name used in messages
 /// @throws InvalidInput "file:line:column: name" for a gap, a text in place of a number, a NaN; "...: header" for a header that lacks a
 /// required column, has one twice or, where extra columns are refused, an unknown one; "...: row", "...: rows" for too many cells, too few
-/// or too many rows
+/// or too many rows; "...: line" for one of more than a million bytes
 [[nodiscard]] CsvTable parse_csv(std::string_view bytes, const std::string& file, const std::vector<CsvColumn>& columns,
                                  const CsvOptions& options = {});
-/// The same from a file. @throws IoError, also when the file is larger than options.largest_bytes
-[[nodiscard]] CsvTable read_csv(const std::filesystem::path& path, const std::vector<CsvColumn>& columns, const CsvOptions& options = {});
+/// The same from a file, of which a piece at a time is in memory.
+/// @param seen is told of every byte, in order: for a hash
+/// @throws IoError, also when the file is larger than options.largest_bytes
+[[nodiscard]] CsvTable read_csv(
+    const std::filesystem::path& path, const std::vector<CsvColumn>& columns, const CsvOptions& options = {},
+    const std::function<void(std::string_view)>& seen = [](std::string_view) {});
 
 }  // namespace fusee::core

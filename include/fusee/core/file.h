@@ -1,7 +1,9 @@
 #pragma once
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <limits>
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -14,8 +16,23 @@ void write_file(const std::filesystem::path& path, std::string_view bytes);
 /// @throws IoError, also when there are more than `largest` bytes
 [[nodiscard]] std::string read_file(const std::filesystem::path& path, std::size_t largest = std::numeric_limits<std::size_t>::max());
 
+/// Hands the bytes to `take` a piece at a time, in order: for what is too large to be kept. @throws IoError as read_file
+void read_pieces(const std::filesystem::path& path, std::size_t largest, const std::function<void(std::string_view)>& take);
+
 /// Lower-case hex SHA-256 of the bytes.
 [[nodiscard]] std::string sha256_hex(std::string_view bytes);
+
+/// SHA-256 of bytes that come in pieces.
+class Sha256 {
+public:
+    Sha256();
+    void add(std::string_view bytes);
+    /// Lower-case hex of all bytes so far; nothing can be added afterwards.
+    [[nodiscard]] std::string hex();
+
+private:
+    std::shared_ptr<void> state_;  // of OpenSSL
+};
 
 /// A folder that is filled under a hidden name beside its target and takes the target's place only when it is complete; what stood
 /// there before is replaced as a whole. Destroyed uncommitted, it leaves nothing behind; what a killed process left is removed by the next

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <exception>
 #include <mutex>
 #include <string>
 
@@ -31,5 +32,10 @@ private:
 /// Asked a second time, the program ends at once.
 void catch_interrupts();
 [[nodiscard]] bool interrupted();
+
+/// Thrown by a caller's progress function to leave long work that cannot be left otherwise; the app ends with exit code 130.
+struct Stopped final : std::exception {
+    [[nodiscard]] const char* what() const noexcept override { return "stopped"; }
+};
 
 }  // namespace fusee::core

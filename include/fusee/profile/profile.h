@@ -93,6 +93,7 @@ struct LawSpec {
 /// One cam: its base spring, its path and its body.
 struct PartSpec {
     spring::BaseSpring spring;
+    cam::Allowance allowance;
     cam::CamOptions cam;
     solid::PartOptions solid;
 };
@@ -142,6 +143,8 @@ inline constexpr std::size_t kLargestFile = 10'000'000;
 /// @throws core::IoError if a file is missing, too large or no TOML (line and column)
 /// @throws core::InvalidInput "file:line:column: key": unknown key (with the nearest known one), wrong type, NaN, out of range, missing
 [[nodiscard]] Profile read_profile(const std::filesystem::path& path);
+/// The same from the text that `path` holds or is going to hold. @throws as read_profile
+[[nodiscard]] Profile parse_profile(std::string toml, const std::filesystem::path& path);
 
 /// The profile as TOML with every key that applies. Read from the same folder it gives the same numbers, bit for bit.
 [[nodiscard]] std::string to_toml(const Profile& profile);

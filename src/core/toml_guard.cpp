@@ -1,10 +1,10 @@
-#include "toml_guard.h"
+#include "fusee/core/toml_guard.h"
 
 #include <fmt/format.h>
 
 #include "fusee/core/error.h"
 
-namespace fusee::profile {
+namespace fusee::core {
 
 namespace {
 
@@ -64,8 +64,8 @@ private:
 void require_ascii_syntax(std::string_view toml, const std::string& file) {
     Scanner scanner(toml);
     if (scanner.find_foreign())
-        throw core::IoError(fmt::format("{}:{}:{}", file, scanner.line(), scanner.column()),
-                            "a character outside ASCII; such characters may stand in comments and quoted texts only");
+        throw IoError(fmt::format("{}:{}:{}", file, scanner.line(), scanner.column()),
+                      "a character outside ASCII; such characters may stand in comments and quoted texts only");
 }
 
-}  // namespace fusee::profile
+}  // namespace fusee::core

@@ -1,0 +1,130 @@
+#include "fusee/profile/edit.h"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <sstream>
+
+#include "fusee/core/error.h"
+#include "key.h"
+
+namespace fs = std::filesystem;
+
+namespace fusee::profile {
+
+namespace {
+
+constexpr std::string_view kMark = "\xEF\xBB\xBF";  // UTF-8's byte order mark
+
+std::string line_end(const std::string& toml) { return toml.find("\r\n") != std::string::npos ? "\r\n" : "\n"; }
+
+/// First byte of a line, counted from 1; the text's end if there are fewer.
+std::size_t line_begin(const std::string& toml, std::size_t line) {
+    std::size_t at = toml.starts_with(kMark) ? kMark.size() : 0;
+    for (; line > 1 && at < toml.size(); --line) at = std::min(toml.find('\n', at), toml.size() - 1) + 1;
+    return at;
+}
+
+std::size_t place_of(const std::string& toml, const toml::source_position& at) { return line_begin(toml, at.line) + at.column - 1; }
+
+/// One past the end of the number or one-line text that begins at `begin`.
+std::size_t value_end(const std::string& toml, std::size_t begin) {
+    const char quote = toml[begin];
+    if (quote != '"' && quote != '\'') return std::min(toml.find_first_of(" \t\r\n,}#", begin), toml.size());
+    std::size_t end = begin + 1;
+    while (end < toml.size() && toml[end] != quote) end += quote == '"' && toml[end] == '\\' ? 2 : 1;
+    return std::min(end + 1, toml.size());
+}
+
+std::string comment(const Key& key, const Edit& edit, const std::string& end) {
+    return edit.why.empty() ? "" : fmt::format("# {} was {}: {}{}", key.leaf(), edit.was, edit.why, end);
+}
+
+/// Is this the line "[k_se.spring]"?
+bool is_heading(const std::string& toml, std::size_t at, const std::string& table) {
+    return toml.compare(at, table.size() + 2, "[" + table + "]") == 0;
+}
+
+void add_key(std::string& toml, const toml::table& parsed, const Key& key, const Edit& edit) {
+    const std::string end = line_end(toml), line = comment(key, edit, end) + key.leaf() + " = " + edit.value + end;
+    const toml::node_view<const toml::node> table = parsed.at_path(key.table());
+    if (table.is_table()) {
+        const std::size_t heading = place_of(toml, table.node()->source().begin);
+        if (is_heading(toml, heading, key.table())) {
+            if (toml.find('\n', heading) == std::string::npos) toml += end;
+            toml.insert(toml.find('\n', heading) + 1, line);
+            return;
+        }
+    }
+    if (!toml.ends_with('\n')) toml += end;
+    toml += end + "[" + key.table() + "]" + end + line;
+}
+
+void make(std::string& toml, const Key& key, const Edit& edit) {
+    const toml::table parsed = toml::parse(toml);
+    const toml::node_view<const toml::node> node = parsed.at_path(key.path);
+    if (!node) return add_key(toml, parsed, key, edit);
+    const toml::source_position at = node.node()->source().begin;
+    const std::size_t begin = place_of(toml, at);
+    toml.replace(begin, value_end(toml, begin) - begin, edit.value);
+    toml.insert(line_begin(toml, at.line), comment(key, edit, line_end(toml)));
+}
+
+/// Does the text now hold the new value, and only there?
+bool holds(const std::string& toml, const Key& key, const Edit& edit) {
+    try {
+        const toml::table parsed = toml::parse(toml), wanted = toml::parse("value = " + edit.value);
+        const toml::node_view<const toml::node> node = parsed.at_path(key.path);
+        std::ostringstream found, asked;
+        if (node) found << node;
+        asked << wanted["value"];
+        return found.str() == asked.str();
+    } catch (const toml::parse_error&) {
+        return false;
+    }
+}
+
+}  // namespace
+
+double number_of(const Profile& profile, const std::string& key) { return std::get<double>(find_key(key)->get(profile)); }
+
+void set_number(Profile& profile, const std::string& key, double value) { find_key(key)->set(profile, value); }
+
+Edit number_edit(const Profile& profile, const std::string& path, double value, std::string why) {
+    const Key& key = *find_key(path);
+    return {path, fmt::format("{:.6g}", key.unit.from_si(value)), toml_text(key, profile), std::move(why)};
+}
+
+Edit text_edit(const Profile& profile, const std::string& path, const std::string& value, std::string why) {
+    const Key& key = *find_key(path);
+    Profile changed = profile;
+    key.set(changed, value);
+    return {path, toml_text(key, changed), toml_text(key, profile), std::move(why)};
+}
+
+std::vector<Edit> file_edits(const Profile& profile, const fs::path& folder) {
+    const fs::path from = fs::absolute(profile.file).parent_path(), to = fs::absolute(folder);
+    std::vector<Edit> edits;
+    if (fs::weakly_canonical(from) == fs::weakly_canonical(to)) return edits;
+    for (const Key& key : keys()) {
+        if (key.kind != Kind::kFile || !applies(key, profile)) continue;
+        const std::string file = std::get<std::string>(key.get(profile));
+        if (file.empty() || fs::path(file).is_absolute()) continue;
+        edits.push_back(text_edit(profile, key.path, fs::relative(from / file, to).generic_string(), ""));
+    }
+    return edits;
+}
+
+std::string with_edits(std::string toml, const Profile& profile, const std::vector<Edit>& edits, const std::string& head) {
+    for (const Edit& edit : edits) {
+        const Key& key = *find_key(edit.key);
+        make(toml, key, edit);
+        if (!holds(toml, key, edit))
+            throw core::InvalidInput(
+                profile.place_of(edit.key), "its table stands in one line or in dotted keys",
+                fmt::format("a heading [{}] with one key a line, so that {} can be put below it", key.table(), key.leaf()));
+    }
+    return toml.insert(line_begin(toml, 1), head.empty() ? "" : head + line_end(toml));
+}
+
+}  // namespace fusee::profile

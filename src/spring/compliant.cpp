@@ -1,0 +1,64 @@
+#include "fusee/spring/compliant.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "fusee/core/error.h"
+#include "fusee/math/roots.h"
+
+namespace fusee::spring {
+
+namespace {
+
+class Compliant final : public Potential {
+public:
+    Compliant(PotentialPtr spring, double compliance)
+        : spring_(std::move(spring)), compliance_(compliance), own_(spring_->domain()), least_(spring_->force(own_.low)) {
+        domain_ = {own_.low, own_.high + compliance_ * (spring_->force(own_.high) - least_)};
+    }
+
+    [[nodiscard]] core::Range domain() const override { return domain_; }
+    /// The spring's energy and the cable's beyond what it holds at the lower end.
+    [[nodiscard]] double energy(double deflection) const override {
+        const double x = own_deflection(deflection), force = spring_->force(x);
+        return spring_->energy(x) + 0.5 * compliance_ * (force * force - least_ * least_);
+    }
+    [[nodiscard]] double force(double deflection) const override { return spring_->force(own_deflection(deflection)); }
+    [[nodiscard]] double stiffness(double deflection) const override {
+        const double own = spring_->stiffness(own_deflection(deflection));
+        return own / (1.0 + compliance_ * own);
+    }
+    [[nodiscard]] double slope(double deflection) const override {
+        const double x = own_deflection(deflection), share = 1.0 + compliance_ * spring_->stiffness(x);
+        return spring_->slope(x) / (share * share * share);
+    }
+
+private:
+    [[nodiscard]] double own_deflection(double deflection) const {
+        const double wanted = std::clamp(deflection, domain_.low, domain_.high);
+        const auto excess = [&](double x) {
+            return math::Tangent{x + compliance_ * (spring_->force(x) - least_) - wanted, 1.0 + compliance_ * spring_->stiffness(x)};
+        };
+        const double share = (wanted - domain_.low) / domain_.width();
+        return math::rising_root(excess, own_.low, own_.high, std::lerp(own_.low, own_.high, share));
+    }
+
+    PotentialPtr spring_;
+    double compliance_;
+    core::Range own_, domain_;
+    double least_;
+};
+
+}  // namespace
+
+PotentialPtr with_compliance(PotentialPtr spring, double compliance) {
+    if (compliance == 0.0) return spring;
+    for (const double end : {spring->domain().low, spring->domain().high})
+        if (!(1.0 + compliance * spring->stiffness(end) > 0.0))
+            throw core::InvalidInput("compliance", fmt::format("{:g} rad/Nm", compliance), "1 + c S above 0");
+    return std::make_shared<Compliant>(std::move(spring), compliance);
+}
+
+}  // namespace fusee::spring

@@ -1,0 +1,73 @@
+#include "fusee/profile/edit.h"
+
+#include "profile/fixture.h"
+
+namespace fusee::profile {
+namespace {
+
+class ProfileEdit : public ProfileTest {
+protected:
+    /// The text with the edits made, which must be read again.
+    std::string made(const std::string& toml, const std::vector<Edit>& edits) const {
+        const std::string text = with_edits(toml, read(toml), edits);
+        EXPECT_EQ(refusal(text), "");
+        return text;
+    }
+    Edit rate(double value) const { return number_edit(read(kShort), "k_se.spring.rate_Nm_per_rad", value, "measured"); }
+};
+
+TEST_F(ProfileEdit, ReplacesTheValueAndNothingElse) {
+    const std::string toml = edited("rate_Nm_per_rad = 0.0183\n", "rate_Nm_per_rad =  0.0183   # as bought\n");
+    std::string expected = toml;
+    expected.replace(expected.find("rate_Nm_per_rad =  0.0183"), 25, "# rate_Nm_per_rad was 0.0183: measured\nrate_Nm_per_rad =  0.0201");
+    EXPECT_EQ(made(toml, {rate(0.0201)}), expected);
+}
+
+TEST_F(ProfileEdit, AddsWhatIsLeftOutBelowItsHeadingOrWithItsTable) {
+    const Profile p = read(kShort);
+    const std::string below = made(kShort, {number_edit(p, "rig.joint_friction_Nm", 0.0125, "bearing")});
+    expect_words(below, {"[rig]\n# joint_friction_Nm was 0: bearing\njoint_friction_Nm = 0.0125\ncapstan_radius_mm = 30"});
+    // [k_se.spring] alone stands in the file; its heading is not that of [k_se].
+    const std::string text = made(kShort, {number_edit(p, "k_se.radius_allowance_mm", 3e-4, "cable")});
+    EXPECT_TRUE(text.ends_with("\n\n[k_se]\n# radius_allowance_mm was 0: cable\nradius_allowance_mm = 0.3\n")) << text;
+    EXPECT_EQ(read(text).k_se.allowance.radius, 3e-4);
+    EXPECT_EQ(read(text).k_pe.allowance.radius, 0.0);
+}
+
+TEST_F(ProfileEdit, KeepsLineEndsAndByteOrderMark) {
+    std::string toml = std::string("\xEF\xBB\xBF") + kShort;
+    for (std::size_t at = 0; (at = toml.find('\n', at)) != std::string::npos; at += 2) toml.replace(at, 1, "\r\n");
+    const Profile p = read(toml);
+    const std::string text =
+        with_edits(toml, p, {text_edit(p, "name", "recut", "new cams"), number_edit(p, "rig.gear_friction", 0.364, "+30 %")}, "# head");
+    EXPECT_TRUE(text.starts_with("\xEF\xBB\xBF# head\r\n# name was \"short\": new cams\r\nname = \"recut\"\r\n")) << text;
+    expect_words(text, {"\r\n# gear_friction was 0.28: +30 %\r\ngear_friction = 0.364\r\n"});
+    EXPECT_EQ(read(text).name, "recut");
+}
+
+TEST_F(ProfileEdit, InlineTablesAreEditedButNotAddedTo) {
+    const std::string toml = edited("[k_se.spring]\nrate_Nm_per_rad = 0.0183\npreload_rad = 3.6\n",
+                                    "[k_se]\nspring = {preload_rad = 3.6, rate_Nm_per_rad = 0.0183} # \xC3\xA4\n");
+    expect_words(made(toml, {rate(0.02)}), {"spring = {preload_rad = 3.6, rate_Nm_per_rad = 0.02} # \xC3\xA4\n"});
+    const Profile p = read(toml);
+    try {
+        (void)with_edits(toml, p, {number_edit(p, "k_se.spring.max_torque_Nm", 1.0, "x")});
+        FAIL() << "accepted";
+    } catch (const core::InvalidInput& e) {
+        expect_words(e.what(), {"p.toml", "k_se.spring.max_torque_Nm", "a heading [k_se.spring]"});
+    }
+}
+
+TEST_F(ProfileEdit, FilesAreNamedFromTheNewFolder) {
+    core::write_file(folder_ / "gear.csv", "load_Nm,friction_Nm\n0.2,0.06\n2,0.6\n");
+    const std::string toml = edited("gear_friction = 0.28", "gear_friction_table = 'gear.csv'");
+    const Profile p = read(toml);
+    EXPECT_TRUE(file_edits(p, folder_).empty());
+    const std::string text = with_edits(toml, p, file_edits(p, folder_ / "deeper"));
+    expect_words(text, {"gear_friction_table = \"../gear.csv\"\n"});
+    std::filesystem::create_directories(folder_ / "deeper");
+    EXPECT_EQ(parse_profile(text, folder_ / "deeper" / "q.toml").rig.gear_friction_table.y, p.rig.gear_friction_table.y);
+}
+
+}  // namespace
+}  // namespace fusee::profile

@@ -8,23 +8,31 @@ _fusee_files() {
     COMPREPLY+=($(compgen -f -X "!*.$2" -- "$1") $(compgen -d -- "$1"))
 }
 
+_fusee_folders() {
+    compopt -o filenames 2>/dev/null
+    mapfile -t COMPREPLY < <(compgen -d -- "$1")
+}
+
 _fusee() {
     local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]} command='' i
     COMPREPLY=()
     for ((i = 1; i < COMP_CWORD; ++i)); do
         case ${COMP_WORDS[i]} in
-            make | simulate | design | identify | paper | keys | rules | completion) command=${COMP_WORDS[i]} && break ;;
+            make | simulate | design | identify | diagnose | predict | case-template | blind | paper | keys | rules | completion) command=${COMP_WORDS[i]} && break ;;
         esac
     done
-    local choices=
+    local choices='' step=''
+    [ "$command" = blind ] && ((COMP_CWORD > i + 1)) && step=${COMP_WORDS[i + 1]}
     case $command:$before in
-        make:--out | make:-o | simulate:--out | simulate:-o | design:--out | design:-o | identify:--out | identify:-o | paper:--out | paper:-o | paper:--profiles)
-            compopt -o filenames 2>/dev/null
-            mapfile -t COMPREPLY < <(compgen -d -- "$word")
+        make:--out | make:-o | simulate:--out | simulate:-o | design:--out | design:-o | identify:--out | identify:-o | diagnose:--out | diagnose:-o | predict:--out | predict:-o | predict:--inputs | case-template:--out | case-template:-o | blind:--out | blind:-o | blind:--model | paper:--out | paper:-o | paper:--profiles)
+            _fusee_folders "$word"
             return ;;
         make:--via) choices='cgal openscad' ;;
+        blind:--plant) choices='plant model' ;;
         design:--method) choices='algorithm_1 co_design pareto' ;;
-        make:--jobs | make:-j | simulate:--jobs | simulate:-j | simulate:--levels | simulate:--push-torque | simulate:--at | design:--jobs | design:-j | paper:--jobs | paper:-j | design:--population | design:--generations | design:--seed) return ;;
+        make:--jobs | make:-j | simulate:--jobs | simulate:-j | simulate:--levels | simulate:--push-torque | simulate:--at | design:--jobs | design:-j | paper:--jobs | paper:-j | diagnose:--jobs | diagnose:-j | blind:--seed | blind:--cases | blind:--seal | blind:--limit | blind:--jobs | blind:-j | design:--population | design:--generations | design:--seed) return ;;
+        predict:--effects) _fusee_files "$word" json; return ;;
+        diagnose:--profile | diagnose:--write-profile) _fusee_files "$word" toml; return ;;
         make:*)
             case $word in
                 -*) choices='--out --via --jobs --help' ;;
@@ -45,9 +53,31 @@ _fusee() {
                 -*) choices='--out --help' ;;
                 *) _fusee_files "$word" csv; return ;;
             esac ;;
+        diagnose:*)
+            case $word in
+                -*) choices='--out --profile --write-profile --jobs --help' ;;
+                *) _fusee_folders "$word"; return ;;
+            esac ;;
+        predict:*)
+            case $word in
+                -*) choices='--effects --inputs --out --help' ;;
+                *) _fusee_folders "$word"; return ;;
+            esac ;;
+        case-template:*)
+            case $word in
+                -*) choices='--out --help' ;;
+                *) _fusee_files "$word" toml; return ;;
+            esac ;;
+        blind:*)
+            case $step:$word in
+                make:*) choices='--seed --cases --plant --jobs --out --help' ;;
+                score:-*) choices='--seal --model --limit --again --jobs --out --help' ;;
+                score:*) _fusee_folders "$word"; return ;;
+                *) choices='make score --help' ;;
+            esac ;;
         paper:*) choices='--out --profiles --jobs --help' ;;
         completion:completion) choices='bash zsh fish' ;;
-        :*) choices='make simulate design identify paper keys rules completion --help --version' ;;
+        :*) choices='make simulate design identify diagnose predict case-template blind paper keys rules completion --help --version' ;;
         *) choices='--help' ;;
     esac
     mapfile -t COMPREPLY < <(compgen -W "$choices" -- "$word")

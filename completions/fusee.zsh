@@ -9,6 +9,10 @@ _fusee() {
         'simulate:say what the joints of profiles do'
         "design:find springs for a profile's joint"
         "identify:find a gear's friction from break-away tests"
+        'diagnose:say where a built joint and its model part, and why'
+        'predict:say what the model of a gap case foretells'
+        'case-template:write an empty gap case for a profile'
+        'blind:benchmark the diagnosis on sealed cases'
         "paper:make the paper's tables and figures anew"
         'keys:list every key of a profile'
         'rules:list the rules that a part is checked by'
@@ -55,6 +59,50 @@ _fusee() {
                         '(-o --out)'{-o,--out}'[folder for the results]:folder:_files -/' \
                         '(- *)--help[say how to use identify]' \
                         '1:rows:_files -g "*.csv"' ;;
+                diagnose)
+                    _arguments \
+                        '(-o --out)'{-o,--out}'[folder for the results]:folder:_files -/' \
+                        '--profile[profile of the rig]:profile:_files -g "*.toml"' \
+                        '--write-profile[corrected profile to write]:profile:_files -g "*.toml"' \
+                        '(-j --jobs)'{-j,--jobs}'[threads]:number:' \
+                        '(- *)--help[say how to use diagnose]' \
+                        '1:case:_files -/' ;;
+                predict)
+                    _arguments \
+                        '--effects[diagnosis to predict with]:diagnosis:_files -g "*.json"' \
+                        '--inputs[folder of other inputs]:folder:_files -/' \
+                        '(-o --out)'{-o,--out}'[folder for the results]:folder:_files -/' \
+                        '(- *)--help[say how to use predict]' \
+                        '1:case:_files -/' ;;
+                case-template)
+                    _arguments \
+                        '(-o --out)'{-o,--out}'[folder of the case]:folder:_files -/' \
+                        '(- *)--help[say how to use case-template]' \
+                        '1:profile:_files -g "*.toml"' ;;
+                blind)
+                    case $words[2] in
+                        make)
+                            _arguments \
+                                '1:step:(make score)' \
+                                '--seed[seed of the benchmark]:number:' \
+                                '--cases[how many cases]:number:' \
+                                '--plant[who makes the measurements]:maker:(plant model)' \
+                                '(-o --out)'{-o,--out}'[folder of the benchmark]:folder:_files -/' \
+                                '(-j --jobs)'{-j,--jobs}'[threads]:number:' \
+                                '(- *)--help[say how to use blind make]' ;;
+                        score)
+                            _arguments \
+                                '1:step:(make score)' \
+                                '--seal[hash that blind make printed]:hash:' \
+                                '--model[benchmark made by the model]:folder:_files -/' \
+                                '--limit[the first cases only]:number:' \
+                                '--again[make diagnoses anew]' \
+                                '(-o --out)'{-o,--out}'[folder for the results]:folder:_files -/' \
+                                '(-j --jobs)'{-j,--jobs}'[cases side by side]:number:' \
+                                '(- *)--help[say how to use blind score]' \
+                                '2:benchmark:_files -/' ;;
+                        *) _arguments '(- *)--help[say how to use blind]' '1:step:(make score)' ;;
+                    esac ;;
                 paper)
                     _arguments \
                         '(-o --out)'{-o,--out}'[folder for the results]:folder:_files -/' \

@@ -12,6 +12,10 @@ void add_make(CLI::App& app, Action& action);
 void add_simulate(CLI::App& app, Action& action);
 void add_identify(CLI::App& app, Action& action);
 void add_design(CLI::App& app, Action& action);
+void add_diagnose(CLI::App& app, Action& action);
+void add_predict(CLI::App& app, Action& action);
+void add_case_template(CLI::App& app, Action& action);
+void add_blind(CLI::App& app, Action& action);
 void add_paper(CLI::App& app, Action& action);
 void add_lists(CLI::App& app, Action& action);
 

@@ -6,10 +6,11 @@
 
 #include "commands.h"
 #include "fusee/core/error.h"
+#include "fusee/core/progress.h"
 #include "fusee/core/provenance.h"
 
 namespace {
-constexpr int kBadInput = 2, kFailed = 3;
+constexpr int kBadInput = 2, kFailed = 3, kInterrupted = 130;
 }
 
 int main(int argc, char** argv) {
@@ -23,6 +24,10 @@ int main(int argc, char** argv) {
     app::add_simulate(app, action);
     app::add_identify(app, action);
     app::add_design(app, action);
+    app::add_diagnose(app, action);
+    app::add_predict(app, action);
+    app::add_case_template(app, action);
+    app::add_blind(app, action);
     app::add_paper(app, action);
     app::add_lists(app, action);
     try {
@@ -44,6 +49,9 @@ int main(int argc, char** argv) {
     } catch (const core::IoError& e) {
         fmt::print(stderr, "fusee: {}\n", e.what());
         return kBadInput;
+    } catch (const core::Stopped&) {
+        fmt::print(stderr, "stopped: nothing was written\n");
+        return kInterrupted;
     } catch (const std::exception& e) {
         fmt::print(stderr, "fusee: a failure inside, please report it: {}\n", e.what());
         return kFailed;

@@ -18,7 +18,7 @@ after() {
     _fusee 2>/dev/null
     printf '%s\n' "${COMPREPLY[@]}" | sort | paste -sd'|'
 }
-expect_same 'commands' '--help|--version|completion|design|identify|keys|make|paper|rules|simulate' "$(after fusee '')"
+expect_same 'commands' '--help|--version|blind|case-template|completion|design|diagnose|identify|keys|make|paper|predict|rules|simulate' "$(after fusee '')"
 expect_same 'a command begun' 'keys' "$(after fusee k)"
 expect_same 'profiles and folders' 'my arm.toml|some folder' "$(after fusee make '')"
 expect_same 'a second profile' 'my arm.toml' "$(after fusee make a.toml my)"
@@ -29,12 +29,23 @@ expect_same 'rows' 'rows.csv|some folder' "$(after fusee identify '')"
 expect_same 'options of identify' '--help|--out' "$(after fusee identify -)"
 expect_same 'options of design' '--generations|--help|--jobs|--method|--out|--population|--resume|--seed' "$(after fusee design a.toml -)"
 expect_same 'options of simulate' '--at|--help|--jobs|--levels|--out|--push-torque' "$(after fusee simulate a.toml -)"
+expect_same 'options of diagnose' '--help|--jobs|--out|--profile|--write-profile' "$(after fusee diagnose case -)"
+expect_same 'cases' 'some folder' "$(after fusee diagnose '')"
+expect_same 'options of predict' '--effects|--help|--inputs|--out' "$(after fusee predict case -)"
+expect_same 'folder of inputs' 'some folder' "$(after fusee predict case --inputs '')"
+expect_same 'options of case-template' '--help|--out' "$(after fusee case-template a.toml -)"
+expect_same 'profiles of case-template' 'my arm.toml|some folder' "$(after fusee case-template '')"
+expect_same 'steps of blind' '--help|make|score' "$(after fusee blind '')"
+expect_same 'options of blind make' '--cases|--help|--jobs|--out|--plant|--seed' "$(after fusee blind make -)"
+expect_same 'options of blind score' '--again|--help|--jobs|--limit|--model|--out|--seal' "$(after fusee blind score bench -)"
+expect_same 'benchmarks' 'some folder' "$(after fusee blind score '')"
+expect_same 'makers' 'model|plant' "$(after fusee blind make --plant '')"
 expect_same 'methods' 'algorithm_1|co_design|pareto' "$(after fusee design --method '')"
 expect_same 'options of paper' '--help|--jobs|--out|--profiles' "$(after fusee paper -)"
 expect_same 'folder of profiles' 'some folder' "$(after fusee paper --profiles '')"
 expect_same 'shells' 'bash|fish|zsh' "$(after fusee completion '')"
 
-for word in make simulate levels push-torque design method population generations seed resume identify paper profiles keys rules completion out via jobs cgal openscad help version; do
+for word in make simulate diagnose predict case-template effects inputs profile write-profile levels push-torque design method population generations seed resume identify blind seal score cases plant model limit again paper profiles keys rules completion out via jobs cgal openscad help version; do
     for shell in bash zsh fish; do
         grep -qw -- "$word" "$completions/fusee.$shell" || fail "fusee.$shell does not know '$word'"
     done
@@ -45,13 +56,23 @@ done
 
 [ -n "$program" ] || exit 0
 "$program" --help >"$work/help"
-for word in make simulate design identify paper keys rules completion --version; do expect_in 'fusee --help' "$word" "$work/help"; done
+for word in make simulate design identify diagnose predict case-template blind paper keys rules completion --version; do expect_in 'fusee --help' "$word" "$work/help"; done
 "$program" make --help >"$work/help"
 for word in --out --via --jobs cgal openscad; do expect_in 'fusee make --help' "$word" "$work/help"; done
 "$program" simulate --help >"$work/help"
 for word in --out --levels --push-torque --jobs; do expect_in 'fusee simulate --help' "$word" "$work/help"; done
 "$program" design --help >"$work/help"
 for word in --method --out --population --generations --seed --jobs --resume; do expect_in 'fusee design --help' "$word" "$work/help"; done
+"$program" diagnose --help >"$work/help"
+for word in --out --profile --write-profile --jobs; do expect_in 'fusee diagnose --help' "$word" "$work/help"; done
+"$program" predict --help >"$work/help"
+for word in --effects --inputs --out; do expect_in 'fusee predict --help' "$word" "$work/help"; done
+"$program" case-template --help >"$work/help"
+expect_in 'fusee case-template --help' --out "$work/help"
+"$program" blind make --help >"$work/help"
+for word in --seed --cases --plant --jobs --out; do expect_in 'fusee blind make --help' "$word" "$work/help"; done
+"$program" blind score --help >"$work/help"
+for word in --seal --model --limit --again --jobs --out; do expect_in 'fusee blind score --help' "$word" "$work/help"; done
 "$program" paper --help >"$work/help"
 for word in --out --profiles --jobs; do expect_in 'fusee paper --help' "$word" "$work/help"; done
 for shell in bash zsh fish; do

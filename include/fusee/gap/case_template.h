@@ -1,0 +1,31 @@
+#pragma once
+#include <filesystem>
+#include <string>
+
+#include "fusee/core/units.h"
+#include "fusee/gap/case.h"
+
+namespace fusee::gap {
+
+/// What an empty case is made for.
+struct CaseTemplate {
+    std::string name;
+    NominalRig rig;
+    Tolerance tolerance;
+    Sensors sensors;
+    Protocol protocol;
+    core::Range torques{0.0, 0.0};  ///< co-contraction at which the joint is used [Nm], low >= 0
+    /// Deflection at which the springs rest on their stops without a motor torque [rad]; 0: they have none (docs/gap.md, "Springs with
+    /// stops").
+    double rest_deflection = 0.0;
+};
+
+/// Fills `folder` with an empty case: case.toml, nominal_springs.csv, each experiment's CSV with its set points and empty cells for what is
+/// measured, and BENCH.md, the sheets that say how to measure. As long as a cell is empty `read_case` names it.
+/// @throws core::InvalidInput if the torques are no range above 0 or a figure is none that read_case takes; core::IoError
+void write_case_template(const CaseTemplate& empty, const std::filesystem::path& folder);
+
+/// The set points of every experiment; what is measured is NaN.
+[[nodiscard]] Rows set_points(const CaseTemplate& empty);
+
+}  // namespace fusee::gap

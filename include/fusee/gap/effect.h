@@ -1,0 +1,42 @@
+#pragma once
+#include <span>
+#include <string>
+#include <vector>
+
+#include "fusee/gap/built_rig.h"
+#include "fusee/gap/diagnosis.h"
+
+namespace fusee::gap {
+
+/// A figure of an effect's law.
+struct EffectParameter {
+    std::string name, unit;
+    double scale = 1.0;              ///< what is usual: one sigma of the prior, in `unit`
+    core::Range allowed;             ///< hard limits
+    double at_first = 0.0;           ///< further parameters start here
+    std::vector<double> tries = {};  ///< and are tried here, in `unit`, before a fit; empty: at_first alone
+};
+
+/// One thing that a rig may do and its nominal model does not. Each stands in a file of its own under src/gap/effects, which registers it
+/// by being there (docs/guides/add-an-effect.md).
+struct Effect {
+    std::string id;
+    std::string law;                          ///< one sentence
+    bool sided = false;                       ///< on the agonist's, the antagonist's or both sides
+    std::vector<EffectParameter> parameters;  ///< the first is its size: 0 is no effect
+    std::vector<double> starts;               ///< sizes to try first, in units of the first parameter's scale
+    std::vector<Experiment> seen_by;          ///< experiments that it changes
+    std::vector<std::string> confused_with;   ///< ids with a like signature in some experiments
+    /// Puts it on one side of the rig (side 0 for an effect without sides). `values` as `parameters`.
+    void (*apply)(BuiltRig& rig, int side, std::span<const double> values) = nullptr;
+};
+
+/// All of them, by id.
+[[nodiscard]] const std::vector<Effect>& effect_library();
+/// @throws core::InvalidInput with the ids that there are
+[[nodiscard]] const Effect& find_effect(const std::string& id);
+/// On the sides that `cause` names: "agonist", "antagonist", "both", or "none" for an effect that has no side.
+/// @throws core::InvalidInput naming a side that the effect does not have
+void apply_effect(const Effect& effect, const Cause& cause, std::span<const double> values, BuiltRig& rig);
+
+}  // namespace fusee::gap

@@ -1,0 +1,44 @@
+#pragma once
+#include <array>
+
+#include "fusee/gap/built_rig.h"
+#include "fusee/gap/hysteresis.h"
+
+namespace fusee::gap {
+
+inline constexpr double kSlowStep = 2e-3;      ///< of an experiment that is led slowly [s]: off by 2 mrad at most
+inline constexpr double kDeadBandStep = 3e-3;  ///< of a dead-band test, of which only where it ends is read [s]: off by 1 % at most
+inline constexpr double kLogStep = 5e-4;       ///< of a log [s]: off by 2 mrad after 8 s of fast motion
+
+/// A built rig in motion: J v' = torque - loads - friction, friction set-valued (a body below its limit stays exactly where it is).
+/// Symplectic Euler with the friction's impulse solved body by body (Moreau 1988): no numerical damping, no creep.
+class Motion {
+public:
+    /// At rest at angle 0, no torque. `rig` has to outlive it.
+    Motion(const BuiltRig& rig, double longest_step);
+
+    struct Torques {
+        double agonist = 0.0, antagonist = 0.0, joint = 0.0;  ///< commanded [Nm]
+        [[nodiscard]] bool operator==(const Torques&) const = default;
+    };
+    /// Leads the torques straight to `torques` within `seconds`.
+    void lead_to(const Torques& torques, double seconds);
+    void hold(double seconds) { lead_to(torques_, seconds); }
+
+    [[nodiscard]] double theta(Side side) const { return place_[static_cast<int>(side)]; }  ///< [rad]
+    [[nodiscard]] double q() const { return place_[2]; }                                    ///< [rad]
+    double hand_damping = 0.0;  ///< at the joint, of a hand that follows it [Nms/rad]
+
+private:
+    [[nodiscard]] bool at_rest() const { return speed_ == std::array<double, 3>{}; }
+    void step(double h);
+    double gear_speed(int side, double h, double load, double command);
+
+    const BuiltRig* rig_;
+    double longest_step_;
+    Torques torques_;
+    std::array<double, 3> place_{}, speed_{};
+    std::array<Hysteresis, 4> memory_;  // SE, PE of the agonist, SE, PE of the antagonist
+};
+
+}  // namespace fusee::gap

@@ -1,0 +1,22 @@
+#pragma once
+#include <cstdint>
+
+namespace fusee::plant {
+
+/// Counter-based random numbers: what a stream gives follows from (seed, index, purpose) and from how many were drawn, never from threads.
+/// Each number is a hash of key and counter (the finaliser of SplitMix64, Steele, Lea & Flood 2014).
+class Random {
+public:
+    Random(std::uint64_t seed, std::uint64_t index, std::uint64_t purpose);
+
+    [[nodiscard]] std::uint64_t bits();
+    [[nodiscard]] double uniform(double low, double high);
+    [[nodiscard]] double normal();                         ///< standard normal (Box & Muller)
+    [[nodiscard]] double either_sign(double magnitude);    ///< one or the other at even odds
+    [[nodiscard]] std::uint64_t below(std::uint64_t end);  ///< 0 .. end - 1. @pre end > 0 and far below 2^64
+
+private:
+    std::uint64_t key_, counter_ = 0;
+};
+
+}  // namespace fusee::plant

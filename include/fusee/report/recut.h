@@ -1,0 +1,67 @@
+#pragma once
+#include <filesystem>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "fusee/core/finding.h"
+#include "fusee/gap/diagnosis.h"
+
+/// What a diagnosis means for the cams: corrected profiles, and the dead-band with the old cams and with new ones
+/// (docs/guides/close-the-loop.md).
+namespace fusee::report {
+
+/// One value of a profile, as its file writes it.
+struct RecutChange {
+    std::string key, was, is, why;
+};
+/// A corrected profile.
+struct RecutProfile {
+    std::string sides;           ///< whose cams it cuts: "both", "agonist", "antagonist"
+    std::filesystem::path file;  ///< where it is to be written
+    std::string toml;
+    std::vector<RecutChange> changes;
+    core::Findings findings;  ///< what `fusee make` is going to say of it, passes left out
+    [[nodiscard]] bool can_be_cut() const { return !core::any_required(findings); }
+};
+/// Full widths at the joint [rad]; NaN: the springs do not reach.
+struct DeadBandWidths {
+    double extreme = gap::kNoFigure;  ///< between the outermost resting places
+    double read = gap::kNoFigure;     ///< by a push-and-release test
+};
+struct RecutLevel {
+    double tau = 0.0;         ///< co-contraction [Nm]
+    DeadBandWidths promised;  ///< by the old profile
+    DeadBandWidths old_cams;  ///< the rig as it is
+    DeadBandWidths new_cams;  ///< the same rig with cams of the corrected profile
+};
+/// An effect that no cam makes up for.
+struct NotMended {
+    gap::Cause cause;
+    std::string instead;  ///< what to do, one sentence
+};
+
+struct Recut {
+    std::string profile_name, case_name, case_sha256;
+    bool new_cams_needed = false;        ///< false: nothing was found that a cam makes up for
+    std::vector<RecutProfile> profiles;  ///< one, or one for each side where they differ; none: nothing was found that a profile can hold
+    double push_torque = 0.0;            ///< of the push-and-release test, at the joint [Nm]; 0: strong enough
+    std::vector<RecutLevel> levels;      ///< by rising co-contraction
+    /// Greatest difference between a spring's torque on the rig as it is and the law its cam was cut for, over that torque.
+    double torque_error_old = gap::kNoFigure, torque_error_new = gap::kNoFigure;
+    std::vector<NotMended> not_mended;
+    std::vector<std::string> remarks;
+
+    /// Mean over the levels of |width as read - promised| over the promised; NaN where no level is known.
+    [[nodiscard]] double off_with_old_cams() const;
+    [[nodiscard]] double off_with_new_cams() const;
+};
+
+/// Keys as docs/guides/close-the-loop.md gives them; a NaN is null.
+[[nodiscard]] std::string recut_json(const Recut& recut);
+/// A section for the page of the diagnosis.
+[[nodiscard]] std::string recut_section(const Recut& recut);
+/// A few lines for a terminal.
+[[nodiscard]] std::string recut_text(const Recut& recut);
+
+}  // namespace fusee::report

@@ -1,0 +1,134 @@
+#include <fmt/format.h>
+
+#include <memory>
+#include <optional>
+
+#include "commands.h"
+#include "fusee/blind/score.h"
+#include "fusee/core/error.h"
+#include "fusee/core/file.h"
+#include "fusee/core/progress.h"
+#include "fusee/report/score.h"
+
+namespace fusee::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int kInterrupted = 130;
+
+struct ScoreArguments {
+    blind::ScoreOptions options;
+    fs::path model, out;
+};
+
+/// The seal first, before any case is there.
+int make(blind::BenchmarkOptions options) {
+    core::catch_interrupts();
+    core::Progress progress("blind make", options.cases);
+    options.progress = [&](std::size_t done, std::size_t, const std::string& what) {
+        if (core::interrupted()) throw core::Stopped();
+        if (done > 0) return progress.advance(what);
+        fmt::print("{}\n", what);
+        std::fflush(stdout);
+    };
+    try {
+        blind::make_benchmark(options);
+    } catch (const core::Stopped&) {
+        fmt::print(stderr, "stopped: {} is incomplete\n", options.out.string());
+        return kInterrupted;
+    }
+    fmt::print("written: {}\n", (options.out / "").string());
+    return 0;
+}
+
+blind::Score watched(blind::ScoreOptions options, const std::string& title) {
+    std::optional<core::Progress> progress;
+    options.progress = [&](std::size_t, std::size_t of, const std::string& what) {
+        if (!progress) progress.emplace(title, of);
+        progress->advance(what);
+    };
+    options.stop = core::interrupted;
+    return blind::score(options);
+}
+
+int write_score(const ScoreArguments& arguments) {
+    const blind::Score score = watched(arguments.options, "blind score");
+    std::optional<blind::Score> model;
+    if (!arguments.model.empty()) {
+        blind::ScoreOptions other = arguments.options;
+        other.folder = arguments.model;
+        other.hash.clear();
+        model = watched(other, "model = plant");
+    }
+    std::error_code error;
+    fs::create_directories(arguments.out, error);
+    if (error) throw core::IoError(arguments.out.string(), "the folder cannot be made: " + error.message());
+    core::write_file(arguments.out / "score.json", blind::score_json(score, model));
+    core::write_file(arguments.out / "score.html", report::score_html(score, model));
+    fmt::print("{}written: {}/score.html, score.json\n", report::score_text(score, model), arguments.out.string());
+    return 0;
+}
+
+int score(const ScoreArguments& arguments) {
+    core::catch_interrupts();
+    try {
+        return write_score(arguments);
+    } catch (const core::Stopped&) {
+        fmt::print(stderr, "stopped: finished diagnoses stay in {} and are not made again\n",
+                   (arguments.options.folder / "diagnoses").string());
+        return kInterrupted;
+    }
+}
+
+void add_blind_make(CLI::App& blind, Action& action) {
+    const auto options = std::make_shared<blind::BenchmarkOptions>();
+    CLI::App* command =
+        blind.add_subcommand("make", "Write cases of rigs that the model does not know, and a sealed file of what is wrong with them");
+    command->add_option("--seed", options->seed, "The same seed gives the same benchmark")->required();
+    command->add_option("--cases", options->cases, "How many cases")->required();
+    command->add_option("-o,--out", options->out, "Folder that gets them; one that does not exist yet, or is empty")->required();
+    command->add_option("--plant", options->maker, "Who makes the measurements: plant, or as a control the model itself")
+        ->transform(
+            CLI::CheckedTransformer(std::map<std::string, blind::Maker>{{"plant", blind::Maker::kPlant}, {"model", blind::Maker::kModel}}));
+    command->add_option("-j,--jobs", options->jobs, "Threads; 0 = one for each processor; no influence on the result")
+        ->capture_default_str();
+    command->footer(
+        "Example:\n  fusee blind make --seed 1 --cases 500 --out blind\n\n"
+        "Exit code: 0 made, 2 bad input, 3 a failure inside, 130 stopped by Ctrl-C: the benchmark is incomplete.");
+    command->callback([options, &action] { action = [options] { return make(*options); }; });
+}
+
+void add_blind_score(CLI::App& blind, Action& action) {
+    const auto arguments = std::make_shared<ScoreArguments>();
+    blind::ScoreOptions& options = arguments->options;
+    CLI::App* command = blind.add_subcommand("score", "Diagnose every case, then open the seal and say how many were right");
+    command
+        ->add_option("folder", options.folder, "Folder of the benchmark; its folder diagnoses gets the diagnoses, which are not made again")
+        ->required();
+    command->add_option("--seal", options.hash, "The hash that fusee blind make printed; left out: as seal.txt says");
+    command->add_option("--model", arguments->model, "A benchmark made with --plant model: its score is shown beside");
+    command->add_option("--limit", options.limit, "The first cases only; 0 = all")->capture_default_str();
+    command->add_flag("--again", options.again, "Make diagnoses anew that are there already");
+    command->add_option("-j,--jobs", options.jobs, "Cases side by side; 0 = one for each processor; no influence on the score")
+        ->capture_default_str();
+    command->add_option("-o,--out", arguments->out, "Folder that gets score.json and score.html; what else lies there stays")->required();
+    command->footer(
+        "Example:\n  fusee blind score blind --seal sha256:HASH --out blind/score\n\n"
+        "Exit code: 0 scored, whatever the score, 2 bad input or a broken seal, 3 a failure inside,\n"
+        "130 stopped by Ctrl-C: finished diagnoses stay.");
+    command->callback([arguments, &action] { action = [arguments] { return score(*arguments); }; });
+}
+
+}  // namespace
+
+void add_blind(CLI::App& app, Action& action) {
+    CLI::App* command = app.add_subcommand("blind", "Benchmark the diagnosis on sealed cases: make them, score them");
+    command->require_subcommand(1);
+    command->footer("Help on a step: fusee blind make --help, fusee blind score --help");
+    add_blind_make(*command, action);
+    add_blind_score(*command, action);
+}
+
+}  // namespace fusee::app

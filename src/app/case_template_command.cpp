@@ -1,0 +1,68 @@
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "commands.h"
+#include "fusee/core/error.h"
+#include "fusee/core/file.h"
+#include "fusee/pipeline/case_template.h"
+
+namespace fusee::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct CaseTemplateArguments {
+    fs::path profile, out;
+    pipeline::CaseTemplateOptions options;
+};
+
+constexpr int kRefused = 1;
+
+/// What was measured is worth more than a template: a folder that holds something is never replaced.
+void require_new(const fs::path& folder) {
+    std::error_code error;
+    if (fs::exists(folder, error) && !fs::is_empty(folder, error))
+        throw core::InvalidInput("--out", folder.string(), "a new or empty folder: what lies there would be replaced");
+}
+
+core::Outcome<gap::CaseTemplate> template_of(const profile::Profile& profile, const pipeline::CaseTemplateOptions& options) {
+    try {
+        return pipeline::case_template(profile, options);
+    } catch (const core::InvalidInput& e) {  // a room below knows the key, the profile its line
+        throw core::InvalidInput(profile.place_of(e.field()), e.value(), e.allowed());
+    }
+}
+
+int write_template(const CaseTemplateArguments& arguments) {
+    require_new(arguments.out);
+    const auto made = template_of(profile::read_profile(arguments.profile), arguments.options);
+    if (!made) {
+        for (const core::Finding& finding : made.refusal()) fmt::print(stderr, "{}\n", core::to_line(finding));
+        return kRefused;
+    }
+    core::StagedFolder folder(arguments.out);
+    gap::write_case_template(*made, folder.path());
+    folder.commit();
+    fmt::print("{}: an empty case with {} set points; begin with BENCH.md\nwritten: {}\n", made->name, gap::set_points(*made).size(),
+               (arguments.out / "").string());
+    return 0;
+}
+
+}  // namespace
+
+void add_case_template(CLI::App& app, Action& action) {
+    const auto arguments = std::make_shared<CaseTemplateArguments>();
+    CLI::App* command = app.add_subcommand(
+        "case-template", "Write an empty gap case for a profile's joint: nominal rig, set points and the sheets to fill in at the bench");
+    command->add_option("profile", arguments->profile, "Profile (*.toml) with the parts' base springs")->required();
+    command->add_option("-o,--out", arguments->out, "Folder of the case, new or empty")->required();
+    command->footer(
+        "Example:\n  fusee case-template profiles/pnrvsa.toml --out bench/monday\n\n"
+        "Exit code: 0 written, 1 the law cannot be (the binding limit and the nearest feasible change are printed),\n"
+        "2 bad input (file, line and key are named), 3 a failure inside.");
+    command->callback([arguments, &action] { action = [arguments] { return write_template(*arguments); }; });
+}
+
+}  // namespace fusee::app

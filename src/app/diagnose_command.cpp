@@ -1,0 +1,90 @@
+#include <fmt/format.h>
+
+#include <memory>
+#include <mutex>
+#include <optional>
+
+#include "commands.h"
+#include "fusee/core/error.h"
+#include "fusee/core/file.h"
+#include "fusee/core/progress.h"
+#include "fusee/gap/bench.h"
+#include "fusee/gap/diagnose.h"
+#include "fusee/report/diagnosis.h"
+#include "recut_step.h"
+
+namespace fusee::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct DiagnoseArguments {
+    fs::path folder, out, profile, corrected;
+    unsigned jobs = 0;
+};
+
+/// A bar whose length is known when the first part is done; Ctrl-C ends the work there.
+class Watched {
+public:
+    void operator()(std::size_t, std::size_t total, const std::string& what) {
+        if (core::interrupted()) throw core::Stopped();
+        const std::scoped_lock lock(mutex_);
+        if (!progress_) progress_.emplace("diagnose", total);
+        progress_->advance(what);
+    }
+
+private:
+    std::mutex mutex_;
+    std::optional<core::Progress> progress_;
+};
+
+gap::Diagnosis diagnosis_of(const fs::path& folder, unsigned jobs) {
+    Watched watched;
+    const gap::DiagnoseOptions options{jobs, std::ref(watched)};
+    return gap::is_bench_case(folder) ? gap::diagnose_bench(gap::read_bench_case(folder), options)
+                                      : gap::diagnose(gap::read_case(folder), options);
+}
+
+int diagnose(const DiagnoseArguments& arguments) {
+    core::catch_interrupts();
+    const std::optional<RecutStep> recut = recut_step(arguments.profile, arguments.corrected, arguments.folder);
+    const gap::Diagnosis found = diagnosis_of(arguments.folder, arguments.jobs);
+    const std::string json = gap::diagnosis_json(found), page = report::diagnosis_html(found);
+    std::error_code error;
+    fs::create_directories(arguments.out, error);
+    if (error) throw core::IoError(arguments.out.string(), "the folder cannot be made: " + error.message());
+    core::write_file(arguments.out / "diagnosis.html", page);
+    core::write_file(arguments.out / "diagnosis.json", json);
+    RecutStep::Told told;
+    if (recut) {  // a figure that no profile can hold ends here, with the diagnosis written
+        told = recut->write(found, arguments.out);
+        core::write_file(arguments.out / "diagnosis.html", report::diagnosis_html(found, told.section));
+    }
+    fmt::print("{}{}written: {}/diagnosis.html, diagnosis.json{}\n", report::diagnosis_text(found), told.text, arguments.out.string(),
+               recut ? ", recut.json" : "");
+    return 0;
+}
+
+}  // namespace
+
+void add_diagnose(CLI::App& app, Action& action) {
+    const auto arguments = std::make_shared<DiagnoseArguments>();
+    CLI::App* command = app.add_subcommand(
+        "diagnose", "Say where a built joint and its model part, which effect causes it and how far the gap shrinks with it in the model");
+    command->add_option("case", arguments->folder, "Folder of a gap case: case.toml and one CSV file for each experiment")->required();
+    command->add_option("-o,--out", arguments->out, "Folder that gets diagnosis.json and diagnosis.html; what else lies there stays")
+        ->required();
+    command->add_option("--profile", arguments->profile, "Profile that the rig was made from; with --write-profile");
+    command->add_option("--write-profile", arguments->corrected,
+                        "File that gets the profile corrected for the rig as it is, to cut new cams from by fusee make");
+    command->add_option("-j,--jobs", arguments->jobs, "Threads; 0 = one for each processor; no influence on the result")
+        ->capture_default_str();
+    command->footer(
+        "Example:\n  fusee diagnose bench/monday --out bench/monday/diagnosis\n\n"
+        "Exit code: 0 a verdict was reached, whichever it is: identified, none, ambiguous or unknown,\n"
+        "2 bad input (file, line and key are named), 3 a failure inside, 130 stopped by Ctrl-C: nothing is written.");
+    command->callback([arguments, &action] { action = [arguments] { return diagnose(*arguments); }; });
+}
+
+}  // namespace fusee::app

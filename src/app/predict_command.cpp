@@ -1,0 +1,76 @@
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "commands.h"
+#include "fusee/core/error.h"
+#include "fusee/core/file.h"
+#include "fusee/gap/bench.h"
+#include "fusee/gap/diagnose.h"
+
+namespace fusee::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct PredictArguments {
+    fs::path folder, effects, inputs, out;
+};
+
+constexpr std::size_t kLargestDiagnosis = 50'000'000;  // bytes
+
+/// Predictions take the places of measurements under the same names: not where those lie.
+void require_other_folder(const fs::path& out, const fs::path& measured) {
+    std::error_code error;
+    if (fs::equivalent(out, measured, error))
+        throw core::InvalidInput("--out", out.string(), "another folder than that of the measurements");
+}
+
+gap::Diagnosis effects_of(const fs::path& file) {
+    if (file.empty()) return {};
+    return gap::parse_diagnosis(core::read_file(file, kLargestDiagnosis), file.string());
+}
+
+int predict(const PredictArguments& arguments) {
+    require_other_folder(arguments.out, arguments.inputs);
+    require_other_folder(arguments.out, arguments.folder);
+    const gap::Diagnosis found = effects_of(arguments.effects);
+    std::size_t rows = 0;
+    if (gap::is_bench_case(arguments.folder)) {
+        const gap::BenchCase bench = gap::read_bench_case(arguments.folder);
+        const gap::BenchCase predicted = gap::predict_bench(bench, found, gap::read_bench_inputs(bench, arguments.inputs));
+        gap::write_bench_rows(predicted, arguments.out);
+        for (const gap::BenchRecord& record : predicted.records) rows += record.rows();
+    } else {
+        const gap::Case bench = gap::read_case(arguments.folder);
+        const gap::Rows predicted = gap::predict(bench, found, gap::read_inputs(bench, arguments.inputs));
+        gap::write_rows(bench, predicted, arguments.out);
+        rows = predicted.size();
+    }
+    fmt::print("{} rows predicted by the {}\nwritten: {}\n", rows,
+               found.effects.empty() ? "nominal model"
+                                     : fmt::format("model with {} effect{}", found.effects.size(), found.effects.size() > 1 ? "s" : ""),
+               (arguments.out / "").string());
+    return 0;
+}
+
+}  // namespace
+
+void add_predict(CLI::App& app, Action& action) {
+    const auto arguments = std::make_shared<PredictArguments>();
+    CLI::App* command = app.add_subcommand(
+        "predict", "Say what the model of a gap case, with or without the effects of a diagnosis, foretells for other inputs");
+    command->add_option("case", arguments->folder, "Folder of the gap case that tells the nominal rig")->required();
+    command->add_option("--effects", arguments->effects, "A diagnosis.json; without one the nominal model predicts");
+    command->add_option("--inputs", arguments->inputs, "Folder with CSV files named as the case's: their input columns are read")
+        ->required();
+    command->add_option("-o,--out", arguments->out, "Folder that gets the same files, measured columns replaced row by row")->required();
+    command->footer(
+        "Example:\n  fusee predict bench/monday --effects bench/monday/diagnosis/diagnosis.json --inputs bench/tuesday --out "
+        "/tmp/foretold\n\n"
+        "Exit code: 0 predicted, 2 bad input (file, line and key are named), 3 a failure inside.");
+    command->callback([arguments, &action] { action = [arguments] { return predict(*arguments); }; });
+}
+
+}  // namespace fusee::app

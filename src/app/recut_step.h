@@ -1,0 +1,37 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "fusee/gap/case.h"
+#include "fusee/gap/diagnosis.h"
+#include "fusee/profile/profile.h"
+
+namespace fusee::app {
+
+/// `fusee diagnose --profile PROFILE --write-profile FILE`: from the diagnosis to cams for the rig as it is.
+class RecutStep {
+public:
+    /// Reads profile and case, so that what does not belong together is refused before the diagnosis begins.
+    /// @throws core::InvalidInput, core::IoError
+    RecutStep(const std::filesystem::path& profile, const std::filesystem::path& file, const std::filesystem::path& case_folder);
+
+    struct Told {
+        std::string section;  ///< of the page
+        std::string text;     ///< for the terminal
+    };
+    /// Writes the corrected profiles, and recut.json into `folder`. @throws as pipeline::recut and pipeline::write_recut
+    [[nodiscard]] Told write(const gap::Diagnosis& found, const std::filesystem::path& folder) const;
+
+private:
+    std::filesystem::path file_;
+    std::string toml_;
+    profile::Profile profile_;
+    gap::Case bench_;
+};
+
+/// None unless both options are given. @throws core::InvalidInput if one stands alone, and as RecutStep
+[[nodiscard]] std::optional<RecutStep> recut_step(const std::filesystem::path& profile, const std::filesystem::path& file,
+                                                  const std::filesystem::path& case_folder);
+
+}  // namespace fusee::app

@@ -1,0 +1,150 @@
+#include "answer.h"
+
+#include <algorithm>
+#include <chrono>
+#include <nlohmann/json.hpp>
+
+#include "fusee/core/error.h"
+#include "fusee/core/file.h"
+#include "fusee/core/progress.h"
+#include "fusee/gap/diagnose.h"
+#include "kept_back.h"
+
+namespace fusee::blind {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using nlohmann::json;
+constexpr std::size_t kLargest = 50'000'000;  // bytes of a diagnosis
+
+/// Why a case has no diagnosis.
+struct Failure {
+    std::string why;
+};
+
+/// What goes wrong in reading or diagnosing a case is a miss of that case, a fault of ours included; the others go on.
+template <typename Work>
+auto or_failure(const Work& work) {
+    try {
+        return work();
+    } catch (const core::Stopped&) {
+        throw;
+    } catch (const std::exception& wrong) {
+        throw Failure{wrong.what()};
+    }
+}
+
+double number(const json& j) { return j.is_number() ? j.get<double>() : gap::kNoFigure; }
+
+/// What a score needs beyond the effects: alternatives, and the shrink that is claimed.
+void read_claims(const json& j, Answer& answer) {
+    if (j.contains("alternatives"))
+        for (const json& other : j["alternatives"]) {
+            gap::Alternative alternative{{}, number(other.at("probability"))};
+            for (const json& cause : other.at("effects"))
+                alternative.effects.push_back({cause.at("id").get<std::string>(), cause.at("side").get<std::string>()});
+            answer.alternatives.push_back(std::move(alternative));
+        }
+    if (!j.contains("gap")) return;
+    answer.claimed_before = number(j["gap"].value("heldout_before", json()));
+    answer.claimed_after = number(j["gap"].value("heldout_after", json()));
+}
+
+/// One case with its place for results.
+class Desk {
+public:
+    Desk(const ScoreOptions& options, const std::string& name)
+        : options_(options),
+          place_(options.folder / "diagnoses" / name),
+          bench_(or_failure([&] { return gap::read_case(options.folder / name); })) {
+        answer_.case_name = name;
+    }
+
+    Answer answer() {
+        if (options_.again || !holds_this_case()) diagnose();
+        const std::string text = core::read_file(diagnosis_file(), kLargest);
+        const gap::Diagnosis found = or_failure([&] {
+            read_claims(json::parse(text), answer_);
+            return gap::parse_diagnosis(text, diagnosis_file().string());
+        });
+        answer_.verdict = found.verdict;
+        answer_.effects = found.effects;
+        keep_back(found, core::sha256_hex(text));
+        return answer_;
+    }
+
+private:
+    [[nodiscard]] fs::path diagnosis_file() const { return place_ / "diagnosis.json"; }
+    [[nodiscard]] fs::path kept_file() const { return place_ / "kept_back.json"; }
+    [[nodiscard]] bool holds_this_case() const {
+        if (!fs::exists(diagnosis_file())) return false;
+        const json found = json::parse(core::read_file(diagnosis_file(), kLargest), nullptr, false);
+        return found.is_object() && found.value("case_sha256", json()) == bench_.sha256;
+    }
+
+    void diagnose() {
+        const auto asked = [this](std::size_t, std::size_t, const std::string&) {
+            if (options_.stop && options_.stop()) throw core::Stopped();
+        };
+        const auto begin = std::chrono::steady_clock::now();
+        const std::string found = or_failure([&] { return gap::diagnosis_json(gap::diagnose(bench_, {1, asked})); });
+        answer_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+        std::error_code failed;
+        fs::create_directories(place_, failed);
+        if (failed) throw core::IoError(place_.string(), failed.message());
+        fs::remove(kept_file(), failed);
+        core::write_file(diagnosis_file(), found);
+    }
+
+    /// The gap on heldout/ of the diagnosis with this hash; time and figures stand in kept_back.json when it is met again.
+    void keep_back(const gap::Diagnosis& found, const std::string& diagnosis) {
+        if (fs::exists(kept_file())) {
+            const json kept = json::parse(core::read_file(kept_file(), kLargest), nullptr, false);
+            if (kept.is_object() && kept.value("diagnosis_sha256", json()) == diagnosis) {
+                answer_.kept_before = number(kept.value("before", json()));
+                answer_.kept_after = number(kept.value("after", json()));
+                answer_.seconds = number(kept.value("seconds", json()));
+                return;
+            }
+        }
+        const KeptBack kept = or_failure(
+            [&] { return kept_back_gap(bench_, found, gap::read_inputs(bench_, options_.folder / answer_.case_name / "heldout")); });
+        answer_.kept_before = kept.before;
+        answer_.kept_after = kept.after;
+        const json file{{"before", kept.before}, {"after", kept.after}, {"seconds", answer_.seconds}, {"diagnosis_sha256", diagnosis}};
+        core::write_file(kept_file(), file.dump(2) + "\n");
+    }
+
+    const ScoreOptions& options_;
+    const fs::path place_;
+    const gap::Case bench_;
+    Answer answer_;
+};
+
+}  // namespace
+
+std::vector<std::string> case_names(const fs::path& folder, std::size_t limit) {
+    std::error_code failed;
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder, failed))
+        if (fs::exists(entry.path() / "case.toml")) names.push_back(entry.path().filename().string());
+    if (names.empty()) throw core::InvalidInput("folder", folder.string(), "a folder that fusee blind make wrote cases to");
+    std::sort(names.begin(), names.end());
+    if (limit != 0 && names.size() > limit) names.resize(limit);
+    return names;
+}
+
+Answer answer_case(const ScoreOptions& options, const std::string& name) {
+    try {
+        return Desk(options, name).answer();
+    } catch (const Failure& failure) {
+        Answer answer;
+        answer.case_name = name;
+        answer.failure = failure.why;
+        return answer;
+    }
+}
+
+}  // namespace fusee::blind

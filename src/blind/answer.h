@@ -1,0 +1,19 @@
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <vector>
+
+#include "fusee/blind/score.h"
+
+namespace fusee::blind {
+
+/// The cases of a benchmark: its folders that hold a case.toml, by name; the first `limit` of them, 0: all.
+/// @throws core::InvalidInput "folder" if it has none
+[[nodiscard]] std::vector<std::string> case_names(const std::filesystem::path& folder, std::size_t limit);
+
+/// Diagnoses a case on one thread and measures its gap on heldout/, or reads again what FOLDER/diagnoses says of the very same case.
+/// Opens nothing but the case's own folder. A case that cannot be diagnosed is an answer too: a failure.
+/// @throws core::IoError if results cannot be written, core::Stopped
+[[nodiscard]] Answer answer_case(const ScoreOptions& options, const std::string& name);
+
+}  // namespace fusee::blind

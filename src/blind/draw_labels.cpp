@@ -1,0 +1,84 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+#include "fusee/blind/blind.h"
+#include "fusee/core/error.h"
+#include "fusee/plant/case_files.h"
+#include "shuffle.h"
+
+namespace fusee::blind {
+
+namespace {
+
+/// Streams of the benchmark as a whole, and of a case's effects: none of those that the plant draws a case from.
+enum Purpose : std::uint64_t { kOrder = 101, kEffects };
+enum class Kind { kNone, kOne, kTwo, kOutside };
+
+/// Ids in a shuffled order that begins anew, shuffled again, when all were dealt.
+class Deck {
+public:
+    Deck(std::vector<std::string> ids, plant::Random& random) : ids_(std::move(ids)), random_(random) {}
+    std::string deal() {
+        if (next_ % ids_.size() == 0) shuffle(ids_, random_);
+        return ids_[next_++ % ids_.size()];
+    }
+
+private:
+    std::vector<std::string> ids_;
+    plant::Random& random_;
+    std::size_t next_ = 0;
+};
+
+std::vector<Kind> draw_kinds(std::size_t cases, const Mix& mix, plant::Random& random) {
+    for (const auto& [name, share] : {std::pair{"mix.none", mix.none}, {"mix.two", mix.two}, {"mix.outside", mix.outside}})
+        core::require_within(name, share, 0.0, 1.0);
+    core::require_within("mix", mix.none + mix.two + mix.outside, 0.0, 1.0 + 1e-12);
+    std::vector<Kind> kinds;
+    double wanted = 0.0;
+    for (const auto& [kind, share] : {std::pair{Kind::kNone, mix.none}, {Kind::kTwo, mix.two}, {Kind::kOutside, mix.outside}}) {
+        wanted += share * static_cast<double>(cases);
+        while (static_cast<double>(kinds.size()) + 0.5 <= wanted && kinds.size() < cases) kinds.push_back(kind);
+    }
+    kinds.resize(cases, Kind::kOne);
+    shuffle(kinds, random);
+    return kinds;
+}
+
+std::string part_of(const std::string& id) { return id.substr(0, id.find('.')); }
+
+/// Another id, of another part of the rig.
+std::string partner(const std::string& first, plant::Random& random) {
+    const std::vector<std::string>& ids = plant::library_ids();
+    std::string second = first;
+    while (part_of(second) == part_of(first)) second = ids[random.below(ids.size())];
+    return second;
+}
+
+LabelEffect drawn(const std::string& id, const plant::Nominal& nominal, plant::Random& random) {
+    const plant::Effect effect = plant::draw_effect(id, nominal, random);
+    return {effect.id, effect.side, effect.size, effect.extra};
+}
+
+}  // namespace
+
+std::vector<Label> draw_labels(std::uint64_t seed, std::size_t cases, const Mix& mix) {
+    core::require_within("cases", static_cast<double>(cases), 1.0, 10'000.0);
+    plant::Random order(seed, 0, kOrder);
+    const std::vector<Kind> kinds = draw_kinds(cases, mix, order);
+    Deck library(plant::library_ids(), order), outside(plant::outside_ids(), order);
+    std::vector<Label> labels;
+    for (std::size_t i = 0; i < cases; ++i) {
+        const plant::Nominal nominal = plant::draw_bench(seed, i).nominal;
+        plant::Random random(seed, i, kEffects);
+        Label label{fmt::format("case{:03}", i), {}, kinds[i] != Kind::kOutside};
+        if (kinds[i] == Kind::kOutside) label.effects.push_back(drawn(outside.deal(), nominal, random));
+        if (kinds[i] == Kind::kOne || kinds[i] == Kind::kTwo) label.effects.push_back(drawn(library.deal(), nominal, random));
+        if (kinds[i] == Kind::kTwo) label.effects.push_back(drawn(partner(label.effects[0].id, random), nominal, random));
+        labels.push_back(std::move(label));
+    }
+    return labels;
+}
+
+}  // namespace fusee::blind

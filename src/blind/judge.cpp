@@ -1,0 +1,82 @@
+#include "judge.h"
+
+#include <algorithm>
+
+namespace fusee::blind {
+
+namespace {
+
+constexpr double kEnough = 0.5;  ///< of the kept-back gap may be left
+
+gap::Cause cause_of(const LabelEffect& effect) { return {effect.id, effect.side}; }
+const gap::Cause& cause_of(const gap::FoundEffect& effect) { return effect.cause; }
+const gap::Cause& cause_of(const gap::Cause& cause) { return cause; }
+
+template <typename Effects>
+bool same(const Label& label, const Effects& effects, bool sides) {
+    return std::is_permutation(
+        label.effects.begin(), label.effects.end(), effects.begin(), effects.end(),
+        [&](const auto& a, const auto& b) { return cause_of(a).id == cause_of(b).id && (!sides || cause_of(a).side == cause_of(b).side); });
+}
+
+std::size_t ids_in_common(const Label& label, const Answer& answer) {
+    return static_cast<std::size_t>(std::count_if(label.effects.begin(), label.effects.end(), [&](const LabelEffect& truth) {
+        return std::any_of(answer.effects.begin(), answer.effects.end(), [&](const auto& e) { return e.cause.id == truth.id; });
+    }));
+}
+
+std::string wrong_name(const Label& label, const Answer& answer) {
+    if (answer.verdict == gap::Verdict::kNone) return "not seen";
+    if (answer.verdict == gap::Verdict::kUnknown) return "called unknown";
+    if (answer.verdict == gap::Verdict::kAmbiguous) return leaves_open(answer, label) ? "left open" : "left open without the truth";
+    if (names(answer, label, false)) return "another side";
+    const std::size_t right = ids_in_common(label, answer);
+    if (right == label.effects.size()) return "one effect too many";
+    return right > 0 ? "one of two" : "another effect";
+}
+
+bool misses_a_size(const Label& label, const Answer& answer) {
+    return std::any_of(answer.effects.begin(), answer.effects.end(), [&](const gap::FoundEffect& effect) {
+        const LabelEffect* truth = found_in(label, effect);
+        return truth != nullptr && !effect.parameter.ci95.holds(truth->size);
+    });
+}
+
+}  // namespace
+
+bool knows_effects(const Label& label) { return label.in_library && !label.effects.empty(); }
+
+bool has_verdict(const Answer& answer, gap::Verdict verdict) { return answer.failure.empty() && answer.verdict == verdict; }
+
+bool names(const Answer& answer, const Label& label, bool sides) {
+    return has_verdict(answer, gap::Verdict::kIdentified) && same(label, answer.effects, sides);
+}
+
+bool leaves_open(const Answer& answer, const Label& label) {
+    if (names(answer, label, false)) return true;
+    return has_verdict(answer, gap::Verdict::kAmbiguous) &&
+           (same(label, answer.effects, false) || std::any_of(answer.alternatives.begin(), answer.alternatives.end(),
+                                                              [&](const auto& other) { return same(label, other.effects, false); }));
+}
+
+bool halves_the_gap(const Answer& answer) { return answer.kept_after <= kEnough * answer.kept_before; }
+
+const LabelEffect* found_in(const Label& label, const gap::FoundEffect& effect) {
+    const auto found =
+        std::find_if(label.effects.begin(), label.effects.end(), [&](const LabelEffect& truth) { return cause_of(truth) == effect.cause; });
+    return found == label.effects.end() ? nullptr : &*found;
+}
+
+std::string miss_of(const Label& label, const Answer& answer) {
+    if (!answer.failure.empty()) return "no diagnosis: " + answer.failure;
+    const std::string said = answer_name(answer);
+    if (!label.in_library) return said == "unknown" ? "" : "from outside, called " + said;
+    if (label.effects.empty()) return said == "none" ? "" : "faultless, called " + said;
+    std::string what = names(answer, label, true) ? "" : wrong_name(label, answer);
+    const auto add = [&](const char* more) { what += (what.empty() ? "" : ", ") + std::string(more); };
+    if (misses_a_size(label, answer)) add("interval without the true size");
+    if (!halves_the_gap(answer)) add("kept-back gap not halved");
+    return what;
+}
+
+}  // namespace fusee::blind

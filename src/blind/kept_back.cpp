@@ -1,0 +1,60 @@
+#include "kept_back.h"
+
+#include <cmath>
+
+#include "faultless.h"
+#include "fusee/gap/diagnose.h"
+
+namespace fusee::blind {
+
+namespace {
+
+constexpr std::uint64_t kRigs = 401;  ///< a stream that no case is drawn from
+
+/// Deflections and joint torques are readings too.
+gap::Rows inputs_off(const gap::Case& bench, gap::Rows rows, plant::Random& random) {
+    const gap::Sensors& s = bench.sensors;
+    const double encoder = std::hypot(s.encoder_noise, s.encoder_step / std::sqrt(12.0));
+    for (gap::SpringPull& row : rows.spring_pull) row.deflection += encoder * random.normal();
+    for (gap::StiffnessRow& row : rows.joint_stiffness)
+        row.joint_torque += std::hypot(s.torque_noise, s.torque_noise_relative * row.joint_torque) * random.normal();
+    return rows;
+}
+
+template <typename Visit>
+void visit_figures(const gap::Signals& signals, const Visit& visit) {
+    for (const gap::Experiment experiment : gap::kAllExperiments)
+        for (std::size_t i = 0; i < signals[experiment].size(); ++i) visit(experiment, i);
+}
+
+gap::Signals sigma_of(const gap::Case& bench, const gap::Rows& rows, const gap::Signals& nominal) {
+    gap::Signals sigma = sensor_sigma(bench, rows, nominal);
+    const double share = 1.0 / std::sqrt(static_cast<double>(kFaultlessRigs));
+    for (int i = 0; i < kFaultlessRigs; ++i) {
+        plant::Random random(0, static_cast<std::uint64_t>(i), kRigs);
+        const Faultless rig = draw_faultless(bench, random);
+        const gap::Signals other = gap::measured(gap::predict(rig.bench, rig.built, inputs_off(bench, rows, random)));
+        visit_figures(nominal, [&](gap::Experiment e, std::size_t k) {
+            sigma[e][k] = std::hypot(sigma[e][k], share * (other[e][k] - nominal[e][k]));
+        });
+    }
+    return sigma;
+}
+
+}  // namespace
+
+KeptBack kept_back_gap(const gap::Case& bench, const gap::Diagnosis& found, const gap::Rows& rows) {
+    const gap::Signals measured = gap::measured(rows), nominal = gap::measured(gap::predict(bench, {}, rows)),
+                       after = gap::measured(gap::predict(bench, found, rows)), sigma = sigma_of(bench, rows, nominal);
+    const auto gap_of = [&](const gap::Signals& predicted) {
+        double sum = 0.0, figures = 0.0;
+        visit_figures(measured, [&](gap::Experiment e, std::size_t i) {
+            sum += std::pow((measured[e][i] - predicted[e][i]) / sigma[e][i], 2);
+            ++figures;
+        });
+        return std::sqrt(sum / figures);
+    };
+    return {gap_of(nominal), gap_of(after)};
+}
+
+}  // namespace fusee::blind

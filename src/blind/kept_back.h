@@ -1,0 +1,18 @@
+#pragma once
+#include "fusee/gap/case.h"
+#include "fusee/gap/diagnosis.h"
+
+namespace fusee::blind {
+
+struct KeptBack {
+    double before = gap::kNoFigure, after = gap::kNoFigure;  ///< [sigma]
+};
+inline constexpr int kFaultlessRigs = 32;  ///< that sigma is found from: it is then known to 12 %
+
+/// Gap of the nominal model and of the model with what was found, on measurements that the diagnosis never saw: root mean square of
+/// (measured - predicted)/sigma over every measured figure, all alike. sigma^2 is that of the sensors plus the mean square by which
+/// faultless rigs, drawn within tolerance and read with noise where readings are inputs, are off the nominal prediction
+/// (docs/gap-benchmark.md).
+[[nodiscard]] KeptBack kept_back_gap(const gap::Case& bench, const gap::Diagnosis& found, const gap::Rows& measured);
+
+}  // namespace fusee::blind

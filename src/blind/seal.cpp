@@ -1,0 +1,104 @@
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "fusee/blind/blind.h"
+#include "fusee/core/error.h"
+#include "fusee/core/file.h"
+#include "fusee/plant/random.h"
+
+namespace fusee::blind {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t kLargest = 100'000'000;
+constexpr std::uint64_t kSalt = 201;
+constexpr std::string_view kPrefix = "sha256:";
+constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+
+std::string base64(std::string_view bytes) {
+    std::string text;
+    std::uint32_t held = 0;
+    int bits = 0;
+    for (const char byte : bytes) {
+        held = held << 8 | static_cast<unsigned char>(byte);
+        for (bits += 8; bits >= 6; bits -= 6) text += kDigits[held >> (bits - 6) & 63];
+    }
+    if (bits > 0) text += kDigits[held << (6 - bits) & 63];
+    return text;
+}
+
+std::string from_base64(std::string_view text) {
+    std::string bytes;
+    std::uint32_t held = 0;
+    int bits = 0;
+    for (const char digit : text) {
+        const std::size_t value = kDigits.find(digit);
+        if (value == std::string_view::npos) continue;  // line ends
+        held = held << 6 | static_cast<std::uint32_t>(value);
+        bits += 6;
+        if (bits < 8) continue;
+        bits -= 8;
+        bytes += static_cast<char>(held >> bits & 255);
+    }
+    return bytes;
+}
+
+json to_json(const LabelEffect& effect) {
+    json j{{"id", effect.id}, {"side", effect.side}, {"size", effect.size}, {"extra", json::object()}};
+    for (const auto& [name, value] : effect.extra) j["extra"][name] = value;
+    return j;
+}
+
+Label label_of(const json& j) {
+    Label label{j.at("case").get<std::string>(), {}, j.at("in_library").get<bool>()};
+    for (const json& e : j.at("effects")) {
+        LabelEffect effect{e.at("id").get<std::string>(), e.at("side").get<std::string>(), e.at("size").get<double>(), {}};
+        for (const auto& [name, value] : e.at("extra").items()) effect.extra.emplace_back(name, value.get<double>());
+        label.effects.push_back(std::move(effect));
+    }
+    return label;
+}
+
+std::string bare(std::string_view text) {
+    if (text.substr(0, kPrefix.size()) == kPrefix) text.remove_prefix(kPrefix.size());
+    while (!text.empty() && (text.back() == '\n' || text.back() == '\r' || text.back() == ' ')) text.remove_suffix(1);
+    return std::string(text);
+}
+
+}  // namespace
+
+std::string seal_labels(const std::vector<Label>& labels, std::uint64_t seed) {
+    plant::Random random(seed, labels.size(), kSalt);
+    json file{{"salt", {random.bits(), random.bits(), random.bits(), random.bits()}}, {"seed", seed}, {"labels", json::array()}};
+    for (const Label& label : labels) {
+        json effects = json::array();
+        for (const LabelEffect& effect : label.effects) effects.push_back(to_json(effect));
+        file["labels"].push_back({{"case", label.case_name}, {"effects", effects}, {"in_library", label.in_library}});
+    }
+    return base64(file.dump()) + "\n";
+}
+
+std::string check_seal(const std::filesystem::path& folder, const std::string& hash) {
+    std::string sealed = core::read_file(folder / "labels.sealed", kLargest);
+    const std::string found = core::sha256_hex(sealed);
+    if (found != bare(hash)) throw core::InvalidInput("seal", found, "labels.sealed as it was made, " + bare(hash));
+    const std::string written = bare(core::read_file(folder / "seal.txt", kLargest));
+    if (written != found) throw core::InvalidInput("seal", "seal.txt names " + written, found);
+    return sealed;
+}
+
+std::vector<Label> open_seal(const std::filesystem::path& folder, const std::string& hash) {
+    const std::string sealed = check_seal(folder, hash);
+    std::vector<Label> labels;
+    try {
+        const json file = json::parse(from_base64(sealed));
+        for (const json& label : file.at("labels")) labels.push_back(label_of(label));
+    } catch (const json::exception& wrong) {
+        throw core::InvalidInput("seal", wrong.what(), "labels as seal_labels writes them");
+    }
+    return labels;
+}
+
+}  // namespace fusee::blind

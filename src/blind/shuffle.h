@@ -1,0 +1,15 @@
+#pragma once
+#include <utility>
+#include <vector>
+
+#include "fusee/plant/random.h"
+
+namespace fusee::blind {
+
+/// Every order at the same odds (Fisher & Yates).
+template <class T>
+void shuffle(std::vector<T>& items, plant::Random& random) {
+    for (std::size_t i = items.size(); i > 1; --i) std::swap(items[i - 1], items[random.below(i)]);
+}
+
+}  // namespace fusee::blind

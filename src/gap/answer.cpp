@@ -1,0 +1,154 @@
+#include "answer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "gap_map.h"
+#include "isolability.h"
+#include "next_experiment.h"
+#include "screen.h"
+
+namespace fusee::gap {
+
+namespace {
+
+constexpr double kNormal95 = 1.959964;
+constexpr double kStudent95 = 3.182446;     ///< three degrees of freedom: four folds
+constexpr std::size_t kLeftOut = 4;         ///< hypotheses of the ranking whose experiments are left out
+constexpr double kLeastAlternative = 1e-3;  ///< probability below which an alternative is not listed
+constexpr double kSmallLeak = 0.05;         ///< probability that is shared out among rivals but not worth a further experiment
+
+/// 95 % of the spread that refits without an experiment have in one figure (jackknife), beside the fit's own.
+double deviation(const Fit& fit, const Split& left_out, int k) {
+    std::vector<double> values;
+    for (const Eigen::VectorXd& x : left_out.x)
+        if (x.size() > 0) values.push_back(x[k]);
+    double mean = 0.0, square = 0.0;
+    for (const double value : values) mean += value / static_cast<double>(values.size());
+    for (const double value : values) square += (value - mean) * (value - mean);
+    const double n = static_cast<double>(values.size()), jackknife = n > 1.0 ? square * (n - 1.0) / n : 0.0;
+    return std::sqrt(fit.covariance(k, k) + jackknife);
+}
+
+Parameter parameter_of(double value, double deviation, const EffectParameter& law) {
+    return {value * law.scale,
+            {std::max(law.allowed.low, (value - kNormal95 * deviation) * law.scale),
+             std::min(law.allowed.high, (value + kNormal95 * deviation) * law.scale)},
+            law.unit};
+}
+
+}  // namespace
+
+Answer::Answer(const Problem& problem, const Search& found, const Judgement& judgement)
+    : problem_(problem), found_(found), judgement_(judgement) {
+    sigma_ = tolerance_sigma(problem, found.fits[found.null].jacobian);
+    before_ = problem.residual({}, problem.start({})).cwiseQuotient(sigma_);
+    const Case& bench = problem.bench();
+    diagnosis_.case_name = bench.name;
+    diagnosis_.case_sha256 = bench.sha256;
+    diagnosis_.verdict = judgement.verdict;
+    diagnosis_.remarks = bench.remarks;
+    diagnosis_.remarks.insert(diagnosis_.remarks.end(), judgement.remarks.begin(), judgement.remarks.end());
+}
+
+void Answer::compare(const Split& kept) {
+    const Eigen::VectorXd after = found_.best().residual.cwiseQuotient(sigma_), held = kept.residual.cwiseQuotient(sigma_);
+    const Eigen::VectorXd floor = sigma_.cwiseInverse();
+    const auto gap = [&](const Experiment* only) {
+        Gap g;
+        g.before = g.heldout_before = root_mean_square(problem_, before_, only);
+        g.after = root_mean_square(problem_, after, only);
+        g.noise_floor = root_mean_square(problem_, floor, only);
+        g.heldout_after = root_mean_square(problem_, held, only);
+        return g;
+    };
+    diagnosis_.gap = gap(nullptr);
+    for (const Experiment experiment : kAllExperiments) {
+        const std::size_t rows = problem_.bench().rows.size(experiment);
+        if (rows == 0) continue;
+        const Gap own = gap(&experiment);
+        diagnosis_.experiments.push_back({to_string(experiment), rows, own, own.after});
+    }
+    const std::vector<int> fold = folds(problem_);
+    std::vector<double> of_fold;
+    for (int f = 0; f < kFolds; ++f) {
+        Eigen::VectorXd own = held;
+        for (int i = 0; i < own.size(); ++i)
+            if (fold[static_cast<std::size_t>(i)] != f) own[i] = 0.0;
+        of_fold.push_back(root_mean_square(problem_, own) * std::sqrt(static_cast<double>(kFolds)));
+    }
+    double mean = 0.0, square = 0.0;
+    for (const double value : of_fold) mean += value / kFolds;
+    for (const double value : of_fold) square += (value - mean) * (value - mean);
+    const double half = kStudent95 * std::sqrt(square / (kFolds - 1) / kFolds);
+    diagnosis_.gap.heldout_after_95 = {std::max(0.0, mean - half), mean + half};
+    diagnosis_.map = gap_map(problem_, before_, after);
+    diagnosis_.where = whereabouts(problem_, judgement_.verdict == Verdict::kUnknown ? after : before_);
+    for (std::size_t k = 0; k < problem_.build().size(); ++k) {
+        const BuildParameter& build = problem_.build()[k];
+        const auto i = static_cast<Eigen::Index>(k);
+        const double value = found_.best().x[i] * build.sigma,
+                     half_width = kNormal95 * std::sqrt(found_.best().covariance(i, i)) * build.sigma;
+        diagnosis_.build.push_back({build.name, {value, {value - half_width, value + half_width}, build.unit}});
+    }
+    traces();
+}
+
+void Answer::rank(unsigned jobs) {
+    for (std::size_t h = 0; h < found_.fits.size(); ++h) {
+        const Fit& fit = found_.fits[h];
+        Hypothesis row{fit.causes, found_.log_posterior[h], found_.probability[h], fit.cost, kNoFigure, {}};
+        Split left_out;
+        if (h < kLeftOut || h == found_.null) {
+            left_out = experiments_left_out(problem_, fit, jobs);
+            row.left_out = root_mean_square(problem_, left_out.residual.cwiseQuotient(sigma_));
+        }
+        auto k = static_cast<int>(problem_.build().size());
+        for (const Cause& cause : fit.causes) {
+            const Effect& effect = find_effect(cause.id);
+            row.parameters.push_back(parameter_of(fit.x[k], deviation(fit, left_out, k), effect.parameters.front()));
+            k += static_cast<int>(effect.parameters.size());
+        }
+        diagnosis_.ranking.push_back(std::move(row));
+    }
+    found_effects();
+}
+
+void Answer::found_effects() {
+    const Fit& best = found_.best();
+    const bool named = judgement_.verdict == Verdict::kIdentified || judgement_.verdict == Verdict::kAmbiguous;
+    auto k = static_cast<Eigen::Index>(problem_.build().size());
+    for (std::size_t c = 0; named && c < best.causes.size(); ++c) {
+        const Effect& effect = find_effect(best.causes[c].id);
+        FoundEffect found{best.causes[c], 0.0, diagnosis_.ranking.front().parameters[c], {}};
+        for (std::size_t h = 0; h < found_.fits.size(); ++h) {
+            const Causes& others = found_.fits[h].causes;
+            if (std::find(others.begin(), others.end(), found.cause) != others.end()) found.probability += found_.probability[h];
+        }
+        for (std::size_t p = 1; p < effect.parameters.size(); ++p)
+            found.extra.emplace_back(effect.parameters[p].name, best.x[k + static_cast<Eigen::Index>(p)] * effect.parameters[p].scale);
+        k += static_cast<Eigen::Index>(effect.parameters.size());
+        diagnosis_.effects.push_back(std::move(found));
+    }
+    for (std::size_t h = named || judgement_.verdict == Verdict::kNone ? 1 : 0; h < found_.fits.size(); ++h)
+        if (found_.probability[h] >= kLeastAlternative || (h == 0 && judgement_.verdict == Verdict::kUnknown))
+            diagnosis_.alternatives.push_back({found_.fits[h].causes, found_.probability[h]});
+}
+
+void Answer::look_ahead(unsigned jobs) {
+    const std::vector<Cause> causes = possible_causes(problem_.bench().rows);
+    diagnosis_.isolability = isolability(problem_, found_.fits[found_.null], causes, jobs);
+    std::vector<const Fit*> rivals;
+    std::vector<double> probabilities;
+    for (std::size_t h = 0; h < found_.fits.size(); ++h)
+        if (found_.probability[h] >= kSmallLeak) {
+            rivals.push_back(&found_.fits[h]);
+            probabilities.push_back(found_.probability[h]);
+        }
+    if (rivals.size() > 1) diagnosis_.next = next_experiments(problem_, rivals, probabilities, jobs);
+    if (!diagnosis_.next.empty()) diagnosis_.next_experiment = diagnosis_.next.front().text;
+}
+
+}  // namespace fusee::gap

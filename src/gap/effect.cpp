@@ -1,0 +1,39 @@
+#include "fusee/gap/effect.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "effect_registry.h"
+#include "fusee/core/error.h"
+
+namespace fusee::gap {
+
+const std::vector<Effect>& effect_library() {
+    static const std::vector<Effect> library = make_effects();
+    return library;
+}
+
+const Effect& find_effect(const std::string& id) {
+    const std::vector<Effect>& library = effect_library();
+    const auto found = std::find_if(library.begin(), library.end(), [&](const Effect& effect) { return effect.id == id; });
+    if (found != library.end()) return *found;
+    std::vector<std::string> ids;
+    for (const Effect& effect : library) ids.push_back(effect.id);
+    throw core::InvalidInput("effects: id", id, fmt::format("{}", fmt::join(ids, ", ")));
+}
+
+void apply_effect(const Effect& effect, const Cause& cause, std::span<const double> values, BuiltRig& rig) {
+    if (!effect.sided) {
+        if (cause.side != "none") throw core::InvalidInput("effects: side of " + effect.id, cause.side, "none");
+        effect.apply(rig, 0, values);
+        return;
+    }
+    if (cause.side != "agonist" && cause.side != "antagonist" && cause.side != "both")
+        throw core::InvalidInput("effects: side of " + effect.id, cause.side, "agonist, antagonist or both");
+    for (const Side side : {Side::kAgonist, Side::kAntagonist})
+        if (cause.side == "both" || cause.side == to_string(side)) effect.apply(rig, static_cast<int>(side), values);
+}
+
+}  // namespace fusee::gap

@@ -1,0 +1,23 @@
+#include "effect_file.h"
+
+namespace fusee::gap {
+
+namespace {
+
+void apply(BuiltRig& rig, int side, std::span<const double> values) { rig.sides[side].se_build.stretch += 1.0 / values[0]; }
+
+}  // namespace
+
+Effect make_cable_stretch() {
+    return {.id = "cable.stretch",
+            .law = "Compliance in series with K_SE.",
+            .sided = true,
+            .parameters = {{"k_c", "Nm/rad", 1.0, {0.05, 1000}, 0}},
+            .starts = {0.5, 1, 2.5, 8},
+            .seen_by = {Experiment::kSpringPull, Experiment::kDeadBand, Experiment::kJointStiffness, Experiment::kCocontraction,
+                        Experiment::kLog},
+            .confused_with = {"se.rate", "se.radius"},
+            .apply = apply};
+}
+
+}  // namespace fusee::gap

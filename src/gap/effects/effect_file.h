@@ -1,0 +1,2 @@
+#pragma once
+#include "fusee/gap/effect.h"

@@ -1,0 +1,22 @@
+#include "effect_file.h"
+
+namespace fusee::gap {
+
+namespace {
+
+void apply(BuiltRig& rig, int side, std::span<const double> values) { rig.sides[side].gear.backlash += values[0]; }
+
+}  // namespace
+
+Effect make_gear_backlash() {
+    return {.id = "gear.backlash",
+            .law = "Play between the capstan and the encoder of its motor.",
+            .sided = true,
+            .parameters = {{"b", "rad", 0.03, {0, 0.5}, 0}},
+            .starts = {0.5, 1.5},
+            .seen_by = {Experiment::kCocontraction, Experiment::kLog},
+            .confused_with = {},
+            .apply = apply};
+}
+
+}  // namespace fusee::gap

@@ -1,0 +1,22 @@
+#include "effect_file.h"
+
+namespace fusee::gap {
+
+namespace {
+
+void apply(BuiltRig& rig, int /*side*/, std::span<const double> values) { rig.gravity += values[0]; }
+
+}  // namespace
+
+Effect make_joint_gravity() {
+    return {.id = "joint.gravity",
+            .law = "The weight of what the joint carries: torque -m g l sin q.",
+            .sided = false,
+            .parameters = {{"mgl", "Nm", 0.15, {-1, 1.5}, 0}},
+            .starts = {-1, 0.6, 1.5},
+            .seen_by = {Experiment::kDeadBand, Experiment::kJointStiffness, Experiment::kCocontraction, Experiment::kLog},
+            .confused_with = {},
+            .apply = apply};
+}
+
+}  // namespace fusee::gap

@@ -1,0 +1,22 @@
+#include "effect_file.h"
+
+namespace fusee::gap {
+
+namespace {
+
+void apply(BuiltRig& rig, int /*side*/, std::span<const double> values) { rig.joint_viscous += values[0]; }
+
+}  // namespace
+
+Effect make_joint_viscous() {
+    return {.id = "joint.viscous",
+            .law = "Extra viscous drag at the joint.",
+            .sided = false,
+            .parameters = {{"d", "Nms", 0.04, {0, 0.5}, 0}},
+            .starts = {0.5, 1.5},
+            .seen_by = {Experiment::kDeadBand, Experiment::kJointStiffness, Experiment::kCocontraction, Experiment::kLog},
+            .confused_with = {"joint.coulomb", "gear.viscous"},
+            .apply = apply};
+}
+
+}  // namespace fusee::gap

@@ -1,0 +1,23 @@
+#include "effect_file.h"
+
+namespace fusee::gap {
+
+namespace {
+
+void apply(BuiltRig& rig, int side, std::span<const double> values) { rig.sides[side].gear.saturation = values[0]; }
+
+}  // namespace
+
+Effect make_motor_saturation() {
+    return {.id = "motor.saturation",
+            .law = "The motor gives no more than some torque.",
+            .sided = true,
+            .parameters = {{"tau_max", "Nm", 0.8, {0.1, 5}, 0}},
+            .starts = {0.6, 1, 1.4},
+            .seen_by = {Experiment::kBreakAway, Experiment::kDeadBand, Experiment::kJointStiffness, Experiment::kCocontraction,
+                        Experiment::kLog},
+            .confused_with = {"sensor.torque_scale"},
+            .apply = apply};
+}
+
+}  // namespace fusee::gap

@@ -1,0 +1,23 @@
+#include "effect_file.h"
+
+namespace fusee::gap {
+
+namespace {
+
+void apply(BuiltRig& rig, int side, std::span<const double> values) { rig.sides[side].pe_build.hysteresis += values[0]; }
+
+}  // namespace
+
+Effect make_pe_hysteresis() {
+    return {.id = "pe.hysteresis",
+            .law = "F_PE (1 + a z), z from -1 (unloading) to 1 (loading).",
+            .sided = true,
+            .parameters = {{"a", "1", 0.12, {0, 0.6}, 0}},
+            .starts = {0.6, 1.5},
+            .seen_by = {Experiment::kSpringPull, Experiment::kDeadBand, Experiment::kJointStiffness, Experiment::kCocontraction,
+                        Experiment::kLog},
+            .confused_with = {"gear.load_friction"},
+            .apply = apply};
+}
+
+}  // namespace fusee::gap

@@ -1,0 +1,57 @@
+#pragma once
+#include <Eigen/Core>
+#include <vector>
+
+#include "problem.h"
+
+namespace fusee::gap {
+
+/// Cauchy's loss in sigmas, c^2 ln(1 + r^2/c^2): a slip that happened in the model and not on the rig puts a stretch of rows a hundred
+/// sigmas off, and how far does not matter.
+inline constexpr double kCauchy = 3.0;
+[[nodiscard]] double loss(double r);
+
+/// How much less accurate each experiment's prediction is than on a faultless rig, >= 1: where all its rows are off (a path full of
+/// stick-slip, an effect that is not in the model) they count with that accuracy, so that one experiment cannot outvote the others.
+using Scales = std::array<double, kExperiments>;
+
+/// A hypothesis at its best parameters.
+struct Fit {
+    Causes causes;
+    Eigen::VectorXd x;          ///< as Problem
+    double cost = 0.0;          ///< weighted robust misfit and priors
+    double log_evidence = 0.0;  ///< Laplace's approximation [nat], up to a constant of the case
+    Eigen::VectorXd residual;   ///< at x, unweighted
+    Eigen::VectorXd spread;     ///< of each row, spread_of at x
+    [[nodiscard]] Eigen::VectorXd seen() const { return residual.cwiseQuotient(spread); }
+    Eigen::MatrixXd jacobian;    ///< of `residual` by x
+    Eigen::MatrixXd covariance;  ///< of x
+};
+
+struct FitOptions {
+    int steps = 4;  ///< of Levenberg and Marquardt, at most
+    unsigned jobs = 1;
+};
+/// Least of sum w loss(residual) + sum (x/prior)^2 from `start`, bounds kept (Ceres).
+[[nodiscard]] Fit fit(const Problem& problem, const Causes& causes, const Eigen::VectorXd& start, const FitOptions& options = {});
+
+/// What the prediction itself can say of a row, in sigmas, >= 1: sqrt(1 + the square of what draws of x on opposite sides, within its
+/// tolerance, do not share with a straight line). Where friction sticks and slips, the moment of a slip hangs on next to nothing: such rows
+/// say little, however far off they are.
+[[nodiscard]] Eigen::VectorXd spread_of(const Problem& problem, const Causes& causes, const Eigen::VectorXd& x, unsigned jobs);
+/// T of each experiment: the root of the mean loss of its rows (0 without rows).
+[[nodiscard]] std::array<double, kExperiments> misfits(const Problem& problem, const Eigen::VectorXd& residual);
+[[nodiscard]] Scales scales_of(const Problem& problem, const Eigen::VectorXd& residual, const std::vector<bool>* kept = nullptr);
+/// Weights of rows in a fit: sqrt(weight) cut by the loss and the scales at `residual`; 0 where `kept` is false.
+[[nodiscard]] Eigen::VectorXd robust_weights(const Problem& problem, const Eigen::VectorXd& residual,
+                                             const std::vector<bool>* kept = nullptr);
+/// The cost at a residual and x: priors, and of each experiment its rows' weight times T^2, the mean of loss(residual), up to T = kFair,
+/// from there on kFair^2 (1 + 2 ln(T/kFair)): the likelihood with an unknown accuracy. Rows that are not `kept` do not count.
+[[nodiscard]] double cost_of(const Problem& problem, const Causes& causes, const Eigen::VectorXd& residual, const Eigen::VectorXd& x,
+                             const std::vector<bool>* kept = nullptr);
+/// One step of Gauss and Newton with a Jacobian that is taken to hold: the x that is best for rows `kept` in the linear model.
+[[nodiscard]] Eigen::VectorXd linear_step(const Problem& problem, const Causes& causes, const Eigen::VectorXd& x,
+                                          const Eigen::VectorXd& residual, const Eigen::MatrixXd& jacobian,
+                                          const std::vector<bool>* kept = nullptr);
+
+}  // namespace fusee::gap

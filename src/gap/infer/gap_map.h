@@ -1,0 +1,32 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "fusee/gap/diagnosis.h"
+#include "problem.h"
+
+namespace fusee::gap {
+
+/// Where a figure stands.
+struct Place {
+    Experiment experiment = Experiment::kBreakAway;
+    double at = 0.0;        ///< of the experiment's variable
+    std::string component;  ///< "agonist backdrive", "pe antagonist", "q_rad", ...
+};
+/// Of every residual. The variable is the one that `variable_of` names.
+[[nodiscard]] std::vector<Place> places(const Rows& rows);
+[[nodiscard]] const char* variable_of(Experiment experiment);  ///< "motor_torque_Nm", "deflection_rad", ...
+
+/// Sigma of each residual with the build tolerances in it, in units of the problem's sigma: what a gap is counted in. From the slopes of
+/// the nominal rig.
+[[nodiscard]] Eigen::VectorXd tolerance_sigma(const Problem& problem, const Eigen::MatrixXd& build_slopes);
+
+/// Root mean square of the weighted figures; kNoFigure if there are none. `only`: of one experiment.
+[[nodiscard]] double root_mean_square(const Problem& problem, const Eigen::VectorXd& figures, const Experiment* only = nullptr);
+
+/// Four cells an experiment, of equal numbers of rows.
+[[nodiscard]] std::vector<GapCell> gap_map(const Problem& problem, const Eigen::VectorXd& before, const Eigen::VectorXd& after);
+/// Where `gap` is above the floor of 1, greatest share first: per experiment its share, range and component.
+[[nodiscard]] std::vector<Whereabouts> whereabouts(const Problem& problem, const Eigen::VectorXd& gap);
+
+}  // namespace fusee::gap

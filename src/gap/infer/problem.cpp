@@ -1,0 +1,152 @@
+#include "problem.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fusee::gap {
+
+namespace {
+
+constexpr double kEffectPrior = 3.0;  ///< one sigma of an effect's size, in its scale
+constexpr double kStep = 0.3;         ///< of a difference: in sigmas of a build parameter
+constexpr double kEffectStep = 0.04;  ///< in scales of an effect's parameter
+
+}  // namespace
+
+Problem::Problem(const Case& bench)
+    : bench_(bench),
+      cams_(bench.rig),
+      build_(build_parameters(bench)),
+      known_(uncertainty(bench)),
+      measured_(gap::measured(bench.rows)),
+      thin_(bench.rows) {
+    thin_.dead_band.clear();
+    for (const DeadBandRow& row : bench.rows.dead_band) {
+        const auto same = std::find_if(thin_.dead_band.begin(), thin_.dead_band.end(),
+                                       [&](const DeadBandRow& other) { return other.cocontraction == row.cocontraction; });
+        like_.push_back(static_cast<std::size_t>(same - thin_.dead_band.begin()));
+        if (same == thin_.dead_band.end()) thin_.dead_band.push_back(row);
+    }
+    for (std::size_t e = 0; e < kExperiments; ++e) {
+        first_[e] = rows_;
+        rows_ += static_cast<int>(measured_.of[e].size());
+    }
+    first_[kExperiments] = rows_;
+    root_weight_.resize(rows_);
+    for (int i = 0; i < rows_; ++i) root_weight_[i] = std::sqrt(known_.weight[static_cast<int>(experiment_of(i))]);
+}
+
+int Problem::size(const Causes& causes) const {
+    std::size_t n = build_.size();
+    for (const Cause& cause : causes) n += find_effect(cause.id).parameters.size();
+    return static_cast<int>(n);
+}
+
+Experiment Problem::experiment_of(int residual) const {
+    std::size_t e = 0;
+    while (residual >= first_[e + 1]) ++e;
+    return static_cast<Experiment>(e);
+}
+
+namespace {
+
+/// Calls visit(parameter, index in x, is it the size of its effect) for the parameters of all causes.
+template <typename Visit>
+void visit_parameters(const Causes& causes, std::size_t first, const Visit& visit) {
+    for (const Cause& cause : causes) {
+        const Effect& effect = find_effect(cause.id);
+        for (std::size_t k = 0; k < effect.parameters.size(); ++k) visit(effect, k, static_cast<int>(first++));
+    }
+}
+
+}  // namespace
+
+core::Range Problem::allowed(const Causes& causes, int parameter) const {
+    core::Range range{-8.0, 8.0};
+    visit_parameters(causes, build_.size(), [&](const Effect& effect, std::size_t k, int i) {
+        const EffectParameter& p = effect.parameters[k];
+        if (i == parameter) range = {p.allowed.low / p.scale, p.allowed.high / p.scale};
+    });
+    return range;
+}
+
+Eigen::VectorXd Problem::start(const Causes& causes) const {
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(size(causes));
+    visit_parameters(causes, build_.size(), [&](const Effect& effect, std::size_t k, int i) {
+        x[i] = k == 0 ? effect.starts.front() : effect.parameters[k].at_first / effect.parameters[k].scale;
+    });
+    return x;
+}
+
+Eigen::VectorXd Problem::prior_mean(const Causes& causes) const {
+    Eigen::VectorXd mean = Eigen::VectorXd::Zero(size(causes));
+    visit_parameters(causes, build_.size(), [&](const Effect& effect, std::size_t k, int i) {
+        if (k > 0) mean[i] = effect.parameters[k].at_first / effect.parameters[k].scale;
+    });
+    return mean;
+}
+
+double Problem::prior_sigma(const Causes& causes, int parameter) const {
+    double sigma = 1.0;
+    visit_parameters(causes, build_.size(), [&](const Effect&, std::size_t k, int i) {
+        if (i == parameter && k == 0) sigma = kEffectPrior;
+    });
+    return sigma;
+}
+
+BuiltRig Problem::rig(const Causes& causes, const Eigen::VectorXd& x) const {
+    BuiltRig rig(bench_.rig);
+    for (std::size_t i = 0; i < build_.size(); ++i) build_[i].add(rig, x[static_cast<int>(i)] * build_[i].sigma);
+    auto next = static_cast<int>(build_.size());
+    for (const Cause& cause : causes) {
+        const Effect& effect = find_effect(cause.id);
+        std::vector<double> values;
+        for (const EffectParameter& p : effect.parameters) values.push_back(std::clamp(x[next++] * p.scale, p.allowed.low, p.allowed.high));
+        apply_effect(effect, cause, values, rig);
+    }
+    rig.assemble(cams_);
+    return rig;
+}
+
+Signals Problem::predict(const Causes& causes, const Eigen::VectorXd& x) const {
+    return predict_signals(rig(causes, x), bench_.rows, bench_.protocol);
+}
+
+Signals Problem::predict_thin(const Causes& causes, const Eigen::VectorXd& x) const {
+    Signals signals = predict_signals(rig(causes, x), thin_, bench_.protocol);
+    const std::vector<double> levels = signals[Experiment::kDeadBand];
+    const std::size_t columns = thin_.dead_band_width_only ? 1 : 2;
+    std::vector<double>& all = signals[Experiment::kDeadBand];
+    all.clear();
+    for (const std::size_t level : like_)
+        for (std::size_t c = 0; c < columns; ++c) all.push_back(levels[level * columns + c]);
+    return signals;
+}
+
+Eigen::VectorXd Problem::residual(const Signals& prediction) const {
+    Eigen::VectorXd r(rows_);
+    int next = 0;
+    for (std::size_t e = 0; e < kExperiments; ++e)
+        for (std::size_t i = 0; i < measured_.of[e].size(); ++i)
+            r[next++] = (measured_.of[e][i] - prediction.of[e][i]) / known_.sigma.of[e][i];
+    return r;
+}
+
+Eigen::VectorXd Problem::direct_residual(const Causes& causes, const Eigen::VectorXd& x) const {
+    const BuiltRig built = rig(causes, x);
+    Signals signals = measured_;
+    for (const Experiment experiment : {Experiment::kBreakAway, Experiment::kSpringPull})
+        signals[experiment] = predict_experiment(built, bench_.rows, bench_.protocol, experiment);
+    return residual(signals);
+}
+
+Eigen::VectorXd Problem::slope(const Causes& causes, const Eigen::VectorXd& x, int parameter) const {
+    const double step = parameter < static_cast<int>(build_.size()) ? kStep : kEffectStep;
+    const core::Range range = allowed(causes, parameter);
+    Eigen::VectorXd low = x, high = x;
+    low[parameter] = std::max(range.low, x[parameter] - step);
+    high[parameter] = std::min(range.high, x[parameter] + step);
+    return (thin_residual(causes, high) - thin_residual(causes, low)) / (high[parameter] - low[parameter]);
+}
+
+}  // namespace fusee::gap

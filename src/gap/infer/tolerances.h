@@ -1,0 +1,21 @@
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "fusee/gap/built_rig.h"
+#include "fusee/gap/case.h"
+
+namespace fusee::gap {
+
+/// A figure of the rig as built that its maker cannot know better than by its tolerance: fitted beside every effect, with the tolerance as
+/// its prior.
+struct BuildParameter {
+    std::string name, unit;
+    double sigma = 1.0;  ///< in `unit`; of its logarithm where `unit` is "log"
+    std::function<void(BuiltRig&, double)> add;
+};
+/// Friction, springs and torque of each side, radii, inertias, bearing friction, encoder zero, and the hand of the dead-band test.
+[[nodiscard]] std::vector<BuildParameter> build_parameters(const Case& bench);
+
+}  // namespace fusee::gap

@@ -1,0 +1,66 @@
+#include "verdict.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fusee::gap {
+
+namespace {
+
+constexpr double kSure = 0.75;        ///< probability from which one hypothesis is the answer
+constexpr double kRival = 0.08;       ///< least probability of an alternative that counts
+constexpr double kSlip = 1.5;         ///< spread of a row that sticks and slips
+constexpr double kSlips = 0.25;       ///< share of such rows from which an experiment is no evidence against the model
+constexpr double kUnexplained = 2.5;  ///< mean misfit of an experiment [sigma] above which something is not in the model
+
+/// Share of an experiment's rows at which the prediction hangs on next to nothing.
+double share_of_slips(const Problem& problem, const Fit& fit, Experiment experiment) {
+    double slips = 0.0, rows = 0.0;
+    for (int i = 0; i < fit.spread.size(); ++i)
+        if (problem.experiment_of(i) == experiment) {
+            slips += fit.spread[i] > kSlip ? 1.0 : 0.0;
+            rows += 1.0;
+        }
+    return rows > 0.0 ? slips / rows : 0.0;
+}
+
+}  // namespace
+
+Judgement judge(const Problem& problem, const Search& search) {
+    Judgement judgement;
+    if (problem.known().stick_slip)
+        judgement.remarks.emplace_back(
+            "cocontraction: a capstan sticks and slips on the way; when it slips cannot be foretold, so paths count with less accuracy");
+    const Fit& best = search.best();
+    const std::array<double, kExperiments> left = misfits(problem, best.seen());
+    for (const Experiment experiment : kAllExperiments) {
+        const double misfit = left[static_cast<std::size_t>(experiment)];
+        if (misfit <= kUnexplained) continue;
+        if (const double share = share_of_slips(problem, best, experiment); share > kSlips) {
+            judgement.remarks.push_back(
+                fmt::format("{}: sticks and slips in {:.0f} % of its rows, which cannot be foretold row by row ({:.1f} "
+                            "sigma): no evidence against the model",
+                            to_string(experiment), 100.0 * share, misfit));
+            continue;
+        }
+        judgement.unexplained.push_back(experiment);
+        judgement.remarks.push_back(
+            fmt::format("{}: the best hypothesis leaves {:.1f} sigma; up to {:.1f} the model is as good as it should be",
+                        to_string(experiment), misfit, kUnexplained));
+    }
+    judgement.rivals = {0};
+    for (std::size_t i = 1; i < search.fits.size(); ++i)
+        if (search.probability[i] >= kRival) judgement.rivals.push_back(i);
+    if (!judgement.unexplained.empty())
+        judgement.verdict = Verdict::kUnknown;
+    else if (search.probability.front() < kSure && judgement.rivals.size() > 1)
+        judgement.verdict = Verdict::kAmbiguous;
+    else
+        judgement.verdict = best.causes.empty() ? Verdict::kNone : Verdict::kIdentified;
+    if (judgement.verdict != Verdict::kAmbiguous) judgement.rivals.resize(1);
+    return judgement;
+}
+
+}  // namespace fusee::gap

@@ -1,0 +1,64 @@
+#include <cmath>
+
+#include "experiments.h"
+#include "fusee/gap/motion.h"
+
+namespace fusee::gap {
+
+namespace {
+
+constexpr double kStrongPush = 1.5;  ///< of the co-contraction, times g, where no push is told
+constexpr int kPieces = 24;          ///< straight pieces of a smooth ramp
+
+/// A hand's way from one joint torque to another: smoothly, 3 s^2 - 2 s^3.
+void move_by_hand(Motion& motion, double cocontraction, double from, double to, double seconds) {
+    for (int i = 1; i <= kPieces; ++i) {
+        const double s = static_cast<double>(i) / kPieces;
+        motion.lead_to({cocontraction, cocontraction, from + (to - from) * s * s * (3.0 - 2.0 * s)}, seconds / kPieces);
+    }
+}
+
+/// dtau_q/dq with both capstans held [Nm/rad].
+double held_stiffness(const BuiltRig& rig, const Motion& motion) {
+    constexpr double kReach = 0.02;  // rad
+    double sum = 0.0;
+    for (const Side side : {Side::kAgonist, Side::kAntagonist}) {
+        const CamSpring& spring = rig.sides[static_cast<std::size_t>(side)].se;
+        const double x = rig.capstan_scale * motion.theta(side);
+        sum += (spring.torque(x + kReach) - spring.torque(x - kReach)) / (2.0 * kReach);
+    }
+    return rig.ratio * rig.ratio * sum;
+}
+
+/// Pushes, holds, releases slowly and reads q.
+double push_and_release(Motion& motion, const Hand& hand, double cocontraction, double push, const Protocol& protocol) {
+    move_by_hand(motion, cocontraction, 0.0, push, hand.push_share * protocol.dead_band_push);
+    motion.hold((1.0 - hand.push_share) * protocol.dead_band_push);
+    move_by_hand(motion, cocontraction, push, 0.0, (1.0 - hand.settle_share) * protocol.dead_band_release);
+    motion.hold(hand.settle_share * protocol.dead_band_release);
+    return motion.q();
+}
+
+}  // namespace
+
+std::vector<double> predict_dead_band(const BuiltRig& rig, const Rows& rows, const Protocol& protocol) {
+    std::vector<double> read;
+    for (const DeadBandRow& row : rows.dead_band) {
+        const double push = std::isfinite(row.push_torque) ? row.push_torque : kStrongPush * rig.ratio * row.cocontraction;
+        Motion motion(rig, kDeadBandStep);
+        motion.lead_to({row.cocontraction, row.cocontraction, 0.0}, protocol.motor_ramp);
+        motion.hold(protocol.motor_settle);
+        motion.hand_damping = 2.0 * rig.hand.damping * std::sqrt(held_stiffness(rig, motion) * rig.joint_inertia);
+        const double high = push_and_release(motion, rig.hand, row.cocontraction, push, protocol);
+        const double low = push_and_release(motion, rig.hand, row.cocontraction, -push, protocol);
+        if (rows.dead_band_width_only) {
+            read.push_back(high - low);
+            continue;
+        }
+        read.push_back(low + rig.joint_offset);
+        read.push_back(high + rig.joint_offset);
+    }
+    return read;
+}
+
+}  // namespace fusee::gap

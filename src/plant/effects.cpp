@@ -1,0 +1,67 @@
+#include "fusee/plant/effects.h"
+
+#include <algorithm>
+#include <array>
+
+#include "effect_kind.h"
+#include "fusee/core/error.h"
+
+namespace fusee::plant {
+
+namespace {
+
+constexpr std::array<const char*, 3> kSides{"agonist", "antagonist", "both"};
+
+std::vector<std::string> ids_of(const std::vector<EffectKind>& kinds) {
+    std::vector<std::string> ids;
+    ids.reserve(kinds.size());
+    for (const EffectKind& kind : kinds) ids.emplace_back(kind.id);
+    return ids;
+}
+
+const EffectKind& kind_of(const std::string& id) {
+    for (const auto* kinds : {&library_kinds(), &outside_kinds()})
+        for (const EffectKind& kind : *kinds)
+            if (id == kind.id) return kind;
+    throw core::InvalidInput("effect", id, "an id of library_ids() or outside_ids()");
+}
+
+}  // namespace
+
+const std::vector<std::string>& library_ids() {
+    static const std::vector<std::string> ids = ids_of(library_kinds());
+    return ids;
+}
+
+const std::vector<std::string>& outside_ids() {
+    static const std::vector<std::string> ids = ids_of(outside_kinds());
+    return ids;
+}
+
+double Effect::parameter(const std::string& name) const {
+    for (const auto& [key, value] : extra)
+        if (key == name) return value;
+    throw core::InvalidInput("effect.extra", id, "an effect with the parameter " + name);
+}
+
+Effect draw_effect(const std::string& id, const Nominal& nominal, Random& random) {
+    const EffectKind& kind = kind_of(id);
+    Effect effect{id, "none", 0.0, {}};
+    if (kind.to_side != nullptr) effect.side = kSides[random.below(kSides.size())];
+    kind.draw(range_of(nominal), random, effect);
+    return effect;
+}
+
+void apply(const Effect& effect, Truth& truth) {
+    const EffectKind& kind = kind_of(effect.id);
+    if (kind.to_joint != nullptr) {
+        if (effect.side != "none") throw core::InvalidInput("effect.side", effect.side, "none for " + effect.id);
+        return kind.to_joint(effect, truth.joint);
+    }
+    if (std::find(kSides.begin(), kSides.end(), effect.side) == kSides.end())
+        throw core::InvalidInput("effect.side", effect.side, "agonist, antagonist or both for " + effect.id);
+    for (std::size_t i = 0; i < 2; ++i)
+        if (effect.side == kSides[i] || effect.side == kSides[2]) kind.to_side(effect, truth.sides[i]);
+}
+
+}  // namespace fusee::plant

@@ -1,0 +1,214 @@
+#include "fusee/plant/experiments.h"
+
+#include <algorithm>
+
+#include "session.h"
+
+namespace fusee::plant {
+
+namespace {
+
+constexpr int kBreakAwayRepeats = 3, kDeadBandRepeats = 3;
+constexpr double kBreakAwayTime = 3.0;  // [s] of one break-away
+constexpr int kPullRows = 60, kStiffnessRows = 25, kCocontractionRows = 60;
+constexpr double kPullTime = 6.0;                        // [s] of a load or an unload
+constexpr double kHandAtRest = 0.035, kHandAtTop = 0.1;  // [Nms] at no and at the top torque of the motors
+constexpr double kPushScatter = 0.03;                    // a hand does not push alike twice
+
+/// 0 to 1 with no speed at either end.
+double smooth(double s) {
+    s = std::clamp(s, 0.0, 1.0);
+    return s * s * (3.0 - 2.0 * s);
+}
+
+std::vector<double> scaled(std::vector<double> values, double scale) {
+    for (double& value : values) value = 1e-3 * std::round(1e3 * scale * value);
+    return values;
+}
+
+}  // namespace
+
+SetPoints set_points(bool heldout, double scale) {
+    SetPoints p;
+    if (heldout) {
+        p.breakaway = scaled({0.15, 0.4, 0.8, 1.2}, scale);
+        p.dead_band = scaled({0.18, 0.36, 0.62, 0.9, 1.12, 1.38}, scale);
+        p.joint_stiffness = scaled({0.5, 1.05}, scale);
+        p.log_torque = 0.95, p.log_swing = 0.25, p.log_slow = 0.15, p.log_fast = 0.65;
+    } else {
+        p.breakaway = scaled({0.1, 0.2, 0.35, 0.5, 0.7, 0.9, 1.1, 1.3}, scale);
+        p.dead_band = scaled({0.12, 0.25, 0.5, 0.75, 1.0, 1.25, 1.5}, scale);
+        p.joint_stiffness = scaled({0.3, 0.8, 1.3}, scale);
+    }
+    for (double* torque : {&p.log_torque, &p.log_swing, &p.log_knock}) *torque *= scale;
+    return p;
+}
+
+/// The load L at which the capstan just starts: L - tau = friction at rest (backdrive) or tau - L = friction at rest (drive), linear in L.
+double Session::load_at_break_away(const SideTruth& side, double motor, bool backdrive) {
+    const double theta = random_.uniform(0.0, range_.travel), warm = warmth(side, now_);
+    const double scatter = 1.0 + bench_.sensors.breakaway_scatter * random_.normal();
+    const double constant = scatter * gear_friction(side, 0.0, theta, 0.0, warm);
+    const double share = scatter * gear_friction(side, 1.0, theta, 0.0, warm) - constant;
+    const double delivered = side.torque_scale * motor;
+    return backdrive ? (delivered + constant) / (1.0 - share) : std::max(0.0, (delivered - constant) / (1.0 + share));
+}
+
+std::vector<BreakAwayRow> Session::break_away() {
+    std::vector<BreakAwayRow> rows;
+    for (std::size_t side = 0; side < 2; ++side)
+        for (const double motor : points_.breakaway)
+            for (const bool backdrive : {true, false})
+                for (int repeat = 0; repeat < kBreakAwayRepeats; ++repeat) {
+                    const double load = load_at_break_away(bench_.truth.sides[side], motor, backdrive);
+                    rows.push_back({side, backdrive, motor, std::max(0.0, torque_sensor(load))});
+                    now_ += kBreakAwayTime;
+                }
+    return rows;
+}
+
+void Session::pull_spring(bool series, std::size_t side, std::vector<PullRow>& rows) {
+    constexpr int kParts = 20;  // between two rows
+    const SideTruth& built = bench_.truth.sides[side];
+    Spring spring = series ? Spring(springs_.se[side], built.se) : Spring(springs_.pe[side], built.pe);
+    const double dt = kPullTime / (kPullRows * kParts);
+    for (int i = 0; i <= 2 * kPullRows; ++i) {
+        const bool load = i <= kPullRows;
+        const double deflection = range_.travel * (load ? i : 2 * kPullRows - i) / kPullRows;
+        const double step = (load ? 1.0 : -1.0) * range_.travel / (kPullRows * kParts);
+        double torque = 0.0;
+        for (int part = kParts - 1; part >= 0; --part) torque = spring.pull(i == 0 ? 0.0 : deflection - part * step, dt);
+        rows.push_back({series, side, load, encoder(deflection), torque_sensor(torque)});
+    }
+    now_ += 2.0 * kPullTime;
+}
+
+std::vector<PullRow> Session::spring_pull() {
+    std::vector<PullRow> rows;
+    for (std::size_t side = 0; side < 2; ++side)
+        for (const bool series : {true, false}) pull_spring(series, side, rows);
+    return rows;
+}
+
+Machine Session::co_contracted(double torque, double hand) {
+    Machine machine(bench_.truth, springs_, now_);
+    const Protocol& p = bench_.protocol;
+    machine.run(p.motor_ramp + p.motor_settle, [&](double t) {
+        const double motor = torque * smooth(t / p.motor_ramp);
+        return Command{{motor, motor}, 0.0, hand};
+    });
+    return machine;
+}
+
+/// Damping by hand [Nms]: firmer where the joint is stiffer, so that it neither swings nor creeps back.
+double Session::hand(double cocontraction) const {
+    return bench_.truth.hand * (kHandAtRest + kHandAtTop * cocontraction / bench_.nominal.top_torque);
+}
+
+/// Up within 3/4 of the push's time, held for the rest; down within 4/5 of the release's time, left to rest, read.
+double Session::pushed_and_released(Machine& machine, double cocontraction, double push) {
+    const Protocol& p = bench_.protocol;
+    const auto run = [&](double seconds, const auto& torque) {
+        machine.run(seconds, [&](double t) { return Command{{cocontraction, cocontraction}, torque(t / seconds), hand(cocontraction)}; });
+    };
+    run(p.dead_band_push, [&](double s) { return push * smooth(s / 0.75); });
+    run(p.dead_band_release, [&](double s) { return push * (1.0 - smooth(s / 0.8)); });
+    return read_q(machine);
+}
+
+std::vector<DeadBandRow> Session::dead_band() {
+    std::vector<DeadBandRow> rows;
+    for (const double cocontraction : points_.dead_band)
+        for (int repeat = 1; repeat <= kDeadBandRepeats; ++repeat) {
+            const double wanted = (0.9 * range_.scale + 1.15 * cocontraction) * (1.0 + kPushScatter * random_.normal());
+            DeadBandRow row{cocontraction, repeat, 1e-3 * std::round(1e3 * std::min(wanted, range_.most_push)), 0.0, 0.0};
+            Machine machine = co_contracted(cocontraction, hand(cocontraction));
+            row.q_high = pushed_and_released(machine, cocontraction, row.push);
+            row.q_low = pushed_and_released(machine, cocontraction, -row.push);
+            end(machine);
+            rows.push_back(row);
+        }
+    return rows;
+}
+
+std::vector<StiffnessRow> Session::joint_stiffness() {
+    struct Phase {
+        const char* name;
+        double from, to;
+    };
+    constexpr std::array<Phase, 4> kPhases{{{"load+", 0.0, 1.0}, {"unload+", 1.0, 0.0}, {"load-", 0.0, -1.0}, {"unload-", -1.0, 0.0}}};
+    std::vector<StiffnessRow> rows;
+    const double seconds = bench_.protocol.joint_stiffness_phase / kStiffnessRows;
+    for (const double c : points_.joint_stiffness) {
+        Machine machine = co_contracted(c, 0.0);
+        const double top = std::min(0.5 * range_.scale + 0.6 * c, range_.most_push);
+        for (const Phase& phase : kPhases)
+            for (int i = 0; i < kStiffnessRows; ++i) {
+                const auto torque = [&](double s) { return top * (phase.from + (phase.to - phase.from) * (i + s) / kStiffnessRows); };
+                rows.push_back({c, phase.name, torque_sensor(torque(0.0)), read_q(machine)});
+                machine.run(seconds, [&](double t) { return Command{{c, c}, torque(t / seconds), 0.0}; });
+            }
+        end(machine);
+    }
+    return rows;
+}
+
+std::vector<CocontractionRow> Session::cocontraction() {
+    std::vector<CocontractionRow> rows;
+    const double seconds = bench_.protocol.cocontraction_phase / kCocontractionRows;
+    Machine machine(bench_.truth, springs_, now_);
+    for (const bool up : {true, false})
+        for (int i = 0; i <= kCocontractionRows; ++i) {
+            const auto torque = [&](double row) {
+                const double share = std::min(1.0, row / kCocontractionRows);
+                return bench_.nominal.top_torque * (up ? share : 1.0 - share);
+            };
+            rows.push_back({up, torque(i), {read_theta(machine, 0), read_theta(machine, 1)}, read_q(machine)});
+            if (i == kCocontractionRows) continue;
+            machine.run(seconds, [&](double t) {
+                const double motor = torque(i + t / seconds);
+                return Command{{motor, motor}, 0.0, 0.0};
+            });
+        }
+    end(machine);
+    return rows;
+}
+
+/// Five seconds of a swing from motor to motor whose frequency rises, whole periods of it; a second and a half of rest; a knock on the
+/// joint.
+Command Session::log_command(double t, double knock) const {
+    constexpr double kSwing = 5.0, kKnockAt = 6.5, kKnockFor = 0.2;
+    const double frequency = points_.log_slow + 0.5 * (points_.log_fast - points_.log_slow) * t / kSwing;
+    const double swing = t < kSwing ? points_.log_swing * std::sin(2.0 * core::kPi * frequency * t) : 0.0;
+    const double s = (t - kKnockAt) / kKnockFor;
+    return {{points_.log_torque + swing, points_.log_torque - swing}, s > 0.0 && s < 1.0 ? knock * std::sin(core::kPi * s) : 0.0, 0.0};
+}
+
+std::vector<LogRow> Session::log() {
+    constexpr double kSeconds = 8.0;
+    std::vector<LogRow> rows;
+    const double knock = random_.either_sign(points_.log_knock), rate = bench_.sensors.log_rate;
+    Machine machine = co_contracted(points_.log_torque, 0.0);
+    const long samples = std::lround(kSeconds * rate);
+    for (long i = 0; i <= samples; ++i) {
+        const double time = static_cast<double>(i) / rate;
+        rows.push_back({time, log_command(time, knock), {read_theta(machine, 0), read_theta(machine, 1)}, read_q(machine)});
+        if (i < samples) machine.run(1.0 / rate, [&](double t) { return log_command(time + t, knock); });
+    }
+    end(machine);
+    return rows;
+}
+
+Measured measure(const Bench& bench, const SetPoints& points, Random& random, double begin) {
+    Session session(bench, points, random, begin);
+    Measured m;
+    m.breakaway = session.break_away();
+    m.spring_pull = session.spring_pull();
+    m.dead_band = session.dead_band();
+    m.joint_stiffness = session.joint_stiffness();
+    m.cocontraction = session.cocontraction();
+    m.log = session.log();
+    return m;
+}
+
+}  // namespace fusee::plant

@@ -1,0 +1,96 @@
+#include <algorithm>
+
+#include "effect_kind.h"
+
+namespace fusee::plant {
+
+namespace {
+
+/// Highest mu (1 + s): above it a gear hardly gives way to its load, and no break-away test would be within its bench's range.
+constexpr double kMostFriction = 0.56;
+
+void draw_load_friction(const RigRange& range, Random& random, Effect& e) {
+    const double size = random.uniform(0.3, 0.6);
+    e.size = range.nominal->mu * (1.0 + size) > kMostFriction ? -size : random.either_sign(size);
+}
+void draw_stribeck(const RigRange& range, Random& random, Effect& e) {
+    e.size = std::min(random.uniform(0.5, 1.1), kMostFriction / range.nominal->mu - 1.0);
+    e.extra = {{"speed_rad_per_s", random.uniform(0.02, 0.2)}};
+}
+double part(double of, double low, double high, Random& random) { return of * random.uniform(low, high); }
+
+std::vector<EffectKind> gear_kinds() {
+    using R = const RigRange&;
+    return {
+        {"gear.load_friction", draw_load_friction, [](const Effect& e, SideTruth& s) { s.mu *= 1.0 + e.size; }, nullptr},
+        {"gear.coulomb", [](R range, Random& random, Effect& e) { e.size = part(range.scale, 0.04, 0.065, random); },
+         [](const Effect& e, SideTruth& s) { s.coulomb += e.size; }, nullptr},
+        {"gear.stribeck", draw_stribeck,
+         [](const Effect& e, SideTruth& s) {
+             s.stribeck = e.size;
+             s.stribeck_speed = e.parameter("speed_rad_per_s");
+         },
+         nullptr},
+        {"gear.viscous", [](R, Random& random, Effect& e) { e.size = random.uniform(0.04, 0.08); },
+         [](const Effect& e, SideTruth& s) { s.viscous += e.size; }, nullptr},
+        {"cable.stretch", [](R, Random& random, Effect& e) { e.size = random.uniform(0.8, 2.0); },
+         [](const Effect& e, SideTruth& s) { s.se.cable_stiffness = e.size; }, nullptr},
+        {"sensor.torque_scale", [](R, Random& random, Effect& e) { e.size = random.either_sign(random.uniform(0.12, 0.19)); },
+         [](const Effect& e, SideTruth& s) { s.torque_scale *= 1.0 + e.size; }, nullptr},
+    };
+}
+
+std::vector<EffectKind> joint_kinds() {
+    using R = const RigRange&;
+    return {
+        {"joint.coulomb", [](R, Random& random, Effect& e) { e.size = random.uniform(0.06, 0.1); }, nullptr,
+         [](const Effect& e, JointTruth& j) { j.coulomb += e.size; }},
+        {"joint.viscous", [](R, Random& random, Effect& e) { e.size = random.uniform(0.02, 0.05); }, nullptr,
+         [](const Effect& e, JointTruth& j) { j.viscous += e.size; }},
+        {"joint.stop", [](R range, Random& random, Effect& e) { e.size = part(range.reach, 0.2, 0.35, random); }, nullptr,
+         [](const Effect& e, JointTruth& j) { j.stop = e.size; }},
+        {"joint.gravity", [](R, Random& random, Effect& e) { e.size = random.uniform(0.12, 0.2); }, nullptr,
+         [](const Effect& e, JointTruth& j) { j.gravity = e.size; }},
+        {"cable.tension_friction", [](R, Random& random, Effect& e) { e.size = random.uniform(0.1, 0.16); }, nullptr,
+         [](const Effect& e, JointTruth& j) { j.tension_friction = e.size; }},
+        {"sensor.joint_offset", [](R, Random& random, Effect& e) { e.size = random.either_sign(random.uniform(0.03, 0.06)); }, nullptr,
+         [](const Effect& e, JointTruth& j) { j.encoder_offset += e.size; }},
+    };
+}
+
+std::vector<EffectKind> spring_kinds() {
+    using R = const RigRange&;
+    return {
+        {"se.rate", [](R, Random& random, Effect& e) { e.size = random.either_sign(random.uniform(0.08, 0.16)); },
+         [](const Effect& e, SideTruth& s) { s.se.rate *= 1.0 + e.size; }, nullptr},
+        {"pe.rate", [](R, Random& random, Effect& e) { e.size = random.either_sign(random.uniform(0.08, 0.16)); },
+         [](const Effect& e, SideTruth& s) { s.pe.rate *= 1.0 + e.size; }, nullptr},
+        {"se.radius", [](R range, Random& random, Effect& e) { e.size = random.either_sign(part(range.se_arm, 0.055, 0.085, random)); },
+         [](const Effect& e, SideTruth& s) { s.se.radius_offset += e.size; }, nullptr},
+        {"pe.radius", [](R range, Random& random, Effect& e) { e.size = random.either_sign(part(range.pe_arm, 0.05, 0.075, random)); },
+         [](const Effect& e, SideTruth& s) { s.pe.radius_offset += e.size; }, nullptr},
+        {"se.preload", [](R range, Random& random, Effect& e) { e.size = random.either_sign(part(range.spool, 0.09, 0.13, random)); },
+         [](const Effect& e, SideTruth& s) { s.se.preload += e.size; }, nullptr},
+        {"pe.preload", [](R range, Random& random, Effect& e) { e.size = random.either_sign(part(range.stroke, 0.07, 0.1, random)); },
+         [](const Effect& e, SideTruth& s) { s.pe.preload += e.size; }, nullptr},
+        {"se.hysteresis", [](R, Random& random, Effect& e) { e.size = random.uniform(0.06, 0.15); },
+         [](const Effect& e, SideTruth& s) { s.se.hysteresis = e.size; }, nullptr},
+        {"pe.hysteresis", [](R, Random& random, Effect& e) { e.size = random.uniform(0.08, 0.15); },
+         [](const Effect& e, SideTruth& s) { s.pe.hysteresis = e.size; }, nullptr},
+        {"pe.bottoming", [](R range, Random& random, Effect& e) { e.size = part(range.stroke, 0.6, 0.75, random); },
+         [](const Effect& e, SideTruth& s) { s.pe.bottoming = e.size; }, nullptr},
+    };
+}
+
+}  // namespace
+
+const std::vector<EffectKind>& library_kinds() {
+    static const std::vector<EffectKind> all = [] {
+        std::vector<EffectKind> kinds = gear_kinds();
+        for (const auto& more : {joint_kinds(), spring_kinds()}) kinds.insert(kinds.end(), more.begin(), more.end());
+        return kinds;
+    }();
+    return all;
+}
+
+}  // namespace fusee::plant

@@ -1,0 +1,154 @@
+#include "effect_kind.h"
+#include "fusee/core/units.h"
+
+namespace fusee::plant {
+
+namespace {
+
+using R = const RigRange&;
+
+double phase(Random& random) { return random.uniform(0.0, 2.0 * core::kPi); }
+
+/// What sticks otherwise at a motor.
+std::vector<EffectKind> gear_kinds() {
+    return {
+        // One bad tooth: friction rises and falls once or a few times per turn of the capstan.
+        {"outside.gear_ripple",
+         [](R, Random& random, Effect& e) {
+             e.size = random.uniform(0.45, 0.75);
+             e.extra = {{"turns_per_rad", random.uniform(2.0, 6.0)}, {"phase_rad", phase(random)}};
+         },
+         [](const Effect& e, SideTruth& s) {
+             s.ripple = e.size;
+             s.ripple_turns = e.parameter("turns_per_rad");
+             s.ripple_phase = e.parameter("phase_rad");
+         },
+         nullptr},
+        // The grease warms: friction falls, or rises as a bearing tightens, over the session.
+        {"outside.friction_drift",
+         [](R range, Random& random, Effect& e) {
+             const double size = random.uniform(0.4, 0.6);
+             e.size = range.nominal->mu > 0.35 ? -size : random.either_sign(size);
+             e.extra = {{"time_s", random.uniform(150.0, 400.0)}};
+         },
+         [](const Effect& e, SideTruth& s) {
+             s.drift = e.size;
+             s.drift_time = e.parameter("time_s");
+         },
+         nullptr},
+    };
+}
+
+/// What drives, reads or holds otherwise at a motor.
+std::vector<EffectKind> capstan_kinds() {
+    return {
+        // The other motor's current leaks into this one's command.
+        {"outside.crosstalk", [](R, Random& random, Effect& e) { e.size = random.either_sign(random.uniform(0.12, 0.2)); },
+         [](const Effect& e, SideTruth& s) { s.crosstalk = e.size; }, nullptr},
+        // The encoder's disc sits off its centre.
+        {"outside.encoder_eccentricity",
+         [](R, Random& random, Effect& e) {
+             e.size = random.uniform(0.09, 0.16);
+             e.extra = {{"phase_rad", phase(random)}};
+         },
+         [](const Effect& e, SideTruth& s) {
+             s.eccentricity = e.size;
+             s.eccentricity_phase = e.parameter("phase_rad");
+         },
+         nullptr},
+        // The cable slips on its capstan above a tension, the faster the more of it, and does not come back.
+        {"outside.capstan_slip",
+         [](R range, Random& random, Effect& e) {
+             e.size = range.series * random.uniform(0.6, 0.8);
+             e.extra = {{"drag_Nms", random.uniform(0.8, 1.6)}};
+         },
+         [](const Effect& e, SideTruth& s) {
+             s.slip_torque = e.size;
+             s.slip_drag = e.parameter("drag_Nms");
+         },
+         nullptr},
+    };
+}
+
+/// What a spring or its cam does otherwise.
+std::vector<EffectKind> cam_kinds() {
+    return {
+        // A cracked cam: from one angle on its groove lies lower.
+        {"outside.se_crack",
+         [](R range, Random& random, Effect& e) {
+             e.size = random.uniform(0.12, 0.2);
+             e.extra = {{"spool_rad", range.spool * random.uniform(0.35, 0.65)}};
+         },
+         [](const Effect& e, SideTruth& s) {
+             s.se.crack_share = e.size;
+             s.se.crack_at = e.parameter("spool_rad");
+         },
+         nullptr},
+        {"outside.pe_crack",
+         [](R range, Random& random, Effect& e) {
+             e.size = random.uniform(0.12, 0.2);
+             e.extra = {{"capstan_rad", range.travel * random.uniform(0.45, 0.7)}};
+         },
+         [](const Effect& e, SideTruth& s) {
+             s.pe.crack_share = e.size;
+             s.pe.crack_at = e.parameter("capstan_rad");
+         },
+         nullptr},
+        // A printed spring creeps: what it bears at once relaxes by a share (standard linear solid).
+        {"outside.pe_creep",
+         [](R, Random& random, Effect& e) {
+             e.size = random.uniform(0.25, 0.45);
+             e.extra = {{"time_s", random.uniform(0.6, 2.5)}};
+         },
+         [](const Effect& e, SideTruth& s) {
+             s.pe.creep_share = e.size;
+             s.pe.creep_time = e.parameter("time_s");
+         },
+         nullptr},
+    };
+}
+
+std::vector<EffectKind> output_kinds() {
+    return {
+        // The wires to the hand: a spring from joint to ground that hardens.
+        {"outside.harness",
+         [](R range, Random& random, Effect& e) {
+             e.size = random.uniform(0.08, 0.15);
+             e.extra = {{"hardening_Nm_per_rad3", 1.5 * e.size / (range.reach * range.reach)}};
+         },
+         nullptr,
+         [](const Effect& e, JointTruth& j) {
+             j.harness = e.size;
+             j.hardening = e.parameter("hardening_Nm_per_rad3");
+         }},
+        // A dent in the bearing: friction at one angle.
+        {"outside.joint_rough_spot",
+         [](R range, Random& random, Effect& e) {
+             e.size = random.uniform(0.15, 0.25);
+             e.extra = {{"at_rad", random.either_sign(range.reach * random.uniform(0.15, 0.25))},
+                        {"width_rad", range.reach * random.uniform(0.08, 0.12)}};
+         },
+         nullptr,
+         [](const Effect& e, JointTruth& j) {
+             j.rough = e.size;
+             j.rough_at = e.parameter("at_rad");
+             j.rough_width = e.parameter("width_rad");
+         }},
+        // The joint's encoder counts too many or too few.
+        {"outside.encoder_scale", [](R, Random& random, Effect& e) { e.size = random.either_sign(random.uniform(0.08, 0.15)); }, nullptr,
+         [](const Effect& e, JointTruth& j) { j.encoder_scale = 1.0 + e.size; }},
+    };
+}
+
+}  // namespace
+
+const std::vector<EffectKind>& outside_kinds() {
+    static const std::vector<EffectKind> all = [] {
+        std::vector<EffectKind> kinds = gear_kinds();
+        for (const auto& more : {capstan_kinds(), cam_kinds(), output_kinds()}) kinds.insert(kinds.end(), more.begin(), more.end());
+        return kinds;
+    }();
+    return all;
+}
+
+}  // namespace fusee::plant

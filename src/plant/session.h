@@ -1,0 +1,64 @@
+#pragma once
+#include <cmath>
+
+#include "fusee/plant/experiments.h"
+
+namespace fusee::plant {
+
+/// One run of the bench through its experiments: what they share.
+class Session {
+public:
+    Session(const Bench& bench, const SetPoints& points, Random& random, double begin)
+        : bench_(bench),
+          points_(points),
+          range_(range_of(bench.nominal)),
+          springs_(bench.nominal, bench.truth),
+          random_(random),
+          now_(begin) {}
+
+    [[nodiscard]] std::vector<BreakAwayRow> break_away();
+    [[nodiscard]] std::vector<PullRow> spring_pull();
+    [[nodiscard]] std::vector<DeadBandRow> dead_band();
+    [[nodiscard]] std::vector<StiffnessRow> joint_stiffness();
+    [[nodiscard]] std::vector<CocontractionRow> cocontraction();
+    [[nodiscard]] std::vector<LogRow> log();
+
+private:
+    // Sensors.
+    [[nodiscard]] double encoder(double angle) {
+        const double step = bench_.sensors.encoder_step;
+        return step * std::round((angle + bench_.sensors.encoder_noise * random_.normal()) / step);
+    }
+    [[nodiscard]] double torque_sensor(double torque) {
+        const Sensors& s = bench_.sensors;
+        return torque * (1.0 + s.torque_noise_relative * random_.normal()) + s.torque_noise * random_.normal();
+    }
+    [[nodiscard]] double read_theta(const Machine& machine, std::size_t side) {
+        const SideTruth& built = bench_.truth.sides[side];
+        const double theta = machine.theta(side);
+        // The disc's eccentric shift is 0 where the encoder was zeroed.
+        const double shift = built.eccentricity * (std::sin(theta + built.eccentricity_phase) - std::sin(built.eccentricity_phase));
+        return encoder(theta + shift);
+    }
+    [[nodiscard]] double read_q(const Machine& machine) {
+        const JointTruth& joint = bench_.truth.joint;
+        return encoder(joint.encoder_scale * machine.q() + joint.encoder_offset);
+    }
+    // Phases.
+    [[nodiscard]] Machine co_contracted(double torque, double hand);
+    [[nodiscard]] double hand(double cocontraction) const;
+    [[nodiscard]] double pushed_and_released(Machine& machine, double cocontraction, double push);
+    void end(const Machine& machine) { now_ = machine.session(); }
+    [[nodiscard]] double load_at_break_away(const SideTruth& side, double motor, bool backdrive);
+    void pull_spring(bool series, std::size_t side, std::vector<PullRow>& rows);
+    [[nodiscard]] Command log_command(double t, double knock) const;
+
+    const Bench& bench_;
+    const SetPoints& points_;
+    RigRange range_;
+    BuiltSprings springs_;
+    Random& random_;
+    double now_;
+};
+
+}  // namespace fusee::plant

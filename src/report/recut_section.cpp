@@ -1,0 +1,113 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "column.h"
+#include "diagnosis_page.h"
+#include "diagnosis_words.h"
+#include "fusee/report/recut.h"
+#include "svg_plot.h"
+
+namespace fusee::report {
+
+namespace {
+
+/// 0.0312 is "3.1 %"; what is left by rounding is not told.
+std::string off(double share) {
+    constexpr double kRounding = 1e-5;
+    if (!std::isfinite(share)) return known(share);
+    return share < kRounding ? "less than 0.001 %" : fmt::format("{:.2g} %", 100.0 * share);
+}
+
+std::vector<double> degrees(const std::vector<RecutLevel>& levels, DeadBandWidths RecutLevel::*which) {
+    std::vector<double> all;
+    for (const RecutLevel& level : levels) all.push_back(core::deg_from_rad((level.*which).read));
+    return all;
+}
+
+std::string chart(const Recut& recut) {
+    std::vector<double> tau;
+    for (const RecutLevel& level : recut.levels) tau.push_back(level.tau);
+    Plot plot("Dead-band as a push-and-release test reads it", "co-contraction [Nm]", "dead-band [deg]");
+    plot.curve("promised", tau, degrees(recut.levels, &RecutLevel::promised), "sum", true);
+    plot.curve("rig as it is, old cams", tau, degrees(recut.levels, &RecutLevel::old_cams), "pe");
+    plot.curve("rig as it is, new cams", tau, degrees(recut.levels, &RecutLevel::new_cams), "se");
+    return "<div class=\"grid\">" + plot.from_zero().svg() + "</div>";
+}
+
+std::string widths_table(const Recut& recut) {
+    std::vector<std::vector<Cell>> rows;
+    const auto cell = [](double radians) { return Cell{known(core::deg_from_rad(radians)), "num"}; };
+    for (const RecutLevel& level : recut.levels)
+        rows.push_back({{known(level.tau), "num"},
+                        cell(level.promised.read),
+                        cell(level.old_cams.read),
+                        cell(level.new_cams.read),
+                        cell(level.promised.extreme),
+                        cell(level.old_cams.extreme),
+                        cell(level.new_cams.extreme)});
+    return "<div class=\"dense\">" +
+           html_table({"co-contraction [Nm]", "promised [deg]", "old cams", "new cams", "extreme, promised", "extreme, old cams",
+                       "extreme, new cams"},
+                      rows) +
+           "</div><p>Extreme: between the outermost resting places; a dash where the springs' laws do not reach them.</p>";
+}
+
+std::string profile_part(const RecutProfile& profile) {
+    std::vector<std::vector<Cell>> rows;
+    for (const RecutChange& c : profile.changes)
+        rows.push_back({{escape(c.key), "code"}, {escape(c.was), "num"}, {escape(c.is), "num"}, {escape(c.why), ""}});
+    std::string out =
+        "<h3 class=\"held\">" + escape(profile.file.filename().string()) + "</h3>" + html_table({"key", "was", "is", "why"}, rows);
+    out += profile.can_be_cut() ? "<p>fusee make can cut these cams.</p>" : "<p>fusee make is going to refuse these cams.</p>";
+    if (profile.findings.empty()) return out;
+    out += "<ul>";
+    for (const core::Finding& finding : profile.findings) out += "<li>" + escape(core::to_line(finding)) + "</li>";
+    return out + "</ul>";
+}
+
+std::string summary(const Recut& recut) {
+    return fmt::format(
+        "<p>The springs of the rig as it is are off the law of their cams by at most {} with the old cams, {} with new ones. Its "
+        "dead-band is off the one promised by {} on the mean with the old cams, {} with new ones.</p>",
+        off(recut.torque_error_old), off(recut.torque_error_new), off(recut.off_with_old_cams()), off(recut.off_with_new_cams()));
+}
+
+}  // namespace
+
+std::string recut_section(const Recut& recut) {
+    std::string out;
+    if (!recut.levels.empty()) out += summary(recut) + chart(recut) + widths_table(recut);
+    for (const RecutProfile& profile : recut.profiles) out += profile_part(profile);
+    if (!recut.not_mended.empty() || !recut.remarks.empty()) {
+        out += "<ul>";
+        for (const NotMended& n : recut.not_mended)
+            out += "<li>" + escape(cause_name(n.cause)) + " is not mended by cams: " + escape(n.instead) + "</li>";
+        for (const std::string& remark : recut.remarks) out += "<li>" + escape(remark) + "</li>";
+        out += "</ul>";
+    }
+    return section("Cams for the rig as it is", out);
+}
+
+std::string recut_text(const Recut& recut) {
+    std::string out;
+    if (!recut.levels.empty())
+        out += fmt::format("  dead-band off the one promised: {} with the old cams, {} with new ones; springs off their law: {}, {}\n",
+                           off(recut.off_with_old_cams()), off(recut.off_with_new_cams()), off(recut.torque_error_old),
+                           off(recut.torque_error_new));
+    for (const RecutProfile& profile : recut.profiles) {
+        const std::string whose = profile.sides == "both" ? "both sides" : "the " + profile.sides;
+        out += fmt::format("  profile for {}: {}: {}\n", whose, profile.file.string(),
+                           !recut.new_cams_needed ? "the model alone changes, the cams stay"
+                           : profile.can_be_cut() ? "cut its cams by fusee make"
+                                                  : "its cams cannot be cut");
+        if (!profile.can_be_cut())
+            for (const core::Finding& finding : profile.findings)
+                if (finding.severity == core::Severity::kRequired) out += "    " + core::to_line(finding) + "\n";
+    }
+    for (const NotMended& n : recut.not_mended) out += "  no cam mends " + cause_name(n.cause) + ": " + n.instead + "\n";
+    for (const std::string& remark : recut.remarks) out += "  - " + remark + "\n";
+    return out;
+}
+
+}  // namespace fusee::report

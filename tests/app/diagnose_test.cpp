@@ -1,0 +1,81 @@
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "app/run.h"
+
+// Gap cases from the command line: `diagnose`, `predict`.
+namespace fusee::app {
+namespace {
+
+class Gap : public Program {
+protected:
+    /// A case of the shipped joint with break-aways alone, whose friction is `factor` times the nominal one.
+    void SetUp() override {
+        Program::SetUp();
+        ASSERT_EQ(run("case-template '" + fixtures::shipped("pnrvsa").string() + "' --out case").code, 0);
+        const std::string toml = core::read_file(folder_ / "case" / "case.toml");
+        write("case/case.toml", toml.substr(0, toml.find("[experiments]")) + "[experiments]\nbreakaway = \"breakaway.csv\"\n");
+        inputs_ = core::read_file(folder_ / "case" / "breakaway.csv");
+        write("case/breakaway.csv", filled(1.0));
+        write("inputs/breakaway.csv", inputs_);
+    }
+    [[nodiscard]] std::string filled(double factor) const {
+        std::istringstream rows(inputs_);
+        std::string csv, line;
+        std::getline(rows, csv);
+        for (int i = 0; std::getline(rows, line); ++i) {
+            const bool backdrive = line.find("backdrive") != std::string::npos;
+            const double motor = std::stod(line.substr(line.find(',', line.find(',') + 1) + 1));
+            const double mu = 0.28 * factor * (1.0 + 0.02 * (i % 4 - 1.5));  // repeats scatter
+            csv += fmt::format("\n{}{}", line, motor / (backdrive ? 1.0 - mu : 1.0 + mu));
+        }
+        return csv + "\n";
+    }
+
+    std::string inputs_;
+};
+
+TEST_F(Gap, DiagnosesACaseAndPredictsOtherInputs) {
+    const Ended found = run("diagnose case --out 'my bench/result' --jobs 1");
+    ASSERT_EQ(found.code, 0) << found.all();
+    expect_words(found.out, {"case: ", "written: my bench/result/diagnosis.html, diagnosis.json"});
+    const std::string json = core::read_file(folder_ / "my bench" / "result" / "diagnosis.json");
+    EXPECT_EQ(nlohmann::json::parse(json).at("verdict"), "none") << json;
+    EXPECT_EQ(run("diagnose case --out again --jobs 2").code, 0);
+    EXPECT_EQ(core::read_file(folder_ / "again" / "diagnosis.json"), json);
+    EXPECT_EQ(fixtures::contents(folder_ / "again").size(), 2u);
+
+    const Ended nominal = run("predict case --inputs inputs --out nominal");
+    ASSERT_EQ(nominal.code, 0) << nominal.all();
+    expect_words(nominal.out, {"96 rows predicted by the nominal model", "written: nominal/"});
+    EXPECT_EQ(run("predict case --effects again/diagnosis.json --inputs inputs --out foretold").code, 0);
+    EXPECT_EQ(fixtures::contents(folder_ / "foretold").size(), 1u);
+    const std::string rows = core::read_file(folder_ / "nominal" / "breakaway.csv");
+    EXPECT_EQ(std::count(rows.begin(), rows.end(), '\n'), 97);
+    EXPECT_EQ(rows.find(",\n"), std::string::npos) << "an empty cell";
+}
+
+TEST_F(Gap, RefusesBadInputAndWritesNothing) {
+    const auto expect_refused = [&](const std::string& arguments, std::initializer_list<std::string> words) {
+        const Ended refused = run(arguments);
+        EXPECT_EQ(refused.code, 2) << refused.all();
+        expect_words(refused.err, words);
+        EXPECT_FALSE(fs::exists(folder_ / "out"));
+    };
+    expect_refused("diagnose case", {"--out"});
+    expect_refused("diagnose missing --out out", {"missing/case.toml"});
+    expect_refused("predict case --inputs inputs --out inputs", {"--out", "another folder"});
+    expect_refused("predict case --inputs inputs --out case", {"--out", "another folder"});
+    expect_refused("predict case --inputs nowhere --out out", {"nowhere", "none of the case's files"});
+    write("d.json", R"({"effects": [{"id": "no.effect", "parameter": {"value": 1}}]})");
+    expect_refused("predict case --effects d.json --inputs inputs --out out", {"no.effect"});
+    write("d.json", "{");
+    expect_refused("predict case --effects d.json --inputs inputs --out out", {"d.json", "no valid JSON"});
+    write("case/breakaway.csv", inputs_);
+    expect_refused("diagnose case --out out", {"case/breakaway.csv:2:", "load_torque_Nm: (missing)"});
+}
+
+}  // namespace
+}  // namespace fusee::app

@@ -1,0 +1,131 @@
+#include "report/diagnosis_words.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "fusee/report/diagnosis.h"
+#include "report/diagnosis_fixture.h"
+
+namespace fusee::report {
+namespace {
+
+using gap::kNoFigure;
+
+TEST(DiagnosisWords, FiguresThatAreNotKnownAreDashes) {
+    EXPECT_EQ(known(kNoFigure), "\u2013");
+    EXPECT_EQ(known(-INFINITY), "\u2013");
+    EXPECT_EQ(span({kNoFigure, 1.0}), "\u2013");
+    EXPECT_EQ(span({0.12, 0.5}), "0.12 to 0.5");
+    EXPECT_EQ(change(9.1, kNoFigure), "9.1 \u2192 \u2013");
+    EXPECT_EQ(percent(0.623), "62 %");
+    EXPECT_EQ(percent(kNoFigure), "\u2013");
+    EXPECT_EQ(chance(7e-40), "< 0.001");
+    EXPECT_EQ(chance(kNoFigure), "\u2013");
+}
+
+TEST(DiagnosisWords, LengthsAreReadInMillimetres) {
+    const gap::Parameter mm = for_reading({-2.1e-4, {-2.6e-4, -1.6e-4}, "m"});
+    EXPECT_EQ(mm.unit, "mm");
+    EXPECT_DOUBLE_EQ(mm.value, -0.21);
+    EXPECT_DOUBLE_EQ(mm.ci95.low, -0.26);
+    EXPECT_EQ(for_reading({0.05, {}, "Nm"}).value, 0.05);
+}
+
+TEST(DiagnosisWords, ColumnsLoseTheirUnitToBrackets) {
+    EXPECT_EQ(column_name("q_high_rad"), "q high [rad]");
+    EXPECT_EQ(column_name("cocontraction_Nm"), "co-contraction [Nm]");
+    EXPECT_EQ(column_name("v_m_s"), "v [m/s]");
+    EXPECT_EQ(column_name("joint_viscous_Nms"), "joint viscous [Nms]");
+    EXPECT_EQ(column_name("torque_enable"), "torque enable");
+    EXPECT_EQ(column_name(""), "");
+    EXPECT_EQ(experiment_name("dead_band"), "dead-band");
+    EXPECT_EQ(experiment_name("force_loop"), "force loop");
+}
+
+TEST(DiagnosisWords, EveryIdOfTheFormatHasAMeaning) {
+    for (const char* id : {"gear.load_friction",
+                           "gear.coulomb",
+                           "gear.stribeck",
+                           "gear.viscous",
+                           "gear.backlash",
+                           "gear.asymmetry",
+                           "gear.load_quadratic",
+                           "motor.saturation",
+                           "joint.coulomb",
+                           "joint.viscous",
+                           "joint.stop",
+                           "joint.gravity",
+                           "cable.tension_friction",
+                           "cable.stretch",
+                           "se.rate",
+                           "pe.rate",
+                           "se.radius",
+                           "pe.radius",
+                           "se.preload",
+                           "pe.preload",
+                           "se.hysteresis",
+                           "pe.hysteresis",
+                           "pe.bottoming",
+                           "sensor.torque_scale",
+                           "sensor.joint_offset",
+                           "loop.delay",
+                           "loop.gain",
+                           "element.presliding",
+                           "element.backlash",
+                           "element.asymmetry",
+                           "element.viscous",
+                           "element.stribeck",
+                           "element.load"})
+        EXPECT_FALSE(meaning(id).empty()) << id;
+    EXPECT_EQ(meaning("gear.moonlight"), "");
+}
+
+TEST(DiagnosisWords, TheVerdictIsASentence) {
+    gap::Diagnosis d = diagnosis();
+    EXPECT_EQ(verdict_sentence(d), "The rig has 2 effects that the model does not: gear.coulomb (agonist) and se.radius (both).");
+    EXPECT_DOUBLE_EQ(verdict_probability(d), 0.934) << "of the less certain one";
+    d.effects.resize(1);
+    EXPECT_EQ(verdict_sentence(d), "The rig has an effect that the model does not: gear.coulomb (agonist).");
+    d.verdict = gap::Verdict::kAmbiguous;
+    d.alternatives = {{{{"gear.coulomb", "agonist"}}, 0.5}, {{{"joint.coulomb", "none"}}, 0.45}, {{}, 0.001}};
+    EXPECT_EQ(verdict_sentence(d),
+              "Model and rig part, and these experiments cannot tell which causes it: gear.coulomb (agonist); or joint.coulomb.");
+    d.verdict = gap::Verdict::kUnknown;
+    EXPECT_NE(verdict_sentence(d).find("dead-band, co-contraction 0.12 to 0.5 Nm, agonist, push up"), std::string::npos);
+    EXPECT_TRUE(std::isnan(verdict_probability(d))) << "a ranking within the library says nothing of what is outside it";
+    d.verdict = gap::Verdict::kNone;
+    d.ranking = {{{}, 0.0, 0.97, 300.0, 1.0, {}}};
+    EXPECT_DOUBLE_EQ(verdict_probability(d), 0.97);
+}
+
+TEST(DiagnosisText, HoldsWhereWhichAndHowFar) {
+    const std::string text = diagnosis_text(diagnosis());
+    for (const char* part :
+         {"open-07: The rig has 2 effects", "gear.coulomb (agonist): 0.0512 Nm (95 %: 0.0473 to 0.0551), probability 0.981",
+          "se.radius (both): -0.21 mm", "62 % of the gap: dead-band", "9.12 \u2192 1.04 sigma, noise floor 1",
+          "9.31 \u2192 1.06 sigma (95 %: 0.97 to 1.17)", "next: Hold the agonist's motor", "- Leaving out the time log"})
+        EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+}
+
+TEST(DiagnosisText, StaysShort) {
+    gap::Diagnosis d = diagnosis();
+    d.effects.resize(9, d.effects.front());
+    d.where.resize(20, d.where.front());
+    d.remarks.resize(50, "one more");
+    const std::string text = diagnosis_text(d);
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), kMostDiagnosisLines);
+    EXPECT_NE(text.find("and 5 more effects"), std::string::npos);
+    EXPECT_NE(text.find("more remarks"), std::string::npos);
+    EXPECT_EQ(text.find("nan"), std::string::npos);
+}
+
+TEST(DiagnosisText, AnEmptyDiagnosisIsTwoLines) {
+    const std::string text = diagnosis_text({});
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 2);
+    EXPECT_EQ(text.find("nan"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace fusee::report

@@ -18,6 +18,7 @@ constexpr double kNormal95 = 1.959964;
 constexpr double kStudent95 = 3.182446;     ///< three degrees of freedom: four folds
 constexpr std::size_t kLeftOut = 4;         ///< hypotheses of the ranking whose experiments are left out
 constexpr double kLeastAlternative = 1e-3;  ///< probability below which an alternative is not listed
+constexpr std::size_t kMostRivals = 4;      ///< among which a further experiment is sought: each costs as much as a fit
 constexpr double kSmallLeak = 0.05;         ///< probability that is shared out among rivals but not worth a further experiment
 
 /// 95 % of the spread that refits without an experiment have in one figure (jackknife), beside the fit's own.
@@ -140,13 +141,17 @@ void Answer::found_effects() {
 void Answer::look_ahead(unsigned jobs) {
     const std::vector<Cause> causes = possible_causes(problem_.bench().rows);
     diagnosis_.isolability = isolability(problem_, found_.fits[found_.null], causes, jobs);
+    // A refuted nominal rig is no rival: what is asked for then is which of the effects comes nearest.
+    const bool refuted = judgement_.verdict == Verdict::kUnknown && found_.best().causes.empty();
+    const double of_all = refuted ? 1.0 - found_.probability[found_.null] : 1.0;
     std::vector<const Fit*> rivals;
     std::vector<double> probabilities;
-    for (std::size_t h = 0; h < found_.fits.size(); ++h)
-        if (found_.probability[h] >= kSmallLeak) {
-            rivals.push_back(&found_.fits[h]);
-            probabilities.push_back(found_.probability[h]);
-        }
+    for (std::size_t h = 0; h < found_.fits.size() && rivals.size() < kMostRivals; ++h) {
+        const double probability = found_.probability[h] / of_all;
+        if ((refuted && h == found_.null) || probability < kSmallLeak) continue;
+        rivals.push_back(&found_.fits[h]);
+        probabilities.push_back(probability);
+    }
     if (rivals.size() > 1) diagnosis_.next = next_experiments(problem_, rivals, probabilities, jobs);
     if (!diagnosis_.next.empty()) diagnosis_.next_experiment = diagnosis_.next.front().text;
 }

@@ -42,20 +42,20 @@ TEST(PredictLog, begins_co_contracted_at_rest_and_follows_its_commands) {
 }
 
 // Not yet: commands are counted as arrived in whole rows, and the motion is read where the last one left it.
-TEST(PredictLog, DISABLED_a_delay_of_some_rows_shifts_the_log_by_them) {
+TEST(PredictLog, a_delay_of_some_rows_shifts_the_log_by_them) {
     const Rows rows = first_rows(250);
     const double step = rows.log[1].time - rows.log[0].time;
     const std::size_t late = 4;
     const std::vector<double> prompt = read(delayed(0.0), rows), shifted = read(delayed(static_cast<double>(late) * step + 1e-9), rows);
     double moved = 0.0;
     for (std::size_t i = 3 * late; i < prompt.size(); ++i) {
-        EXPECT_NEAR(shifted[i], prompt[i - 3 * late], 1e-4) << i;  // rounding of times may move a step of 0.5 ms
+        EXPECT_NEAR(shifted[i], prompt[i - 3 * late], 5e-4) << i;  // a nanosecond cuts a step of 0.5 ms in two
         moved = std::max(moved, std::abs(prompt[i] - prompt[i - 3 * late]));
     }
     EXPECT_GT(moved, 0.05);
 }
 
-TEST(PredictLog, DISABLED_a_delay_of_half_a_row_lies_halfway) {
+TEST(PredictLog, a_delay_of_half_a_row_lies_halfway) {
     const Rows rows = first_rows(250);
     const double step = rows.log[1].time - rows.log[0].time;
     const std::vector<double> none = read(delayed(0.0), rows), half = read(delayed(0.5 * step), rows), one = read(delayed(step), rows);

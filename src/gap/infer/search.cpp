@@ -19,6 +19,7 @@ constexpr std::size_t kBases = 2;      ///< single effects upon which pairs are 
 constexpr double kWorthAPair = 60.0;   ///< a base is left out when it is so far behind the best one [nat]
 constexpr double kNothingLeft = 1.15;  ///< T of every experiment at which no second effect is sought
 constexpr double kStandsOff = 3.0;     ///< sigmas from 0 that an effect's size has to stand
+constexpr double kLeastSize = 0.1;     ///< of what is usual: less is what a law leaves open, not an effect
 constexpr FitOptions kThorough{.steps = 4};
 
 double score(const Fit& fit) {
@@ -75,7 +76,8 @@ bool stands(const Problem& problem, const Fit& fit) {
     for (const Cause& cause : fit.causes) {
         const Effect& effect = find_effect(cause.id);
         const bool limit = effect.parameters.front().allowed.low > 0.0;
-        if (!limit && std::abs(fit.x[k]) < kStandsOff * std::sqrt(fit.covariance(k, k))) return false;
+        const double least = std::max(kLeastSize, kStandsOff * std::sqrt(fit.covariance(k, k)));
+        if (!limit && std::abs(fit.x[k]) < least) return false;
         k += static_cast<Eigen::Index>(effect.parameters.size());
     }
     return true;

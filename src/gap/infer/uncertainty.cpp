@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace fusee::gap {
 
@@ -102,13 +103,14 @@ private:
                 add(Experiment::kDeadBand, encoder_, (result_.stick_slip ? kSlippingDeadBand : kDeadBandAccuracy) * row.width);
     }
     void stiffness() {
+        std::map<double, core::Range> ranges;
         for (const StiffnessRow& row : rows_.joint_stiffness) {
-            std::vector<StiffnessRow> level;
-            std::copy_if(rows_.joint_stiffness.begin(), rows_.joint_stiffness.end(), std::back_inserter(level),
-                         [&](const StiffnessRow& other) { return other.cocontraction == row.cocontraction; });
-            add(Experiment::kJointStiffness, encoder_,
-                (result_.stick_slip ? kSlippingStiffness : kStiffnessAccuracy) * range_of(level, [](const auto& r) { return r.q; }));
+            core::Range& range = ranges.try_emplace(row.cocontraction, core::Range{row.q, row.q}).first->second;
+            range = {std::min(range.low, row.q), std::max(range.high, row.q)};
         }
+        const double accuracy = result_.stick_slip ? kSlippingStiffness : kStiffnessAccuracy;
+        for (const StiffnessRow& row : rows_.joint_stiffness)
+            add(Experiment::kJointStiffness, encoder_, accuracy * ranges.at(row.cocontraction).width());
     }
     void paths() {
         const double up = range_of(rows_.cocontraction, [](const auto& r) { return r.theta_agonist; });

@@ -35,9 +35,13 @@ Judgement judge(const Problem& problem, const Search& search) {
             "cocontraction: a capstan sticks and slips on the way; when it slips cannot be foretold, so paths count with less accuracy");
     const Fit& best = search.best();
     const std::array<double, kExperiments> left = misfits(problem, best.seen());
+    bool evidence = false;  // an experiment that can be foretold row by row
     for (const Experiment experiment : kAllExperiments) {
         const double misfit = left[static_cast<std::size_t>(experiment)];
-        if (misfit <= kUnexplained) continue;
+        if (misfit <= kUnexplained) {
+            evidence = evidence || problem.bench().rows.size(experiment) > 0;
+            continue;
+        }
         if (const double share = share_of_slips(problem, best, experiment); share > kSlips) {
             judgement.remarks.push_back(
                 fmt::format("{}: sticks and slips in {:.0f} % of its rows, which cannot be foretold row by row ({:.1f} "
@@ -53,7 +57,7 @@ Judgement judge(const Problem& problem, const Search& search) {
     judgement.rivals = {0};
     for (std::size_t i = 1; i < search.fits.size(); ++i)
         if (search.probability[i] >= kRival) judgement.rivals.push_back(i);
-    if (!judgement.unexplained.empty())
+    if (!judgement.unexplained.empty() || !evidence)
         judgement.verdict = Verdict::kUnknown;
     else if (search.probability.front() < kSure && judgement.rivals.size() > 1)
         judgement.verdict = Verdict::kAmbiguous;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <span>
 
 #include "experiments.h"
@@ -9,20 +10,32 @@ namespace fusee::gap {
 
 namespace {
 
+Motion::Torques torques_of(const LogRow& row) { return {row.torque_agonist, row.torque_antagonist, row.joint_torque}; }
+
 /// One log from rest: its first row's torques are reached in the motors' ramp and settled before it begins.
 void follow(const BuiltRig& rig, std::span<const LogRow> rows, const Protocol& protocol, std::vector<double>& read) {
     Motion motion(rig, kLogStep);
     Reading reading(rig);
     const LogRow& first = rows.front();
-    motion.lead_to({first.torque_agonist, first.torque_antagonist, first.joint_torque}, protocol.motor_ramp);
+    motion.lead_to(torques_of(first), protocol.motor_ramp);
     motion.hold(protocol.motor_settle);
-    std::size_t next = 0;
+    std::size_t next = 1;
     double now = first.time;  // of the commands as they arrive, `delay` late
+    const auto lead_to = [&](const Motion::Torques& command, double time) {
+        motion.lead_to(command, time - now);
+        now = time;
+    };
     for (const LogRow& row : rows) {
-        for (; next < rows.size() && rows[next].time + rig.delay <= row.time; ++next) {
-            const LogRow& command = rows[next];
-            motion.lead_to({command.torque_agonist, command.torque_antagonist, command.joint_torque}, command.time + rig.delay - now);
-            now = std::max(now, command.time + rig.delay);
+        const double sent = row.time - rig.delay;  // what arrives at this row
+        for (; next < rows.size() && rows[next].time <= sent; ++next)
+            if (rows[next].time > now) lead_to(torques_of(rows[next]), rows[next].time);
+        if (sent > now && next < rows.size()) {
+            const LogRow &before = rows[next - 1], &after = rows[next];
+            const double share = (sent - before.time) / (after.time - before.time);
+            lead_to({std::lerp(before.torque_agonist, after.torque_agonist, share),
+                     std::lerp(before.torque_antagonist, after.torque_antagonist, share),
+                     std::lerp(before.joint_torque, after.joint_torque, share)},
+                    sent);
         }
         reading.append(motion, read);
     }

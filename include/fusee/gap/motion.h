@@ -7,7 +7,7 @@
 namespace fusee::gap {
 
 inline constexpr double kSlowStep = 2e-3;      ///< of an experiment that is led slowly [s]: off by 2 mrad at most
-inline constexpr double kDeadBandStep = 3e-3;  ///< of a dead-band test, of which only where it ends is read [s]: off by 1 % at most
+inline constexpr double kDeadBandStep = 3e-3;  ///< of a dead-band test, of which only where it ends is read [s]: off by 2 % at most
 inline constexpr double kLogStep = 5e-4;       ///< of a log [s]: off by 2 mrad after 8 s of fast motion
 
 /// A built rig in motion: J v' = torque - loads - friction, friction set-valued (a body below its limit stays exactly where it is).

@@ -19,7 +19,7 @@ constexpr int kHalvings = 6;        ///< of the range in which a limit's detecta
 class Projection {
 public:
     Projection(const Problem& problem, const Fit& null) : problem_(problem), null_(null) {
-        weight_ = robust_weights(problem, null.residual);
+        weight_ = problem.root_weight().cwiseQuotient(null.spread);  // without the loss: a great gap must not cut its own cause's mark
         residual_ = problem.thin_residual(null.causes, null.x);
         const auto rows = null.jacobian.rows(), columns = null.jacobian.cols();
         followed_.resize(rows + columns, columns);

@@ -93,6 +93,7 @@ Guess best_start(const Problem& problem, const Fit& base, const Causes& causes, 
         for (Eigen::VectorXd& x : starts) x = directed(problem, base, causes, x);
         drop_like(starts);
     }
+    best.x = starts.front();
     for (const Eigen::VectorXd& x : starts) {
         const Eigen::VectorXd residual = problem.thin_residual(causes, x).cwiseQuotient(base.spread);
         Eigen::VectorXd next = linear_step(problem, causes, x, residual, held);

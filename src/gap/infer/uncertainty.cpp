@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace fusee::gap {
@@ -119,9 +120,12 @@ private:
         const double swing = std::max({range_of(rows_.log, [](const auto& r) { return r.theta_agonist; }),
                                        range_of(rows_.log, [](const auto& r) { return r.theta_antagonist; }),
                                        range_of(rows_.log, [](const auto& r) { return r.q; })});
-        for (const LogRow& row : rows_.log)
-            for (int i = 0; i < 3; ++i)
-                add(Experiment::kLog, encoder_, swing * (kLogAccuracy + kLogGrowth * (row.time - rows_.log.front().time)));
+        double begin = 0.0, last = std::numeric_limits<double>::infinity();
+        for (const LogRow& row : rows_.log) {
+            if (row.time < last) begin = row.time;  // the first row, and each further part whose clock begins anew
+            last = row.time;
+            for (int i = 0; i < 3; ++i) add(Experiment::kLog, encoder_, swing * (kLogAccuracy + kLogGrowth * (row.time - begin)));
+        }
     }
 
     const Case& bench_;

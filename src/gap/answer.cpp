@@ -1,7 +1,5 @@
 #include "answer.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -21,7 +19,7 @@ constexpr double kLeastAlternative = 1e-3;  ///< probability below which an alte
 constexpr std::size_t kMostRivals = 4;      ///< among which a further experiment is sought: each costs as much as a fit
 constexpr double kSmallLeak = 0.05;         ///< probability that is shared out among rivals but not worth a further experiment
 
-/// 95 % of the spread that refits without an experiment have in one figure (jackknife), beside the fit's own.
+/// One sigma of x[k]: the fit's own, and the spread that refits without an experiment have (jackknife).
 double deviation(const Fit& fit, const Split& left_out, int k) {
     std::vector<double> values;
     for (const Eigen::VectorXd& x : left_out.x)
@@ -31,6 +29,22 @@ double deviation(const Fit& fit, const Split& left_out, int k) {
     for (const double value : values) square += (value - mean) * (value - mean);
     const double n = static_cast<double>(values.size()), jackknife = n > 1.0 ? square * (n - 1.0) / n : 0.0;
     return std::sqrt(fit.covariance(k, k) + jackknife);
+}
+
+/// 95 % of what the folds say of the gap on rows kept back.
+core::Range interval_over_folds(const Problem& problem, const Eigen::VectorXd& held) {
+    const std::vector<int> fold = folds(problem);
+    double mean = 0.0, square = 0.0;
+    for (int f = 0; f < kFolds; ++f) {
+        Eigen::VectorXd own = held;
+        for (int i = 0; i < own.size(); ++i)
+            if (fold[static_cast<std::size_t>(i)] != f) own[i] = 0.0;
+        const double gap = root_mean_square(problem, own) * std::sqrt(static_cast<double>(kFolds));
+        mean += gap / kFolds;
+        square += gap * gap / kFolds;
+    }
+    const double half = kStudent95 * std::sqrt(std::max(0.0, square - mean * mean) / (kFolds - 1));
+    return {std::max(0.0, mean - half), mean + half};
 }
 
 Parameter parameter_of(double value, double deviation, const EffectParameter& law) {
@@ -45,7 +59,8 @@ Parameter parameter_of(double value, double deviation, const EffectParameter& la
 Answer::Answer(const Problem& problem, const Search& found, const Judgement& judgement)
     : problem_(problem), found_(found), judgement_(judgement) {
     sigma_ = tolerance_sigma(problem, found.fits[found.null].jacobian);
-    before_ = problem.residual({}, problem.start({})).cwiseQuotient(sigma_);
+    nominal_ = problem.predict({}, problem.start({}));
+    before_ = problem.residual(nominal_).cwiseQuotient(sigma_);
     const Case& bench = problem.bench();
     diagnosis_.case_name = bench.name;
     diagnosis_.case_sha256 = bench.sha256;
@@ -66,35 +81,27 @@ void Answer::compare(const Split& kept) {
         return g;
     };
     diagnosis_.gap = gap(nullptr);
+    diagnosis_.gap.heldout_after_95 = interval_over_folds(problem_, held);
     for (const Experiment experiment : kAllExperiments) {
         const std::size_t rows = problem_.bench().rows.size(experiment);
         if (rows == 0) continue;
         const Gap own = gap(&experiment);
         diagnosis_.experiments.push_back({to_string(experiment), rows, own, own.after});
     }
-    const std::vector<int> fold = folds(problem_);
-    std::vector<double> of_fold;
-    for (int f = 0; f < kFolds; ++f) {
-        Eigen::VectorXd own = held;
-        for (int i = 0; i < own.size(); ++i)
-            if (fold[static_cast<std::size_t>(i)] != f) own[i] = 0.0;
-        of_fold.push_back(root_mean_square(problem_, own) * std::sqrt(static_cast<double>(kFolds)));
-    }
-    double mean = 0.0, square = 0.0;
-    for (const double value : of_fold) mean += value / kFolds;
-    for (const double value : of_fold) square += (value - mean) * (value - mean);
-    const double half = kStudent95 * std::sqrt(square / (kFolds - 1) / kFolds);
-    diagnosis_.gap.heldout_after_95 = {std::max(0.0, mean - half), mean + half};
     diagnosis_.map = gap_map(problem_, before_, after);
     diagnosis_.where = whereabouts(problem_, judgement_.verdict == Verdict::kUnknown ? after : before_);
+    build();
+    traces();
+}
+
+void Answer::build() {
+    const Fit& best = found_.best();
     for (std::size_t k = 0; k < problem_.build().size(); ++k) {
         const BuildParameter& build = problem_.build()[k];
         const auto i = static_cast<Eigen::Index>(k);
-        const double value = found_.best().x[i] * build.sigma,
-                     half_width = kNormal95 * std::sqrt(found_.best().covariance(i, i)) * build.sigma;
-        diagnosis_.build.push_back({build.name, {value, {value - half_width, value + half_width}, build.unit}});
+        const double value = best.x[i] * build.sigma, half = kNormal95 * std::sqrt(best.covariance(i, i)) * build.sigma;
+        diagnosis_.build.push_back({build.name, {value, {value - half, value + half}, build.unit}});
     }
-    traces();
 }
 
 void Answer::rank(unsigned jobs) {

@@ -20,11 +20,13 @@ public:
 
 private:
     void found_effects();
+    void build();
     void traces();
 
     const Problem& problem_;
     const Search& found_;
     const Judgement& judgement_;
+    Signals nominal_;         ///< what the nominal rig gives
     Eigen::VectorXd sigma_;   ///< with build tolerances, of each row
     Eigen::VectorXd before_;  ///< (measured - nominal)/sigma
     Diagnosis diagnosis_;

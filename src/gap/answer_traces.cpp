@@ -1,5 +1,6 @@
-#include <algorithm>
-#include <cmath>
+#include <fmt/format.h>
+
+#include <array>
 #include <map>
 
 #include "answer.h"
@@ -50,7 +51,7 @@ Trace thinned(const Trace& trace) {
 void Answer::traces() {
     const Rows& rows = problem_.bench().rows;
     const Fit& best = found_.best();
-    TraceMaker maker{problem_, problem_.predict({}, problem_.start({})), problem_.predict(best.causes, best.x), {}};
+    TraceMaker maker{problem_, nominal_, problem_.predict(best.causes, best.x), {}};
     const std::vector<Place> all = places(rows);
     std::array<std::size_t, kExperiments> next{};
     for (const Place& place : all) {
@@ -58,7 +59,7 @@ void Answer::traces() {
         const std::vector<std::string> columns = measured_columns(place.experiment, rows);
         std::string label = place.component;
         if (place.experiment == Experiment::kJointStiffness)
-            label += " at " + std::to_string(rows.joint_stiffness[figure].cocontraction).substr(0, 5) + " Nm";
+            label += fmt::format(" at {:g} Nm", rows.joint_stiffness[figure].cocontraction);
         maker.add(place.experiment, label, columns[figure % columns.size()], place.at, figure);
     }
     for (const auto& [key, trace] : maker.traces) diagnosis_.traces.push_back(thinned(trace));

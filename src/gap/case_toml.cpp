@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "fusee/core/file.h"
-#include "fusee/core/toml_guard.h"
+#include "fusee/core/toml.h"
 
 namespace fs = std::filesystem;
 
@@ -18,16 +18,6 @@ namespace {
 
 constexpr std::size_t kLargestToml = 1'000'000;  // bytes
 constexpr std::size_t kLongestShown = 80;        // of a refused value
-
-toml::table parse(const std::string& bytes, const std::string& file) {
-    core::require_ascii_syntax(bytes, file);
-    try {
-        return toml::parse(bytes);
-    } catch (const toml::parse_error& e) {
-        const toml::source_position at = e.source().begin;
-        throw core::IoError(fmt::format("{}:{}:{}", file, at.line, at.column), fmt::format("no valid TOML: {}", e.description()));
-    }
-}
 
 std::string leaf_of(const std::string& path) { return path.substr(path.rfind('.') + 1); }
 std::string table_of(const std::string& path) { return path.substr(0, path.find('.') == std::string::npos ? 0 : path.rfind('.')); }
@@ -94,7 +84,7 @@ struct CaseToml::Builder {
 
 CaseToml::CaseToml(const fs::path& folder)
     : folder_(folder), file_((folder / "case.toml").string()), bytes_(core::read_file(folder / "case.toml", kLargestToml)) {
-    Builder{*this}.collect(parse(bytes_, file_), "");
+    Builder{*this}.collect(core::parse_toml(bytes_, file_), "");
 }
 
 core::InvalidInput CaseToml::fault(const std::string& path, std::string value, std::string allowed) const {

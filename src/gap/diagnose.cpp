@@ -2,14 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
+#include <algorithm>
 #include <thread>
 
 #include "answer.h"
 #include "fusee/core/error.h"
-#include "gap_map.h"
-#include "isolability.h"
-#include "screen.h"
 #include "search.h"
 #include "splits.h"
 #include "verdict.h"
@@ -29,7 +26,7 @@ public:
     }
 
 private:
-    static constexpr std::size_t kSteps = 7;
+    static constexpr std::size_t kSteps = 7;  // four of the search, three below
     const DiagnoseOptions& options_;
     std::size_t done_ = 0;
 };

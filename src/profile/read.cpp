@@ -7,23 +7,13 @@
 #include "files.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
-#include "fusee/core/toml_guard.h"
+#include "fusee/core/toml.h"
 
 namespace fs = std::filesystem;
 
 namespace fusee::profile {
 
 namespace {
-
-toml::table parse(const std::string& bytes, const std::string& file) {
-    core::require_ascii_syntax(bytes, file);
-    try {
-        return toml::parse(bytes);
-    } catch (const toml::parse_error& e) {
-        const toml::source_position at = e.source().begin;
-        throw core::IoError(fmt::format("{}:{}:{}", file, at.line, at.column), fmt::format("no valid TOML: {}", e.description()));
-    }
-}
 
 /// One pair of keys that must stand in order.
 struct Order {
@@ -177,7 +167,7 @@ std::string Profile::place_of(const std::string& key) const {
 Profile read_profile(const fs::path& path) { return parse_profile(core::read_file(path, kLargestFile), path); }
 
 Profile parse_profile(std::string toml, const fs::path& path) {
-    const toml::table table = parse(toml, path.string());
+    const toml::table table = core::parse_toml(toml, path.string());
     Reader reader(path.string());
     reader.collect(table, "");
     Profile profile;

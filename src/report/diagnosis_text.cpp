@@ -15,8 +15,8 @@ constexpr std::size_t kMostEffects = 4, kMostPlaces = 3;
 
 std::string effect_line(const gap::FoundEffect& effect) {
     const gap::Parameter p = for_reading(effect.parameter);
-    return fmt::format("  {}: {}{}{} (95 %: {}), probability {}", cause_name(effect.cause), known(p.value), p.unit.empty() ? "" : " ",
-                       p.unit, span(p.ci95), chance(effect.probability));
+    return fmt::format("  {}: {} (95 %: {}), probability {}", cause_name(effect.cause), amount(p), span(p.ci95),
+                       chance(effect.probability));
 }
 
 /// @param all what there is of it; the last of `lines` says how many are not shown

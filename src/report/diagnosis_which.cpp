@@ -48,7 +48,7 @@ std::string sizes(const gap::Hypothesis& hypothesis) {
     std::string out;
     for (const gap::Parameter& raw : hypothesis.parameters) {
         const gap::Parameter p = for_reading(raw);
-        out += fmt::format("{}{} {}", out.empty() ? "" : "; ", known(p.value), p.unit);
+        out += fmt::format("{}{}", out.empty() ? "" : "; ", amount(p));
     }
     return out;
 }

@@ -97,8 +97,13 @@ std::string chance(double probability) { return probability < 1e-3 ? "< 0.001" :
 std::string percent(double share) { return std::isfinite(share) ? fmt::format("{:.0f} %", 100.0 * share) : known(share); }
 
 gap::Parameter for_reading(gap::Parameter parameter) {
+    if (parameter.unit == "1") parameter.unit.clear();
     if (parameter.unit != "m") return parameter;
     return {core::mm_from_m(parameter.value), {core::mm_from_m(parameter.ci95.low), core::mm_from_m(parameter.ci95.high)}, "mm"};
+}
+
+std::string amount(const gap::Parameter& parameter) {
+    return parameter.unit.empty() ? known(parameter.value) : known(parameter.value) + " " + parameter.unit;
 }
 
 std::string experiment_name(const std::string& id) {

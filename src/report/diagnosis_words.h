@@ -19,8 +19,11 @@ namespace fusee::report {
 /// 0.62 is "62 %".
 [[nodiscard]] std::string percent(double share);
 
-/// Lengths in millimetres, all else as it is: three hundredths of a millimetre are not read well as 3e-05 m.
+/// Lengths in millimetres and no unit for pure numbers ("1"), all else as it is: three hundredths of a millimetre are not
+/// read well as 3e-05 m.
 [[nodiscard]] gap::Parameter for_reading(gap::Parameter parameter);
+/// "0.12 Nm", without a unit for pure numbers; of a parameter made ready by for_reading.
+[[nodiscard]] std::string amount(const gap::Parameter& parameter);
 
 /// "dead_band" is "dead-band", "force_loop" is "force loop".
 [[nodiscard]] std::string experiment_name(const std::string& id);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "fusee/gap/case_template.h"
+#include "gap/rig_fixture.h"
 #include "pipeline/fixture.h"
 
 namespace fusee::gap::fixtures {
@@ -11,17 +12,7 @@ namespace fusee::gap::fixtures {
 inline CaseTemplate small_template() {
     CaseTemplate t;
     t.name = "small";
-    t.rig = {.capstan_radius = 0.015,
-             .joint_radius = 0.03,
-             .gear_load_friction = 0.25,
-             .motor_inertia = 2e-3,
-             .joint_inertia = 6e-3,
-             .motor_viscous = 4e-3,
-             .joint_viscous = 2e-3,
-             .se_torsion_rate = 0.4,
-             .pe_compression_rate = 2000.0,
-             .springs = {}};
-    for (int i = 0; i <= 20; ++i) t.rig.springs.push_back({0.2 * i, 0.06 * i, 0.04 * i});
+    t.rig = straight_rig();
     t.torques = {0.1, 1.5};
     return t;
 }

@@ -23,7 +23,7 @@ TEST_F(CaseFolder, ComesBackAsItWasWritten) {
     EXPECT_EQ(read.rig.joint_radius, 0.03);
     EXPECT_EQ(read.rig.pe_compression_rate, 2000.0);
     ASSERT_EQ(read.rig.springs.size(), 21u);
-    EXPECT_EQ(read.rig.springs[3].pe_torque, 0.04 * 3);
+    EXPECT_DOUBLE_EQ(read.rig.springs[3].pe_torque, 0.04 * 3);
     EXPECT_EQ(read.tolerance.pe_preload, Tolerance{}.pe_preload);
     EXPECT_EQ(read.protocol.dead_band_release, 3.15);
     for (const Experiment experiment : kAllExperiments)

@@ -1,4 +1,4 @@
-#include "effect_file.h"
+#include "fusee/gap/effect.h"
 
 namespace fusee::gap {
 

@@ -89,6 +89,12 @@ void weigh(const Problem& problem, Fit& fit) {
     fit.log_evidence = -0.5 * fit.cost - 0.5 * log_det + 0.5 * precision.array().log().sum();
 }
 
+/// How far a draw goes.
+double reach_of(Problem::Role role, double x) {
+    if (role == Problem::Role::kBuild) return kBuildDraw;
+    return (role == Problem::Role::kSize ? kEffectDraw : kFurtherDraw) * std::abs(x);
+}
+
 /// A sign for draw `i` of parameter `k`, the same in every run: bits of a multiplicative hash.
 double sign_of(int i, int k) {
     const auto hash = (static_cast<std::uint32_t>(i) * 40503U + static_cast<std::uint32_t>(k) + 1U) * 2654435761U;
@@ -102,8 +108,7 @@ Eigen::VectorXd spread_of(const Problem& problem, const Causes& causes, const Ei
     parallel_for(draws.size(), jobs, [&](std::size_t i) {
         Eigen::VectorXd near = x;
         for (int k = 0; k < near.size(); ++k) {
-            const bool build = k<static_cast<int>(problem.build().size()), size = problem.prior_sigma(causes, k)> 1.0;
-            const double reach = build ? kBuildDraw : (size ? kEffectDraw : kFurtherDraw) * std::abs(x[k]);
+            const double reach = reach_of(problem.role(causes, k), x[k]);
             near[k] += (i % 2 == 0 ? 1.0 : -1.0) * sign_of(static_cast<int>(i / 2), k) * reach;
         }
         draws[i] = problem.thin_residual(causes, near);

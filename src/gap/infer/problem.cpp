@@ -71,9 +71,9 @@ core::Range Problem::allowed(const Causes& causes, int parameter) const {
 }
 
 Eigen::VectorXd Problem::start(const Causes& causes) const {
-    Eigen::VectorXd x = Eigen::VectorXd::Zero(size(causes));
+    Eigen::VectorXd x = prior_mean(causes);
     visit_parameters(causes, build_.size(), [&](const Effect& effect, std::size_t k, int i) {
-        x[i] = k == 0 ? effect.starts.front() : effect.parameters[k].at_first / effect.parameters[k].scale;
+        if (k == 0) x[i] = effect.starts.front();
     });
     return x;
 }
@@ -87,11 +87,15 @@ Eigen::VectorXd Problem::prior_mean(const Causes& causes) const {
 }
 
 double Problem::prior_sigma(const Causes& causes, int parameter) const {
-    double sigma = 1.0;
+    return role(causes, parameter) == Role::kSize ? kEffectPrior : 1.0;
+}
+
+Problem::Role Problem::role(const Causes& causes, int parameter) const {
+    Role role = Role::kBuild;
     visit_parameters(causes, build_.size(), [&](const Effect&, std::size_t k, int i) {
-        if (i == parameter && k == 0) sigma = kEffectPrior;
+        if (i == parameter) role = k == 0 ? Role::kSize : Role::kFurther;
     });
-    return sigma;
+    return role;
 }
 
 BuiltRig Problem::rig(const Causes& causes, const Eigen::VectorXd& x) const {
@@ -141,7 +145,7 @@ Eigen::VectorXd Problem::direct_residual(const Causes& causes, const Eigen::Vect
 }
 
 Eigen::VectorXd Problem::slope(const Causes& causes, const Eigen::VectorXd& x, int parameter) const {
-    const double step = parameter < static_cast<int>(build_.size()) ? kStep : kEffectStep;
+    const double step = role(causes, parameter) == Role::kBuild ? kStep : kEffectStep;
     const core::Range range = allowed(causes, parameter);
     Eigen::VectorXd low = x, high = x;
     low[parameter] = std::max(range.low, x[parameter] - step);

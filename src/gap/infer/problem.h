@@ -31,6 +31,9 @@ public:
     /// Of x: 0 for build parameters and sizes, where they start for further parameters.
     [[nodiscard]] Eigen::VectorXd prior_mean(const Causes& causes) const;
     [[nodiscard]] double prior_sigma(const Causes& causes, int parameter) const;
+    enum class Role { kBuild, kSize, kFurther };
+    /// What x[parameter] is: a build parameter, the size of an effect, or a further parameter of one.
+    [[nodiscard]] Role role(const Causes& causes, int parameter) const;
 
     [[nodiscard]] BuiltRig rig(const Causes& causes, const Eigen::VectorXd& x) const;
     [[nodiscard]] Signals predict(const Causes& causes, const Eigen::VectorXd& x) const;

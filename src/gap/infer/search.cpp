@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 
 #include "screen.h"
 
@@ -20,7 +19,6 @@ constexpr double kWorthAPair = 60.0;   ///< a base is left out when it is so far
 constexpr double kNothingLeft = 1.15;  ///< T of every experiment at which no second effect is sought
 constexpr double kStandsOff = 3.0;     ///< sigmas from 0 that an effect's size has to stand
 constexpr double kLeastSize = 0.1;     ///< of what is usual: less is what a law leaves open, not an effect
-constexpr FitOptions kThorough{.steps = 4};
 
 double score(const Fit& fit) {
     return fit.log_evidence - (fit.causes.empty() ? 0.0 : kEffectOdds) - (fit.causes.size() > 1 ? kSecondOdds : 0.0);
@@ -30,14 +28,11 @@ void sort_by_score(std::vector<Fit>& fits) {
     std::stable_sort(fits.begin(), fits.end(), [](const Fit& a, const Fit& b) { return score(a) > score(b); });
 }
 
-/// Fits the best `count` guesses whose effects differ: the same effect on another side counts as another guess.
+/// Fits the best `count` guesses in full.
 void fit_best(const Problem& problem, const std::vector<Guess>& guesses, std::size_t count, const SearchOptions& options,
               std::vector<Fit>& fits) {
-    for (std::size_t i = 0; i < std::min(count, guesses.size()); ++i) {
-        FitOptions how = kThorough;
-        how.jobs = options.jobs;
-        fits.push_back(fit(problem, guesses[i].causes, guesses[i].x, how));
-    }
+    for (std::size_t i = 0; i < std::min(count, guesses.size()); ++i)
+        fits.push_back(fit(problem, guesses[i].causes, guesses[i].x, {.jobs = options.jobs}));
 }
 
 /// Causes that may join `base`: of another effect.
@@ -60,7 +55,6 @@ void add_pairs(const Problem& problem, const std::vector<Cause>& causes, const s
             return std::any_of(fits.begin(), fits.end(), [&](const Fit& known) { return same_causes(known.causes, guess.causes); });
         });
         fit_best(problem, guesses, kPairs, options, fits);
-        if (options.told) options.told("pairs with " + base.causes.front().id);
     }
 }
 
@@ -103,19 +97,21 @@ Search ranked(const Problem& problem, std::vector<Fit> fits) {
 
 Search search(const Problem& problem, const SearchOptions& options) {
     const std::vector<Cause> causes = possible_causes(problem.bench().rows);
-    FitOptions how = kThorough;
-    how.jobs = options.jobs;
-    std::vector<Fit> fits{fit(problem, {}, problem.start({}), how)};
-    if (options.told) options.told("build tolerances");
+    const auto tell = [&](const char* what) {
+        if (options.told) options.told(what);
+    };
+    std::vector<Fit> fits{fit(problem, {}, problem.start({}), {.jobs = options.jobs})};
+    tell("build tolerances");
     std::vector<Fit> singles;
     const std::vector<Guess> guesses = screen(problem, fits.front(), causes, options.jobs);
-    if (options.told) options.told("screening of single effects");
+    tell("screening of single effects");
     fit_best(problem, guesses, kSingles, options, singles);
     sort_by_score(singles);
-    if (options.told) options.told("single effects");
+    tell("single effects");
     const bool found = !singles.empty() && score(singles.front()) > score(fits.front());
     for (const Fit& single : singles) fits.push_back(single);
     if (found && !explained(problem, singles.front())) add_pairs(problem, causes, singles, options, fits);
+    tell("pairs of effects");
     return ranked(problem, std::move(fits));
 }
 

@@ -18,7 +18,7 @@ struct Search {
 
 struct SearchOptions {
     unsigned jobs = 1;
-    std::function<void(const std::string&)> told;  ///< of each part that is finished
+    std::function<void(const std::string&)> told;  ///< of each part that is finished: four
 };
 
 /// No effect, then each effect on each side, then pairs upon the best single ones: screened in the linear model, the best fitted in full.

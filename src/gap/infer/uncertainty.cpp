@@ -9,7 +9,7 @@ namespace fusee::gap {
 
 namespace {
 
-// Accuracy of the prediction, one sigma, found on faultless rigs (docs/gap-benchmark.md); of the range of what moves.
+// Accuracy of the prediction, one sigma, found on faultless rigs (docs/theory/diagnosis.md, eq. 7); of the range of what moves.
 constexpr double kDeadBandAccuracy = 0.025;      ///< of the width
 constexpr double kStiffnessAccuracy = 0.003;     ///< of q's range at that co-contraction
 constexpr double kCocontractionAccuracy = 8e-4;  ///< of the capstans' range

@@ -35,7 +35,7 @@ Judgement judge(const Problem& problem, const Search& search) {
             "cocontraction: a capstan sticks and slips on the way; when it slips cannot be foretold, so paths count with less accuracy");
     const Fit& best = search.best();
     const std::array<double, kExperiments> left = misfits(problem, best.seen());
-    bool evidence = false;  // an experiment that can be foretold row by row
+    bool unexplained = false, evidence = false;  // evidence: an experiment that can be foretold row by row
     for (const Experiment experiment : kAllExperiments) {
         const double misfit = left[static_cast<std::size_t>(experiment)];
         if (misfit <= kUnexplained) {
@@ -49,21 +49,18 @@ Judgement judge(const Problem& problem, const Search& search) {
                             to_string(experiment), 100.0 * share, misfit));
             continue;
         }
-        judgement.unexplained.push_back(experiment);
+        unexplained = true;
         judgement.remarks.push_back(
             fmt::format("{}: the best hypothesis leaves {:.1f} sigma; up to {:.1f} the model is as good as it should be",
                         to_string(experiment), misfit, kUnexplained));
     }
-    judgement.rivals = {0};
-    for (std::size_t i = 1; i < search.fits.size(); ++i)
-        if (search.probability[i] >= kRival) judgement.rivals.push_back(i);
-    if (!judgement.unexplained.empty() || !evidence)
+    const bool rivalled = search.probability.size() > 1 && search.probability[1] >= kRival;  // they fall
+    if (unexplained || !evidence)
         judgement.verdict = Verdict::kUnknown;
-    else if (search.probability.front() < kSure && judgement.rivals.size() > 1)
+    else if (search.probability.front() < kSure && rivalled)
         judgement.verdict = Verdict::kAmbiguous;
     else
         judgement.verdict = best.causes.empty() ? Verdict::kNone : Verdict::kIdentified;
-    if (judgement.verdict != Verdict::kAmbiguous) judgement.rivals.resize(1);
     return judgement;
 }
 

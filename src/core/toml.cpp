@@ -1,4 +1,4 @@
-#include "fusee/core/toml_guard.h"
+#include "fusee/core/toml.h"
 
 #include <fmt/format.h>
 
@@ -59,13 +59,23 @@ private:
     std::size_t at_ = 0, line_ = 1, line_start_ = 0;
 };
 
-}  // namespace
-
 void require_ascii_syntax(std::string_view toml, const std::string& file) {
     Scanner scanner(toml);
     if (scanner.find_foreign())
         throw IoError(fmt::format("{}:{}:{}", file, scanner.line(), scanner.column()),
                       "a character outside ASCII; such characters may stand in comments and quoted texts only");
+}
+
+}  // namespace
+
+toml::table parse_toml(std::string_view bytes, const std::string& file) {
+    require_ascii_syntax(bytes, file);
+    try {
+        return toml::parse(bytes);
+    } catch (const toml::parse_error& e) {
+        const toml::source_position at = e.source().begin;
+        throw IoError(fmt::format("{}:{}:{}", file, at.line, at.column), fmt::format("no valid TOML: {}", e.description()));
+    }
 }
 
 }  // namespace fusee::core

@@ -1,0 +1,13 @@
+#pragma once
+#include <toml++/toml.h>
+
+#include <string>
+#include <string_view>
+
+namespace fusee::core {
+
+/// Parses TOML 1.0. Outside of strings and comments it demands ASCII: bare keys are ASCII, and toml++ 3.3 runs into undefined behaviour on
+/// some others (its issue 295). `file` is for the message. @throws IoError with line and column
+[[nodiscard]] toml::table parse_toml(std::string_view bytes, const std::string& file);
+
+}  // namespace fusee::core

@@ -1,6 +1,7 @@
 #include "answer.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "gap_map.h"
@@ -13,14 +14,17 @@ namespace fusee::gap {
 namespace {
 
 constexpr double kNormal95 = 1.959964;
-constexpr double kStudent95 = 3.182446;     ///< three degrees of freedom: four folds
+constexpr double kLawAccuracy = 0.01;  ///< of a size: what tables and steps of the model leave of it, one sigma
+/// Student's 95 % for 3, 4 and 5 degrees of freedom: one less than folds, or experiments that were left out one at a time.
+constexpr std::array kStudent95{3.182446, 2.776445, 2.570582};
 constexpr std::size_t kLeftOut = 4;         ///< hypotheses of the ranking whose experiments are left out
 constexpr double kLeastAlternative = 1e-3;  ///< probability below which an alternative is not listed
 constexpr std::size_t kMostRivals = 4;      ///< among which a further experiment is sought: each costs as much as a fit
 constexpr double kSmallLeak = 0.05;         ///< probability that is shared out among rivals but not worth a further experiment
 
-/// One sigma of x[k]: the fit's own, and the spread that refits without an experiment have (jackknife).
-double deviation(const Fit& fit, const Split& left_out, int k) {
+/// Half of the 95 % of x[k]: the fit's own sigma, the law's accuracy, and the spread that refits without an experiment have (jackknife),
+/// which few experiments say but roughly.
+double half_interval(const Fit& fit, const Split& left_out, int k) {
     std::vector<double> values;
     for (const Eigen::VectorXd& x : left_out.x)
         if (x.size() > 0) values.push_back(x[k]);
@@ -28,7 +32,9 @@ double deviation(const Fit& fit, const Split& left_out, int k) {
     for (const double value : values) mean += value / static_cast<double>(values.size());
     for (const double value : values) square += (value - mean) * (value - mean);
     const double n = static_cast<double>(values.size()), jackknife = n > 1.0 ? square * (n - 1.0) / n : 0.0;
-    return std::sqrt(fit.covariance(k, k) + jackknife);
+    const std::size_t freedom = std::clamp<std::size_t>(values.size(), 4, 6) - 4;
+    return std::hypot(kNormal95 * std::sqrt(fit.covariance(k, k)), kNormal95 * kLawAccuracy * fit.x[k],
+                      kStudent95[freedom] * std::sqrt(jackknife));
 }
 
 /// 95 % of what the folds say of the gap on rows kept back.
@@ -43,14 +49,13 @@ core::Range interval_over_folds(const Problem& problem, const Eigen::VectorXd& h
         mean += gap / kFolds;
         square += gap * gap / kFolds;
     }
-    const double half = kStudent95 * std::sqrt(std::max(0.0, square - mean * mean) / (kFolds - 1));
+    const double half = kStudent95[kFolds - 4] * std::sqrt(std::max(0.0, square - mean * mean) / (kFolds - 1));
     return {std::max(0.0, mean - half), mean + half};
 }
 
-Parameter parameter_of(double value, double deviation, const EffectParameter& law) {
+Parameter parameter_of(double value, double half, const EffectParameter& law) {
     return {value * law.scale,
-            {std::max(law.allowed.low, (value - kNormal95 * deviation) * law.scale),
-             std::min(law.allowed.high, (value + kNormal95 * deviation) * law.scale)},
+            {std::max(law.allowed.low, (value - half) * law.scale), std::min(law.allowed.high, (value + half) * law.scale)},
             law.unit};
 }
 
@@ -116,7 +121,7 @@ void Answer::rank(unsigned jobs) {
         auto k = static_cast<int>(problem_.build().size());
         for (const Cause& cause : fit.causes) {
             const Effect& effect = find_effect(cause.id);
-            row.parameters.push_back(parameter_of(fit.x[k], deviation(fit, left_out, k), effect.parameters.front()));
+            row.parameters.push_back(parameter_of(fit.x[k], half_interval(fit, left_out, k), effect.parameters.front()));
             k += static_cast<int>(effect.parameters.size());
         }
         diagnosis_.ranking.push_back(std::move(row));

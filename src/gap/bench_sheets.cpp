@@ -49,9 +49,9 @@ Each spring with its cam and cable alone in a vice, a lever on its shaft; `se` t
 constexpr const char* kDeadBand = R"(
 ## dead_band.csv: {rows} readings
 The whole joint. For each `cocontraction_Nm` ({torques} Nm), {repeats} times:
-1. From rest command both motors to the co-contraction, in {ramp:g} s, and wait {settle:g} s.
+1. From rest command both motors to the co-contraction, in a straight line in {ramp:g} s, and wait {settle:g} s.
 2. Push the joint up to `push_torque_Nm`, hold, in {push:g} s; release it to nothing in {release:g} s, damped by hand: it must not swing back.
-3. Read `q_high_rad`. From rest again, push down the same way: `q_low_rad`, below the other.
+3. Read `q_high_rad`. From where the joint rests then, push down the same way: `q_low_rad`, below the other.
 )";
 
 constexpr const char* kStiffness = R"(

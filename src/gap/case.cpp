@@ -37,6 +37,14 @@ void read_or_default(const CaseToml& toml, const std::string& table, const std::
     if (!left_out.empty()) remarks.push_back(fmt::format("[{}] leaves out, taken as usual: {}", table, fmt::join(left_out, ", ")));
 }
 
+bool read_ramp(const CaseToml& toml) {
+    const char* const path = "protocol.motor_ramp";
+    const char* const allowed = R"("straight" or "smooth")";
+    const std::string word = toml.text(path, allowed);
+    if (word != "straight" && word != "smooth") throw toml.fault(path, '"' + word + '"', allowed);
+    return word == "smooth";
+}
+
 std::map<Experiment, std::vector<std::string>> read_files(const CaseToml& toml) {
     std::vector<std::string> names;
     for (const Experiment experiment : kAllExperiments) names.emplace_back(to_string(experiment));
@@ -56,7 +64,8 @@ void read_toml(const CaseToml& toml, Case& bench) {
     toml.require_numbers("rig", rig_keys(bench.rig), {"springs"});
     read_or_default(toml, "tolerance", tolerance_keys(bench.tolerance), {}, bench.remarks);
     read_or_default(toml, "sensors", sensor_keys(bench.sensors), {}, bench.remarks);
-    read_or_default(toml, "protocol", protocol_keys(bench.protocol), {"log_start"}, bench.remarks);
+    read_or_default(toml, "protocol", protocol_keys(bench.protocol), {"log_start", "motor_ramp"}, bench.remarks);
+    if (toml.has("protocol.motor_ramp")) bench.protocol.smooth_motor_ramp = read_ramp(toml);
     require_noise(toml, bench.sensors);
     bench.files = read_files(toml);
 }

@@ -40,6 +40,8 @@ std::string case_toml(CaseTemplate t) {
     text += table_text("tolerance", "one sigma of what a workshop leaves: a gap inside of it is no effect", tolerance_keys(t.tolerance));
     text += table_text("sensors", "put in those of the rig", sensor_keys(t.sensors));
     text += table_text("protocol", "how long each phase takes [s]", protocol_keys(t.protocol));
+    text += fmt::format("{:<44} # {}\n", fmt::format("motor_ramp = \"{}\"", t.protocol.smooth_motor_ramp ? "smooth" : "straight"),
+                        "or smooth: 3 s^2 - 2 s^3");
     text += "\n[experiments] # take out what was not measured\n";
     for (const Experiment experiment : kAllExperiments) text += fmt::format("{0} = \"{0}.csv\"\n", to_string(experiment));
     return text;

@@ -34,6 +34,7 @@ std::string table_of_protocol(const Protocol& p) {
     return fmt::format(
         "\n[protocol]\nmotor_ramp_s = {}\nmotor_settle_s = {}\ndead_band_push_s = {}\ndead_band_release_s = {}\n"
         "joint_stiffness_phase_s = {}\ncocontraction_phase_s = {}\n"
+        "motor_ramp = \"straight\"\n"
         "log_start = \"co-contracted from rest to the first row's torques in {} s, settled {} s\"\n",
         p.motor_ramp, p.motor_settle, p.dead_band_push, p.dead_band_release, p.joint_stiffness_phase, p.cocontraction_phase, p.motor_ramp,
         p.motor_settle);

@@ -94,7 +94,7 @@ Machine Session::co_contracted(double torque, double hand) {
     Machine machine(bench_.truth, springs_, now_);
     const Protocol& p = bench_.protocol;
     machine.run(p.motor_ramp + p.motor_settle, [&](double t) {
-        const double motor = torque * smooth(t / p.motor_ramp);
+        const double motor = torque * std::min(1.0, t / p.motor_ramp);
         return Command{{motor, motor}, 0.0, hand};
     });
     return machine;

@@ -12,10 +12,12 @@ namespace {
 
 constexpr std::size_t kMostHypotheses = 30;
 
+std::string faint(const std::string& text) { return text.empty() ? "" : "<br><span class=\"faint\">" + escape(text) + "</span>"; }
+
 std::string extra_text(const gap::FoundEffect& effect) {
     std::string out;
     for (const auto& [name, value] : effect.extra) out += fmt::format("{}{} = {}", out.empty() ? "" : ", ", name, known(value, 4));
-    return out.empty() ? "" : "<br><span class=\"faint\">" + escape(out) + "</span>";
+    return faint(out);
 }
 
 std::string effect_table(const gap::Diagnosis& diagnosis) {
@@ -29,7 +31,7 @@ std::string effect_table(const gap::Diagnosis& diagnosis) {
                         {span(p.ci95), "num"},
                         {escape(p.unit), ""},
                         {chance(effect.probability), "num"},
-                        {escape(meaning(effect.cause.id)), ""}});
+                        {escape(meaning(effect.cause.id)) + faint(law(effect.cause.id)), ""}});
     }
     return html_table({"effect", "side", "size", "95 %", "unit", "probability", "what it means"}, rows);
 }

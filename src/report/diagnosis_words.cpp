@@ -1,12 +1,14 @@
 #include "diagnosis_words.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
 
+#include "fusee/gap/effect.h"
 #include "html.h"
 
 namespace fusee::report {
@@ -15,41 +17,14 @@ namespace {
 
 using Words = std::pair<std::string_view, std::string_view>;
 
-constexpr std::array kMeanings{
-    Words{"gear.load_friction", "The gear loses more (+) or less (-) of its load to friction than the nominal mu says."},
-    Words{"gear.coulomb", "The gear rubs even without load: a constant on top of mu times the load, as of a seal or a preloaded bearing."},
-    Words{"gear.stribeck", "The gear holds more at rest than it rubs in motion: it sticks, then slips."},
-    Words{"gear.viscous", "The gear drags more the faster it turns, as in stiff grease."},
-    Words{"gear.backlash", "The gear turns by this much before its teeth meet on the other side."},
-    Words{"gear.asymmetry",
-          "The gear loses more when its load drives it back (+) or when its motor drives (-) than in the other direction."},
-    Words{"gear.load_quadratic", "The gear's friction grows faster than its load."},
-    Words{"motor.saturation", "The motor delivers no more than this torque, whatever is commanded."},
-    Words{"joint.coulomb", "The joint's bearing has a constant friction."},
-    Words{"joint.viscous", "The joint drags more the faster it turns."},
-    Words{"joint.stop", "The joint meets a hard stop at this angle, inside the modelled range."},
-    Words{"joint.gravity", "The link's weight turns the joint: its centre of mass lies off the joint's axis."},
-    Words{"cable.tension_friction", "The cables rub at the joint in proportion to their tension."},
-    Words{"cable.stretch", "The cable gives way in series with K_SE: together they are softer than the cam was cut for."},
-    Words{"se.rate", "The base spring of K_SE is stiffer (+) or softer (-) than its nominal rate."},
-    Words{"pe.rate", "The base spring of K_PE is stiffer (+) or softer (-) than its nominal rate."},
-    Words{"se.radius", "Every arm of K_SE's cam is longer (+) or shorter (-): cable thickness, over- or under-cut, shrinkage."},
-    Words{"pe.radius", "Every arm of K_PE's cam is longer (+) or shorter (-): cable thickness, over- or under-cut, shrinkage."},
-    Words{"se.preload", "The base spring of K_SE starts wound (+) or slack (-)."},
-    Words{"pe.preload", "The base spring of K_PE starts compressed (+) or slack (-)."},
-    Words{"se.hysteresis", "K_SE pulls this share harder while it is loaded and this share less while it is unloaded."},
-    Words{"pe.hysteresis", "K_PE pulls this share harder while it is loaded and this share less while it is unloaded."},
-    Words{"pe.bottoming", "The compression spring of K_PE binds past this compression."},
-    Words{"sensor.torque_scale", "The torque delivered is off the one commanded by this share, as with a wrong motor constant."},
-    Words{"sensor.joint_offset", "The zero of the joint's encoder is off by this angle."},
-    Words{"element.presliding", "The contact yields like a spring before it slides."},
-    Words{"element.backlash", "The element moves by this much before it grips in the other direction."},
-    Words{"element.asymmetry", "The friction differs between the two directions."},
-    Words{"element.viscous", "The friction grows with speed."},
-    Words{"element.stribeck", "The friction is greater at rest than in motion."},
-    Words{"element.load", "The friction follows the load on the element."},
-    Words{"loop.gain", "The position loop is stiffer (+) or softer (-) than its nominal gain."},
-    Words{"loop.delay", "A command takes effect later by this time."}};
+/// Of bench cases (docs/gap-bench.md); what acts on a joint says it in its own file.
+constexpr std::array kBenchMeanings{Words{"element.presliding", "The contact yields like a spring before it slides."},
+                                    Words{"element.backlash", "The element moves by this much before it grips in the other direction."},
+                                    Words{"element.asymmetry", "The friction differs between the two directions."},
+                                    Words{"element.viscous", "The friction grows with speed."},
+                                    Words{"element.stribeck", "The friction is greater at rest than in motion."},
+                                    Words{"element.load", "The friction follows the load on the element."},
+                                    Words{"loop.gain", "The position loop is stiffer (+) or softer (-) than its nominal gain."}};
 
 constexpr std::array kUnits{Words{"_Nms", "Nms"}, Words{"_Nm", "Nm"}, Words{"_m_s", "m/s"}, Words{"_rad", "rad"},
                             Words{"_N", "N"},     Words{"_m", "m"},   Words{"_s", "s"},     Words{"_kg", "kg"}};
@@ -68,6 +43,12 @@ Column column_of(std::string_view column) {
         if (column.ends_with(ending) && column.size() > ending.size())
             return {experiment_name(std::string(column.substr(0, column.size() - ending.size()))), std::string(unit)};
     return {spaced(column), ""};
+}
+
+const gap::Effect* in_library(std::string_view id) {
+    const std::vector<gap::Effect>& all = gap::effect_library();
+    const auto at = std::find_if(all.begin(), all.end(), [&](const gap::Effect& effect) { return effect.id == id; });
+    return at == all.end() ? nullptr : &*at;
 }
 
 constexpr double kWorthNaming = 0.05;
@@ -127,8 +108,18 @@ std::string causes_name(const std::vector<gap::Cause>& causes, const std::string
     return out.empty() ? "no effect" : out;
 }
 std::string meaning(std::string_view effect_id) {
-    const auto at = std::find_if(kMeanings.begin(), kMeanings.end(), [&](const Words& words) { return words.first == effect_id; });
-    return at == kMeanings.end() ? "" : std::string(at->second);
+    const auto at =
+        std::find_if(kBenchMeanings.begin(), kBenchMeanings.end(), [&](const Words& words) { return words.first == effect_id; });
+    if (at != kBenchMeanings.end()) return std::string(at->second);
+    const gap::Effect* const effect = in_library(effect_id);
+    return effect == nullptr ? "" : effect->meaning;
+}
+
+std::string law(std::string_view effect_id) {
+    const gap::Effect* const effect = in_library(effect_id);
+    if (effect == nullptr) return "";
+    if (effect->confused_with.empty()) return effect->law;
+    return fmt::format("{} Looks much like {}.", effect->law, fmt::join(effect->confused_with, ", "));
 }
 
 std::string place(const gap::Whereabouts& where) {

@@ -35,6 +35,8 @@ namespace fusee::report {
 [[nodiscard]] std::string causes_name(const std::vector<gap::Cause>& causes, const std::string& between = " and ");
 /// What an effect means for the rig, in a sentence; "" for an id without one.
 [[nodiscard]] std::string meaning(std::string_view effect_id);
+/// Its law in symbols and what has a like signature in some experiments; "" for an id that is not in the library.
+[[nodiscard]] std::string law(std::string_view effect_id);
 
 /// "dead-band, co-contraction 0.12 to 0.5 Nm, agonist"
 [[nodiscard]] std::string place(const gap::Whereabouts& where);

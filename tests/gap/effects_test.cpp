@@ -115,7 +115,7 @@ TEST_P(Library, is_documented_with_its_unit) {
 TEST_P(Library, has_a_law_parameters_with_ranges_and_starts_inside_them) {
     const Effect& effect = GetParam();
     ASSERT_FALSE(effect.parameters.empty());
-    EXPECT_EQ(effect.law.back(), '.');
+    for (const std::string& sentence : {effect.law, effect.meaning}) EXPECT_TRUE(sentence.ends_with('.')) << sentence;
     for (const EffectParameter& p : effect.parameters) {
         EXPECT_LT(p.allowed.low, p.allowed.high) << p.name;
         EXPECT_GT(p.scale, 0.0) << p.name;

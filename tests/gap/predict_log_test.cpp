@@ -41,6 +41,20 @@ TEST(PredictLog, begins_co_contracted_at_rest_and_follows_its_commands) {
     }
 }
 
+TEST(PredictLog, begins_as_the_motor_ramp_was_led) {
+    const Rows rows = first_rows(2);
+    const BuiltRig rig = faultless(kTemplate.rig);
+    Protocol smooth = kTemplate.protocol;
+    smooth.smooth_motor_ramp = true;
+    const std::vector<double> straight = read(rig, rows), led = predict_experiment(rig, rows, smooth, Experiment::kLog);
+    EXPECT_GT(std::abs(led[0] - straight[0]), 1e-3) << "a gear that is left in another way rests elsewhere";
+    EXPECT_NEAR(led[0], straight[0], 0.2 * straight[0]);
+    Motion motion(rig, kLogStep);
+    motion.lead_smoothly_to({rows.log[0].torque_agonist, rows.log[0].torque_antagonist, 0.0}, smooth.motor_ramp);
+    motion.hold(smooth.motor_settle);
+    EXPECT_EQ(led[0], motion.theta(Side::kAgonist));
+}
+
 // Not yet: commands are counted as arrived in whole rows, and the motion is read where the last one left it.
 TEST(PredictLog, a_delay_of_some_rows_shifts_the_log_by_them) {
     const Rows rows = first_rows(250);

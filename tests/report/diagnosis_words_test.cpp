@@ -80,6 +80,9 @@ TEST(DiagnosisWords, EveryIdOfTheFormatHasAMeaning) {
                            "element.load"})
         EXPECT_FALSE(meaning(id).empty()) << id;
     EXPECT_EQ(meaning("gear.moonlight"), "");
+    EXPECT_EQ(law("gear.stribeck"),
+              "Friction at rest is (1 + s) times that in motion; it falls as s exp(-(v/v_s)^2). Looks much like gear.load_friction.");
+    EXPECT_EQ(law("loop.gain"), "") << "of bench cases";
 }
 
 TEST(DiagnosisWords, TheVerdictIsASentence) {

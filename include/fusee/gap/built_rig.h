@@ -53,6 +53,7 @@ struct BuiltRig {
     double delay = 0.0;             ///< of every command of a log [s]
     double stop = kNever;           ///< |q| at which a stop begins [rad]
     double stop_stiffness = 60.0;   ///< of the stop [Nm/rad]
+    double stop_damping = 0.5;      ///< of the stop, of the critical one
     double gravity = 0.0;           ///< m g l: torque -m g l sin q [Nm]
     double joint_offset = 0.0;      ///< added to q as read [rad]
     Hand hand;

@@ -61,6 +61,7 @@ struct Sensors {
 /// How long each phase took [s]. Table [protocol].
 struct Protocol {
     double motor_ramp = 0.6, motor_settle = 0.4;
+    bool smooth_motor_ramp = false;  ///< 3 s^2 - 2 s^3 in place of a straight line: where a gear stops depends on it
     double dead_band_push = 1.6, dead_band_release = 3.15;
     double joint_stiffness_phase = 2.0, cocontraction_phase = 5.0;
 };

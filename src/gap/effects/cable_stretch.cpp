@@ -11,6 +11,7 @@ void apply(BuiltRig& rig, int side, std::span<const double> values) { rig.sides[
 Effect make_cable_stretch() {
     return {.id = "cable.stretch",
             .law = "Compliance in series with K_SE.",
+            .meaning = "The cable gives way in series with K_SE: together they are softer than the cam was cut for.",
             .sided = true,
             .parameters = {{"k_c", "Nm/rad", 1.0, {0.05, 1000}, 0}},
             .starts = {0.5, 1, 2.5, 8},

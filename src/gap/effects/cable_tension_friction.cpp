@@ -11,6 +11,7 @@ void apply(BuiltRig& rig, int /*side*/, std::span<const double> values) { rig.te
 Effect make_cable_tension_friction() {
     return {.id = "cable.tension_friction",
             .law = "Friction at the joint in proportion to the cables' pull: c g (F_SE1 + F_SE2).",
+            .meaning = "The cables rub at the joint in proportion to their tension.",
             .sided = false,
             .parameters = {{"c", "1", 0.12, {0, 0.8}, 0}},
             .starts = {0.4, 1.2},

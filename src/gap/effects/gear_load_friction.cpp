@@ -11,6 +11,7 @@ void apply(BuiltRig& rig, int side, std::span<const double> values) { rig.sides[
 Effect make_gear_load_friction() {
     return {.id = "gear.load_friction",
             .law = "mu is not the nominal one: mu (1 + e).",
+            .meaning = "The gear loses more (+) or less (-) of its load to friction than the nominal mu says.",
             .sided = true,
             .parameters = {{"e", "1", 0.25, {-0.9, 1.5}, 0}},
             .starts = {-2, -1, -0.4, 0.4, 1, 2},

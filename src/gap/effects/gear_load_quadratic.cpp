@@ -11,6 +11,7 @@ void apply(BuiltRig& rig, int side, std::span<const double> values) { rig.sides[
 Effect make_gear_load_quadratic() {
     return {.id = "gear.load_quadratic",
             .law = "Friction that grows with the load squared: b tau_load^2 on top of mu tau_load.",
+            .meaning = "The gear's friction grows faster than its load.",
             .sided = true,
             .parameters = {{"b", "1/Nm", 0.08, {-0.1, 0.4}, 0}},
             .starts = {-0.7, 0.7, 1.5},

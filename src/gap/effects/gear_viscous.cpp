@@ -11,6 +11,7 @@ void apply(BuiltRig& rig, int side, std::span<const double> values) { rig.sides[
 Effect make_gear_viscous() {
     return {.id = "gear.viscous",
             .law = "Extra viscous drag at the capstan.",
+            .meaning = "The gear drags more the faster it turns, as in stiff grease.",
             .sided = true,
             .parameters = {{"d", "Nms", 0.05, {0, 1}, 0}},
             .starts = {0.5, 1.5},

@@ -11,6 +11,7 @@ void apply(BuiltRig& rig, int /*side*/, std::span<const double> values) { rig.jo
 Effect make_joint_coulomb() {
     return {.id = "joint.coulomb",
             .law = "Constant friction at the joint.",
+            .meaning = "The joint's bearing has a constant friction.",
             .sided = false,
             .parameters = {{"tau_c", "Nm", 0.07, {0, 0.6}, 0}},
             .starts = {0.4, 1.2},

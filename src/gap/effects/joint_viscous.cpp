@@ -11,6 +11,7 @@ void apply(BuiltRig& rig, int /*side*/, std::span<const double> values) { rig.jo
 Effect make_joint_viscous() {
     return {.id = "joint.viscous",
             .law = "Extra viscous drag at the joint.",
+            .meaning = "The joint drags more the faster it turns.",
             .sided = false,
             .parameters = {{"d", "Nms", 0.04, {0, 0.5}, 0}},
             .starts = {0.5, 1.5},

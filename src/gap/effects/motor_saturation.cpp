@@ -11,6 +11,7 @@ void apply(BuiltRig& rig, int side, std::span<const double> values) { rig.sides[
 Effect make_motor_saturation() {
     return {.id = "motor.saturation",
             .law = "The motor gives no more than some torque.",
+            .meaning = "The motor delivers no more than this torque, whatever is commanded.",
             .sided = true,
             .parameters = {{"tau_max", "Nm", 0.8, {0.1, 5}, 0}},
             .starts = {0.6, 1, 1.4},

@@ -11,6 +11,7 @@ void apply(BuiltRig& rig, int side, std::span<const double> values) { rig.sides[
 Effect make_pe_preload() {
     return {.id = "pe.preload",
             .law = "K_PE's base spring starts compressed (+) or slack (-).",
+            .meaning = "The base spring of K_PE starts compressed (+) or slack (-).",
             .sided = true,
             .parameters = {{"y_0", "m", 0.002, {-0.01, 0.01}, 0}},
             .starts = {-1, 1},

@@ -11,6 +11,7 @@ void apply(BuiltRig& rig, int side, std::span<const double> values) { rig.sides[
 Effect make_pe_rate() {
     return {.id = "pe.rate",
             .law = "The rate of K_PE's base spring is off: k (1 + e).",
+            .meaning = "The base spring of K_PE is stiffer (+) or softer (-) than its nominal rate.",
             .sided = true,
             .parameters = {{"e", "1", 0.12, {-0.6, 1}, 0}},
             .starts = {-1, 1},

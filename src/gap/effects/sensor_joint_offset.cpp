@@ -11,6 +11,7 @@ void apply(BuiltRig& rig, int /*side*/, std::span<const double> values) { rig.jo
 Effect make_sensor_joint_offset() {
     return {.id = "sensor.joint_offset",
             .law = "The zero of the joint's encoder is off.",
+            .meaning = "The zero of the joint's encoder is off by this angle.",
             .sided = false,
             .parameters = {{"q_0", "rad", 0.05, {-1, 1}, 0}},
             .starts = {-1, 1},

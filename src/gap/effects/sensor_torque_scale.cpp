@@ -11,6 +11,7 @@ void apply(BuiltRig& rig, int side, std::span<const double> values) { rig.sides[
 Effect make_sensor_torque_scale() {
     return {.id = "sensor.torque_scale",
             .law = "The torque delivered is (1 + e) times the one commanded.",
+            .meaning = "The torque delivered is off the one commanded by this share, as with a wrong motor constant.",
             .sided = true,
             .parameters = {{"e", "1", 0.15, {-0.6, 1}, 0}},
             .starts = {-1, 1},

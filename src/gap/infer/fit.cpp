@@ -23,21 +23,24 @@ constexpr int kRounds = 2;                ///< of fits, each at the scales that 
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-Eigen::MatrixXd jacobian_at(const Problem& problem, const Causes& causes, const Eigen::VectorXd& x, unsigned jobs) {
-    Eigen::MatrixXd jacobian(problem.residuals(), x.size());
-    parallel_for(static_cast<std::size_t>(x.size()), jobs,
-                 [&](std::size_t k) { jacobian.col(static_cast<int>(k)) = problem.slope(causes, x, static_cast<int>(k)); });
-    return jacobian;
+/// Columns `first` up to `last` of the residual's Jacobian.
+Eigen::MatrixXd columns_at(const Problem& problem, const Causes& causes, const Eigen::VectorXd& x, int first, int last, unsigned jobs) {
+    Eigen::MatrixXd columns(problem.residuals(), last - first);
+    parallel_for(static_cast<std::size_t>(last - first), jobs,
+                 [&](std::size_t k) { columns.col(static_cast<int>(k)) = problem.slope(causes, x, first + static_cast<int>(k)); });
+    return columns;
 }
 
 /// Weight of a residual under the loss, 1 at 0.
 double cut(double r) { return 1.0 / (1.0 + r * r / (kCauchy * kCauchy)); }
 
 /// All residuals and all priors as one block: Ceres's own loss acts on blocks, so that each row's loss is taken here, as its square root.
+/// Build tolerances act nearly linearly: their columns `held` are handed in, those of the effects are taken anew at every step.
 class Block : public ceres::CostFunction {
 public:
-    Block(const Problem& problem, const Causes& causes, const Eigen::VectorXd& spread, const Scales& scales, unsigned jobs)
-        : problem_(problem), causes_(causes), mean_(problem.prior_mean(causes)), scale_(spread), jobs_(jobs) {
+    Block(const Problem& problem, const Causes& causes, const Eigen::VectorXd& spread, const Scales& scales, const Eigen::MatrixXd& held,
+          unsigned jobs)
+        : problem_(problem), causes_(causes), held_(held), mean_(problem.prior_mean(causes)), scale_(spread), jobs_(jobs) {
         for (int i = 0; i < scale_.size(); ++i) scale_[i] *= scales[static_cast<std::size_t>(problem.experiment_of(i))];
         size_ = problem.size(causes);
         set_num_residuals(problem.residuals() + size_);
@@ -56,7 +59,9 @@ public:
         for (int k = 0; k < size_; ++k) residuals[rows + k] = (x[k] - mean_[k]) / problem_.prior_sigma(causes_, k);
         if (jacobians == nullptr || jacobians[0] == nullptr) return true;
         Eigen::Map<RowMajor> matrix(jacobians[0], rows + size_, size_);
-        matrix.topRows(rows) = slope.asDiagonal() * jacobian_at(problem_, causes_, x, jobs_);
+        const auto build = static_cast<int>(held_.cols());
+        matrix.topLeftCorner(rows, build) = slope.asDiagonal() * held_;
+        matrix.topRightCorner(rows, size_ - build) = slope.asDiagonal() * columns_at(problem_, causes_, x, build, size_, jobs_);
         matrix.bottomRows(size_).setZero();
         for (int k = 0; k < size_; ++k) matrix(rows + k, k) = 1.0 / problem_.prior_sigma(causes_, k);
         return true;
@@ -65,6 +70,7 @@ public:
 private:
     const Problem& problem_;
     const Causes& causes_;
+    const Eigen::MatrixXd& held_;
     Eigen::VectorXd mean_, scale_;
     unsigned jobs_;
     int size_ = 0;
@@ -118,6 +124,14 @@ Eigen::VectorXd spread_of(const Problem& problem, const Causes& causes, const Ei
     for (std::size_t i = 0; i < draws.size(); i += 2)
         square += (0.5 * (draws[i] + draws[i + 1]) - middle).cwiseAbs2() / static_cast<double>(kPairsOfDraws);
     return (square.array() + 1.0).sqrt();
+}
+
+Strain strain(const Problem& problem, const Fit& fit) {
+    Strain most;
+    for (std::size_t k = 0; k < problem.build().size(); ++k)
+        if (const double x = fit.x[static_cast<Eigen::Index>(k)]; problem.build()[k].of_rig && std::abs(x) > std::abs(most.sigmas))
+            most = {k, x};
+    return most;
 }
 
 double loss(double r) { return kCauchy * kCauchy * std::log1p(r * r / (kCauchy * kCauchy)); }
@@ -205,9 +219,9 @@ Eigen::VectorXd linear_step(const Problem& problem, const Causes& causes, const 
 
 namespace {
 
-void solve(const Problem& problem, Fit& fit, const Scales& scales, const FitOptions& options) {
+void solve(const Problem& problem, Fit& fit, const Scales& scales, const Eigen::MatrixXd& held, const FitOptions& options) {
     ceres::Problem solver;
-    solver.AddResidualBlock(new Block(problem, fit.causes, fit.spread, scales, options.jobs), nullptr, fit.x.data());
+    solver.AddResidualBlock(new Block(problem, fit.causes, fit.spread, scales, held, options.jobs), nullptr, fit.x.data());
     for (int k = static_cast<int>(problem.build().size()); k < fit.x.size(); ++k) {
         const core::Range range = problem.allowed(fit.causes, k);
         solver.SetParameterLowerBound(fit.x.data(), k, range.low);
@@ -216,7 +230,8 @@ void solve(const Problem& problem, Fit& fit, const Scales& scales, const FitOpti
     ceres::Solver::Options how;
     how.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
     how.max_num_iterations = options.steps;
-    how.function_tolerance = 2e-3;
+    how.initial_trust_region_radius = 1e6;
+    how.function_tolerance = 2e-5;  // a step that is refused by a hair ends it too
     how.parameter_tolerance = 1e-4;
     how.logging_type = ceres::SILENT;
     ceres::Solver::Summary summary;
@@ -229,12 +244,15 @@ Fit fit(const Problem& problem, const Causes& causes, const Eigen::VectorXd& sta
     Fit fit;
     fit.causes = causes;
     fit.x = start;
-    for (int round = 0; round <= kRounds; ++round) {
+    const auto build = static_cast<int>(problem.build().size());
+    for (int round = 0;; ++round) {
         fit.residual = problem.residual(causes, fit.x);
         fit.spread = spread_of(problem, causes, fit.x, options.jobs);
-        if (round < kRounds) solve(problem, fit, scales_of(problem, fit.seen()), options);
+        if (round == kRounds) break;
+        const Eigen::MatrixXd held = columns_at(problem, causes, fit.x, 0, build, options.jobs);
+        solve(problem, fit, scales_of(problem, fit.seen()), held, options);
     }
-    fit.jacobian = jacobian_at(problem, causes, fit.x, options.jobs);
+    fit.jacobian = columns_at(problem, causes, fit.x, 0, static_cast<int>(fit.x.size()), options.jobs);
     const Eigen::VectorXd weight = problem.root_weight().cwiseAbs2();
     fit.cost = cost_of(problem, causes, fit.seen(), fit.x) + 2.0 * weight.dot(fit.spread.array().log().matrix());
     weigh(problem, fit);

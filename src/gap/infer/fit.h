@@ -29,7 +29,7 @@ struct Fit {
 };
 
 struct FitOptions {
-    int steps = 4;  ///< of Levenberg and Marquardt, at most
+    int steps = 20;  ///< of Levenberg and Marquardt in a round, at most
     unsigned jobs = 1;
 };
 /// Least of sum w loss(residual) + sum (x/prior)^2 from `start`, bounds kept (Ceres).
@@ -39,6 +39,13 @@ struct FitOptions {
 /// tolerance, do not share with a straight line). Where friction sticks and slips, the moment of a slip hangs on next to nothing: such rows
 /// say little, however far off they are.
 [[nodiscard]] Eigen::VectorXd spread_of(const Problem& problem, const Causes& causes, const Eigen::VectorXd& x, unsigned jobs);
+/// The build parameter that is farthest off its nominal figure, and how far.
+struct Strain {
+    std::size_t parameter = 0;
+    double sigmas = 0.0;  ///< with its sign
+};
+inline constexpr double kImpossible = 5.0;  ///< sigmas that no workshop is off by
+[[nodiscard]] Strain strain(const Problem& problem, const Fit& fit);
 /// T of each experiment: the root of the mean loss of its rows (0 without rows).
 [[nodiscard]] std::array<double, kExperiments> misfits(const Problem& problem, const Eigen::VectorXd& residual);
 [[nodiscard]] Scales scales_of(const Problem& problem, const Eigen::VectorXd& residual, const std::vector<bool>* kept = nullptr);

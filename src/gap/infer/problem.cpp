@@ -86,6 +86,18 @@ Eigen::VectorXd Problem::prior_mean(const Causes& causes) const {
     return mean;
 }
 
+Eigen::VectorXd Problem::without_others(const Causes& causes, const Eigen::VectorXd& x, const Cause& kept) const {
+    Eigen::VectorXd own(size({kept}));
+    own.head(static_cast<Eigen::Index>(build_.size())) = x.head(static_cast<Eigen::Index>(build_.size()));
+    auto from = static_cast<Eigen::Index>(build_.size());
+    for (const Cause& cause : causes) {
+        const auto count = static_cast<Eigen::Index>(find_effect(cause.id).parameters.size());
+        if (cause == kept) own.tail(count) = x.segment(from, count);
+        from += count;
+    }
+    return own;
+}
+
 double Problem::prior_sigma(const Causes& causes, int parameter) const {
     return role(causes, parameter) == Role::kSize ? kEffectPrior : 1.0;
 }

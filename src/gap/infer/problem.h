@@ -30,6 +30,8 @@ public:
     [[nodiscard]] Eigen::VectorXd start(const Causes& causes) const;
     /// Of x: 0 for build parameters and sizes, where they start for further parameters.
     [[nodiscard]] Eigen::VectorXd prior_mean(const Causes& causes) const;
+    /// `x` of `causes` for the hypothesis that has `kept` alone of them.
+    [[nodiscard]] Eigen::VectorXd without_others(const Causes& causes, const Eigen::VectorXd& x, const Cause& kept) const;
     [[nodiscard]] double prior_sigma(const Causes& causes, int parameter) const;
     enum class Role { kBuild, kSize, kFurther };
     /// What x[parameter] is: a build parameter, the size of an effect, or a further parameter of one.

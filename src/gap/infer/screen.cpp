@@ -12,6 +12,20 @@ constexpr int kDirectRounds = 6;      ///< of steps on break-away and spring pul
 constexpr double kDirectStep = 0.01;  ///< of their differences, in scales
 constexpr double kLike = 0.05;        ///< distance, in x, of starts that are one
 constexpr int kRounds = 2;            ///< of steps with the effect's own columns
+constexpr double kStrained = 3.0;     ///< sigmas of a build parameter past which it may stand in for the effect that is being tried
+
+/// The same starts with strained build parameters back at nothing: what they stood in for is there now. Friction that sticks and slips
+/// gives no slope by which a fit would go that way.
+void add_relaxed(const Problem& problem, std::vector<Eigen::VectorXd>& starts) {
+    const auto build = static_cast<Eigen::Index>(problem.build().size());
+    Eigen::ArrayXd free = starts.front().head(build).array();
+    free = (free.abs() > kStrained).select(0.0, free);
+    if ((free == starts.front().head(build).array()).all()) return;
+    for (std::size_t i = 0, n = starts.size(); i < n; ++i) {
+        starts.push_back(starts[i]);
+        starts.back().head(build) = free;
+    }
+}
 
 /// Every x to begin at: the base's, with each start of the effect's size and each try of its further parameters.
 std::vector<Eigen::VectorXd> starts_upon(const Problem& problem, const Fit& base, const Causes& causes, const Effect& effect) {
@@ -33,6 +47,7 @@ std::vector<Eigen::VectorXd> starts_upon(const Problem& problem, const Fit& base
             }
         all = std::move(more);
     }
+    add_relaxed(problem, all);
     return all;
 }
 

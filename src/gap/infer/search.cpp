@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "screen.h"
 
@@ -13,10 +14,12 @@ namespace {
 constexpr double kEffectOdds = 12.0;   ///< log odds against an effect: some sixty candidates, and rigs are mostly as designed [nat]
 constexpr double kSecondOdds = 14.0;   ///< against a second one, which also likes to mend what the first one's law leaves open
 constexpr std::size_t kSingles = 5;    ///< fitted in full
+constexpr double kNearEnough = 0.5;    ///< of the way from the best back to no effect, within which a rival of what explains all is fitted
 constexpr std::size_t kPairs = 3;      ///< upon each base
 constexpr std::size_t kBases = 2;      ///< single effects upon which pairs are sought
 constexpr double kWorthAPair = 60.0;   ///< a base is left out when it is so far behind the best one [nat]
 constexpr double kNothingLeft = 1.15;  ///< T of every experiment at which no second effect is sought
+constexpr double kStretched = 3.5;     ///< sigmas of a build parameter: among 22, one time in a hundred on a faultless rig
 constexpr double kStandsOff = 3.0;     ///< sigmas from 0 that an effect's size has to stand
 constexpr double kLeastSize = 0.1;     ///< of what is usual: less is what a law leaves open, not an effect
 
@@ -29,10 +32,10 @@ void sort_by_score(std::vector<Fit>& fits) {
 }
 
 /// Fits the best `count` guesses in full.
-void fit_best(const Problem& problem, const std::vector<Guess>& guesses, std::size_t count, const SearchOptions& options,
+void fit_best(const Problem& problem, std::span<const Guess> guesses, std::size_t count, const SearchOptions& options,
               std::vector<Fit>& fits) {
-    for (std::size_t i = 0; i < std::min(count, guesses.size()); ++i)
-        fits.push_back(fit(problem, guesses[i].causes, guesses[i].x, {.jobs = options.jobs}));
+    for (const Guess& guess : guesses.first(std::min(count, guesses.size())))
+        fits.push_back(fit(problem, guess.causes, guess.x, {.jobs = options.jobs}));
 }
 
 /// Causes that may join `base`: of another effect.
@@ -58,14 +61,47 @@ void add_pairs(const Problem& problem, const std::vector<Cause>& causes, const s
     }
 }
 
-/// Nothing is left for a second effect: every experiment is as near as its prediction is accurate.
+/// Nothing is left for a second effect: every experiment is as near as its prediction is accurate, and no build tolerance is stretched to
+/// stand in for one.
 bool explained(const Problem& problem, const Fit& fit) {
+    if (std::abs(strain(problem, fit).sigmas) > kStretched) return false;
     const std::array<double, kExperiments> misfit = misfits(problem, fit.seen());
     return std::all_of(misfit.begin(), misfit.end(), [](double t) { return t < kNothingLeft; });
 }
 
-/// Every effect of the hypothesis is there: its size stands off 0, or it is a limit (a stop), which has no size of 0.
+/// The best pair with one of its effects taken away, from where the pair stands: a single fit that had stuck elsewhere would make its
+/// partner look needed.
+void step_back(const Problem& problem, const SearchOptions& options, std::vector<Fit>& fits) {
+    const Fit best = *std::max_element(fits.begin(), fits.end(), [](const Fit& a, const Fit& b) { return score(a) < score(b); });
+    if (best.causes.size() < 2) return;
+    for (const Cause& kept : best.causes) {
+        Fit single = fit(problem, {kept}, problem.without_others(best.causes, best.x, kept), {.jobs = options.jobs});
+        const auto known = std::find_if(fits.begin(), fits.end(), [&](const Fit& other) { return other.causes == single.causes; });
+        if (known == fits.end())
+            fits.push_back(std::move(single));
+        else if (score(single) > score(*known))
+            *known = std::move(single);
+    }
+}
+
+/// The best single effects, best first. Once one explains all, only what came near it in the screening is a rival.
+std::vector<Fit> singles_of(const Problem& problem, const Fit& null, const std::vector<Guess>& guesses, const SearchOptions& options) {
+    std::vector<Fit> singles;
+    fit_best(problem, guesses, 1, options, singles);
+    if (singles.empty()) return singles;
+    const double enough = singles.front().cost + kNearEnough * (null.cost - singles.front().cost);
+    const bool all = !explained(problem, singles.front());
+    const std::span<const Guess> others = std::span(guesses).subspan(1, std::min(kSingles, guesses.size()) - 1);
+    for (const Guess& guess : others)
+        if (all || guess.cost < enough) fit_best(problem, {&guess, 1}, 1, options, singles);
+    sort_by_score(singles);
+    return singles;
+}
+
+/// Every effect of the hypothesis is there: its size stands off 0, or it is a limit (a stop), which has no size of 0; and no build
+/// parameter is off by what no workshop is to make room for it.
 bool stands(const Problem& problem, const Fit& fit) {
+    if (!fit.causes.empty() && std::abs(strain(problem, fit).sigmas) > kImpossible) return false;
     auto k = static_cast<Eigen::Index>(problem.build().size());
     for (const Cause& cause : fit.causes) {
         const Effect& effect = find_effect(cause.id);
@@ -102,15 +138,14 @@ Search search(const Problem& problem, const SearchOptions& options) {
     };
     std::vector<Fit> fits{fit(problem, {}, problem.start({}), {.jobs = options.jobs})};
     tell("build tolerances");
-    std::vector<Fit> singles;
     const std::vector<Guess> guesses = screen(problem, fits.front(), causes, options.jobs);
     tell("screening of single effects");
-    fit_best(problem, guesses, kSingles, options, singles);
-    sort_by_score(singles);
+    const std::vector<Fit> singles = singles_of(problem, fits.front(), guesses, options);
     tell("single effects");
     const bool found = !singles.empty() && score(singles.front()) > score(fits.front());
     for (const Fit& single : singles) fits.push_back(single);
     if (found && !explained(problem, singles.front())) add_pairs(problem, causes, singles, options, fits);
+    step_back(problem, options, fits);
     tell("pairs of effects");
     return ranked(problem, std::move(fits));
 }

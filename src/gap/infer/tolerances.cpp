@@ -10,11 +10,17 @@ namespace {
 constexpr double kHandDamping = 0.3;  ///< one sigma of the hand's damping, of its logarithm
 constexpr double kHandShare = 0.04;   ///< of settle_share
 
+/// max(0, x) with a round corner: a friction that a fit holds to be none still shows what a little of it would do.
+double positive(double x, double corner) {
+    if (corner <= 0.0) return std::max(0.0, x);
+    return x > 0.0 ? x + corner * std::log1p(std::exp(-x / corner)) : corner * std::log1p(std::exp(x / corner));
+}
+
 void add_side(const Case& bench, int side, std::vector<BuildParameter>& all) {
     const Tolerance& t = bench.tolerance;
     const std::string of = std::string(" ") + to_string(static_cast<Side>(side));
     const auto add = [&](const char* name, const char* unit, double sigma, std::function<void(BuiltSide&, double)> change) {
-        all.push_back({name + of, unit, sigma, [side, change](BuiltRig& rig, double x) { change(rig.sides[side], x); }});
+        all.push_back({name + of, unit, sigma, [side, change](BuiltRig& rig, double x) { change(rig.sides[side], x); }, true});
     };
     add("gear load friction", "1", t.gear_load_friction * bench.rig.gear_load_friction,
         [](BuiltSide& s, double x) { s.gear.load_friction += x; });
@@ -39,11 +45,11 @@ std::vector<BuildParameter> build_parameters(const Case& bench) {
     all.push_back({"motor inertia", "1", t.inertia, [motor](BuiltRig& r, double x) { r.motor_inertia += motor * x; }});
     all.push_back({"joint inertia", "1", t.inertia, [joint](BuiltRig& r, double x) { r.joint_inertia += joint * x; }});
     all.push_back({"joint bearing friction", "Nm", t.joint_coulomb,
-                   [usual = t.joint_coulomb](BuiltRig& r, double x) { r.joint_coulomb += std::max(0.0, usual + x); }});
+                   [usual = t.joint_coulomb](BuiltRig& r, double x) { r.joint_coulomb += positive(usual + x, 0.5 * usual); }});
     all.push_back({"joint encoder zero", "rad", t.joint_offset, [](BuiltRig& r, double x) { r.joint_offset += x; }});
-    all.push_back({"hand damping", "log", kHandDamping, [](BuiltRig& r, double x) { r.hand.damping *= std::exp(x); }});
+    all.push_back({"hand damping", "log", kHandDamping, [](BuiltRig& r, double x) { r.hand.damping *= std::exp(x); }, false});
     all.push_back({"hand settling share", "1", kHandShare,
-                   [](BuiltRig& r, double x) { r.hand.settle_share = std::clamp(r.hand.settle_share + x, 0.0, 0.9); }});
+                   [](BuiltRig& r, double x) { r.hand.settle_share = std::clamp(r.hand.settle_share + x, 0.0, 0.9); }, false});
     return all;
 }
 

@@ -14,6 +14,7 @@ struct BuildParameter {
     std::string name, unit;
     double sigma = 1.0;  ///< in `unit`; of its logarithm where `unit` is "log"
     std::function<void(BuiltRig&, double)> add;
+    bool of_rig = true;  ///< else of how an experiment was done: nothing that [tolerance] bounds
 };
 /// Friction, springs and torque of each side, radii, inertias, bearing friction, encoder zero, and the hand of the dead-band test.
 [[nodiscard]] std::vector<BuildParameter> build_parameters(const Case& bench);

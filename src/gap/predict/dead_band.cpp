@@ -1,22 +1,12 @@
 #include <cmath>
 
 #include "experiments.h"
-#include "fusee/gap/motion.h"
 
 namespace fusee::gap {
 
 namespace {
 
 constexpr double kStrongPush = 1.5;  ///< of the co-contraction, times g, where no push is told
-constexpr int kPieces = 24;          ///< straight pieces of a smooth ramp
-
-/// A hand's way from one joint torque to another: smoothly, 3 s^2 - 2 s^3.
-void move_by_hand(Motion& motion, double cocontraction, double from, double to, double seconds) {
-    for (int i = 1; i <= kPieces; ++i) {
-        const double s = static_cast<double>(i) / kPieces;
-        motion.lead_to({cocontraction, cocontraction, from + (to - from) * s * s * (3.0 - 2.0 * s)}, seconds / kPieces);
-    }
-}
 
 /// dtau_q/dq with both capstans held [Nm/rad].
 double held_stiffness(const BuiltRig& rig, const Motion& motion) {
@@ -32,9 +22,9 @@ double held_stiffness(const BuiltRig& rig, const Motion& motion) {
 
 /// Pushes, holds, releases slowly and reads q.
 double push_and_release(Motion& motion, const Hand& hand, double cocontraction, double push, const Protocol& protocol) {
-    move_by_hand(motion, cocontraction, 0.0, push, hand.push_share * protocol.dead_band_push);
+    motion.lead_smoothly_to({cocontraction, cocontraction, push}, hand.push_share * protocol.dead_band_push);
     motion.hold((1.0 - hand.push_share) * protocol.dead_band_push);
-    move_by_hand(motion, cocontraction, push, 0.0, (1.0 - hand.settle_share) * protocol.dead_band_release);
+    motion.lead_smoothly_to({cocontraction, cocontraction, 0.0}, (1.0 - hand.settle_share) * protocol.dead_band_release);
     motion.hold(hand.settle_share * protocol.dead_band_release);
     return motion.q();
 }
@@ -46,8 +36,7 @@ std::vector<double> predict_dead_band(const BuiltRig& rig, const Rows& rows, con
     for (const DeadBandRow& row : rows.dead_band) {
         const double push = std::isfinite(row.push_torque) ? row.push_torque : kStrongPush * rig.ratio * row.cocontraction;
         Motion motion(rig, kDeadBandStep);
-        motion.lead_to({row.cocontraction, row.cocontraction, 0.0}, protocol.motor_ramp);
-        motion.hold(protocol.motor_settle);
+        begin_at(motion, {row.cocontraction, row.cocontraction, 0.0}, protocol);
         motion.hand_damping = 2.0 * rig.hand.damping * std::sqrt(held_stiffness(rig, motion) * rig.joint_inertia);
         const double high = push_and_release(motion, rig.hand, row.cocontraction, push, protocol);
         const double low = push_and_release(motion, rig.hand, row.cocontraction, -push, protocol);

@@ -2,7 +2,6 @@
 #include <cmath>
 
 #include "experiments.h"
-#include "fusee/gap/motion.h"
 
 namespace fusee::gap {
 
@@ -36,8 +35,7 @@ std::vector<double> predict_joint_stiffness(const BuiltRig& rig, const std::vect
         const double tau = begin.cocontraction;
         if (first == 0 || tau != rows[first - 1].cocontraction) {
             motion = Motion(rig, kSlowStep);
-            motion.lead_to({tau, tau, 0.0}, protocol.motor_ramp);
-            motion.hold(protocol.motor_settle);
+            begin_at(motion, {tau, tau, 0.0}, protocol);
         }
         const Ramp ramp = straight(rows, first, last);
         for (std::size_t i = first; i < last; ++i) {

@@ -3,7 +3,6 @@
 #include <span>
 
 #include "experiments.h"
-#include "fusee/gap/motion.h"
 #include "reading.h"
 
 namespace fusee::gap {
@@ -17,8 +16,7 @@ void follow(const BuiltRig& rig, std::span<const LogRow> rows, const Protocol& p
     Motion motion(rig, kLogStep);
     Reading reading(rig);
     const LogRow& first = rows.front();
-    motion.lead_to(torques_of(first), protocol.motor_ramp);
-    motion.hold(protocol.motor_settle);
+    begin_at(motion, torques_of(first), protocol);
     std::size_t next = 1;
     double now = first.time;  // of the commands as they arrive, `delay` late
     const auto lead_to = [&](const Motion::Torques& command, double time) {

@@ -23,7 +23,7 @@ constexpr std::size_t kMostRivals = 4;      ///< among which a further experimen
 constexpr double kSmallLeak = 0.05;         ///< probability that is shared out among rivals but not worth a further experiment
 
 /// Half of the 95 % of x[k]: the fit's own sigma, the law's accuracy, and the spread that refits without an experiment have (jackknife),
-/// which few experiments say but roughly.
+/// which few experiments say but roughly (docs/theory/diagnosis.md, eq. 15).
 double half_interval(const Fit& fit, const Split& left_out, int k) {
     std::vector<double> values;
     for (const Eigen::VectorXd& x : left_out.x)

@@ -107,6 +107,20 @@ TEST(PredictJointStiffness, every_level_begins_anew_at_rest) {
     EXPECT_EQ(std::vector<double>(q.end() - static_cast<std::ptrdiff_t>(alone.size()), q.end()), alone);
 }
 
+TEST(PredictJoint, every_file_begins_anew_at_rest) {
+    for (const Experiment experiment : {Experiment::kJointStiffness, Experiment::kCocontraction}) {
+        const Rows one = some_of(experiment);
+        Rows two = one;
+        two.joint_stiffness.insert(two.joint_stiffness.end(), one.joint_stiffness.begin(), one.joint_stiffness.end());
+        two.cocontraction.insert(two.cocontraction.end(), one.cocontraction.begin(), one.cocontraction.end());
+        two.parts[experiment] = {one.size(experiment), one.size(experiment)};
+        const std::vector<double> alone = read(faultless(kRig), one, experiment), both = read(faultless(kRig), two, experiment);
+        ASSERT_EQ(both.size(), 2 * alone.size());
+        EXPECT_TRUE(std::equal(alone.begin(), alone.end(), both.begin()));
+        EXPECT_TRUE(std::equal(alone.begin(), alone.end(), both.begin() + static_cast<std::ptrdiff_t>(alone.size())));
+    }
+}
+
 TEST(PredictCocontraction, capstans_wind_in_at_their_lower_and_pay_out_at_their_upper_limit) {
     const Rows rows = some_of(Experiment::kCocontraction);
     const std::vector<double> angles = read(faultless(kRig), rows, Experiment::kCocontraction, kSlow);

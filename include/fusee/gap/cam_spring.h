@@ -40,8 +40,8 @@ private:
     double per_step_ = 1.0, last_ = 0.0;
 };
 
-/// The nominal cams of a rig, from its spring curves: spool angle phi with k_t phi^2/2 = U_SE and arm r = r_c k_t phi/F_SE; compression y
-/// with k y^2/2 = U_PE and arm r = F_PE/(k y).
+/// The nominal cams of a rig, from its spring curves (docs/theory/diagnosis.md, eq. 5 and 6): spool angle phi with k_t phi^2/2 = U_SE and
+/// arm r = r_c k_t phi/F_SE; compression y with k y^2/2 = U_PE and arm r = F_PE/(k y).
 class NominalCams {
 public:
     /// @throws core::InvalidInput if a curve does not rise

@@ -6,8 +6,10 @@
 
 namespace fusee::gap {
 
-/// Cauchy's loss in sigmas, c^2 ln(1 + r^2/c^2): a slip that happened in the model and not on the rig puts a stretch of rows a hundred
-/// sigmas off, and how far does not matter.
+// Equations 8 to 12 of docs/theory/diagnosis.md.
+
+/// Cauchy's loss in sigmas, c^2 ln(1 + r^2/c^2) (eq. 9): a slip that happened in the model and not on the rig puts a stretch of rows a
+/// hundred sigmas off, and how far does not matter.
 inline constexpr double kCauchy = 3.0;
 [[nodiscard]] double loss(double r);
 
@@ -20,7 +22,7 @@ struct Fit {
     Causes causes;
     Eigen::VectorXd x;          ///< as Problem
     double cost = 0.0;          ///< weighted robust misfit and priors
-    double log_evidence = 0.0;  ///< Laplace's approximation [nat], up to a constant of the case
+    double log_evidence = 0.0;  ///< Laplace's approximation (eq. 12) [nat], up to a constant of the case
     Eigen::VectorXd residual;   ///< at x, unweighted
     Eigen::VectorXd spread;     ///< of each row, spread_of at x
     [[nodiscard]] Eigen::VectorXd seen() const { return residual.cwiseQuotient(spread); }
@@ -35,9 +37,9 @@ struct FitOptions {
 /// Least of sum w loss(residual) + sum (x/prior)^2 from `start`, bounds kept (Ceres).
 [[nodiscard]] Fit fit(const Problem& problem, const Causes& causes, const Eigen::VectorXd& start, const FitOptions& options = {});
 
-/// What the prediction itself can say of a row, in sigmas, >= 1: sqrt(1 + the square of what draws of x on opposite sides, within its
-/// tolerance, do not share with a straight line). Where friction sticks and slips, the moment of a slip hangs on next to nothing: such rows
-/// say little, however far off they are.
+/// What the prediction itself can say of a row (eq. 8), in sigmas, >= 1: sqrt(1 + the square of what draws of x on opposite sides, within
+/// its tolerance, do not share with a straight line). Where friction sticks and slips, the moment of a slip hangs on next to nothing: such
+/// rows say little, however far off they are.
 [[nodiscard]] Eigen::VectorXd spread_of(const Problem& problem, const Causes& causes, const Eigen::VectorXd& x, unsigned jobs);
 /// The build parameter that is farthest off its nominal figure, and how far.
 struct Strain {
@@ -52,8 +54,9 @@ inline constexpr double kImpossible = 5.0;  ///< sigmas that no workshop is off 
 /// Weights of rows in a fit: sqrt(weight) cut by the loss and the scales at `residual`; 0 where `kept` is false.
 [[nodiscard]] Eigen::VectorXd robust_weights(const Problem& problem, const Eigen::VectorXd& residual,
                                              const std::vector<bool>* kept = nullptr);
-/// The cost at a residual and x: priors, and of each experiment its rows' weight times T^2, the mean of loss(residual), up to T = kFair,
-/// from there on kFair^2 (1 + 2 ln(T/kFair)): the likelihood with an unknown accuracy. Rows that are not `kept` do not count.
+/// The cost at a residual and x (eq. 10 and 11, without its last term): priors, and of each experiment its rows' weight times T^2, the mean
+/// of loss(residual), up to T = kFair, from there on kFair^2 (1 + 2 ln(T/kFair)): the likelihood with an unknown accuracy. Rows that are
+/// not `kept` do not count.
 [[nodiscard]] double cost_of(const Problem& problem, const Causes& causes, const Eigen::VectorXd& residual, const Eigen::VectorXd& x,
                              const std::vector<bool>* kept = nullptr);
 /// One step of Gauss and Newton with a Jacobian that is taken to hold: the x that is best for rows `kept` in the linear model.

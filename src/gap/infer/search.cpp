@@ -23,6 +23,7 @@ constexpr double kStretched = 3.5;     ///< sigmas of a build parameter: among 2
 constexpr double kStandsOff = 3.0;     ///< sigmas from 0 that an effect's size has to stand
 constexpr double kLeastSize = 0.1;     ///< of what is usual: less is what a law leaves open, not an effect
 
+/// docs/theory/diagnosis.md, eq. 13 and 14.
 double score(const Fit& fit) {
     return fit.log_evidence - (fit.causes.empty() ? 0.0 : kEffectOdds) - (fit.causes.size() > 1 ? kSecondOdds : 0.0);
 }

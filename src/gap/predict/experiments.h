@@ -1,4 +1,5 @@
 #pragma once
+#include <span>
 #include <vector>
 
 #include "fusee/gap/motion.h"
@@ -16,13 +17,26 @@ inline void begin_at(Motion& motion, const Motion::Torques& torques, const Proto
     motion.hold(protocol.motor_settle);
 }
 
+/// The rows of each file of an experiment, since each begins from rest; those that no file accounts for are one more.
+template <class Row>
+[[nodiscard]] std::vector<std::span<const Row>> files_of(const Rows& rows, Experiment experiment, const std::vector<Row>& all) {
+    std::vector<std::span<const Row>> files;
+    std::span<const Row> left(all);
+    const auto parts = rows.parts.find(experiment);
+    if (parts != rows.parts.end())
+        for (const std::size_t count : parts->second) {
+            if (count > 0) files.push_back(left.first(count));
+            left = left.subspan(count);
+        }
+    if (!left.empty()) files.push_back(left);
+    return files;
+}
+
 [[nodiscard]] std::vector<double> predict_break_away(const BuiltRig& rig, const std::vector<BreakAway>& rows);
 [[nodiscard]] std::vector<double> predict_spring_pull(const BuiltRig& rig, const std::vector<SpringPull>& rows);
 [[nodiscard]] std::vector<double> predict_dead_band(const BuiltRig& rig, const Rows& rows, const Protocol& protocol);
-[[nodiscard]] std::vector<double> predict_joint_stiffness(const BuiltRig& rig, const std::vector<StiffnessRow>& rows,
-                                                          const Protocol& protocol);
-[[nodiscard]] std::vector<double> predict_cocontraction(const BuiltRig& rig, const std::vector<CocontractionRow>& rows,
-                                                        const Protocol& protocol);
+[[nodiscard]] std::vector<double> predict_joint_stiffness(const BuiltRig& rig, const Rows& rows, const Protocol& protocol);
+[[nodiscard]] std::vector<double> predict_cocontraction(const BuiltRig& rig, const Rows& rows, const Protocol& protocol);
 [[nodiscard]] std::vector<double> predict_log(const BuiltRig& rig, const Rows& rows, const Protocol& protocol);
 
 }  // namespace fusee::gap

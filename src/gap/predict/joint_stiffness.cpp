@@ -11,7 +11,7 @@ namespace {
 struct Ramp {
     double from = 0.0, per_row = 0.0;
 };
-Ramp straight(const std::vector<StiffnessRow>& rows, std::size_t first, std::size_t last) {
+Ramp straight(std::span<const StiffnessRow> rows, std::size_t first, std::size_t last) {
     const double n = static_cast<double>(last - first), middle = 0.5 * (n - 1.0);
     double mean = 0.0, lever = 0.0, weight = 0.0;
     for (std::size_t i = first; i < last; ++i) {
@@ -24,10 +24,8 @@ Ramp straight(const std::vector<StiffnessRow>& rows, std::size_t first, std::siz
     return {mean - per_row * middle, per_row};
 }
 
-}  // namespace
-
-std::vector<double> predict_joint_stiffness(const BuiltRig& rig, const std::vector<StiffnessRow>& rows, const Protocol& protocol) {
-    std::vector<double> read;
+/// One file: each co-contraction from rest, its phases one after the other.
+void follow(const BuiltRig& rig, std::span<const StiffnessRow> rows, const Protocol& protocol, std::vector<double>& read) {
     Motion motion(rig, kSlowStep);
     for (std::size_t first = 0, last = 0; first < rows.size(); first = last) {
         const StiffnessRow& begin = rows[first];
@@ -44,6 +42,14 @@ std::vector<double> predict_joint_stiffness(const BuiltRig& rig, const std::vect
             read.push_back(motion.q() + rig.joint_offset);
         }
     }
+}
+
+}  // namespace
+
+std::vector<double> predict_joint_stiffness(const BuiltRig& rig, const Rows& rows, const Protocol& protocol) {
+    std::vector<double> read;
+    for (const std::span<const StiffnessRow> file : files_of(rows, Experiment::kJointStiffness, rows.joint_stiffness))
+        follow(rig, file, protocol, read);
     return read;
 }
 

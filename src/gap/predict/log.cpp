@@ -43,14 +43,7 @@ void follow(const BuiltRig& rig, std::span<const LogRow> rows, const Protocol& p
 
 std::vector<double> predict_log(const BuiltRig& rig, const Rows& rows, const Protocol& protocol) {
     std::vector<double> read;
-    std::span<const LogRow> left(rows.log);
-    const auto parts = rows.parts.find(Experiment::kLog);
-    if (parts != rows.parts.end())
-        for (const std::size_t count : parts->second) {
-            if (count > 0) follow(rig, left.first(count), protocol, read);
-            left = left.subspan(count);
-        }
-    if (!left.empty()) follow(rig, left, protocol, read);
+    for (const std::span<const LogRow> file : files_of(rows, Experiment::kLog, rows.log)) follow(rig, file, protocol, read);
     return read;
 }
 

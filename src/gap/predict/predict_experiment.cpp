@@ -11,9 +11,9 @@ std::vector<double> predict_experiment(const BuiltRig& rig, const Rows& rows, co
         case Experiment::kDeadBand:
             return predict_dead_band(rig, rows, protocol);
         case Experiment::kJointStiffness:
-            return predict_joint_stiffness(rig, rows.joint_stiffness, protocol);
+            return predict_joint_stiffness(rig, rows, protocol);
         case Experiment::kCocontraction:
-            return predict_cocontraction(rig, rows.cocontraction, protocol);
+            return predict_cocontraction(rig, rows, protocol);
         case Experiment::kLog:
             return predict_log(rig, rows, protocol);
     }

@@ -17,7 +17,7 @@ using gap::Isolability;
 using Indices = std::vector<std::size_t>;
 
 constexpr double kCell = 25, kLetter = 6.4, kFoot = 20, kMargin = 4;
-constexpr std::size_t kMostCauses = 60;  // a picture of about 200 kB
+constexpr std::size_t kMostCauses = 72;  // a picture of about 250 kB
 
 /// Members of a class side by side, then the causes that stand alone.
 Indices by_class(const Isolability& isolability) {

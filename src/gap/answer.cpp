@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "gap_map.h"
+#include "interval.h"
 #include "isolability.h"
 #include "next_experiment.h"
 #include "screen.h"
@@ -14,28 +15,9 @@ namespace fusee::gap {
 namespace {
 
 constexpr double kNormal95 = 1.959964;
-constexpr double kLawAccuracy = 0.01;  ///< of a size: what tables and steps of the model leave of it, one sigma
-/// Student's 95 % for 3, 4 and 5 degrees of freedom: one less than folds, or experiments that were left out one at a time.
-constexpr std::array kStudent95{3.182446, 2.776445, 2.570582};
-constexpr std::size_t kLeftOut = 4;         ///< hypotheses of the ranking whose experiments are left out
 constexpr double kLeastAlternative = 1e-3;  ///< probability below which an alternative is not listed
 constexpr std::size_t kMostRivals = 4;      ///< among which a further experiment is sought: each costs as much as a fit
 constexpr double kSmallLeak = 0.05;         ///< probability that is shared out among rivals but not worth a further experiment
-
-/// Half of the 95 % of x[k]: the fit's own sigma, the law's accuracy, and the spread that refits without an experiment have (jackknife),
-/// which few experiments say but roughly (docs/theory/diagnosis.md, eq. 15).
-double half_interval(const Fit& fit, const Split& left_out, int k) {
-    std::vector<double> values;
-    for (const Eigen::VectorXd& x : left_out.x)
-        if (x.size() > 0) values.push_back(x[k]);
-    double mean = 0.0, square = 0.0;
-    for (const double value : values) mean += value / static_cast<double>(values.size());
-    for (const double value : values) square += (value - mean) * (value - mean);
-    const double n = static_cast<double>(values.size()), jackknife = n > 1.0 ? square * (n - 1.0) / n : 0.0;
-    const std::size_t freedom = std::clamp<std::size_t>(values.size(), 4, 6) - 4;
-    return std::hypot(kNormal95 * std::sqrt(fit.covariance(k, k)), kNormal95 * kLawAccuracy * fit.x[k],
-                      kStudent95[freedom] * std::sqrt(jackknife));
-}
 
 /// 95 % of what the folds say of the gap on rows kept back.
 core::Range interval_over_folds(const Problem& problem, const Eigen::VectorXd& held) {
@@ -49,7 +31,7 @@ core::Range interval_over_folds(const Problem& problem, const Eigen::VectorXd& h
         mean += gap / kFolds;
         square += gap * gap / kFolds;
     }
-    const double half = kStudent95[kFolds - 4] * std::sqrt(std::max(0.0, square - mean * mean) / (kFolds - 1));
+    const double half = student95(kFolds) * std::sqrt(std::max(0.0, square - mean * mean) / (kFolds - 1));
     return {std::max(0.0, mean - half), mean + half};
 }
 
@@ -109,20 +91,16 @@ void Answer::build() {
     }
 }
 
-void Answer::rank(unsigned jobs) {
+void Answer::rank() {
     for (std::size_t h = 0; h < found_.fits.size(); ++h) {
         const Fit& fit = found_.fits[h];
+        const Split& left_out = found_.left_out[h];
         Hypothesis row{fit.causes, found_.log_posterior[h], found_.probability[h], fit.cost, kNoFigure, {}};
-        Split left_out;
-        if (h < kLeftOut || h == found_.null) {
-            left_out = experiments_left_out(problem_, fit, jobs);
-            row.left_out = root_mean_square(problem_, left_out.residual.cwiseQuotient(sigma_));
-        }
-        auto k = static_cast<int>(problem_.build().size());
-        for (const Cause& cause : fit.causes) {
-            const Effect& effect = find_effect(cause.id);
-            row.parameters.push_back(parameter_of(fit.x[k], half_interval(fit, left_out, k), effect.parameters.front()));
-            k += static_cast<int>(effect.parameters.size());
+        if (!left_out.x.empty()) row.left_out = root_mean_square(problem_, left_out.residual.cwiseQuotient(sigma_));
+        for (std::size_t c = 0; c < fit.causes.size(); ++c) {
+            const int k = problem_.size_at(fit.causes, c);
+            const EffectParameter& size = find_effect(fit.causes[c].id).parameters.front();
+            row.parameters.push_back(parameter_of(fit.x[k], half_interval(fit, left_out, k), size));
         }
         diagnosis_.ranking.push_back(std::move(row));
     }
@@ -132,17 +110,16 @@ void Answer::rank(unsigned jobs) {
 void Answer::found_effects() {
     const Fit& best = found_.best();
     const bool named = judgement_.verdict == Verdict::kIdentified || judgement_.verdict == Verdict::kAmbiguous;
-    auto k = static_cast<Eigen::Index>(problem_.build().size());
     for (std::size_t c = 0; named && c < best.causes.size(); ++c) {
         const Effect& effect = find_effect(best.causes[c].id);
+        const auto k = static_cast<std::size_t>(problem_.size_at(best.causes, c));
         FoundEffect found{best.causes[c], 0.0, diagnosis_.ranking.front().parameters[c], {}};
         for (std::size_t h = 0; h < found_.fits.size(); ++h) {
             const Causes& others = found_.fits[h].causes;
             if (std::find(others.begin(), others.end(), found.cause) != others.end()) found.probability += found_.probability[h];
         }
         for (std::size_t p = 1; p < effect.parameters.size(); ++p)
-            found.extra.emplace_back(effect.parameters[p].name, best.x[k + static_cast<Eigen::Index>(p)] * effect.parameters[p].scale);
-        k += static_cast<Eigen::Index>(effect.parameters.size());
+            found.extra.emplace_back(effect.parameters[p].name, best.x[static_cast<Eigen::Index>(k + p)] * effect.parameters[p].scale);
         diagnosis_.effects.push_back(std::move(found));
     }
     for (std::size_t h = named || judgement_.verdict == Verdict::kNone ? 1 : 0; h < found_.fits.size(); ++h)

@@ -12,8 +12,8 @@ public:
     Answer(const Problem& problem, const Search& found, const Judgement& judgement);
     /// How far the gap shrinks: on the rows of the fit and on rows kept back.
     void compare(const Split& kept);
-    /// The ranking, with experiments left out, and the intervals, which what is left out may widen.
-    void rank(unsigned jobs);
+    /// The ranking and the intervals, which experiments that are left out may widen.
+    void rank();
     /// What these experiments can tell apart, and what further one would split the rivals.
     void look_ahead(unsigned jobs);
     [[nodiscard]] Diagnosis take() { return std::move(diagnosis_); }

@@ -26,7 +26,7 @@ public:
     }
 
 private:
-    static constexpr std::size_t kSteps = 7;  // four of the search, three below
+    static constexpr std::size_t kSteps = 7;  // five of the search, two below
     const DiagnoseOptions& options_;
     std::size_t done_ = 0;
 };
@@ -45,8 +45,7 @@ Diagnosis diagnose(const Case& bench, const DiagnoseOptions& options) {
     Answer answer(problem, found, judgement);
     answer.compare(kept_back(problem, found.best(), jobs));
     told("rows kept back");
-    answer.rank(jobs);
-    told("experiments left out");
+    answer.rank();
     answer.look_ahead(jobs);
     told("next experiment");
     return answer.take();

@@ -15,12 +15,16 @@ const std::vector<Effect>& effect_library() {
     return library;
 }
 
-const Effect& find_effect(const std::string& id) {
+const Effect* effect_or_none(std::string_view id) {
     const std::vector<Effect>& library = effect_library();
     const auto found = std::find_if(library.begin(), library.end(), [&](const Effect& effect) { return effect.id == id; });
-    if (found != library.end()) return *found;
+    return found == library.end() ? nullptr : &*found;
+}
+
+const Effect& find_effect(const std::string& id) {
+    if (const Effect* effect = effect_or_none(id)) return *effect;
     std::vector<std::string> ids;
-    for (const Effect& effect : library) ids.push_back(effect.id);
+    for (const Effect& effect : effect_library()) ids.push_back(effect.id);
     throw core::InvalidInput("effects: id", id, fmt::format("{}", fmt::join(ids, ", ")));
 }
 

@@ -45,12 +45,6 @@ Column column_of(std::string_view column) {
     return {spaced(column), ""};
 }
 
-const gap::Effect* in_library(std::string_view id) {
-    const std::vector<gap::Effect>& all = gap::effect_library();
-    const auto at = std::find_if(all.begin(), all.end(), [&](const gap::Effect& effect) { return effect.id == id; });
-    return at == all.end() ? nullptr : &*at;
-}
-
 constexpr double kWorthNaming = 0.05;
 
 /// The found effects and what could well stand in their place, each once.
@@ -111,12 +105,12 @@ std::string meaning(std::string_view effect_id) {
     const auto at =
         std::find_if(kBenchMeanings.begin(), kBenchMeanings.end(), [&](const Words& words) { return words.first == effect_id; });
     if (at != kBenchMeanings.end()) return std::string(at->second);
-    const gap::Effect* const effect = in_library(effect_id);
+    const gap::Effect* const effect = gap::effect_or_none(effect_id);
     return effect == nullptr ? "" : effect->meaning;
 }
 
 std::string law(std::string_view effect_id) {
-    const gap::Effect* const effect = in_library(effect_id);
+    const gap::Effect* const effect = gap::effect_or_none(effect_id);
     if (effect == nullptr) return "";
     if (effect->confused_with.empty()) return effect->law;
     return fmt::format("{} Looks much like {}.", effect->law, fmt::join(effect->confused_with, ", "));

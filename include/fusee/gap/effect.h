@@ -1,6 +1,7 @@
 #pragma once
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "fusee/gap/built_rig.h"
@@ -30,10 +31,15 @@ struct Effect {
     std::vector<std::string> confused_with;   ///< ids with a like signature in some experiments, for the reader
     /// Puts it on one side of the rig (side 0 for an effect without sides). `values` as `parameters`.
     void (*apply)(BuiltRig& rig, int side, std::span<const double> values) = nullptr;
+
+    /// Its size is where something begins (a stop's angle), which has no size of 0.
+    [[nodiscard]] bool is_limit() const { return parameters.front().allowed.low > 0.0; }
 };
 
 /// All of them, by id.
 [[nodiscard]] const std::vector<Effect>& effect_library();
+/// Null where there is none of this id.
+[[nodiscard]] const Effect* effect_or_none(std::string_view id);
 /// @throws core::InvalidInput with the ids that there are
 [[nodiscard]] const Effect& find_effect(const std::string& id);
 /// On the sides that `cause` names: "agonist", "antagonist", "both", or "none" for an effect that has no side.

@@ -10,6 +10,7 @@ inline constexpr double kSlowStep = 2e-3;      ///< of an experiment that is led
 inline constexpr double kDeadBandStep = 3e-3;  ///< of a dead-band test, of which only where it ends is read [s]: off by 2 % at most
 inline constexpr double kLogStep = 5e-4;       ///< of a log [s]: off by 2 mrad after 8 s of fast motion
 
+/// Where the three bodies are and how fast they turn, and on which branch each spring's hysteresis is.
 struct MotionState {
     std::array<double, 3> place{}, speed{};  ///< of the agonist's capstan, the antagonist's, the joint [rad], [rad/s]
     std::array<Hysteresis, 4> memory;        ///< SE, PE of the agonist, SE, PE of the antagonist

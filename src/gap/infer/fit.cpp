@@ -84,15 +84,10 @@ Eigen::VectorXd prior_precision(const Problem& problem, const Causes& causes) {
 
 /// Laplace: log Z = -cost/2 - log det(H)/2 + log det(prior)/2.
 void weigh(const Problem& problem, Fit& fit) {
-    const Eigen::VectorXd w = robust_weights(problem, fit.seen()).cwiseQuotient(fit.spread),
-                          precision = prior_precision(problem, fit.causes);
-    const Eigen::MatrixXd weighted = w.asDiagonal() * fit.jacobian;
-    Eigen::MatrixXd hessian = weighted.transpose() * weighted;
-    hessian.diagonal() += precision;
-    const Eigen::LLT<Eigen::MatrixXd> root(hessian);
-    fit.covariance = root.solve(Eigen::MatrixXd::Identity(hessian.rows(), hessian.cols()));
+    const Eigen::LLT<Eigen::MatrixXd> root(information(problem, fit, fit.seen()));
+    fit.covariance = root.solve(Eigen::MatrixXd::Identity(fit.x.size(), fit.x.size()));
     const double log_det = 2.0 * Eigen::MatrixXd(root.matrixL()).diagonal().array().log().sum();
-    fit.log_evidence = -0.5 * fit.cost - 0.5 * log_det + 0.5 * precision.array().log().sum();
+    fit.log_evidence = -0.5 * fit.cost - 0.5 * log_det + 0.5 * prior_precision(problem, fit.causes).array().log().sum();
 }
 
 /// How far a draw goes.
@@ -108,6 +103,14 @@ double sign_of(int i, int k) {
 }
 
 }  // namespace
+
+Eigen::MatrixXd information(const Problem& problem, const Fit& fit, const Eigen::VectorXd& seen, const std::vector<bool>* kept) {
+    const Eigen::VectorXd w = robust_weights(problem, seen, kept).cwiseQuotient(fit.spread);
+    const Eigen::MatrixXd weighted = w.asDiagonal() * fit.jacobian;
+    Eigen::MatrixXd hessian = weighted.transpose() * weighted;
+    hessian.diagonal() += prior_precision(problem, fit.causes);
+    return hessian;
+}
 
 Eigen::VectorXd spread_of(const Problem& problem, const Causes& causes, const Eigen::VectorXd& x, unsigned jobs) {
     std::vector<Eigen::VectorXd> draws(2 * kPairsOfDraws);
@@ -230,8 +233,8 @@ void solve(const Problem& problem, Fit& fit, const Scales& scales, const Eigen::
     ceres::Solver::Options how;
     how.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
     how.max_num_iterations = options.steps;
-    how.initial_trust_region_radius = 1e6;
-    how.function_tolerance = 2e-5;  // a step that is refused by a hair ends it too
+    how.initial_trust_region_radius = 1e6;  // the problem is nearly linear: the first step is Gauss and Newton's
+    how.function_tolerance = 2e-5;          // a step that is refused by a hair ends it too
     how.parameter_tolerance = 1e-4;
     how.logging_type = ceres::SILENT;
     ceres::Solver::Summary summary;

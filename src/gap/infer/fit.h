@@ -37,6 +37,10 @@ struct FitOptions {
 /// Least of sum w loss(residual) + sum (x/prior)^2 from `start`, bounds kept (Ceres).
 [[nodiscard]] Fit fit(const Problem& problem, const Causes& causes, const Eigen::VectorXd& start, const FitOptions& options = {});
 
+/// J^T W J + Lambda (eq. 12) with the weights of the loss at residuals `seen` (in spreads): what the rows `kept` and the priors say of x.
+[[nodiscard]] Eigen::MatrixXd information(const Problem& problem, const Fit& fit, const Eigen::VectorXd& seen,
+                                          const std::vector<bool>* kept = nullptr);
+
 /// What the prediction itself can say of a row (eq. 8), in sigmas, >= 1: sqrt(1 + the square of what draws of x on opposite sides, within
 /// its tolerance, do not share with a straight line). Where friction sticks and slips, the moment of a slip hangs on next to nothing: such
 /// rows say little, however far off they are.

@@ -18,7 +18,7 @@ struct Place {
 [[nodiscard]] const char* variable_of(Experiment experiment);  ///< "motor_torque_Nm", "deflection_rad", ...
 
 /// Sigma of each residual with the build tolerances in it, in units of the problem's sigma: what a gap is counted in
-/// (docs/theory/diagnosis.md, eq. 16). From the slopes of the nominal rig.
+/// (docs/theory/diagnosis.md, eq. 17). From the slopes of the nominal rig.
 [[nodiscard]] Eigen::VectorXd tolerance_sigma(const Problem& problem, const Eigen::MatrixXd& build_slopes);
 
 /// Root mean square of the weighted figures; kNoFigure if there are none. `only`: of one experiment.

@@ -86,15 +86,16 @@ Eigen::VectorXd Problem::prior_mean(const Causes& causes) const {
     return mean;
 }
 
+int Problem::size_at(const Causes& causes, std::size_t cause) const {
+    return size(Causes(causes.begin(), causes.begin() + static_cast<std::ptrdiff_t>(cause)));
+}
+
 Eigen::VectorXd Problem::without_others(const Causes& causes, const Eigen::VectorXd& x, const Cause& kept) const {
     Eigen::VectorXd own(size({kept}));
-    own.head(static_cast<Eigen::Index>(build_.size())) = x.head(static_cast<Eigen::Index>(build_.size()));
-    auto from = static_cast<Eigen::Index>(build_.size());
-    for (const Cause& cause : causes) {
-        const auto count = static_cast<Eigen::Index>(find_effect(cause.id).parameters.size());
-        if (cause == kept) own.tail(count) = x.segment(from, count);
-        from += count;
-    }
+    const auto build = static_cast<Eigen::Index>(build_.size());
+    own.head(build) = x.head(build);
+    const auto at = static_cast<std::size_t>(std::find(causes.begin(), causes.end(), kept) - causes.begin());
+    own.tail(own.size() - build) = x.segment(size_at(causes, at), own.size() - build);
     return own;
 }
 

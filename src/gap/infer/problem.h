@@ -25,6 +25,7 @@ public:
     [[nodiscard]] int size(const Causes& causes) const;    ///< of x
     [[nodiscard]] int residuals() const { return rows_; }  ///< how many
     [[nodiscard]] Experiment experiment_of(int residual) const;
+    [[nodiscard]] int size_at(const Causes& causes, std::size_t cause) const;      ///< the place in x of causes[cause]'s size
     [[nodiscard]] core::Range allowed(const Causes& causes, int parameter) const;  ///< of x[parameter]
     /// Where a fit of these causes begins: sizes at their first start.
     [[nodiscard]] Eigen::VectorXd start(const Causes& causes) const;

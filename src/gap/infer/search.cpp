@@ -5,6 +5,7 @@
 #include <cmath>
 #include <span>
 
+#include "interval.h"
 #include "screen.h"
 
 namespace fusee::gap {
@@ -21,6 +22,7 @@ constexpr double kWorthAPair = 60.0;   ///< a base is left out when it is so far
 constexpr double kNothingLeft = 1.15;  ///< T of every experiment at which no second effect is sought
 constexpr double kStretched = 3.5;     ///< sigmas of a build parameter: among 22, one time in a hundred on a faultless rig
 constexpr double kStandsOff = 3.0;     ///< sigmas from 0 that an effect's size has to stand
+constexpr std::size_t kLeftOut = 4;    ///< hypotheses of the ranking whose experiments are left out
 constexpr double kLeastSize = 0.1;     ///< of what is usual: less is what a law leaves open, not an effect
 
 /// docs/theory/diagnosis.md, eq. 13 and 14.
@@ -32,11 +34,8 @@ void sort_by_score(std::vector<Fit>& fits) {
     std::stable_sort(fits.begin(), fits.end(), [](const Fit& a, const Fit& b) { return score(a) > score(b); });
 }
 
-/// Fits the best `count` guesses in full.
-void fit_best(const Problem& problem, std::span<const Guess> guesses, std::size_t count, const SearchOptions& options,
-              std::vector<Fit>& fits) {
-    for (const Guess& guess : guesses.first(std::min(count, guesses.size())))
-        fits.push_back(fit(problem, guess.causes, guess.x, {.jobs = options.jobs}));
+Fit in_full(const Problem& problem, const Guess& guess, const SearchOptions& options) {
+    return fit(problem, guess.causes, guess.x, {.jobs = options.jobs});
 }
 
 /// Causes that may join `base`: of another effect.
@@ -58,7 +57,8 @@ void add_pairs(const Problem& problem, const std::vector<Cause>& causes, const s
         std::erase_if(guesses, [&](const Guess& guess) {
             return std::any_of(fits.begin(), fits.end(), [&](const Fit& known) { return same_causes(known.causes, guess.causes); });
         });
-        fit_best(problem, guesses, kPairs, options, fits);
+        for (const Guess& guess : std::span(guesses).first(std::min(kPairs, guesses.size())))
+            fits.push_back(in_full(problem, guess, options));
     }
 }
 
@@ -87,14 +87,13 @@ void step_back(const Problem& problem, const SearchOptions& options, std::vector
 
 /// The best single effects, best first. Once one explains all, only what came near it in the screening is a rival.
 std::vector<Fit> singles_of(const Problem& problem, const Fit& null, const std::vector<Guess>& guesses, const SearchOptions& options) {
-    std::vector<Fit> singles;
-    fit_best(problem, guesses, 1, options, singles);
-    if (singles.empty()) return singles;
+    if (guesses.empty()) return {};
+    std::vector<Fit> singles{in_full(problem, guesses.front(), options)};
     const double enough = singles.front().cost + kNearEnough * (null.cost - singles.front().cost);
     const bool all = !explained(problem, singles.front());
     const std::span<const Guess> others = std::span(guesses).subspan(1, std::min(kSingles, guesses.size()) - 1);
     for (const Guess& guess : others)
-        if (all || guess.cost < enough) fit_best(problem, {&guess, 1}, 1, options, singles);
+        if (all || guess.cost < enough) singles.push_back(in_full(problem, guess, options));
     sort_by_score(singles);
     return singles;
 }
@@ -103,30 +102,41 @@ std::vector<Fit> singles_of(const Problem& problem, const Fit& null, const std::
 /// parameter is off by what no workshop is to make room for it.
 bool stands(const Problem& problem, const Fit& fit) {
     if (!fit.causes.empty() && std::abs(strain(problem, fit).sigmas) > kImpossible) return false;
-    auto k = static_cast<Eigen::Index>(problem.build().size());
-    for (const Cause& cause : fit.causes) {
-        const Effect& effect = find_effect(cause.id);
-        const bool limit = effect.parameters.front().allowed.low > 0.0;
+    for (std::size_t c = 0; c < fit.causes.size(); ++c) {
+        const int k = problem.size_at(fit.causes, c);
         const double least = std::max(kLeastSize, kStandsOff * std::sqrt(fit.covariance(k, k)));
-        if (!limit && std::abs(fit.x[k]) < least) return false;
-        k += static_cast<Eigen::Index>(effect.parameters.size());
+        if (!find_effect(fit.causes[c].id).is_limit() && std::abs(fit.x[k]) < least) return false;
     }
     return true;
 }
 
-Search ranked(const Problem& problem, std::vector<Fit> fits) {
+/// Without the hypotheses that do not survive the splits. Those far down the ranking are not asked.
+Search survivors(const Problem& problem, std::vector<Fit> fits, const SearchOptions& options) {
     Search result;
+    for (Fit& fit : fits) {
+        Split left_out;
+        if (result.fits.size() < kLeftOut || fit.causes.empty()) {
+            left_out = experiments_left_out(problem, fit, options.jobs);
+            if (!survives(problem, fit, left_out)) continue;
+        }
+        result.fits.push_back(std::move(fit));
+        result.left_out.push_back(std::move(left_out));
+    }
+    return result;
+}
+
+Search ranked(const Problem& problem, std::vector<Fit> fits, const SearchOptions& options) {
     std::erase_if(fits, [&](const Fit& fit) { return !stands(problem, fit); });
     sort_by_score(fits);
+    Search result = survivors(problem, std::move(fits), options);
     double sum = 0.0;
-    for (const Fit& fit : fits) {
-        result.log_posterior.push_back(score(fit) - score(fits.front()));
+    for (const Fit& fit : result.fits) {
+        result.log_posterior.push_back(score(fit) - score(result.best()));
         sum += std::exp(result.log_posterior.back());
     }
     for (const double log_posterior : result.log_posterior) result.probability.push_back(std::exp(log_posterior) / sum);
-    result.null =
-        static_cast<std::size_t>(std::find_if(fits.begin(), fits.end(), [](const Fit& fit) { return fit.causes.empty(); }) - fits.begin());
-    result.fits = std::move(fits);
+    const auto null = std::find_if(result.fits.begin(), result.fits.end(), [](const Fit& fit) { return fit.causes.empty(); });
+    result.null = static_cast<std::size_t>(null - result.fits.begin());
     return result;
 }
 
@@ -148,7 +158,9 @@ Search search(const Problem& problem, const SearchOptions& options) {
     if (found && !explained(problem, singles.front())) add_pairs(problem, causes, singles, options, fits);
     step_back(problem, options, fits);
     tell("pairs of effects");
-    return ranked(problem, std::move(fits));
+    Search result = ranked(problem, std::move(fits), options);
+    tell("experiments left out");
+    return result;
 }
 
 }  // namespace fusee::gap

@@ -3,13 +3,14 @@
 #include <string>
 #include <vector>
 
-#include "fit.h"
+#include "splits.h"
 
 namespace fusee::gap {
 
 /// Every hypothesis that was fitted in full, best first by evidence and prior.
 struct Search {
     std::vector<Fit> fits;
+    std::vector<Split> left_out;        ///< of each, with experiments left out: the best four and no effect, else empty
     std::vector<double> log_posterior;  ///< of each, relative to the best [nat]
     std::vector<double> probability;    ///< sums to 1
     std::size_t null = 0;               ///< the place of the hypothesis without effects
@@ -18,11 +19,12 @@ struct Search {
 
 struct SearchOptions {
     unsigned jobs = 1;
-    std::function<void(const std::string&)> told;  ///< of each part that is finished: four
+    std::function<void(const std::string&)> told;  ///< of each part that is finished: five
 };
 
 /// No effect, then each effect on each side, then pairs upon the best single ones: screened in the linear model, the best fitted in full.
-/// Pairs are sought only where a single effect was found; a second one has to pay for itself at the accuracy that the first one reached.
+/// Pairs are sought only where a single effect was found; a second one has to pay for itself at the accuracy that the first one reached. A
+/// cause must survive the splits (interval.h).
 [[nodiscard]] Search search(const Problem& problem, const SearchOptions& options);
 
 }  // namespace fusee::gap

@@ -1,5 +1,6 @@
 #include "splits.h"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -25,8 +26,12 @@ int place(const std::vector<double>& levels, double value) {
     return static_cast<int>(std::lower_bound(levels.begin(), levels.end(), value) - levels.begin());
 }
 
+struct Refit {
+    Eigen::VectorXd x, sigma;
+};
+
 /// x refitted on the rows with kept[i], from `fit`.
-Eigen::VectorXd refitted(const Problem& problem, const Fit& fit, const std::vector<bool>& kept) {
+Refit refitted(const Problem& problem, const Fit& fit, const std::vector<bool>& kept) {
     const Eigen::MatrixXd jacobian = fit.spread.cwiseInverse().asDiagonal() * fit.jacobian;
     Eigen::VectorXd x = fit.x, seen = fit.seen();
     double cost = cost_of(problem, fit.causes, seen, x, &kept);
@@ -39,19 +44,23 @@ Eigen::VectorXd refitted(const Problem& problem, const Fit& fit, const std::vect
         seen = left;
         cost = now;
     }
-    return x;
+    const Eigen::MatrixXd known = information(problem, fit, seen, &kept);
+    return {x, known.llt().solve(Eigen::MatrixXd::Identity(x.size(), x.size())).diagonal().cwiseSqrt()};
 }
 
 Split by_groups(const Problem& problem, const Fit& fit, const std::vector<int>& group, int groups, unsigned jobs) {
     std::vector<Eigen::VectorXd> left(static_cast<std::size_t>(groups));
     Split split;
     split.x.resize(left.size());
+    split.sigma.resize(left.size());
     parallel_for(left.size(), jobs, [&](std::size_t g) {
         std::vector<bool> kept(group.size());
         for (std::size_t i = 0; i < group.size(); ++i) kept[i] = group[i] != static_cast<int>(g);
         if (std::find(kept.begin(), kept.end(), false) == kept.end()) return;
-        split.x[g] = refitted(problem, fit, kept);
-        left[g] = problem.residual(fit.causes, split.x[g]);
+        Refit refit = refitted(problem, fit, kept);
+        left[g] = problem.residual(fit.causes, refit.x);
+        split.x[g] = std::move(refit.x);
+        split.sigma[g] = std::move(refit.sigma);
     });
     split.residual.resize(problem.residuals());
     for (int i = 0; i < problem.residuals(); ++i) split.residual[i] = left[static_cast<std::size_t>(group[static_cast<std::size_t>(i)])][i];

@@ -11,8 +11,9 @@ inline constexpr int kFolds = 4;
 
 /// Refits without a part of the rows, one part after the other.
 struct Split {
-    Eigen::VectorXd residual;        ///< of every row by the refit that has not seen it
-    std::vector<Eigen::VectorXd> x;  ///< of each refit; empty for a part without rows
+    Eigen::VectorXd residual;            ///< of every row by the refit that has not seen it
+    std::vector<Eigen::VectorXd> x;      ///< of each refit; empty for a part without rows
+    std::vector<Eigen::VectorXd> sigma;  ///< of each refit's x, by the rows that it has seen
 };
 /// Every fold predicted by a refit without it (nested: the refit begins at `fit` and takes Gauss-Newton steps on the other folds' rows).
 [[nodiscard]] Split kept_back(const Problem& problem, const Fit& fit, unsigned jobs);

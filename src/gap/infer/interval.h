@@ -1,0 +1,17 @@
+#pragma once
+#include "splits.h"
+
+namespace fusee::gap {
+
+/// Student's 95 % for the mean of `samples` figures; fewer than 4 count as 4, more than 6 as 6.
+[[nodiscard]] double student95(std::size_t samples);
+
+/// Half of the 95 % of x[k]: the fit's own sigma, the law's accuracy, and the spread of refits without an experiment (jackknife) as far
+/// as the experiments that are left would see such a size; few say it but roughly (docs/theory/diagnosis.md, eq. 15).
+[[nodiscard]] double half_interval(const Fit& fit, const Split& left_out, int k);
+
+/// Every effect's size stands off 0 by twice its interval (eq. 16): a cause that one experiment asks for and others that would see
+/// it speak against falls. A limit (a stop) has no size of 0 and survives.
+[[nodiscard]] bool survives(const Problem& problem, const Fit& fit, const Split& left_out);
+
+}  // namespace fusee::gap

@@ -31,7 +31,7 @@ struct Refitted {
             left_out.sigma.emplace_back(Eigen::VectorXd::Constant(fit.x.size(), sigma[e]));
         }
     }
-    [[nodiscard]] bool survives() const { return gap::survives(problem, fit, left_out); }
+    [[nodiscard]] bool stands() const { return contradicted(problem, fit, left_out).empty(); }
 };
 const Cause kCoulomb{"gear.coulomb", "agonist"}, kStop{"joint.stop", "none"};
 const std::vector<double> kSharp(6, 0.02);
@@ -55,19 +55,21 @@ TEST(HalfInterval, grows_with_the_spread_of_the_refits) {
                 std::hypot(1.959964 * std::hypot(0.01, 0.01), 2.570582 * std::sqrt(0.05)), 1e-6);
 }
 
-TEST(Survives, a_cause_that_every_split_finds) {
-    EXPECT_TRUE(Refitted(kCoulomb, 1.0, {0.9, 1.1, 1.0, 1.0, 1.05, 0.95}, kSharp).survives());
+TEST(Contradicted, not_a_cause_that_every_split_finds) {
+    EXPECT_TRUE(Refitted(kCoulomb, 1.0, {0.9, 1.1, 1.0, 1.0, 1.05, 0.95}, kSharp).stands());
 }
 
-TEST(Survives, not_a_cause_that_the_other_experiments_speak_against) {
-    EXPECT_FALSE(Refitted(kCoulomb, 1.0, {0.1, 1.1, 1.1, 1.1, 1.1, 1.1}, kSharp).survives());
+TEST(Contradicted, a_cause_that_the_other_experiments_speak_against) {
+    EXPECT_FALSE(Refitted(kCoulomb, 1.0, {0.1, 1.1, 1.1, 1.1, 1.1, 1.1}, kSharp).stands());
 }
 
-TEST(Survives, a_cause_that_one_experiment_alone_can_see) {
-    EXPECT_TRUE(Refitted(kCoulomb, 1.0, {0.0, 1.0, 1.0, 1.0, 1.0, 1.0}, {2.9, 0.02, 0.02, 0.02, 0.02, 0.02}).survives());
+TEST(Contradicted, not_a_cause_that_one_experiment_alone_can_see) {
+    EXPECT_TRUE(Refitted(kCoulomb, 1.0, {0.0, 1.0, 1.0, 1.0, 1.0, 1.0}, {2.9, 0.02, 0.02, 0.02, 0.02, 0.02}).stands());
 }
 
-TEST(Survives, a_stop_whose_angle_has_no_nothing) { EXPECT_TRUE(Refitted(kStop, 1.0, {0.1, 1.1, 1.1, 1.1, 1.1, 1.1}, kSharp).survives()); }
+TEST(Contradicted, not_a_stop_whose_angle_has_no_nothing) {
+    EXPECT_TRUE(Refitted(kStop, 1.0, {0.1, 1.1, 1.1, 1.1, 1.1, 1.1}, kSharp).stands());
+}
 
 TEST(ExperimentsLeftOut, say_how_well_the_others_see_a_size) {
     // Friction alone shows in break-away; without it pulls of springs know as little as the prior, three scales.
@@ -81,7 +83,7 @@ TEST(ExperimentsLeftOut, say_how_well_the_others_see_a_size) {
     const auto of = [&](Experiment e) { return left_out.sigma[static_cast<std::size_t>(e)][k]; };
     EXPECT_NEAR(of(Experiment::kBreakAway), 3.0, 1e-6);
     EXPECT_LT(of(Experiment::kSpringPull), 0.1);
-    EXPECT_TRUE(survives(problem, fit, left_out));
+    EXPECT_TRUE(contradicted(problem, fit, left_out).empty());
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace {
 constexpr double kNormal95 = 1.959964;
 constexpr double kLawAccuracy = 0.01;  ///< of a size: what tables and steps of the model leave of it, one sigma
 constexpr double kWitness = 3.0;       ///< sigmas from 0 at which the experiments that are left would see a size
-constexpr double kSurvives = 2.0;      ///< half intervals from 0 that a size has to stand
+constexpr double kStandOff = 2.0;      ///< half intervals from 0 that a size has to stand
 
 /// x[k] of the refits without an experiment whose others would see such a size: the rest go back to the prior and say nothing.
 std::vector<double> sizes_without(const Fit& fit, const Split& left_out, int k) {
@@ -39,13 +39,14 @@ double half_interval(const Fit& fit, const Split& left_out, int k) {
                       student95(sizes.size()) * std::sqrt(jackknife));
 }
 
-bool survives(const Problem& problem, const Fit& fit, const Split& left_out) {
+Causes contradicted(const Problem& problem, const Fit& fit, const Split& left_out) {
+    Causes causes;
     for (std::size_t c = 0; c < fit.causes.size(); ++c) {
         const int k = problem.size_at(fit.causes, c);
-        const bool limit = find_effect(fit.causes[c].id).is_limit();
-        if (!limit && std::abs(fit.x[k]) < kSurvives * half_interval(fit, left_out, k)) return false;
+        const bool stands_off = std::abs(fit.x[k]) >= kStandOff * half_interval(fit, left_out, k);
+        if (!stands_off && !find_effect(fit.causes[c].id).is_limit()) causes.push_back(fit.causes[c]);
     }
-    return true;
+    return causes;
 }
 
 }  // namespace fusee::gap

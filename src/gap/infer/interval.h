@@ -10,8 +10,8 @@ namespace fusee::gap {
 /// as the experiments that are left would see such a size; few say it but roughly (docs/theory/diagnosis.md, eq. 15).
 [[nodiscard]] double half_interval(const Fit& fit, const Split& left_out, int k);
 
-/// Every effect's size stands off 0 by twice its interval (eq. 16): a cause that one experiment asks for and others that would see
-/// it speak against falls. A limit (a stop) has no size of 0 and survives.
-[[nodiscard]] bool survives(const Problem& problem, const Fit& fit, const Split& left_out);
+/// The causes whose size does not stand off 0 by twice its interval (eq. 16): experiments that would each see it disagree about it. A limit
+/// (a stop) has no size of 0 and is never one of them.
+[[nodiscard]] Causes contradicted(const Problem& problem, const Fit& fit, const Split& left_out);
 
 }  // namespace fusee::gap

@@ -3,27 +3,30 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <span>
 
 #include "interval.h"
+#include "parallel.h"
 #include "screen.h"
 
 namespace fusee::gap {
 
 namespace {
 
-constexpr double kEffectOdds = 12.0;   ///< log odds against an effect: some sixty candidates, and rigs are mostly as designed [nat]
-constexpr double kSecondOdds = 14.0;   ///< against a second one, which also likes to mend what the first one's law leaves open
-constexpr std::size_t kSingles = 5;    ///< fitted in full
-constexpr double kNearEnough = 0.5;    ///< of the way from the best back to no effect, within which a rival of what explains all is fitted
-constexpr std::size_t kPairs = 3;      ///< upon each base
-constexpr std::size_t kBases = 2;      ///< single effects upon which pairs are sought
-constexpr double kWorthAPair = 60.0;   ///< a base is left out when it is so far behind the best one [nat]
-constexpr double kNothingLeft = 1.15;  ///< T of every experiment at which no second effect is sought
-constexpr double kStretched = 3.5;     ///< sigmas of a build parameter: among 22, one time in a hundred on a faultless rig
-constexpr double kStandsOff = 3.0;     ///< sigmas from 0 that an effect's size has to stand
-constexpr std::size_t kLeftOut = 4;    ///< hypotheses of the ranking whose experiments are left out
-constexpr double kLeastSize = 0.1;     ///< of what is usual: less is what a law leaves open, not an effect
+constexpr double kEffectOdds = 12.0;    ///< log odds against an effect: some sixty candidates, and rigs are mostly as designed [nat]
+constexpr double kSecondOdds = 14.0;    ///< against a second one, which also likes to mend what the first one's law leaves open
+constexpr std::size_t kSingles = 5;     ///< fitted in full
+constexpr double kNearEnough = 0.5;     ///< of the way from the best back to no effect, within which a rival of what explains all is fitted
+constexpr std::size_t kPairs = 3;       ///< upon each base
+constexpr std::size_t kBases = 2;       ///< single effects upon which pairs are sought
+constexpr double kWorthAPair = 60.0;    ///< a base is left out when it is so far behind the best one [nat]
+constexpr double kNothingLeft = 1.15;   ///< T of every experiment at which no second effect is sought
+constexpr double kStretched = 3.5;      ///< sigmas of a build parameter: among 22, one time in a hundred on a faultless rig
+constexpr double kStandsOff = 3.0;      ///< sigmas from 0 that an effect's size has to stand
+constexpr std::size_t kLeftOut = 4;     ///< hypotheses of the ranking whose experiments are left out
+constexpr double kContradicted = 30.0;  ///< against a hypothesis of which the experiments disagree about a size [nat]
+constexpr double kLeastSize = 0.1;      ///< of what is usual: less is what a law leaves open, not an effect
 
 /// docs/theory/diagnosis.md, eq. 13 and 14.
 double score(const Fit& fit) {
@@ -34,9 +37,16 @@ void sort_by_score(std::vector<Fit>& fits) {
     std::stable_sort(fits.begin(), fits.end(), [](const Fit& a, const Fit& b) { return score(a) > score(b); });
 }
 
-Fit in_full(const Problem& problem, const Guess& guess, const SearchOptions& options) {
-    return fit(problem, guess.causes, guess.x, {.jobs = options.jobs});
+/// Each guess fitted in full, side by side.
+std::vector<Fit> in_full(const Problem& problem, std::span<const Guess> guesses, const SearchOptions& options) {
+    std::vector<Fit> fits(guesses.size());
+    const unsigned jobs_of_one = std::max(1U, options.jobs / std::max(1U, static_cast<unsigned>(guesses.size())));
+    parallel_for(guesses.size(), options.jobs,
+                 [&](std::size_t i) { fits[i] = fit(problem, guesses[i].causes, guesses[i].x, {.jobs = jobs_of_one}); });
+    return fits;
 }
+
+void append(std::vector<Fit>& fits, std::vector<Fit> more) { std::move(more.begin(), more.end(), std::back_inserter(fits)); }
 
 /// Causes that may join `base`: of another effect.
 std::vector<Cause> partners(const std::vector<Cause>& causes, const Fit& base) {
@@ -57,8 +67,7 @@ void add_pairs(const Problem& problem, const std::vector<Cause>& causes, const s
         std::erase_if(guesses, [&](const Guess& guess) {
             return std::any_of(fits.begin(), fits.end(), [&](const Fit& known) { return same_causes(known.causes, guess.causes); });
         });
-        for (const Guess& guess : std::span(guesses).first(std::min(kPairs, guesses.size())))
-            fits.push_back(in_full(problem, guess, options));
+        append(fits, in_full(problem, std::span(guesses).first(std::min(kPairs, guesses.size())), options));
     }
 }
 
@@ -88,12 +97,11 @@ void step_back(const Problem& problem, const SearchOptions& options, std::vector
 /// The best single effects, best first. Once one explains all, only what came near it in the screening is a rival.
 std::vector<Fit> singles_of(const Problem& problem, const Fit& null, const std::vector<Guess>& guesses, const SearchOptions& options) {
     if (guesses.empty()) return {};
-    std::vector<Fit> singles{in_full(problem, guesses.front(), options)};
+    std::vector<Fit> singles = in_full(problem, std::span(guesses).first(1), options);
     const double enough = singles.front().cost + kNearEnough * (null.cost - singles.front().cost);
-    const bool all = !explained(problem, singles.front());
-    const std::span<const Guess> others = std::span(guesses).subspan(1, std::min(kSingles, guesses.size()) - 1);
-    for (const Guess& guess : others)
-        if (all || guess.cost < enough) singles.push_back(in_full(problem, guess, options));
+    std::vector<Guess> rivals(guesses.begin() + 1, guesses.begin() + static_cast<std::ptrdiff_t>(std::min(kSingles, guesses.size())));
+    if (explained(problem, singles.front())) std::erase_if(rivals, [&](const Guess& guess) { return guess.cost >= enough; });
+    append(singles, in_full(problem, rivals, options));
     sort_by_score(singles);
     return singles;
 }
@@ -110,33 +118,48 @@ bool stands(const Problem& problem, const Fit& fit) {
     return true;
 }
 
-/// Without the hypotheses that do not survive the splits. Those far down the ranking are not asked.
-Search survivors(const Problem& problem, std::vector<Fit> fits, const SearchOptions& options) {
-    Search result;
-    for (Fit& fit : fits) {
-        Split left_out;
-        if (result.fits.size() < kLeftOut || fit.causes.empty()) {
-            left_out = experiments_left_out(problem, fit, options.jobs);
-            if (!survives(problem, fit, left_out)) continue;
-        }
-        result.fits.push_back(std::move(fit));
-        result.left_out.push_back(std::move(left_out));
+/// A hypothesis on its way into the ranking.
+struct Ranked {
+    Fit fit;
+    double score = 0.0;
+    Split left_out;  ///< empty until it is asked
+};
+
+/// Takes the price of a cause that the splits contradict from those that come first, until the first are all asked. No effect is too.
+void ask_the_splits(const Problem& problem, std::vector<Ranked>& ranking, const SearchOptions& options) {
+    const auto first = [&] { return ranking.begin() + static_cast<std::ptrdiff_t>(std::min(kLeftOut, ranking.size())); };
+    const auto unasked = [](const Ranked& h) { return h.left_out.x.empty(); };
+    const auto ask = [&](Ranked& h) {
+        h.left_out = experiments_left_out(problem, h.fit, options.jobs);
+        if (!contradicted(problem, h.fit, h.left_out).empty()) h.score -= kContradicted;
+    };
+    ask(*std::find_if(ranking.begin(), ranking.end(), [](const Ranked& h) { return h.fit.causes.empty(); }));
+    for (auto next = std::find_if(ranking.begin(), first(), unasked); next != first();
+         next = std::find_if(ranking.begin(), first(), unasked)) {
+        ask(*next);
+        std::stable_sort(ranking.begin(), ranking.end(), [](const Ranked& a, const Ranked& b) { return a.score > b.score; });
     }
-    return result;
 }
 
 Search ranked(const Problem& problem, std::vector<Fit> fits, const SearchOptions& options) {
     std::erase_if(fits, [&](const Fit& fit) { return !stands(problem, fit); });
     sort_by_score(fits);
-    Search result = survivors(problem, std::move(fits), options);
+    std::vector<Ranked> ranking;
+    for (Fit& fit : fits) {
+        const double of_fit = score(fit);
+        ranking.push_back({std::move(fit), of_fit, {}});
+    }
+    ask_the_splits(problem, ranking, options);
+    Search result;
     double sum = 0.0;
-    for (const Fit& fit : result.fits) {
-        result.log_posterior.push_back(score(fit) - score(result.best()));
+    for (Ranked& h : ranking) {
+        if (h.fit.causes.empty()) result.null = result.fits.size();
+        result.log_posterior.push_back(h.score - ranking.front().score);
         sum += std::exp(result.log_posterior.back());
+        result.fits.push_back(std::move(h.fit));
+        result.left_out.push_back(std::move(h.left_out));
     }
     for (const double log_posterior : result.log_posterior) result.probability.push_back(std::exp(log_posterior) / sum);
-    const auto null = std::find_if(result.fits.begin(), result.fits.end(), [](const Fit& fit) { return fit.causes.empty(); });
-    result.null = static_cast<std::size_t>(null - result.fits.begin());
     return result;
 }
 

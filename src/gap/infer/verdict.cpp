@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "interval.h"
+
 namespace fusee::gap {
 
 namespace {
@@ -64,6 +66,9 @@ Judgement judge(const Problem& problem, const Search& search) {
             fmt::format("{}: the best hypothesis needs it {:+.1f} sigma of its tolerance off; no effect of the library explains that",
                         problem.build()[most.parameter].name, most.sigmas));
     }
+    for (const Cause& cause : contradicted(problem, best, search.left_out.front()))
+        judgement.remarks.push_back(
+            fmt::format("{} ({}): refits without one experiment each disagree about its size", cause.id, cause.side));
     const bool rivalled = search.probability.size() > 1 && search.probability[1] >= kRival;  // they fall
     if (unexplained || !evidence)
         judgement.verdict = Verdict::kUnknown;

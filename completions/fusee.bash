@@ -76,6 +76,7 @@ _fusee() {
                 *) choices='make score --help' ;;
             esac ;;
         paper:*) choices='--out --profiles --jobs --help' ;;
+        rules:*) choices='--json --help' ;;
         completion:completion) choices='bash zsh fish' ;;
         :*) choices='make simulate design identify diagnose predict case-template blind paper keys rules completion --help --version' ;;
         *) choices='--help' ;;

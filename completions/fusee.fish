@@ -62,4 +62,5 @@ complete -c fusee -n '__fish_seen_subcommand_from blind' -s j -l jobs -x -d 'thr
 complete -c fusee -n '__fish_seen_subcommand_from paper' -s o -l out -x -a '(__fish_complete_directories)' -d 'folder for the results'
 complete -c fusee -n '__fish_seen_subcommand_from paper' -l profiles -x -a '(__fish_complete_directories)' -d 'folder of the shipped profiles'
 complete -c fusee -n '__fish_seen_subcommand_from paper' -s j -l jobs -x -d 'threads'
+complete -c fusee -n '__fish_seen_subcommand_from rules' -l json -d 'as JSON'
 complete -c fusee -n '__fish_seen_subcommand_from completion' -a 'bash zsh fish'

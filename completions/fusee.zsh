@@ -109,6 +109,7 @@ _fusee() {
                         '--profiles[folder of the shipped profiles]:folder:_files -/' \
                         '(-j --jobs)'{-j,--jobs}'[threads]:number:' \
                         '(- *)--help[say how to use paper]' ;;
+                rules) _arguments '--json[as JSON]' '(- *)--help[say how to use rules]' ;;
                 completion) _arguments '(- *)--help[say how to use completion]' '1:shell:(bash zsh fish)' ;;
                 *) _arguments '(- *)--help[say how to use it]' ;;
             esac ;;

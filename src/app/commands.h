@@ -17,6 +17,7 @@ void add_predict(CLI::App& app, Action& action);
 void add_case_template(CLI::App& app, Action& action);
 void add_blind(CLI::App& app, Action& action);
 void add_paper(CLI::App& app, Action& action);
+void add_rules(CLI::App& app, Action& action);
 void add_lists(CLI::App& app, Action& action);
 
 }  // namespace fusee::app

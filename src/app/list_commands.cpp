@@ -6,17 +6,11 @@
 
 #include "commands.h"
 #include "completions.h"
-#include "fusee/checks/check.h"
 #include "fusee/profile/profile.h"
 
 namespace fusee::app {
 
 namespace {
-
-int list_rules() {
-    for (const checks::Rule& rule : checks::rules()) fmt::print("{:28} {}\n{:28}   source: {}\n", rule.id, rule.title, "", rule.source);
-    return 0;
-}
 
 int print_completion(const std::string& shell) {
     const std::map<std::string, std::string_view> scripts{{"bash", kBashCompletion}, {"zsh", kZshCompletion}, {"fish", kFishCompletion}};
@@ -30,10 +24,6 @@ void add_lists(CLI::App& app, Action& action) {
     CLI::App* keys = app.add_subcommand("keys", "List every key of a profile with unit, allowed values and default");
     keys->footer("Example:\n  fusee keys | less");
     keys->callback([&action] { action = [] { return fmt::print("{}", profile::profile_reference()), 0; }; });
-
-    CLI::App* rules = app.add_subcommand("rules", "List every manufacturability rule with its source");
-    rules->footer("Example:\n  fusee rules");
-    rules->callback([&action] { action = list_rules; });
 
     const auto shell = std::make_shared<std::string>();
     CLI::App* completion = app.add_subcommand("completion", "Print the completion script of a shell");

@@ -29,6 +29,7 @@ int main(int argc, char** argv) {
     app::add_case_template(app, action);
     app::add_blind(app, action);
     app::add_paper(app, action);
+    app::add_rules(app, action);
     app::add_lists(app, action);
     try {
         app.parse(argc, argv);

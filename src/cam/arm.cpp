@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "fusee/cam/enclosure.h"
 #include "fusee/core/error.h"
 
 namespace fusee::cam {
@@ -47,11 +48,11 @@ ArmFunction::ArmFunction(PartKind kind, spring::SpringLawPtr law, spring::BaseSp
 ArmFunction ArmFunction::on(const spring::BaseSpring& base) const { return {kind_, law_, base, capstan_radius_, allowance_}; }
 
 /// The law's point with the cable's share taken off K_SE: same torque, the spool's own stiffness and energy.
-spring::LawPoint ArmFunction::behind_cable(double tau) const {
-    spring::LawPoint p = law_->at_load(tau);
+template <class Point>
+Point ArmFunction::behind_cable(Point p) const {
     const double c = allowance_.series_compliance;
     if (c == 0.0) return p;
-    const double share = 1.0 - c * p.s;  // of the deflection that is left to the spool
+    const auto share = 1.0 - c * p.s;  // of the deflection that is left to the spool
     p.u_se -= 0.5 * c * (p.f_se * p.f_se - least_series_torque_ * least_series_torque_);
     p.s_slope /= share * share * share;
     p.s /= share;
@@ -59,14 +60,15 @@ spring::LawPoint ArmFunction::behind_cable(double tau) const {
 }
 
 // docs/theory/cams.md, table 1. Primes are by the cam's own angle: phi for the spool, theta for the cam.
-ArmPoint ArmFunction::at_load(double tau) const {
-    const spring::LawPoint p = behind_cable(tau);
-    ArmPoint a;
-    a.tau = tau;
+template <class Arm, class Point>
+Arm ArmFunction::arm_of(const Point& law) const {
+    const Point p = behind_cable(law);
+    Arm a;
+    a.tau = p.tau;
     if (kind_ == PartKind::kSeries) {
-        const double force = p.f_se / capstan_radius_;                                          // U' of the cable [N]
-        const double rate = p.s / (capstan_radius_ * capstan_radius_);                          // U'' [N/m]
-        const double rise = p.s_slope / (capstan_radius_ * capstan_radius_ * capstan_radius_);  // U''' [N/m^2]
+        const auto force = p.f_se / capstan_radius_;                                          // U' of the cable [N]
+        const auto rate = p.s / (capstan_radius_ * capstan_radius_);                          // U'' [N/m]
+        const auto rise = p.s_slope / (capstan_radius_ * capstan_radius_ * capstan_radius_);  // U''' [N/m^2]
         a.state = base_.state(p.u_se);
         a.angle = a.state - base_.preload;
         a.arm = base_.rate * a.state / force;
@@ -84,5 +86,13 @@ ArmPoint ArmFunction::at_load(double tau) const {
     a.arm -= allowance_.radius;
     return a;
 }
+
+ArmPoint ArmFunction::at_load(double tau) const {
+    ArmPoint a = arm_of<ArmPoint>(law_->at_load(tau));
+    a.tau = tau;
+    return a;
+}
+
+ArmJet ArmFunction::over(const spring::LawJet& law) const { return arm_of<ArmJet>(law); }
 
 }  // namespace fusee::cam

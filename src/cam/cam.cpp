@@ -6,6 +6,8 @@
 #include <cmath>
 #include <memory>
 
+#include "contour.h"
+#include "fusee/cam/certificate.h"
 #include "fusee/cam/contact.h"
 #include "fusee/cam/idle_arc.h"
 #include "fusee/cam/path.h"
@@ -64,14 +66,18 @@ core::Findings named(core::Findings findings, PartKind kind) {
     return findings;
 }
 
-/// Planar: the working arc and the idle arc that closes it.
-core::Outcome<std::function<PathPoint(double)>> closed_path(PartKind kind, const std::shared_ptr<const WorkingArc>& arc,
-                                                            const CamOptions& options, double least_arm) {
-    const core::Range psi = arc->psi();
-    const auto idle = IdleArc::close(state_of(arc->at(psi.high)), state_of(arc->at(psi.low)), 2.0 * core::kPi - psi.width(),
-                                     {options.path.min_idle_curvature_radius, kIdleDistance * least_arm});
+/// The arc that closes a planar contour.
+core::Outcome<IdleArc> idle_arc(PartKind kind, const WorkingArc& arc, const CamOptions& options, double least_arm) {
+    const core::Range psi = arc.psi();
+    auto idle = IdleArc::close(state_of(arc.at(psi.high)), state_of(arc.at(psi.low)), 2.0 * core::kPi - psi.width(),
+                               {options.path.min_idle_curvature_radius, kIdleDistance * least_arm});
     if (!idle) return named(idle.refusal(), kind);
-    return std::function<PathPoint(double)>([arc, psi, closing = *idle](double angle) -> PathPoint {
+    return idle;
+}
+
+/// Planar: the working arc and the idle arc that closes it.
+std::function<PathPoint(double)> closed_path(const std::shared_ptr<const WorkingArc>& arc, const IdleArc& closing) {
+    return [arc, psi = arc->psi(), closing](double angle) -> PathPoint {
         const double turn = 2.0 * core::kPi;
         const double inside = angle - turn * std::floor((angle - psi.low) / turn);
         PathPoint point;
@@ -83,7 +89,7 @@ core::Outcome<std::function<PathPoint(double)>> closed_path(PartKind kind, const
         }
         point.psi = angle;
         return point;
-    });
+    };
 }
 
 /// The working arc, the margin to the anchor and some groove beyond it. Never close to whole turns: begin and end of the groove would make
@@ -96,10 +102,15 @@ core::Range open_groove(const core::Range& working, double margin) {
     return groove;
 }
 
+std::vector<ContourStretch> joined(std::vector<ContourStretch> working, const std::vector<std::vector<ContourStretch>>& others) {
+    for (const auto& other : others) working.insert(working.end(), other.begin(), other.end());
+    return working;
+}
+
 /// Helix: the working arc and a run-out at both ends of the groove.
-std::function<PathPoint(double)> open_path(const std::shared_ptr<const WorkingArc>& arc, const Height& height, const core::Range& groove,
-                                           Lead lead) {
-    const core::Range psi = arc->psi();
+void lay_open(Cam& cam, const ArmFunction& arm, const std::shared_ptr<const WorkingArc>& arc, const Height& height) {
+    const core::Range psi = arc->psi(), groove = cam.groove_psi;
+    const Lead lead = cam.options.path.lead;
     const auto working = [arc, height](double angle) {
         PathPoint point = arc->at(angle);
         point.z = height.at(angle);
@@ -107,8 +118,11 @@ std::function<PathPoint(double)> open_path(const std::shared_ptr<const WorkingAr
     };
     const RunOut below(working(psi.low), -1, psi.low - groove.low, height.slope_at(false), lead);
     const RunOut above(working(psi.high), +1, groove.high - psi.high, height.slope_at(true), lead);
-    return [working, psi, below, above](double angle) {
+    cam.path = [working, psi, below, above](double angle) {
         return angle < psi.low ? below.at(angle) : angle > psi.high ? above.at(angle) : working(angle);
+    };
+    cam.stretches = [arm, options = cam.options, height, below, above] {
+        return joined(working_stretches(arm, options, height), {run_out_stretches(below), run_out_stretches(above)});
     };
 }
 
@@ -134,14 +148,17 @@ core::Outcome<Cam> synthesize_cam(const ArmFunction& arm, const CamOptions& opti
     cam.anchor_psi = wound - options.torque_sign * margin;
     if (!cam.closed()) {
         cam.groove_psi = open_groove(cam.working_psi, margin);
-        cam.path = open_path(arc, height, cam.groove_psi, options.path.lead);
+        lay_open(cam, arm, arc, height);
         return cam;
     }
     const auto least =
         std::min_element(scanned.begin(), scanned.end(), [](const Contact& a, const Contact& b) { return a.arm.arm < b.arm.arm; });
-    auto path = closed_path(arm.kind(), arc, options, least->arm.arm);
-    if (!path) return path.refusal();
-    cam.path = *path;
+    const auto idle = idle_arc(arm.kind(), *arc, options, least->arm.arm);
+    if (!idle) return idle.refusal();
+    cam.path = closed_path(arc, *idle);
+    cam.stretches = [arm, options, height, closing = *idle, begin = cam.working_psi.high] {
+        return joined(working_stretches(arm, options, height), {idle_stretches(closing, begin)});
+    };
     cam.groove_psi = {cam.working_psi.low, cam.working_psi.low + 2.0 * core::kPi};
     if (cam.anchor_psi < cam.groove_psi.low) cam.anchor_psi += 2.0 * core::kPi;
     return cam;

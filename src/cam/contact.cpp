@@ -4,15 +4,46 @@
 #include <cmath>
 #include <limits>
 
+#include "fusee/cam/enclosure.h"
+
 namespace fusee::cam {
 
 namespace {
 
 /// Distance of the cable's line from the axis when the idler's centre is put on the line: c = r + sR. The centre lies on the cam's side of
 /// the cable (s = -1) when the cable turns idler and cam the same way.
-double offset_arm(const ArmPoint& arm, const CamOptions& options) {
+template <class T>
+T offset_arm(const T& arm, const CamOptions& options) {
     const Guide& guide = options.guide;
-    return guide.kind == GuideKind::kIdler ? arm.arm - options.torque_sign * guide.sense * guide.radius : arm.arm;
+    return guide.kind == GuideKind::kIdler ? arm - options.torque_sign * guide.sense * guide.radius : arm;
+}
+
+/// Eq. 3 to 7, for numbers and for boxes. @pre a tangent exists
+template <class Touch, class Arm>
+Touch touched(PartKind kind, const Arm& arm, const CamOptions& options) {
+    using std::sqrt, std::acos, math::cube;
+    using T = decltype(arm.arm);
+    const double sigma = winding_sign(kind), ts = options.torque_sign;
+    const T turned = static_cast<double>(rotation_sign(kind, options.torque_sign)) * arm.angle;
+    Touch contact;
+    contact.arm = arm;
+    auto& path = contact.path;
+    path.h = arm.arm;
+    if (options.guide.kind == GuideKind::kParallel) {
+        path.psi = options.guide.direction - ts * core::kPi / 2.0 - turned;
+        path.slope = sigma * ts * arm.slope;
+        path.rho = arm.arm + arm.bend;
+        return contact;
+    }
+    const double distance = options.guide.distance;
+    const T c = offset_arm(arm.arm, options);
+    const T span = sqrt(distance * distance - c * c);  // NaN where the guide is nearer than the arm
+    const T w = 1.0 + sigma * arm.slope / span;
+    path.psi = options.guide.direction - ts * acos(c / distance) - turned;
+    path.slope = sigma * ts * arm.slope / w;
+    path.rho = arm.arm + (arm.bend - sigma * c * cube(arm.slope / span)) / cube(w);
+    contact.span = span * span / (span + sigma * arm.slope);
+    return contact;
 }
 
 }  // namespace
@@ -23,32 +54,21 @@ int rotation_sign(PartKind kind, int torque_sign) { return kind == PartKind::kSe
 
 double guide_reach(PartKind kind, const ArmPoint& arm, const CamOptions& options) {
     if (options.guide.kind == GuideKind::kParallel) return std::numeric_limits<double>::infinity();
-    const double c = offset_arm(arm, options), distance = options.guide.distance;
+    const double c = offset_arm(arm.arm, options), distance = options.guide.distance;
     if (std::abs(c) >= distance) return distance - std::abs(c);
     return std::min(distance - std::abs(c), std::sqrt(distance * distance - c * c) + winding_sign(kind) * arm.slope);
 }
 
 Contact touch(PartKind kind, const ArmPoint& arm, const CamOptions& options) {
-    const double sigma = winding_sign(kind), ts = options.torque_sign;
-    const double turned = rotation_sign(kind, options.torque_sign) * arm.angle;
-    Contact contact;
-    contact.arm = arm;
-    PathPoint& path = contact.path;
-    path.h = arm.arm;
-    if (options.guide.kind == GuideKind::kParallel) {
-        path.psi = options.guide.direction - ts * core::kPi / 2.0 - turned;
-        path.slope = sigma * ts * arm.slope;
-        path.rho = arm.arm + arm.bend;
-        return contact;
-    }
-    const double c = offset_arm(arm, options), distance = options.guide.distance;
-    const double span = std::sqrt(distance * distance - c * c);  // NaN where the guide is nearer than the arm
-    const double w = 1.0 + sigma * arm.slope / span;
-    path.psi = options.guide.direction - ts * std::acos(c / distance) - turned;
-    path.slope = sigma * ts * arm.slope / w;
-    path.rho = arm.arm + (arm.bend - sigma * c * std::pow(arm.slope / span, 3)) / std::pow(w, 3);
-    contact.span = span * span / (span + sigma * arm.slope);
-    if (guide_reach(kind, arm, options) <= 0.0) path.rho = std::numeric_limits<double>::quiet_NaN();
+    Contact contact = touched<Contact>(kind, arm, options);
+    if (guide_reach(kind, arm, options) <= 0.0) contact.path.rho = std::numeric_limits<double>::quiet_NaN();
+    return contact;
+}
+
+// Boxes that reach beyond the guide have already lost their bounds to the square root.
+ContactJet touch(PartKind kind, const ArmJet& arm, const CamOptions& options) {
+    ContactJet contact = touched<ContactJet>(kind, arm, options);
+    if (options.guide.kind != GuideKind::kParallel && !(contact.span.value.lower() > 0.0)) contact.path.rho = math::Jet::anything();
     return contact;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "fusee/cam/contact.h"
 #include "solve.h"
@@ -25,7 +26,7 @@ PathPoint WorkingArc::at(double psi) const {
     return point;
 }
 
-Height::Height(const CamOptions& options, const std::vector<Contact>& contacts) {
+Height::Height(const CamOptions& options, const std::vector<Contact>& contacts) : lead_(options.path.lead) {
     if (options.path.kind == PathKind::kPlanar) return;
     std::vector<Contact> rising = contacts;
     if (rising.front().path.psi > rising.back().path.psi) std::reverse(rising.begin(), rising.end());
@@ -60,6 +61,37 @@ double Height::at(double psi) const {
 
 double Height::slope_at(bool high_end) const { return entries_.empty() ? 0.0 : high_end ? entries_.back().slope : entries_.front().slope; }
 
+namespace {
+
+/// Over the share s of one piece of a cubic whose slopes are known at both ends: its derivative is a parabola, by Bernstein's form (each
+/// term positive, the hull of the coefficients a bound as well), and the second derivative runs linearly.
+Height::Climb climb_between(const math::Interval& rise, const math::Interval& from, const math::Interval& to, const math::Interval& width,
+                            const math::Interval& s) {
+    using boost::numeric::hull;
+    const math::Interval amid = 3.0 * rise / width - from - to, rest = 1.0 - s;
+    const math::Interval parabola = rest * rest * from + 2.0 * s * rest * amid + s * s * to;
+    return {math::common(parabola, hull(hull(from, to), amid)), 2.0 * (rest * (amid - from) + s * (to - amid)) / width};
+}
+
+}  // namespace
+
+Height::Climb Height::over(const math::Interval& psi) const {
+    using boost::numeric::hull;
+    if (entries_.empty()) return {0.0, 0.0};
+    if (lead_ == Lead::kConstantPitch) return {entries_.front().slope, 0.0};
+    if (!(psi.upper() >= entries_.front().psi && psi.lower() <= entries_.back().psi)) return {math::whole_line(), math::whole_line()};
+    auto b = std::lower_bound(entries_.begin() + 1, entries_.end() - 1, psi.lower(), [](const Entry& e, double v) { return e.psi < v; });
+    std::optional<Climb> all;
+    for (; b != entries_.end() && (b - 1)->psi <= psi.upper(); ++b) {
+        const Entry& a = *(b - 1);
+        const math::Interval width = math::Interval(b->psi) - a.psi;
+        const math::Interval share = math::common((psi - a.psi) / width, math::Interval(0.0, 1.0));
+        const Climb piece = climb_between(math::Interval(b->z) - a.z, a.slope, b->slope, width, share);
+        all = all ? Climb{hull(all->slope, piece.slope), hull(all->bend, piece.bend)} : piece;
+    }
+    return *all;
+}
+
 // Below the low end the arc is walked backwards: with -psi for psi, h' changes its sign.
 RunOut::RunOut(const PathPoint& end, int direction, double width, double climb, Lead lead)
     : end_(end),
@@ -67,6 +99,12 @@ RunOut::RunOut(const PathPoint& end, int direction, double width, double climb, 
       climb_(climb),
       lead_(lead),
       arc_(IdleArc::run_out({end.h, direction * end.slope, end.rho}, width, end.h)) {}
+
+Height::Climb RunOut::over(const math::Jet& rho) const {
+    if (lead_ == Lead::kConstantPitch) return {climb_, 0.0};
+    const math::Interval share = math::Interval(climb_) / end_.rho;
+    return {share * rho.value, share * rho.slope};
+}
 
 PathPoint RunOut::at(double psi) const {
     const double x = direction_ * (psi - end_.psi);

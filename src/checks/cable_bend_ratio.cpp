@@ -11,14 +11,15 @@ namespace fusee::checks {
 
 namespace {
 
-core::Findings run(const Design& design) {
+core::Findings run(const Design& design, const Allowed& allowed) {
     if (design.part.cam.working.empty()) return {};
     const double d = design.cable.diameter;
     const cam::PathPoint& worst = worst_contact(design.part.cam, [](const cam::Contact& c) { return -c.path.rho; }).path;
     const CableLimits& table = cable_limits(design.cable.construction);
     const bool own = design.cable.min_bend_ratio > 0.0;
-    const Limits limits = own ? Limits{design.cable.min_bend_ratio, {}} : Limits{table.critical, table.recommended};
-    core::Finding f = at_least((2.0 * worst.rho - d) / d, limits, "");
+    const double ratio = (2.0 * worst.rho - d) / d;
+    core::Finding f = own ? judge(ratio, {allowed("required", design.cable.min_bend_ratio)})
+                          : judge(ratio, {allowed("required", table.critical), allowed("review", table.recommended)});
     f.what =
         fmt::format("D/d at the cable's sharpest bend, rho {:.3f} mm at a {:.3g} mm cable", core::mm_from_m(worst.rho), core::mm_from_m(d));
     f.where = where(design, worst.psi);
@@ -37,8 +38,13 @@ core::Findings run(const Design& design) {
 }  // namespace
 
 Rule cable_bend_ratio() {
-    return {"cable.bend_ratio", "the cable bent so sharply that it wears out",
-            "by construction: Sava, Strandcore, The Complete Rigger's Apprentice", run};
+    return {"cable.bend_ratio",
+            "the cable bent so sharply that it wears out",
+            "D/d = (2 rho - d)/d at the sharpest working bend",
+            "by construction: Sava, Strandcore, The Complete Rigger's Apprentice",
+            {required(kAtLeast, "", "the construction's critical figure (table 1), or cable.min_bend_ratio"),
+             review(kAtLeast, "", "the construction's recommended figure (table 1); none beside cable.min_bend_ratio")},
+            run};
 }
 
 }  // namespace fusee::checks

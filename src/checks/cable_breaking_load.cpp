@@ -9,16 +9,14 @@ namespace fusee::checks {
 
 namespace {
 
-constexpr Limits kSafety{3.0, 5.0};  // (practice) for running cable
-
-core::Findings run(const Design& design) {
+core::Findings run(const Design& design, const Allowed& allowed) {
     const cam::Cam& cam = design.part.cam;
     if (design.cable.breaking_load <= 0.0 || cam.working.empty()) return {};
     const double d = design.cable.diameter;
     const auto left = [d](const cam::Contact& c) { return strength_left((2.0 * c.path.rho - d) / d); };
     const cam::Contact& worst = worst_contact(cam, [&](const cam::Contact& c) { return c.arm.tension / left(c); });
     if (worst.arm.tension <= 0.0) return {};
-    core::Finding f = at_least(design.cable.breaking_load * left(worst) / worst.arm.tension, kSafety, "");
+    core::Finding f = judge(design.cable.breaking_load * left(worst) / worst.arm.tension, {allowed("required"), allowed("review")});
     f.what = fmt::format("safety against breaking at {:.1f} N, with {:.0f} % of the strength left at this bend", worst.arm.tension,
                          100.0 * left(worst));
     f.where = where(design, worst.path.psi);
@@ -30,8 +28,12 @@ core::Findings run(const Design& design) {
 }  // namespace
 
 Rule cable_breaking_load() {
-    return {"cable.breaking_load", "the cable breaking under its largest tension",
-            "safety 5, at least 3 (practice); strength left at D/d: Sava, Crosby", run};
+    return {"cable.breaking_load",
+            "the cable breaking under its largest tension",
+            "least of breaking load x strength left at D/d (table 2) / tension",
+            "safety 5, at least 3 (practice) for running cable; strength left at D/d: Sava, Crosby",
+            {required(kAtLeast, "", 3.0), review(kAtLeast, "", 5.0)},
+            run};
 }
 
 }  // namespace fusee::checks

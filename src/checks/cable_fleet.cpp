@@ -11,15 +11,16 @@ namespace fusee::checks {
 
 namespace {
 
-const Limits kFleet{4.0, 2.0};  // [deg]
+constexpr double kMost = 4.0;  // [deg]
 
-core::Findings run(const Design& design) {
+core::Findings run(const Design& design, const Allowed& allowed) {
     const cam::Cam& cam = design.part.cam;
     if (cam.working.empty()) return {};
     const cam::Contact& worst = worst_contact(cam, [](const cam::Contact& c) { return std::abs(c.fleet); });
     const bool own = design.cable.max_fleet > 0.0;
-    core::Finding f =
-        at_most(core::deg_from_rad(std::abs(worst.fleet)), own ? Limits{core::deg_from_rad(design.cable.max_fleet), {}} : kFleet, "deg");
+    const double fleet = core::deg_from_rad(std::abs(worst.fleet));
+    core::Finding f = own ? judge(fleet, {allowed("required", core::deg_from_rad(design.cable.max_fleet))})
+                          : judge(fleet, {allowed("required", kMost), allowed("review")});
     f.what = fmt::format("largest fleet angle; the arm in the plane falls to {:.5f} of itself", std::cos(worst.fleet));
     f.where = where(design, worst.path.psi);
     f.place = place(worst.path, 0.0);
@@ -38,7 +39,12 @@ core::Findings run(const Design& design) {
 }  // namespace
 
 Rule cable_fleet() {
-    return {"cable.fleet", "the cable leaving the groove's plane at an angle", "wirerope.net: 2 deg grooved; 4 deg (practice)", run};
+    return {"cable.fleet",
+            "the cable leaving the groove's plane at an angle",
+            "largest angle between free cable and the contact's plane",
+            "wirerope.net: 2 deg grooved; 4 deg (practice)",
+            {required(kAtMost, "deg", "4 deg, or cable.max_fleet_deg"), review(kAtMost, "deg", 2.0)},
+            run};
 }
 
 }  // namespace fusee::checks

@@ -58,7 +58,7 @@ Crossing cross(const Design& design, const cam::Contact& contact, std::vector<Se
     return crossing;
 }
 
-core::Findings run(const Design& design) {
+core::Findings run(const Design& design, const Allowed& allowed) {
     const cam::Cam& cam = design.part.cam;
     if (cam.working.empty() || design.part.mesh.triangles.empty()) return {};
     std::vector<Seen> seen(design.part.mesh.points_mm.size());
@@ -67,7 +67,7 @@ core::Findings run(const Design& design) {
     double longest = 0.0;
     for (std::size_t i = 0; i < cam.working.size(); i += stride)
         if (const double length = cross(design, cam.working[i], seen).length(); length > longest) longest = length, worst = &cam.working[i];
-    core::Finding f = at_most(longest, {0.0, {}}, "mm");
+    core::Finding f = judge(longest, {allowed("required")});
     f.what = "length over which the part stands in the way of the free cable";
     f.where = where(design, worst->path.psi);
     f.place = place(worst->path, 0.0);
@@ -81,7 +81,13 @@ core::Findings run(const Design& design) {
 }  // namespace
 
 Rule cable_free_path() {
-    return {"cable.free_path", "the part standing in the way of its own cable", "geometry: free cable against the mesh", run, true};
+    return {"cable.free_path",
+            "the part standing in the way of its own cable",
+            "longest part of a free cable's centreline inside the mesh, 24 positions",
+            "geometry: free cable against the mesh",
+            {required(kAtMost, "mm", 0.0)},
+            run,
+            true};
 }
 
 }  // namespace fusee::checks

@@ -11,19 +11,12 @@ namespace fusee::checks {
 
 namespace {
 
-/// Slope of the groove, dz/ds, in the direction in which the cable leaves (with the tension's torque, along torque_sign t).
-double groove_slope(const cam::Cam& cam, const cam::Contact& c) {
-    const cam::Contact &first = cam.working.front(), &last = cam.working.back();
-    const cam::PathPoint &before = (&c == &first ? &c : &c - 1)->path, &after = (&c == &last ? &c : &c + 1)->path;
-    return cam.options.torque_sign * (after.z - before.z) / ((after.psi - before.psi) * c.path.rho);
-}
-
-core::Findings run(const Design& design) {
+core::Findings run(const Design& design, const Allowed& allowed) {
     const cam::Cam& cam = design.part.cam;
     if (cam.closed() || cam.working.size() < 2) return {};
     const auto angle = [&cam](const cam::Contact& c) { return std::abs(std::atan(groove_slope(cam, c)) - c.fleet); };
     const cam::Contact& worst = worst_contact(cam, angle);
-    core::Finding f = at_most(core::deg_from_rad(angle(worst)), {{}, 4.0}, "deg");
+    core::Finding f = judge(core::deg_from_rad(angle(worst)), {allowed("review")});
     f.what = "angle between the free cable and the groove that it leaves: it rubs on a flank";
     f.where = where(design, worst.path.psi);
     f.place = place(worst.path, 0.0);
@@ -40,8 +33,12 @@ core::Findings run(const Design& design) {
 }  // namespace
 
 Rule cable_groove_angle() {
-    return {"cable.groove_angle", "the cable leaving a climbing groove across its flank",
-            "US7677540B1: a focused groove points at the guide; 4 deg (practice)", run};
+    return {"cable.groove_angle",
+            "the cable leaving a climbing groove across its flank",
+            "helix: largest angle between free cable and groove",
+            "US7677540B1: a focused groove points at the guide; 4 deg (practice)",
+            {review(kAtMost, "deg", 4.0)},
+            run};
 }
 
 }  // namespace fusee::checks

@@ -13,22 +13,23 @@ namespace {
 
 constexpr double kMega = 1e6;
 
-core::Findings run(const Design& design) {
-    if (design.cable.max_pressure <= 0.0 || design.part.cam.working.empty()) return {};
+core::Findings run(const Design& design, const Allowed& allowed) {
+    const auto most = allowed.stated("required", design.cable.max_pressure / kMega);
+    if (!most || design.part.cam.working.empty()) return {};
     const double d = design.cable.diameter;
     // No groove floor to press on where 2 rho <= d: cable.bend_ratio says so.
     const auto pressure = [d](const cam::Contact& c) {
         return 2.0 * c.path.rho <= d ? 0.0 : 2.0 * c.arm.tension / ((2.0 * c.path.rho - d) * d);
     };
     const cam::Contact& worst = worst_contact(design.part.cam, pressure);
-    core::Finding f = at_most(pressure(worst) / kMega, {design.cable.max_pressure / kMega, {}}, "MPa");
+    core::Finding f = judge(pressure(worst) / kMega, {*most});
     f.what = fmt::format("bearing pressure 2T/(D d) at {:.1f} N on a floor of {:.2f} mm diameter", worst.arm.tension,
                          core::mm_from_m(2.0 * worst.path.rho - d));
     f.where = where(design, worst.path.psi);
     f.place = place(worst.path, -0.5 * d);
     f.suggestion = fmt::format("a material that bears {} MPa", up(f.measured));
     // D d = (2 rho - d) d = 2T/p: the smaller root; the contour's rho does not depend on d.
-    const double rho = worst.path.rho, root = rho * rho - 2.0 * worst.arm.tension / design.cable.max_pressure;
+    const double rho = worst.path.rho, root = rho * rho - 2.0 * worst.arm.tension / (kMega * f.allowed);
     if (root > 0.0) f.suggestion += fmt::format(", or cable.diameter_mm = {}", up(core::mm_from_m(rho - std::sqrt(root))));
     return {f};
 }
@@ -36,7 +37,11 @@ core::Findings run(const Design& design) {
 }  // namespace
 
 Rule cable_pressure() {
-    return {"cable.pressure", "the cable cutting into the groove's floor", "2T/(D d) against the part's material: cable.max_pressure_MPa",
+    return {"cable.pressure",
+            "the cable cutting into the groove's floor",
+            "largest 2T/(D d)",
+            "2T/(D d) against the part's material: cable.max_pressure_MPa",
+            {required(kAtMost, "MPa", "cable.max_pressure_MPa; not judged without it")},
             run};
 }
 

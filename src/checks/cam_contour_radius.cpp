@@ -12,24 +12,17 @@ namespace fusee::checks {
 
 namespace {
 
-/// Radius of the circle that the lips and flanges sweep as the cam turns [m].
-double swept_radius(const Design& design, const cam::PathPoint& p) {
-    const double lip = design.part.section.empty() ? 0.0 : lip_offset(design.part);
-    return std::hypot(p.h + lip + design.part.options.flange_height, p.slope);
-}
-
-core::Findings run(const Design& design) {
+core::Findings run(const Design& design, const Allowed& allowed) {
     const cam::Guide& guide = design.part.cam.options.guide;
     const std::vector<cam::PathPoint> path = contour(design.part.cam);
     if (guide.kind == cam::GuideKind::kParallel || guide.distance <= 0.0 || path.empty()) return {};
-    const auto farthest = std::max_element(path.begin(), path.end(),
-                                           [&](const auto& a, const auto& b) { return swept_radius(design, a) < swept_radius(design, b); });
+    const cam::PathPoint& far = farthest(design.part, path);
     const double idler = guide.kind == cam::GuideKind::kIdler ? guide.radius : 0.0, half_cable = 0.5 * design.cable.diameter;
-    const double swept = swept_radius(design, *farthest), room = guide.distance - idler - half_cable;
-    core::Finding f = at_most(core::mm_from_m(swept), {{}, core::mm_from_m(room)}, "mm");
+    const double swept = swept_radius(design.part, far), room = guide.distance - idler - half_cable;
+    core::Finding f = judge(core::mm_from_m(swept), {allowed("review", core::mm_from_m(room))});
     f.what = "radius swept by the turning part, against the room up to the guide";
-    f.where = where(design, farthest->psi);
-    f.place = place(*farthest, swept - std::hypot(farthest->h, farthest->slope));
+    f.where = where(design, far.psi);
+    f.place = place(far, swept - std::hypot(far.h, far.slope));
     f.suggestion = fmt::format("{}.guide.distance_mm = {}", name(design), up(core::mm_from_m(swept + idler + half_cable)));
     return {f};
 }
@@ -37,7 +30,12 @@ core::Findings run(const Design& design) {
 }  // namespace
 
 Rule cam_contour_radius() {
-    return {"cam.contour_radius", "the turning part striking its guide", "geometry: swept circle against the guide", run};
+    return {"cam.contour_radius",
+            "the turning part striking its guide",
+            "largest radius of lips and flanges, swept by turning",
+            "geometry: swept circle against the guide",
+            {review(kAtMost, "mm", "the distance of point or idler less its radius and d/2")},
+            run};
 }
 
 }  // namespace fusee::checks

@@ -5,8 +5,8 @@ namespace fusee::checks {
 
 namespace {
 
-core::Findings run(const Design& design) {
-    core::Finding f = at_least(design.part.options.groove.depth_ratio, {0.375, 1.5}, "d");
+core::Findings run(const Design& design, const Allowed& allowed) {
+    core::Finding f = judge(design.part.options.groove.depth_ratio, {allowed("required"), allowed("review")});
     f.what = "depth of the groove below its lips";
     f.suggestion = "groove.depth_ratio = " + up(f.allowed);
     return {f};
@@ -15,7 +15,12 @@ core::Findings run(const Design& design) {
 }  // namespace
 
 Rule groove_depth() {
-    return {"groove.depth", "the cable jumping out of its groove", "Unirope/Python: drum at least 0.375 d, sheave about 1.5 d", run};
+    return {"groove.depth",
+            "the cable jumping out of its groove",
+            "depth of the lips above the floor",
+            "Unirope/Python: drum at least 0.375 d, sheave about 1.5 d",
+            {required(kAtLeast, "d", 0.375), review(kAtLeast, "d", 1.5)},
+            run};
 }
 
 }  // namespace fusee::checks

@@ -78,7 +78,7 @@ Room room_at(const Design& design, const cam::Contact& contact, const std::vecto
     return room;
 }
 
-core::Findings run(const Design& design) {
+core::Findings run(const Design& design, const Allowed& allowed) {
     const cam::Cam& cam = design.part.cam;
     if (cam.closed() || cam.working.empty() || design.part.section.empty()) return {};
     const std::vector<SurfacePoint> points = surface(design);
@@ -87,23 +87,27 @@ core::Findings run(const Design& design) {
     for (std::size_t i = 0; i < cam.working.size(); i += stride)
         if (const Room room = room_at(design, cam.working[i], points); room.clearance < tightest.clearance) tightest = room;
     if (!tightest.contact) return {};
-    core::Finding f = at_least(core::mm_from_m(tightest.clearance), {0.0, {}}, "mm");
+    core::Finding f = judge(core::mm_from_m(tightest.clearance), {allowed("required")});
     f.what = "room between the cable that leaves and the lips of the other turns";
     f.where = where(design, tightest.contact->path.psi);
     f.place = place(tightest.contact->path, 0.0);
     f.suggestion = fmt::format("{}.path.pitch_mm = {}", name(design),
-                               up(core::mm_from_m(cam.options.path.pitch) - f.measured / std::max(tightest.turns, 0.5)));
+                               up(core::mm_from_m(cam.options.path.pitch) + (f.allowed - f.measured) / std::max(tightest.turns, 0.5)));
     if (cam.options.path.lead == cam::Lead::kAimedAtGuide)
-        f.suggestion = fmt::format("the turns {} mm farther apart: a larger {}.guide.z_mm, now {:.3g}", up(-f.measured), name(design),
-                                   core::mm_from_m(cam.options.guide.z));
+        f.suggestion = fmt::format("the turns {} mm farther apart: a larger {}.guide.z_mm, now {:.3g}", up(f.allowed - f.measured),
+                                   name(design), core::mm_from_m(cam.options.guide.z));
     return {f};
 }
 
 }  // namespace
 
 Rule groove_neighbour_turns() {
-    return {"groove.neighbour_turns", "the cable that leaves striking a larger neighbouring turn",
-            "geometry: free cable against the groove's surface", run};
+    return {"groove.neighbour_turns",
+            "the cable that leaves striking a larger neighbouring turn",
+            "helix: least room between free cable and the other turns, 60 positions",
+            "geometry: free cable against the groove's surface",
+            {required(kAtLeast, "mm", 0.0)},
+            run};
 }
 
 }  // namespace fusee::checks

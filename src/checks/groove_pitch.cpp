@@ -14,14 +14,14 @@ namespace {
 
 constexpr double kRopePitch = 2.065;  // least pitch in groove radii, up to 2.18
 
-core::Findings run(const Design& design) {
+core::Findings run(const Design& design, const Allowed& allowed) {
     const Pitch pitch = least_pitch(design.part.cam);
     if (!pitch.turns || design.part.section.empty()) return {};
     const solid::GrooveOptions& groove = design.part.options.groove;
     const double width = groove_width(design.part), wall = process_limits(design.process).wall;
     const double rope = kRopePitch * groove.radius_ratio * design.cable.diameter;
-    core::Finding f =
-        at_least(core::mm_from_m(pitch.least), {core::mm_from_m(std::max(rope, width + wall)), core::mm_from_m(width + groove.rib)}, "mm");
+    core::Finding f = judge(core::mm_from_m(pitch.least), {allowed("required", core::mm_from_m(std::max(rope, width + wall))),
+                                                           allowed("review", core::mm_from_m(width + groove.rib))});
     f.what = fmt::format("height from one turn to the next; the groove is {:.3f} mm wide and a land of {:.2f} mm stands between turns",
                          core::mm_from_m(width), core::mm_from_m(std::max(wall, groove.rib)));
     f.where = where(design, pitch.at.psi);
@@ -37,8 +37,13 @@ core::Findings run(const Design& design) {
 }  // namespace
 
 Rule groove_pitch() {
-    return {"groove.pitch", "turns that run into each other",
-            "groove width and the process's wall; Unirope/Python: at least 2.065 groove radii", run};
+    return {"groove.pitch",
+            "turns that run into each other",
+            "helix: least height from turn to turn",
+            "groove width and the process's wall; Unirope/Python: at least 2.065 groove radii",
+            {required(kAtLeast, "mm", "groove width + the process's wall, at least 2.065 floor radii"),
+             review(kAtLeast, "mm", "groove width + groove.rib_mm")},
+            run};
 }
 
 }  // namespace fusee::checks

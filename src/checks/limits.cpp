@@ -23,13 +23,76 @@ struct Strength {
 constexpr std::array kStrength = {Strength{1.0, 0.50},  Strength{2.0, 0.65},  Strength{6.0, 0.79},
                                   Strength{10.0, 0.86}, Strength{20.0, 0.91}, Strength{40.0, 0.95}};
 
+constexpr const char* kMilling = "zekes3d, procurabl, neptunelabs, super-ingenuity, Xometry; fit and strength (practice)";
 constexpr std::array kProcesses = {
-    ProcessLimits{ProcessKind::kFdm, 0.8e-3, 1.2e-3, 2e-3, core::rad_from_deg(45.0), 0.0, 0.3e-3,
-                  "FDM: 3dservicesusa, cifproto, arti90, layerx3d"},
-    ProcessLimits{ProcessKind::kSla, 0.5e-3, 1.0e-3, 0.5e-3, 0.0, 0.0, 0.1e-3, "SLA: 3dservicesusa, cifproto, arti90, layerx3d"},
-    ProcessLimits{ProcessKind::kSls, 0.7e-3, 0.8e-3, 1.0e-3, 0.0, 0.0, 0.2e-3, "SLS: 3dservicesusa, cifproto, arti90, layerx3d"},
-    ProcessLimits{ProcessKind::kMill, 0.8e-3, 1.5e-3, 0.5e-3, 0.0, 0.25e-3, 0.127e-3,
-                  "milling: zekes3d, procurabl, neptunelabs, super-ingenuity, Xometry"},
+    ProcessLimits{ProcessKind::kFdm,
+                  0.8e-3,
+                  1.2e-3,
+                  2e-3,
+                  core::rad_from_deg(45.0),
+                  0.0,
+                  0.3e-3,
+                  2e-3,
+                  0.4e-3,
+                  {0.1e-3, 0.4e-3},
+                  20e6,
+                  0.2e-3,
+                  "3dservicesusa, cifproto, arti90, layerx3d; detail, strength and layer (practice)"},
+    ProcessLimits{ProcessKind::kSla,
+                  0.5e-3,
+                  1.0e-3,
+                  0.5e-3,
+                  0.0,
+                  0.0,
+                  0.1e-3,
+                  0.5e-3,
+                  0.5e-3,
+                  {0.15e-3, 0.3e-3},
+                  30e6,
+                  0.05e-3,
+                  "3dservicesusa, cifproto, arti90, layerx3d; strength and layer (practice)"},
+    ProcessLimits{ProcessKind::kSls,
+                  0.7e-3,
+                  0.8e-3,
+                  1.0e-3,
+                  0.0,
+                  0.0,
+                  0.2e-3,
+                  0.5e-3,
+                  0.5e-3,
+                  {0.2e-3, 0.5e-3},
+                  35e6,
+                  0.1e-3,
+                  "3dservicesusa, cifproto, arti90, layerx3d; strength and layer (practice)"},
+    ProcessLimits{ProcessKind::kMill, 0.8e-3, 1.5e-3, 0.5e-3, 0.0, 0.25e-3, 0.127e-3, 2.5e-3, 0.5e-3, {0.0, 0.05e-3}, 100e6, 0.0, kMilling},
+    ProcessLimits{
+        ProcessKind::kMill4, 0.8e-3, 1.5e-3, 0.5e-3, 0.0, 0.25e-3, 0.127e-3, 2.5e-3, 0.5e-3, {0.0, 0.05e-3}, 100e6, 0.0, kMilling},
+    ProcessLimits{ProcessKind::kEdm,
+                  0.5e-3,
+                  1.0e-3,
+                  0.5e-3,
+                  0.0,
+                  0.145e-3,
+                  0.01e-3,
+                  0.5e-3,
+                  0.0,
+                  {0.0, 0.03e-3},
+                  100e6,
+                  0.0,
+                  "wire of 0.25 mm with a gap of 0.02 mm a side (practice)"},
+    ProcessLimits{ProcessKind::kLaser,
+                  1.0e-3,
+                  1.5e-3,
+                  1.0e-3,
+                  0.0,
+                  0.1e-3,
+                  0.1e-3,
+                  1.0e-3,
+                  0.0,
+                  {0.0, 0.2e-3},
+                  100e6,
+                  0.0,
+                  "steel sheet, kerf 0.2 mm (practice)"},
 };
 
 constexpr std::array kKeys = {
@@ -51,6 +114,12 @@ const char* to_string(ProcessKind kind) {
             return "sls";
         case ProcessKind::kMill:
             return "mill";
+        case ProcessKind::kMill4:
+            return "mill4";
+        case ProcessKind::kEdm:
+            return "edm";
+        case ProcessKind::kLaser:
+            return "laser";
     }
     return "";
 }
@@ -85,6 +154,7 @@ ProcessLimits process_limits(const Process& process) {
     if (process.min_hole > 0.0) limits.hole = process.min_hole;
     if (process.max_overhang > 0.0) limits.overhang = process.max_overhang;
     if (process.cutter_radius > 0.0) limits.cutter_radius = process.cutter_radius;
+    if (process.layer > 0.0) limits.layer = process.layer;
     if (process.tolerance > 0.0) limits.tolerance = process.tolerance;
     return limits;
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cassert>
 #include <cmath>
 
 #include "fusee/core/units.h"
@@ -12,21 +13,13 @@ namespace {
 
 constexpr double kRounding = 1e-9;
 
-core::Finding compare(double measured, double allowed, core::Bound bound, core::Severity when_broken, const std::string& unit) {
+core::Finding compare(double measured, const Bar& bar) {
     core::Finding f;
-    f.measured = std::abs(measured - allowed) <= kRounding * std::abs(allowed) ? allowed : measured;
-    f.allowed = allowed;
-    f.bound = bound;
-    f.unit = unit;
-    return core::judged(std::move(f), when_broken);
-}
-
-core::Finding judge(double measured, const Limits& limits, core::Bound bound, const std::string& unit) {
-    core::Finding f;
-    if (limits.required) f = compare(measured, *limits.required, bound, core::Severity::kRequired, unit);
-    if (f.severity == core::Severity::kPass && limits.recommended)
-        f = compare(measured, *limits.recommended, bound, core::Severity::kReview, unit);
-    return f;
+    f.allowed = bar.value();
+    f.measured = std::abs(measured - f.allowed) <= kRounding * std::abs(f.allowed) ? f.allowed : measured;
+    f.bound = bar.limit->bound;
+    f.unit = bar.limit->unit;
+    return core::judged(std::move(f), bar.limit->severity);
 }
 
 std::string three_digits(double value, double (*round)(double), double slack) {
@@ -35,14 +28,51 @@ std::string three_digits(double value, double (*round)(double), double slack) {
     return fmt::format("{:.10g}", round(value / step + slack) * step);
 }
 
+constexpr double kByDesign = std::numeric_limits<double>::quiet_NaN();
+
 }  // namespace
 
-core::Finding at_least(double measured, const Limits& limits, const std::string& unit) {
-    return judge(measured, limits, core::Bound::kAtLeast, unit);
+Limit required(core::Bound bound, const char* unit, double value, const char* name) {
+    return {name, core::Severity::kRequired, bound, unit, value, ""};
 }
-core::Finding at_most(double measured, const Limits& limits, const std::string& unit) {
-    return judge(measured, limits, core::Bound::kAtMost, unit);
+Limit required(core::Bound bound, const char* unit, const char* by, const char* name) {
+    return {name, core::Severity::kRequired, bound, unit, kByDesign, by};
 }
+Limit review(core::Bound bound, const char* unit, double value, const char* name) {
+    return {name, core::Severity::kReview, bound, unit, value, ""};
+}
+Limit review(core::Bound bound, const char* unit, const char* by, const char* name) {
+    return {name, core::Severity::kReview, bound, unit, kByDesign, by};
+}
+
+Bar Allowed::operator()(std::string_view name, double normal) const {
+    Bar bar;
+    for (const Limit& limit : rule_.limits)
+        if (limit.name == name) bar.limit = &limit;
+    assert(bar.limit && "a rule declares what it asks for");
+    bar.normal = std::isnan(bar.limit->value) ? normal : bar.limit->value;
+    for (const Override& o : design_.overrides)
+        if (o.rule == rule_.id && o.limit == bar.limit->key()) bar.by = &o;
+    return bar;
+}
+
+std::optional<Bar> Allowed::stated(std::string_view name, double normal) const {
+    const Bar bar = (*this)(name, normal > 0.0 ? normal : kByDesign);
+    return bar.by || normal > 0.0 ? std::optional(bar) : std::nullopt;
+}
+
+core::Finding judge(double measured, std::initializer_list<Bar> bars) {
+    assert(bars.size() > 0);
+    core::Finding f;
+    for (const Bar& bar : bars)
+        if (f.severity == core::Severity::kPass) f = compare(measured, bar);
+    for (const Bar& bar : bars)
+        if (bar.by) f.overridden.push_back({bar.by->limit, bar.by->value, bar.normal, bar.limit->unit, bar.by->reason});
+    return f;
+}
+
+bool is_milled(const Design& design) { return design.process.kind == ProcessKind::kMill || design.process.kind == ProcessKind::kMill4; }
+bool is_stacked(const Design& design) { return design.process.kind == ProcessKind::kEdm || design.process.kind == ProcessKind::kLaser; }
 
 std::string name(const Design& design) { return cam::to_string(design.part.cam.kind); }
 

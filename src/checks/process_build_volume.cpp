@@ -36,7 +36,7 @@ std::string smaller_part(const Design& design, std::size_t axis, double size, do
     return build > fixed ? fmt::format(", or {}", scale_arms(design, (build - fixed) / (size - fixed))) : "";
 }
 
-core::Findings run(const Design& design) {
+core::Findings run(const Design& design, const Allowed& allowed) {
     const Process& process = design.process;
     if (design.part.mesh.points_mm.empty() || process.build_x <= 0.0 || process.build_y <= 0.0 || process.build_z <= 0.0) return {};
     const solid::Box box = solid::bounding_box(design.part.mesh);
@@ -44,7 +44,7 @@ core::Findings run(const Design& design) {
     const Size build{core::mm_from_m(process.build_x), core::mm_from_m(process.build_y), core::mm_from_m(process.build_z)};
     if ((size[0] > size[1]) != (build[0] > build[1])) std::swap(size[0], size[1]);  // turned by 90 deg about z
     const std::size_t axis = tightest(size, build);
-    core::Finding f = at_most(size[axis], {build[axis], {}}, "mm");
+    core::Finding f = judge(size[axis], {allowed("required", build[axis])});
     f.what = fmt::format("part of {:.2f} x {:.2f} x {:.2f} mm in a build volume of {:g} x {:g} x {:g} mm", size[0], size[1], size[2],
                          build[0], build[1], build[2]);
     f.where = fmt::format("{} along {}", name(design), "xyz"[axis]);
@@ -57,8 +57,13 @@ core::Findings run(const Design& design) {
 }  // namespace
 
 Rule process_build_volume() {
-    return {"process.build_volume", "a part larger than the machine or the stock", "process.build_mm; turning about z by 90 deg allowed",
-            run, true};
+    return {"process.build_volume",
+            "a part larger than the machine or the stock",
+            "the bounding box's tightest side",
+            "process.build_mm; turning about z by 90 deg allowed",
+            {required(kAtMost, "mm", "process.build_mm")},
+            run,
+            true};
 }
 
 }  // namespace fusee::checks

@@ -10,14 +10,12 @@ namespace fusee::checks {
 
 namespace {
 
-constexpr double kScatter = 10.0;  // [%]: of the rates of bought springs; a contour need not be better than they are
-
-core::Findings run(const Design& design) {
+core::Findings run(const Design& design, const Allowed& allowed) {
     const cam::Cam& cam = design.part.cam;
     const double tolerance = process_limits(design.process).tolerance;
     if (cam.working.empty() || tolerance <= 0.0) return {};
     const cam::Contact& least = worst_contact(cam, [](const cam::Contact& c) { return -c.arm.arm; });
-    core::Finding f = at_most(100.0 * tolerance / least.arm.arm, {{}, kScatter}, "%");
+    core::Finding f = judge(100.0 * tolerance / least.arm.arm, {allowed("review")});
     f.what = fmt::format("torque error at the least arm, {:.2f} mm, from a contour that is {:g} mm off", core::mm_from_m(least.arm.arm),
                          core::mm_from_m(tolerance));
     f.where = where(design, least.path.psi);
@@ -30,7 +28,11 @@ core::Findings run(const Design& design) {
 }  // namespace
 
 Rule process_contour_error() {
-    return {"process.contour_error", "a process too coarse for the arms", "EN 15800: spring rates scatter by 10 %; the process's tolerance",
+    return {"process.contour_error",
+            "a process too coarse for the arms",
+            "the process's tolerance over the least arm",
+            "EN 15800: rates of bought springs scatter by 10 %, and no contour need be better",
+            {review(kAtMost, "%", 10.0)},
             run};
 }
 

@@ -32,10 +32,11 @@ std::vector<Wall> walls(const solid::Part& part) {
     return all;
 }
 
-core::Findings run(const Design& design) {
+core::Findings run(const Design& design, const Allowed& allowed) {
     const std::vector<Wall> all = walls(design.part);
     const Wall thinnest = *std::min_element(all.begin(), all.end(), [](const Wall& a, const Wall& b) { return a.thickness < b.thickness; });
-    core::Finding f = at_least(core::mm_from_m(thinnest.thickness), {core::mm_from_m(process_limits(design.process).wall), {}}, "mm");
+    core::Finding f =
+        judge(core::mm_from_m(thinnest.thickness), {allowed("required", core::mm_from_m(process_limits(design.process).wall))});
     f.what = fmt::format("thinnest wall beside the groove: {}", thinnest.what);
     f.suggestion = fmt::format("groove.rib_mm = {}", up(f.allowed));
     if (const Pitch pitch = least_pitch(design.part.cam); pitch.turns && thinnest.thickness < design.part.options.groove.rib)
@@ -45,6 +46,13 @@ core::Findings run(const Design& design) {
 
 }  // namespace
 
-Rule process_wall() { return {"process.wall", "a wall too thin to make", "the process's thinnest wall", run}; }
+Rule process_wall() {
+    return {"process.wall",
+            "a wall too thin to make",
+            "thinnest of rib, flanges and land between turns",
+            "the process's thinnest wall",
+            {required(kAtLeast, "mm", "the process's wall")},
+            run};
+}
 
 }  // namespace fusee::checks

@@ -13,14 +13,14 @@ namespace fusee::checks {
 
 namespace {
 
-core::Findings run(const Design& design) {
+core::Findings run(const Design& design, const Allowed& allowed) {
     const solid::HubOptions& hub = design.part.options.hub;
     if (hub.boss_diameter <= 0.0 || hub.boss_height <= 0.0) return {};
     double reach = bore_radius(hub);
     for (const Vec2& corner : key_corners(hub)) reach = std::max(reach, std::hypot(corner[0], corner[1]));
     const ProcessLimits process = process_limits(design.process);
-    core::Finding f = at_least(core::mm_from_m(0.5 * hub.boss_diameter - reach),
-                               {core::mm_from_m(process.wall), core::mm_from_m(process.loaded_wall)}, "mm");
+    core::Finding f = judge(core::mm_from_m(0.5 * hub.boss_diameter - reach),
+                            {allowed("required", core::mm_from_m(process.wall)), allowed("review", core::mm_from_m(process.loaded_wall))});
     f.what = "wall of the boss around bore and keyway";
     f.suggestion = fmt::format("{}.hub.boss_mm = {}", name(design), up(2.0 * (core::mm_from_m(reach) + f.allowed)));
     return {f};
@@ -29,7 +29,12 @@ core::Findings run(const Design& design) {
 }  // namespace
 
 Rule shaft_hub_wall() {
-    return {"shaft.hub_wall", "a boss that bursts around its shaft", "the process's walls: at least thin, better loaded", run};
+    return {"shaft.hub_wall",
+            "a boss that bursts around its shaft",
+            "wall of the boss around bore and keyway",
+            "the process's walls: at least thin, better loaded",
+            {required(kAtLeast, "mm", "the process's wall"), review(kAtLeast, "mm", "the process's loaded wall")},
+            run};
 }
 
 }  // namespace fusee::checks

@@ -9,6 +9,7 @@ namespace fusee::checks {
 
 namespace {
 
+constexpr double kShortest = 1e-3;           // [mm]: shorter faces of the section are roundings
 constexpr double kStep = core::kPi / 180.0;  // [rad] between samples where no cable works
 
 void sample(const cam::Cam& cam, double low, double high, std::vector<cam::PathPoint>& to) {
@@ -87,6 +88,94 @@ Slot leg_slot(const solid::FeatureOptions& f) {
     const double low = f.leg_slot_radius - half, high = f.leg_slot_radius + half;
     return {{low * c, low * s}, {high * c, high * s}, 0.5 * f.leg_slot_width};
 }
+
+std::vector<Hole> holes(const solid::Part& part) {
+    const solid::HubOptions& hub = part.options.hub;
+    std::vector<Hole> all{{2.0 * bore_radius(hub), bore_length(part), "bore", "hub.bore_mm"}};
+    if (part.options.features.anchor_hole_diameter > 0.0)
+        all.push_back(
+            {part.options.features.anchor_hole_diameter, 0.5 * (part.z_high - part.z_low), "anchor hole", "features.anchor_hole_mm"});
+    if (hub.lock == solid::HubLock::kSetScrew && hub.screw_diameter > 0.0)
+        all.push_back({hub.screw_diameter, 0.5 * (hub.boss_diameter - hub.bore_diameter), "set screw's hole", "hub.screw_mm"});
+    return all;
+}
+
+Hole slenderest_hole(const solid::Part& part) {
+    const std::vector<Hole> all = holes(part);
+    return *std::max_element(all.begin(), all.end(),
+                             [](const Hole& a, const Hole& b) { return a.depth / a.diameter < b.depth / b.diameter; });
+}
+
+double bore_length(const solid::Part& part) {
+    const solid::HubOptions& hub = part.options.hub;
+    if (hub.kind == solid::HubKind::kThrough) return part.z_high - part.z_low + hub.boss_height;
+    return std::max(0.0, hub.boss_height + part.options.groove.rib - hub.web);
+}
+
+double swept_radius(const solid::Part& part, const cam::PathPoint& p) {
+    const double lip = part.section.empty() ? 0.0 : lip_offset(part);
+    return std::hypot(p.h + lip + part.options.flange_height, p.slope);
+}
+
+const cam::PathPoint& farthest(const solid::Part& part, const std::vector<cam::PathPoint>& path) {
+    return *std::max_element(path.begin(), path.end(),
+                             [&](const auto& a, const auto& b) { return swept_radius(part, a) < swept_radius(part, b); });
+}
+
+std::optional<AnchorHole> anchor_hole(const solid::Part& part) {
+    const double radius = 0.5 * part.options.features.anchor_hole_diameter;
+    if (radius <= 0.0 || !part.cam.path || part.cam.working.empty()) return std::nullopt;
+    const cam::PathPoint at = part.cam.path(part.cam.anchor_psi);
+    const double c = std::cos(at.psi), s = std::sin(at.psi), h = at.h - radius;
+    return AnchorHole{{h * c - at.slope * s, h * s + at.slope * c}, radius, at};
+}
+
+double wound_angle(const cam::Cam& cam, const cam::Contact& contact) {
+    const double sign = cam.options.torque_sign, end = sign > 0 ? cam.working_psi.low : cam.working_psi.high;
+    const double beyond = std::fmod(sign * (end - cam.anchor_psi) + 4.0 * core::kPi, 2.0 * core::kPi);  // a planar anchor is a turn off
+    return beyond + sign * (contact.path.psi - end);
+}
+
+double groove_slope(const cam::Cam& cam, const cam::Contact& c) {
+    const cam::Contact &first = cam.working.front(), &last = cam.working.back();
+    const cam::PathPoint &before = (&c == &first ? &c : &c - 1)->path, &after = (&c == &last ? &c : &c + 1)->path;
+    return cam.options.torque_sign * (after.z - before.z) / ((after.psi - before.psi) * c.path.rho);
+}
+
+double largest_torque(const cam::Cam& cam) {
+    const cam::Contact& most = worst_contact(cam, [](const cam::Contact& c) { return c.arm.tension * c.arm.arm; });
+    return most.arm.tension * most.arm.arm;
+}
+
+double steepest_lean(const solid::Part& part) {
+    double lean = 0.0;
+    for (std::size_t i = 1; i < part.section.size(); ++i) {  // from the lower to the upper lip
+        const solid::SectionPoint &a = part.section[i - 1], &b = part.section[i];
+        const double out = b.offset_mm - a.offset_mm, rise = b.z_mm - a.z_mm;
+        if (out > 0.0 && std::hypot(out, rise) > kShortest) lean = std::max(lean, std::atan2(out, rise));
+    }
+    return lean;
+}
+
+double half_width_at_cable(const solid::Part& part) {
+    for (std::size_t i = part.section.size() / 2 + 1; i < part.section.size(); ++i) {  // outwards along the upper half
+        const solid::SectionPoint &a = part.section[i - 1], &b = part.section[i];
+        if (b.offset_mm < 0.0) continue;
+        const double share = b.offset_mm > a.offset_mm ? -a.offset_mm / (b.offset_mm - a.offset_mm) : 0.0;
+        return core::m_from_mm(a.z_mm + share * (b.z_mm - a.z_mm));
+    }
+    return 0.5 * groove_width(part);
+}
+
+std::optional<double> guide_gap(const solid::Part& part) {
+    const cam::Guide& guide = part.cam.options.guide;
+    const std::vector<cam::PathPoint> path = contour(part.cam);
+    if (guide.kind == cam::GuideKind::kParallel || guide.distance <= 0.0 || path.empty()) return std::nullopt;
+    const double idler = guide.kind == cam::GuideKind::kIdler ? guide.radius : 0.0;
+    return guide.distance - idler - 0.5 * part.cam.options.cable_diameter - swept_radius(part, farthest(part, path));
+}
+
+double groove_plate(const solid::Part& part) { return 2.0 * part.options.groove.radius_ratio * part.cam.options.cable_diameter; }
 
 double groove_width(const solid::Part& part) {
     const auto [low, high] =

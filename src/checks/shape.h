@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "fusee/checks/check.h"
@@ -40,6 +41,50 @@ struct Slot {
 };
 bool has_slot(const solid::FeatureOptions& features);
 Slot leg_slot(const solid::FeatureOptions& features);
+
+/// A round hole of the part.
+struct Hole {
+    double diameter, depth;  ///< [m]
+    const char* what;
+    const char* key;  ///< of its diameter in the profile, without the part's name
+};
+/// Bore, anchor hole and set screw's hole, as far as they are there.
+std::vector<Hole> holes(const solid::Part& part);
+/// The hole that is deepest for its diameter.
+Hole slenderest_hole(const solid::Part& part);
+/// Length over which the bore holds the shaft [m].
+double bore_length(const solid::Part& part);
+
+/// Radius of the circle that the lips and flanges sweep at `p` as the cam turns [m].
+double swept_radius(const solid::Part& part, const cam::PathPoint& p);
+/// The point of the contour that sweeps the largest circle. @pre path not empty
+const cam::PathPoint& farthest(const solid::Part& part, const std::vector<cam::PathPoint>& path);
+
+/// Middle of the anchor hole, which touches the pitch curve from inside; none without hole or path.
+struct AnchorHole {
+    Vec2 centre;
+    double radius;
+    cam::PathPoint at;
+};
+std::optional<AnchorHole> anchor_hole(const solid::Part& part);
+
+/// Direction through which the cable stays wound from its anchor to this contact [rad].
+double wound_angle(const cam::Cam& cam, const cam::Contact& contact);
+/// Slope of the groove, dz/ds, in the direction in which the cable leaves (with the tension's torque, along torque_sign t). @pre of working
+double groove_slope(const cam::Cam& cam, const cam::Contact& contact);
+/// Largest tension times arm over the working range: the torque that the hub hands on [Nm]. @pre some position works
+double largest_torque(const cam::Cam& cam);
+
+/// Steepest lean from the vertical among the faces of the groove's upper half, which look down when the axis stands upright [rad]. A flank
+/// of throat T lies at T/2 from the horizontal, so it leans 90 deg - T/2. @pre part.section holds at least two points
+double steepest_lean(const solid::Part& part);
+/// Half the groove's width at the height of the cable's centreline [m]. @pre as steepest_lean
+double half_width_at_cable(const solid::Part& part);
+
+/// From the circle swept by lips and flanges to the guide that has a place, less half a cable [m]; below 0 they strike.
+std::optional<double> guide_gap(const solid::Part& part);
+/// Thickness of the plate that carries the groove's floor in a stack: two floor radii [m].
+double groove_plate(const solid::Part& part);
 
 /// The groove's section [m]: width between the lips, height of the lips above the floor, lips from the cable's centreline.
 /// @pre part.section holds at least two points

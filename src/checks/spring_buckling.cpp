@@ -25,16 +25,16 @@ double critical_compression(const spring::BaseSpring& s) {
     return s.free_length * kC1 * (1.0 - std::sqrt(1.0 - kC2 / (slenderness * slenderness)));
 }
 
-core::Findings run(const Design& design) {
+core::Findings run(const Design& design, const Allowed& allowed) {
     const spring::BaseSpring& s = design.spring;
     if (s.kind != spring::BaseKind::kCompression || s.free_length <= 0.0 || s.coil_diameter <= 0.0) return {};
     core::Finding f;
     if (s.free_length <= stable_length(s)) {
-        f = at_most(core::mm_from_m(s.free_length), {{}, core::mm_from_m(stable_length(s))}, "mm");
+        f = judge(core::mm_from_m(s.free_length), {allowed("length_review", core::mm_from_m(stable_length(s)))});
         f.what = "free length of the base spring: stable at every compression";
         return {f};
     }
-    f = at_most(core::mm_from_m(largest_state(design)), {{}, core::mm_from_m(critical_compression(s))}, "mm");
+    f = judge(core::mm_from_m(largest_state(design)), {allowed("review", core::mm_from_m(critical_compression(s)))});
     f.what = "largest compression of the slender base spring, against the one at which it buckles between flat plates";
     f.suggestion = fmt::format("{}.spring.free_length_mm = {}, or a guide rod", name(design), down(core::mm_from_m(stable_length(s))));
     return {f};
@@ -43,7 +43,13 @@ core::Findings run(const Design& design) {
 }  // namespace
 
 Rule spring_buckling() {
-    return {"spring.buckling", "the compression spring buckling", "roymech, machinecalcs: stable below 5.25 D on flat plates", run};
+    return {
+        "spring.buckling",
+        "the compression spring buckling",
+        "free length, or largest compression if longer than 5.25 D",
+        "roymech, machinecalcs: stable below 5.25 D on flat plates",
+        {review(kAtMost, "mm", "5.25 D", "length_review"), review(kAtMost, "mm", "L0 C1 (1 - sqrt(1 - C2/lambda^2)), lambda = L0/(2 D)")},
+        run};
 }
 
 }  // namespace fusee::checks

@@ -6,10 +6,11 @@ namespace fusee::checks {
 
 namespace {
 
-core::Findings run(const Design& design) {
-    if (design.spring.max_load <= 0.0) return {};
+core::Findings run(const Design& design, const Allowed& allowed) {
     const bool torsion = design.spring.kind == spring::BaseKind::kTorsion;
-    core::Finding f = at_most(design.spring.rate * largest_state(design), {design.spring.max_load, {}}, torsion ? "Nm" : "N");
+    const auto most = allowed.stated(torsion ? "torque_required" : "force_required", design.spring.max_load);
+    if (!most) return {};
+    core::Finding f = judge(design.spring.rate * largest_state(design), {*most});
     f.what = torsion ? "largest torque of the base spring" : "largest force of the base spring";
     f.suggestion = limit_load(design, f.allowed);
     return {f};
@@ -17,6 +18,14 @@ core::Findings run(const Design& design) {
 
 }  // namespace
 
-Rule spring_load() { return {"spring.load", "the base spring loaded beyond its rating", "spring.max_torque_Nm, spring.max_force_N", run}; }
+Rule spring_load() {
+    return {"spring.load",
+            "the base spring loaded beyond its rating",
+            "rate x largest state",
+            "spring.max_torque_Nm, spring.max_force_N",
+            {required(kAtMost, "Nm", "spring.max_torque_Nm; not judged without it", "torque_required"),
+             required(kAtMost, "N", "spring.max_force_N; not judged without it", "force_required")},
+            run};
+}
 
 }  // namespace fusee::checks

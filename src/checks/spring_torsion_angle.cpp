@@ -6,9 +6,11 @@ namespace fusee::checks {
 
 namespace {
 
-core::Findings run(const Design& design) {
-    if (design.spring.kind != spring::BaseKind::kTorsion || design.spring.max_state <= 0.0) return {};
-    core::Finding f = at_most(largest_state(design), {design.spring.max_state, {}}, "rad");
+core::Findings run(const Design& design, const Allowed& allowed) {
+    if (design.spring.kind != spring::BaseKind::kTorsion) return {};
+    const auto most = allowed.stated("required", design.spring.max_state);
+    if (!most) return {};
+    core::Finding f = judge(largest_state(design), {*most});
     f.what = "largest winding of the base spring, preload counted";
     f.suggestion = limit_state(design, f.allowed);
     return {f};
@@ -16,6 +18,13 @@ core::Findings run(const Design& design) {
 
 }  // namespace
 
-Rule spring_torsion_angle() { return {"spring.torsion_angle", "the torsion spring wound too far", "spring.max_angle_rad", run}; }
+Rule spring_torsion_angle() {
+    return {"spring.torsion_angle",
+            "the torsion spring wound too far",
+            "largest winding, preload counted",
+            "spring.max_angle_rad",
+            {required(kAtMost, "rad", "spring.max_angle_rad; not judged without it")},
+            run};
+}
 
 }  // namespace fusee::checks

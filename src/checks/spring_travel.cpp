@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "coil.h"
 #include "fusee/core/units.h"
 #include "measure.h"
 #include "rules.h"
@@ -9,29 +10,27 @@ namespace fusee::checks {
 
 namespace {
 
-constexpr double kDeadCoils = 2.0;              // ground ends: one coil each that does not work
 constexpr double kReview = 0.80, kMost = 0.85;  // of the travel to solid; beyond, coils touch and the rate rises
 
-core::Finding against(const Design& design, const Limits& limits, const std::string& what) {
-    core::Finding f = at_most(core::mm_from_m(largest_state(design)), limits, "mm");
+core::Finding against(const Design& design, std::initializer_list<Bar> bars, const std::string& what) {
+    core::Finding f = judge(core::mm_from_m(largest_state(design)), bars);
     f.what = what;
     f.suggestion = limit_state(design, core::m_from_mm(f.allowed));
     return f;
 }
 
-core::Findings run(const Design& design) {
+core::Findings run(const Design& design, const Allowed& allowed) {
     const spring::BaseSpring& s = design.spring;
     if (s.kind != spring::BaseKind::kCompression) return {};
     core::Findings findings;
-    if (s.max_state > 0.0) {
-        findings.push_back(against(design, {core::mm_from_m(s.max_state), {}}, "largest compression of the base spring, preload counted"));
+    if (const auto most = allowed.stated("rated_required", core::mm_from_m(s.max_state))) {
+        findings.push_back(against(design, {*most}, "largest compression of the base spring, preload counted"));
         findings.back().source = "spring.max_travel_mm";
     }
-    if (s.free_length > 0.0 && s.active_coils > 0.0 && s.wire_diameter > 0.0) {
-        const double solid = s.free_length - (s.active_coils + kDeadCoils) * s.wire_diameter;
-        findings.push_back(
-            against(design, {core::mm_from_m(kMost * solid), core::mm_from_m(kReview * solid)},
-                    fmt::format("largest compression of the base spring, of {:.2f} mm to solid length", core::mm_from_m(solid))));
+    if (const auto travel = travel_to_solid(s)) {
+        const double solid = core::mm_from_m(*travel);
+        findings.push_back(against(design, {allowed("required", kMost * solid), allowed("review", kReview * solid)},
+                                   fmt::format("largest compression of the base spring, of {:.2f} mm to solid length", solid)));
     }
     return findings;
 }
@@ -39,7 +38,13 @@ core::Findings run(const Design& design) {
 }  // namespace
 
 Rule spring_travel() {
-    return {"spring.travel", "the compression spring going solid", "80-85 % of the travel to solid length (practice)", run};
+    return {"spring.travel",
+            "the compression spring going solid",
+            "largest compression, preload counted",
+            "80-85 % of the travel to solid length (practice)",
+            {required(kAtMost, "mm", "spring.max_travel_mm; not judged without it", "rated_required"),
+             required(kAtMost, "mm", "85 % of free length - (active coils + 2) wire"), review(kAtMost, "mm", "80 % of it")},
+            run};
 }
 
 }  // namespace fusee::checks

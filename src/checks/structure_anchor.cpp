@@ -34,21 +34,19 @@ std::vector<Neighbour> neighbours(const Design& design, const cam::PathPoint& an
     return all;
 }
 
-core::Findings run(const Design& design) {
+core::Findings run(const Design& design, const Allowed& allowed) {
     const cam::Cam& cam = design.part.cam;
-    const double radius = 0.5 * design.part.options.features.anchor_hole_diameter;
-    if (radius <= 0.0 || !cam.path || cam.working.empty()) return {};
-    const cam::PathPoint anchor = cam.path(cam.anchor_psi);
-    const core::Place at = place(anchor, -radius);  // the hole touches the pitch curve from inside
-    const Vec2 centre{core::m_from_mm(at.point_mm[0]), core::m_from_mm(at.point_mm[1])};
+    const auto hole = anchor_hole(design.part);
+    if (!hole) return {};
+    const auto& [centre, radius, anchor] = *hole;
     const std::vector<Neighbour> all = neighbours(design, anchor, centre, radius);
     if (all.empty()) return {};
     const Neighbour nearest =
         *std::min_element(all.begin(), all.end(), [](const Neighbour& a, const Neighbour& b) { return a.wall < b.wall; });
-    core::Finding f = at_least(core::mm_from_m(nearest.wall), {core::mm_from_m(process_limits(design.process).wall), {}}, "mm");
+    core::Finding f = judge(core::mm_from_m(nearest.wall), {allowed("required", core::mm_from_m(process_limits(design.process).wall))});
     f.what = fmt::format("wall between the cable's anchor hole and the {}", nearest.what);
     f.where = where(design, cam.anchor_psi);
-    f.place = at;
+    f.place = place(anchor, -radius);
     const double smaller = 2.0 * radius - core::m_from_mm(f.allowed - f.measured);  // its far edge stays at the pitch curve
     f.suggestion = nearest.from_inside && smaller > 0.0
                        ? fmt::format("{}.features.anchor_hole_mm = {}", name(design), down(core::mm_from_m(smaller)))
@@ -59,7 +57,12 @@ core::Findings run(const Design& design) {
 }  // namespace
 
 Rule structure_anchor() {
-    return {"structure.anchor", "the anchor hole breaking into bore, slot or another turn", "the process's thinnest wall", run};
+    return {"structure.anchor",
+            "the anchor hole breaking into bore, slot or another turn",
+            "least wall from the hole to bore, slot and the turns above",
+            "the process's thinnest wall",
+            {required(kAtLeast, "mm", "the process's wall")},
+            run};
 }
 
 }  // namespace fusee::checks

@@ -35,12 +35,12 @@ Clearance clearance(const cam::Cam& cam, double psi, double radius) {
     return least;
 }
 
-core::Findings run(const Design& design) {
+core::Findings run(const Design& design, const Allowed& allowed) {
     const cam::Cam& cam = design.part.cam;
     const double radius = 0.5 * design.part.options.features.anchor_hole_diameter;
     if (radius <= 0.0 || !cam.path || cam.working.empty()) return {};
     const Clearance found = clearance(cam, cam.anchor_psi, radius);
-    core::Finding f = at_least(core::mm_from_m(found.gap), {core::mm_from_m(0.5 * design.cable.diameter), {}}, "mm");
+    core::Finding f = judge(core::mm_from_m(found.gap), {allowed("required", core::mm_from_m(0.5 * design.cable.diameter))});
     f.what = "the anchor hole must leave the floor on which the cable works: half a cable from the hole to it";
     f.where = where(design, found.at.psi);
     f.place = place(found.at, -0.5 * cam.options.cable_diameter);
@@ -58,8 +58,12 @@ core::Findings run(const Design& design) {
 }  // namespace
 
 Rule structure_anchor_floor() {
-    return {"structure.anchor_floor", "the anchor hole taking away the groove's floor where the cable works",
-            "geometry: the arm is made by the floor", run};
+    return {"structure.anchor_floor",
+            "the anchor hole taking away the groove's floor where the cable works",
+            "least distance from the hole to the working floor",
+            "geometry: the arm is made by the floor",
+            {required(kAtLeast, "mm", "half a cable")},
+            run};
 }
 
 }  // namespace fusee::checks

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kSampled = 1e-6;  // the closing arc meets its least radius between samples
 
-core::Findings run(const Design& design) {
+core::Findings run(const Design& design, const Allowed& allowed) {
     const cam::Cam& cam = design.part.cam;
     const cam::PathPoint* sharpest = nullptr;
     const std::vector<cam::PathPoint> path = contour(cam);
@@ -19,7 +19,7 @@ core::Findings run(const Design& design) {
         if (!cam.working_psi.holds(p.psi) && (!sharpest || !(p.rho >= sharpest->rho))) sharpest = &p;
     if (!sharpest) return {};
     const double cusp = core::mm_from_m(0.5 * design.cable.diameter), wanted = core::mm_from_m(cam.options.path.min_idle_curvature_radius);
-    core::Finding f = at_least(core::mm_from_m(sharpest->rho) * (1.0 + kSampled), {cusp, wanted}, "mm");
+    core::Finding f = judge(core::mm_from_m(sharpest->rho) * (1.0 + kSampled), {allowed("required", cusp), allowed("review", wanted)});
     f.what = "least radius of curvature outside the working arc; the groove's floor has a cusp below half a cable";
     f.where = where(design, sharpest->psi);
     f.place = place(*sharpest, -0.5 * design.cable.diameter);
@@ -32,8 +32,12 @@ core::Findings run(const Design& design) {
 }  // namespace
 
 Rule structure_idle_curvature() {
-    return {"structure.idle_curvature", "a contour too sharp to cut outside its working arc",
-            "geometry: rho > d/2; path.min_idle_radius_mm", run};
+    return {"structure.idle_curvature",
+            "a contour too sharp to cut outside its working arc",
+            "least rho outside the working arc",
+            "geometry: rho > d/2; path.min_idle_radius_mm",
+            {required(kAtLeast, "mm", "d/2"), review(kAtLeast, "mm", "path.min_idle_radius_mm")},
+            run};
 }
 
 }  // namespace fusee::checks

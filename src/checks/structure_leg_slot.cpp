@@ -46,14 +46,14 @@ Walls walls(const Design& design) {
     return w;
 }
 
-core::Findings run(const Design& design) {
+core::Findings run(const Design& design, const Allowed& allowed) {
     const solid::FeatureOptions& features = design.part.options.features;
     if (!has_slot(features) || design.part.cam.working.empty()) return {};
     const Walls w = walls(design);
     const ProcessLimits process = process_limits(design.process);
     const bool inwards = w.bored && w.inner < w.outer;
-    core::Finding f =
-        at_least(core::mm_from_m(inwards ? w.inner : w.outer), {core::mm_from_m(process.wall), core::mm_from_m(process.loaded_wall)}, "mm");
+    core::Finding f = judge(core::mm_from_m(inwards ? w.inner : w.outer),
+                            {allowed("required", core::mm_from_m(process.wall)), allowed("review", core::mm_from_m(process.loaded_wall))});
     f.what = fmt::format("wall between the spring leg's slot and the {}", inwards ? "bore" : "groove");
     f.where = fmt::format("{} at body angle {:.1f} deg", name(design), core::deg_from_rad(features.leg_slot_angle));
     f.place = core::Place{
@@ -73,7 +73,11 @@ core::Findings run(const Design& design) {
 }  // namespace
 
 Rule structure_leg_slot() {
-    return {"structure.leg_slot", "the spring leg's slot breaking into bore or groove", "the process's walls: at least thin, better loaded",
+    return {"structure.leg_slot",
+            "the spring leg's slot breaking into bore or groove",
+            "least wall from the slot to bore and groove floor (to the rim if it lies above the groove)",
+            "the process's walls: at least thin, better loaded",
+            {required(kAtLeast, "mm", "the process's wall"), review(kAtLeast, "mm", "the process's loaded wall")},
             run};
 }
 

@@ -11,18 +11,19 @@ namespace fusee::checks {
 
 namespace {
 
-core::Finding web(const Design& design, const Limits& limits) {
-    core::Finding f = at_least(core::mm_from_m(design.part.options.hub.web), limits, "mm");
+core::Finding web(const Design& design, const Bar& required, const Bar& review) {
+    core::Finding f = judge(core::mm_from_m(design.part.options.hub.web), {required, review});
     f.what = "web between the blind bore's end and the groove's lower lip";
     f.suggestion = fmt::format("{}.hub.web_mm = {}", name(design), up(f.allowed));
     return f;
 }
 
-core::Findings run(const Design& design) {
+core::Findings run(const Design& design, const Allowed& allowed) {
     const solid::HubOptions& hub = design.part.options.hub;
     const ProcessLimits process = process_limits(design.process);
-    const Limits limits{core::mm_from_m(process.wall), core::mm_from_m(process.loaded_wall)};
-    if (hub.kind == solid::HubKind::kOverhung) return {web(design, limits)};
+    const Bar required = allowed("required", core::mm_from_m(process.wall)),
+              review = allowed("review", core::mm_from_m(process.loaded_wall));
+    if (hub.kind == solid::HubKind::kOverhung) return {web(design, required, review)};
     const std::vector<cam::PathPoint> path = contour(design.part.cam);
     if (path.empty()) return {};
     const double floor = -0.5 * design.cable.diameter;
@@ -31,7 +32,7 @@ core::Findings run(const Design& design) {
     bool key = false;
     for (const Vec2& corner : key_corners(hub))
         if (const Nearest at = distance_inside(path, floor, corner); at.distance < nearest.distance) nearest = at, key = true;
-    core::Finding f = at_least(core::mm_from_m(nearest.distance), limits, "mm");
+    core::Finding f = judge(core::mm_from_m(nearest.distance), {required, review});
     f.what = fmt::format("wall between the groove's floor and the {}", key ? "keyway's corner" : "bore");
     f.where = where(design, nearest.at.psi);
     f.place = place(nearest.at, floor);
@@ -44,8 +45,12 @@ core::Findings run(const Design& design) {
 }  // namespace
 
 Rule structure_wall_to_bore() {
-    return {"structure.wall_to_bore", "the groove breaking into the bore, its keyway or the blind bore's end",
-            "the process's walls: at least thin, better loaded", run};
+    return {"structure.wall_to_bore",
+            "the groove breaking into the bore, its keyway or the blind bore's end",
+            "least wall from groove floor to bore or keyway corner; overhung: the web",
+            "the process's walls: at least thin, better loaded",
+            {required(kAtLeast, "mm", "the process's wall"), review(kAtLeast, "mm", "the process's loaded wall")},
+            run};
 }
 
 }  // namespace fusee::checks

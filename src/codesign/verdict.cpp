@@ -10,8 +10,20 @@ namespace {
 
 constexpr double kNear = 0.01;
 /// Rules that look at the options of groove, hub and process only, or at a radius that the closing arc always uses up.
-constexpr std::array<std::string_view, 7> kUnmoved{"groove.",      "shaft.",         "process.overhang",        "process.hole",
-                                                   "process.wall", "process.cutter", "structure.idle_curvature"};
+constexpr std::array<std::string_view, 14> kUnmoved{"groove.",
+                                                    "shaft.",
+                                                    "process.hole",
+                                                    "process.wall",
+                                                    "process.detail",
+                                                    "structure.idle_curvature",
+                                                    "structure.hole_edge",
+                                                    "collision.",
+                                                    "fdm.",
+                                                    "sla.",
+                                                    "sls.",
+                                                    "mill.",
+                                                    "stack.",
+                                                    "assembly."};
 
 bool moved(const Limit& limit) {
     return std::none_of(kUnmoved.begin(), kUnmoved.end(), [&](std::string_view rule) { return limit.name.starts_with(rule); });

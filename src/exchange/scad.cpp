@@ -86,22 +86,19 @@ void add_hub(Values& values, const solid::HubOptions& hub) {
 void add_features(Values& values, const solid::Part& part) {
     const solid::FeatureOptions& f = part.options.features;
     const auto outline = upper_outline(part);
-    const double z_high = mm_from_m(part.z_high);
     values["ANCHOR_DIAMETER"] = number(mm_from_m(f.anchor_hole_diameter));
     values["ANCHOR_POSITION"] = "[0, 0, 0]";
     values["MARK_WIDTH"] = number(mm_from_m(f.mark_width));
     values["MARK_DEPTH"] = number(mm_from_m(f.mark_depth));
     values["MARK_FROM"] = values["MARK_TO"] = "0";
-    for (const solid::Cutter& c :
-         solid::make_cutters(part.cam, part.options, {mm_from_m(part.z_low), z_high, outline, 0.5 * part.chordal_error_mm})) {
-        const auto [left, right] = std::minmax_element(c.ring.begin(), c.ring.end());
+    for (const solid::Cutter& c : solid::make_cutters(part)) {
+        const solid::Point2& first = c.outline[0].centre_mm;
         if (c.name == "mark") {
-            values["MARK_FROM"] = number((*left)[0]);
-            values["MARK_TO"] = number((*right)[0]);
+            values["MARK_FROM"] = number(first[0]);
+            values["MARK_TO"] = number(c.outline[1].centre_mm[0]);
         }
-        if (c.name != "anchor") continue;
-        const double radius = mm_from_m(0.5 * f.anchor_hole_diameter);  // the ring begins at angle 0 of its circle
-        values["ANCHOR_POSITION"] = fmt::format("[{}, {}, {}]", number(c.ring[0][0] - radius), number(c.ring[0][1]), number(c.low_mm));
+        if (c.name == "anchor")
+            values["ANCHOR_POSITION"] = fmt::format("[{}, {}, {}]", number(first[0]), number(first[1]), number(c.low_mm));
     }
     values["LEG_SLOT_WIDTH"] = number(mm_from_m(f.leg_slot_width));
     values["LEG_SLOT_LENGTH"] = number(mm_from_m(f.leg_slot_length));

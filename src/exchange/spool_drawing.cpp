@@ -52,7 +52,7 @@ double crossing_at_zero(const DxfPolyline& line) {
 
 DxfLayer bore_layer(const solid::HubOptions& hub) {
     if (hub.lock == solid::HubLock::kKeyway || hub.lock == solid::HubLock::kDFlat)
-        return {"BORE", {{solid::bore_ring(hub, kChord), true}}, {}};
+        return {"BORE", {{solid::ring_of(solid::bore_outline(hub), kChord), true}}, {}};
     return {"BORE", {}, {{{0.0, 0.0}, core::mm_from_m(0.5 * (hub.bore_diameter + hub.bore_clearance))}}};
 }
 

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "fusee/core/error.h"
+#include "fusee/math/interval.h"
 #include "fusee/math/roots.h"
 
 // Equation numbers: docs/theory/friction.md.
@@ -104,12 +105,15 @@ Law Law::tabulated(std::vector<double> loads, std::vector<double> torques, doubl
 }
 
 /// A table's cubic between two rows, the end slopes' lines beyond them; below 0 outside a falling end, cut off by the callers.
-Law::Line Law::interpolate(double size) const {
+/// @param within a load between the same rows as `size`, or `size` itself
+template <class T>
+Law::LineOf<T> Law::interpolate(const T& size, double within) const {
     const std::size_t last = loads_.size() - 1;
-    if (size < loads_.front()) return {torques_.front() - slopes_.front() * (loads_.front() - size), slopes_.front()};
-    if (size >= loads_.back()) return {torques_[last] + slopes_[last] * (size - loads_[last]), slopes_[last]};
-    const auto i = static_cast<std::size_t>(std::upper_bound(loads_.begin(), loads_.end(), size) - loads_.begin()) - 1;
-    const double h = loads_[i + 1] - loads_[i], t = (size - loads_[i]) / h, s = 1.0 - t;
+    if (within < loads_.front()) return {torques_.front() - slopes_.front() * (loads_.front() - size), slopes_.front()};
+    if (within >= loads_.back()) return {torques_[last] + slopes_[last] * (size - loads_[last]), slopes_[last]};
+    const auto i = static_cast<std::size_t>(std::upper_bound(loads_.begin(), loads_.end(), within) - loads_.begin()) - 1;
+    const double h = loads_[i + 1] - loads_[i];
+    const T t = (size - loads_[i]) / h, s = 1.0 - t;
     return {torques_[i] * s * s * (1.0 + 2.0 * t) + torques_[i + 1] * t * t * (3.0 - 2.0 * t) +
                 h * s * t * (slopes_[i] * s - slopes_[i + 1] * t),
             6.0 * s * t * (torques_[i + 1] - torques_[i]) / h + slopes_[i] * s * (1.0 - 3.0 * t) + slopes_[i + 1] * t * (1.0 - 3.0 * s)};
@@ -117,16 +121,27 @@ Law::Line Law::interpolate(double size) const {
 
 double Law::in_motion(double load) const {
     const double size = std::abs(load);
-    return loads_.empty() ? constant_ + mu_ * size : std::max(0.0, interpolate(size).value);
+    return loads_.empty() ? constant_ + mu_ * size : std::max(0.0, interpolate(size, size).value);
 }
 
 double Law::at_rest(double load) const { return (1.0 + rest_excess_) * in_motion(load); }
 
 double Law::slope(double load) const {
     if (loads_.empty()) return (1.0 + rest_excess_) * mu_;
-    const Line line = interpolate(std::abs(load));
+    const double size = std::abs(load);
+    const Line line = interpolate(size, size);
     const bool cut_off = line.value < 0.0 || (line.value == 0.0 && line.slope < 0.0);
     return cut_off ? 0.0 : (1.0 + rest_excess_) * line.slope;
+}
+
+math::Jet Law::at_rest(const math::Jet& load) const {
+    const math::Jet in_motion = loads_.empty() ? constant_ + mu_ * load : interpolate(load, math::middle(load.value)).value;
+    if (!(in_motion.value.lower() > 0.0)) return math::Jet::anything();  // where it is cut off it has a kink
+    return (1.0 + rest_excess_) * in_motion;
+}
+
+math::Jet Law::slope(const math::Jet& load) const {
+    return (1.0 + rest_excess_) * (loads_.empty() ? math::Jet(mu_) : interpolate(load, math::middle(load.value)).slope);
 }
 
 core::Range Law::balanced(double motor_torque, double excess) const {

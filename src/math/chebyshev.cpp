@@ -73,6 +73,21 @@ double ChebyshevSeries::operator()(double x) const {
     return coefficients_[0] + t * b1 - b2;
 }
 
+Jet ChebyshevSeries::over(const Interval& x) const {
+    // t beyond [-1, 1] is rounding: the box lies in the domain.
+    const Interval t = common((2.0 * x - domain_.low - domain_.high) / (Interval(domain_.high) - domain_.low), Interval(-1.0, 1.0));
+    const Interval angle = common(boost::numeric::acos(t), Interval(0.0, core::kPi + 1e-15));
+    std::array<Interval, kPoints + 2> terms{Interval(1.0)}, slopes{};  // zeros from count_ - 1 on
+    for (std::size_t k = 1; k < count_; ++k) terms[k] = boost::numeric::cos(static_cast<double>(k) * angle);
+    const Interval scale = 2.0 / (Interval(domain_.high) - domain_.low);
+    for (std::size_t k = count_ - 1; k >= 1; --k)  // as in derivative(), enclosed
+        slopes[k - 1] = slopes[k + 1] + 2.0 * static_cast<double>(k) * scale * coefficients_[k];
+    slopes[0] /= 2.0;
+    Jet sum(0.0);
+    for (std::size_t k = 0; k < count_; ++k) sum += {coefficients_[k] * terms[k], slopes[k] * terms[k]};
+    return sum;
+}
+
 ChebyshevSeries ChebyshevSeries::derivative() const {
     ChebyshevSeries result(domain_);
     result.count_ = std::max<std::size_t>(count_ - 1, 1);
@@ -175,6 +190,19 @@ double PiecewiseChebyshev::integral(double x) const {
     const double at = std::clamp(x, domain().low, domain().high);
     const Piece& p = piece(at);
     return p.before + p.integral(at);
+}
+
+std::vector<double> PiecewiseChebyshev::breaks() const {
+    std::vector<double> all;
+    for (const Piece& p : pieces_) all.push_back(p.value.domain().low);
+    all.push_back(domain().high);
+    return all;
+}
+
+Jet PiecewiseChebyshev::over(const Interval& x, int order) const {
+    assert(order >= 0 && order <= 2);
+    const Piece& p = piece(middle(x));
+    return (order == 0 ? p.value : order == 1 ? p.first : p.second).over(x);
 }
 
 }  // namespace fusee::math

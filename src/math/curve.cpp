@@ -6,19 +6,22 @@
 #include <cmath>
 
 #include "fusee/core/error.h"
+#include "fusee/math/enclosure.h"
 #include "fusee/math/smoothing_spline.h"
 
 namespace fusee::math {
 
 namespace {
 
-class Smoothed final : public Curve {
+class Smoothed final : public Curve, public EnclosedCurve {
 public:
     Smoothed(const std::vector<double>& x, const std::vector<double>& y) : spline_(x, y) {}
 
     [[nodiscard]] core::Range domain() const override { return spline_.domain(); }
     [[nodiscard]] double value(double x) const override { return spline_.value(x); }
     [[nodiscard]] double derivative(double x, int order) const override { return spline_.derivative(x, order); }
+    [[nodiscard]] std::vector<double> breaks() const override { return spline_.breaks(); }
+    [[nodiscard]] Jet over(const Interval& x, int order) const override { return spline_.over(x, order); }
 
 private:
     SmoothingSpline spline_;
@@ -35,6 +38,23 @@ public:
 private:
     std::function<double(double, int)> f_;
     core::Range domain_;
+};
+
+class Scaled final : public Curve, public EnclosedCurve {
+public:
+    Scaled(CurvePtr curve, double factor) : curve_(std::move(curve)), factor_(factor) {}
+
+    [[nodiscard]] core::Range domain() const override { return curve_->domain(); }
+    [[nodiscard]] double value(double x) const override { return factor_ * curve_->value(x); }
+    [[nodiscard]] double derivative(double x, int order) const override { return factor_ * curve_->derivative(x, order); }
+    [[nodiscard]] std::vector<double> breaks() const override { return math::breaks(*curve_); }
+    [[nodiscard]] Jet over(const Interval& x, int order) const override {
+        return factor_ * math::derivative(*curve_, Jet::parameter(x), order);
+    }
+
+private:
+    CurvePtr curve_;
+    double factor_;
 };
 
 void require_finite(const std::string& column, std::size_t row, double value) {
@@ -61,6 +81,20 @@ CurvePtr make_smoothed(const std::vector<double>& x, const std::vector<double>& 
     constexpr std::size_t kLeastRows = 8;
     require_table(x, y, kLeastRows);
     return std::make_shared<Smoothed>(x, y);
+}
+
+CurvePtr make_scaled(CurvePtr curve, double factor) { return std::make_shared<Scaled>(std::move(curve), factor); }
+
+std::vector<double> breaks(const Curve& curve) {
+    const auto* enclosed = dynamic_cast<const EnclosedCurve*>(&curve);
+    return enclosed ? enclosed->breaks() : std::vector{curve.domain().low, curve.domain().high};
+}
+
+Jet derivative(const Curve& curve, const Jet& x, int order) {
+    const auto* enclosed = dynamic_cast<const EnclosedCurve*>(&curve);
+    if (!enclosed) return Jet::anything();
+    const Jet own = enclosed->over(x.value, order);
+    return {own.value, own.slope * x.slope};
 }
 
 CurvePtr make_curve(std::function<double(double, int)> f, core::Range domain) { return std::make_shared<Callable>(std::move(f), domain); }

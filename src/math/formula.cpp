@@ -6,6 +6,7 @@
 #include "fusee/core/error.h"
 #include "fusee/math/chebyshev.h"
 #include "fusee/math/curve.h"
+#include "fusee/math/enclosure.h"
 
 namespace fusee::math {
 
@@ -52,13 +53,15 @@ private:
     mu::Parser parser_;
 };
 
-class Resolved final : public Curve {
+class Resolved final : public Curve, public EnclosedCurve {
 public:
     explicit Resolved(PiecewiseChebyshev series) : series_(std::move(series)) {}
 
     [[nodiscard]] core::Range domain() const override { return series_.domain(); }
     [[nodiscard]] double value(double x) const override { return series_.value(x); }
     [[nodiscard]] double derivative(double x, int order) const override { return series_.derivative(x, order); }
+    [[nodiscard]] std::vector<double> breaks() const override { return series_.breaks(); }
+    [[nodiscard]] Jet over(const Interval& x, int order) const override { return series_.over(x, order); }
 
 private:
     PiecewiseChebyshev series_;

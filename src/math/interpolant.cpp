@@ -3,6 +3,7 @@
 #include <cassert>
 
 #include "fusee/math/curve.h"
+#include "fusee/math/enclosure.h"
 
 namespace fusee::math {
 
@@ -85,7 +86,7 @@ private:
 };
 
 /// The spline as polynomials in x - knot, one a span.
-class Interpolant final : public Curve {
+class Interpolant final : public Curve, public EnclosedCurve {
 public:
     Interpolant(const std::vector<double>& x, const std::vector<double>& y) {
         const Basis basis(x);
@@ -113,20 +114,36 @@ public:
         assert(order >= 0 && order <= 3);
         const double at = std::clamp(x, starts_.front(), end_);
         const auto i = static_cast<std::size_t>(std::upper_bound(starts_.begin() + 1, starts_.end(), at) - starts_.begin()) - 1;
-        const double t = at - starts_[i];
-        double sum = 0.0;
+        return polynomial(pieces_[i], order, at - starts_[i]);
+    }
+    [[nodiscard]] std::vector<double> breaks() const override {
+        std::vector<double> all = starts_;
+        all.push_back(end_);
+        return all;
+    }
+    [[nodiscard]] Jet over(const Interval& x, int order) const override {
+        const auto i = static_cast<std::size_t>(std::upper_bound(starts_.begin() + 1, starts_.end(), middle(x)) - starts_.begin()) - 1;
+        return polynomial(pieces_[i], order, Jet::parameter(x) - starts_[i]);
+    }
+
+private:
+    using Piece = std::array<double, kDegree + 1>;
+
+    /// The derivative of that order at t, by Horner's rule.
+    template <class T>
+    [[nodiscard]] static T polynomial(const Piece& piece, int order, const T& t) {
+        T sum = 0.0;
         for (std::size_t k = kDegree + 1; k-- > static_cast<std::size_t>(order);) {
-            double coefficient = pieces_[i][k];
+            double coefficient = piece[k];
             for (int j = 0; j < order; ++j) coefficient *= static_cast<double>(k) - j;
             sum = sum * t + coefficient;
         }
         return sum;
     }
 
-private:
     std::vector<double> starts_;
     double end_ = 0.0;
-    std::vector<std::array<double, kDegree + 1>> pieces_;
+    std::vector<Piece> pieces_;
 };
 
 }  // namespace

@@ -16,15 +16,16 @@ constexpr int kDegree = 5;
 constexpr int kMostDegree = kDegree + 1;  // of the integral
 
 /// The degree + 1 uniform B-splines that differ from 0 at the share t of a knot interval (Cox-de Boor on integer knots).
-std::array<double, kMostDegree + 1> basis(int degree, double t) {
-    std::array<double, kMostDegree + 1> values{1.0};
+template <class T>
+std::array<T, kMostDegree + 1> basis(int degree, const T& t) {
+    std::array<T, kMostDegree + 1> values{1.0};
     for (int j = 1; j <= degree; ++j) {
-        double saved = 0.0;
+        T saved = 0.0;
         for (int r = 0; r < j; ++r) {
             const auto at = static_cast<std::size_t>(r);
-            const double part = values[at] / j;
-            values[at] = saved + (r + 1 - t) * part;
-            saved = (t + j - r - 1) * part;
+            const T part = values[at] / static_cast<double>(j);
+            values[at] = saved + (static_cast<double>(r + 1) - t) * part;
+            saved = (t + static_cast<double>(j) - static_cast<double>(r) - 1.0) * part;
         }
         values[static_cast<std::size_t>(j)] = saved;
     }
@@ -144,5 +145,27 @@ double SmoothingSpline::derivative(double x, int order) const {
 }
 
 double SmoothingSpline::integral(double x) const { return evaluate(integral_, kDegree + 1, x); }
+
+std::vector<double> SmoothingSpline::breaks() const {
+    std::vector<double> all;
+    for (std::size_t i = 0; i + kDegree < derivatives_[0].size(); ++i) all.push_back(domain_.low + static_cast<double>(i) * step_);
+    all.push_back(domain_.high);
+    return all;
+}
+
+Jet SmoothingSpline::over(const Interval& x, int order) const {
+    const int degree = kDegree - order;
+    const std::vector<double>& c = coefficients(order);
+    const int interval = locate(middle(x), domain_, step_, static_cast<int>(c.size()) - degree).interval;
+    const Interval share = (x - domain_.low) / step_ - static_cast<double>(interval);
+    const auto at = [&](int j) { return c[static_cast<std::size_t>(interval + j)]; };
+    // B-splines are positive and sum to 1: counted from a value amid the coefficients, the sum hardly widens.
+    const double amid = at(degree / 2);
+    const auto values = basis(degree, share), slopes = basis(degree - 1, share);
+    Jet sum(amid);
+    for (int j = 0; j <= degree; ++j) sum.value += (Interval(at(j)) - amid) * values[static_cast<std::size_t>(j)];
+    for (int j = 0; j < degree; ++j) sum.slope += (Interval(at(j + 1)) - at(j)) / step_ * slopes[static_cast<std::size_t>(j)];
+    return sum;
+}
 
 }  // namespace fusee::math

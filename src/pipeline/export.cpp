@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fusee/brep/brep.h"
+#include "fusee/cam/certificate.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/core/units.h"
@@ -12,10 +14,12 @@
 #include "fusee/exchange/openscad.h"
 #include "fusee/exchange/part_file.h"
 #include "fusee/exchange/scad.h"
+#include "fusee/exchange/step.h"
 #include "fusee/exchange/stl.h"
 #include "fusee/exchange/three_mf.h"
 #include "fusee/solid/cut.h"
 #include "fusee/solid/validity.h"
+#include "programs.h"
 
 namespace fs = std::filesystem;
 
@@ -64,6 +68,16 @@ FileRows write_files(const solid::Part& part, const profile::Outputs& outputs, c
     return rows;
 }
 
+/// STEP, or why OpenCASCADE makes no solid of the part.
+core::Findings write_solid(const solid::Part& part, const std::string& provenance, const fs::path& base, FileRows& rows) {
+    const auto solid = brep::build(part);
+    if (!solid) return solid.refusal();
+    const fs::path step = with_ending(base, ".step");
+    exchange::write_step(step, *solid, base.filename().string(), provenance);
+    rows.push_back(file_row(step, 0, solid->deviation_mm));
+    return {};
+}
+
 /// A mesh keeps its chordal error, and no arm is off by more: the suggested one suits the least arm. Where no cable can be laid at all, the
 /// guide is in the part's way.
 std::string nearest_change(const readback::ArmError& error, const cam::Cam& cam) {
@@ -107,6 +121,9 @@ report::PartReport export_part(const DesignedPart& designed, const profile::Prof
     const profile::PartSpec& spec = part.cam.kind == cam::PartKind::kSeries ? profile.k_se : profile.k_pe;
     const fs::path base = folder / to_string(part.cam.kind), json = with_ending(base, ".json");
     FileRows rows = write_files(part, profile.outputs, provenance.line(), via, base);
+    const core::Findings exact = profile.outputs.step ? write_solid(part, provenance.line(), base, rows) : core::Findings{};
+    const core::Findings milling =
+        profile.outputs.ngc ? write_programs(part, profile.machining, provenance.line(), base, rows) : core::Findings{};
     std::vector<exchange::FileEntry> entries;
     for (const report::FileRow& row : rows) entries.push_back(row.entry);
     exchange::write_part_file(json, exchange::describe_part(part, spec.spring, entries, provenance));
@@ -115,8 +132,12 @@ report::PartReport export_part(const DesignedPart& designed, const profile::Prof
     report.part = &part;
     report.spring = spec.spring;
     report.findings = designed.findings;
+    core::append(report.findings, exact);
+    core::append(report.findings, milling);
     report.arm_errors = readback::read_back(folder, exchange::read_part_file(json));
     for (const readback::ArmError& error : report.arm_errors) report.findings.push_back(judge(error, part.cam));
+    report.certificate = cam::certify(part.cam);
+    if (const auto doubt = cam::doubt(report.certificate, part.cam.kind)) report.findings.push_back(*doubt);
     rows.push_back(file_row(json));
     report.files = std::move(rows);
     report.quality = solid::measure_quality(part.mesh);

@@ -22,7 +22,7 @@ core::Outcome<DesignedPart> design_part(cam::PartKind kind, const profile::Profi
     if (!cam) return cam.refusal();
     auto part = solid::build_part(*cam, spec.solid);
     if (!part) return part.refusal();
-    core::Findings findings = checks::check({*part, spec.spring, profile.cable, profile.process});
+    core::Findings findings = checks::check({*part, spec.spring, profile.cable, profile.process, profile.limits});
     if (core::any_required(findings)) return findings;
     return DesignedPart{std::move(part).value(), std::move(findings)};
 }

@@ -13,9 +13,7 @@ namespace {
 math::CurvePtr curve_of(const char* key, const profile::TorqueCurve& given, core::Range torques, double unit) {
     if (!given.rows.file.empty()) return math::make_interpolant(given.rows.x, given.rows.y);
     if (given.formula.empty()) return {};
-    const math::CurvePtr formula = math::make_formula(key, given.formula, "tau", torques);
-    return math::make_curve(
-        [formula, unit](double x, int order) { return unit * (order == 0 ? formula->value(x) : formula->derivative(x, order)); }, torques);
+    return math::make_scaled(math::make_formula(key, given.formula, "tau", torques), unit);
 }
 
 /// One maker for each kind of curves.

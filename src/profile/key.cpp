@@ -22,19 +22,7 @@ std::string shortest(double si, const Unit& unit) {
     return fmt::format("{}", value);
 }
 
-std::string quoted(const std::string& text) {
-    std::string out = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\') out += '\\';
-        if (static_cast<unsigned char>(c) < 0x20)
-            out += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
-        else
-            out += c;
-    }
-    return out + '"';
-}
-
-std::vector<std::string> quoted(const std::vector<std::string>& texts) {
+std::vector<std::string> all_quoted(const std::vector<std::string>& texts) {
     std::vector<std::string> out;
     for (const std::string& text : texts) out.push_back(quoted(text));
     return out;
@@ -55,6 +43,18 @@ std::string count_text(const Key& key) {
 
 }  // namespace
 
+std::string quoted(const std::string& text) {
+    std::string out = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\') out += '\\';
+        if (static_cast<unsigned char>(c) < 0x20)
+            out += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
+        else
+            out += c;
+    }
+    return out + '"';
+}
+
 std::string Key::table() const {
     const auto dot = path.rfind('.');
     return dot == std::string::npos ? "" : path.substr(0, dot);
@@ -63,7 +63,7 @@ std::string Key::table() const {
 std::string Key::leaf() const { return path.substr(path.rfind('.') + 1); }
 
 bool Key::of_part() const {
-    static constexpr std::array kTables{"cable", "groove", "process", "tolerances", "outputs", "k_se", "k_pe"};
+    static constexpr std::array kTables{"cable", "groove", "process", "tolerances", "outputs", "machining", "k_se", "k_pe"};
     return std::find(kTables.begin(), kTables.end(), path.substr(0, path.find('.'))) != kTables.end();
 }
 
@@ -107,13 +107,13 @@ std::string allowed_text(const Key& key) {
         case Kind::kFormula:
             return key.required ? "a formula as text" : "a formula as text, \"\" = none";
         case Kind::kChoice:
-            return fmt::format("{}", fmt::join(quoted(key.choices), " or "));
+            return fmt::format("{}", fmt::join(all_quoted(key.choices), " or "));
         case Kind::kSign:
             return "1 or -1";
         case Kind::kNumbers:
             return fmt::format("an array of {} numbers, each {}", count_text(key), range_text(key.limits, key.unit));
         case Kind::kChoices:
-            return fmt::format("an array of {} different ones of {}", count_text(key), fmt::join(quoted(key.choices), ", "));
+            return fmt::format("an array of {} different ones of {}", count_text(key), fmt::join(all_quoted(key.choices), ", "));
     }
     return "";
 }
@@ -123,7 +123,7 @@ std::string toml_text(const Key& key, const Profile& profile) {
     if (const auto* number = std::get_if<double>(&value)) return shortest(*number, key.unit);
     if (const auto* whole = std::get_if<int>(&value)) return fmt::format("{}", *whole);
     if (const auto* text = std::get_if<std::string>(&value)) return quoted(*text);
-    if (const auto* texts = std::get_if<std::vector<std::string>>(&value)) return fmt::format("[{}]", fmt::join(quoted(*texts), ", "));
+    if (const auto* texts = std::get_if<std::vector<std::string>>(&value)) return fmt::format("[{}]", fmt::join(all_quoted(*texts), ", "));
     std::vector<std::string> cells;
     for (const double number : std::get<std::vector<double>>(value)) cells.push_back(shortest(number, key.unit));
     return fmt::format("[{}]", fmt::join(cells, ", "));

@@ -22,7 +22,7 @@ struct Unit {
 };
 inline constexpr Unit kPure{""}, kNm{"Nm"}, kNewton{"N"}, kRad{"rad"}, kPerRad{"1/rad"}, kPerNmRad{"1/(Nm rad)"}, kNmPerRad{"Nm/rad"},
     kRadPerNm{"rad/Nm"}, kNPerM{"N/m"}, kKgm2{"kg m^2"}, kNms{"Nm s"}, kNm2s{"(Nm)^2 s"}, kMm{"mm", 1.0, 1e3},
-    kDeg{"deg", core::kPi, 180.0}, kMPa{"MPa", 1e6, 1.0};
+    kDeg{"deg", core::kPi, 180.0}, kMPa{"MPa", 1e6, 1.0}, kMmPerMin{"mm/min", 1.0, 60e3}, kPerMin{"1/min"};
 
 /// Allowed numbers, in the key's own unit; always finite.
 struct Limits {
@@ -71,11 +71,14 @@ struct Key {
 /// The known key that the writer of `path` most likely meant.
 [[nodiscard]] const Key& nearest_key(std::string_view path);
 [[nodiscard]] std::string nearest_table(std::string_view path);
+[[nodiscard]] const checks::Rule& nearest_rule(std::string_view id);
 
 /// Does the key have a meaning in this profile, as far as it is read?
 [[nodiscard]] bool applies(const Key& key, const Profile& profile);
 /// "a number above 0, at most 95", "\"planar\" or \"helix\"".
 [[nodiscard]] std::string allowed_text(const Key& key);
+/// `text` as TOML's basic string, quotes included.
+[[nodiscard]] std::string quoted(const std::string& text);
 /// The key's value as TOML, numbers in the key's unit with the fewest digits that give the same SI number.
 [[nodiscard]] std::string toml_text(const Key& key, const Profile& profile);
 
@@ -85,6 +88,7 @@ struct Key {
 [[nodiscard]] std::vector<Key> simulation_keys();
 [[nodiscard]] std::vector<Key> design_keys();
 [[nodiscard]] std::vector<Key> codesign_keys();
+[[nodiscard]] std::vector<Key> machining_keys();
 [[nodiscard]] std::vector<Key> part_keys(const std::string& part, PartSpec Profile::*member);
 
 // How a row of the list is made: `at` is a generic lambda from a (const) Profile& to the member.

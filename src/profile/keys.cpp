@@ -47,28 +47,32 @@ Key build_volume() {
 
 std::vector<Key> process_keys() {
     return {
-        required(choice("process.kind", {"fdm", "sla", "sls", "mill"}, "gives the defaults of the limits below", FIELD(process.kind))),
+        required(choice("process.kind", {"fdm", "sla", "sls", "mill", "mill4", "edm", "laser"},
+                        "gives the defaults of the limits below; mill4: a fourth axis; edm, laser: plates, stacked", FIELD(process.kind))),
         build_volume(),
         number("process.min_wall_mm", kMm, within(0, 100), "0 = by process", FIELD(process.min_wall)),
         number("process.min_hole_mm", kMm, within(0, 100), "diameter; 0 = by process", FIELD(process.min_hole)),
         number("process.max_overhang_deg", kDeg, within(0, 90), "of a face that looks down, from the vertical; 0 = by process",
                FIELD(process.max_overhang)),
-        number("process.cutter_radius_mm", kMm, within(0, 100), "smallest ball or end mill at hand; 0 = by process",
+        number("process.cutter_radius_mm", kMm, within(0, 100),
+               "smallest ball or end mill at hand; edm: wire radius and gap; laser: half the kerf; 0 = by process",
                FIELD(process.cutter_radius)),
+        number("process.layer_mm", kMm, within(0, 10), "height of a printed layer; 0 = by process", FIELD(process.layer)),
         number("process.tolerance_mm", kMm, within(0, 10), "of a contour, one side; 0 = by process", FIELD(process.tolerance)),
         number("tolerances.chordal_error_mm", kMm, within(1e-4, 1), "largest distance between the exported mesh and the exact surface",
                FIELD(k_se.solid.chordal_error)),
     };
 }
 
-/// The four switches of Outputs as a list of names.
+/// The switches of Outputs as a list of names.
 Key formats() {
-    static constexpr bool Outputs::*kSwitches[] = {&Outputs::stl, &Outputs::scad, &Outputs::dxf, &Outputs::three_mf};
+    static constexpr bool Outputs::*kSwitches[] = {&Outputs::stl,      &Outputs::scad, &Outputs::dxf,
+                                                   &Outputs::three_mf, &Outputs::step, &Outputs::ngc};
     Key key;
     key.path = "outputs.formats";
     key.kind = Kind::kChoices;
-    key.meaning = "part files to write; dxf: the outline of a planar spool";
-    key.choices = {"stl", "scad", "dxf", "3mf"};
+    key.meaning = "part files to write; dxf: the outline of a planar spool; step: AP242; ngc: G-code by [machining]";
+    key.choices = {"stl", "scad", "dxf", "3mf", "step", "ngc"};
     key.most_count = key.choices.size();
     key.get = [names = key.choices](const Profile& p) {
         std::vector<std::string> chosen;
@@ -95,6 +99,7 @@ std::vector<Key> all_keys() {
     add(cable_keys());
     add(process_keys());
     add({formats(), integer("outputs.springs_rows", within(200, 100000), "rows of springs.csv", FIELD(outputs.springs_rows))});
+    add(machining_keys());
     add(part_keys("k_se", &Profile::k_se));
     add(part_keys("k_pe", &Profile::k_pe));
     return all;

@@ -42,10 +42,17 @@ std::vector<Key> spring_keys(const std::string& part, PartSpec Profile::*member)
     all.push_back(number(t + "wire_mm", kMm, within(0, 100), "wire diameter; 0 = unknown, stress not checked", OF(spring.wire_diameter)));
     all.push_back(number(t + "coil_mm", kMm, within(0, 1000), "mean coil diameter; 0 = unknown", OF(spring.coil_diameter)));
     all.push_back(number(t + "active_coils", kPure, within(0, 1000), "0 = unknown", OF(spring.active_coils)));
-    all.push_back(number(t + "free_length_mm", kMm, within(0, 1e4), "0 = unknown, buckling not checked", OF(spring.free_length)));
+    all.push_back(number(t + "free_length_mm", kMm, within(0, 1e4),
+                         part == "k_se" ? "room for the body along its axis; 0 = unknown" : "0 = unknown, buckling not checked",
+                         OF(spring.free_length)));
     all.push_back(number(t + "tensile_strength_MPa", kMPa, within(0, 1e4), "of the wire; 0 = unknown", OF(spring.tensile_strength)));
     all.push_back(
         number(t + "stress_share", kPure, above(0, 1), "allowed share of it: 0.8 music wire, 0.6 stainless 302", OF(spring.stress_share)));
+    all.push_back(choice(t + "hand", {"unknown", "right", "left"}, "of the coil; right: like a common screw", OF(spring.hand)));
+    all.push_back(
+        number(t + "rod_mm", kMm, within(0, 1000), "diameter of the arbor or rod inside the coils; 0 = unknown", OF(spring.rod_diameter)));
+    all.push_back(number(t + "cycles", kPure, within(0, 1e12), "loadings wanted, from nothing to the largest; 0 = fatigue not checked",
+                         OF(spring.cycles)));
     return all;
 }
 

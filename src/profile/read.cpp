@@ -8,6 +8,7 @@
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/core/toml.h"
+#include "overrides.h"
 
 namespace fs = std::filesystem;
 
@@ -37,7 +38,9 @@ public:
         for (const auto& [name, node] : table) {
             const std::string path = prefix.empty() ? std::string(name.str()) : prefix + "." + std::string(name.str());
             if (name.str().find('.') != std::string_view::npos) refuse_unknown(path, name.source(), false);  // "a.b" in quotes is no a.b
-            if (node.is_table() && is_table(path)) {
+            if (path == "limits") {
+                limits_ = &node;
+            } else if (node.is_table() && is_table(path)) {
                 collect(*node.as_table(), path);
             } else if (find_key(path) != nullptr) {
                 nodes_[path] = &node;
@@ -48,7 +51,8 @@ public:
     }
 
     void assign(Profile& profile) const {
-        profile.has_parts = std::any_of(nodes_.begin(), nodes_.end(), [](const auto& node) { return find_key(node.first)->of_part(); });
+        profile.has_parts = limits_ != nullptr ||
+                            std::any_of(nodes_.begin(), nodes_.end(), [](const auto& node) { return find_key(node.first)->of_part(); });
         for (const Key& key : keys()) {
             if (key.of_part()) refuse_parts_of_others(profile);
             const auto found = nodes_.find(key.path);
@@ -61,6 +65,7 @@ public:
                 key.set(profile, convert(key, *found->second, file_));
             }
         }
+        if (limits_ != nullptr) profile.limits = read_overrides(*limits_, file_);
         check_knots(profile);
         for (const Order& order : kOrders) check(order, profile);
         for (const char* factor : kFactors) require_not_0(*find_key(factor), profile);
@@ -90,10 +95,13 @@ private:
     /// Cams are known for the paper's arrangement only.
     void refuse_parts_of_others(const Profile& profile) const {
         if (!profile.has_parts || profile.rig.arrangement == actuator::Arrangement::kPnrvsa) return;
+        const auto refuse = [this](const toml::node& node, const std::string& path) {
+            throw core::InvalidInput(place(file_, node.source(), path), "has no meaning here",
+                                     "only with rig.arrangement = \"pnrvsa\": the others cannot be made");
+        };
         for (const auto& [path, node] : nodes_)
-            if (find_key(path)->of_part())
-                throw core::InvalidInput(place(file_, node->source(), path), "has no meaning here",
-                                         "only with rig.arrangement = \"pnrvsa\": the others cannot be made");
+            if (find_key(path)->of_part()) refuse(*node, path);
+        if (limits_ != nullptr) refuse(*limits_, "limits");
     }
     void require_not_0(const Key& key, const Profile& profile) const {
         if (applies(key, profile) && std::get<double>(key.get(profile)) == 0.0)
@@ -126,6 +134,7 @@ private:
 
     std::string file_;
     std::map<std::string, const toml::node*> nodes_;
+    const toml::node* limits_ = nullptr;  ///< [[limits]]
     std::map<std::string, toml::source_region> regions_;
 };
 

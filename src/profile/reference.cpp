@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include "key.h"
+#include "overrides.h"
 
 namespace fusee::profile {
 
@@ -63,7 +64,7 @@ std::string profile_reference() {
     std::string text;
     for (const Section& section : merged(sections()))
         text += fmt::format("### {}\n\n| key | allowed | default | meaning |\n|---|---|---|---|\n{}\n", section.titles, section.body);
-    return text;
+    return text + overrides_reference();
 }
 
 }  // namespace fusee::profile

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "key.h"
+#include "overrides.h"
 
 namespace fusee::profile {
 
@@ -11,7 +12,7 @@ std::string to_toml(const Profile& profile) {
         if (key.table() != table) toml += fmt::format("\n[{}]\n", table = key.table());
         toml += fmt::format("{} = {}\n", key.leaf(), toml_text(key, profile));
     }
-    return toml;
+    return toml + overrides_toml(profile.limits);
 }
 
 }  // namespace fusee::profile

@@ -67,21 +67,31 @@ bool one_height(const std::vector<Aim>& rows) {
     return high->z_mm - low->z_mm <= kSameHeight_mm;
 }
 
+/// Where the floor is looked for: along the rows, and all the way round where they share one height.
+std::vector<Aim> all_rays(const std::vector<Aim>& rows) {
+    std::vector<Aim> rays = refined(rows);
+    for (int i = 0; one_height(rows) && i < kRaysRound; ++i) rays.push_back({2.0 * core::kPi * i / kRaysRound, rows.front().z_mm});
+    return rays;
+}
+
 }  // namespace
 
-Floor find_floor(const solid::Mesh& mesh, const exchange::PartFile& part) {
+Floor find_floor(const Ray& ray, const exchange::PartFile& part) {
     const std::vector<Aim> rows = aims(part);
-    std::vector<Aim> rays = refined(rows);
     Floor floor;
     floor.planar = one_height(rows);
     for (const Aim& row : rows) floor.row_azimuth.push_back(row.azimuth);
-    for (int i = 0; floor.planar && i < kRaysRound; ++i) rays.push_back({2.0 * core::kPi * i / kRaysRound, rows.front().z_mm});
+    for (const Aim& aim : all_rays(rows))
+        if (const auto r = ray(aim.azimuth, aim.z_mm))
+            floor.points.push_back({{*r * std::cos(aim.azimuth), *r * std::sin(aim.azimuth)}, aim.azimuth});
+    return floor;
+}
+
+Floor find_floor(const solid::Mesh& mesh, const exchange::PartFile& part) {
+    const std::vector<Aim> rays = all_rays(aims(part));
     const auto [low, high] = std::minmax_element(rays.begin(), rays.end(), [](const Aim& a, const Aim& b) { return a.z_mm < b.z_mm; });
     const RaySearch search(mesh, low->z_mm, high->z_mm);
-    for (const Aim& ray : rays)
-        if (const auto r = search.outermost(ray.azimuth, ray.z_mm))
-            floor.points.push_back({{*r * std::cos(ray.azimuth), *r * std::sin(ray.azimuth)}, ray.azimuth});
-    return floor;
+    return find_floor([&search](double azimuth, double z_mm) { return search.outermost(azimuth, z_mm); }, part);
 }
 
 Floor drawn_floor(const exchange::DxfDrawing& drawing, const exchange::PartFile& part, const std::string& file) {

@@ -1,5 +1,7 @@
 #pragma once
 #include <array>
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "fusee/exchange/dxf.h"
@@ -21,8 +23,13 @@ struct Floor {
     std::vector<double> row_azimuth;  ///< where the floor is expected under each target row [rad], unwrapped alike
 };
 
-/// Horizontal rays from the axis: along the working arc about five per target row, and round the whole outline where the contacts share one
-/// height; the outermost hit at a contact's height is the floor, which is open to the outside. A ray that hits nothing leaves a gap.
+/// Where a horizontal ray from the axis meets the floor, if it does: distance from the axis [mm] over azimuth [rad] and height [mm].
+using Ray = std::function<std::optional<double>(double azimuth, double z_mm)>;
+
+/// Shoots rays along the working arc, about five per target row, and round the whole outline where the contacts share one height, each at
+/// a contact's height. A ray that hits nothing leaves a gap.
+[[nodiscard]] Floor find_floor(const Ray& ray, const exchange::PartFile& part);
+/// The same in a mesh: the outermost hit is the floor, which is open to the outside.
 [[nodiscard]] Floor find_floor(const solid::Mesh& mesh, const exchange::PartFile& part);
 
 /// The floor as drawn: the vertices of the layer FLOOR.

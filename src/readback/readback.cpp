@@ -6,8 +6,10 @@
 
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
+#include "fusee/exchange/step.h"
 #include "fusee/exchange/stl.h"
 #include "fusee/exchange/three_mf.h"
+#include "fusee/toolpath/read_back.h"
 #include "taut_cable.h"
 
 namespace fusee::readback {
@@ -15,6 +17,8 @@ namespace fusee::readback {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr double kSplineAllowed = 1e-4;  // of an arm: splines are ten times as near as a mesh's chords
 
 void require_entry(const fs::path& path, const exchange::FileEntry& entry) {
     const std::string found = core::sha256_hex(core::read_file(path));
@@ -45,6 +49,27 @@ ArmError compare_mesh(const fs::path& path, const char* reader, const solid::Mes
     return compare(path, reader, find_floor(mesh, part), part);
 }
 
+ArmError compare_step(const fs::path& path, const exchange::PartFile& part) {
+    const exchange::StepFile file(path);
+    const auto ray = [&file](double azimuth, double z_mm) { return file.outermost(azimuth, z_mm); };
+    ArmError error = compare(path, "opencascade", find_floor(ray, part), part);
+    error.allowed = kSplineAllowed;
+    return error;
+}
+
+/// The controller's own reading of a program, held to what a machine needs; one error for each groove that it cuts.
+std::vector<ArmError> compare_program(const fs::path& path, const exchange::PartFile& part) {
+    const toolpath::Interpreted program = toolpath::interpret(path);
+    if (const auto faults = toolpath::faults(program); !faults.empty()) throw core::IoError(path.string(), faults.front());
+    std::vector<ArmError> errors;
+    for (const toolpath::CutFloor& cut : toolpath::cut_floors(program)) {
+        const auto ray = [&cut](double azimuth, double z_mm) { return cut.radius(azimuth, z_mm); };
+        errors.push_back(compare(path, "rs274", find_floor(ray, part), part));
+        errors.back().reader += " " + cut.name();
+    }
+    return errors;
+}
+
 }  // namespace
 
 std::vector<ArmError> read_back(const fs::path& folder, const exchange::PartFile& part) {
@@ -60,6 +85,11 @@ std::vector<ArmError> read_back(const fs::path& folder, const exchange::PartFile
             errors.push_back(compare_mesh(path, "lib3mf", exchange::read_3mf(path), entry, part));
         } else if (extension == ".dxf") {
             errors.push_back(compare(path, "dxflib", drawn_floor(exchange::read_dxf(path), part, path.string()), part));
+        } else if (extension == ".step") {
+            errors.push_back(compare_step(path, part));
+        } else if (extension == ".ngc") {
+            if (!toolpath::can_interpret()) continue;
+            for (ArmError& error : compare_program(path, part)) errors.push_back(std::move(error));
         } else if (extension != ".scad") {
             throw core::IoError(path.string(), "is of a kind that cannot be read back");
         }

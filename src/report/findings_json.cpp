@@ -17,6 +17,9 @@ nlohmann::ordered_json findings_json(const core::Findings& findings) {
         if (f.place) j["place"] = {{"angle_rad", f.place->angle}, {"point_mm", f.place->point_mm}};
         j["suggestion"] = f.suggestion;
         j["source"] = f.source;
+        for (const core::OverriddenLimit& o : f.overridden)
+            j["overridden"].push_back(
+                {{"limit", o.limit}, {"value", o.value}, {"default", o.normal}, {"unit", o.unit}, {"reason", o.reason}});
         all.push_back(std::move(j));
     }
     return all;

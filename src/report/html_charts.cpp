@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "column.h"
 #include "figures.h"
 #include "html.h"
@@ -53,6 +55,15 @@ std::string law_facts(const LawReport& law) {
     return "<div class=\"card wide\"><h3>The law</h3>" + html_facts(facts) + "</div>\n";
 }
 
+/// Bounds are rounded outwards: what is printed is proven too.
+std::string certificate_text(const cam::Certificate& c) {
+    const cam::LeastRadius& least = c.least();
+    const std::string bound =
+        std::isfinite(least.proven) ? fmt::format("\u2265 {:.4f} mm on all of the contour, ", std::floor(1e7 * least.proven) / 1e4) : "";
+    return fmt::format("{}convex: {}, cable unrolls in order: {} ({} boxes){}", bound, to_string(c.convex), to_string(c.ordered), c.boxes,
+                       c.open.empty() ? "" : "; " + c.open);
+}
+
 std::string cam_facts(const PartReport& report) {
     const solid::Part& part = *report.part;
     const CamFigures f = measure(part.cam);
@@ -67,6 +78,7 @@ std::string cam_facts(const PartReport& report) {
                        {"cam travel", fmt::format("{} deg", number(deg_from_rad(f.travel)))},
                        {"working arc", fmt::format("{} turns", number(part.cam.working_psi.width() / (2.0 * core::kPi), 3))},
                        {"least radius of curvature", number(f.least_rho_mm) + " mm"},
+                       {"by interval arithmetic", certificate_text(report.certificate)},
                        {"cable",
                         fmt::format("{} mm, {}", number(core::mm_from_m(part.cam.options.cable_diameter)), range_text(f.tensions, "N", 3))},
                        {"base spring", fmt::format("{} {}", number(report.spring.rate), torsion ? "Nm/rad" : "N/m")},

@@ -82,6 +82,24 @@ Json cam_json(const solid::Part& part, const CamFigures& cam) {
             {"tensions_N", range(cam.tensions)}};
 }
 
+Json least_radius_json(const std::optional<cam::LeastRadius>& r) {
+    if (!r) return nullptr;
+    return {{"proven_mm", core::mm_from_m(r->proven)}, {"found_mm", core::mm_from_m(r->found)}, {"psi_rad", range(r->psi)}};
+}
+
+Json certificate_json(const cam::Certificate& c) {
+    return {{"convex", cam::to_string(c.convex)},
+            {"ordered", cam::to_string(c.ordered)},
+            {"working_arc", least_radius_json(c.working)},
+            {"idle_arc", least_radius_json(c.idle)},
+            {"floor_in_space", least_radius_json(c.floor)},
+            {"idle_floor_in_space", least_radius_json(c.idle_floor)},
+            {"seam_mm", core::mm_from_m(c.seam)},
+            {"boxes", c.boxes},
+            {"open", c.open},
+            {"assumed", cam::certificate_assumptions()}};
+}
+
 Json mesh_json(const PartReport& report) {
     const solid::Box box = solid::bounding_box(report.part->mesh);
     return {{"triangles", report.part->mesh.triangles.size()},
@@ -99,6 +117,7 @@ Json part_json(const PartReport& report) {
     return {{"part", cam::to_string(report.part->cam.kind)},
             {"spring", spring_json(report.spring, cam)},
             {"cam", cam_json(*report.part, cam)},
+            {"certificate", certificate_json(report.certificate)},
             {"mesh", mesh_json(report)},
             {"findings", findings_json(report.findings)},
             {"files", files_json(report.files)},

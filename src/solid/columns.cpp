@@ -1,4 +1,4 @@
-#include "columns.h"
+#include "fusee/solid/columns.h"
 
 #include <algorithm>
 #include <cmath>

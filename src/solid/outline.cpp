@@ -13,38 +13,45 @@ constexpr double kFireyPower = 8.0;  // at most 2^(1/8) = 9 % outside the exact 
 
 double step_for(double radius_mm, double tolerance_mm) { return 2.0 * std::acos(1.0 - std::min(0.5, tolerance_mm / radius_mm)); }
 
-/// Vertices of the arc from `begin` to `end`, both included.
-void add_arc(Ring& ring, double radius, double begin, double end, double tolerance) {
-    const int steps = std::max(3, static_cast<int>(std::ceil((end - begin) / step_for(radius, tolerance))));
-    for (int i = 0; i <= steps; ++i) {
-        const double angle = begin + (end - begin) * i / steps;
-        ring.push_back({radius * std::cos(angle), radius * std::sin(angle)});
-    }
-}
-
 }  // namespace
 
-Ring circle_ring(double radius_mm, double tolerance_mm, Point2 centre_mm) {
-    Ring ring;
-    add_arc(ring, radius_mm, 0.0, 2.0 * core::kPi, tolerance_mm);
-    ring.pop_back();
-    for (Point2& p : ring) p = {p[0] + centre_mm[0], p[1] + centre_mm[1]};
-    return ring;
+Point2 Arc::at(double angle) const { return {centre_mm[0] + radius_mm * std::cos(angle), centre_mm[1] + radius_mm * std::sin(angle)}; }
+
+bool Arc::full() const { return end - begin > 2.0 * core::kPi - 1e-12; }
+
+Outline circle(double radius_mm, Point2 centre_mm) { return {{centre_mm, radius_mm, 0.0, 2.0 * core::kPi}}; }
+
+Outline stadium(double width_mm, double length_mm, double radius_mm, double angle) {
+    Outline outline;
+    for (const double side : {1.0, -1.0}) {
+        const double along = radius_mm + side * std::max(0.0, 0.5 * (length_mm - width_mm));
+        const double begin = angle + (side > 0.0 ? -0.5 : 0.5) * core::kPi;
+        outline.push_back({{along * std::cos(angle), along * std::sin(angle)}, 0.5 * width_mm, begin, begin + core::kPi});
+    }
+    return outline;
 }
 
-Ring bore_ring(const HubOptions& hub, double tolerance_mm) {
+Outline bore_outline(const HubOptions& hub) {
     const double radius = core::mm_from_m(0.5 * (hub.bore_diameter + hub.bore_clearance));
-    Ring ring;
+    const auto arc_from = [&](double open) { return Arc{{}, radius, open, 2.0 * core::kPi - open}; };
     if (hub.lock == HubLock::kKeyway) {
         const double half = core::mm_from_m(0.5 * hub.key_width), top = radius + core::mm_from_m(hub.key_depth);
-        const double open = std::asin(half / radius);
-        ring = {{top, -half}, {top, half}};
-        add_arc(ring, radius, open, 2.0 * core::kPi - open, tolerance_mm);
-    } else if (hub.lock == HubLock::kDFlat) {
-        const double open = std::acos(1.0 - core::mm_from_m(hub.flat_depth) / radius);
-        add_arc(ring, radius, open, 2.0 * core::kPi - open, tolerance_mm);
-    } else {
-        ring = circle_ring(radius, tolerance_mm);
+        return {{{top, -half}}, {{top, half}}, arc_from(std::asin(half / radius))};
+    }
+    if (hub.lock == HubLock::kDFlat) return {arc_from(std::acos(1.0 - core::mm_from_m(hub.flat_depth) / radius))};
+    return circle(radius);
+}
+
+Ring ring_of(const Outline& outline, double tolerance_mm) {
+    Ring ring;
+    for (const Arc& arc : outline) {
+        if (arc.radius_mm == 0.0) {
+            ring.push_back(arc.centre_mm);
+            continue;
+        }
+        const double turn = arc.end - arc.begin;
+        const int steps = std::max(3, static_cast<int>(std::ceil(turn / step_for(arc.radius_mm, tolerance_mm))));
+        for (int i = 0; i < steps + (arc.full() ? 0 : 1); ++i) ring.push_back(arc.at(arc.begin + turn * i / steps));
     }
     return ring;
 }

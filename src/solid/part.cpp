@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "columns.h"
 #include "fusee/core/error.h"
 #include "fusee/core/units.h"
+#include "fusee/solid/columns.h"
 #include "fusee/solid/cut.h"
 #include "fusee/solid/cutters.h"
 #include "fusee/solid/fill.h"
@@ -64,12 +64,12 @@ void validate_options(const std::string& part, const PartOptions& o) {
     Mesh& mesh = body.mesh;
     const bool boss = hub.boss_height > 0.0, through = hub.kind == HubKind::kThrough;
     const double z_boss = body.z_low_mm - (boss ? mm_from_m(hub.boss_height) : 0.0);
-    const Ring bore = bore_ring(hub, tolerance);
+    const Ring bore = ring_of(bore_outline(hub), tolerance);
     VertexRing bottom_outer = body.lower_ring;
     bool simple = true;
     if (boss) {
-        const Ring circle = circle_ring(mm_from_m(0.5 * hub.boss_diameter), tolerance);
-        const VertexRing upper = add_ring(mesh, circle, body.z_low_mm), lower = add_ring(mesh, circle, z_boss);
+        const Ring rim = ring_of(circle(mm_from_m(0.5 * hub.boss_diameter)), tolerance);
+        const VertexRing upper = add_ring(mesh, rim, body.z_low_mm), lower = add_ring(mesh, rim, z_boss);
         simple &= fill_face(mesh, body.lower_ring, {upper}, false);
         add_wall_between(mesh, lower, upper, true);
         bottom_outer = lower;
@@ -124,8 +124,6 @@ core::Outcome<Part> build_part(const cam::Cam& cam, const PartOptions& options) 
     const double tolerance = 0.5 * mm_from_m(options.chordal_error);
     const Flanges flanges = flanges_of(options);
     SweptBody body = sweep(cam, part.section, flanges, tolerance);
-    Ring upper_outline;
-    for (const std::uint32_t v : body.upper_ring) upper_outline.push_back({body.mesh.points_mm[v][0], body.mesh.points_mm[v][1]});
     part.columns_psi = body.columns_psi;
     if (!close_body(body, options.hub, tolerance, true)) return invalid(cam, validate(body.mesh));
     if (!cam.closed()) {
@@ -135,8 +133,7 @@ core::Outcome<Part> build_part(const cam::Cam& cam, const PartOptions& options) 
     }
 
     std::vector<Mesh> tools;
-    for (const Cutter& cutter : make_cutters(cam, options, {body.z_low_mm, body.z_high_mm, upper_outline, tolerance}))
-        tools.push_back(cutter.mesh());
+    for (const Cutter& cutter : make_cutters(part)) tools.push_back(cutter.mesh(tolerance));
     const auto finished = cut(body.mesh, tools);
     if (!finished) return invalid(cam, validate(body.mesh));
     part.mesh = *finished;

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "columns.h"
 #include "fusee/core/units.h"
+#include "fusee/solid/columns.h"
 
 namespace fusee::solid {
 

@@ -8,6 +8,7 @@
 #include "fusee/core/error.h"
 #include "fusee/math/chebyshev.h"
 #include "fusee/math/roots.h"
+#include "fusee/spring/enclosure.h"
 #include "rules.h"
 
 namespace fusee::spring {
@@ -18,9 +19,11 @@ using math::ChebyshevSeries;
 using Values = ChebyshevSeries::Values;
 
 /// What has been summed up to a load.
-struct Sums {
-    double theta = 0.0, f_se = 0.0, u_se = 0.0, u_pe = 0.0;
+template <class T>
+struct BasicSums {
+    T theta = 0.0, f_se = 0.0, u_se = 0.0, u_pe = 0.0;
 };
+using Sums = BasicSums<double>;
 
 /// A range of loads over which everything is one series.
 struct Piece {
@@ -31,9 +34,12 @@ struct Piece {
     [[nodiscard]] Sums at(double tau) const {
         return {start.theta + theta(tau), start.f_se + f_se(tau), start.u_se + u_se(tau), start.u_pe + u_pe(tau)};
     }
+    [[nodiscard]] BasicSums<math::Jet> over(const math::Interval& tau) const {
+        return {start.theta + theta.over(tau), start.f_se + f_se.over(tau), start.u_se + u_se.over(tau), start.u_pe + u_pe.over(tau)};
+    }
 };
 
-class ByLoadLaw final : public SpringLaw {
+class ByLoadLaw final : public SpringLaw, public EnclosedLaw {
 public:
     ByLoadLaw(StiffnessesAt stiffnesses, std::vector<Piece> pieces) : stiffnesses_(std::move(stiffnesses)), pieces_(std::move(pieces)) {
         theta_end_ = pieces_.back().at(pieces_.back().loads.high).theta;
@@ -45,7 +51,7 @@ public:
     [[nodiscard]] LawPoint at_load(double tau) const override {
         const double load = std::clamp(tau, loads().low, loads().high);
         const Piece& piece = piece_where([load](const Piece& p) { return load < p.loads.low; });
-        return point(load, piece.at(load));
+        return point<LawPoint>(load, piece.at(load));
     }
     [[nodiscard]] LawPoint at_angle(double theta) const override {
         const double angle = std::clamp(theta, 0.0, theta_end_);
@@ -53,7 +59,20 @@ public:
         const double load = load_in(piece, angle - piece.start.theta);
         Sums sums = piece.at(load);
         sums.theta = angle;
-        return point(load, sums);
+        return point<LawPoint>(load, sums);
+    }
+    /// By the load: every piece, divided where the stiffnesses are.
+    [[nodiscard]] std::vector<LawStretch> stretches() const override {
+        std::vector<LawStretch> result;
+        const auto self = std::make_shared<const ByLoadLaw>(*this);
+        for (const Piece& piece : self->pieces_) {
+            const std::vector<double> places = cuts(piece.loads, stiffnesses_.breaks());
+            for (std::size_t i = 0; i + 1 < places.size(); ++i)
+                result.push_back({{places[i], places[i + 1]}, [self, &piece](const math::Interval& tau) {
+                                      return self->point<LawJet>(math::Jet::parameter(tau), piece.over(tau));
+                                  }});
+        }
+        return result;
     }
 
 private:
@@ -70,10 +89,11 @@ private:
         return math::rising_root(excess, piece.loads.low, piece.loads.high, guess);
     }
 
-    [[nodiscard]] LawPoint point(double tau, const Sums& sums) const {
-        const Stiffnesses at = stiffnesses_(tau);
-        const double rise = at.s + at.p;  // dtau/dtheta
-        LawPoint p;
+    template <class Point, class T>
+    [[nodiscard]] Point point(const T& tau, const BasicSums<T>& sums) const {
+        const BasicStiffnesses<T> at = stiffnesses_(tau);
+        const T rise = at.s + at.p;  // dtau/dtheta
+        Point p;
         p.tau = tau;
         p.theta = sums.theta;
         p.f_se = sums.f_se;
@@ -179,11 +199,6 @@ void require_friction(const friction::Law& friction, core::Range loads) {
         if (!(friction.at_rest(tau) > 0.0))
             throw core::InvalidInput("rig.gear_friction", fmt::format("{:g} Nm at {:g} Nm", friction.at_rest(tau), tau),
                                      "above 0: without stiction there is no dead-band to shape");
-}
-
-Stiffnesses from_transmission(double s, double s_rate, double t, double t_rate) {
-    const double ratio = 1.0 / t - 1.0;  // P/S
-    return {s, ratio * s, s_rate, ratio * s_rate - s * t_rate / (t * t)};
 }
 
 core::Outcome<SpringLawPtr> integrate_by_load(StiffnessesAt stiffnesses, const std::vector<double>& edges, bool looked_over) {

@@ -4,17 +4,37 @@
 
 #include "fusee/friction/law.h"
 #include "fusee/math/curve.h"
+#include "fusee/math/enclosure.h"
 #include "fusee/spring/law.h"
 
 // Laws given over the load itself (docs/theory/springs.md, eq. 16 to 18): every maker below says what the stiffnesses are at a load.
 namespace fusee::spring {
 
-/// Both stiffnesses at one load and their slopes by the load.
-struct Stiffnesses {
-    double s = 0.0, p = 0.0;            ///< S, P [Nm/rad]
-    double s_rate = 0.0, p_rate = 0.0;  ///< dS/dtau, dP/dtau [1/rad]
+/// Both stiffnesses at one load and their slopes by the load; of numbers, or of boxes.
+template <class T>
+struct BasicStiffnesses {
+    T s = 0.0, p = 0.0;            ///< S, P [Nm/rad]
+    T s_rate = 0.0, p_rate = 0.0;  ///< dS/dtau, dP/dtau [1/rad]
 };
-using StiffnessesAt = std::function<Stiffnesses(double tau)>;
+using Stiffnesses = BasicStiffnesses<double>;
+
+/// One formula, asked at loads and over boxes of them.
+class StiffnessesAt {
+public:
+    /// @param formula takes a double or a math::Jet and gives BasicStiffnesses of it; curves in it by `math::derivative`
+    /// @param breaks  loads between which it is smooth: `math::breaks` of its curves, rows of its friction
+    template <class Formula>
+    StiffnessesAt(const Formula& formula, std::vector<double> breaks) : at_(formula), over_(formula), breaks_(std::move(breaks)) {}
+
+    [[nodiscard]] Stiffnesses operator()(double tau) const { return at_(tau); }
+    [[nodiscard]] BasicStiffnesses<math::Jet> operator()(const math::Jet& tau) const { return over_(tau); }
+    [[nodiscard]] const std::vector<double>& breaks() const { return breaks_; }
+
+private:
+    std::function<Stiffnesses(double)> at_;
+    std::function<BasicStiffnesses<math::Jet>(const math::Jet&)> over_;
+    std::vector<double> breaks_;
+};
 
 /// @throws InvalidInput naming `field` unless the curve is given over all loads
 void require_reach(const char* field, const math::Curve& curve, core::Range loads);
@@ -22,7 +42,11 @@ void require_reach(const char* field, const math::Curve& curve, core::Range load
 void require_friction(const friction::Law& friction, core::Range loads);
 
 /// P and its slope from S, dS/dtau, T and dT/dtau: P = (1/T - 1) S.
-[[nodiscard]] Stiffnesses from_transmission(double s, double s_rate, double t, double t_rate);
+template <class T>
+[[nodiscard]] BasicStiffnesses<T> from_transmission(const T& s, const T& s_rate, const T& t, const T& t_rate) {
+    const T ratio = 1.0 / t - 1.0;  // P/S
+    return {s, ratio * s, s_rate, ratio * s_rate - s * t_rate / (t * t)};
+}
 
 /// The law by quadrature on Chebyshev pieces, relative accuracy 1e-12; refused as `check_stiffnesses` does.
 /// @param edges ascending loads: the law's ends, and between them the places where the stiffnesses are less smooth, as far as known

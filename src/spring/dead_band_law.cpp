@@ -23,11 +23,20 @@ public:
         k_ = t / (1.0 - t) * parallel(start).p / (start * start);
     }
 
-    [[nodiscard]] Stiffnesses operator()(double tau) const {
-        Stiffnesses at = parallel(tau);
-        at.s = options_.series_stiffness ? options_.series_stiffness->value(tau) : k_ * tau * tau;
-        at.s_rate = options_.series_stiffness ? options_.series_stiffness->derivative(tau, 1) : 2.0 * k_ * tau;
+    template <class T>
+    [[nodiscard]] BasicStiffnesses<T> operator()(const T& tau) const {
+        BasicStiffnesses<T> at = parallel(tau);
+        at.s = options_.series_stiffness ? math::derivative(*options_.series_stiffness, tau, 0) : k_ * tau * tau;
+        at.s_rate = options_.series_stiffness ? math::derivative(*options_.series_stiffness, tau, 1) : 2.0 * k_ * tau;
         return at;
+    }
+    /// Loads between which the formula is smooth.
+    [[nodiscard]] std::vector<double> breaks() const {
+        std::vector<double> all = math::breaks(*options_.dead_band);
+        for (const double row : options_.friction.rows()) all.push_back(row);
+        if (!options_.series_stiffness) return all;
+        for (const double place : math::breaks(*options_.series_stiffness)) all.push_back(place);
+        return all;
     }
     [[nodiscard]] double dead_band(double tau) const { return options_.dead_band->value(tau); }
     /// The least dead-band that a K_PE of kStiffestRatio times S gives.
@@ -36,10 +45,11 @@ public:
     }
 
 private:
-    [[nodiscard]] Stiffnesses parallel(double tau) const {
-        const double tau_f = options_.friction.at_rest(tau), width = dead_band(tau);
-        const double p = 2.0 * tau_f / (options_.ratio * width);
-        const double growth = options_.friction.slope(tau) / tau_f - options_.dead_band->derivative(tau, 1) / width;
+    template <class T>
+    [[nodiscard]] BasicStiffnesses<T> parallel(const T& tau) const {
+        const T tau_f = options_.friction.at_rest(tau), width = math::derivative(*options_.dead_band, tau, 0);
+        const T p = 2.0 * tau_f / (options_.ratio * width);
+        const T growth = options_.friction.slope(tau) / tau_f - math::derivative(*options_.dead_band, tau, 1) / width;
         return {.p = p, .p_rate = p * growth};
     }
 
@@ -91,7 +101,7 @@ core::Outcome<SpringLawPtr> make_dead_band_law(const DeadBandLawOptions& options
     validate(options);
     const Wanted wanted(options);
     if (auto narrow = find_too_narrow(wanted, {options.start_torque, options.end_torque})) return *std::move(narrow);
-    return integrate_by_load(wanted, {options.start_torque, options.end_torque});
+    return integrate_by_load({wanted, wanted.breaks()}, {options.start_torque, options.end_torque});
 }
 
 }  // namespace fusee::spring

@@ -3,24 +3,46 @@
 #include <cmath>
 
 #include "fusee/core/error.h"
+#include "fusee/spring/enclosure.h"
 #include "fusee/spring/potential.h"
 
 namespace fusee::spring {
 
 namespace {
 
-class Exponential final : public Potential {
+class Exponential final : public Potential, public EnclosedPotential {
 public:
     Exponential(double scale, double rate, double offset) : scale_(scale), rate_(rate), offset_(offset) {}
 
     [[nodiscard]] core::Range domain() const override { return {0.0, kLongestDeflection}; }
-    // expm1 keeps the digits where rate x is small.
-    [[nodiscard]] double energy(double x) const override { return scale_ * (std::expm1(rate_ * x) / rate_ - x) + offset_ * x; }
-    [[nodiscard]] double force(double x) const override { return scale_ * std::expm1(rate_ * x) + offset_; }
-    [[nodiscard]] double stiffness(double x) const override { return scale_ * rate_ * std::exp(rate_ * x); }
+    [[nodiscard]] double energy(double x) const override { return energy_at(x); }
+    [[nodiscard]] double force(double x) const override { return force_at(x); }
+    [[nodiscard]] double stiffness(double x) const override { return stiffness_at(x); }
     [[nodiscard]] double slope(double x) const override { return rate_ * stiffness(x); }
+    [[nodiscard]] std::vector<double> breaks() const override { return {domain().low, domain().high}; }
+    [[nodiscard]] PotentialJet over(const math::Interval& box) const override {
+        const math::Jet x = math::Jet::parameter(box);
+        return {energy_at(x), force_at(x), stiffness_at(x), rate_ * stiffness_at(x)};
+    }
 
 private:
+    // expm1 keeps the digits where rate x is small.
+    template <class T>
+    [[nodiscard]] T energy_at(const T& x) const {
+        using std::expm1;
+        return scale_ * (expm1(rate_ * x) / rate_ - x) + offset_ * x;
+    }
+    template <class T>
+    [[nodiscard]] T force_at(const T& x) const {
+        using std::expm1;
+        return scale_ * expm1(rate_ * x) + offset_;
+    }
+    template <class T>
+    [[nodiscard]] T stiffness_at(const T& x) const {
+        using std::exp;
+        return scale_ * rate_ * exp(rate_ * x);
+    }
+
     double scale_, rate_, offset_;
 };
 

@@ -31,13 +31,14 @@ core::Outcome<SpringLawPtr> make_free_curve(const FreeCurveOptions& options) {
     for (const double s : options.series_stiffness) log_s.push_back(std::log(s));
     for (const double t : options.transmission) log_ratio.push_back(std::log(t / (1.0 - t)));
     const auto at = [s_curve = math::make_interpolant(options.loads, log_s),
-                     ratio_curve = math::make_interpolant(options.loads, log_ratio)](double tau) {
-        const double s = std::exp(s_curve->value(tau)), p = s * std::exp(-ratio_curve->value(tau));
-        const double s_growth = s_curve->derivative(tau, 1);
-        return Stiffnesses{s, p, s * s_growth, p * (s_growth - ratio_curve->derivative(tau, 1))};
+                     ratio_curve = math::make_interpolant(options.loads, log_ratio)]<class T>(const T& tau) {
+        using math::derivative, std::exp;
+        const T s = exp(derivative(*s_curve, tau, 0)), p = s * exp(-derivative(*ratio_curve, tau, 0));
+        const T s_growth = derivative(*s_curve, tau, 1);
+        return BasicStiffnesses<T>{s, p, s * s_growth, p * (s_growth - derivative(*ratio_curve, tau, 1))};
     };
     constexpr bool kPositive = true;  // whatever the knots
-    return integrate_by_load(at, options.loads, kPositive);
+    return integrate_by_load({at, options.loads}, options.loads, kPositive);
 }
 
 }  // namespace fusee::spring

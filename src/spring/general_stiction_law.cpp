@@ -14,13 +14,13 @@ core::Outcome<SpringLawPtr> make_general_stiction_law(const GeneralStictionOptio
               .end_torque = options.end_torque});
     require_friction(friction, {options.start_torque, options.end_torque});
     const double k = options.k, reduced = options.u * options.u, constant = options.c * friction.mu();
-    const auto at = [=](double tau) {
-        const double tau_f = friction.at_rest(tau);
-        const double t = (constant + reduced / tau) / tau_f;  // T tau_f = mu C + u^2/tau
-        const double t_rate = -reduced / (tau * tau * tau_f) - t * friction.slope(tau) / tau_f;
-        return from_transmission(k * tau * tau, 2.0 * k * tau, t, t_rate);
+    const auto at = [=]<class T>(const T& tau) {
+        const T tau_f = friction.at_rest(tau);
+        const T t = (constant + reduced / tau) / tau_f;  // T tau_f = mu C + u^2/tau
+        const T t_rate = -reduced / (tau * tau * tau_f) - t * friction.slope(tau) / tau_f;
+        return from_transmission<T>(k * tau * tau, 2.0 * k * tau, t, t_rate);
     };
-    return integrate_by_load(at, {options.start_torque, options.end_torque});
+    return integrate_by_load({at, friction.rows()}, {options.start_torque, options.end_torque});
 }
 
 }  // namespace fusee::spring

@@ -8,6 +8,7 @@
 
 #include "fusee/core/error.h"
 #include "fusee/math/roots.h"
+#include "fusee/spring/enclosure.h"
 
 namespace fusee::spring {
 
@@ -17,11 +18,21 @@ namespace {
 struct Tail {
     double force0 = 0.0, stiffness0 = 0.0, slope0 = 0.0, travel = 0.0;
 
-    [[nodiscard]] double slope(double x) const { return slope0 * (1.0 + x / travel); }
-    [[nodiscard]] double stiffness(double x) const { return stiffness0 + slope0 * x * (1.0 + 0.5 * x / travel); }
-    [[nodiscard]] double force(double x) const { return force0 + x * (stiffness0 + slope0 * x * (0.5 + x / (6.0 * travel))); }
+    template <class T>
+    [[nodiscard]] T slope(const T& x) const {
+        return slope0 * (1.0 + x / travel);
+    }
+    template <class T>
+    [[nodiscard]] T stiffness(const T& x) const {
+        return stiffness0 + slope0 * x * (1.0 + 0.5 * x / travel);
+    }
+    template <class T>
+    [[nodiscard]] T force(const T& x) const {
+        return force0 + x * (stiffness0 + slope0 * x * (0.5 + x / (6.0 * travel)));
+    }
     /// Energy above that at the law's start; below 0.
-    [[nodiscard]] double energy(double x) const {
+    template <class T>
+    [[nodiscard]] T energy(const T& x) const {
         return x * (force0 + x * (0.5 * stiffness0 + slope0 * x * (1.0 / 6.0 + x / (24.0 * travel))));
     }
 
@@ -36,7 +47,7 @@ struct Tail {
     }
 };
 
-class LeadInLaw final : public SpringLaw {
+class LeadInLaw final : public SpringLaw, public EnclosedLaw {
 public:
     LeadInLaw(SpringLawPtr law, const Tail& series, const Tail& parallel)
         : law_(std::move(law)), series_(series), parallel_(parallel), travel_(series.travel), start_(law_->loads().low) {}
@@ -48,29 +59,43 @@ public:
         if (tau >= start_) return lifted(law_->at_load(tau));
         const double load = std::max(tau, load_at(-travel_));
         const auto x = math::bracketed_root([&](double at) { return load_at(at) - load; }, -travel_, 0.0);
-        LawPoint point = tail_point(x.value_or(0.0));  // nothing only when rounding puts `load` above the junction
+        LawPoint point = tail_point<LawPoint>(x.value_or(0.0));  // nothing only when rounding puts `load` above the junction
         point.tau = load;
         return point;
     }
 
     [[nodiscard]] LawPoint at_angle(double theta) const override {
         if (theta >= travel_) return lifted(law_->at_angle(theta - travel_));
-        return tail_point(std::max(theta, 0.0) - travel_);
+        return tail_point<LawPoint>(std::max(theta, 0.0) - travel_);
+    }
+    /// The lead-in by its deflection x, then the law's own.
+    [[nodiscard]] std::vector<LawStretch> stretches() const override {
+        std::vector<LawStretch> result = spring::stretches(*law_);
+        for (LawStretch& own : result) own.over = [*this, over = own.over](const math::Interval& x) { return lifted(over(x)); };
+        if (result.empty()) return {};
+        result.insert(result.begin(),
+                      {{-travel_, 0.0}, [*this](const math::Interval& x) { return tail_point<LawJet>(math::Jet::parameter(x)); }});
+        return result;
     }
 
 private:
-    [[nodiscard]] double load_at(double x) const { return series_.force(x) + parallel_.force(x); }
+    template <class T>
+    [[nodiscard]] T load_at(const T& x) const {
+        return series_.force(x) + parallel_.force(x);
+    }
 
     /// A point of the law itself, counted from the lead-in's lower end.
-    [[nodiscard]] LawPoint lifted(LawPoint point) const {
+    template <class Point>
+    [[nodiscard]] Point lifted(Point point) const {
         point.theta += travel_;
         point.u_se -= series_.energy(-travel_);
         point.u_pe -= parallel_.energy(-travel_);
         return point;
     }
 
-    [[nodiscard]] LawPoint tail_point(double x) const {
-        LawPoint point;
+    template <class Point, class T>
+    [[nodiscard]] Point tail_point(const T& x) const {
+        Point point;
         point.tau = load_at(x);
         point.theta = x + travel_;
         point.f_se = series_.force(x);

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "fusee/math/roots.h"
+#include "fusee/spring/enclosure.h"
 #include "fusee/spring/potential.h"
 #include "rules.h"
 
@@ -33,7 +34,7 @@ struct Pair {
     }
 };
 
-class PairLaw final : public SpringLaw {
+class PairLaw final : public SpringLaw, public EnclosedLaw {
 public:
     PairLaw(Pair pair, core::Range x, core::Range loads) : pair_(std::move(pair)), x_(x), loads_(loads) {}
 
@@ -46,21 +47,53 @@ public:
         return point;
     }
     [[nodiscard]] LawPoint at_angle(double theta) const override { return point_at(x_.low + std::clamp(theta, 0.0, x_.width())); }
+    /// By the potentials' deflection.
+    [[nodiscard]] std::vector<LawStretch> stretches() const override {
+        const auto* series = dynamic_cast<const EnclosedPotential*>(pair_.series.get());
+        const auto* parallel = dynamic_cast<const EnclosedPotential*>(pair_.parallel.get());
+        if (!series || !parallel) return {};
+        std::vector<double> places = series->breaks();
+        for (const double at : parallel->breaks()) places.push_back(at);
+        places = cuts(x_, places);
+        const auto over = [pair = pair_, series, parallel, low = x_.low](const math::Interval& x) {
+            PotentialJet first = series->over(x), second = parallel->over(x);
+            first.energy -= pair.series->energy(low);
+            second.energy -= pair.parallel->energy(low);
+            return joined<LawJet>(math::Jet::parameter(x) - low, first, second);
+        };
+        std::vector<LawStretch> result;
+        for (std::size_t i = 0; i + 1 < places.size(); ++i) result.push_back({{places[i], places[i + 1]}, over});
+        return result;
+    }
 
 private:
-    [[nodiscard]] LawPoint point_at(double x) const {
-        LawPoint point;
-        point.theta = x - x_.low;
-        point.f_se = pair_.series->force(x);
-        point.f_pe = pair_.parallel->force(x);
+    /// One spring's figures at a deflection, the energy above that at the law's start.
+    struct Figures {
+        double energy, force, stiffness, slope;
+    };
+    [[nodiscard]] Figures figures(const Potential& spring, double x) const {
+        return {spring.energy(x) - spring.energy(x_.low), spring.force(x), spring.stiffness(x), spring.slope(x)};
+    }
+
+    /// The point of the law where both springs have these figures: of numbers, or of boxes.
+    template <class Point, class T, class SpringFigures>
+    [[nodiscard]] static Point joined(const T& theta, const SpringFigures& series, const SpringFigures& parallel) {
+        Point point;
+        point.theta = theta;
+        point.f_se = series.force;
+        point.f_pe = parallel.force;
         point.tau = point.f_se + point.f_pe;
-        point.s = pair_.series->stiffness(x);
-        point.p = pair_.parallel->stiffness(x);
-        point.s_slope = pair_.series->slope(x);
-        point.p_slope = pair_.parallel->slope(x);
-        point.u_se = pair_.series->energy(x) - pair_.series->energy(x_.low);
-        point.u_pe = pair_.parallel->energy(x) - pair_.parallel->energy(x_.low);
+        point.s = series.stiffness;
+        point.p = parallel.stiffness;
+        point.s_slope = series.slope;
+        point.p_slope = parallel.slope;
+        point.u_se = series.energy;
+        point.u_pe = parallel.energy;
         return point;
+    }
+
+    [[nodiscard]] LawPoint point_at(double x) const {
+        return joined<LawPoint>(x - x_.low, figures(*pair_.series, x), figures(*pair_.parallel, x));
     }
 
     Pair pair_;

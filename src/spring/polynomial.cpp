@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fusee/core/error.h"
+#include "fusee/spring/enclosure.h"
 #include "fusee/spring/potential.h"
 
 namespace fusee::spring {
@@ -11,8 +12,9 @@ namespace fusee::spring {
 namespace {
 
 /// sum_i coefficients[i] x^i by Horner's rule
-double sum_of_powers(const std::vector<double>& coefficients, double x) {
-    double sum = 0.0;
+template <class T>
+T sum_of_powers(const std::vector<double>& coefficients, const T& x) {
+    T sum = 0.0;
     for (auto c = coefficients.rbegin(); c != coefficients.rend(); ++c) sum = sum * x + *c;
     return sum;
 }
@@ -29,7 +31,7 @@ std::vector<double> integrated(const std::vector<double>& coefficients) {
     return result;
 }
 
-class Polynomial final : public Potential {
+class Polynomial final : public Potential, public EnclosedPotential {
 public:
     explicit Polynomial(std::vector<double> force)
         : energy_(integrated(force)), stiffness_(derived(force)), slope_(derived(stiffness_)), force_(std::move(force)) {}
@@ -39,6 +41,11 @@ public:
     [[nodiscard]] double force(double x) const override { return sum_of_powers(force_, x); }
     [[nodiscard]] double stiffness(double x) const override { return sum_of_powers(stiffness_, x); }
     [[nodiscard]] double slope(double x) const override { return sum_of_powers(slope_, x); }
+    [[nodiscard]] std::vector<double> breaks() const override { return {domain().low, domain().high}; }
+    [[nodiscard]] PotentialJet over(const math::Interval& box) const override {
+        const math::Jet x = math::Jet::parameter(box);
+        return {sum_of_powers(energy_, x), sum_of_powers(force_, x), sum_of_powers(stiffness_, x), sum_of_powers(slope_, x)};
+    }
 
 private:
     std::vector<double> energy_, stiffness_, slope_, force_;

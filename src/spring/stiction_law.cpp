@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "fusee/core/error.h"
+#include "fusee/spring/enclosure.h"
 #include "rules.h"
 
 // Equation numbers: docs/theory/springs.md.
@@ -23,7 +24,7 @@ double asymptote(const StictionLawOptions& o) {
     return (a / (3.0 * start * start * start) + o.c / (2.0 * start * start)) / o.k;
 }
 
-class StictionLaw final : public SpringLaw {
+class StictionLaw final : public SpringLaw, public EnclosedLaw {
 public:
     explicit StictionLaw(const StictionLawOptions& options)
         : k_(options.k), a_(options.u * options.u / options.mu), c_(options.c), start_(options.start_torque), end_(options.end_torque) {
@@ -37,26 +38,47 @@ public:
 
     [[nodiscard]] LawPoint at_load(double tau) const override {
         const double load = std::clamp(tau, start_, end_);
-        return point(load, theta(std::log1p((load - start_) / start_)));
+        return point<LawPoint>(load, theta(std::log1p((load - start_) / start_)));
     }
 
     [[nodiscard]] LawPoint at_angle(double theta) const override {
         const double angle = std::clamp(theta, 0.0, theta_end_);
-        return point(load_at(angle), angle);
+        return point<LawPoint>(load_at(angle), angle);
+    }
+    /// By the load, in one piece.
+    [[nodiscard]] std::vector<LawStretch> stretches() const override {
+        return {{loads(), [*this](const math::Interval& box) {
+                     const math::Jet tau = math::Jet::parameter(box);
+                     return point<LawJet>(tau, theta(log1p((tau - start_) / start_)));
+                 }}};
     }
 
 private:
-    [[nodiscard]] double transmission(double tau) const { return (a_ / tau + c_) / tau; }
+    template <class T>
+    [[nodiscard]] T transmission(const T& tau) const {
+        return (a_ / tau + c_) / tau;
+    }
 
     /// Integral of tau^-n from the start to the load whose ln(tau/start) is `log`; exact to the last digits near the start too.
-    [[nodiscard]] double power_integral(int n, double log) const { return -std::expm1((1 - n) * log) * std::pow(start_, 1 - n) / (n - 1); }
+    template <class T>
+    [[nodiscard]] T power_integral(int n, const T& log) const {
+        using std::expm1;
+        const double one_less = n - 1;
+        return -expm1(-one_less * log) * std::pow(start_, 1 - n) / one_less;
+    }
     /// Integral of ln(tau/start) tau^-n, by parts.
-    [[nodiscard]] double log_integral(int n, double log) const {
-        return (power_integral(n, log) - log * std::pow(start_, 1 - n) * std::exp((1 - n) * log)) / (n - 1);
+    template <class T>
+    [[nodiscard]] T log_integral(int n, const T& log) const {
+        using std::exp;
+        const double one_less = n - 1;
+        return (power_integral(n, log) - log * std::pow(start_, 1 - n) * exp(-one_less * log)) / one_less;
     }
 
     /// eq. 5
-    [[nodiscard]] double theta(double log) const { return (a_ * power_integral(4, log) + c_ * power_integral(3, log)) / k_; }
+    template <class T>
+    [[nodiscard]] T theta(const T& log) const {
+        return (a_ * power_integral(4, log) + c_ * power_integral(3, log)) / k_;
+    }
 
     /// Root of eq. 6 in v = 1/tau: a v^3/3 + c v^2/2 = k (theta_inf - theta). The left side rises and is convex wherever T > 0, so Newton's
     /// steps from the start torque's side come down to the root without passing it.
@@ -70,20 +92,22 @@ private:
         return std::clamp(1.0 / v, start_, end_);
     }
 
-    [[nodiscard]] LawPoint point(double tau, double angle) const {
-        const double log = std::log1p((tau - start_) / start_);
-        const double t = transmission(tau);
-        LawPoint p;
+    template <class Point, class T>
+    [[nodiscard]] Point point(const T& tau, const T& angle) const {
+        using std::log1p;
+        const T log = log1p((tau - start_) / start_);
+        const T t = transmission(tau);
+        Point p;
         p.tau = tau;
         p.theta = angle;
         p.f_se = f_start_ + c_ * log + a_ * (tau - start_) / (tau * start_);  // eq. 7
         p.f_pe = tau - p.f_se;
         p.s = k_ * tau * tau;
         p.p = (1.0 / t - 1.0) * p.s;
-        const double rise = p.s / t;  // dtau/dtheta = S + P
+        const T rise = p.s / t;  // dtau/dtheta = S + P
         p.s_slope = 2.0 * k_ * tau * rise;
-        const double down = a_ + c_ * tau;
-        const double rise_slope = k_ * tau * tau * tau * (4.0 * a_ + 3.0 * c_ * tau) / (down * down) * rise;  // eq. 9
+        const T down = a_ + c_ * tau;
+        const T rise_slope = k_ * tau * tau * tau * (4.0 * a_ + 3.0 * c_ * tau) / (down * down) * rise;  // eq. 9
         p.p_slope = rise_slope - p.s_slope;
         p.u_se = series_energy(log);
         p.u_pe = (a_ * power_integral(3, log) + c_ * power_integral(2, log)) / k_ - p.u_se;  // eq. 11
@@ -91,9 +115,10 @@ private:
     }
 
     /// eq. 10: integral of F_SE dtheta with F_SE = base + c ln(tau/start) - a/tau
-    [[nodiscard]] double series_energy(double log) const {
+    template <class T>
+    [[nodiscard]] T series_energy(const T& log) const {
         const double base = f_start_ + a_ / start_;
-        const double i3 = power_integral(3, log), i4 = power_integral(4, log), i5 = power_integral(5, log);
+        const T i3 = power_integral(3, log), i4 = power_integral(4, log), i5 = power_integral(5, log);
         return (base * (a_ * i4 + c_ * i3) + c_ * (a_ * log_integral(4, log) + c_ * log_integral(3, log)) - a_ * (a_ * i5 + c_ * i4)) / k_;
     }
 

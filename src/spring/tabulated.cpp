@@ -5,6 +5,7 @@
 #include "fusee/core/error.h"
 #include "fusee/math/curve.h"
 #include "fusee/math/smoothing_spline.h"
+#include "fusee/spring/enclosure.h"
 #include "fusee/spring/potential.h"
 
 namespace fusee::spring {
@@ -13,7 +14,7 @@ namespace {
 
 constexpr std::size_t kLeastRows = 8;
 
-class Tabulated final : public Potential {
+class Tabulated final : public Potential, public EnclosedPotential {
 public:
     explicit Tabulated(math::SmoothingSpline spline) : spline_(std::move(spline)) {}
 
@@ -22,6 +23,11 @@ public:
     [[nodiscard]] double force(double x) const override { return spline_.value(x); }
     [[nodiscard]] double stiffness(double x) const override { return spline_.derivative(x, 1); }
     [[nodiscard]] double slope(double x) const override { return spline_.derivative(x, 2); }
+    [[nodiscard]] std::vector<double> breaks() const override { return spline_.breaks(); }
+    [[nodiscard]] PotentialJet over(const math::Interval& x) const override {
+        constexpr int kIntegral = -1;
+        return {spline_.over(x, kIntegral), spline_.over(x, 0), spline_.over(x, 1), spline_.over(x, 2)};
+    }
 
 private:
     math::SmoothingSpline spline_;

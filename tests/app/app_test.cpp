@@ -23,7 +23,7 @@ TEST_F(Program, HelpOfEveryCommandHasAnExample) {
 
 TEST_F(Program, ListsKeysAndRulesAndCompletions) {
     expect_words(run("keys").out, {"`gear_friction`", "`[k_pe.path]`", "| key | allowed | default | meaning |"});
-    expect_words(run("rules").out, {"cable.bend_ratio", "process.overhang", "source: "});
+    expect_words(run("rules").out, {"cable.bend_ratio", "collision.printed_throat", "required_mm", "source: "});
     for (const std::string shell : {"bash", "zsh", "fish"}) {
         const Ended completion = run("completion " + shell);
         EXPECT_EQ(completion.code, 0);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "fusee/checks/check.h"
 #include "fusee/core/units.h"
@@ -15,7 +16,8 @@ struct Bench {
     spring::BaseSpring spring;
     Cable cable;
     Process process;
-    [[nodiscard]] Design design() const { return {part, spring, cable, process}; }
+    std::vector<Override> overrides;
+    [[nodiscard]] Design design() const { return {part, spring, cable, process, overrides}; }
 };
 
 inline constexpr double kMm = 1e-3;
@@ -30,8 +32,8 @@ inline void cut_groove(Bench& b) {
     const double lip_z = flank_z + (depth - flank_offset) * std::tan(half), floor = -0.5 * d;
     b.part.section = {
         {depth + floor, -lip_z}, {flank_offset + floor, -flank_z}, {floor, 0.0}, {flank_offset + floor, flank_z}, {depth + floor, lip_z}};
-    double z_low = 0.0, z_high = 0.0;
-    for (const cam::Contact& c : b.part.cam.working) z_low = std::min(z_low, c.path.z), z_high = std::max(z_high, c.path.z);
+    const double first = b.part.cam.path(b.part.cam.groove_psi.low).z, last = b.part.cam.path(b.part.cam.groove_psi.high).z;
+    const double z_low = std::min(first, last), z_high = std::max(first, last);
     b.part.z_low = z_low - lip_z * kMm - g.rib;
     b.part.z_high = z_high + lip_z * kMm + g.rib;
 }
@@ -107,7 +109,7 @@ inline Bench disc(double radius, double eccentricity) {
 
 inline Bench spool() { return disc(10.0 * kMm, 1.0 * kMm); }
 
-/// A printed K_PE cam: helix of constant radius and pitch, one and a half turns of work, overhung on its boss.
+/// A printed K_PE cam: helix of constant radius and pitch, one and a half turns of work, overhung on its boss, its cable clamped outside.
 inline Bench helix(double radius, double pitch) {
     Bench b;
     set_cable(b, 0.8 * kMm);
@@ -135,29 +137,50 @@ inline Bench helix(double radius, double pitch) {
     hub.bore_diameter = 6.0 * kMm;
     hub.boss_diameter = 14.0 * kMm;
     hub.boss_height = 10.0 * kMm;
+    b.part.options.features.anchor_hole_diameter = 0.0;
     const double inside = 0.5 * radius / kMm;
     b.part.mesh = box({-inside, -inside, -2.0}, {inside, inside, 2.0});
     cut_groove(b);
-    const double beyond = 1.6 * margin * pitch / (2.0 * core::kPi);  // the groove climbs on in its margins
-    b.part.z_low -= beyond;
-    b.part.z_high += beyond;
     return b;
 }
 
 inline Bench pusher() { return helix(10.0 * kMm, 4.0 * kMm); }
 
-/// The spool on a milling machine.
-inline Bench milled() {
+/// The spool as another process likes it: a rope's throat, and a bore that goes on its shaft.
+inline Bench spool_by(ProcessKind kind, double clearance_mm) {
     Bench b = spool();
-    b.process.kind = ProcessKind::kMill;
+    b.process.kind = kind;
+    b.cable.max_pressure = 60e6;  // a narrower throat leaves less length to the key
+    b.part.options.groove.throat = core::rad_from_deg(45.0);
+    b.part.options.hub.bore_clearance = clearance_mm * kMm;
+    cut_groove(b);
+    return b;
+}
+
+inline Bench resin() { return spool_by(ProcessKind::kSla, 0.2); }
+inline Bench powder() { return spool_by(ProcessKind::kSls, 0.2); }
+inline Bench plates() { return spool_by(ProcessKind::kEdm, 0.02); }
+inline Bench milled() {  // with a 4th axis: three do not reach the groove
+    Bench b = spool_by(ProcessKind::kMill4, 0.03);
+    b.part.options.hub.lock = solid::HubLock::kPlain;
     b.part.options.features.leg_slot_radius = 5.85 * kMm;  // the loaded wall is 1.5 mm on both sides
     return b;
 }
 
+/// The spool on a boss with a set screw.
+inline Bench with_screw() {
+    Bench b = spool();
+    solid::HubOptions& hub = b.part.options.hub;
+    hub.lock = solid::HubLock::kSetScrew;
+    hub.screw_diameter = 3.0 * kMm;
+    hub.boss_diameter = 14.0 * kMm;
+    hub.boss_height = 6.0 * kMm;
+    return b;
+}
+
 inline core::Findings run_rule(const std::string& id, const Bench& bench) {
-    for (const Rule& rule : rules())
-        if (id == rule.id) return rule.run(bench.design());
-    return {};
+    const Rule* rule = find_rule(id);
+    return rule ? rule->run(bench.design()) : core::Findings{};
 }
 
 /// The rule's gravest finding; a pass without words if it has none.

@@ -38,7 +38,8 @@ TEST(Limits, OwnLimitsReplaceTheTable) {
 }
 
 TEST(Limits, EveryProcessHasARow) {
-    for (const ProcessKind kind : {ProcessKind::kFdm, ProcessKind::kSla, ProcessKind::kSls, ProcessKind::kMill}) {
+    for (const ProcessKind kind : {ProcessKind::kFdm, ProcessKind::kSla, ProcessKind::kSls, ProcessKind::kMill, ProcessKind::kMill4,
+                                   ProcessKind::kEdm, ProcessKind::kLaser}) {
         Process process;
         process.kind = kind;
         EXPECT_EQ(process_limits(process).kind, kind) << to_string(kind);

@@ -51,7 +51,7 @@ TEST(Sane, UnknownDataIsNotJudged) {
     b.spring.rate = 0.02;
     b.part.mesh = {};
     for (const char* rule : {"cable.breaking_load", "cable.pressure", "cable.free_path", "spring.travel", "spring.torsion_angle",
-                             "spring.load", "spring.stress", "spring.buckling", "process.build_volume", "process.support"})
+                             "spring.load", "spring.stress", "spring.buckling", "process.build_volume", "fdm.support"})
         EXPECT_TRUE(run_rule(rule, b).empty()) << rule;
     Bench compression = pusher();
     compression.spring = {};
@@ -62,12 +62,12 @@ TEST(Sane, UnknownDataIsNotJudged) {
 }
 
 TEST(Sane, RulesOfOneKindOfPartLeaveTheOtherAlone) {
-    for (const char* rule :
-         {"groove.pitch", "groove.neighbour_turns", "cable.groove_angle", "process.undercut", "process.cutter", "spring.travel"})
+    for (const char* rule : {"groove.pitch", "groove.neighbour_turns", "cable.groove_angle", "collision.rim_undercut",
+                             "collision.ball_cutter", "spring.travel"})
         EXPECT_TRUE(run_rule(rule, spool()).empty()) << rule;
     Bench resin = spool();
     resin.process.kind = ProcessKind::kSla;
-    for (const char* rule : {"process.overhang", "process.support"}) EXPECT_TRUE(run_rule(rule, resin).empty()) << rule;
+    for (const char* rule : {"collision.printed_throat", "fdm.support"}) EXPECT_TRUE(run_rule(rule, resin).empty()) << rule;
 }
 
 TEST(Sane, NotANumberNeverPasses) {

@@ -1,8 +1,10 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <map>
+#include <regex>
 
-#include "checks/fixture.h"
+#include "checks/known_bad.h"
 
 // Law: a suggested change, made, satisfies the rule that suggested it.
 namespace fusee::checks {
@@ -100,9 +102,9 @@ TEST(Suggestion, GrooveAndHubSizesPass) {
     Bench throat = spool();
     throat.part.options.groove.throat = core::rad_from_deg(60.0);
     cut_groove(throat);
-    throat.part.options.groove.throat = core::rad_from_deg(suggested(gravest("process.overhang", throat), "groove.throat_deg"));
+    throat.part.options.groove.throat = core::rad_from_deg(suggested(gravest("collision.printed_throat", throat), "groove.throat_deg"));
     cut_groove(throat);
-    expect_pass("process.overhang", throat);
+    expect_pass("collision.printed_throat", throat);
     expect_pass("groove.throat", throat);
 }
 
@@ -112,6 +114,72 @@ TEST(Suggestion, ThickerCablePressesLess) {
     b.cable.diameter = kMm * suggested(gravest("cable.pressure", b), "cable.diameter_mm");
     expect_pass("cable.pressure", b);
 }
+
+/// Every free cable becomes longer, and the leaning ones lean less.
+void set_guide_distance(Bench& b, double distance_mm) {
+    const double farther = distance_mm * kMm - b.part.cam.options.guide.distance;
+    for (cam::Contact& c : b.part.cam.working) {
+        c.fleet = std::atan(std::tan(c.fleet) * c.span / (c.span + farther));
+        c.span += farther;
+    }
+    b.part.cam.options.guide.distance = distance_mm * kMm;
+}
+
+/// Keys of a profile that a part made by hand can follow: the value in the key's unit.
+const std::map<std::string, std::function<void(Bench&, double)>>& keys() {
+    static const std::map<std::string, std::function<void(Bench&, double)>> all = {
+        {"groove.depth_ratio", [](Bench& b, double v) { b.part.options.groove.depth_ratio = v, cut_groove(b); }},
+        {"groove.radius_ratio", [](Bench& b, double v) { b.part.options.groove.radius_ratio = v, cut_groove(b); }},
+        {"groove.throat_deg", [](Bench& b, double v) { b.part.options.groove.throat = core::rad_from_deg(v), cut_groove(b); }},
+        {"groove.rib_mm", [](Bench& b, double v) { b.part.options.groove.rib = v * kMm, cut_groove(b); }},
+        {"process.layer_mm", [](Bench& b, double v) { b.process.layer = v * kMm; }},
+        {"process.cutter_radius_mm", [](Bench& b, double v) { b.process.cutter_radius = v * kMm; }},
+        {"process.tolerance_mm", [](Bench& b, double v) { b.process.tolerance = v * kMm; }},
+        {"cable.breaking_load_N", [](Bench& b, double v) { b.cable.breaking_load = v; }},
+        {"flange_height_mm", [](Bench& b, double v) { b.part.options.flange_height = v * kMm; }},
+        {"guide.distance_mm", set_guide_distance},
+        {"hub.bore_mm", [](Bench& b, double v) { b.part.options.hub.bore_diameter = v * kMm; }},
+        {"hub.clearance_mm", [](Bench& b, double v) { b.part.options.hub.bore_clearance = v * kMm; }},
+        {"hub.boss_mm", [](Bench& b, double v) { b.part.options.hub.boss_diameter = v * kMm; }},
+        {"hub.boss_height_mm", [](Bench& b, double v) { b.part.options.hub.boss_height = v * kMm; }},
+        {"hub.flat_depth_mm", [](Bench& b, double v) { b.part.options.hub.flat_depth = v * kMm; }},
+        {"hub.screw_mm", [](Bench& b, double v) { b.part.options.hub.screw_diameter = v * kMm; }},
+        {"hub.key_width_mm", [](Bench& b, double v) { b.part.options.hub.key_width = v * kMm; }},
+        {"hub.key_depth_mm", [](Bench& b, double v) { b.part.options.hub.key_depth = v * kMm; }},
+        {"hub.web_mm", [](Bench& b, double v) { b.part.options.hub.web = v * kMm; }},
+        {"features.anchor_hole_mm", [](Bench& b, double v) { b.part.options.features.anchor_hole_diameter = v * kMm; }},
+        {"features.mark_width_mm", [](Bench& b, double v) { b.part.options.features.mark_width = v * kMm; }},
+        {"features.leg_slot_width_mm", [](Bench& b, double v) { b.part.options.features.leg_slot_width = v * kMm; }},
+        {"features.leg_slot_depth_mm", [](Bench& b, double v) { b.part.options.features.leg_slot_depth = v * kMm; }},
+        {"features.leg_slot_radius_mm", [](Bench& b, double v) { b.part.options.features.leg_slot_radius = v * kMm; }},
+        {"spring.coil_mm", [](Bench& b, double v) { b.spring.coil_diameter = v * kMm; }},
+        {"spring.rod_mm", [](Bench& b, double v) { b.spring.rod_diameter = v * kMm; }},
+        {"spring.active_coils", [](Bench& b, double v) { b.spring.active_coils = v; }},
+        {"spring.free_length_mm", [](Bench& b, double v) { b.spring.free_length = v * kMm; }},
+        {"spring.tensile_strength_MPa", [](Bench& b, double v) { b.spring.tensile_strength = v * 1e6; }},
+    };
+    return all;
+}
+
+class Followed : public testing::TestWithParam<Case> {};
+
+/// Each number that the rule suggests for such a key, followed by itself, takes the objection away.
+TEST_P(Followed, TakesTheObjectionAway) {
+    const core::Finding f = gravest(GetParam().rule, bad(GetParam()));
+    static const std::regex kChange("(?:k_se\\.|k_pe\\.)?([a-z_]+(?:\\.[A-Za-z_]+)?) = ([-+0-9.e]+)");
+    for (std::sregex_iterator at(f.suggestion.begin(), f.suggestion.end(), kChange), end; at != end; ++at) {
+        const auto key = keys().find((*at)[1]);
+        if (key == keys().end()) continue;
+        Bench b = bad(GetParam());
+        key->second(b, std::stod((*at)[2]));
+        for (const core::Finding& after : run_rule(GetParam().rule, b))
+            EXPECT_LT(after.severity, f.severity) << key->first << " = " << (*at)[2] << '\n'
+                                                  << core::to_line(f) << '\n'
+                                                  << core::to_line(after);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Suggestion, Followed, testing::ValuesIn(all_cases()));
 
 }  // namespace
 }  // namespace fusee::checks

@@ -43,6 +43,7 @@ expect_same 'makers' 'model|plant' "$(after fusee blind make --plant '')"
 expect_same 'methods' 'algorithm_1|co_design|pareto' "$(after fusee design --method '')"
 expect_same 'options of paper' '--help|--jobs|--out|--profiles' "$(after fusee paper -)"
 expect_same 'folder of profiles' 'some folder' "$(after fusee paper --profiles '')"
+expect_same 'options of rules' '--help|--json' "$(after fusee rules -)"
 expect_same 'shells' 'bash|fish|zsh' "$(after fusee completion '')"
 
 for word in make simulate diagnose predict case-template effects inputs profile write-profile levels push-torque design method population generations seed resume identify blind seal score cases plant model limit again paper profiles keys rules completion out via jobs cgal openscad help version; do

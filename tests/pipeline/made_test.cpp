@@ -33,14 +33,14 @@ TEST_P(Shipped, LeavesEveryFileAndEachIsTheOneStated) {
     const auto files = fixtures::contents(folder_ / "out");
     std::vector<std::string> names;
     for (const auto& [name, bytes] : files) names.push_back(fs::path(name).filename().string());
-    EXPECT_EQ(names, (std::vector<std::string>{"dead_band.csv", "k_pe.3mf", "k_pe.json", "k_pe.scad", "k_pe.stl", "k_se.3mf", "k_se.dxf",
-                                               "k_se.json", "k_se.scad", "k_se.stl", "report.html", "report.json", "simulation.html",
-                                               "simulation.json", "springs.csv"}));
+    EXPECT_EQ(names, (std::vector<std::string>{"dead_band.csv", "k_pe.3mf", "k_pe.json", "k_pe.scad", "k_pe.step", "k_pe.stl", "k_se.3mf",
+                                               "k_se.dxf", "k_se.json", "k_se.scad", "k_se.step", "k_se.stl", "report.html", "report.json",
+                                               "simulation.html", "simulation.json", "springs.csv"}));
     for (const char* part : {"k_se", "k_pe"}) {
         const exchange::PartFile stated = exchange::read_part_file(result.folder / (std::string(part) + ".json"));
         EXPECT_EQ(stated.part, part);
         EXPECT_GE(stated.target.size(), 200u);
-        EXPECT_EQ(stated.files.size(), std::string(part) == "k_se" ? 4u : 3u);
+        EXPECT_EQ(stated.files.size(), std::string(part) == "k_se" ? 5u : 4u);
         for (const exchange::FileEntry& file : stated.files)
             EXPECT_EQ(core::sha256_hex(core::read_file(result.folder / file.name)), file.sha256) << file.name;
     }
@@ -54,7 +54,7 @@ TEST_P(Shipped, EveryFileCarriesTheLaw) {
     EXPECT_FALSE(core::any_required(result.findings));
     const auto readings =
         std::count_if(result.findings.begin(), result.findings.end(), [](const core::Finding& f) { return f.rule == "readback.arm"; });
-    EXPECT_EQ(readings, 7);  // STL twice and 3MF once for both parts, DXF for the spool
+    EXPECT_EQ(readings, 9);  // STL twice, 3MF and STEP once for both parts, DXF for the spool
     EXPECT_GT(result.dead_band_peak_deg, 0.0);
 }
 

@@ -106,6 +106,15 @@ struct Fixture {
             report.arm_errors = {{stem + ".stl", "assimp", 400, 2e-4, 1.0, 1e-3}};
             design.parts.push_back(std::move(report));
         }
+        design.parts.front().certificate = cam::certify({{{0.0, 6.3},
+                                                          true,
+                                                          [](const math::Interval& box) {
+                                                              cam::ContourJet at;
+                                                              at.psi = at.angle = math::Jet::parameter(box);
+                                                              at.rho = math::Jet(1e-3 * kDiscRadius_mm);
+                                                              return at;
+                                                          }}},
+                                                        false);
         design.files = {{{"springs.csv", std::string(64, 'c'), 0, 0.0}, 812}};
     }
     Fixture(const Fixture&) = delete;

@@ -39,6 +39,8 @@ TEST(ReportHtml, IsWellFormedAndAsksForNothing) {
         EXPECT_EQ(html.find(word), std::string::npos) << word;
     EXPECT_EQ(html.find(">nan"), std::string::npos);
     EXPECT_EQ(html.find("inf "), std::string::npos);
+    EXPECT_NE(html.find("10.0000 mm on all of the contour, convex: proven"), std::string::npos);
+    EXPECT_NE(html.find("convex: not proven"), std::string::npos);
 }
 
 TEST(ReportHtml, ShowsEverySection) {

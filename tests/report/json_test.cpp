@@ -26,6 +26,12 @@ TEST(ReportJson, HoldsWhatItDocuments) {
     EXPECT_EQ(spool["spring"]["states_rad"], (std::vector<double>{3.0, 5.0}));
     EXPECT_EQ(spool["cam"]["tensions_N"], (std::vector<double>{5.0, 9.0}));
     EXPECT_EQ(spool["cam"]["travel_rad"], 2.0);
+    EXPECT_EQ(spool["certificate"]["convex"], "proven");
+    EXPECT_EQ(spool["certificate"]["working_arc"]["proven_mm"], 10.0);
+    EXPECT_TRUE(spool["certificate"]["floor_in_space"].is_null());
+    EXPECT_EQ(spool["certificate"]["boxes"], 2);
+    EXPECT_FALSE(spool["certificate"]["assumed"].empty());
+    EXPECT_EQ(j["parts"][1]["certificate"]["convex"], "not proven");
     EXPECT_EQ(spool["mesh"]["triangles"], fixture.spool.mesh.triangles.size());
     EXPECT_EQ(spool["files"][0]["bytes"], 51084);
     EXPECT_EQ(spool["read_back"][0]["passed"], true);

@@ -13,7 +13,8 @@ const Ring kSquare{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
 
 TEST(Cut, TakesAwayEveryTool) {
     const Mesh body = prism(kSquare, 0.0, 2.0);
-    const Mesh through = prism(circle_ring(0.5, 1e-3, {1.0, 1.0}), -1.0, 3.0), pocket = prism(circle_ring(0.5, 1e-3, {3.0, 3.0}), 1.0, 3.0);
+    const Mesh through = prism(ring_of(circle(0.5, {1.0, 1.0}), 1e-3), -1.0, 3.0),
+               pocket = prism(ring_of(circle(0.5, {3.0, 3.0}), 1e-3), 1.0, 3.0);
     const auto result = cut(body, {through, pocket});
     ASSERT_TRUE(result);
     EXPECT_TRUE(validate(*result).good()) << validate(*result).line();
@@ -42,7 +43,7 @@ TEST(Cut, SliversOfAnotherKernelCollapse) {
 TEST(Cut, GivesNothingForABodyThatIsNoManifold) {
     Mesh broken = prism(kSquare, 0.0, 2.0);
     broken.triangles.push_back(broken.triangles.front());
-    EXPECT_FALSE(cut(broken, {prism(circle_ring(0.5, 1e-3, {1.0, 1.0}), -1.0, 3.0)}));
+    EXPECT_FALSE(cut(broken, {prism(ring_of(circle(0.5, {1.0, 1.0}), 1e-3), -1.0, 3.0)}));
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ double area(const Ring &ring) {
 }
 
 TEST(Outline, CircleStaysWithinTolerance) {
-    const Ring ring = circle_ring(10.0, 1e-3, {3.0, -2.0});
+    const Ring ring = ring_of(circle(10.0, {3.0, -2.0}), 1e-3);
     for (std::size_t i = 0; i < ring.size(); ++i) {
         const Point2 &a = ring[i], &b = ring[(i + 1) % ring.size()];
         EXPECT_NEAR(std::hypot(a[0] - 3.0, a[1] + 2.0), 10.0, 1e-12);
@@ -35,13 +35,13 @@ TEST(Outline, BoresHaveTheirAreas) {
     hub.bore_diameter = 6e-3;
     hub.bore_clearance = 0.0;
     hub.lock = HubLock::kPlain;
-    EXPECT_NEAR(area(bore_ring(hub, tolerance)), core::kPi * 9.0, loss);
+    EXPECT_NEAR(area(ring_of(bore_outline(hub), tolerance)), core::kPi * 9.0, loss);
     hub.lock = HubLock::kKeyway;  // 2 mm wide, 1 mm above the bore
     const double half_angle = std::asin(1.0 / 3.0), cap = 9.0 * half_angle - 1.0 * std::sqrt(8.0);
-    EXPECT_NEAR(area(bore_ring(hub, tolerance)), core::kPi * 9.0 + 2.0 * (4.0 - std::sqrt(8.0)) - cap, loss);
+    EXPECT_NEAR(area(ring_of(bore_outline(hub), tolerance)), core::kPi * 9.0 + 2.0 * (4.0 - std::sqrt(8.0)) - cap, loss);
     hub.lock = HubLock::kDFlat;  // 0.5 mm deep
     const double open = std::acos(2.5 / 3.0);
-    EXPECT_NEAR(area(bore_ring(hub, tolerance)), core::kPi * 9.0 - (9.0 * open - 2.5 * 3.0 * std::sin(open)), loss);
+    EXPECT_NEAR(area(ring_of(bore_outline(hub), tolerance)), core::kPi * 9.0 - (9.0 * open - 2.5 * 3.0 * std::sin(open)), loss);
 }
 
 // Law: the flange's support function holds both the offset contour and the boss, and stays within 2^(1/8) of the larger; its rho is h +

@@ -2,7 +2,13 @@
 #include "fusee/spring/base_spring.h"
 #include "fusee/spring/law.h"
 
+namespace fusee::spring {
+struct LawJet;
+}
+
 namespace fusee::cam {
+
+struct ArmJet;
 
 enum class PartKind {
     kSeries,    ///< K_SE: a spool that turns a torsion spring as the cable is drawn off; turns with the tension
@@ -38,6 +44,8 @@ public:
     ArmFunction(PartKind kind, spring::SpringLawPtr law, spring::BaseSpring base, double capstan_radius, const Allowance& allowance = {});
 
     [[nodiscard]] ArmPoint at_load(double tau) const;
+    /// The same formulas over a box of the law (spring/enclosure.h, cam/enclosure.h).
+    [[nodiscard]] ArmJet over(const spring::LawJet& law) const;
     /// The same law on another base spring. @throws InvalidInput as the constructor
     [[nodiscard]] ArmFunction on(const spring::BaseSpring& base) const;
     [[nodiscard]] PartKind kind() const { return kind_; }
@@ -45,7 +53,10 @@ public:
     [[nodiscard]] const spring::BaseSpring& base() const { return base_; }
 
 private:
-    [[nodiscard]] spring::LawPoint behind_cable(double tau) const;
+    template <class Point>
+    [[nodiscard]] Point behind_cable(Point p) const;
+    template <class Arm, class Point>
+    [[nodiscard]] Arm arm_of(const Point& law) const;
 
     PartKind kind_;
     spring::SpringLawPtr law_;

@@ -49,6 +49,8 @@ struct CamOptions {
     int target_rows = 400;         ///< working positions kept in `Cam::working`, evenly spaced in cam angle; 200 to 10000
 };
 
+struct ContourStretch;
+
 /// A finished cam in the plane and in space; immutable. What solids, checks, exports and reports are made from.
 struct Cam {
     PartKind kind = PartKind::kSeries;
@@ -59,6 +61,7 @@ struct Cam {
     core::Range groove_psi;                 ///< where a groove is cut: planar = one whole turn, helix = working arc and margins
     double anchor_psi = 0.0;                ///< where the cable is fixed, just outside the working arc, at the end that stays wound
     std::function<PathPoint(double)> path;  ///< at any psi of groove_psi, helix: and beyond; C2, thread-safe
+    std::function<std::vector<ContourStretch>()> stretches;  ///< the same path for `certify` (certificate.h); empty: not synthesized
     [[nodiscard]] bool closed() const { return options.path.kind == PathKind::kPlanar; }
 };
 

@@ -30,6 +30,12 @@ public:
     /// An arc that closes nothing: goes on from `begin` and lets the radius of curvature run out to `final_rho` within a millimetre.
     [[nodiscard]] static IdleArc run_out(const SupportState& begin, double width, double final_rho);
 
+    struct Knot {
+        double x;            ///< arc angle [rad]
+        SupportState state;  ///< there; between two knots rho runs linearly
+    };
+    [[nodiscard]] const std::vector<Knot>& knots() const { return knots_; }
+
     /// @pre 0 <= x <= width
     [[nodiscard]] SupportState at(double x) const;
     /// Length of the curve from the beginning to x: the integral of rho [m].
@@ -38,10 +44,6 @@ public:
 private:
     [[nodiscard]] double least_h() const;
 
-    struct Knot {
-        double x;
-        SupportState state;
-    };
     std::vector<Knot> knots_;
 };
 

@@ -3,6 +3,7 @@
 
 #include "fusee/cam/cam.h"
 #include "fusee/cam/idle_arc.h"
+#include "fusee/math/interval.h"
 
 namespace fusee::cam {
 
@@ -35,11 +36,17 @@ public:
     [[nodiscard]] double at(double psi) const;
     /// dz/dpsi where the working arc begins (false) and ends (true) [m/rad].
     [[nodiscard]] double slope_at(bool high_end) const;
+    /// Bounds of dz/dpsi [m/rad] and d2z/dpsi2 [m/rad^2] over a box of psi.
+    struct Climb {
+        math::Interval slope, bend;
+    };
+    [[nodiscard]] Climb over(const math::Interval& psi) const;
 
 private:
     struct Entry {
         double psi, z, slope;
     };
+    Lead lead_;
     std::vector<Entry> entries_;  // by rising psi; empty = flat
 };
 
@@ -52,6 +59,11 @@ public:
     /// @param climb     dz/dpsi there [m/rad]
     RunOut(const PathPoint& end, int direction, double width, double climb, Lead lead);
     [[nodiscard]] PathPoint at(double psi) const;
+    /// dz/dpsi and d2z/dpsi2 where rho, as a function of psi, is that: with constant pitch as at the end, else in proportion to rho.
+    [[nodiscard]] Height::Climb over(const math::Jet& rho) const;
+    [[nodiscard]] const IdleArc& arc() const { return arc_; }
+    [[nodiscard]] const PathPoint& end() const { return end_; }
+    [[nodiscard]] int direction() const { return direction_; }
 
 private:
     PathPoint end_;

@@ -1,16 +1,13 @@
 #pragma once
-#include <functional>
 #include <span>
-#include <string>
-#include <vector>
 
-#include "fusee/core/finding.h"
+#include "fusee/checks/rule.h"
 #include "fusee/solid/part.h"
 #include "fusee/spring/base_spring.h"
 
 namespace fusee::checks {
 
-/// The cable as bought. Limits that are 0 are taken from the construction's entry in docs/checks.md.
+/// The cable as bought. Limits that are 0 are taken from the construction's entry in docs/rules.md.
 struct Cable {
     double diameter = 1e-3;              ///< d [m]
     std::string construction = "fibre";  ///< "fibre", "7x7", "7x19", "7x49"
@@ -20,17 +17,27 @@ struct Cable {
     double max_fleet = 0.0;              ///< [rad]; 0 = 2 deg (grooved)
 };
 
-enum class ProcessKind { kFdm, kSla, kSls, kMill };
-[[nodiscard]] const char* to_string(ProcessKind kind);  ///< "fdm", "sla", "sls", "mill"
+enum class ProcessKind {
+    kFdm,
+    kSla,
+    kSls,
+    kMill,   ///< three axes, the tool along the part's axis
+    kMill4,  ///< a fourth axis turns the part under the tool
+    kEdm,    ///< plates cut by wire erosion, stacked
+    kLaser,  ///< plates cut by laser, stacked
+};
+/// "fdm", "sla", "sls", "mill", "mill4", "edm", "laser"
+[[nodiscard]] const char* to_string(ProcessKind kind);
 
-/// How and where the part is made. Limits that are 0 are taken from the process's entry in docs/checks.md.
+/// How and where the part is made. Limits that are 0 are taken from the process's entry in docs/rules.md.
 struct Process {
     ProcessKind kind = ProcessKind::kFdm;
     double build_x = 0.2, build_y = 0.2, build_z = 0.2;  ///< build volume or stock [m]
     double min_wall = 0.0;                               ///< [m]
     double min_hole = 0.0;                               ///< diameter [m]
     double max_overhang = 0.0;                           ///< of a face that looks down, from the vertical [rad]; FDM
-    double cutter_radius = 0.0;                          ///< smallest ball or end mill at hand [m]; mill
+    double cutter_radius = 0.0;                          ///< smallest ball or end mill at hand; wire with its gap, half a laser's kerf [m]
+    double layer = 0.0;                                  ///< height of a printed layer [m]
     double tolerance = 0.0;                              ///< of a contour, one side [m]
 };
 
@@ -40,19 +47,18 @@ struct Design {
     const spring::BaseSpring& spring;
     const Cable& cable;
     const Process& process;
-};
-
-/// One rule: pure, one file under src/checks, returns a finding for what it measured (passes too), or none where it does not apply.
-struct Rule {
-    const char* id;      ///< "group.name"
-    const char* title;   ///< what it guards against
-    const char* source;  ///< of the default limit
-    std::function<core::Findings(const Design&)> run;
-    bool needs_mesh = false;  ///< looks at the solid, not only at cam, options and springs
+    std::span<const Override> overrides = {};  ///< limits that hold in place of the rules' own
 };
 
 /// Every rule, in the order in which they are reported.
 [[nodiscard]] std::span<const Rule> rules();
+/// nullptr if there is none of that id.
+[[nodiscard]] const Rule* find_rule(std::string_view id);
+/// What the rules of a group are about: "the cable" of "cable". @pre the group of some rule
+[[nodiscard]] const char* group_title(std::string_view group);
+/// Every rule with its limits and sources: the Markdown tables of docs/rules.md.
+[[nodiscard]] std::string rules_reference();
+
 /// Runs every rule on one part.
 [[nodiscard]] core::Findings check(const Design& design);
 /// Every rule but those that need the solid: what a search asks of a part whose mesh is still empty (docs/theory/co_design.md).

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "fusee/checks/check.h"
+#include "fusee/core/units.h"
 
 namespace fusee::checks {
 
@@ -27,8 +28,13 @@ struct ProcessLimits {
     double loaded_wall;    ///< thinnest wall that carries load [m]
     double hole;           ///< least hole diameter [m]
     double overhang;       ///< steepest face that looks down, from the vertical [rad]
-    double cutter_radius;  ///< smallest cutter that is common [m]
+    double cutter_radius;  ///< smallest cutter that is common, wire with its gap, half a kerf [m]
     double tolerance;      ///< of a contour, one side [m]
+    double feature;        ///< thinnest body that stands alone [m]
+    double detail;         ///< narrowest slot or mark [m]
+    core::Range fit;       ///< what a bore has to be larger than its shaft, in diameter [m]
+    double strength;       ///< bending stress that its usual material bears for long [Pa]
+    double layer;          ///< of a print [m]
     const char* source;
 };
 [[nodiscard]] std::span<const ProcessLimits> process_table();

@@ -23,6 +23,15 @@ struct Place {
     std::array<double, 3> point_mm = {};  ///< x, y, z [mm]
 };
 
+/// A limit that the profile puts in the place of its rule's own.
+struct OverriddenLimit {
+    std::string limit;    ///< as the profile spells it: "required_mm"
+    double value = 0.0;   ///< the profile's
+    double normal = 0.0;  ///< the rule's default for this part; NaN: it has none
+    std::string unit;     ///< of both
+    std::string reason;   ///< the profile's
+};
+
 /// What a rule or a synthesis step measured, and what to change. An impossible design is a finding, not an exception.
 struct Finding {
     std::string rule;  ///< stable id "group.name", e.g. "cable.bend_ratio"
@@ -34,8 +43,9 @@ struct Finding {
     std::string unit;   ///< of measured and allowed, e.g. "mm"; "" when they have none
     std::string where;  ///< part and place in words, e.g. "k_pe at psi 12.0 deg", "law at 0.5 Nm"
     std::optional<Place> place;
-    std::string suggestion;  ///< the nearest feasible change, with a number; empty when the rule passes
-    std::string source;      ///< where the limit comes from
+    std::string suggestion;                        ///< the nearest feasible change, with a number; empty when the rule passes
+    std::string source;                            ///< where the limit comes from
+    std::vector<OverriddenLimit> overridden = {};  ///< the limits of this finding that are the profile's, not the rule's
 };
 using Findings = std::vector<Finding>;
 

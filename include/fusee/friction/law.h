@@ -3,6 +3,10 @@
 
 #include "fusee/core/units.h"
 
+namespace fusee::math {
+struct Jet;
+}
+
 namespace fusee::friction {
 
 /// Friction of a gear over the load on its capstan, tau_f(load): paper, footnote 3. A capstan at motor torque tau rests while
@@ -23,6 +27,11 @@ public:
     [[nodiscard]] double at_rest(double load) const;    ///< [Nm], >= 0
     [[nodiscard]] double in_motion(double load) const;  ///< [Nm], >= 0
     [[nodiscard]] double slope(double load) const;      ///< right derivative of at_rest by |load|
+    /// Loads at which the slope may jump: a table's rows, else none.
+    [[nodiscard]] const std::vector<double>& rows() const { return loads_; }
+    /// at_rest and slope over a box of loads (math/interval.h). @pre loads >= 0, no row inside the box
+    [[nodiscard]] math::Jet at_rest(const math::Jet& load) const;
+    [[nodiscard]] math::Jet slope(const math::Jet& load) const;
     /// Loads that a resting capstan at `motor_torque` may carry: load + tau_f = motor_torque .. load - tau_f = motor_torque.
     [[nodiscard]] core::Range resting_loads(double motor_torque) const;
     /// The same with the friction in motion: the load of a capstan that winds in (low) or pays out (high).
@@ -33,11 +42,14 @@ public:
     [[nodiscard]] double mu() const { return at_rest(1.0); }
 
 private:
-    struct Line {
-        double value, slope;
+    template <class T>
+    struct LineOf {
+        T value, slope;
     };
+    using Line = LineOf<double>;
     Law() = default;
-    [[nodiscard]] Line interpolate(double size) const;
+    template <class T>
+    [[nodiscard]] LineOf<T> interpolate(const T& size, double within) const;
     [[nodiscard]] core::Range balanced(double motor_torque, double excess) const;
     double constant_ = 0.0, mu_ = 0.0, rest_excess_ = 0.0;
     std::vector<double> loads_, torques_, slopes_;  ///< of a table

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fusee/core/units.h"
+#include "fusee/math/interval.h"
 
 namespace fusee::math {
 
@@ -23,6 +24,8 @@ public:
 
     /// @pre x in domain() (a little beyond is extrapolation)
     [[nodiscard]] double operator()(double x) const;
+    /// Value and derivative over a box: each term by the monotone stretches of its cosine. @pre the box lies in domain()
+    [[nodiscard]] Jet over(const Interval& x) const;
     [[nodiscard]] ChebyshevSeries derivative() const;
     /// Integral from the lower end of the domain.
     [[nodiscard]] ChebyshevSeries integral() const;
@@ -60,6 +63,11 @@ public:
     /// A place where the deepest division did not converge, if any: f is rough there.
     [[nodiscard]] std::optional<double> rough() const { return rough_; }
     [[nodiscard]] std::size_t pieces() const { return pieces_.size(); }
+
+    /// Where the pieces meet, both ends of the domain included.
+    [[nodiscard]] std::vector<double> breaks() const;
+    /// Derivative (order 0 to 2) over a box, and the one after it. @pre the box lies between two neighbouring breaks
+    [[nodiscard]] Jet over(const Interval& x, int order) const;
 
 private:
     struct Piece {

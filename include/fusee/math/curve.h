@@ -31,6 +31,8 @@ using CurvePtr = std::shared_ptr<const Curve>;
 /// @throws InvalidInput naming `field`: what the formula has wrong and at which character; where it is not a finite number; where it is
 /// not smooth (a step or kink; the first two derivatives must be continuous)
 [[nodiscard]] CurvePtr make_formula(const std::string& field, const std::string& formula, const std::string& variable, core::Range domain);
+/// The curve, its values multiplied by `factor`: another unit.
+[[nodiscard]] CurvePtr make_scaled(CurvePtr curve, double factor);
 /// Any callable with its derivatives (order 0 to 3).
 [[nodiscard]] CurvePtr make_curve(std::function<double(double, int)> f, core::Range domain);
 

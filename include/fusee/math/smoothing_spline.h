@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "fusee/core/units.h"
+#include "fusee/math/interval.h"
 
 namespace fusee::math {
 
@@ -27,6 +28,11 @@ public:
     /// Integral from the lower end of the domain to x, exact.
     [[nodiscard]] double integral(double x) const;
 
+    /// The knots, both ends of the domain included: between two of them all of the above are polynomials.
+    [[nodiscard]] std::vector<double> breaks() const;
+    /// Derivative (order 0 to 2; -1: the integral) over a box, and the one after it. @pre the box lies between two neighbouring breaks
+    [[nodiscard]] Jet over(const Interval& x, int order) const;
+
     [[nodiscard]] double lambda() const { return lambda_; }
     /// Effective number of parameters, the trace of the smoother: 3 (a parabola) to intervals + 5.
     [[nodiscard]] double effective_parameters() const { return effective_parameters_; }
@@ -35,6 +41,9 @@ public:
 
 private:
     [[nodiscard]] double evaluate(const std::vector<double>& coefficients, int degree, double x) const;
+    [[nodiscard]] const std::vector<double>& coefficients(int order) const {
+        return order < 0 ? integral_ : derivatives_[static_cast<std::size_t>(order)];
+    }
 
     core::Range domain_;
     double step_ = 0.0;

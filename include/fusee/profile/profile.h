@@ -17,6 +17,7 @@
 #include "fusee/spring/potential.h"
 #include "fusee/spring/stiction_law.h"
 #include "fusee/spring/transmission_law.h"
+#include "fusee/toolpath/settings.h"
 
 /// One TOML file to the options of the rooms, and back. Each room owns its options and their defaults; this room only translates.
 namespace fusee::profile {
@@ -100,7 +101,7 @@ struct PartSpec {
 
 /// Files to write beside springs.csv, the reports and PART.json.
 struct Outputs {
-    bool stl = true, scad = true, dxf = true, three_mf = true;
+    bool stl = true, scad = true, dxf = true, three_mf = true, step = true, ngc = false;
     int springs_rows = 400;  ///< rows of springs.csv, >= 200
 };
 
@@ -129,6 +130,8 @@ struct Profile {
     PartSpec k_se, k_pe;
     checks::Cable cable;
     checks::Process process;
+    std::vector<checks::Override> limits;  ///< in the place of the rules' own, in the file's order
+    toolpath::Settings machining;
     Outputs outputs;
     std::map<std::string, std::string> places;  ///< of the keys that stand in the file: "file:line:column: key"
 

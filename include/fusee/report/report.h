@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "fusee/actuator/dead_band.h"
+#include "fusee/cam/certificate.h"
 #include "fusee/core/finding.h"
 #include "fusee/core/provenance.h"
 #include "fusee/exchange/part_file.h"
@@ -41,7 +42,8 @@ struct PartReport {
     core::Findings findings;
     std::vector<FileRow> files;
     std::vector<readback::ArmError> arm_errors;
-    solid::Quality quality;  ///< of part->mesh
+    solid::Quality quality;        ///< of part->mesh
+    cam::Certificate certificate;  ///< of part->cam
 };
 
 /// Everything that the reports show.

@@ -9,23 +9,17 @@
 
 namespace fusee::solid {
 
-/// A prism that is taken away from a part: a convex ring over a height range, standing along z or (radial) along +x.
+/// A prism that is taken away from a part: a convex outline over a height range, standing along z or (radial) along +x.
 struct Cutter {
     std::string name;     ///< "anchor", "leg_slot", "mark", "set_screw"
-    Ring ring;            ///< [mm]; radial: (y, z) of the section
+    Outline outline;      ///< radial: (y, z) of the section
     double low_mm = 0.0;  ///< z, or x for a radial cutter
     double high_mm = 0.0;
     bool radial = false;
-    [[nodiscard]] Mesh mesh() const;
+    [[nodiscard]] Mesh mesh(double tolerance_mm) const;
 };
 
-/// Heights and outline that the cutters have to fit.
-struct PartFrame {
-    double z_low_mm = 0.0, z_high_mm = 0.0;
-    Ring upper_outline;
-    double tolerance_mm = 0.0;
-};
-/// The holes, slots and marks of a part, in the order in which they are cut.
-[[nodiscard]] std::vector<Cutter> make_cutters(const cam::Cam& cam, const PartOptions& options, const PartFrame& frame);
+/// The holes, slots and marks of a part, in the order in which they are cut. @pre its columns are placed
+[[nodiscard]] std::vector<Cutter> make_cutters(const Part& part);
 
 }  // namespace fusee::solid

@@ -10,10 +10,22 @@ namespace fusee::solid {
 using Point2 = std::array<double, 2>;
 using Ring = std::vector<Point2>;  ///< closed polygon [mm], counter-clockwise, first point not repeated
 
-/// Inscribed polygon of a circle about (x, y) that stays within `tolerance_mm` of it; its first vertex at angle 0.
-[[nodiscard]] Ring circle_ring(double radius_mm, double tolerance_mm, Point2 centre_mm = {});
+/// A piece of an exact outline: an arc from `begin` to `end` > `begin` [rad], or a corner where its radius is 0.
+struct Arc {
+    Point2 centre_mm{};
+    double radius_mm = 0.0, begin = 0.0, end = 0.0;
+    [[nodiscard]] Point2 at(double angle) const;
+    [[nodiscard]] bool full() const;  ///< a whole circle
+};
+using Outline = std::vector<Arc>;  ///< counter-clockwise; each piece is joined to the next by a straight line, the last to the first
+
+[[nodiscard]] Outline circle(double radius_mm, Point2 centre_mm = {});
+/// Two half circles joined by straights: `length` overall along `angle` [rad], its middle at `radius` from the axis.
+[[nodiscard]] Outline stadium(double width_mm, double length_mm, double radius_mm, double angle);
 /// The bore with its keyway or flat; key and flat towards +x, where the timing mark is.
-[[nodiscard]] Ring bore_ring(const HubOptions& hub, double tolerance_mm);
+[[nodiscard]] Outline bore_outline(const HubOptions& hub);
+/// Inscribed polygon that stays within `tolerance_mm` of the outline; that of a circle begins at angle 0.
+[[nodiscard]] Ring ring_of(const Outline& outline, double tolerance_mm);
 /// Largest distance of the bore's outline from the axis (corner of the key) [mm].
 [[nodiscard]] double bore_reach_mm(const HubOptions& hub);
 

@@ -1,12 +1,19 @@
 #pragma once
 #include <string>
 
+namespace fusee::math {
+struct Jet;
+}
+
 namespace fusee::spring {
 
 enum class BaseKind {
     kTorsion,      ///< coiled torsion spring behind a K_SE spool: state in rad, load in Nm
     kCompression,  ///< linear compression spring behind a K_PE cam: state in m, load in N
 };
+
+/// Hand of a coil: right like a common screw, whose coils rise counter-clockwise.
+enum class Hand { kUnknown, kRight, kLeft };
 
 /// The linear spring that a cam turns into a nonlinear one. The wire data are optional (0 = unknown) and only feed the checks.
 struct BaseSpring {
@@ -21,9 +28,13 @@ struct BaseSpring {
     double free_length = 0.0;       ///< compression spring [m]
     double tensile_strength = 0.0;  ///< UTS of the wire [Pa]
     double stress_share = 0.8;      ///< allowed share of UTS: 0.8 music wire, 0.6 stainless 302 (katyspring)
+    Hand hand = Hand::kUnknown;
+    double rod_diameter = 0.0;  ///< of the arbor or guide rod inside its coils [m]; 0 = unknown
+    double cycles = 0.0;        ///< how often it is to be loaded from nothing to the largest state; 0 = fatigue not checked
 
     /// phi + phi0 or y + y0 after `energy` [J] was added to the preloaded spring: sqrt(preload^2 + 2 energy / rate).
     [[nodiscard]] double state(double energy) const;
+    [[nodiscard]] math::Jet state(const math::Jet& energy) const;  ///< the same over a box (math/interval.h)
     /// Torque [Nm] or force [N] in that state.
     [[nodiscard]] double load(double energy) const { return rate * state(energy); }
 };

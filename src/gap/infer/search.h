@@ -23,8 +23,8 @@ struct SearchOptions {
 };
 
 /// No effect, then each effect on each side, then pairs upon the best single ones: screened in the linear model, the best fitted in full.
-/// Pairs are sought only where a single effect was found; a second one has to pay for itself at the accuracy that the first one reached. What
-/// the splits contradict (interval.h) has to be worth far more.
+/// Pairs are sought only where a single effect was found; a second one has to pay for itself at the accuracy that the first one reached.
+/// What the splits contradict (interval.h) has to be worth far more.
 [[nodiscard]] Search search(const Problem& problem, const SearchOptions& options);
 
 }  // namespace fusee::gap

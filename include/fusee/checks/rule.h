@@ -1,0 +1,56 @@
+#pragma once
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fusee/core/finding.h"
+
+namespace fusee::checks {
+
+struct Design;
+class Allowed;
+
+/// A limit as its rule declares it, in the unit that a shop uses. It names itself by what it is for and by its unit, as keys of a profile
+/// do.
+struct Limit {
+    std::string name;         ///< "required", "review", or more exactly "slot_review"
+    core::Severity severity;  ///< of breaking it
+    core::Bound bound;        ///< the side on which the measured value has to be
+    std::string unit;         ///< "mm", "deg", "%", "d" (cable diameters), ...; "" = a bare number
+    double value;             ///< the default; NaN where it depends on the design
+    std::string by;           ///< NaN: on what, e.g. "the process's wall"
+
+    [[nodiscard]] std::string key() const;   ///< "required_mm", "review_percent"
+    [[nodiscard]] std::string text() const;  ///< "at least 0.8 mm", "at most what the guide leaves"
+};
+
+/// What the profile puts in the place of one limit (docs/profile.md).
+struct Override {
+    std::string rule;    ///< id
+    std::string limit;   ///< Limit::key
+    double value = 0.0;  ///< in the limit's unit; finite
+    std::string reason;  ///< for whoever reads the report
+};
+
+/// One rule: pure, one file under src/checks, returns a finding for what it measured (passes too), or none where it does not apply.
+struct Rule {
+    using Measure = std::function<core::Findings(const Design&, const Allowed&)>;
+
+    const char* id;             ///< "group.name"
+    const char* title;          ///< what it guards against
+    const char* measures;       ///< what it measures, and where
+    const char* source;         ///< of the default limits
+    std::vector<Limit> limits;  ///< all that it holds something against
+    Measure measure;            ///< findings without what all have in common: id, part, source
+    bool needs_mesh = false;    ///< looks at the solid, not only at cam, options and springs
+
+    [[nodiscard]] std::string_view group() const;                  ///< the id before its point
+    [[nodiscard]] core::Severity severity() const;                 ///< the gravest that it can find
+    [[nodiscard]] const Limit* limit(std::string_view key) const;  ///< nullptr if it has no such limit
+    /// The rule on one part, with the design's overrides in place of its own limits.
+    [[nodiscard]] core::Findings run(const Design& design) const;
+};
+
+}  // namespace fusee::checks

@@ -1,0 +1,52 @@
+#pragma once
+#include <vector>
+
+#include "fusee/solid/sweep.h"
+
+namespace fusee::solid {
+
+/// Directions over which every column has the same turns, the lowest first; the turns whose groove is cut there are marked.
+struct Stretch {
+    double low = 0.0, high = 0.0;  ///< directions u [rad]
+    std::vector<bool> cut;         ///< [turn]; false: only its two lips, running out
+};
+
+/// Computes the points of the columns and how far apart they may stand.
+class ColumnMaker {
+public:
+    ColumnMaker(const cam::Cam& cam, const std::vector<SectionPoint>& section, const Flanges& flanges);
+
+    /// One turn of directions, cut where a groove begins or ends to run out: between two cuts every column has the same rails.
+    [[nodiscard]] std::vector<Stretch> stretches() const;
+
+    [[nodiscard]] std::vector<Vec3> lower_rails(double u) const;  ///< flange, bottom to top
+    [[nodiscard]] std::vector<Vec3> upper_rails(double u) const;
+    [[nodiscard]] std::vector<Vec3> section_at(double psi) const;
+    /// The two lips beyond the groove's ends, on their way into the flange's edge; `merged` once they are there.
+    struct Lips {
+        Vec3 lower, upper;
+        bool merged = false;
+    };
+    [[nodiscard]] Lips run_out(double psi) const;
+
+    /// Largest radius of curvature of any rail at u [mm].
+    [[nodiscard]] double flattest_mm(double u) const;
+    /// Directions from which a helix's first lip has run in to which its last one has run out; one turn for a planar part [rad].
+    [[nodiscard]] core::Range reach() const { return cam_.closed() ? core::Range{reach_.low, reach_.low + 2.0 * core::kPi} : reach_; }
+    [[nodiscard]] double z_low_mm() const { return z_low_; }
+    [[nodiscard]] double z_high_mm() const { return z_high_; }
+
+private:
+    void measure_helix();
+
+    const cam::Cam& cam_;
+    const std::vector<SectionPoint>& section_;
+    Flanges flanges_;
+    double lip_, half_width_, z_low_ = 0.0, z_high_ = 0.0, circle_ = 0.0;
+    core::Range reach_;  ///< psi of groove and run-outs
+};
+
+/// Directions from `low` to `high`, both included, so that the sagitta of every rail stays within the tolerance; evenly stretched.
+[[nodiscard]] std::vector<double> place_columns(const ColumnMaker& maker, double low, double high, double tolerance_mm);
+
+}  // namespace fusee::solid

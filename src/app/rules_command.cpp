@@ -1,0 +1,74 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "commands.h"
+#include "fusee/checks/check.h"
+
+namespace fusee::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json limit_json(const checks::Limit& limit) {
+    Json j{{"limit", limit.key()},
+           {"severity", core::to_string(limit.severity)},
+           {"bound", limit.bound == core::Bound::kAtMost ? "at most" : "at least"},
+           {"unit", limit.unit}};
+    if (std::isnan(limit.value))
+        j["default_by"] = limit.by;
+    else
+        j["default"] = limit.value;
+    return j;
+}
+
+Json rule_json(const checks::Rule& rule) {
+    Json limits = Json::array();
+    for (const checks::Limit& limit : rule.limits) limits.push_back(limit_json(limit));
+    return {{"rule", rule.id},
+            {"group", rule.group()},
+            {"severity", core::to_string(rule.severity())},
+            {"guards_against", rule.title},
+            {"measured", rule.measures},
+            {"limits", limits},
+            {"source", rule.source},
+            {"needs_mesh", rule.needs_mesh}};
+}
+
+void print_json() {
+    Json all = Json::array();
+    for (const checks::Rule& rule : checks::rules()) all.push_back(rule_json(rule));
+    fmt::print("{}\n", all.dump(2));
+}
+
+void print_text() {
+    std::string_view group;
+    for (const checks::Rule& rule : checks::rules()) {
+        if (rule.group() != group) {
+            fmt::print("{}{}: {}\n", group.empty() ? "" : "\n", rule.group(), checks::group_title(rule.group()));
+            group = rule.group();
+        }
+        fmt::print("  {:28} {}\n", rule.id, rule.title);
+        fmt::print("  {:28}   measured: {}\n", "", rule.measures);
+        for (const checks::Limit& limit : rule.limits)
+            fmt::print("  {:28}   {}: {} {}\n", "", core::to_string(limit.severity), limit.key(), limit.text());
+        fmt::print("  {:28}   source: {}\n", "", rule.source);
+    }
+}
+
+}  // namespace
+
+void add_rules(CLI::App& app, Action& action) {
+    const auto json = std::make_shared<bool>(false);
+    CLI::App* command = app.add_subcommand("rules", "List every manufacturability rule with its limits and sources");
+    command->add_flag("--json", *json, "As JSON");
+    command->footer(
+        "Example:\n  fusee rules | less\n  fusee rules --json > rules.json\n\n"
+        "A limit is put in its place by the profile: [[limits]] with rule, the limit's name = a number, and reason.");
+    command->callback([json, &action] { action = [json] { return *json ? print_json() : print_text(), 0; }; });
+}
+
+}  // namespace fusee::app

@@ -1,0 +1,76 @@
+#include <fmt/format.h>
+
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepBuilderAPI_MakeSolid.hxx>
+#include <BRepBuilderAPI_Sewing.hxx>
+#include <BRepLib.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_ListOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Shell.hxx>
+#include <TopoDS_Solid.hxx>
+#include <cmath>
+
+#include "fusee/brep/brep.h"
+#include "fusee/brep/measure.h"
+#include "fusee/core/units.h"
+#include "hub.h"
+
+namespace fusee::brep {
+
+namespace {
+
+constexpr double kSewing_mm = 1e-3;                // edges of neighbouring faces are at most twice their splines' deviation apart
+constexpr double kVolume = 5e-4;                   // by which volume may differ from the mesh's, relative
+constexpr double kFuzzy_mm[] = {0.0, 1e-5, 1e-4};  // tried in turn: OpenCASCADE's Booleans fail silently at some positions
+
+TopoDS_Shape sewn(const Side& side, const solid::HubOptions& hub) {
+    BRepBuilderAPI_Sewing sewing(kSewing_mm);
+    for (const TopoDS_Face& face : side.faces) sewing.Add(face);
+    for (const TopoDS_Shape& face : closing_faces(side, hub)) sewing.Add(face);
+    sewing.Perform();
+    TopExp_Explorer shell(sewing.SewedShape(), TopAbs_SHELL);
+    if (!shell.More()) return {};
+    TopoDS_Solid body = BRepBuilderAPI_MakeSolid(TopoDS::Shell(shell.Current())).Solid();
+    BRepLib::OrientClosedSolid(body);
+    return body;
+}
+
+TopoDS_Shape without(const TopoDS_Shape& body, const std::vector<solid::Cutter>& cutters, double fuzzy_mm) {
+    if (cutters.empty()) return body;
+    TopTools_ListOfShape from, tools;
+    from.Append(body);
+    for (const solid::Cutter& cutter : cutters) tools.Append(prism(cutter));
+    BRepAlgoAPI_Cut cut;
+    cut.SetArguments(from);
+    cut.SetTools(tools);
+    cut.SetFuzzyValue(fuzzy_mm);
+    cut.SetRunParallel(false);
+    cut.Build();
+    return cut.IsDone() ? cut.Shape() : TopoDS_Shape();
+}
+
+}  // namespace
+
+core::Outcome<Brep> build(const solid::Part& part) {
+    const Side side = side_of(part);
+    const TopoDS_Shape body = sewn(side, part.options.hub);
+    const std::vector<solid::Cutter> cutters = solid::make_cutters(part);
+    const double expected = solid::volume_mm3(part.mesh);
+    Brep best;
+    for (const double fuzzy_mm : kFuzzy_mm) {
+        if (!is_one_solid(body)) break;
+        const TopoDS_Shape shape = without(body, cutters, fuzzy_mm);
+        if (!is_one_solid(shape)) continue;
+        best = {std::make_shared<TopoDS_Shape>(shape), count_faces(shape), volume_mm3(shape), side.deviation_mm};
+        if (std::abs(best.volume_mm3 / expected - 1.0) <= kVolume) return best;
+    }
+    core::Finding f = core::required_change("brep.validity", "OpenCASCADE makes no valid solid of this part with the mesh's volume",
+                                            best.volume_mm3, core::Bound::kAtLeast, expected * (1.0 - kVolume), "mm^3");
+    f.where = to_string(part.cam.kind);
+    f.suggestion = "move the anchor hole or the leg slot, or leave STEP out of outputs.formats";
+    f.source = "OpenCASCADE: one valid solid; docs/theory/cams.md";
+    return f;
+}
+
+}  // namespace fusee::brep

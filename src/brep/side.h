@@ -1,0 +1,20 @@
+#pragma once
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Wire.hxx>
+#include <vector>
+
+#include "fusee/solid/part.h"
+
+namespace fusee::brep {
+
+/// The lateral faces of a part, groove included, and the two rims that its flat faces end at.
+struct Side {
+    std::vector<TopoDS_Face> faces;
+    TopoDS_Wire lower_rim, upper_rim;  ///< counter-clockwise seen from above
+    double z_low_mm = 0.0, z_high_mm = 0.0;
+    double lower_lip_mm = 0.0;  ///< z of the lower flange's inner face
+    double deviation_mm = 0.0;  ///< of the splines from their rails
+};
+[[nodiscard]] Side side_of(const solid::Part& part);
+
+}  // namespace fusee::brep

@@ -1,0 +1,42 @@
+#pragma once
+#include <Geom_BSplineCurve.hxx>
+#include <Geom_BSplineSurface.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <functional>
+#include <vector>
+
+#include "fusee/core/units.h"
+#include "fusee/solid/mesh.h"
+
+namespace fusee::brep {
+
+/// A line of the section, at every direction psi a point [mm]; C2.
+using Rail = std::function<solid::Vec3(double psi)>;
+
+[[nodiscard]] gp_Pnt point(const solid::Vec3& p);
+
+/// A band of the lateral surface: rails are its control points across, so that it is straight from one to the next
+/// (degree 1) or a true arc (degree 2, rational).
+struct Strip {
+    std::vector<Rail> rails;
+    std::vector<double> weights;
+    int degree = 1;
+};
+[[nodiscard]] Strip ruled(Rail low, Rail high);
+/// @param rails begin and end of each arc with the corner of its tangents between: 3, 5, 7 ... of them
+/// @param half half the angle of each arc [rad]
+[[nodiscard]] Strip arcs(std::vector<Rail> rails, double half);
+
+using Nodes = std::vector<double>;  ///< directions psi, rising
+
+/// Where splines through these rails need nodes so that half-way between any two of them no rail is left by more than `allowed_mm`. One set
+/// for all, so that neighbours meet in one curve; dense where the contour's third derivative jumps.
+[[nodiscard]] Nodes nodes_for(const std::vector<Rail>& rails, core::Range psi, double allowed_mm);
+/// The cubic spline in psi through the rail at the nodes, with the rail's slopes at its ends.
+[[nodiscard]] Handle(Geom_BSplineCurve) spline(const Rail& rail, const Nodes& nodes);
+/// Its distance from the rail half-way from each node to the next.
+[[nodiscard]] std::vector<double> deviations_mm(const Rail& rail, const Nodes& nodes);
+[[nodiscard]] TopoDS_Face face_of(const Strip& strip, const Nodes& nodes);
+
+}  // namespace fusee::brep

@@ -1,0 +1,67 @@
+#include "contour.h"
+
+#include <algorithm>
+#include <memory>
+
+#include "fusee/cam/enclosure.h"
+
+namespace fusee::cam {
+
+namespace {
+
+using math::Interval;
+using math::Jet;
+
+/// rho between two knots of an arc that begins at `begin_psi` and runs in `direction`, as a function of psi.
+Jet rho_between(const IdleArc::Knot& from, const IdleArc::Knot& to, const Jet& psi, double begin_psi, int direction) {
+    const Jet gone = static_cast<double>(direction) * (psi - begin_psi) - from.x;
+    const Interval rate = (Interval(to.state.rho) - from.state.rho) / (Interval(to.x) - from.x);
+    return from.state.rho + Jet(rate, Interval(0.0)) * gone;
+}
+
+/// One stretch for each pair of knots, by psi. @param finish adds what the arc's height does
+template <class Finish>
+std::vector<ContourStretch> by_psi(const IdleArc& arc, double begin_psi, int direction, const Finish& finish) {
+    std::vector<ContourStretch> result;
+    const auto& knots = arc.knots();
+    for (std::size_t i = 1; i < knots.size(); ++i) {
+        const IdleArc::Knot from = knots[i - 1], to = knots[i];
+        const double a = begin_psi + direction * from.x, b = begin_psi + direction * to.x;
+        result.push_back({{std::min(a, b), std::max(a, b)}, false, [=](const Interval& box) {
+                              ContourJet at;
+                              at.psi = Jet::parameter(box);
+                              at.rho = rho_between(from, to, at.psi, begin_psi, direction);
+                              finish(at);
+                              return at;
+                          }});
+    }
+    return result;
+}
+
+}  // namespace
+
+std::vector<ContourStretch> working_stretches(const ArmFunction& arm, const CamOptions& options, const Height& height) {
+    std::vector<ContourStretch> result;
+    const auto heights = std::make_shared<const Height>(height);
+    for (const spring::LawStretch& law : spring::stretches(arm.law()))
+        result.push_back({law.parameter, true, [arm, options, heights, law](const Interval& box) {
+                              const ContactJet contact = touch(arm.kind(), arm.over(law.over(box)), options);
+                              const Height::Climb climb = heights->over(contact.path.psi.value);
+                              return ContourJet{contact.path.psi, contact.path.rho, contact.arm.angle, climb.slope, climb.bend};
+                          }});
+    return result;
+}
+
+std::vector<ContourStretch> idle_stretches(const IdleArc& arc, double begin_psi) {
+    return by_psi(arc, begin_psi, +1, [](ContourJet&) {});
+}
+
+std::vector<ContourStretch> run_out_stretches(const RunOut& run_out) {
+    return by_psi(run_out.arc(), run_out.end().psi, run_out.direction(), [run_out](ContourJet& at) {
+        const Height::Climb climb = run_out.over(at.rho);
+        at.climb = climb.slope;
+        at.climb_rate = climb.bend;
+    });
+}
+
+}  // namespace fusee::cam

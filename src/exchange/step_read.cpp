@@ -1,0 +1,80 @@
+#include <IntCurvesFace_ShapeIntersector.hxx>
+#include <Message.hxx>
+#include <Message_Messenger.hxx>
+#include <Message_Printer.hxx>
+#include <STEPControl_Controller.hxx>
+#include <STEPControl_Reader.hxx>
+#include <StepBasic_Product.hxx>
+#include <StepData_StepModel.hxx>
+#include <TopoDS_Shape.hxx>
+#include <cmath>
+#include <mutex>
+
+#include "fusee/brep/measure.h"
+#include "fusee/core/error.h"
+#include "fusee/core/file.h"
+#include "fusee/exchange/step.h"
+#include "step_session.h"
+
+namespace fusee::exchange {
+
+std::mutex& step_session() {
+    static std::mutex mutex;
+    static const bool ready = [] {
+        Message::DefaultMessenger()->RemovePrinters(STANDARD_TYPE(Message_Printer));
+        return STEPControl_Controller::Init();
+    }();
+    (void)ready;
+    return mutex;
+}
+
+struct StepFile::Shape {
+    TopoDS_Shape solid;
+    std::string product;
+    mutable IntCurvesFace_ShapeIntersector rays;  // remembers the last ray
+};
+
+namespace {
+
+constexpr double kFarthest_mm = 1e4;
+constexpr double kRay_mm = 1e-7;
+
+std::string product_of(const STEPControl_Reader& reader) {
+    const Handle(StepData_StepModel) model = reader.StepModel();
+    for (int i = 1; i <= model->NbEntities(); ++i)
+        if (const auto product = Handle(StepBasic_Product)::DownCast(model->Value(i)); !product.IsNull())
+            return product->Name()->ToCString();
+    return "";
+}
+
+}  // namespace
+
+StepFile::StepFile(const std::filesystem::path& path) : shape_(std::make_unique<Shape>()) {
+    (void)core::read_file(path);  // says what a missing file is
+    const std::scoped_lock lock(step_session());
+    STEPControl_Reader reader;
+    if (reader.ReadFile(path.c_str()) != IFSelect_RetDone) throw core::IoError(path.string(), "is not a STEP file");
+    if (reader.TransferRoots() == 0) throw core::IoError(path.string(), "holds no shape");
+    shape_->solid = reader.OneShape();
+    if (!brep::is_one_solid(shape_->solid)) throw core::IoError(path.string(), "does not hold exactly one valid solid");
+    shape_->product = product_of(reader);
+    shape_->rays.Load(shape_->solid, kRay_mm);
+}
+
+StepFile::~StepFile() = default;
+
+std::size_t StepFile::faces() const { return brep::count_faces(shape_->solid); }
+
+double StepFile::volume_mm3() const { return brep::volume_mm3(shape_->solid); }
+
+std::string StepFile::product() const { return shape_->product; }
+
+std::optional<double> StepFile::outermost(double azimuth, double z_mm) const {
+    shape_->rays.Perform(gp_Lin(gp_Pnt(0.0, 0.0, z_mm), gp_Dir(std::cos(azimuth), std::sin(azimuth), 0.0)), 0.0, kFarthest_mm);
+    if (!shape_->rays.IsDone() || shape_->rays.NbPnt() == 0) return std::nullopt;
+    double farthest = 0.0;
+    for (int i = 1; i <= shape_->rays.NbPnt(); ++i) farthest = std::max(farthest, shape_->rays.WParameter(i));
+    return farthest;
+}
+
+}  // namespace fusee::exchange

@@ -1,0 +1,110 @@
+#include "overrides.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <sstream>
+
+#include "convert.h"
+#include "fusee/core/error.h"
+
+namespace fusee::profile {
+
+namespace {
+
+constexpr std::size_t kLongestShown = 80;  // of a refused value
+constexpr const char* kShape = "[[limits]] with rule, one or more of its limits, and reason";
+
+std::string text_of(const toml::node& node) {
+    std::ostringstream out;
+    node.visit([&out](const auto& typed) { out << typed; });
+    return out.str().substr(0, kLongestShown);
+}
+
+std::string all_limits(const checks::Rule& rule) {
+    std::string all;
+    for (const checks::Limit& limit : rule.limits) all += fmt::format("{}{} ({})", all.empty() ? "" : ", ", limit.key(), limit.text());
+    return fmt::format("{} has {}", rule.id, all);
+}
+
+/// One table of the array.
+class Entry {
+public:
+    Entry(const toml::table& table, const std::string& file) : table_(table), file_(file) {}
+
+    void read(std::vector<checks::Override>& into) const {
+        const checks::Rule& rule = this->rule();
+        const std::string reason = text("reason", "why the limit may be another one, as text");
+        const std::size_t before = into.size();
+        for (const auto& [key, node] : table_) {
+            if (key.str() == "rule" || key.str() == "reason") continue;
+            const checks::Limit& limit = limit_of(rule, key);
+            for (const checks::Override& other : into)
+                if (other.rule == rule.id && other.limit == limit.key()) refuse(key.str(), key.source(), "stands twice", "one value");
+            into.push_back({rule.id, limit.key(), number(key.str(), node, limit), reason});
+        }
+        if (into.size() == before) refuse("rule", table_.source(), "no limit", all_limits(rule));
+    }
+
+private:
+    [[noreturn]] void refuse(std::string_view key, const toml::source_region& at, std::string value, std::string allowed) const {
+        throw core::InvalidInput(place(file_, at, fmt::format("limits.{}", key)), std::move(value), std::move(allowed));
+    }
+    [[nodiscard]] std::string text(const char* key, const std::string& allowed) const {
+        const toml::node* node = table_.get(key);
+        if (node == nullptr) refuse(key, table_.source(), "missing", allowed);
+        if (!node->is_string() || node->as_string()->get().find_first_not_of(" \t\n") == std::string::npos)
+            refuse(key, node->source(), text_of(*node), allowed);
+        return node->as_string()->get();
+    }
+    [[nodiscard]] const checks::Rule& rule() const {
+        const std::string id = text("rule", "the id of a rule (docs/rules.md)");
+        if (const checks::Rule* found = checks::find_rule(id)) return *found;
+        refuse("rule", table_.get("rule")->source(), fmt::format("unknown rule \"{}\"", id.substr(0, kLongestShown)),
+               fmt::format("nearest known one: {}", nearest_rule(id).id));
+    }
+    [[nodiscard]] const checks::Limit& limit_of(const checks::Rule& rule, const toml::key& key) const {
+        if (const checks::Limit* limit = rule.limit(key.str())) return *limit;
+        const bool named = std::any_of(rule.limits.begin(), rule.limits.end(),
+                                       [&](const checks::Limit& l) { return key.str() == l.name || key.str().starts_with(l.name + "_"); });
+        refuse(key.str(), key.source(), named ? "not the unit of this limit" : "unknown limit", all_limits(rule));
+    }
+    [[nodiscard]] double number(std::string_view key, const toml::node& node, const checks::Limit& limit) const {
+        const double value = node.is_integer()          ? static_cast<double>(node.as_integer()->get())
+                             : node.is_floating_point() ? node.as_floating_point()->get()
+                                                        : NAN;
+        if (!std::isfinite(value))
+            refuse(key, node.source(), text_of(node), fmt::format("a finite number{}{}", limit.unit.empty() ? "" : " in ", limit.unit));
+        return value;
+    }
+
+    const toml::table& table_;
+    const std::string& file_;
+};
+
+}  // namespace
+
+std::vector<checks::Override> read_overrides(const toml::node& node, const std::string& file) {
+    if (!node.is_array_of_tables()) throw core::InvalidInput(place(file, node.source(), "limits"), "no array of tables", kShape);
+    std::vector<checks::Override> limits;
+    for (const toml::node& entry : *node.as_array()) Entry(*entry.as_table(), file).read(limits);
+    return limits;
+}
+
+std::string overrides_toml(const std::vector<checks::Override>& limits) {
+    std::string toml;
+    for (const checks::Override& o : limits)
+        toml += fmt::format("\n[[limits]]\nrule = {}\n{} = {}\nreason = {}\n", quoted(o.rule), o.limit, o.value, quoted(o.reason));
+    return toml;
+}
+
+std::string overrides_reference() {
+    return "### `[[limits]]`\n\n"
+           "| key | allowed | default | meaning |\n|---|---|---|---|\n"
+           "| `rule` | the id of a rule (docs/rules.md) | required | the rule whose limits are others here |\n"
+           "| a limit of the rule | a finite number in the unit that ends its name | at least one | "
+           "holds in the rule's place, for both parts; `required_...` forbids, `review_...` asks for a review |\n"
+           "| `reason` | a text | required | stands beside every finding that the limit decides |\n\n";
+}
+
+}  // namespace fusee::profile

@@ -1,0 +1,90 @@
+#include "gcode.h"
+
+#include <fmt/ranges.h>
+
+#include <cmath>
+
+#include "fusee/core/units.h"
+
+namespace fusee::toolpath {
+
+namespace {
+
+using solid::Arc;
+using solid::Point2;
+
+constexpr double kLead = 1.0;      // radius of a lead-in, in cutter diameters; compensation needs more than a half
+constexpr double kStepover = 0.6;  // in cutter diameters
+
+Point2 moved(const Point2& from, double a, const Point2& along, double b = 0.0, const Point2& across = {}) {
+    return {from[0] + a * along[0] + b * across[0], from[1] + a * along[1] + b * across[1]};
+}
+
+}  // namespace
+
+double mm_per_min(double feed) { return 60.0 * core::mm_from_m(feed); }
+
+Cutting::Cutting(const Settings& s)
+    : cutter(core::mm_from_m(s.tool_diameter)),
+      feed(mm_per_min(s.feed)),
+      plunge(mm_per_min(s.plunge_feed)),
+      depth_per_pass(core::mm_from_m(s.depth_per_pass)),
+      safe(core::mm_from_m(s.safe_height)),
+      breakthrough(core::mm_from_m(s.breakthrough)) {}
+
+void Gcode::begin(double rpm) {
+    line("G21 G90 G17 G40 G49 G80 G94 G54 G61");
+    line("T1 M6");
+    line("S{:.0f} M3", rpm);
+}
+
+void Gcode::end() {
+    line("M5");
+    line("M2");
+}
+
+std::string left_out(const solid::Part& part) {
+    std::vector<std::string> rest;
+    if (part.options.hub.lock != solid::HubLock::kPlain) rest.emplace_back("the hub's lock");
+    if (part.options.features.anchor_hole_diameter > 0.0) rest.emplace_back("anchor hole");
+    if (part.options.features.leg_slot_width > 0.0) rest.emplace_back("leg slot");
+    if (part.options.features.mark_width > 0.0) rest.emplace_back("timing mark");
+    return rest.empty() ? "nothing" : fmt::format("{}", fmt::join(rest, ", "));
+}
+
+void mill_bore(Gcode& code, const Cutting& cutting, double x, double radius, double depth) {
+    const double step = kStepover * cutting.cutter;
+    const int inner = std::max(0, static_cast<int>(std::ceil((radius - cutting.cutter) / step)));
+    const int turns = std::max(1, static_cast<int>(std::ceil(depth / cutting.depth_per_pass)));
+    for (int k = inner; k >= 0; --k) {
+        // The cutter's centre, in terms of the one number that a worn cutter changes.
+        const std::string way = fmt::format("{:.5f}-#<cutter>/2", std::max(radius - k * step, 0.55 * cutting.cutter));
+        code.line("G0 X[{:.5f}+{}] Y0", x, way);
+        code.line("G1 Z0 F{:.5f}", cutting.plunge);
+        code.line("G3 X[{0:.5f}+{1}] Y0 I[0-[{1}]] J0 Z{2:.5f} P{3}", x, way, -depth, turns);
+        code.line("G3 X[{0:.5f}+{1}] Y0 I[0-[{1}]] J0 F{2:.5f}", x, way, cutting.feed);
+        code.line("G1 X{:.5f}", x);
+        code.line("G1 Z{:.5f}", cutting.safe);
+    }
+}
+
+double lead_reach(double cutter) { return 2.0 * kLead * cutter; }
+
+void mill_ring(Gcode& code, const Cutting& cutting, const std::vector<Arc>& ring, double depth) {
+    const double lead = kLead * cutting.cutter, psi = ring.front().begin;
+    const Point2 start = ring.front().at(psi), out{std::cos(psi), std::sin(psi)}, travel{out[1], -out[0]};
+    const auto to = [](const Point2& p) { return fmt::format("X{:.5f} Y{:.5f}", p[0], p[1]); };
+    const auto about = [](double a, const Point2& n) { return fmt::format("I{:.5f} J{:.5f}", a * n[0], a * n[1]); };
+    const Point2 in = moved(start, lead, out, -lead, travel), away = moved(start, lead, out, lead, travel);
+    code.line("G0 {}", to(moved(in, lead, out)));
+    code.line("G1 Z{:.5f} F{:.5f}", -depth, cutting.plunge);
+    code.line("G41.1 D#<cutter> G1 {} F{:.5f}", to(in), cutting.feed);
+    code.line("G3 {} {}", to(start), about(lead, travel));
+    for (auto arc = ring.rbegin(); arc != ring.rend(); ++arc)
+        code.line("G2 {} {}", to(arc->at(arc->begin)), about(-arc->radius_mm, {std::cos(arc->end), std::sin(arc->end)}));
+    code.line("G3 {} {}", to(away), about(lead, out));
+    code.line("G40 G1 {}", to(moved(away, lead, out)));
+    code.line("G1 Z{:.5f}", cutting.safe);
+}
+
+}  // namespace fusee::toolpath

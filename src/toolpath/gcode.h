@@ -1,0 +1,61 @@
+#pragma once
+#include <fmt/format.h>
+
+#include <iterator>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "fusee/solid/outline.h"
+#include "fusee/solid/part.h"
+#include "fusee/toolpath/settings.h"
+
+namespace fusee::toolpath {
+
+/// The text of a program: mm, mm/min and degrees to five places, which is finer than any machine.
+class Gcode {
+public:
+    explicit Gcode(const std::string& provenance) { comment("{}", provenance); }
+
+    /// Brackets in place of parentheses, which end a comment.
+    template <class... Args>
+    void comment(fmt::format_string<Args...> format, Args&&... args) {
+        std::string words = fmt::format(format, std::forward<Args>(args)...);
+        for (char& c : words) c = c == '(' ? '[' : c == ')' ? ']' : c;
+        line("({})", words);
+    }
+    template <class... Args>
+    void line(fmt::format_string<Args...> format, Args&&... args) {
+        fmt::format_to(std::back_inserter(text_), format, std::forward<Args>(args)...);
+        text_ += '\n';
+    }
+    /// Millimetres, absolute, exact path; tool 1 turns.
+    void begin(double rpm);
+    void end();
+    [[nodiscard]] const std::string& text() const { return text_; }
+
+private:
+    std::string text_;
+};
+
+[[nodiscard]] double mm_per_min(double feed);  ///< from m/s
+
+/// Feeds, depths and cutter in the program's own units.
+struct Cutting {
+    explicit Cutting(const Settings& settings);
+    double cutter, feed, plunge, depth_per_pass, safe, breakthrough;  ///< [mm], [mm/min]
+};
+
+/// What of the part no program cuts.
+[[nodiscard]] std::string left_out(const solid::Part& part);
+
+/// Helical moves down to `depth` about (x, 0), widest last, each with a level turn at its end.
+void mill_bore(Gcode& code, const Cutting& cutting, double x, double radius, double depth);
+
+/// One turn round a convex ring at a depth, clockwise with the cutter on its left (climb milling), with tangential arcs in and out.
+void mill_ring(Gcode& code, const Cutting& cutting, const std::vector<solid::Arc>& ring, double depth);
+
+/// How far a ring's lead-in reaches beyond it [mm].
+[[nodiscard]] double lead_reach(double cutter);
+
+}  // namespace fusee::toolpath

@@ -1,0 +1,143 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <string_view>
+
+#include "fusee/core/error.h"
+#include "fusee/core/process.h"
+#include "fusee/core/units.h"
+#include "fusee/toolpath/read_back.h"
+
+namespace fusee::toolpath {
+
+namespace {
+
+constexpr const char* kInterpreter = "rs274";
+constexpr std::chrono::seconds kTimeout{120};
+constexpr double kChord_mm = 5e-5;  // of an arc's chords: the interpreter prints to 1e-4 mm
+
+/// Reads canonical commands one row at a time.
+class Parser {
+public:
+    explicit Parser(const std::string& file) { program_.file = file; }
+
+    void take(std::string_view row) {
+        const std::size_t number = std::min(row.find_first_not_of(' '), row.size());
+        std::from_chars(row.data() + number, row.data() + row.size(), row_);  // other words than a number leave it
+        const std::size_t open = row.find('('), close = row.rfind(')');
+        if (open == std::string_view::npos || close == std::string_view::npos || close < open) return;
+        const std::size_t space = row.rfind(' ', open);
+        const std::string_view name = row.substr(space + 1, open - space - 1), inside = row.substr(open + 1, close - open - 1);
+        if (name == "COMMENT" && inside.size() >= 2)
+            program_.notes.push_back({program_.moves.size(), std::string(inside.substr(1, inside.size() - 2))});
+        else if (name == "STRAIGHT_TRAVERSE" || name == "STRAIGHT_FEED")
+            straight(name == "STRAIGHT_TRAVERSE", numbers(inside, 4));
+        else if (name == "ARC_FEED")
+            arc(numbers(inside, 7));
+        else if (name == "SET_FEED_RATE")
+            feed_ = numbers(inside, 1)[0];
+        else if ((name == "USE_LENGTH_UNITS" && inside != "CANON_UNITS_MM") || (name == "SELECT_PLANE" && inside != "CANON_PLANE_XY"))
+            throw core::IoError(program_.file, fmt::format("row {}: {} is not understood here", row_, row));
+    }
+    [[nodiscard]] Interpreted done() && { return std::move(program_); }
+
+private:
+    [[nodiscard]] std::vector<double> numbers(std::string_view inside, std::size_t least) const {
+        std::vector<double> values;
+        for (std::size_t at = 0; at <= inside.size();) {
+            const std::size_t end = std::min(inside.find(',', at), inside.size());
+            std::string_view word = inside.substr(at, end - at);
+            word.remove_prefix(std::min(word.find_first_not_of(' '), word.size()));
+            double value = 0.0;
+            if (std::from_chars(word.data(), word.data() + word.size(), value).ec == std::errc()) values.push_back(value);
+            at = end + 1;
+        }
+        if (values.size() < least) throw core::IoError(program_.file, fmt::format("row {}: too few numbers in ({})", row_, inside));
+        return values;
+    }
+
+    void go(bool rapid, const Pose& to) {
+        program_.moves.push_back({rapid, program_.moves.empty() ? to : here_, to, feed_, row_});
+        here_ = to;
+    }
+
+    void straight(bool rapid, const std::vector<double>& v) { go(rapid, {v[0], v[1], v[2], v[3]}); }
+
+    /// End x, y, centre x, y, turns (above 0: counter-clockwise), end z, a.
+    void arc(const std::vector<double>& v) {
+        const double radius = std::hypot(here_.x - v[2], here_.y - v[3]), turns = v[4];
+        const double begin = std::atan2(here_.y - v[3], here_.x - v[2]);
+        double sweep = std::atan2(v[1] - v[3], v[0] - v[2]) - begin;
+        const double turn = 2.0 * core::kPi, sense = turns > 0.0 ? 1.0 : -1.0;
+        while (sense * sweep <= 1e-9) sweep += sense * turn;  // an end on the beginning is a whole turn
+        sweep += sense * turn * (std::abs(turns) - 1.0);
+        const double step = 2.0 * std::sqrt(2.0 * kChord_mm / std::max(radius, 1e-3));
+        const int whole = std::max(1, static_cast<int>(std::abs(turns)));  // every turn alike, so that they can be told to be one
+        const int count = whole * std::max(1, static_cast<int>(std::ceil(std::abs(sweep) / step / whole)));
+        const Pose start = here_;
+        for (int i = 1; i <= count; ++i) {
+            const double s = static_cast<double>(i) / count, angle = begin + s * sweep;
+            const Pose on{v[2] + radius * std::cos(angle), v[3] + radius * std::sin(angle), start.z + s * (v[5] - start.z),
+                          start.a + s * (v[6] - start.a)};
+            go(false, i < count ? on : Pose{v[0], v[1], v[5], v[6]});
+        }
+    }
+
+    Interpreted program_;
+    Pose here_;
+    double feed_ = 0.0;
+    std::size_t row_ = 0;
+};
+
+/// A home of its own, gone when this goes: rs274 maps a file there, ~/.tool.mmap, and cuts it short when it starts, so that two at a
+/// time end each other.
+class Home {
+public:
+    explicit Home(const std::string& about) {
+        std::string pattern = (std::filesystem::temp_directory_path() / "fusee-rs274-XXXXXX").string();
+        if (::mkdtemp(pattern.data()) == nullptr) throw core::IoError(about, pattern + ": " + std::strerror(errno));
+        path_ = pattern;
+    }
+    ~Home() {
+        std::error_code ignored;
+        std::filesystem::remove_all(path_, ignored);
+    }
+    Home(const Home&) = delete;
+    Home& operator=(const Home&) = delete;
+    [[nodiscard]] const std::string& path() const { return path_; }
+
+private:
+    std::string path_;
+};
+
+}  // namespace
+
+bool can_interpret() { return core::on_path(kInterpreter); }
+
+Interpreted parse_canonical(const std::string& output, const std::string& file) {
+    Parser parser(file);
+    for (std::size_t at = 0; at < output.size();) {
+        const std::size_t end = std::min(output.find('\n', at), output.size());
+        parser.take(std::string_view(output).substr(at, end - at));
+        at = end + 1;
+    }
+    return std::move(parser).done();
+}
+
+Interpreted interpret(const std::filesystem::path& program) {
+    const std::string file = program.string();
+    const Home home(file);
+    const core::ProcessResult result =
+        core::run_process({"env", "HOME=" + home.path(), kInterpreter, "-g", std::filesystem::absolute(program).string()}, file, kTimeout);
+    if (!result.in_time) throw core::IoError(file, fmt::format("{} was still running after {} s", kInterpreter, kTimeout.count()));
+    if (result.code != 0)
+        throw core::IoError(file, fmt::format("{} ended with {}: {}", kInterpreter, result.code, core::last_words(result.output)));
+    return parse_canonical(result.output, file);
+}
+
+}  // namespace fusee::toolpath

@@ -1,0 +1,212 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "fusee/core/units.h"
+#include "fusee/solid/outline.h"
+#include "fusee/solid/sweep.h"
+#include "fusee/toolpath/program.h"
+#include "gcode.h"
+
+namespace fusee::toolpath {
+
+namespace {
+
+using core::mm_from_m;
+
+constexpr double kTurn = 2.0 * core::kPi;
+constexpr double kWidestStep = 0.05;  // [rad]: where h'' vanishes the lines' error is of higher order in the step
+constexpr double kLeastDepth_mm = 1e-6;
+
+/// The cutter's tip on the groove's floor where the normal psi points at the spindle.
+struct Station {
+    double psi, x, y, z;  ///< machine [mm]: z the tip's height above the axis
+    double top;           ///< of the uncut stock there [mm]
+};
+
+/// What a wrap knows of its part.
+struct Wrap {
+    Wrap(const solid::Part& wrapped, const Settings& settings);
+    [[nodiscard]] cam::PathPoint at(double psi) const;
+
+    const solid::Part& part;
+    double half_cable, lip, tolerance;
+    double outline = 0.0;  ///< upper flange beyond the pitch curve: planar [mm]
+    double radius = 0.0;   ///< of the round stock that holds the blank [mm]
+    double reach = 0.0;    ///< how far the part stands above the tip at most: the cutter's slender part is longer [mm]
+    std::vector<Station> stations;
+
+private:
+    void place_stations();
+    void measure_stock();
+    [[nodiscard]] double step(const cam::PathPoint& p) const;
+    [[nodiscard]] Station station(double psi) const;
+};
+
+Wrap::Wrap(const solid::Part& wrapped, const Settings& settings)
+    : part(wrapped),
+      half_cable(mm_from_m(0.5 * part.cam.options.cable_diameter)),
+      lip(part.section.front().offset_mm),
+      tolerance(mm_from_m(settings.tolerance)),
+      outline(lip + solid::flanges_of(part.options).upper_height_mm) {
+    measure_stock();
+    place_stations();
+}
+
+cam::PathPoint Wrap::at(double psi) const {
+    const core::Range groove = part.cam.groove_psi;
+    if (part.cam.closed()) psi -= kTurn * std::floor((psi - groove.low) / kTurn);
+    return part.cam.path(std::clamp(psi, groove.low, groove.high));
+}
+
+/// Planar: both flanges and the boss, each with its own height over the tip; helix: the circle that both flanges are.
+void Wrap::measure_stock() {
+    const solid::Flanges flanges = solid::flanges_of(part.options);
+    const double boss = part.options.hub.boss_height > 0.0 ? 0.5 * mm_from_m(part.options.hub.boss_diameter) : 0.0;
+    const core::Range groove = part.cam.groove_psi;
+    radius = boss;
+    double lowest = std::numeric_limits<double>::infinity();
+    for (double psi = groove.low; psi <= groove.high; psi += 0.01) {
+        const cam::PathPoint p = at(psi);
+        const double tip = mm_from_m(p.h) - half_cable;
+        lowest = std::min(lowest, tip);
+        for (const auto& [offset, core_radius] :
+             {std::pair{outline, 0.0}, std::pair{lip + flanges.lower_height_mm, flanges.core_radius_mm}}) {
+            const solid::Point2 q = solid::flange_point(p, offset, core_radius).point;
+            radius = std::max(radius, std::hypot(q[0], q[1]));
+            reach = std::max(reach, q[0] * std::cos(psi) + q[1] * std::sin(psi) - tip);
+        }
+    }
+    for (const solid::Vec3& p : part.skin.points_mm) radius = std::max(radius, std::hypot(p[0], p[1]));
+    reach = std::max(reach, (part.cam.closed() ? boss : radius) - lowest);
+}
+
+/// Eq. 3: between stations Y, Z and A run evenly, which leaves h'' dpsi^2/8 in the height and h''^2 dpsi^2/(8 rho) in the envelope.
+double Wrap::step(const cam::PathPoint& p) const {
+    const double bend = std::abs(mm_from_m(p.rho - p.h)), rho = mm_from_m(p.rho);
+    return std::min(kWidestStep, std::sqrt(4.0 * tolerance / std::max(bend + bend * bend / rho, 1e-9)));
+}
+
+Station Wrap::station(double psi) const {
+    const cam::PathPoint p = at(psi);
+    const double h = mm_from_m(p.h);
+    return {psi, mm_from_m(p.z), -mm_from_m(p.slope), h - half_cable, part.cam.closed() ? h + outline : radius};
+}
+
+void Wrap::place_stations() {
+    const cam::Cam& cam = part.cam;
+    const core::Range turn = cam.groove_psi, working = cam.working_psi;
+    // A closed groove begins where no cable runs; a turn on it meets itself.
+    const double from = cam.closed() ? 0.5 * (working.low + working.high - kTurn) : turn.low;
+    const double to = cam.closed() ? from + kTurn : turn.high;
+    for (double psi = from; psi < to;) {
+        stations.push_back(station(psi));
+        const double trial = step(at(psi));
+        psi += std::min(trial, step(at(psi + trial)));
+    }
+    stations.push_back(station(to));
+}
+
+double way_between(const Station& a, const Station& b, double lift_a, double lift_b) {
+    const auto place = [](const Station& s, double lift) {
+        const double c = std::cos(s.psi), t = std::sin(s.psi), u = s.z + lift, v = -s.y;
+        return std::array{u * c - v * t, u * t + v * c, s.x};
+    };
+    const auto p = place(a, lift_a), q = place(b, lift_b);
+    return std::hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2]);
+}
+
+/// Emits the passes: each `depth` below the one before, never below the floor, only where something is left to cut.
+class Passes {
+public:
+    Passes(Gcode& code, const Settings& settings, const Wrap& wrap)
+        : code_(code),
+          wrap_(wrap),
+          sign_(settings.rotary_sign),
+          depth_(mm_from_m(settings.wrap_depth)),
+          feed_(mm_per_min(settings.wrap_feed)),
+          plunge_(mm_per_min(settings.plunge_feed)),
+          safe_(wrap.radius + mm_from_m(settings.safe_height)) {}
+
+    void cut() {
+        code_.line("G0 Z{:.5f}", safe_);
+        double deepest = 0.0;
+        for (const Station& s : wrap_.stations) deepest = std::max(deepest, s.top - s.z);
+        const int count = std::max(1, static_cast<int>(std::ceil(deepest / depth_ - 1e-9)));
+        const double step = wrap_.part.cam.closed() ? deepest / count : depth_;
+        for (int pass = 1; pass <= count; ++pass) cut_pass(step * pass, step * (pass - 1));
+    }
+
+private:
+    /// Height of the tip above the floor in a pass that goes `depth` below the stock's top.
+    static double lift(const Station& s, double depth) { return std::max(0.0, s.top - depth - s.z); }
+
+    void cut_pass(double depth, double before) {
+        const auto& all = wrap_.stations;
+        const auto left = [&](std::size_t i) { return lift(all[i], before) - lift(all[i], depth) > kLeastDepth_mm; };
+        for (std::size_t i = 0; i < all.size();) {
+            while (i < all.size() && !left(i)) ++i;
+            std::size_t end = i;
+            while (end < all.size() && left(end)) ++end;
+            // One station beyond on both sides: the groove ends where the next one is already at its depth.
+            if (i < all.size()) cut_run(i == 0 ? 0 : i - 1, std::min(end, all.size() - 1), depth);
+            i = end;
+        }
+    }
+
+    void cut_run(std::size_t first, std::size_t last, double depth) {
+        const auto& all = wrap_.stations;
+        const auto at = [&](const Station& s) { return fmt::format("A{:.5f} X{:.5f} Y{:.5f}", degrees(s), s.x, s.y); };
+        code_.line("G0 {}", at(all[first]));
+        code_.line("G1 Z{:.5f} F{:.5f}", all[first].z + lift(all[first], depth), plunge_);
+        code_.line("G93");
+        for (std::size_t i = first + 1; i <= last; ++i) {
+            const double now = lift(all[i], depth), way = way_between(all[i - 1], all[i], lift(all[i - 1], depth), now);
+            code_.line("G1 {} Z{:.5f} F{:.5f}", at(all[i]), all[i].z + now, feed_ / way);
+        }
+        code_.line("G94");
+        code_.line("G1 Z{:.5f} F{:.5f}", safe_, feed_);
+    }
+
+    [[nodiscard]] double degrees(const Station& s) const { return -sign_ * core::deg_from_rad(s.psi); }
+
+    Gcode& code_;
+    const Wrap& wrap_;
+    int sign_;
+    double depth_, feed_, plunge_, safe_;
+};
+
+void describe(Gcode& code, const solid::Part& part, const Settings& settings, const Wrap& wrap) {
+    const solid::GrooveOptions& groove = part.options.groove;
+    const double nose = groove.radius_ratio * 2.0 * wrap.half_cable, width = 2.0 * part.section.back().z_mm;
+    code.comment("part {}: the groove on a rotary axis", to_string(part.cam.kind));
+    code.comment("X: along the cam's axis, towards its upper side, X0 in the groove's plane at body angle 0 or where a helix begins");
+    code.comment("Y0 Z0: the cam's axis, Z towards the spindle, measured to the cutter's tip");
+    code.comment("A0: the timing mark, body angle 0, looks at the spindle; a positive A turns the part {} about +X",
+                 settings.rotary_sign > 0 ? "by the right-hand rule" : "against the right-hand rule");
+    code.comment(
+        "T1: groove cutter, nose radius {:.3f} mm, flanks at {:.1f} deg to its axis, at most {:.3f} mm wide, slender over {:.2f} mm", nose,
+        core::deg_from_rad(0.5 * groove.throat), width, wrap.reach);
+    code.comment("{}", part.cam.closed() ? "blank: both outlines and the hub, see the blank's program"
+                                         : "blank: turned round, with its hub; the groove's sides stand up to its surface");
+    code.comment("not in this program: {}", left_out(part));
+    code.comment("cuts wrap");
+    code.comment("cutter ball {:.5f}", 2.0 * nose);
+    code.comment("stock round {:.5f} {:.5f} {:.5f}", wrap.radius, mm_from_m(part.z_low), mm_from_m(part.z_high));
+    code.comment("rotary {}", settings.rotary_sign);
+}
+
+}  // namespace
+
+Program wrap_program(const solid::Part& part, const Settings& settings, const std::string& provenance) {
+    require_valid(settings);
+    const Wrap wrap(part, settings);
+    Gcode code(provenance);
+    describe(code, part, settings, wrap);
+    code.begin(settings.wrap_rpm);
+    Passes(code, settings, wrap).cut();
+    code.end();
+    return {"", code.text()};
+}
+
+}  // namespace fusee::toolpath

@@ -1,0 +1,61 @@
+#include <algorithm>
+
+#include "fusee/pipeline/make.h"
+#include "fusee/toolpath/read_back.h"
+#include "pipeline/fixture.h"
+
+namespace fusee::pipeline {
+namespace {
+
+class GCode : public fixtures::TempFolder {
+protected:
+    [[nodiscard]] MakeResult made(const std::vector<std::pair<std::string, std::string>>& changes) {
+        auto text = fixtures::with_key(core::read_file(fixtures::shipped("pnrvsa")), "outputs.formats", "[\"ngc\"]");
+        return make(profile::read_profile(write("pnrvsa.toml", fixtures::with_keys(text, changes))), {.out = folder_ / "out"});
+    }
+    /// What was read back, as the findings name it.
+    [[nodiscard]] static std::vector<std::string> read(const MakeResult& result) {
+        std::vector<std::string> readings;
+        for (const core::Finding& f : result.findings) {
+            if (f.rule != "readback.arm") continue;
+            const std::size_t file = f.what.find("k_");
+            readings.push_back(f.what.substr(file, f.what.find(')') - file));
+            EXPECT_LE(f.measured, 0.03) << f.what;  // 1 um of tolerance on arms from 3 mm; 0.1 % is allowed
+        }
+        return readings;
+    }
+};
+
+TEST_F(GCode, OfEveryMethodCarriesTheLaw) {
+    if (!toolpath::can_interpret()) GTEST_SKIP() << "rs274 (package linuxcnc-uspace) is not installed";
+    using Changes = std::vector<std::pair<std::string, std::string>>;
+    for (const Changes& changes : {Changes{}, Changes{{"machining.k_se", "\"wrap\""}, {"machining.k_pe", "\"stack\""}}}) {
+        const MakeResult result = made(changes);
+        ASSERT_TRUE(result.made);
+        EXPECT_EQ(read(result), changes.empty()
+                                    ? (std::vector<std::string>{"k_se.ngc (read by rs274 lower", "k_se.ngc (read by rs274 upper",
+                                                                "k_pe.ngc (read by rs274 wrap"})
+                                    : (std::vector<std::string>{"k_se.ngc (read by rs274 wrap", "k_pe.ngc (read by rs274 lower",
+                                                                "k_pe.ngc (read by rs274 upper"}));
+    }
+}
+
+// 20 um on an arm of 3 mm is 0.7 %: the programs are written, and refused for what was read back from them.
+TEST_F(GCode, TooCoarseAToleranceIsSeenAndNotMade) {
+    if (!toolpath::can_interpret()) GTEST_SKIP() << "rs274 (package linuxcnc-uspace) is not installed";
+    const MakeResult result = made({{"machining.tolerance_mm", "0.02"}});
+    EXPECT_FALSE(result.made);
+    EXPECT_TRUE(std::any_of(result.findings.begin(), result.findings.end(), [](const core::Finding& f) {
+        return f.rule == "readback.arm" && f.severity == core::Severity::kRequired && f.what.find("k_pe.ngc") != std::string::npos;
+    }));
+}
+
+TEST_F(GCode, OfATooWideCutterIsRefused) {
+    const MakeResult result = made({{"machining.tool_diameter_mm", "6.2"}});
+    EXPECT_FALSE(result.made);
+    EXPECT_TRUE(
+        std::any_of(result.findings.begin(), result.findings.end(), [](const core::Finding& f) { return f.rule == "toolpath.bore"; }));
+}
+
+}  // namespace
+}  // namespace fusee::pipeline

@@ -20,8 +20,7 @@ using core::mm_from_m;
 using solid::Vec3;
 
 constexpr double kTurn = 2.0 * core::kPi;
-constexpr double kAllowed_mm = 2e-4;  // of a spline from its rail: a fifth of what the file promises, 0.01 % of an arm of 2 mm
-constexpr int kArcs = 2;              // across the groove's floor
+constexpr int kArcs = 2;  // across the groove's floor
 
 /// The groove's section as rails: lips, flanks and the floor's arc.
 class Section {
@@ -80,21 +79,6 @@ std::vector<Rail> flange_rails(const solid::ColumnMaker& maker, bool upper) {
     return rails;
 }
 
-/// A range parted at those of `places` that lie inside.
-std::vector<core::Range> parted(core::Range psi, const std::vector<double>& places) {
-    constexpr double kSame = 1e-6;  // [rad]
-    std::vector<double> borders{psi.low, psi.high};
-    for (const double place : places)
-        if (place > psi.low + kSame && place < psi.high - kSame) borders.push_back(place);
-    std::sort(borders.begin(), borders.end());
-    std::vector<core::Range> parts;
-    for (std::size_t i = 1; i < borders.size(); ++i) parts.push_back({borders[i - 1], borders[i]});
-    return parts;
-}
-
-/// The same direction within a turn from `low`.
-double within_turn(double psi, double low) { return psi - kTurn * std::floor((psi - low) / kTurn); }
-
 /// Faces of strips over one range of psi, on nodes that all of their rails share.
 Nodes add_faces(Side& side, const std::vector<Strip>& strips, core::Range psi) {
     std::vector<Rail> rails;
@@ -117,9 +101,7 @@ Side planar_side(const solid::Part& part, const solid::ColumnMaker& maker) {
     add_ruled(strips, upper);
     Side side;
     BRepBuilderAPI_MakeWire low, high;
-    const core::Range turn = maker.reach(), working = part.cam.working_psi;
-    // Where the working arc begins and ends the contour is no smoother than its second derivative.
-    for (const core::Range& psi : parted(turn, {within_turn(working.low, turn.low), within_turn(working.high, turn.low)})) {
+    for (const core::Range& psi : smooth_parts(part.cam)) {
         const Nodes nodes = add_faces(side, strips, psi);
         low.Add(BRepBuilderAPI_MakeEdge(spline(lower.front(), nodes)));
         high.Add(BRepBuilderAPI_MakeEdge(spline(upper.back(), nodes)));

@@ -28,6 +28,25 @@ gp_Vec slope(const Rail& rail, double psi, double step) {
 
 }  // namespace
 
+std::vector<core::Range> parted(core::Range psi, const std::vector<double>& places) {
+    constexpr double kSame = 1e-6;  // [rad]
+    std::vector<double> borders{psi.low, psi.high};
+    for (const double place : places)
+        if (place > psi.low + kSame && place < psi.high - kSame) borders.push_back(place);
+    std::sort(borders.begin(), borders.end());
+    std::vector<core::Range> parts;
+    for (std::size_t i = 1; i < borders.size(); ++i) parts.push_back({borders[i - 1], borders[i]});
+    return parts;
+}
+
+std::vector<core::Range> smooth_parts(const cam::Cam& cam) {
+    const core::Range groove = cam.groove_psi, working = cam.working_psi;
+    if (!cam.closed()) return parted(groove, {working.low, working.high});
+    constexpr double kTurn = 2.0 * core::kPi;
+    const auto within = [&](double psi) { return psi - kTurn * std::floor((psi - groove.low) / kTurn); };
+    return parted({groove.low, groove.low + kTurn}, {within(working.low), within(working.high)});
+}
+
 gp_Pnt point(const solid::Vec3& p) { return {p[0], p[1], p[2]}; }
 
 Strip ruled(Rail low, Rail high) { return {{std::move(low), std::move(high)}, {1.0, 1.0}, 1}; }

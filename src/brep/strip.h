@@ -6,6 +6,7 @@
 #include <functional>
 #include <vector>
 
+#include "fusee/cam/cam.h"
 #include "fusee/core/units.h"
 #include "fusee/solid/mesh.h"
 
@@ -13,6 +14,13 @@ namespace fusee::brep {
 
 /// A line of the section, at every direction psi a point [mm]; C2.
 using Rail = std::function<solid::Vec3(double psi)>;
+
+inline constexpr double kAllowed_mm = 2e-4;  ///< of a spline from its rail: a fifth of what the files promise, 0.01 % of an arm of 2 mm
+
+/// A range parted at those of `places` that lie inside.
+[[nodiscard]] std::vector<core::Range> parted(core::Range psi, const std::vector<double>& places);
+/// The groove's range of psi, parted where the working arc begins and ends: there the contour is no smoother than its second derivative.
+[[nodiscard]] std::vector<core::Range> smooth_parts(const cam::Cam& cam);
 
 [[nodiscard]] gp_Pnt point(const solid::Vec3& p);
 

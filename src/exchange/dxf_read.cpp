@@ -38,13 +38,34 @@ public:
     void addVertex(const DL_VertexData& v) override {
         if (!open_.empty()) layer(open_).polylines.back().points_mm.push_back(point(v.x, v.y));
     }
+    void addSpline(const DL_SplineData& data) override {
+        finish();
+        layer(attributes.getLayer()).splines.push_back({static_cast<int>(data.degree), {}, {}});
+        spline_ = attributes.getLayer();
+        knots_ = data.nKnots;
+        poles_ = data.nControl;
+    }
+    void addKnot(const DL_KnotData& knot) override {
+        if (!spline_.empty()) layer(spline_).splines.back().knots.push_back(point(knot.k, 0.0)[0]);
+    }
+    void addControlPoint(const DL_ControlPointData& p) override {
+        if (!spline_.empty()) layer(spline_).splines.back().control_mm.push_back(point(p.x, p.y));
+    }
     void addCircle(const DL_CircleData& c) override {
         if (!(c.radius > 0.0)) throw core::IoError(path_.string(), "holds a circle without a radius above 0");
         layer(attributes.getLayer()).circles.push_back({point(c.cx, c.cy), c.radius});
     }
 
-    /// The last polyline is complete when the file ends or another one begins. @throws IoError if vertices are missing
+    /// The last polyline or spline is complete when the file ends or another one begins. @throws IoError if something of it is missing
     void finish() {
+        if (!spline_.empty()) {
+            const brep::PlaneSpline& s = layer(spline_).splines.back();
+            // dxflib fills up what is missing with zeros.
+            const bool whole = s.knots.size() == knots_ && s.control_mm.size() == poles_ && std::is_sorted(s.knots.begin(), s.knots.end());
+            if (!whole || s.degree < 1 || knots_ != poles_ + static_cast<unsigned>(s.degree) + 1U)
+                throw core::IoError(path_.string(), fmt::format("layer {}: a spline lacks knots or control points", spline_));
+        }
+        spline_.clear();
         if (!open_.empty() && layer(open_).polylines.back().points_mm.size() != static_cast<std::size_t>(awaited_))
             throw core::IoError(path_.string(), fmt::format("layer {}: a polyline lacks vertices", open_));
         open_.clear();
@@ -67,6 +88,8 @@ private:
     std::filesystem::path path_;
     std::string open_;  ///< layer of the polyline whose vertices follow
     int awaited_ = 0;
+    std::string spline_;  ///< layer of the spline whose knots and control points follow
+    unsigned knots_ = 0, poles_ = 0;
 };
 
 /// dxflib counts its lines in a variable shared by all readers.

@@ -26,6 +26,8 @@ private:
     mutable std::string bytes_;
 };
 
+constexpr int kPlanar = 8;  // flag of a SPLINE
+
 /// The empty tables that R2000 demands before the layers and after them.
 void write_tables(DL_Dxf& dxf, MemoryWriter& out, const DxfDrawing& drawing) {
     out.sectionTables();
@@ -64,6 +66,12 @@ void write_layer(DL_Dxf& dxf, MemoryWriter& out, const DxfLayer& layer) {
         dxf.writePolyline(out, DL_PolylineData(static_cast<int>(line.points_mm.size()), 0, 0, line.closed ? 1 : 0), look);
         for (const Vec2& p : line.points_mm) dxf.writeVertex(out, DL_VertexData(p[0], p[1], 0.0, 0.0));
         dxf.writePolylineEnd(out);
+    }
+    for (const brep::PlaneSpline& s : layer.splines) {
+        const auto knots = static_cast<int>(s.knots.size()), poles = static_cast<int>(s.control_mm.size());
+        dxf.writeSpline(out, DL_SplineData(s.degree, knots, poles, 0, kPlanar), look);
+        for (const double knot : s.knots) dxf.writeKnot(out, DL_KnotData(knot));
+        for (const Vec2& p : s.control_mm) dxf.writeControlPoint(out, DL_ControlPointData(p[0], p[1], 0.0, 1.0));
     }
     for (const DxfCircle& c : layer.circles) dxf.writeCircle(out, DL_CircleData(c.centre_mm[0], c.centre_mm[1], 0.0, c.radius_mm), look);
 }

@@ -1,8 +1,11 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
 
 #include "flanges.h"
+#include "fusee/core/error.h"
 #include "fusee/core/units.h"
 #include "fusee/exchange/dxf.h"
 #include "fusee/solid/outline.h"
@@ -76,9 +79,24 @@ DxfDrawing spool_drawing(const solid::Part& part, const std::string& provenance)
         drawing.layers.push_back({"FLANGE", {}, {{{0.0, 0.0}, helix_radius_mm(part)}}});
     }
     drawing.layers.push_back(bore_layer(part.options.hub));
+    drawing.layers.push_back({"PITCH_SPLINE", {}, {}, brep::outline_splines(part, 0.0)});
+    drawing.layers.push_back({"FLOOR_SPLINE", {}, {}, brep::outline_splines(part, -half_cable)});
+    if (part.cam.closed()) drawing.layers.push_back({"FLANGE_SPLINE", {}, {}, brep::outline_splines(part, reach.lip + reach.upper)});
     const double rim = part.cam.closed() ? crossing_at_zero(flange) : helix_radius_mm(part);
     drawing.layers.push_back({"MARK", {{{{kMarkFrom * rim, 0.0}, {rim, 0.0}}, false}}, {}});
     return drawing;
+}
+
+DxfDrawing kerf_drawing(const solid::Part& part, double kerf_mm, const std::string& provenance) {
+    solid::HubOptions hub = part.options.hub;
+    // Every side of the bore moves inwards by half the kerf: a key's depth and a flat's, from the bore's radius, stay as they are.
+    hub.bore_clearance -= core::m_from_mm(kerf_mm);
+    hub.key_width -= core::m_from_mm(kerf_mm);
+    const double least = hub.lock == solid::HubLock::kKeyway ? hub.key_width : hub.bore_diameter + hub.bore_clearance;
+    if (!(least > 0.0)) throw core::InvalidInput("outputs.kerf_mm", fmt::format("{}", kerf_mm), "less than the bore and its key are wide");
+    const FlangeReach reach = flange_reach(part);
+    const Outline moved = parallel(reach.lip + reach.upper + 0.5 * kerf_mm);
+    return {{{"FLANGE", {sampled(part.cam, moved)}, {}}, bore_layer(hub)}, fmt::format("{}, kerf {} mm", provenance, kerf_mm)};
 }
 
 }  // namespace fusee::exchange

@@ -52,8 +52,8 @@ FileRows write_files(const solid::Part& part, const profile::Outputs& outputs, c
     const solid::Mesh mesh = direct ? part.mesh : rendered(scad, stl);
     if (outputs.stl) exchange::write_stl(stl, mesh, provenance);
     if (outputs.three_mf) exchange::write_3mf(three_mf, mesh, base.filename().string(), provenance);
-    const bool flat_spool = part.cam.kind == cam::PartKind::kSeries && part.cam.closed();
-    if (outputs.dxf && flat_spool) exchange::write_dxf(dxf, exchange::spool_drawing(part, provenance));
+    const bool drawn = outputs.dxf && part.cam.closed();
+    if (drawn) exchange::write_dxf(dxf, exchange::spool_drawing(part, provenance));
     if (!outputs.scad) fs::remove(scad);
     if (!outputs.stl) fs::remove(stl);
 
@@ -64,7 +64,7 @@ FileRows write_files(const solid::Part& part, const profile::Outputs& outputs, c
     list(outputs.stl, stl, mesh.triangles.size(), part.chordal_error_mm);
     list(outputs.three_mf, three_mf, mesh.triangles.size(), part.chordal_error_mm);
     list(outputs.scad, scad, 0, part.chordal_error_mm);
-    list(outputs.dxf && flat_spool, dxf, 0, exchange::kDrawingChord_mm);
+    list(drawn, dxf, 0, exchange::kDrawingChord_mm);
     return rows;
 }
 
@@ -139,6 +139,11 @@ report::PartReport export_part(const DesignedPart& designed, const profile::Prof
     report.certificate = cam::certify(part.cam);
     if (const auto doubt = cam::doubt(report.certificate, part.cam.kind)) report.findings.push_back(*doubt);
     rows.push_back(file_row(json));
+    if (profile.outputs.dxf && profile.outputs.kerf > 0.0 && part.cam.closed()) {  // compensated: not in PART.json, which states the law
+        const fs::path kerf = with_ending(base, "_kerf.dxf");
+        exchange::write_dxf(kerf, exchange::kerf_drawing(part, core::mm_from_m(profile.outputs.kerf), provenance.line()));
+        rows.push_back(file_row(kerf, 0, exchange::kDrawingChord_mm));
+    }
     report.files = std::move(rows);
     report.quality = solid::measure_quality(part.mesh);
     return report;

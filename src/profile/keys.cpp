@@ -71,7 +71,7 @@ Key formats() {
     Key key;
     key.path = "outputs.formats";
     key.kind = Kind::kChoices;
-    key.meaning = "part files to write; dxf: the outline of a planar spool; step: AP242; ngc: G-code by [machining]";
+    key.meaning = "part files to write; dxf: the outlines of a planar part; step: AP242; ngc: G-code by [machining]";
     key.choices = {"stl", "scad", "dxf", "3mf", "step", "ngc"};
     key.most_count = key.choices.size();
     key.get = [names = key.choices](const Profile& p) {
@@ -98,7 +98,10 @@ std::vector<Key> all_keys() {
     add(codesign_keys());
     add(cable_keys());
     add(process_keys());
-    add({formats(), integer("outputs.springs_rows", within(200, 100000), "rows of springs.csv", FIELD(outputs.springs_rows))});
+    add({formats(),
+         number("outputs.kerf_mm", kMm, within(0, 10), "of a beam or wire; above 0: k_xx_kerf.dxf too, outlines moved by half of it",
+                FIELD(outputs.kerf)),
+         integer("outputs.springs_rows", within(200, 100000), "rows of springs.csv", FIELD(outputs.springs_rows))});
     add(machining_keys());
     add(part_keys("k_se", &Profile::k_se));
     add(part_keys("k_pe", &Profile::k_pe));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unsupported/Eigen/Splines>
 
 #include "fusee/core/error.h"
 #include "fusee/core/units.h"
@@ -15,6 +16,7 @@ namespace {
 
 constexpr int kRaysPerRow = 5;
 constexpr int kRaysRound = 2048;         // round a planar outline: chord error r (2 pi / 2048)^2 / 8, 1.2e-6 of the arm
+constexpr int kPointsPerSpan = 32;       // of a drawn spline: spans are 0.2 rad at most, the chord error 5e-6 of the arm
 constexpr double kSameHeight_mm = 1e-6;  // contacts of a planar part differ by less: the last digit of single precision at 10 mm
 
 /// A place where a ray is shot.
@@ -74,6 +76,21 @@ std::vector<Aim> all_rays(const std::vector<Aim>& rows) {
     return rays;
 }
 
+void add_points(Floor& floor, const brep::PlaneSpline& spline) {
+    const auto count = static_cast<Eigen::Index>(spline.control_mm.size());
+    Eigen::Matrix2Xd control(2, count);
+    for (Eigen::Index i = 0; i < count; ++i)
+        control.col(i) << spline.control_mm[static_cast<std::size_t>(i)][0], spline.control_mm[static_cast<std::size_t>(i)][1];
+    const Eigen::Map<const Eigen::RowVectorXd> knots(spline.knots.data(), static_cast<Eigen::Index>(spline.knots.size()));
+    const Eigen::Spline<double, 2, Eigen::Dynamic> curve(knots, control);
+    for (std::size_t k = 1; k < spline.knots.size(); ++k)
+        for (int i = 0; i < kPointsPerSpan && spline.knots[k] > spline.knots[k - 1]; ++i) {
+            const double share = static_cast<double>(i) / kPointsPerSpan;
+            const Eigen::Vector2d p = curve(spline.knots[k - 1] + share * (spline.knots[k] - spline.knots[k - 1]));
+            floor.points.push_back({{p[0], p[1]}, 0.0});
+        }
+}
+
 }  // namespace
 
 Floor find_floor(const Ray& ray, const exchange::PartFile& part) {
@@ -94,13 +111,17 @@ Floor find_floor(const solid::Mesh& mesh, const exchange::PartFile& part) {
     return find_floor([&search](double azimuth, double z_mm) { return search.outermost(azimuth, z_mm); }, part);
 }
 
-Floor drawn_floor(const exchange::DxfDrawing& drawing, const exchange::PartFile& part, const std::string& file) {
-    const exchange::DxfLayer* layer = drawing.layer("FLOOR");
-    if (layer == nullptr || layer->polylines.empty()) throw core::IoError(file, "has no polyline on the layer FLOOR");
+Floor drawn_floor(const exchange::DxfDrawing& drawing, Drawn drawn, const exchange::PartFile& part, const std::string& file) {
     if (!one_height(aims(part))) throw core::IoError(file, "a flat drawing cannot hold the groove of a helix");
+    const std::string name = drawn == Drawn::kPolyline ? "FLOOR" : "FLOOR_SPLINE";
+    const exchange::DxfLayer* layer = drawing.layer(name);
     Floor floor;
-    for (const exchange::DxfPolyline& line : layer->polylines)
-        for (const Point& p : line.points_mm) floor.points.push_back({p, 0.0});
+    if (layer != nullptr && drawn == Drawn::kPolyline)
+        for (const exchange::DxfPolyline& line : layer->polylines)
+            for (const Point& p : line.points_mm) floor.points.push_back({p, 0.0});
+    if (layer != nullptr && drawn == Drawn::kSpline)
+        for (const brep::PlaneSpline& spline : layer->splines) add_points(floor, spline);
+    if (floor.points.empty()) throw core::IoError(file, "has no curve on the layer " + name);
     return floor;
 }
 

@@ -32,8 +32,12 @@ using Ray = std::function<std::optional<double>(double azimuth, double z_mm)>;
 /// The same in a mesh: the outermost hit is the floor, which is open to the outside.
 [[nodiscard]] Floor find_floor(const solid::Mesh& mesh, const exchange::PartFile& part);
 
-/// The floor as drawn: the vertices of the layer FLOOR.
-/// @throws IoError if the drawing has no such layer or the part is not planar
-[[nodiscard]] Floor drawn_floor(const exchange::DxfDrawing& drawing, const exchange::PartFile& part, const std::string& file);
+/// Which of the floor's curves of a drawing.
+enum class Drawn {
+    kPolyline,  ///< the vertices of the layer FLOOR
+    kSpline,    ///< points of the splines of the layer FLOOR_SPLINE
+};
+/// The floor as drawn. @throws IoError if the drawing has no such curve or the part is not planar
+[[nodiscard]] Floor drawn_floor(const exchange::DxfDrawing& drawing, Drawn drawn, const exchange::PartFile& part, const std::string& file);
 
 }  // namespace fusee::readback

@@ -84,7 +84,10 @@ std::vector<ArmError> read_back(const fs::path& folder, const exchange::PartFile
         } else if (extension == ".3mf") {
             errors.push_back(compare_mesh(path, "lib3mf", exchange::read_3mf(path), entry, part));
         } else if (extension == ".dxf") {
-            errors.push_back(compare(path, "dxflib", drawn_floor(exchange::read_dxf(path), part, path.string()), part));
+            const exchange::DxfDrawing drawing = exchange::read_dxf(path);
+            errors.push_back(compare(path, "dxflib", drawn_floor(drawing, Drawn::kPolyline, part, path.string()), part));
+            errors.push_back(compare(path, "dxflib, spline", drawn_floor(drawing, Drawn::kSpline, part, path.string()), part));
+            errors.back().allowed = kSplineAllowed;
         } else if (extension == ".step") {
             errors.push_back(compare_step(path, part));
         } else if (extension == ".ngc") {

@@ -92,6 +92,42 @@ TEST_F(DxfTest, OutlinesOfADiscStayWithinAMicrometre) {
     EXPECT_NEAR(drawing.layer("MARK")->polylines[0].points_mm.back()[0], 26.0, 1e-3);
 }
 
+TEST_F(DxfTest, SplinesComeBackExactlyAndBrokenOnesAreRefused) {
+    const DxfDrawing drawing = spool_drawing(disc_part(20e-3, 5e-3), "fusee test");
+    write_dxf(folder_ / "a.dxf", drawing);
+    const DxfDrawing back = read_dxf(folder_ / "a.dxf");
+    for (const char* name : {"PITCH_SPLINE", "FLOOR_SPLINE", "FLANGE_SPLINE"}) {
+        const auto &written = drawing.layer(name)->splines, &read = back.layer(name)->splines;
+        ASSERT_EQ(read.size(), written.size()) << name;
+        ASSERT_FALSE(read.empty()) << name;
+        for (std::size_t i = 0; i < read.size(); ++i) {
+            EXPECT_EQ(read[i].degree, 3);
+            EXPECT_EQ(read[i].knots, written[i].knots);
+            EXPECT_EQ(read[i].control_mm, written[i].control_mm);
+        }
+    }
+    std::string bytes = core::read_file(folder_ / "a.dxf");
+    bytes.erase(bytes.find(" 40\n", bytes.find("SPLINE\n  5")), std::string(" 40\n0\n").size());
+    core::write_file(folder_ / "fewer.dxf", bytes);
+    fixtures::expect_io_error([&] { (void)read_dxf(folder_ / "fewer.dxf"); }, {"fewer.dxf", "SPLINE"});
+}
+
+// Law: half the kerf outwards on the flange, inwards on every side of the bore and its key.
+TEST_F(DxfTest, KerfMovesOutlinesByHalfOfIt) {
+    solid::Part part = disc_part(20e-3, 5e-3);
+    part.options.hub.lock = solid::HubLock::kKeyway;
+    const DxfDrawing nominal = spool_drawing(part, ""), moved = kerf_drawing(part, 0.2, "");
+    EXPECT_EQ(moved.layers.size(), 2u);
+    for (const Vec2& p : moved.layer("FLANGE")->polylines.at(0).points_mm) EXPECT_NEAR(std::hypot(p[0] - 5.0, p[1]), 21.1, 1e-9);
+    const auto &bore = nominal.layer("BORE")->polylines.at(0).points_mm, &cut = moved.layer("BORE")->polylines.at(0).points_mm;
+    for (std::size_t i = 0; i < 2; ++i) {  // the key's corners
+        EXPECT_NEAR(cut[i][0], bore[i][0] - 0.1, 1e-12);
+        EXPECT_NEAR(std::abs(cut[i][1]), std::abs(bore[i][1]) - 0.1, 1e-12);
+    }
+    for (std::size_t i = 2; i < cut.size(); ++i) EXPECT_NEAR(std::hypot(cut[i][0], cut[i][1]), 2.5, 1e-12);
+    EXPECT_THROW((void)kerf_drawing(part, 2.5, ""), core::InvalidInput);  // wider than the key
+}
+
 TEST_F(DxfTest, BoreIsACircleOrAClosedOutlineWithKey) {
     solid::Part part = disc_part(20e-3, 5e-3);
     part.options.hub.lock = solid::HubLock::kPlain;

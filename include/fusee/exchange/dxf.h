@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "fusee/brep/outline_spline.h"
 #include "fusee/solid/part.h"
 
 namespace fusee::exchange {
@@ -25,9 +26,10 @@ struct DxfLayer {
     std::string name;
     std::vector<DxfPolyline> polylines;
     std::vector<DxfCircle> circles;
+    std::vector<brep::PlaneSpline> splines = {};
 };
 
-/// A flat drawing in millimetres, nominal: kerf is the shop's to apply.
+/// A flat drawing in millimetres.
 struct DxfDrawing {
     std::vector<DxfLayer> layers;
     std::string provenance;  ///< kept as a comment (group 999)
@@ -35,16 +37,21 @@ struct DxfDrawing {
     [[nodiscard]] const DxfLayer* layer(const std::string& name) const;
 };
 
-/// Writes DXF R2000 with dxflib: LWPOLYLINE and CIRCLE on named layers, $INSUNITS 4 (mm), shortest digits that give the number back,
-/// whatever the locale. @throws IoError
+/// Writes DXF R2000 with dxflib: LWPOLYLINE, CIRCLE and SPLINE on named layers, $INSUNITS 4 (mm), shortest digits that give the number
+/// back, whatever the locale. @throws IoError
 void write_dxf(const std::filesystem::path& path, const DxfDrawing& drawing);
 /// Reads such a file with dxflib; entities of other kinds are passed over.
 /// @throws IoError naming the file: unreadable, cut short, not in millimetres, or a number that is not finite
 [[nodiscard]] DxfDrawing read_dxf(const std::filesystem::path& path);
 
 /// The outlines of a part seen from +z: layers PITCH (cable centreline), FLOOR (groove's floor), FLANGE (outer edge), LOWER_FLANGE (where a
-/// boss widens it), BORE (with keyway or flat) and MARK (timing mark, a line at body angle 0 up to the outer edge). A helix has open PITCH
-/// and FLOOR and a round FLANGE. Chord error below 1 micrometre.
+/// boss widens it), BORE (with keyway or flat) and MARK (timing mark, a line at body angle 0 up to the outer edge), as polylines with a
+/// chord error below 1 micrometre; PITCH_SPLINE, FLOOR_SPLINE and FLANGE_SPLINE are the same curves for reference, within 0.0002 mm. A
+/// helix has open PITCH and FLOOR and a round FLANGE. Nominal: kerf is not applied.
 [[nodiscard]] DxfDrawing spool_drawing(const solid::Part& part, const std::string& provenance);
+/// What a beam or wire of width `kerf_mm` has to follow: FLANGE moved outwards and BORE inwards by half of it. Nothing else is in it, so
+/// that it is not taken for the nominal drawing.
+/// @throws InvalidInput naming outputs.kerf_mm where the bore or its key would close
+[[nodiscard]] DxfDrawing kerf_drawing(const solid::Part& part, double kerf_mm, const std::string& provenance);
 
 }  // namespace fusee::exchange

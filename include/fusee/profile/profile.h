@@ -102,6 +102,7 @@ struct PartSpec {
 /// Files to write beside springs.csv, the reports and PART.json.
 struct Outputs {
     bool stl = true, scad = true, dxf = true, three_mf = true, step = true, ngc = false;
+    double kerf = 0.0;       ///< of a beam or wire [m]; above 0: a second DXF, moved by half of it
     int springs_rows = 400;  ///< rows of springs.csv, >= 200
 };
 

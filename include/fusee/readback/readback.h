@@ -12,11 +12,12 @@ namespace fusee::readback {
 /// reader of programs in `toolpath` only.
 struct ArmError {
     std::string file;
-    std::string reader;           ///< "assimp", "openmesh", "lib3mf", "dxflib", "opencascade", "rs274 lower", "rs274 upper", "rs274 wrap"
+    std::string
+        reader;  ///< "assimp", "openmesh", "lib3mf", "dxflib", "dxflib, spline", "opencascade", "rs274 lower", "rs274 upper", "rs274 wrap"
     std::size_t rows = 0;         ///< working positions compared
     double worst_relative = 0.0;  ///< largest |arm found / arm asked - 1| over the working range
     double worst_angle_rad = 0.0;
-    double allowed = 1e-3;                                                   ///< 1e-4 for STEP
+    double allowed = 1e-3;                                                   ///< 1e-4 for splines: STEP, and those of DXF
     [[nodiscard]] bool passed() const { return worst_relative <= allowed; }  ///< false for NaN
 };
 

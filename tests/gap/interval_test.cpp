@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "isolability_fixture.h"
+#include "search.h"
 
 namespace fusee::gap {
 namespace {
@@ -69,6 +70,25 @@ TEST(Contradicted, not_a_cause_that_one_experiment_alone_can_see) {
 
 TEST(Contradicted, not_a_stop_whose_angle_has_no_nothing) {
     EXPECT_TRUE(Refitted(kStop, 1.0, {0.1, 1.1, 1.1, 1.1, 1.1, 1.1}, kSharp).stands());
+}
+
+TEST(AtTheirEnd, a_size_that_wants_to_be_more_than_its_law_allows) {
+    Refitted coulomb(kCoulomb, 1.0, std::vector<double>(6, 1.0), kSharp);
+    EXPECT_TRUE(at_their_end(coulomb.problem, coulomb.fit).empty());
+    coulomb.fit.x[coulomb.k] = coulomb.problem.allowed(coulomb.fit.causes, coulomb.k).high;
+    EXPECT_EQ(at_their_end(coulomb.problem, coulomb.fit), coulomb.fit.causes);
+    Refitted stop(kStop, 1.0, std::vector<double>(6, 1.0), kSharp);
+    stop.fit.x[stop.k] = stop.problem.allowed(stop.fit.causes, stop.k).high;  // a stop that is never reached
+    EXPECT_TRUE(at_their_end(stop.problem, stop.fit).empty());
+}
+
+TEST(DiscountUnfounded, pairs_need_a_single_effect_that_beats_none) {
+    const std::vector<std::size_t> effects{2, 0, 1, 2};
+    std::vector<double> founded{9.0, 0.0, 1.0, -2.0}, unfounded{9.0, 0.0, -1.0, -2.0};
+    discount_unfounded(effects, founded);
+    EXPECT_EQ(founded, (std::vector<double>{9.0, 0.0, 1.0, -2.0}));
+    discount_unfounded(effects, unfounded);
+    EXPECT_EQ(unfounded, (std::vector<double>{-21.0, 0.0, -1.0, -32.0}));
 }
 
 TEST(ExperimentsLeftOut, say_how_well_the_others_see_a_size) {

@@ -11,6 +11,7 @@ namespace {
 constexpr double kNormal95 = 1.959964;
 constexpr double kLawAccuracy = 0.01;  ///< of a size: what tables and steps of the model leave of it, one sigma
 constexpr double kWitness = 3.0;       ///< sigmas from 0 at which the experiments that are left would see a size
+constexpr double kAtEnd = 1e-6;        ///< of the allowed range
 constexpr double kStandOff = 2.0;      ///< half intervals from 0 that a size has to stand
 
 /// x[k] of the refits without an experiment whose others would see such a size: the rest go back to the prior and say nothing.
@@ -45,6 +46,17 @@ Causes contradicted(const Problem& problem, const Fit& fit, const Split& left_ou
         const int k = problem.size_at(fit.causes, c);
         const bool stands_off = std::abs(fit.x[k]) >= kStandOff * half_interval(fit, left_out, k);
         if (!stands_off && !find_effect(fit.causes[c].id).is_limit()) causes.push_back(fit.causes[c]);
+    }
+    return causes;
+}
+
+Causes at_their_end(const Problem& problem, const Fit& fit) {
+    Causes causes;
+    for (std::size_t c = 0; c < fit.causes.size(); ++c) {
+        const int k = problem.size_at(fit.causes, c);
+        const core::Range allowed = problem.allowed(fit.causes, k);
+        const bool inside = fit.x[k] > allowed.low + kAtEnd * allowed.width() && fit.x[k] < allowed.high - kAtEnd * allowed.width();
+        if (!inside && !find_effect(fit.causes[c].id).is_limit()) causes.push_back(fit.causes[c]);
     }
     return causes;
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <span>
 
 #include "interval.h"
@@ -14,8 +15,8 @@ namespace fusee::gap {
 
 namespace {
 
-constexpr double kEffectOdds = 12.0;    ///< log odds against an effect: some sixty candidates, and rigs are mostly as designed [nat]
-constexpr double kSecondOdds = 14.0;    ///< against a second one, which also likes to mend what the first one's law leaves open
+constexpr double kEffectOdds = 15.0;    ///< log odds against an effect: some sixty candidates, and rigs are mostly as designed [nat]
+constexpr double kSecondOdds = 17.0;    ///< against a second one, which also likes to mend what the first one's law leaves open
 constexpr std::size_t kSingles = 5;     ///< fitted in full
 constexpr double kNearEnough = 0.5;     ///< of the way from the best back to no effect, within which a rival of what explains all is fitted
 constexpr std::size_t kPairs = 3;       ///< upon each base
@@ -125,6 +126,10 @@ struct Ranked {
     Split left_out;  ///< empty until it is asked
 };
 
+void sort_by_score(std::vector<Ranked>& ranking) {
+    std::stable_sort(ranking.begin(), ranking.end(), [](const Ranked& a, const Ranked& b) { return a.score > b.score; });
+}
+
 /// Takes the price of a cause that the splits contradict from those that come first, until the first are all asked. No effect is too.
 void ask_the_splits(const Problem& problem, std::vector<Ranked>& ranking, const SearchOptions& options) {
     const auto first = [&] { return ranking.begin() + static_cast<std::ptrdiff_t>(std::min(kLeftOut, ranking.size())); };
@@ -137,8 +142,21 @@ void ask_the_splits(const Problem& problem, std::vector<Ranked>& ranking, const 
     for (auto next = std::find_if(ranking.begin(), first(), unasked); next != first();
          next = std::find_if(ranking.begin(), first(), unasked)) {
         ask(*next);
-        std::stable_sort(ranking.begin(), ranking.end(), [](const Ranked& a, const Ranked& b) { return a.score > b.score; });
+        sort_by_score(ranking);
     }
+}
+
+/// As `discount_unfounded`, and in order again.
+void ask_for_a_single(std::vector<Ranked>& ranking) {
+    std::vector<std::size_t> effects;
+    std::vector<double> scores;
+    for (const Ranked& h : ranking) {
+        effects.push_back(h.fit.causes.size());
+        scores.push_back(h.score);
+    }
+    discount_unfounded(effects, scores);
+    for (std::size_t i = 0; i < ranking.size(); ++i) ranking[i].score = scores[i];
+    sort_by_score(ranking);
 }
 
 Search ranked(const Problem& problem, std::vector<Fit> fits, const SearchOptions& options) {
@@ -150,6 +168,7 @@ Search ranked(const Problem& problem, std::vector<Fit> fits, const SearchOptions
         ranking.push_back({std::move(fit), of_fit, {}});
     }
     ask_the_splits(problem, ranking, options);
+    ask_for_a_single(ranking);
     Search result;
     double sum = 0.0;
     for (Ranked& h : ranking) {
@@ -164,6 +183,16 @@ Search ranked(const Problem& problem, std::vector<Fit> fits, const SearchOptions
 }
 
 }  // namespace
+
+void discount_unfounded(std::span<const std::size_t> effects, std::span<double> scores) {
+    double none = -std::numeric_limits<double>::infinity(), one = none;
+    for (std::size_t h = 0; h < scores.size(); ++h) {
+        if (effects[h] == 0) none = std::max(none, scores[h]);
+        if (effects[h] == 1) one = std::max(one, scores[h]);
+    }
+    for (std::size_t h = 0; h < scores.size() && one <= none; ++h)
+        if (effects[h] > 1) scores[h] -= kContradicted;
+}
 
 Search search(const Problem& problem, const SearchOptions& options) {
     const std::vector<Cause> causes = possible_causes(problem.bench().rows);

@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,12 @@ struct SearchOptions {
     unsigned jobs = 1;
     std::function<void(const std::string&)> told;  ///< of each part that is finished: five
 };
+
+/// Takes the price of a contradiction from every pair where no single effect beats none once the splits were asked: pairs were sought for the
+/// sake of a single one, and sizes that only make up for each other are no pair of causes.
+/// @param effects how many each hypothesis has
+/// @param scores  of each [nat]
+void discount_unfounded(std::span<const std::size_t> effects, std::span<double> scores);
 
 /// No effect, then each effect on each side, then pairs upon the best single ones: screened in the linear model, the best fitted in full.
 /// Pairs are sought only where a single effect was found; a second one has to pay for itself at the accuracy that the first one reached.

@@ -66,9 +66,16 @@ Judgement judge(const Problem& problem, const Search& search) {
             fmt::format("{}: the best hypothesis needs it {:+.1f} sigma of its tolerance off; no effect of the library explains that",
                         problem.build()[most.parameter].name, most.sigmas));
     }
-    for (const Cause& cause : contradicted(problem, best, search.left_out.front()))
+    for (const Cause& cause : contradicted(problem, best, search.left_out.front())) {
+        unexplained = unexplained || best.causes.size() == 1;  // two sizes are too loose, an experiment less, to speak against each other
         judgement.remarks.push_back(
             fmt::format("{} ({}): refits without one experiment each disagree about its size", cause.id, cause.side));
+    }
+    for (const Cause& cause : at_their_end(problem, best)) {
+        unexplained = true;
+        judgement.remarks.push_back(
+            fmt::format("{} ({}): its size is at the end of what its law allows, so it stands for something else", cause.id, cause.side));
+    }
     const bool rivalled = search.probability.size() > 1 && search.probability[1] >= kRival;  // they fall
     if (unexplained || !evidence)
         judgement.verdict = Verdict::kUnknown;

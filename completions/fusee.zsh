@@ -6,14 +6,18 @@ _fusee() {
     typeset -A opt_args
     local -a commands=(
         'make:turn profiles into checked, exported cams'
+        'fix:change a profile until it can be made'
         'simulate:say what the joints of profiles do'
         "design:find springs for a profile's joint"
         "identify:find a gear's friction from break-away tests"
+        'coupons:make test pieces for a machine and a cable'
+        'calibrate:turn measured coupons into compensation'
         'diagnose:say where a built joint and its model part, and why'
         'predict:say what the model of a gap case foretells'
         'case-template:write an empty gap case for a profile'
         'blind:benchmark the diagnosis on sealed cases'
         "paper:make the paper's tables and figures anew"
+        "check:run every rule on a profile's cams, or on a mesh"
         'keys:list every key of a profile'
         'rules:list the rules that a part is checked by'
         'completion:print the completion script of a shell'
@@ -34,6 +38,14 @@ _fusee() {
                         '(-j --jobs)'{-j,--jobs}'[designs made at once]:number:' \
                         '(- *)--help[say how to use make]' \
                         '*:profile:_files -g "*.toml"' ;;
+                fix)
+                    _arguments \
+                        '(-o --out)'{-o,--out}'[file for the new profile]:profile:_files -g "*.toml"' \
+                        '--reviews[take away what is to be reviewed, too]' \
+                        '--most[profiles judged before the search gives up]:number:' \
+                        '--json[as JSON]' \
+                        '(- *)--help[say how to use fix]' \
+                        '1:profile:_files -g "*.toml"' ;;
                 simulate)
                     _arguments \
                         '(-o --out)'{-o,--out}'[folder for the results]:folder:_files -/' \
@@ -59,6 +71,18 @@ _fusee() {
                         '(-o --out)'{-o,--out}'[folder for the results]:folder:_files -/' \
                         '(- *)--help[say how to use identify]' \
                         '1:rows:_files -g "*.csv"' ;;
+                coupons)
+                    _arguments \
+                        '(-o --out)'{-o,--out}'[folder for the results]:folder:_files -/' \
+                        '(- *)--help[say how to use coupons]' \
+                        '1:profile:_files -g "*.toml"' ;;
+                calibrate)
+                    _arguments \
+                        '--profile[profile of the coupons]:profile:_files -g "*.toml"' \
+                        '--write-profile[calibrated profile to write]:profile:_files -g "*.toml"' \
+                        '--json[as JSON]' \
+                        '(- *)--help[say how to use calibrate]' \
+                        '1:sheet:_files -g "*.csv"' ;;
                 diagnose)
                     _arguments \
                         '(-o --out)'{-o,--out}'[folder for the results]:folder:_files -/' \
@@ -109,6 +133,15 @@ _fusee() {
                         '--profiles[folder of the shipped profiles]:folder:_files -/' \
                         '(-j --jobs)'{-j,--jobs}'[threads]:number:' \
                         '(- *)--help[say how to use paper]' ;;
+                check)
+                    _arguments \
+                        '--process[how it is made]:process:(fdm sla sls mill mill4 edm laser all)' \
+                        '--profile[profile of the machine]:profile:_files -g "*.toml"' \
+                        '(-o --out)'{-o,--out}'[folder for the coloured mesh]:folder:_files -/' \
+                        '--json[as JSON]' \
+                        '(-j --jobs)'{-j,--jobs}'[threads]:number:' \
+                        '(- *)--help[say how to use check]' \
+                        '1:profile or mesh:_files -g "*.(toml|stl|obj|3mf|step|stp)"' ;;
                 rules) _arguments '--json[as JSON]' '(- *)--help[say how to use rules]' ;;
                 completion) _arguments '(- *)--help[say how to use completion]' '1:shell:(bash zsh fish)' ;;
                 *) _arguments '(- *)--help[say how to use it]' ;;

@@ -1,4 +1,4 @@
-// K_PE: the cam that draws in the cable of a compression spring.
+// K_PE: the cam of a compression spring.
 // @PROVENANCE@
 // Open it in OpenSCAD (View > Customizer), change what is below, render with F6, export. From the command line:
 //   openscad --hardwarnings --export-format binstl -o k_pe.stl k_pe.scad

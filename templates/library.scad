@@ -22,6 +22,7 @@ skin_points = @SKIN_POINTS@;
 skin_faces = @SKIN_FACES@;
 
 lip = groove[0][0];
+flat = len(groove) == 3;           // a roller's rim has no groove
 half_width = groove[len(groove) - 1][1];
 columns = closed ? [for (i = [0 : detail : len(path) - 1]) path[i]]
                  : concat([for (i = [0 : detail : len(path) - 2]) path[i]], [path[len(path) - 1]]);
@@ -48,7 +49,7 @@ module body() {
     if (closed) {
         slab(lip, 0, z_low, z_high);
         // Flanges that stand beyond the lips reach to the middle: the tube's own face becomes their inner face.
-        if (lower_proud > 0) slab(lip + lower_proud, core_radius, z_low, 0);
+        if (lower_proud > 0) slab(lip + lower_proud, core_radius, z_low, flat ? z_low + rib : 0);
         if (upper_proud > 0) slab(lip + upper_proud, 0, 0, z_high);
         if (boss_height > 0) translate([0, 0, z_low - boss_height])
             cylinder(r = boss_diameter / 2, h = boss_height + rib / 2, $fn = sides(boss_diameter / 2));
@@ -88,7 +89,7 @@ module groove_tube() {
         each [[a + k, b + k, b + next], [a + k, b + next, a + next]]];
     end = (n - 1) * m;  // both ends are convex: fans of triangles, since a polygon of rounded points is not flat
     caps = closed ? [] : [for (k = [1 : m - 2]) each [[0, k, k + 1], [end, end + k + 1, end + k]]];
-    polyhedron(points, concat(walls, caps), convexity = 20);
+    if (!flat) polyhedron(points, concat(walls, caps), convexity = 20);
 }
 
 // ---- cutters ----

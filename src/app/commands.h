@@ -9,6 +9,7 @@ using Action = std::function<int()>;
 
 /// Each adds its subcommand(s) to `app` and sets `action` when the user calls one.
 void add_make(CLI::App& app, Action& action);
+void add_fix(CLI::App& app, Action& action);
 void add_simulate(CLI::App& app, Action& action);
 void add_identify(CLI::App& app, Action& action);
 void add_design(CLI::App& app, Action& action);
@@ -17,6 +18,9 @@ void add_predict(CLI::App& app, Action& action);
 void add_case_template(CLI::App& app, Action& action);
 void add_blind(CLI::App& app, Action& action);
 void add_paper(CLI::App& app, Action& action);
+void add_coupons(CLI::App& app, Action& action);
+void add_calibrate(CLI::App& app, Action& action);
+void add_check(CLI::App& app, Action& action);
 void add_rules(CLI::App& app, Action& action);
 void add_lists(CLI::App& app, Action& action);
 

@@ -21,6 +21,7 @@ int main(int argc, char** argv) {
     app.footer("Example:\n  fusee make profiles/pnrvsa.toml\n\nHelp on a command: fusee COMMAND --help");
     app::Action action;
     app::add_make(app, action);
+    app::add_fix(app, action);
     app::add_simulate(app, action);
     app::add_identify(app, action);
     app::add_design(app, action);
@@ -29,6 +30,9 @@ int main(int argc, char** argv) {
     app::add_case_template(app, action);
     app::add_blind(app, action);
     app::add_paper(app, action);
+    app::add_coupons(app, action);
+    app::add_calibrate(app, action);
+    app::add_check(app, action);
     app::add_rules(app, action);
     app::add_lists(app, action);
     try {

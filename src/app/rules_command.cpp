@@ -6,6 +6,7 @@
 
 #include "commands.h"
 #include "fusee/checks/check.h"
+#include "fusee/inspect/rule.h"
 
 namespace fusee::app {
 
@@ -25,7 +26,7 @@ Json limit_json(const checks::Limit& limit) {
     return j;
 }
 
-Json rule_json(const checks::Rule& rule) {
+Json rule_json(const checks::Card& rule, bool needs_mesh) {
     Json limits = Json::array();
     for (const checks::Limit& limit : rule.limits) limits.push_back(limit_json(limit));
     return {{"rule", rule.id},
@@ -35,18 +36,28 @@ Json rule_json(const checks::Rule& rule) {
             {"measured", rule.measures},
             {"limits", limits},
             {"source", rule.source},
-            {"needs_mesh", rule.needs_mesh}};
+            {"needs_mesh", needs_mesh}};
 }
 
 void print_json() {
     Json all = Json::array();
-    for (const checks::Rule& rule : checks::rules()) all.push_back(rule_json(rule));
+    for (const checks::Rule& rule : checks::rules()) all.push_back(rule_json(rule, rule.needs_mesh));
+    for (const inspect::Rule& rule : inspect::rules()) all.push_back(rule_json(rule, true));
     fmt::print("{}\n", all.dump(2));
+}
+
+/// The rules of a design, then those of a mesh.
+std::vector<const checks::Card*> all_rules() {
+    std::vector<const checks::Card*> cards;
+    for (const checks::Rule& rule : checks::rules()) cards.push_back(&rule);
+    for (const inspect::Rule& rule : inspect::rules()) cards.push_back(&rule);
+    return cards;
 }
 
 void print_text() {
     std::string_view group;
-    for (const checks::Rule& rule : checks::rules()) {
+    for (const checks::Card* card : all_rules()) {
+        const checks::Card& rule = *card;
         if (rule.group() != group) {
             fmt::print("{}{}: {}\n", group.empty() ? "" : "\n", rule.group(), checks::group_title(rule.group()));
             group = rule.group();

@@ -47,7 +47,9 @@ std::string made_line(const Row& row) {
                              [&](const core::Finding& f) { return f.severity == severity; });
     };
     const double width = row.result.dead_band_peak_deg;
-    const std::string dead_band = std::isfinite(width) ? fmt::format("exact dead-band {:.1f} deg at peak torque", width)
+    const double change = row.result.worst_dead_band_change;
+    const std::string exported = std::isfinite(change) ? fmt::format(", of the files' joints within {:.3f} % of it", 100.0 * change) : "";
+    const std::string dead_band = std::isfinite(width) ? fmt::format("exact dead-band {:.1f} deg at peak torque", width) + exported
                                                        : "the springs do not cover the dead-band at peak torque";
     return fmt::format("{}/  worst arm error {:.4f} %, {}, {} rules passed, {} to review", row.result.folder.string(),
                        100.0 * row.result.worst_arm_error, dead_band, count(core::Severity::kPass), count(core::Severity::kReview));

@@ -13,7 +13,10 @@
 
 #include "fusee/brep/brep.h"
 #include "fusee/brep/measure.h"
+#include "fusee/brep/mirror.h"
+#include "fusee/cam/mirror.h"
 #include "fusee/core/units.h"
+#include "fusee/solid/mirror.h"
 #include "hub.h"
 
 namespace fusee::brep {
@@ -53,6 +56,10 @@ TopoDS_Shape without(const TopoDS_Shape& body, const std::vector<solid::Cutter>&
 }  // namespace
 
 core::Outcome<Brep> build(const solid::Part& part) {
+    if (cam::left_handed(part.cam)) {  // its strips run from the low end of psi upwards
+        const auto right = build(solid::mirrored(part));
+        return right ? mirrored(*right) : right;
+    }
     const Side side = side_of(part);
     const TopoDS_Shape body = sewn(side, part.options.hub);
     const std::vector<solid::Cutter> cutters = solid::make_cutters(part);

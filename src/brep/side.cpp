@@ -8,6 +8,7 @@
 #include <gce_MakeCirc.hxx>
 #include <gp_Circ.hxx>
 
+#include "fusee/core/turn.h"
 #include "fusee/solid/columns.h"
 #include "fusee/solid/outline.h"
 #include "strip.h"
@@ -16,16 +17,16 @@ namespace fusee::brep {
 
 namespace {
 
+using core::kTurn;
 using core::mm_from_m;
 using solid::Vec3;
 
-constexpr double kTurn = 2.0 * core::kPi;
 constexpr int kArcs = 2;  // across the groove's floor
 
 /// The groove's section as rails: lips, flanks and the floor's arc.
 class Section {
 public:
-    explicit Section(const solid::Part& part) : cam_(part.cam), lip_(part.section.back()) {
+    explicit Section(const solid::Part& part) : cam_(part.cam), lip_(part.section.back()), flat_(part.cam.has_roller()) {
         const solid::GrooveOptions& groove = part.options.groove;
         half_cable_ = 0.5 * mm_from_m(cam_.options.cable_diameter);
         radius_ = 2.0 * half_cable_ * groove.radius_ratio;
@@ -33,6 +34,7 @@ public:
     }
     [[nodiscard]] Rail lower_lip() const { return at(lip_.offset_mm, -lip_.z_mm); }
     [[nodiscard]] Rail upper_lip() const { return at(lip_.offset_mm, lip_.z_mm); }
+    [[nodiscard]] bool flat() const { return flat_; }  ///< a rim for a roller, without a groove
     [[nodiscard]] double half_arc() const { return sweep_ / kArcs; }
     /// Ends of the arcs and, between them, the corners of their tangents.
     [[nodiscard]] std::vector<Rail> floor() const {
@@ -54,10 +56,12 @@ private:
     }
     const cam::Cam& cam_;
     solid::SectionPoint lip_;
+    bool flat_;
     double half_cable_ = 0.0, radius_ = 0.0, sweep_ = 0.0;
 };
 
 void add_groove(std::vector<Strip>& strips, const Section& section) {
+    if (section.flat()) return strips.push_back(ruled(section.lower_lip(), section.upper_lip()));
     const std::vector<Rail> floor = section.floor();
     strips.push_back(ruled(section.lower_lip(), floor.front()));
     strips.push_back(arcs(floor, section.half_arc()));

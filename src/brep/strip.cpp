@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fusee/core/turn.h"
+
 namespace fusee::brep {
 
 namespace {
@@ -42,9 +44,8 @@ std::vector<core::Range> parted(core::Range psi, const std::vector<double>& plac
 std::vector<core::Range> smooth_parts(const cam::Cam& cam) {
     const core::Range groove = cam.groove_psi, working = cam.working_psi;
     if (!cam.closed()) return parted(groove, {working.low, working.high});
-    constexpr double kTurn = 2.0 * core::kPi;
-    const auto within = [&](double psi) { return psi - kTurn * std::floor((psi - groove.low) / kTurn); };
-    return parted({groove.low, groove.low + kTurn}, {within(working.low), within(working.high)});
+    return parted({groove.low, groove.low + core::kTurn},
+                  {core::within_turn(working.low, groove.low), core::within_turn(working.high, groove.low)});
 }
 
 gp_Pnt point(const solid::Vec3& p) { return {p[0], p[1], p[2]}; }

@@ -40,6 +40,7 @@ ArmFunction::ArmFunction(PartKind kind, spring::SpringLawPtr law, spring::BaseSp
     core::require_within(part + ".spring.preload", base_.preload, 0.0, 1e6);
     core::require_positive("rig.capstan_radius", capstan_radius_, "m");
     core::require_within(part + ".radius_allowance", allowance_.radius, -1.0, 1.0, "m");
+    core::require_within("compensation.cable_axis", allowance_.cable_axis, -1.0, 1.0, "m");
     if (kind_ != PartKind::kSeries) return;
     require_softer(*law_, allowance_.series_compliance);
     least_series_torque_ = law_->at_load(law_->loads().low).f_se;
@@ -83,8 +84,16 @@ Arm ArmFunction::arm_of(const Point& law) const {
         a.slope = (p.p - base_.rate * a.arm * a.arm) / a.tension;
         a.bend = (p.p_slope - 3.0 * base_.rate * a.arm * a.slope) / a.tension;
     }
-    a.arm -= allowance_.radius;
+    a.travel = a.state - base_.preload;
+    a.arm -= allowance_.on_arms();
+    if (lean_) lean_->lay_flat(a);
     return a;
+}
+
+ArmFunction ArmFunction::leaning(const Lean& lean) const {
+    ArmFunction other = *this;
+    other.lean_ = lean;
+    return other;
 }
 
 ArmPoint ArmFunction::at_load(double tau) const {

@@ -5,15 +5,19 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 
 #include "contour.h"
 #include "fusee/cam/certificate.h"
 #include "fusee/cam/contact.h"
 #include "fusee/cam/idle_arc.h"
+#include "fusee/cam/mirror.h"
 #include "fusee/cam/path.h"
 #include "fusee/core/error.h"
+#include "fusee/core/turn.h"
 #include "refusal.h"
-#include "solve.h"
+#include "roller_limits.h"
+#include "scan.h"
 
 namespace fusee::cam {
 
@@ -27,7 +31,10 @@ void validate(const ArmFunction& arm, const CamOptions& o) {
     if (o.torque_sign != 1 && o.torque_sign != -1)
         throw core::InvalidInput(part + ".torque_sign", fmt::format("{}", o.torque_sign), "1 or -1");
     core::require_within(part + ".target_rows", o.target_rows, 200, 10000);
-    core::require_positive("cable.diameter_mm", core::mm_from_m(o.cable_diameter), "mm");
+    if (o.family == Family::kRoller)
+        validate_roller(arm.kind(), o);
+    else
+        core::require_positive("cable.diameter_mm", core::mm_from_m(o.cable_diameter), "mm");
     core::require_within(part + ".path.margin_deg", core::deg_from_rad(o.path.margin), 2.8, 172.0, "deg");
     if (o.guide.kind != GuideKind::kParallel) core::require_positive(part + ".guide.distance_mm", core::mm_from_m(o.guide.distance), "mm");
     if (o.guide.kind == GuideKind::kIdler) core::require_positive(part + ".guide.radius_mm", core::mm_from_m(o.guide.radius), "mm");
@@ -35,21 +42,27 @@ void validate(const ArmFunction& arm, const CamOptions& o) {
     if (o.path.lead == Lead::kConstantPitch) core::require_positive(part + ".path.pitch_mm", core::mm_from_m(o.path.pitch), "mm");
     if (o.path.lead == Lead::kAimedAtGuide && o.guide.kind == GuideKind::kParallel)
         throw core::InvalidInput(part + ".path.lead", "aimed", "constant_pitch with a parallel guide: there is no point to aim at");
+    if (o.path.lead == Lead::kAimedAtGuide && o.path.hand == Hand::kLeft)
+        throw core::InvalidInput(part + ".path.hand", "left", "right with lead aimed: the groove climbs to its guide, up or down");
 }
 
-/// Working positions evenly spaced in cam angle.
-std::vector<Contact> working_rows(const ArmFunction& arm, const CamOptions& options, const std::vector<Contact>& scanned,
-                                  const Height& height) {
+/// What a cam of these arms is made from, or the first thing wrong with its contacts.
+core::Outcome<std::vector<Contact>> sound_contacts(const ArmFunction& arm, const CamOptions& options) {
+    std::vector<Contact> contacts = scan_contacts(arm, options, kScan);
+    if (core::Findings findings = check_contacts(arm, options, contacts); !findings.empty()) return findings;
+    return contacts;
+}
+
+/// Working positions evenly spaced in cam angle: what is asked, and where the cable touches for it. @param flat the arms in the plane
+std::vector<Contact> working_rows(const ArmFunction& asked, const ArmFunction& flat, const CamOptions& options,
+                                  const std::vector<Contact>& scanned, const Height& height) {
     std::vector<Contact> rows;
     const double last = scanned.back().arm.angle;
     for (int i = 0; i < options.target_rows; ++i) {
-        const double angle = last * i / (options.target_rows - 1);
-        const auto after =
-            std::upper_bound(scanned.begin() + 1, scanned.end() - 1, angle, [](double v, const Contact& c) { return v < c.arm.angle; });
-        const double tau = solve_between([&](double t) { return arm.at_load(t).angle - angle; }, (after - 1)->arm.tau, after->arm.tau);
-        Contact row = touch(arm.kind(), arm.at_load(tau), options);
+        Contact row = contact_at(flat, options, scanned, last * i / (options.target_rows - 1));
+        row.arm = asked.at_load(row.arm.tau);
         row.path.z = height.at(row.path.psi);
-        if (options.guide.kind != GuideKind::kParallel) row.fleet = std::atan2(options.guide.z - row.path.z, row.span);
+        row.fleet = fleet_of(row, options.guide);
         rows.push_back(row);
     }
     return rows;
@@ -67,19 +80,22 @@ core::Findings named(core::Findings findings, PartKind kind) {
 }
 
 /// The arc that closes a planar contour.
-core::Outcome<IdleArc> idle_arc(PartKind kind, const WorkingArc& arc, const CamOptions& options, double least_arm) {
+core::Outcome<IdleArc> idle_arc(const ArmFunction& arm, const WorkingArc& arc, const CamOptions& options, double least_h) {
     const core::Range psi = arc.psi();
-    auto idle = IdleArc::close(state_of(arc.at(psi.high)), state_of(arc.at(psi.low)), 2.0 * core::kPi - psi.width(),
-                               {options.path.min_idle_curvature_radius, kIdleDistance * least_arm});
-    if (!idle) return named(idle.refusal(), kind);
-    return idle;
+    auto idle = IdleArc::close(state_of(arc.at(psi.high)), state_of(arc.at(psi.low)), core::kTurn - psi.width(),
+                               {options.path.min_idle_curvature_radius, kIdleDistance * least_h});
+    if (idle) return idle;
+    core::Findings findings = named(idle.refusal(), arm.kind());
+    if (options.family != Family::kRoller) return findings;
+    const std::string wider = wider_base(arm, options);
+    findings.front().suggestion = wider.empty() ? "a law that ends sooner (law.end_torque_Nm): no base radius closes this rim" : wider;
+    return findings;
 }
 
 /// Planar: the working arc and the idle arc that closes it.
 std::function<PathPoint(double)> closed_path(const std::shared_ptr<const WorkingArc>& arc, const IdleArc& closing) {
     return [arc, psi = arc->psi(), closing](double angle) -> PathPoint {
-        const double turn = 2.0 * core::kPi;
-        const double inside = angle - turn * std::floor((angle - psi.low) / turn);
+        const double inside = core::within_turn(angle, psi.low);
         PathPoint point;
         if (inside <= psi.high) {
             point = arc->at(inside);
@@ -95,9 +111,9 @@ std::function<PathPoint(double)> closed_path(const std::shared_ptr<const Working
 /// The working arc, the margin to the anchor and some groove beyond it. Never close to whole turns: begin and end of the groove would make
 /// slivers.
 core::Range open_groove(const core::Range& working, double margin) {
-    constexpr double kBeyondAnchor = 1.6, kTurn = 2.0 * core::kPi, kApart = 0.05;
+    constexpr double kBeyondAnchor = 1.6, kApart = 0.05;
     core::Range groove{working.low - kBeyondAnchor * margin, working.high + kBeyondAnchor * margin};
-    const double from_whole = std::remainder(groove.width(), kTurn);
+    const double from_whole = std::remainder(groove.width(), core::kTurn);
     if (std::abs(from_whole) < kApart) groove.high += kApart - from_whole;
     return groove;
 }
@@ -126,15 +142,40 @@ void lay_open(Cam& cam, const ArmFunction& arm, const std::shared_ptr<const Work
     };
 }
 
+/// Planar: the working arc and the idle arc that closes it. Refusal: none does.
+core::Outcome<Cam> closed(Cam cam, const ArmFunction& arm, const std::shared_ptr<const WorkingArc>& arc, const Height& height,
+                          const std::vector<Contact>& scanned) {
+    const auto least =
+        std::min_element(scanned.begin(), scanned.end(), [](const Contact& a, const Contact& b) { return a.path.h < b.path.h; });
+    const auto idle = idle_arc(arm, *arc, cam.options, least->path.h);
+    if (!idle) return idle.refusal();
+    cam.path = closed_path(arc, *idle);
+    cam.stretches = [arm, options = cam.options, height, closing = *idle, begin = cam.working_psi.high] {
+        return joined(working_stretches(arm, options, height), {idle_stretches(closing, begin)});
+    };
+    cam.groove_psi = {cam.working_psi.low, cam.working_psi.low + core::kTurn};
+    if (cam.anchor_psi < cam.groove_psi.low) cam.anchor_psi += core::kTurn;
+    return cam;
+}
+
 }  // namespace
 
 double PathPoint::x() const { return h * std::cos(psi) - slope * std::sin(psi); }
 double PathPoint::y() const { return h * std::sin(psi) + slope * std::cos(psi); }
 
-core::Outcome<Cam> synthesize_cam(const ArmFunction& arm, const CamOptions& options) {
-    validate(arm, options);
-    const std::vector<Contact> scanned = scan_contacts(arm, options, kScan);
-    if (core::Findings findings = check_contacts(arm, options, scanned); !findings.empty()) return findings;
+core::Outcome<Cam> synthesize_cam(const ArmFunction& asked, const CamOptions& options) {
+    validate(asked, options);
+    if (options.path.kind == PathKind::kHelix && options.path.hand == Hand::kLeft) {  // every formula climbs with psi
+        const auto right = synthesize_cam(asked, mirrored(options));
+        return right ? core::Outcome<Cam>(mirrored(*right)) : right;
+    }
+    const auto upright = sound_contacts(asked, options);
+    if (!upright) return upright.refusal();
+    const std::optional<ArmFunction> flat = in_plane(asked, options, *upright);
+    const auto leaning = flat ? sound_contacts(*flat, options) : upright;
+    if (!leaning) return leaning.refusal();
+    const ArmFunction& arm = flat ? *flat : asked;
+    const std::vector<Contact>& scanned = *leaning;
     const auto arc = std::make_shared<const WorkingArc>(arm, options, scanned);
     const Height height(options, scanned);
     Cam cam;
@@ -143,7 +184,7 @@ core::Outcome<Cam> synthesize_cam(const ArmFunction& arm, const CamOptions& opti
     cam.rotation_sign = rotation_sign(arm.kind(), options.torque_sign);
     cam.working_psi = arc->psi();
     if (core::Findings findings = check_wrap(arm, cam, scanned.back().arm.angle); !findings.empty()) return findings;
-    cam.working = working_rows(arm, options, scanned, height);
+    cam.working = working_rows(asked, arm, options, scanned, height);
     const double margin = options.path.margin, wound = options.torque_sign > 0 ? cam.working_psi.low : cam.working_psi.high;
     cam.anchor_psi = wound - options.torque_sign * margin;
     if (!cam.closed()) {
@@ -151,17 +192,7 @@ core::Outcome<Cam> synthesize_cam(const ArmFunction& arm, const CamOptions& opti
         lay_open(cam, arm, arc, height);
         return cam;
     }
-    const auto least =
-        std::min_element(scanned.begin(), scanned.end(), [](const Contact& a, const Contact& b) { return a.arm.arm < b.arm.arm; });
-    const auto idle = idle_arc(arm.kind(), *arc, options, least->arm.arm);
-    if (!idle) return idle.refusal();
-    cam.path = closed_path(arc, *idle);
-    cam.stretches = [arm, options, height, closing = *idle, begin = cam.working_psi.high] {
-        return joined(working_stretches(arm, options, height), {idle_stretches(closing, begin)});
-    };
-    cam.groove_psi = {cam.working_psi.low, cam.working_psi.low + 2.0 * core::kPi};
-    if (cam.anchor_psi < cam.groove_psi.low) cam.anchor_psi += 2.0 * core::kPi;
-    return cam;
+    return closed(std::move(cam), arm, arc, height, scanned);
 }
 
 }  // namespace fusee::cam

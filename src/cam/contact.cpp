@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "fusee/cam/enclosure.h"
+#include "rolled.h"
 
 namespace fusee::cam {
 
@@ -53,13 +54,14 @@ int winding_sign(PartKind kind) { return kind == PartKind::kParallel ? 1 : -1; }
 int rotation_sign(PartKind kind, int torque_sign) { return kind == PartKind::kSeries ? torque_sign : -torque_sign; }
 
 double guide_reach(PartKind kind, const ArmPoint& arm, const CamOptions& options) {
-    if (options.guide.kind == GuideKind::kParallel) return std::numeric_limits<double>::infinity();
+    if (options.family == Family::kRoller || options.guide.kind == GuideKind::kParallel) return std::numeric_limits<double>::infinity();
     const double c = offset_arm(arm.arm, options), distance = options.guide.distance;
     if (std::abs(c) >= distance) return distance - std::abs(c);
     return std::min(distance - std::abs(c), std::sqrt(distance * distance - c * c) + winding_sign(kind) * arm.slope);
 }
 
 Contact touch(PartKind kind, const ArmPoint& arm, const CamOptions& options) {
+    if (options.family == Family::kRoller) return rolled<Contact>(arm, options);
     Contact contact = touched<Contact>(kind, arm, options);
     if (guide_reach(kind, arm, options) <= 0.0) contact.path.rho = std::numeric_limits<double>::quiet_NaN();
     return contact;
@@ -67,6 +69,7 @@ Contact touch(PartKind kind, const ArmPoint& arm, const CamOptions& options) {
 
 // Boxes that reach beyond the guide have already lost their bounds to the square root.
 ContactJet touch(PartKind kind, const ArmJet& arm, const CamOptions& options) {
+    if (options.family == Family::kRoller) return rolled<ContactJet>(arm, options);
     ContactJet contact = touched<ContactJet>(kind, arm, options);
     if (options.guide.kind != GuideKind::kParallel && !(contact.span.value.lower() > 0.0)) contact.path.rho = math::Jet::anything();
     return contact;

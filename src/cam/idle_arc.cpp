@@ -144,11 +144,12 @@ double IdleArc::least_h() const {
     return std::min_element(knots_.begin(), knots_.end(), [](const Knot& a, const Knot& b) { return a.state.h < b.state.h; })->state.h;
 }
 
-IdleArc IdleArc::run_out(const SupportState& begin, double width, double final_rho) {
-    const double first = run_out_angle(begin.rho, width);
+IdleArc IdleArc::run_out(const SupportState& begin, double width, double final_rho, double ease) {
+    const double wanted = std::max(ease, run_out_angle(begin.rho, width)), first = std::min(wanted, 0.9 * width);
+    const double last_rho = std::lerp(begin.rho, final_rho, first / wanted);
     IdleArc arc;
-    arc.knots_ = {{0.0, begin}, {first, advance(begin, final_rho, first, first)}};
-    arc.knots_.push_back({width, advance(arc.knots_.back().state, final_rho, width - first, width - first)});
+    arc.knots_ = {{0.0, begin}, {first, advance(begin, last_rho, first, first)}};
+    arc.knots_.push_back({width, advance(arc.knots_.back().state, last_rho, width - first, width - first)});
     return arc;
 }
 

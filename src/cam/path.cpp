@@ -92,13 +92,26 @@ Height::Climb Height::over(const math::Interval& psi) const {
     return *all;
 }
 
+namespace {
+
+constexpr double kMostTwist = 0.35;  // of a run-out's groove: leaves 1/sqrt(1 + 0.35^2) = 94 % of its least radius in the plane
+
+/// Angle over which a constant pitch lets the radius run out: it turns the groove's direction by climb rho'/rho^2 a radian of arc.
+double easing(const PathPoint& end, double climb, Lead lead) {
+    if (lead == Lead::kAimedAtGuide) return 0.0;
+    const double least = std::min(end.rho, end.h);
+    return std::abs(climb * (end.h - end.rho)) / (kMostTwist * least * least);
+}
+
+}  // namespace
+
 // Below the low end the arc is walked backwards: with -psi for psi, h' changes its sign.
 RunOut::RunOut(const PathPoint& end, int direction, double width, double climb, Lead lead)
     : end_(end),
       direction_(direction),
       climb_(climb),
       lead_(lead),
-      arc_(IdleArc::run_out({end.h, direction * end.slope, end.rho}, width, end.h)) {}
+      arc_(IdleArc::run_out({end.h, direction * end.slope, end.rho}, width, end.h, easing(end, climb, lead))) {}
 
 Height::Climb RunOut::over(const math::Jet& rho) const {
     if (lead_ == Lead::kConstantPitch) return {climb_, 0.0};

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "fusee/cam/contact.h"
+#include "roller_limits.h"
 #include "solve.h"
 
 namespace fusee::cam {
@@ -16,7 +17,6 @@ namespace fusee::cam {
 namespace {
 
 constexpr core::Range kArms{1e-4, 1.0};  // [m] arms, and how far from the axis the cable touches: beyond is a mistake in the profile
-constexpr double kLeastIdleArc = 0.2;    // [rad] of normals that a planar contour needs to close
 constexpr double kLongestHelix = 20.0 * 2.0 * core::kPi;  // [rad] more turns than any cable drum of this kind has
 constexpr double kWorthwhile = 1.2;                       // a law that ends sooner, as a ratio of its loads, is none
 constexpr double kInside = 1e-3;                          // share by which a suggested value lies inside its limit
@@ -112,15 +112,6 @@ core::Finding arm_beyond(const ArmFunction& arm, const CamOptions& options, cons
 
 }  // namespace
 
-std::vector<Contact> scan_contacts(const ArmFunction& arm, const CamOptions& options, std::size_t count) {
-    std::vector<Contact> contacts;
-    const core::Range loads = arm.law().loads();
-    for (std::size_t i = 0; i < count; ++i)
-        contacts.push_back(
-            touch(arm.kind(), arm.at_load(loads.low + loads.width() * static_cast<double>(i) / static_cast<double>(count - 1)), options));
-    return contacts;
-}
-
 core::Findings check_contacts(const ArmFunction& arm, const CamOptions& options, const std::vector<Contact>& contacts) {
     // How far beyond the sane arms, in proportion; infinite arms are the worst.
     const auto misfit = [](const Contact& c) {
@@ -146,7 +137,8 @@ core::Findings check_contacts(const ArmFunction& arm, const CamOptions& options,
     if (convex(*sharpest)) return {};
     core::Finding f = broken(arm, "cam.convexity", "no convex contour has this arm: its radius of curvature would not be above 0",
                              *sharpest, core::mm_from_m(sharpest->path.rho), 0.0);
-    f.suggestion = joined(earlier_end(arm, options, contacts, convex), other_spring(arm, options));
+    const bool roller = options.family == Family::kRoller;
+    f.suggestion = joined(earlier_end(arm, options, contacts, convex), roller ? wider_base(arm, options) : other_spring(arm, options));
     return {f};
 }
 
@@ -163,7 +155,8 @@ core::Findings check_wrap(const ArmFunction& arm, const Cam& cam, double travel)
     const core::Range loads = arm.law().loads();
     const double end = solve_between([&](double tau) { return arm.at_load(tau).angle - angle; }, loads.low, loads.high);
     f.suggestion = fmt::format("law.end_torque_Nm = {:.4g}", end);
-    if (cam.closed()) f.suggestion = fmt::format("{}.path.kind = \"helix\", or {}", to_string(arm.kind()), f.suggestion);
+    if (cam.closed() && !cam.has_roller())
+        f.suggestion = fmt::format("{}.path.kind = \"helix\", or {}", to_string(arm.kind()), f.suggestion);
     f.source = cam.closed() ? "geometry: one turn less the idle arc" : "docs/theory/cams.md: arms and law of one size";
     return {f};
 }

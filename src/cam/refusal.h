@@ -6,8 +6,7 @@
 /// What stands in the way of a cam, and the nearest change of law or base spring that clears it.
 namespace fusee::cam {
 
-/// `count` contacts, evenly spaced in load.
-[[nodiscard]] std::vector<Contact> scan_contacts(const ArmFunction& arm, const CamOptions& options, std::size_t count);
+inline constexpr double kLeastIdleArc = 0.2;  ///< [rad] of normals that a planar contour needs to close
 
 /// "cam.arm", "cam.guide" or "cam.convexity": the first that some contact breaks; none if a cam can be made of them.
 [[nodiscard]] core::Findings check_contacts(const ArmFunction& arm, const CamOptions& options, const std::vector<Contact>& contacts);

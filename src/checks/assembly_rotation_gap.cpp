@@ -22,8 +22,12 @@ core::Findings run(const Design& design, const Allowed& allowed) {
 }  // namespace
 
 Rule assembly_rotation_gap() {
-    return {"assembly.rotation_gap", "parts that touch as they turn", "gap between the circle that lips and flanges sweep and the guide",
-            "1 mm (practice)",       {review(kAtLeast, "mm", 1.0)},   run};
+    return {"assembly.rotation_gap",
+            "a part that touches its guide as it turns",
+            "gap between the circle that lips and flanges sweep and the guide",
+            "1 mm (practice)",
+            {review(kAtLeast, "mm", 1.0)},
+            run};
 }
 
 }  // namespace fusee::checks

@@ -17,7 +17,9 @@ core::Findings run(const Design& design, const Allowed& allowed) {
     const auto angle = [&cam](const cam::Contact& c) { return std::abs(std::atan(groove_slope(cam, c)) - c.fleet); };
     const cam::Contact& worst = worst_contact(cam, angle);
     core::Finding f = judge(core::deg_from_rad(angle(worst)), {allowed("review")});
-    f.what = "angle between the free cable and the groove that it leaves: it rubs on a flank";
+    f.what = fmt::format(
+        "angle between the free cable and the groove that it leaves: it rubs on a flank, where {:.2g} % of the torque may be lost or won",
+        100.0 * (1.0 - std::cos(angle(worst))) * worst.path.rho / worst.path.h);
     f.where = where(design, worst.path.psi);
     f.place = place(worst.path, 0.0);
     if (cam.options.path.lead == cam::Lead::kConstantPitch)

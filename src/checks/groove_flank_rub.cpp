@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fusee/core/units.h"
+#include "fusee/solid/stack.h"
 #include "measure.h"
 #include "rules.h"
 #include "shape.h"
@@ -25,7 +26,9 @@ double half_width(const Design& design, double throat) {
 core::Findings run(const Design& design, const Allowed& allowed) {
     const cam::Cam& cam = design.part.cam;
     if (cam.working.size() < 2 || design.part.section.empty()) return {};
-    const double half = 0.5 * groove_width(design.part), lip = lip_offset(design.part), radius = 0.5 * design.cable.diameter;
+    const bool stacked = is_stacked(design) && cam.closed();  // else stack.climb
+    const double half = 0.5 * (stacked ? solid::core_thickness(design.part) : groove_width(design.part)), lip = lip_offset(design.part),
+                 radius = 0.5 * design.cable.diameter;
     // On a floor of radius rho the cable passes the lips sqrt((rho + lip)^2 - rho^2) behind its contact.
     const auto aside = [&](const cam::Contact& c) {
         const double slope = cam.closed() ? 0.0 : groove_slope(cam, c), past = std::sqrt(std::max(0.0, lip) * (2.0 * c.path.rho + lip));
@@ -36,8 +39,10 @@ core::Findings run(const Design& design, const Allowed& allowed) {
     f.what = fmt::format("room between a lip and the cable, which has moved {:.3f} mm aside there", core::mm_from_m(aside(worst)));
     f.where = where(design, worst.path.psi);
     f.place = place(worst.path, lip);
-    double throat = core::deg_from_rad(design.part.options.groove.throat);
     const double needed = half + core::m_from_mm(f.allowed - f.measured);
+    f.suggestion = fmt::format("groove.plate_mm = {}", up(core::mm_from_m(2.0 * needed)));
+    if (stacked) return {f};
+    double throat = core::deg_from_rad(design.part.options.groove.throat);
     while (throat < kWidest && half_width(design, core::rad_from_deg(throat)) < needed) throat += 1.0;
     f.suggestion = fmt::format("groove.throat_deg = {:.0f}", std::min(std::ceil(throat), kWidest));
     return {f};

@@ -16,6 +16,7 @@ constexpr double kNarrow = 35.0, kWide = 45.0, kFleeted = 60.0;  // [deg]
 constexpr double kSmallFleet = 1.5;                              // [deg]
 
 core::Findings run(const Design& design, const Allowed& allowed) {
+    if (is_stacked(design)) return {};  // plates stand square
     double fleet = 0.0;
     for (const cam::Contact& c : design.part.cam.working) fleet = std::max(fleet, core::deg_from_rad(std::abs(c.fleet)));
     const bool fleeted = fleet > kSmallFleet;

@@ -2,74 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <cassert>
 #include <cmath>
 
 #include "fusee/core/units.h"
 
 namespace fusee::checks {
-
-namespace {
-
-constexpr double kRounding = 1e-9;
-
-core::Finding compare(double measured, const Bar& bar) {
-    core::Finding f;
-    f.allowed = bar.value();
-    f.measured = std::abs(measured - f.allowed) <= kRounding * std::abs(f.allowed) ? f.allowed : measured;
-    f.bound = bar.limit->bound;
-    f.unit = bar.limit->unit;
-    return core::judged(std::move(f), bar.limit->severity);
-}
-
-std::string three_digits(double value, double (*round)(double), double slack) {
-    if (value == 0.0 || !std::isfinite(value)) return fmt::format("{:g}", value);
-    const double step = std::pow(10.0, std::floor(std::log10(std::abs(value))) - 2.0);
-    return fmt::format("{:.10g}", round(value / step + slack) * step);
-}
-
-constexpr double kByDesign = std::numeric_limits<double>::quiet_NaN();
-
-}  // namespace
-
-Limit required(core::Bound bound, const char* unit, double value, const char* name) {
-    return {name, core::Severity::kRequired, bound, unit, value, ""};
-}
-Limit required(core::Bound bound, const char* unit, const char* by, const char* name) {
-    return {name, core::Severity::kRequired, bound, unit, kByDesign, by};
-}
-Limit review(core::Bound bound, const char* unit, double value, const char* name) {
-    return {name, core::Severity::kReview, bound, unit, value, ""};
-}
-Limit review(core::Bound bound, const char* unit, const char* by, const char* name) {
-    return {name, core::Severity::kReview, bound, unit, kByDesign, by};
-}
-
-Bar Allowed::operator()(std::string_view name, double normal) const {
-    Bar bar;
-    for (const Limit& limit : rule_.limits)
-        if (limit.name == name) bar.limit = &limit;
-    assert(bar.limit && "a rule declares what it asks for");
-    bar.normal = std::isnan(bar.limit->value) ? normal : bar.limit->value;
-    for (const Override& o : design_.overrides)
-        if (o.rule == rule_.id && o.limit == bar.limit->key()) bar.by = &o;
-    return bar;
-}
-
-std::optional<Bar> Allowed::stated(std::string_view name, double normal) const {
-    const Bar bar = (*this)(name, normal > 0.0 ? normal : kByDesign);
-    return bar.by || normal > 0.0 ? std::optional(bar) : std::nullopt;
-}
-
-core::Finding judge(double measured, std::initializer_list<Bar> bars) {
-    assert(bars.size() > 0);
-    core::Finding f;
-    for (const Bar& bar : bars)
-        if (f.severity == core::Severity::kPass) f = compare(measured, bar);
-    for (const Bar& bar : bars)
-        if (bar.by) f.overridden.push_back({bar.by->limit, bar.by->value, bar.normal, bar.limit->unit, bar.by->reason});
-    return f;
-}
 
 bool is_milled(const Design& design) { return design.process.kind == ProcessKind::kMill || design.process.kind == ProcessKind::kMill4; }
 bool is_stacked(const Design& design) { return design.process.kind == ProcessKind::kEdm || design.process.kind == ProcessKind::kLaser; }
@@ -82,8 +19,5 @@ core::Place place(const cam::PathPoint& p, double offset) {
     const double h = p.h + offset, c = std::cos(p.psi), s = std::sin(p.psi);
     return {p.psi, {core::mm_from_m(h * c - p.slope * s), core::mm_from_m(h * s + p.slope * c), core::mm_from_m(p.z)}};
 }
-
-std::string up(double value) { return three_digits(value, std::ceil, -kRounding); }
-std::string down(double value) { return three_digits(value, std::floor, kRounding); }
 
 }  // namespace fusee::checks

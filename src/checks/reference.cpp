@@ -7,7 +7,7 @@ namespace fusee::checks {
 namespace {
 
 /// "required change: `required_mm` at least the process's wall; review: `review_mm` at least 1.2 mm"
-std::string limits_text(const Rule& rule) {
+std::string limits_text(const Card& rule) {
     std::string text;
     for (const Limit& limit : rule.limits)
         text += fmt::format("{}{}: `{}` {}", text.empty() ? "" : "; ",
@@ -17,18 +17,24 @@ std::string limits_text(const Rule& rule) {
 
 }  // namespace
 
-std::string rules_reference() {
+std::string reference(const std::vector<const Card*>& cards) {
     std::string text;
     std::string_view group;
-    for (const Rule& rule : rules()) {
-        if (rule.group() != group) {
-            group = rule.group();
+    for (const Card* rule : cards) {
+        if (rule->group() != group) {
+            group = rule->group();
             text += fmt::format("{}### {}: {}\n\n| rule | guards against | measured | limits | source |\n|---|---|---|---|---|\n",
                                 text.empty() ? "" : "\n", group, group_title(group));
         }
-        text += fmt::format("| `{}` | {} | {} | {} | {} |\n", rule.id, rule.title, rule.measures, limits_text(rule), rule.source);
+        text += fmt::format("| `{}` | {} | {} | {} | {} |\n", rule->id, rule->title, rule->measures, limits_text(*rule), rule->source);
     }
     return text;
+}
+
+std::string rules_reference() {
+    std::vector<const Card*> cards;
+    for (const Rule& rule : rules()) cards.push_back(&rule);
+    return reference(cards);
 }
 
 }  // namespace fusee::checks

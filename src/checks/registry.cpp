@@ -2,6 +2,7 @@
 #include <array>
 #include <cassert>
 
+#include "family.h"
 #include "fusee/core/error.h"
 #include "rules.h"
 
@@ -20,6 +21,7 @@ constexpr std::array kGroups = {
     Group{"spring", "the base spring"},
     Group{"structure", "walls, flanges and the anchor"},
     Group{"shaft", "shaft and hub"},
+    Group{"roller", "a follower's roller on the rim"},
     Group{"process", "any process"},
     Group{"fdm", "printing filament"},
     Group{"sla", "printing resin"},
@@ -29,6 +31,7 @@ constexpr std::array kGroups = {
     Group{"stack", "plates cut by wire or laser, stacked"},
     Group{"assembly", "putting it together"},
     Group{"collision", "rules of the trade that contradict each other"},
+    Group{"mesh", "a mesh by anybody (fusee check)"},
 };
 
 void validate(const Design& design) {
@@ -39,10 +42,21 @@ void validate(const Design& design) {
         throw core::InvalidInput("spring.coil_diameter", std::to_string(spring.coil_diameter), "above the wire's diameter [m]");
 }
 
+core::Findings run_all(const Design& design, bool has_mesh) {
+    validate(design);
+    const Cable cable = cable_on(design);
+    const Design seen{design.part, design.spring, cable, design.process, design.overrides};
+    core::Findings findings;
+    for (const Rule& rule : rules())
+        if (suits(rule, seen) && (has_mesh || !rule.needs_mesh)) core::append(findings, rule.run(seen));
+    return findings;
+}
+
 }  // namespace
 
 std::span<const Rule> rules() {
     static const std::array all = {cable_bend_ratio(),
+                                   cable_space_bend(),
                                    cable_bend_strength(),
                                    cable_breaking_load(),
                                    cable_anchor_load(),
@@ -95,6 +109,11 @@ std::span<const Rule> rules() {
                                    shaft_screw(),
                                    shaft_screw_torque(),
                                    shaft_d_flat(),
+                                   roller_pressure_angle(),
+                                   roller_undercut(),
+                                   roller_contact_pressure(),
+                                   roller_rim_width(),
+                                   roller_lift_off(),
                                    process_build_volume(),
                                    process_wall(),
                                    process_hole(),
@@ -116,6 +135,7 @@ std::span<const Rule> rules() {
                                    mill4_swing(),
                                    stack_wire(),
                                    stack_kerf(),
+                                   stack_groove_width(),
                                    stack_plate(),
                                    stack_hole(),
                                    stack_dowels(),
@@ -144,19 +164,8 @@ const char* group_title(std::string_view group) {
     return found->title;
 }
 
-core::Findings check(const Design& design) {
-    validate(design);
-    core::Findings findings;
-    for (const Rule& rule : rules()) core::append(findings, rule.run(design));
-    return findings;
-}
+core::Findings check(const Design& design) { return run_all(design, true); }
 
-core::Findings check_without_mesh(const Design& design) {
-    validate(design);
-    core::Findings findings;
-    for (const Rule& rule : rules())
-        if (!rule.needs_mesh) core::append(findings, rule.run(design));
-    return findings;
-}
+core::Findings check_without_mesh(const Design& design) { return run_all(design, false); }
 
 }  // namespace fusee::checks

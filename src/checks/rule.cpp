@@ -36,31 +36,33 @@ std::string Limit::text() const {
     return fmt::format("{} {}", bound == kAtLeast ? "at least" : "at most", std::isnan(value) ? by : with_unit(value, unit));
 }
 
-std::string_view Rule::group() const {
+std::string_view Card::group() const {
     const std::string_view whole = id;
     return whole.substr(0, whole.find('.'));
 }
 
-core::Severity Rule::severity() const {
+core::Severity Card::severity() const {
     core::Severity gravest = core::Severity::kPass;
     for (const Limit& l : limits) gravest = std::max(gravest, l.severity);
     return gravest;
 }
 
-const Limit* Rule::limit(std::string_view key) const {
+const Limit* Card::limit(std::string_view key) const {
     const auto found = std::find_if(limits.begin(), limits.end(), [key](const Limit& l) { return l.key() == key; });
     return found == limits.end() ? nullptr : &*found;
 }
 
+void complete(core::Finding& f, const Card& rule, const std::string& where) {
+    f.rule = rule.id;
+    if (f.where.empty()) f.where = where;
+    if (f.source.empty()) f.source = rule.source;
+    if (f.severity == core::Severity::kPass) f.suggestion.clear();
+    for (const core::OverriddenLimit& o : f.overridden) f.what += said(o);
+}
+
 core::Findings Rule::run(const Design& design) const {
-    core::Findings findings = measure(design, Allowed(*this, design));
-    for (core::Finding& f : findings) {
-        f.rule = id;
-        if (f.where.empty()) f.where = name(design);
-        if (f.source.empty()) f.source = source;
-        if (f.severity == core::Severity::kPass) f.suggestion.clear();
-        for (const core::OverriddenLimit& o : f.overridden) f.what += said(o);
-    }
+    core::Findings findings = measure(design, Allowed(*this, design.overrides));
+    for (core::Finding& f : findings) complete(f, *this, name(design));
     return findings;
 }
 

@@ -5,6 +5,7 @@
 namespace fusee::checks {
 
 Rule cable_bend_ratio();
+Rule cable_space_bend();
 Rule cable_bend_strength();
 Rule cable_breaking_load();
 Rule cable_anchor_load();
@@ -57,6 +58,11 @@ Rule shaft_key_pressure();
 Rule shaft_screw();
 Rule shaft_screw_torque();
 Rule shaft_d_flat();
+Rule roller_pressure_angle();
+Rule roller_undercut();
+Rule roller_contact_pressure();
+Rule roller_rim_width();
+Rule roller_lift_off();
 Rule process_build_volume();
 Rule process_wall();
 Rule process_hole();
@@ -78,6 +84,7 @@ Rule mill4_reach();
 Rule mill4_swing();
 Rule stack_wire();
 Rule stack_kerf();
+Rule stack_groove_width();
 Rule stack_plate();
 Rule stack_hole();
 Rule stack_dowels();

@@ -175,8 +175,6 @@ std::optional<double> guide_gap(const solid::Part& part) {
     return guide.distance - idler - 0.5 * part.cam.options.cable_diameter - swept_radius(part, farthest(part, path));
 }
 
-double groove_plate(const solid::Part& part) { return 2.0 * part.options.groove.radius_ratio * part.cam.options.cable_diameter; }
-
 double groove_width(const solid::Part& part) {
     const auto [low, high] =
         std::minmax_element(part.section.begin(), part.section.end(), [](const auto& a, const auto& b) { return a.z_mm < b.z_mm; });

@@ -83,8 +83,6 @@ double half_width_at_cable(const solid::Part& part);
 
 /// From the circle swept by lips and flanges to the guide that has a place, less half a cable [m]; below 0 they strike.
 std::optional<double> guide_gap(const solid::Part& part);
-/// Thickness of the plate that carries the groove's floor in a stack: two floor radii [m].
-double groove_plate(const solid::Part& part);
 
 /// The groove's section [m]: width between the lips, height of the lips above the floor, lips from the cable's centreline.
 /// @pre part.section holds at least two points

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "fusee/core/units.h"
+#include "fusee/solid/stack.h"
 #include "measure.h"
 #include "rules.h"
 #include "shape.h"
@@ -16,7 +17,7 @@ core::Findings run(const Design& design, const Allowed& allowed) {
     if (!is_stacked(design)) return {};
     const std::vector<Hole> all = holes(design.part);
     const Hole least = *std::min_element(all.begin(), all.end(), [](const Hole& a, const Hole& b) { return a.diameter < b.diameter; });
-    const double thickest = std::max(design.part.options.groove.rib, groove_plate(design.part));
+    const double thickest = std::max(design.part.options.groove.rib, solid::core_thickness(design.part));
     core::Finding f = judge(least.diameter / thickest, {allowed("review")});
     f.what = fmt::format("diameter of the smallest hole over the thickest plate, {:.2f} mm: {}", core::mm_from_m(thickest), least.what);
     f.suggestion = fmt::format("{}.{} = {}", name(design), least.key, up(core::mm_from_m(f.allowed * thickest)));

@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "fusee/core/units.h"
+#include "fusee/solid/stack.h"
 #include "measure.h"
 #include "rules.h"
-#include "shape.h"
 
 namespace fusee::checks {
 
@@ -13,12 +13,12 @@ namespace {
 
 core::Findings run(const Design& design, const Allowed& allowed) {
     if (!is_stacked(design)) return {};
-    const double flange = design.part.options.groove.rib, middle = groove_plate(design.part);
+    const double flange = design.part.options.groove.rib, middle = solid::core_thickness(design.part);
     core::Finding f = judge(core::mm_from_m(std::min(flange, middle)), {allowed("review")});
-    f.what = fmt::format("thinnest plate: {}", flange < middle ? "flange" : "the groove's, as thick as two floor radii");
-    f.suggestion = flange < middle
-                       ? fmt::format("groove.rib_mm = {}", up(f.allowed))
-                       : fmt::format("cable.diameter_mm = {}", up(core::mm_from_m(design.cable.diameter) * f.allowed / f.measured));
+    f.what = fmt::format("thinnest plate: {}", flange < middle ? "flange" : "the groove's");
+    f.suggestion = flange < middle ? fmt::format("groove.rib_mm = {}", up(f.allowed))
+                                   : fmt::format("groove.plate_mm = {}, or cable.diameter_mm = {}", up(f.allowed),
+                                                 up(core::mm_from_m(design.cable.diameter) * f.allowed / f.measured));
     return {f};
 }
 

@@ -64,8 +64,8 @@ core::Findings run(const Design& design, const Allowed& allowed) {
     // Move it if the other side has the room, else shorten it by what both sides lack.
     f.suggestion = room >= 0.0 ? fmt::format("{}.features.leg_slot_radius_mm = {:.3f}", name(design),
                                              core::mm_from_m(features.leg_slot_radius + (inwards ? lacking : -lacking)))
-                               : fmt::format("{}.features.leg_slot_length_mm = {:.3f}, its middle at {:.3f} mm", name(design),
-                                             core::mm_from_m(features.leg_slot_length + room),
+                               : fmt::format("{0}.features.leg_slot_length_mm = {1:.3f} with {0}.features.leg_slot_radius_mm = {2:.3f}",
+                                             name(design), core::mm_from_m(features.leg_slot_length + room),
                                              core::mm_from_m(features.leg_slot_radius + 0.5 * (w.outer - w.inner)));
     return {f};
 }

@@ -14,9 +14,9 @@
 #include "fusee/core/units.h"
 #include "fusee/design/evolution.h"
 #include "fusee/pipeline/design.h"
+#include "fusee/pipeline/verify.h"
 #include "fusee/report/search.h"
 #include "verdict.h"
-#include "verify.h"
 
 namespace fs = std::filesystem;
 
@@ -150,7 +150,7 @@ RunResult run_co_design(const profile::Profile& profile, const RunOptions& optio
         return result;
     }
     best = renamed(std::move(best), "-best");
-    const pipeline::MakeResult made = make_to_verify(best);
+    const pipeline::MakeResult made = pipeline::make_to_verify(best);
     for (const core::Finding& f : made.findings)
         if (f.severity != core::Severity::kPass) result.findings.push_back(f);
     if (!made.made) return result;

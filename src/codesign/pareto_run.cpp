@@ -13,9 +13,9 @@
 #include "fusee/core/file.h"
 #include "fusee/core/units.h"
 #include "fusee/design/evolution.h"
+#include "fusee/pipeline/verify.h"
 #include "fusee/report/pareto.h"
 #include "verdict.h"
-#include "verify.h"
 
 namespace fs = std::filesystem;
 
@@ -77,7 +77,7 @@ Made make_all(const Problem& problem, const Front& front, const fs::path& folder
         if (!trial.feasible()) continue;
         const std::string number = fmt::format("{:02}", made.points.size() + 1);
         profile = renamed(std::move(profile), "-" + number);
-        const pipeline::MakeResult result = make_to_verify(profile);
+        const pipeline::MakeResult result = pipeline::make_to_verify(profile);
         if (!result.made) {
             ++made.dropped;
             for (const core::Finding& f : result.findings)

@@ -6,11 +6,12 @@
 #include <cmath>
 #include <map>
 
-#include "flanges.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/core/units.h"
+#include "fusee/solid/columns.h"
 #include "fusee/solid/cutters.h"
+#include "fusee/solid/sweep.h"
 #include "templates.h"
 
 namespace fusee::exchange {
@@ -44,7 +45,7 @@ std::vector<double> groove_columns(const solid::Part& part) {
 }
 
 void add_sweep(Values& values, const solid::Part& part) {
-    const FlangeReach reach = flange_reach(part);
+    const solid::Flanges flanges = solid::flanges_of(part.options);
     values["PATH"] = list(groove_columns(part), [&](double psi) {
         const cam::PathPoint p = part.cam.path(psi);
         return fmt::format("[{}, {}, {}, {}]", number(psi), number(mm_from_m(p.h)), number(mm_from_m(p.slope)), number(mm_from_m(p.z)));
@@ -57,9 +58,9 @@ void add_sweep(Values& values, const solid::Part& part) {
     values["Z_LOW"] = number(mm_from_m(part.z_low));
     values["Z_HIGH"] = number(mm_from_m(part.z_high));
     values["RIB"] = number(mm_from_m(part.options.groove.rib));
-    values["LOWER_PROUD"] = number(reach.lower);
-    values["UPPER_PROUD"] = number(reach.upper);
-    values["CORE_RADIUS"] = number(reach.core_radius);
+    values["LOWER_PROUD"] = number(flanges.lower_height_mm);
+    values["UPPER_PROUD"] = number(flanges.upper_height_mm);
+    values["CORE_RADIUS"] = number(flanges.core_radius_mm);
     values["SKIN_POINTS"] = list(
         part.skin.points_mm, [](const solid::Vec3& p) { return fmt::format("[{}, {}, {}]", number(p[0]), number(p[1]), number(p[2])); });
     // OpenSCAD wants faces clockwise as seen from outside.
@@ -85,7 +86,7 @@ void add_hub(Values& values, const solid::HubOptions& hub) {
 /// Places of the cutters as the direct mesh has them.
 void add_features(Values& values, const solid::Part& part) {
     const solid::FeatureOptions& f = part.options.features;
-    const auto outline = upper_outline(part);
+    const auto outline = solid::upper_outline(part);
     values["ANCHOR_DIAMETER"] = number(mm_from_m(f.anchor_hole_diameter));
     values["ANCHOR_POSITION"] = "[0, 0, 0]";
     values["MARK_WIDTH"] = number(mm_from_m(f.mark_width));

@@ -72,16 +72,11 @@ std::string read_stl_bytes(const std::filesystem::path& path) {
     return bytes;
 }
 
-solid::Mesh read_stl_assimp(const std::filesystem::path& path) {
-    const std::string bytes = read_stl_bytes(path);
-    Assimp::Importer importer;
-    const aiScene* scene = importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, "stl");
-    if (scene == nullptr || scene->mNumMeshes == 0)
-        throw core::IoError(path.string(), fmt::format("assimp: {}", importer.GetErrorString()));
+solid::Mesh welded(const aiScene& scene, const std::filesystem::path& path) {
     // assimp's own joining merges points nearer than 1e-5; corners of one STL vertex are equal bit by bit, which asks for no tolerance.
     Welder welder;
-    for (unsigned int m = 0; m < scene->mNumMeshes; ++m) {
-        const aiMesh& part = *scene->mMeshes[m];
+    for (unsigned int m = 0; m < scene.mNumMeshes; ++m) {
+        const aiMesh& part = *scene.mMeshes[m];
         for (unsigned int f = 0; f < part.mNumFaces; ++f) {
             const aiFace& face = part.mFaces[f];
             if (face.mNumIndices != 3) throw core::IoError(path.string(), "assimp: a face is not a triangle");
@@ -94,6 +89,15 @@ solid::Mesh read_stl_assimp(const std::filesystem::path& path) {
         }
     }
     return std::move(welder.mesh());
+}
+
+solid::Mesh read_stl_assimp(const std::filesystem::path& path) {
+    const std::string bytes = read_stl_bytes(path);
+    Assimp::Importer importer;
+    const aiScene* scene = importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, "stl");
+    if (scene == nullptr || scene->mNumMeshes == 0)
+        throw core::IoError(path.string(), fmt::format("assimp: {}", importer.GetErrorString()));
+    return welded(*scene, path);
 }
 
 }  // namespace fusee::exchange

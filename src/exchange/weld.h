@@ -2,9 +2,12 @@
 #include <array>
 #include <cstdint>
 #include <cstring>
+#include <filesystem>
 #include <unordered_map>
 
 #include "fusee/solid/mesh.h"
+
+struct aiScene;
 
 namespace fusee::exchange {
 
@@ -31,5 +34,8 @@ private:
     std::unordered_map<Key, std::uint32_t, Hash> index_;
     solid::Mesh mesh_;
 };
+
+/// Every triangle that assimp read, corners with the same coordinates as one point. @throws IoError if a face is not a triangle
+[[nodiscard]] solid::Mesh welded(const aiScene& scene, const std::filesystem::path& path);
 
 }  // namespace fusee::exchange

@@ -2,14 +2,18 @@
 
 #include <algorithm>
 #include <future>
-#include <optional>
+#include <iterator>
 
 #include "fusee/actuator/dead_band.h"
 #include "fusee/core/file.h"
 #include "fusee/core/units.h"
+#include "fusee/pipeline/as_exported.h"
 #include "fusee/pipeline/design.h"
+#include "fusee/pipeline/export.h"
+#include "fusee/pipeline/pair.h"
 #include "fusee/pipeline/simulate.h"
 #include "fusee/report/report.h"
+#include "plate.h"
 
 namespace fs = std::filesystem;
 
@@ -50,16 +54,50 @@ MakeResult not_made(const profile::Profile& profile, core::Findings findings) {
     return {profile.name, false, {}, std::move(findings), 0.0, 0.0};
 }
 
+/// Other programs take seconds a part.
+void announce(const profile::Profile& profile, const MakeOptions& options) {
+    if (!options.note) return;
+    if (options.via == Via::kOpenScad || profile.outputs.scad_stl) options.note(profile.name + ": OpenSCAD renders the solids");
+    if (profile.outputs.sliced) options.note(profile.name + ": PrusaSlicer slices the parts");
+}
+
+struct Parts {
+    Pair series, parallel;
+};
+
+/// Refusal: the law's findings and those of both parts.
+core::Outcome<Parts> design_parts(const profile::Profile& profile, const DesignedLaw& law) {
+    auto [k_se, k_pe] = both_parts([&](cam::PartKind kind) { return design_part(kind, profile, law.law); });
+    if (k_se && k_pe)
+        return Parts{pair_of(std::move(k_se).value(), profile.outputs.pair), pair_of(std::move(k_pe).value(), profile.outputs.pair)};
+    core::Findings findings = law.findings;
+    for (const auto* part : {&k_se, &k_pe}) core::append(findings, *part ? (*part)->findings : part->refusal());
+    return findings;
+}
+
+/// Both sides of both parts, each part on its thread, and all on one plate. The report points at `parts`.
+void export_parts(report::DesignReport& design, const Parts& parts, const profile::Profile& profile, Via via, const fs::path& folder) {
+    auto [all, more] = both_parts([&](cam::PartKind kind) {
+        return export_pair(kind == cam::PartKind::kSeries ? parts.series : parts.parallel, profile, design.provenance, via, folder);
+    });
+    std::move(more.begin(), more.end(), std::back_inserter(all));
+    PlateFiles plate = write_plate(all, profile, design.provenance, folder);
+    for (ExportedPart& one : all) (one.mirrored ? design.mirrored : design.parts).push_back(std::move(one.report));
+    core::append(design.findings, plate.findings);
+    std::move(plate.files.begin(), plate.files.end(), std::back_inserter(design.files));
+    design.plate_errors = std::move(plate.arm_errors);
+}
+
 double worst_arm_error(const report::DesignReport& design) {
     double worst = 0.0;
-    for (const report::PartReport& part : design.parts)
-        for (const readback::ArmError& e : part.arm_errors) worst = std::max(worst, e.worst_relative);
+    for (const readback::ArmError* e : design.arm_errors())
+        if (e->when_broken == core::Severity::kRequired) worst = std::max(worst, e->worst_relative);
     return worst;
 }
 
 core::Findings all_findings(const report::DesignReport& design) {
     core::Findings all = design.findings;
-    for (const report::PartReport& part : design.parts) core::append(all, part.findings);
+    for (const report::PartReport* part : design.sides()) core::append(all, part->findings);
     return all;
 }
 
@@ -67,15 +105,12 @@ core::Findings all_findings(const report::DesignReport& design) {
 
 MakeResult make(const profile::Profile& profile, const MakeOptions& options) {
     require_parts(profile);
+    require_sliceable(profile);
     const auto law = design_law(profile);
     if (!law) return not_made(profile, law.refusal());
     auto simulation = std::async(std::launch::async, [&profile] { return simulate(profile); });  // needs no part
-    const auto [k_se, k_pe] = both_parts([&](cam::PartKind kind) { return design_part(kind, profile, law->law); });
-    if (!k_se || !k_pe) {
-        core::Findings findings = law->findings;
-        for (const auto* part : {&k_se, &k_pe}) core::append(findings, *part ? (*part)->findings : part->refusal());
-        return not_made(profile, findings);
-    }
+    const auto parts = design_parts(profile, *law);
+    if (!parts) return not_made(profile, parts.refusal());
 
     const actuator::Actuator joint = actuator_of(profile, law->law);
     core::StagedFolder staged(options.out / profile.name);
@@ -86,14 +121,13 @@ MakeResult make(const profile::Profile& profile, const MakeOptions& options) {
     design.findings = law->findings;
     design.files = write_simulation(*simulation.get(), staged.path());
     design.files.push_back(springs_file(staged.path(), *law->law, profile));
-    if (options.via == Via::kOpenScad && options.note) options.note(profile.name + ": OpenSCAD renders both solids");
-    auto [series, parallel] = both_parts([&, &se = k_se, &pe = k_pe](cam::PartKind kind) {
-        return export_part(kind == cam::PartKind::kSeries ? *se : *pe, profile, design.provenance, options.via, staged.path());
-    });
-    design.parts = {std::move(series), std::move(parallel)};
+    announce(profile, options);
+    export_parts(design, *parts, profile, options.via, staged.path());
+    design.as_exported = as_exported(profile, law->law, design);
 
     MakeResult result = not_made(profile, all_findings(design));
     result.worst_arm_error = worst_arm_error(design);
+    result.worst_dead_band_change = design.as_exported.worst_change();
     if (core::any_required(result.findings)) return result;  // a file does not carry the law: the staged folder goes
     core::write_file(staged.path() / "report.json", report::report_json(design));
     core::write_file(staged.path() / "report.html", report::report_html(design));

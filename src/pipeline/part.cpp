@@ -1,6 +1,9 @@
+#include "compensated.h"
 #include "fusee/cam/arm.h"
 #include "fusee/checks/check.h"
 #include "fusee/core/error.h"
+#include "fusee/core/units.h"
+#include "fusee/exchange/dxf.h"
 #include "fusee/pipeline/design.h"
 
 namespace fusee::pipeline {
@@ -13,16 +16,29 @@ void require_parts(const profile::Profile& profile) {
         throw core::InvalidInput(
             "k_se.spring.rate_Nm_per_rad", "missing",
             "[cable], [process], [k_se.spring] and [k_pe.spring] to make parts; without them a profile can be simulated");
+    if (profile.outputs.dxf && profile.outputs.kerf > 0.0)
+        for (const profile::PartSpec* spec : {&profile.k_se, &profile.k_pe})
+            exchange::require_kerf(core::mm_from_m(profile.outputs.kerf), spec->solid.hub);
+}
+
+const profile::PartSpec& spec_of(cam::PartKind kind, const profile::Profile& profile) {
+    return kind == cam::PartKind::kSeries ? profile.k_se : profile.k_pe;
+}
+
+core::Outcome<cam::Cam> design_cam(cam::PartKind kind, const profile::Profile& profile, const spring::SpringLawPtr& law) {
+    const profile::PartSpec& spec = spec_of(kind, profile);
+    const cam::ArmFunction arm(kind, law, spec.spring, profile.rig.capstan_radius, spec.allowance);
+    return cam::synthesize_cam(arm, spec.cam);
 }
 
 core::Outcome<DesignedPart> design_part(cam::PartKind kind, const profile::Profile& profile, const spring::SpringLawPtr& law) {
-    const profile::PartSpec& spec = kind == cam::PartKind::kSeries ? profile.k_se : profile.k_pe;
-    const cam::ArmFunction arm(kind, law, spec.spring, profile.rig.capstan_radius, spec.allowance);
-    const auto cam = cam::synthesize_cam(arm, spec.cam);
+    const profile::PartSpec& spec = spec_of(kind, profile);
+    const auto cam = design_cam(kind, profile, law);
     if (!cam) return cam.refusal();
     auto part = solid::build_part(*cam, spec.solid);
     if (!part) return part.refusal();
     core::Findings findings = checks::check({*part, spec.spring, profile.cable, profile.process, profile.limits});
+    if (!core::any_required(findings)) core::append(findings, check_compensated(*part, profile, findings));
     if (core::any_required(findings)) return findings;
     return DesignedPart{std::move(part).value(), std::move(findings)};
 }

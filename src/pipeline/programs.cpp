@@ -1,9 +1,8 @@
-#include "programs.h"
-
 #include "fusee/core/file.h"
 #include "fusee/core/units.h"
-#include "fusee/pipeline/export.h"
+#include "fusee/toolpath/program.h"
 #include "fusee/toolpath/read_back.h"
+#include "part_export.h"
 
 namespace fusee::pipeline {
 
@@ -24,16 +23,17 @@ core::Finding unread(const solid::Part& part) {
 
 }  // namespace
 
-core::Findings write_programs(const solid::Part& part, const toolpath::Settings& settings, const std::string& provenance,
-                              const std::filesystem::path& base, std::vector<report::FileRow>& rows) {
-    const auto programs = toolpath::part_programs(part, settings, provenance);
-    if (!programs) return programs.refusal();
+void write_programs(PartExport& out) {
+    if (!out.profile.outputs.ngc) return;
+    const toolpath::Settings& settings = out.profile.machining;
+    const auto programs = toolpath::part_programs(out.part, settings, out.provenance.line());
+    if (!programs) return core::append(out.findings, programs.refusal());
     for (const toolpath::Program& program : *programs) {
-        const std::filesystem::path path = std::filesystem::path(base) += program.suffix + ".ngc";
+        const std::filesystem::path path = out.path(program.suffix + ".ngc");
         core::write_file(path, program.text);
-        rows.push_back(file_row(path, 0, core::mm_from_m(settings.tolerance)));
+        out.state(path, 0, core::mm_from_m(settings.tolerance));
     }
-    return {unread(part)};
+    out.findings.push_back(unread(out.part));
 }
 
 }  // namespace fusee::pipeline

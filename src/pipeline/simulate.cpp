@@ -192,6 +192,7 @@ core::Outcome<report::Simulation> simulate(const profile::Profile& profile, cons
     if (rig.arrangement == actuator::Arrangement::kPnrvsa) {
         simulation.findings = law->findings;
         JointSimulator(profile, law->law, push).fill(simulation, levels);
+        simulation.wraps = wrap_sides(profile, law->law);
     } else {
         for (const double tau : levels) simulation.levels.push_back(surveyed_level(arrangement, tau));
     }
@@ -215,6 +216,7 @@ std::vector<report::FileRow> write_simulation(const report::Simulation& simulati
     write("simulation.json", report::simulation_json(simulation));
     write("dead_band.csv", report::dead_band_csv(simulation.levels));
     write("simulation.html", report::simulation_html(simulation));
+    if (!simulation.wraps.empty()) write("wrap_hysteresis.csv", report::wrap_hysteresis_csv(simulation.wraps));
     return rows;
 }
 

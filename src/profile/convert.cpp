@@ -26,6 +26,8 @@ public:
                 return integer(node);
             case Kind::kSign:
                 return sign(node);
+            case Kind::kSwitch:
+                return yes_or_no(node);
             case Kind::kName:
                 return name(node);
             case Kind::kFile:
@@ -63,6 +65,10 @@ private:
         const auto value = node.as_integer()->get();
         if (value != 1 && value != -1) refuse(node);
         return static_cast<int>(value);
+    }
+    [[nodiscard]] bool yes_or_no(const toml::node& node) const {
+        if (!node.is_boolean()) refuse(node);
+        return node.as_boolean()->get();
     }
     [[nodiscard]] std::string text(const toml::node& node) const {
         if (!node.is_string() || node.as_string()->get().empty()) refuse(node);

@@ -88,6 +88,11 @@ bool holds(const std::string& toml, const Key& key, const Edit& edit) {
 
 double number_of(const Profile& profile, const std::string& key) { return std::get<double>(find_key(key)->get(profile)); }
 
+std::optional<std::string> value_text(const Profile& profile, const std::string& path) {
+    const Key* key = find_key(path);
+    return key != nullptr && applies(*key, profile) ? std::optional(toml_text(*key, profile)) : std::nullopt;
+}
+
 void set_number(Profile& profile, const std::string& key, double value) { find_key(key)->set(profile, value); }
 
 Edit number_edit(const Profile& profile, const std::string& path, double value, std::string why) {

@@ -63,7 +63,7 @@ std::string Key::table() const {
 std::string Key::leaf() const { return path.substr(path.rfind('.') + 1); }
 
 bool Key::of_part() const {
-    static constexpr std::array kTables{"cable", "groove", "process", "tolerances", "outputs", "machining", "k_se", "k_pe"};
+    static constexpr std::array kTables{"cable", "groove", "process", "tolerances", "outputs", "machining", "compensation", "k_se", "k_pe"};
     return std::find(kTables.begin(), kTables.end(), path.substr(0, path.find('.'))) != kTables.end();
 }
 
@@ -110,6 +110,8 @@ std::string allowed_text(const Key& key) {
             return fmt::format("{}", fmt::join(all_quoted(key.choices), " or "));
         case Kind::kSign:
             return "1 or -1";
+        case Kind::kSwitch:
+            return "true or false";
         case Kind::kNumbers:
             return fmt::format("an array of {} numbers, each {}", count_text(key), range_text(key.limits, key.unit));
         case Kind::kChoices:
@@ -122,6 +124,7 @@ std::string toml_text(const Key& key, const Profile& profile) {
     const Value value = key.get(profile);
     if (const auto* number = std::get_if<double>(&value)) return shortest(*number, key.unit);
     if (const auto* whole = std::get_if<int>(&value)) return fmt::format("{}", *whole);
+    if (const auto* yes = std::get_if<bool>(&value)) return *yes ? "true" : "false";
     if (const auto* text = std::get_if<std::string>(&value)) return quoted(*text);
     if (const auto* texts = std::get_if<std::vector<std::string>>(&value)) return fmt::format("[{}]", fmt::join(all_quoted(*texts), ", "));
     std::vector<std::string> cells;

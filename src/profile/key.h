@@ -22,7 +22,7 @@ struct Unit {
 };
 inline constexpr Unit kPure{""}, kNm{"Nm"}, kNewton{"N"}, kRad{"rad"}, kPerRad{"1/rad"}, kPerNmRad{"1/(Nm rad)"}, kNmPerRad{"Nm/rad"},
     kRadPerNm{"rad/Nm"}, kNPerM{"N/m"}, kKgm2{"kg m^2"}, kNms{"Nm s"}, kNm2s{"(Nm)^2 s"}, kMm{"mm", 1.0, 1e3},
-    kDeg{"deg", core::kPi, 180.0}, kMPa{"MPa", 1e6, 1.0}, kMmPerMin{"mm/min", 1.0, 60e3}, kPerMin{"1/min"};
+    kDeg{"deg", core::kPi, 180.0}, kMPa{"MPa", 1e6, 1.0}, kPercent{"percent", 1.0, 100.0}, kMmPerMin{"mm/min", 1.0, 60e3}, kPerMin{"1/min"};
 
 /// Allowed numbers, in the key's own unit; always finite.
 struct Limits {
@@ -32,10 +32,10 @@ struct Limits {
 constexpr Limits within(double low, double high) { return {low, high, true}; }
 constexpr Limits above(double low, double high) { return {low, high, false}; }
 
-enum class Kind { kNumber, kInteger, kName, kFile, kFormula, kChoice, kSign, kNumbers, kChoices };
+enum class Kind { kNumber, kInteger, kName, kFile, kFormula, kChoice, kSign, kSwitch, kNumbers, kChoices };
 
 /// Numbers in SI.
-using Value = std::variant<double, int, std::string, std::vector<double>, std::vector<std::string>>;
+using Value = std::variant<double, int, bool, std::string, std::vector<double>, std::vector<std::string>>;
 
 /// The key has a meaning only while another one, further up in the list, has one of these values; "" among them: while that one is left
 /// out.
@@ -89,6 +89,7 @@ struct Key {
 [[nodiscard]] std::vector<Key> design_keys();
 [[nodiscard]] std::vector<Key> codesign_keys();
 [[nodiscard]] std::vector<Key> machining_keys();
+[[nodiscard]] std::vector<Key> compensation_keys();
 [[nodiscard]] std::vector<Key> part_keys(const std::string& part, PartSpec Profile::*member);
 
 // How a row of the list is made: `at` is a generic lambda from a (const) Profile& to the member.
@@ -132,6 +133,11 @@ Key integer(std::string path, Limits limits, std::string meaning, At at) {
 template <class At>
 Key sign(std::string path, std::string meaning, At at) {
     return plain_key<int>(std::move(path), Kind::kSign, std::move(meaning), at);
+}
+
+template <class At>
+Key yes_or_no(std::string path, std::string meaning, At at) {
+    return plain_key<bool>(std::move(path), Kind::kSwitch, std::move(meaning), at);
 }
 
 template <class At>

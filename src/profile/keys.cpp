@@ -18,12 +18,17 @@ std::vector<Key> cable_keys() {
                FIELD(cable.max_pressure)),
         number("cable.max_fleet_deg", kDeg, within(0, 20), "angle between the free cable and the groove's plane; 0 = 2 deg, grooved",
                FIELD(cable.max_fleet)),
+        number("cable.friction", kPure, within(0, 2),
+               "of the cable on its cams; with cable.stiffness_N: loops in `fusee simulate`; 0 = none", FIELD(wrap.friction)),
+        number("cable.stiffness_N", kNewton, within(0, 1e8), "E A: tension over relative stretch; 0 = unknown", FIELD(wrap.stiffness)),
         number("groove.radius_ratio", kPure, within(0.5, 2), "radius of the round floor over d", FIELD(k_se.solid.groove.radius_ratio)),
         number("groove.depth_ratio", kPure, within(0.1, 10), "height of the lips above the floor, in d",
                FIELD(k_se.solid.groove.depth_ratio)),
         number("groove.throat_deg", kDeg, within(0, 150), "full angle between the flanks", FIELD(k_se.solid.groove.throat)),
         number("groove.rib_mm", kMm, within(0.1, 100), "flange beside the groove (planar), least land between turns (helix)",
                FIELD(k_se.solid.groove.rib)),
+        number("groove.plate_mm", kMm, within(0, 100),
+               "stack of plates: thickness of the middle one, the groove's width; 0 = two floor radii", FIELD(k_se.solid.groove.plate)),
     };
 }
 
@@ -66,13 +71,17 @@ std::vector<Key> process_keys() {
 
 /// The switches of Outputs as a list of names.
 Key formats() {
-    static constexpr bool Outputs::*kSwitches[] = {&Outputs::stl,      &Outputs::scad, &Outputs::dxf,
-                                                   &Outputs::three_mf, &Outputs::step, &Outputs::ngc};
+    static constexpr bool Outputs::*kSwitches[] = {&Outputs::stl,    &Outputs::scad,    &Outputs::dxf,      &Outputs::three_mf,
+                                                   &Outputs::step,   &Outputs::ngc,     &Outputs::scad_stl, &Outputs::sliced,
+                                                   &Outputs::plates, &Outputs::drawing, &Outputs::pdf};
     Key key;
     key.path = "outputs.formats";
     key.kind = Kind::kChoices;
-    key.meaning = "part files to write; dxf: the outlines of a planar part; step: AP242; ngc: G-code by [machining]";
-    key.choices = {"stl", "scad", "dxf", "3mf", "step", "ngc"};
+    key.meaning =
+        "part files to write; dxf: the outlines of a planar part; step: AP242; ngc: G-code by [machining]; scad_stl: the SCAD file as "
+        "OpenSCAD renders it; sliced: PrusaSlicer's G-code, fdm only; plates: a DXF for each plate of a stack, by default for edm and "
+        "laser; drawing, pdf: the shop drawing as SVG and as PDF";
+    key.choices = {"stl", "scad", "dxf", "3mf", "step", "ngc", "scad_stl", "sliced", "plates", "drawing", "pdf"};
     key.most_count = key.choices.size();
     key.get = [names = key.choices](const Profile& p) {
         std::vector<std::string> chosen;
@@ -98,11 +107,13 @@ std::vector<Key> all_keys() {
     add(codesign_keys());
     add(cable_keys());
     add(process_keys());
-    add({formats(),
+    add({formats(), yes_or_no("outputs.pair", "both sides of the joint: the antagonist's parts are mirror images", FIELD(outputs.pair)),
+         yes_or_no("outputs.plate", "with 3mf: plate.3mf too, every part on one plate within process.build_mm", FIELD(outputs.plate)),
          number("outputs.kerf_mm", kMm, within(0, 10), "of a beam or wire; above 0: k_xx_kerf.dxf too, outlines moved by half of it",
                 FIELD(outputs.kerf)),
          integer("outputs.springs_rows", within(200, 100000), "rows of springs.csv", FIELD(outputs.springs_rows))});
     add(machining_keys());
+    add(compensation_keys());
     add(part_keys("k_se", &Profile::k_se));
     add(part_keys("k_pe", &Profile::k_pe));
     return all;

@@ -20,6 +20,9 @@ std::vector<Key> body_keys(const std::string& part, PartSpec Profile::*member) {
         all.push_back(number("k_se.cable_compliance_rad_per_Nm", kRadPerNm, within(0, 1e3),
                              "of the cable behind the spool, at the capstan: the spool is cut stiffer by it; below 1/S of the law",
                              OF(allowance.series_compliance)));
+    else
+        all.insert(all.begin(),
+                   choice("k_pe.family", {"cable", "roller"}, "a cable in a groove, or a follower's roller on a rim", OF(cam.family)));
     return all;
 }
 
@@ -66,7 +69,8 @@ std::vector<Key> guide_keys(const std::string& part, PartSpec Profile::*member) 
              required(number(t + "distance_mm", kMm, above(0, 1e4), "cam axis to the guide's centre", OF(cam.guide.distance)))),
         when(kind, {"idler"}, required(number(t + "radius_mm", kMm, above(0, 1000), "pitch radius of the idler", OF(cam.guide.radius)))),
         when(kind, {"idler"}, sign(t + "sense", "side on which the cable passes the idler's centre", OF(cam.guide.sense))),
-        number(t + "z_mm", kMm, within(-1e4, 1e4), "height of the guide, for a path aimed at it", OF(cam.guide.z)),
+        number(t + "z_mm", kMm, within(-1e4, 1e4), "height of the guide: the cable leans towards it, and a path may aim at it",
+               OF(cam.guide.z)),
     };
 }
 
@@ -79,10 +83,43 @@ std::vector<Key> path_keys(const std::string& part, PartSpec Profile::*member) {
                     OF(cam.path.lead))),
         when(kind, {"helix"},
              number(t + "pitch_mm", kMm, within(0, 1000), "height gained per turn; above 0 for a constant pitch", OF(cam.path.pitch))),
+        when(kind, {"helix"},
+             when(t + "lead", {"constant_pitch"},
+                  choice(t + "hand", {"right", "left"}, "right climbs like a common screw", OF(cam.path.hand)))),
         number(t + "margin_deg", kDeg, within(3, 170), "groove beyond the working arc, to the anchor", OF(cam.path.margin)),
         number(t + "min_idle_radius_mm", kMm, above(0, 1000), "least radius of curvature on the idle arc that closes a planar path",
                OF(cam.path.min_idle_curvature_radius)),
     };
+}
+
+/// What K_PE works on. A roller's keys have no meaning beside a cable, nor a cable's beside a roller.
+std::vector<Key> roller_keys(const std::string& part, PartSpec Profile::*member) {
+    if (part != "k_pe") return {};
+    const std::string t = part + ".roller.";
+    std::vector<Key> all{
+        number(t + "radius_mm", kMm, above(0, 1000), "of the roller", OF(cam.roller.radius)),
+        number(t + "base_radius_mm", kMm, above(0, 1000), "axis to the roller's centre at the law's lowest load, less the roller's radius",
+               OF(cam.roller.base_radius)),
+        number(t + "offset_mm", kMm, within(-1000, 1000), "of the follower's line from the axis; above 0 eases the rise",
+               OF(cam.roller.offset)),
+        number(t + "direction_deg", kDeg, within(-360, 360), "along the follower's line, away from the axis, as the spring is compressed",
+               OF(cam.roller.direction)),
+        number(t + "width_mm", kMm, above(0, 1000), "of the roller", OF(cam.roller.width)),
+        number(t + "rim_width_mm", kMm, above(0, 1000), "thickness of the cam's plate, two ribs included", OF(solid.rim_width)),
+        number(t + "contact_modulus_MPa", kMPa, within(0, 1e6), "E* of cam and roller: 1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2",
+               OF(cam.roller.contact_modulus)),
+        number(t + "max_pressure_MPa", kMPa, within(0, 1e5), "that cam and roller take where they touch; 0 = not checked",
+               OF(cam.roller.max_pressure)),
+    };
+    for (Key& key : all) key = when(part + ".family", {"roller"}, std::move(key));
+    return all;
+}
+
+/// Does the key speak of the cable that a roller cam has not?
+bool of_cable(const Key& key, const std::string& part) {
+    for (const char* leaf : {".flange_height_mm", ".radius_allowance_mm", ".path.margin_deg", ".features.anchor_hole_mm"})
+        if (key.path == part + leaf) return true;
+    return key.table() == part + ".guide";
 }
 
 std::vector<Key> hub_keys(const std::string& part, PartSpec Profile::*member) {
@@ -127,8 +164,11 @@ std::vector<Key> feature_keys(const std::string& part, PartSpec Profile::*member
 
 std::vector<Key> part_keys(const std::string& part, PartSpec Profile::*member) {
     std::vector<Key> all;
-    for (const auto share : {body_keys, spring_keys, guide_keys, path_keys, hub_keys, feature_keys})
-        for (Key& key : share(part, member)) all.push_back(std::move(key));
+    for (const auto share : {body_keys, roller_keys, spring_keys, guide_keys, path_keys, hub_keys, feature_keys})
+        for (Key& key : share(part, member)) {
+            if (part == "k_pe" && of_cable(key, part)) key = when("k_pe.family", {"cable"}, std::move(key));
+            all.push_back(std::move(key));
+        }
     return all;
 }
 

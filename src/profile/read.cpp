@@ -141,8 +141,15 @@ private:
 /// What stands once in the file and in several rooms' options.
 void distribute(Profile& p) {
     p.k_pe.solid.groove = p.k_se.solid.groove;
+    const bool stacked = p.process.kind == checks::ProcessKind::kEdm || p.process.kind == checks::ProcessKind::kLaser;
+    if (!p.places.contains("outputs.formats")) p.outputs.plates = stacked;
     p.k_pe.solid.chordal_error = p.k_se.solid.chordal_error;
+    p.k_pe.allowance.cable_axis = p.k_se.allowance.cable_axis;
     p.k_se.cam.cable_diameter = p.k_pe.cam.cable_diameter = p.cable.diameter;
+    if (p.k_pe.cam.family == cam::Family::kRoller) {  // neither cable nor anchor nor lips
+        p.k_pe.cam.cable_diameter = p.k_pe.solid.features.anchor_hole_diameter = p.k_pe.solid.flange_height = 0.0;
+        p.k_pe.allowance = {};
+    }
     if (auto* law = std::get_if<spring::StictionLawOptions>(&p.law.curves)) {
         law->mu = p.rig.rest_friction();
         law->start_torque = p.law.start_torque;

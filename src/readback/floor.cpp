@@ -7,7 +7,7 @@
 #include <unsupported/Eigen/Splines>
 
 #include "fusee/core/error.h"
-#include "fusee/core/units.h"
+#include "fusee/core/turn.h"
 #include "ray_search.h"
 
 namespace fusee::readback {
@@ -15,7 +15,7 @@ namespace fusee::readback {
 namespace {
 
 constexpr int kRaysPerRow = 5;
-constexpr int kRaysRound = 2048;         // round a planar outline: chord error r (2 pi / 2048)^2 / 8, 1.2e-6 of the arm
+constexpr int kRaysRound = 512;          // round the rest of a planar outline, where no arm depends on a chord
 constexpr int kPointsPerSpan = 32;       // of a drawn spline: spans are 0.2 rad at most, the chord error 5e-6 of the arm
 constexpr double kSameHeight_mm = 1e-6;  // contacts of a planar part differ by less: the last digit of single precision at 10 mm
 
@@ -43,7 +43,7 @@ std::vector<Aim> aims(const exchange::PartFile& part) {
         if (n[0] * c[0] + n[1] * c[1] < 0.0) n = {-n[0], -n[1]};
         const double half = part.cable_diameter_mm / 2.0;
         double azimuth = std::atan2(c[1] - half * n[1], c[0] - half * n[0]);
-        if (i > 0) azimuth = result.back().azimuth + std::remainder(azimuth - result.back().azimuth, 2.0 * core::kPi);
+        if (i > 0) azimuth = result.back().azimuth + std::remainder(azimuth - result.back().azimuth, core::kTurn);
         result.push_back({azimuth, c[2]});
     }
     return result;
@@ -64,16 +64,31 @@ std::vector<Aim> refined(const std::vector<Aim>& rows) {
     return result;
 }
 
-bool one_height(const std::vector<Aim>& rows) {
-    const auto [low, high] = std::minmax_element(rows.begin(), rows.end(), [](const Aim& a, const Aim& b) { return a.z_mm < b.z_mm; });
-    return high->z_mm - low->z_mm <= kSameHeight_mm;
+core::Range heights(const std::vector<Aim>& places) {
+    const auto [low, high] = std::minmax_element(places.begin(), places.end(), [](const Aim& a, const Aim& b) { return a.z_mm < b.z_mm; });
+    return {low->z_mm, high->z_mm};
 }
 
-/// Where the floor is looked for: along the rows, and all the way round where they share one height.
-std::vector<Aim> all_rays(const std::vector<Aim>& rows) {
-    std::vector<Aim> rays = refined(rows);
-    for (int i = 0; one_height(rows) && i < kRaysRound; ++i) rays.push_back({2.0 * core::kPi * i / kRaysRound, rows.front().z_mm});
-    return rays;
+bool one_height(const std::vector<Aim>& rows) { return heights(rows).width() <= kSameHeight_mm; }
+
+/// Where the floor of a part is looked for.
+struct Search {
+    explicit Search(const exchange::PartFile& part) : rows(aims(part)), planar(one_height(rows)), rays(refined(rows)) {
+        for (int i = 0; planar && i < kRaysRound; ++i) rays.push_back({core::kTurn * i / kRaysRound, rows.front().z_mm});
+    }
+    std::vector<Aim> rows;
+    bool planar;            ///< the rows share one height
+    std::vector<Aim> rays;  ///< along the rows, and all the way round where they share one height
+};
+
+Floor found_floor(const Search& search, const Ray& ray) {
+    Floor floor;
+    floor.planar = search.planar;
+    for (const Aim& row : search.rows) floor.row_azimuth.push_back(row.azimuth);
+    for (const Aim& aim : search.rays)
+        if (const auto r = ray(aim.azimuth, aim.z_mm))
+            floor.points.push_back({{*r * std::cos(aim.azimuth), *r * std::sin(aim.azimuth)}, aim.azimuth});
+    return floor;
 }
 
 void add_points(Floor& floor, const brep::PlaneSpline& spline) {
@@ -93,22 +108,13 @@ void add_points(Floor& floor, const brep::PlaneSpline& spline) {
 
 }  // namespace
 
-Floor find_floor(const Ray& ray, const exchange::PartFile& part) {
-    const std::vector<Aim> rows = aims(part);
-    Floor floor;
-    floor.planar = one_height(rows);
-    for (const Aim& row : rows) floor.row_azimuth.push_back(row.azimuth);
-    for (const Aim& aim : all_rays(rows))
-        if (const auto r = ray(aim.azimuth, aim.z_mm))
-            floor.points.push_back({{*r * std::cos(aim.azimuth), *r * std::sin(aim.azimuth)}, aim.azimuth});
-    return floor;
-}
+Floor find_floor(const Ray& ray, const exchange::PartFile& part) { return found_floor(Search(part), ray); }
 
 Floor find_floor(const solid::Mesh& mesh, const exchange::PartFile& part) {
-    const std::vector<Aim> rays = all_rays(aims(part));
-    const auto [low, high] = std::minmax_element(rays.begin(), rays.end(), [](const Aim& a, const Aim& b) { return a.z_mm < b.z_mm; });
-    const RaySearch search(mesh, low->z_mm, high->z_mm);
-    return find_floor([&search](double azimuth, double z_mm) { return search.outermost(azimuth, z_mm); }, part);
+    const Search search(part);
+    const auto [low, high] = heights(search.rays);
+    const RaySearch facets(mesh, low, high);
+    return found_floor(search, [&facets](double azimuth, double z_mm) { return facets.outermost(azimuth, z_mm); });
 }
 
 Floor drawn_floor(const exchange::DxfDrawing& drawing, Drawn drawn, const exchange::PartFile& part, const std::string& file) {

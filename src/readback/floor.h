@@ -21,6 +21,7 @@ struct Floor {
     std::vector<FloorPoint> points;
     bool planar = true;               ///< the whole outline lies at one height; otherwise each point belongs to its own turn
     std::vector<double> row_azimuth;  ///< where the floor is expected under each target row [rad], unwrapped alike
+    std::vector<double> reach_mm;     ///< from each point to the cable's centreline on it [mm]; empty: half a cable
 };
 
 /// Where a horizontal ray from the axis meets the floor, if it does: distance from the axis [mm] over azimuth [rad] and height [mm].

@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fusee/core/turn.h"
+
 namespace fusee::readback {
 
 namespace {
 
+using core::kTurn;
+
 constexpr std::size_t kBins = 1024;
-constexpr double kTurn = 6.283185307179586;
 
 std::size_t bin_of(double azimuth) {
     const double share = azimuth / kTurn - std::floor(azimuth / kTurn);

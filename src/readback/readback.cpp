@@ -2,14 +2,19 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "as_made.h"
+#include "compare.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/exchange/step.h"
 #include "fusee/exchange/stl.h"
 #include "fusee/exchange/three_mf.h"
 #include "fusee/toolpath/read_back.h"
+#include "pushed_roller.h"
+#include "sliced.h"
 #include "taut_cable.h"
 
 namespace fusee::readback {
@@ -25,28 +30,12 @@ void require_entry(const fs::path& path, const exchange::FileEntry& entry) {
     if (found != entry.sha256) throw core::IoError(path.string(), fmt::format("SHA-256 is {}, not {} as stated", found, entry.sha256));
 }
 
-ArmError compare(const fs::path& path, const char* reader, const Floor& floor, const exchange::PartFile& part) {
-    ArmError error;
-    error.file = path.filename().string();
-    error.reader = reader;
-    error.rows = part.target.size();
-    const std::vector<double> arms = taut_arms(floor, part);
-    for (std::size_t i = 0; i < arms.size(); ++i) {
-        const double relative = std::abs(arms[i] / part.target[i].arm_mm - 1.0);
-        if (relative <= error.worst_relative) continue;  // NaN is not: it becomes the worst and stays
-        error.worst_relative = relative;
-        error.worst_angle_rad = part.target[i].angle_rad;
-        if (std::isnan(relative)) break;
-    }
-    return error;
-}
-
 ArmError compare_mesh(const fs::path& path, const char* reader, const solid::Mesh& mesh, const exchange::FileEntry& entry,
                       const exchange::PartFile& part) {
     if (mesh.triangles.size() != entry.triangles)
         throw core::IoError(path.string(),
                             fmt::format("{} finds {} triangles, not {} as stated", reader, mesh.triangles.size(), entry.triangles));
-    return compare(path, reader, find_floor(mesh, part), part);
+    return compare(path, reader, find_floor(as_made(mesh, part), part), part);
 }
 
 ArmError compare_step(const fs::path& path, const exchange::PartFile& part) {
@@ -55,6 +44,11 @@ ArmError compare_step(const fs::path& path, const exchange::PartFile& part) {
     ArmError error = compare(path, "opencascade", find_floor(ray, part), part);
     error.allowed = kSplineAllowed;
     return error;
+}
+
+/// A flange of a stack of plates: no cable touches its outline.
+bool is_flange(const exchange::DxfDrawing& drawing) {
+    return drawing.layer("FLANGE") && !drawing.layer("FLOOR") && !drawing.layer("PITCH");
 }
 
 /// The controller's own reading of a program, held to what a machine needs; one error for each groove that it cuts.
@@ -70,7 +64,35 @@ std::vector<ArmError> compare_program(const fs::path& path, const exchange::Part
     return errors;
 }
 
+/// What a printer lays: off by the steps of its layers, which a person has to accept (docs/theory/read_back.md, eq. 6).
+ArmError compare_print(const fs::path& path, const exchange::PartFile& part) {
+    const Sliced print = read_sliced(path);
+    ArmError error = compare(path, "perimeters", sliced_floor(print, part), part);
+    double least_mm = part.target.front().arm_mm;
+    for (const exchange::TargetRow& row : part.target) least_mm = std::min(least_mm, row.arm_mm);
+    error.allowed = 0.5 * print.layer_mm / least_mm;
+    error.when_broken = core::Severity::kReview;
+    return error;
+}
+
 }  // namespace
+
+ArmError compare(const fs::path& path, const std::string& reader, const Floor& floor, const exchange::PartFile& part) {
+    ArmError error;
+    error.file = path.filename().string();
+    error.reader = reader;
+    error.rows = part.target.size();
+    error.arms_mm = part.guide.kind == "roller" ? pushed_arms(floor, part) : taut_arms(floor, part);
+    const std::vector<double>& arms = error.arms_mm;
+    for (std::size_t i = 0; i < arms.size(); ++i) {
+        const double relative = std::abs(arms[i] / part.target[i].arm_mm - 1.0);
+        if (relative <= error.worst_relative) continue;  // NaN is not: it becomes the worst and stays
+        error.worst_relative = relative;
+        error.worst_angle_rad = part.target[i].angle_rad;
+        if (std::isnan(relative)) break;
+    }
+    return error;
+}
 
 std::vector<ArmError> read_back(const fs::path& folder, const exchange::PartFile& part) {
     std::vector<ArmError> errors;
@@ -85,6 +107,7 @@ std::vector<ArmError> read_back(const fs::path& folder, const exchange::PartFile
             errors.push_back(compare_mesh(path, "lib3mf", exchange::read_3mf(path), entry, part));
         } else if (extension == ".dxf") {
             const exchange::DxfDrawing drawing = exchange::read_dxf(path);
+            if (is_flange(drawing)) continue;
             errors.push_back(compare(path, "dxflib", drawn_floor(drawing, Drawn::kPolyline, part, path.string()), part));
             errors.push_back(compare(path, "dxflib, spline", drawn_floor(drawing, Drawn::kSpline, part, path.string()), part));
             errors.back().allowed = kSplineAllowed;
@@ -93,6 +116,8 @@ std::vector<ArmError> read_back(const fs::path& folder, const exchange::PartFile
         } else if (extension == ".ngc") {
             if (!toolpath::can_interpret()) continue;
             for (ArmError& error : compare_program(path, part)) errors.push_back(std::move(error));
+        } else if (extension == ".gcode") {
+            errors.push_back(compare_print(path, part));
         } else if (extension != ".scad") {
             throw core::IoError(path.string(), "is of a kind that cannot be read back");
         }

@@ -40,29 +40,39 @@ BodyGuide in_body(const exchange::PartFile& part, double angle) {
     return guide;
 }
 
-/// Arm of the line that passes the guide and keeps half a cable from the floor point F.
-double arm_over(const BodyGuide& guide, const Point& floor, double half_cable) {
-    if (guide.parallel) return dot(guide.place, floor) + half_cable;
-    // n.F + half_cable + beyond = n.G: with v = G - F the line's normal has the component `reach` along v.
+/// Arm of the line that passes the guide and keeps that distance from the floor point F.
+double arm_over(const BodyGuide& guide, const Point& floor, double distance) {
+    if (guide.parallel) return dot(guide.place, floor) + distance;
+    // n.F + distance + beyond = n.G: with v = G - F the line's normal has the component `reach` along v.
     const Point v{guide.place[0] - floor[0], guide.place[1] - floor[1]};
-    const double length = std::hypot(v[0], v[1]), reach = half_cable + guide.beyond;
+    const double length = std::hypot(v[0], v[1]), reach = distance + guide.beyond;
     if (std::abs(reach) >= length) return std::numeric_limits<double>::quiet_NaN();
     const Point along{v[0] / length, v[1] / length}, across = normal(along, guide.torque_sign);
     const double s = reach / length, c = std::sqrt(1.0 - s * s);
-    return dot({s * along[0] + c * across[0], s * along[1] + c * across[1]}, floor) + half_cable;
+    return dot({s * along[0] + c * across[0], s * along[1] + c * across[1]}, floor) + distance;
 }
 
 /// The largest arm over the floor's points; NaN if there is none, or if the guide lies within the cable's reach of the floor.
 double row_arm(const Floor& floor, const BodyGuide& guide, double row_azimuth, double half_cable) {
     double arm = -std::numeric_limits<double>::infinity();
-    for (const FloorPoint& p : floor.points) {
+    for (std::size_t i = 0; i < floor.points.size(); ++i) {
+        const FloorPoint& p = floor.points[i];
         // On a helix the cable meets its own turn only: what lies more than a quarter turn on along the groove is at another height.
         if (!floor.planar && std::abs(p.azimuth - row_azimuth) > core::kPi / 2.0) continue;
-        const double candidate = arm_over(guide, p.xy_mm, half_cable);
+        const double candidate = arm_over(guide, p.xy_mm, floor.reach_mm.empty() ? half_cable : floor.reach_mm[i]);
         if (std::isnan(candidate)) return candidate;
         arm = std::max(arm, candidate);
     }
     return std::isinf(arm) ? std::numeric_limits<double>::quiet_NaN() : arm;
+}
+
+/// A cable that leans out of the contact's plane towards its guide turns the part by the cosine of that angle.
+double share_in_plane(const exchange::PartFile& part, const BodyGuide& guide, const exchange::TargetRow& row) {
+    if (guide.parallel) return 1.0;
+    const auto& c = row.contact_mm;
+    const double away = std::hypot(guide.place[0] - c[0], guide.place[1] - c[1]), idler = part.guide.radius_mm;
+    const double free = std::sqrt(away * away - idler * idler);  // NaN for a contact within the idler
+    return free / std::hypot(free, part.guide.z_mm - c[2]);
 }
 
 }  // namespace
@@ -72,7 +82,8 @@ std::vector<double> taut_arms(const Floor& floor, const exchange::PartFile& part
     arms.reserve(part.target.size());
     for (std::size_t row = 0; row < part.target.size(); ++row) {
         const double azimuth = floor.planar ? 0.0 : floor.row_azimuth[row];
-        arms.push_back(row_arm(floor, in_body(part, part.target[row].angle_rad), azimuth, part.cable_diameter_mm / 2.0));
+        const BodyGuide guide = in_body(part, part.target[row].angle_rad);
+        arms.push_back(share_in_plane(part, guide, part.target[row]) * row_arm(floor, guide, azimuth, part.cable_diameter_mm / 2.0));
     }
     return arms;
 }

@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "fusee/core/units.h"
+#include "fusee/solid/slice.h"
 #include "html.h"
 #include "markers.h"
-#include "slice.h"
 
 namespace fusee::report {
 
@@ -18,21 +18,8 @@ using core::mm_from_m;
 using Point = std::array<double, 2>;
 using Line = std::vector<Point>;
 
-constexpr double kStepsPerTurn = 720;
 // Below the top face by less than any timing mark is deep, and at no height at which a mesh has vertices.
 constexpr double kUnderTop_mm = 0.0137;
-
-/// The parallel of the pitch curve at `offset` from psi `low` to `high`.
-Line parallel(const cam::Cam& cam, double low, double high, double offset) {
-    const int steps = std::max(2, static_cast<int>(std::ceil((high - low) / (2.0 * core::kPi) * kStepsPerTurn)));
-    Line line;
-    for (int i = 0; i <= steps; ++i) {
-        const cam::PathPoint p = cam.path(low + (high - low) * i / steps);
-        const double c = std::cos(p.psi), s = std::sin(p.psi), h = p.h + offset;
-        line.push_back({mm_from_m(h * c - p.slope * s), mm_from_m(h * s + p.slope * c)});
-    }
-    return line;
-}
 
 /// SVG's y points down, the body's up.
 std::string path_data(const Line& line, bool closed) {
@@ -83,6 +70,18 @@ std::string cable(const cam::Cam& cam, const cam::Contact& contact, const Sheet&
         coordinate(end_x), coordinate(end_y + (ty < 0 ? -1.2 * u : 3.2 * u)), coordinate(2.6 * u), escape(name));
 }
 
+/// The roller where it touches at one end of the law.
+std::string roller(const cam::Cam& cam, const cam::Contact& contact, const Sheet& sheet, const char* css, const std::string& name) {
+    const double radius = mm_from_m(cam.options.roller.radius), size = 2.6 * sheet.unit();
+    const double x = mm_from_m(contact.path.x()) + radius * std::cos(contact.path.psi),
+                 y = -mm_from_m(contact.path.y()) - radius * std::sin(contact.path.psi);
+    return fmt::format(
+        "<g class=\"{0}\"><path d=\"M{1} {2}a{3} {3} 0 1 0 {4} 0a{3} {3} 0 1 0 {5} 0\"/>"
+        "<text x=\"{6}\" y=\"{7}\" font-size=\"{8}\" text-anchor=\"middle\">{9}</text></g>",
+        css, coordinate(x - radius), coordinate(y), coordinate(radius), coordinate(2.0 * radius), coordinate(-2.0 * radius), coordinate(x),
+        coordinate(y + 0.35 * size), coordinate(size), escape(name));
+}
+
 std::string scale_bar(const Sheet& sheet) {
     const double want = 0.4 * sheet.half(), power = std::pow(10.0, std::floor(std::log10(want))), u = sheet.unit();
     const double length = want >= 5 * power ? 5 * power : want >= 2 * power ? 2 * power : power;
@@ -106,13 +105,14 @@ std::string axis(const Sheet& sheet) {
 std::string cam_svg(const solid::Part& part, const std::vector<Marker>& markers) {
     const cam::Cam& cam = part.cam;
     const double d = cam.options.cable_diameter;
-    const Line pitch = parallel(cam, cam.groove_psi.low, cam.groove_psi.high, 0.0);
-    const std::vector<Line> body = slice(part.mesh, mm_from_m(part.z_high) - kUnderTop_mm);
+    const Line pitch = solid::parallel(cam, cam.groove_psi, 0.0);
+    const std::vector<Line> body = solid::slice(part.mesh, mm_from_m(part.z_high) - kUnderTop_mm);
     const double boss_mm = mm_from_m(part.options.hub.boss_height);
-    const std::vector<Line> boss = boss_mm > 0.0 ? slice(part.mesh, mm_from_m(part.z_low) - 0.487 * boss_mm) : std::vector<Line>{};
+    const std::vector<Line> boss = boss_mm > 0.0 ? solid::slice(part.mesh, mm_from_m(part.z_low) - 0.487 * boss_mm) : std::vector<Line>{};
     std::vector<Line> all = body;
     all.insert(all.end(), boss.begin(), boss.end());
     all.push_back(pitch);
+    if (cam.has_roller()) all.push_back(solid::parallel(cam, cam.working_psi, 2.0 * cam.options.roller.radius));
     const Sheet sheet = sheet_around(all);
 
     std::string out = fmt::format(
@@ -121,12 +121,13 @@ std::string cam_svg(const solid::Part& part, const std::vector<Marker>& markers)
         cam::to_string(cam.kind), coordinate(2 * sheet.half()), coordinate(sheet.centre[0] - sheet.half()),
         coordinate(-sheet.centre[1] - sheet.half()));
     out += path_element("body", rings(body)) + path_element("boss", rings(boss));
-    out += path_element("floor", path_data(parallel(cam, cam.groove_psi.low, cam.groove_psi.high, -0.5 * d), cam.closed()));
+    out += path_element("floor", path_data(solid::parallel(cam, cam.groove_psi, -0.5 * d), cam.closed()));
     out += path_element("pitch", path_data(pitch, cam.closed()));
-    out += path_element("working", path_data(parallel(cam, cam.working_psi.low, cam.working_psi.high, 0.0), false));
+    out += path_element("working", path_data(solid::parallel(cam, cam.working_psi, 0.0), false));
     out += axis(sheet);
-    out += cable(cam, cam.working.front(), sheet, "cable", fmt::format("{:.3g} Nm", cam.working.front().arm.tau));
-    out += cable(cam, cam.working.back(), sheet, "cable end", fmt::format("{:.3g} Nm", cam.working.back().arm.tau));
+    const auto touching = cam.has_roller() ? roller : cable;
+    out += touching(cam, cam.working.front(), sheet, "cable", fmt::format("{:.3g} Nm", cam.working.front().arm.tau));
+    out += touching(cam, cam.working.back(), sheet, "cable end", fmt::format("{:.3g} Nm", cam.working.back().arm.tau));
     out += markers_svg(markers, sheet.centre, sheet.reach + 6.5 * sheet.unit(), 2.1 * sheet.unit());
     return out + scale_bar(sheet) + "</svg>\n";
 }

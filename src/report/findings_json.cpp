@@ -1,6 +1,23 @@
 #include "findings_json.h"
 
+#include "fusee/core/change.h"
+
 namespace fusee::report {
+
+namespace {
+
+/// The alternatives of a suggestion, each by key.
+nlohmann::ordered_json changes_json(const std::string& suggestion) {
+    nlohmann::ordered_json all = nlohmann::ordered_json::array();
+    for (const core::Changes& changes : core::suggested_changes(suggestion)) {
+        nlohmann::ordered_json one;
+        for (const core::Change& change : changes) one[change.key] = change.value;
+        all.push_back(std::move(one));
+    }
+    return all;
+}
+
+}  // namespace
 
 nlohmann::ordered_json findings_json(const core::Findings& findings) {
     using Json = nlohmann::ordered_json;
@@ -16,6 +33,7 @@ nlohmann::ordered_json findings_json(const core::Findings& findings) {
                {"where", f.where}};
         if (f.place) j["place"] = {{"angle_rad", f.place->angle}, {"point_mm", f.place->point_mm}};
         j["suggestion"] = f.suggestion;
+        j["changes"] = changes_json(f.suggestion);
         j["source"] = f.source;
         for (const core::OverriddenLimit& o : f.overridden)
             j["overridden"].push_back(

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "as_exported_page.h"
 #include "page.h"
 
 namespace fusee::report {
@@ -26,8 +27,8 @@ std::string verdict_text(core::Severity severity) {
 /// The worst arm error of all files; NaN if none was read back.
 double worst_arm_error(const DesignReport& design) {
     double worst = std::numeric_limits<double>::quiet_NaN();
-    for (const PartReport& part : design.parts)
-        for (const readback::ArmError& e : part.arm_errors) worst = std::fmax(worst, e.worst_relative);
+    for (const readback::ArmError* e : design.arm_errors())
+        if (e->when_broken == core::Severity::kRequired) worst = std::fmax(worst, e->worst_relative);
     return worst;
 }
 
@@ -72,8 +73,8 @@ std::string report_html(const DesignReport& design) {
     const std::vector<NumberedFinding> findings = numbered(design);
     std::string body = head_section(design);
     for (const PartReport& part : design.parts) body += part_section(part, markers_of(findings, cam::to_string(part.part->cam.kind)));
-    body +=
-        findings_section(findings) + law_section(design) + dead_band_section(design) + read_back_section(design) + files_section(design);
+    body += findings_section(findings) + law_section(design) + dead_band_section(design) + read_back_section(design) +
+            as_exported_section(design.as_exported) + files_section(design);
     return html_page(design.provenance.name, body);
 }
 

@@ -3,14 +3,15 @@
 #include <string_view>
 #include <vector>
 
+#include "fusee/core/markup.h"
+
 namespace fusee::report {
 
-/// Text that may stand between tags and in quoted attributes.
-[[nodiscard]] std::string escape(std::string_view text);
+using core::coordinate;
+using core::escape;
+
 /// `digits` significant digits, whole numbers in full; an en dash for NaN.
 [[nodiscard]] std::string number(double value, int digits = 4);
-/// Coordinates for SVG: three decimals without trailing zeros (a thousandth of a millimetre or of a pixel).
-[[nodiscard]] std::string coordinate(double value);
 /// "12.3 kB"
 [[nodiscard]] std::string bytes_text(double bytes);
 

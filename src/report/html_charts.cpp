@@ -64,6 +64,16 @@ std::string certificate_text(const cam::Certificate& c) {
                        c.open.empty() ? "" : "; " + c.open);
 }
 
+/// What runs on the part, and with what force.
+std::pair<std::string, std::string> partner(const cam::Cam& cam, const CamFigures& f) {
+    if (!cam.has_roller())
+        return {"cable", fmt::format("{} mm, {}", number(core::mm_from_m(cam.options.cable_diameter)), range_text(f.tensions, "N", 3))};
+    double steepest = 0.0;
+    for (const cam::Contact& c : cam.working) steepest = std::max(steepest, std::abs(cam::pressure_angle(c.arm, cam.options.roller)));
+    return {"roller", fmt::format("{} mm radius, {}, pressure angle up to {} deg", number(core::mm_from_m(cam.options.roller.radius)),
+                                  range_text(f.tensions, "N", 3), number(deg_from_rad(steepest), 3))};
+}
+
 std::string cam_facts(const PartReport& report) {
     const solid::Part& part = *report.part;
     const CamFigures f = measure(part.cam);
@@ -79,8 +89,7 @@ std::string cam_facts(const PartReport& report) {
                        {"working arc", fmt::format("{} turns", number(part.cam.working_psi.width() / (2.0 * core::kPi), 3))},
                        {"least radius of curvature", number(f.least_rho_mm) + " mm"},
                        {"by interval arithmetic", certificate_text(report.certificate)},
-                       {"cable",
-                        fmt::format("{} mm, {}", number(core::mm_from_m(part.cam.options.cable_diameter)), range_text(f.tensions, "N", 3))},
+                       partner(part.cam, f),
                        {"base spring", fmt::format("{} {}", number(report.spring.rate), torsion ? "Nm/rad" : "N/m")},
                        {torsion ? "spring winding" : "spring travel", range_text(states, torsion ? "rad" : "mm")},
                        {torsion ? "spring torque" : "spring force", range_text(loads, torsion ? "Nm" : "N")},
@@ -126,10 +135,12 @@ std::string part_section(const PartReport& report, const std::vector<Marker>& ma
     return fmt::format("<section><h2>{}: {}</h2><div class=\"part\"><figure class=\"card\">", cam::to_string(cam.kind),
                        series ? "spool of the series spring" : "cam of the parallel spring") +
            cam_svg(*report.part, markers) +
-           "<p class=\"faint\">Seen from +z at cam angle 0, to scale. Filled: the part just under its top face; coloured: the "
-           "cable's centreline on the working arc; thin: groove floor; straight: the cable at the lowest and (dashed) at the highest load; "
-           "numbers: findings.</p></figure><div class=\"stack\">" +
-           cam_facts(report) + arm.svg() + (cam.closed() ? "" : height.svg()) + "</div></div></section>\n";
+           "<p class=\"faint\">Seen from +z at cam angle 0, to scale. Filled: the part just under its top face; coloured: the " +
+           (cam.has_roller() ? "working arc of the rim; round: the roller at the lowest and (dashed) at the highest load; "
+                             : "cable's centreline on the working arc; thin: groove floor; straight: the cable at the lowest and (dashed) "
+                               "at the highest load; ") +
+           "numbers: findings.</p></figure><div class=\"stack\">" + cam_facts(report) + arm.svg() + (cam.closed() ? "" : height.svg()) +
+           "</div></div></section>\n";
 }
 
 }  // namespace fusee::report

@@ -58,6 +58,9 @@ std::vector<NumberedFinding> numbered(const DesignReport& design) {
     for (const core::Finding& finding : design.findings) all.push_back({0, "law", finding});
     for (const PartReport& part : design.parts)
         for (const core::Finding& finding : part.findings) all.push_back({0, cam::to_string(part.part->cam.kind), finding});
+    for (const PartReport& part : design.mirrored)
+        for (const core::Finding& finding : part.findings)
+            all.push_back({0, std::string(cam::to_string(part.part->cam.kind)) + " mirrored", finding});
     return ranked(std::move(all));
 }
 
@@ -93,15 +96,14 @@ std::string findings_section(const std::vector<NumberedFinding>& findings) {
 
 std::string read_back_section(const DesignReport& design) {
     std::vector<std::vector<Cell>> rows;
-    for (const PartReport& part : design.parts)
-        for (const readback::ArmError& e : part.arm_errors)
-            rows.push_back({{tag(e.passed() ? core::Severity::kPass : core::Severity::kRequired), ""},
-                            {escape(e.file), "code"},
-                            {escape(e.reader), ""},
-                            {number(100.0 * e.worst_relative, 3) + " %", "num"},
-                            {"\u2264 " + number(100.0 * e.allowed, 3) + " %", "num"},
-                            {number(core::deg_from_rad(e.worst_angle_rad), 4) + " deg", "num"},
-                            {fmt::format("{}", e.rows), "num"}});
+    for (const readback::ArmError* e : design.arm_errors())
+        rows.push_back({{tag(e->passed() ? core::Severity::kPass : e->when_broken), ""},
+                        {escape(e->file), "code"},
+                        {escape(e->reader), ""},
+                        {number(100.0 * e->worst_relative, 3) + " %", "num"},
+                        {"\u2264 " + number(100.0 * e->allowed, 3) + " %", "num"},
+                        {number(core::deg_from_rad(e->worst_angle_rad), 4) + " deg", "num"},
+                        {fmt::format("{}", e->rows), "num"}});
     if (rows.empty()) return "";
     return "<section><h2>Read back from the files</h2><p>Every file was read again and its lever arm found anew, by rays to the groove's "
            "floor "
@@ -111,10 +113,13 @@ std::string read_back_section(const DesignReport& design) {
 
 std::string files_section(const DesignReport& design) {
     std::vector<std::vector<Cell>> rows;
-    for (const PartReport& part : design.parts) add_files(rows, part.files);
+    for (const PartReport* part : design.sides()) add_files(rows, part->files);
     add_files(rows, design.files);
     if (rows.empty()) return "";
-    return "<section><h2>Files</h2>" + html_table({"name", "size", "triangles", "chordal error", "SHA-256"}, rows) + "</section>\n";
+    const std::string sides = design.mirrored.empty() ? ""
+                                                      : "<p>Files named _mirrored are the antagonist's: mirror images in the plane of axis "
+                                                        "and timing mark, for a torsion spring of the other hand. The law is the same.</p>";
+    return "<section><h2>Files</h2>" + sides + html_table({"name", "size", "triangles", "chordal error", "SHA-256"}, rows) + "</section>\n";
 }
 
 }  // namespace fusee::report

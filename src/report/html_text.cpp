@@ -7,44 +7,11 @@
 
 namespace fusee::report {
 
-std::string escape(std::string_view text) {
-    std::string out;
-    for (const char c : text) {
-        switch (c) {
-            case '&':
-                out += "&amp;";
-                break;
-            case '<':
-                out += "&lt;";
-                break;
-            case '>':
-                out += "&gt;";
-                break;
-            case '"':
-                out += "&quot;";
-                break;
-            case '\'':
-                out += "&#39;";
-                break;
-            default:
-                out += c;
-        }
-    }
-    return out;
-}
-
 std::string number(double value, int digits) {
     if (std::isnan(value)) return "\u2013";
     const double size = std::abs(value);
     if (size >= std::pow(10.0, digits) && size < 1e9) return fmt::format("{:.0f}", value);  // 40760, not 4.076e+04
     return fmt::format("{:.{}g}", value, digits);
-}
-
-std::string coordinate(double value) {
-    std::string text = fmt::format("{:.3f}", value);
-    text.erase(text.find_last_not_of('0') + 1);
-    if (text.ends_with('.')) text.pop_back();
-    return text == "-0" ? "0" : text;
 }
 
 std::string bytes_text(double bytes) {

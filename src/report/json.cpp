@@ -1,5 +1,6 @@
 #include <nlohmann/json.hpp>
 
+#include "as_exported_page.h"
 #include "figures.h"
 #include "findings_json.h"
 #include "fusee/report/report.h"
@@ -136,9 +137,13 @@ std::string report_json(const DesignReport& design) {
     j["law"] = law_json(design.law);
     j["dead_band"] = Json::array();
     for (const actuator::DeadBand& d : design.dead_band) j["dead_band"].push_back(dead_band_json(d));
+    j["as_exported"] = as_exported_json(design.as_exported);
     j["findings"] = findings_json(design.findings);
     j["parts"] = Json::array();
     for (const PartReport& part : design.parts) j["parts"].push_back(part_json(part));
+    j["mirrored"] = Json::array();
+    for (const PartReport& part : design.mirrored) j["mirrored"].push_back(part_json(part));
+    j["plate"] = read_back_json(design.plate_errors);
     j["files"] = files_json(design.files);
     // A broken byte in a text is replaced rather than losing the report.
     return j.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -135,6 +135,7 @@ std::string simulation_html(const Simulation& s) {
              "Motor: the gear alone. Frame: the joint with masses for motors. Noise: gears moving, so without stiction; inertia, drag and "
              "noise as in [dynamics].",
              subsystem_charts(s));
+    body += wrap_section(s);
     return html_page(s.provenance.name, body + survey_section(s));
 }
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "findings_json.h"
@@ -124,6 +125,11 @@ std::string simulation_json(const Simulation& s) {
     j["loops"] = listed(s.loops, [](const DeflectionLoop& loop) { return Json{{"tau_Nm", loop.tau}, {"cycle", points_json(loop.cycle)}}; });
     j["break_away"] = listed(s.break_away, [](const BreakAwayRow& row) {
         return Json{{"motor_torque_Nm", row.motor_torque}, {"loads_Nm", range(row.loads)}};
+    });
+    j["wraps"] = listed(s.wraps, [](const WrapSide& side) {
+        double widest = 0.0;
+        for (const cam::WrapRow& row : side.loop.rows) widest = std::max(widest, row.width());
+        return Json{{"part", cam::to_string(side.part)}, {"dissipated_J", side.loop.dissipated}, {"widest_rad", widest}};
     });
     j["bearing"] = {{"constant_Nm", s.bearing.constant}, {"tension_share", s.bearing.tension_share}};
     j["findings"] = findings_json(s.findings);

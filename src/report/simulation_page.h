@@ -10,6 +10,7 @@ namespace fusee::report {
 [[nodiscard]] std::string joint_charts(const Simulation& simulation);        ///< dead-band, condition (6), stiffness
 [[nodiscard]] std::string push_charts(const Simulation& simulation);         ///< paths and loops
 [[nodiscard]] std::string subsystem_charts(const Simulation& simulation);    ///< motor, frame, noise
+[[nodiscard]] std::string wrap_section(const Simulation& simulation);        ///< loops of the cables on their cams
 
 /// The equilibria for a terminal.
 [[nodiscard]] std::string equilibria_text(const Simulation& simulation);

@@ -14,17 +14,30 @@ bool LawReport::covers_stiction() const {
     return samples.front().tau <= stiction_loads.low * (1.0 + kSameLoad) && samples.back().tau >= stiction_loads.high * (1.0 - kSameLoad);
 }
 
+std::vector<const PartReport*> DesignReport::sides() const {
+    std::vector<const PartReport*> all;
+    for (const auto* list : {&parts, &mirrored})
+        for (const PartReport& part : *list) all.push_back(&part);
+    return all;
+}
+
+std::vector<const readback::ArmError*> DesignReport::arm_errors() const {
+    std::vector<const readback::ArmError*> all;
+    for (const PartReport* part : sides())
+        for (const readback::ArmError& error : part->arm_errors) all.push_back(&error);
+    for (const readback::ArmError& error : plate_errors) all.push_back(&error);
+    return all;
+}
+
 core::Severity verdict(const DesignReport& design) {
     core::Severity worst = core::Severity::kPass;
     const auto weigh = [&worst](const core::Findings& findings) {
         for (const core::Finding& finding : findings) worst = std::max(worst, finding.severity);
     };
     weigh(design.findings);
-    for (const PartReport& part : design.parts) {
-        weigh(part.findings);
-        for (const readback::ArmError& error : part.arm_errors)
-            if (!error.passed()) worst = core::Severity::kRequired;
-    }
+    for (const PartReport* part : design.sides()) weigh(part->findings);
+    for (const readback::ArmError* error : design.arm_errors())
+        if (!error->passed()) worst = std::max(worst, error->when_broken);
     return worst;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fusee/core/turn.h"
 #include "fusee/core/units.h"
 #include "fusee/solid/outline.h"
 
@@ -10,7 +11,7 @@ namespace fusee::solid {
 
 namespace {
 
-constexpr double kTurn = 2.0 * core::kPi;
+using core::kTurn;
 constexpr double kWidestStep = 0.12;  // [rad] between columns however small the radius: a round part looks round
 constexpr double kProud_mm = 0.3;     // that a flange widened by a boss, or a helix's, stands beyond the lips everywhere: no sliver faces
 constexpr double kBossRim_mm = 1.0;   // the lower flange reaches this far beyond a boss
@@ -129,6 +130,31 @@ double ColumnMaker::flattest_mm(double u) const {
     double flattest = circle_;
     for (double psi = u; psi <= reach_.high; psi += kTurn) flattest = std::max(flattest, core::mm_from_m(cam_.path(psi).rho) + lip_);
     return flattest;
+}
+
+std::vector<Point2> upper_outline(const Part& part) {
+    const ColumnMaker maker(part.cam, part.section, flanges_of(part.options));
+    std::vector<Point2> outline;
+    for (const double psi : part.columns_psi) {
+        const Vec3 p = maker.upper_rails(psi).back();
+        outline.push_back({p[0], p[1]});
+    }
+    return outline;
+}
+
+double helix_radius_mm(const Part& part) {
+    const Vec3 p = ColumnMaker(part.cam, part.section, flanges_of(part.options)).upper_rails(0.0).back();
+    return std::hypot(p[0], p[1]);
+}
+
+double crossing_at_zero(const std::vector<Point2>& ring) {
+    double far = 0.0;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const Point2 &a = ring[i], &b = ring[(i + 1) % ring.size()];
+        if ((a[1] <= 0.0) == (b[1] <= 0.0)) continue;
+        far = std::max(far, a[0] + (b[0] - a[0]) * (-a[1]) / (b[1] - a[1]));
+    }
+    return far;
 }
 
 std::vector<double> place_columns(const ColumnMaker& maker, double low, double high, double tolerance_mm) {

@@ -13,23 +13,6 @@ namespace {
 
 constexpr double kThrough_mm = 1.0;  // cutters reach this far out of the part: no face of theirs lies in one of its own
 
-/// Where the upper flange's outline, as meshed, crosses the +x axis.
-double rim_at_mark(const Part& part) {
-    const ColumnMaker maker(part.cam, part.section, flanges_of(part.options));
-    Ring outline;
-    for (const double psi : part.columns_psi) {
-        const Vec3 p = maker.upper_rails(psi).back();
-        outline.push_back({p[0], p[1]});
-    }
-    double rim = 0.0;
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-        const Point2 &a = outline[i], &b = outline[(i + 1) % outline.size()];
-        if ((a[1] <= 0.0) == (b[1] <= 0.0)) continue;
-        rim = std::max(rim, a[0] + (b[0] - a[0]) * (-a[1]) / (b[1] - a[1]));
-    }
-    return rim;
-}
-
 Cutter anchor(const cam::Cam& cam, double diameter_mm, double z_high_mm) {
     const cam::PathPoint path = cam.path(cam.anchor_psi);
     // The hole touches the pitch curve from inside, so that the cable turns from the groove's floor straight into it.
@@ -59,7 +42,7 @@ std::vector<Cutter> make_cutters(const Part& part) {
                                    core::mm_from_m(f.leg_slot_radius), f.leg_slot_angle),
                            z_high_mm - core::mm_from_m(f.leg_slot_depth), z_high_mm + kThrough_mm});
     if (f.mark_width > 0.0) {
-        const double rim = rim_at_mark(part), half = 0.5 * core::mm_from_m(f.mark_width), inner = 0.7 * rim;
+        const double rim = crossing_at_zero(upper_outline(part)), half = 0.5 * core::mm_from_m(f.mark_width), inner = 0.7 * rim;
         cutters.push_back({"mark",
                            {{{inner, -half}}, {{rim + kThrough_mm, -half}}, {{rim + kThrough_mm, half}}, {{inner, half}}},
                            z_high_mm - core::mm_from_m(f.mark_depth),

@@ -25,4 +25,9 @@ double volume_mm3(const Mesh& mesh) {
     return six / 6.0;
 }
 
+void round_to_file(Mesh& mesh) {
+    for (Vec3& p : mesh.points_mm)
+        for (double& coordinate : p) coordinate = static_cast<double>(static_cast<float>(coordinate));
+}
+
 }  // namespace fusee::solid

@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fusee/cam/mirror.h"
 #include "fusee/core/error.h"
 #include "fusee/core/units.h"
 #include "fusee/solid/columns.h"
 #include "fusee/solid/cut.h"
 #include "fusee/solid/cutters.h"
 #include "fusee/solid/fill.h"
+#include "fusee/solid/mirror.h"
 #include "fusee/solid/outline.h"
 #include "fusee/solid/sweep.h"
 #include "fusee/solid/validity.h"
@@ -47,6 +49,7 @@ void validate_hub(const std::string& hub_of, const HubOptions& hub, double rib) 
 
 void validate_options(const std::string& part, const PartOptions& o) {
     require_mm("groove.rib", o.groove.rib, 0.1, 100.0);
+    require_mm("groove.plate", o.groove.plate, 0.0, 100.0);
     require_mm(part + ".flange_height", o.flange_height, 0.0, 100.0);
     validate_hub(part + ".hub.", o.hub, o.groove.rib);
     const FeatureOptions& f = o.features;
@@ -86,12 +89,6 @@ void validate_options(const std::string& part, const PartOptions& o) {
     return simple & fill_face(mesh, body.upper_ring, through ? std::vector<VertexRing>{high} : std::vector<VertexRing>{}, true);
 }
 
-/// STL holds single precision: the mesh is rounded to it before it is proven valid, so that what is proven is what is written.
-void round_to_file(Mesh& mesh) {
-    for (Vec3& p : mesh.points_mm)
-        for (double& coordinate : p) coordinate = static_cast<double>(static_cast<float>(coordinate));
-}
-
 core::Finding invalid(const cam::Cam& cam, const Validity& validity) {
     core::Finding f = refusal("solid.validity", "the solid is not valid: " + validity.line(), validity.good() ? 1.0 : 0.0, 1.0,
                               to_string(cam.kind), "a wider rib or pitch, or a shallower groove, so that no face meets another");
@@ -100,14 +97,27 @@ core::Finding invalid(const cam::Cam& cam, const Validity& validity) {
     return f;
 }
 
+/// Columns and lips are laid from the low end of psi upwards: a left-handed helix is made by way of its mirror image.
+template <class Make>
+core::Outcome<Part> through_mirror(const Make& make, const cam::Cam& cam, const PartOptions& options) {
+    const auto right = make(cam::mirrored(cam), mirrored(options));
+    if (!right) return right;
+    Part part = mirrored(*right);
+    part.cam = cam;
+    part.options = options;
+    return part;
+}
+
 }  // namespace
 
 core::Outcome<Part> outline_part(const cam::Cam& cam, const PartOptions& options) {
+    if (cam::left_handed(cam)) return through_mirror(outline_part, cam, options);
     validate_options(to_string(cam.kind), options);
     Part part;
     part.cam = cam;
     part.options = options;
-    part.section = groove_section(options.groove, cam.options.cable_diameter, 0.5 * options.chordal_error);
+    part.section =
+        cam.has_roller() ? rim_section(options) : groove_section(options.groove, cam.options.cable_diameter, 0.5 * options.chordal_error);
     if (core::Findings findings = check_room(cam, options, part.section); !findings.empty()) return findings;
     const ColumnMaker maker(cam, part.section, flanges_of(options));
     part.z_low = core::m_from_mm(maker.z_low_mm());
@@ -117,6 +127,7 @@ core::Outcome<Part> outline_part(const cam::Cam& cam, const PartOptions& options
 }
 
 core::Outcome<Part> build_part(const cam::Cam& cam, const PartOptions& options) {
+    if (cam::left_handed(cam)) return through_mirror(build_part, cam, options);
     auto outline = outline_part(cam, options);
     if (!outline) return outline.refusal();
     Part part = std::move(outline).value();

@@ -68,10 +68,14 @@ Refusal misses_axis(const Room& room) {
 Refusal anchor(const Room& room) {
     const double hole = mm_from_m(room.options.features.anchor_hole_diameter);
     const double inside = room.options.hub.kind == HubKind::kThrough ? bore_reach_mm(room.options.hub) : kLeastLip_mm;
-    const double widest = std::max(0.0, mm_from_m(room.cam.path(room.cam.anchor_psi).h) - inside - kLeastLip_mm);
+    const double left = mm_from_m(room.cam.path(room.cam.anchor_psi).h) - inside - kLeastLip_mm, widest = std::max(0.0, left);
     if (hole <= widest) return std::nullopt;
-    core::Finding f = refusal("solid.anchor", "the anchor hole is as wide as the part is there", hole, widest, room.part,
-                              fmt::format("{}.features.anchor_hole_mm = {:.2f}", room.part, 0.95 * widest));
+    const double bore = mm_from_m(room.options.hub.bore_diameter) - 2.0 * (hole - left + kLeastFloor_mm);
+    std::string suggestion = widest > 0.0 ? fmt::format("{}.features.anchor_hole_mm = {:.2f}", room.part, 0.95 * widest)
+                                          : fmt::format("{}.features.anchor_hole_mm = 0 and a clamp outside the part", room.part);
+    if (room.options.hub.kind == HubKind::kThrough && bore > kLeastBore_mm)
+        suggestion += fmt::format(", or {}.hub.bore_mm = {:.2f}", room.part, bore);
+    core::Finding f = refusal("solid.anchor", "the anchor hole is as wide as the part is there", hole, widest, room.part, suggestion);
     f.bound = core::Bound::kAtMost;
     return f;
 }

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "fusee/core/error.h"
@@ -26,6 +28,14 @@ std::vector<SectionPoint> groove_section(const GrooveOptions& groove, double cab
     }
     section.push_back({depth - d / 2.0, lip});
     return section;
+}
+
+std::vector<SectionPoint> rim_section(const PartOptions& options) {
+    const double half = 0.5 * core::mm_from_m(options.rim_width) - core::mm_from_m(options.groove.rib);
+    if (!(half > 0.0))
+        throw core::InvalidInput("k_pe.roller.rim_width_mm", fmt::format("{} mm", core::mm_from_m(options.rim_width)),
+                                 fmt::format("above two ribs, {:g} mm", 2.0 * core::mm_from_m(options.groove.rib)));
+    return {{0.0, -half}, {0.0, 0.0}, {0.0, half}};
 }
 
 }  // namespace fusee::solid

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "fusee/core/turn.h"
 #include "fusee/core/units.h"
 #include "fusee/solid/columns.h"
 
@@ -10,7 +11,7 @@ namespace fusee::solid {
 
 namespace {
 
-constexpr double kTurn = 2.0 * core::kPi;
+using core::kTurn;
 using Numbers = std::vector<std::uint32_t>;
 
 /// Vertex numbers of one column; slots by turn.

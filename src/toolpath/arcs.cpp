@@ -3,19 +3,19 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fusee/core/units.h"
+#include "fusee/core/turn.h"
 
 namespace fusee::toolpath {
 
 namespace {
 
+using core::kTurn;
 using solid::Arc;
 using solid::Point2;
 
 constexpr int kFirstPieces = 24;  // a piece is never wider than 15 degrees
 constexpr int kDeepest = 12;      // halvings of a piece: 64 microradians, far below any tolerance that is allowed
 constexpr int kProbes = 4;        // normals at which each of the two arcs is compared with the outline
-constexpr double kTurn = 2.0 * core::kPi;
 
 Point2 normal(double psi) { return {std::cos(psi), std::sin(psi)}; }
 double dot(const Point2& a, const Point2& b) { return a[0] * b[0] + a[1] * b[1]; }

@@ -142,14 +142,27 @@ core::Outcome<Program> boss_program(const solid::Part& part, const Settings& set
     return program ? core::Outcome<Program>(Program{"_boss", program->text}) : program;
 }
 
+core::Outcome<Program> rim_program(const solid::Part& part, const Settings& asked, const std::string& provenance) {
+    constexpr double kSlopes = 0.1;  // of the tolerance: a follower's arm is the slope of its rim, not the distance
+    require_valid(asked);
+    Settings settings = asked;
+    settings.tolerance *= kSlopes;
+    Gcode code(provenance);
+    code.comment("part {}: a plate with a rim for a roller", to_string(part.cam.kind));
+    Plate plate = blank_plate(part, settings);
+    plate.name = "rim";
+    return mill_sheet(part, settings, {plate}, "floor", std::move(code));
+}
+
 core::Outcome<std::vector<Program>> part_programs(const solid::Part& part, const Settings& settings, const std::string& provenance) {
     const Method asked = part.cam.kind == cam::PartKind::kSeries ? settings.k_se : settings.k_pe;
-    const bool planar = part.cam.closed(), stacked = planar && asked == Method::kStack;
+    const bool rim = part.cam.has_roller(), planar = part.cam.closed(), stacked = !rim && planar && asked == Method::kStack;
     std::vector<core::Outcome<Program>> made;
+    if (rim) made.push_back(rim_program(part, settings, provenance));
     if (stacked) made.push_back(contour_program(part, settings, provenance));
-    if (stacked && part.options.hub.boss_height > 0.0) made.push_back(boss_program(part, settings, provenance));
-    if (!stacked && planar) made.push_back(blank_program(part, settings, provenance));
-    if (!stacked) made.push_back(wrap_program(part, settings, provenance));
+    if ((rim || stacked) && part.options.hub.boss_height > 0.0) made.push_back(boss_program(part, settings, provenance));
+    if (!rim && !stacked && planar) made.push_back(blank_program(part, settings, provenance));
+    if (!rim && !stacked) made.push_back(wrap_program(part, settings, provenance));
     std::vector<Program> programs;
     core::Findings refusals;
     for (const auto& program : made) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fusee/core/turn.h"
 #include "fusee/core/units.h"
 #include "fusee/solid/sweep.h"
 #include "fusee/toolpath/arcs.h"
@@ -11,9 +12,8 @@ namespace fusee::toolpath {
 
 namespace {
 
+using core::kTurn;
 using core::mm_from_m;
-
-constexpr double kTurn = 2.0 * core::kPi;
 
 /// Depth of the drawn groove at a height above its plane: offset from the pitch curve [mm].
 double groove_offset(const std::vector<solid::SectionPoint>& section, double height) {
@@ -46,8 +46,7 @@ private:
     [[nodiscard]] std::vector<solid::Arc> fit(double offset, double core_radius) const {
         const core::Range turn = part_.cam.groove_psi, working = part_.cam.working_psi;
         const auto outline = [&](double psi) {
-            const double within = turn.low + (psi - turn.low) - kTurn * std::floor((psi - turn.low) / kTurn);
-            return solid::flange_point(part_.cam.path(within), offset, core_radius).point;
+            return solid::flange_point(part_.cam.path(core::within_turn(psi, turn.low)), offset, core_radius).point;
         };
         return fit_arcs(outline, 0.5 * (working.high + working.low + kTurn), tolerance_);
     }

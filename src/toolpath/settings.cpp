@@ -4,6 +4,7 @@
 
 #include "fusee/core/error.h"
 #include "fusee/core/units.h"
+#include "gcode.h"
 
 namespace fusee::toolpath {
 
@@ -13,12 +14,12 @@ void require_valid(const Settings& s) {
         core::require_positive(std::string("machining.") + key, value, unit);
     };
     positive("tool_diameter_mm", mm_from_m(s.tool_diameter), "mm");
-    positive("feed_mm_per_min", 60.0 * mm_from_m(s.feed), "mm/min");
-    positive("plunge_feed_mm_per_min", 60.0 * mm_from_m(s.plunge_feed), "mm/min");
+    positive("feed_mm_per_min", mm_per_min(s.feed), "mm/min");
+    positive("plunge_feed_mm_per_min", mm_per_min(s.plunge_feed), "mm/min");
     positive("spindle_rpm", s.spindle_rpm, "1/min");
     positive("depth_per_pass_mm", mm_from_m(s.depth_per_pass), "mm");
     positive("terrace_mm", mm_from_m(s.terrace), "mm");
-    positive("wrap_feed_mm_per_min", 60.0 * mm_from_m(s.wrap_feed), "mm/min");
+    positive("wrap_feed_mm_per_min", mm_per_min(s.wrap_feed), "mm/min");
     positive("wrap_rpm", s.wrap_rpm, "1/min");
     positive("wrap_depth_mm", mm_from_m(s.wrap_depth), "mm");
     positive("safe_height_mm", mm_from_m(s.safe_height), "mm");

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <queue>
 
-#include "fusee/core/units.h"
+#include "fusee/core/turn.h"
 
 namespace fusee::toolpath {
 
@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kBins = 2048;
 constexpr double kSame_mm = 1e-6;  // a hundredth of what the interpreter prints
-constexpr double kTurn = 2.0 * core::kPi;
+using core::kTurn;
 
 using Vec = std::array<double, 3>;
 double dot(const Vec& a, const Vec& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }

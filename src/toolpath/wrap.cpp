@@ -2,7 +2,9 @@
 #include <cmath>
 #include <limits>
 
+#include "fusee/core/turn.h"
 #include "fusee/core/units.h"
+#include "fusee/solid/columns.h"
 #include "fusee/solid/outline.h"
 #include "fusee/solid/sweep.h"
 #include "fusee/toolpath/program.h"
@@ -12,9 +14,9 @@ namespace fusee::toolpath {
 
 namespace {
 
+using core::kTurn;
 using core::mm_from_m;
 
-constexpr double kTurn = 2.0 * core::kPi;
 constexpr double kWidestStep = 0.05;  // [rad]: where h'' vanishes the lines' error is of higher order in the step
 constexpr double kLeastDepth_mm = 1e-6;
 
@@ -55,7 +57,7 @@ Wrap::Wrap(const solid::Part& wrapped, const Settings& settings)
 
 cam::PathPoint Wrap::at(double psi) const {
     const core::Range groove = part.cam.groove_psi;
-    if (part.cam.closed()) psi -= kTurn * std::floor((psi - groove.low) / kTurn);
+    if (part.cam.closed()) psi = core::within_turn(psi, groove.low);
     return part.cam.path(std::clamp(psi, groove.low, groove.high));
 }
 
@@ -77,7 +79,7 @@ void Wrap::measure_stock() {
             reach = std::max(reach, q[0] * std::cos(psi) + q[1] * std::sin(psi) - tip);
         }
     }
-    for (const solid::Vec3& p : part.skin.points_mm) radius = std::max(radius, std::hypot(p[0], p[1]));
+    if (!part.cam.closed()) radius = std::max(radius, solid::helix_radius_mm(part));
     reach = std::max(reach, (part.cam.closed() ? boss : radius) - lowest);
 }
 

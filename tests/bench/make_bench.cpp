@@ -1,13 +1,14 @@
 // The main job beside the OpenSCAD way on the same two solids at the same resolution: run with
 //   cmake -S . -B build-bench -G Ninja -DFUSEE_BUILD_BENCH=ON && cmake --build build-bench --target bench
-// BM_Make is the whole of `fusee make`: law, both cams, solids, rules, all files, read-back, reports. BM_OpenScad renders the two SCAD
-// files that it wrote, one after the other, and nothing else. `peak_MB` is the largest resident size of this process up to the end of the
-// benchmark.
+// BM_Make is the whole of `fusee make`: law, both cams, solids, rules, files, read-back, reports, for both sides of the joint. BM_OpenScad
+// renders the two SCAD files that it wrote, one after the other, and nothing else. `peak_MB` is the largest resident size of this process
+// up to the end of the benchmark.
 #include <benchmark/benchmark.h>
 #include <sys/resource.h>
 
 #include <filesystem>
 
+#include "fusee/core/file.h"
 #include "fusee/exchange/openscad.h"
 #include "fusee/pipeline/design.h"
 #include "fusee/pipeline/make.h"
@@ -28,15 +29,32 @@ void count_peak(benchmark::State& state) {
     state.counters["peak_MB"] = static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
-void BM_Make(benchmark::State& state) {
-    const profile::Profile profile = paper_profile();
+/// The paper's profile with these formats alone, both sides of the joint.
+profile::Profile with_formats(const char* formats) {
+    const fs::path file = fs::path(FUSEE_SOURCE_DIR) / "profiles" / "pnrvsa.toml";
+    std::string toml = core::read_file(file);
+    const std::size_t begin = toml.find("formats = ["), end = toml.find(']', begin);
+    return profile::parse_profile(toml.replace(begin, end + 1 - begin, std::string("formats = [") + formats + "]"), file);
+}
+
+void BM_Make(benchmark::State& state, const char* formats) {
+    const profile::Profile profile = with_formats(formats);
     for (auto _ : state) {
         const auto made = pipeline::make(profile, {out_folder(), pipeline::Via::kCgal});
         if (!made.made) state.SkipWithError("the profile was refused");
     }
     count_peak(state);
 }
-BENCHMARK(BM_Make)->Unit(benchmark::kMillisecond)->UseRealTime()->MinTime(3.0);
+// Beside STL alone each format alone, and all but the drawing's PDF and slicing.
+#define FORMATS(name, formats) BENCHMARK_CAPTURE(BM_Make, name, formats)->Unit(benchmark::kMillisecond)->UseRealTime()->MinTime(2.0)
+FORMATS(stl, "'stl'");
+FORMATS(stl_3mf, "'stl', '3mf'");
+FORMATS(stl_scad, "'stl', 'scad'");
+FORMATS(stl_dxf, "'stl', 'dxf'");
+FORMATS(stl_drawing, "'stl', 'drawing'");
+FORMATS(stl_ngc, "'stl', 'ngc'");
+FORMATS(stl_step, "'stl', 'step'");
+FORMATS(all, "'stl', '3mf', 'scad', 'dxf', 'drawing', 'ngc', 'step'");
 
 void BM_OpenScad(benchmark::State& state) {
     const auto made = pipeline::make(paper_profile(), {out_folder(), pipeline::Via::kCgal});

@@ -28,9 +28,12 @@ TEST(Docs, EveryRuleStandsThereOnce) {
     const std::string text = page(), begin = "\n| `";
     std::set<std::string> ids;
     std::size_t rows = 0;
-    for (std::size_t at = text.find(begin); at != std::string::npos; at = text.find(begin, at + 1), ++rows) {
+    for (std::size_t at = text.find(begin); at != std::string::npos; at = text.find(begin, at + 1)) {
         const std::size_t from = at + begin.size();
-        ids.insert(text.substr(from, text.find('`', from) - from));
+        const std::string id = text.substr(from, text.find('`', from) - from);
+        if (id.starts_with("mesh.")) continue;  // tests/inspect
+        ids.insert(id);
+        ++rows;
     }
     EXPECT_EQ(rows, ids.size());
     for (const Rule& rule : rules()) EXPECT_TRUE(ids.erase(rule.id)) << rule.id;

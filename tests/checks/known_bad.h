@@ -24,6 +24,7 @@ std::vector<Case> cable_cases();
 std::vector<Case> groove_cases();
 std::vector<Case> spring_cases();
 std::vector<Case> structure_cases();
+std::vector<Case> roller_cases();
 std::vector<Case> shaft_cases();
 std::vector<Case> process_cases();
 std::vector<Case> machine_cases();
@@ -31,8 +32,8 @@ std::vector<Case> assembly_cases();
 
 inline std::vector<Case> all_cases() {
     std::vector<Case> all;
-    for (const auto cases :
-         {cable_cases, groove_cases, spring_cases, structure_cases, shaft_cases, process_cases, machine_cases, assembly_cases})
+    for (const auto cases : {cable_cases, groove_cases, spring_cases, structure_cases, shaft_cases, roller_cases, process_cases,
+                             machine_cases, assembly_cases})
         for (Case& c : cases()) all.push_back(std::move(c));
     return all;
 }

@@ -9,6 +9,15 @@ void bend(Bench& b, double rho_mm) {
     for (cam::Contact& c : b.part.cam.working) c.path.rho = rho_mm * kMm;
 }
 
+/// Beyond its working arc the groove swings up and down.
+void wave(Bench& b, double height_mm, double waves) {
+    b.part.cam.path = [whole = b.part.cam.path, height_mm, waves](double psi) {
+        cam::PathPoint p = whole(psi);
+        if (psi < 0.0) p.z += height_mm * kMm * (1.0 - std::cos(waves * psi));
+        return p;
+    };
+}
+
 /// One cable that leaves (11, 0) along +y, and a post in its way from y = 5 to 8.
 void post_in_the_way(Bench& b) {
     b.part.cam.working = {b.part.cam.working[kRows / 2]};
@@ -59,6 +68,10 @@ std::vector<Case> cable_cases() {
         {"cable.bend_ratio", "below critical", spool, [](Bench& b) { bend(b, 1.8); }, kRequired, 3.5, 4.0},
         {"cable.bend_ratio", "below recommended", spool, [](Bench& b) { bend(b, 2.8); }, kReview, 6.0, 8.0},
         {"cable.bend_ratio", "own limit", spool, [](Bench& b) { bend(b, 3.2), b.cable.min_bend_ratio = 8.0; }, kRequired, 7.0, 8.0},
+        // on its way to the anchor z = 4 psi/(2 pi) + 0.1 (1 - cos(23 psi)): at the crest z'' = 52.9 mm, z' = 0.63662 mm, rho = 10 mm, so
+        // that R = 10 (1 + 0.063662^2)^1.5/sqrt(1 + 0.063662^2 + 5.29^2); sampled within 1/23 of a crest
+        {"cable.space_bend", "wavy run out", pusher, [](Bench& b) { wave(b, 0.1, 23.0); }, kRequired, 3.6715, 4.0, 0.02},
+        {"cable.space_bend", "gentler waves", pusher, [](Bench& b) { wave(b, 0.1, 17.0); }, kReview, 7.2229, 8.0, 0.02},
         // D/d = 2.5: 0.65 + 0.14 ln(1.25)/ln 3
         {"cable.bend_strength", "sharp", spool, [](Bench& b) { bend(b, 1.4), b.cable.min_bend_ratio = 2.0, b.cable.max_pressure = 0.0; },
          kReview, 67.8436, 70.0, 1e-4},

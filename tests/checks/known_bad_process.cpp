@@ -60,7 +60,8 @@ void thick_wire(Bench& b) {
     without_slot(b);
 }
 
-/// A bore of 6.61 mm radius in a floor of 9.6 mm about (1, 0): 9.547774 mm reach to both sides along y.
+/// A bore of 6.61 mm radius in a floor of 9.6 mm about (1, 0): along y the largest circle is c - 6.61 = 9.6 - sqrt(1 + c^2), c = 8.074155
+/// mm.
 void no_room_for_dowels(Bench& b) {
     solid::HubOptions& hub = b.part.options.hub;
     hub.bore_diameter = 13.2 * kMm, hub.key_width = 5 * kMm, hub.key_depth = 2.3 * kMm;
@@ -134,9 +135,20 @@ std::vector<Case> machine_cases() {
         {"stack.wire", "thick wire", plates, thick_wire, kRequired, 0.75, 0.8},
         {"stack.kerf", "wide kerf", plates,
          [](Bench& b) { b.process.cutter_radius = 0.69 * kMm, b.part.options.hub.lock = solid::HubLock::kPlain; }, kReview, 1.4, 2.07},
+        {"stack.groove_width",
+         "pinched",
+         plates,
+         [](Bench& b) { b.part.options.groove.plate = 0.78 * kMm; },
+         kRequired,
+         0.975,
+         1.0,
+         1e-6,
+         {"groove.flank_rub"}},
+        {"stack.groove_width", "tight", plates, [](Bench& b) { b.part.options.groove.plate = 0.82 * kMm; }, kReview, 1.025, 1.05},
+        {"stack.groove_width", "wide", plates, [](Bench& b) { b.part.options.groove.plate = 1.4 * kMm; }, kReview, 1.75, 1.5},
         {"stack.plate", "thin cable", plates, thin_cable, kReview, 0.424, 0.5},
         {"stack.hole", "thick flange", plates, [](Bench& b) { b.part.options.groove.rib = 2.5 * kMm, cut_groove(b); }, kReview, 0.8, 1.0},
-        {"stack.dowels", "wide bore", plates, no_room_for_dowels, kRequired, 2.937774, 3.0, 5e-3},
+        {"stack.dowels", "wide bore", plates, no_room_for_dowels, kRequired, 2.928310, 3.0, 5e-3},
         {"stack.boss", "boss", plates,
          [](Bench& b) { b.part.options.hub.boss_height = 5 * kMm, b.part.options.hub.boss_diameter = 14 * kMm; }, kRequired, 5.0, 0.0},
         // 1.5 turns of 4 mm and 1.6 x 0.35 rad more at both ends

@@ -5,6 +5,7 @@
 #include <regex>
 
 #include "checks/known_bad.h"
+#include "fusee/core/change.h"
 
 // Law: a suggested change, made, satisfies the rule that suggested it.
 namespace fusee::checks {
@@ -131,6 +132,7 @@ const std::map<std::string, std::function<void(Bench&, double)>>& keys() {
         {"groove.depth_ratio", [](Bench& b, double v) { b.part.options.groove.depth_ratio = v, cut_groove(b); }},
         {"groove.radius_ratio", [](Bench& b, double v) { b.part.options.groove.radius_ratio = v, cut_groove(b); }},
         {"groove.throat_deg", [](Bench& b, double v) { b.part.options.groove.throat = core::rad_from_deg(v), cut_groove(b); }},
+        {"groove.plate_mm", [](Bench& b, double v) { b.part.options.groove.plate = v * kMm; }},
         {"groove.rib_mm", [](Bench& b, double v) { b.part.options.groove.rib = v * kMm, cut_groove(b); }},
         {"process.layer_mm", [](Bench& b, double v) { b.process.layer = v * kMm; }},
         {"process.cutter_radius_mm", [](Bench& b, double v) { b.process.cutter_radius = v * kMm; }},
@@ -177,6 +179,15 @@ TEST_P(Followed, TakesTheObjectionAway) {
                                                   << core::to_line(f) << '\n'
                                                   << core::to_line(after);
     }
+}
+
+/// What stands there for a person, `fusee fix` reads, too: no `key = value` is lost.
+TEST_P(Followed, IsReadByPrograms) {
+    const core::Finding f = gravest(GetParam().rule, bad(GetParam()));
+    std::size_t written = 0, read = 0;
+    for (std::size_t at = f.suggestion.find(" = "); at != std::string::npos; at = f.suggestion.find(" = ", at + 3)) ++written;
+    for (const core::Changes& changes : core::suggested_changes(f.suggestion)) read += changes.size();
+    EXPECT_EQ(read, written) << f.suggestion;
 }
 
 INSTANTIATE_TEST_SUITE_P(Suggestion, Followed, testing::ValuesIn(all_cases()));

@@ -10,7 +10,7 @@ namespace {
 class PartFileTest : public fixtures::FolderTest {
 protected:
     static PartFile sample(const std::string& kind) {
-        PartFile part = fixtures::disc_part({}, {kind, {0.0, 1.0}, {60.0, 40.0}, 6.0, -1}, 1, -1);
+        PartFile part = fixtures::disc_part({}, {kind, {0.0, 1.0}, {60.0, 40.0}, 6.0, -1, 2.5}, 1, -1);
         part.files = {{"k_pe.stl", "ab12", 40000, 0.002}, {"k_pe.scad", "cd34", 0, 0.002}};
         return part;
     }
@@ -29,6 +29,7 @@ TEST_F(PartFileTest, RoundtripIsExactForEveryGuide) {
         const bool parallel = back.guide.kind == "parallel";
         EXPECT_EQ(back.guide.direction, parallel ? part.guide.direction : PartGuide{}.direction);
         EXPECT_EQ(back.guide.position_mm, parallel ? PartGuide{}.position_mm : part.guide.position_mm);
+        EXPECT_EQ(back.guide.z_mm, parallel ? 0.0 : 2.5);
         EXPECT_EQ(back.guide.sense, back.guide.kind == "idler" ? -1 : 1);
         EXPECT_EQ(back.spring_rate, part.spring_rate);
         EXPECT_EQ(back.spring_preload, part.spring_preload);

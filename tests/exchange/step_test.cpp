@@ -5,6 +5,7 @@
 
 #include "exchange/fixtures/disc.h"
 #include "exchange/fixtures/expect_io_error.h"
+#include "fusee/brep/mirror.h"
 #include "fusee/core/file.h"
 #include "solid/fixture.h"
 
@@ -42,6 +43,26 @@ TEST_F(StepTest, RaysMeetTheFloor) {
         EXPECT_NEAR(*found, e * std::cos(a) + std::sqrt(r * r - e * e * std::sin(a) * std::sin(a)), 3e-4) << a;
     }
     EXPECT_FALSE(back.outermost(0.0, 50.0));
+}
+
+// Known answer: about (e cos 0.8, e sin 0.8) the ray at azimuth a meets what the mirror image's ray meets at -a.
+TEST_F(StepTest, AMirrorImagesRaysMeetTheFloorOnTheOtherSide) {
+    cam::Cam cam = solid::test::disc(kRadius_mm * 1e-3, 0.0, kCable_mm * 1e-3);
+    cam.path = [](double psi) {
+        const double e = kEccentric_mm * 1e-3, at = psi - 0.8;
+        return cam::PathPoint{psi, kRadius_mm * 1e-3 + e * std::cos(at), -e * std::sin(at), kRadius_mm * 1e-3, 0.0};
+    };
+    const auto image = brep::mirrored(brep::build(solid::build_part(cam, solid::test::plain()).value()).value());
+    ASSERT_TRUE(image) << core::to_line(image.refusal().front());
+    write_step(folder_ / "a.step", *image, "k_se_mirrored", "fusee test");
+    const StepFile back(folder_ / "a.step");
+    const double r = kRadius_mm - 0.5 * kCable_mm, e = kEccentric_mm;
+    for (double a = 0.1; a < 6.2; a += 0.7) {
+        const auto found = back.outermost(a, 0.0);
+        ASSERT_TRUE(found) << a;
+        const double from = a + 0.8;  // the image's centre lies at -0.8
+        EXPECT_NEAR(*found, e * std::cos(from) + std::sqrt(r * r - e * e * std::sin(from) * std::sin(from)), 3e-4) << a;
+    }
 }
 
 TEST_F(StepTest, SaysSchemaNameAndProvenanceAndNoTime) {

@@ -18,7 +18,7 @@ after() {
     _fusee 2>/dev/null
     printf '%s\n' "${COMPREPLY[@]}" | sort | paste -sd'|'
 }
-expect_same 'commands' '--help|--version|blind|case-template|completion|design|diagnose|identify|keys|make|paper|predict|rules|simulate' "$(after fusee '')"
+expect_same 'commands' '--help|--version|blind|calibrate|case-template|check|completion|coupons|design|diagnose|fix|identify|keys|make|paper|predict|rules|simulate' "$(after fusee '')"
 expect_same 'a command begun' 'keys' "$(after fusee k)"
 expect_same 'profiles and folders' 'my arm.toml|some folder' "$(after fusee make '')"
 expect_same 'a second profile' 'my arm.toml' "$(after fusee make a.toml my)"
@@ -27,6 +27,9 @@ expect_same 'folders' 'some folder' "$(after fusee make --out '')"
 expect_same 'kernels' 'cgal|openscad' "$(after fusee make --via '')"
 expect_same 'rows' 'rows.csv|some folder' "$(after fusee identify '')"
 expect_same 'options of identify' '--help|--out' "$(after fusee identify -)"
+expect_same 'options of coupons' '--help|--out' "$(after fusee coupons a.toml -)"
+expect_same 'options of calibrate' '--help|--json|--profile|--write-profile' "$(after fusee calibrate rows.csv -)"
+expect_same 'sheets' 'rows.csv|some folder' "$(after fusee calibrate '')"
 expect_same 'options of design' '--generations|--help|--jobs|--method|--out|--population|--resume|--seed' "$(after fusee design a.toml -)"
 expect_same 'options of simulate' '--at|--help|--jobs|--levels|--out|--push-torque' "$(after fusee simulate a.toml -)"
 expect_same 'options of diagnose' '--help|--jobs|--out|--profile|--write-profile' "$(after fusee diagnose case -)"
@@ -43,10 +46,13 @@ expect_same 'makers' 'model|plant' "$(after fusee blind make --plant '')"
 expect_same 'methods' 'algorithm_1|co_design|pareto' "$(after fusee design --method '')"
 expect_same 'options of paper' '--help|--jobs|--out|--profiles' "$(after fusee paper -)"
 expect_same 'folder of profiles' 'some folder' "$(after fusee paper --profiles '')"
+expect_same 'options of check' '--help|--jobs|--json|--out|--process|--profile' "$(after fusee check a.toml -)"
+expect_same 'what is checked' 'my arm.toml|some folder' "$(after fusee check '')"
+expect_same 'processes' 'all|edm|fdm|laser|mill|mill4|sla|sls' "$(after fusee check --process '')"
 expect_same 'options of rules' '--help|--json' "$(after fusee rules -)"
 expect_same 'shells' 'bash|fish|zsh' "$(after fusee completion '')"
 
-for word in make simulate diagnose predict case-template effects inputs profile write-profile levels push-torque design method population generations seed resume identify blind seal score cases plant model limit again paper profiles keys rules completion out via jobs cgal openscad help version; do
+for word in make simulate diagnose predict case-template effects inputs profile write-profile levels push-torque design method population generations seed resume identify coupons calibrate blind seal score cases plant model limit again paper check process profiles keys rules completion out via jobs cgal openscad help version; do
     for shell in bash zsh fish; do
         grep -qw -- "$word" "$completions/fusee.$shell" || fail "fusee.$shell does not know '$word'"
     done
@@ -57,7 +63,7 @@ done
 
 [ -n "$program" ] || exit 0
 "$program" --help >"$work/help"
-for word in make simulate design identify diagnose predict case-template blind paper keys rules completion --version; do expect_in 'fusee --help' "$word" "$work/help"; done
+for word in make simulate design identify coupons calibrate diagnose predict case-template blind paper check keys rules completion --version; do expect_in 'fusee --help' "$word" "$work/help"; done
 "$program" make --help >"$work/help"
 for word in --out --via --jobs cgal openscad; do expect_in 'fusee make --help' "$word" "$work/help"; done
 "$program" simulate --help >"$work/help"
@@ -76,6 +82,8 @@ for word in --seed --cases --plant --jobs --out; do expect_in 'fusee blind make 
 for word in --seal --model --limit --again --jobs --out; do expect_in 'fusee blind score --help' "$word" "$work/help"; done
 "$program" paper --help >"$work/help"
 for word in --out --profiles --jobs; do expect_in 'fusee paper --help' "$word" "$work/help"; done
+"$program" check --help >"$work/help"
+for word in --process --profile --out --json --jobs mill4 all; do expect_in 'fusee check --help' "$word" "$work/help"; done
 for shell in bash zsh fish; do
     "$program" completion $shell >"$work/script" || fail "fusee completion $shell"
     cmp "$work/script" "$completions/fusee.$shell" || fail "fusee completion $shell prints another script"

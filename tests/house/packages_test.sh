@@ -11,7 +11,7 @@ if grep -v ' installed$' "$work/status"; then fail 'the packages above are not i
 # The standard library and the system come with build-essential; libboost-dev and its like only point to a version of themselves.
 dpkg-query -W -f='${Package}\n${Depends}\n' "${wanted[@]}" | tr ',|' '\n' | sed 's/^ *//; s/[ :].*//' | sort -u >"$work/provided"
 grep -rhoP --include='*.h' --include='*.cpp' '^\s*#\s*include\s*<\K[^>]+' include src tests | sort -u >"$work/included"
-roots=(/usr/include /usr/include/eigen3 /usr/include/lib3mf /usr/include/dxflib)
+roots=(/usr/include /usr/include/eigen3 /usr/include/lib3mf /usr/include/dxflib /usr/include/librsvg-2.0 /usr/include/cairo)
 while read -r header; do
     for root in "${roots[@]}"; do
         if [ -e "$root/$header" ]; then readlink -f "$root/$header"; break; fi

@@ -15,24 +15,31 @@ namespace fs = std::filesystem;
 class Shipped : public fixtures::TempFolder, public testing::WithParamInterface<const char*> {
 protected:
     MakeResult made() const { return make(profile::read_profile(fixtures::shipped(GetParam())), {.out = folder_ / "out"}); }
-    /// The names of all files, sorted: every format of both parts, DXF of the planar ones, G-code where it is asked for.
+    /// The names of all files, sorted: every format of both parts on both sides of the joint, DXF of the planar ones, G-code and PDF where
+    /// they are asked for, and the plate.
     static std::vector<std::string> expected() {
         const std::string design = GetParam();
-        std::vector<std::string> names{"dead_band.csv", "report.html", "report.json", "simulation.html", "simulation.json", "springs.csv"};
-        for (const std::string part : {"k_se", "k_pe"})
-            for (const char* ending : {".3mf", ".json", ".scad", ".step", ".stl"}) names.push_back(part + ending);
-        names.emplace_back("k_se.dxf");
-        if (design != "first_prototype") names.emplace_back("k_pe.dxf");  // its K_PE is a helix
-        if (design == "pnrvsa") names.insert(names.end(), {"k_se.ngc", "k_pe.ngc", "k_pe_blank.ngc"});
+        std::vector<std::string> names{"dead_band.csv", "plate.3mf",       "plate.json",      "report.html",
+                                       "report.json",   "simulation.html", "simulation.json", "springs.csv"};
+        for (const std::string side : {"", "_mirrored"}) {
+            for (const std::string part : {"k_se", "k_pe"})
+                for (const char* ending : {".3mf", ".json", ".scad", ".step", ".stl", "_drawing.svg"})
+                    names.push_back(part + side + ending);
+            names.push_back("k_se" + side + ".dxf");
+            if (design != "first_prototype") names.push_back("k_pe" + side + ".dxf");  // its K_PE is a helix
+            if (design == "pnrvsa")
+                names.insert(names.end(), {"k_se" + side + ".ngc", "k_pe" + side + ".ngc", "k_pe" + side + "_blank.ngc",
+                                           "k_se" + side + "_drawing.pdf", "k_pe" + side + "_drawing.pdf"});
+        }
         std::sort(names.begin(), names.end());
         return names;
     }
     /// Files of a part beside its PART.json.
     static std::size_t files_of(const std::string& part) {
         const std::vector<std::string> names = expected();
-        return static_cast<std::size_t>(
-                   std::count_if(names.begin(), names.end(), [&](const auto& name) { return name.starts_with(part); })) -
-               1;
+        return static_cast<std::size_t>(std::count_if(names.begin(), names.end(), [&](const auto& name) {
+            return (name.starts_with(part + ".") || name.starts_with(part + "_blank.")) && !name.ends_with(".json");
+        }));
     }
 };
 INSTANTIATE_TEST_SUITE_P(Pipeline, Shipped, testing::Values("pnrvsa", "first_prototype", "measured_table"),
@@ -53,9 +60,9 @@ TEST_P(Shipped, LeavesEveryFileAndEachIsTheOneStated) {
     std::vector<std::string> names;
     for (const auto& [name, bytes] : files) names.push_back(fs::path(name).filename().string());
     EXPECT_EQ(names, expected());
-    for (const char* part : {"k_se", "k_pe"}) {
-        const exchange::PartFile stated = exchange::read_part_file(result.folder / (std::string(part) + ".json"));
-        EXPECT_EQ(stated.part, part);
+    for (const std::string part : {"k_se", "k_pe", "k_se_mirrored", "k_pe_mirrored"}) {
+        const exchange::PartFile stated = exchange::read_part_file(result.folder / (part + ".json"));
+        EXPECT_EQ(stated.part, part.substr(0, 4));
         EXPECT_GE(stated.target.size(), 200u);
         EXPECT_EQ(stated.files.size(), files_of(part));
         for (const exchange::FileEntry& file : stated.files)
@@ -72,8 +79,8 @@ TEST_P(Shipped, EveryFileCarriesTheLaw) {
     const auto readings =
         std::count_if(result.findings.begin(), result.findings.end(), [](const core::Finding& f) { return f.rule == "readback.arm"; });
     const int planar = std::string(GetParam()) == "first_prototype" ? 1 : 2;
-    EXPECT_GE(readings,
-              8 + 2 * planar);  // STL twice, 3MF and STEP once for both parts, DXF twice for a planar one; G-code if rs274 is there
+    // Of both sides: STL twice, 3MF and STEP once for both parts, DXF twice for a planar one; four on the plate; G-code if rs274 is there.
+    EXPECT_GE(readings, 2 * (8 + 2 * planar) + 4);
     EXPECT_GT(result.dead_band_peak_deg, 0.0);
 }
 
@@ -98,11 +105,15 @@ TEST_P(Shipped, ReportsTellTheSame) {
     EXPECT_EQ(report["name"], GetParam());
     EXPECT_EQ(report["parts"].size(), 2u);
     double worst = 0.0;
-    for (const auto& part : report["parts"])
-        for (const auto& reading : part["read_back"]) {
+    const auto look_at = [&](const auto& readings) {
+        for (const auto& reading : readings) {
             EXPECT_EQ(reading["passed"], true);
-            worst = std::max(worst, reading["worst_relative"].get<double>());
+            worst = std::max(worst, reading["worst_relative"].template get<double>());
         }
+    };
+    for (const auto* sides : {&report["parts"], &report["mirrored"]})
+        for (const auto& part : *sides) look_at(part["read_back"]);
+    look_at(report["plate"]);
     EXPECT_DOUBLE_EQ(worst, result.worst_arm_error);
     const std::string page = core::read_file(result.folder / "report.html");
     EXPECT_EQ(page.rfind("<!", 0), 0u);

@@ -10,7 +10,8 @@ namespace {
 class GCode : public fixtures::TempFolder {
 protected:
     [[nodiscard]] MakeResult made(const std::vector<std::pair<std::string, std::string>>& changes) {
-        auto text = fixtures::with_key(core::read_file(fixtures::shipped("pnrvsa")), "outputs.formats", "[\"ngc\"]");
+        const auto text = fixtures::with_keys(core::read_file(fixtures::shipped("pnrvsa")),
+                                              {{"outputs.formats", "[\"ngc\"]"}, {"outputs.pair", "false"}});
         return make(profile::read_profile(write("pnrvsa.toml", fixtures::with_keys(text, changes))), {.out = folder_ / "out"});
     }
     /// What was read back, as the findings name it.

@@ -34,7 +34,7 @@ void reached_by(const profile::Profile& p, bool solids, std::set<std::string>& i
     ASSERT_TRUE(law);
     for (const cam::PartKind kind : {cam::PartKind::kSeries, cam::PartKind::kParallel}) {
         const profile::PartSpec& spec = kind == cam::PartKind::kSeries ? p.k_se : p.k_pe;
-        const auto cam = cam::synthesize_cam(cam::ArmFunction(kind, law->law, spec.spring, p.rig.capstan_radius, spec.allowance), spec.cam);
+        const auto cam = design_cam(kind, p, law->law);
         ASSERT_TRUE(cam) << core::to_line(cam.refusal().front());
         const auto part = solids ? solid::build_part(*cam, spec.solid) : solid::outline_part(*cam, spec.solid);
         ASSERT_TRUE(part) << core::to_line(part.refusal().front());
@@ -47,6 +47,7 @@ TEST_F(ReachTest, EveryRuleMeasuresInSomeProfile) {
     std::set<std::string> ids;
     for (const Changes& changes : {Changes{}, kDataSheets, kHelix, by("sla"), by("sls"), by("mill"), by("mill4"), by("edm"), by("laser")})
         reached_by(profile::read_profile(write("p.toml", fixtures::with_keys(shipped, changes))), changes.empty(), ids);
+    reached_by(profile::read_profile(std::filesystem::path(FUSEE_SOURCE_DIR) / "profiles/examples/roller_follower.toml"), false, ids);
     for (const checks::Rule& rule : checks::rules()) EXPECT_TRUE(ids.count(rule.id)) << rule.id;
 }
 

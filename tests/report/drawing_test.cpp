@@ -6,7 +6,6 @@
 #include "report/cam_drawing.h"
 #include "report/fixture.h"
 #include "report/markers.h"
-#include "report/slice.h"
 
 namespace fusee::report {
 namespace {
@@ -67,19 +66,6 @@ TEST(Markers, AreMovedApartAndKeepTheirOrder) {
     for (std::size_t i = 1; i < sorted.size(); ++i) EXPECT_GE(sorted[i] - sorted[i - 1], 0.3 - 1e-6);
     EXPECT_GE(sorted.front() + 2.0 * core::kPi - sorted.back(), 0.3 - 1e-6);
     EXPECT_LT(moved[1], moved[0]);
-}
-
-TEST(Slice, OfAPrismIsItsPolygon) {
-    const auto rings = slice(prism(10.0, 12), 0.3);
-    ASSERT_EQ(rings.size(), 1u);
-    double area = 0.0;
-    for (std::size_t i = 0; i < rings[0].size(); ++i) {
-        const auto &a = rings[0][i], &b = rings[0][(i + 1) % rings[0].size()];
-        area += 0.5 * (a[0] * b[1] - b[0] * a[1]);
-    }
-    // A regular 12-gon of radius R has the area 3 R^2; sums of 24 products of some 100 mm^2 round to about 1e-12.
-    EXPECT_NEAR(std::abs(area), 300.0, 1e-9);
-    EXPECT_TRUE(slice(prism(10.0, 12), 2.5).empty());
 }
 
 }  // namespace

@@ -1,4 +1,7 @@
 #pragma once
+#include <optional>
+
+#include "fusee/cam/lean.h"
 #include "fusee/spring/base_spring.h"
 #include "fusee/spring/law.h"
 
@@ -7,8 +10,6 @@ struct LawJet;
 }
 
 namespace fusee::cam {
-
-struct ArmJet;
 
 enum class PartKind {
     kSeries,    ///< K_SE: a spool that turns a torsion spring as the cable is drawn off; turns with the tension
@@ -20,17 +21,20 @@ enum class PartKind {
 struct ArmPoint {
     double tau = 0.0;      ///< capstan load [Nm]: names the point
     double angle = 0.0;    ///< rotation of the cam from the law's lowest load [rad], >= 0
-    double arm = 0.0;      ///< r, pivot to cable centreline [m]
+    double arm = 0.0;      ///< r, torque over tension [m]; pivot to cable centreline where the cable does not lean
     double slope = 0.0;    ///< r' = dr/dangle [m/rad]
     double bend = 0.0;     ///< r'' [m/rad^2]
     double tension = 0.0;  ///< cable tension [N]
     double state = 0.0;    ///< phi + phi0 [rad] or y + y0 [m] of the base spring
+    double travel = 0.0;   ///< of it since the law's lowest load: phi [rad] or y [m]
 };
 
 /// What the rig adds to a cam, so that the cam has to be cut without it (docs/guides/close-the-loop.md). All 0: a rig as it is drawn.
 struct Allowance {
     double radius = 0.0;             ///< added to every arm [m]: a thicker cable, overcut, less shrinkage; of either sign
     double series_compliance = 0.0;  ///< of the cable behind K_SE's spool, >= 0 [rad/Nm] at the capstan; K_SE only
+    double cable_axis = 0.0;         ///< what coupons measured the cable's neutral axis to run farther out than d/2 [m]: as `radius`
+    [[nodiscard]] double on_arms() const { return radius + cable_axis; }
 };
 
 /// The duality of spool and cam: energy gives the arm, without an ODE (docs/theory/cams.md, table 1).
@@ -48,6 +52,8 @@ public:
     [[nodiscard]] ArmJet over(const spring::LawJet& law) const;
     /// The same law on another base spring. @throws InvalidInput as the constructor
     [[nodiscard]] ArmFunction on(const spring::BaseSpring& base) const;
+    /// The arms in the plane that a cable has to have which leans so (docs/theory/cams.md, eq. 8a).
+    [[nodiscard]] ArmFunction leaning(const Lean& lean) const;
     [[nodiscard]] PartKind kind() const { return kind_; }
     [[nodiscard]] const spring::SpringLaw& law() const { return *law_; }
     [[nodiscard]] const spring::BaseSpring& base() const { return base_; }
@@ -64,6 +70,7 @@ private:
     double capstan_radius_;
     Allowance allowance_;
     double least_series_torque_ = 0.0;  ///< F_SE at the law's lowest load [Nm]
+    std::optional<Lean> lean_;
 };
 
 }  // namespace fusee::cam

@@ -5,6 +5,7 @@
 
 #include "fusee/cam/arm.h"
 #include "fusee/cam/guide.h"
+#include "fusee/cam/roller.h"
 #include "fusee/core/finding.h"
 #include "fusee/core/units.h"
 
@@ -32,20 +33,25 @@ struct Contact {
 
 enum class PathKind { kPlanar, kHelix };
 enum class Lead { kConstantPitch, kAimedAtGuide };
+/// Of a helix: right like a common screw, whose thread climbs counter-clockwise.
+enum class Hand { kRight, kLeft };
 
 struct PathOptions {
     PathKind kind = PathKind::kPlanar;
     Lead lead = Lead::kConstantPitch;
     double pitch = 0.0;                       ///< height gained per turn [m]; helix only
+    Hand hand = Hand::kRight;                 ///< constant pitch only: an aimed groove climbs to its guide
     double margin = 0.35;                     ///< groove beyond the working arc at both ends of a helix, and to the anchor [rad]
     double min_idle_curvature_radius = 2e-3;  ///< rho on the idle arc [m]
 };
 
 struct CamOptions {
+    Family family = Family::kCable;
+    Roller roller;  ///< of a roller cam, which has no guide and whose path is planar
     Guide guide;
     PathOptions path;
     int torque_sign = 1;           ///< sign of the tension's torque about +z
-    double cable_diameter = 1e-3;  ///< d [m]
+    double cable_diameter = 1e-3;  ///< d [m]; 0 for a roller, so that the path is the rim itself
     int target_rows = 400;         ///< working positions kept in `Cam::working`, evenly spaced in cam angle; 200 to 10000
 };
 
@@ -63,6 +69,7 @@ struct Cam {
     std::function<PathPoint(double)> path;  ///< at any psi of groove_psi, helix: and beyond; C2, thread-safe
     std::function<std::vector<ContourStretch>()> stretches;  ///< the same path for `certify` (certificate.h); empty: not synthesized
     [[nodiscard]] bool closed() const { return options.path.kind == PathKind::kPlanar; }
+    [[nodiscard]] bool has_roller() const { return options.family == Family::kRoller; }
 };
 
 /// Turns an arm function into a cam: contact and contour from the guide's geometry, height, margins and (planar) the closed idle arc.

@@ -8,7 +8,7 @@ namespace fusee::cam {
 
 /// Every figure of an `ArmPoint` over a box, with its derivative by the box's parameter.
 struct ArmJet {
-    math::Jet tau, angle, arm, slope, bend, tension, state;
+    math::Jet tau, angle, arm, slope, bend, tension, state, travel;
 };
 
 /// Every figure of a `Contact` in the plane over a box, with its derivative by the box's parameter.

@@ -27,8 +27,9 @@ public:
     /// Refusal: "cam.idle_arc" with the radius that can be had at most.
     [[nodiscard]] static core::Outcome<IdleArc> close(const SupportState& begin, const SupportState& end, double width, const Least& least);
 
-    /// An arc that closes nothing: goes on from `begin` and lets the radius of curvature run out to `final_rho` within a millimetre.
-    [[nodiscard]] static IdleArc run_out(const SupportState& begin, double width, double final_rho);
+    /// An arc that closes nothing: goes on from `begin` and lets the radius of curvature run out to `final_rho`, within a millimetre or, if
+    /// that is longer, as evenly as over the angle `ease`; from `width` on the radius stays as it is there.
+    [[nodiscard]] static IdleArc run_out(const SupportState& begin, double width, double final_rho, double ease = 0.0);
 
     struct Knot {
         double x;            ///< arc angle [rad]

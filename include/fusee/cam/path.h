@@ -51,7 +51,8 @@ private:
 };
 
 /// A helix beyond one end of its working arc: convex, C2, its radius of curvature running out to that of a circle about the axis; the
-/// height goes on with the same pitch (constant pitch) or the same slope along the groove (aimed).
+/// height goes on with the same pitch (constant pitch) or the same slope along the groove (aimed). With a constant pitch that takes so long
+/// that the groove does not bend sharply in space (docs/theory/cams.md, eq. 10).
 class RunOut {
 public:
     /// @param end       where the working arc ends, height included

@@ -34,21 +34,28 @@ struct Override {
     std::string reason;  ///< for whoever reads the report
 };
 
-/// One rule: pure, one file under src/checks, returns a finding for what it measured (passes too), or none where it does not apply.
-struct Rule {
-    using Measure = std::function<core::Findings(const Design&, const Allowed&)>;
-
+/// What the list of rules shows of one, whatever it looks at.
+struct Card {
     const char* id;             ///< "group.name"
     const char* title;          ///< what it guards against
     const char* measures;       ///< what it measures, and where
     const char* source;         ///< of the default limits
     std::vector<Limit> limits;  ///< all that it holds something against
-    Measure measure;            ///< findings without what all have in common: id, part, source
-    bool needs_mesh = false;    ///< looks at the solid, not only at cam, options and springs
 
     [[nodiscard]] std::string_view group() const;                  ///< the id before its point
     [[nodiscard]] core::Severity severity() const;                 ///< the gravest that it can find
     [[nodiscard]] const Limit* limit(std::string_view key) const;  ///< nullptr if it has no such limit
+};
+/// The Markdown tables of docs/rules.md, one for each group in turn.
+[[nodiscard]] std::string reference(const std::vector<const Card*>& cards);
+
+/// One rule: pure, one file under src/checks, returns a finding for what it measured (passes too), or none where it does not apply.
+struct Rule : Card {
+    using Measure = std::function<core::Findings(const Design&, const Allowed&)>;
+
+    Measure measure;          ///< findings without what all have in common: id, part, source
+    bool needs_mesh = false;  ///< looks at the solid, not only at cam, options and springs
+
     /// The rule on one part, with the design's overrides in place of its own limits.
     [[nodiscard]] core::Findings run(const Design& design) const;
 };

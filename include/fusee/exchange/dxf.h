@@ -49,9 +49,11 @@ void write_dxf(const std::filesystem::path& path, const DxfDrawing& drawing);
 /// chord error below 1 micrometre; PITCH_SPLINE, FLOOR_SPLINE and FLANGE_SPLINE are the same curves for reference, within 0.0002 mm. A
 /// helix has open PITCH and FLOOR and a round FLANGE. Nominal: kerf is not applied.
 [[nodiscard]] DxfDrawing spool_drawing(const solid::Part& part, const std::string& provenance);
+/// @throws InvalidInput naming outputs.kerf_mm where the bore or its key would close
+void require_kerf(double kerf_mm, const solid::HubOptions& hub);
 /// What a beam or wire of width `kerf_mm` has to follow: FLANGE moved outwards and BORE inwards by half of it. Nothing else is in it, so
 /// that it is not taken for the nominal drawing.
-/// @throws InvalidInput naming outputs.kerf_mm where the bore or its key would close
+/// @throws InvalidInput as require_kerf
 [[nodiscard]] DxfDrawing kerf_drawing(const solid::Part& part, double kerf_mm, const std::string& provenance);
 
 }  // namespace fusee::exchange

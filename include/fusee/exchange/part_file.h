@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,16 +23,27 @@ struct FileEntry {
 struct TargetRow {
     double angle_rad = 0.0;
     double arm_mm = 0.0;
-    double load = 0.0;                      ///< cable tension [N]
-    std::array<double, 3> contact_mm = {};  ///< where the cable's centreline touches, body frame
+    double load = 0.0;                      ///< cable tension, or the spring's force on the follower [N]
+    std::array<double, 3> contact_mm = {};  ///< where the cable's centreline, or the roller, touches, body frame
+    double lift_mm = 0.0;                   ///< roller: way of its centre along the line since angle 0
 };
 
 struct PartGuide {
-    std::string kind;                        ///< "parallel", "point", "idler"
-    std::array<double, 2> direction = {};    ///< parallel: unit vector in the world, from the cam along the cable
+    std::string kind;                        ///< "parallel", "point", "idler" of a cable; "roller" of a follower
+    std::array<double, 2> direction = {};    ///< parallel, roller: unit vector in the world, from the cam along the cable or the line
     std::array<double, 2> position_mm = {};  ///< point, idler
-    double radius_mm = 0.0;                  ///< idler
+    double radius_mm = 0.0;                  ///< idler, roller
     int sense = 1;                           ///< idler
+    double z_mm = 0.0;                       ///< point, idler: height in the part's frame
+    double offset_mm = 0.0;                  ///< roller: of the line from the axis, to the side of torque_sign (-D_y, D_x)
+    double start_mm = 0.0;                   ///< roller: its centre along the line at cam angle 0
+};
+
+/// Files that are compensated for their process (docs/part-file.md): what it does to them gives the part.
+struct Compensated {
+    std::array<double, 3> shrink_percent{};  ///< along x, y, z: what comes out is the file's coordinate times 1 - shrink/100
+    double bore_offset_mm = 0.0;             ///< what the bore, shrinkage aside, comes out smaller by, in diameter
+    double bore_mm = 0.0;                    ///< diameter that has to come out
 };
 
 /// PART.json: what anybody needs to recompute the law from an exported part (docs/part-file.md). The cam's axis is +z through the origin,
@@ -47,6 +59,7 @@ struct PartFile {
     std::vector<TargetRow> target;
     std::vector<FileEntry> files;
     std::string provenance;
+    std::optional<Compensated> compensated;  ///< none: the files are nominal
 };
 
 [[nodiscard]] PartFile describe_part(const solid::Part& part, const spring::BaseSpring& spring, std::vector<FileEntry> files,

@@ -27,8 +27,16 @@ struct DesignedLaw {
 /// The joint that the law drives.
 [[nodiscard]] actuator::Actuator actuator_of(const profile::Profile& profile, const spring::SpringLawPtr& law);
 
-/// What simulating needs is in every profile, what making needs is not. @throws core::InvalidInput naming the first key that is missing
+/// What simulating needs is in every profile, what making needs is not; and a kerf has to leave a bore.
+/// @throws core::InvalidInput naming the first key that is missing or at odds with another
 void require_parts(const profile::Profile& profile);
+/// What is to be sliced has to be printed of beads. @throws core::InvalidInput naming outputs.formats
+void require_sliceable(const profile::Profile& profile);
+
+/// One cam's share of a profile.
+[[nodiscard]] const profile::PartSpec& spec_of(cam::PartKind kind, const profile::Profile& profile);
+/// Arm and cam, without a body. Refusal: the cam's. @pre require_parts(profile)
+[[nodiscard]] core::Outcome<cam::Cam> design_cam(cam::PartKind kind, const profile::Profile& profile, const spring::SpringLawPtr& law);
 
 /// One cam as a solid, with what every rule says of it.
 struct DesignedPart {

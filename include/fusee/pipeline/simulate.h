@@ -46,6 +46,8 @@ std::vector<report::FileRow> write_simulation(const report::Simulation& simulati
 [[nodiscard]] report::ReleasePath release_path(const actuator::Joint& joint, double tau, double push_torque);
 /// The joint torque cycled between +-`torque` [Nm] until the path repeats.
 [[nodiscard]] report::DeflectionLoop deflection_loop(const actuator::Joint& joint, double tau, double torque);
+/// What friction makes of each cable on its cam; empty where the profile has no parts, or no friction and stiffness of its cable.
+[[nodiscard]] std::vector<report::WrapSide> wrap_sides(const profile::Profile& profile, const spring::SpringLawPtr& law);
 /// Figure 8 for `count` motor torques from 0 to `greatest`.
 [[nodiscard]] std::vector<report::BreakAwayRow> break_away_rows(const friction::Law& gear, double greatest, std::size_t count);
 

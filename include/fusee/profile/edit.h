@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,8 @@ struct Edit {
 
 /// The value of a number's key [SI]. @pre `key` is a key of numbers
 [[nodiscard]] double number_of(const Profile& profile, const std::string& key);
+/// The key's value as TOML; none if there is no such key, or it has no meaning in this profile.
+[[nodiscard]] std::optional<std::string> value_text(const Profile& profile, const std::string& key);
 /// @pre as number_of; the value is not judged until the profile is read again
 void set_number(Profile& profile, const std::string& key, double value);
 /// `value` [SI] as the key's new value, in the key's unit with 6 significant digits. @pre as number_of

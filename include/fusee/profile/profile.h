@@ -8,10 +8,12 @@
 #include "fusee/actuator/noise.h"
 #include "fusee/actuator/relatives.h"
 #include "fusee/cam/cam.h"
+#include "fusee/cam/wrap_friction.h"
 #include "fusee/checks/check.h"
 #include "fusee/design/algorithm_1.h"
 #include "fusee/design/codesign_options.h"
 #include "fusee/design/search.h"
+#include "fusee/solid/compensation.h"
 #include "fusee/solid/part.h"
 #include "fusee/spring/base_spring.h"
 #include "fusee/spring/potential.h"
@@ -102,6 +104,13 @@ struct PartSpec {
 /// Files to write beside springs.csv, the reports and PART.json.
 struct Outputs {
     bool stl = true, scad = true, dxf = true, three_mf = true, step = true, ngc = false;
+    bool scad_stl = false;   ///< OpenSCAD's rendering of the SCAD file too
+    bool sliced = false;     ///< PrusaSlicer's G-code of a printed part
+    bool plates = false;     ///< DXF of each plate of a stack; on for edm and laser unless the profile names its formats
+    bool drawing = true;     ///< shop drawing as SVG
+    bool pdf = false;        ///< the same as PDF
+    bool pair = true;        ///< the antagonist's parts too, mirror images of the agonist's
+    bool plate = true;       ///< with 3MF: all parts on one plate
     double kerf = 0.0;       ///< of a beam or wire [m]; above 0: a second DXF, moved by half of it
     int springs_rows = 400;  ///< rows of springs.csv, >= 200
 };
@@ -130,10 +139,12 @@ struct Profile {
     bool has_parts = true;  ///< false: the file holds none of the tables below, so that it can be simulated but not made
     PartSpec k_se, k_pe;
     checks::Cable cable;
+    cam::WrapFriction wrap;  ///< of that cable on its cams
     checks::Process process;
     std::vector<checks::Override> limits;  ///< in the place of the rules' own, in the file's order
     toolpath::Settings machining;
     Outputs outputs;
+    solid::Compensation compensation;           ///< as coupons measured it; the cable's axis stands in both parts' allowance
     std::map<std::string, std::string> places;  ///< of the keys that stand in the file: "file:line:column: key"
 
     /// Where a key stands; of one that is left out, file and key.

@@ -11,6 +11,7 @@
 #include "fusee/core/provenance.h"
 #include "fusee/exchange/part_file.h"
 #include "fusee/readback/readback.h"
+#include "fusee/report/as_exported.h"
 #include "fusee/solid/part.h"
 #include "fusee/solid/quality.h"
 #include "fusee/spring/base_spring.h"
@@ -53,7 +54,14 @@ struct DesignReport {
     std::vector<actuator::DeadBand> dead_band;  ///< by rising co-contraction
     core::Findings findings;                    ///< of the law and of the design as a whole
     std::vector<PartReport> parts;
-    std::vector<FileRow> files;  ///< that belong to no part: springs.csv
+    std::vector<PartReport> mirrored;              ///< their mirror images, for the antagonist; none if the profile asks for none
+    std::vector<FileRow> files;                    ///< that belong to no part: springs.csv, plate.3mf
+    std::vector<readback::ArmError> plate_errors;  ///< of each part as it stands in plate.3mf
+    AsExported as_exported;
+    /// `parts`, then `mirrored`.
+    [[nodiscard]] std::vector<const PartReport*> sides() const;
+    /// Of every file: the sides', then the plate's.
+    [[nodiscard]] std::vector<const readback::ArmError*> arm_errors() const;
 };
 
 /// kPass: can be made; kReview: a person must accept something; kRequired: cannot be made, or a file does not carry the law.

@@ -9,6 +9,7 @@
 #include "fusee/actuator/dead_band.h"
 #include "fusee/actuator/relatives.h"
 #include "fusee/actuator/stick_slip.h"
+#include "fusee/cam/wrap_friction.h"
 #include "fusee/core/finding.h"
 #include "fusee/core/provenance.h"
 
@@ -75,6 +76,12 @@ struct EquilibriumRow {
     core::Findings refusal = {};                                         ///< why it does not rest
 };
 
+/// The loop of one spring's cable on its cam (docs/theory/wrap_friction.md).
+struct WrapSide {
+    cam::PartKind part;
+    cam::WrapLoop loop;
+};
+
 /// Where condition (6), d(T tau_f)/dtau < 0, holds.
 enum class ConditionVerdict { kHolds, kFails, kMixed, kNotKnown };
 
@@ -90,6 +97,7 @@ struct Simulation {
     std::optional<ReleasePath> path;         ///< at peak torque
     std::vector<DeflectionLoop> loops;
     std::vector<BreakAwayRow> break_away;
+    std::vector<WrapSide> wraps;       ///< empty: the profile states no friction or stiffness of its cable
     actuator::OutputFriction bearing;  ///< friction of the frame subsystem
     core::Findings findings;           ///< of the law
     std::vector<std::string> gaps;     ///< what could not be computed, and why
@@ -107,6 +115,12 @@ struct Simulation {
 /// tau_Nm,linear_rad,extreme_rad,protocol_rad,condition_6,joint_stiffness_Nm_per_rad,capstan_rad with 17 digits, one row a level; nan where
 /// the springs do not reach.
 [[nodiscard]] std::string dead_band_csv(const std::vector<SimulatedLevel>& levels);
+/// part,angle_rad,tau_Nm,tension_N,stretch_*_m,give_*_rad,width_rad with 17 digits, one row a working position.
+[[nodiscard]] std::string wrap_hysteresis_csv(const std::vector<WrapSide>& wraps);
+/// Width of both springs' loops together at one load of the capstan [rad]; NaN where a cam does not work.
+[[nodiscard]] double wrap_width(const Simulation& simulation, double tau);
+/// What the cables' loops lose, and their share in the dead-band, in a sentence. @pre simulation.wraps not empty
+[[nodiscard]] std::string wrap_remark(const Simulation& simulation);
 /// The keys of docs/simulation.md, in that order; a NaN is null.
 [[nodiscard]] std::string simulation_json(const Simulation& simulation);
 /// One page in one file that opens offline: no script, no request.

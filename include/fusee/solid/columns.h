@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "fusee/solid/outline.h"
 #include "fusee/solid/sweep.h"
 
 namespace fusee::solid {
@@ -45,6 +46,13 @@ private:
     double lip_, half_width_, z_low_ = 0.0, z_high_ = 0.0, circle_ = 0.0;
     core::Range reach_;  ///< psi of groove and run-outs
 };
+
+/// Outline of the upper flange as meshed, one point for each column: the parallel of the pitch curve (planar) or a circle (helix).
+[[nodiscard]] std::vector<Point2> upper_outline(const Part& part);
+/// Radius of that circle, which holds all of a helix [mm].
+[[nodiscard]] double helix_radius_mm(const Part& part);
+/// Where a closed polygon that holds the axis crosses +x, farthest out.
+[[nodiscard]] double crossing_at_zero(const std::vector<Point2>& ring);
 
 /// Directions from `low` to `high`, both included, so that the sagitta of every rail stays within the tolerance; evenly stretched.
 [[nodiscard]] std::vector<double> place_columns(const ColumnMaker& maker, double low, double high, double tolerance_mm);

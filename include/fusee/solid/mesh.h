@@ -20,5 +20,7 @@ struct Box {
 [[nodiscard]] Box bounding_box(const Mesh& mesh);
 /// Signed volume [mm^3]: above 0 when the triangles face outward.
 [[nodiscard]] double volume_mm3(const Mesh& mesh);
+/// STL holds single precision: a mesh is rounded to it before it is proven valid, so that what is proven is what is written.
+void round_to_file(Mesh& mesh);
 
 }  // namespace fusee::solid

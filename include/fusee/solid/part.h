@@ -13,6 +13,7 @@ struct GrooveOptions {
     double depth_ratio = 1.5;            ///< depth of the lips above the floor, in cable diameters
     double throat = 1.5707963267948966;  ///< full angle between the flanks [rad]
     double rib = 1e-3;                   ///< flange thickness beside the groove (planar), least land between turns (helix) [m]
+    double plate = 0.0;                  ///< stack of plates: thickness of the one that carries the floor; 0 = two floor radii [m]
 };
 
 enum class HubKind {
@@ -52,6 +53,7 @@ struct PartOptions {
     FeatureOptions features;
     double chordal_error = 2e-6;  ///< largest distance between mesh and analytic surface [m]
     double flange_height = 0.0;   ///< how far the flanges stand above the lips [m]; 0 = flush with the lips
+    double rim_width = 8e-3;      ///< of a roller cam: the plate's thickness, above two ribs [m]
 };
 
 /// One vertex rail of the section: at every psi a point at `offset` from the cable's centreline along n, `z` above the path's height.
@@ -61,6 +63,8 @@ struct SectionPoint {
 };
 /// The groove's section from the lower lip over the floor (its lowest point is a vertex) to the upper lip.
 [[nodiscard]] std::vector<SectionPoint> groove_section(const GrooveOptions& groove, double cable_diameter, double chordal_error);
+/// A roller cam's: the flat rim between the two ribs, with a vertex half-way up. @throws InvalidInput naming k_pe.roller.rim_width_mm
+[[nodiscard]] std::vector<SectionPoint> rim_section(const PartOptions& options);
 
 /// The solid of a part with everything in it that the exports and checks need to know.
 struct Part {

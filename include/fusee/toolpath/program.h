@@ -24,6 +24,9 @@ struct Program {
 /// The whole part's outlines and through bore: what `wrap_program` starts from. @pre, refusal and throws as contour_program
 [[nodiscard]] core::Outcome<Program> blank_program(const solid::Part& part, const Settings& settings, const std::string& provenance);
 
+/// A roller cam: its outlines and through bore from above, as of `blank_program`, which are all that it has. Refusal and throws as above.
+[[nodiscard]] core::Outcome<Program> rim_program(const solid::Part& part, const Settings& settings, const std::string& provenance);
+
 /// The boss below a stack as a plate of its own, cut from its lower face. Refusal as contour_program.
 /// @pre part.options.hub.boss_height > 0 @throws InvalidInput naming the setting
 [[nodiscard]] core::Outcome<Program> boss_program(const solid::Part& part, const Settings& settings, const std::string& provenance);

@@ -1,0 +1,61 @@
+#pragma once
+#include <vector>
+
+#include "fusee/core/finding.h"
+#include "fusee/coupon/sheet.h"
+#include "fusee/solid/mesh.h"
+#include "fusee/solid/part.h"
+#include "fusee/spring/base_spring.h"
+
+namespace fusee::coupon {
+
+/// What the coupons of one design are made from. Never compensated: what they are measured for would be in them already.
+struct Options {
+    solid::GrooveOptions groove;
+    solid::HubOptions hub;               ///< of the disc; the ladder is for its shaft
+    double cable_diameter = 1e-3;        ///< [m]
+    double loaded_wall = 1.2e-3;         ///< thinnest wall that carries load [m]
+    double detail = 0.4e-3;              ///< narrowest slot [m]
+    core::Range clearance{0.0, 0.4e-3};  ///< of the ladder's holes, in diameter [m]
+    int holes = 5;                       ///< 2 to 9
+    double disc_turns = 3.0;             ///< that the cable can be drawn off; 0.5 to 10
+    double chordal_error = 2e-6;         ///< [m]
+};
+
+/// Lengths along three axes and the bore ladder: an L with a tower on its corner. Hole i has i notches on the plate's top, none the first.
+struct Plate {
+    solid::Mesh mesh;
+    double length_mm = 0.0;                 ///< of both arms
+    double width_mm = 0.0;                  ///< of both arms
+    double plate_mm = 0.0, tower_mm = 0.0;  ///< heights above the bed
+    std::vector<double> bores_mm;           ///< rising, from the corner outwards
+};
+/// Refusal: "coupon.validity". @throws core::InvalidInput naming an option of a profile
+[[nodiscard]] core::Outcome<Plate> make_plate(const Options& options);
+
+/// Round grooves one above the other, counted from the wide foot, that differ in their floor's radius; the profile's own is among them.
+struct GrooveLadder {
+    solid::Mesh mesh;
+    std::vector<double> ratios;  ///< floor radius over cable diameter, rising, from the foot up
+    std::vector<double> z_mm;    ///< of each groove's middle above the bed
+};
+/// Refusal: "coupon.validity". @throws core::InvalidInput naming an option of a profile
+[[nodiscard]] core::Outcome<GrooveLadder> make_groove_ladder(const Options& options);
+
+/// A disc with the profile's groove: the cam of a linear law on a linear spring, whose arm is the same everywhere; several turns as a
+/// helix.
+struct Disc {
+    solid::Part part;
+    spring::BaseSpring spring;  ///< that its part file speaks of
+    double floor_mm = 0.0;      ///< radius of the groove's floor; the grooves' in the ladder too
+};
+/// Refusal: that of cam and solid. @throws core::InvalidInput naming an option of a profile
+[[nodiscard]] core::Outcome<Disc> make_disc(const Options& options);
+
+/// Radius of the floors of disc and groove ladder: whole millimetres with room for shaft and key [mm].
+[[nodiscard]] double floor_mm(const Options& options);
+
+/// Rounds to what STL holds and proves the mesh one closed solid. Refusal: "coupon.validity"
+[[nodiscard]] core::Outcome<solid::Mesh> finished(solid::Mesh mesh, const char* name);
+
+}  // namespace fusee::coupon

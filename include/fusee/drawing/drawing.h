@@ -1,0 +1,27 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "fusee/checks/check.h"
+#include "fusee/drawing/sheet.h"
+#include "fusee/solid/part.h"
+#include "fusee/spring/base_spring.h"
+
+namespace fusee::drawing {
+
+/// What a shop drawing is made from.
+struct Subject {
+    const solid::Part& part;  ///< with its mesh: views are cuts through what is exported
+    const spring::BaseSpring& spring;
+    const checks::Cable& cable;
+    const checks::Process& process;
+    std::string design;      ///< its name
+    std::string name;        ///< of the part's files: "k_se", "k_se_mirrored"
+    std::string provenance;  ///< core::Provenance::line
+};
+
+/// The part on A3 sheets: front view along the axis, section A-A, the groove enlarged, notes, radii of the groove's floor every 10 degrees
+/// and a table of arm, tension and torque; further sheets where a table does not fit. First angle, millimetres (docs/drawing.md).
+[[nodiscard]] std::vector<Sheet> draw(const Subject& subject);
+
+}  // namespace fusee::drawing

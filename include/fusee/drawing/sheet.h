@@ -1,0 +1,69 @@
+#pragma once
+#include <array>
+#include <string>
+#include <vector>
+
+/// Shop drawings: what stands on a sheet of paper, and where (docs/drawing.md).
+namespace fusee::drawing {
+
+using Point = std::array<double, 2>;  ///< [mm] from the sheet's upper left corner, y downwards
+using Line = std::vector<Point>;
+
+/// Widths and dashes of ISO 128-2: 0.5 mm for what is seen, 0.25 mm for the rest.
+enum class Pen { kOutline, kThin, kHidden, kCentre, kCut };
+
+struct Stroke {
+    Pen pen = Pen::kThin;
+    Line line;
+    bool closed = false;
+};
+
+/// A filled arrowhead, 2.5 mm long.
+struct Arrow {
+    Point tip{};
+    double towards = 0.0;  ///< direction in which it points [rad], y downwards
+};
+
+enum class Align { kLeft, kMiddle, kRight };
+
+/// One line of text in a typewriter face, so that its width is known whichever face a reader's machine has.
+struct Text {
+    std::string words;
+    Point at{};  ///< where its baseline begins, has its middle, or ends
+    Align align = Align::kLeft;
+    double size = kBody;   ///< of the face [mm]; capitals are 0.73 of it high
+    bool upright = false;  ///< read from below to above
+
+    static constexpr double kBody = 3.4, kSmall = 3.0, kTitle = 4.8;  // capitals of 2.5, 2.2 and 3.5 mm
+};
+
+/// Upright rectangle on the sheet.
+struct Box {
+    Point low{}, high{};
+    [[nodiscard]] bool overlaps(const Box& other) const;
+    [[nodiscard]] bool holds(const Box& other) const;
+    /// Does the straight line from a to b come into it?
+    [[nodiscard]] bool meets(const Point& a, const Point& b) const;
+};
+/// Room that a text takes, from the foot of a "g" to the top of a capital.
+[[nodiscard]] Box box_of(const Text& text);
+/// Width of a text [mm]: 0.602 of its size a letter, the widest of the usual typewriter faces.
+[[nodiscard]] double width_of(const std::string& words, double size);
+
+/// One sheet, A3 across.
+struct Sheet {
+    static constexpr double kWidth = 420.0, kHeight = 297.0;
+    static constexpr Box kFrame{{20.0, 10.0}, {410.0, 287.0}};  ///< ISO 5457: 20 mm at the left for filing
+
+    std::string title;
+    std::vector<Stroke> strokes = {};
+    std::vector<Arrow> arrows = {};
+    std::vector<Text> texts = {};
+
+    /// Is there neither text nor line in the box?
+    [[nodiscard]] bool clear(const Box& box) const;
+    /// Writes the first of the candidates that stands clear; the last one where none does.
+    void write_clear(const std::vector<Text>& candidates);
+};
+
+}  // namespace fusee::drawing

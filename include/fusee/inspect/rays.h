@@ -1,0 +1,39 @@
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "fusee/solid/mesh.h"
+
+namespace fusee::inspect {
+
+/// Where a ray meets the surface.
+struct Hit {
+    std::uint32_t triangle = 0;
+    double distance_mm = 0.0;
+};
+
+/// Rays and nearest points of any list of triangles, by a tree of boxes (CGAL). Triangles without area are left out. Reentrant.
+class Rays {
+public:
+    explicit Rays(const solid::Mesh& mesh);
+    ~Rays();
+    Rays(Rays&&) noexcept;
+
+    /// The first triangle on the way but `skip`. @param direction a unit vector
+    [[nodiscard]] std::optional<Hit> first(const solid::Vec3& from, const solid::Vec3& direction, std::uint32_t skip) const;
+    /// Every triangle on the way, ascending.
+    [[nodiscard]] std::vector<std::uint32_t> all(const solid::Vec3& from, const solid::Vec3& direction) const;
+    /// The surface's point nearest to `at`, and a triangle that holds it. @pre some triangle has an area
+    [[nodiscard]] std::pair<solid::Vec3, std::uint32_t> nearest(const solid::Vec3& at) const;
+    /// No triangle has an area.
+    [[nodiscard]] bool empty() const;
+
+private:
+    struct Tree;
+    std::unique_ptr<Tree> tree_;
+};
+
+}  // namespace fusee::inspect

@@ -1,0 +1,42 @@
+#pragma once
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fusee/checks/check.h"
+#include "fusee/inspect/body.h"
+
+/// Parts by anybody, of which only a mesh is known, judged by what a process can make (docs/guides/check.md).
+namespace fusee::inspect {
+
+/// All that a rule may look at: a part by anybody, and how it is to be made.
+struct Foreign {
+    const Body& body;
+    const checks::Process& process;
+};
+
+/// A finding, and the triangles that it is about.
+struct Marked {
+    core::Finding finding;
+    std::vector<std::uint32_t> triangles = {};  ///< ascending; empty where the finding passes
+};
+
+/// One rule for a mesh: pure, one file under src/inspect.
+struct Rule : checks::Card {
+    using Measure = std::function<std::optional<Marked>(const Foreign&, const checks::Allowed&)>;
+
+    Measure measure;  ///< nothing where it does not apply
+};
+
+/// Every rule, in the order in which they are reported.
+[[nodiscard]] std::span<const Rule> rules();
+/// Their Markdown table in docs/rules.md.
+[[nodiscard]] std::string rules_reference();
+
+/// Runs every rule. @param name of the part in the findings
+[[nodiscard]] std::vector<Marked> check(const Foreign& part, const std::string& name);
+
+}  // namespace fusee::inspect

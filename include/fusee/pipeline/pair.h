@@ -1,0 +1,20 @@
+#pragma once
+#include <optional>
+
+#include "fusee/pipeline/design.h"
+
+namespace fusee::pipeline {
+
+/// The two sides of an antagonistic joint: a part and its mirror image (docs/theory/cams.md).
+struct Pair {
+    DesignedPart agonist;
+    std::optional<DesignedPart> antagonist;  ///< its findings are empty: those of the rules are the agonist's, mirrored
+};
+
+/// @param both false: no antagonist
+[[nodiscard]] Pair pair_of(DesignedPart agonist, bool both);
+
+/// The antagonist's spring: a coil of the other hand, with the same figures.
+[[nodiscard]] spring::BaseSpring mirrored(spring::BaseSpring spring);
+
+}  // namespace fusee::pipeline

@@ -1,0 +1,13 @@
+#pragma once
+#include <filesystem>
+
+#include "fusee/exchange/part_file.h"
+
+namespace fusee::readback {
+
+/// Diameter of the hole about the axis in the lowest face of an STL file [mm], key and flat aside; of a compensated file, as it comes off
+/// the machine that `part.compensated` describes.
+/// @throws core::IoError if the file cannot be read or has no such hole
+[[nodiscard]] double bore_mm(const std::filesystem::path& stl, const exchange::PartFile& part);
+
+}  // namespace fusee::readback

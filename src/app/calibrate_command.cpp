@@ -1,0 +1,70 @@
+#include <fmt/format.h>
+
+#include <memory>
+#include <optional>
+
+#include "commands.h"
+#include "fusee/core/error.h"
+#include "fusee/core/file.h"
+#include "fusee/pipeline/coupons.h"
+#include "fusee/pipeline/design.h"
+#include "fusee/report/calibration.h"
+
+namespace fusee::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t kLargestSheet = 10'000'000;  // bytes
+
+struct CalibrateArguments {
+    fs::path sheet, profile, corrected;
+    bool json = false;
+};
+
+void require_pair(const CalibrateArguments& arguments) {
+    if (arguments.corrected.empty()) return;
+    if (arguments.profile.empty()) throw core::InvalidInput("--profile", "missing", "the profile of the coupons, beside --write-profile");
+    if (fs::weakly_canonical(arguments.corrected) == fs::weakly_canonical(arguments.profile))
+        throw core::InvalidInput("--write-profile", arguments.corrected.string(), "another file than --profile, which stays as it is");
+}
+
+int calibrate(const CalibrateArguments& arguments) {
+    require_pair(arguments);
+    std::string toml;
+    std::optional<profile::Profile> profile;
+    if (!arguments.profile.empty()) {
+        toml = core::read_file(arguments.profile, profile::kLargestFile);
+        profile = profile::parse_profile(toml, arguments.profile);
+        pipeline::require_parts(*profile);
+    }
+    const std::string bytes = core::read_file(arguments.sheet, kLargestSheet);
+    const coupon::Sheet sheet = coupon::parse_sheet(bytes, arguments.sheet.string());
+    const report::CalibrationReport found{
+        arguments.sheet.stem().string(), core::sha256_hex(bytes),
+        coupon::calibrate(sheet, profile ? pipeline::present_of(*profile) : coupon::Present{}, arguments.sheet.string())};
+    if (!arguments.corrected.empty())
+        core::write_file(arguments.corrected, pipeline::calibrated_profile(*profile, toml, sheet, found.calibration, arguments.corrected));
+    fmt::print("{}", arguments.json ? report::calibration_json(found) : report::calibration_text(found));
+    if (!arguments.json && !arguments.corrected.empty()) fmt::print("written: {}\n", arguments.corrected.string());
+    return found.calibration.figures.empty() ? 1 : 0;
+}
+
+}  // namespace
+
+void add_calibrate(CLI::App& app, Action& action) {
+    const auto arguments = std::make_shared<CalibrateArguments>();
+    CLI::App* command = app.add_subcommand(
+        "calibrate", "Turn measured coupons into a profile's compensation: shrinkage, bore offset, the cable's neutral axis, spring rates");
+    command->add_option("sheet", arguments->sheet, "COUPON.csv as fusee coupons leaves it, filled")->required();
+    command->add_option("--profile", arguments->profile, "Profile that the coupons were made from: what it says already is compared");
+    command->add_option("--write-profile", arguments->corrected, "File that gets the profile with what was found; with --profile");
+    command->add_flag("--json", arguments->json, "Print JSON");
+    command->footer(
+        "Example:\n  fusee calibrate profiles/examples/coupon.csv --profile profiles/pnrvsa.toml --write-profile /tmp/calibrated.toml\n\n"
+        "Exit code: 0 something was found, 1 the rows say nothing, 2 bad input (file, line and column are named), 3 a failure inside.");
+    command->callback([arguments, &action] { action = [arguments] { return calibrate(*arguments); }; });
+}
+
+}  // namespace fusee::app

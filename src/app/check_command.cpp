@@ -1,0 +1,118 @@
+#include <fmt/format.h>
+
+#include <memory>
+#include <vector>
+
+#include "commands.h"
+#include "fusee/checks/limits.h"
+#include "fusee/core/error.h"
+#include "fusee/exchange/mesh_file.h"
+#include "fusee/pipeline/check.h"
+#include "mesh_check.h"
+
+namespace fusee::app {
+
+namespace {
+
+struct CheckArguments {
+    std::filesystem::path input;
+    std::string process;
+    std::filesystem::path profile, out;
+    bool json = false;
+    unsigned jobs = 0;
+};
+
+constexpr const char* kAll = "all";
+
+std::vector<std::string> process_words() {
+    std::vector<std::string> words;
+    for (const checks::ProcessLimits& row : checks::process_table()) words.emplace_back(checks::to_string(row.kind));
+    words.emplace_back(kAll);
+    return words;
+}
+
+/// @pre `word` is one of process_words
+std::vector<checks::ProcessKind> kinds_of(const std::string& word) {
+    std::vector<checks::ProcessKind> kinds;
+    for (const checks::ProcessLimits& row : checks::process_table())
+        if (word == kAll || word == checks::to_string(row.kind)) kinds.push_back(row.kind);
+    return kinds;
+}
+
+report::Checked check_profile(const CheckArguments& arguments) {
+    if (!arguments.out.empty() || !arguments.profile.empty())
+        throw core::InvalidInput("check", arguments.input.string(), "a mesh with --out and --profile; of a profile no file is written");
+    const profile::Profile profile = profile::read_profile(arguments.input);
+    try {
+        return pipeline::check(profile, arguments.process.empty() ? std::vector{profile.process.kind} : kinds_of(arguments.process));
+    } catch (const core::InvalidInput& e) {  // a room below knows the key, the profile its line
+        throw core::InvalidInput(profile.place_of(e.field()), e.value(), e.allowed());
+    }
+}
+
+/// How a mesh is to be made: by the profile's figures where they are for that process, else by the process's defaults.
+std::vector<Machine> machines_for(const CheckArguments& arguments) {
+    std::vector<Machine> machines;
+    if (!arguments.profile.empty()) {
+        const profile::Profile profile = profile::read_profile(arguments.profile);
+        const auto kinds = arguments.process.empty() ? std::vector{profile.process.kind} : kinds_of(arguments.process);
+        for (const checks::ProcessKind kind : kinds) {
+            const bool own = kind == profile.process.kind;
+            const checks::Process process = pipeline::by_process(profile, kind).profile.process;
+            machines.push_back({process, own ? "[process] of the profile" : pipeline::default_figures(process), own});
+        }
+        return machines;
+    }
+    if (arguments.process.empty())
+        throw core::InvalidInput("check --process", "missing", "how the mesh is to be made: fdm, sla, sls, mill, mill4, edm, laser, all");
+    for (const checks::ProcessKind kind : kinds_of(arguments.process)) {
+        checks::Process process;
+        process.kind = kind;
+        machines.push_back({process, pipeline::default_figures(process)});
+    }
+    return machines;
+}
+
+MeshCheck checked(const CheckArguments& arguments) {
+    if (arguments.input.extension() == ".toml") return {check_profile(arguments), {}};
+    if (!exchange::is_mesh_file(arguments.input))
+        throw core::InvalidInput("check", arguments.input.string(), "a profile (.toml) or a mesh (.stl, .obj, .3mf, .step, .stp)");
+    return check_mesh(arguments.input, machines_for(arguments), arguments.out, arguments.jobs);
+}
+
+int check(const CheckArguments& arguments) {
+    const MeshCheck result = checked(arguments);
+    const bool good = result.checked.makeable();
+    if (arguments.json) {
+        fmt::print("{}", report::check_json(result.checked));
+    } else {
+        fmt::print(good ? stdout : stderr, "{}", report::check_text(result.checked));
+        if (!result.coloured.empty())
+            fmt::print(good ? stdout : stderr, "Where: {} (red: required change, orange: review)\n", result.coloured.string());
+    }
+    return good ? 0 : 1;
+}
+
+}  // namespace
+
+void add_check(CLI::App& app, Action& action) {
+    const auto arguments = std::make_shared<CheckArguments>();
+    CLI::App* command = app.add_subcommand("check", "Run every rule on a profile's cams, or on a mesh by anybody, without making files");
+    command->add_option("input", arguments->input, "Profile (.toml), or mesh: STL, OBJ, 3MF, STEP")->required();
+    command->add_option("--process", arguments->process, "How it is made, in place of the profile's; all: a table of all of them")
+        ->check(CLI::IsMember(process_words()));
+    command->add_option("--profile", arguments->profile, "Of a mesh: profile whose [process] states machine and limits");
+    command->add_option("-o,--out", arguments->out, "Of a mesh: folder for NAME_check.3mf, which shows in colours where");
+    command->add_flag("--json", arguments->json, "As JSON");
+    command->add_option("-j,--jobs", arguments->jobs, "Threads for a mesh; 0 = one for each processor")->capture_default_str();
+    command->footer(
+        "Example:\n  fusee check profiles/pnrvsa.toml\n  fusee check profiles/pnrvsa.toml --process all\n  fusee check bracket.stl "
+        "--process "
+        "fdm --out /tmp/bracket\n\n"
+        "Exit code: 0 nothing that has to be changed (of several processes: for one of them), 1 a required change, 2 bad input, 3 a "
+        "failure "
+        "inside.");
+    command->callback([arguments, &action] { action = [arguments] { return check(*arguments); }; });
+}
+
+}  // namespace fusee::app

@@ -1,0 +1,42 @@
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "commands.h"
+#include "fusee/pipeline/coupons.h"
+
+namespace fusee::app {
+
+namespace {
+
+struct CouponsArguments {
+    std::filesystem::path profile, out = "out";
+};
+
+int coupons(const CouponsArguments& arguments) {
+    const pipeline::Coupons made = pipeline::make_coupons(profile::read_profile(arguments.profile), arguments.out);
+    for (const core::Finding& finding : made.findings)
+        if (finding.severity != core::Severity::kPass) fmt::print(stderr, "{}\n", core::to_line(finding));
+    if (!made.made) return 1;
+    std::string names;
+    for (const report::FileRow& file : made.files) names += (names.empty() ? "" : ", ") + file.entry.name;
+    fmt::print("written: {}: {}\n", made.folder.string(), names);
+    return 0;
+}
+
+}  // namespace
+
+void add_coupons(CLI::App& app, Action& action) {
+    const auto arguments = std::make_shared<CouponsArguments>();
+    CLI::App* command = app.add_subcommand(
+        "coupons",
+        "Make test pieces for a profile's machine and cable: out/NAME-coupons with plate, groove ladder, disc and the sheet to fill");
+    command->add_option("profile", arguments->profile, "Profile (*.toml)")->required();
+    command->add_option("-o,--out", arguments->out, "Folder that gets NAME-coupons")->capture_default_str();
+    command->footer(
+        "Example:\n  fusee coupons profiles/pnrvsa.toml\n\n"
+        "Exit code: 0 made, 1 they cannot be made (the binding limit is printed), 2 bad input, 3 a failure inside.");
+    command->callback([arguments, &action] { action = [arguments] { return coupons(*arguments); }; });
+}
+
+}  // namespace fusee::app

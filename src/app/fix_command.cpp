@@ -1,0 +1,78 @@
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "commands.h"
+#include "fusee/core/error.h"
+#include "fusee/core/file.h"
+#include "fusee/core/progress.h"
+#include "fusee/pipeline/fix.h"
+
+namespace fusee::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kRefused = 1;
+
+struct FixArguments {
+    fs::path profile;
+    bool json = false;
+    pipeline::FixOptions options;
+};
+
+/// Beside the profile: "x-fixed.toml" of "x.toml".
+fs::path beside(const fs::path& profile) {
+    return profile.parent_path() / (profile.stem().string() + "-fixed" + profile.extension().string());
+}
+
+report::Fix found_for(const profile::Profile& profile, const std::string& toml, const pipeline::FixOptions& options) {
+    try {
+        return pipeline::fix(profile, toml, options);
+    } catch (const core::InvalidInput& e) {  // a room below knows the key, the profile its line
+        throw core::InvalidInput(profile.place_of(e.field()), e.value(), e.allowed());
+    }
+}
+
+int fix(const FixArguments& arguments) {
+    core::catch_interrupts();
+    pipeline::FixOptions options = arguments.options;
+    if (options.file.empty()) options.file = beside(arguments.profile);
+    if (fs::weakly_canonical(options.file) == fs::weakly_canonical(arguments.profile))
+        throw core::InvalidInput("--out", options.file.string(), "another file than the profile, which stays as it is");
+    options.progress = [](const std::string& step) { fmt::print(stderr, "fix: {}\n", step); };
+    options.stop = core::interrupted;
+    const std::string toml = core::read_file(arguments.profile, profile::kLargestFile);
+    const report::Fix found = found_for(profile::parse_profile(toml, arguments.profile), toml, options);
+    if (!found.file.empty()) core::write_file(found.file, found.toml);
+    const bool cannot = found.end == report::Fix::End::kCannot;
+    if (arguments.json)
+        fmt::print("{}", report::fix_json(found));
+    else
+        fmt::print(cannot ? stderr : stdout, "{}", report::fix_text(found));
+    return cannot ? kRefused : 0;
+}
+
+}  // namespace
+
+void add_fix(CLI::App& app, Action& action) {
+    const auto arguments = std::make_shared<FixArguments>();
+    CLI::App* command =
+        app.add_subcommand("fix", "Change what the findings suggest until a profile can be made: a new profile with the reasons");
+    command->add_option("profile", arguments->profile, "Profile (*.toml) that cannot be made; it stays as it is")->required();
+    command->add_option("-o,--out", arguments->options.file, "File that gets the new profile; left out: PROFILE-fixed.toml beside it");
+    command->add_flag("--reviews", arguments->options.reviews, "Take away what is to be reviewed and accepted, too");
+    command->add_option("--most", arguments->options.most_judged, "Profiles judged before the search gives up")
+        ->check(CLI::Range(1, 1000000))
+        ->capture_default_str();
+    command->add_flag("--json", arguments->json, "Print the changes as JSON instead of text");
+    command->footer(
+        "Example:\n  fusee fix profiles/pnrvsa.toml --out /tmp/pnrvsa.toml\n\n"
+        "Exit code: 0 fixed, or nothing to do, 1 it cannot be (what binds is printed, nothing is written), 2 bad input (file, line and key "
+        "are\n"
+        "named), 3 a failure inside, 130 stopped by Ctrl-C: nothing is written.");
+    command->callback([arguments, &action] { action = [arguments] { return fix(*arguments); }; });
+}
+
+}  // namespace fusee::app

@@ -1,0 +1,68 @@
+#include "mesh_check.h"
+
+#include <fmt/format.h>
+
+#include "fusee/core/error.h"
+#include "fusee/core/file.h"
+#include "fusee/core/provenance.h"
+#include "fusee/exchange/mesh_file.h"
+#include "fusee/exchange/three_mf_coloured.h"
+#include "fusee/inspect/rule.h"
+
+namespace fusee::app {
+
+namespace {
+
+constexpr std::size_t kSamples = 20000;
+constexpr exchange::Colour kRed = {215, 25, 28}, kOrange = {253, 174, 97};
+
+std::string input_line(const exchange::MeshFile& file, const inspect::Body& body, const std::string& name) {
+    const solid::Box& box = body.box();
+    return fmt::format("{}: unit {}; {} triangles, {:.2f} x {:.2f} x {:.2f} mm, {:.4g} mm^3; {} samples", name, file.unit,
+                       body.mesh().triangles.size(), box.high_mm[0] - box.low_mm[0], box.high_mm[1] - box.low_mm[1],
+                       box.high_mm[2] - box.low_mm[2], solid::volume_mm3(body.mesh()), body.samples().size());
+}
+
+/// The gravest finding of each triangle, of all processes.
+void paint(std::vector<exchange::Colour>& colours, const std::vector<inspect::Marked>& found) {
+    for (const core::Severity severity : {core::Severity::kReview, core::Severity::kRequired})
+        for (const inspect::Marked& marked : found)
+            if (marked.finding.severity == severity)
+                for (const std::uint32_t t : marked.triangles)
+                    if (colours[t] != kRed) colours[t] = severity == core::Severity::kRequired ? kRed : kOrange;
+}
+
+/// @throws core::IoError naming the file: what is wrong with its triangles is the file's fault
+inspect::Body body_of(const solid::Mesh& mesh, const std::filesystem::path& file, unsigned jobs) {
+    try {
+        return inspect::Body(mesh, kSamples, jobs);
+    } catch (const core::InvalidInput& e) {
+        throw core::IoError(file.string(), e.what());
+    }
+}
+
+}  // namespace
+
+MeshCheck check_mesh(const std::filesystem::path& path, const std::vector<Machine>& machines, const std::filesystem::path& out,
+                     unsigned jobs) {
+    const exchange::MeshFile file = exchange::read_mesh_file(path);
+    const inspect::Body body = body_of(file.mesh, path, jobs);
+    const std::string name = path.stem().string();
+    MeshCheck result{{name, core::sha256_hex(core::read_file(path)), input_line(file, body, path.filename().string()), {}}, {}};
+    std::vector<exchange::Colour> colours(body.mesh().triangles.size(), exchange::kGrey);
+    for (const Machine& machine : machines) {
+        const std::vector<inspect::Marked> found = inspect::check({body, machine.process}, name);
+        report::CheckedPart part{name, {}};
+        for (const inspect::Marked& marked : found) part.findings.push_back(marked.finding);
+        result.checked.processes.push_back({checks::to_string(machine.process.kind), machine.figures, machine.own, {}, {std::move(part)}});
+        paint(colours, found);
+    }
+    if (out.empty()) return result;
+    std::filesystem::create_directories(out);
+    result.coloured = out / (name + "_check.3mf");
+    exchange::write_coloured_3mf(result.coloured, body.mesh(), colours, name,
+                                 core::Provenance{name, result.checked.sha256, "check"}.line());
+    return result;
+}
+
+}  // namespace fusee::app

@@ -1,0 +1,29 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "fusee/checks/check.h"
+#include "fusee/report/check.h"
+
+namespace fusee::app {
+
+/// How a mesh is to be made, and whose figures these are.
+struct Machine {
+    checks::Process process;
+    std::string figures;
+    bool own = false;  ///< a profile names this process
+};
+
+/// A part by anybody, checked for each process.
+struct MeshCheck {
+    report::Checked checked;
+    std::filesystem::path coloured;  ///< the 3MF that shows where; empty if none was asked for
+};
+
+/// Reads the file, runs the mesh's rules for each machine and, where `out` is not empty, writes out/NAME_check.3mf: red where a required
+/// change is, orange where a review, grey elsewhere. @throws core::InvalidInput, core::IoError
+[[nodiscard]] MeshCheck check_mesh(const std::filesystem::path& file, const std::vector<Machine>& machines,
+                                   const std::filesystem::path& out, unsigned jobs);
+
+}  // namespace fusee::app

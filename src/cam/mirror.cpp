@@ -1,0 +1,61 @@
+#include "fusee/cam/mirror.h"
+
+#include <utility>
+
+#include "fusee/cam/certificate.h"
+#include "fusee/core/turn.h"
+
+namespace fusee::cam {
+
+namespace {
+
+core::Range mirrored(const core::Range& psi) { return {-psi.high, -psi.low}; }
+
+PathPoint mirrored(const PathPoint& p) { return {-p.psi, p.h, -p.slope, p.rho, p.z}; }
+
+ContourJet mirrored(ContourJet at) {
+    at.psi = -at.psi;
+    at.climb = -at.climb;  // dz/dpsi; d2z/dpsi2 and, by the stretch's own parameter, rho stay
+    return at;
+}
+
+std::vector<ContourStretch> mirrored(std::vector<ContourStretch> stretches) {
+    for (ContourStretch& stretch : stretches)
+        stretch.over = [over = std::move(stretch.over)](const math::Interval& box) { return mirrored(over(box)); };
+    return stretches;
+}
+
+}  // namespace
+
+CamOptions mirrored(const CamOptions& options) {
+    CamOptions other = options;
+    other.torque_sign = -options.torque_sign;
+    other.guide.direction = -options.guide.direction;
+    other.roller.direction = -options.roller.direction;
+    other.guide.sense = -options.guide.sense;
+    other.roller.direction = -options.roller.direction;
+    if (options.path.kind == PathKind::kHelix && options.path.lead == Lead::kConstantPitch)
+        other.path.hand = options.path.hand == Hand::kRight ? Hand::kLeft : Hand::kRight;
+    return other;
+}
+
+Cam mirrored(const Cam& cam) {
+    Cam other = cam;
+    other.options = mirrored(cam.options);
+    other.rotation_sign = -cam.rotation_sign;
+    for (Contact& row : other.working) row.path = mirrored(row.path);
+    other.working_psi = mirrored(cam.working_psi);
+    other.groove_psi = mirrored(cam.groove_psi);
+    other.anchor_psi = -cam.anchor_psi;
+    if (cam.closed()) {  // as synthesized: the turn begins where the working arc does
+        other.groove_psi = {other.working_psi.low, other.working_psi.low + core::kTurn};
+        other.anchor_psi = core::within_turn(other.anchor_psi, other.groove_psi.low);
+    }
+    other.path = [path = cam.path](double psi) { return mirrored(path(-psi)); };
+    if (cam.stretches) other.stretches = [stretches = cam.stretches] { return mirrored(stretches()); };
+    return other;
+}
+
+bool left_handed(const Cam& cam) { return !cam.closed() && cam.path(cam.groove_psi.high).z < cam.path(cam.groove_psi.low).z; }
+
+}  // namespace fusee::cam

@@ -1,0 +1,23 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "fusee/cam/cam.h"
+
+/// Contacts over the loads of a law.
+namespace fusee::cam {
+
+/// `count` contacts, evenly spaced in load.
+[[nodiscard]] std::vector<Contact> scan_contacts(const ArmFunction& arm, const CamOptions& options, std::size_t count);
+
+/// The contact at a cam angle, between those of a scan. @pre angle within the scan's (clamped)
+[[nodiscard]] Contact contact_at(const ArmFunction& arm, const CamOptions& options, const std::vector<Contact>& scanned, double angle);
+
+/// Angle between the free cable and the contact's plane, above 0 upwards [rad]; 0 for a parallel exit. @pre contact.path.z is known
+[[nodiscard]] double fleet_of(const Contact& contact, const Guide& guide);
+
+/// The arms in the plane with which a cable that leans out of it has the torque of `arm`: arm/cos(fleet) (docs/theory/cams.md, eq. 8a);
+/// none where no cable leans. @param contacts scanned from `arm`, sound
+[[nodiscard]] std::optional<ArmFunction> in_plane(const ArmFunction& arm, const CamOptions& options, std::vector<Contact> contacts);
+
+}  // namespace fusee::cam

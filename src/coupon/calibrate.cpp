@@ -1,0 +1,261 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <optional>
+
+#include "fusee/core/error.h"
+#include "fusee/coupon/calibration.h"
+
+namespace fusee::coupon {
+
+namespace {
+
+using core::m_from_mm;
+
+constexpr double kGauge_mm = 0.01, kTape_mm = 0.1, kScale = 0.0;  // digits of a caliper, of a ruler; of an instrument that is not known
+constexpr double kMostShrinkage = 0.1;                            // what shrinks more was measured in another unit
+constexpr std::size_t kLeastOfLine = 3, kLeastOfMean = 2;
+constexpr std::array kLengths{Item::kLengthX, Item::kLengthY, Item::kLengthZ};
+
+std::size_t different(const std::vector<Row>& rows) {
+    std::vector<double> given;
+    for (const Row& row : rows) given.push_back(row.given);
+    std::sort(given.begin(), given.end());
+    return static_cast<std::size_t>(std::unique(given.begin(), given.end()) - given.begin());
+}
+
+bool makes_line(const std::vector<Row>& rows) { return rows.size() >= kLeastOfLine && different(rows) >= 2; }
+
+Estimate mean_of(const std::vector<double>& values, double resolution) {
+    const auto count = static_cast<double>(values.size());
+    const double mean = std::accumulate(values.begin(), values.end(), 0.0) / count;
+    double squares = 0.0;
+    for (const double value : values) squares += (value - mean) * (value - mean);
+    const double scatter = std::max(std::sqrt(squares / (count - 1.0)), resolution / std::sqrt(12.0));
+    return {mean, scatter / std::sqrt(count), count - 1.0};
+}
+
+/// What a yes-or-no ladder says: it fits from the least yes on, not up to the greatest no.
+struct Ladder {
+    double greatest_no = -std::numeric_limits<double>::infinity();
+    double least_yes = std::numeric_limits<double>::infinity();
+    double greatest_yes = -std::numeric_limits<double>::infinity();
+    [[nodiscard]] bool fits() const { return std::isfinite(least_yes); }
+    [[nodiscard]] bool between() const { return fits() && std::isfinite(greatest_no); }
+};
+
+Ladder ladder_of(const std::vector<Row>& rows, const std::string& field) {
+    Ladder ladder;
+    for (const Row& row : rows) {
+        if (row.measured == 0.0) ladder.greatest_no = std::max(ladder.greatest_no, row.given);
+        if (row.measured == 0.0) continue;
+        ladder.least_yes = std::min(ladder.least_yes, row.given);
+        ladder.greatest_yes = std::max(ladder.greatest_yes, row.given);
+    }
+    if (ladder.greatest_no >= ladder.least_yes)
+        throw core::InvalidInput(field, fmt::format("yes at {:g}, no at {:g}", ladder.least_yes, ladder.greatest_no),
+                                 "what fits in some room fits in more: yes from one row of the ladder on");
+    return ladder;
+}
+
+class Calibrator {
+public:
+    Calibrator(const Sheet& sheet, const Present& present, const std::string& file) : sheet_(sheet), present_(present), file_(file) {}
+
+    Calibration run() {
+        for (const int axis : {0, 1, 2}) shrinkage(axis);
+        bore();
+        groove();
+        disc();
+        series_spring();
+        parallel_spring();
+        return std::move(result_);
+    }
+
+private:
+    static Figure figure(std::string id, std::string what, std::string key, std::string unit, double per_unit, std::size_t rows) {
+        Figure f;
+        f.id = std::move(id);
+        f.what = std::move(what);
+        f.key = std::move(key);
+        f.unit = std::move(unit);
+        f.per_unit = per_unit;
+        f.rows = rows;
+        return f;
+    }
+    const Figure& add(Figure f, const Estimate& estimate) {
+        f.value = estimate.value;
+        f.range = estimate.interval();
+        return add(std::move(f));
+    }
+    const Figure& add(Figure f) {
+        if (const auto known = present_.find(f.key); known != present_.end()) f.present = known->second;
+        if (std::isnan(f.present) && f.key.starts_with("compensation.")) f.present = 0.0;
+        return result_.figures.emplace_back(std::move(f));
+    }
+    void unknown(std::string id, std::string why) { result_.unknown.push_back({std::move(id), std::move(why)}); }
+    [[nodiscard]] std::string field(const char* item) const { return file_ + ": " + item; }
+
+    /// eq. 1: measured = (1 - s) L + e.
+    void shrinkage(int axis) {
+        const std::string name(1, "xyz"[axis]), item = "length_" + name;
+        const std::vector<Row> rows = sheet_.of(kLengths[axis]);
+        if (!makes_line(rows)) return unknown("shrink_" + name, fmt::format("needs 3 rows {} of 2 lengths that differ", item));
+        const Line line = fit_line(rows, kGauge_mm);
+        Estimate s = line.slope;
+        s.value = 1.0 - s.value;
+        if (std::abs(s.value) > kMostShrinkage)
+            throw core::InvalidInput(field(item.c_str()), fmt::format("a shrinkage of {:.3g} %", 100.0 * s.value),
+                                     fmt::format("at most {:g} % either way: lengths in mm, as drawn", 100.0 * kMostShrinkage));
+        s.value = add(figure("shrink_" + name, "shrinkage along " + name, kShrinkKeys[axis], "%", 100.0, rows.size()), s).used();
+        shrink_[axis] = s;
+        const Estimate contour = sum({{1e-3, line.at_0}});
+        add(figure("contour_" + name, "outer lengths along " + name + " come out longer by", "", "mm", 1e3, rows.size()), contour);
+    }
+
+    /// Of one axis, or the mean of those in the plane: what a compensated file is going to be scaled by.
+    [[nodiscard]] Estimate settled(int axis) const {
+        const auto known = present_.find(kShrinkKeys[axis]);
+        const Estimate as_is{known == present_.end() ? 0.0 : known->second, 0.0, std::numeric_limits<double>::infinity()};
+        return shrink_[axis].value_or(as_is);
+    }
+    [[nodiscard]] Estimate in_plane() const { return sum({{0.5, settled(0)}, {0.5, settled(1)}}); }
+    [[nodiscard]] bool plane_known() const { return shrink_[0] && shrink_[1]; }
+
+    /// eq. 2: b = (1 - s) D - measured.
+    void bore() {
+        const std::vector<Row> rows = sheet_.of(Item::kBore);
+        const std::optional<Figure> tried = tried_bore();
+        if (rows.size() < kLeastOfMean) {
+            if (tried) add(*tried);
+            return tried ? shrinkage_inside("bore_offset") : unknown("bore_offset", "needs 2 rows bore, or shaft and shaft_enters");
+        }
+        const Estimate s = in_plane();
+        std::vector<double> offsets;
+        double diameter = 0.0;
+        for (const Row& row : rows) {
+            offsets.push_back(m_from_mm((1.0 - s.value) * row.given - row.measured));
+            diameter += m_from_mm(row.given) / static_cast<double>(rows.size());
+        }
+        Estimate offset = sum({{1.0, mean_of(offsets, m_from_mm(kGauge_mm))}, {-diameter, {0.0, s.deviation, s.freedom}}});
+        const Figure& found = add(figure("bore_offset", "bores come out smaller by", kBoreOffsetKey, "mm", 1e3, rows.size()), offset);
+        if (tried && (found.range.high < tried->range.low || found.range.low > tried->range.high))
+            result_.remarks.push_back(fmt::format(
+                "bore_offset: the gauge says {:.3f} mm, the shaft {:.3f} to {:.3f} mm: a rough or oval hole; the gauge is believed",
+                1e3 * found.value, 1e3 * tried->range.low, 1e3 * tried->range.high));
+        shrinkage_inside("bore_offset");
+    }
+    void shrinkage_inside(const std::string& id) {
+        if (!plane_known()) result_.remarks.push_back(id + " holds the holes' shrinkage, as far as that along x or y is not known");
+    }
+    /// The same from the holes that the shaft goes into: between the last that it does not and the first that it does.
+    std::optional<Figure> tried_bore() {
+        const std::vector<Row> tries = sheet_.of(Item::kShaftEnters), shafts = sheet_.of(Item::kShaft);
+        const Ladder ladder = ladder_of(tries, field("shaft_enters"));
+        if (!tries.empty() && !ladder.between())
+            result_.remarks.push_back(std::string("shaft_enters: the shaft goes into ") + (ladder.fits() ? "every" : "no") +
+                                      " hole tried, so that the ladder says nothing");
+        if (shafts.empty() || !ladder.between()) return std::nullopt;
+        double shaft = 0.0;
+        for (const Row& row : shafts) shaft += row.measured / static_cast<double>(shafts.size());
+        const auto offset = [&](double drawn) { return m_from_mm((1.0 - in_plane().value) * drawn - shaft); };
+        Figure f = figure("bore_offset", "bores come out smaller by (by the shaft)", kBoreOffsetKey, "mm", 1e3, tries.size());
+        f.range = {offset(ladder.greatest_no), offset(ladder.least_yes)};
+        f.value = 0.5 * (f.range.low + f.range.high);
+        f.ladder = true;
+        return f;
+    }
+
+    void groove() {
+        const std::vector<Row> tries = sheet_.of(Item::kCableSeats);
+        const Ladder ladder = ladder_of(tries, field("cable_seats"));
+        if (!ladder.fits())
+            return unknown("groove_ratio",
+                           tries.empty() ? "needs rows cable_seats" : "the cable seats in no groove: a thicker one than drawn");
+        Figure f = figure("groove_ratio", "tightest groove in which the cable seats", kGrooveRatioKey, "", 1.0, tries.size());
+        f.value = ladder.least_yes;
+        f.range = {ladder.least_yes, ladder.greatest_yes};
+        f.ladder = true;
+        add(f);
+    }
+
+    /// eq. 3 and 4: R from cable drawn off over turns, or from torque over tension; the axis lies R - (1 - s) R_floor - d/2 further out.
+    void disc() {
+        const std::vector<Row> pulls = sheet_.of(Item::kDiscPull), torques = sheet_.of(Item::kDiscTorque);
+        const bool by_pull = makes_line(pulls), by_torque = makes_line(torques);
+        if (!by_pull && !by_torque) {
+            unknown("disc_radius", "needs 3 rows disc_pull or disc_torque that differ");
+            return unknown("cable_axis", "needs the disc's effective radius");
+        }
+        const Estimate pulled = by_pull ? sum({{1e-3 / (2.0 * core::kPi), fit_line(pulls, kTape_mm).slope}}) : Estimate{};
+        const Estimate turned = by_torque ? fit_line(torques, kScale).slope : Estimate{};
+        if (by_pull && by_torque && std::abs(pulled.value - turned.value) > sum({{1.0, pulled}, {-1.0, turned}}).interval().width() / 2.0)
+            result_.remarks.push_back(
+                fmt::format("disc_radius: {:.3f} mm by the cable drawn off, {:.3f} mm by torques: friction of the "
+                            "shaft, or a cable that stretches; the more exact one is taken",
+                            1e3 * pulled.value, 1e3 * turned.value));
+        radius_ = by_pull && (!by_torque || pulled.deviation <= turned.deviation) ? pulled : turned;
+        add(figure("disc_radius", "effective radius of the disc", "", "mm", 1e3,
+                   radius_->value == pulled.value ? pulls.size() : torques.size()),
+            *radius_);
+        cable_axis();
+    }
+    void cable_axis() {
+        if (!(sheet_.disc_floor_mm > 0.0) || !(sheet_.cable_diameter_mm > 0.0))
+            return unknown("cable_axis", "needs the rows disc_floor and cable_diameter, as they were drawn");
+        if (!plane_known())
+            return unknown("cable_axis", "needs the shrinkage along x and y: without it the disc's own radius is not known");
+        const double floor = m_from_mm(sheet_.disc_floor_mm);
+        Estimate axis = sum({{1.0, *radius_}, {floor, in_plane()}});
+        axis.value -= floor + 0.5 * m_from_mm(sheet_.cable_diameter_mm);
+        add(figure("cable_axis", "the cable's neutral axis runs farther out than d/2 by", kCableAxisKey, "mm", 1e3, 0), axis);
+        result_.figures.back().rows = result_.find("disc_radius")->rows;
+    }
+
+    /// eq. 5: on the disc, force over pull is k_t/R^2.
+    void series_spring() {
+        const std::vector<Row> rows = sheet_.of(Item::kSeriesSpring);
+        if (!makes_line(rows) || !radius_)
+            return unknown("series_rate",
+                           radius_ ? "needs 3 rows series_spring" : "needs 3 rows series_spring and the disc's effective radius");
+        const Estimate c = rising(sum({{1e3, fit_line(rows, kScale).slope}}), "series_spring");
+        const double r = radius_->value;
+        Estimate rate = sum({{r * r, c}, {2.0 * c.value * r, {0.0, radius_->deviation, radius_->freedom}}});
+        add(figure("series_rate", "rate of the torsion spring", kSeriesRateKey, "Nm/rad", 1.0, rows.size()), rate);
+    }
+    /// eq. 6.
+    void parallel_spring() {
+        const std::vector<Row> rows = sheet_.of(Item::kParallelSpring);
+        if (!makes_line(rows)) return unknown("parallel_rate", "needs 3 rows parallel_spring");
+        const Estimate k = rising(sum({{1e3, fit_line(rows, kScale).slope}}), "parallel_spring");
+        add(figure("parallel_rate", "rate of the compression spring", kParallelRateKey, "N/m", 1.0, rows.size()), k);
+    }
+    [[nodiscard]] Estimate rising(const Estimate& slope, const char* item) const {
+        if (slope.value > 0.0) return slope;
+        throw core::InvalidInput(field(item), fmt::format("a slope of {:.3g} N/m", slope.value), "forces that rise with the travel");
+    }
+
+    const Sheet& sheet_;
+    const Present& present_;
+    const std::string& file_;
+    Calibration result_;
+    std::array<std::optional<Estimate>, 3> shrink_;  // with the value that is used
+    std::optional<Estimate> radius_;                 // of the disc [m]
+};
+
+}  // namespace
+
+const Figure* Calibration::find(const std::string& id) const {
+    const auto found = std::find_if(figures.begin(), figures.end(), [&id](const Figure& f) { return f.id == id; });
+    return found == figures.end() ? nullptr : &*found;
+}
+
+Calibration calibrate(const Sheet& sheet, const Present& present, const std::string& file) {
+    return Calibrator(sheet, present, file).run();
+}
+
+}  // namespace fusee::coupon

@@ -1,0 +1,155 @@
+#include "fusee/coupon/sheet.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "fusee/core/csv.h"
+#include "fusee/core/error.h"
+
+namespace fusee::coupon {
+
+namespace {
+
+constexpr core::Range kNothing{0.0, 0.0}, kLength_mm{0.01, 1e4}, kYesNo{0.0, 1.0}, kForce_N{-1e4, 1e4};
+constexpr const char *kNone = "-", *kYesOrNo = "1=yes 0=no";
+
+constexpr std::array kKinds{
+    ItemKind{Item::kCableDiameter, "cable_diameter", "mm", kNone, kLength_mm, kNothing, "leave as it is: the cable of the profile"},
+    ItemKind{Item::kDiscFloor, "disc_floor", "mm", kNone, kLength_mm, kNothing, "leave as it is: radius of the disc's floor as drawn"},
+    ItemKind{Item::kLengthX, "length_x", "mm", "mm", kLength_mm, kLength_mm, "plate: outer face to outer face along x"},
+    ItemKind{Item::kLengthY, "length_y", "mm", "mm", kLength_mm, kLength_mm, "plate: the same along y"},
+    ItemKind{Item::kLengthZ, "length_z", "mm", "mm", kLength_mm, kLength_mm, "plate: height of plate and tower above the bed"},
+    ItemKind{Item::kBore, "bore", "mm", "mm", kLength_mm, kLength_mm, "plate: diameter of the hole drawn with the given one"},
+    ItemKind{Item::kShaft, "shaft", "mm", "mm", kLength_mm, kLength_mm, "diameter of the shaft that is tried in the holes"},
+    ItemKind{Item::kShaftEnters, "shaft_enters", "mm", kYesOrNo, kLength_mm, kYesNo, "does the shaft go in by hand and turn?"},
+    ItemKind{Item::kCableSeats,
+             "cable_seats",
+             "ratio",
+             kYesOrNo,
+             {0.5, 2.0},
+             kYesNo,
+             "groove ladder: does the tight cable lie on the floor, not on the flanks?"},
+    ItemKind{Item::kDiscPull, "disc_pull", "turn", "mm", {0.0, 100.0}, {0.0, 1e5}, "disc: cable drawn off after that many turns"},
+    ItemKind{Item::kDiscTorque, "disc_torque", "N", "Nm", {0.0, 1e4}, {-1e3, 1e3}, "disc: torque on its shaft at that cable tension"},
+    ItemKind{
+        Item::kSeriesSpring, "series_spring", "mm", "N", {0.0, 1e5}, kForce_N, "disc on K_SE's spring: force in the cable after that pull"},
+    ItemKind{Item::kParallelSpring, "parallel_spring", "mm", "N", {0.0, 1e4}, kForce_N, "K_PE's spring alone: force at that travel"},
+};
+
+const std::vector<core::CsvColumn> kColumns{{"item", core::CsvColumn::Kind::kText},
+                                            {"given"},
+                                            {"given_unit", core::CsvColumn::Kind::kText},
+                                            {"measured", core::CsvColumn::Kind::kNumber, true, true},
+                                            {"unit", core::CsvColumn::Kind::kText}};
+
+const ItemKind& kind_of(Item item) {
+    return *std::find_if(kKinds.begin(), kKinds.end(), [item](const ItemKind& kind) { return kind.item == item; });
+}
+
+/// Reads one row at a time and refuses what only the items know to be wrong.
+class Reader {
+public:
+    explicit Reader(const core::CsvTable& table) : table_(table) {}
+
+    void take(std::size_t row, Sheet& sheet) const {
+        const ItemKind& kind = kind_at(row);
+        require_unit(row, "given_unit", kind.given_unit);
+        require_unit(row, "unit", kind.unit);
+        const double given = require_within(row, "given", kind.given), measured = table_.numbers("measured")[row];
+        if (kind.unit == kNone) {
+            if (!std::isnan(measured)) throw fault(row, "measured", measured, "left empty: this is drawn, not measured");
+            double& drawn = kind.item == Item::kDiscFloor ? sheet.disc_floor_mm : sheet.cable_diameter_mm;
+            if (drawn > 0.0 && drawn != given) throw fault(row, "given", given, fmt::format("{:g}, as in an earlier row", drawn));
+            drawn = given;
+        } else if (!std::isnan(measured)) {
+            require_within(row, "measured", kind.measured);
+            if (kind.unit == kYesOrNo && measured != 0.0 && measured != 1.0) throw fault(row, "measured", measured, "1 (yes) or 0 (no)");
+            sheet.rows.push_back({kind.item, given, measured});
+        }
+    }
+
+private:
+    [[nodiscard]] core::InvalidInput fault(std::size_t row, const char* column, double value, std::string allowed) const {
+        return table_.fault(row, column, fmt::format("{:g}", value), std::move(allowed));
+    }
+    [[nodiscard]] const ItemKind& kind_at(std::size_t row) const {
+        const std::string& name = table_.texts("item")[row];
+        const auto kind = std::find_if(kKinds.begin(), kKinds.end(), [&name](const ItemKind& k) { return name == k.name; });
+        if (kind != kKinds.end()) return *kind;
+        std::string names;
+        for (const ItemKind& k : kKinds) names += (names.empty() ? "" : ", ") + std::string(k.name);
+        throw table_.fault(row, "item", "'" + name + "'", names);
+    }
+    void require_unit(std::size_t row, const char* column, const char* unit) const {
+        if (const std::string& found = table_.texts(column)[row]; found != unit)
+            throw table_.fault(row, column, "'" + found + "'", fmt::format("'{}'", unit));
+    }
+    double require_within(std::size_t row, const char* column, core::Range range) const {
+        const double value = table_.numbers(column)[row];
+        if (!range.holds(value)) throw fault(row, column, value, fmt::format("{:g} to {:g}", range.low, range.high));
+        return value;
+    }
+
+    const core::CsvTable& table_;
+};
+
+std::string line(Item item, double given) {
+    const ItemKind& kind = kind_of(item);
+    return fmt::format("{},{:.6g},{},,{}\n", kind.name, given, kind.given_unit, kind.unit);
+}
+
+std::string lines(Item item, const std::vector<double>& given, int repeats = 1) {
+    std::string text;
+    for (const double value : given)
+        for (int i = 0; i < repeats; ++i) text += line(item, value);
+    return text;
+}
+
+std::vector<double> parts_of(double whole, int count) {
+    std::vector<double> parts;
+    for (int i = 0; i <= count; ++i) parts.push_back(whole * i / count);
+    return parts;
+}
+
+}  // namespace
+
+std::span<const ItemKind> item_kinds() { return kKinds; }
+
+std::vector<Row> Sheet::of(Item item) const {
+    std::vector<Row> some;
+    std::copy_if(rows.begin(), rows.end(), std::back_inserter(some), [item](const Row& row) { return row.item == item; });
+    return some;
+}
+
+Sheet parse_sheet(std::string_view csv, const std::string& file) {
+    const core::CsvTable table = core::parse_csv(csv, file, kColumns);
+    const Reader reader(table);
+    Sheet sheet;
+    for (std::size_t row = 0; row < table.rows(); ++row) reader.take(row, sheet);
+    if (sheet.rows.empty()) throw core::InvalidInput(file + ": measured", "no row is filled", "at least one measured figure");
+    return sheet;
+}
+
+std::string empty_sheet(const Drawn& drawn, const std::string& provenance) {
+    constexpr int kRepeats = 3;
+    constexpr double kTorques_N[] = {5.0, 10.0, 20.0};
+    std::string text = fmt::format(
+        "# coupons of {}\n# Fill the column `measured`, in its row's unit, with a decimal point. Rows may be left empty, repeated and "
+        "added.\n# What to measure for each item stands in README.md beside this sheet. Then: fusee calibrate COUPON.csv\n"
+        "item,given,given_unit,measured,unit\n",
+        provenance);
+    text += line(Item::kCableDiameter, drawn.cable_diameter_mm) + line(Item::kDiscFloor, drawn.disc_floor_mm);
+    text += lines(Item::kLengthX, drawn.x_mm, kRepeats) + lines(Item::kLengthY, drawn.y_mm, kRepeats) +
+            lines(Item::kLengthZ, drawn.z_mm, kRepeats);
+    text += lines(Item::kBore, drawn.bores_mm) + line(Item::kShaft, drawn.shaft_mm) + lines(Item::kShaftEnters, drawn.bores_mm);
+    text += lines(Item::kCableSeats, drawn.groove_ratios);
+    text += lines(Item::kDiscPull, parts_of(drawn.disc_turns, 6));
+    text += lines(Item::kDiscTorque, {std::begin(kTorques_N), std::end(kTorques_N)});
+    text += lines(Item::kSeriesSpring, {20.0, 40.0, 60.0, 80.0}) + lines(Item::kParallelSpring, {5.0, 10.0, 15.0, 20.0});
+    return text;
+}
+
+}  // namespace fusee::coupon

@@ -1,0 +1,82 @@
+#include <fmt/format.h>
+
+#include "body.h"
+#include "fusee/drawing/drawing.h"
+#include "groove_view.h"
+#include "marks.h"
+#include "table.h"
+#include "title.h"
+#include "words.h"
+
+namespace fusee::drawing {
+
+namespace {
+
+constexpr double kTableTop = 13.0, kTableGap = 4.0;
+constexpr double kTableBottom = kTitleCorner[1] - 3.0;
+constexpr double kTablesFrom = 258.0, kTablesTo = 408.0;  // on the first sheet
+constexpr Box kBodyRoom{{23.0, 13.0}, {252.0, 202.0}};
+constexpr Box kGrooveRoom{{24.0, 208.0}, {112.0, 285.0}};
+constexpr Box kNotesRoom{{116.0, 208.0}, {227.0, 285.0}};
+
+/// Words into lines of at most `letters`.
+std::vector<std::string> wrapped(const std::string& sentence, std::size_t letters) {
+    std::vector<std::string> lines{""};
+    for (std::size_t from = 0; from < sentence.size();) {
+        const std::size_t space = std::min(sentence.find(' ', from), sentence.size());
+        const std::string word = sentence.substr(from, space - from);
+        if (!lines.back().empty() && lines.back().size() + 1 + word.size() > letters) lines.emplace_back();
+        lines.back() += (lines.back().empty() ? "" : " ") + word;
+        from = space + 1;
+    }
+    return lines;
+}
+
+void write_notes(Sheet& sheet, const Words& notes) {
+    const double width = kNotesRoom.high[0] - kNotesRoom.low[0], size = Text::kSmall;
+    const auto letters = static_cast<std::size_t>(width / width_of("n", size));
+    double y = kNotesRoom.low[1];
+    for (const std::string& note : notes) {
+        for (const std::string& line : wrapped(note, letters))
+            sheet.texts.push_back({line, {kNotesRoom.low[0], y += 3.7}, Align::kLeft, size});
+        y += 1.0;
+    }
+}
+
+/// Writes tables column by column, on a new sheet where the last one is full.
+class Flow {
+public:
+    Flow(std::vector<Sheet>& sheets, double x) : sheets_(sheets), x_(x) {}
+
+    void write(const Table& table) {
+        for (std::size_t next = 0; next < table.rows.size();) {
+            if (x_ + table.width() > kTablesTo) {
+                sheets_.push_back({sheets_.front().title});
+                x_ = Sheet::kFrame.low[0] + kTableGap;
+            }
+            next = write_table(sheets_.back(), table, next, {x_, kTableTop}, kTableBottom);
+            x_ += table.width() + kTableGap;
+        }
+    }
+
+private:
+    std::vector<Sheet>& sheets_;
+    double x_;
+};
+
+}  // namespace
+
+std::vector<Sheet> draw(const Subject& subject) {
+    const solid::Part& part = subject.part;
+    std::vector<Sheet> sheets{{fmt::format("{} {}", subject.design, subject.name)}};
+    const double scale = draw_body(sheets.front(), subject, kBodyRoom);
+    draw_groove(sheets.front(), subject, kGrooveRoom);
+    write_notes(sheets.front(), notes(subject));
+    Flow tables(sheets, kTablesFrom);
+    tables.write(torque_table(part.cam));
+    tables.write(inspection_table(part));
+    for (std::size_t i = 0; i < sheets.size(); ++i) draw_title(sheets[i], subject, scale, i + 1, sheets.size());
+    return sheets;
+}
+
+}  // namespace fusee::drawing

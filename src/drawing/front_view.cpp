@@ -1,0 +1,179 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "body.h"
+#include "fusee/core/turn.h"
+#include "fusee/solid/cutters.h"
+#include "fusee/solid/outline.h"
+#include "fusee/solid/slice.h"
+#include "words.h"
+
+namespace fusee::drawing {
+
+namespace {
+
+using core::mm_from_m;
+
+// Below a face by less than any timing mark is deep, and at no height at which a mesh has vertices.
+constexpr double kUnderFace_mm = 0.0137;
+constexpr double kBeyond = 4.0;      // of centre lines over the outline, on the sheet
+constexpr double kCutEnd = 5.0;      // thick end of the cutting plane's line
+constexpr double kDimension = 11.0;  // of the overall dimensions from the outline
+
+Line circle_line(double radius_mm, Point centre_mm = {}) { return solid::ring_of(solid::circle(radius_mm, centre_mm), 0.005); }
+
+void stroke(Sheet& sheet, const View& view, Pen pen, const Line& line, bool closed) {
+    sheet.strokes.push_back({pen, view.at(line), closed});
+}
+
+void draw_hidden(Sheet& sheet, const solid::Part& part, const View& view) {
+    const solid::HubOptions& hub = part.options.hub;
+    const cam::Cam& cam = part.cam;
+    if (!cam.has_roller())
+        stroke(sheet, view, Pen::kHidden, solid::parallel(cam, cam.groove_psi, -0.5 * cam.options.cable_diameter), cam.closed());
+    if (hub.boss_height > 0.0) stroke(sheet, view, Pen::kHidden, circle_line(mm_from_m(0.5 * hub.boss_diameter)), true);
+    if (hub.kind == solid::HubKind::kOverhung) stroke(sheet, view, Pen::kHidden, solid::ring_of(solid::bore_outline(hub), 0.005), true);
+    if (hub.lock != solid::HubLock::kSetScrew) return;
+    const double half = mm_from_m(0.5 * hub.screw_diameter), inner = mm_from_m(0.5 * (hub.bore_diameter + hub.bore_clearance));
+    for (const double y : {-half, half})
+        stroke(sheet, view, Pen::kHidden, {{std::sqrt(inner * inner - half * half), y}, {mm_from_m(0.5 * hub.boss_diameter), y}}, false);
+}
+
+/// Centre lines; that along x is the cutting plane's, with arrows in the direction in which the section is seen.
+void draw_axes(Sheet& sheet, const Box& box, const Point& axis) {
+    const double left = box.low[0] - kBeyond, right = box.high[0] + kBeyond, y = axis[1];
+    sheet.strokes.push_back({Pen::kCentre, {{axis[0], box.low[1] - kBeyond}, {axis[0], box.high[1] + kBeyond}}});
+    sheet.strokes.push_back({Pen::kCentre, {{left, y}, {right, y}}});
+    for (const double x : {left, right + kCutEnd}) {
+        const double foot = x - 0.5 * kCutEnd;
+        sheet.strokes.push_back({Pen::kCut, {{x - kCutEnd, y}, {x, y}}});
+        sheet.strokes.push_back({Pen::kThin, {{foot, y}, {foot, y - 7.0}}});
+        sheet.arrows.push_back({{foot, y - 7.0}, -0.5 * core::kPi});
+    }
+}
+
+void name_cut(Sheet& sheet, const Box& box, const Point& axis) {
+    const double left = box.low[0] - kBeyond - 0.5 * kCutEnd, right = box.high[0] + kBeyond + 0.5 * kCutEnd;
+    for (const double x : {left, right}) {
+        std::vector<Text> places;
+        for (const double down : {5.2, -8.4, 9.0, -12.0, 13.0}) places.push_back({"A", {x, axis[1] + down}, Align::kMiddle, Text::kTitle});
+        sheet.write_clear(places);
+    }
+}
+
+/// The point that lies farthest along an axis (0: x, 1: y), in the direction of `sign`.
+Point outermost(const std::vector<Line>& lines, std::size_t axis, double sign) {
+    Point far = lines.front().front();
+    for (const Line& line : lines)
+        for (const Point& p : line)
+            if (sign * p[axis] > sign * far[axis]) far = p;
+    return far;
+}
+
+/// The place of an outline that is farthest from the axis.
+Point farthest(const std::vector<Line>& lines) {
+    Point far{};
+    for (const Line& line : lines)
+        for (const Point& p : line)
+            if (std::hypot(p[0], p[1]) > std::hypot(far[0], far[1])) far = p;
+    return far;
+}
+
+Words anchor_words(const solid::Cutter& hole) {
+    const solid::Arc& rim = hole.outline.front();
+    return {fmt::format("hole \u00d8{} for the cable's", decimals(2.0 * rim.radius_mm)),
+            fmt::format("end, above z {}, at", decimals(hole.low_mm)),
+            fmt::format("x {}, y {}", decimals(rim.centre_mm[0]), decimals(rim.centre_mm[1]))};
+}
+
+Words screw_words(const solid::Cutter& hole) {
+    const solid::Arc& rim = hole.outline.front();  // (y, z)
+    return {fmt::format("set screw hole \u00d8{},", decimals(2.0 * rim.radius_mm)),
+            fmt::format("radial, 0 deg, z {}", decimals(rim.centre_mm[1]))};
+}
+
+Point on_circle(double radius, double angle) { return {radius * std::cos(angle), radius * std::sin(angle)}; }
+
+/// A callout before it is known on which side it stands.
+struct Remark {
+    Point place_mm{};
+    Words words;
+};
+
+std::vector<Remark> hub_remarks(const Subject& subject) {
+    const solid::HubOptions& hub = subject.part.options.hub;
+    if (hub.kind == solid::HubKind::kOverhung) return {};  // said in the section: from above they are hidden
+    const double radius = mm_from_m(0.5 * (hub.bore_diameter + hub.bore_clearance));
+    std::vector<Remark> all{{on_circle(radius, 0.8 * core::kPi), bore_words(subject)}};
+    if (hub.lock == solid::HubLock::kKeyway) all.push_back({{solid::bore_reach_mm(hub), 0.0}, lock_words(hub)});
+    if (hub.lock == solid::HubLock::kDFlat) all.push_back({{radius - mm_from_m(hub.flat_depth), 0.0}, lock_words(hub)});
+    return all;
+}
+
+std::vector<Remark> cutter_remarks(const solid::Part& part) {
+    const solid::FeatureOptions& f = part.options.features;
+    std::vector<Remark> all;
+    for (const solid::Cutter& cutter : solid::make_cutters(part)) {
+        if (cutter.name == "anchor") all.push_back({cutter.outline.front().centre_mm, anchor_words(cutter)});
+        if (cutter.name == "leg_slot") all.push_back({on_circle(mm_from_m(f.leg_slot_radius), f.leg_slot_angle), slot_words(f)});
+        if (cutter.name == "set_screw") all.push_back({{mm_from_m(0.5 * part.options.hub.boss_diameter), 0.0}, screw_words(cutter)});
+        if (cutter.name == "mark") all.push_back({cutter.outline.front().centre_mm, mark_words(f)});
+    }
+    return all;
+}
+
+std::vector<Remark> contour_remarks(const solid::Part& part, const std::vector<Line>& edges) {
+    const cam::Cam& cam = part.cam;
+    const auto at = [&cam](double psi, double offset) { return solid::parallel(cam, {psi, psi}, offset).front(); };
+    const auto [low, high] = cam.working_psi;
+    const Point far = farthest(edges);
+    std::vector<Remark> all{{far,
+                             {fmt::format("R {} at {} deg,", decimals(std::hypot(far[0], far[1])),
+                                          decimals(core::deg_from_rad(core::within_turn(std::atan2(far[1], far[0]), 0.0)), 1)),
+                              "farthest from the axis"}}};
+    if (cam.has_roller()) {
+        all.push_back({at(low + 0.5 * (high - low), 0.0), {"rim: radii in the table"}});
+        return all;
+    }
+    const double inner = -0.5 * cam.options.cable_diameter;
+    all.push_back({at(low + 0.35 * (high - low), 0.0), {"centreline of the cable", "on the working arc"}});
+    all.push_back({at(low + 0.75 * (high - low), inner), {"floor of the groove:", "radii in the table"}});
+    return all;
+}
+
+}  // namespace
+
+std::vector<Line> edges_from_above(const solid::Part& part) {
+    std::vector<Line> edges = solid::slice(part.mesh, mm_from_m(part.z_high) - kUnderFace_mm);
+    if (part.options.hub.boss_height <= 0.0) return edges;  // else the lower flange is wider than the upper one
+    std::vector<Line> lower = solid::slice(part.mesh, mm_from_m(part.z_low) + kUnderFace_mm);
+    const auto width = [](const Line& line) { return extent({line}).high[0] - extent({line}).low[0]; };
+    const auto widest = std::max_element(lower.begin(), lower.end(), [&](const Line& a, const Line& b) { return width(a) < width(b); });
+    if (widest != lower.end()) edges.push_back(std::move(*widest));
+    return edges;
+}
+
+void draw_front(Sheet& sheet, const Subject& subject, const std::vector<Line>& edges, const View& view, const Columns& columns) {
+    const solid::Part& part = subject.part;
+    for (const Line& edge : edges) stroke(sheet, view, Pen::kOutline, edge, true);
+    draw_hidden(sheet, part, view);
+    if (!part.cam.has_roller()) stroke(sheet, view, Pen::kCentre, solid::parallel(part.cam, part.cam.working_psi, 0.0), false);
+    const Box box = extent(view.at(edges));
+    draw_axes(sheet, box, view.origin);
+
+    std::vector<Callout> left, right;
+    for (const auto& remarks : {hub_remarks(subject), cutter_remarks(part), contour_remarks(part, edges)})
+        for (const Remark& remark : remarks) (remark.place_mm[0] < 0.0 ? left : right).push_back({view.at(remark.place_mm), remark.words});
+    write_callouts(sheet, std::move(left), Align::kRight, columns.left, columns.height);
+    write_callouts(sheet, std::move(right), Align::kLeft, columns.right, columns.height);
+    name_cut(sheet, box, view.origin);
+
+    const Point left_end = outermost(edges, 0, -1.0), right_end = outermost(edges, 0, 1.0), low_end = outermost(edges, 1, -1.0),
+                top_end = outermost(edges, 1, 1.0);
+    dimension_across(sheet, view.at(left_end), view.at(right_end), box.high[1] + kDimension, decimals(right_end[0] - left_end[0], 2));
+    dimension_up(sheet, view.at(low_end), view.at(top_end), box.low[0] - kDimension - kCutEnd, decimals(top_end[1] - low_end[1], 2));
+}
+
+}  // namespace fusee::drawing

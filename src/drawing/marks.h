@@ -1,0 +1,36 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "fusee/core/units.h"
+#include "fusee/drawing/sheet.h"
+
+/// What is put on a view: hatching, dimensions, callouts.
+namespace fusee::drawing {
+
+inline constexpr double kLineHeight = 4.4;    ///< of a line of text with its gap
+inline constexpr double kCalloutGap = 1.8;    ///< between two callouts
+inline constexpr double kTextOverLine = 1.2;  ///< of a baseline over the line it stands on
+
+/// Thin lines at 45 degrees over the area within closed polygons (even-odd).
+void hatch(Sheet& sheet, const std::vector<Line>& rings);
+
+/// What a leader points at, and what is said of it.
+struct Callout {
+    Point target{};  ///< on the sheet
+    std::vector<std::string> lines;
+};
+/// Room that a column of callouts takes [mm].
+[[nodiscard]] double height_of(const std::vector<Callout>& callouts);
+/// Writes callouts one below the other beside a view, in the order of their targets so that leaders keep apart, each as near to its
+/// target's height as the others let it.
+/// @param side   kLeft: texts begin at x; kRight: they end there
+/// @param height from the column's upper end to its lower one
+void write_callouts(Sheet& sheet, std::vector<Callout> callouts, Align side, double x, const core::Range& height);
+
+/// Dimension line at height y between two points' x; the value stands on it where it has room and beside it elsewhere.
+void dimension_across(Sheet& sheet, const Point& a, const Point& b, double y, const std::string& words);
+/// The same at x between two points' heights, `low` the lower one on the sheet.
+void dimension_up(Sheet& sheet, const Point& low, const Point& high, double x, const std::string& words);
+
+}  // namespace fusee::drawing

@@ -1,0 +1,84 @@
+#include "fusee/drawing/svg.h"
+
+#include <fmt/format.h>
+
+#include "fusee/core/file.h"
+#include "fusee/core/markup.h"
+#include "fusee/core/units.h"
+
+namespace fusee::drawing {
+
+namespace {
+
+using core::coordinate;
+
+// The letters' face is named before the family, since only few faces are as wide as `width_of` counts.
+constexpr const char* kStyle =
+    "path{fill:none;stroke:#000;stroke-linejoin:round}"
+    ".outline{stroke-width:.5}.thin{stroke-width:.18}.hidden{stroke-width:.25;stroke-dasharray:2.4 1}"
+    ".centre{stroke-width:.18;stroke-dasharray:7 1 .6 1}.cut{stroke-width:.7}.arrow{fill:#000;stroke:none}"
+    "text{font-family:'DejaVu Sans Mono','Liberation Mono','Courier New',monospace;white-space:pre}";
+
+constexpr double kArrowLength = 2.5, kArrowHalfWidth = 0.42;
+
+const char* css(Pen pen) {
+    switch (pen) {
+        case Pen::kOutline:
+            return "outline";
+        case Pen::kThin:
+            return "thin";
+        case Pen::kHidden:
+            return "hidden";
+        case Pen::kCentre:
+            return "centre";
+        case Pen::kCut:
+            return "cut";
+    }
+    return "";
+}
+
+std::string stroke_element(const Stroke& stroke) {
+    std::string data;
+    for (const Point& p : stroke.line) data += (data.empty() ? "M" : "L") + coordinate(p[0]) + " " + coordinate(p[1]);
+    return fmt::format("<path class=\"{}\" d=\"{}{}\"/>\n", css(stroke.pen), data, stroke.closed ? "Z" : "");
+}
+
+std::string arrow_element(const Arrow& arrow) {
+    return fmt::format("<path class=\"arrow\" transform=\"translate({} {}) rotate({})\" d=\"M0 0L{} {}V{}Z\"/>\n", coordinate(arrow.tip[0]),
+                       coordinate(arrow.tip[1]), coordinate(core::deg_from_rad(arrow.towards)), -kArrowLength, kArrowHalfWidth,
+                       -kArrowHalfWidth);
+}
+
+std::string text_element(const Text& text) {
+    const char* anchor = text.align == Align::kLeft ? "start" : text.align == Align::kMiddle ? "middle" : "end";
+    const std::string x = coordinate(text.at[0]), y = coordinate(text.at[1]);
+    return fmt::format("<text x=\"{0}\" y=\"{1}\" font-size=\"{2}\" text-anchor=\"{3}\"{4}>{5}</text>\n", x, y, coordinate(text.size),
+                       anchor, text.upright ? fmt::format(" transform=\"rotate(-90 {} {})\"", x, y) : "", core::escape(text.words));
+}
+
+}  // namespace
+
+std::string svg(const Sheet& sheet) {
+    std::string out = fmt::format(
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" width=\"{0}mm\" "
+        "height=\"{1}mm\" viewBox=\"0 0 {0} {1}\">\n<title>{2}</title>\n<style>{3}</style>\n"
+        "<rect width=\"{0}\" height=\"{1}\" fill=\"#fff\"/>\n",
+        Sheet::kWidth, Sheet::kHeight, core::escape(sheet.title), kStyle);
+    for (const Stroke& stroke : sheet.strokes) out += stroke_element(stroke);
+    for (const Arrow& arrow : sheet.arrows) out += arrow_element(arrow);
+    for (const Text& text : sheet.texts) out += text_element(text);
+    return out + "</svg>\n";
+}
+
+std::vector<std::filesystem::path> write_svg(const std::filesystem::path& base, const std::vector<Sheet>& sheets) {
+    std::vector<std::filesystem::path> written;
+    for (std::size_t i = 0; i < sheets.size(); ++i) {
+        std::filesystem::path path = base;
+        path += i == 0 ? ".svg" : fmt::format("_{}.svg", i + 1);
+        core::write_file(path, svg(sheets[i]));
+        written.push_back(std::move(path));
+    }
+    return written;
+}
+
+}  // namespace fusee::drawing

@@ -1,0 +1,12 @@
+#pragma once
+#include "fusee/drawing/drawing.h"
+
+namespace fusee::drawing {
+
+/// Upper edge and left edge of the title block, which stands in the frame's lower right corner.
+inline constexpr Point kTitleCorner{230.0, 245.0};
+
+/// Frame and title block (ISO 7200) with the symbol of first-angle projection (ISO 5456-2).
+void draw_title(Sheet& sheet, const Subject& subject, double scale, std::size_t number, std::size_t count);
+
+}  // namespace fusee::drawing

@@ -1,0 +1,54 @@
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+#include <fmt/format.h>
+
+#include <assimp/Importer.hpp>
+#include <cstring>
+
+#include "foreign.h"
+#include "fusee/core/error.h"
+#include "fusee/core/file.h"
+#include "fusee/exchange/stl.h"
+#include "stl_bytes.h"
+#include "weld.h"
+
+namespace fusee::exchange {
+
+namespace {
+
+solid::Mesh parsed(const std::string& bytes, const char* format, const std::filesystem::path& path) {
+    Assimp::Importer importer;
+    const aiScene* scene = importer.ReadFileFromMemory(bytes.data(), bytes.size(), aiProcess_Triangulate, format);
+    if (scene == nullptr) throw core::IoError(path.string(), fmt::format("assimp: {}", importer.GetErrorString()));
+    return welded(*scene, path);
+}
+
+/// A text file may begin like a binary one and the other way round; only a binary one has the length that its count asks for.
+bool is_binary_stl(const std::string& bytes) {
+    if (bytes.size() < kStlHeader + 4) return false;
+    std::uint32_t count = 0;
+    std::memcpy(&count, bytes.data() + kStlHeader, sizeof count);
+    return bytes.size() == kStlHeader + 4 + kStlTriangle * std::size_t{count} || !bytes.starts_with("solid");
+}
+
+constexpr const char* kNoUnit = "none, taken as millimetres";
+
+}  // namespace
+
+MeshFile read_foreign_stl(const std::filesystem::path& path) {
+    const std::string bytes = core::read_file(path);
+    if (bytes.empty()) throw core::IoError(path.string(), "is empty");
+    if (is_binary_stl(bytes)) return {read_stl_assimp(path), kNoUnit};
+    // assimp takes what it finds before the end of a text file that was cut short.
+    if (bytes.find("endsolid") == std::string::npos) throw core::IoError(path.string(), "is a text STL without its end (endsolid)");
+    if (bytes.find("facet") == std::string::npos) throw core::IoError(path.string(), "holds no triangles");
+    return {parsed(bytes, "stl", path), kNoUnit};
+}
+
+MeshFile read_foreign_obj(const std::filesystem::path& path) {
+    const std::string bytes = core::read_file(path);
+    if (bytes.empty()) throw core::IoError(path.string(), "is empty");
+    return {parsed(bytes, "obj", path), kNoUnit};
+}
+
+}  // namespace fusee::exchange

@@ -1,0 +1,54 @@
+#include <BRepMesh_IncrementalMesh.hxx>
+#include <BRep_Tool.hxx>
+#include <Poly_Triangulation.hxx>
+#include <STEPControl_Reader.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopLoc_Location.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Shape.hxx>
+
+#include "foreign.h"
+#include "fusee/core/error.h"
+#include "fusee/core/file.h"
+#include "step_session.h"
+#include "weld.h"
+
+namespace fusee::exchange {
+
+namespace {
+
+/// The triangles of one face, outward as the face is.
+void append(Welder& welder, const TopoDS_Face& face, const std::filesystem::path& path) {
+    TopLoc_Location location;
+    const Handle(Poly_Triangulation) mesh = BRep_Tool::Triangulation(face, location);
+    if (mesh.IsNull()) throw core::IoError(path.string(), "OpenCASCADE cannot tessellate one of its faces");
+    for (int i = 1; i <= mesh->NbTriangles(); ++i) {
+        std::array<int, 3> node{};
+        mesh->Triangle(i).Get(node[0], node[1], node[2]);
+        if (face.Orientation() == TopAbs_REVERSED) std::swap(node[1], node[2]);
+        solid::Triangle t{};
+        for (std::size_t k = 0; k < 3; ++k) {
+            const gp_Pnt p = mesh->Node(node[k]).Transformed(location);
+            t[k] = welder.index({static_cast<float>(p.X()), static_cast<float>(p.Y()), static_cast<float>(p.Z())});
+        }
+        welder.mesh().triangles.push_back(t);
+    }
+}
+
+}  // namespace
+
+MeshFile read_foreign_step(const std::filesystem::path& path) {
+    (void)core::read_file(path);  // says what a missing file is
+    const std::scoped_lock lock(step_session());
+    STEPControl_Reader reader;  // converts every unit to millimetres
+    if (reader.ReadFile(path.c_str()) != IFSelect_RetDone) throw core::IoError(path.string(), "is not a STEP file");
+    if (reader.TransferRoots() == 0) throw core::IoError(path.string(), "holds no shape");
+    const TopoDS_Shape shape = reader.OneShape();
+    const BRepMesh_IncrementalMesh tessellation(shape, kTessellation_mm, false, kTessellation_rad);
+    Welder welder;
+    for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next()) append(welder, TopoDS::Face(face.Current()), path);
+    return {std::move(welder.mesh()), "millimetre (STEP)"};
+}
+
+}  // namespace fusee::exchange

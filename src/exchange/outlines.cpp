@@ -1,0 +1,49 @@
+#include "outlines.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fusee/core/units.h"
+
+namespace fusee::exchange {
+
+namespace {
+
+constexpr double kChord = kDrawingChord_mm;
+constexpr double kLargest = 0.05;  // step where the outline is nearly straight in psi [rad]
+constexpr double kRoller = 0.25;   // of the steps on a roller's rim: its arm is the slope there, a cable's the distance
+
+}  // namespace
+
+// The step follows the curve's own curvature: sagitta = rho dpsi^2 / 8.
+DxfPolyline sampled(const cam::Cam& cam, const Curve& outline) {
+    DxfPolyline line;
+    line.closed = cam.closed();
+    const core::Range range = cam.groove_psi;
+    for (double psi = range.low; psi < range.high - 1e-9;) {
+        const solid::OutlinePoint here = outline(cam.path(psi));
+        line.points_mm.push_back(here.point);
+        const double trial = std::min(psi + kLargest, range.high);
+        const double rho = std::max(std::abs(here.rho), std::abs(outline(cam.path(trial)).rho));
+        psi += (cam.has_roller() ? kRoller : 1.0) * std::min(kLargest, std::sqrt(8.0 * kChord / std::max(rho, 1e-3)));
+    }
+    if (!line.closed) line.points_mm.push_back(outline(cam.path(range.high)).point);
+    return line;
+}
+
+Curve parallel(double offset_mm) {
+    return [offset_mm](const cam::PathPoint& p) { return solid::flange_point(p, offset_mm, 0.0); };
+}
+
+DxfLayer layer_of(const std::string& name, const solid::Outline& outline) {
+    if (outline.size() == 1 && outline.front().full()) return {name, {}, {{outline.front().centre_mm, outline.front().radius_mm}}};
+    return {name, {{solid::ring_of(outline, kChord), true}}, {}};
+}
+
+solid::HubOptions narrowed(solid::HubOptions hub, double kerf_mm) {
+    hub.bore_clearance -= core::m_from_mm(kerf_mm);
+    hub.key_width -= core::m_from_mm(kerf_mm);
+    return hub;
+}
+
+}  // namespace fusee::exchange

@@ -1,0 +1,56 @@
+#include "fusee/exchange/plate.h"
+
+#include "file_entry.h"
+#include "fusee/core/file.h"
+#include "json_node.h"
+
+namespace fusee::exchange {
+
+solid::Mesh placed(const solid::Mesh& mesh, const PlateObject& place) {
+    solid::Mesh moved = mesh;
+    for (solid::Vec3& p : moved.points_mm) {
+        if (place.turned) p = {-p[1], p[0], p[2]};
+        for (std::size_t i = 0; i < 3; ++i) p[i] += place.moved_mm[i];
+    }
+    return moved;
+}
+
+solid::Mesh taken_back(const solid::Mesh& mesh, const PlateObject& place) {
+    solid::Mesh back = mesh;
+    for (solid::Vec3& p : back.points_mm) {
+        for (std::size_t i = 0; i < 3; ++i) p[i] -= place.moved_mm[i];
+        if (place.turned) p = {p[1], -p[0], p[2]};
+    }
+    return back;
+}
+
+void write_plate_file(const std::filesystem::path& path, const Plate& plate) {
+    Json objects = Json::array();
+    for (const PlateObject& o : plate.objects)
+        objects.push_back({{"name", o.name}, {"turned_deg", o.turned ? 90 : 0}, {"moved_mm", o.moved_mm}});
+    const Json json{{"provenance", plate.provenance},
+                    {"build_mm", plate.build_mm},
+                    {"spacing_mm", plate.spacing_mm},
+                    {"file", entry_json(plate.file)},
+                    {"objects", std::move(objects)}};
+    core::write_file(path, json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+Plate read_plate_file(const std::filesystem::path& path) {
+    const Json json = Json::parse(core::read_file(path), nullptr, false);
+    if (json.is_discarded()) throw core::IoError(path.string(), "is not JSON");
+    const Node root(path, "", json);
+    Plate plate;
+    plate.provenance = root.at("provenance").text();
+    plate.build_mm = root.at("build_mm").vector<3>();
+    plate.spacing_mm = root.at("spacing_mm").number(0.0);
+    plate.file = read_entry(root.at("file"));
+    for (const Node& object : root.at("objects").rows(false)) {
+        const Node turned = object.at("turned_deg");
+        if (turned.number() != 0.0 && turned.number() != 90.0) turned.fail("must be 0 or 90");
+        plate.objects.push_back({object.at("name").text(), turned.number() == 90.0, object.at("moved_mm").vector<3>()});
+    }
+    return plate;
+}
+
+}  // namespace fusee::exchange

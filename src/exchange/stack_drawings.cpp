@@ -1,0 +1,92 @@
+#include "fusee/exchange/stack_drawings.h"
+
+#include <fmt/format.h>
+
+#include <cctype>
+
+#include "fusee/core/error.h"
+#include "fusee/solid/columns.h"
+#include "fusee/solid/stack.h"
+#include "outlines.h"
+
+namespace fusee::exchange {
+
+namespace {
+
+constexpr double kMarkFrom = 0.7, kTickFrom = 0.85;  // of the rim: the timing mark, and the ticks beside it
+constexpr double kTicksApart_mm = 0.8;
+
+std::string layer_name(const std::string& opening) {
+    std::string name;
+    for (const char c : opening) name.push_back(static_cast<char>(std::toupper(static_cast<unsigned char>(c))));
+    return name;
+}
+
+bool is_core(const solid::Plate& plate) { return plate.offset_mm < 0.0; }
+
+/// Layers are found by their name: dowels share one.
+void add(DxfDrawing& drawing, DxfLayer layer) {
+    for (DxfLayer& there : drawing.layers)
+        if (there.name == layer.name) {
+            there.polylines.insert(there.polylines.end(), layer.polylines.begin(), layer.polylines.end());
+            there.circles.insert(there.circles.end(), layer.circles.begin(), layer.circles.end());
+            return;
+        }
+    drawing.layers.push_back(std::move(layer));
+}
+
+/// As many ticks as the plate's number, the first of them the timing mark.
+DxfLayer ticks(std::size_t number, double rim_mm) {
+    DxfLayer mark{"MARK", {}, {}};
+    for (std::size_t i = 0; i < number; ++i) {
+        const double y = kTicksApart_mm * static_cast<double>(i);
+        mark.polylines.push_back({{{(i == 0 ? kMarkFrom : kTickFrom) * rim_mm, y}, {0.95 * rim_mm, y}}, false});
+    }
+    return mark;
+}
+
+/// One plate's openings; bore and key are narrowed as the hub is.
+void add_openings(DxfDrawing& drawing, const solid::Part& part, const solid::Plate& plate, double kerf_mm) {
+    for (const solid::Opening& opening : plate.openings) {
+        const bool bore = opening.name == "bore";
+        const auto outline =
+            bore ? std::optional(solid::bore_outline(narrowed(part.options.hub, kerf_mm))) : solid::inset(opening.outline, 0.5 * kerf_mm);
+        if (!outline)
+            throw core::InvalidInput("outputs.kerf_mm", fmt::format("{}", kerf_mm),
+                                     "less than every opening is wide: the " + opening.name + " would close");
+        add(drawing, layer_of(layer_name(opening.name), *outline));
+    }
+}
+
+std::vector<DxfDrawing> drawings(const solid::Part& part, double kerf_mm, const std::string& provenance) {
+    const std::vector<solid::Plate> plates = solid::stack_plates(part);
+    std::vector<DxfDrawing> all;
+    for (std::size_t i = 0; i < plates.size(); ++i) {
+        const solid::Plate& plate = plates[i];
+        const std::string outline = is_core(plate) ? "FLOOR" : "FLANGE";
+        const DxfPolyline rim = sampled(part.cam, parallel(plate.offset_mm + 0.5 * kerf_mm));
+        DxfDrawing drawing{{{outline, {rim}, {}}},
+                           fmt::format("{}; plate {} of {} from below: {}, {:.3f} mm thick", provenance, i + 1, plates.size(), plate.name,
+                                       plate.thickness_mm)};
+        add_openings(drawing, part, plate, kerf_mm);
+        if (kerf_mm == 0.0) {
+            drawing.layers.push_back({outline + "_SPLINE", {}, {}, brep::outline_splines(part, plate.offset_mm)});
+            drawing.layers.push_back(ticks(i + 1, solid::crossing_at_zero(rim.points_mm)));
+        } else {
+            drawing.provenance += fmt::format(", kerf {} mm", kerf_mm);
+        }
+        all.push_back(std::move(drawing));
+    }
+    return all;
+}
+
+}  // namespace
+
+std::vector<DxfDrawing> stack_drawings(const solid::Part& part, const std::string& provenance) { return drawings(part, 0.0, provenance); }
+
+std::vector<DxfDrawing> stack_kerf_drawings(const solid::Part& part, double kerf_mm, const std::string& provenance) {
+    require_kerf(kerf_mm, part.options.hub);
+    return drawings(part, kerf_mm, provenance);
+}
+
+}  // namespace fusee::exchange

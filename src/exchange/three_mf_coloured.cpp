@@ -1,0 +1,97 @@
+#include "fusee/exchange/three_mf_coloured.h"
+
+#include <fmt/format.h>
+
+#include "fusee/core/error.h"
+#include "fusee/core/file.h"
+#include "lib3mf.h"
+
+namespace fusee::exchange {
+
+namespace {
+
+NMR::MODELMESHCOLOR_SRGB srgb(const Colour& c) {
+    NMR::MODELMESHCOLOR_SRGB colour{};
+    colour.m_Red = c[0], colour.m_Green = c[1], colour.m_Blue = c[2], colour.m_Alpha = 255;
+    return colour;
+}
+
+bool has_three_corners(const solid::Triangle& t) { return t[0] != t[1] && t[1] != t[2] && t[2] != t[0]; }
+
+/// Mesh, type and colours of one object. 3MF calls only a closed, manifold and oriented mesh a model; any other is a surface.
+void fill(const Handle& model, const Handle& object, const solid::Mesh& mesh, const std::vector<Colour>& colours,
+          const std::filesystem::path& path) {
+    std::vector<NMR::MODELMESHVERTEX> vertices;
+    std::vector<NMR::MODELMESHTRIANGLE> triangles;
+    std::vector<NMR::MODELMESHCOLOR_SRGB> painted;
+    for (const solid::Vec3& p : mesh.points_mm)
+        vertices.push_back({{static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])}});
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        const solid::Triangle& t = mesh.triangles[i];
+        if (!has_three_corners(t)) continue;  // 3MF has none
+        triangles.push_back({{t[0], t[1], t[2]}});
+        painted.push_back(srgb(colours[i]));
+    }
+    require(NMR::lib3mf_meshobject_setgeometry(object.get(), vertices.data(), static_cast<DWORD>(vertices.size()), triangles.data(),
+                                               static_cast<DWORD>(triangles.size())),
+            object, path, "taking the mesh");
+    BOOL sound = 0;
+    require(NMR::lib3mf_meshobject_ismanifoldandoriented(object.get(), &sound), object, path, "judging the mesh");
+    if (sound == 0) require(NMR::lib3mf_object_settype(object.get(), NMR::MODELOBJECTTYPE_SURFACE), object, path, "setting the type");
+    Handle usual, handler, item;
+    require(NMR::lib3mf_object_createdefaultpropertyhandler(object.get(), usual.out()), object, path, "colouring");
+    NMR::MODELMESHCOLOR_SRGB grey = srgb(kGrey);
+    require(NMR::lib3mf_defaultpropertyhandler_setcolor(usual.get(), &grey), usual, path, "colouring");
+    require(NMR::lib3mf_meshobject_createpropertyhandler(object.get(), handler.out()), object, path, "colouring");
+    require(NMR::lib3mf_propertyhandler_setsinglecolorarray(handler.get(), painted.data()), handler, path, "colouring");
+    require(NMR::lib3mf_model_addbuilditem(model.get(), object.get(), nullptr, item.out()), model, path, "adding the build item");
+    require(NMR::lib3mf_builditem_setuuidutf8(item.get(), uuid_from("item").c_str()), item, path, "naming the build item");
+}
+
+}  // namespace
+
+void write_coloured_3mf(const std::filesystem::path& path, const solid::Mesh& mesh, const std::vector<Colour>& colours,
+                        const std::string& name, const std::string& provenance) {
+    if (colours.size() != mesh.triangles.size())
+        throw core::InvalidInput("colours", fmt::format("{}", colours.size()),
+                                 fmt::format("one for each of {} triangles", mesh.triangles.size()));
+    std::string bytes;
+    {
+        const std::scoped_lock lock(library_mutex());
+        Handle model, object;
+        require(NMR::lib3mf_createmodel(model.out()), model, path, "creating the model");
+        require(NMR::lib3mf_model_setunit(model.get(), NMR::MODELUNIT_MILLIMETER), model, path, "setting the unit");
+        require(NMR::lib3mf_model_addmetadatautf8(model.get(), "Description", provenance.c_str()), model, path, "adding metadata");
+        require(NMR::lib3mf_model_addmeshobject(model.get(), object.out()), model, path, "adding the object");
+        require(NMR::lib3mf_object_setnameutf8(object.get(), name.c_str()), object, path, "naming the object");
+        fill(model, object, mesh, colours, path);
+        require(NMR::lib3mf_object_setuuidutf8(object.get(), uuid_from("object").c_str()), object, path, "naming the object");
+        require(NMR::lib3mf_model_setbuilduuidutf8(model.get(), uuid_from("build").c_str()), model, path, "naming the build");
+        bytes = bytes_of(model, path);
+    }
+    core::write_file(path, bytes);
+}
+
+std::vector<Colour> read_3mf_colours(const std::filesystem::path& path) {
+    std::string bytes = core::read_file(path);
+    const std::scoped_lock lock(library_mutex());
+    Handle model, reader, objects, object, handler;
+    require(NMR::lib3mf_createmodel(model.out()), model, path, "creating the model");
+    require(NMR::lib3mf_model_queryreader(model.get(), "3mf", reader.out()), model, path, "making the reader");
+    require(NMR::lib3mf_reader_readfrombuffer(reader.get(), reinterpret_cast<BYTE*>(bytes.data()), bytes.size()), reader, path, "reading");
+    require(NMR::lib3mf_model_getmeshobjects(model.get(), objects.out()), model, path, "listing the meshes");
+    BOOL more = 0;
+    require(NMR::lib3mf_resourceiterator_movenext(objects.get(), &more), objects, path, "listing the meshes");
+    if (more == 0) throw core::IoError(path.string(), "holds no mesh");
+    require(NMR::lib3mf_resourceiterator_getcurrent(objects.get(), object.out()), objects, path, "taking the mesh");
+    DWORD triangles = 0;
+    require(NMR::lib3mf_meshobject_gettrianglecount(object.get(), &triangles), object, path, "counting triangles");
+    require(NMR::lib3mf_meshobject_createpropertyhandler(object.get(), handler.out()), object, path, "reading colours");
+    std::vector<NMR::MODELMESH_TRIANGLECOLOR_SRGB> found(triangles);
+    require(NMR::lib3mf_propertyhandler_getcolorarray(handler.get(), found.data()), handler, path, "reading colours");
+    std::vector<Colour> colours;
+    for (const auto& t : found) colours.push_back({t.m_Colors[0].m_Red, t.m_Colors[0].m_Green, t.m_Colors[0].m_Blue});
+    return colours;
+}
+
+}  // namespace fusee::exchange

@@ -1,0 +1,128 @@
+#include "fusee/inspect/body.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "fusee/core/error.h"
+#include "fusee/core/units.h"
+#include "parallel.h"
+#include "spread.h"
+#include "vector.h"
+
+namespace fusee::inspect {
+
+namespace {
+
+solid::Mesh sound(solid::Mesh mesh) {
+    for (const solid::Triangle& t : mesh.triangles)
+        for (const std::uint32_t point : t)
+            if (point >= mesh.points_mm.size())
+                throw core::InvalidInput("mesh.triangles", fmt::format("{}", point), fmt::format("below {}", mesh.points_mm.size()));
+    return mesh;
+}
+
+/// A direction that no edge of a drawn part runs along.
+const Vec3 kAskew = unit({0.6180339887, 0.3819660113, 0.7320508076});
+
+/// How many components other than its own hold the triangle's middle: surfaces left less surfaces entered on the way out.
+int held_by(const Body& body, std::uint32_t triangle) {
+    const solid::Triangle& t = body.mesh().triangles[triangle];
+    const auto& p = body.mesh().points_mm;
+    const Vec3 middle = (1.0 / 3.0) * (p[t[0]] + p[t[1]] + p[t[2]]);
+    const std::vector<std::uint32_t>& component = body.topology().component_of;
+    int held = 0;
+    for (const std::uint32_t hit : body.rays().all(middle, kAskew))
+        if (component[hit] != component[triangle]) held += dot(body.normals()[hit], kAskew) > 0.0 ? 1 : -1;
+    return held;
+}
+
+constexpr int kShrinkings = 40;                              // each halves the radius at most
+constexpr double kTouches = 1e-4;                            // of the radius
+constexpr double kWall = -0.5, kSlot = -0.8660254037844386;  // cosines of 120 and 150 degrees
+constexpr double kParallel = core::rad_from_deg(5.0);
+constexpr double kFeather = 0.6;  // of the way to where flat faces would meet; bent ones meet sooner
+
+}  // namespace
+
+Body::Body(solid::Mesh mesh, std::size_t samples, unsigned jobs)
+    : mesh_(sound(std::move(mesh))), jobs_(jobs), box_(solid::bounding_box(mesh_)), topology_(topology_of(mesh_)), rays_(mesh_) {
+    if (rays_.empty())
+        throw core::InvalidInput("mesh.triangles", fmt::format("{} without area", mesh_.triangles.size()), "at least one with an area");
+    measure_facets();
+    place_components();
+    samples_ = spread(*this, samples);
+    each(samples_.size(), jobs_, [this](std::size_t i) { measure_sample(samples_[i]); });
+}
+
+void Body::measure_sample(Sample& s) const {
+    const Vec3 outward = normals_[s.triangle];
+    if (const auto outside = ball_at(*this, s.triangle, s.at_mm, outward, kSlot)) s.gap_mm = outside->opposite_mm;
+    const auto inside = ball_at(*this, s.triangle, s.at_mm, -1.0 * outward, kWall);
+    if (!inside) return;
+    s.ball_mm = inside->touching_mm, s.wall_mm = inside->opposite_mm, s.middle_mm = inside->middle_mm;
+    if (std::isnan(s.wall_mm)) return;
+    // Two faces at an angle lean to where they would meet, which is the ball's radius over the sine of half the angle away.
+    const Vec3 ahead = outward + normals_[inside->contact];
+    const double half_sine = 0.5 * length(ahead);
+    s.taper = 2.0 * std::asin(std::min(1.0, half_sine));
+    if (s.taper < kParallel) return;
+    const auto end = rays_.first(s.middle_mm, unit(ahead), kNone);
+    s.feather = end && end->distance_mm >= kFeather * 0.5 * s.wall_mm / half_sine;
+}
+
+void Body::measure_facets() {
+    const std::vector<std::uint32_t> flat = flat_triangles(mesh_);
+    normals_.reserve(mesh_.triangles.size());
+    areas_.reserve(mesh_.triangles.size());
+    for (std::uint32_t i = 0; i < mesh_.triangles.size(); ++i) {
+        const solid::Triangle& t = mesh_.triangles[i];
+        const auto& p = mesh_.points_mm;
+        const bool none = std::binary_search(flat.begin(), flat.end(), i);
+        const Vec3 twice = none ? Vec3{} : cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]]);
+        areas_.push_back(0.5 * length(twice));
+        normals_.push_back(unit(twice));
+    }
+}
+
+void Body::place_components() {
+    const std::vector<Component>& all = topology_.components;
+    cavity_.assign(all.size(), false), turned_.assign(all.size(), false);
+    for (std::size_t c = 0; c < all.size(); ++c) {
+        if (!all[c].closed || !(all[c].volume_mm3 < 0.0)) continue;
+        cavity_[c] = held_by(*this, all[c].largest) > 0;
+        turned_[c] = !cavity_[c];
+    }
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+        if (!turned_[topology_.component_of[t]]) continue;
+        std::swap(mesh_.triangles[t][1], mesh_.triangles[t][2]);
+        std::swap(topology_.neighbour[t][0], topology_.neighbour[t][2]);
+        normals_[t] = -1.0 * normals_[t];
+    }
+}
+
+std::optional<Ball> ball_at(const Body& body, std::uint32_t triangle, const Vec3& at, const Vec3& side, double least_apart) {
+    const auto hit = body.rays().first(at, side, triangle);
+    if (!hit || !(hit->distance_mm > 0.0)) return std::nullopt;
+    const double above = 0.5 * hit->distance_mm;
+    double radius = above, apart = 1.0;  // cosine between the two contacts, seen from the ball's middle
+    std::uint32_t contact = kNone;
+    for (int i = 0; i < kShrinkings; ++i) {
+        const auto [nearest, there] = body.rays().nearest(at + radius * side);
+        const Vec3 chord = nearest - at;
+        if (length(nearest - (at + radius * side)) >= radius * (1.0 - kTouches)) break;
+        radius = dot(chord, chord) / (2.0 * dot(chord, side));
+        const Vec3 middle = at + radius * side;
+        apart = dot(at - middle, nearest - middle) / (radius * radius);
+        contact = there;
+    }
+    Ball ball;
+    ball.touching_mm = 2.0 * radius;
+    if (apart <= least_apart) return Ball{2.0 * radius, 2.0 * radius, at + radius * side, contact};
+    if (dot(body.normals()[hit->triangle], body.normals()[triangle]) <= least_apart)  // only an edge is nearer
+        return Ball{2.0 * radius, 2.0 * above, at + above * side, hit->triangle};
+    return ball;
+}
+
+}  // namespace fusee::inspect

@@ -1,0 +1,25 @@
+#pragma once
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+namespace fusee::inspect {
+
+/// Numbers that are joined into sets; a set is named by its least member, whatever the order of joining.
+class DisjointSets {
+public:
+    explicit DisjointSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
+    [[nodiscard]] std::uint32_t find(std::uint32_t i) {
+        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+        return i;
+    }
+    void join(std::uint32_t a, std::uint32_t b) {
+        a = find(a), b = find(b);
+        parent_[a < b ? b : a] = a < b ? a : b;
+    }
+
+private:
+    std::vector<std::uint32_t> parent_;
+};
+
+}  // namespace fusee::inspect

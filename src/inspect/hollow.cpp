@@ -1,0 +1,185 @@
+#include "fusee/inspect/hollow.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "disjoint_sets.h"
+#include "fusee/core/units.h"
+#include "seam.h"
+#include "vector.h"
+
+namespace fusee::inspect {
+
+namespace {
+
+constexpr double kSharpest = core::rad_from_deg(75.0);  // turn between two facets of one hole
+constexpr double kAlong = 0.035;                        // sine of 2 deg: of a facet's normal with the axis' plane
+constexpr double kWidths = 3.0;                         // a flat much wider than its neighbours is a wall that a rounding runs into
+constexpr double kRound = 0.02, kRound_mm = 0.02;       // corners off the circle: share of its radius, and at least [mm]
+constexpr std::size_t kLargestFacet = 1000;             // triangles; more are no facet of a hole
+constexpr std::size_t kLeastFacets = 3;
+constexpr double kHole = core::rad_from_deg(200.0);
+constexpr double kRing = 0.01;  // of the diameter: one ring of facets of a ball or a torus is shorter
+constexpr double kTip = 0.6;    // diameters that a drill's tip may add beyond the wall
+
+/// Triangles in one plane, and the seams to the planes beside it.
+struct Facet {
+    std::vector<std::uint32_t> triangles;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> seams;  ///< triangle here, triangle there
+};
+
+class Grower {
+public:
+    explicit Grower(const Body& body) : body_(body), planes_(body.mesh().triangles.size()), used_(body.mesh().triangles.size(), false) {
+        for_each_seam(body, [&](const Seam& s) {
+            if (s.turn < kSamePlane) planes_.join(s.a, s.b);
+        });
+        for (std::uint32_t t = 0; t < body.mesh().triangles.size(); ++t) facets_[planes_.find(t)].triangles.push_back(t);
+        for_each_seam(body, [&](const Seam& s) {
+            if (!s.concave || s.turn < kSamePlane || s.turn > kSharpest) return;
+            facets_[planes_.find(s.a)].seams.emplace_back(s.a, s.b);
+            facets_[planes_.find(s.b)].seams.emplace_back(s.b, s.a);
+        });
+    }
+
+    std::vector<Hollow> all() {
+        std::vector<Hollow> found;
+        for (const auto& [root, facet] : facets_)
+            for (const auto& [here, there] : facet.seams) {
+                if (used_[root] || used_[planes_.find(there)]) continue;
+                const Vec3 axis = unit(cross(body_.normals()[here], body_.normals()[there]));
+                if (auto hollow = measured(axis, grown(root, axis))) found.push_back(std::move(*hollow));
+            }
+        return found;
+    }
+
+private:
+    [[nodiscard]] double width(const Facet& facet, const Vec3& axis) const {
+        const Vec3 across = cross(axis, body_.normals()[facet.triangles.front()]);
+        double low = INFINITY, high = -INFINITY;
+        for (const std::uint32_t t : facet.triangles)
+            for (const std::uint32_t p : body_.mesh().triangles[t]) {
+                const double x = dot(body_.mesh().points_mm[p], across);
+                low = std::min(low, x), high = std::max(high, x);
+            }
+        return high - low;
+    }
+    [[nodiscard]] bool runs_along(const Facet& facet, const Vec3& axis) const {
+        return facet.triangles.size() <= kLargestFacet && std::abs(dot(body_.normals()[facet.triangles.front()], axis)) < kAlong;
+    }
+
+    /// The facets that hang together about the axis, by their roots.
+    std::vector<std::uint32_t> grown(std::uint32_t seed, const Vec3& axis) {
+        std::vector<std::uint32_t> roots;
+        std::vector<std::uint32_t> next{seed};
+        std::map<std::uint32_t, double> widths;
+        const auto width_of = [&](std::uint32_t root) {
+            const auto [at, fresh] = widths.try_emplace(root, 0.0);
+            if (fresh) at->second = width(facets_.at(root), axis);
+            return at->second;
+        };
+        if (!runs_along(facets_.at(seed), axis)) return {};
+        std::map<std::uint32_t, bool> seen{{seed, true}};
+        while (!next.empty()) {
+            const std::uint32_t root = next.back();
+            next.pop_back();
+            roots.push_back(root);
+            for (const auto& [here, there] : facets_.at(root).seams) {
+                const std::uint32_t other = planes_.find(there);
+                if (seen.count(other) || used_[other] || !runs_along(facets_.at(other), axis)) continue;
+                const double a = width_of(root), b = width_of(other);
+                if (a > kWidths * b || b > kWidths * a) continue;
+                seen[other] = true;
+                next.push_back(other);
+            }
+        }
+        return roots;
+    }
+
+    struct Circle {
+        double x = 0.0, y = 0.0, radius = 0.0;
+    };
+    /// Least squares of x^2 + y^2 = 2 a x + 2 b y + c about the points' middle (I. Kasa, 1976).
+    static Circle circle_through(const std::vector<std::array<double, 2>>& points) {
+        const auto n = static_cast<double>(points.size());
+        double mx = 0.0, my = 0.0;
+        for (const auto& p : points) mx += p[0] / n, my += p[1] / n;
+        double xx = 0.0, xy = 0.0, yy = 0.0, xq = 0.0, yq = 0.0, q = 0.0;
+        for (const auto& p : points) {
+            const double x = p[0] - mx, y = p[1] - my, s = x * x + y * y;
+            xx += x * x, xy += x * y, yy += y * y, xq += x * s, yq += y * s, q += s;
+        }
+        const double determinant = xx * yy - xy * xy;
+        const double a = 0.5 * (xq * yy - yq * xy) / determinant, b = 0.5 * (yq * xx - xq * xy) / determinant;
+        return {mx + a, my + b, std::sqrt(q / n + a * a + b * b)};
+    }
+    static double angle_covered(const std::vector<std::array<double, 2>>& points, const Circle& circle) {
+        std::vector<double> angles;
+        for (const auto& p : points) angles.push_back(std::atan2(p[1] - circle.y, p[0] - circle.x));
+        std::sort(angles.begin(), angles.end());
+        double gap = angles.front() + 2.0 * core::kPi - angles.back();
+        for (std::size_t i = 1; i < angles.size(); ++i) gap = std::max(gap, angles[i] - angles[i - 1]);
+        return 2.0 * core::kPi - gap;
+    }
+
+    /// The facets' corners seen along the axis, and how far they reach along it.
+    struct Outline {
+        std::vector<std::array<double, 2>> points;
+        double low = INFINITY, high = -INFINITY;
+        std::vector<std::uint32_t> triangles;
+    };
+    [[nodiscard]] Outline outline(const Vec3& axis, const Frame& frame, const std::vector<std::uint32_t>& roots) const {
+        Outline outline;
+        for (const std::uint32_t root : roots)
+            for (const std::uint32_t t : facets_.at(root).triangles) {
+                outline.triangles.push_back(t);
+                for (const std::uint32_t p : body_.mesh().triangles[t]) {
+                    const Vec3& at = body_.mesh().points_mm[p];
+                    outline.points.push_back({dot(at, frame.u), dot(at, frame.v)});
+                    outline.low = std::min(outline.low, dot(at, axis)), outline.high = std::max(outline.high, dot(at, axis));
+                }
+            }
+        std::sort(outline.triangles.begin(), outline.triangles.end());
+        return outline;
+    }
+
+    std::optional<Hollow> measured(const Vec3& axis, const std::vector<std::uint32_t>& roots) {
+        if (roots.size() < kLeastFacets) return std::nullopt;
+        const Frame frame = frame_about(axis);
+        Outline all = outline(axis, frame, roots);
+        const Circle circle = circle_through(all.points);
+        const double slack = std::max(kRound * circle.radius, std::min(kRound_mm, 0.1 * circle.radius));
+        for (const auto& p : all.points)
+            if (!(std::abs(std::hypot(p[0] - circle.x, p[1] - circle.y) - circle.radius) <= slack)) return std::nullopt;
+        double radius = 0.0;  // corners stand on the circle, cuts across a facet inside it
+        for (const auto& p : all.points) radius = std::max(radius, std::hypot(p[0] - circle.x, p[1] - circle.y));
+        for (const std::uint32_t root : roots) used_[root] = true;
+        Hollow hollow;
+        hollow.axis = axis;
+        hollow.diameter_mm = 2.0 * radius;
+        hollow.length_mm = all.high - all.low;
+        hollow.covers = angle_covered(all.points, circle);
+        hollow.middle_mm = circle.x * frame.u + circle.y * frame.v + 0.5 * (all.low + all.high) * axis;
+        hollow.triangles = std::move(all.triangles);
+        const double reach = 0.5 * hollow.length_mm + kTip * hollow.diameter_mm;
+        for (const int end : {0, 1}) {
+            const auto hit = body_.rays().first(hollow.middle_mm, end == 0 ? -1.0 * axis : axis, kNone);
+            hollow.open[end] = !hit || hit->distance_mm > reach;
+        }
+        return hollow;
+    }
+
+    const Body& body_;
+    DisjointSets planes_;
+    std::map<std::uint32_t, Facet> facets_;  ///< by their first triangle
+    std::vector<bool> used_;                 ///< facets of a hollow, by their first triangle
+};
+
+}  // namespace
+
+bool Hollow::is_hole() const { return covers > kHole && length_mm > kRing * diameter_mm; }
+
+std::vector<Hollow> find_hollows(const Body& body) { return Grower(body).all(); }
+
+}  // namespace fusee::inspect

@@ -1,0 +1,36 @@
+#include <fmt/format.h>
+
+#include <set>
+
+#include "fusee/solid/crossings.h"
+#include "rules.h"
+
+namespace fusee::inspect {
+
+namespace {
+
+std::optional<Marked> measure(const Foreign& part, const Allowed& allowed) {
+    const Body& body = part.body;
+    const auto pairs = solid::crossings(body.mesh(), flat_triangles(body.mesh()));
+    if (!pairs) return std::nullopt;  // mesh.manifold or mesh.orientation says why
+    std::set<std::uint32_t> triangles;
+    for (const auto& [a, b] : *pairs) triangles.insert({a, b});
+    core::Finding f = judge(static_cast<double>(pairs->size()), {allowed("required")});
+    f.what = "pairs of triangles that pass through each other";
+    if (!triangles.empty()) set_place(f, middle_of(body, *triangles.begin()));
+    f.suggestion = fmt::format("a union of the bodies that overlap in {} triangles", triangles.size());
+    return Marked{f, {triangles.begin(), triangles.end()}};
+}
+
+}  // namespace
+
+Rule mesh_self_intersection() {
+    return {{"mesh.self_intersection",
+             "a surface that passes through itself",
+             "pairs of triangles that cross; said of manifold surfaces only (exact predicates)",
+             "a solid has none",
+             {required(kAtMost, "pairs", 0.0)}},
+            measure};
+}
+
+}  // namespace fusee::inspect

@@ -1,0 +1,67 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "rules.h"
+
+namespace fusee::inspect {
+
+std::span<const Rule> rules() {
+    static const std::array all = {
+        mesh_closed(), mesh_manifold(), mesh_orientation(),  mesh_flat_triangles(), mesh_self_intersection(), mesh_bodies(),
+        mesh_cavity(), mesh_unit(),     mesh_build_volume(), mesh_wall(),           mesh_feather_edge(),      mesh_pin(),
+        mesh_rib(),    mesh_gap(),      mesh_overhang(),     mesh_hole(),           mesh_hole_depth(),        mesh_inner_edge(),
+        mesh_pocket(), mesh_undercut(), mesh_plates()};
+    return all;
+}
+
+std::string rules_reference() {
+    std::vector<const checks::Card*> cards;
+    for (const Rule& rule : rules()) cards.push_back(&rule);
+    return checks::reference(cards);
+}
+
+std::vector<Marked> check(const Foreign& part, const std::string& name) {
+    std::vector<Marked> all;
+    for (const Rule& rule : rules()) {
+        auto marked = rule.measure(part, Allowed(rule, {}));
+        if (!marked) continue;
+        core::Finding& f = marked->finding;
+        f.where = f.where.empty() ? name : name + " " + f.where;
+        checks::complete(f, rule, name);
+        if (f.severity == core::Severity::kPass) marked->triangles.clear();
+        all.push_back(std::move(*marked));
+    }
+    return all;
+}
+
+bool is_printed(const Foreign& part) {
+    using enum checks::ProcessKind;
+    return part.process.kind == kFdm || part.process.kind == kSla || part.process.kind == kSls;
+}
+bool is_milled(const Foreign& part) {
+    return part.process.kind == checks::ProcessKind::kMill || part.process.kind == checks::ProcessKind::kMill4;
+}
+bool is_stacked(const Foreign& part) { return !is_printed(part) && !is_milled(part); }
+
+void set_place(core::Finding& f, const Vec3& at) {
+    f.where = fmt::format("at ({:.2f}, {:.2f}, {:.2f}) mm", at[0], at[1], at[2]);
+    f.place = core::Place{std::atan2(at[1], at[0]), at};
+}
+
+Vec3 middle_of(const Body& body, std::uint32_t triangle) {
+    const solid::Triangle& t = body.mesh().triangles[triangle];
+    const auto& p = body.mesh().points_mm;
+    return (1.0 / 3.0) * (p[t[0]] + p[t[1]] + p[t[2]]);
+}
+
+std::vector<std::uint32_t> triangles_of(const Body& body, const std::function<bool(const Sample&)>& wanted) {
+    std::vector<std::uint32_t> triangles;
+    for (const Sample& s : body.samples())  // by ascending triangle
+        if ((triangles.empty() || triangles.back() != s.triangle) && wanted(s)) triangles.push_back(s.triangle);
+    return triangles;
+}
+
+}  // namespace fusee::inspect

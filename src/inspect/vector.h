@@ -1,0 +1,32 @@
+#pragma once
+#include <cmath>
+
+#include "fusee/solid/mesh.h"
+
+namespace fusee::inspect {
+
+using solid::Vec3;
+
+inline Vec3 operator+(const Vec3& a, const Vec3& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
+inline Vec3 operator-(const Vec3& a, const Vec3& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+inline Vec3 operator*(double s, const Vec3& a) { return {s * a[0], s * a[1], s * a[2]}; }
+inline double dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+inline Vec3 cross(const Vec3& a, const Vec3& b) {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+inline double length(const Vec3& a) { return std::sqrt(dot(a, a)); }
+/// The zero vector stays what it is.
+inline Vec3 unit(const Vec3& a) {
+    const double l = length(a);
+    return l > 0.0 ? (1.0 / l) * a : a;
+}
+/// Two unit vectors that make a right-handed frame with the unit vector `w`.
+struct Frame {
+    Vec3 u, v;
+};
+inline Frame frame_about(const Vec3& w) {
+    const Vec3 u = unit(cross(w, std::abs(w[0]) < 0.7 ? Vec3{1, 0, 0} : Vec3{0, 1, 0}));
+    return {u, cross(w, u)};
+}
+
+}  // namespace fusee::inspect

@@ -1,0 +1,75 @@
+#include "fusee/pipeline/fix.h"
+
+#include <algorithm>
+
+#include "fix_nearest.h"
+#include "fix_policy.h"
+#include "fix_search.h"
+#include "fusee/actuator/dead_band.h"
+#include "fusee/pipeline/design.h"
+
+namespace fusee::pipeline {
+
+namespace {
+
+/// At peak torque; none where there is no law, or none that reaches that far.
+std::optional<double> dead_band_of(const profile::Profile& profile) {
+    const auto law = if_allowed([&] { return design_law(profile); });
+    if (!law || !*law) return std::nullopt;
+    const actuator::DeadBand band = actuator::dead_band(actuator_of(profile, (*law)->law), profile.rig.peak_torque);
+    return band.covered ? std::optional(band.extreme) : std::nullopt;
+}
+
+std::vector<report::FixChange> changes_of(const Drafts& drafts, const Choices& choices) {
+    std::vector<report::FixChange> changes;
+    for (const auto& [key, choice] : choices)
+        changes.push_back({key, drafts.was(key), choice.value, policy_of(key)->asks_for, choice.because});
+    return changes;
+}
+
+/// Loads that the law had and has no more.
+std::vector<report::LostTorque> lost(const Drafts& drafts, const Nearest& nearest) {
+    std::vector<report::LostTorque> all;
+    for (const auto& [key, choice] : nearest.choices) {
+        if (key != "law.start_torque_Nm" && key != "law.end_torque_Nm") continue;
+        const double from = *number_in(drafts.was(key)), to = *number_in(choice.value);
+        if ((key == "law.end_torque_Nm") != (to < from)) continue;
+        const auto binds = nearest.binds.find(key);
+        all.push_back({key, from, to, binds == nearest.binds.end() ? choice.because : binds->second});
+    }
+    return all;
+}
+
+}  // namespace
+
+report::Fix fix(const profile::Profile& profile, const std::string& toml, const FixOptions& options) {
+    require_parts(profile);
+    const Drafts drafts(profile, toml, options.file);
+    Judge judge(options);
+    (void)judge.drawing(profile);  // values that are at odds with each other are the caller's mistake here, but not in a draft
+    Searched searched = Search(drafts, judge, options).run();
+    report::Fix fix;
+    fix.profile_name = profile.name;
+    fix.peak_torque = profile.rig.peak_torque;
+    fix.band_before = dead_band_of(profile);
+    Nearest nearest{searched.choices, {}};
+    if (searched.found && !searched.choices.empty()) nearest = pipeline::nearest(drafts, judge, searched.choices);
+    fix.changes = changes_of(drafts, nearest.choices);
+    fix.judged = judge.judged();
+    fix.made = judge.made();
+    fix.circles.assign(searched.circles.begin(), searched.circles.end());
+    if (!searched.found) {
+        fix.left = std::move(searched.left);
+        return fix;
+    }
+    fix.end = fix.changes.empty() ? report::Fix::End::kNothingToDo : report::Fix::End::kFixed;
+    fix.left = judge.reviews();
+    fix.lost = lost(drafts, nearest);
+    fix.band_after = dead_band_of(*drafts.read(nearest.choices));
+    if (fix.changes.empty()) return fix;
+    fix.file = options.file;
+    fix.toml = drafts.text(nearest.choices);
+    return fix;
+}
+
+}  // namespace fusee::pipeline

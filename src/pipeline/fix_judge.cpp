@@ -1,0 +1,96 @@
+#include "fix_judge.h"
+
+#include <algorithm>
+
+#include "fusee/cam/arm.h"
+#include "fusee/checks/check.h"
+#include "fusee/core/progress.h"
+#include "fusee/pipeline/design.h"
+#include "fusee/pipeline/verify.h"
+
+namespace fusee::pipeline {
+
+namespace {
+
+// Objections that stay hidden, at a guess: so many as to make what shows more worth less than what shows all.
+constexpr int kBehindBody = 1, kBehindCam = 2, kBehindLaw = 6;
+
+constexpr cam::PartKind kKinds[] = {cam::PartKind::kSeries, cam::PartKind::kParallel};
+
+}  // namespace
+
+std::string part_of(const core::Finding& finding) {
+    for (const cam::PartKind kind : kKinds)
+        if (finding.where.starts_with(to_string(kind))) return to_string(kind);
+    return {};
+}
+
+std::string name_of(const core::Finding& finding) {
+    const std::string part = part_of(finding);
+    return part.empty() ? finding.rule : finding.rule + " " + part;
+}
+
+void Judge::ask_to_stop() const {
+    if (options_.stop && options_.stop()) throw core::Stopped();
+}
+
+void Judge::keep(Verdict& verdict, const core::Findings& findings) const {
+    const core::Severity least = options_.reviews ? core::Severity::kReview : core::Severity::kRequired;
+    std::copy_if(findings.begin(), findings.end(), std::back_inserter(verdict.broken),
+                 [least](const core::Finding& f) { return f.severity >= least; });
+}
+
+void Judge::sketch(Verdict& verdict, cam::PartKind kind, const profile::Profile& profile, const spring::SpringLawPtr& law) const {
+    const auto cam = design_cam(kind, profile, law);
+    if (!cam) {
+        verdict.unseen += kBehindCam;
+        return keep(verdict, cam.refusal());
+    }
+    const profile::PartSpec& spec = spec_of(kind, profile);
+    const auto body = solid::outline_part(*cam, spec.solid);
+    if (!body) {
+        verdict.unseen += kBehindBody;
+        return keep(verdict, body.refusal());
+    }
+    keep(verdict, checks::check_without_mesh({*body, spec.spring, profile.cable, profile.process, profile.limits}));
+}
+
+Verdict Judge::drawing(const profile::Profile& profile) { return draw(kKinds, profile); }
+
+Verdict Judge::part(cam::PartKind kind, const profile::Profile& profile) { return draw(std::span(&kind, 1), profile); }
+
+Verdict Judge::draw(std::span<const cam::PartKind> kinds, const profile::Profile& profile) {
+    ask_to_stop();
+    ++judged_;
+    Verdict verdict;
+    const auto law = design_law(profile);
+    if (!law) {
+        verdict.unseen = kBehindLaw;
+        keep(verdict, law.refusal());
+        return verdict;
+    }
+    keep(verdict, law->findings);
+    for (const cam::PartKind kind : kinds) sketch(verdict, kind, profile, law->law);
+    return verdict;
+}
+
+Verdict Judge::making(const profile::Profile& profile) {
+    ask_to_stop();
+    if (options_.progress) options_.progress("every file of it is made and read back");
+    ++made_;
+    const core::Findings findings = options_.make ? options_.make(profile) : make_to_verify(profile).findings;
+    Verdict verdict;
+    keep(verdict, findings);
+    if (!verdict.clear()) return verdict;
+    reviews_.clear();
+    std::copy_if(findings.begin(), findings.end(), std::back_inserter(reviews_),
+                 [](const core::Finding& f) { return f.severity == core::Severity::kReview; });
+    return verdict;
+}
+
+Verdict Judge::all(const profile::Profile& profile) {
+    const Verdict drawn = drawing(profile);
+    return drawn.clear() ? making(profile) : drawn;
+}
+
+}  // namespace fusee::pipeline

@@ -1,0 +1,111 @@
+#include <nlohmann/json.hpp>
+
+#include "app/run.h"
+
+// fusee check: on profiles, on meshes, for one process and for all.
+namespace fusee::app {
+namespace {
+
+using Json = nlohmann::json;
+
+class Check : public Program {
+protected:
+    static std::string pnrvsa() { return "'" + fixtures::shipped("pnrvsa").string() + "'"; }
+    /// A cube of 10 mm as text; `height` may spoil it.
+    std::string cube(const std::string& name, double height = 10.0) const {
+        const std::string h = std::to_string(height);
+        write(name, "v 0 0 0\nv 10 0 0\nv 10 10 0\nv 0 10 0\nv 0 0 " + h + "\nv 10 0 " + h + "\nv 10 10 " + h + "\nv 0 10 " + h +
+                        "\nf 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
+        return name;
+    }
+};
+
+TEST_F(Check, AProfileAsMakeFindsItAndNoFile) {
+    const Ended checked = run("check " + pnrvsa());
+    EXPECT_EQ(checked.code, 0) << checked.all();
+    expect_words(checked.out,
+                 {"pnrvsa by fdm: can be made; 0 required changes", "rules passed", "[process] and [[limits]] of the profile"});
+    EXPECT_FALSE(fs::exists(folder_ / "out"));
+}
+
+TEST_F(Check, ARequiredChangeEndsWith1) {
+    const Ended checked = run("check " + pnrvsa() + " --process laser");
+    EXPECT_EQ(checked.code, 1);
+    expect_words(checked.err,
+                 {"pnrvsa by laser: cannot be made as it is", "required change: stack.boss", "nearest feasible", "defaults of laser"});
+}
+
+TEST_F(Check, AllProcessesInOneTable) {
+    const Ended checked = run("check " + pnrvsa() + " --process all --json");
+    EXPECT_EQ(checked.code, 0) << "printing is possible";
+    const Json j = Json::parse(checked.out);
+    ASSERT_EQ(j.at("processes").size(), 7u);
+    for (const Json& p : j.at("processes")) {
+        ASSERT_EQ(p.at("parts").size(), 2u) << p.at("process");
+        for (const Json& part : p.at("parts"))
+            EXPECT_EQ(part.at("required").get<int>() > 0,
+                      part.at("binding").is_object() && part.at("binding").at("severity") == "required change");
+        EXPECT_EQ(p.at("own").get<bool>(), p.at("process") == "fdm");
+    }
+    const Ended one = run("check " + pnrvsa() + " --json");
+    EXPECT_EQ(Json::parse(one.out).at("processes").at(0), j.at("processes").at(0)) << "the table's own row is the check";
+}
+
+TEST_F(Check, LimitsOfAnotherProcessAreLeftOutAndNamed) {
+    write("t.toml", core::read_file(fixtures::shipped("pnrvsa")) +
+                        "\n[[limits]]\nrule = \"process.wall\"\nrequired_mm = 0.4\nreason = \"coupon\"\n"
+                        "\n[[limits]]\nrule = \"cable.fleet\"\nreview_deg = 3\nreason = \"ferrule\"\n");
+    expect_words(run("check t.toml --process sla").all(), {"left out: process.wall required_mm = 0.4"});
+    EXPECT_EQ(run("check t.toml --process sla").all().find("left out: cable"), std::string::npos);
+    EXPECT_EQ(run("check t.toml").all().find("left out"), std::string::npos);
+}
+
+TEST_F(Check, AMeshAndWhereInColours) {
+    const Ended good = run("check " + cube("good.obj") + " --process fdm");
+    EXPECT_EQ(good.code, 0) << good.all();
+    expect_words(good.out, {"good by fdm: can be made", "12 triangles, 10.00 x 10.00 x 10.00 mm"});
+    const Ended thin = run("check " + cube("thin.obj", 0.5) + " --process fdm --out shown");
+    EXPECT_EQ(thin.code, 1) << thin.all();
+    expect_words(thin.err, {"required change: mesh.wall", "measured 0.5 mm, allowed at least 0.8 mm", "thin_check.3mf"});
+    EXPECT_TRUE(fs::exists(folder_ / "shown" / "thin_check.3mf"));
+    const Json j = Json::parse(run("check thin.obj --process all --json").out);
+    EXPECT_EQ(j.at("processes").size(), 7u);
+    EXPECT_TRUE(j.at("makeable").get<bool>()) << "resin holds 0.5 mm";
+}
+
+TEST_F(Check, AMeshByTheMachineOfAProfile) {
+    cube("thin.obj", 0.5);
+    write("t.toml", fixtures::with_key(core::read_file(fixtures::shipped("pnrvsa")), "process.min_wall_mm", "0.4"));
+    const Ended own = run("check thin.obj --profile t.toml");
+    EXPECT_EQ(own.code, 0) << own.all();
+    expect_words(own.out, {"thin by fdm: can be made", "[process] of the profile"});
+    EXPECT_EQ(run("check thin.obj --profile t.toml --process laser").code, 1)
+        << "what is stated for the printer does not hold for the laser";
+}
+
+TEST_F(Check, OneThreadOrThreeSayTheSame) {
+    cube("a.obj");
+    EXPECT_EQ(run("check a.obj --process mill --json -j 1").out, run("check a.obj --process mill --json -j 3").out);
+}
+
+TEST_F(Check, BadInputIsNamed) {
+    const auto refused = [&](const std::string& arguments, std::initializer_list<std::string> words) {
+        const Ended ended = run("check " + arguments);
+        EXPECT_EQ(ended.code, 2) << arguments << ended.all();
+        expect_words(ended.err, words);
+    };
+    refused("missing.toml", {"missing.toml"});
+    refused("missing.stl --process fdm", {"missing.stl", "cannot be opened"});
+    refused("notes.txt --process fdm", {"notes.txt", ".toml", ".stl"});
+    refused(cube("a.obj"), {"--process", "missing"});
+    refused("a.obj --process wax", {"wax"});
+    refused(pnrvsa() + " --out shown", {"--out", "a mesh"});
+    refused("a.obj --profile missing.toml", {"missing.toml"});
+    write("b.stl", "solid x\nfacet normal 0 0 1\n");
+    refused("b.stl --process fdm", {"b.stl", "endsolid"});
+    write("line.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n");
+    refused("line.obj --process fdm", {"line.obj"});
+}
+
+}  // namespace
+}  // namespace fusee::app

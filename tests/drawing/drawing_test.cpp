@@ -1,0 +1,161 @@
+#include "fusee/drawing/drawing.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <future>
+
+#include "exchange/fixtures/disc.h"
+#include "exchange/fixtures/parts.h"
+#include "fusee/core/file.h"
+#include "fusee/drawing/inspection.h"
+#include "fusee/drawing/svg.h"
+
+namespace fusee::drawing {
+namespace {
+
+/// A cam from the fixtures with working positions: arms and tensions that rise by hand.
+cam::Cam working(cam::Cam cam) {
+    for (int i = 0; i < 200; ++i) {
+        cam::Contact row;
+        row.arm = {0.1, 0.01 * i, 10e-3 + 1e-5 * i, 0.0, 0.0, 5.0 + 0.1 * i, 0.0};
+        cam.working.push_back(row);
+    }
+    return cam;
+}
+
+/// A round helix of `turns` turns.
+cam::Cam long_helix(double turns) {
+    cam::Cam cam = fixtures::helix_cam(10e-3, 0.0, 6e-3);
+    cam.working_psi = {0.0, turns * 2.0 * core::kPi};
+    cam.groove_psi = {-0.4, cam.working_psi.high + 0.4};
+    return cam;
+}
+
+solid::PartOptions plain_options() {
+    solid::PartOptions options;
+    options.hub.lock = solid::HubLock::kPlain;
+    options.chordal_error = 20e-6;
+    return options;
+}
+
+solid::PartOptions screwed_options() {
+    solid::PartOptions options = fixtures::keyed_options();
+    options.hub.lock = solid::HubLock::kSetScrew;
+    options.hub.screw_diameter = 2.5e-3;
+    options.hub.boss_diameter = 12e-3;
+    options.hub.boss_height = 6e-3;
+    return options;
+}
+
+solid::PartOptions keyed_overhung() {
+    solid::PartOptions options = fixtures::overhung_options();
+    options.hub.lock = solid::HubLock::kKeyway;
+    return options;
+}
+
+struct Case {
+    const char* name;
+    cam::Cam cam;
+    solid::PartOptions options;
+};
+
+std::vector<Case> cases() {
+    return {{"keyed", fixtures::planar_cam(), fixtures::keyed_options()},
+            {"overhung", fixtures::planar_cam(5e-3, 0.5e-3), fixtures::overhung_options()},
+            {"overhung_key", fixtures::planar_cam(8e-3, 1e-3), keyed_overhung()},
+            {"set_screw", fixtures::planar_cam(), screwed_options()},
+            {"large", fixtures::planar_cam(90e-3, 20e-3), fixtures::keyed_options()},
+            {"helix", fixtures::helix_cam(), fixtures::keyed_options()},
+            {"four_turns", long_helix(4.0), plain_options()}};
+}
+
+class Drawn : public testing::TestWithParam<std::size_t> {
+protected:
+    static const Case& chosen() {
+        static const std::vector<Case> all = cases();
+        return all[GetParam()];
+    }
+    static const solid::Part& part() {
+        static std::vector<std::optional<solid::Part>> made(cases().size());
+        std::optional<solid::Part>& part = made[GetParam()];
+        if (!part) part = solid::build_part(working(chosen().cam), chosen().options).value();
+        return *part;
+    }
+    static std::vector<Sheet> sheets() {
+        const spring::BaseSpring spring{spring::BaseKind::kTorsion, 0.0183, 3.7};
+        const checks::Cable cable;
+        const checks::Process process;
+        return draw({part(), spring, cable, process, "a_design_with_a_name_of_some_length", "k_se_mirrored",
+                     "fusee 0.1.0, a_design_with_a_name_of_some_length, profile 0123456789ab, via=cgal, mirrored"});
+    }
+};
+
+bool says(const std::vector<Sheet>& sheets, const std::string& words) {
+    return std::any_of(sheets.begin(), sheets.end(), [&](const Sheet& sheet) {
+        return std::any_of(sheet.texts.begin(), sheet.texts.end(), [&](const Text& t) { return t.words.find(words) != std::string::npos; });
+    });
+}
+
+TEST_P(Drawn, NoTextOverlapsAnotherOrALine) {
+    for (const Sheet& sheet : sheets())
+        for (std::size_t i = 0; i < sheet.texts.size(); ++i) {
+            const Box box = box_of(sheet.texts[i]);
+            for (std::size_t k = 0; k < i; ++k)
+                EXPECT_FALSE(box.overlaps(box_of(sheet.texts[k]))) << sheet.texts[i].words << " / " << sheet.texts[k].words;
+            for (const Stroke& stroke : sheet.strokes)
+                for (std::size_t k = stroke.closed ? 0 : 1; k < stroke.line.size(); ++k) {
+                    const Point &a = stroke.line[(k + stroke.line.size() - 1) % stroke.line.size()], &b = stroke.line[k];
+                    EXPECT_FALSE(box.meets(a, b)) << sheet.texts[i].words << " at " << box.low[0] << ", " << box.low[1];
+                }
+        }
+}
+
+TEST_P(Drawn, NothingFallsOffTheFrame) {
+    for (const Sheet& sheet : sheets()) {
+        const auto inside = [](const Point& p) { return Sheet::kFrame.holds({p, p}); };
+        for (const Text& text : sheet.texts) EXPECT_TRUE(Sheet::kFrame.holds(box_of(text))) << text.words;
+        for (const Arrow& arrow : sheet.arrows) EXPECT_TRUE(inside(arrow.tip));
+        for (const Stroke& stroke : sheet.strokes) EXPECT_TRUE(std::all_of(stroke.line.begin(), stroke.line.end(), inside));
+    }
+}
+
+TEST_P(Drawn, EveryRadiusArmAndLengthOfThePartIsOnIt) {
+    const auto drawn = sheets();
+    for (const FloorPoint& p : inspect_floor(part(), core::rad_from_deg(10.0)))
+        EXPECT_TRUE(says(drawn, fmt::format("{:.3f}", core::mm_from_m(p.radius)))) << p.angle;
+    for (const cam::Contact* row : {&part().cam.working.front(), &part().cam.working.back()}) {
+        EXPECT_TRUE(says(drawn, fmt::format("{:.3f}", core::mm_from_m(row->arm.arm))));
+        EXPECT_TRUE(says(drawn, fmt::format("{:.4f}", row->arm.arm * row->arm.tension)));
+    }
+    EXPECT_TRUE(says(drawn, fmt::format("{:.2f} mm on the working", core::mm_from_m(cable_length(part().cam).working))));
+}
+
+TEST_P(Drawn, TheSameBytesTwiceAndOnTwoThreads) {
+    const auto make = [] { return svg(sheets().front()); };
+    const auto print = [] { return pdf(sheets()); };
+    auto other = std::async(std::launch::async, print);
+    EXPECT_EQ(make(), make());
+    const std::string bytes = print();
+    EXPECT_EQ(bytes, other.get());
+    EXPECT_TRUE(bytes.starts_with("%PDF-"));
+    EXPECT_EQ(bytes.find("CreationDate"), std::string::npos);
+    EXPECT_NE(bytes.find(fmt::format("/Count {}", sheets().size())), std::string::npos);
+}
+
+INSTANTIATE_TEST_SUITE_P(Parts, Drawn, testing::Range<std::size_t>(0, 7),
+                         [](const auto& chosen) { return std::string(cases()[chosen.param].name); });
+
+using SheetFiles = fixtures::FolderTest;
+
+TEST_F(SheetFiles, AreNumberedFromTheSecondOn) {
+    const auto written = write_svg(folder_ / "k_pe_drawing", std::vector<Sheet>(3));
+    ASSERT_EQ(written.size(), 3u);
+    EXPECT_EQ(written[0].filename(), "k_pe_drawing.svg");
+    EXPECT_EQ(written[2].filename(), "k_pe_drawing_3.svg");
+    EXPECT_EQ(core::read_file(written[1]), svg(Sheet{}));
+}
+
+}  // namespace
+}  // namespace fusee::drawing

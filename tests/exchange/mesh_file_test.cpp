@@ -1,0 +1,127 @@
+#include "fusee/exchange/mesh_file.h"
+
+#include <fmt/format.h>
+
+#include <cstring>
+
+#include "exchange/fixtures/disc.h"
+#include "exchange/fixtures/expect_io_error.h"
+#include "fusee/core/error.h"
+#include "fusee/core/file.h"
+#include "fusee/exchange/step.h"
+#include "fusee/exchange/stl.h"
+#include "fusee/exchange/three_mf.h"
+#include "fusee/exchange/three_mf_coloured.h"
+#include "fusee/solid/fill.h"
+#include "fusee/solid/validity.h"
+#include "solid/fixture.h"
+
+// Files by anybody: every format comes in as it is, and what is broken is named.
+namespace fusee::exchange {
+namespace {
+
+class MeshFileTest : public fixtures::FolderTest {
+protected:
+    const solid::Mesh cube_ = solid::prism({{0, 0}, {10, 0}, {10, 10}, {0, 10}}, 0.0, 10.0);
+
+    std::filesystem::path write(const std::string& name, const std::string& text) const {
+        core::write_file(folder_ / name, text);
+        return folder_ / name;
+    }
+    /// @param corners of each triangle, as "x y z"
+    std::string text_stl(const solid::Mesh& mesh) const {
+        std::string text = "solid anybody\n";
+        for (const solid::Triangle& t : mesh.triangles) {
+            text += "facet normal 0 0 0\nouter loop\n";
+            for (const std::uint32_t p : t)
+                text += fmt::format("vertex {} {} {}\n", mesh.points_mm[p][0], mesh.points_mm[p][1], mesh.points_mm[p][2]);
+            text += "endloop\nendfacet\n";
+        }
+        return text + "endsolid anybody\n";
+    }
+    static void expect_cube(const MeshFile& file, double side = 10.0) {
+        EXPECT_EQ(file.mesh.points_mm.size(), 8u);
+        EXPECT_EQ(file.mesh.triangles.size(), 12u);
+        EXPECT_NEAR(solid::volume_mm3(file.mesh), side * side * side, 1e-4 * side * side * side);
+    }
+};
+
+TEST_F(MeshFileTest, ReadsStlOfBothKinds) {
+    write_stl(folder_ / "a.STL", cube_, "anybody");
+    expect_cube(read_mesh_file(folder_ / "a.STL"));
+    expect_cube(read_mesh_file(write("b.stl", text_stl(cube_))));
+}
+
+TEST_F(MeshFileTest, ReadsObjWithFacesOfFourCorners) {
+    const std::string obj =
+        "o cube\nv 0 0 0\nv 10 0 0\nv 10 10 0\nv 0 10 0\nv 0 0 10\nv 10 0 10\nv 10 10 10\nv 0 10 10\n"
+        "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
+    const MeshFile file = read_mesh_file(write("a.obj", obj));
+    expect_cube(file);
+    EXPECT_EQ(file.unit, "none, taken as millimetres");
+}
+
+TEST_F(MeshFileTest, ReadsEveryItemOf3mf) {
+    solid::Mesh other = cube_;
+    for (solid::Vec3& p : other.points_mm) p[0] += 20.0;
+    write_3mf(folder_ / "a.3mf", {{"one", cube_}, {"two", other}}, "anybody");
+    const MeshFile file = read_mesh_file(folder_ / "a.3mf");
+    EXPECT_EQ(file.mesh.triangles.size(), 24u);
+    EXPECT_NEAR(solid::volume_mm3(file.mesh), 2000.0, 1e-3);
+    EXPECT_EQ(file.unit, "millimetre");
+}
+
+TEST_F(MeshFileTest, TessellatesStep) {
+    const cam::Cam cam = solid::test::disc(12e-3, 3e-3, 0.8e-3);
+    const brep::Brep brep = brep::build(solid::build_part(cam, solid::test::plain()).value()).value();
+    write_step(folder_ / "a.stp", brep, "k_se", "anybody");
+    const MeshFile file = read_mesh_file(folder_ / "a.stp");
+    EXPECT_TRUE(solid::validate(file.mesh).good()) << solid::validate(file.mesh).line();
+    // chords within 0.01 mm of a surface of about 1500 mm^2
+    EXPECT_NEAR(solid::volume_mm3(file.mesh), brep.volume_mm3, 15.0);
+    EXPECT_EQ(file.unit, "millimetre (STEP)");
+}
+
+TEST_F(MeshFileTest, ColoursOf3mfComeBack) {
+    std::vector<Colour> colours(12, kGrey);
+    colours[3] = {215, 25, 28};
+    colours[7] = {253, 174, 97};
+    write_coloured_3mf(folder_ / "a.3mf", cube_, colours, "cube", "anybody");
+    EXPECT_EQ(read_3mf_colours(folder_ / "a.3mf"), colours);
+    expect_cube(read_mesh_file(folder_ / "a.3mf"));
+    write_coloured_3mf(folder_ / "b.3mf", cube_, colours, "cube", "anybody");
+    EXPECT_EQ(core::read_file(folder_ / "a.3mf"), core::read_file(folder_ / "b.3mf"));
+}
+
+TEST_F(MeshFileTest, ABrokenSurfaceIsColouredToo) {
+    solid::Mesh open = cube_;
+    open.triangles.pop_back();
+    write_coloured_3mf(folder_ / "a.3mf", open, std::vector<Colour>(11, Colour{215, 25, 28}), "open", "anybody");
+    EXPECT_EQ(read_3mf_colours(folder_ / "a.3mf").size(), 11u);
+    EXPECT_THROW(write_coloured_3mf(folder_ / "b.3mf", open, {}, "open", "anybody"), core::InvalidInput);
+}
+
+TEST_F(MeshFileTest, NamesWhatIsWrong) {
+    const auto expect = [&](const std::filesystem::path& path, const std::string& word) {
+        fixtures::expect_io_error([&] { (void)read_mesh_file(path); }, {path.filename().string(), word});
+    };
+    expect(folder_ / "missing.stl", "cannot be opened");
+    for (const char* name : {"empty.stl", "empty.obj", "empty.3mf", "empty.step"}) expect(write(name, ""), "");
+    const std::string text = text_stl(cube_);
+    expect(write("cut.stl", text.substr(0, text.size() / 2)), "endsolid");
+    expect(write("none.stl", "solid none\nendsolid none\n"), "holds no triangles");
+    write_stl(folder_ / "b.stl", cube_, "anybody");
+    std::string bytes = core::read_file(folder_ / "b.stl");
+    expect(write("short.stl", bytes.substr(0, bytes.size() - 10)), "bytes for 12 triangles");
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    std::memcpy(bytes.data() + 84 + 12, &nan, sizeof nan);
+    expect(write("nan.stl", bytes), "not finite");
+    expect(write("nan.obj", "v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n"), "");
+    expect(write("points.obj", "v 0 0 0\nv 1 0 0\n"), "");
+    expect(write("text.3mf", "this is no zip"), "lib3mf");
+    expect(write("text.step", "this is no STEP"), "STEP");
+    EXPECT_THROW((void)read_mesh_file(write("a.ply", "ply")), core::InvalidInput);
+}
+
+}  // namespace
+}  // namespace fusee::exchange

@@ -1,0 +1,83 @@
+#include "fusee/exchange/plate.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "fusee/exchange/three_mf.h"
+#include "fusee/pipeline/make.h"
+#include "fusee/readback/plate.h"
+#include "pipeline/fixture.h"
+
+namespace fusee::pipeline {
+namespace {
+
+class OnePlate : public fixtures::TempFolder {
+protected:
+    [[nodiscard]] MakeResult made(const std::vector<std::pair<std::string, std::string>>& changes) const {
+        auto text = fixtures::with_key(core::read_file(fixtures::shipped("pnrvsa")), "outputs.formats", R"(["3mf"])");
+        text = fixtures::with_keys(text,
+                                   {{"k_se.target_rows", "200"}, {"k_pe.target_rows", "200"}, {"tolerances.chordal_error_mm", "0.0025"}});
+        return make(profile::read_profile(write("pnrvsa.toml", fixtures::with_keys(text, changes))), {.out = folder_ / "out"});
+    }
+    [[nodiscard]] static const core::Finding* bed(const MakeResult& result) {
+        const auto found =
+            std::find_if(result.findings.begin(), result.findings.end(), [](const auto& f) { return f.rule == "plate.bed"; });
+        return found == result.findings.end() ? nullptr : &*found;
+    }
+};
+
+TEST_F(OnePlate, HoldsEveryPartApartAndEachCarriesItsLaw) {
+    const MakeResult result = made({});
+    ASSERT_TRUE(result.made);
+    const exchange::Plate plate = exchange::read_plate_file(result.folder / "plate.json");
+    const auto objects = exchange::read_3mf_objects(result.folder / "plate.3mf");
+    ASSERT_EQ(objects.size(), 4u);
+    const std::vector<std::string> names{"k_se", "k_se_mirrored", "k_pe", "k_pe_mirrored"};
+    std::vector<solid::Box> boxes;
+    for (std::size_t i = 0; i < 4; ++i) {
+        EXPECT_EQ(objects[i].name, names[i]);
+        const solid::Box box = solid::bounding_box(objects[i].mesh);
+        EXPECT_NEAR(box.low_mm[2], 0.0, 1e-5) << "on the bed";
+        for (std::size_t k = 0; k < 3; ++k) {
+            EXPECT_GE(box.low_mm[k], -1e-5);
+            EXPECT_LE(box.high_mm[k], 200.0);
+        }
+        for (const solid::Box& other : boxes) {
+            const double x = std::max(box.low_mm[0] - other.high_mm[0], other.low_mm[0] - box.high_mm[0]);
+            const double y = std::max(box.low_mm[1] - other.high_mm[1], other.low_mm[1] - box.high_mm[1]);
+            EXPECT_GE(std::max(x, y), 5.0 - 1e-4);
+        }
+        boxes.push_back(box);
+    }
+    const auto errors = readback::read_back_plate(result.folder, plate);
+    ASSERT_EQ(errors.size(), 4u);
+    for (const readback::ArmError& e : errors) EXPECT_LE(e.worst_relative, 1e-3) << e.reader;
+    const auto report = nlohmann::json::parse(core::read_file(result.folder / "report.json"));
+    EXPECT_EQ(report["plate"].size(), 4u);
+    EXPECT_EQ(bed(result), nullptr);
+}
+
+// What the suggestion names holds them.
+TEST_F(OnePlate, TooSmallABedIsToReviewWithTheOneThatHolds) {
+    const MakeResult result = made({{"process.build_mm", "[60.0, 60.0, 60.0]"}});
+    ASSERT_TRUE(result.made) << "each part fits alone";
+    EXPECT_FALSE(std::filesystem::exists(result.folder / "plate.3mf"));
+    ASSERT_NE(bed(result), nullptr);
+    EXPECT_EQ(bed(result)->severity, core::Severity::kReview);
+    EXPECT_GT(bed(result)->measured, 60.0);
+    const std::string side = std::to_string(bed(result)->measured);
+    EXPECT_EQ(bed(made({{"process.build_mm", "[" + side + ", " + side + ", 60.0]"}})), nullptr);
+}
+
+TEST_F(OnePlate, IsLeftOutWithoutItsKeyOrItsFormat) {
+    for (const auto& change : {std::pair<std::string, std::string>{"outputs.plate", "false"}, {"outputs.formats", R"(["stl"])"}}) {
+        const MakeResult result = made({change});
+        ASSERT_TRUE(result.made);
+        EXPECT_FALSE(std::filesystem::exists(result.folder / "plate.3mf")) << change.first;
+    }
+    const MakeResult one_side = made({{"outputs.pair", "false"}});
+    EXPECT_EQ(exchange::read_3mf_objects(one_side.folder / "plate.3mf").size(), 2u);
+}
+
+}  // namespace
+}  // namespace fusee::pipeline

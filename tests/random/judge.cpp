@@ -1,0 +1,63 @@
+#include "judge.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "fusee/core/file.h"
+#include "generator.h"
+
+namespace fs = std::filesystem;
+
+namespace fusee::random_profiles {
+
+namespace {
+
+std::string fault_of_made(const batch::Row& row) {
+    if (!row.result.made || core::any_required(row.result.findings)) return "made in spite of a required change";
+    for (const char* file : {"report.json", "report.html", "springs.csv", "k_se.json", "k_se.stl", "k_pe.json", "k_pe.stl"})
+        if (!fs::is_regular_file(row.result.folder / file)) return fmt::format("{} is missing", file);
+    std::size_t arms = 0;
+    for (const core::Finding& f : row.result.findings) arms += f.rule == "readback.arm" ? 1 : 0;
+    if (arms < 4) return fmt::format("{} arms were read back; at least those of two readers for two parts are", arms);
+    if (!(row.result.worst_arm_error <= 1e-3)) return fmt::format("an arm is off by {}", row.result.worst_arm_error);
+    return "";
+}
+
+std::string fault_of_refused(const batch::Row& row) {
+    if (!core::any_required(row.result.findings)) return "refused without a required change";
+    if (!row.result.folder.empty()) return "refused and something was written";
+    for (const core::Finding& f : row.result.findings) {
+        if (f.severity != core::Severity::kRequired) continue;
+        if (f.rule.empty() || f.what.empty() || f.where.empty() || f.suggestion.empty())
+            return "a refusal without rule, place or suggestion: " + core::to_line(f);
+    }
+    return "";
+}
+
+}  // namespace
+
+std::vector<batch::Row> make_some(std::uint64_t seed, int first, int count, const fs::path& folder, unsigned jobs) {
+    fs::create_directories(folder);
+    std::vector<fs::path> profiles;
+    for (int i = first; i < first + count; ++i) {
+        profiles.push_back(folder / fmt::format("random_{:05}.toml", i));
+        core::write_file(profiles.back(), random_profile(seed, i));
+    }
+    pipeline::MakeOptions options;
+    options.out = folder / "out";
+    return batch::make_all(profiles, options, jobs);
+}
+
+std::string fault(const batch::Row& row) {
+    switch (row.outcome) {
+        case batch::Outcome::kMade:
+            return fault_of_made(row);
+        case batch::Outcome::kRefused:
+            return fault_of_refused(row);
+        default:
+            return fmt::format("{}: {}", to_string(row.outcome), row.error);
+    }
+}
+
+}  // namespace fusee::random_profiles

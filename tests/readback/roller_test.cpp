@@ -1,0 +1,95 @@
+#include <gtest/gtest.h>
+
+#include "exchange/fixtures/disc.h"
+#include "exchange/fixtures/expect_io_error.h"
+#include "fusee/core/file.h"
+#include "fusee/exchange/stl.h"
+#include "fusee/readback/readback.h"
+
+// A disc turns about a point beside its centre and pushes a roller: the roller's centre stays both radii from the disc's.
+namespace fusee::readback {
+namespace {
+
+using exchange::PartFile;
+using fixtures::Disc;
+
+constexpr double kRoller = 8.0, kLead = 2.6;  // [mm]; [rad] of the disc's centre before the follower's line
+
+/// The law of a disc whose rim is the floor of the fixture's groove.
+PartFile follower_part(const Disc& disc, double offset, int torque_sign) {
+    PartFile part;
+    part.part = "k_pe";
+    part.torque_sign = torque_sign;
+    part.rotation_sign = -torque_sign;
+    part.spring_kind = "compression";
+    part.spring_rate = 7460.0;
+    part.spring_preload = 14.6e-3;
+    part.provenance = "fusee test";
+    part.guide.kind = "roller";
+    const double beta = -torque_sign * kLead, rim = disc.radius_mm - 0.5 * disc.cable_mm, apart = rim + kRoller;
+    part.guide.direction = {std::cos(beta), std::sin(beta)};
+    part.guide.offset_mm = offset;
+    part.guide.radius_mm = kRoller;
+    for (int i = 0; i < 400; ++i) {
+        const double a = 1.6 * i / 399, along = disc.offset_mm * std::cos(kLead - a), across = disc.offset_mm * std::sin(kLead - a);
+        const double beside = across - offset, root = std::sqrt(apart * apart - beside * beside), s = along + root;
+        if (i == 0) part.guide.start_mm = s;
+        const double line = beta + torque_sign * a, x = s * std::cos(line) - torque_sign * offset * std::sin(line),
+                     y = s * std::sin(line) + torque_sign * offset * std::cos(line), share = rim / apart;
+        const double lift = s - part.guide.start_mm;
+        part.target.push_back({a,
+                               across + beside * along / root,
+                               part.spring_rate * (part.spring_preload + 1e-3 * lift),
+                               {disc.offset_mm + share * (x - disc.offset_mm), share * y, 0.0},
+                               lift});
+    }
+    return part;
+}
+
+class RollerReadBack : public fixtures::FolderTest {
+protected:
+    std::vector<ArmError> errors_of(PartFile part, const solid::Mesh& mesh) const {
+        exchange::write_stl(folder_ / "a.stl", mesh, "fusee test");
+        part.files = {{"a.stl", core::sha256_hex(core::read_file(folder_ / "a.stl")), mesh.triangles.size(), 0.002}};
+        exchange::write_part_file(folder_ / "a.json", part);
+        return read_back(folder_, exchange::read_part_file(folder_ / "a.json"));
+    }
+};
+
+// 1,000 columns leave the polygon 1e-4 mm inside the disc: 4e-6 of the spring's force, and steps of 1e-4 mm over 0.2 rad of an arm of 2 mm.
+constexpr double kFacets = 1e-4;
+
+TEST_F(RollerReadBack, DiscHasTheArmKnownByHand) {
+    for (const auto& [offset, sign] : {std::pair{0.0, 1}, {0.0, -1}, {2.0, 1}, {-1.5, -1}})
+        for (const ArmError& e : errors_of(follower_part({}, offset, sign), fixtures::disc_mesh({}))) {
+            EXPECT_LT(e.worst_relative, kFacets) << offset << ' ' << sign << " at " << e.worst_angle_rad;
+            EXPECT_EQ(e.rows, 400u);
+        }
+}
+
+// A rim 0.05 mm too far out lifts the follower by that: k 0.05 mm over the force, 0.3 % of 109 N.
+TEST_F(RollerReadBack, ARimTooLargeLoadsTheSpringMore) {
+    Disc wide;
+    wide.radius_mm += 0.05;
+    const ArmError e = errors_of(follower_part({}, 0.0, 1), fixtures::disc_mesh(wide)).front();
+    EXPECT_FALSE(e.passed());
+    EXPECT_NEAR(e.worst_relative, 7460.0 * 0.05e-3 / (7460.0 * 14.6e-3), 4e-4);  // and a slope that differs by beside/root^2
+}
+
+TEST_F(RollerReadBack, ALumpOnTheRimIsFound) {
+    Disc lump;
+    lump.bulge_mm = 0.05;
+    const PartFile part = follower_part({}, 0.0, 1);
+    const auto& c = part.target[200].contact_mm;
+    lump.bulge_at = std::atan2(c[1], c[0] - lump.offset_mm);
+    EXPECT_FALSE(errors_of(part, fixtures::disc_mesh(lump)).front().passed());
+}
+
+TEST_F(RollerReadBack, ALiftThatItsArmsDoNotGiveIsRefused) {
+    PartFile part = follower_part({}, 0.0, 1);
+    part.target[300].lift_mm += 0.01;
+    fixtures::expect_io_error([&] { (void)errors_of(part, fixtures::disc_mesh({})); }, {"target"});
+}
+
+}  // namespace
+}  // namespace fusee::readback

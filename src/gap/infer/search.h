@@ -23,8 +23,8 @@ struct SearchOptions {
     std::function<void(const std::string&)> told;  ///< of each part that is finished: five
 };
 
-/// Takes the price of a contradiction from every pair where no single effect beats none once the splits were asked: pairs were sought for the
-/// sake of a single one, and sizes that only make up for each other are no pair of causes.
+/// Takes the price of a contradiction from every pair where no single effect beats none once the splits were asked: pairs were sought for
+/// the sake of a single one, and sizes that only make up for each other are no pair of causes.
 /// @param effects how many each hypothesis has
 /// @param scores  of each [nat]
 void discount_unfounded(std::span<const std::size_t> effects, std::span<double> scores);

@@ -44,6 +44,15 @@ struct ExactMap {
     SurfaceMesh* mesh_ = nullptr;
 };
 
+/// A lazy number's double is the middle of the interval known of it, and that interval is as narrow as earlier predicates needed, in an
+/// order of addresses: only the exact number's double is the same from run to run.
+void round_exact_points(SurfaceMesh& mesh, const ExactMap& map) {
+    for (const auto v : mesh.vertices()) {
+        const auto& p = map.points[v];
+        mesh.point(v) = {CGAL::to_double(p.x().exact()), CGAL::to_double(p.y().exact()), CGAL::to_double(p.z().exact())};
+    }
+}
+
 /// Would a collapse to `target` turn any triangle around `moved` over?
 bool flips(const SurfaceMesh& mesh, SurfaceMesh::Halfedge_index towards_moved, const Kernel::Point_3& target) {
     for (const auto h : CGAL::halfedges_around_target(towards_moved, mesh)) {
@@ -104,6 +113,14 @@ Mesh from_surface_mesh(const SurfaceMesh& mesh) {
 
 }  // namespace
 
+// Which end of a short edge stays depends on the order of edges: it is taken from points in their own order, never from a cut as it comes.
+std::optional<Mesh> without_slivers(const Mesh& mesh) {
+    SurfaceMesh surface;
+    if (!to_surface_mesh(in_canonical_order(mesh), surface)) return std::nullopt;
+    collapse_short_edges(surface);
+    return in_canonical_order(from_surface_mesh(surface));
+}
+
 std::optional<Mesh> cut(const Mesh& body, const std::vector<Mesh>& tools) try {
     if (tools.empty()) return body;
     SurfaceMesh solid;
@@ -119,17 +136,10 @@ std::optional<Mesh> cut(const Mesh& body, const std::vector<Mesh>& tools) try {
             return std::nullopt;
     }
     solid.collect_garbage();
-    collapse_short_edges(solid);
-    return in_canonical_order(from_surface_mesh(solid));
+    round_exact_points(solid, solid_map);
+    return without_slivers(from_surface_mesh(solid));
 } catch (const std::exception&) {
     return std::nullopt;  // CGAL throws on an input that intersects itself; `validate` says so to the caller
-}
-
-std::optional<Mesh> without_slivers(const Mesh& mesh) {
-    SurfaceMesh surface;
-    if (!to_surface_mesh(mesh, surface)) return std::nullopt;
-    collapse_short_edges(surface);
-    return in_canonical_order(from_surface_mesh(surface));
 }
 
 }  // namespace fusee::solid

@@ -34,7 +34,7 @@ _fusee() {
         blind:--plant) choices='plant model' ;;
         check:--out | check:-o) _fusee_folders "$word"; return ;;
         check:--process) choices='fdm sla sls mill mill4 edm laser all' ;;
-        check:--profile) _fusee_files "$word" toml; return ;;
+        check:--profile | check:--limits) _fusee_files "$word" toml; return ;;
         check:--jobs | check:-j) return ;;
         design:--method) choices='algorithm_1 co_design pareto' ;;
         make:--jobs | make:-j | simulate:--jobs | simulate:-j | simulate:--levels | simulate:--push-torque | simulate:--at | design:--jobs | design:-j | paper:--jobs | paper:-j | diagnose:--jobs | diagnose:-j | fix:--most | blind:--seed | blind:--cases | blind:--seal | blind:--limit | blind:--jobs | blind:-j | design:--population | design:--generations | design:--seed) return ;;
@@ -101,7 +101,7 @@ _fusee() {
         paper:*) choices='--out --profiles --jobs --help' ;;
         check:*)
             case $word in
-                -*) choices='--process --profile --out --json --jobs --help' ;;
+                -*) choices='--process --profile --limits --out --json --jobs --help' ;;
                 *) _fusee_files "$word" toml stl obj 3mf step stp; return ;;
             esac ;;
         rules:*) choices='--json --help' ;;

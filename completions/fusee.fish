@@ -80,6 +80,7 @@ complete -c fusee -n '__fish_seen_subcommand_from paper' -s j -l jobs -x -d 'thr
 complete -c fusee -n '__fish_seen_subcommand_from check' -r -F
 complete -c fusee -n '__fish_seen_subcommand_from check' -l process -x -a 'fdm sla sls mill mill4 edm laser all' -d 'how it is made'
 complete -c fusee -n '__fish_seen_subcommand_from check' -l profile -r -F -d 'profile of the machine'
+complete -c fusee -n '__fish_seen_subcommand_from check' -l limits -r -F -d 'file of [[limits]] of your own'
 complete -c fusee -n '__fish_seen_subcommand_from check' -s o -l out -x -a '(__fish_complete_directories)' -d 'folder for the coloured mesh'
 complete -c fusee -n '__fish_seen_subcommand_from check' -l json -d 'as JSON'
 complete -c fusee -n '__fish_seen_subcommand_from check' -s j -l jobs -x -d 'threads'

@@ -137,6 +137,7 @@ _fusee() {
                     _arguments \
                         '--process[how it is made]:process:(fdm sla sls mill mill4 edm laser all)' \
                         '--profile[profile of the machine]:profile:_files -g "*.toml"' \
+                        '--limits[file of limits of your own]:limits:_files -g "*.toml"' \
                         '(-o --out)'{-o,--out}'[folder for the coloured mesh]:folder:_files -/' \
                         '--json[as JSON]' \
                         '(-j --jobs)'{-j,--jobs}'[threads]:number:' \

@@ -5,6 +5,7 @@
 
 #include "commands.h"
 #include "fusee/blind/score.h"
+#include "fusee/core/destination.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/core/progress.h"
@@ -62,9 +63,7 @@ int write_score(const ScoreArguments& arguments) {
         other.hash.clear();
         model = watched(other, "model = plant");
     }
-    std::error_code error;
-    fs::create_directories(arguments.out, error);
-    if (error) throw core::IoError(arguments.out.string(), "the folder cannot be made: " + error.message());
+    core::make_folder(arguments.out);
     core::write_file(arguments.out / "score.json", blind::score_json(score, model));
     core::write_file(arguments.out / "score.html", report::score_html(score, model));
     fmt::print("{}written: {}/score.html, score.json\n", report::score_text(score, model), arguments.out.string());

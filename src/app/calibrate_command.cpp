@@ -4,11 +4,11 @@
 #include <optional>
 
 #include "commands.h"
-#include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/pipeline/coupons.h"
 #include "fusee/pipeline/design.h"
 #include "fusee/report/calibration.h"
+#include "places.h"
 
 namespace fusee::app {
 
@@ -26,8 +26,7 @@ struct CalibrateArguments {
 void require_pair(const CalibrateArguments& arguments) {
     if (arguments.corrected.empty()) return;
     if (arguments.profile.empty()) throw core::InvalidInput("--profile", "missing", "the profile of the coupons, beside --write-profile");
-    if (fs::weakly_canonical(arguments.corrected) == fs::weakly_canonical(arguments.profile))
-        throw core::InvalidInput("--write-profile", arguments.corrected.string(), "another file than --profile, which stays as it is");
+    require_new_profile("--write-profile", arguments.corrected, arguments.profile);
 }
 
 int calibrate(const CalibrateArguments& arguments) {
@@ -37,7 +36,7 @@ int calibrate(const CalibrateArguments& arguments) {
     if (!arguments.profile.empty()) {
         toml = core::read_file(arguments.profile, profile::kLargestFile);
         profile = profile::parse_profile(toml, arguments.profile);
-        pipeline::require_parts(*profile);
+        with_places(*profile, [&] { pipeline::require_parts(*profile); });
     }
     const std::string bytes = core::read_file(arguments.sheet, kLargestSheet);
     const coupon::Sheet sheet = coupon::parse_sheet(bytes, arguments.sheet.string());

@@ -3,9 +3,9 @@
 #include <memory>
 
 #include "commands.h"
-#include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/pipeline/case_template.h"
+#include "places.h"
 
 namespace fusee::app {
 
@@ -27,17 +27,10 @@ void require_new(const fs::path& folder) {
         throw core::InvalidInput("--out", folder.string(), "a new or empty folder: what lies there would be replaced");
 }
 
-core::Outcome<gap::CaseTemplate> template_of(const profile::Profile& profile, const pipeline::CaseTemplateOptions& options) {
-    try {
-        return pipeline::case_template(profile, options);
-    } catch (const core::InvalidInput& e) {  // a room below knows the key, the profile its line
-        throw core::InvalidInput(profile.place_of(e.field()), e.value(), e.allowed());
-    }
-}
-
 int write_template(const CaseTemplateArguments& arguments) {
     require_new(arguments.out);
-    const auto made = template_of(profile::read_profile(arguments.profile), arguments.options);
+    const profile::Profile profile = profile::read_profile(arguments.profile);
+    const auto made = with_places(profile, [&] { return pipeline::case_template(profile, arguments.options); });
     if (!made) {
         for (const core::Finding& finding : made.refusal()) fmt::print(stderr, "{}\n", core::to_line(finding));
         return kRefused;

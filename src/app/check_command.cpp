@@ -7,8 +7,11 @@
 #include "fusee/checks/limits.h"
 #include "fusee/core/error.h"
 #include "fusee/exchange/mesh_file.h"
+#include "fusee/inspect/rule.h"
 #include "fusee/pipeline/check.h"
+#include "fusee/profile/limits.h"
 #include "mesh_check.h"
+#include "places.h"
 
 namespace fusee::app {
 
@@ -17,7 +20,7 @@ namespace {
 struct CheckArguments {
     std::filesystem::path input;
     std::string process;
-    std::filesystem::path profile, out;
+    std::filesystem::path profile, limits, out;
     bool json = false;
     unsigned jobs = 0;
 };
@@ -40,14 +43,13 @@ std::vector<checks::ProcessKind> kinds_of(const std::string& word) {
 }
 
 report::Checked check_profile(const CheckArguments& arguments) {
-    if (!arguments.out.empty() || !arguments.profile.empty())
-        throw core::InvalidInput("check", arguments.input.string(), "a mesh with --out and --profile; of a profile no file is written");
+    if (!arguments.out.empty() || !arguments.profile.empty() || !arguments.limits.empty())
+        throw core::InvalidInput(
+            "check", arguments.input.string(),
+            "a mesh with --out, --profile and --limits; of a profile no file is written, and it has its own [[limits]]");
     const profile::Profile profile = profile::read_profile(arguments.input);
-    try {
-        return pipeline::check(profile, arguments.process.empty() ? std::vector{profile.process.kind} : kinds_of(arguments.process));
-    } catch (const core::InvalidInput& e) {  // a room below knows the key, the profile its line
-        throw core::InvalidInput(profile.place_of(e.field()), e.value(), e.allowed());
-    }
+    const auto kinds = arguments.process.empty() ? std::vector{profile.process.kind} : kinds_of(arguments.process);
+    return with_places(profile, [&] { return pipeline::check(profile, kinds); });
 }
 
 /// How a mesh is to be made: by the profile's figures where they are for that process, else by the process's defaults.
@@ -55,6 +57,8 @@ std::vector<Machine> machines_for(const CheckArguments& arguments) {
     std::vector<Machine> machines;
     if (!arguments.profile.empty()) {
         const profile::Profile profile = profile::read_profile(arguments.profile);
+        if (!profile.has_parts)
+            throw core::InvalidInput("--profile", arguments.profile.string(), "a profile with [process], the machine that makes the mesh");
         const auto kinds = arguments.process.empty() ? std::vector{profile.process.kind} : kinds_of(arguments.process);
         for (const checks::ProcessKind kind : kinds) {
             const bool own = kind == profile.process.kind;
@@ -77,7 +81,12 @@ MeshCheck checked(const CheckArguments& arguments) {
     if (arguments.input.extension() == ".toml") return {check_profile(arguments), {}};
     if (!exchange::is_mesh_file(arguments.input))
         throw core::InvalidInput("check", arguments.input.string(), "a profile (.toml) or a mesh (.stl, .obj, .3mf, .step, .stp)");
-    return check_mesh(arguments.input, machines_for(arguments), arguments.out, arguments.jobs);
+    const auto limits =
+        arguments.limits.empty() ? std::vector<checks::Override>{} : profile::read_limits(arguments.limits, inspect::cards());
+    std::vector<Machine> machines = machines_for(arguments);
+    for (Machine& machine : machines)
+        if (!limits.empty()) machine.figures += "; [[limits]] of " + arguments.limits.filename().string();
+    return check_mesh(arguments.input, machines, limits, arguments.out, arguments.jobs);
 }
 
 int check(const CheckArguments& arguments) {
@@ -102,6 +111,8 @@ void add_check(CLI::App& app, Action& action) {
     command->add_option("--process", arguments->process, "How it is made, in place of the profile's; all: a table of all of them")
         ->check(CLI::IsMember(process_words()));
     command->add_option("--profile", arguments->profile, "Of a mesh: profile whose [process] states machine and limits");
+    command->add_option("--limits", arguments->limits,
+                        "Of a mesh: file of [[limits]] in the place of the rules' own, each with its reason");
     command->add_option("-o,--out", arguments->out, "Of a mesh: folder for NAME_check.3mf, which shows in colours where");
     command->add_flag("--json", arguments->json, "As JSON");
     command->add_option("-j,--jobs", arguments->jobs, "Threads for a mesh; 0 = one for each processor")->capture_default_str();

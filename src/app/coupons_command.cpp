@@ -4,6 +4,7 @@
 
 #include "commands.h"
 #include "fusee/pipeline/coupons.h"
+#include "places.h"
 
 namespace fusee::app {
 
@@ -14,7 +15,8 @@ struct CouponsArguments {
 };
 
 int coupons(const CouponsArguments& arguments) {
-    const pipeline::Coupons made = pipeline::make_coupons(profile::read_profile(arguments.profile), arguments.out);
+    const profile::Profile profile = profile::read_profile(arguments.profile);
+    const pipeline::Coupons made = with_places(profile, [&] { return pipeline::make_coupons(profile, arguments.out); });
     for (const core::Finding& finding : made.findings)
         if (finding.severity != core::Severity::kPass) fmt::print(stderr, "{}\n", core::to_line(finding));
     if (!made.made) return 1;

@@ -12,6 +12,7 @@
 #include "fusee/core/error.h"
 #include "fusee/core/progress.h"
 #include "fusee/profile/profile.h"
+#include "places.h"
 
 namespace fusee::app {
 
@@ -90,11 +91,7 @@ int say(const codesign::RunResult& result) {
 int design(const DesignArguments& arguments) {
     core::catch_interrupts();
     const profile::Profile profile = read(arguments);
-    try {
-        return say(watched(profile, arguments.options));
-    } catch (const core::InvalidInput& e) {  // a room below knows the key, the profile its line
-        throw core::InvalidInput(profile.place_of(e.field()), e.value(), e.allowed());
-    }
+    return with_places(profile, [&] { return say(watched(profile, arguments.options)); });
 }
 
 }  // namespace

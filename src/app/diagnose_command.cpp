@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "commands.h"
+#include "fusee/core/destination.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/core/progress.h"
@@ -51,9 +52,7 @@ int diagnose(const DiagnoseArguments& arguments) {
     const std::optional<RecutStep> recut = recut_step(arguments.profile, arguments.corrected, arguments.folder);
     const gap::Diagnosis found = diagnosis_of(arguments.folder, arguments.jobs);
     const std::string json = gap::diagnosis_json(found), page = report::diagnosis_html(found);
-    std::error_code error;
-    fs::create_directories(arguments.out, error);
-    if (error) throw core::IoError(arguments.out.string(), "the folder cannot be made: " + error.message());
+    core::make_folder(arguments.out);
     core::write_file(arguments.out / "diagnosis.html", page);
     core::write_file(arguments.out / "diagnosis.json", json);
     RecutStep::Told told;

@@ -3,10 +3,10 @@
 #include <memory>
 
 #include "commands.h"
-#include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/core/progress.h"
 #include "fusee/pipeline/fix.h"
+#include "places.h"
 
 namespace fusee::app {
 
@@ -23,28 +23,18 @@ struct FixArguments {
 };
 
 /// Beside the profile: "x-fixed.toml" of "x.toml".
-fs::path beside(const fs::path& profile) {
-    return profile.parent_path() / (profile.stem().string() + "-fixed" + profile.extension().string());
-}
-
-report::Fix found_for(const profile::Profile& profile, const std::string& toml, const pipeline::FixOptions& options) {
-    try {
-        return pipeline::fix(profile, toml, options);
-    } catch (const core::InvalidInput& e) {  // a room below knows the key, the profile its line
-        throw core::InvalidInput(profile.place_of(e.field()), e.value(), e.allowed());
-    }
-}
+fs::path beside(const fs::path& profile) { return profile.parent_path() / (profile.stem().string() + "-fixed.toml"); }
 
 int fix(const FixArguments& arguments) {
     core::catch_interrupts();
     pipeline::FixOptions options = arguments.options;
     if (options.file.empty()) options.file = beside(arguments.profile);
-    if (fs::weakly_canonical(options.file) == fs::weakly_canonical(arguments.profile))
-        throw core::InvalidInput("--out", options.file.string(), "another file than the profile, which stays as it is");
     options.progress = [](const std::string& step) { fmt::print(stderr, "fix: {}\n", step); };
     options.stop = core::interrupted;
     const std::string toml = core::read_file(arguments.profile, profile::kLargestFile);
-    const report::Fix found = found_for(profile::parse_profile(toml, arguments.profile), toml, options);
+    const profile::Profile profile = profile::parse_profile(toml, arguments.profile);
+    require_new_profile("--out", options.file, arguments.profile);
+    const report::Fix found = with_places(profile, [&] { return pipeline::fix(profile, toml, options); });
     if (!found.file.empty()) core::write_file(found.file, found.toml);
     const bool cannot = found.end == report::Fix::End::kCannot;
     if (arguments.json)

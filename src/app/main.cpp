@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "commands.h"
@@ -52,6 +53,9 @@ int main(int argc, char** argv) {
         fmt::print(stderr, "fusee: {}\n", e.what());
         return kBadInput;
     } catch (const core::IoError& e) {
+        fmt::print(stderr, "fusee: {}\n", e.what());
+        return kBadInput;
+    } catch (const std::system_error& e) {  // a full disk, a folder that is a file
         fmt::print(stderr, "fusee: {}\n", e.what());
         return kBadInput;
     } catch (const core::Stopped&) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "fusee/core/destination.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/core/provenance.h"
@@ -43,22 +44,22 @@ inspect::Body body_of(const solid::Mesh& mesh, const std::filesystem::path& file
 
 }  // namespace
 
-MeshCheck check_mesh(const std::filesystem::path& path, const std::vector<Machine>& machines, const std::filesystem::path& out,
-                     unsigned jobs) {
+MeshCheck check_mesh(const std::filesystem::path& path, const std::vector<Machine>& machines, const std::vector<checks::Override>& limits,
+                     const std::filesystem::path& out, unsigned jobs) {
     const exchange::MeshFile file = exchange::read_mesh_file(path);
+    if (!out.empty()) core::make_folder(out);
     const inspect::Body body = body_of(file.mesh, path, jobs);
     const std::string name = path.stem().string();
     MeshCheck result{{name, core::sha256_hex(core::read_file(path)), input_line(file, body, path.filename().string()), {}}, {}};
     std::vector<exchange::Colour> colours(body.mesh().triangles.size(), exchange::kGrey);
     for (const Machine& machine : machines) {
-        const std::vector<inspect::Marked> found = inspect::check({body, machine.process}, name);
+        const std::vector<inspect::Marked> found = inspect::check({body, machine.process, limits}, name);
         report::CheckedPart part{name, {}};
         for (const inspect::Marked& marked : found) part.findings.push_back(marked.finding);
         result.checked.processes.push_back({checks::to_string(machine.process.kind), machine.figures, machine.own, {}, {std::move(part)}});
         paint(colours, found);
     }
     if (out.empty()) return result;
-    std::filesystem::create_directories(out);
     result.coloured = out / (name + "_check.3mf");
     exchange::write_coloured_3mf(result.coloured, body.mesh(), colours, name,
                                  core::Provenance{name, result.checked.sha256, "check"}.line());

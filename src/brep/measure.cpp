@@ -10,8 +10,6 @@ namespace fusee::brep {
 
 namespace {
 
-constexpr double kAccuracy = 1e-6;  // of a volume
-
 std::size_t count_of(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind) {
     std::size_t count = 0;
     for (TopExp_Explorer at(shape, kind); at.More(); at.Next()) ++count;
@@ -24,7 +22,7 @@ std::size_t count_faces(const TopoDS_Shape& shape) { return count_of(shape, TopA
 
 double volume_mm3(const TopoDS_Shape& shape) {
     GProp_GProps properties;
-    BRepGProp::VolumePropertiesGK(shape, properties, kAccuracy, true, true);
+    BRepGProp::VolumeProperties(shape, properties);
     return properties.Mass();
 }
 

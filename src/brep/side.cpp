@@ -94,7 +94,7 @@ Nodes add_faces(Side& side, const std::vector<Strip>& strips, core::Range psi) {
     return nodes;
 }
 
-Side planar_side(const solid::Part& part, const solid::ColumnMaker& maker) {
+Side planar_side(const solid::Part& part, const solid::ColumnMaker& maker, int idle_parts) {
     const Section section(part);
     std::vector<Rail> lower = flange_rails(maker, false), upper = flange_rails(maker, true);
     lower.push_back(section.lower_lip());
@@ -105,7 +105,7 @@ Side planar_side(const solid::Part& part, const solid::ColumnMaker& maker) {
     add_ruled(strips, upper);
     Side side;
     BRepBuilderAPI_MakeWire low, high;
-    for (const core::Range& psi : smooth_parts(part.cam)) {
+    for (const core::Range& psi : smooth_parts(part.cam, idle_parts)) {
         const Nodes nodes = add_faces(side, strips, psi);
         low.Add(BRepBuilderAPI_MakeEdge(spline(lower.front(), nodes)));
         high.Add(BRepBuilderAPI_MakeEdge(spline(upper.back(), nodes)));
@@ -175,10 +175,10 @@ Side helix_side(const solid::Part& part, const solid::ColumnMaker& maker) {
 
 }  // namespace
 
-Side side_of(const solid::Part& part) {
+Side side_of(const solid::Part& part, int idle_parts) {
     const solid::Flanges flanges = solid::flanges_of(part.options);
     const solid::ColumnMaker maker(part.cam, part.section, flanges);
-    Side side = part.cam.closed() ? planar_side(part, maker) : helix_side(part, maker);
+    Side side = part.cam.closed() ? planar_side(part, maker, idle_parts) : helix_side(part, maker);
     side.z_low_mm = maker.z_low_mm();
     side.z_high_mm = maker.z_high_mm();
     side.lower_lip_mm = side.z_low_mm + flanges.rib_mm;

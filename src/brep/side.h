@@ -15,6 +15,7 @@ struct Side {
     double lower_lip_mm = 0.0;  ///< z of the lower flange's inner face
     double deviation_mm = 0.0;  ///< of the splines from their rails
 };
-[[nodiscard]] Side side_of(const solid::Part& part);
+/// @param idle_parts faces from end to end of a planar part's idle arc, in each strip
+[[nodiscard]] Side side_of(const solid::Part& part, int idle_parts);
 
 }  // namespace fusee::brep

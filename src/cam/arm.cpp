@@ -12,17 +12,17 @@ namespace fusee::cam {
 namespace {
 
 /// 1/S has to stay above the compliance, or the spool would have to be stiffer than rigid.
-void require_softer(const spring::SpringLaw& law, double compliance) {
+void require_softer(const spring::SpringLaw& law, double compliance, const char* key) {
     constexpr int kPlaces = 200;
-    core::require_within("k_se.cable_compliance_rad_per_Nm", compliance, 0.0, 1e6, "rad/Nm");
     if (compliance == 0.0) return;
     const core::Range loads = law.loads();
     double stiffest = 0.0;
     for (int i = 0; i <= kPlaces; ++i) stiffest = std::max(stiffest, law.at_load(loads.low + loads.width() * i / kPlaces).s);
     if (compliance * stiffest >= 1.0)
-        throw core::InvalidInput(
-            "k_se.cable_compliance_rad_per_Nm", fmt::format("{:.4g} rad/Nm", compliance),
-            fmt::format("below {:.4g} rad/Nm = 1/S of the law's stiffest place: a stiffer cable, or a softer law", 1.0 / stiffest));
+        throw core::InvalidInput(key, fmt::format("{:.4g} rad/Nm at the capstan", compliance),
+                                 fmt::format("below {:.4g} rad/Nm = 1/S of the law's stiffest place: a stiffer or shorter cable, or a "
+                                             "softer law",
+                                             1.0 / stiffest));
 }
 
 }  // namespace
@@ -41,8 +41,12 @@ ArmFunction::ArmFunction(PartKind kind, spring::SpringLawPtr law, spring::BaseSp
     core::require_positive("rig.capstan_radius", capstan_radius_, "m");
     core::require_within(part + ".radius_allowance", allowance_.radius, -1.0, 1.0, "m");
     core::require_within("compensation.cable_axis", allowance_.cable_axis, -1.0, 1.0, "m");
+    core::require_within(part + ".cable_give", allowance_.cable_give, 0.0, 1.0, "m/N");
+    pulled_ = spring::in_series_with_cable(base_, allowance_.cable_give);
     if (kind_ != PartKind::kSeries) return;
-    require_softer(*law_, allowance_.series_compliance);
+    core::require_within("k_se.cable_compliance_rad_per_Nm", allowance_.series_compliance, 0.0, 1e6, "rad/Nm");
+    behind_spool_ = allowance_.behind_spool(capstan_radius_);
+    require_softer(*law_, behind_spool_, allowance_.cable_give > 0.0 ? "k_se.cable_length_mm" : "k_se.cable_compliance_rad_per_Nm");
     least_series_torque_ = law_->at_load(law_->loads().low).f_se;
 }
 
@@ -51,7 +55,7 @@ ArmFunction ArmFunction::on(const spring::BaseSpring& base) const { return {kind
 /// The law's point with the cable's share taken off K_SE: same torque, the spool's own stiffness and energy.
 template <class Point>
 Point ArmFunction::behind_cable(Point p) const {
-    const double c = allowance_.series_compliance;
+    const double c = behind_spool_;
     if (c == 0.0) return p;
     const auto share = 1.0 - c * p.s;  // of the deflection that is left to the spool
     p.u_se -= 0.5 * c * (p.f_se * p.f_se - least_series_torque_ * least_series_torque_);
@@ -77,12 +81,13 @@ Arm ArmFunction::arm_of(const Point& law) const {
         a.bend = -a.arm * (rise * a.arm * a.arm + 3.0 * rate * a.slope) / force;
         a.tension = force;
     } else {
-        a.state = base_.state(p.u_pe);
+        const auto drawn = pulled_.state(p.u_pe);  // y + y0 and the cable's stretch
+        a.state = allowance_.cable_give == 0.0 ? drawn : pulled_.rate * drawn / base_.rate;
         a.angle = p.theta;
-        a.tension = base_.rate * a.state;
+        a.tension = pulled_.rate * drawn;
         a.arm = p.f_pe / a.tension;
-        a.slope = (p.p - base_.rate * a.arm * a.arm) / a.tension;
-        a.bend = (p.p_slope - 3.0 * base_.rate * a.arm * a.slope) / a.tension;
+        a.slope = (p.p - pulled_.rate * a.arm * a.arm) / a.tension;
+        a.bend = (p.p_slope - 3.0 * pulled_.rate * a.arm * a.slope) / a.tension;
     }
     a.travel = a.state - base_.preload;
     a.arm -= allowance_.on_arms();
@@ -96,9 +101,21 @@ ArmFunction ArmFunction::leaning(const Lean& lean) const {
     return other;
 }
 
+// docs/theory/cams.md, eq. 22. K_PE: every piece of cable that the cam draws is shared out the same way between spring and cable.
+Stretch ArmFunction::stretch(const spring::LawPoint& law, double tension) const {
+    if (kind_ == PartKind::kSeries) {
+        const double turn = behind_spool_ * (law.f_se - least_series_torque_);
+        return {capstan_radius_ * turn, turn, law.theta};
+    }
+    const double of_cable = allowance_.cable_give * pulled_.rate;
+    return {allowance_.cable_give * (tension - base_.rate * base_.preload), of_cable * law.theta, law.theta};
+}
+
 ArmPoint ArmFunction::at_load(double tau) const {
-    ArmPoint a = arm_of<ArmPoint>(law_->at_load(tau));
+    const spring::LawPoint law = law_->at_load(tau);
+    ArmPoint a = arm_of<ArmPoint>(law);
     a.tau = tau;
+    a.stretch = stretch(law, a.tension);
     return a;
 }
 

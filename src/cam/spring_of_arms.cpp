@@ -68,14 +68,16 @@ spring::PotentialPtr spring_of_arms(PartKind kind, std::span<const FoundArm> arm
     }
     math::require_table(angle, arm, 4, "angle", "arms");
     const Through cable(angle, arm);  // its integral is the cable that the cam has moved
+    const spring::BaseSpring pulled = spring::in_series_with_cable(base, allowance.cable_give);
+    const double behind_spool = allowance.behind_spool(capstan_radius);
     for (std::size_t i = 0; i < arm.size(); ++i) {
         const double moved = cable.sums()[i];
         if (kind == PartKind::kSeries) {
             const double tension = base.rate * (base.preload + angle[i] - angle[0]) / arm[i];
             torque.push_back(capstan_radius * tension);
-            travel.push_back(moved / capstan_radius + allowance.series_compliance * (torque[i] - torque[0]));
+            travel.push_back(moved / capstan_radius + behind_spool * (torque[i] - torque[0]));
         } else {
-            torque.push_back(base.rate * (base.preload + moved) * arm[i]);
+            torque.push_back(pulled.rate * (pulled.preload + moved) * arm[i]);
             travel.push_back(angle[i] - angle[0]);
         }
     }

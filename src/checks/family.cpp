@@ -12,7 +12,7 @@ constexpr std::string_view kRollerGroup = "roller";
 
 /// What only a cable's part has: groups as a whole, and single rules of the others.
 constexpr std::array<std::string_view, 4> kCableGroups{"cable", "groove", "mill4", "collision"};
-constexpr std::array<std::string_view, 15> kCableRules{"cam.arm_range",
+constexpr std::array<std::string_view, 16> kCableRules{"cam.arm_range",
                                                        "structure.anchor",
                                                        "structure.anchor_floor",
                                                        "structure.flange_bending",
@@ -22,6 +22,7 @@ constexpr std::array<std::string_view, 15> kCableRules{"cam.arm_range",
                                                        "sla.support",
                                                        "sls.groove",
                                                        "stack.plate",
+                                                       "stack.groove_width",
                                                        "stack.hole",
                                                        "stack.dowels",
                                                        "stack.climb",

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "fusee/checks/limits.h"
 #include "fusee/core/units.h"
 #include "measure.h"
 #include "rules.h"
@@ -16,6 +17,9 @@ core::Findings run(const Design& design, const Allowed& allowed) {
     f.what = fmt::format("length of the bore over its diameter of {:g} mm", core::mm_from_m(hub.bore_diameter));
     f.suggestion = fmt::format("{}.hub.boss_height_mm = {}", name(design),
                                up(core::mm_from_m(hub.boss_height) + (f.allowed - f.measured) * core::mm_from_m(hub.bore_diameter)));
+    if (hub.boss_diameter <= 0.0)
+        f.suggestion += fmt::format(" and {}.hub.boss_mm = {}", name(design),
+                                    up(core::mm_from_m(2.0 * (hub_reach(hub) + process_limits(design.process).loaded_wall))));
     return {f};
 }
 

@@ -1,8 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "fusee/checks/limits.h"
 #include "fusee/core/units.h"
 #include "measure.h"
@@ -16,8 +13,7 @@ namespace {
 core::Findings run(const Design& design, const Allowed& allowed) {
     const solid::HubOptions& hub = design.part.options.hub;
     if (hub.boss_diameter <= 0.0 || hub.boss_height <= 0.0) return {};
-    double reach = bore_radius(hub);
-    for (const Vec2& corner : key_corners(hub)) reach = std::max(reach, std::hypot(corner[0], corner[1]));
+    const double reach = hub_reach(hub);
     const ProcessLimits process = process_limits(design.process);
     core::Finding f = judge(core::mm_from_m(0.5 * hub.boss_diameter - reach),
                             {allowed("required", core::mm_from_m(process.wall)), allowed("review", core::mm_from_m(process.loaded_wall))});

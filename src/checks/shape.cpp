@@ -66,6 +66,12 @@ std::vector<Vec2> key_corners(const solid::HubOptions& hub) {
     return {{top, 0.5 * hub.key_width}, {top, -0.5 * hub.key_width}};
 }
 
+double hub_reach(const solid::HubOptions& hub) {
+    double reach = bore_radius(hub);
+    for (const Vec2& corner : key_corners(hub)) reach = std::max(reach, std::hypot(corner[0], corner[1]));
+    return reach;
+}
+
 double distance_to_bore(const solid::HubOptions& hub, Vec2 q) {
     double distance = std::hypot(q[0], q[1]) - bore_radius(hub);
     if (hub.lock == solid::HubLock::kKeyway)

@@ -29,6 +29,8 @@ Nearest distance_inside(const std::vector<cam::PathPoint>& path, double offset, 
 double bore_radius(const solid::HubOptions& hub);
 /// The keyway's outer corners, towards +x; empty without one.
 std::vector<Vec2> key_corners(const solid::HubOptions& hub);
+/// From the axis to the farthest point of bore and keyway.
+double hub_reach(const solid::HubOptions& hub);
 /// From `q`, outside, to the edge of bore or keyway.
 double distance_to_bore(const solid::HubOptions& hub, Vec2 q);
 

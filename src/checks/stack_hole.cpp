@@ -21,6 +21,8 @@ core::Findings run(const Design& design, const Allowed& allowed) {
     core::Finding f = judge(least.diameter / thickest, {allowed("review")});
     f.what = fmt::format("diameter of the smallest hole over the thickest plate, {:.2f} mm: {}", core::mm_from_m(thickest), least.what);
     f.suggestion = fmt::format("{}.{} = {}", name(design), least.key, up(core::mm_from_m(f.allowed * thickest)));
+    if (thickest > solid::core_thickness(design.part))
+        f.suggestion += fmt::format(", or groove.rib_mm = {}", down(core::mm_from_m(least.diameter / f.allowed)));
     return {f};
 }
 

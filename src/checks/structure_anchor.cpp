@@ -17,6 +17,7 @@ struct Neighbour {
     double wall;  ///< from the hole's edge [m]
     const char* what;
     bool from_inside = true;  ///< a smaller hole, its far edge still at the pitch curve, leaves more
+    bool turns = false;       ///< it may stand elsewhere
 };
 
 /// What the hole, axial from the groove's plane to the top, comes near to.
@@ -24,7 +25,7 @@ std::vector<Neighbour> neighbours(const Design& design, const cam::PathPoint& an
     const solid::PartOptions& options = design.part.options;
     std::vector<Neighbour> all;
     if (options.hub.kind == solid::HubKind::kThrough) all.push_back({distance_to_bore(options.hub, centre) - radius, "bore"});
-    if (has_slot(options.features)) all.push_back({leg_slot(options.features).distance(centre) - radius, "spring leg's slot"});
+    if (has_slot(options.features)) all.push_back({leg_slot(options.features).distance(centre) - radius, "spring leg's slot", true, true});
     if (design.part.cam.closed()) return all;
     std::vector<cam::PathPoint> above;  // turns that the hole passes on its way to the top
     for (const cam::PathPoint& p : contour(design.part.cam))
@@ -51,6 +52,9 @@ core::Findings run(const Design& design, const Allowed& allowed) {
     f.suggestion = nearest.from_inside && smaller > 0.0
                        ? fmt::format("{}.features.anchor_hole_mm = {}", name(design), down(core::mm_from_m(smaller)))
                        : fmt::format("{}.features.anchor_hole_mm = 0 and a knot or clamp outside the part", name(design));
+    if (nearest.turns)
+        f.suggestion += fmt::format(", or {}.features.leg_slot_angle_deg = {:.0f}", name(design),
+                                    core::deg_from_rad(std::atan2(-centre[1], -centre[0])));  // opposite the hole
     return {f};
 }
 

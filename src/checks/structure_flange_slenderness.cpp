@@ -14,6 +14,9 @@ core::Findings run(const Design& design, const Allowed& allowed) {
     core::Finding f = judge(height / options.groove.rib, {allowed("review")});
     f.what = fmt::format("height of the flange over the groove's floor, {:.2f} mm, over its thickness", core::mm_from_m(height));
     f.suggestion = fmt::format("groove.rib_mm = {}", up(core::mm_from_m(height / f.allowed)));
+    const double lower = options.flange_height - height + f.allowed * options.groove.rib;
+    if (options.flange_height > 0.0 && lower >= 0.0)
+        f.suggestion += fmt::format(", or {}.flange_height_mm = {}", name(design), down(core::mm_from_m(lower)));
     return {f};
 }
 

@@ -6,11 +6,10 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <system_error>
 
 #include "algorithm_1_judge.h"
 #include "curves.h"
-#include "fusee/core/error.h"
+#include "fusee/core/destination.h"
 #include "fusee/core/file.h"
 #include "fusee/core/units.h"
 #include "fusee/design/evolution.h"
@@ -81,9 +80,7 @@ design::EvolutionResult search(const design::Algorithm1& algorithm, const profil
     options.seed = static_cast<std::uint64_t>(profile.search.seed);
     options.jobs = run.jobs;
     if (!run.out.empty()) {
-        std::error_code error;
-        fs::create_directories(run.out, error);
-        if (error) throw core::IoError(run.out.string(), "the folder cannot be made: " + error.message());
+        core::make_folder(run.out);
         options.checkpoint = checkpoint_file(profile, run);
     }
     options.resume = run.resume;

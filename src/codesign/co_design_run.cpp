@@ -10,6 +10,7 @@
 #include "draft.h"
 #include "fusee/actuator/dead_band.h"
 #include "fusee/codesign/problem.h"
+#include "fusee/core/destination.h"
 #include "fusee/core/file.h"
 #include "fusee/core/units.h"
 #include "fusee/design/evolution.h"
@@ -51,7 +52,7 @@ struct Own {
 std::optional<Own> own_of(const profile::Profile& profile) {
     const auto designed = pipeline::design_law(profile);
     if (!designed) return std::nullopt;
-    return Own{designed->law, {pipeline::actuator_of(profile, designed->law), profile.k_se.spring, profile.k_pe.spring}};
+    return Own{designed->law, pipeline::drawing_of(profile, designed->law)};
 }
 
 /// What a shop's scatter makes of the design found and of the profile's own.
@@ -140,7 +141,7 @@ void write_all(const fs::path& folder, const report::SearchReport& report, const
 
 RunResult run_co_design(const profile::Profile& profile, const RunOptions& options) {
     const Problem problem(profile);
-    fs::create_directories(options.out);
+    core::make_folder(options.out);
     const design::EvolutionResult found = search(problem, options);
     RunResult result;
     result.interrupted = found.interrupted;

@@ -99,7 +99,7 @@ private:
     /// What a shop makes of the dead-band, and how many built joints have all of it on their springs: a percentile over the others would
     /// reward springs that end early.
     void judge_scatter() {
-        const design::Drawing drawing{pipeline::actuator_of(p_, law_), p_.k_se.spring, p_.k_pe.spring};
+        const design::Drawing drawing = pipeline::drawing_of(p_, law_);
         double least = 1.0;
         for (const double torque : options_.torques) {
             trial_.bands.push_back(design::robust_dead_band(drawing, torque, options_.scatter));

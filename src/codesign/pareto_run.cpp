@@ -10,6 +10,7 @@
 #include "draft.h"
 #include "front.h"
 #include "fusee/codesign/problem.h"
+#include "fusee/core/destination.h"
 #include "fusee/core/file.h"
 #include "fusee/core/units.h"
 #include "fusee/design/evolution.h"
@@ -133,7 +134,7 @@ Front search(const Problem& problem, const Problem& demanded, const RunOptions& 
 RunResult run_pareto(const profile::Profile& profile, const RunOptions& options) {
     const Problem demanded(profile);
     const Problem problem(with_share(demanded, against_size(demanded) ? kRadii.front() : kTravels.front()));
-    fs::create_directories(options.out);
+    core::make_folder(options.out);
     const Front front = search(problem, demanded, options);
     RunResult result;
     result.interrupted = front.interrupted;

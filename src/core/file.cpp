@@ -38,7 +38,10 @@ void write_file(const fs::path& path, std::string_view bytes) {
         throw IoError(path.string(), "cannot be written");
     }
     fs::rename(temporary, path, error);
-    if (error) throw IoError(path.string(), error.message());
+    if (!error) return;
+    const std::string why = error.message();
+    fs::remove(temporary, error);
+    throw IoError(path.string(), why);
 }
 
 void read_pieces(const fs::path& path, std::size_t largest, const std::function<void(std::string_view)>& take) {

@@ -28,6 +28,7 @@ public:
         if (!json_.contains(key)) throw core::IoError(file_.string(), full + " is missing");
         return {file_, full, json_.at(key)};
     }
+    [[nodiscard]] bool has(const char* key) const { return json_.is_object() && json_.contains(key); }
     [[nodiscard]] std::vector<Node> rows(bool may_be_empty) const {
         if (!json_.is_array()) fail("must be an array");
         if (json_.empty() && !may_be_empty) fail("must not be empty");

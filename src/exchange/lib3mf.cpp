@@ -17,7 +17,7 @@ void require(LIB3MFRESULT result, const Handle& object, const std::filesystem::p
     DWORD code = 0;
     LPCSTR message = nullptr;
     if (object.get() != nullptr) NMR::lib3mf_getlasterror(object.get(), &code, &message);
-    throw core::IoError(path.string(), fmt::format("lib3mf, {}: {} ({:x})", doing, message == nullptr ? "failed" : message, result));
+    throw core::IoError(path.string(), fmt::format("{} by lib3mf: {}", doing, message == nullptr ? "failed" : message));
 }
 
 std::string uuid_from(std::string_view text) {

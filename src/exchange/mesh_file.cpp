@@ -18,6 +18,8 @@ struct Format {
     const char* ending;
     MeshFile (*read)(const std::filesystem::path&);
 };
+constexpr double kFarthest_mm = 1e9;  // 3MF holds no coordinate beyond (lib3mf, NMR_MESH_MAXCOORDINATE)
+
 constexpr std::array kFormats = {Format{".stl", read_foreign_stl}, Format{".obj", read_foreign_obj}, Format{".3mf", read_foreign_3mf},
                                  Format{".step", read_foreign_step}, Format{".stp", read_foreign_step}};
 
@@ -38,8 +40,12 @@ MeshFile read_mesh_file(const std::filesystem::path& path) {
     MeshFile file = format->read(path);
     if (file.mesh.triangles.empty()) throw core::IoError(path.string(), "holds no triangles");
     for (std::size_t i = 0; i < file.mesh.points_mm.size(); ++i)
-        for (const double x : file.mesh.points_mm[i])
+        for (const double x : file.mesh.points_mm[i]) {
             if (!std::isfinite(x)) throw core::IoError(path.string(), fmt::format("point {} has a coordinate that is not finite", i));
+            if (std::abs(x) > kFarthest_mm)
+                throw core::IoError(path.string(),
+                                    fmt::format("point {} has a coordinate of {:g} mm; at most {:g} mm are read", i, x, kFarthest_mm));
+        }
     return file;
 }
 

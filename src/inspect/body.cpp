@@ -42,7 +42,16 @@ constexpr int kShrinkings = 40;                              // each halves the 
 constexpr double kTouches = 1e-4;                            // of the radius
 constexpr double kWall = -0.5, kSlot = -0.8660254037844386;  // cosines of 120 and 150 degrees
 constexpr double kParallel = core::rad_from_deg(5.0);
+constexpr double kRounding =
+    1e-10;                        // of the coordinates: what is hit nearer than that is the neighbour, past the edge that the ray starts on
 constexpr double kFeather = 0.6;  // of the way to where flat faces would meet; bent ones meet sooner
+
+double farthest(const solid::Box& box) {
+    double most = 0.0;
+    for (const Vec3& corner : {box.low_mm, box.high_mm})
+        for (const double x : corner) most = std::max(most, std::abs(x));
+    return most;
+}
 
 }  // namespace
 
@@ -104,7 +113,7 @@ void Body::place_components() {
 
 std::optional<Ball> ball_at(const Body& body, std::uint32_t triangle, const Vec3& at, const Vec3& side, double least_apart) {
     const auto hit = body.rays().first(at, side, triangle);
-    if (!hit || !(hit->distance_mm > 0.0)) return std::nullopt;
+    if (!hit || !(hit->distance_mm > kRounding * farthest(body.box()))) return std::nullopt;
     const double above = 0.5 * hit->distance_mm;
     double radius = above, apart = 1.0;  // cosine between the two contacts, seen from the ball's middle
     std::uint32_t contact = kNone;
@@ -112,7 +121,9 @@ std::optional<Ball> ball_at(const Body& body, std::uint32_t triangle, const Vec3
         const auto [nearest, there] = body.rays().nearest(at + radius * side);
         const Vec3 chord = nearest - at;
         if (length(nearest - (at + radius * side)) >= radius * (1.0 - kTouches)) break;
-        radius = dot(chord, chord) / (2.0 * dot(chord, side));
+        const double ahead = dot(chord, side);
+        if (!(ahead > 0.0)) return std::nullopt;  // by rounding the place itself, or its neighbour, is nearest
+        radius = dot(chord, chord) / (2.0 * ahead);
         const Vec3 middle = at + radius * side;
         apart = dot(at - middle, nearest - middle) / (radius * radius);
         contact = there;

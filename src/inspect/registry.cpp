@@ -17,16 +17,18 @@ std::span<const Rule> rules() {
     return all;
 }
 
-std::string rules_reference() {
-    std::vector<const checks::Card*> cards;
-    for (const Rule& rule : rules()) cards.push_back(&rule);
-    return checks::reference(cards);
+std::vector<const checks::Card*> cards() {
+    std::vector<const checks::Card*> all;
+    for (const Rule& rule : rules()) all.push_back(&rule);
+    return all;
 }
+
+std::string rules_reference() { return checks::reference(cards()); }
 
 std::vector<Marked> check(const Foreign& part, const std::string& name) {
     std::vector<Marked> all;
     for (const Rule& rule : rules()) {
-        auto marked = rule.measure(part, Allowed(rule, {}));
+        auto marked = rule.measure(part, Allowed(rule, part.overrides));
         if (!marked) continue;
         core::Finding& f = marked->finding;
         f.where = f.where.empty() ? name : name + " " + f.where;

@@ -38,6 +38,7 @@ core::Outcome<DesignedPart> design_part(cam::PartKind kind, const profile::Profi
     auto part = solid::build_part(*cam, spec.solid);
     if (!part) return part.refusal();
     core::Findings findings = checks::check({*part, spec.spring, profile.cable, profile.process, profile.limits});
+    core::append(findings, check_cable_length(*cam, profile));
     if (!core::any_required(findings)) core::append(findings, check_compensated(*part, profile, findings));
     if (core::any_required(findings)) return findings;
     return DesignedPart{std::move(part).value(), std::move(findings)};

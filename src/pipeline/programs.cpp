@@ -3,25 +3,9 @@
 #include "fusee/toolpath/program.h"
 #include "fusee/toolpath/read_back.h"
 #include "part_export.h"
+#include "tool.h"
 
 namespace fusee::pipeline {
-
-namespace {
-
-core::Finding unread(const solid::Part& part) {
-    core::Finding f;
-    f.rule = "readback.interpreter";
-    f.what = "G-code is interpreted by LinuxCNC's rs274 and the arm recomputed from its moves";
-    f.measured = toolpath::can_interpret() ? 1.0 : 0.0;
-    f.bound = core::Bound::kAtLeast;
-    f.allowed = 1.0;
-    f.where = to_string(part.cam.kind);
-    f.suggestion = "install the package linuxcnc-uspace and make again: the programs have not been read back";
-    f.source = "docs/theory/toolpaths.md";
-    return core::judged(f, core::Severity::kReview);
-}
-
-}  // namespace
 
 void write_programs(PartExport& out) {
     if (!out.profile.outputs.ngc) return;
@@ -33,7 +17,10 @@ void write_programs(PartExport& out) {
         core::write_file(path, program.text);
         out.state(path, 0, core::mm_from_m(settings.tolerance));
     }
-    out.findings.push_back(unread(out.part));
+    out.findings.push_back(
+        done_by({"readback.interpreter", "G-code is interpreted by LinuxCNC's rs274 and the arm recomputed from its moves",
+                 toolpath::can_interpret(), "linuxcnc-uspace", "the programs have not been read back", "docs/theory/toolpaths.md"},
+                out.part));
 }
 
 }  // namespace fusee::pipeline

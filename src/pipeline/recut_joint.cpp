@@ -15,9 +15,15 @@ namespace fusee::pipeline {
 
 namespace {
 
+/// What the cam pulls: K_PE's spring through its cable; K_SE's cable is on the other side of its spool.
+spring::BaseSpring pulled_spring(const profile::PartSpec& spec) {
+    if (spec.spring.kind == spring::BaseKind::kTorsion) return spec.spring;
+    return spring::in_series_with_cable(spec.spring, spec.allowance.cable_give);
+}
+
 spring::BuildError departure(const profile::PartSpec& cut_for, const profile::PartSpec& as_is) {
-    return {as_is.spring.rate / cut_for.spring.rate - 1.0, as_is.allowance.radius - cut_for.allowance.radius,
-            as_is.spring.preload - cut_for.spring.preload};
+    const spring::BaseSpring drawn = pulled_spring(cut_for), is = pulled_spring(as_is);
+    return {is.rate / drawn.rate - 1.0, as_is.allowance.radius - cut_for.allowance.radius, is.preload - drawn.preload};
 }
 
 double torque_error(const spring::Potential& built, const spring::Potential& law) {
@@ -35,16 +41,16 @@ double torque_error(const spring::Potential& built, const spring::Potential& law
 
 spring::PotentialPtr series_as_built(const Cams& cams, const profile::Profile& as_is) {
     const profile::PartSpec& cut_for = cams.profile->k_se;
+    const double radius = as_is.rig.capstan_radius;
     const spring::PotentialPtr spool =
-        spring::with_compliance(spring::resampled(spring::series_spring(cams.law)), -cut_for.allowance.series_compliance);
-    const spring::PotentialPtr built =
-        spring::make_built_spring(spool, cut_for.spring, as_is.rig.capstan_radius, departure(cut_for, as_is.k_se));
-    return spring::resampled(spring::with_compliance(built, as_is.k_se.allowance.series_compliance));
+        spring::with_compliance(spring::resampled(spring::series_spring(cams.law)), -cut_for.allowance.behind_spool(radius));
+    const spring::PotentialPtr built = spring::make_built_spring(spool, cut_for.spring, radius, departure(cut_for, as_is.k_se));
+    return spring::resampled(spring::with_compliance(built, as_is.k_se.allowance.behind_spool(radius)));
 }
 
 spring::PotentialPtr parallel_as_built(const Cams& cams, const profile::Profile& as_is) {
     const profile::PartSpec& cut_for = cams.profile->k_pe;
-    return spring::resampled(spring::make_built_spring(spring::resampled(spring::parallel_spring(cams.law)), cut_for.spring,
+    return spring::resampled(spring::make_built_spring(spring::resampled(spring::parallel_spring(cams.law)), pulled_spring(cut_for),
                                                        as_is.rig.capstan_radius, departure(cut_for, as_is.k_pe)));
 }
 

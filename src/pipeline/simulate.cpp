@@ -71,7 +71,9 @@ public:
           joint_(joint_of(profile, law)),
           path_joint_(path_joint_of(profile, law)),
           frame_(path_joint_of(profile, law, false)),
-          test_{.push_torque = push_torque} {}
+          test_{.push_torque = push_torque} {
+        if (profile.has_parts) drawing_ = drawing_of(profile, law);
+    }
 
     void fill(report::Simulation& simulation, const std::vector<double>& levels) {
         for (const double tau : levels) simulation.levels.push_back(level(tau));
@@ -101,7 +103,7 @@ private:
             level.noise = *noise;
         else
             gaps_.note("noise", noise.refusal());
-        if (profile_.has_parts) level.built = design::robust_dead_band({actuator_, profile_.k_se.spring, profile_.k_pe.spring}, tau).band;
+        if (drawing_) level.built = design::robust_dead_band(*drawing_, tau).band;
         return level;
     }
     [[nodiscard]] std::vector<report::MeasuredRow> measured() const {
@@ -116,6 +118,7 @@ private:
     actuator::Actuator actuator_;
     actuator::Joint joint_, path_joint_, frame_;
     actuator::ReleaseTest test_;
+    std::optional<design::Drawing> drawing_;  ///< where there are parts
     Gaps gaps_;
 };
 
@@ -192,6 +195,7 @@ core::Outcome<report::Simulation> simulate(const profile::Profile& profile, cons
     if (rig.arrangement == actuator::Arrangement::kPnrvsa) {
         simulation.findings = law->findings;
         JointSimulator(profile, law->law, push).fill(simulation, levels);
+        simulation.stretches = stretch_sides(profile, law->law);
         simulation.wraps = wrap_sides(profile, law->law);
     } else {
         for (const double tau : levels) simulation.levels.push_back(surveyed_level(arrangement, tau));

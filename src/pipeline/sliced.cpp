@@ -9,27 +9,11 @@
 #include "fusee/exchange/stl.h"
 #include "fusee/pipeline/design.h"
 #include "part_export.h"
+#include "tool.h"
 
 namespace fs = std::filesystem;
 
 namespace fusee::pipeline {
-
-namespace {
-
-core::Finding unsliced(const solid::Part& part) {
-    core::Finding f;
-    f.rule = "readback.slicer";
-    f.what = "the part is sliced by PrusaSlicer and the arm recomputed from its perimeters";
-    f.measured = exchange::can_slice() ? 1.0 : 0.0;
-    f.bound = core::Bound::kAtLeast;
-    f.allowed = 1.0;
-    f.where = to_string(part.cam.kind);
-    f.suggestion = "install the package prusa-slicer and make again: the part has not been sliced";
-    f.source = "docs/theory/read_back.md";
-    return core::judged(f, core::Severity::kReview);
-}
-
-}  // namespace
 
 void require_sliceable(const profile::Profile& profile) {
     if (!profile.outputs.sliced) return;
@@ -44,8 +28,11 @@ void require_sliceable(const profile::Profile& profile) {
 
 void write_sliced(PartExport& out) {
     if (!out.profile.outputs.sliced) return;
-    out.findings.push_back(unsliced(out.part));
-    if (!exchange::can_slice()) return;
+    const bool there = exchange::can_slice();
+    out.findings.push_back(done_by({"readback.slicer", "the part is sliced by PrusaSlicer and the arm recomputed from its perimeters",
+                                    there, "prusa-slicer", "the part has not been sliced", "docs/theory/read_back.md"},
+                                   out.part));
+    if (!there) return;
     const double layer_mm = core::mm_from_m(checks::process_limits(out.profile.process).layer);
     const fs::path stl = out.path("_to_slice.stl"), gcode = out.path(".gcode");
     const std::string provenance = out.provenance.line();

@@ -11,8 +11,9 @@ std::vector<report::WrapSide> wrap_sides(const profile::Profile& profile, const 
     for (const cam::PartKind kind : {cam::PartKind::kSeries, cam::PartKind::kParallel}) {
         const auto cam = design_cam(kind, profile, law);
         if (!cam || cam->has_roller()) continue;  // `make` says why there is no cam
-        const spring::BaseSpring& spring = kind == cam::PartKind::kSeries ? profile.k_se.spring : profile.k_pe.spring;
-        sides.push_back({kind, cam::wrap_loop(*cam, spring.rate, profile.rig.capstan_radius, profile.wrap)});
+        const profile::PartSpec& spec = spec_of(kind, profile);
+        const double rate = spring::in_series_with_cable(spec.spring, spec.allowance.cable_give).rate;
+        sides.push_back({kind, cam::wrap_loop(*cam, rate, profile.rig.capstan_radius, profile.wrap)});
     }
     return sides;
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "fusee/core/units.h"
+#include "fusee/profile/limits.h"
 #include "fusee/profile/profile.h"
 
 /// The list of keys: the one place that knows what may stand in a profile. Reading, refusing, writing and documenting all walk it.
@@ -71,7 +72,7 @@ struct Key {
 /// The known key that the writer of `path` most likely meant.
 [[nodiscard]] const Key& nearest_key(std::string_view path);
 [[nodiscard]] std::string nearest_table(std::string_view path);
-[[nodiscard]] const checks::Rule& nearest_rule(std::string_view id);
+[[nodiscard]] const checks::Card& nearest_rule(std::string_view id, const Cards& rules);
 
 /// Does the key have a meaning in this profile, as far as it is read?
 [[nodiscard]] bool applies(const Key& key, const Profile& profile);

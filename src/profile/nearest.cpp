@@ -62,11 +62,10 @@ std::string nearest_table(std::string_view path) {
     });
 }
 
-const checks::Rule& nearest_rule(std::string_view id) {
+const checks::Card& nearest_rule(std::string_view id, const Cards& rules) {
     id = id.substr(0, kLongestCompared);
-    const auto rules = checks::rules();
-    return *std::min_element(rules.begin(), rules.end(), [id](const checks::Rule& a, const checks::Rule& b) {
-        return edit_distance(id, a.id) < edit_distance(id, b.id);
+    return **std::min_element(rules.begin(), rules.end(), [id](const checks::Card* a, const checks::Card* b) {
+        return edit_distance(id, a->id) < edit_distance(id, b->id);
     });
 }
 

@@ -2,11 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
 #include "convert.h"
 #include "fusee/core/error.h"
+#include "fusee/core/file.h"
+#include "fusee/core/toml.h"
+#include "fusee/profile/profile.h"
 
 namespace fusee::profile {
 
@@ -21,7 +25,7 @@ std::string text_of(const toml::node& node) {
     return out.str().substr(0, kLongestShown);
 }
 
-std::string all_limits(const checks::Rule& rule) {
+std::string all_limits(const checks::Card& rule) {
     std::string all;
     for (const checks::Limit& limit : rule.limits) all += fmt::format("{}{} ({})", all.empty() ? "" : ", ", limit.key(), limit.text());
     return fmt::format("{} has {}", rule.id, all);
@@ -30,10 +34,10 @@ std::string all_limits(const checks::Rule& rule) {
 /// One table of the array.
 class Entry {
 public:
-    Entry(const toml::table& table, const std::string& file) : table_(table), file_(file) {}
+    Entry(const toml::table& table, const std::string& file, const Cards& rules) : table_(table), file_(file), rules_(rules) {}
 
     void read(std::vector<checks::Override>& into) const {
-        const checks::Rule& rule = this->rule();
+        const checks::Card& rule = this->rule();
         const std::string reason = text("reason", "why the limit may be another one, as text");
         const std::size_t before = into.size();
         for (const auto& [key, node] : table_) {
@@ -57,13 +61,14 @@ private:
             refuse(key, node->source(), text_of(*node), allowed);
         return node->as_string()->get();
     }
-    [[nodiscard]] const checks::Rule& rule() const {
+    [[nodiscard]] const checks::Card& rule() const {
         const std::string id = text("rule", "the id of a rule (docs/rules.md)");
-        if (const checks::Rule* found = checks::find_rule(id)) return *found;
+        const auto found = std::find_if(rules_.begin(), rules_.end(), [&](const checks::Card* card) { return card->id == id; });
+        if (found != rules_.end()) return **found;
         refuse("rule", table_.get("rule")->source(), fmt::format("unknown rule \"{}\"", id.substr(0, kLongestShown)),
-               fmt::format("nearest known one: {}", nearest_rule(id).id));
+               fmt::format("nearest known one: {}", nearest_rule(id, rules_).id));
     }
-    [[nodiscard]] const checks::Limit& limit_of(const checks::Rule& rule, const toml::key& key) const {
+    [[nodiscard]] const checks::Limit& limit_of(const checks::Card& rule, const toml::key& key) const {
         if (const checks::Limit* limit = rule.limit(key.str())) return *limit;
         const bool named = std::any_of(rule.limits.begin(), rule.limits.end(),
                                        [&](const checks::Limit& l) { return key.str() == l.name || key.str().starts_with(l.name + "_"); });
@@ -80,15 +85,32 @@ private:
 
     const toml::table& table_;
     const std::string& file_;
+    const Cards& rules_;
 };
 
 }  // namespace
 
-std::vector<checks::Override> read_overrides(const toml::node& node, const std::string& file) {
+Cards design_rules() {
+    Cards all;
+    for (const checks::Rule& rule : checks::rules()) all.push_back(&rule);
+    return all;
+}
+
+std::vector<checks::Override> read_overrides(const toml::node& node, const std::string& file, const Cards& rules) {
     if (!node.is_array_of_tables()) throw core::InvalidInput(place(file, node.source(), "limits"), "no array of tables", kShape);
     std::vector<checks::Override> limits;
-    for (const toml::node& entry : *node.as_array()) Entry(*entry.as_table(), file).read(limits);
+    for (const toml::node& entry : *node.as_array()) Entry(*entry.as_table(), file, rules).read(limits);
     return limits;
+}
+
+std::vector<checks::Override> read_limits(const std::filesystem::path& path, const Cards& rules) {
+    const toml::table table = core::parse_toml(core::read_file(path, kLargestFile), path.string());
+    for (const auto& [key, node] : table)
+        if (key.str() != "limits")
+            throw core::InvalidInput(place(path.string(), key.source(), key.str()), "has no meaning here", std::string("only ") + kShape);
+    const toml::node* limits = table.get("limits");
+    if (limits == nullptr) throw core::InvalidInput(path.string() + ": limits", "missing", kShape);
+    return read_overrides(*limits, path.string(), rules);
 }
 
 std::string overrides_toml(const std::vector<checks::Override>& limits) {

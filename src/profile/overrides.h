@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fusee/checks/check.h"
+#include "fusee/profile/limits.h"
 
 /// The tables [[limits]]: what a profile puts in the place of the rules' own limits.
 namespace fusee::profile {
@@ -12,7 +13,9 @@ namespace fusee::profile {
 /// @param node what stands under "limits" in the file
 /// @throws core::InvalidInput "file:line:column: limits.KEY": no array of tables; a rule that is not known; a limit that the rule does not
 /// have, one in another unit, one that is no finite number or stands twice; no limit or no reason
-[[nodiscard]] std::vector<checks::Override> read_overrides(const toml::node& node, const std::string& file);
+[[nodiscard]] std::vector<checks::Override> read_overrides(const toml::node& node, const std::string& file, const Cards& rules);
+/// Those that a profile may name.
+[[nodiscard]] Cards design_rules();
 
 /// The same as TOML.
 [[nodiscard]] std::string overrides_toml(const std::vector<checks::Override>& limits);

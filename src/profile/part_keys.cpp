@@ -15,10 +15,13 @@ std::vector<Key> body_keys(const std::string& part, PartSpec Profile::*member) {
                OF(solid.flange_height)),
         number(part + ".radius_allowance_mm", kMm, within(-100, 100),
                "what the rig adds to every arm (cable, overcut): the cam is cut with arms smaller by it", OF(allowance.radius)),
+        number(part + ".cable_length_mm", kMm, within(0, 1e5),
+               "unloaded, from the anchor on the cam to what it pulls; the cam is cut for its stretch; 0 = rigid", OF(cable_length)),
     };
     if (part == "k_se")
         all.push_back(number("k_se.cable_compliance_rad_per_Nm", kRadPerNm, within(0, 1e3),
-                             "of the cable behind the spool, at the capstan: the spool is cut stiffer by it; below 1/S of the law",
+                             "behind the spool, at the capstan, beyond what k_se.cable_length_mm says: as a diagnosis finds it; in all "
+                             "below 1/S of the law",
                              OF(allowance.series_compliance)));
     else
         all.insert(all.begin(),
@@ -117,7 +120,8 @@ std::vector<Key> roller_keys(const std::string& part, PartSpec Profile::*member)
 
 /// Does the key speak of the cable that a roller cam has not?
 bool of_cable(const Key& key, const std::string& part) {
-    for (const char* leaf : {".flange_height_mm", ".radius_allowance_mm", ".path.margin_deg", ".features.anchor_hole_mm"})
+    for (const char* leaf :
+         {".flange_height_mm", ".radius_allowance_mm", ".cable_length_mm", ".path.margin_deg", ".features.anchor_hole_mm"})
         if (key.path == part + leaf) return true;
     return key.table() == part + ".guide";
 }

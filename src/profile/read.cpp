@@ -65,8 +65,9 @@ public:
                 key.set(profile, convert(key, *found->second, file_));
             }
         }
-        if (limits_ != nullptr) profile.limits = read_overrides(*limits_, file_);
+        if (limits_ != nullptr) profile.limits = read_overrides(*limits_, file_, design_rules());
         check_knots(profile);
+        for (const PartSpec* part : {&profile.k_se, &profile.k_pe}) check_cable(*part, profile);
         for (const Order& order : kOrders) check(order, profile);
         for (const char* factor : kFactors) require_not_0(*find_key(factor), profile);
         for (const auto& [path, node] : nodes_) profile.places[path] = place(file_, node->source(), path);
@@ -122,6 +123,13 @@ private:
             if (knots->size() != loads.size())
                 refuse(path, fmt::format("{} numbers", knots->size()), fmt::format("as many as law.loads_Nm, {}", loads.size()));
     }
+    /// A length alone says nothing of how far a cable stretches.
+    void check_cable(const PartSpec& part, const Profile& profile) const {
+        if (part.cable_length <= 0.0 || profile.wrap.stiffness > 0.0) return;
+        const std::string path = &part == &profile.k_se ? "k_se.cable_length_mm" : "k_pe.cable_length_mm";
+        throw core::InvalidInput(place(file_, nodes_.at(path)->source(), path), "a length without stiffness",
+                                 "cable.stiffness_N above 0: E A of the cable, load over relative stretch");
+    }
     void check(const Order& order, const Profile& profile) const {
         const Key &low = *find_key(order.low), &high = *find_key(order.high);
         if (!applies(high, profile)) return;
@@ -145,6 +153,8 @@ void distribute(Profile& p) {
     if (!p.places.contains("outputs.formats")) p.outputs.plates = stacked;
     p.k_pe.solid.chordal_error = p.k_se.solid.chordal_error;
     p.k_pe.allowance.cable_axis = p.k_se.allowance.cable_axis;
+    for (PartSpec* part : {&p.k_se, &p.k_pe})
+        if (part->cable_length > 0.0) part->allowance.cable_give = part->cable_length / p.wrap.stiffness;
     p.k_se.cam.cable_diameter = p.k_pe.cam.cable_diameter = p.cable.diameter;
     if (p.k_pe.cam.family == cam::Family::kRoller) {  // neither cable nor anchor nor lips
         p.k_pe.cam.cable_diameter = p.k_pe.solid.features.anchor_hole_diameter = p.k_pe.solid.flange_height = 0.0;

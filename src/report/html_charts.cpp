@@ -6,6 +6,7 @@
 #include "figures.h"
 #include "html.h"
 #include "page.h"
+#include "stretch.h"
 #include "svg_plot.h"
 
 namespace fusee::report {
@@ -82,24 +83,26 @@ std::string cam_facts(const PartReport& report) {
     const double scale = torsion ? 1.0 : 1e3;
     const core::Range states{f.states.low * scale, f.states.high * scale};
     const core::Range loads{f.states.low * report.spring.rate, f.states.high * report.spring.rate};
-    return "<div class=\"card\">" +
-           html_facts({{"path", part.cam.closed() ? "planar, closed" : "helix"},
-                       {"lever arm", range_text(f.arms_mm, "mm")},
-                       {"cam travel", fmt::format("{} deg", number(deg_from_rad(f.travel)))},
-                       {"working arc", fmt::format("{} turns", number(part.cam.working_psi.width() / (2.0 * core::kPi), 3))},
-                       {"least radius of curvature", number(f.least_rho_mm) + " mm"},
-                       {"by interval arithmetic", certificate_text(report.certificate)},
-                       partner(part.cam, f),
-                       {"base spring", fmt::format("{} {}", number(report.spring.rate), torsion ? "Nm/rad" : "N/m")},
-                       {torsion ? "spring winding" : "spring travel", range_text(states, torsion ? "rad" : "mm")},
-                       {torsion ? "spring torque" : "spring force", range_text(loads, torsion ? "Nm" : "N")},
-                       {"box", fmt::format("{} x {} x {} mm", number(box.high_mm[0] - box.low_mm[0]),
-                                           number(box.high_mm[1] - box.low_mm[1]), number(box.high_mm[2] - box.low_mm[2]))},
-                       {"volume", fmt::format("{} mm\u00b3", number(solid::volume_mm3(part.mesh)))},
-                       {"mesh", fmt::format("{} triangles, within {} mm", part.mesh.triangles.size(), number(part.chordal_error_mm))},
-                       {"smallest angle, shortest edge", fmt::format("{} deg, {} mm", number(report.quality.smallest_angle_deg, 2),
-                                                                     number(report.quality.shortest_edge_mm, 2))}}) +
-           "</div>\n";
+    std::vector<std::pair<std::string, std::string>> facts{
+        {"path", part.cam.closed() ? "planar, closed" : "helix"},
+        {"lever arm", range_text(f.arms_mm, "mm")},
+        {"cam travel", fmt::format("{} deg", number(deg_from_rad(f.travel)))},
+        {"working arc", fmt::format("{} turns", number(part.cam.working_psi.width() / (2.0 * core::kPi), 3))},
+        {"least radius of curvature", number(f.least_rho_mm) + " mm"},
+        {"by interval arithmetic", certificate_text(report.certificate)},
+        partner(part.cam, f),
+        {"base spring", fmt::format("{} {}", number(report.spring.rate), torsion ? "Nm/rad" : "N/m")},
+        {torsion ? "spring winding" : "spring travel", range_text(states, torsion ? "rad" : "mm")},
+        {torsion ? "spring torque" : "spring force", range_text(loads, torsion ? "Nm" : "N")},
+        {"box", fmt::format("{} x {} x {} mm", number(box.high_mm[0] - box.low_mm[0]), number(box.high_mm[1] - box.low_mm[1]),
+                            number(box.high_mm[2] - box.low_mm[2]))},
+        {"volume", fmt::format("{} mm\u00b3", number(solid::volume_mm3(part.mesh)))},
+        {"mesh", fmt::format("{} triangles, within {} mm", part.mesh.triangles.size(), number(part.chordal_error_mm))},
+        {"smallest angle, shortest edge",
+         fmt::format("{} deg, {} mm", number(report.quality.smallest_angle_deg, 2), number(report.quality.shortest_edge_mm, 2))}};
+    if (const cam::ArmPoint& most = part.cam.working.back().arm; most.stretch.turn != 0.0)
+        facts.emplace_back("cable's stretch, cut for", stretch_text(most));
+    return "<div class=\"card\">" + html_facts(facts) + "</div>\n";
 }
 
 }  // namespace

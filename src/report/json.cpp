@@ -4,6 +4,7 @@
 #include "figures.h"
 #include "findings_json.h"
 #include "fusee/report/report.h"
+#include "stretch.h"
 
 namespace fusee::report {
 
@@ -72,7 +73,8 @@ Json spring_json(const spring::BaseSpring& s, const CamFigures& cam) {
 }
 
 Json cam_json(const solid::Part& part, const CamFigures& cam) {
-    return {{"path", part.cam.closed() ? "planar" : "helix"},
+    return {{"family", cam::to_string(part.cam.options.family)},
+            {"path", part.cam.closed() ? "planar" : "helix"},
             {"cable_diameter_mm", core::mm_from_m(part.cam.options.cable_diameter)},
             {"torque_sign", part.cam.options.torque_sign},
             {"rotation_sign", part.cam.rotation_sign},
@@ -115,9 +117,11 @@ Json mesh_json(const PartReport& report) {
 
 Json part_json(const PartReport& report) {
     const CamFigures cam = measure(report.part->cam);
+    Json on_cam = cam_json(*report.part, cam);
+    if (const cam::ArmPoint& most = report.part->cam.working.back().arm; most.stretch.turn != 0.0) on_cam["stretch"] = stretch_json(most);
     return {{"part", cam::to_string(report.part->cam.kind)},
             {"spring", spring_json(report.spring, cam)},
-            {"cam", cam_json(*report.part, cam)},
+            {"cam", std::move(on_cam)},
             {"certificate", certificate_json(report.certificate)},
             {"mesh", mesh_json(report)},
             {"findings", findings_json(report.findings)},

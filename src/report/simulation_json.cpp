@@ -3,6 +3,7 @@
 
 #include "findings_json.h"
 #include "fusee/report/simulation.h"
+#include "stretch.h"
 
 namespace fusee::report {
 
@@ -131,6 +132,12 @@ std::string simulation_json(const Simulation& s) {
         for (const cam::WrapRow& row : side.loop.rows) widest = std::max(widest, row.width());
         return Json{{"part", cam::to_string(side.part)}, {"dissipated_J", side.loop.dissipated}, {"widest_rad", widest}};
     });
+    if (!s.stretches.empty())
+        j["stretch"] = listed(s.stretches, [](const StretchSide& side) {
+            Json row{{"part", cam::to_string(side.part)}};
+            row.update(stretch_json(side.at));
+            return row;
+        });
     j["bearing"] = {{"constant_Nm", s.bearing.constant}, {"tension_share", s.bearing.tension_share}};
     j["findings"] = findings_json(s.findings);
     j["remarks"] = remarks(s);

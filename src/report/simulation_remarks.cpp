@@ -169,6 +169,7 @@ std::vector<std::string> remarks(const Simulation& s) {
                              missing_text(s, &DeadBand::protocol, "Nothing is read"), measured_text(s)})
         if (text) all.push_back(*text);
     all.push_back(frame_text(s));
+    if (!s.stretches.empty()) all.push_back(stretch_remark(s));
     if (!s.wraps.empty()) all.push_back(wrap_remark(s));
     return all;
 }

@@ -15,6 +15,7 @@ using core::kTurn;
 constexpr double kWidestStep = 0.12;  // [rad] between columns however small the radius: a round part looks round
 constexpr double kProud_mm = 0.3;     // that a flange widened by a boss, or a helix's, stands beyond the lips everywhere: no sliver faces
 constexpr double kBossRim_mm = 1.0;   // the lower flange reaches this far beyond a boss
+constexpr double kSpare = 1.5;        // run-outs are longer than their lips need to turn on about the axis
 
 }  // namespace
 
@@ -38,6 +39,7 @@ ColumnMaker::ColumnMaker(const cam::Cam& cam, const std::vector<SectionPoint>& s
 }
 
 void ColumnMaker::measure_helix() {
+    const core::Range groove = reach_;
     const auto farthest_lip = [&] {
         double farthest = 0.0;
         for (double a = reach_.low; a <= reach_.high; a += 0.01) {
@@ -46,17 +48,69 @@ void ColumnMaker::measure_helix() {
         }
         return farthest;
     };
-    // A lip turns on about the axis while it runs out to radius R only if it takes longer than h' R/(h rho).
     const double farthest = farthest_lip();
-    const auto run_out_at = [&](double psi) {
+    const auto first_width = [&](double psi) {
         const cam::PathPoint p = cam_.path(psi);
-        return std::clamp(1.5 * std::abs(p.slope) * core::m_from_mm(farthest) / (p.h * p.rho), 0.35, 2.0);
+        return std::clamp(kSpare * std::abs(p.slope) * core::m_from_mm(farthest) / (p.h * p.rho), 0.35, 2.0);
     };
-    reach_ = {reach_.low - run_out_at(reach_.low), reach_.high + run_out_at(reach_.high)};
-    circle_ = std::max(farthest_lip() + std::max(flanges_.upper_height_mm, kProud_mm), flanges_.core_radius_mm);
+    double low = first_width(groove.low), high = first_width(groove.high);
+    // The run-out itself reaches out farther than the groove: where its lips would turn back, it is laid again, longer.
+    for (bool enough = false; !enough;) {
+        reach_ = {groove.low - low, groove.high + high};
+        circle_ = std::max(farthest_lip() + std::max(flanges_.upper_height_mm, kProud_mm), flanges_.core_radius_mm);
+        const auto lengthened = [](double width, const RunOut& need) {
+            return need.land > width ? std::clamp(kSpare * need.land, width, kLongestRunOut) : width;
+        };
+        const double longer_low = lengthened(low, run_out_needed(false)), longer_high = lengthened(high, run_out_needed(true));
+        enough = longer_low == low && longer_high == high;
+        low = longer_low, high = longer_high;
+    }
     const double z0 = core::mm_from_m(cam_.path(reach_.low).z), z1 = core::mm_from_m(cam_.path(reach_.high).z);
     z_low_ += std::min(z0, z1);
     z_high_ += std::max(z0, z1);
+}
+
+namespace {
+
+/// A lip on its way out: (1 - s) L + s E, with L = f n + f' t on the contour's parallel, E = R n on the flange's edge and s the share of
+/// the run-out that is gone. `slope` counts outward along the run-out. [mm]
+struct Leaving {
+    double f, slope, rho, share, edge;
+
+    [[nodiscard]] double middle() const { return (1.0 - share) * f + share * edge; }
+    /// Angle over which the whole run-out has to be laid so that this lip turns on about a lip at a n + a' t; the axis is one at 0.
+    [[nodiscard]] double needed_about(double a, double a_slope) const {
+        const double out = middle() - a;
+        return (slope * out + ((1.0 - share) * slope - a_slope) * (edge - f)) / (out * ((1.0 - share) * rho + share * edge));
+    }
+};
+
+}  // namespace
+
+ColumnMaker::RunOut ColumnMaker::run_out_needed(bool high) const {
+    constexpr int kPlaces = 60;
+    constexpr double kMostForLand = 2.0;  // of what the axis asks for: a lip that leads its normal by little passes its neighbour upright
+    constexpr double kBeside = 0.1;  // of its distance from the axis: a lip that is no farther out than its neighbour passes it upright
+    const core::Range& groove = cam_.groove_psi;
+    const double sign = high ? 1.0 : -1.0, begin = high ? groove.high : groove.low;
+    const double width = high ? reach_.high - groove.high : groove.low - reach_.low;
+    const auto at_lip = [&](const cam::PathPoint& p) { return core::mm_from_m(p.h) + lip_; };
+    RunOut need;
+    for (int i = 0; i < kPlaces; ++i) {
+        const double share = static_cast<double>(i) / kPlaces, psi = begin + sign * share * width, beside = psi - sign * kTurn;
+        const cam::PathPoint p = cam_.path(psi);
+        if (!reach_.holds(beside) || sign * p.slope <= 0.0) continue;
+        const Leaving lip{at_lip(p), sign * core::mm_from_m(p.slope), core::mm_from_m(p.rho) + lip_, share, circle_};
+        const double about_axis = lip.needed_about(0.0, 0.0);
+        if (about_axis > need.width) need.width = about_axis, need.psi = psi;
+        need.land = std::max(need.land, about_axis);
+        if (!groove.holds(beside)) continue;
+        const cam::PathPoint other = cam_.path(beside);
+        if (lip.middle() - at_lip(other) > kBeside * lip.middle())
+            need.land = std::max(need.land,
+                                 std::min(kMostForLand * about_axis, lip.needed_about(at_lip(other), sign * core::mm_from_m(other.slope))));
+    }
+    return need;
 }
 
 std::vector<Stretch> ColumnMaker::stretches() const {
@@ -142,10 +196,7 @@ std::vector<Point2> upper_outline(const Part& part) {
     return outline;
 }
 
-double helix_radius_mm(const Part& part) {
-    const Vec3 p = ColumnMaker(part.cam, part.section, flanges_of(part.options)).upper_rails(0.0).back();
-    return std::hypot(p[0], p[1]);
-}
+double helix_radius_mm(const Part& part) { return ColumnMaker(part.cam, part.section, flanges_of(part.options)).helix_radius_mm(); }
 
 double crossing_at_zero(const std::vector<Point2>& ring) {
     double far = 0.0;

@@ -39,10 +39,9 @@ void validate_hub(const std::string& hub_of, const HubOptions& hub, double rib) 
     if (hub.lock == HubLock::kKeyway) require_mm(hub_of + "key_width", hub.key_width, 0.1, 0.9 * bore_mm);
     if (hub.lock == HubLock::kKeyway) require_mm(hub_of + "key_depth", hub.key_depth, 0.1, bore_mm);
     if (hub.lock == HubLock::kDFlat) require_mm(hub_of + "flat_depth", hub.flat_depth, 0.01, 0.45 * bore_mm);
-    if (hub.kind == HubKind::kOverhung || hub.lock == HubLock::kSetScrew) {
-        require_above_0_mm(hub_of + "boss_height", hub.boss_height);
-        require_mm(hub_of + "boss", hub.boss_diameter, 2.0 * bore_reach_mm(hub) + 0.2, 1000.0);
-    }
+    const bool on_boss = hub.kind == HubKind::kOverhung || hub.lock == HubLock::kSetScrew;
+    if (on_boss) require_above_0_mm(hub_of + "boss_height", hub.boss_height);
+    if (on_boss || hub.boss_height > 0.0) require_mm(hub_of + "boss", hub.boss_diameter, 2.0 * bore_reach_mm(hub) + 0.2, 1000.0);
     if (hub.kind == HubKind::kOverhung) require_mm(hub_of + "web", hub.web, 0.1, mm_from_m(rib) + boss_height_mm - 0.5);
     if (hub.lock == HubLock::kSetScrew) require_mm(hub_of + "screw", hub.screw_diameter, 0.5, 0.9 * boss_height_mm);
 }
@@ -120,6 +119,7 @@ core::Outcome<Part> outline_part(const cam::Cam& cam, const PartOptions& options
         cam.has_roller() ? rim_section(options) : groove_section(options.groove, cam.options.cable_diameter, 0.5 * options.chordal_error);
     if (core::Findings findings = check_room(cam, options, part.section); !findings.empty()) return findings;
     const ColumnMaker maker(cam, part.section, flanges_of(options));
+    if (core::Findings findings = check_run_outs(part, maker); !findings.empty()) return findings;
     part.z_low = core::m_from_mm(maker.z_low_mm());
     part.z_high = core::m_from_mm(maker.z_high_mm());
     part.chordal_error_mm = mm_from_m(options.chordal_error);

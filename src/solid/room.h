@@ -15,4 +15,9 @@ core::Finding refusal(const char* rule, std::string what, double measured, doubl
 /// Findings "solid.turns", "solid.floor", "solid.axis", "solid.anchor", "solid.bore"; none where there is.
 core::Findings check_room(const cam::Cam& cam, const PartOptions& options, const std::vector<SectionPoint>& section);
 
+class ColumnMaker;
+
+/// Can a helix's lips run out into its flange without turning back? Finding "solid.run_out"; none if they can.
+core::Findings check_run_outs(const Part& part, const ColumnMaker& maker);
+
 }  // namespace fusee::solid

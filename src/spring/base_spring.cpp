@@ -10,4 +10,11 @@ namespace fusee::spring {
 double BaseSpring::state(double energy) const { return std::sqrt(preload * preload + 2.0 * energy / rate); }
 math::Jet BaseSpring::state(const math::Jet& energy) const { return sqrt(preload * preload + 2.0 * energy / rate); }
 
+BaseSpring in_series_with_cable(BaseSpring base, double give) {
+    const double longer = 1.0 + base.rate * give;  // 1 without give, to the bit
+    base.rate /= longer;
+    base.preload *= longer;
+    return base;
+}
+
 }  // namespace fusee::spring

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "app/run.h"
@@ -51,6 +52,13 @@ TEST_F(Check, AllProcessesInOneTable) {
     EXPECT_EQ(Json::parse(one.out).at("processes").at(0), j.at("processes").at(0)) << "the table's own row is the check";
 }
 
+/// A rim has no groove that a plate could be too thin for.
+TEST_F(Check, ARollersRimByEachProcess) {
+    const Ended checked = run("check '" + fixtures::shipped("examples/roller_follower").string() + "' --process all");
+    EXPECT_EQ(checked.code, 0) << checked.all();
+    for (const char* word : {"nan", "stack.groove_width"}) EXPECT_EQ(checked.out.find(word), std::string::npos) << checked.out;
+}
+
 TEST_F(Check, LimitsOfAnotherProcessAreLeftOutAndNamed) {
     write("t.toml", core::read_file(fixtures::shipped("pnrvsa")) +
                         "\n[[limits]]\nrule = \"process.wall\"\nrequired_mm = 0.4\nreason = \"coupon\"\n"
@@ -83,6 +91,32 @@ TEST_F(Check, AMeshByTheMachineOfAProfile) {
         << "what is stated for the printer does not hold for the laser";
 }
 
+TEST_F(Check, AMeshByLimitsOfItsOwn) {
+    cube("thin.obj", 0.5);
+    write("ours.toml", "[[limits]]\nrule = \"mesh.wall\"\nrequired_mm = 0.4\nreview_mm = 0.6\nreason = \"coupon\"\n");
+    const Ended ours = run("check thin.obj --process fdm --limits ours.toml");
+    EXPECT_EQ(ours.code, 0) << ours.all();
+    expect_words(ours.out,
+                 {"review and accept: mesh.wall", "allowed at least 0.6 mm", "instead of 0.8 mm: coupon", "[[limits]] of ours.toml"});
+    const Json j = Json::parse(run("check thin.obj --process fdm --limits ours.toml --json").out);
+    const Json& findings = j.at("processes").at(0).at("parts").at(0).at("findings");
+    const auto wall = std::find_if(findings.begin(), findings.end(), [](const Json& f) { return f.at("rule") == "mesh.wall"; });
+    ASSERT_NE(wall, findings.end());
+    EXPECT_EQ(wall->at("overridden").at(0).at("reason"), "coupon");
+    const auto refused = [&](const std::string& text, std::initializer_list<std::string> words) {
+        write("bad.toml", text);
+        const Ended ended = run("check thin.obj --process fdm --limits bad.toml");
+        EXPECT_EQ(ended.code, 2) << ended.all();
+        expect_words(ended.err, words);
+    };
+    refused("[[limits]]\nrule = \"mesh.wal\"\nrequired_mm = 0.4\nreason = \"x\"\n", {"bad.toml:2:8: limits.rule", "mesh.wall"});
+    refused("[[limits]]\nrule = \"process.wall\"\nrequired_mm = 0.4\nreason = \"x\"\n", {"unknown rule \"process.wall\""});
+    refused("[[limits]]\nrule = \"mesh.wall\"\nrequired_mm = 0.4\n", {"limits.reason", "missing"});
+    refused("[process]\nkind = \"fdm\"\n", {"bad.toml:1:2: process", "has no meaning here"});
+    refused("", {"bad.toml", "limits", "missing"});
+    EXPECT_EQ(run("check " + pnrvsa() + " --limits ours.toml").code, 2) << "a profile has its own";
+}
+
 TEST_F(Check, OneThreadOrThreeSayTheSame) {
     cube("a.obj");
     EXPECT_EQ(run("check a.obj --process mill --json -j 1").out, run("check a.obj --process mill --json -j 3").out);
@@ -101,10 +135,15 @@ TEST_F(Check, BadInputIsNamed) {
     refused("a.obj --process wax", {"wax"});
     refused(pnrvsa() + " --out shown", {"--out", "a mesh"});
     refused("a.obj --profile missing.toml", {"missing.toml"});
+    refused("a.obj --profile '" + fixtures::shipped("relatives/series_elastic").string() + "'", {"--profile", "[process]"});
     write("b.stl", "solid x\nfacet normal 0 0 1\n");
     refused("b.stl --process fdm", {"b.stl", "endsolid"});
     write("line.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n");
     refused("line.obj --process fdm", {"line.obj"});
+    write("file", "");
+    refused("a.obj --process fdm --out file", {"file", "cannot be made"});
+    refused("a.obj --process fdm --out file/x", {"file/x", "cannot be made"});
+    refused(cube("far.obj", 1e10) + " --process fdm", {"far.obj", "1e+10 mm", "1e+09 mm"});
 }
 
 }  // namespace

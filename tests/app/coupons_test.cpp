@@ -38,6 +38,17 @@ TEST_F(Program, CalibrateNamesThePlaceOfWhatIsWrong) {
     const Ended alone = run("calibrate '" + example().string() + "' --write-profile new.toml");
     EXPECT_EQ(alone.code, 2);
     expect_words(alone.err, {"--profile"});
+    write("sheet.csv", core::read_file(example()));
+    const std::string pnrvsa = "'" + fixtures::shipped("pnrvsa").string() + "'";
+    const Ended over = run("calibrate sheet.csv --profile " + pnrvsa + " --write-profile sheet.csv");
+    EXPECT_EQ(over.code, 2) << "what was measured is not written over";
+    expect_words(over.err, {"--write-profile: sheet.csv", ".toml"});
+    EXPECT_EQ(core::read_file(folder_ / "sheet.csv"), core::read_file(example()));
+    for (const char* command : {"coupons ", "calibrate sheet.csv --profile "}) {
+        const Ended no_parts = run(command + ("'" + fixtures::shipped("relatives/series_elastic").string() + "'"));
+        EXPECT_EQ(no_parts.code, 2);
+        expect_words(no_parts.err, {"series_elastic.toml:", "rig.arrangement"});
+    }
     write("one.csv", "item,given,given_unit,measured,unit\nlength_x,60,mm,59.8,mm\n");
     const Ended little = run("calibrate one.csv");
     EXPECT_EQ(little.code, 1) << little.all();

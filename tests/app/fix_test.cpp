@@ -49,5 +49,19 @@ TEST_F(Program, NeverFixesOverTheOldProfile) {
     EXPECT_EQ(core::read_file(folder_ / "t.toml"), spoiled());
 }
 
+// Before it searches: nobody waits for a file that cannot be.
+TEST_F(Program, KnowsBeforeItFixesWhereItMayWrite) {
+    write("t.toml", spoiled());
+    write("data.csv", "1,2");
+    fs::create_directories(folder_ / "dir.toml");
+    for (const char* out : {"no/such.toml", "dir.toml", "t.toml/x.toml", "data.csv"}) {
+        const Ended wrong = run(std::string("fix t.toml --out ") + out);
+        EXPECT_EQ(wrong.code, 2) << out << wrong.all();
+        expect_words(wrong.err, {out});
+        EXPECT_EQ(wrong.err.find("judged"), std::string::npos) << wrong.err;
+    }
+    EXPECT_EQ(core::read_file(folder_ / "data.csv"), "1,2");
+}
+
 }  // namespace
 }  // namespace fusee::app

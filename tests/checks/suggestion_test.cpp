@@ -2,7 +2,6 @@
 
 #include <cstdlib>
 #include <map>
-#include <regex>
 
 #include "checks/known_bad.h"
 #include "fusee/core/change.h"
@@ -140,6 +139,7 @@ const std::map<std::string, std::function<void(Bench&, double)>>& keys() {
         {"cable.breaking_load_N", [](Bench& b, double v) { b.cable.breaking_load = v; }},
         {"flange_height_mm", [](Bench& b, double v) { b.part.options.flange_height = v * kMm; }},
         {"guide.distance_mm", set_guide_distance},
+        {"features.leg_slot_angle_deg", [](Bench& b, double v) { b.part.options.features.leg_slot_angle = core::rad_from_deg(v); }},
         {"hub.bore_mm", [](Bench& b, double v) { b.part.options.hub.bore_diameter = v * kMm; }},
         {"hub.clearance_mm", [](Bench& b, double v) { b.part.options.hub.bore_clearance = v * kMm; }},
         {"hub.boss_mm", [](Bench& b, double v) { b.part.options.hub.boss_diameter = v * kMm; }},
@@ -165,19 +165,22 @@ const std::map<std::string, std::function<void(Bench&, double)>>& keys() {
 
 class Followed : public testing::TestWithParam<Case> {};
 
-/// Each number that the rule suggests for such a key, followed by itself, takes the objection away.
+/// Each alternative that the rule suggests, as far as it is of such keys, takes the objection away.
 TEST_P(Followed, TakesTheObjectionAway) {
     const core::Finding f = gravest(GetParam().rule, bad(GetParam()));
-    static const std::regex kChange("(?:k_se\\.|k_pe\\.)?([a-z_]+(?:\\.[A-Za-z_]+)?) = ([-+0-9.e]+)");
-    for (std::sregex_iterator at(f.suggestion.begin(), f.suggestion.end(), kChange), end; at != end; ++at) {
-        const auto key = keys().find((*at)[1]);
-        if (key == keys().end()) continue;
+    for (const core::Changes& changes : core::suggested_changes(f.suggestion)) {
         Bench b = bad(GetParam());
-        key->second(b, std::stod((*at)[2]));
+        std::string followed;
+        for (const core::Change& change : changes) {
+            const bool of_part = change.key.starts_with("k_se.") || change.key.starts_with("k_pe.");
+            const auto key = keys().find(of_part ? change.key.substr(5) : change.key);
+            if (key == keys().end()) continue;
+            key->second(b, std::stod(change.value));
+            followed += change.key + " = " + change.value + '\n';
+        }
+        if (followed.empty()) continue;
         for (const core::Finding& after : run_rule(GetParam().rule, b))
-            EXPECT_LT(after.severity, f.severity) << key->first << " = " << (*at)[2] << '\n'
-                                                  << core::to_line(f) << '\n'
-                                                  << core::to_line(after);
+            EXPECT_LT(after.severity, f.severity) << followed << core::to_line(f) << '\n' << core::to_line(after);
     }
 }
 

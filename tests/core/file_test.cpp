@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "fusee/core/destination.h"
 #include "fusee/core/error.h"
 
 namespace fs = std::filesystem;
@@ -35,6 +36,30 @@ TEST_F(FileTest, WritesReadsAndLeavesNothingElse) {
     EXPECT_THROW((void)read_file(folder_ / "missing"), IoError);
     EXPECT_THROW((void)read_file(folder_), IoError);
     EXPECT_THROW(write_file(folder_ / "no" / "such" / "folder", "x"), IoError);
+}
+
+TEST_F(FileTest, AFolderInTheWayIsRefusedAndNothingIsLeft) {
+    fs::create_directories(folder_ / "a");
+    EXPECT_THROW(write_file(folder_ / "a", "x"), IoError);
+    EXPECT_EQ(entries(), 1u);
+}
+
+TEST_F(FileTest, WhatCannotBeWrittenIsKnownBefore) {
+    write_file(folder_ / "a", "one");
+    require_writable(folder_ / "a");
+    require_writable(folder_ / "new");
+    EXPECT_EQ(read_file(folder_ / "a"), "one");
+    EXPECT_EQ(entries(), 1u);
+    for (const char* wrong : {"", "no/such/folder", "a/b"}) EXPECT_THROW(require_writable(folder_ / wrong), IoError) << wrong;
+}
+
+TEST_F(FileTest, MakesFoldersUnlessAFileIsInTheWay) {
+    make_folder(folder_ / "a" / "b");
+    make_folder(folder_ / "a" / "b");
+    EXPECT_TRUE(fs::is_directory(folder_ / "a" / "b"));
+    write_file(folder_ / "c", "x");
+    EXPECT_THROW(make_folder(folder_ / "c"), IoError);
+    EXPECT_THROW(make_folder(folder_ / "c" / "d"), IoError);
 }
 
 TEST_F(FileTest, StagedFolderReplacesAsAWhole) {

@@ -116,6 +116,9 @@ TEST_F(MeshFileTest, NamesWhatIsWrong) {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     std::memcpy(bytes.data() + 84 + 12, &nan, sizeof nan);
     expect(write("nan.stl", bytes), "not finite");
+    const float far = 1e10F;  // no 3MF could show it
+    std::memcpy(bytes.data() + 84 + 12, &far, sizeof far);
+    expect(write("far.stl", bytes), "1e+10 mm; at most 1e+09 mm");
     expect(write("nan.obj", "v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n"), "");
     expect(write("points.obj", "v 0 0 0\nv 1 0 0\n"), "");
     expect(write("text.3mf", "this is no zip"), "lib3mf");

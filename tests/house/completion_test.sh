@@ -46,13 +46,13 @@ expect_same 'makers' 'model|plant' "$(after fusee blind make --plant '')"
 expect_same 'methods' 'algorithm_1|co_design|pareto' "$(after fusee design --method '')"
 expect_same 'options of paper' '--help|--jobs|--out|--profiles' "$(after fusee paper -)"
 expect_same 'folder of profiles' 'some folder' "$(after fusee paper --profiles '')"
-expect_same 'options of check' '--help|--jobs|--json|--out|--process|--profile' "$(after fusee check a.toml -)"
+expect_same 'options of check' '--help|--jobs|--json|--limits|--out|--process|--profile' "$(after fusee check a.toml -)"
 expect_same 'what is checked' 'my arm.toml|some folder' "$(after fusee check '')"
 expect_same 'processes' 'all|edm|fdm|laser|mill|mill4|sla|sls' "$(after fusee check --process '')"
 expect_same 'options of rules' '--help|--json' "$(after fusee rules -)"
 expect_same 'shells' 'bash|fish|zsh' "$(after fusee completion '')"
 
-for word in make simulate diagnose predict case-template effects inputs profile write-profile levels push-torque design method population generations seed resume identify coupons calibrate blind seal score cases plant model limit again paper check process profiles keys rules completion out via jobs cgal openscad help version; do
+for word in make simulate diagnose predict case-template effects inputs profile write-profile levels push-torque design method population generations seed resume identify coupons calibrate blind seal score cases plant model limit again paper check process limits profiles keys rules completion out via jobs cgal openscad help version; do
     for shell in bash zsh fish; do
         grep -qw -- "$word" "$completions/fusee.$shell" || fail "fusee.$shell does not know '$word'"
     done

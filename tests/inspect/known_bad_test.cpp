@@ -124,6 +124,7 @@ std::vector<Case> cases() {
         {"mesh.overhang", "a table", kFdm, tower({{rectangle(10, 10), 10}, {square, 15}}), tower({{square, 5}, {rectangle(10, 10), 15}}),
          kReview, 300, 25},
         {"mesh.hole", "small", kFdm, drilled(1.5, 10), drilled(2.5, 10), kRequired, 1.5, 2.0},
+        {"mesh.hole", "a hair small", kFdm, drilled(1.99, 10), drilled(1.999, 10), kRequired, 1.99, 2.0},
         {"mesh.hole_depth", "long drill", kMill, drilled(1.0, 12), drilled(3.0, 12), kRequired, 12, 10},
         {"mesh.hole_depth", "rather long drill", kMill, drilled(2.0, 12), drilled(3.0, 12), kReview, 6, 4},
         {"mesh.hole_depth", "powder", kSls, sunk(square, polygon(2, 24), 20, 8), drilled(2, 20), kReview, 6, 5},

@@ -55,6 +55,24 @@ TEST(Walls, DoNotChangeWithTheFrame) {
     EXPECT_NEAR(least_wall(Body(turned(mesh), 4000, 1)), 1.5, 1e-6);
 }
 
+/// A tube whose coordinates are rounded to single precision, as those of an STL: from an edge the ray may hit the neighbour at once.
+TEST(Walls, OnAnEdgeAreNoFailure) {
+    solid::Mesh mesh = turned(sunk(polygon(20, 200), polygon(17, 200), 30));
+    for (solid::Vec3& p : mesh.points_mm)
+        for (double& x : p) x = static_cast<float>(x);
+    const Body tube(mesh, 100, 1);
+    for (std::uint32_t t = 0; t < tube.mesh().triangles.size(); ++t)
+        for (int i = 0; i < 3; ++i) {
+            const solid::Triangle& c = tube.mesh().triangles[t];
+            const solid::Vec3 &p = tube.mesh().points_mm[c[i]], &q = tube.mesh().points_mm[c[(i + 1) % 3]], &n = tube.normals()[t];
+            const solid::Vec3 middle{0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1]), 0.5 * (p[2] + q[2])};
+            for (const double side : {-1.0, 1.0}) {
+                const auto ball = ball_at(tube, t, middle, {side * n[0], side * n[1], side * n[2]}, -0.5);
+                EXPECT_TRUE(!ball || ball->touching_mm > 0.0) << "triangle " << t;
+            }
+        }
+}
+
 TEST(Samples, SharesAddUpToTheSurface) {
     const Body body(block(20, 30, 10), 4000, 1);
     double whole = 0.0;

@@ -1,5 +1,6 @@
-// random_profiles COUNT SEED FOLDER: the long test. Makes COUNT random designs there, a hundred at a time, keeps what ended wrong and
-// prints how many were made and what bound the others (docs/random-profiles.md). Exit code 1 if any ended wrong.
+// random_profiles COUNT SEED FOLDER [FIRST]: the long test. Makes COUNT random designs there, a hundred at a time, from number FIRST (0)
+// on, keeps what ended wrong and prints how many were made and what bound the others (docs/random-profiles.md). Exit code 1 if any ended
+// wrong. Ctrl-C ends it with the tally of those that are finished, and with the FIRST to go on from.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +10,7 @@
 #include <set>
 #include <vector>
 
+#include "fusee/core/progress.h"
 #include "judge.h"
 
 namespace fs = std::filesystem;
@@ -50,20 +52,26 @@ struct Tally {
 }  // namespace
 
 int main(int argc, char** argv) {
-    if (argc != 4) {
-        fmt::print(stderr, "usage: random_profiles COUNT SEED FOLDER\n");
+    if (argc != 4 && argc != 5) {
+        fmt::print(stderr, "usage: random_profiles COUNT SEED FOLDER [FIRST]\n");
         return 2;
     }
-    const int count = std::atoi(argv[1]);
+    const int first = argc == 5 ? std::atoi(argv[4]) : 0, end = first + std::atoi(argv[1]);
     const auto seed = std::strtoull(argv[2], nullptr, 10);
+    core::catch_interrupts();
     Tally tally;
-    for (int first = 0; first < count; first += kAtATime) {
-        const fs::path folder = fs::path(argv[3]) / fmt::format("from_{:05}", first);
-        const int wrong = tally.wrong;
-        for (const batch::Row& row : random_profiles::make_some(seed, first, std::min(kAtATime, count - first), folder, 0))
-            tally.count(row);
+    int next = first;
+    while (next < end && !core::interrupted()) {
+        const fs::path folder = fs::path(argv[3]) / fmt::format("from_{:05}", next);
+        const int count = std::min(kAtATime, end - next), wrong = tally.wrong;
+        const std::vector<batch::Row> rows = random_profiles::make_some(seed, next, count, folder, 0);
+        if (core::interrupted()) break;  // a hundred of which some were not begun is made again
+        for (const batch::Row& row : rows) tally.count(row);
         if (tally.wrong == wrong) fs::remove_all(folder);
+        next += count;
+        fmt::print(stderr, "{}: {} made, {} refused, {} wrong\n", next, tally.made, tally.refused, tally.wrong);
     }
+    fmt::print("designs {} to {} of seed {}\n", first, next - 1, seed);
     tally.print();
     return tally.wrong > 0 ? 1 : 0;
 }

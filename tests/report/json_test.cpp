@@ -38,6 +38,7 @@ TEST(ReportJson, HoldsWhatItDocuments) {
     EXPECT_EQ(spool["findings"][1]["severity"], "review and accept");
     EXPECT_EQ(spool["findings"][1]["place"]["point_mm"].size(), 3u);
     EXPECT_EQ(j["parts"][1]["cam"]["path"], "helix");
+    EXPECT_EQ(j["parts"][1]["cam"]["family"], "cable");
     EXPECT_EQ(j["files"][0]["name"], "springs.csv");
 }
 
@@ -45,6 +46,12 @@ TEST(ReportJson, TextsThatAreNoUtf8DoNotLoseTheReport) {
     const Fixture fixture("bad\xFF");
     const auto j = nlohmann::json::parse(report_json(fixture.design));
     EXPECT_EQ(j["name"], "bad\uFFFD");
+}
+
+TEST(ReportJson, NamesTheFamilyOfACam) {
+    Fixture fixture;
+    fixture.spool.cam.options.family = cam::Family::kRoller;
+    EXPECT_EQ(nlohmann::json::parse(report_json(fixture.design))["parts"][0]["cam"]["family"], "roller");
 }
 
 TEST(Verdict, IsTheGravestOfAllFindingsAndReadings) {

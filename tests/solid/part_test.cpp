@@ -157,13 +157,22 @@ TEST(Part, RefusesWithTheBindingLimit) {
 }
 
 TEST(Part, NamesTheBadOption) {
-    PartOptions o;
-    o.hub.key_width = 10e-3;
-    try {
-        (void)build_part(disc(), o);
-        FAIL() << "a key wider than the bore was accepted";
-    } catch (const core::InvalidInput& e) {
-        EXPECT_EQ(e.field(), "k_se.hub.key_width_mm");
+    const auto expect_refused = [](const PartOptions& o, const std::string& field) {
+        try {
+            (void)build_part(disc(), o);
+            FAIL() << field << " was accepted";
+        } catch (const core::InvalidInput& e) {
+            EXPECT_EQ(e.field(), field);
+        }
+    };
+    PartOptions wide_key;
+    wide_key.hub.key_width = 10e-3;
+    expect_refused(wide_key, "k_se.hub.key_width_mm");
+    PartOptions boss;
+    boss.hub.boss_height = 1e-3;
+    for (const double diameter : {0.0, 5e-3}) {  // none, and one within the bore
+        boss.hub.boss_diameter = diameter;
+        expect_refused(boss, "k_se.hub.boss_mm");
     }
 }
 

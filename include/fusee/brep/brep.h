@@ -12,12 +12,12 @@ namespace fusee::brep {
 struct Brep {
     std::shared_ptr<const TopoDS_Shape> shape;  ///< OpenCASCADE's, in millimetres, body frame
     std::size_t faces = 0;
-    double volume_mm3 = 0.0;
+    double volume_mm3 = 0.0;    ///< as clients read it (measure.h)
     double deviation_mm = 0.0;  ///< of the spline faces from the analytic surface, greatest found half-way between their nodes
 };
 
 /// Builds it from the parametric surface (docs/theory/cams.md); Booleans only for anchor hole, leg slot, mark and set screw.
-/// Refusals: "brep.validity" (not one valid solid, or its volume is not that of the mesh within 0.05 %).
+/// Refusals: "brep.validity" (not one valid solid, or its volume by OpenCASCADE's default integral is not that of the mesh within 0.05 %).
 [[nodiscard]] core::Outcome<Brep> build(const solid::Part& part);
 
 }  // namespace fusee::brep

@@ -17,6 +17,14 @@ enum class PartKind {
 };
 [[nodiscard]] const char* to_string(PartKind kind);  ///< "k_se", "k_pe"
 
+/// What the cable gives way from the law's lowest load on, and what that takes of the capstan's travel.
+struct Stretch {
+    double length = 0.0;  ///< [m]
+    double turn = 0.0;    ///< of the capstan, spent on it [rad]
+    double travel = 0.0;  ///< of the capstan in all: theta [rad]
+    [[nodiscard]] double share() const { return travel > 0.0 ? turn / travel : 0.0; }
+};
+
 /// What the law asks of the cam at one load.
 struct ArmPoint {
     double tau = 0.0;      ///< capstan load [Nm]: names the point
@@ -27,14 +35,20 @@ struct ArmPoint {
     double tension = 0.0;  ///< cable tension [N]
     double state = 0.0;    ///< phi + phi0 [rad] or y + y0 [m] of the base spring
     double travel = 0.0;   ///< of it since the law's lowest load: phi [rad] or y [m]
+    Stretch stretch = {};  ///< of the cable; nothing unless it has been said how far it gives way (`Allowance`)
 };
 
 /// What the rig adds to a cam, so that the cam has to be cut without it (docs/guides/close-the-loop.md). All 0: a rig as it is drawn.
 struct Allowance {
     double radius = 0.0;             ///< added to every arm [m]: a thicker cable, overcut, less shrinkage; of either sign
-    double series_compliance = 0.0;  ///< of the cable behind K_SE's spool, >= 0 [rad/Nm] at the capstan; K_SE only
+    double series_compliance = 0.0;  ///< behind K_SE's spool beyond `cable_give`, >= 0 [rad/Nm] at the capstan; K_SE only
     double cable_axis = 0.0;         ///< what coupons measured the cable's neutral axis to run farther out than d/2 [m]: as `radius`
+    double cable_give = 0.0;         ///< L/(E A): what the cable stretches for its tension, >= 0 [m/N] (docs/theory/cams.md, eq. 18)
     [[nodiscard]] double on_arms() const { return radius + cable_axis; }
+    /// All that gives way behind K_SE's spool [rad/Nm] at the capstan.
+    [[nodiscard]] double behind_spool(double capstan_radius) const {
+        return series_compliance + cable_give / (capstan_radius * capstan_radius);
+    }
 };
 
 /// The duality of spool and cam: energy gives the arm, without an ODE (docs/theory/cams.md, table 1).
@@ -42,9 +56,10 @@ class ArmFunction {
 public:
     /// @param capstan_radius r_c [m], turns the series torque into cable tension
     /// @param allowance the arms are those with which rig and cam together carry the law: r - dr; behind a compliance c the spool gives
-    /// the cable's travel less c (F_SE - F_SE at the law's lowest load), so that its own stiffness is S/(1 - c S)
-    /// @throws InvalidInput if the base spring is of the other kind, its rate or the radius is not above 0, its preload below 0, or the
-    /// compliance not below 1/S over the law: no spool makes up for it
+    /// the cable's travel less c (F_SE - F_SE at the law's lowest load), so that its own stiffness is S/(1 - c S); K_PE's cam pulls its
+    /// spring through the cable, by `spring::in_series_with_cable`
+    /// @throws InvalidInput if the base spring is of the other kind, its rate or the radius is not above 0, its preload below 0, or what
+    /// gives way behind the spool not below 1/S over the law: no spool makes up for it
     ArmFunction(PartKind kind, spring::SpringLawPtr law, spring::BaseSpring base, double capstan_radius, const Allowance& allowance = {});
 
     [[nodiscard]] ArmPoint at_load(double tau) const;
@@ -63,13 +78,16 @@ private:
     [[nodiscard]] Point behind_cable(Point p) const;
     template <class Arm, class Point>
     [[nodiscard]] Arm arm_of(const Point& law) const;
+    [[nodiscard]] Stretch stretch(const spring::LawPoint& law, double tension) const;
 
     PartKind kind_;
     spring::SpringLawPtr law_;
     spring::BaseSpring base_;
     double capstan_radius_;
     Allowance allowance_;
-    double least_series_torque_ = 0.0;  ///< F_SE at the law's lowest load [Nm]
+    spring::BaseSpring pulled_;         ///< what K_PE's cam pulls: the base spring and its cable
+    double behind_spool_ = 0.0;         ///< K_SE: compliance [rad/Nm] at the capstan
+    double least_series_torque_ = 0.0;  ///< K_SE: F_SE at the law's lowest load [Nm]
     std::optional<Lean> lean_;
 };
 

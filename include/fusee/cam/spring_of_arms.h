@@ -14,7 +14,7 @@ struct FoundArm {
 
 /// The spring at the capstan that a cam makes of its base spring: `ArmFunction` backwards, from the arms alone (docs/theory/read_back.md,
 /// eq. 1 and 2). Between the rows the arm is their quintic interpolant; torque over the capstan's travel from 0, the law's lowest load, to
-/// the last row. Allowance: what the rig adds to each arm, and to K_SE's travel.
+/// the last row. Allowance: what the rig adds to each arm, and what cables give way: beside K_SE's travel, behind K_PE's cam.
 /// @throws InvalidInput naming "arms[3]" (not above 0) or "angle[3]" (not finite, not ascending), or fewer than 4 rows
 [[nodiscard]] spring::PotentialPtr spring_of_arms(PartKind kind, std::span<const FoundArm> arms, const spring::BaseSpring& base,
                                                   double capstan_radius, const Allowance& allowance = {});

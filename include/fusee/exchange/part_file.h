@@ -26,6 +26,7 @@ struct TargetRow {
     double load = 0.0;                      ///< cable tension, or the spring's force on the follower [N]
     std::array<double, 3> contact_mm = {};  ///< where the cable's centreline, or the roller, touches, body frame
     double lift_mm = 0.0;                   ///< roller: way of its centre along the line since angle 0
+    double stretch_mm = 0.0;                ///< of the cable since angle 0, if it gives way at all
 };
 
 struct PartGuide {

@@ -16,6 +16,7 @@ namespace fusee::inspect {
 struct Foreign {
     const Body& body;
     const checks::Process& process;
+    std::span<const checks::Override> overrides = {};  ///< limits that hold in place of the rules' own
 };
 
 /// A finding, and the triangles that it is about.
@@ -35,6 +36,8 @@ struct Rule : checks::Card {
 [[nodiscard]] std::span<const Rule> rules();
 /// Their Markdown table in docs/rules.md.
 [[nodiscard]] std::string rules_reference();
+/// What they are called and hold parts against.
+[[nodiscard]] std::vector<const checks::Card*> cards();
 
 /// Runs every rule. @param name of the part in the findings
 [[nodiscard]] std::vector<Marked> check(const Foreign& part, const std::string& name);

@@ -6,6 +6,10 @@
 #include "fusee/solid/part.h"
 #include "fusee/spring/law.h"
 
+namespace fusee::design {
+struct Drawing;
+}
+
 namespace fusee::pipeline {
 
 /// The law that `profile.law` describes, without its lead-in. Refusal and @throws: those of its maker in room spring; a formula's mistake
@@ -27,6 +31,9 @@ struct DesignedLaw {
 /// The joint that the law drives.
 [[nodiscard]] actuator::Actuator actuator_of(const profile::Profile& profile, const spring::SpringLawPtr& law);
 
+/// That joint and the linear springs that its cams pull, each cable of K_PE counted to its spring: what a shop's scatter is taken from.
+[[nodiscard]] design::Drawing drawing_of(const profile::Profile& profile, const spring::SpringLawPtr& law);
+
 /// What simulating needs is in every profile, what making needs is not; and a kerf has to leave a bore.
 /// @throws core::InvalidInput naming the first key that is missing or at odds with another
 void require_parts(const profile::Profile& profile);
@@ -35,6 +42,8 @@ void require_sliceable(const profile::Profile& profile);
 
 /// One cam's share of a profile.
 [[nodiscard]] const profile::PartSpec& spec_of(cam::PartKind kind, const profile::Profile& profile);
+/// Passes where the cable reaches round its cam to the anchor; nothing where the profile has no length of it.
+[[nodiscard]] core::Findings check_cable_length(const cam::Cam& cam, const profile::Profile& profile);
 /// Arm and cam, without a body. Refusal: the cam's. @pre require_parts(profile)
 [[nodiscard]] core::Outcome<cam::Cam> design_cam(cam::PartKind kind, const profile::Profile& profile, const spring::SpringLawPtr& law);
 

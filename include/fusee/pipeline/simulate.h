@@ -48,6 +48,8 @@ std::vector<report::FileRow> write_simulation(const report::Simulation& simulati
 [[nodiscard]] report::DeflectionLoop deflection_loop(const actuator::Joint& joint, double tau, double torque);
 /// What friction makes of each cable on its cam; empty where the profile has no parts, or no friction and stiffness of its cable.
 [[nodiscard]] std::vector<report::WrapSide> wrap_sides(const profile::Profile& profile, const spring::SpringLawPtr& law);
+/// What each cable's stretch takes of the capstan's travel; empty where the profile has no parts, or no cable of it stretches.
+[[nodiscard]] std::vector<report::StretchSide> stretch_sides(const profile::Profile& profile, const spring::SpringLawPtr& law);
 /// Figure 8 for `count` motor torques from 0 to `greatest`.
 [[nodiscard]] std::vector<report::BreakAwayRow> break_away_rows(const friction::Law& gear, double greatest, std::size_t count);
 

@@ -97,6 +97,7 @@ struct LawSpec {
 struct PartSpec {
     spring::BaseSpring spring;
     cam::Allowance allowance;
+    double cable_length = 0.0;  ///< unloaded, anchor on the cam to what the cable pulls, wound part included [m]; 0: does not stretch
     cam::CamOptions cam;
     solid::PartOptions solid;
 };

@@ -82,6 +82,12 @@ struct WrapSide {
     cam::WrapLoop loop;
 };
 
+/// What the cable of one spring takes of the capstan's travel at the law's largest load (docs/theory/cams.md, eq. 22).
+struct StretchSide {
+    cam::PartKind part;
+    cam::ArmPoint at;
+};
+
 /// Where condition (6), d(T tau_f)/dtau < 0, holds.
 enum class ConditionVerdict { kHolds, kFails, kMixed, kNotKnown };
 
@@ -97,10 +103,11 @@ struct Simulation {
     std::optional<ReleasePath> path;         ///< at peak torque
     std::vector<DeflectionLoop> loops;
     std::vector<BreakAwayRow> break_away;
-    std::vector<WrapSide> wraps;       ///< empty: the profile states no friction or stiffness of its cable
-    actuator::OutputFriction bearing;  ///< friction of the frame subsystem
-    core::Findings findings;           ///< of the law
-    std::vector<std::string> gaps;     ///< what could not be computed, and why
+    std::vector<WrapSide> wraps;         ///< empty: the profile states no friction or stiffness of its cable
+    std::vector<StretchSide> stretches;  ///< empty: no cable that stretches
+    actuator::OutputFriction bearing;    ///< friction of the frame subsystem
+    core::Findings findings;             ///< of the law
+    std::vector<std::string> gaps;       ///< what could not be computed, and why
 };
 
 /// Why equilibria that were asked for do not exist; empty if all do.
@@ -121,6 +128,8 @@ struct Simulation {
 [[nodiscard]] double wrap_width(const Simulation& simulation, double tau);
 /// What the cables' loops lose, and their share in the dead-band, in a sentence. @pre simulation.wraps not empty
 [[nodiscard]] std::string wrap_remark(const Simulation& simulation);
+/// What the cables' stretch takes of the capstan's travel, in a sentence. @pre simulation.stretches not empty
+[[nodiscard]] std::string stretch_remark(const Simulation& simulation);
 /// The keys of docs/simulation.md, in that order; a NaN is null.
 [[nodiscard]] std::string simulation_json(const Simulation& simulation);
 /// One page in one file that opens offline: no script, no request.

@@ -6,6 +6,9 @@
 
 namespace fusee::solid {
 
+/// The longest run-out of a helix's groove [rad]: a longer one is no end of a groove but a turn of its own.
+inline constexpr double kLongestRunOut = 5.0;
+
 /// Directions over which every column has the same turns, the lowest first; the turns whose groove is cut there are marked.
 struct Stretch {
     double low = 0.0, high = 0.0;  ///< directions u [rad]
@@ -29,11 +32,21 @@ public:
         bool merged = false;
     };
     [[nodiscard]] Lips run_out(double psi) const;
+    /// What a run-out has to be at least, so that its lips turn on about the axis wherever another turn stands beside them: lips that turn
+    /// back fold the land between the two (docs/theory/cams.md, eq. 8b).
+    struct RunOut {
+        double width = 0.0;  ///< [rad]
+        double psi = 0.0;    ///< where it takes that much
+        double land = 0.0;   ///< so that the land to a groove beside it does not turn over either [rad]; at least `width`
+    };
+    /// @param high beyond the groove's high end @pre a helix
+    [[nodiscard]] RunOut run_out_needed(bool high) const;
 
     /// Largest radius of curvature of any rail at u [mm].
     [[nodiscard]] double flattest_mm(double u) const;
     /// Directions from which a helix's first lip has run in to which its last one has run out; one turn for a planar part [rad].
     [[nodiscard]] core::Range reach() const { return cam_.closed() ? core::Range{reach_.low, reach_.low + 2.0 * core::kPi} : reach_; }
+    [[nodiscard]] double helix_radius_mm() const { return circle_; }  ///< of the circle that holds all of a helix; 0: planar
     [[nodiscard]] double z_low_mm() const { return z_low_; }
     [[nodiscard]] double z_high_mm() const { return z_high_; }
 

@@ -79,13 +79,14 @@ struct Part {
 };
 
 /// All of a part but its meshes and columns, and whether there is room for it at all: what a search asks before it builds anything.
-/// Refusals: "solid.turns", "solid.floor", "solid.axis", "solid.anchor", "solid.bore". @throws InvalidInput naming the option
+/// Refusals: "solid.turns", "solid.floor", "solid.axis", "solid.anchor", "solid.bore", "solid.run_out". @throws InvalidInput naming the
+/// option
 [[nodiscard]] core::Outcome<Part> outline_part(const cam::Cam& cam, const PartOptions& options);
 
 /// Builds the solid: swept groove and faces meshed from the parametric surface, Booleans only for anchor hole, leg slot, mark and set
 /// screw. Refusals: "solid.turns" (no land between turns), "solid.floor" (the groove's floor folds), "solid.axis" (the contour passes the
-/// axis by), "solid.anchor" (too wide a hole), "solid.bore" (the bore breaks out), "solid.validity" (not closed, not of one
-/// piece, or it meets itself).
+/// axis by), "solid.anchor" (too wide a hole), "solid.bore" (the bore breaks out), "solid.run_out" (a helix whose arms grow too
+/// fast where its groove ends), "solid.validity" (not closed, not of one piece, or it meets itself).
 /// @throws InvalidInput naming the option
 [[nodiscard]] core::Outcome<Part> build_part(const cam::Cam& cam, const PartOptions& options);
 

@@ -39,4 +39,10 @@ struct BaseSpring {
     [[nodiscard]] double load(double energy) const { return rate * state(energy); }
 };
 
+/// A base spring and a cable that gives way by `give` for a unit of its load [m/N], as the one linear spring that the cam pulls: both have
+/// the load, their deflections add (docs/theory/cams.md, eq. 21). At its own preload it holds the load that the base spring has at its:
+///     1/rate = 1/k + give,  preload = y0 (1 + k give)
+/// No give returns the spring. Its limits and its wire stay the base spring's: they know nothing of the cable. @pre give >= 0
+[[nodiscard]] BaseSpring in_series_with_cable(BaseSpring base, double give);
+
 }  // namespace fusee::spring

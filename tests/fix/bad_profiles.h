@@ -1,0 +1,17 @@
+#pragma once
+#include <string>
+#include <utility>
+#include <vector>
+
+/// Known-bad parts as profiles: what spoils a good profile so that one rule objects (tests/checks has the parts worked out by hand).
+namespace fusee::fix_each_rule {
+
+struct BadProfile {
+    std::string rule;                                          ///< that objects; others may, too
+    std::string toml;                                          ///< names tables beside shipped profiles
+    std::vector<std::pair<std::string, std::string>> spoiled;  ///< keys and values; none: what the shipped profile accepts is not accepted
+};
+
+[[nodiscard]] std::vector<BadProfile> bad_profiles();
+
+}  // namespace fusee::fix_each_rule

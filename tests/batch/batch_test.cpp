@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 class Batch : public fixtures::TempFolder {
 protected:
     /// The shipped design under another name, with changes; fewer files, since these tests are about rows.
-    fs::path design(const std::string& name, const std::vector<std::pair<std::string, std::string>>& changes = {}) const {
+    fs::path design(const std::string& name, const fixtures::Changes& changes = {}) const {
         std::string text = core::read_file(fixtures::shipped("pnrvsa"));
         text = fixtures::with_keys(text, {{"name", "\"" + name + "\""}, {"outputs.formats", "[\"stl\"]"}, {"outputs.springs_rows", "200"}});
         return write("profiles/" + name + ".toml", fixtures::with_keys(text, changes));

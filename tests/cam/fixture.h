@@ -1,4 +1,9 @@
 #pragma once
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <initializer_list>
+
 #include "fusee/cam/arm.h"
 #include "fusee/spring/potential.h"
 #include "fusee/spring/stiction_law.h"
@@ -32,5 +37,16 @@ inline spring::SpringLawPtr long_law() {
         .value();
 }
 inline ArmFunction long_parallel_arm() { return {PartKind::kParallel, long_law(), compression(1500.0, 0.008), kCapstan}; }
+
+/// Slope and bend against central differences over a load step, by the cam's own angle; what they leave is O(step^2).
+inline void expect_derivatives(const ArmFunction& arm, std::initializer_list<double> loads) {
+    for (const double tau : loads) {
+        const double h = 2e-4;
+        const ArmPoint low = arm.at_load(tau - h), mid = arm.at_load(tau), high = arm.at_load(tau + h);
+        const double width = high.angle - low.angle;
+        EXPECT_NEAR((high.arm - low.arm) / width, mid.slope, 2e-5 * std::abs(mid.slope) + 1e-7) << tau;
+        EXPECT_NEAR((high.slope - low.slope) / width, mid.bend, 2e-5 * std::abs(mid.bend) + 1e-6) << tau;
+    }
+}
 
 }  // namespace fusee::cam::test

@@ -6,7 +6,7 @@ namespace fusee::fix_each_rule {
 
 namespace {
 
-using Changes = std::vector<std::pair<std::string, std::string>>;
+using fixtures::Changes;
 
 /// A good profile that no rule objects to: a shipped one, changed, whose reviews are accepted.
 struct Base {

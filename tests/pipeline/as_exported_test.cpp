@@ -179,7 +179,7 @@ TEST(AsExported, APrintDoesNotCountAndALostArmIsNamed) {
 /// Other programs' files, by the whole way through `make`.
 class Programs : public fixtures::TempFolder {
 protected:
-    [[nodiscard]] nlohmann::json made(const std::string& formats, const std::vector<std::pair<std::string, std::string>>& changes = {}) {
+    [[nodiscard]] nlohmann::json made(const std::string& formats, const fixtures::Changes& changes = {}) {
         auto text = fixtures::with_key(core::read_file(fixtures::shipped("measured_table")), "outputs.formats", formats);
         text = fixtures::with_keys(fixtures::with_key(text, "outputs.pair", "false"), changes);
         lay_tables();

@@ -20,8 +20,8 @@ namespace fs = std::filesystem;
 class CouponsTest : public fixtures::TempFolder {
 protected:
     /// pnrvsa with changes; meshes only, coarse, and without the antagonist's mirror images, which nothing here looks at.
-    profile::Profile pnrvsa(const std::vector<std::pair<std::string, std::string>>& changes = {}) const {
-        std::vector<std::pair<std::string, std::string>> all{
+    profile::Profile pnrvsa(const fixtures::Changes& changes = {}) const {
+        fixtures::Changes all{
             {"outputs.formats", "[\"stl\", \"3mf\"]"}, {"outputs.pair", "false"}, {"tolerances.chordal_error_mm", "0.003"}};
         all.insert(all.end(), changes.begin(), changes.end());
         toml_ = fixtures::with_keys(core::read_file(fixtures::shipped("pnrvsa")), all);
@@ -30,10 +30,10 @@ protected:
     mutable std::string toml_;
 };
 
-const std::vector<std::pair<std::string, std::string>> kCompensated{{"compensation.shrink_x_percent", "0.4"},
-                                                                    {"compensation.shrink_y_percent", "0.6"},
-                                                                    {"compensation.shrink_z_percent", "-0.2"},
-                                                                    {"compensation.bore_offset_mm", "0.12"}};
+const fixtures::Changes kCompensated{{"compensation.shrink_x_percent", "0.4"},
+                                     {"compensation.shrink_y_percent", "0.6"},
+                                     {"compensation.shrink_z_percent", "-0.2"},
+                                     {"compensation.bore_offset_mm", "0.12"}};
 
 TEST_F(CouponsTest, AFolderWithSolidsSheetAndPage) {
     const profile::Profile profile = pnrvsa();
@@ -160,7 +160,7 @@ TEST_F(CouponsTest, ACalibratedProfileHoldsTheFiguresAndNothingElseChanges) {
 }
 
 TEST_F(CouponsTest, WhatWouldBeCountedTwiceIsRefused) {
-    const auto refused = [&](const std::vector<std::pair<std::string, std::string>>& changes) {
+    const auto refused = [&](const fixtures::Changes& changes) {
         const profile::Profile profile = pnrvsa(changes);
         return field_refused([&] {
             return calibrated_profile(profile, toml_, measured(), coupon::calibrate(measured(), present_of(profile), "c.csv"),

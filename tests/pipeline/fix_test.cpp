@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-using Changes = std::vector<std::pair<std::string, std::string>>;
+using fixtures::Changes;
 
 struct Case {
     const char* name;

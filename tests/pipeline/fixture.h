@@ -66,7 +66,10 @@ inline std::string with_key(const std::string& text, const std::string& key, con
     return result.insert(result.find('\n', place) + 1, leaf + " = " + value + "\n");
 }
 
-inline std::string with_keys(std::string text, const std::vector<std::pair<std::string, std::string>>& changes) {
+/// Keys and their values as TOML.
+using Changes = std::vector<std::pair<std::string, std::string>>;
+
+inline std::string with_keys(std::string text, const Changes& changes) {
     for (const auto& [key, value] : changes) text = with_key(text, key, value);
     return text;
 }

@@ -11,7 +11,7 @@ namespace fs = std::filesystem;
 
 class LeavesNothing : public fixtures::TempFolder {
 protected:
-    MakeResult make_with(const std::vector<std::pair<std::string, std::string>>& changes) const {
+    MakeResult make_with(const fixtures::Changes& changes) const {
         const std::string text = fixtures::with_keys(core::read_file(fixtures::shipped("pnrvsa")), changes);
         return make(profile::read_profile(write("t.toml", text)), {.out = folder_ / "out"});
     }

@@ -9,7 +9,7 @@ namespace {
 
 class GCode : public fixtures::TempFolder {
 protected:
-    [[nodiscard]] MakeResult made(const std::vector<std::pair<std::string, std::string>>& changes) {
+    [[nodiscard]] MakeResult made(const fixtures::Changes& changes) {
         const auto text = fixtures::with_keys(core::read_file(fixtures::shipped("pnrvsa")),
                                               {{"outputs.formats", "[\"ngc\"]"}, {"outputs.pair", "false"}});
         return make(profile::read_profile(write("pnrvsa.toml", fixtures::with_keys(text, changes))), {.out = folder_ / "out"});
@@ -29,8 +29,8 @@ protected:
 
 TEST_F(GCode, OfEveryMethodCarriesTheLaw) {
     if (!toolpath::can_interpret()) GTEST_SKIP() << "rs274 (package linuxcnc-uspace) is not installed";
-    using Changes = std::vector<std::pair<std::string, std::string>>;
-    for (const Changes& changes : {Changes{}, Changes{{"machining.k_se", "\"wrap\""}, {"machining.k_pe", "\"stack\""}}}) {
+    for (const fixtures::Changes& changes :
+         {fixtures::Changes{}, fixtures::Changes{{"machining.k_se", "\"wrap\""}, {"machining.k_pe", "\"stack\""}}}) {
         const MakeResult result = made(changes);
         ASSERT_TRUE(result.made);
         EXPECT_EQ(read(result), changes.empty()

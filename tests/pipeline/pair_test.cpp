@@ -18,7 +18,7 @@ using exchange::PartFile;
 /// The two sides of the shipped joint.
 class BothSides : public fixtures::TempFolder {
 protected:
-    [[nodiscard]] MakeResult made(const std::vector<std::pair<std::string, std::string>>& changes) const {
+    [[nodiscard]] MakeResult made(const fixtures::Changes& changes) const {
         const auto text = fixtures::with_keys(core::read_file(fixtures::shipped("pnrvsa")), changes);
         return make(profile::read_profile(write("pnrvsa.toml", text)), {.out = folder_ / "out"});
     }

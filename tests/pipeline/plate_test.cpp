@@ -13,7 +13,7 @@ namespace {
 
 class OnePlate : public fixtures::TempFolder {
 protected:
-    [[nodiscard]] MakeResult made(const std::vector<std::pair<std::string, std::string>>& changes) const {
+    [[nodiscard]] MakeResult made(const fixtures::Changes& changes) const {
         auto text = fixtures::with_key(core::read_file(fixtures::shipped("pnrvsa")), "outputs.formats", R"(["3mf"])");
         text = fixtures::with_keys(text,
                                    {{"k_se.target_rows", "200"}, {"k_pe.target_rows", "200"}, {"tolerances.chordal_error_mm", "0.0025"}});

@@ -9,7 +9,7 @@
 namespace fusee::pipeline {
 namespace {
 
-using Changes = std::vector<std::pair<std::string, std::string>>;
+using fixtures::Changes;
 
 /// What a bought spring's data sheet says, and the cable's and the material's.
 const Changes kDataSheets = {{"cable.max_pressure_MPa", "60"},     {"k_se.spring.wire_mm", "1.0"},

@@ -236,11 +236,11 @@ TEST_F(Recut, RefusesAProfileOfAnotherRig) {
     };
     EXPECT_EQ(field_refused([&] { require_same_rig(profile_, bench_); }), "accepted");
     EXPECT_EQ(refused("rig.capstan_radius_mm", "30.2"), "accepted");  // 0.7 % of 4 times 0.3 %
-    for (const auto& [key, value] : std::vector<std::pair<std::string, std::string>>{{"rig.capstan_radius_mm", "31"},
-                                                                                     {"rig.joint_radius_mm", "22"},
-                                                                                     {"rig.gear_friction", "0.35"},
-                                                                                     {"k_se.spring.rate_Nm_per_rad", "0.02"},
-                                                                                     {"k_pe.spring.rate_N_per_m", "7000"}})
+    for (const auto& [key, value] : fixtures::Changes{{"rig.capstan_radius_mm", "31"},
+                                                      {"rig.joint_radius_mm", "22"},
+                                                      {"rig.gear_friction", "0.35"},
+                                                      {"k_se.spring.rate_Nm_per_rad", "0.02"},
+                                                      {"k_pe.spring.rate_N_per_m", "7000"}})
         EXPECT_NE(refused(key, value).find(key), std::string::npos) << key;
     EXPECT_NE(refused("law.k_per_Nm_rad", "0.25").find("law.kind"), std::string::npos);
     EXPECT_NE(refused("law.c_Nm", "0.25").find("law.kind"), std::string::npos);

@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-using Changes = std::vector<std::pair<std::string, std::string>>;
+using fixtures::Changes;
 
 /// A change that makes a shipped profile impossible.
 struct Case {

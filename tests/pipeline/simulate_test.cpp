@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 class Simulate : public fixtures::TempFolder {
 protected:
-    profile::Profile changed(const std::string& name, const std::vector<std::pair<std::string, std::string>>& changes) const {
+    profile::Profile changed(const std::string& name, const fixtures::Changes& changes) const {
         lay_tables();
         return profile::read_profile(write("t.toml", fixtures::with_keys(core::read_file(fixtures::shipped(name)), changes)));
     }
@@ -164,7 +164,7 @@ TEST_F(Simulate, AWeakPushReadsLessAndSaysSo) {
 
 TEST_F(Simulate, EveryKindOfLawAndFriction) {
     const std::string pnrvsa = core::read_file(fixtures::shipped("pnrvsa"));
-    const auto dead_band_at_1 = [&](const std::vector<std::pair<std::string, std::string>>& changes) {
+    const auto dead_band_at_1 = [&](const fixtures::Changes& changes) {
         const profile::Profile profile = profile::read_profile(write("k.toml", fixtures::with_keys(pnrvsa, changes)));
         const auto law = design_law(profile);
         EXPECT_TRUE(law) << core::to_line(law.refusal().front());

@@ -4,10 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <set>
+#include <string>
+#include <system_error>
 #include <vector>
 
 #include "fusee/core/progress.h"
@@ -19,6 +22,7 @@ using namespace fusee;
 namespace {
 
 constexpr int kAtATime = 100;
+constexpr unsigned kLargest = 1'000'000'000;
 
 struct Tally {
     int made = 0, refused = 0, wrong = 0;
@@ -49,6 +53,15 @@ struct Tally {
     }
 };
 
+/// Ends the program where the argument is none.
+unsigned whole_number(const char* name, const std::string& text) {
+    unsigned value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error == std::errc{} && end == text.data() + text.size() && value <= kLargest) return value;
+    fmt::print(stderr, "random_profiles: {}: '{}' (allowed: a whole number, 0 to {})\n", name, text, kLargest);
+    std::exit(2);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -56,8 +69,9 @@ int main(int argc, char** argv) {
         fmt::print(stderr, "usage: random_profiles COUNT SEED FOLDER [FIRST]\n");
         return 2;
     }
-    const int first = argc == 5 ? std::atoi(argv[4]) : 0, end = first + std::atoi(argv[1]);
-    const auto seed = std::strtoull(argv[2], nullptr, 10);
+    const auto seed = whole_number("SEED", argv[2]);
+    const int first = argc == 5 ? static_cast<int>(whole_number("FIRST", argv[4])) : 0;
+    const int end = first + static_cast<int>(whole_number("COUNT", argv[1]));
     core::catch_interrupts();
     Tally tally;
     int next = first;

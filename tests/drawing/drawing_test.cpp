@@ -133,6 +133,7 @@ TEST_P(Drawn, EveryRadiusArmAndLengthOfThePartIsOnIt) {
 }
 
 TEST_P(Drawn, TheSameBytesTwiceAndOnTwoThreads) {
+    part();  // before there are two threads: the fixture is made on first use
     const auto make = [] { return svg(sheets().front()); };
     const auto print = [] { return pdf(sheets()); };
     auto other = std::async(std::launch::async, print);

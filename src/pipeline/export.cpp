@@ -80,10 +80,14 @@ PartExport other_side(const PartExport& out, const solid::Part& part) {
     PartExport other{part, mirrored(out.spring), out.profile, out.provenance, out.via, out.path("_mirrored"), solid::mirrored(out.mesh)};
     other.provenance.options += ", mirrored";
     if (!out.exact) return other;
-    if (auto solid = brep::mirrored(*out.exact))
-        other.exact = std::move(solid).value();
+    const auto solid = brep::mirrored(*out.exact);
+    if (solid)
+        other.exact = *solid;
     else
-        core::append(other.findings, solid.refusal());
+        for (core::Finding f : solid.refusal()) {
+            f.where = other.name();
+            other.findings.push_back(std::move(f));
+        }
     return other;
 }
 
@@ -117,7 +121,7 @@ std::vector<ExportedPart> export_pair(const Pair& pair, const profile::Profile& 
     const profile::PartSpec& spec = part.cam.kind == cam::PartKind::kSeries ? profile.k_se : profile.k_pe;
     PartExport out{part, spec.spring, profile, provenance, via, folder / to_string(part.cam.kind)};
     std::vector<ExportedPart> sides{exported(out, pair.agonist.findings)};
-    if (pair.antagonist) {
+    if (pair.antagonist && !core::any_required(sides.front().report.findings)) {  // else refused as it is
         PartExport other = other_side(out, pair.antagonist->part);
         sides.push_back(exported(other, pair.antagonist->findings));
         sides.back().mirrored = true;

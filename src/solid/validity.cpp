@@ -5,6 +5,11 @@
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+#include <utility>
+#include <vector>
+
 #include "surface_mesh.h"
 
 namespace fusee::solid {
@@ -16,6 +21,20 @@ std::string Validity::line() const {
                        components == 1 ? "" : "s", self_intersecting ? "intersects itself" : "no self-intersection");
 }
 
+namespace {
+
+/// Of the triangles that meet others the first: which pair is found first is no property of the mesh.
+std::optional<Vec3> meeting(const Mesh& mesh, const SurfaceMesh& surface) {
+    std::vector<std::pair<SurfaceMesh::Face_index, SurfaceMesh::Face_index>> pairs;
+    pmp::self_intersections<CGAL::Sequential_tag>(surface, std::back_inserter(pairs));
+    if (pairs.empty()) return std::nullopt;
+    const auto low = [](const auto& pair) { return std::min(pair.first, pair.second); };
+    const auto first = std::min_element(pairs.begin(), pairs.end(), [&](const auto& a, const auto& b) { return low(a) < low(b); });
+    return mesh.points_mm[mesh.triangles[low(*first)][0]];
+}
+
+}  // namespace
+
 Validity validate(const Mesh& mesh) {
     Validity validity;
     SurfaceMesh surface;
@@ -24,6 +43,7 @@ Validity validate(const Mesh& mesh) {
     const auto component = surface.add_property_map<SurfaceMesh::Face_index, std::size_t>("f:component").first;
     validity.components = pmp::connected_components(surface, component);
     validity.self_intersecting = pmp::does_self_intersect<CGAL::Sequential_tag>(surface);
+    if (validity.self_intersecting) validity.meeting_mm = meeting(mesh, surface);
     validity.outward =
         validity.closed && !validity.self_intersecting && pmp::does_bound_a_volume(surface) && pmp::is_outward_oriented(surface);
     return validity;

@@ -94,12 +94,29 @@ TEST_P(Shapes, AreOneSolidOfFewFacesWithTheMeshsVolume) {
     EXPECT_NEAR(brep->volume_mm3 / solid::volume_mm3(part.mesh), 1.0, 5e-4);
 }
 
+// Known answer: chords of sagitta e take 4/3 e/R of a disc's area, 0.17 % for 15 um at 12 mm: half of the chordal error is along the path.
+TEST(Build, RefusesAMeshTooCoarseForItAndSaysHowFineItHasToBe) {
+    PartOptions options = solid::test::plain();
+    options.chordal_error = 30e-6;
+    const auto coarse = build(made(solid::test::disc(0.012), options));
+    ASSERT_FALSE(coarse);
+    const core::Finding& f = coarse.refusal().front();
+    EXPECT_EQ(f.rule, "brep.validity");
+    EXPECT_NEAR(f.measured, 0.17, 0.08);  // [%]
+    EXPECT_EQ(f.allowed, 0.05);
+    const std::string key = "tolerances.chordal_error_mm = ";
+    ASSERT_TRUE(f.suggestion.starts_with(key)) << f.suggestion;
+    options.chordal_error = core::m_from_mm(std::stod(f.suggestion.substr(key.size())));
+    EXPECT_TRUE(build(made(solid::test::disc(0.012), options)));
+}
+
 TEST(Build, RefusesWhatIsNotTheMeshsBody) {
     solid::Part part = made(solid::test::disc(), solid::test::plain());
     for (solid::Vec3& p : part.mesh.points_mm) p[2] *= 1.001;
     const auto brep = build(part);
     ASSERT_FALSE(brep);
     EXPECT_EQ(brep.refusal().front().rule, "brep.validity");
+    EXPECT_NEAR(brep.refusal().front().measured, 0.1, 0.02);  // [%]
 }
 
 }  // namespace

@@ -22,11 +22,12 @@ using namespace fusee;
 namespace {
 
 constexpr int kAtATime = 100;
+constexpr int kInstances = 4;
 constexpr unsigned kLargest = 1'000'000'000;
 
 struct Tally {
     int made = 0, refused = 0, wrong = 0;
-    std::map<std::string, int> binds;  // refused designs by rule; a design may have several
+    std::map<std::string, std::vector<std::string>> binds;  // refused designs by rule; a design may have several
     double worst_arm_error = 0.0;
 
     void count(const batch::Row& row) {
@@ -40,16 +41,21 @@ struct Tally {
         std::set<std::string> rules;
         for (const core::Finding& f : row.result.findings)
             if (f.severity == core::Severity::kRequired) rules.insert(f.rule);
-        for (const std::string& rule : rules) ++binds[rule];
+        for (const std::string& rule : rules) binds[rule].push_back(row.profile.stem().string());
     }
 
     void print() const {
-        fmt::print("\n{} made and read back (worst arm error {:.4f} %), {} refused, {} wrong\n\n| binds | designs |\n|---|---|\n", made,
-                   100.0 * worst_arm_error, refused, wrong);
-        std::vector<std::pair<int, std::string>> rows;
-        for (const auto& [rule, count] : binds) rows.emplace_back(-count, rule);
-        std::sort(rows.begin(), rows.end());
-        for (const auto& [count, rule] : rows) fmt::print("| `{}` | {} |\n", rule, -count);
+        fmt::print(
+            "\n{} made and read back (worst arm error {:.4f} %), {} refused, {} wrong\n\n| binds | designs | for instance "
+            "|\n|---|---|---|\n",
+            made, 100.0 * worst_arm_error, refused, wrong);
+        std::vector<std::pair<std::string, std::vector<std::string>>> rows(binds.begin(), binds.end());
+        std::stable_sort(rows.begin(), rows.end(), [](const auto& a, const auto& b) { return a.second.size() > b.second.size(); });
+        for (auto& [rule, designs] : rows) {
+            const std::size_t count = designs.size();
+            designs.resize(std::min<std::size_t>(count, kInstances));
+            fmt::print("| `{}` | {} | {} |\n", rule, count, fmt::join(designs, ", "));
+        }
     }
 };
 

@@ -5,8 +5,10 @@
 
 #include <filesystem>
 
+#include "fusee/pipeline/design.h"
 #include "generator.h"
 #include "judge.h"
+#include "pipeline/fixture.h"
 
 namespace fs = std::filesystem;
 
@@ -37,6 +39,28 @@ TEST(RandomProfile, IsTheSameForTheSameSeedAndNumber) {
     EXPECT_EQ(random_profile(7, 3), random_profile(7, 3));
     EXPECT_NE(random_profile(7, 3), random_profile(7, 4));
     EXPECT_NE(random_profile(7, 3), random_profile(8, 3));
+}
+
+/// Of the K_SE of a design: what forbids it, or nothing.
+core::Findings refused_k_se(const std::string& text) {
+    const profile::Profile profile = profile::parse_profile(text, "random.toml");
+    const auto part = pipeline::design_part(cam::PartKind::kSeries, profile, pipeline::design_law(profile)->law);
+    return part ? core::Findings{} : part.refusal();
+}
+
+// Two helices whose neighbouring turns meet, one of constant pitch and one aimed at its guide: what is suggested is what mends them.
+TEST(RandomProfile, AHelixThatMeetsItselfIsToldHowSteepItHasToBe) {
+    for (const auto& [number, key] : {std::pair{13, "k_se.path.pitch_mm"}, std::pair{338, "k_se.guide.z_mm"}}) {
+        const std::string text = random_profile(1, number);
+        const core::Findings refusal = refused_k_se(text);
+        ASSERT_EQ(refusal.size(), 1u) << number;
+        EXPECT_EQ(refusal[0].rule, "solid.validity");
+        EXPECT_TRUE(refusal[0].place) << number;
+        const std::string prefix = std::string(key) + " = ";
+        ASSERT_TRUE(refusal[0].suggestion.starts_with(prefix)) << refusal[0].suggestion;
+        for (const core::Finding& f : refused_k_se(fixtures::with_key(text, key, refusal[0].suggestion.substr(prefix.size()))))
+            EXPECT_FALSE(f.rule.starts_with("solid.")) << core::to_line(f);
+    }
 }
 
 // Law: a made design from which a file is gone, and a refusal that names nothing, are faults.

@@ -63,6 +63,9 @@ TEST(Validity, SeesWhatIsWrong) {
     EXPECT_EQ(validate(two).components, 2u);
     EXPECT_TRUE(validate(two).self_intersecting);
     EXPECT_FALSE(validate(two).good());
+    ASSERT_TRUE(validate(two).meeting_mm);
+    EXPECT_EQ((*validate(two).meeting_mm)[2], 0.0);  // of the first triangle that meets another: the lower prism's
+    EXPECT_FALSE(validate(other).meeting_mm);
 }
 
 }  // namespace

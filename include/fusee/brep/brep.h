@@ -17,7 +17,8 @@ struct Brep {
 };
 
 /// Builds it from the parametric surface (docs/theory/cams.md); Booleans only for anchor hole, leg slot, mark and set screw.
-/// Refusals: "brep.validity" (not one valid solid, or its volume by OpenCASCADE's default integral is not that of the mesh within 0.05 %).
+/// Refusals: "brep.validity" (not one valid solid, or its volume by OpenCASCADE's default integral is not that of the mesh within 0.05 %:
+/// then the suggestion is the chordal error at which it is, found by meshing).
 [[nodiscard]] core::Outcome<Brep> build(const solid::Part& part);
 
 }  // namespace fusee::brep

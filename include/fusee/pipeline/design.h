@@ -52,7 +52,8 @@ struct DesignedPart {
     solid::Part part;
     core::Findings findings;
 };
-/// Arm, cam, solid, rules. Refusal: the findings, when a required change is among them.
+/// Arm, cam, solid, rules. Refusal: the findings, when a required change is among them; of a helix that meets itself the suggestion is
+/// how steep it has to be, found by making it.
 /// @pre require_parts(profile)
 [[nodiscard]] core::Outcome<DesignedPart> design_part(cam::PartKind kind, const profile::Profile& profile, const spring::SpringLawPtr& law);
 

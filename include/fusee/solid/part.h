@@ -86,7 +86,7 @@ struct Part {
 /// Builds the solid: swept groove and faces meshed from the parametric surface, Booleans only for anchor hole, leg slot, mark and set
 /// screw. Refusals: "solid.turns" (no land between turns), "solid.floor" (the groove's floor folds), "solid.axis" (the contour passes the
 /// axis by), "solid.anchor" (too wide a hole), "solid.bore" (the bore breaks out), "solid.run_out" (a helix whose arms grow too
-/// fast where its groove ends), "solid.validity" (not closed, not of one piece, or it meets itself).
+/// fast where its groove ends), "solid.validity" (not closed, not of one piece, or it meets itself: with the place).
 /// @throws InvalidInput naming the option
 [[nodiscard]] core::Outcome<Part> build_part(const cam::Cam& cam, const PartOptions& options);
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 
 #include "fusee/solid/mesh.h"
@@ -11,6 +12,7 @@ struct Validity {
     bool outward = false;  ///< bounds a volume, normals outside
     bool self_intersecting = true;
     std::size_t components = 0;
+    std::optional<Vec3> meeting_mm;  ///< a corner of a triangle that meets one it is no neighbour of [mm]
     [[nodiscard]] bool good() const { return closed && outward && !self_intersecting && components == 1; }
     /// "closed, outward, 1 component, no self-intersection" or what is wrong.
     [[nodiscard]] std::string line() const;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
+#include <set>
 
 #include "disjoint_sets.h"
 #include "fusee/core/units.h"
@@ -20,8 +22,9 @@ constexpr double kRound = 0.02, kRound_mm = 0.02;       // corners off the circl
 constexpr std::size_t kLargestFacet = 1000;             // triangles; more are no facet of a hole
 constexpr std::size_t kLeastFacets = 3;
 constexpr double kHole = core::rad_from_deg(200.0);
-constexpr double kRing = 0.01;  // of the diameter: one ring of facets of a ball or a torus is shorter
-constexpr double kTip = 0.6;    // diameters that a drill's tip may add beyond the wall
+constexpr double kRing = 0.01;       // of the diameter: one ring of facets of a ball or a torus is shorter
+constexpr double kTip = 0.6;         // diameters that a drill's tip may add beyond the wall
+constexpr double kOneAxis = 0.9994;  // cosine of 2 deg: between the axes of two arcs of one hole
 
 /// Triangles in one plane, and the seams to the planes beside it.
 struct Facet {
@@ -51,6 +54,7 @@ public:
                 const Vec3 axis = unit(cross(body_.normals()[here], body_.normals()[there]));
                 if (auto hollow = measured(axis, grown(root, axis))) found.push_back(std::move(*hollow));
             }
+        join_arcs(found);
         return found;
     }
 
@@ -168,6 +172,47 @@ private:
             hollow.open[end] = !hit || hit->distance_mm > reach;
         }
         return hollow;
+    }
+
+    [[nodiscard]] std::vector<Vec3> corners(const Hollow& hollow) const {
+        std::vector<Vec3> at;
+        for (const std::uint32_t t : hollow.triangles)
+            for (const std::uint32_t p : body_.mesh().triangles[t]) at.push_back(body_.mesh().points_mm[p]);
+        return at;
+    }
+    [[nodiscard]] bool touch(const Hollow& a, const Hollow& b) const {
+        const std::vector<Vec3> here = corners(a), there = corners(b);
+        return std::any_of(here.begin(), here.end(), [&](const Vec3& p) {
+            return std::any_of(there.begin(), there.end(), [&](const Vec3& q) { return length(q - p) <= kRound_mm; });
+        });
+    }
+    static bool on_one_cylinder(const Hollow& a, const Hollow& b) {
+        const double slack = std::max(kRound * a.diameter_mm, kRound_mm);
+        return std::abs(dot(a.axis, b.axis)) > kOneAxis && std::abs(a.diameter_mm - b.diameter_mm) <= slack &&
+               length(cross(b.middle_mm - a.middle_mm, a.axis)) <= slack;
+    }
+
+    /// A sliver that rounding has turned parts a hole of many facets into arcs; those that touch and lie on one cylinder are one hole.
+    void join_arcs(std::vector<Hollow>& found) {
+        for (std::size_t i = 0; i < found.size(); ++i)
+            for (std::size_t k = i + 1; k < found.size() && !found[i].is_hole();) {
+                std::optional<Hollow> both;
+                if (!found[k].is_hole() && on_one_cylinder(found[i], found[k]) && touch(found[i], found[k]))
+                    both = joined(found[i], found[k]);
+                if (!both) {
+                    ++k;
+                    continue;
+                }
+                found[i] = std::move(*both);
+                found.erase(found.begin() + static_cast<std::ptrdiff_t>(k));
+                k = i + 1;  // what did not touch the part may touch the whole
+            }
+    }
+    std::optional<Hollow> joined(const Hollow& a, const Hollow& b) {
+        std::set<std::uint32_t> roots;
+        for (const Hollow* h : {&a, &b})
+            for (const std::uint32_t t : h->triangles) roots.insert(planes_.find(t));
+        return measured(a.axis, {roots.begin(), roots.end()});
     }
 
     const Body& body_;

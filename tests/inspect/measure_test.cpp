@@ -110,6 +110,16 @@ TEST(Holes, AreFoundWhateverTheirFacets) {
     }
 }
 
+// Two slivers that stand across the wall part it into arcs of 180 deg, of which neither is a hole: together they are.
+TEST(Holes, AreFoundAcrossSliversThatRoundingTurned) {
+    Ring ring = polygon(4, 96);
+    for (const std::size_t at : {48u, 0u}) ring.insert(ring.begin() + at + 1, {0.9999 * ring[at][0], 0.9999 * ring[at][1]});
+    const auto found = holes(turned(sunk(rectangle(20, 20), ring, 10)));
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_NEAR(found[0].diameter_mm, 4.0, 1e-9);
+    EXPECT_NEAR(found[0].covers, 2.0 * kPi, 0.1);
+}
+
 TEST(Holes, BlindOnesAreToldApart) {
     const auto found = holes(sunk(rectangle(20, 20), polygon(4, 24), 10, 3));
     ASSERT_EQ(found.size(), 1u);

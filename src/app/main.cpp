@@ -10,9 +10,51 @@
 #include "fusee/core/progress.h"
 #include "fusee/core/provenance.h"
 
+namespace fusee::app {
+
 namespace {
+
 constexpr int kBadInput = 2, kFailed = 3, kInterrupted = 130;
+
+void add_commands(CLI::App& app, Action& action) {
+    for (const auto& add : {add_make, add_fix, add_simulate, add_identify, add_design, add_diagnose, add_predict, add_case_template,
+                            add_blind, add_paper, add_coupons, add_calibrate, add_check, add_rules, add_lists})
+        add(app, action);
 }
+
+int refuse_without_command(const CLI::App& app) {
+    std::vector<std::string> commands;
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) commands.push_back(command->get_name());
+    fmt::print(stderr, "A command is required: {}\nRun with --help for more information.\n", fmt::join(commands, ", "));
+    return kBadInput;
+}
+
+int refuse(const std::exception& e) {
+    fmt::print(stderr, "fusee: {}\n", e.what());
+    return kBadInput;
+}
+
+int run(const Action& action) {
+    try {
+        return action();
+    } catch (const core::InvalidInput& e) {
+        return refuse(e);
+    } catch (const core::IoError& e) {
+        return refuse(e);
+    } catch (const std::system_error& e) {  // a full disk, a folder that is a file
+        return refuse(e);
+    } catch (const core::Stopped&) {
+        fmt::print(stderr, "stopped: nothing was written\n");
+        return kInterrupted;
+    } catch (const std::exception& e) {
+        fmt::print(stderr, "fusee: a failure inside, please report it: {}\n", e.what());
+        return kFailed;
+    }
+}
+
+}  // namespace
+
+}  // namespace fusee::app
 
 int main(int argc, char** argv) {
     using namespace fusee;
@@ -21,48 +63,11 @@ int main(int argc, char** argv) {
     app.require_subcommand(0, 1);  // none is refused below: CLI11 would pass over a wrong word
     app.footer("Example:\n  fusee make profiles/pnrvsa.toml\n\nHelp on a command: fusee COMMAND --help");
     app::Action action;
-    app::add_make(app, action);
-    app::add_fix(app, action);
-    app::add_simulate(app, action);
-    app::add_identify(app, action);
-    app::add_design(app, action);
-    app::add_diagnose(app, action);
-    app::add_predict(app, action);
-    app::add_case_template(app, action);
-    app::add_blind(app, action);
-    app::add_paper(app, action);
-    app::add_coupons(app, action);
-    app::add_calibrate(app, action);
-    app::add_check(app, action);
-    app::add_rules(app, action);
-    app::add_lists(app, action);
+    app::add_commands(app, action);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& e) {
-        return app.exit(e) == 0 ? 0 : kBadInput;
+        return app.exit(e) == 0 ? 0 : app::kBadInput;
     }
-    if (!action) {
-        std::vector<std::string> commands;
-        for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) commands.push_back(command->get_name());
-        fmt::print(stderr, "A command is required: {}\nRun with --help for more information.\n", fmt::join(commands, ", "));
-        return kBadInput;
-    }
-    try {
-        return action();
-    } catch (const core::InvalidInput& e) {
-        fmt::print(stderr, "fusee: {}\n", e.what());
-        return kBadInput;
-    } catch (const core::IoError& e) {
-        fmt::print(stderr, "fusee: {}\n", e.what());
-        return kBadInput;
-    } catch (const std::system_error& e) {  // a full disk, a folder that is a file
-        fmt::print(stderr, "fusee: {}\n", e.what());
-        return kBadInput;
-    } catch (const core::Stopped&) {
-        fmt::print(stderr, "stopped: nothing was written\n");
-        return kInterrupted;
-    } catch (const std::exception& e) {
-        fmt::print(stderr, "fusee: a failure inside, please report it: {}\n", e.what());
-        return kFailed;
-    }
+    return action ? app::run(action) : app::refuse_without_command(app);
 }

@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "interval.h"
 
@@ -31,59 +34,76 @@ double share_of_slips(const Problem& problem, const Fit& fit, Experiment experim
     return rows > 0.0 ? slips / rows : 0.0;
 }
 
-}  // namespace
+/// What is said of the best hypothesis while it is looked at.
+struct Scrutiny {
+    std::vector<std::string> remarks;
+    bool unexplained = false;
+    bool evidence = false;  ///< an experiment that can be foretold row by row
+};
 
-Judgement judge(const Problem& problem, const Search& search) {
-    Judgement judgement;
-    if (problem.known().stick_slip)
-        judgement.remarks.emplace_back(
-            "cocontraction: a capstan sticks and slips on the way; when it slips cannot be foretold, so paths count with less accuracy");
-    const Fit& best = search.best();
+void look_at_experiments(Scrutiny& said, const Problem& problem, const Fit& best) {
     const std::array<double, kExperiments> left = misfits(problem, best.seen());
-    bool unexplained = false, evidence = false;  // evidence: an experiment that can be foretold row by row
     for (const Experiment experiment : kAllExperiments) {
         const double misfit = left[static_cast<std::size_t>(experiment)];
         const double limit = kUnexplained[static_cast<std::size_t>(experiment)];
         if (misfit <= limit) {
-            evidence = evidence || problem.bench().rows.size(experiment) > 0;
+            said.evidence = said.evidence || problem.bench().rows.size(experiment) > 0;
             continue;
         }
         if (const double share = share_of_slips(problem, best, experiment); share > kSlips) {
-            judgement.remarks.push_back(
+            said.remarks.push_back(
                 fmt::format("{}: sticks and slips in {:.0f} % of its rows, which cannot be foretold row by row ({:.1f} "
                             "sigma): no evidence against the model",
                             to_string(experiment), 100.0 * share, misfit));
             continue;
         }
-        unexplained = true;
-        judgement.remarks.push_back(
-            fmt::format("{}: the best hypothesis leaves {:.1f} sigma; up to {:.2f} the model is as good as it should be",
-                        to_string(experiment), misfit, limit));
+        said.unexplained = true;
+        said.remarks.push_back(fmt::format("{}: the best hypothesis leaves {:.1f} sigma; up to {:.2f} the model is as good as it should be",
+                                           to_string(experiment), misfit, limit));
     }
-    if (const Strain most = strain(problem, best); std::abs(most.sigmas) > kImpossible) {
-        unexplained = true;
-        judgement.remarks.push_back(
-            fmt::format("{}: the best hypothesis needs it {:+.1f} sigma of its tolerance off; no effect of the library explains that",
-                        problem.build()[most.parameter].name, most.sigmas));
-    }
+}
+
+void look_at_tolerances(Scrutiny& said, const Problem& problem, const Fit& best) {
+    const Strain most = strain(problem, best);
+    if (std::abs(most.sigmas) <= kImpossible) return;
+    said.unexplained = true;
+    said.remarks.push_back(
+        fmt::format("{}: the best hypothesis needs it {:+.1f} sigma of its tolerance off; no effect of the library explains that",
+                    problem.build()[most.parameter].name, most.sigmas));
+}
+
+void look_at_sizes(Scrutiny& said, const Problem& problem, const Search& search) {
+    const Fit& best = search.best();
     for (const Cause& cause : contradicted(problem, best, search.left_out.front())) {
-        unexplained = unexplained || best.causes.size() == 1;  // two sizes are too loose, an experiment less, to speak against each other
-        judgement.remarks.push_back(
-            fmt::format("{} ({}): refits without one experiment each disagree about its size", cause.id, cause.side));
+        // Two sizes are too loose, an experiment less, to speak against each other.
+        said.unexplained = said.unexplained || best.causes.size() == 1;
+        said.remarks.push_back(fmt::format("{} ({}): refits without one experiment each disagree about its size", cause.id, cause.side));
     }
     for (const Cause& cause : at_their_end(problem, best)) {
-        unexplained = true;
-        judgement.remarks.push_back(
+        said.unexplained = true;
+        said.remarks.push_back(
             fmt::format("{} ({}): its size is at the end of what its law allows, so it stands for something else", cause.id, cause.side));
     }
+}
+
+Verdict verdict_of(const Scrutiny& said, const Search& search) {
+    if (said.unexplained || !said.evidence) return Verdict::kUnknown;
     const bool rivalled = search.probability.size() > 1 && search.probability[1] >= kRival;  // they fall
-    if (unexplained || !evidence)
-        judgement.verdict = Verdict::kUnknown;
-    else if (search.probability.front() < kSure && rivalled)
-        judgement.verdict = Verdict::kAmbiguous;
-    else
-        judgement.verdict = best.causes.empty() ? Verdict::kNone : Verdict::kIdentified;
-    return judgement;
+    if (search.probability.front() < kSure && rivalled) return Verdict::kAmbiguous;
+    return search.best().causes.empty() ? Verdict::kNone : Verdict::kIdentified;
+}
+
+}  // namespace
+
+Judgement judge(const Problem& problem, const Search& search) {
+    Scrutiny said;
+    if (problem.known().stick_slip)
+        said.remarks.emplace_back(
+            "cocontraction: a capstan sticks and slips on the way; when it slips cannot be foretold, so paths count with less accuracy");
+    look_at_experiments(said, problem, search.best());
+    look_at_tolerances(said, problem, search.best());
+    look_at_sizes(said, problem, search);
+    return {verdict_of(said, search), std::move(said.remarks)};
 }
 
 }  // namespace fusee::gap

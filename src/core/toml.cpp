@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <sstream>
+
 #include "fusee/core/error.h"
 
 namespace fusee::core {
@@ -76,6 +79,17 @@ toml::table parse_toml(std::string_view bytes, const std::string& file) {
         const toml::source_position at = e.source().begin;
         throw IoError(fmt::format("{}:{}:{}", file, at.line, at.column), fmt::format("no valid TOML: {}", e.description()));
     }
+}
+
+std::string shown(const toml::node& node) {
+    constexpr std::size_t kLongest = 80;
+    if (const auto* number = node.as_floating_point(); number && std::isfinite(number->get())) {
+        const std::string shortest = fmt::format("{}", number->get());  // toml++ shows 17 digits: 0.49 as 0.48999999999999999
+        return shortest.find_first_of(".e") == std::string::npos ? shortest + ".0" : shortest;
+    }
+    std::ostringstream text;
+    node.visit([&text](const auto& typed) { text << typed; });
+    return text.str().substr(0, kLongest);
 }
 
 }  // namespace fusee::core

@@ -4,15 +4,13 @@
 
 #include <cctype>
 #include <cmath>
-#include <sstream>
 
 #include "fusee/core/error.h"
+#include "fusee/core/toml.h"
 
 namespace fusee::profile {
 
 namespace {
-
-constexpr std::size_t kLongestShown = 80;  // of a refused value
 
 class Converter {
 public:
@@ -45,9 +43,7 @@ public:
 
 private:
     [[noreturn]] void refuse(const toml::node& node) const {
-        std::ostringstream found;
-        node.visit([&found](const auto& typed) { found << typed; });
-        throw core::InvalidInput(place(file_, node.source(), key_.path), found.str().substr(0, kLongestShown), allowed_text(key_));
+        throw core::InvalidInput(place(file_, node.source(), key_.path), core::shown(node), allowed_text(key_));
     }
     [[nodiscard]] double number(const toml::node& node) const {
         if (!node.is_number()) refuse(node);

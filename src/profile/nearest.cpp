@@ -25,14 +25,23 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 /// The name without its unit, so that "lead_in_rad" finds "lead_in_deg" before anything that is merely spelled alike.
 std::string_view stem(std::string_view name) {
-    static constexpr std::array kUnits{"m",  "cm",  "mm",  "um",  "in",  "inch", "deg", "rad", "Nm",  "nm",      "mNm",  "Ncm", "kN",  "N",
-                                       "Pa", "kPa", "MPa", "GPa", "per", "J",    "psi", "lbf", "mpa", "degrees", "kgm2", "Nms", "Nm2s"};
+    static constexpr std::array kUnits{"m",   "cm",  "mm",  "um",      "in",   "inch", "deg",  "rad",    "Nm",  "nm",
+                                       "mNm", "Ncm", "kN",  "N",       "Pa",   "kPa",  "MPa",  "GPa",    "per", "J",
+                                       "psi", "lbf", "mpa", "degrees", "kgm2", "Nms",  "Nm2s", "percent"};
     while (true) {
         const auto cut = name.rfind('_');
         if (cut == std::string_view::npos) return name;
         if (std::find(kUnits.begin(), kUnits.end(), name.substr(cut + 1)) == kUnits.end()) return name;
         name = name.substr(0, cut);
     }
+}
+
+/// Between two names without their units; what one has beyond the other counts as one letter: "shrink" finds "shrink_x".
+std::size_t stem_distance(std::string_view asked, std::string_view known) {
+    constexpr std::size_t kLeast = 4;  // letters that say something
+    const std::string_view a = stem(asked), b = stem(known);
+    const bool begins = std::min(a.size(), b.size()) >= kLeast && (a.starts_with(b) || b.starts_with(a));
+    return begins && a != b ? 1 : edit_distance(a, b);
 }
 
 std::pair<std::string_view, std::string_view> split(std::string_view path) {
@@ -47,7 +56,7 @@ const Key& nearest_key(std::string_view path) {
     const auto [table, leaf] = split(path);
     const auto cost = [table = table, leaf = leaf](const Key& key) {
         const auto [known_table, known_leaf] = split(key.path);
-        return std::tuple(edit_distance(table, known_table) + edit_distance(stem(leaf), stem(known_leaf)), edit_distance(leaf, known_leaf));
+        return std::tuple(edit_distance(table, known_table) + stem_distance(leaf, known_leaf), edit_distance(leaf, known_leaf));
     };
     return *std::min_element(keys().begin(), keys().end(), [&](const Key& a, const Key& b) { return cost(a) < cost(b); });
 }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "convert.h"
 #include "fusee/core/error.h"
@@ -18,12 +17,6 @@ namespace {
 
 constexpr std::size_t kLongestShown = 80;  // of a refused value
 constexpr const char* kShape = "[[limits]] with rule, one or more of its limits, and reason";
-
-std::string text_of(const toml::node& node) {
-    std::ostringstream out;
-    node.visit([&out](const auto& typed) { out << typed; });
-    return out.str().substr(0, kLongestShown);
-}
 
 std::string all_limits(const checks::Card& rule) {
     std::string all;
@@ -58,7 +51,7 @@ private:
         const toml::node* node = table_.get(key);
         if (node == nullptr) refuse(key, table_.source(), "missing", allowed);
         if (!node->is_string() || node->as_string()->get().find_first_not_of(" \t\n") == std::string::npos)
-            refuse(key, node->source(), text_of(*node), allowed);
+            refuse(key, node->source(), core::shown(*node), allowed);
         return node->as_string()->get();
     }
     [[nodiscard]] const checks::Card& rule() const {
@@ -79,7 +72,7 @@ private:
                              : node.is_floating_point() ? node.as_floating_point()->get()
                                                         : NAN;
         if (!std::isfinite(value))
-            refuse(key, node.source(), text_of(node), fmt::format("a finite number{}{}", limit.unit.empty() ? "" : " in ", limit.unit));
+            refuse(key, node.source(), core::shown(node), fmt::format("a finite number{}{}", limit.unit.empty() ? "" : " in ", limit.unit));
         return value;
     }
 

@@ -9,6 +9,7 @@ TEST_F(RefusalTest, UnknownKeyNamesFileLineColumnAndTheNearest) {
     expect_words(refusal(edited("gear_friction", "gear_fricton")), {"p.toml:5:1: rig.gear_fricton", "unknown key", "rig.gear_friction"});
     expect_words(refusal(edited("[k_pe.spring]", "[k_ep.spring]")), {"p.toml:24:", "k_ep", "unknown table", "[k_pe]"});
     expect_words(refusal("\"rig.gear_friction\" = 0.1\n" + std::string(kShort)), {"p.toml:1:1: rig.gear_friction", "unknown key"});
+    expect_words(refusal(std::string(kShort) + "[compensation]\nshrink = 0.5\n"), {"p.toml:28:1", "compensation.shrink_x_percent"});
     expect_words(refusal(std::string(kShort) + "[k_pe.gide]\nz_mm = 1\n"), {"p.toml:27:", "unknown table", "[k_pe.guide]"});
 }
 
@@ -21,6 +22,7 @@ TEST_F(RefusalTest, WrongUnitNamesTheRightOne) {
 TEST_F(RefusalTest, WrongTypeNotANumberAndOutOfRange) {
     expect_words(refusal(edited("gear_friction = 0.28", "gear_friction = \"0.28\"")), {"p.toml:5:17: rig.gear_friction", "0 to 0.95"});
     expect_words(refusal(edited("gear_friction = 0.28", "gear_friction = nan")), {"p.toml:5:17: rig.gear_friction", "nan", "0 to 0.95"});
+    expect_words(refusal(edited("gear_friction = 0.28", "gear_friction = 0.99")), {"rig.gear_friction: 0.99 (allowed"});
     expect_words(refusal(edited("gear_friction = 0.28", "gear_friction = true")), {"p.toml:5:17: rig.gear_friction", "true"});
     expect_words(refusal(edited("u_Nm = 0.0012", "u_Nm = inf")), {"p.toml:12:8: law.u_Nm", "inf"});
     expect_words(refusal(edited("joint_radius_mm = 25", "joint_radius_mm = 0")), {"p.toml:4:19: rig.joint_radius_mm", "above 0", "mm"});

@@ -10,4 +10,7 @@ namespace fusee::core {
 /// some others (its issue 295). `file` is for the message. @throws IoError with line and column
 [[nodiscard]] toml::table parse_toml(std::string_view bytes, const std::string& file);
 
+/// A refused value for a message, as TOML but for its length: at most 80 characters of it.
+[[nodiscard]] std::string shown(const toml::node& node);
+
 }  // namespace fusee::core

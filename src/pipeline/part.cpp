@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
+#include <vector>
 
 #include "compensated.h"
 #include "fusee/cam/arm.h"
@@ -14,23 +16,52 @@ namespace fusee::pipeline {
 
 namespace {
 
-/// A helix that meets itself mostly does so between neighbouring turns of very different arms. How much steeper it has to climb for them to
-/// part nothing but its solid tells: the first climb that makes one is the suggestion.
-void suggest_climb(core::Finding& refusal, cam::PartKind kind, profile::Profile profile, const spring::SpringLawPtr& law) {
+cam::ArmFunction arm_of(cam::PartKind kind, const profile::Profile& profile, const spring::SpringLawPtr& law) {
     const profile::PartSpec& spec = spec_of(kind, profile);
-    if (spec.cam.path.kind != cam::PathKind::kHelix) return;
-    cam::CamOptions& options = (kind == cam::PartKind::kSeries ? profile.k_se : profile.k_pe).cam;
-    const bool aimed = options.path.lead == cam::Lead::kAimedAtGuide;
-    double& climb = aimed ? options.guide.z : options.path.pitch;
-    const double climb_mm = core::mm_from_m(climb);
-    for (const double steeper : {1.1, 1.25, 1.5, 2.0, 3.0, 4.0}) {
-        const std::string tried = fmt::format("{:.2f}", steeper * climb_mm);
-        climb = core::m_from_mm(std::stod(tried));
-        const auto cam = design_cam(kind, profile, law);
-        if (!cam || !solid::build_part(*cam, spec.solid)) continue;
-        refusal.suggestion = fmt::format("{}.{} = {}", to_string(kind), aimed ? "guide.z_mm" : "path.pitch_mm", tried);
-        return;
+    return {kind, law, spec.spring, profile.rig.capstan_radius, spec.allowance};
+}
+
+/// A change of a path, and how a profile says it.
+struct Climb {
+    cam::CamOptions options;
+    std::string change;
+};
+
+/// Steeper and steeper ones. A groove that climbs to its guide also has the way of no longer doing so.
+std::vector<Climb> steeper(const std::string& part, const cam::CamOptions& from) {
+    const bool aimed = from.path.lead == cam::Lead::kAimedAtGuide;
+    std::vector<Climb> climbs;
+    for (const double share : {1.1, 1.25, 1.5, 2.0, 3.0, 4.0}) {
+        cam::CamOptions to = from;
+        double& climb = aimed ? to.guide.z : to.path.pitch;
+        const std::string mm = fmt::format("{:.2f}", share * core::mm_from_m(climb));
+        climb = core::m_from_mm(std::stod(mm));
+        climbs.push_back({to, fmt::format("{}.{} = {}", part, aimed ? "guide.z_mm" : "path.pitch_mm", mm)});
     }
+    for (const double cables : {4.0, 6.0, 10.0, 16.0}) {
+        if (!aimed) break;
+        cam::CamOptions to = from;
+        const std::string mm = fmt::format("{:.2f}", cables * core::mm_from_m(from.cable_diameter));
+        to.path.lead = cam::Lead::kConstantPitch;
+        to.path.pitch = core::m_from_mm(std::stod(mm));
+        climbs.push_back({to, fmt::format("{0}.path.lead = \"constant_pitch\" with {0}.path.pitch_mm = {1}", part, mm)});
+    }
+    return climbs;
+}
+
+/// A helix that meets itself mostly does so between neighbouring turns of very different arms. How steep it has to climb for them to part
+/// nothing but its solid tells: the first climb that makes one is the suggestion.
+void suggest_climb(core::Finding& refusal, const cam::ArmFunction& arm, const profile::PartSpec& spec) {
+    if (spec.cam.path.kind != cam::PathKind::kHelix) return;
+    const std::string part = to_string(arm.kind());
+    const std::vector<Climb> climbs = steeper(part, spec.cam);
+    const auto found = std::find_if(climbs.begin(), climbs.end(), [&](const Climb& climb) {
+        const auto cam = cam::synthesize_cam(arm, climb.options);
+        return cam && solid::build_part(*cam, spec.solid);
+    });
+    refusal.suggestion = found != climbs.end() ? found->change
+                                               : fmt::format("a base spring of {} whose arms differ less: even {} leaves its faces meeting",
+                                                             part, climbs.back().change);
 }
 
 }  // namespace
@@ -53,9 +84,7 @@ const profile::PartSpec& spec_of(cam::PartKind kind, const profile::Profile& pro
 }
 
 core::Outcome<cam::Cam> design_cam(cam::PartKind kind, const profile::Profile& profile, const spring::SpringLawPtr& law) {
-    const profile::PartSpec& spec = spec_of(kind, profile);
-    const cam::ArmFunction arm(kind, law, spec.spring, profile.rig.capstan_radius, spec.allowance);
-    return cam::synthesize_cam(arm, spec.cam);
+    return cam::synthesize_cam(arm_of(kind, profile, law), spec_of(kind, profile).cam);
 }
 
 core::Outcome<DesignedPart> design_part(cam::PartKind kind, const profile::Profile& profile, const spring::SpringLawPtr& law) {
@@ -66,7 +95,7 @@ core::Outcome<DesignedPart> design_part(cam::PartKind kind, const profile::Profi
     if (!part) {
         core::Findings refusal = part.refusal();
         for (core::Finding& f : refusal)
-            if (f.rule == "solid.validity") suggest_climb(f, kind, profile, law);
+            if (f.rule == "solid.validity") suggest_climb(f, arm_of(kind, profile, law), spec);
         return refusal;
     }
     core::Findings findings = checks::check({*part, spec.spring, profile.cable, profile.process, profile.limits});

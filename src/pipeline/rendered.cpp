@@ -2,7 +2,7 @@
 #include "fusee/exchange/openscad.h"
 #include "fusee/exchange/scad.h"
 #include "fusee/exchange/stl.h"
-#include "fusee/solid/cut.h"
+#include "fusee/solid/slivers.h"
 #include "fusee/solid/validity.h"
 #include "part_export.h"
 

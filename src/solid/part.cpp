@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "fusee/cam/mirror.h"
 #include "fusee/core/error.h"
@@ -14,6 +16,7 @@
 #include "fusee/solid/fill.h"
 #include "fusee/solid/mirror.h"
 #include "fusee/solid/outline.h"
+#include "fusee/solid/slivers.h"
 #include "fusee/solid/sweep.h"
 #include "fusee/solid/validity.h"
 #include "room.h"
@@ -100,6 +103,25 @@ core::Finding invalid(const cam::Cam& cam, const Validity& validity) {
     return f;
 }
 
+/// Rounds to the file's digits. Where a cut passes within a micrometre of an edge of the body, slivers that `cut` leaves can fold over with
+/// that: then triangles without an area go too, and if that is not enough edges up to the micrometre, or to half of the tolerance.
+Validity settle(Mesh& mesh, double tolerance_mm) {
+    const Mesh exact = mesh;
+    round_to_file(mesh);
+    const Validity validity = validate(mesh);
+    if (!validity.self_intersecting) return validity;
+    for (const double shortest_mm : {1e-4, 1e-3}) {
+        std::optional<Mesh> smoother = without_folds(exact, std::min(shortest_mm, 0.5 * tolerance_mm));
+        if (!smoother) continue;
+        round_to_file(*smoother);
+        const Validity again = validate(*smoother);
+        if (!again.good()) continue;
+        mesh = std::move(*smoother);
+        return again;
+    }
+    return validity;
+}
+
 /// Columns and lips are laid from the low end of psi upwards: a left-handed helix is made by way of its mirror image.
 template <class Make>
 core::Outcome<Part> through_mirror(const Make& make, const cam::Cam& cam, const PartOptions& options) {
@@ -152,8 +174,7 @@ core::Outcome<Part> build_part(const cam::Cam& cam, const PartOptions& options) 
     const auto finished = cut(body.mesh, tools);
     if (!finished) return invalid(cam, validate(body.mesh));
     part.mesh = *finished;
-    round_to_file(part.mesh);
-    const Validity validity = validate(part.mesh);
+    const Validity validity = settle(part.mesh, tolerance);
     if (!validity.good()) return invalid(cam, validity);
     return part;
 }

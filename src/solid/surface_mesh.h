@@ -19,4 +19,16 @@ inline bool to_surface_mesh(const Mesh& mesh, SurfaceMesh& out) {
     return true;
 }
 
+inline Mesh from_surface_mesh(const SurfaceMesh& mesh) {
+    Mesh out;
+    for (const auto v : mesh.vertices()) out.points_mm.push_back({mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z()});
+    for (const auto f : mesh.faces()) {
+        Triangle t{};
+        std::size_t i = 0;
+        for (const auto v : CGAL::vertices_around_face(mesh.halfedge(f), mesh)) t[i++] = static_cast<std::uint32_t>(v);
+        out.triangles.push_back(t);
+    }
+    return out;
+}
+
 }  // namespace fusee::solid

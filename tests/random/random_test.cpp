@@ -41,10 +41,10 @@ TEST(RandomProfile, IsTheSameForTheSameSeedAndNumber) {
     EXPECT_NE(random_profile(7, 3), random_profile(8, 3));
 }
 
-/// Of the K_SE of a design: what forbids it, or nothing.
-core::Findings refused_k_se(const std::string& text) {
+/// Of one part of a design: what forbids it, or nothing.
+core::Findings refused(cam::PartKind kind, const std::string& text) {
     const profile::Profile profile = profile::parse_profile(text, "random.toml");
-    const auto part = pipeline::design_part(cam::PartKind::kSeries, profile, pipeline::design_law(profile)->law);
+    const auto part = pipeline::design_part(kind, profile, pipeline::design_law(profile)->law);
     return part ? core::Findings{} : part.refusal();
 }
 
@@ -52,15 +52,24 @@ core::Findings refused_k_se(const std::string& text) {
 TEST(RandomProfile, AHelixThatMeetsItselfIsToldHowSteepItHasToBe) {
     for (const auto& [number, key] : {std::pair{13, "k_se.path.pitch_mm"}, std::pair{338, "k_se.guide.z_mm"}}) {
         const std::string text = random_profile(1, number);
-        const core::Findings refusal = refused_k_se(text);
+        const core::Findings refusal = refused(cam::PartKind::kSeries, text);
         ASSERT_EQ(refusal.size(), 1u) << number;
         EXPECT_EQ(refusal[0].rule, "solid.validity");
         EXPECT_TRUE(refusal[0].place) << number;
         const std::string prefix = std::string(key) + " = ";
         ASSERT_TRUE(refusal[0].suggestion.starts_with(prefix)) << refusal[0].suggestion;
-        for (const core::Finding& f : refused_k_se(fixtures::with_key(text, key, refusal[0].suggestion.substr(prefix.size()))))
+        for (const core::Finding& f :
+             refused(cam::PartKind::kSeries, fixtures::with_key(text, key, refusal[0].suggestion.substr(prefix.size()))))
             EXPECT_FALSE(f.rule.starts_with("solid.")) << core::to_line(f);
     }
+}
+
+// Planar parts whose leg slot or keyway passes an edge of the groove within a micrometre: rounded, they folded over.
+TEST(RandomProfile, ACutBesideAnEdgeIsNoFold) {
+    for (const auto& [number, kind] :
+         {std::pair{898, cam::PartKind::kSeries}, {2046, cam::PartKind::kParallel}, {6284, cam::PartKind::kSeries}})
+        for (const core::Finding& f : refused(kind, random_profile(1, number)))
+            EXPECT_FALSE(f.rule.starts_with("solid.")) << core::to_line(f);
 }
 
 // Law: a made design from which a file is gone, and a refusal that names nothing, are faults.

@@ -26,20 +26,6 @@ TEST(Cut, WithoutToolsIsTheBodyItself) {
     EXPECT_EQ(cut(body, {})->triangles, body.triangles);
 }
 
-// Known: a corner split by 5e-5 mm, top and bottom, is one corner again; 0.1 mm is a feature and stays.
-TEST(Cut, SliversOfAnotherKernelCollapse) {
-    const auto split = [](double by) { return prism({{0, 0}, {by, 0}, {4, 0}, {4, 4}, {0, 4}}, 0.0, 2.0); };
-    const auto cured = without_slivers(split(5e-5));
-    ASSERT_TRUE(cured);
-    EXPECT_EQ(cured->points_mm.size(), 8u);
-    EXPECT_TRUE(validate(*cured).good()) << validate(*cured).line();
-    EXPECT_NEAR(volume_mm3(*cured), 32.0, 1e-3);
-    EXPECT_EQ(without_slivers(split(0.1))->points_mm.size(), 10u);
-    Mesh broken = split(0.1);
-    broken.triangles.push_back(broken.triangles.front());
-    EXPECT_FALSE(without_slivers(broken));
-}
-
 TEST(Cut, GivesNothingForABodyThatIsNoManifold) {
     Mesh broken = prism(kSquare, 0.0, 2.0);
     broken.triangles.push_back(broken.triangles.front());

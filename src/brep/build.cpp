@@ -23,10 +23,11 @@ namespace fusee::brep {
 
 namespace {
 
-constexpr double kSewing_mm = 1e-3;                      // edges of neighbouring faces are at most twice their splines' deviation apart
-constexpr double kVolume = 5e-4;                         // by which volume may differ from the mesh's, relative
-constexpr double kGoodVolume = 2e-4;                     // below which no nearer one is looked for: facets alone make 1e-4
-constexpr int kIdleParts[] = {2, 3};                     // tried in turn: more faces, on which default integrals come nearer
+constexpr double kSewing_mm = 1e-3;            // edges of neighbouring faces are at most twice their splines' deviation apart
+constexpr double kVolume = 5e-4;               // by which volume may differ from the mesh's, relative
+constexpr double kGoodVolume = 2e-4;           // of two parts, below which three are not tried: facets alone make 1e-4
+constexpr int kIdleParts[] = {2, 3, 4, 5, 6};  // tried in turn: more faces, on which default integrals come nearer
+constexpr std::size_t kMostFaces = 50;
 constexpr double kFuzzy_mm[] = {0.0, 1e-5, 1e-4};        // tried in turn: OpenCASCADE's Booleans fail silently at some positions
 constexpr double kShorterChords[] = {0.5, 0.25, 0.125};  // tried in turn for a suggestion
 
@@ -113,8 +114,9 @@ core::Outcome<Brep> build(const solid::Part& part) {
     Brep best;
     for (const int idle_parts : kIdleParts) {
         Brep next = closed_by(side_of(part, idle_parts), part, expected);
+        if (idle_parts > kIdleParts[0] && next.faces > kMostFaces) break;
         if (misfit(next, expected) < misfit(best, expected)) best = std::move(next);
-        if (misfit(best, expected) <= kGoodVolume || !part.cam.closed()) break;
+        if (misfit(best, expected) <= (idle_parts == kIdleParts[0] ? kGoodVolume : kVolume) || !part.cam.closed()) break;
     }
     if (misfit(best, expected) <= kVolume) return best;
     return best.shape ? another_volume(part, best.volume_mm3, misfit(best, expected)) : no_solid(part);

@@ -72,6 +72,16 @@ TEST(RandomProfile, ACutBesideAnEdgeIsNoFold) {
             EXPECT_FALSE(f.rule.starts_with("solid.")) << core::to_line(f);
 }
 
+// A planar part whose volume OpenCASCADE's default integral misreads with its idle arc in two or three faces: it gets more of them.
+TEST(RandomProfile, AnIdleArcGetsTheFacesThatItsVolumeNeeds) {
+    const fs::path folder = fs::path(testing::TempDir()) / "fusee_random_faces";
+    fs::remove_all(folder);
+    const auto rows = make_some(1, 261, 1, folder, 1);
+    EXPECT_EQ(rows.front().outcome, batch::Outcome::kMade);
+    EXPECT_EQ(fault(rows.front()), "");
+    fs::remove_all(folder);
+}
+
 // Law: a made design from which a file is gone, and a refusal that names nothing, are faults.
 TEST(RandomProfile, JudgeFindsWhatIsWrong) {
     batch::Row made;

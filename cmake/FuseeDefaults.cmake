@@ -47,8 +47,9 @@ target_compile_features(fusee_options INTERFACE cxx_std_20)
 target_compile_options(fusee_options INTERFACE
   "$<BUILD_INTERFACE:-ffp-contract=off>"  # no fused multiply-add: the same bytes from every build of the same source
   "$<BUILD_INTERFACE:-Wall;-Wextra;-Wpedantic;-Wshadow;-Wconversion>"
-  # clang warns of what g++ does: signs are not part of g++'s -Wconversion, and a room may silence a warning that only g++ has
-  "$<BUILD_INTERFACE:$<$<CXX_COMPILER_ID:Clang>:-Wno-sign-conversion;-Wno-unknown-warning-option>>"
+  # clang warns of what g++ does: signs are not part of g++'s -Wconversion, nor elided braces of its -Wall, and a room may silence a warning
+  # that only g++ has
+  "$<BUILD_INTERFACE:$<$<CXX_COMPILER_ID:Clang>:-Wno-sign-conversion;-Wno-missing-braces;-Wno-unknown-warning-option>>"
   "$<BUILD_INTERFACE:$<$<BOOL:${FUSEE_WERROR}>:-Werror>>")
 set_target_properties(fusee_options PROPERTIES EXPORT_NAME options)
 install(TARGETS fusee_options EXPORT fuseeTargets)

@@ -8,7 +8,7 @@ namespace fusee::profile {
 
 namespace {
 const std::vector<core::CsvColumn> kColumns{{"angle_rad"}, {"series_Nm"}, {"parallel_Nm"}};
-constexpr core::CsvOptions kOptions{.extra_columns = false, .least_rows = 8};  // spring::make_tabulated needs as many
+const core::CsvOptions kOptions{.extra_columns = false, .least_rows = 8};  // spring::make_tabulated needs as many
 }  // namespace
 
 void read_table(std::string_view csv, const std::string& file, TablePair& table) {

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <nlohmann/json.hpp>
 
+#include "fusee/core/destination.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/core/progress.h"
@@ -91,10 +92,9 @@ private:
         const auto begin = std::chrono::steady_clock::now();
         const std::string found = or_failure([&] { return gap::diagnosis_json(gap::diagnose(bench_, {1, asked})); });
         answer_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-        std::error_code failed;
-        fs::create_directories(place_, failed);
-        if (failed) throw core::IoError(place_.string(), failed.message());
-        fs::remove(kept_file(), failed);
+        core::make_folder(place_);
+        std::error_code absent;
+        fs::remove(kept_file(), absent);
         core::write_file(diagnosis_file(), found);
     }
 

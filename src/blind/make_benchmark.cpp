@@ -1,4 +1,5 @@
 #include "fusee/blind/blind.h"
+#include "fusee/core/destination.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/plant/case_files.h"
@@ -8,12 +9,6 @@
 namespace fusee::blind {
 
 namespace {
-
-void make_folder(const std::filesystem::path& folder) {
-    std::error_code failed;
-    std::filesystem::create_directories(folder, failed);
-    if (failed) throw core::IoError(folder.string(), failed.message());
-}
 
 void require_empty(const std::filesystem::path& out) {
     std::error_code none;
@@ -25,7 +20,7 @@ void require_empty(const std::filesystem::path& out) {
 void write_plant_case(const std::filesystem::path& folder, std::uint64_t seed, std::size_t index, const std::vector<LabelEffect>& labels) {
     std::vector<plant::Effect> effects;
     for (const LabelEffect& e : labels) effects.push_back({e.id, e.side, e.size, e.extra});
-    make_folder(folder / "heldout");
+    core::make_folder(folder / "heldout");
     for (const auto& [name, bytes] : plant::make_case(seed, index, effects)) core::write_file(folder / name, bytes);
 }
 
@@ -53,7 +48,7 @@ std::string make_benchmark(const BenchmarkOptions& options) {
     const std::vector<Label> labels = draw_labels(options.seed, options.cases, mix_of(options));
     const std::string sealed = seal_labels(labels, options.seed);
     std::string hash = core::sha256_hex(sealed);
-    make_folder(options.out);
+    core::make_folder(options.out);
     core::write_file(options.out / "labels.sealed", sealed);
     core::write_file(options.out / "seal.txt", "sha256:" + hash + "\n");
     if (options.progress) options.progress(0, labels.size(), "seal sha256:" + hash);

@@ -88,14 +88,14 @@ core::Finding no_solid(const solid::Part& part) {
 }
 
 /// The exact body stays what it is: a finer mesh comes nearer to it.
-core::Finding another_volume(const solid::Part& part, double volume_mm3, double misfit) {
-    core::Finding f = refusal(part, "the exact solid's volume by OpenCASCADE is not that of the mesh", 100.0 * misfit, core::Bound::kAtMost,
-                              100.0 * kVolume, "%");
+core::Finding another_volume(const solid::Part& part, const Brep& exact) {
+    core::Finding f = refusal(part, "the exact solid's volume by OpenCASCADE is not that of the mesh",
+                              100.0 * misfit(exact, solid::volume_mm3(part.mesh)), core::Bound::kAtMost, 100.0 * kVolume, "%");
     for (const double share : kShorterChords) {
         solid::PartOptions options = part.options;
         options.chordal_error *= share;
         const auto finer = solid::build_part(part.cam, options);
-        if (!finer || std::abs(volume_mm3 / solid::volume_mm3(finer->mesh) - 1.0) > kVolume) continue;
+        if (!finer || misfit(exact, solid::volume_mm3(finer->mesh)) > kVolume) continue;
         f.suggestion = fmt::format("tolerances.chordal_error_mm = {:.3g}", core::mm_from_m(options.chordal_error));
         return f;
     }
@@ -119,7 +119,7 @@ core::Outcome<Brep> build(const solid::Part& part) {
         if (misfit(best, expected) <= (idle_parts == kIdleParts[0] ? kGoodVolume : kVolume) || !part.cam.closed()) break;
     }
     if (misfit(best, expected) <= kVolume) return best;
-    return best.shape ? another_volume(part, best.volume_mm3, misfit(best, expected)) : no_solid(part);
+    return best.shape ? another_volume(part, best) : no_solid(part);
 }
 
 }  // namespace fusee::brep

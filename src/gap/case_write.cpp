@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "case_fields.h"
-#include "fusee/core/error.h"
+#include "fusee/core/destination.h"
 #include "fusee/core/file.h"
 
 namespace fs = std::filesystem;
@@ -54,9 +54,7 @@ std::string csv(const std::vector<Row>& rows, std::size_t begin, std::size_t end
 }
 
 void write(const fs::path& path, const std::string& text) {
-    std::error_code error;
-    fs::create_directories(path.parent_path(), error);
-    if (error) throw core::IoError(path.parent_path().string(), "the folder cannot be made: " + error.message());
+    core::make_folder(path.parent_path());
     core::write_file(path, text);
 }
 

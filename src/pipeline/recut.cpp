@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "fusee/core/destination.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/pipeline/design.h"
@@ -151,9 +152,7 @@ report::Recut recut(const profile::Profile& profile, const std::string& toml, co
 
 void write_recut(const report::Recut& recut, const fs::path& folder) {
     for (const report::RecutProfile& profile : recut.profiles) {
-        std::error_code error;
-        fs::create_directories(fs::absolute(profile.file).parent_path(), error);
-        if (error) throw core::IoError(profile.file.string(), "its folder cannot be made: " + error.message());
+        core::make_folder(fs::absolute(profile.file).parent_path());
         core::write_file(profile.file, profile.toml);
     }
     core::write_file(folder / "recut.json", report::recut_json(recut));

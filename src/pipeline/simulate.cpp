@@ -10,7 +10,7 @@
 #include "fusee/actuator/equilibrium.h"
 #include "fusee/actuator/noise.h"
 #include "fusee/actuator/relatives.h"
-#include "fusee/core/error.h"
+#include "fusee/core/destination.h"
 #include "fusee/core/file.h"
 #include "fusee/design/robust.h"
 #include "fusee/pipeline/export.h"
@@ -209,9 +209,7 @@ core::Outcome<report::Simulation> simulate(const profile::Profile& profile, cons
 }
 
 std::vector<report::FileRow> write_simulation(const report::Simulation& simulation, const fs::path& folder) {
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error) throw core::IoError(folder.string(), "cannot be made: " + error.message());
+    core::make_folder(folder);
     std::vector<report::FileRow> rows;
     const auto write = [&](const char* name, const std::string& bytes) {
         core::write_file(folder / name, bytes);

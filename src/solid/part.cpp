@@ -105,10 +105,10 @@ core::Finding invalid(const cam::Cam& cam, const Validity& validity) {
 
 /// Rounds to the file's digits. Where a cut passes within a micrometre of an edge of the body, slivers that `cut` leaves can fold over with
 /// that: then triangles without an area go too, and if that is not enough edges up to the micrometre, or to half of the tolerance.
-Validity settle(Mesh& mesh, double tolerance_mm) {
-    const Mesh exact = mesh;
-    round_to_file(mesh);
-    const Validity validity = validate(mesh);
+Validity settle(const Mesh& exact, double tolerance_mm, Mesh& file) {
+    file = exact;
+    round_to_file(file);
+    const Validity validity = validate(file);
     if (!validity.self_intersecting) return validity;
     for (const double shortest_mm : {1e-4, 1e-3}) {
         std::optional<Mesh> smoother = without_folds(exact, std::min(shortest_mm, 0.5 * tolerance_mm));
@@ -116,7 +116,7 @@ Validity settle(Mesh& mesh, double tolerance_mm) {
         round_to_file(*smoother);
         const Validity again = validate(*smoother);
         if (!again.good()) continue;
-        mesh = std::move(*smoother);
+        file = std::move(*smoother);
         return again;
     }
     return validity;
@@ -173,8 +173,7 @@ core::Outcome<Part> build_part(const cam::Cam& cam, const PartOptions& options) 
     for (const Cutter& cutter : make_cutters(part)) tools.push_back(cutter.mesh(tolerance));
     const auto finished = cut(body.mesh, tools);
     if (!finished) return invalid(cam, validate(body.mesh));
-    part.mesh = *finished;
-    const Validity validity = settle(part.mesh, tolerance);
+    const Validity validity = settle(*finished, tolerance, part.mesh);
     if (!validity.good()) return invalid(cam, validity);
     return part;
 }

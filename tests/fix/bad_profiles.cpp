@@ -1,7 +1,5 @@
 #include "bad_profiles.h"
 
-#include "pipeline/fixture.h"
-
 namespace fusee::fix_each_rule {
 
 namespace {

@@ -1,15 +1,16 @@
 #pragma once
 #include <string>
-#include <utility>
 #include <vector>
+
+#include "pipeline/fixture.h"
 
 /// Known-bad parts as profiles: what spoils a good profile so that one rule objects (tests/checks has the parts worked out by hand).
 namespace fusee::fix_each_rule {
 
 struct BadProfile {
-    std::string rule;                                          ///< that objects; others may, too
-    std::string toml;                                          ///< names tables beside shipped profiles
-    std::vector<std::pair<std::string, std::string>> spoiled;  ///< keys and values; none: what the shipped profile accepts is not accepted
+    std::string rule;           ///< that objects; others may, too
+    std::string toml;           ///< names tables beside shipped profiles
+    fixtures::Changes spoiled;  ///< keys and values; none: what the shipped profile accepts is not accepted
 };
 
 [[nodiscard]] std::vector<BadProfile> bad_profiles();

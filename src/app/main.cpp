@@ -39,6 +39,8 @@ int run(const Action& action) {
         return action();
     } catch (const core::InvalidInput& e) {
         return refuse(e);
+    } catch (const core::InvalidInputs& e) {
+        return refuse(e);
     } catch (const core::IoError& e) {
         return refuse(e);
     } catch (const std::system_error& e) {  // a full disk, a folder that is a file

@@ -22,6 +22,8 @@ void guarded(Ended& row, const Guarded& work) {
         work();
     } catch (const core::InvalidInput& e) {
         row.outcome = Outcome::kBadInput, row.error = e.what();
+    } catch (const core::InvalidInputs& e) {
+        row.outcome = Outcome::kBadInput, row.error = e.what();
     } catch (const core::IoError& e) {
         row.outcome = Outcome::kBadInput, row.error = e.what();
     } catch (const std::exception& e) {

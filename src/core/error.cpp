@@ -12,6 +12,21 @@ InvalidInput::InvalidInput(std::string field, std::string value, std::string all
       value_(std::move(value)),
       allowed_(std::move(allowed)) {}
 
+namespace {
+std::string lines(const std::vector<InvalidInput>& all) {
+    std::string text;
+    for (const InvalidInput& one : all) text += fmt::format("{}{}", text.empty() ? "" : "\n", one.what());
+    return text;
+}
+}  // namespace
+
+InvalidInputs::InvalidInputs(std::vector<InvalidInput> all) : std::invalid_argument(lines(all)), all_(std::move(all)) {}
+
+void Mistakes::throw_if_any() const {
+    if (all_.size() == 1) throw all_.front();
+    if (!all_.empty()) throw InvalidInputs(all_);
+}
+
 IoError::IoError(const std::string& path, const std::string& why) : std::runtime_error(fmt::format("{}: {}", path, why)) {}
 
 namespace {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace fusee::core {
 
@@ -19,6 +20,17 @@ Finding required_change(std::string rule, std::string what, double measured, Bou
     return f;
 }
 
+Finding not_judged(std::string rule, std::string what, std::string missing) {
+    constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+    Finding f;
+    f.rule = std::move(rule);
+    f.severity = Severity::kNotJudged;
+    f.what = std::move(what);
+    f.measured = f.allowed = kUnknown;
+    f.suggestion = std::move(missing);
+    return f;
+}
+
 Finding judged(Finding finding, Severity when_broken) {
     const bool holds = finding.bound == Bound::kAtMost ? finding.measured <= finding.allowed : finding.measured >= finding.allowed;
     finding.severity = holds && !std::isnan(finding.measured) ? Severity::kPass : when_broken;
@@ -30,10 +42,19 @@ bool any_required(const Findings& findings) {
     return std::any_of(findings.begin(), findings.end(), [](const Finding& f) { return f.severity == Severity::kRequired; });
 }
 
+std::size_t count(const Findings& findings, Severity severity) {
+    return static_cast<std::size_t>(
+        std::count_if(findings.begin(), findings.end(), [severity](const Finding& f) { return f.severity == severity; }));
+}
+
+bool is_broken(const Finding& finding) { return finding.severity == Severity::kReview || finding.severity == Severity::kRequired; }
+
 const char* to_string(Severity severity) {
     switch (severity) {
         case Severity::kPass:
             return "pass";
+        case Severity::kNotJudged:
+            return "not judged";
         case Severity::kReview:
             return "review and accept";
         case Severity::kRequired:
@@ -42,10 +63,30 @@ const char* to_string(Severity severity) {
     return "";
 }
 
+namespace {
+
+/// Both numbers with four digits, or with as many more as it takes to tell them apart.
+std::pair<std::string, std::string> told_apart(double measured, double allowed) {
+    for (int digits = 4; digits < std::numeric_limits<double>::max_digits10; ++digits) {
+        std::string left = fmt::format("{:.{}g}", measured, digits), right = fmt::format("{:.{}g}", allowed, digits);
+        if (left != right || measured == allowed) return {std::move(left), std::move(right)};
+    }
+    return {fmt::format("{}", measured), fmt::format("{}", allowed)};
+}
+
+std::string unjudged_line(const Finding& f) {
+    return fmt::format("{}: {}: {}{}; missing: {}", to_string(f.severity), f.rule, f.what,
+                       f.where.empty() ? "" : fmt::format(" ({})", f.where), f.suggestion);
+}
+
+}  // namespace
+
 std::string to_line(const Finding& f) {
+    if (f.severity == Severity::kNotJudged) return unjudged_line(f);
+    const auto [measured, allowed] = told_apart(f.measured, f.allowed);
     const std::string unit = f.unit.empty() ? "" : " " + f.unit;
-    return fmt::format("{}: {}: {}: measured {:.4g}{}, allowed {} {:.4g}{}{}{}", to_string(f.severity), f.rule, f.what, f.measured, unit,
-                       f.bound == Bound::kAtMost ? "at most" : "at least", f.allowed, unit,
+    return fmt::format("{}: {}: {}: measured {}{}, allowed {} {}{}{}{}", to_string(f.severity), f.rule, f.what, measured, unit,
+                       f.bound == Bound::kAtMost ? "at most" : "at least", allowed, unit,
                        f.where.empty() ? "" : fmt::format(" ({})", f.where),
                        f.suggestion.empty() ? "" : fmt::format("; nearest feasible: {}", f.suggestion));
 }

@@ -14,11 +14,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::size_t count(const core::Findings& findings, core::Severity severity) {
-    return static_cast<std::size_t>(
-        std::count_if(findings.begin(), findings.end(), [severity](const core::Finding& f) { return f.severity == severity; }));
-}
-
 /// How far beyond its limit, as a share of it; what is not a number or may not be at all is farthest.
 double beyond(const core::Finding& f) {
     if (!std::isfinite(f.measured) || f.allowed == 0.0) return INFINITY;
@@ -37,9 +32,9 @@ const char* verdict(const core::Findings& findings) { return core::any_required(
 
 std::string one(const Checked& checked, const CheckedProcess& p) {
     const core::Findings all = p.all();
-    std::string text =
-        fmt::format("{} by {}: {}; {} required changes, {} to review, {} rules passed\n", checked.name, p.process, verdict(all),
-                    count(all, core::Severity::kRequired), count(all, core::Severity::kReview), count(all, core::Severity::kPass));
+    std::string text = fmt::format("{} by {}: {}; {} required changes, {} to review, {} rules passed\n", checked.name, p.process,
+                                   verdict(all), core::count(all, core::Severity::kRequired), core::count(all, core::Severity::kReview),
+                                   core::count(all, core::Severity::kPass));
     for (const core::Finding& f : all)
         if (f.severity != core::Severity::kPass) text += "    " + core::to_line(f) + "\n";
     return text + fmt::format("Limits: {}.\n", p.figures);
@@ -53,8 +48,8 @@ std::string table(const Checked& checked) {
         std::vector<CheckedPart> parts = p.parts;
         if (binding(p.about) != nullptr) parts.insert(parts.begin(), {"law", p.about});
         for (const CheckedPart& part : parts)
-            text += fmt::format("{:8} {:10} {:>8} {:>6}  {}\n", process, part.name, count(part.findings, core::Severity::kRequired),
-                                count(part.findings, core::Severity::kReview), binding_text(part.findings));
+            text += fmt::format("{:8} {:10} {:>8} {:>6}  {}\n", process, part.name, core::count(part.findings, core::Severity::kRequired),
+                                core::count(part.findings, core::Severity::kReview), binding_text(part.findings));
         notes += fmt::format("{:8} {}\n", process, p.figures);
     }
     return text + "\nLimits:\n" + notes;
@@ -62,8 +57,8 @@ std::string table(const Checked& checked) {
 
 Json part_json(const CheckedPart& part) {
     Json j{{"part", part.name},
-           {"required", count(part.findings, core::Severity::kRequired)},
-           {"review", count(part.findings, core::Severity::kReview)}};
+           {"required", core::count(part.findings, core::Severity::kRequired)},
+           {"review", core::count(part.findings, core::Severity::kReview)}};
     const core::Finding* f = binding(part.findings);
     j["binding"] = f == nullptr ? Json() : findings_json({*f}).front();
     j["findings"] = findings_json(part.findings);
@@ -78,8 +73,8 @@ Json process_json(const CheckedProcess& p) {
             {"own", p.own},
             {"limits", p.figures},
             {"makeable", !core::any_required(all)},
-            {"required", count(all, core::Severity::kRequired)},
-            {"review", count(all, core::Severity::kReview)},
+            {"required", core::count(all, core::Severity::kRequired)},
+            {"review", core::count(all, core::Severity::kReview)},
             {"findings", findings_json(p.about)},
             {"parts", parts}};
 }

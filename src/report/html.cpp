@@ -16,6 +16,8 @@ std::string verdict_text(core::Severity severity) {
     switch (severity) {
         case core::Severity::kPass:
             return "<span class=\"verdict pass-tag\">\u2713 Can be made</span>";
+        case core::Severity::kNotJudged:
+            return "<span class=\"verdict pass-tag\">\u2713 Can be made, as far as it was judged</span>";
         case core::Severity::kReview:
             return "<span class=\"verdict review-tag\">! Review and accept</span>";
         case core::Severity::kRequired:

@@ -13,6 +13,8 @@ std::string tag(core::Severity severity) {
     switch (severity) {
         case core::Severity::kPass:
             return "<span class=\"tag pass-tag\">\u2713 pass</span>";
+        case core::Severity::kNotJudged:
+            return "<span class=\"tag unjudged-tag\">? not judged</span>";
         case core::Severity::kReview:
             return "<span class=\"tag review-tag\">! review</span>";
         case core::Severity::kRequired:

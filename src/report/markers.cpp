@@ -17,6 +17,8 @@ const char* css(core::Severity severity) {
     switch (severity) {
         case core::Severity::kPass:
             return "pass";
+        case core::Severity::kNotJudged:
+            return "unjudged";
         case core::Severity::kReview:
             return "review";
         case core::Severity::kRequired:

@@ -35,6 +35,22 @@ TEST(Finding, LineNamesRuleMeasuredAllowedAndChange) {
         EXPECT_NE(line.find(word), std::string::npos) << word << " in " << line;
 }
 
+TEST(Finding, LineNeverShowsAMissedLimitAsEqual) {
+    Finding f = bend(18.0 - 2e-6);
+    f.allowed = 18.0;
+    const std::string line = to_line(judged(f, Severity::kRequired));
+    EXPECT_NE(line.find("measured 17.999998, allowed at least 18"), std::string::npos) << line;
+}
+
+TEST(Finding, UnjudgedRuleNamesWhatIsMissing) {
+    const Finding f = not_judged("spring.stress", "the base spring's wire yielding", "k_se.spring.wire_diameter_mm");
+    EXPECT_EQ(f.severity, Severity::kNotJudged);
+    EXPECT_FALSE(is_broken(f));
+    EXPECT_FALSE(any_required({f}));
+    EXPECT_EQ(count({f, judged(bend(9.0), Severity::kReview)}, Severity::kNotJudged), 1u);
+    EXPECT_EQ(to_line(f), "not judged: spring.stress: the base spring's wire yielding; missing: k_se.spring.wire_diameter_mm");
+}
+
 TEST(Outcome, HoldsAValueOrARefusal) {
     const Outcome<int> good = 3;
     const Outcome<int> bad = judged(bend(1.0), Severity::kRequired);

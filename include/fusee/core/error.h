@@ -1,6 +1,8 @@
 #pragma once
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace fusee::core {
 
@@ -16,6 +18,42 @@ public:
 
 private:
     std::string field_, value_, allowed_;
+};
+
+/// Several mistakes of the caller's, found in one reading. `what()` has one line each. The app ends with exit code 2.
+class InvalidInputs : public std::invalid_argument {
+public:
+    /// @pre at least one
+    explicit InvalidInputs(std::vector<InvalidInput> all);
+    [[nodiscard]] const std::vector<InvalidInput>& all() const { return all_; }
+
+private:
+    std::vector<InvalidInput> all_;
+};
+
+/// Collects the mistakes of one reading, so that a user sees all of them at once.
+class Mistakes {
+public:
+    /// Runs `read`; what it throws as InvalidInput or InvalidInputs is kept. @returns whether it threw neither
+    template <class Read>
+    bool collect(const Read& read) {
+        try {
+            read();
+            return true;
+        } catch (const InvalidInput& e) {
+            all_.push_back(e);
+        } catch (const InvalidInputs& e) {
+            all_.insert(all_.end(), e.all().begin(), e.all().end());
+        }
+        return false;
+    }
+    void add(InvalidInput mistake) { all_.push_back(std::move(mistake)); }
+    [[nodiscard]] bool empty() const { return all_.empty(); }
+    /// @throws InvalidInput if there is one mistake, InvalidInputs if there are more
+    void throw_if_any() const;
+
+private:
+    std::vector<InvalidInput> all_;
 };
 
 /// A file could not be read, written or understood. The app ends with exit code 2.

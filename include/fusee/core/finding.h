@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <utility>
@@ -9,9 +10,10 @@
 namespace fusee::core {
 
 enum class Severity {
-    kPass,      ///< the rule holds; kept so that the margin can be read
-    kReview,    ///< a person must look and accept
-    kRequired,  ///< the part or the law cannot be made as it is
+    kPass,       ///< the rule holds; kept so that the margin can be read
+    kNotJudged,  ///< the rule applies, but the profile does not state what it needs; `suggestion` names the missing keys
+    kReview,     ///< a person must look and accept
+    kRequired,   ///< the part or the law cannot be made as it is
 };
 
 /// Which side of `allowed` the measured value has to be on.
@@ -52,12 +54,20 @@ using Findings = std::vector<Finding>;
 /// What forbids a design: a finding of severity kRequired. Place, suggestion and source are for the caller to add.
 [[nodiscard]] Finding required_change(std::string rule, std::string what, double measured, Bound bound, double allowed, std::string unit);
 
+/// A rule that applies and cannot be judged. `measured` and `allowed` are NaN.
+/// @param missing the keys to state, e.g. "k_se.spring.wire_diameter_mm and k_se.spring.coil_diameter_mm"
+[[nodiscard]] Finding not_judged(std::string rule, std::string what, std::string missing);
+
 /// Sets the severity by comparing measured with allowed: `when_broken` if the bound is broken or the value is NaN.
 Finding judged(Finding finding, Severity when_broken);
 
 [[nodiscard]] bool any_required(const Findings& findings);
+[[nodiscard]] std::size_t count(const Findings& findings, Severity severity);
+/// Neither a pass nor without a judgement: something that a person has to act on.
+[[nodiscard]] bool is_broken(const Finding& finding);
 [[nodiscard]] const char* to_string(Severity severity);
-/// "required change: cable.bend_ratio: <what>: measured 6.1, allowed at least 8 (k_se at psi 3 deg); suggestion"
+/// "required change: cable.bend_ratio: <what>: measured 6.1, allowed at least 8 (k_se at psi 3 deg); suggestion". As many digits as it
+/// takes to tell measured from allowed. A rule that was not judged: "not judged: spring.stress: <what> (k_se); missing: <keys>"
 [[nodiscard]] std::string to_line(const Finding& finding);
 void append(Findings& to, const Findings& more);
 

@@ -1,5 +1,6 @@
 #include "fusee/core/file.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <openssl/evp.h>
 #include <unistd.h>
@@ -9,6 +10,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <system_error>
 #include <vector>
@@ -20,28 +22,48 @@ namespace fs = std::filesystem;
 namespace fusee::core {
 
 namespace {
+
+constexpr int kNames = 1000;  // tried for a temporary file
+
 /// A name beside `path` that no other process or thread uses.
 fs::path hidden_sibling(const fs::path& path, std::string_view purpose) {
     static std::atomic<unsigned> serial{0};
     return path.parent_path() / fmt::format(".{}.{}-{}-{}", path.filename().string(), purpose, ::getpid(), serial++);
 }
+
+/// Writes all bytes to a new file and hands them to the disk. @returns 0 or errno
+int write_new(const fs::path& path, std::string_view bytes) {
+    const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (file < 0) return errno;
+    int failed = 0;
+    while (!bytes.empty() && failed == 0) {
+        const ssize_t count = ::write(file, bytes.data(), bytes.size());
+        if (count >= 0)
+            bytes.remove_prefix(static_cast<std::size_t>(count));
+        else if (errno != EINTR)
+            failed = errno;
+    }
+    if (failed == 0 && ::fsync(file) != 0 && errno != EINVAL && errno != EROFS) failed = errno;  // some file systems have no fsync
+    if (::close(file) != 0 && failed == 0) failed = errno;
+    return failed;
+}
+
 }  // namespace
 
 void write_file(const fs::path& path, std::string_view bytes) {
-    const fs::path temporary = hidden_sibling(path, "part");
-    std::ofstream out(temporary, std::ios::binary);
-    out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    out.close();
+    fs::path temporary;
+    int failed = EEXIST;  // a name that a killed process left
+    for (int i = 0; i < kNames && failed == EEXIST; ++i) failed = write_new(temporary = hidden_sibling(path, "part"), bytes);
     std::error_code error;
-    if (!out) {
-        fs::remove(temporary, error);
-        throw IoError(path.string(), "cannot be written");
+    if (failed != 0) {
+        if (failed != EEXIST) fs::remove(temporary, error);
+        throw IoError(path.string(), std::string("cannot be written: ") + std::strerror(failed));
     }
     fs::rename(temporary, path, error);
     if (!error) return;
     const std::string why = error.message();
     fs::remove(temporary, error);
-    throw IoError(path.string(), why);
+    throw IoError(path.string(), "cannot be written: " + why);
 }
 
 void read_pieces(const fs::path& path, std::size_t largest, const std::function<void(std::string_view)>& take) {

@@ -9,12 +9,14 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <sstream>
+#include <utility>
 
 #include "fusee/core/error.h"
 
@@ -25,79 +27,172 @@ namespace fusee::core {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+using std::chrono::milliseconds;
 
 constexpr std::size_t kTail = 600;  // characters of a program's own words that go into an error
+constexpr milliseconds kLook{10};   // how often a silent program is looked at
+constexpr int kPieces = 64;         // of output between two looks at the program
 
-/// A child process whose standard output and error can be read; ended if still running when this goes.
+/// Process groups that run at present; 0 is a free place.
+std::array<std::atomic<pid_t>, 64> g_groups;
+static_assert(std::atomic<pid_t>::is_always_lock_free, "read by a signal handler");
+
+void note_group(pid_t from, pid_t to) {
+    for (std::atomic<pid_t>& place : g_groups)
+        if (pid_t expected = from; place.compare_exchange_strong(expected, to)) return;
+}
+
+/// The environment with one language for all: a locale that is not installed stops some programs.
+std::vector<std::string> plain_environment() {
+    std::vector<std::string> all{"LC_ALL=C.UTF-8"};
+    for (char** entry = environ; *entry != nullptr; ++entry) {
+        const std::string text = *entry;
+        if (!text.starts_with("LC_") && !text.starts_with("LANG=") && !text.starts_with("LANGUAGE=")) all.push_back(text);
+    }
+    return all;
+}
+
+std::vector<char*> pointers(std::vector<std::string>& words) {
+    std::vector<char*> all;
+    all.reserve(words.size() + 1);
+    for (std::string& word : words) all.push_back(word.data());
+    all.push_back(nullptr);
+    return all;
+}
+
+/// A group of its own, and the signals as a program expects them.
+class Attributes {
+public:
+    Attributes() {
+        ::posix_spawnattr_init(&value_);
+        ::posix_spawnattr_setflags(&value_, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK);
+        ::posix_spawnattr_setpgroup(&value_, 0);
+        sigset_t set;
+        ::sigemptyset(&set);
+        ::posix_spawnattr_setsigmask(&value_, &set);
+        for (const int signal : {SIGINT, SIGTERM, SIGPIPE}) ::sigaddset(&set, signal);
+        ::posix_spawnattr_setsigdefault(&value_, &set);
+    }
+    ~Attributes() { ::posix_spawnattr_destroy(&value_); }
+    Attributes(const Attributes&) = delete;
+    Attributes& operator=(const Attributes&) = delete;
+    [[nodiscard]] const posix_spawnattr_t* get() const { return &value_; }
+
+private:
+    posix_spawnattr_t value_{};
+};
+
+/// Starts a program that prints into `output`. @returns 0 or errno
+int spawn(pid_t& pid, std::vector<std::string> words, int output) {
+    std::vector<std::string> environment = plain_environment();
+    const Attributes attributes;
+    posix_spawn_file_actions_t actions;
+    ::posix_spawn_file_actions_init(&actions);
+    ::posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    ::posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
+    ::posix_spawn_file_actions_adddup2(&actions, output, STDERR_FILENO);
+    const int failed =
+        ::posix_spawnp(&pid, words.front().c_str(), &actions, attributes.get(), pointers(words).data(), pointers(environment).data());
+    ::posix_spawn_file_actions_destroy(&actions);
+    return failed;
+}
+
+/// A child process whose standard output and error can be read; ended with its own children when this goes.
 class Child {
 public:
     Child(const std::vector<std::string>& words, const std::string& about) {
         std::array<int, 2> ends{};
         if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw IoError(about, std::strerror(errno));
         read_ = ends[0];
-        posix_spawn_file_actions_t actions;
-        ::posix_spawn_file_actions_init(&actions);
-        ::posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-        ::posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
-        ::posix_spawn_file_actions_adddup2(&actions, ends[1], STDERR_FILENO);
-        std::vector<char*> arguments;
-        arguments.reserve(words.size() + 1);
-        for (const std::string& w : words) arguments.push_back(const_cast<char*>(w.c_str()));
-        arguments.push_back(nullptr);
-        const int failed = ::posix_spawnp(&pid_, words.front().c_str(), &actions, nullptr, arguments.data(), environ);
-        ::posix_spawn_file_actions_destroy(&actions);
+        const int failed = spawn(pid_, words, ends[1]);
         ::close(ends[1]);
-        if (failed == 0) return;
+        if (failed == 0) {
+            note_group(0, pid_);
+            return;
+        }
         pid_ = -1;
         ::close(read_);
         throw IoError(about, fmt::format("{} cannot be started: {}", words.front(), std::strerror(failed)));
     }
     ~Child() {
-        if (pid_ > 0) {
-            ::kill(pid_, SIGKILL);
-            (void)wait();
-        }
-        ::close(read_);
+        if (pid_ > 0) (void)end();
+        if (read_ >= 0) ::close(read_);
     }
     Child(const Child&) = delete;
     Child& operator=(const Child&) = delete;
 
-    /// All that it prints until it closes its output; nothing more after `end`. @returns false when the time is up
-    bool collect(std::string& output, Clock::time_point end) const {
-        std::array<char, 65536> buffer{};
+    /// What it prints until it ends; its end counts, not that of its output. @returns false when the time is up
+    bool collect(ProcessResult& result, std::size_t kept, Clock::time_point end) {
         while (true) {
-            const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now()).count();
-            if (left <= 0) return false;
-            pollfd waiting{read_, POLLIN, 0};
-            const int ready = ::poll(&waiting, 1, static_cast<int>(std::min<long long>(left, 1000)));
-            if (ready <= 0) continue;
-            const ssize_t got = ::read(read_, buffer.data(), buffer.size());
-            if (got == 0 || (got < 0 && errno != EINTR)) return true;
-            if (got > 0) output.append(buffer.data(), static_cast<std::size_t>(got));
+            const bool over = has_ended();  // before the last look at its output
+            for (int i = 0; i < kPieces && take(result, kept); ++i) {
+            }
+            if (over) return true;
+            const auto left = std::chrono::duration_cast<milliseconds>(end - Clock::now());
+            if (left.count() <= 0) return false;
+            pollfd waiting{read_, POLLIN, 0};  // a negative descriptor is passed over
+            (void)::poll(&waiting, 1, static_cast<int>(std::min(left, kLook).count()));
         }
     }
-    /// Its exit code, or -1 if a signal ended it.
-    int wait() {
+    /// Ends what is left of its group. @returns its exit code, or -1 if a signal ended it
+    int end() {
+        ::kill(pid_, SIGKILL);
+        ::kill(-pid_, SIGKILL);  // its number is its own until it is waited for
         int status = 0;
         while (::waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
         }
+        note_group(pid_, 0);
         pid_ = -1;
         return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     }
 
 private:
+    [[nodiscard]] bool has_ended() const {
+        siginfo_t info{};
+        return ::waitid(P_PID, static_cast<id_t>(pid_), &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == pid_;
+    }
+    /// One piece of output, if there is one now.
+    bool take(ProcessResult& result, std::size_t kept) {
+        pollfd waiting{read_, POLLIN, 0};
+        if (read_ < 0 || ::poll(&waiting, 1, 0) <= 0) return false;
+        std::array<char, 65536> buffer;
+        const ssize_t got = ::read(read_, buffer.data(), buffer.size());
+        if (got < 0 && errno == EINTR) return true;
+        if (got <= 0) {
+            ::close(std::exchange(read_, -1));
+            return false;
+        }
+        result.output.append(buffer.data(), static_cast<std::size_t>(got));
+        if (result.output.size() / 2 > kept) drop(result, kept);
+        return true;
+    }
+    static void drop(ProcessResult& result, std::size_t kept) {
+        result.output.erase(0, result.output.size() - kept);
+        result.whole = false;
+    }
+
     pid_t pid_ = -1;
     int read_ = -1;
 };
 
 }  // namespace
 
-ProcessResult run_process(const std::vector<std::string>& words, const std::string& about, std::chrono::seconds timeout) {
+ProcessResult run_process(const std::vector<std::string>& words, const std::string& about, std::chrono::seconds timeout, std::size_t kept) {
     Child child(words, about);
     ProcessResult result;
-    result.in_time = child.collect(result.output, Clock::now() + timeout);
-    if (result.in_time) result.code = child.wait();
+    result.in_time = child.collect(result, kept, Clock::now() + timeout);
+    const int code = child.end();
+    if (result.in_time) result.code = code;
+    if (result.output.size() > kept) {
+        result.output.erase(0, result.output.size() - kept);
+        result.whole = false;
+    }
     return result;
+}
+
+void end_processes() noexcept {
+    for (const std::atomic<pid_t>& place : g_groups)
+        if (const pid_t group = place.load(); group > 0) ::kill(-group, SIGKILL);
 }
 
 bool on_path(const std::string& program) {

@@ -5,6 +5,8 @@
 
 #include <csignal>
 
+#include "fusee/core/process.h"
+
 namespace fusee::core {
 
 namespace {
@@ -43,8 +45,12 @@ void Progress::draw(const std::string& label) const {
 
 void catch_interrupts() {
     const auto handler = [](int signal) {
+        if (g_interrupted != 0) {
+            end_processes();
+            std::signal(signal, SIG_DFL);
+            (void)std::raise(signal);
+        }
         g_interrupted = 1;
-        std::signal(signal, SIG_DFL);
     };
     std::signal(SIGINT, handler);
     std::signal(SIGTERM, handler);

@@ -1,15 +1,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
-#include <cstring>
 #include <string_view>
 
 #include "fusee/core/error.h"
 #include "fusee/core/process.h"
+#include "fusee/core/temporary_folder.h"
 #include "fusee/core/units.h"
 #include "fusee/toolpath/read_back.h"
 
@@ -19,7 +18,8 @@ namespace {
 
 constexpr const char* kInterpreter = "rs274";
 constexpr std::chrono::seconds kTimeout{120};
-constexpr double kChord_mm = 5e-5;  // of an arc's chords: the interpreter prints to 1e-4 mm
+constexpr std::size_t kLongest = 500'000'000;  // bytes of canonical commands
+constexpr double kChord_mm = 5e-5;             // of an arc's chords: the interpreter prints to 1e-4 mm
 
 /// Reads canonical commands one row at a time.
 class Parser {
@@ -94,27 +94,6 @@ private:
     std::size_t row_ = 0;
 };
 
-/// A home of its own, gone when this goes: rs274 maps a file there, ~/.tool.mmap, and cuts it short when it starts, so that two at a
-/// time end each other.
-class Home {
-public:
-    explicit Home(const std::string& about) {
-        std::string pattern = (std::filesystem::temp_directory_path() / "fusee-rs274-XXXXXX").string();
-        if (::mkdtemp(pattern.data()) == nullptr) throw core::IoError(about, pattern + ": " + std::strerror(errno));
-        path_ = pattern;
-    }
-    ~Home() {
-        std::error_code ignored;
-        std::filesystem::remove_all(path_, ignored);
-    }
-    Home(const Home&) = delete;
-    Home& operator=(const Home&) = delete;
-    [[nodiscard]] const std::string& path() const { return path_; }
-
-private:
-    std::string path_;
-};
-
 }  // namespace
 
 bool can_interpret() { return core::on_path(kInterpreter); }
@@ -131,12 +110,14 @@ Interpreted parse_canonical(const std::string& output, const std::string& file) 
 
 Interpreted interpret(const std::filesystem::path& program) {
     const std::string file = program.string();
-    const Home home(file);
-    const core::ProcessResult result =
-        core::run_process({"env", "HOME=" + home.path(), kInterpreter, "-g", std::filesystem::absolute(program).string()}, file, kTimeout);
+    // A home of its own: rs274 maps a file there, ~/.tool.mmap, and cuts it short when it starts, so that two at a time end each other.
+    const core::TemporaryFolder home;
+    const core::ProcessResult result = core::run_process(
+        {"env", "HOME=" + home.path().string(), kInterpreter, "-g", std::filesystem::absolute(program).string()}, file, kTimeout, kLongest);
     if (!result.in_time) throw core::IoError(file, fmt::format("{} was still running after {} s", kInterpreter, kTimeout.count()));
     if (result.code != 0)
         throw core::IoError(file, fmt::format("{} ended with {}: {}", kInterpreter, result.code, core::last_words(result.output)));
+    if (!result.whole) throw core::IoError(file, fmt::format("{} printed more than the {} bytes that are read", kInterpreter, kLongest));
     return parse_canonical(result.output, file);
 }
 

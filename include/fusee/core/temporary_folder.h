@@ -1,0 +1,35 @@
+#pragma once
+#include <filesystem>
+#include <string>
+
+namespace fusee::core {
+
+/// A new folder PARENT/PREFIXxxxxxx (six random characters), removed with all that it holds when this object goes.
+/// It is locked (flock) as long as its process lives: the next one with the same parent and prefix removes those that a killed process
+/// left.
+class TemporaryFolder {
+public:
+    /// @pre `prefix` is used for nothing else @throws IoError naming the parent
+    TemporaryFolder(const std::filesystem::path& parent, const std::string& prefix);
+    /// In the folder for temporary files: $TMPDIR, else /tmp. @throws IoError naming TMPDIR
+    TemporaryFolder();
+    ~TemporaryFolder();
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+private:
+    void make(const std::filesystem::path& parent, const std::string& prefix);
+
+    std::filesystem::path path_;
+    int lock_ = -1;  ///< descriptor of the folder
+};
+
+/// Removes the temporary folders of this parent and prefix whose process is gone.
+void remove_left_behind(const std::filesystem::path& parent, const std::string& prefix);
+
+/// Is this the name of a temporary folder with that prefix?
+[[nodiscard]] bool is_temporary_name(const std::string& name, const std::string& prefix);
+
+}  // namespace fusee::core

@@ -1,0 +1,37 @@
+#include "durable.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <limits>
+
+#include "fusee/core/error.h"
+#include "fusee/core/file.h"
+
+namespace fs = std::filesystem;
+
+namespace fusee::core {
+
+void sync(const fs::path& path) {
+    const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (file < 0) return;
+    const int failed = ::fsync(file) != 0 ? errno : 0;
+    ::close(file);
+    if (failed == EIO || failed == ENOSPC || failed == EDQUOT)
+        throw IoError(path.string(), std::string("cannot be written: ") + std::strerror(failed));
+}
+
+void sync_tree(const fs::path& folder) {
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+        if (entry.is_regular_file()) sync(entry.path());
+}
+
+std::string sha256_of_file(const fs::path& path) {
+    Sha256 hash;
+    read_pieces(path, std::numeric_limits<std::size_t>::max(), [&hash](std::string_view piece) { hash.add(piece); });
+    return hash.hex();
+}
+
+}  // namespace fusee::core

@@ -1,0 +1,116 @@
+#include "manifest.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <nlohmann/json.hpp>
+
+#include "fusee/core/error.h"
+#include "fusee/core/file.h"
+#include "fusee/core/output_folder.h"
+#include "fusee/core/provenance.h"
+
+namespace fs = std::filesystem;
+
+namespace fusee::core {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kLargest = 50'000'000;  // bytes
+constexpr int kDeepest = 4;
+
+bool is_utf8(const std::string& text) {
+    try {
+        (void)Json(text).dump();
+        return true;
+    } catch (const Json::type_error&) {
+        return false;
+    }
+}
+
+std::string encoded(const std::string& text) {
+    const bool readable = is_utf8(text);
+    std::string result;
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        result += c == '%' || (!readable && byte >= 0x80) ? fmt::format("%{:02X}", byte) : std::string(1, c);
+    }
+    return result;
+}
+
+std::string decoded(const std::string& text) {
+    std::string result;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        unsigned byte = 0;
+        const char* const begin = text.data() + i + 1;
+        if (text[i] == '%' && i + 2 < text.size() && std::from_chars(begin, begin + 2, byte, 16).ptr == begin + 2) {
+            result += static_cast<char>(byte);
+            i += 2;
+        } else {
+            result += text[i];
+        }
+    }
+    return result;
+}
+
+/// A plain name below the folder: no "..", not absolute, not the manifest.
+bool is_inside(const fs::path& name) {
+    if (name.empty() || name.is_absolute() || name != name.lexically_normal() || name.filename().empty()) return false;
+    for (const fs::path& part : name)
+        if (part == ".." || part == ".") return false;
+    return name != kManifestName && name.string().find('\0') == std::string::npos;
+}
+
+MadeFile made_file(const Json& json) {
+    MadeFile file;
+    file.command = json.at("command").get<std::string>();
+    file.source = decoded(json.at("source").get<std::string>());
+    file.sha256 = json.at("sha256").get<std::string>();
+    file.earlier = json.value("earlier", std::string());
+    file.sheet = json.value("sheet", false);
+    return file;
+}
+
+}  // namespace
+
+std::optional<Manifest> read_manifest(const fs::path& folder) {
+    const fs::path path = folder / kManifestName;
+    std::error_code error;
+    if (!fs::exists(fs::symlink_status(path, error))) return std::nullopt;
+    const auto damaged = [&path](const std::string& why) {
+        return IoError(path.string(), "the list of what fusee made here is damaged (" + why +
+                                          "): put it back, move the folder away or choose another one; nothing was written");
+    };
+    if (!fs::is_regular_file(fs::symlink_status(path, error))) throw damaged("it is no file");
+    const std::string text = read_file(path, kLargest);
+    const auto shallow = [](int depth, Json::parse_event_t, const Json&) { return depth <= kDeepest; };
+    const Json json = Json::parse(text, shallow, false);
+    if (!json.is_object() || !json.contains("files") || !json["files"].is_object()) throw damaged("no files");
+    Manifest manifest;
+    for (const auto& [name, entry] : json["files"].items()) {
+        const std::string file = decoded(name);
+        if (!is_inside(file)) throw damaged("\"" + name + "\" is not inside of the folder");
+        try {
+            manifest[file] = made_file(entry);
+        } catch (const Json::exception&) {
+            throw damaged("\"" + name + "\" lacks command, source or sha256");
+        }
+    }
+    return manifest;
+}
+
+std::string manifest_text(const Manifest& manifest) {
+    Json files = Json::object();
+    for (const auto& [name, file] : manifest) {
+        Json& entry = files[encoded(name)];
+        entry = {{"command", file.command}, {"source", encoded(file.source)}, {"sha256", file.sha256}};
+        if (!file.earlier.empty()) entry["earlier"] = file.earlier;
+        if (file.sheet) entry["sheet"] = true;
+    }
+    const Json json{{"fusee", version()}, {"about", "Files that fusee made here. It replaces and removes no others."}, {"files", files}};
+    return json.dump(1) + "\n";
+}
+
+}  // namespace fusee::core

@@ -1,0 +1,28 @@
+#pragma once
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+
+namespace fusee::core {
+
+/// A file that fusee made.
+struct MadeFile {
+    std::string command, source;  ///< source: relative to the folder; "." the folder itself
+    std::string sha256;           ///< of its bytes
+    std::string earlier;          ///< while a run moves its files: of the bytes that stand there before; else empty
+    bool sheet = false;           ///< to be filled in by the user
+
+    [[nodiscard]] bool holds(const std::string& hash) const { return !hash.empty() && (hash == sha256 || hash == earlier); }
+};
+
+/// By name relative to the folder, with '/'.
+using Manifest = std::map<std::string, MadeFile>;
+
+/// None if the folder has none. @throws IoError if it is damaged or names a file outside of the folder
+[[nodiscard]] std::optional<Manifest> read_manifest(const std::filesystem::path& folder);
+
+/// As JSON. Bytes that are no UTF-8 are written as %XX.
+[[nodiscard]] std::string manifest_text(const Manifest& manifest);
+
+}  // namespace fusee::core

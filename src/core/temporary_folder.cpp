@@ -1,0 +1,104 @@
+#include "fusee/core/temporary_folder.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "fusee/core/error.h"
+
+namespace fs = std::filesystem;
+
+namespace fusee::core {
+
+namespace {
+
+constexpr std::size_t kRandom = 6;  // characters that mkdtemp chooses
+constexpr const char* kPrefix = "fusee-temporary-";
+
+/// An open folder that is closed when this goes.
+class Descriptor {
+public:
+    explicit Descriptor(const fs::path& folder) : value_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC | O_NOFOLLOW)) {}
+    ~Descriptor() {
+        if (value_ >= 0) ::close(value_);
+    }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+
+    [[nodiscard]] bool lock() const { return value_ >= 0 && ::flock(value_, LOCK_EX | LOCK_NB) == 0; }
+    [[nodiscard]] bool is(const fs::path& folder) const {
+        struct stat open {
+        }, named{};
+        return ::fstat(value_, &open) == 0 && ::lstat(folder.c_str(), &named) == 0 && open.st_dev == named.st_dev &&
+               open.st_ino == named.st_ino;
+    }
+    [[nodiscard]] int release() { return std::exchange(value_, -1); }
+
+private:
+    int value_;
+};
+
+}  // namespace
+
+bool is_temporary_name(const std::string& name, const std::string& prefix) {
+    if (name.size() != prefix.size() + kRandom || !name.starts_with(prefix)) return false;
+    const auto chosen = [](unsigned char c) { return c < 0x80 && std::isalnum(c) != 0; };
+    return std::all_of(name.begin() + static_cast<std::ptrdiff_t>(prefix.size()), name.end(), chosen);
+}
+
+void remove_left_behind(const fs::path& parent, const std::string& prefix) {
+    std::error_code ignored;
+    std::vector<fs::path> found;
+    for (auto entry = fs::directory_iterator(parent, ignored); !ignored && entry != fs::directory_iterator(); entry.increment(ignored))
+        if (is_temporary_name(entry->path().filename().string(), prefix)) found.push_back(entry->path());
+    for (const fs::path& folder : found) {
+        const Descriptor open(folder);
+        if (open.lock()) fs::remove_all(folder, ignored);
+    }
+}
+
+TemporaryFolder::TemporaryFolder(const fs::path& parent, const std::string& prefix) { make(parent, prefix); }
+
+TemporaryFolder::TemporaryFolder() {
+    std::error_code error;
+    const fs::path parent = fs::temp_directory_path(error);  // fails if TMPDIR is no folder
+    const char* named = std::getenv("TMPDIR");
+    if (error) throw IoError(fmt::format("TMPDIR={}", named == nullptr ? "" : named), "no folder for temporary files: " + error.message());
+    make(parent, kPrefix);
+}
+
+void TemporaryFolder::make(const fs::path& parent, const std::string& prefix) {
+    remove_left_behind(parent, prefix);
+    constexpr int kTries = 100;
+    for (int i = 0; i < kTries; ++i) {
+        std::string pattern = (parent / (prefix + std::string(kRandom, 'X'))).string();
+        if (::mkdtemp(pattern.data()) == nullptr)
+            throw IoError(parent.string(), fmt::format("no folder for temporary files can be made here: {}", std::strerror(errno)));
+        Descriptor open(pattern);
+        // Another process may take it for one left behind before it is locked. A file system without locks is no reason to stop.
+        if ((!open.lock() && errno == EWOULDBLOCK) || !open.is(pattern)) continue;
+        path_ = pattern;
+        lock_ = open.release();
+        return;
+    }
+    throw IoError(parent.string(), "no folder for temporary files can be made here: others remove it");
+}
+
+TemporaryFolder::~TemporaryFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+    if (lock_ >= 0) ::close(lock_);
+}
+
+}  // namespace fusee::core

@@ -26,9 +26,11 @@ Json limit_json(const checks::Limit& limit) {
     return j;
 }
 
-Json rule_json(const checks::Card& rule, bool needs_mesh) {
+Json rule_json(const checks::Card& rule, bool needs_mesh, const std::vector<checks::Need>& needs) {
     Json limits = Json::array();
     for (const checks::Limit& limit : rule.limits) limits.push_back(limit_json(limit));
+    Json keys = Json::array();
+    for (const checks::Need& need : needs) keys.push_back(need.key);
     return {{"rule", rule.id},
             {"group", rule.group()},
             {"severity", core::to_string(rule.severity())},
@@ -36,13 +38,14 @@ Json rule_json(const checks::Card& rule, bool needs_mesh) {
             {"measured", rule.measures},
             {"limits", limits},
             {"source", rule.source},
-            {"needs_mesh", needs_mesh}};
+            {"needs_mesh", needs_mesh},
+            {"needs_keys", keys}};
 }
 
 void print_json() {
     Json all = Json::array();
-    for (const checks::Rule& rule : checks::rules()) all.push_back(rule_json(rule, rule.needs_mesh));
-    for (const inspect::Rule& rule : inspect::rules()) all.push_back(rule_json(rule, true));
+    for (const checks::Rule& rule : checks::rules()) all.push_back(rule_json(rule, rule.needs_mesh, rule.needs));
+    for (const inspect::Rule& rule : inspect::rules()) all.push_back(rule_json(rule, true, {}));
     fmt::print("{}\n", all.dump(2));
 }
 
@@ -66,6 +69,8 @@ void print_text() {
         fmt::print("  {:28}   measured: {}\n", "", rule.measures);
         for (const checks::Limit& limit : rule.limits)
             fmt::print("  {:28}   {}: {} {}\n", "", core::to_string(limit.severity), limit.key(), limit.text());
+        if (const checks::Rule* of_design = checks::find_rule(rule.id))
+            for (const checks::Need& need : of_design->needs) fmt::print("  {:28}   not judged without {}\n", "", need.key);
         fmt::print("  {:28}   source: {}\n", "", rule.source);
     }
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fusee/batch/batch.h"
+#include "fusee/report/rule_counts.h"
 
 namespace fusee::batch {
 
@@ -42,25 +43,26 @@ int exit_code(Outcome outcome) {
 namespace {
 
 std::string made_line(const Row& row) {
-    const auto count = [&](core::Severity severity) {
-        return std::count_if(row.result.findings.begin(), row.result.findings.end(),
-                             [&](const core::Finding& f) { return f.severity == severity; });
-    };
-    const double width = row.result.dead_band_peak_deg;
-    const double change = row.result.worst_dead_band_change;
-    const std::string exported = std::isfinite(change) ? fmt::format(", of the files' joints within {:.3f} % of it", 100.0 * change) : "";
-    const std::string dead_band = std::isfinite(width) ? fmt::format("exact dead-band {:.1f} deg at peak torque", width) + exported
-                                                       : "the springs do not cover the dead-band at peak torque";
-    return fmt::format("{}/  worst arm error {:.4f} %, {}, {} rules passed, {} to review", row.result.folder.string(),
-                       100.0 * row.result.worst_arm_error, dead_band, count(core::Severity::kPass), count(core::Severity::kReview));
+    const core::Findings& findings = row.result.findings;
+    const std::string open = report::not_judged_text(findings);
+    return fmt::format("{}/  {} rules passed, {} to review{}", row.result.folder.string(), core::count(findings, core::Severity::kPass),
+                       core::count(findings, core::Severity::kReview), open.empty() ? "" : "; " + open);
+}
+
+/// What the user gets, a figure a line.
+std::string head_lines(const Row& row) {
+    std::string lines;
+    for (const report::HeadFigure& figure : row.result.head) lines += fmt::format("    {}  {}\n", figure.value, figure.label);
+    return lines;
 }
 
 /// What went wrong, or what binds; under a row.
 std::string details(const Ended& row, const core::Findings& findings) {
     if (!row.error.empty()) return "    " + row.error + "\n";
     std::string lines;
-    for (const core::Finding& f : findings)
-        if (f.severity != core::Severity::kPass) lines += "    " + core::to_line(f) + "\n";
+    for (const core::Severity severity : {core::Severity::kRequired, core::Severity::kReview, core::Severity::kNotJudged})
+        for (const core::Finding& f : findings)
+            if (f.severity == severity) lines += "    " + core::to_line(f) + "\n";
     return lines;
 }
 
@@ -79,6 +81,7 @@ std::string closing_table(const std::vector<Row>& rows) {
     std::string table;
     for (const Row& row : rows) {
         table += beginning(row, rows, "made") + (row.outcome == Outcome::kMade ? made_line(row) : "") + "\n";
+        if (row.outcome == Outcome::kMade) table += head_lines(row);
         table += details(row, row.result.findings);
     }
     return table;

@@ -5,6 +5,7 @@
 #include "coil.h"
 #include "fusee/core/units.h"
 #include "measure.h"
+#include "needs.h"
 #include "rules.h"
 #include "shape.h"
 
@@ -15,7 +16,6 @@ namespace {
 core::Findings run(const Design& design, const Allowed& allowed) {
     const spring::BaseSpring& s = design.spring;
     const auto hole = anchor_hole(design.part);
-    if (s.kind != spring::BaseKind::kTorsion || !coil_known(s) || !hole) return {};
     const double outside = 0.5 * (s.coil_diameter + s.wire_diameter);
     core::Finding f = judge(core::mm_from_m(std::hypot(hole->centre[0], hole->centre[1]) - hole->radius - outside), {allowed("review")});
     f.what = fmt::format("distance from the spring's coils, {:.2f} mm from the axis, to the anchor hole", core::mm_from_m(outside));
@@ -34,7 +34,10 @@ Rule assembly_anchor_reach() {
             "distance from the torsion spring's outside to the anchor hole on the top face",
             "geometry: the knot is tied beside the spring",
             {review(kAtLeast, "mm", 0.0)},
-            run};
+            run,
+            false,
+            {need::kWire, need::kCoil},
+            has_torsion_anchor};
 }
 
 }  // namespace fusee::checks

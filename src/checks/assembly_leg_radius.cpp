@@ -6,6 +6,7 @@
 #include "coil.h"
 #include "fusee/core/units.h"
 #include "measure.h"
+#include "needs.h"
 #include "rules.h"
 #include "shape.h"
 
@@ -16,7 +17,6 @@ namespace {
 core::Findings run(const Design& design, const Allowed& allowed) {
     const solid::FeatureOptions& features = design.part.options.features;
     const spring::BaseSpring& s = design.spring;
-    if (!has_slot(features) || !coil_known(s)) return {};
     const double aside = std::abs(features.leg_slot_radius - 0.5 * s.coil_diameter) + 0.5 * (s.wire_diameter - features.leg_slot_length);
     core::Finding f = judge(core::mm_from_m(std::max(0.0, aside)), {allowed("review")});
     f.what = fmt::format("how far an axial leg {:.2f} mm from the axis stands out of its slot", core::mm_from_m(0.5 * s.coil_diameter));
@@ -33,7 +33,10 @@ Rule assembly_leg_radius() {
             "how far the leg, at the coil's radius, stands out of its slot",
             "geometry: an axial leg stands at D/2",
             {review(kAtMost, "mm", 0.0)},
-            run};
+            run,
+            false,
+            {need::kWire, need::kCoil},
+            has_leg_slot};
 }
 
 }  // namespace fusee::checks

@@ -2,6 +2,7 @@
 
 #include "fusee/core/units.h"
 #include "measure.h"
+#include "needs.h"
 #include "rules.h"
 #include "shape.h"
 
@@ -12,7 +13,6 @@ namespace {
 core::Findings run(const Design& design, const Allowed& allowed) {
     const solid::FeatureOptions& features = design.part.options.features;
     const double wire = design.spring.wire_diameter;
-    if (!has_slot(features) || wire <= 0.0) return {};
     core::Finding f = judge(core::mm_from_m(features.leg_slot_width - wire), {allowed("required"), allowed("review")});
     f.what = fmt::format("play of the spring's leg of {:g} mm in its slot", core::mm_from_m(wire));
     f.where = fmt::format("{} at body angle {:.1f} deg", name(design), core::deg_from_rad(features.leg_slot_angle));
@@ -28,7 +28,10 @@ Rule assembly_leg_width() {
             "width of the spring leg's slot less the wire",
             "0 to 0.5 mm (practice)",
             {required(kAtLeast, "mm", 0.0), review(kAtMost, "mm", 0.5)},
-            run};
+            run,
+            false,
+            {need::kWire},
+            has_leg_slot};
 }
 
 }  // namespace fusee::checks

@@ -4,6 +4,7 @@
 
 #include "fusee/core/units.h"
 #include "measure.h"
+#include "needs.h"
 #include "rules.h"
 #include "shape.h"
 
@@ -16,7 +17,6 @@ constexpr double kKnot = 0.5;      // of its strength that the cable keeps in a 
 
 core::Findings run(const Design& design, const Allowed& allowed) {
     const cam::Cam& cam = design.part.cam;
-    if (design.cable.breaking_load <= 0.0 || cam.working.empty()) return {};
     const auto at_knot = [&cam](const cam::Contact& c) { return c.arm.tension * std::exp(-kFriction * wound_angle(cam, c)); };
     const cam::Contact& worst = worst_contact(cam, at_knot);
     if (worst.arm.tension <= 0.0) return {};
@@ -36,7 +36,10 @@ Rule cable_anchor_load() {
             "least of breaking load x 0.5 / (tension x e^(-0.1 angle wound between anchor and contact))",
             "a knot keeps half the strength, friction 0.1, safety 3, at least 1.5 (practice)",
             {required(kAtLeast, "", 1.5), review(kAtLeast, "", 3.0)},
-            run};
+            run,
+            false,
+            {need::kBreakingLoad},
+            works};
 }
 
 }  // namespace fusee::checks

@@ -2,6 +2,7 @@
 
 #include "fusee/checks/limits.h"
 #include "measure.h"
+#include "needs.h"
 #include "rules.h"
 #include "shape.h"
 
@@ -11,7 +12,6 @@ namespace {
 
 core::Findings run(const Design& design, const Allowed& allowed) {
     const cam::Cam& cam = design.part.cam;
-    if (design.cable.breaking_load <= 0.0 || cam.working.empty()) return {};
     const double d = design.cable.diameter;
     const auto left = [d](const cam::Contact& c) { return strength_left((2.0 * c.path.rho - d) / d); };
     const cam::Contact& worst = worst_contact(cam, [&](const cam::Contact& c) { return c.arm.tension / left(c); });
@@ -33,7 +33,10 @@ Rule cable_breaking_load() {
             "least of breaking load x strength left at D/d (table 2) / tension",
             "safety 5, at least 3 (practice) for running cable; strength left at D/d: Sava, Crosby",
             {required(kAtLeast, "", 3.0), review(kAtLeast, "", 5.0)},
-            run};
+            run,
+            false,
+            {need::kBreakingLoad},
+            works};
 }
 
 }  // namespace fusee::checks

@@ -4,6 +4,7 @@
 
 #include "fusee/core/units.h"
 #include "measure.h"
+#include "needs.h"
 #include "rules.h"
 #include "shape.h"
 
@@ -15,7 +16,6 @@ constexpr double kMega = 1e6;
 
 core::Findings run(const Design& design, const Allowed& allowed) {
     const auto most = allowed.stated("required", design.cable.max_pressure / kMega);
-    if (!most || design.part.cam.working.empty()) return {};
     const double d = design.cable.diameter;
     // No groove floor to press on where 2 rho <= d: cable.bend_ratio says so.
     const auto pressure = [d](const cam::Contact& c) {
@@ -42,7 +42,10 @@ Rule cable_pressure() {
             "largest 2T/(D d)",
             "2T/(D d) against the part's material: cable.max_pressure_MPa",
             {required(kAtMost, "MPa", "cable.max_pressure_MPa; not judged without it")},
-            run};
+            run,
+            false,
+            {need::material_pressure("required")},
+            works};
 }
 
 }  // namespace fusee::checks

@@ -15,26 +15,44 @@ std::string limits_text(const Card& rule) {
     return text;
 }
 
+/// "`spring.wire_mm`, `spring.max_travel_mm` (or `spring.free_length_mm`, `spring.wire_mm`)"
+std::string needs_text(const Rule& rule) {
+    std::string text;
+    for (const Need& need : rule.needs) {
+        std::string others;
+        for (const char* other : need.or_else)
+            if (other != nullptr) others += fmt::format("{}`{}`", others.empty() ? "" : ", ", other);
+        text += fmt::format("{}`{}`{}", text.empty() ? "" : ", ", need.key, others.empty() ? "" : " (or " + others + ")");
+    }
+    return text;
+}
+
 }  // namespace
 
-std::string reference(const std::vector<const Card*>& cards) {
+std::string reference(const std::vector<const Card*>& cards, const std::vector<std::string>& needs) {
     std::string text;
     std::string_view group;
-    for (const Card* rule : cards) {
+    for (std::size_t i = 0; i < cards.size(); ++i) {
+        const Card* rule = cards[i];
+        const std::string needed = needs.empty() || needs[i].empty() ? "" : "; needs " + needs[i];
         if (rule->group() != group) {
             group = rule->group();
             text += fmt::format("{}### {}: {}\n\n| rule | guards against | measured | limits | source |\n|---|---|---|---|---|\n",
                                 text.empty() ? "" : "\n", group, group_title(group));
         }
-        text += fmt::format("| `{}` | {} | {} | {} | {} |\n", rule->id, rule->title, rule->measures, limits_text(*rule), rule->source);
+        text += fmt::format("| `{}` | {} | {}{} | {} | {} |\n", rule->id, rule->title, rule->measures, needed, limits_text(*rule), rule->source);
     }
     return text;
 }
 
 std::string rules_reference() {
     std::vector<const Card*> cards;
-    for (const Rule& rule : rules()) cards.push_back(&rule);
-    return reference(cards);
+    std::vector<std::string> needs;
+    for (const Rule& rule : rules()) {
+        cards.push_back(&rule);
+        needs.push_back(needs_text(rule));
+    }
+    return reference(cards, needs);
 }
 
 }  // namespace fusee::checks

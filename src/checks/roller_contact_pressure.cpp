@@ -2,6 +2,7 @@
 
 #include "fusee/core/units.h"
 #include "measure.h"
+#include "needs.h"
 #include "rules.h"
 #include "shape.h"
 
@@ -15,7 +16,6 @@ core::Findings run(const Design& design, const Allowed& allowed) {
     const cam::Cam& cam = design.part.cam;
     const cam::Roller& roller = cam.options.roller;
     const auto most = allowed.stated("required", roller.max_pressure / kMega);
-    if (!most || cam.working.empty() || roller.contact_modulus <= 0.0) return {};
     const auto pressure = [&](const cam::Contact& c) { return cam::contact_pressure(c.arm, roller); };
     const cam::Contact& worst = worst_contact(cam, pressure);
     core::Finding f = judge(pressure(worst) / kMega, {*most});
@@ -35,7 +35,10 @@ Rule roller_contact_pressure() {
             "largest pressure of two cylinders along one line, over the working arc",
             "Hertz: sqrt(N E*/(pi width) (1/R_r + 1/rho)), K. L. Johnson, Contact Mechanics, 1985",
             {required(kAtMost, "MPa", "k_pe.roller.max_pressure_MPa; not judged without it and contact_modulus_MPa")},
-            run};
+            run,
+            false,
+            {need::kRollerPressure, need::kContactModulus},
+            works};
 }
 
 }  // namespace fusee::checks

@@ -60,8 +60,37 @@ void complete(core::Finding& f, const Card& rule, const std::string& where) {
     for (const core::OverriddenLimit& o : f.overridden) f.what += said(o);
 }
 
+std::string Need::in_profile(const char* key, const std::string& part) {
+    const std::string_view whole = key;
+    return whole.starts_with("cable.") ? std::string(whole) : part + "." + key;
+}
+
+std::string Need::text(const std::string& part) const {
+    std::string others;
+    for (const char* other : or_else)
+        if (other != nullptr) others += (others.empty() ? "" : " and ") + in_profile(other, part);
+    return in_profile(key, part) + (others.empty() ? "" : " (or " + others + ")");
+}
+
+namespace {
+
+/// The keys that the rule lacks, in the words of the profile; empty: it can be judged.
+std::string missing(const Rule& rule, const Design& design, const Allowed& allowed) {
+    std::string keys;
+    for (const Need& need : rule.needs) {
+        if (need.stated(design) || (need.limit != nullptr && allowed(need.limit).by != nullptr)) continue;
+        keys += (keys.empty() ? "" : " and ") + need.text(name(design));
+    }
+    return keys;
+}
+
+}  // namespace
+
 core::Findings Rule::run(const Design& design) const {
-    core::Findings findings = measure(design, Allowed(*this, design.overrides));
+    if (applies != nullptr && !applies(design)) return {};
+    const Allowed allowed(*this, design.overrides);
+    const std::string lacking = missing(*this, design, allowed);
+    core::Findings findings = lacking.empty() ? measure(design, allowed) : core::Findings{core::not_judged(id, title, lacking)};
     for (core::Finding& f : findings) complete(f, *this, name(design));
     return findings;
 }

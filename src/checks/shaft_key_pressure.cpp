@@ -2,6 +2,7 @@
 
 #include "fusee/core/units.h"
 #include "measure.h"
+#include "needs.h"
 #include "rules.h"
 #include "shape.h"
 
@@ -11,11 +12,15 @@ namespace {
 
 constexpr double kMega = 1e6;
 
+bool is_keyed(const Design& design) {
+    const solid::HubOptions& hub = design.part.options.hub;
+    return works(design) && hub.lock == solid::HubLock::kKeyway && hub.key_depth * bore_length(design.part) > 0.0;
+}
+
 core::Findings run(const Design& design, const Allowed& allowed) {
     const solid::HubOptions& hub = design.part.options.hub;
     const double length = bore_length(design.part);
     const auto most = allowed.stated("review", design.cable.max_pressure / kMega);
-    if (!most || hub.lock != solid::HubLock::kKeyway || design.part.cam.working.empty() || hub.key_depth * length <= 0.0) return {};
     const double torque = largest_torque(design.part.cam);
     core::Finding f = judge(2.0 * torque / (hub.bore_diameter * hub.key_depth * length) / kMega, {*most});
     f.what = fmt::format("pressure of the key on its keyway at {:.3g} Nm", torque);
@@ -32,7 +37,10 @@ Rule shaft_key_pressure() {
             "keyway: 2 M/(bore t2 length) at the largest torque",
             "the part's material: cable.max_pressure_MPa",
             {review(kAtMost, "MPa", "cable.max_pressure_MPa; not judged without it")},
-            run};
+            run,
+            false,
+            {need::material_pressure("review")},
+            is_keyed};
 }
 
 }  // namespace fusee::checks

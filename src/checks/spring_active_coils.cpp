@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "measure.h"
+#include "needs.h"
 #include "rules.h"
 
 namespace fusee::checks {
@@ -8,7 +9,6 @@ namespace fusee::checks {
 namespace {
 
 core::Findings run(const Design& design, const Allowed& allowed) {
-    if (design.spring.active_coils <= 0.0) return {};
     core::Finding f = judge(design.spring.active_coils, {allowed("review")});
     f.what = "active coils of the base spring";
     f.suggestion = fmt::format("{}.spring.active_coils = {}", name(design), up(f.allowed));
@@ -18,8 +18,14 @@ core::Findings run(const Design& design, const Allowed& allowed) {
 }  // namespace
 
 Rule spring_active_coils() {
-    return {"spring.active_coils",    "a spring whose ends decide its rate", "active coils",
-            "3 (practice; EN 13906)", {review(kAtLeast, "", 3.0)},           run};
+    return {"spring.active_coils",
+            "a spring whose ends decide its rate",
+            "active coils",
+            "3 (practice; EN 13906)",
+            {review(kAtLeast, "", 3.0)},
+            run,
+            false,
+            {need::kActiveCoils}};
 }
 
 }  // namespace fusee::checks

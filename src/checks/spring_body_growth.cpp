@@ -2,6 +2,7 @@
 
 #include "fusee/core/units.h"
 #include "measure.h"
+#include "needs.h"
 #include "rules.h"
 #include "spring_change.h"
 
@@ -11,9 +12,7 @@ namespace {
 
 core::Findings run(const Design& design, const Allowed& allowed) {
     const spring::BaseSpring& s = design.spring;
-    if (s.kind != spring::BaseKind::kTorsion || s.active_coils <= 0.0 || s.wire_diameter <= 0.0) return {};
     const auto room = allowed.stated("required", core::mm_from_m(s.free_length));
-    if (!room) return {};
     const double turns = largest_state(design) / (2.0 * core::kPi);
     core::Finding f = judge(core::mm_from_m(s.wire_diameter * (s.active_coils + 1.0 + turns)), {*room});
     f.what = fmt::format("length of the base spring's body when it is wound by {:.2f} turns", turns);
@@ -29,7 +28,10 @@ Rule spring_body_growth() {
             "length of the wound body, w (N + 1 + turns)",
             "Newcomb: the body grows by a wire each turn",
             {required(kAtMost, "mm", "spring.free_length_mm, the room along the axis; not judged without it")},
-            run};
+            run,
+            false,
+            {need::kActiveCoils, need::kWire, need::kRoom},
+            is_torsion};
 }
 
 }  // namespace fusee::checks

@@ -4,6 +4,7 @@
 
 #include "fusee/core/units.h"
 #include "measure.h"
+#include "needs.h"
 #include "rules.h"
 #include "spring_change.h"
 
@@ -27,7 +28,6 @@ double critical_compression(const spring::BaseSpring& s) {
 
 core::Findings run(const Design& design, const Allowed& allowed) {
     const spring::BaseSpring& s = design.spring;
-    if (s.kind != spring::BaseKind::kCompression || s.free_length <= 0.0 || s.coil_diameter <= 0.0) return {};
     core::Finding f;
     if (s.free_length <= stable_length(s)) {
         f = judge(core::mm_from_m(s.free_length), {allowed("length_review", core::mm_from_m(stable_length(s)))});
@@ -49,7 +49,10 @@ Rule spring_buckling() {
         "free length, or largest compression if longer than 5.25 D",
         "roymech, machinecalcs: stable below 5.25 D on flat plates",
         {review(kAtMost, "mm", "5.25 D", "length_review"), review(kAtMost, "mm", "L0 C1 (1 - sqrt(1 - C2/lambda^2)), lambda = L0/(2 D)")},
-        run};
+        run,
+        false,
+        {need::kFreeLength, need::kCoil},
+        is_compression};
 }
 
 }  // namespace fusee::checks

@@ -3,6 +3,7 @@
 #include "coil.h"
 #include "fusee/core/units.h"
 #include "measure.h"
+#include "needs.h"
 #include "rules.h"
 #include "spring_change.h"
 
@@ -15,7 +16,6 @@ constexpr double kCoil = 0.0015, kWire = 0.1;  // of the standard's formula
 core::Findings run(const Design& design, const Allowed& allowed) {
     const spring::BaseSpring& s = design.spring;
     const auto solid = travel_to_solid(s);
-    if (s.kind != spring::BaseKind::kCompression || !coil_known(s) || !solid) return {};
     const double wire = core::mm_from_m(s.wire_diameter), coil = core::mm_from_m(s.coil_diameter);
     const double gaps = s.active_coils * (kCoil * coil * coil / wire + kWire * wire);
     core::Finding f = judge(core::mm_from_m(*solid - largest_state(design)), {allowed("review", gaps)});
@@ -34,7 +34,10 @@ Rule spring_coil_gap() {
             "travel that is left to solid length at the largest compression",
             "EN 13906-1: n (0.0015 D^2/w + 0.1 w)",
             {review(kAtLeast, "mm", "n (0.0015 D^2/w + 0.1 w), lengths in mm")},
-            run};
+            run,
+            false,
+            {need::kWire, need::kCoil, need::kActiveCoils, need::kFreeLength},
+            is_compression};
 }
 
 }  // namespace fusee::checks

@@ -5,6 +5,7 @@
 
 #include "coil.h"
 #include "measure.h"
+#include "needs.h"
 #include "rules.h"
 #include "spring_change.h"
 
@@ -20,9 +21,11 @@ double lasting_share(const spring::BaseSpring& s) {
     return (s.kind == spring::BaseKind::kTorsion ? 0.53 : 0.36) - 0.03 * decades;
 }
 
+/// Cycles that are not stated may be many.
+bool may_tire(const Design& design) { return design.spring.cycles <= 0.0 || design.spring.cycles >= kFewest; }
+
 core::Findings run(const Design& design, const Allowed& allowed) {
     const spring::BaseSpring& s = design.spring;
-    if (!coil_known(s) || s.tensile_strength <= 0.0 || s.cycles < kFewest) return {};
     const double share = lasting_share(s), load = s.rate * largest_state(design);
     core::Finding f = judge(wire_stress(s, load) / kMega, {allowed("required", share * s.tensile_strength / kMega)});
     f.what = fmt::format("stress of the wire at {:.4g} {}; {:.0f} % of its strength last {:.3g} cycles", load,
@@ -41,7 +44,10 @@ Rule spring_fatigue() {
             "Associated Spring, music wire, not peened: bending 53 % of UTS at 1e5 cycles, 50 % at 1e6; shear 36, 33 and 30 % at 1e7 "
             "(practice)",
             {required(kAtMost, "MPa", "the wire's strength times its share at spring.cycles")},
-            run};
+            run,
+            false,
+            {need::kWire, need::kCoil, need::kStrength, need::kCycles},
+            may_tire};
 }
 
 }  // namespace fusee::checks

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "measure.h"
+#include "needs.h"
 #include "rules.h"
 #include "shape.h"
 
@@ -10,7 +11,6 @@ namespace {
 
 core::Findings run(const Design& design, const Allowed& allowed) {
     const spring::BaseSpring& s = design.spring;
-    if (s.kind != spring::BaseKind::kTorsion || s.hand == spring::Hand::kUnknown || !has_slot(design.part.options.features)) return {};
     const bool left = s.hand == spring::Hand::kLeft;
     core::Finding f = judge((left ? 1 : -1) * design.part.cam.rotation_sign, {allowed("required")});
     f.what =
@@ -28,7 +28,10 @@ Rule spring_hand() {
             "sense in which the part turns the spring over its top face: 1 winds, -1 unwinds it",
             "geometry: a left-hand coil winds where its lower end turns counter-clockwise",
             {required(kAtLeast, "", 0.0)},
-            run};
+            run,
+            false,
+            {need::kHand},
+            has_torsion_leg_slot};
 }
 
 }  // namespace fusee::checks

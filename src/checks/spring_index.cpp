@@ -3,6 +3,7 @@
 #include "coil.h"
 #include "fusee/core/units.h"
 #include "measure.h"
+#include "needs.h"
 #include "rules.h"
 
 namespace fusee::checks {
@@ -11,7 +12,6 @@ namespace {
 
 core::Findings run(const Design& design, const Allowed& allowed) {
     const spring::BaseSpring& s = design.spring;
-    if (!coil_known(s)) return {};
     core::Finding f = judge(spring_index(s), {allowed("low_review"), allowed("high_review")});
     f.what = "index of the base spring: mean coil diameter over wire";
     f.suggestion = fmt::format("{}.spring.coil_mm = {:.4g}", name(design), core::mm_from_m(f.allowed * s.wire_diameter));
@@ -26,7 +26,9 @@ Rule spring_index() {
             "spring index D/w",
             "4 to 16 (practice; EN 13906)",
             {review(kAtLeast, "", 4.0, "low_review"), review(kAtMost, "", 16.0, "high_review")},
-            run};
+            run,
+            false,
+            {need::kWire, need::kCoil}};
 }
 
 }  // namespace fusee::checks

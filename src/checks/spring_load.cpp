@@ -1,4 +1,5 @@
 #include "measure.h"
+#include "needs.h"
 #include "rules.h"
 #include "spring_change.h"
 
@@ -9,7 +10,6 @@ namespace {
 core::Findings run(const Design& design, const Allowed& allowed) {
     const bool torsion = design.spring.kind == spring::BaseKind::kTorsion;
     const auto most = allowed.stated(torsion ? "torque_required" : "force_required", design.spring.max_load);
-    if (!most) return {};
     core::Finding f = judge(design.spring.rate * largest_state(design), {*most});
     f.what = torsion ? "largest torque of the base spring" : "largest force of the base spring";
     f.suggestion = limit_load(design, f.allowed);
@@ -25,7 +25,9 @@ Rule spring_load() {
             "spring.max_torque_Nm, spring.max_force_N",
             {required(kAtMost, "Nm", "spring.max_torque_Nm; not judged without it", "torque_required"),
              required(kAtMost, "N", "spring.max_force_N; not judged without it", "force_required")},
-            run};
+            run,
+            false,
+            {need::kMaxTorque, need::kMaxForce}};
 }
 
 }  // namespace fusee::checks

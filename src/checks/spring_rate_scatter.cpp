@@ -2,6 +2,7 @@
 
 #include "fusee/core/units.h"
 #include "measure.h"
+#include "needs.h"
 #include "rules.h"
 #include "spring_change.h"
 
@@ -15,7 +16,7 @@ core::Findings run(const Design& design, const Allowed& allowed) {
     const bool torsion = design.spring.kind == spring::BaseKind::kTorsion;
     const double unit = torsion ? 1.0 : core::mm_from_m(1.0), state = unit * largest_state(design);
     const auto most = allowed.stated(torsion ? "angle_review" : "travel_review", unit * design.spring.max_state);
-    if (!most || state > most->value()) return {};  // beyond its range as it is: spring.torsion_angle and spring.travel say so
+    if (state > most->value()) return {};  // beyond its range as it is: spring.torsion_angle and spring.travel say so
     core::Finding f = judge(state / (1.0 - kScatter), {*most});
     f.what = fmt::format("largest {} of a base spring whose rate is {:.0f} % low, preload trimmed", torsion ? "winding" : "compression",
                          100.0 * kScatter);
@@ -32,7 +33,9 @@ Rule spring_rate_scatter() {
             "springs3d; EN 15800: rates scatter by 10 %",
             {review(kAtMost, "rad", "spring.max_angle_rad; not judged without it", "angle_review"),
              review(kAtMost, "mm", "spring.max_travel_mm; not judged without it", "travel_review")},
-            run};
+            run,
+            false,
+            {need::kScatterAngle, need::kScatterTravel}};
 }
 
 }  // namespace fusee::checks

@@ -3,6 +3,7 @@
 #include "coil.h"
 #include "fusee/core/units.h"
 #include "measure.h"
+#include "needs.h"
 #include "rules.h"
 #include "spring_change.h"
 
@@ -12,8 +13,6 @@ namespace {
 
 core::Findings run(const Design& design, const Allowed& allowed) {
     const spring::BaseSpring& s = design.spring;
-    if (!coil_known(s) || s.rod_diameter <= 0.0) return {};
-    if (s.kind == spring::BaseKind::kTorsion && s.active_coils <= 0.0) return {};
     const double inside = inside_diameter(s, largest_state(design));
     core::Finding f = judge(inside / s.rod_diameter, {allowed("required"), allowed("review")});
     f.what = fmt::format("inside diameter of the loaded coils, {:.2f} mm, over the rod's", core::mm_from_m(inside));
@@ -29,7 +28,9 @@ Rule spring_rod() {
             "inside diameter of the coils, wound to the largest state, over that of arbor or rod",
             "arbor clearance about 10 % (Newcomb)",
             {required(kAtLeast, "", 1.0), review(kAtLeast, "", 1.1)},
-            run};
+            run,
+            false,
+            {need::kWire, need::kCoil, need::kRod, need::kWoundCoils}};
 }
 
 }  // namespace fusee::checks

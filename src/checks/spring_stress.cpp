@@ -4,6 +4,7 @@
 
 #include "coil.h"
 #include "measure.h"
+#include "needs.h"
 #include "rules.h"
 #include "spring_change.h"
 
@@ -15,7 +16,6 @@ constexpr double kMega = 1e6;
 
 core::Findings run(const Design& design, const Allowed& allowed) {
     const spring::BaseSpring& s = design.spring;
-    if (!coil_known(s) || s.tensile_strength <= 0.0) return {};
     const bool torsion = s.kind == spring::BaseKind::kTorsion;
     const double load = s.rate * largest_state(design);
     // Shear yields at 1/sqrt 3 of tension (von Mises): 46 % of UTS for music wire, 35 % for stainless 302.
@@ -36,7 +36,9 @@ Rule spring_stress() {
             "torsion: 32 M K_B/(pi w^3); compression: 8 F D K_W/(pi w^3)",
             "katyspring: 80 % UTS music wire, 60 % 302, K_B; Wahl, shear = share/sqrt 3",
             {required(kAtMost, "MPa", "stress_share of the wire's strength; shear: that share over sqrt 3")},
-            run};
+            run,
+            false,
+            {need::kWire, need::kCoil, need::kStrength}};
 }
 
 }  // namespace fusee::checks

@@ -1,4 +1,5 @@
 #include "measure.h"
+#include "needs.h"
 #include "rules.h"
 #include "spring_change.h"
 
@@ -7,9 +8,7 @@ namespace fusee::checks {
 namespace {
 
 core::Findings run(const Design& design, const Allowed& allowed) {
-    if (design.spring.kind != spring::BaseKind::kTorsion) return {};
     const auto most = allowed.stated("required", design.spring.max_state);
-    if (!most) return {};
     core::Finding f = judge(largest_state(design), {*most});
     f.what = "largest winding of the base spring, preload counted";
     f.suggestion = limit_state(design, f.allowed);
@@ -24,7 +23,10 @@ Rule spring_torsion_angle() {
             "largest winding, preload counted",
             "spring.max_angle_rad",
             {required(kAtMost, "rad", "spring.max_angle_rad; not judged without it")},
-            run};
+            run,
+            false,
+            {need::kMaxAngle},
+            is_torsion};
 }
 
 }  // namespace fusee::checks

@@ -3,6 +3,7 @@
 #include "coil.h"
 #include "fusee/core/units.h"
 #include "measure.h"
+#include "needs.h"
 #include "rules.h"
 #include "spring_change.h"
 
@@ -21,7 +22,6 @@ core::Finding against(const Design& design, std::initializer_list<Bar> bars, con
 
 core::Findings run(const Design& design, const Allowed& allowed) {
     const spring::BaseSpring& s = design.spring;
-    if (s.kind != spring::BaseKind::kCompression) return {};
     core::Findings findings;
     if (const auto most = allowed.stated("rated_required", core::mm_from_m(s.max_state))) {
         findings.push_back(against(design, {*most}, "largest compression of the base spring, preload counted"));
@@ -44,7 +44,10 @@ Rule spring_travel() {
             "80-85 % of the travel to solid length (practice)",
             {required(kAtMost, "mm", "spring.max_travel_mm; not judged without it", "rated_required"),
              required(kAtMost, "mm", "85 % of free length - (active coils + 2) wire"), review(kAtMost, "mm", "80 % of it")},
-            run};
+            run,
+            false,
+            {need::kTravel},
+            is_compression};
 }
 
 }  // namespace fusee::checks

@@ -12,7 +12,9 @@ namespace {
 std::optional<Marked> measure(const Foreign& part, const Allowed& allowed) {
     const Body& body = part.body;
     const auto pairs = solid::crossings(body.mesh(), flat_triangles(body.mesh()));
-    if (!pairs) return std::nullopt;  // mesh.manifold or mesh.orientation says why
+    if (!pairs)
+        return Marked{core::not_judged("mesh.self_intersection", "a surface that passes through itself",
+                                       "a manifold surface: see mesh.manifold and mesh.orientation")};
     std::set<std::uint32_t> triangles;
     for (const auto& [a, b] : *pairs) triangles.insert({a, b});
     core::Finding f = judge(static_cast<double>(pairs->size()), {allowed("required")});

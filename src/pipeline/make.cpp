@@ -1,6 +1,7 @@
 #include "fusee/pipeline/make.h"
 
 #include <algorithm>
+#include <cmath>
 #include <future>
 #include <iterator>
 
@@ -13,6 +14,7 @@
 #include "fusee/pipeline/pair.h"
 #include "fusee/pipeline/simulate.h"
 #include "fusee/report/report.h"
+#include "outlook.h"
 #include "plate.h"
 
 namespace fs = std::filesystem;
@@ -51,7 +53,10 @@ report::LawReport law_report(const DesignedLaw& designed, const profile::Profile
 
 /// Nothing is left in out/ until a result says that it was made.
 MakeResult not_made(const profile::Profile& profile, core::Findings findings) {
-    return {profile.name, false, {}, std::move(findings), 0.0, 0.0};
+    MakeResult result;
+    result.name = profile.name;
+    result.findings = std::move(findings);
+    return result;
 }
 
 /// Other programs take seconds a part.
@@ -88,19 +93,6 @@ void export_parts(report::DesignReport& design, const Parts& parts, const profil
     design.plate_errors = std::move(plate.arm_errors);
 }
 
-double worst_arm_error(const report::DesignReport& design) {
-    double worst = 0.0;
-    for (const readback::ArmError* e : design.arm_errors())
-        if (e->when_broken == core::Severity::kRequired) worst = std::max(worst, e->worst_relative);
-    return worst;
-}
-
-core::Findings all_findings(const report::DesignReport& design) {
-    core::Findings all = design.findings;
-    for (const report::PartReport* part : design.sides()) core::append(all, part->findings);
-    return all;
-}
-
 }  // namespace
 
 MakeResult make(const profile::Profile& profile, const MakeOptions& options) {
@@ -119,14 +111,19 @@ MakeResult make(const profile::Profile& profile, const MakeOptions& options) {
     design.law = law_report(*law, profile, joint);
     design.dead_band = actuator::dead_band_curve(joint, kDeadBandLevels);
     design.findings = law->findings;
-    design.files = write_simulation(*simulation.get(), staged.path());
+    const core::Outcome<report::Simulation> simulated = simulation.get();
+    design.files = write_simulation(*simulated, staged.path());
     design.files.push_back(springs_file(staged.path(), *law->law, profile));
     announce(profile, options);
     export_parts(design, *parts, profile, options.via, staged.path());
     design.as_exported = as_exported(profile, law->law, design);
 
-    MakeResult result = not_made(profile, all_findings(design));
-    result.worst_arm_error = worst_arm_error(design);
+    design.outlook = outlook_of(profile, law->law, *simulated, design.parts);
+
+    MakeResult result = not_made(profile, design.all_findings());
+    const double worst = design.worst_arm_error();
+    result.head = report::head_figures(design.outlook, worst);
+    result.worst_arm_error = std::isnan(worst) ? 0.0 : worst;
     result.worst_dead_band_change = design.as_exported.worst_change();
     if (core::any_required(result.findings)) return result;  // a file does not carry the law: the staged folder goes
     core::write_file(staged.path() / "report.json", report::report_json(design));

@@ -7,6 +7,7 @@
 
 #include "findings_json.h"
 #include "fusee/core/provenance.h"
+#include "fusee/report/rule_counts.h"
 
 namespace fusee::report {
 
@@ -32,24 +33,28 @@ const char* verdict(const core::Findings& findings) { return core::any_required(
 
 std::string one(const Checked& checked, const CheckedProcess& p) {
     const core::Findings all = p.all();
-    std::string text = fmt::format("{} by {}: {}; {} required changes, {} to review, {} rules passed\n", checked.name, p.process,
+    const std::string open = not_judged_text(all);
+    std::string text = fmt::format("{} by {}: {}; {} required changes, {} to review, {} rules passed{}{}\n", checked.name, p.process,
                                    verdict(all), core::count(all, core::Severity::kRequired), core::count(all, core::Severity::kReview),
-                                   core::count(all, core::Severity::kPass));
-    for (const core::Finding& f : all)
-        if (f.severity != core::Severity::kPass) text += "    " + core::to_line(f) + "\n";
+                                   core::count(all, core::Severity::kPass), open.empty() ? "" : "; ", open);
+    for (const core::Severity severity : {core::Severity::kRequired, core::Severity::kReview, core::Severity::kNotJudged})
+        for (const core::Finding& f : all)
+            if (f.severity == severity) text += "    " + core::to_line(f) + "\n";
     return text + fmt::format("Limits: {}.\n", p.figures);
 }
 
 std::string table(const Checked& checked) {
-    std::string text = fmt::format("{:8} {:10} {:>8} {:>6}  {}\n", "process", "part", "required", "review", "what binds");
+    std::string text =
+        fmt::format("{:8} {:10} {:>8} {:>6} {:>10}  {}\n", "process", "part", "required", "review", "not judged", "what binds");
     std::string notes;
     for (const CheckedProcess& p : checked.processes) {
         const std::string process = p.process + (p.own ? " *" : "");
         std::vector<CheckedPart> parts = p.parts;
         if (binding(p.about) != nullptr) parts.insert(parts.begin(), {"law", p.about});
         for (const CheckedPart& part : parts)
-            text += fmt::format("{:8} {:10} {:>8} {:>6}  {}\n", process, part.name, core::count(part.findings, core::Severity::kRequired),
-                                core::count(part.findings, core::Severity::kReview), binding_text(part.findings));
+            text += fmt::format("{:8} {:10} {:>8} {:>6} {:>10}  {}\n", process, part.name,
+                                core::count(part.findings, core::Severity::kRequired), core::count(part.findings, core::Severity::kReview),
+                                core::count(part.findings, core::Severity::kNotJudged), binding_text(part.findings));
         notes += fmt::format("{:8} {}\n", process, p.figures);
     }
     return text + "\nLimits:\n" + notes;
@@ -58,7 +63,8 @@ std::string table(const Checked& checked) {
 Json part_json(const CheckedPart& part) {
     Json j{{"part", part.name},
            {"required", core::count(part.findings, core::Severity::kRequired)},
-           {"review", core::count(part.findings, core::Severity::kReview)}};
+           {"review", core::count(part.findings, core::Severity::kReview)},
+           {"not_judged", core::count(part.findings, core::Severity::kNotJudged)}};
     const core::Finding* f = binding(part.findings);
     j["binding"] = f == nullptr ? Json() : findings_json({*f}).front();
     j["findings"] = findings_json(part.findings);
@@ -75,6 +81,8 @@ Json process_json(const CheckedProcess& p) {
             {"makeable", !core::any_required(all)},
             {"required", core::count(all, core::Severity::kRequired)},
             {"review", core::count(all, core::Severity::kReview)},
+            {"not_judged", core::count(all, core::Severity::kNotJudged)},
+            {"rules", rules_json(all)},
             {"findings", findings_json(p.about)},
             {"parts", parts}};
 }
@@ -94,7 +102,7 @@ bool Checked::makeable() const {
 const core::Finding* binding(const core::Findings& findings) {
     const core::Finding* found = nullptr;
     for (const core::Finding& f : findings) {
-        if (f.severity == core::Severity::kPass) continue;
+        if (!core::is_broken(f)) continue;
         const bool graver = !found || f.severity > found->severity || (f.severity == found->severity && beyond(f) > beyond(*found));
         if (graver) found = &f;
     }

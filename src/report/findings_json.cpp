@@ -1,6 +1,7 @@
 #include "findings_json.h"
 
 #include "fusee/core/change.h"
+#include "fusee/report/rule_counts.h"
 
 namespace fusee::report {
 
@@ -40,6 +41,19 @@ nlohmann::ordered_json findings_json(const core::Findings& findings) {
                 {{"limit", o.limit}, {"value", o.value}, {"default", o.normal}, {"unit", o.unit}, {"reason", o.reason}});
         all.push_back(std::move(j));
     }
+    return all;
+}
+
+nlohmann::ordered_json rules_json(const core::Findings& findings) {
+    using Json = nlohmann::ordered_json;
+    const auto counts = [](std::size_t passed, std::size_t not_judged, std::size_t review, std::size_t required) {
+        return Json{{"passed", passed}, {"not_judged", not_judged}, {"review", review}, {"required", required}};
+    };
+    Json all = counts(core::count(findings, core::Severity::kPass), core::count(findings, core::Severity::kNotJudged),
+                      core::count(findings, core::Severity::kReview), core::count(findings, core::Severity::kRequired));
+    all["groups"] = Json::object();
+    for (const RuleCounts& group : count_rules(findings))
+        all["groups"][group.group] = counts(group.passed, group.not_judged, group.review, group.required);
     return all;
 }
 

@@ -82,15 +82,43 @@ std::vector<Marker> markers_of(const std::vector<NumberedFinding>& findings, con
     return markers;
 }
 
+namespace {
+
+/// Rules that were not judged, group by group, with the keys that they ask for.
+std::string not_judged_block(const std::vector<NumberedFinding>& findings) {
+    core::Findings open;
+    for (const NumberedFinding& n : findings)
+        if (n.finding.severity == core::Severity::kNotJudged) open.push_back(n.finding);
+    if (open.empty()) return "";
+    std::vector<std::vector<Cell>> rows;
+    for (const RuleCounts& group : count_rules(open))
+        for (const core::Finding& f : open)
+            if (f.rule.starts_with(group.group + "."))
+                rows.push_back({{tag(f.severity), ""},
+                                {escape(f.rule), "code"},
+                                {escape(f.what), ""},
+                                {escape(f.suggestion), "code"},
+                                {escape(f.where), "faint"}});
+    return "<h3 class=\"held\">Not judged</h3><p>" + escape(not_judged_text(open)) +
+           ". The profile does not state what these rules need: nothing is known of what they guard against.</p>" +
+           html_table({"", "rule", "guards against", "missing", "where"}, rows);
+}
+
+}  // namespace
+
 std::string findings_section(const std::vector<NumberedFinding>& findings) {
     if (findings.empty()) return "";
     std::vector<std::vector<Cell>> broken, held;
-    for (const NumberedFinding& n : findings) (n.finding.severity == core::Severity::kPass ? held : broken).push_back(finding_row(n));
+    for (const NumberedFinding& n : findings) {
+        if (core::is_broken(n.finding)) broken.push_back(finding_row(n));
+        if (n.finding.severity == core::Severity::kPass) held.push_back(finding_row(n));
+    }
     const std::vector<std::string> head{"#", "", "rule", "finding", "measured", "allowed", "where"};
     std::string out =
         "<section><h2>Findings</h2><p>Numbers are those on the drawings. Each rule names the source of its limit; those of cable, springs "
         "and process can be set in the profile.</p>";
     if (!broken.empty()) out += html_table(head, broken);
+    out += not_judged_block(findings);
     if (!held.empty())
         out += fmt::format("<h3 class=\"held\">{} rules hold</h3><div class=\"dense\">", held.size()) + html_table(head, held) + "</div>";
     return out + "</section>\n";

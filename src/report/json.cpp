@@ -129,6 +129,24 @@ Json part_json(const PartReport& report) {
             {"read_back", read_back_json(report.arm_errors)}};
 }
 
+Json outlook_json(const Outlook& o, double worst_file_error) {
+    const auto width = [](const ExpectedWidth& w) {
+        return Json{{"tau_Nm", w.tau}, {"exact_rad", w.nominal}, {"built_rad", range(w.built)}};
+    };
+    Json arms = Json::array();
+    for (const MadeArm& arm : o.arms)
+        arms.push_back({{"part", arm.part},
+                        {"tolerance_mm", arm.tolerance_mm},
+                        {"least_arm_mm", arm.least_arm_mm},
+                        {"worst_relative", arm.worst_relative()}});
+    return {{"process", o.process},
+            {"dead_band", Json::array({width(o.least), width(o.overdrive)})},
+            {"arms", std::move(arms)},
+            {"worst_file_arm_error", worst_file_error},
+            {"joint_torque_Nm", o.joint_torque},
+            {"condition_6", {{"verdict", to_string(condition_verdict(o.condition))}, {"values", range(o.condition.values)}}}};
+}
+
 }  // namespace
 
 std::string report_json(const DesignReport& design) {
@@ -138,6 +156,8 @@ std::string report_json(const DesignReport& design) {
     j["profile_sha256"] = design.provenance.profile_sha256;
     j["options"] = design.provenance.options;
     j["verdict"] = core::to_string(verdict(design));
+    j["rules"] = rules_json(design.all_findings());
+    j["outlook"] = outlook_json(design.outlook, design.worst_arm_error());
     j["law"] = law_json(design.law);
     j["dead_band"] = Json::array();
     for (const actuator::DeadBand& d : design.dead_band) j["dead_band"].push_back(dead_band_json(d));

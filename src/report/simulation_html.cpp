@@ -18,14 +18,18 @@ std::string span(const core::Range& range, const std::string& unit) {
 }
 Cell figure(double value, int digits = 4) { return {number(value, digits), "num"}; }
 
-std::string verdict_tag(ConditionVerdict verdict) {
-    switch (verdict) {
+std::string verdict_tag(const actuator::ConditionSummary& condition) {
+    const std::string margin = fmt::format(" ({} to {})", number(condition.values.low, 2), number(condition.values.high, 2));
+    switch (condition_verdict(condition)) {
         case ConditionVerdict::kHolds:
-            return "<span class=\"verdict pass-tag\">\u2713 Condition (6) holds: co-contraction shrinks the dead-band</span>";
+            return "<span class=\"verdict pass-tag\">\u2713 Condition (6) holds: less stiction with co-contraction" + margin + "</span>";
         case ConditionVerdict::kFails:
-            return "<span class=\"verdict required-tag\">\u2715 Condition (6) fails: the dead-band grows with co-contraction</span>";
+            return "<span class=\"verdict required-tag\">\u2715 Condition (6) fails: more stiction with co-contraction" + margin +
+                   "</span>";
         case ConditionVerdict::kMixed:
-            return "<span class=\"verdict review-tag\">! Condition (6) holds in part</span>";
+            return "<span class=\"verdict review-tag\">! Condition (6) holds in part" + margin + "</span>";
+        case ConditionVerdict::kWithinRounding:
+            return "<span class=\"verdict review-tag\">! Condition (6) is met within rounding only" + margin + "</span>";
         case ConditionVerdict::kNotKnown:
             break;
     }
@@ -37,7 +41,7 @@ bool is_paper(const Simulation& s) { return s.survey.arrangement == actuator::Ar
 std::string head(const Simulation& s) {
     const actuator::DeadBand &first = s.levels.front().dead_band, &last = s.levels.back().dead_band;
     std::string out = "<header><p class=\"eyebrow\">fusee simulation</p><h1>" + escape(s.provenance.name) + "</h1>" +
-                      (is_paper(s) ? verdict_tag(condition_verdict(s)) : "") + "<p class=\"stamp\">" + escape(s.provenance.line()) +
+                      (is_paper(s) ? verdict_tag(s.condition) : "") + "<p class=\"stamp\">" + escape(s.provenance.line()) +
                       "</p><div class=\"tiles\">";
     const auto change = [](double from, double to) { return deg(from, 3) + " \u2192 " + deg(to, 3) + " deg"; };
     const std::string levels = fmt::format("{} to {} Nm", number(first.tau, 3), number(last.tau, 3));

@@ -34,25 +34,6 @@ std::string difference(const DeadBand& d, double DeadBand::*a, double DeadBand::
                        number(core::deg_from_rad(d.*a), 3), number(core::deg_from_rad(d.*b), 3), nm(d.tau));
 }
 
-std::string condition_text(const Simulation& s) {
-    const auto range = [](const core::Range& r) { return fmt::format("from {} to {}", nm(r.low), nm(r.high)); };
-    switch (condition_verdict(s)) {
-        case ConditionVerdict::kHolds:
-            return fmt::format("Condition (6) holds {}: the stiction that reaches the joint falls with co-contraction.",
-                               range(s.condition.torques));
-        case ConditionVerdict::kFails:
-            return fmt::format("Condition (6) fails {}: the stiction that reaches the joint grows with co-contraction.",
-                               range(s.condition.torques));
-        case ConditionVerdict::kNotKnown:
-            return "Condition (6) is not known: the law covers no co-contraction in use.";
-        case ConditionVerdict::kMixed:
-            break;
-    }
-    std::string where;
-    for (const core::Range& part : s.condition.holds) where += (where.empty() ? "" : ", ") + range(part);
-    return fmt::format("Condition (6) holds {}, of the co-contractions {}.", where, range(s.condition.torques));
-}
-
 std::optional<std::string> linear_text(const Simulation& s) {
     const SimulatedLevel* level = widest(s.levels, &DeadBand::linear, &DeadBand::extreme);
     if (level == nullptr) return std::nullopt;
@@ -138,32 +119,13 @@ std::optional<std::string> measured_text(const Simulation& s) {
 
 }  // namespace
 
-ConditionVerdict condition_verdict(const Simulation& simulation) {
-    const actuator::ConditionSummary& condition = simulation.condition;
-    if (std::isnan(condition.values.high)) return ConditionVerdict::kNotKnown;
-    if (condition.everywhere()) return ConditionVerdict::kHolds;
-    return condition.nowhere() ? ConditionVerdict::kFails : ConditionVerdict::kMixed;
-}
-
-const char* to_string(ConditionVerdict verdict) {
-    switch (verdict) {
-        case ConditionVerdict::kHolds:
-            return "holds";
-        case ConditionVerdict::kFails:
-            return "fails";
-        case ConditionVerdict::kMixed:
-            return "holds in part";
-        case ConditionVerdict::kNotKnown:
-            return "not known";
-    }
-    return "";
-}
+ConditionVerdict condition_verdict(const Simulation& simulation) { return condition_verdict(simulation.condition); }
 
 std::vector<std::string> remarks(const Simulation& s) {
     std::vector<std::string> all;
     if (!s.survey.remark.empty()) all.push_back(s.survey.remark);
     if (s.survey.arrangement != actuator::Arrangement::kPnrvsa) return all;
-    all.push_back(condition_text(s));
+    all.push_back(condition_text(s.condition));
     for (const auto& text : {linear_text(s), protocol_text(s), push_text(s), beyond_text(s),
                              missing_text(s, &DeadBand::extreme, "The exact extremes are not covered"),
                              missing_text(s, &DeadBand::protocol, "Nothing is read"), measured_text(s)})

@@ -20,7 +20,7 @@ p{margin:6px 0 12px;max-width:80ch}.eyebrow,.stamp{color:var(--soft);font-size:1
 .verdict,.tag{display:inline-block;border-radius:99px;font-weight:600;white-space:nowrap}.verdict{padding:6px 16px}
 .tag{padding:1px 10px;font-size:13px}
 .pass-tag{background:var(--pass-bg);color:var(--pass)}.review-tag{background:var(--review-bg);color:var(--review)}
-.required-tag{background:var(--required-bg);color:var(--required)}
+.unjudged-tag{background:var(--line);color:var(--ink)}.required-tag{background:var(--required-bg);color:var(--required)}
 .tiles{display:grid;grid-template-columns:repeat(auto-fit,minmax(180px,1fr));gap:12px;margin-top:24px}
 .card,.tile{background:var(--card);border:1px solid var(--line);border-radius:12px;padding:16px 18px}
 .tile b{display:block;font-size:22px;line-height:1.3;font-weight:650}.tile span{color:var(--soft);font-size:13px}

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "fusee/report/report.h"
 
@@ -29,13 +30,22 @@ std::vector<const readback::ArmError*> DesignReport::arm_errors() const {
     return all;
 }
 
+core::Findings DesignReport::all_findings() const {
+    core::Findings all = findings;
+    for (const PartReport* part : sides()) core::append(all, part->findings);
+    return all;
+}
+
+double DesignReport::worst_arm_error() const {
+    double worst = std::numeric_limits<double>::quiet_NaN();
+    for (const readback::ArmError* error : arm_errors())
+        if (error->when_broken == core::Severity::kRequired) worst = std::fmax(worst, error->worst_relative);
+    return worst;
+}
+
 core::Severity verdict(const DesignReport& design) {
     core::Severity worst = core::Severity::kPass;
-    const auto weigh = [&worst](const core::Findings& findings) {
-        for (const core::Finding& finding : findings) worst = std::max(worst, finding.severity);
-    };
-    weigh(design.findings);
-    for (const PartReport* part : design.sides()) weigh(part->findings);
+    for (const core::Finding& finding : design.all_findings()) worst = std::max(worst, finding.severity);
     for (const readback::ArmError* error : design.arm_errors())
         if (!error->passed()) worst = std::max(worst, error->when_broken);
     return worst;

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <functional>
 #include <span>
 #include <string>
@@ -47,16 +48,34 @@ struct Card {
     [[nodiscard]] const Limit* limit(std::string_view key) const;  ///< nullptr if it has no such limit
 };
 /// The Markdown tables of docs/rules.md, one for each group in turn.
-[[nodiscard]] std::string reference(const std::vector<const Card*>& cards);
+/// @param needs of each card: the keys that it is not judged without, as Markdown; empty: none needs any
+[[nodiscard]] std::string reference(const std::vector<const Card*>& cards, const std::vector<std::string>& needs = {});
 
-/// One rule: pure, one file under src/checks, returns a finding for what it measured (passes too), or none where it does not apply.
+/// A value that a profile may leave open and that a rule cannot judge without.
+struct Need {
+    const char* key;                          ///< of a part: "spring.wire_mm"; of the profile: "cable.breaking_load_N"
+    bool (*stated)(const Design&);            ///< does the profile state it, or not need to?
+    const char* limit = nullptr;              ///< an override of this limit states it too: its Limit::name
+    std::array<const char*, 3> or_else = {};  ///< keys that together do as well; nullptr ends them
+
+    /// "k_se.spring.wire_mm", "cable.breaking_load_N"
+    [[nodiscard]] static std::string in_profile(const char* key, const std::string& part);
+    /// All keys as the profile spells them: "k_pe.spring.max_travel_mm (or ... and ...)".
+    [[nodiscard]] std::string text(const std::string& part) const;
+};
+
+/// One rule: pure, one file under src/checks, returns a finding for what it measured (passes too), none where it does not apply, and one
+/// that says so where it could not be judged.
 struct Rule : Card {
     using Measure = std::function<core::Findings(const Design&, const Allowed&)>;
 
-    Measure measure;          ///< findings without what all have in common: id, part, source
-    bool needs_mesh = false;  ///< looks at the solid, not only at cam, options and springs
+    Measure measure;                           ///< findings without what all have in common: id, part, source
+    bool needs_mesh = false;                   ///< looks at the solid, not only at cam, options and springs
+    std::vector<Need> needs = {};              ///< without one of them the rule is not judged
+    bool (*applies)(const Design&) = nullptr;  ///< to which designs; nullptr: `measure` sees to it, or to all
 
-    /// The rule on one part, with the design's overrides in place of its own limits.
+    /// The rule on one part, with the design's overrides in place of its own limits. Where it applies and the profile leaves open what it
+    /// needs: one finding that was not judged and names the missing keys.
     [[nodiscard]] core::Findings run(const Design& design) const;
 };
 

@@ -6,6 +6,7 @@
 #include "fusee/core/finding.h"
 #include "fusee/pipeline/export.h"
 #include "fusee/profile/profile.h"
+#include "fusee/report/outlook.h"
 
 namespace fusee::pipeline {
 
@@ -18,12 +19,13 @@ struct MakeOptions {
 /// What became of one profile.
 struct MakeResult {
     std::string name;
-    bool made = false;                    ///< out/NAME is complete, and every file carries the law
-    std::filesystem::path folder;         ///< empty when nothing was written
-    core::Findings findings;              ///< all of them, passes too; a refusal holds the binding limits
-    double worst_arm_error = 0.0;         ///< relative, over all files
-    double dead_band_peak_deg = 0.0;      ///< exact, full width at the joint, at peak torque
-    double worst_dead_band_change = 0.0;  ///< relative, of the joint as its files carry it: report::AsExported::worst_change
+    bool made = false;                          ///< out/NAME is complete, and every file carries the law
+    std::filesystem::path folder;               ///< empty when nothing was written
+    core::Findings findings;                    ///< all of them, passes too; a refusal holds the binding limits
+    std::vector<report::HeadFigure> head = {};  ///< what the user gets, with its range
+    double worst_arm_error = 0.0;               ///< relative, over all files
+    double dead_band_peak_deg = 0.0;            ///< exact, full width at the joint, at peak torque
+    double worst_dead_band_change = 0.0;        ///< relative, of the joint as its files carry it: report::AsExported::worst_change
 };
 
 /// One profile in, two cams out: law, arms, contours, solids, rules, files, read-back, report (README, "How it works").

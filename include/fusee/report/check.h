@@ -34,7 +34,7 @@ struct Checked {
     [[nodiscard]] bool makeable() const;
 };
 
-/// The finding that binds: of the gravest severity, the one farthest beyond its limit in proportion; nullptr where all pass.
+/// The finding that binds: of the gravest severity, the one farthest beyond its limit in proportion; nullptr where none is broken.
 [[nodiscard]] const core::Finding* binding(const core::Findings& findings);
 
 /// One process: its findings but passes, as `fusee make` prints them. Several: a table, one line a process and part.

@@ -12,6 +12,8 @@
 #include "fusee/exchange/part_file.h"
 #include "fusee/readback/readback.h"
 #include "fusee/report/as_exported.h"
+#include "fusee/report/outlook.h"
+#include "fusee/report/rule_counts.h"
 #include "fusee/solid/part.h"
 #include "fusee/solid/quality.h"
 #include "fusee/spring/base_spring.h"
@@ -58,13 +60,19 @@ struct DesignReport {
     std::vector<FileRow> files;                    ///< that belong to no part: springs.csv, plate.3mf
     std::vector<readback::ArmError> plate_errors;  ///< of each part as it stands in plate.3mf
     AsExported as_exported;
+    Outlook outlook;
     /// `parts`, then `mirrored`.
     [[nodiscard]] std::vector<const PartReport*> sides() const;
     /// Of every file: the sides', then the plate's.
     [[nodiscard]] std::vector<const readback::ArmError*> arm_errors() const;
+    /// Of the law, the design and every part.
+    [[nodiscard]] core::Findings all_findings() const;
+    /// Largest relative arm error of the files, prints left out; NaN if none was read back.
+    [[nodiscard]] double worst_arm_error() const;
 };
 
-/// kPass: can be made; kReview: a person must accept something; kRequired: cannot be made, or a file does not carry the law.
+/// kPass: can be made; kNotJudged: can be made as far as its rules could be judged; kReview: a person must accept something; kRequired:
+/// cannot be made, or a file does not carry the law.
 [[nodiscard]] core::Severity verdict(const DesignReport& design);
 
 /// `rows` loads, evenly spaced: tau_Nm,theta_rad,f_se_Nm,f_pe_Nm,s_Nm_per_rad,p_Nm_per_rad,u_se_J,u_pe_J,t with 17 digits (docs/report.md).

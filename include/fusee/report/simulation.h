@@ -12,6 +12,7 @@
 #include "fusee/cam/wrap_friction.h"
 #include "fusee/core/finding.h"
 #include "fusee/core/provenance.h"
+#include "fusee/report/outlook.h"
 
 /// What a simulated joint does, to files that a program (JSON, CSV) or a person (HTML) reads (docs/simulation.md).
 namespace fusee::report {
@@ -88,9 +89,6 @@ struct StretchSide {
     cam::ArmPoint at;
 };
 
-/// Where condition (6), d(T tau_f)/dtau < 0, holds.
-enum class ConditionVerdict { kHolds, kFails, kMixed, kNotKnown };
-
 /// Everything that the files show. Of the paper's relatives only `survey` and the levels' linear figures are known.
 struct Simulation {
     core::Provenance provenance;
@@ -114,8 +112,6 @@ struct Simulation {
 [[nodiscard]] core::Findings refusals(const Simulation& simulation);
 
 [[nodiscard]] ConditionVerdict condition_verdict(const Simulation& simulation);
-[[nodiscard]] const char* to_string(ConditionVerdict verdict);  ///< "holds", "fails", "holds in part", "not known"
-
 /// Where the linear, the exact and the read dead-band part, in sentences with figures; and what the measured rows say.
 [[nodiscard]] std::vector<std::string> remarks(const Simulation& simulation);
 

@@ -1,0 +1,64 @@
+#pragma once
+#include "coil.h"
+#include "fusee/checks/check.h"
+#include "shape.h"
+
+/// What rules take from the profile beyond what every profile states, and the designs that such rules are about.
+namespace fusee::checks {
+
+inline bool is_torsion(const Design& d) { return d.spring.kind == spring::BaseKind::kTorsion; }
+inline bool is_compression(const Design& d) { return d.spring.kind == spring::BaseKind::kCompression; }
+inline bool works(const Design& d) { return !d.part.cam.working.empty(); }
+inline bool has_leg_slot(const Design& d) { return has_slot(d.part.options.features); }
+inline bool has_torsion_leg_slot(const Design& d) { return is_torsion(d) && has_leg_slot(d); }
+inline bool has_torsion_anchor(const Design& d) { return is_torsion(d) && anchor_hole(d.part).has_value(); }
+
+namespace need {
+
+/// Is a number of the base spring stated? It is 0 when it is not.
+template <auto Number>
+bool of_spring(const Design& d) {
+    return d.spring.*Number > 0.0;
+}
+
+inline constexpr Need kWire{"spring.wire_mm", of_spring<&spring::BaseSpring::wire_diameter>};
+inline constexpr Need kCoil{"spring.coil_mm", of_spring<&spring::BaseSpring::coil_diameter>};
+inline constexpr Need kActiveCoils{"spring.active_coils", of_spring<&spring::BaseSpring::active_coils>};
+inline constexpr Need kFreeLength{"spring.free_length_mm", of_spring<&spring::BaseSpring::free_length>};
+inline constexpr Need kStrength{"spring.tensile_strength_MPa", of_spring<&spring::BaseSpring::tensile_strength>};
+inline constexpr Need kRod{"spring.rod_mm", of_spring<&spring::BaseSpring::rod_diameter>};
+inline constexpr Need kCycles{"spring.cycles", of_spring<&spring::BaseSpring::cycles>};
+inline constexpr Need kHand{"spring.hand", [](const Design& d) { return d.spring.hand != spring::Hand::kUnknown; }};
+inline constexpr Need kBreakingLoad{"cable.breaking_load_N", [](const Design& d) { return d.cable.breaking_load > 0.0; }};
+inline constexpr Need kContactModulus{"roller.contact_modulus_MPa",
+                                      [](const Design& d) { return d.part.cam.options.roller.contact_modulus > 0.0; }};
+
+/// Active coils, which only a torsion spring's inside diameter depends on.
+inline constexpr Need kWoundCoils{"spring.active_coils", [](const Design& d) { return is_compression(d) || d.spring.active_coils > 0.0; }};
+/// Travel to solid length, as the maker states it or as it follows from the coils.
+inline constexpr Need kTravel{"spring.max_travel_mm",
+                              [](const Design& d) { return d.spring.max_state > 0.0 || travel_to_solid(d.spring).has_value(); },
+                              "rated_required",
+                              {"spring.free_length_mm", "spring.active_coils", "spring.wire_mm"}};
+
+// Limits that the profile states: by their own key, or as an override of the rule's limit.
+inline constexpr Need kMaxAngle{"spring.max_angle_rad", of_spring<&spring::BaseSpring::max_state>, "required"};
+inline constexpr Need kRoom{"spring.free_length_mm", of_spring<&spring::BaseSpring::free_length>, "required"};
+inline constexpr Need kMaxTorque{"spring.max_torque_Nm", [](const Design& d) { return !is_torsion(d) || d.spring.max_load > 0.0; },
+                                 "torque_required"};
+inline constexpr Need kMaxForce{"spring.max_force_N", [](const Design& d) { return is_torsion(d) || d.spring.max_load > 0.0; },
+                                "force_required"};
+inline constexpr Need kScatterAngle{"spring.max_angle_rad", [](const Design& d) { return !is_torsion(d) || d.spring.max_state > 0.0; },
+                                    "angle_review"};
+inline constexpr Need kScatterTravel{"spring.max_travel_mm", [](const Design& d) { return is_torsion(d) || d.spring.max_state > 0.0; },
+                                     "travel_review"};
+inline constexpr Need kRollerPressure{"roller.max_pressure_MPa",
+                                      [](const Design& d) { return d.part.cam.options.roller.max_pressure > 0.0; }, "required"};
+/// What the part's material bears. @param limit of the rule
+constexpr Need material_pressure(const char* limit) {
+    return {"cable.max_pressure_MPa", [](const Design& d) { return d.cable.max_pressure > 0.0; }, limit};
+}
+
+}  // namespace need
+
+}  // namespace fusee::checks

@@ -2,32 +2,52 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <sstream>
+
+#include "fusee/core/text.h"
 
 namespace fusee::core {
 
+namespace {
+
+// Characters that a message repeats. A path may have 4096; what is allowed is our own text, and lists at most some hundred names.
+constexpr std::size_t kMostOfValue = 200, kMostOfField = 5000, kMostOfReason = 5000;
+constexpr std::size_t kMostLines = 100;  // of mistakes
+
+/// One message, its control characters visible but for the line ends.
+std::string printable_lines(const std::string& text) {
+    std::istringstream in(text);
+    std::string lines;
+    for (std::string line; std::getline(in, line);) lines += (lines.empty() ? "" : "\n") + printable(line, kMostOfReason);
+    return lines;
+}
+
+std::string all_lines(const std::vector<InvalidInput>& all) {
+    std::string text;
+    for (std::size_t i = 0; i < std::min(all.size(), kMostLines); ++i) text += fmt::format("{}{}", i == 0 ? "" : "\n", all[i].what());
+    return all.size() > kMostLines ? fmt::format("{}\nand {} more", text, all.size() - kMostLines) : text;
+}
+
+}  // namespace
+
 InvalidInput::InvalidInput(std::string field, std::string value, std::string allowed)
-    : std::invalid_argument(fmt::format("{}: {} (allowed: {})", field, value, allowed)),
+    : std::invalid_argument(fmt::format("{}: {} (allowed: {})", printable(field, kMostOfField), printable(value, kMostOfValue),
+                                        printable(allowed, kMostOfReason))),
       field_(std::move(field)),
       value_(std::move(value)),
       allowed_(std::move(allowed)) {}
 
-namespace {
-std::string lines(const std::vector<InvalidInput>& all) {
-    std::string text;
-    for (const InvalidInput& one : all) text += fmt::format("{}{}", text.empty() ? "" : "\n", one.what());
-    return text;
-}
-}  // namespace
-
-InvalidInputs::InvalidInputs(std::vector<InvalidInput> all) : std::invalid_argument(lines(all)), all_(std::move(all)) {}
+InvalidInputs::InvalidInputs(std::vector<InvalidInput> all) : std::invalid_argument(all_lines(all)), all_(std::move(all)) {}
 
 void Mistakes::throw_if_any() const {
     if (all_.size() == 1) throw all_.front();
     if (!all_.empty()) throw InvalidInputs(all_);
 }
 
-IoError::IoError(const std::string& path, const std::string& why) : std::runtime_error(fmt::format("{}: {}", path, why)) {}
+IoError::IoError(const std::string& path, const std::string& why)
+    : std::runtime_error(fmt::format("{}: {}", printable(path, kMostOfField), printable_lines(why))) {}
 
 namespace {
 std::string with_unit(const std::string& unit) { return unit.empty() ? "" : " " + unit; }

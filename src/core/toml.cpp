@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
 #include "fusee/core/error.h"
+#include "fusee/core/text.h"
 
 namespace fusee::core {
 
@@ -13,17 +15,20 @@ namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
-/// Walks over comments and strings as wholes; everything else is syntax.
+constexpr int kDeepest = 32;  // brackets in brackets, and names in a dotted key: a file of settings has 4; the parser recurses for each
+
+/// Walks over comments and strings as wholes; everything else is syntax. @throws IoError with line and column
 class Scanner {
 public:
-    explicit Scanner(std::string_view text) : text_(text) {
+    Scanner(std::string_view text, const std::string& file) : text_(text), file_(file) {
         if (text_.starts_with(kByteOrderMark)) at_ = line_start_ = kByteOrderMark.size();
     }
 
-    /// To the next character of syntax that is not ASCII; false at the end.
-    bool find_foreign() {
+    void check() {
         while (at_ < text_.size()) {
-            if (static_cast<unsigned char>(text_[at_]) >= 0x80) return true;
+            if (static_cast<unsigned char>(text_[at_]) >= 0x80)
+                refuse("a character outside ASCII; such characters may stand in comments and quoted texts only");
+            count_depth(text_[at_]);
             if (text_[at_] == '#')
                 skip_comment();
             else if (text_[at_] == '"' || text_[at_] == '\'')
@@ -31,12 +36,21 @@ public:
             else
                 step();
         }
-        return false;
     }
-    [[nodiscard]] std::size_t line() const { return line_; }
-    [[nodiscard]] std::size_t column() const { return at_ - line_start_ + 1; }
 
 private:
+    [[noreturn]] void refuse(const std::string& why) const {
+        throw IoError(fmt::format("{}:{}:{}", file_, line_, at_ - line_start_ + 1), why);
+    }
+    void count_depth(char c) {
+        if (c == '[' || c == '{') ++brackets_;
+        if (c == ']' || c == '}') brackets_ = std::max(0, brackets_ - 1);
+        if (std::string_view("=,[]{}\n").find(c) != std::string_view::npos) dots_ = 0;  // another name or value begins
+        if (c == '.') ++dots_;
+        if (brackets_ > kDeepest || dots_ >= kDeepest)
+            refuse(fmt::format("no valid TOML for fusee: more than {} {}", kDeepest,
+                               dots_ > 0 ? "names in a dotted key" : "brackets within each other"));
+    }
     void step() {
         if (text_[at_++] != '\n') return;
         ++line_;
@@ -59,22 +73,37 @@ private:
     }
 
     std::string_view text_;
+    const std::string& file_;
     std::size_t at_ = 0, line_ = 1, line_start_ = 0;
+    int brackets_ = 0, dots_ = 0;
 };
 
-void require_ascii_syntax(std::string_view toml, const std::string& file) {
-    Scanner scanner(toml);
-    if (scanner.find_foreign())
-        throw IoError(fmt::format("{}:{}:{}", file, scanner.line(), scanner.column()),
-                      "a character outside ASCII; such characters may stand in comments and quoted texts only");
+/// One that begins with 0xC2 has two bytes.
+std::string control_shown(const std::string& text, std::size_t at) { return printable(text.substr(at, text[at] == '\xC2' ? 2 : 1)); }
+
+/// TOML lets a text spell any character, as in "\u001b".
+void require_plain_texts(const toml::node& node, const std::string& file) {
+    if (const auto* table = node.as_table())
+        for (const auto& [key, value] : *table) require_plain_texts(value, file);
+    if (const auto* array = node.as_array())
+        for (const toml::node& cell : *array) require_plain_texts(cell, file);
+    const auto* text = node.as_string();
+    const std::size_t at = text == nullptr ? std::string_view::npos : find_control(text->get());
+    if (at == std::string_view::npos) return;
+    const toml::source_position begin = node.source().begin;
+    throw IoError(fmt::format("{}:{}:{}", file, begin.line, begin.column),
+                  fmt::format("a text with the control character {} at byte {}; tab and line end are allowed",
+                              control_shown(text->get(), at), at + 1));
 }
 
 }  // namespace
 
 toml::table parse_toml(std::string_view bytes, const std::string& file) {
-    require_ascii_syntax(bytes, file);
+    Scanner(bytes, file).check();
     try {
-        return toml::parse(bytes);
+        toml::table table = toml::parse(bytes);
+        require_plain_texts(table, file);
+        return table;
     } catch (const toml::parse_error& e) {
         const toml::source_position at = e.source().begin;
         throw IoError(fmt::format("{}:{}:{}", file, at.line, at.column), fmt::format("no valid TOML: {}", e.description()));
@@ -89,7 +118,7 @@ std::string shown(const toml::node& node) {
     }
     std::ostringstream text;
     node.visit([&text](const auto& typed) { text << typed; });
-    return text.str().substr(0, kLongest);
+    return printable(text.str(), kLongest);
 }
 
 }  // namespace fusee::core

@@ -7,7 +7,8 @@
 namespace fusee::core {
 
 /// Parses TOML 1.0. Outside of strings and comments it demands ASCII: bare keys are ASCII, and toml++ 3.3 runs into undefined behaviour on
-/// some others (its issue 295). `file` is for the message. @throws IoError with line and column
+/// some others (its issue 295). At most 32 brackets within each other and 32 names in a dotted key; texts hold no control characters but
+/// tab and line end. `file` is for the message. @throws IoError with line and column
 [[nodiscard]] toml::table parse_toml(std::string_view bytes, const std::string& file);
 
 /// A refused value for a message, as TOML but for its length: at most 80 characters of it.

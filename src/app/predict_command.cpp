@@ -44,6 +44,7 @@ int predict(const PredictArguments& arguments) {
         for (const gap::BenchRecord& record : predicted.records) rows += record.rows();
     } else {
         const gap::Case bench = gap::read_case(arguments.folder);
+        gap::require_possible(bench, found, arguments.effects.string());
         const gap::Rows predicted = gap::predict(bench, found, gap::read_inputs(bench, arguments.inputs));
         gap::write_rows(bench, predicted, arguments.out);
         rows = predicted.size();

@@ -7,6 +7,7 @@
 #include "fusee/core/destination.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
+#include "fusee/core/json.h"
 #include "fusee/core/progress.h"
 #include "fusee/gap/diagnose.h"
 #include "kept_back.h"
@@ -17,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-using nlohmann::json;
+using json = nlohmann::ordered_json;
 constexpr std::size_t kLargest = 50'000'000;  // bytes of a diagnosis
 
 /// Why a case has no diagnosis.
@@ -38,6 +39,16 @@ auto or_failure(const Work& work) {
 }
 
 double number(const json& j) { return j.is_number() ? j.get<double>() : gap::kNoFigure; }
+
+/// A file that is no JSON object says nothing, and is made anew.
+json object_or_none(const fs::path& file) {
+    try {
+        json found = core::parse_json(core::read_file(file, kLargest), file.string());
+        return found.is_object() ? found : json::object();
+    } catch (const core::InvalidInput&) {
+        return json::object();
+    }
+}
 
 /// What a score needs beyond the effects: alternatives, and the shrink that is claimed.
 void read_claims(const json& j, Answer& answer) {
@@ -67,8 +78,11 @@ public:
         if (options_.again || !holds_this_case()) diagnose();
         const std::string text = core::read_file(diagnosis_file(), kLargest);
         const gap::Diagnosis found = or_failure([&] {
-            read_claims(json::parse(text), answer_);
-            return gap::parse_diagnosis(text, diagnosis_file().string());
+            const std::string file = diagnosis_file().string();
+            gap::Diagnosis read = gap::parse_diagnosis(text, file);
+            gap::require_possible(bench_, read, file);
+            read_claims(core::parse_json(text, file), answer_);
+            return read;
         });
         answer_.verdict = found.verdict;
         answer_.effects = found.effects;
@@ -81,8 +95,8 @@ private:
     [[nodiscard]] fs::path kept_file() const { return place_ / "kept_back.json"; }
     [[nodiscard]] bool holds_this_case() const {
         if (!fs::exists(diagnosis_file())) return false;
-        const json found = json::parse(core::read_file(diagnosis_file(), kLargest), nullptr, false);
-        return found.is_object() && found.value("case_sha256", json()) == bench_.sha256;
+        const json found = object_or_none(diagnosis_file());
+        return found.value("case_sha256", json()) == bench_.sha256;
     }
 
     void diagnose() {
@@ -101,8 +115,8 @@ private:
     /// The gap on heldout/ of the diagnosis with this hash; time and figures stand in kept_back.json when it is met again.
     void keep_back(const gap::Diagnosis& found, const std::string& diagnosis) {
         if (fs::exists(kept_file())) {
-            const json kept = json::parse(core::read_file(kept_file(), kLargest), nullptr, false);
-            if (kept.is_object() && kept.value("diagnosis_sha256", json()) == diagnosis) {
+            const json kept = object_or_none(kept_file());
+            if (kept.value("diagnosis_sha256", json()) == diagnosis) {
                 answer_.kept_before = number(kept.value("before", json()));
                 answer_.kept_after = number(kept.value("after", json()));
                 answer_.seconds = number(kept.value("seconds", json()));

@@ -4,6 +4,7 @@
 #include "fusee/blind/blind.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
+#include "fusee/core/json.h"
 #include "fusee/plant/random.h"
 
 namespace fusee::blind {
@@ -93,7 +94,7 @@ std::vector<Label> open_seal(const std::filesystem::path& folder, const std::str
     const std::string sealed = check_seal(folder, hash);
     std::vector<Label> labels;
     try {
-        const json file = json::parse(from_base64(sealed));
+        const json file = core::parse_json(from_base64(sealed), (folder / "labels.sealed").string());
         for (const json& label : file.at("labels")) labels.push_back(label_of(label));
     } catch (const json::exception& wrong) {
         throw core::InvalidInput("seal", wrong.what(), "labels as seal_labels writes them");

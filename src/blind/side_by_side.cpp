@@ -4,6 +4,7 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -29,7 +30,10 @@ void side_by_side(std::size_t items, unsigned jobs, const std::function<void(std
     };
     const unsigned wanted = jobs != 0 ? jobs : std::max(1U, std::thread::hardware_concurrency());
     std::vector<std::thread> threads;
-    for (std::size_t i = 1; i < std::min<std::size_t>(wanted, items); ++i) threads.emplace_back(run);
+    try {
+        for (std::size_t i = 1; i < std::min<std::size_t>(wanted, items); ++i) threads.emplace_back(run);
+    } catch (const std::system_error&) {  // the system gives no more threads: those that there are do the work
+    }
     run();
     for (std::thread& thread : threads) thread.join();
     if (failure) std::rethrow_exception(failure);

@@ -6,6 +6,7 @@
 
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
+#include "fusee/core/json.h"
 
 namespace fusee::design {
 
@@ -43,6 +44,14 @@ bool plausible(const Generation& state, const EvolutionOptions& options) {
     return std::none_of(state.costs.begin(), state.costs.end(), [](double cost) { return std::isnan(cost); });
 }
 
+Json parsed(const std::string& bytes, const std::string& file) {
+    try {
+        return core::parse_json(bytes, file);
+    } catch (const core::InvalidInput& e) {
+        throw core::IoError(file, std::string("is a damaged checkpoint: ") + e.what());
+    }
+}
+
 }  // namespace
 
 void write_checkpoint(const EvolutionOptions& options, const Generation& state) {
@@ -58,7 +67,7 @@ void write_checkpoint(const EvolutionOptions& options, const Generation& state) 
 std::optional<Generation> read_checkpoint(const EvolutionOptions& options) {
     if (!std::filesystem::exists(options.checkpoint)) return std::nullopt;
     const std::string file = options.checkpoint.string();
-    const Json json = Json::parse(core::read_file(options.checkpoint, kLargest), nullptr, false);
+    const Json json = parsed(core::read_file(options.checkpoint, kLargest), file);
     if (!json.is_object() || json.value("format", Json()) != kFormat)
         throw core::IoError(file, "is no checkpoint of a search, or a damaged one");
     require_same(json, options);

@@ -105,7 +105,7 @@ Case read_case(const fs::path& folder) {
     bench.rig.springs = read_springs(folder / springs, seen);
     bench.rows = read_tables(bench, folder, {.seen = seen, .remarks = &bench.remarks});
     bench.sha256 = hash.hex();
-    for (std::string& remark : check_rows(bench, folder)) bench.remarks.push_back(std::move(remark));
+    for (std::string& remark : check_rows(bench, folder, springs)) bench.remarks.push_back(std::move(remark));
     return bench;
 }
 

@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 
 #include "case_fields.h"
 #include "fusee/core/error.h"
+#include "fusee/gap/cam_spring.h"
 
 namespace fs = std::filesystem;
 
@@ -18,6 +20,7 @@ namespace {
 constexpr std::size_t kEnough = 30;  // rows for a statement on signs and steps
 constexpr std::size_t kFew = 10;     // rows of one experiment
 constexpr double kMuchPull = 9.0;    // measured over nominal: kgf cm read as Nm would be 10.2, and no spring is that far off
+constexpr double kMuchLoad = 25.0;   // load over motor torque: a friction of 0.95 of the load makes 20 of it
 
 template <class Row, class Get>
 std::vector<double> column(const std::vector<Row>& rows, const Get& get) {
@@ -64,14 +67,32 @@ double nominal_torque(const NominalRig& rig, bool series, double deflection) {
     return torque(a) + (torque(b) - torque(a)) * (deflection - a.deflection) / (b.deflection - a.deflection);
 }
 
+/// A question after the unit that figures most likely have which are `ratio` times what Nm over rad would be.
+std::string likely_unit(double ratio) {
+    struct Unit {
+        double factor;
+        const char* question;
+    };
+    static constexpr std::array kUnits{Unit{1000.0, "are the torques Nmm"}, Unit{100.0, "are the torques Ncm"},
+                                       Unit{10.2, "are the torques kgf cm"}, Unit{core::kPi / 180.0, "are the deflections degrees"},
+                                       Unit{0.001, "are the deflections milliradians"}};
+    const auto far = [ratio](const Unit& unit) { return std::abs(std::log(ratio / unit.factor)); };
+    const auto nearest = std::min_element(kUnits.begin(), kUnits.end(), [&](const Unit& a, const Unit& b) { return far(a) < far(b); });
+    return ratio > 0.0 ? fmt::format("; {}?", nearest->question) : "";
+}
+
 class Checker {
 public:
-    Checker(const Case& bench, fs::path folder) : bench_(bench), rows_(bench.rows), folder_(std::move(folder)) {}
+    Checker(const Case& bench, fs::path folder, std::string springs)
+        : bench_(bench), rows_(bench.rows), folder_(std::move(folder)), springs_(std::move(springs)) {}
 
     std::vector<std::string> check() && {
-        check_travel();
+        check_springs();
         check_commands();
+        check_carried();
+        check_travel();
         check_directions();
+        check_loads();
         check_pull();
         check_ends();
         check_stiffness();
@@ -89,21 +110,41 @@ private:
         return {fmt::format("{}: {}", file, columns), std::move(value), std::move(allowed)};
     }
 
+    [[nodiscard]] core::InvalidInput springs_fault(const std::string& columns, std::string value, std::string allowed) const {
+        return {fmt::format("{}: {}", (folder_ / springs_).string(), columns), std::move(value), std::move(allowed)};
+    }
+
+    /// Cams follow from curves that rise everywhere, over a turn that a capstan can be seen to make.
+    void check_springs() const {
+        constexpr double kLeastEnd = 0.1;  // [rad]
+        const double end = bench_.rig.springs.back().deflection;
+        if (end < kLeastEnd)
+            throw springs_fault("deflection_rad", fmt::format("at most {:g}", end),
+                                fmt::format("radians at the capstan, to {:g} at least; are these another unit?", kLeastEnd));
+        try {
+            (void)NominalCams(bench_.rig);
+        } catch (const core::InvalidInput& e) {
+            throw springs_fault("se_torque_Nm, pe_torque_Nm", e.value(), e.allowed());
+        }
+    }
+
     void check_travel() const {
-        constexpr double kMostAngle = 60.0, kMostTravel = 0.5, kLeastTravel = 1e-4;
+        constexpr double kMostAngle = 30.0, kMostTravel = 0.25, kLeastTravel = 1e-4;
         const BaseTravel travel = base_travel(bench_.rig);
         const std::string file = (folder_ / "case.toml").string();
         if (travel.spool_angle > kMostAngle)
-            throw core::InvalidInput(file + ": rig.se_torsion_rate_Nm_per_rad", fmt::format("{:g}", bench_.rig.se_torsion_rate),
-                                     fmt::format("a rate in Nm/rad: with this one the spool would turn by {:.3g} rad", travel.spool_angle));
+            throw core::InvalidInput(
+                file + ": rig.se_torsion_rate_Nm_per_rad", fmt::format("{:g}", bench_.rig.se_torsion_rate),
+                fmt::format("a rate in Nm/rad, and springs in Nm over rad: the spool would turn by {:.3g} rad", travel.spool_angle));
         if (travel.compression > kMostTravel || travel.compression < kLeastTravel)
-            throw core::InvalidInput(file + ": rig.pe_compression_rate_N_per_m", fmt::format("{:g}", bench_.rig.pe_compression_rate),
-                                     fmt::format("a rate in N/m: with this one the spring would give way by {:.3g} m", travel.compression));
+            throw core::InvalidInput(
+                file + ": rig.pe_compression_rate_N_per_m", fmt::format("{:g}", bench_.rig.pe_compression_rate),
+                fmt::format("a rate in N/m, and springs in Nm over rad: the spring would give way by {:.3g} m", travel.compression));
     }
 
     /// Commands so far below the springs' torques that they would hardly move: another unit.
     void check_commands() const {
-        constexpr double kLeastShare = 0.005;
+        constexpr double kLeastShare = 0.03;  // of the springs' greatest torque: rigs use half of it, Ncm would be a hundredth
         const double springs = bench_.rig.springs.back().se_torque + bench_.rig.springs.back().pe_torque;
         for_each_experiment(rows_, [&]<class Row>(Experiment experiment, const std::vector<Row>& rows) {
             for (const Field<Row>& field : fields<Row>()) {
@@ -111,8 +152,9 @@ private:
                 const std::vector<double> torques = column(rows, field.get);
                 const double greatest = *std::max_element(torques.begin(), torques.end());
                 if (greatest > 0.0 && greatest < kLeastShare * springs)
-                    throw fault(experiment, field.column, fmt::format("at most {:.3g}", greatest),
-                                fmt::format("Nm, as the springs have {:.3g} Nm; are these another unit?", springs));
+                    throw fault(
+                        experiment, field.column, fmt::format("at most {:.3g}", greatest),
+                        fmt::format("Nm, as the springs have {:.3g} Nm; are these or the springs' torques another unit (Ncm)?", springs));
             }
         });
     }
@@ -134,6 +176,43 @@ private:
                                            wrong[0] + wrong[1], rows_.breakaway.size()));
     }
 
+    void check_loads() const {
+        double loads = 0.0, motors = 0.0;
+        for (const BreakAway& row : rows_.breakaway) {
+            loads += std::abs(row.load_torque);
+            motors += std::abs(row.motor_torque);
+        }
+        if (motors > 0.0 && (loads > kMuchLoad * motors || motors > kMuchLoad * loads))
+            throw fault(Experiment::kBreakAway, "load_torque_Nm", fmt::format("{:.3g} times the motor torques", loads / motors),
+                        fmt::format("Nm at the capstan, as the motor torques{}", likely_unit(loads / motors)));
+    }
+
+    /// What the nominal springs carry at the angles read over what the motors gave: friction takes a share of it, another unit takes all.
+    void check_carried() const {
+        double carried = 0.0, given = 0.0;
+        const auto add = [&](double theta, double torque) {
+            if (theta > 0.0) carried += nominal_torque(bench_.rig, true, theta) + nominal_torque(bench_.rig, false, theta);
+            given += std::abs(torque);
+        };
+        const auto judge = [&](Experiment experiment) {
+            if (given > 0.0 && (carried > kMuchPull * given || given > kMuchPull * carried))
+                throw fault(experiment, "theta_agonist_rad, theta_antagonist_rad",
+                            fmt::format("angles at which the springs carry {:.3g} times the motor torques", carried / given),
+                            fmt::format("springs and motor torques in Nm, angles and deflections in rad{}", likely_unit(carried / given)));
+            carried = given = 0.0;
+        };
+        for (const CocontractionRow& row : rows_.cocontraction) {
+            add(row.theta_agonist, row.motor_torque);
+            add(row.theta_antagonist, row.motor_torque);
+        }
+        judge(Experiment::kCocontraction);
+        for (const LogRow& row : rows_.log) {
+            add(row.theta_agonist, row.torque_agonist);
+            add(row.theta_antagonist, row.torque_antagonist);
+        }
+        judge(Experiment::kLog);
+    }
+
     void check_pull() const {
         for (const bool series : {true, false}) {
             double measured = 0.0, nominal = 0.0;
@@ -142,10 +221,11 @@ private:
                 measured += std::abs(row.torque);
                 nominal += std::abs(nominal_torque(bench_.rig, series, row.deflection));
             }
-            if (measured > kMuchPull * nominal || nominal > kMuchPull * measured)
-                throw fault(Experiment::kSpringPull, "torque_Nm",
-                            fmt::format("{:.3g} times the torque of {}'s nominal curve", measured / nominal, series ? "se" : "pe"),
-                            "torques in Nm at the capstan over deflections in rad at the capstan");
+            if (nominal > 0.0 && (measured > kMuchPull * nominal || nominal > kMuchPull * measured))
+                throw fault(
+                    Experiment::kSpringPull, "torque_Nm",
+                    fmt::format("{:.3g} times the torque of {}'s nominal curve", measured / nominal, series ? "se" : "pe"),
+                    fmt::format("torques in Nm at the capstan over deflections in rad at the capstan{}", likely_unit(measured / nominal)));
         }
     }
 
@@ -238,6 +318,7 @@ private:
     const Case& bench_;
     const Rows& rows_;
     fs::path folder_;
+    std::string springs_;
     std::vector<std::string> remarks_;
 };
 
@@ -253,6 +334,8 @@ BaseTravel base_travel(const NominalRig& rig) {
     return {std::sqrt(2.0 * series / rig.se_torsion_rate), std::sqrt(2.0 * parallel / rig.pe_compression_rate)};
 }
 
-std::vector<std::string> check_rows(const Case& bench, const fs::path& folder) { return Checker(bench, folder).check(); }
+std::vector<std::string> check_rows(const Case& bench, const fs::path& folder, const std::string& springs) {
+    return Checker(bench, folder, springs).check();
+}
 
 }  // namespace fusee::gap

@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <map>
 #include <optional>
+#include <set>
 
 #include "case_fields.h"
 #include "fusee/core/csv.h"
@@ -127,11 +130,39 @@ private:
         if constexpr (std::is_same_v<Row, BreakAway>)
             for (std::size_t i = 0; i < rows.size(); ++i) rows[i].line = table_.line(i);
         if constexpr (std::is_same_v<Row, DeadBandRow>) finish_widths(rows);
+        if constexpr (std::is_same_v<Row, StiffnessRow>)
+            if (!options_.inputs_only) level(rows);
         if constexpr (std::is_same_v<Row, LogRow>)
             for (std::size_t i = 1; i < rows.size(); ++i)
                 if (rows[i].time <= rows[i - 1].time)
                     throw table_.fault(i, "t_s", fmt::format("{:g}", rows[i].time),
                                        fmt::format("after the row before, {:g} s", rows[i - 1].time));
+    }
+
+    /// Co-contractions as they were read in place of commanded: those that lie together are one level, their mean. Else each row would
+    /// begin a loop of its own, from rest.
+    void level(std::vector<StiffnessRow>& rows) const {
+        constexpr double kApart = 0.01, kWidest = 0.04;  // of the greatest
+        std::map<double, std::size_t> counts;
+        for (const StiffnessRow& row : rows) ++counts[row.cocontraction];
+        const double most = std::abs(counts.rbegin()->first);
+        std::map<double, double> level_of;
+        for (auto first = counts.begin(), last = first; first != counts.end(); first = last) {
+            double before = first->first, sum = 0.0, count = 0.0;
+            for (; last != counts.end() && last->first - before <= kApart * most; ++last) {
+                before = last->first;
+                count += static_cast<double>(last->second);
+                sum += static_cast<double>(last->second) * before;
+            }
+            const bool one = std::next(first) == last || before - first->first > kWidest * most;
+            for (auto each = first; each != last; ++each) level_of[each->first] = one ? each->first : sum / count;
+        }
+        std::set<double> levels;
+        for (StiffnessRow& row : rows) levels.insert(row.cocontraction = level_of.at(row.cocontraction));
+        if (levels.size() < counts.size() && options_.remarks != nullptr)
+            options_.remarks->push_back(
+                fmt::format("{}: co-contractions within 1 % of each other are one level, as commanded: {} in place of {}",
+                            path_.filename().string(), levels.size(), counts.size()));
     }
 
     /// Both ends, or the width alone.

@@ -164,14 +164,19 @@ void CaseToml::check_file(const std::string& path, const std::string& name) cons
     const fs::path file(name);
     const bool climbs = std::find(file.begin(), file.end(), "..") != file.end();
     if (name.empty() || file.is_absolute() || climbs) throw fault(path, fmt::format("\"{}\"", name), "a file inside the case's folder");
-    std::size_t named = 0;
+    std::error_code absent;
+    if (!fs::is_regular_file(folder_ / file, absent))
+        throw fault(path, fmt::format("\"{}\"", name), "a file that is there: this one is missing");
+    std::vector<std::string> same;
+    const auto compare = [&](const std::string& other) {
+        std::error_code none;
+        if (other == name || fs::equivalent(folder_ / other, folder_ / file, none)) same.push_back('"' + other + '"');
+    };
     for (const auto& [other, leaf] : leaves_) {
-        if (const auto* text = std::get_if<std::string>(&leaf.value)) named += *text == name ? 1 : 0;
-        if (const auto* texts = std::get_if<std::vector<std::string>>(&leaf.value))
-            named += static_cast<std::size_t>(std::count(texts->begin(), texts->end(), name));
+        if (const auto* text = std::get_if<std::string>(&leaf.value)) compare(*text);
+        if (const auto* texts = std::get_if<std::vector<std::string>>(&leaf.value)) std::for_each(texts->begin(), texts->end(), compare);
     }
-    if (named > 1) throw fault(path, fmt::format("\"{}\"", name), "a file of its own: this one is named twice");
-    if (!fs::is_regular_file(folder_ / file)) throw fault(path, fmt::format("\"{}\"", name), "a file that is there: this one is missing");
+    if (same.size() > 1) throw fault(path, fmt::format("{}", fmt::join(same, " and ")), "a file of its own: this one is named twice");
 }
 
 }  // namespace fusee::gap

@@ -107,6 +107,24 @@ TEST_F(ScoreFolder, ReadsDiagnosesAgainAndMeasuresTheGapKeptBack) {
     EXPECT_GT(other.shrink.at(0).measured, first.shrink.at(0).measured);
 }
 
+// One diagnosis with an arm that no spool has took all of the score with it.
+TEST_F(ScoreFolder, ADiagnosisThatNoRigCanBeIsAMissOfItsCase) {
+    for (const Label& label : labels_) diagnose(label);
+    Label wrong = labels_[0];
+    for (const auto& [id, size] : {std::pair{"se.radius", -0.02}, {"gear.coulomb", -1e308}}) {
+        wrong.effects = {{id, "both", size, {}}};
+        diagnose(wrong);
+        const Score found = score(options());
+        EXPECT_EQ(found.figure("effect_and_side").share.hits, 1u);
+        ASSERT_EQ(found.misses.size(), 1u);
+        EXPECT_NE(found.misses[0].what.find(std::string("effects[0]: ") + id), std::string::npos) << found.misses[0].what;
+    }
+    core::write_file(diagnosis_file(labels_[0]), std::string(100'000, '['));
+    ScoreOptions again = options();
+    again.stop = [] { return true; };
+    EXPECT_THROW(static_cast<void>(score(again)), core::Stopped) << "what is no diagnosis is made anew";
+}
+
 TEST_F(ScoreFolder, TheModelsCasesAreTheSameForAnyThreadCount) {
     BenchmarkOptions options;
     options.seed = 3;

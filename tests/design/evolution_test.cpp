@@ -224,6 +224,8 @@ TEST_F(Checkpoint, DamagedFilesAreRefused) {
     const std::string bad[] = {"",
                                "no json",
                                "[]",
+                               std::string(100'000, '['),
+                               replaced("\"costs\": [\n  ", "\"costs\": [\n  1e400, "),
                                good.substr(0, good.size() / 2),
                                replaced("fusee evolution 1", "fusee evolution 2"),
                                replaced("\"generation\": 60", "\"generation\": 59"),

@@ -102,6 +102,18 @@ TEST(CamSpring, bound_coils_take_over_past_their_compression) {
     EXPECT_NEAR(cams.greatest_compression(), std::sqrt(2.0 * kPe.energy(kEnd) / kRig.pe_compression_rate), 1e-7);
 }
 
+TEST(CamSpring, arms_that_no_spool_has_give_a_stiff_spring_that_can_be_read_everywhere) {
+    const NominalCams cams(kRig);
+    ASSERT_GT(cams.shortest_series_arm(), 0.005);
+    for (const SpringBuild build :
+         {SpringBuild{.radius = -0.02}, {.radius = -0.5}, {.preload = -1.0, .stretch = 5.0}, {.radius = -cams.shortest_series_arm()}}) {
+        const CamSpring se = cams.series(build);
+        EXPECT_GT(se.end(), 0.0);
+        for (const double x : {-1.0, 0.0, 1e-6, 0.5, 3.0, 100.0}) EXPECT_TRUE(std::isfinite(se.torque(x)) && se.torque(x) >= 0.0) << x;
+        EXPECT_TRUE(std::isfinite(se.deflection(0.3)));
+    }
+}
+
 TEST(CamSpring, a_wound_spring_pulls_at_deflection_0_and_lets_go_within_a_short_way) {
     const CamSpring wound = NominalCams(kRig).series({.preload = 0.3});
     EXPECT_GT(wound.torque(0.0), 0.05);

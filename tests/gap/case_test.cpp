@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cstdlib>
+#include <set>
 
 #include "case_fixture.h"
 #include "fusee/core/error.h"
@@ -257,6 +258,94 @@ TEST_F(CaseFolder, RefusesUnitsSignsAndSidesThatManyRowsContradict) {
         {"cocontraction.csv: motor_torque_Nm: at most 0.0015", "another unit"});
     put(good);
     EXPECT_EQ(refusal(), "accepted");
+}
+
+/// The springs' file in other units, with one experiment or with all.
+class SpringsInOtherUnits : public CaseFolder {
+protected:
+    void SetUp() override {
+        CaseFolder::SetUp();
+        toml_ = text("case.toml");
+    }
+    /// What is said of springs with deflections times `x`, torques times `se` and `pe`, and of `experiment` alone ("": all).
+    [[nodiscard]] std::string said(const std::string& experiment, double x, double se, double pe) const {
+        std::string csv = "deflection_rad,se_torque_Nm,pe_torque_Nm\n";
+        for (const NominalRig::SpringRow& row : template_.rig.springs)
+            csv += fmt::format("{},{},{}\n", x * row.deflection, se * row.se_torque, pe * row.pe_torque);
+        write("nominal_springs.csv", csv);
+        const std::string alone = fmt::format("[experiments]\n{0} = \"{0}.csv\"\n", experiment);
+        write("case.toml", experiment.empty() ? toml_ : toml_.substr(0, toml_.find("[experiments]")) + alone);
+        return refusal();
+    }
+    static void expect_words(const std::string& said, std::initializer_list<std::string> words) {
+        for (const std::string& word : words) EXPECT_NE(said.find(word), std::string::npos) << "'" << word << "' in " << said;
+    }
+    std::string toml_;
+};
+
+TEST_F(SpringsInOtherUnits, AreRefusedWithTheUnitThatTheyMayHave) {
+    for (const Experiment experiment : kAllExperiments)
+        EXPECT_EQ(said(to_string(experiment), 1, 1, 1), "accepted") << to_string(experiment);
+    expect_words(said("cocontraction", 1, 100, 1), {"Ncm"});
+    expect_words(said("cocontraction", 1, 20, 20), {"cocontraction.csv: theta_agonist_rad", "carry 20 times the motor torques", "kgf cm"});
+    expect_words(said("log", 1, 20, 20), {"log.csv: theta_agonist_rad", "kgf cm"});
+    expect_words(said("cocontraction", 180.0 / core::kPi / 4.0, 1, 1), {"carry 0.0698 times", "are the deflections degrees?"});
+    expect_words(said("spring_pull", 1, 20, 20), {"spring_pull.csv: torque_Nm: 0.05 times"});
+    for (const char* experiment : {"", "breakaway", "dead_band", "joint_stiffness", "cocontraction", "log"}) {
+        SCOPED_TRACE(experiment);
+        expect_words(said(experiment, 0.01, 1, 1), {"nominal_springs.csv: deflection_rad: at most 0.04"});
+        for (const auto& [se, pe] : {std::pair{100, 1}, {1, 100}, {100, 100}}) EXPECT_NE(said(experiment, 1, se, pe), "accepted");
+    }
+}
+
+TEST_F(SpringsInOtherUnits, CurvesThatDoNotRiseAreRefusedWhereTheyAreRead) {
+    edit("nominal_springs.csv", "\n0.4,0.12,", "\n0.4,0.06,");
+    expect_words(refusal(), {"nominal_springs.csv: se_torque_Nm, pe_torque_Nm: a torque that does not rise at", "both torques rising"});
+}
+
+TEST_F(CaseFolder, LoadsFarOffTheMotorTorquesAreAnotherUnit) {
+    Rows rows = fixtures::measured(template_);
+    for (BreakAway& row : rows.breakaway) {
+        row.load_torque *= 100.0;
+        row.motor_torque = std::min(row.motor_torque, 0.3);
+    }
+    rows.breakaway.erase(rows.breakaway.begin() + 4, rows.breakaway.end());
+    put(rows);
+    const std::string said = refusal();
+    EXPECT_NE(said.find("breakaway.csv: load_torque_Nm: 133 times the motor torques"), std::string::npos) << said;
+    EXPECT_NE(said.find("are the torques Ncm?"), std::string::npos) << said;
+}
+
+TEST_F(CaseFolder, AFileUnderTwoNamesIsRefused) {
+    for (const char* other : {"./dead_band.csv", "second/../dead_band.csv", "link.csv"}) {
+        if (std::string(other) == "link.csv") fs::create_symlink("dead_band.csv", folder_ / other);
+        const std::string toml = text("case.toml");
+        edit("case.toml", "\"dead_band.csv\"", fmt::format("[\"dead_band.csv\", \"{}\"]", other));
+        const std::string said = refusal();
+        const bool climbs = std::string(other).find("..") != std::string::npos;
+        EXPECT_NE(said.find(climbs ? "inside the case's folder" : "named twice"), std::string::npos) << said;
+        write("case.toml", toml);
+    }
+}
+
+/// A bench that writes down what it reads of the co-contraction: each row would be a loop of its own, from rest.
+TEST_F(CaseFolder, CocontractionsThatScatterAreOneLevel) {
+    Rows rows = fixtures::measured(template_);
+    const std::vector<StiffnessRow> commanded = rows.joint_stiffness;
+    for (std::size_t i = 0; i < commanded.size(); ++i)
+        rows.joint_stiffness[i].cocontraction += 1e-3 * std::sin(7.0 * static_cast<double>(i));
+    put(rows);
+    const Case read = read_case(folder_);
+    std::set<double> levels;
+    for (std::size_t i = 0; i < commanded.size(); ++i) {
+        EXPECT_NEAR(read.rows.joint_stiffness[i].cocontraction, commanded[i].cocontraction, 2e-4) << i;
+        levels.insert(read.rows.joint_stiffness[i].cocontraction);
+    }
+    EXPECT_EQ(levels.size(), 3u);
+    EXPECT_TRUE(remarked("joint_stiffness.csv: co-contractions within 1 % of each other are one level"));
+    EXPECT_EQ(read_inputs(read, folder_).joint_stiffness[5].cocontraction, rows.joint_stiffness[5].cocontraction) << "inputs stay";
+    put(fixtures::measured(template_));
+    EXPECT_FALSE(remarked("one level"));
 }
 
 TEST_F(CaseFolder, OneSidedBreakAwayOnTheWrongSideIsARemark) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "fusee/core/error.h"
 #include "isolability_fixture.h"
 #include "refused.h"
 
@@ -127,6 +128,27 @@ TEST(Diagnose, what_was_found_predicts_what_was_not_measured) {
         return sum;
     };
     EXPECT_LT(off(diagnosed(bench)), 0.2 * off({}));
+}
+
+// 20,000 rows would take hours; a reader is told before the first minute is gone.
+TEST(Diagnose, a_case_that_would_take_hours_is_refused_at_once) {
+    Rows rows = few_rows();
+    for (int i = 0; i < 3000; ++i) rows.joint_stiffness.push_back({0.5 + 1e-4 * i, StiffnessPhase::kLoadUp, 0.1, 0.01});
+    Case bench = measured_case(parts_alone(), {}, {}, 1.0, 3);
+    bench.rows.joint_stiffness = rows.joint_stiffness;
+    try {
+        (void)diagnosed(bench);
+        FAIL() << "diagnosed";
+    } catch (const core::InvalidInput& e) {
+        EXPECT_EQ(e.field(), "experiments.joint_stiffness");
+        EXPECT_NE(std::string(e.what()).find("3000 rows whose motion takes 37"), std::string::npos) << e.what();
+        EXPECT_NE(e.allowed().find("begins a loop from rest"), std::string::npos) << e.what();
+    }
+}
+
+TEST(Diagnose, any_number_of_threads_is_taken) {
+    const Case bench = measured_case(parts_alone(), {kCoulomb}, {0.06}, 1.0, 4);
+    EXPECT_EQ(diagnosis_json(diagnosed(bench, 100'000)), diagnosis_json(diagnosed(bench, 1)));
 }
 
 }  // namespace

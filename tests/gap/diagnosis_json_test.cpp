@@ -99,8 +99,14 @@ TEST(DiagnosisJson, RefusalsNameTheKey) {
     const auto expect = [&](const std::string& json, const std::string& words) {
         EXPECT_NE(refusal(json).find(words), std::string::npos) << refusal(json);
     };
-    expect("{", "d.json: no valid JSON at byte");
-    expect("[]", "d.json: diagnosis: []");
+    expect("{", "d.json:1:2: JSON: no valid JSON");
+    expect("[]", "d.json: diagnosis: [] (allowed: an object)");
+    expect(R"({"effects": [{"id": "a", "parameter": {"value": 1e400}}]})", "d.json:1:49: JSON: 1e400 (allowed: a number of at most");
+    expect(std::string(100'000, '['), "d.json:1:65: JSON: nested 65 deep or more");
+    expect(R"({"effects": [], "efects": []})", "diagnosis.efects: unknown key (allowed: verdict, effects");
+    expect(R"({"effects": [{"id": "a", "value": 1, "parameter": {"value": 1}}]})", "effects[0].value: unknown key (allowed: id, side");
+    expect(R"({"effects": [{"id": "a", "parameter": {"value": 1, "size": 2}}]})", "effects[0].parameter.size: unknown key");
+    expect(R"({"effects": [{"id": "a", "probability": 1.5, "parameter": {"value": 1}}]})", "probability: 1.5 (allowed: 0 to 1)");
     expect("{}", "diagnosis.effects: missing");
     expect(R"({"effects": {}})", "diagnosis.effects: {} (allowed: an array)");
     expect(R"({"effects": [{"id": 3}]})", "diagnosis.effects[0].id: 3 (allowed: a text)");

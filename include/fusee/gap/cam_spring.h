@@ -22,6 +22,7 @@ struct SpringBuild {
 class CamSpring {
 public:
     CamSpring() = default;
+    /// @pre x rises to an end above 0; all finite
     CamSpring(const std::vector<double>& x, const std::vector<double>& torque);
 
     [[nodiscard]] double torque(double x) const {
@@ -46,12 +47,14 @@ class NominalCams {
 public:
     /// @throws core::InvalidInput if a curve does not rise
     explicit NominalCams(const NominalRig& rig);
-    /// Exact: x = x0 + dr phi/r_c, F = r_c k (phi + phi0)/(r + dr) (docs/theory/springs.md, eq. 24 to 27).
+    /// Exact: x = x0 + dr phi/r_c, F = r_c k (phi + phi0)/(r + dr) (docs/theory/springs.md, eq. 24 to 27). Where r + dr is no arm of a
+    /// spool, 0.01 mm stands for it, so that a fit may try any dr.
     [[nodiscard]] CamSpring series(const SpringBuild& build) const;
     /// y = y0 + dr x, F = k (y + preload)(r + dr).
     [[nodiscard]] CamSpring parallel(const SpringBuild& build) const;
     [[nodiscard]] double greatest_compression() const { return y_.back(); }  ///< of the nominal K_PE [m]
     [[nodiscard]] double end() const { return x_.back(); }                   ///< of both curves [rad]
+    [[nodiscard]] double shortest_series_arm() const;                        ///< of the nominal spool [m]
 
 private:
     double capstan_radius_, k_se_, k_pe_;

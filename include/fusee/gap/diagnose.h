@@ -18,9 +18,15 @@ struct DiagnoseOptions {
 /// Deterministic. @throws core::InvalidInput if the case has too few rows to say anything
 [[nodiscard]] Diagnosis diagnose(const Case& bench, const DiagnoseOptions& options = {});
 
+/// Is a diagnosis that was read from a file one of this case's rig? Each effect is known, stands once on a side, has a size (and further
+/// parameters) within the range of its law, and its unit; each build parameter is known.
+/// @param file the name used in messages. @throws core::InvalidInput naming the effect, its size and what is allowed
+void require_possible(const Case& nominal, const Diagnosis& found, const std::string& file);
+
 /// What the model says of the measured columns at the inputs of `inputs`, row by row: the nominal rig with `found.effects` and
 /// `found.build` in it (an empty Diagnosis: the nominal rig).
-/// @throws core::InvalidInput naming an effect or side that the library does not know
+/// @throws core::InvalidInput naming an effect or side that the library does not know; a figure of the rig with these effects that cannot
+/// be built (a friction below 0, an arm that is none); an experiment of which there is no finite prediction
 [[nodiscard]] Rows predict(const Case& nominal, const Diagnosis& found, const Rows& inputs);
 
 }  // namespace fusee::gap

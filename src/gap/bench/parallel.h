@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -29,7 +30,10 @@ void for_each_index(std::size_t count, unsigned jobs, const Work& work) {
         }
     };
     std::vector<std::thread> threads;
-    for (unsigned t = 1; t < std::min<std::size_t>(jobs, count); ++t) threads.emplace_back(run);
+    try {
+        for (unsigned t = 1; t < std::min<std::size_t>(jobs, count); ++t) threads.emplace_back(run);
+    } catch (const std::system_error&) {  // the system gives no more threads: those that there are do the work
+    }
     run();
     for (std::thread& thread : threads) thread.join();
     if (failure) std::rethrow_exception(failure);

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "fit.h"
@@ -28,12 +29,37 @@ const bench::LawEffect& effect_of(const Law& law, const Cause& cause) {
     throw core::InvalidInput("effects", cause.id + " " + cause.side, known);
 }
 
+/// @throws core::InvalidInput for a value beyond what a fit may give the knob
+void put_value(const Law& law, std::size_t knob, const std::string& what, double value, Values& values) {
+    constexpr double kRounding = 1e-9;
+    const bench::Knob& k = law.knobs[knob];
+    const double slack = kRounding * (k.high - k.low);
+    if (!(value >= k.low - slack && value <= k.high + slack))
+        throw core::InvalidInput(what, fmt::format("{:g}", value), fmt::format("{:g} to {:g} {}", k.low, k.high, k.unit));
+    values[knob] = value;
+}
+
 void put_effect(const Law& law, const FoundEffect& found, Values& values) {
     const bench::LawEffect& effect = effect_of(law, found.cause);
-    values[effect.knobs.front()] = found.parameter.value;
-    for (const std::size_t k : effect.knobs)
-        for (const auto& [name, value] : found.extra)
-            if (k != effect.knobs.front() && name == law.knobs[k].name) values[k] = value;
+    const std::string what = "effects: " + found.cause.id;
+    const bench::Knob& size = law.knobs[effect.knobs.front()];
+    if (values[effect.knobs.front()] != size.off) throw core::InvalidInput(what, "stated again", "each effect once on a side");
+    if (!found.parameter.unit.empty() && !size.unit.empty() && found.parameter.unit != size.unit)
+        throw core::InvalidInput(what + ": unit", found.parameter.unit, size.unit);
+    put_value(law, effect.knobs.front(), what, found.parameter.value, values);
+    for (const auto& [name, value] : found.extra) {
+        const auto known =
+            std::find_if(effect.knobs.begin() + 1, effect.knobs.end(), [&](std::size_t k) { return law.knobs[k].name == name; });
+        if (known == effect.knobs.end()) throw core::InvalidInput(what + ": extra", name, "a further parameter of this effect");
+        put_value(law, *known, what + ": " + name, value, values);
+    }
+}
+
+void require_finite(const BenchRecord& record, const std::vector<double>& predicted) {
+    const auto none = std::find_if(predicted.begin(), predicted.end(), [](double value) { return !std::isfinite(value); });
+    if (none != predicted.end())
+        throw core::InvalidInput(record.file, fmt::format("no prediction of row {}", none - predicted.begin() + 1),
+                                 "inputs and effects that this bench can follow");
 }
 
 /// The nominal parameters on the case's own rows, the effects held.
@@ -52,7 +78,8 @@ Values values_of(const BenchCase& bench, const Diagnosis& found) {
     const auto law = bench::law_of(bench);
     Values values = bench::start_values(*law);
     for (const FoundEffect& effect : found.effects) put_effect(*law, effect, values);
-    for (const auto& [name, parameter] : found.build) values[knob_named(*law, name, 0, law->nominal)] = parameter.value;
+    for (const auto& [name, parameter] : found.build)
+        put_value(*law, knob_named(*law, name, 0, law->nominal), "build: " + name, parameter.value, values);
     if (found.build.empty()) fit_nominal(bench, values);
     return values;
 }
@@ -76,7 +103,11 @@ BenchCase predict_bench(const BenchCase& bench, const Diagnosis& found, const Be
     const auto law = bench::law_of(inputs, true);
     if (law->knobs.size() != values.size()) throw core::InvalidInput("inputs", "other motors than the case's", "the sides of the case");
     BenchCase out = inputs;
-    for (std::size_t r = 0; r < out.records.size(); ++r) law->predict(r, values, out.records[r].columns[measured_column(bench.kind)]);
+    for (std::size_t r = 0; r < out.records.size(); ++r) {
+        std::vector<double>& predicted = out.records[r].columns[measured_column(bench.kind)];
+        law->predict(r, values, predicted);
+        require_finite(out.records[r], predicted);
+    }
     return out;
 }
 

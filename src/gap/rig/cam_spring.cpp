@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "fusee/core/error.h"
@@ -14,11 +15,14 @@ namespace {
 
 constexpr std::size_t kCells = 400;       ///< of a table: linear between them, 1e-5 of the greatest torque
 constexpr std::size_t kRefinement = 600;  ///< places at which the nominal cams are kept
+constexpr double kLeastArm = 1e-5;        ///< [m]; a shorter or negative one is no spool: a fit that tries it sees a very stiff spring
+constexpr double kLeastTurn = 1e-9;       ///< [rad] between two places of a table, which has to rise
 
 }  // namespace
 
 CamSpring::CamSpring(const std::vector<double>& x, const std::vector<double>& torque)
     : torque_(kCells + 1), per_step_(kCells / x.back()), last_(kCells - 1) {
+    assert(x.size() >= 2 && x.size() == torque.size() && x.back() > 0.0 && std::isfinite(x.back()));
     std::size_t row = 0;
     for (std::size_t i = 0; i <= kCells; ++i) {
         const double place = x.back() * static_cast<double>(i) / kCells;
@@ -71,11 +75,15 @@ NominalCams::NominalCams(const NominalRig& rig)
 CamSpring NominalCams::series(const SpringBuild& build) const {
     std::vector<double> x(x_.size()), torque(x_.size());
     for (std::size_t i = 0; i < x_.size(); ++i) {
-        torque[i] = std::max(0.0, capstan_radius_ * k_se_ * (1.0 + build.rate) * (phi_[i] + build.preload) / (se_arm_[i] + build.radius));
+        const double arm = std::max(kLeastArm, se_arm_[i] + build.radius);
+        torque[i] = std::max(0.0, capstan_radius_ * k_se_ * (1.0 + build.rate) * (phi_[i] + build.preload) / arm);
         x[i] = x_[i] + build.radius * phi_[i] / capstan_radius_ + build.stretch * torque[i];
+        if (i > 0) x[i] = std::max(x[i], x[i - 1] + kLeastTurn);
     }
     return {x, torque};
 }
+
+double NominalCams::shortest_series_arm() const { return *std::min_element(se_arm_.begin(), se_arm_.end()); }
 
 CamSpring NominalCams::parallel(const SpringBuild& build) const {
     std::vector<double> torque(x_.size());

@@ -1,0 +1,46 @@
+#pragma once
+#include <cstddef>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace fusee::core {
+
+inline constexpr std::size_t kDeepestJson = 64;  ///< arrays and objects inside of each other
+
+/// Parses a JSON text by anybody. Every number is finite and nothing is nested deeper than kDeepestJson: what walks through the result
+/// may recurse.
+/// @param file the name used in messages
+/// @throws InvalidInput "file:line:column: JSON"
+[[nodiscard]] nlohmann::ordered_json parse_json(std::string_view bytes, const std::string& file);
+
+/// A value of a parsed JSON text with its path "d.json: effects[0].side", so that each refusal names the key.
+class JsonNode {
+public:
+    /// @param json has to outlive it
+    JsonNode(const nlohmann::ordered_json& json, std::string path) : json_(json), path_(std::move(path)) {}
+
+    [[nodiscard]] const std::string& path() const { return path_; }
+    [[nodiscard]] bool has(const std::string& key) const;
+    [[nodiscard]] bool is_null() const;
+    /// @throws InvalidInput if it is no object or lacks the key
+    [[nodiscard]] JsonNode operator[](const std::string& key) const;
+    [[nodiscard]] std::string text() const;
+    [[nodiscard]] double number() const;
+    [[nodiscard]] double number_or_null() const;  ///< NaN for null, which is what a NaN is written as
+    [[nodiscard]] double number_within(double low, double high) const;
+    [[nodiscard]] std::vector<JsonNode> cells() const;                            ///< of an array
+    [[nodiscard]] std::vector<std::pair<std::string, JsonNode>> members() const;  ///< of an object
+    /// @throws InvalidInput naming the first key of this object that is none of `known`
+    void allow_keys(const std::vector<std::string>& known) const;
+    /// @throws InvalidInput with what stands here, shortened, and what is allowed
+    [[noreturn]] void refuse(const std::string& allowed) const;
+
+private:
+    const nlohmann::ordered_json& json_;
+    std::string path_;
+};
+
+}  // namespace fusee::core

@@ -1,0 +1,71 @@
+#include "workload.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "fusee/core/error.h"
+#include "fusee/gap/motion.h"
+
+namespace fusee::gap {
+
+namespace {
+
+/// Each change of co-contraction begins from rest; each phase takes its time, and each row a step at least.
+double stiffness_steps(const std::vector<StiffnessRow>& rows, const Protocol& p) {
+    double seconds = 0.0;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const bool rest = i == 0 || rows[i].cocontraction != rows[i - 1].cocontraction;
+        if (rest) seconds += p.motor_ramp + p.motor_settle;
+        if (rest || rows[i].phase != rows[i - 1].phase) seconds += p.joint_stiffness_phase;
+    }
+    return seconds / kSlowStep + static_cast<double>(rows.size());
+}
+
+double cocontraction_steps(const std::vector<CocontractionRow>& rows, const Protocol& p) {
+    double most = 1e-9, way = 0.0, torque = 0.0;
+    for (const CocontractionRow& row : rows) {
+        most = std::max(most, std::abs(row.motor_torque));
+        way += std::abs(row.motor_torque - torque);
+        torque = row.motor_torque;
+    }
+    return way / most * p.cocontraction_phase / kSlowStep + static_cast<double>(rows.size());
+}
+
+double log_steps(const std::vector<LogRow>& rows, const Protocol& p) {
+    double seconds = rows.empty() ? 0.0 : p.motor_ramp + p.motor_settle;
+    for (std::size_t i = 1; i < rows.size(); ++i) seconds += std::max(0.0, rows[i].time - rows[i - 1].time);
+    return seconds / kLogStep + static_cast<double>(rows.size());
+}
+
+}  // namespace
+
+std::array<double, kExperiments> motion_steps(const Rows& rows, const Protocol& p) {
+    std::array<double, kExperiments> steps{};
+    const double test = p.motor_ramp + p.motor_settle + 2.0 * (p.dead_band_push + p.dead_band_release);
+    steps[static_cast<std::size_t>(Experiment::kDeadBand)] = static_cast<double>(rows.dead_band.size()) * test / kDeadBandStep;
+    steps[static_cast<std::size_t>(Experiment::kJointStiffness)] = stiffness_steps(rows.joint_stiffness, p);
+    steps[static_cast<std::size_t>(Experiment::kCocontraction)] = cocontraction_steps(rows.cocontraction, p);
+    steps[static_cast<std::size_t>(Experiment::kLog)] = log_steps(rows.log, p);
+    return steps;
+}
+
+void require_feasible(const Case& bench) {
+    const std::array<double, kExperiments> steps = motion_steps(bench.rows, bench.protocol);
+    const double all = std::accumulate(steps.begin(), steps.end(), 0.0);
+    if (all <= kMostSteps) return;
+    const auto longest = static_cast<std::size_t>(std::max_element(steps.begin(), steps.end()) - steps.begin());
+    const auto experiment = static_cast<Experiment>(longest);
+    const char* const hint =
+        experiment == Experiment::kJointStiffness
+            ? "; each change of cocontraction_Nm begins a loop from rest: does the column have what was commanded, rows in order?"
+            : "; leave out repeats, or do them as a case of their own";
+    throw core::InvalidInput(fmt::format("experiments.{}", to_string(experiment)),
+                             fmt::format("{} rows whose motion takes {:.3g} times as long as that of a usual case",
+                                         bench.rows.size(experiment), steps[longest] / kUsualSteps),
+                             fmt::format("at most {:.3g} times in all{}", kMostSteps / kUsualSteps, hint));
+}
+
+}  // namespace fusee::gap

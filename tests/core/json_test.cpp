@@ -1,0 +1,78 @@
+#include "fusee/core/json.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "refused.h"
+
+// JSON by anybody: what cannot be read is refused with its place.
+namespace fusee::core {
+namespace {
+
+std::string refusal(const std::string& json) {
+    try {
+        (void)parse_json(json, "d.json");
+    } catch (const InvalidInput& e) {
+        return e.what();
+    }
+    return "accepted";
+}
+
+TEST(ParseJson, GivesWhatStandsThere) {
+    const nlohmann::ordered_json json = parse_json(R"({"b": [1, -2.5e3, "}]"], "a": null})", "d.json");
+    EXPECT_EQ(json["b"][1], -2500.0);
+    EXPECT_EQ(json["b"][2], "}]");
+    EXPECT_EQ(json.begin().key(), "b");
+}
+
+TEST(ParseJson, RefusalsNameTheLineAndTheColumn) {
+    EXPECT_EQ(refusal("{\n \"a\": ]\n}"), "d.json:2:7: JSON: no valid JSON (allowed: JSON as RFC 8259 has it)");
+    EXPECT_NE(refusal("").find("d.json:1:1: JSON: no valid JSON"), std::string::npos);
+    EXPECT_NE(refusal("{").find("d.json:1:2"), std::string::npos);
+    EXPECT_EQ(refusal("{\"a\": 1,\n \"b\": 1e400}"), "d.json:2:7: JSON: 1e400 (allowed: a number of at most 1.798e+308)");
+    EXPECT_NE(refusal("[-1e999]").find("d.json:1:2: JSON: -1e999"), std::string::npos);
+    EXPECT_NE(refusal("[NaN]").find("no valid JSON"), std::string::npos);
+}
+
+TEST(ParseJson, DepthIsBounded) {
+    const auto nested = [](std::size_t depth) { return std::string(depth, '[') + std::string(depth, ']'); };
+    EXPECT_EQ(refusal(nested(kDeepestJson)), "accepted");
+    EXPECT_EQ(refusal(nested(kDeepestJson + 1)), "d.json:1:65: JSON: nested 65 deep or more (allowed: at most 64 deep)");
+    EXPECT_NE(refusal(nested(100'000)).find("nested"), std::string::npos);
+    EXPECT_NE(refusal(std::string(100'000, '[')).find("nested"), std::string::npos);
+    EXPECT_EQ(refusal("\"" + std::string(1000, '[') + "\\\"" + std::string(1000, '{') + "\""), "accepted");
+}
+
+TEST(JsonNode, NamesTheKeyOfWhatItRefuses) {
+    const nlohmann::ordered_json json = parse_json(R"({"a": [{"b": 3}], "n": null, "t": "x"})", "d.json");
+    const JsonNode root(json, "d.json: top");
+    EXPECT_EQ(root["a"].cells()[0]["b"].number(), 3.0);
+    EXPECT_TRUE(std::isnan(root["n"].number_or_null()));
+    EXPECT_EQ(root["t"].text(), "x");
+    EXPECT_FALSE(root.has("z"));
+    EXPECT_EQ(field_refused([&] { return root["z"]; }), "d.json: top.z");
+    EXPECT_EQ(field_refused([&] { return root["a"].cells()[0]["b"].text(); }), "d.json: top.a[0].b");
+    EXPECT_EQ(field_refused([&] { return root["a"].cells()[0]["b"].number_within(0, 2); }), "d.json: top.a[0].b");
+    EXPECT_EQ(field_refused([&] { return root["t"].number(); }), "d.json: top.t");
+    EXPECT_EQ(field_refused([&] { return root["t"].cells(); }), "d.json: top.t");
+    EXPECT_EQ(field_refused([&] { return root["a"].members(); }), "d.json: top.a");
+    EXPECT_EQ(field_refused([&] {
+                  root.allow_keys({"a", "n"});
+                  return 0;
+              }),
+              "d.json: top.t");
+}
+
+TEST(JsonNode, ALongValueIsShortened) {
+    const nlohmann::ordered_json json = nlohmann::ordered_json(std::string(100'000, 'x'));
+    try {
+        (void)JsonNode(json, "d.json").number();
+        FAIL();
+    } catch (const InvalidInput& e) {
+        EXPECT_EQ(e.value().size(), 83u);
+    }
+}
+
+}  // namespace
+}  // namespace fusee::core

@@ -40,7 +40,8 @@ int run(const Action& action) {
     } catch (const core::InvalidInput& e) {
         return refuse(e);
     } catch (const core::InvalidInputs& e) {
-        return refuse(e);
+        fmt::print(stderr, "fusee: {} mistakes:\n{}\n", e.all().size(), e.what());
+        return kBadInput;
     } catch (const core::IoError& e) {
         return refuse(e);
     } catch (const std::system_error& e) {  // a full disk, a folder that is a file

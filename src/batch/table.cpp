@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "fusee/batch/batch.h"
 #include "fusee/report/rule_counts.h"
@@ -58,8 +59,10 @@ std::string head_lines(const Row& row) {
 
 /// What went wrong, or what binds; under a row.
 std::string details(const Ended& row, const core::Findings& findings) {
-    if (!row.error.empty()) return "    " + row.error + "\n";
     std::string lines;
+    std::istringstream error(row.error);
+    for (std::string line; std::getline(error, line);) lines += "    " + line + "\n";
+    if (!lines.empty()) return lines;
     for (const core::Severity severity : {core::Severity::kRequired, core::Severity::kReview, core::Severity::kNotJudged})
         for (const core::Finding& f : findings)
             if (f.severity == severity) lines += "    " + core::to_line(f) + "\n";

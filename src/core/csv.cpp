@@ -9,13 +9,15 @@
 #include <cmath>
 
 #include "fusee/core/file.h"
+#include "fusee/core/text.h"
 
 namespace fusee::core {
 
 namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-constexpr std::size_t kShown = 60;               // letters of a wrong cell that a message repeats
+constexpr std::size_t kShown = 60;               // characters of a wrong cell that a message repeats
+constexpr std::size_t kMostFaults = 20;          // that are told one by one
 constexpr std::size_t kLongestLine = 1'000'000;  // bytes: what has longer ones is no table
 
 struct Cell {
@@ -35,13 +37,8 @@ void split(std::string_view line, std::vector<Cell>& cells) {
     }
 }
 
-/// In quotes and shortened; control characters would reach the reader's terminal.
-std::string shown(std::string_view text) {
-    std::string plain(text.substr(0, kShown));
-    std::replace_if(
-        plain.begin(), plain.end(), [](unsigned char c) { return c < 0x20 || c == 0x7F; }, '?');
-    return fmt::format("'{}{}'", plain, text.size() > kShown ? "..." : "");
-}
+/// In quotes.
+std::string shown(std::string_view text) { return fmt::format("'{}'", printable(text, kShown)); }
 
 std::string count_of_columns(std::size_t count) {
     constexpr std::array<const char*, 10> kWords{"no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine"};
@@ -55,11 +52,21 @@ InvalidInput fault_at(const std::string& file, std::size_t line, std::size_t pla
 
 }  // namespace
 
+void CsvFaults::add(InvalidInput fault) {
+    if (count_++ < kMostFaults) first_.add(std::move(fault));
+}
+
+void CsvFaults::throw_if_any() const {
+    Mistakes all = first_;
+    if (count_ > kMostFaults) all.add(InvalidInput(file_, fmt::format("and {} more", count_ - kMostFaults), "none"));
+    all.throw_if_any();
+}
+
 /// One pass over the lines, which may come in pieces; the table grows row by row.
 class CsvParser {
 public:
     CsvParser(const std::string& file, const std::vector<CsvColumn>& columns, const CsvOptions& options)
-        : known_(columns), options_(options) {
+        : known_(columns), options_(options), faults_(file) {
         table_.file_ = file;
         for (const CsvColumn& column : known_) names_ += (names_.empty() ? "" : ",") + column.name;
     }
@@ -69,7 +76,7 @@ public:
         while (!bytes.empty()) {
             const std::size_t end = bytes.find('\n');
             if (rest_.size() + std::min(end, bytes.size()) > kLongestLine)
-                throw fault_at(table_.file_, line_ + 1, 1, "line", "longer", fmt::format("at most {} bytes", kLongestLine));
+                give_up(fault_at(table_.file_, line_ + 1, 1, "line", "longer", fmt::format("at most {} bytes", kLongestLine)));
             if (end == std::string_view::npos) {
                 rest_.append(bytes);
                 return;
@@ -86,13 +93,20 @@ public:
 
     CsvTable finish() {
         if (!rest_.empty()) read_line(rest_);
-        if (!headed_) throw fault_at(table_.file_, 1, 1, "header", "(missing)", shown(names_));
+        if (!headed_) give_up(fault_at(table_.file_, 1, 1, "header", "(missing)", shown(names_)));
+        faults_.throw_if_any();
         if (table_.rows() < options_.least_rows)
             throw fault(1, "rows", fmt::format("{}", table_.rows()), fmt::format("at least {}", options_.least_rows));
         return std::move(table_);
     }
 
 private:
+    /// What makes reading on pointless.
+    [[noreturn]] void give_up(InvalidInput fault) {
+        faults_.add(fault);
+        faults_.throw_if_any();
+        throw fault;
+    }
     [[nodiscard]] InvalidInput fault(std::size_t place, std::string_view what, std::string value, std::string allowed) const {
         return fault_at(table_.file_, line_, place, what, std::move(value), std::move(allowed));
     }
@@ -112,34 +126,50 @@ private:
             const auto same = [&cell](const auto& other) { return other.text == cell.text; };
             const auto end = cells_.begin() + static_cast<std::ptrdiff_t>(i);
             if (!cell.text.empty() && std::find_if(cells_.begin(), end, same) != end)
-                throw fault(cell.place, "header", shown(cell.text), "every column once");
+                faults_.add(fault(cell.place, "header", shown(cell.text), "every column once"));
             const auto known = std::find_if(known_.begin(), known_.end(), [&cell](const CsvColumn& c) { return c.name == cell.text; });
             if (known != known_.end()) {
                 if (known->name == options_.span_column) span_column_ = table_.columns_.size();
                 table_.columns_.push_back({*known, i, {}, {}, {}});
             }
-            if (known == known_.end() && !options_.extra_columns) throw fault(cell.place, "header", shown(cell.text), shown(names_));
+            if (known == known_.end() && !options_.extra_columns) faults_.add(fault(cell.place, "header", shown(cell.text), shown(names_)));
         }
         for (const CsvColumn& column : known_)
             if (column.required && !table_.has(column.name))
-                throw fault(text.size() + 1, "header", shown(column.name) + " (missing)", shown(names_));
+                faults_.add(fault(text.size() + 1, "header", shown(column.name) + " (missing)", shown(names_)));
+        faults_.throw_if_any();  // without its columns no row can be read
         width_ = cells_.size();
     }
 
     void read_row(std::string_view text) {
-        if (table_.rows_read_ >= options_.most_rows) throw fault(1, "rows", "more", fmt::format("at most {}", options_.most_rows));
-        if (cells_.size() > width_) throw fault(cells_[width_].place, "row", shown(cells_[width_].text), count_of_columns(width_));
-        values_.clear();
-        for (const CsvTable::Column& column : table_.columns_) {
-            if (column.cell >= cells_.size()) cells_.resize(column.cell + 1, Cell{{}, text.size() + 1});
-            const Cell& cell = cells_[column.cell];
-            if (column.known.kind == CsvColumn::Kind::kText) require_words(cell, column.known.name);
-            values_.push_back(column.known.kind == CsvColumn::Kind::kText ? 0.0 : number(cell, column.known));
-        }
+        if (table_.rows_read_ >= options_.most_rows) give_up(fault(1, "rows", "more", fmt::format("at most {}", options_.most_rows)));
+        const std::size_t before = faults_.count();
+        if (cells_.size() > width_) faults_.add(fault(cells_[width_].place, "row", shown(cells_[width_].text), count_of_columns(width_)));
+        read_cells(text);
         const bool beyond = is_beyond();
         table_.rows_beyond_ += beyond ? 1 : 0;
         if (table_.rows() >= options_.most_kept && table_.rows_read_ % table_.stride_ == 0 && !beyond) thin();
-        if (table_.rows_read_++ % table_.stride_ == 0 && !beyond) keep_row();
+        if (table_.rows_read_++ % table_.stride_ == 0 && !beyond && faults_.count() == before) keep_row();
+    }
+
+    /// The row's numbers into `values_`. Of a row that ends early only the first cell that it lacks is told.
+    void read_cells(std::string_view text) {
+        values_.clear();
+        const std::size_t given = cells_.size();
+        bool short_told = false;
+        for (const CsvTable::Column& column : table_.columns_) {
+            const bool lacking = column.cell >= given;
+            if (lacking) cells_.resize(std::max(cells_.size(), column.cell + 1), Cell{{}, text.size() + 1});
+            const Cell& cell = cells_[column.cell];
+            double value = 0.0;
+            if (!lacking || !short_told)
+                faults_.collect([&] {
+                    column.known.kind == CsvColumn::Kind::kText ? require_words(cell, column.known.name)
+                                                                : void(value = number(cell, column.known));
+                });
+            short_told = short_told || (lacking && !column.known.gaps);
+            values_.push_back(value);
+        }
     }
 
     /// Of the row in `values_`.
@@ -199,6 +229,7 @@ private:
     const std::vector<CsvColumn>& known_;
     const CsvOptions& options_;
     CsvTable table_;
+    CsvFaults faults_;
     std::string names_;  // of the known columns, as a header line
     std::vector<Cell> cells_;
     std::vector<double> values_;  // of the known columns' numbers in the row, 0 for texts

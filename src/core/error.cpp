@@ -14,7 +14,7 @@ namespace {
 
 // Characters that a message repeats. A path may have 4096; what is allowed is our own text, and lists at most some hundred names.
 constexpr std::size_t kMostOfValue = 200, kMostOfField = 5000, kMostOfReason = 5000;
-constexpr std::size_t kMostLines = 100;  // of mistakes
+constexpr std::size_t kMostLines = 200;  // of mistakes; a reader that finds more says how many itself
 
 /// One message, its control characters visible but for the line ends.
 std::string printable_lines(const std::string& text) {

@@ -68,10 +68,13 @@ void write_file(const fs::path& path, std::string_view bytes) {
 
 void read_pieces(const fs::path& path, std::size_t largest, const std::function<void(std::string_view)>& take) {
     std::error_code error;
-    if (fs::is_directory(path, error)) throw IoError(path.string(), "is a folder, not a file");
+    const fs::file_status status = fs::status(path, error);
+    if (fs::is_directory(status)) throw IoError(path.string(), "is a folder, not a file");
+    // Opening a pipe waits for a writer, who may never come; a device may have no end.
+    if (fs::exists(status) && !fs::is_regular_file(status))
+        throw IoError(path.string(), "is a pipe, a socket or a device; only regular files are read");
     std::ifstream in(path, std::ios::binary);
     if (!in) throw IoError(path.string(), "cannot be opened for reading");
-    // What has no end (a device) is given up at the limit.
     std::array<char, 1 << 16> piece;
     std::size_t size = 0;
     while (in.read(piece.data(), piece.size()), in.gcount() > 0) {

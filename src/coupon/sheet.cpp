@@ -128,7 +128,9 @@ Sheet parse_sheet(std::string_view csv, const std::string& file) {
     const core::CsvTable table = core::parse_csv(csv, file, kColumns);
     const Reader reader(table);
     Sheet sheet;
-    for (std::size_t row = 0; row < table.rows(); ++row) reader.take(row, sheet);
+    core::CsvFaults faults(file);
+    for (std::size_t row = 0; row < table.rows(); ++row) faults.collect([&] { reader.take(row, sheet); });
+    faults.throw_if_any();
     if (sheet.rows.empty()) throw core::InvalidInput(file + ": measured", "no row is filled", "at least one measured figure");
     return sheet;
 }

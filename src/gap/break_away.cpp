@@ -27,13 +27,16 @@ std::vector<BreakAway> parse_break_away(std::string_view csv, const std::string&
     const core::CsvTable table = core::parse_csv(csv, file, kColumns);
     std::vector<BreakAway> rows;
     rows.reserve(table.rows());
-    for (std::size_t i = 0; i < table.rows(); ++i) {
+    core::CsvFaults faults(file);
+    const auto take = [&](std::size_t i) {
         const std::string& direction = table.texts("direction")[i];
         if (direction != "drive" && direction != "backdrive")
             throw table.fault(i, "direction", "'" + direction + "'", "drive or backdrive");
         rows.push_back({table.texts("side")[i], direction == "backdrive", torque_of(table, i, "motor_torque_Nm"),
                         torque_of(table, i, "load_torque_Nm"), table.line(i)});
-    }
+    };
+    for (std::size_t i = 0; i < table.rows(); ++i) faults.collect([&] { take(i); });
+    faults.throw_if_any();
     return rows;
 }
 

@@ -1,18 +1,17 @@
 #include "fusee/math/smoothing_spline.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
-#include <boost/math/tools/minima.hpp>
 #include <cassert>
 #include <cmath>
-#include <limits>
 #include <numeric>
+
+#include "fusee/math/penalised_fit.h"
 
 namespace fusee::math {
 
 namespace {
 
-constexpr int kDegree = 5;
+constexpr int kDegree = PenalisedFit::kDegree;
 constexpr int kMostDegree = kDegree + 1;  // of the integral
 
 /// The degree + 1 uniform B-splines that differ from 0 at the share t of a knot interval (Cox-de Boor on integer knots).
@@ -42,62 +41,6 @@ Position locate(double x, core::Range domain, double step, int intervals) {
     return {interval, s - interval};
 }
 
-/// Rows of B-splines over rows of their third differences; the fit solves [B; sqrt(lambda) D] c = [y; 0].
-class PenalisedFit {
-public:
-    PenalisedFit(Eigen::MatrixXd design, Eigen::VectorXd y) : design_(std::move(design)), y_(std::move(y)) {
-        const Eigen::Index count = design_.cols();
-        penalty_ = Eigen::MatrixXd::Zero(count - 3, count);
-        for (Eigen::Index i = 0; i + 3 < count; ++i) penalty_.row(i).segment<4>(i) << -1.0, 3.0, -3.0, 1.0;
-        scale_ = design_.squaredNorm() / penalty_.squaredNorm();
-    }
-
-    struct Result {
-        Eigen::VectorXd coefficients;
-        double residual = 0.0;    ///< sum of squares
-        double parameters = 0.0;  ///< trace of the smoother
-        [[nodiscard]] double score(double rows) const {
-            const double left = rows - 1.4 * parameters;
-            return left > 0.0 ? rows * residual / (left * left) : std::numeric_limits<double>::infinity();
-        }
-    };
-
-    [[nodiscard]] Result solve(double lambda) const {
-        const Eigen::Index rows = design_.rows(), count = design_.cols(), all = rows + penalty_.rows();
-        Eigen::MatrixXd stacked(all, count);
-        stacked << design_, std::sqrt(lambda) * penalty_;
-        Eigen::VectorXd right = Eigen::VectorXd::Zero(all);
-        right.head(rows) = y_;
-        // Rank-revealing: without a penalty, knots between which no row lies leave coefficients free; the least ones are taken.
-        const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> factors(stacked);
-        Result result;
-        result.coefficients = factors.solve(right);
-        result.residual = (design_ * result.coefficients - y_).squaredNorm();
-        const Eigen::MatrixXd q = factors.householderQ() * Eigen::MatrixXd::Identity(all, factors.rank());
-        result.parameters = q.topRows(rows).squaredNorm();
-        return result;
-    }
-
-    /// Coarse scan (the score may have several valleys), then Brent's method in the best one.
-    [[nodiscard]] double choose_lambda() const {
-        constexpr double kLow = -9.0, kHigh = 9.0, kStep = 0.5;  // decades around the weight that balances design and penalty
-        const auto score = [this](double decade) {
-            return solve(scale_ * std::pow(10.0, decade)).score(static_cast<double>(design_.rows()));
-        };
-        double best = kHigh, least = score(kHigh);  // ties and hopeless rows: the smoothest
-        for (double decade = kHigh - kStep; decade >= kLow; decade -= kStep)
-            if (const double now = score(decade); now < least) least = now, best = decade;
-        constexpr int kBits = 12;  // a thousandth of a decade is far more than the score can tell
-        const auto refined = boost::math::tools::brent_find_minima(score, best - kStep, best + kStep, kBits);
-        return scale_ * std::pow(10.0, refined.second < least ? refined.first : best);
-    }
-
-private:
-    Eigen::MatrixXd design_, penalty_;
-    Eigen::VectorXd y_;
-    double scale_ = 1.0;
-};
-
 std::vector<double> differences(const std::vector<double>& values, double step) {
     std::vector<double> result(values.size() - 1);
     for (std::size_t i = 0; i < result.size(); ++i) result[i] = (values[i + 1] - values[i]) / step;
@@ -109,20 +52,21 @@ std::vector<double> differences(const std::vector<double>& values, double step) 
 SmoothingSpline::SmoothingSpline(const std::vector<double>& x, const std::vector<double>& y, const SmoothingOptions& options)
     : domain_{x.front(), x.back()}, step_(domain_.width() / options.intervals) {
     assert(x.size() == y.size() && x.size() >= 3 && options.intervals >= 1 && domain_.width() > 0.0);
-    const auto rows = static_cast<Eigen::Index>(x.size());
-    Eigen::MatrixXd design = Eigen::MatrixXd::Zero(rows, options.intervals + kDegree);
-    for (Eigen::Index row = 0; row < rows; ++row) {
-        const auto [interval, share] = locate(x[static_cast<std::size_t>(row)], domain_, step_, options.intervals);
+    std::vector<PenalisedFit::Row> rows;
+    rows.reserve(x.size());
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        const auto [interval, share] = locate(x[i], domain_, step_, options.intervals);
         const auto values = basis(kDegree, share);
-        for (int j = 0; j <= kDegree; ++j) design(row, interval + j) = values[static_cast<std::size_t>(j)];
+        PenalisedFit::Row& row = rows.emplace_back(PenalisedFit::Row{static_cast<std::size_t>(interval), {}, y[i]});
+        std::copy_n(values.begin(), row.values.size(), row.values.begin());
     }
-    const PenalisedFit fit(std::move(design), Eigen::Map<const Eigen::VectorXd>(y.data(), rows));
-    lambda_ = options.lambda < 0.0 ? fit.choose_lambda() : options.lambda;
-    const PenalisedFit::Result result = fit.solve(lambda_);
+    const auto fit = make_penalised_fit(rows, static_cast<std::size_t>(options.intervals + kDegree));
+    lambda_ = options.lambda < 0.0 ? fit->choose_lambda() : options.lambda;
+    const PenalisedFit::Result result = fit->solve(lambda_);
     effective_parameters_ = result.parameters;
-    const double left = static_cast<double>(rows) - result.parameters;
+    const double left = static_cast<double>(rows.size()) - result.parameters;
     noise_ = left > 0.5 ? std::sqrt(result.residual / left) : 0.0;
-    derivatives_[0].assign(result.coefficients.begin(), result.coefficients.end());
+    derivatives_[0] = result.coefficients;
     for (std::size_t i = 1; i < derivatives_.size(); ++i) derivatives_[i] = differences(derivatives_[i - 1], step_);
     integral_.resize(derivatives_[0].size() + 1, 0.0);
     std::partial_sum(derivatives_[0].begin(), derivatives_[0].end(), integral_.begin() + 1);

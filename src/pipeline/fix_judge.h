@@ -31,6 +31,8 @@ auto if_allowed(const Work& work) -> std::optional<decltype(work())> {
         return work();
     } catch (const core::InvalidInput&) {
         return std::nullopt;
+    } catch (const core::InvalidInputs&) {
+        return std::nullopt;
     }
 }
 

@@ -5,16 +5,20 @@
 #include <cctype>
 #include <cmath>
 
-#include "fusee/core/error.h"
 #include "fusee/core/toml.h"
 
 namespace fusee::profile {
 
 namespace {
 
+// Below these no figure is a measure of anything, and some vanish on the way to SI or in a square. In the key's own unit.
+constexpr double kLeastAbove0 = 1e-9;  // where 0 itself is not allowed
+constexpr double kLeast = 1e-30;       // elsewhere, of either sign
+
+/// After a fault a value of the right kind stands in for the refused one; the caller sees from the faults' count that it is none.
 class Converter {
 public:
-    Converter(const Key& key, const std::string& file) : key_(key), file_(file) {}
+    Converter(const Key& key, Faults& faults) : key_(key), faults_(faults) {}
 
     [[nodiscard]] Value convert(const toml::node& node) const {
         switch (key_.kind) {
@@ -38,36 +42,41 @@ public:
             case Kind::kChoices:
                 return choices(node);
         }
-        refuse(node);
+        return {};
     }
 
 private:
-    [[noreturn]] void refuse(const toml::node& node) const {
-        throw core::InvalidInput(place(file_, node.source(), key_.path), core::shown(node), allowed_text(key_));
+    void refuse(const toml::node& node, const std::string& more = "") const {
+        faults_.add(node.source(), key_.path, core::shown(node), allowed_text(key_) + more);
     }
     [[nodiscard]] double number(const toml::node& node) const {
-        if (!node.is_number()) refuse(node);
+        if (!node.is_number()) return refuse(node), 0.0;
         const double value = node.is_integer() ? static_cast<double>(node.as_integer()->get()) : node.as_floating_point()->get();
         const bool high_enough = key_.limits.low_allowed ? value >= key_.limits.low : value > key_.limits.low;
-        if (!std::isfinite(value) || !high_enough || value > key_.limits.high) refuse(node);
+        const double least = key_.limits.low == 0.0 && !key_.limits.low_allowed ? kLeastAbove0 : kLeast;
+        if (!std::isfinite(value) || !high_enough || value > key_.limits.high)
+            refuse(node);
+        else if (value != 0.0 && std::abs(value) < least)
+            refuse(node, fmt::format("; none so close to 0: {:g} or more in size", least));
         return value;
     }
     [[nodiscard]] int integer(const toml::node& node) const {
-        if (!node.is_integer()) refuse(node);
-        return static_cast<int>(number(node));
+        if (!node.is_integer()) return refuse(node), 0;
+        const std::size_t before = faults_.count();
+        const double value = number(node);
+        return faults_.count() == before ? static_cast<int>(value) : 0;
     }
     [[nodiscard]] int sign(const toml::node& node) const {
-        if (!node.is_integer()) refuse(node);
-        const auto value = node.as_integer()->get();
-        if (value != 1 && value != -1) refuse(node);
-        return static_cast<int>(value);
+        const auto* whole = node.as_integer();
+        if (whole != nullptr && (whole->get() == 1 || whole->get() == -1)) return static_cast<int>(whole->get());
+        return refuse(node), 1;
     }
     [[nodiscard]] bool yes_or_no(const toml::node& node) const {
-        if (!node.is_boolean()) refuse(node);
+        if (!node.is_boolean()) return refuse(node), false;
         return node.as_boolean()->get();
     }
     [[nodiscard]] std::string text(const toml::node& node) const {
-        if (!node.is_string() || node.as_string()->get().empty()) refuse(node);
+        if (!node.is_string() || node.as_string()->get().empty()) return refuse(node), "";
         return node.as_string()->get();
     }
     /// What may be left out may also be empty.
@@ -77,7 +86,8 @@ private:
     }
     [[nodiscard]] std::string name(const toml::node& node) const {
         static constexpr std::size_t kLongest = 64;
-        const std::string value = text(node);
+        std::string value = text(node);
+        if (value.empty()) return value;
         const bool plain = std::all_of(value.begin(), value.end(), [](unsigned char c) {
             return c < 0x80 && (std::isalnum(c) != 0 || c == '.' || c == '_' || c == '-');
         });
@@ -85,13 +95,16 @@ private:
         return value;
     }
     [[nodiscard]] std::string choice(const toml::node& node) const {
-        const std::string value = text(node);
-        if (std::find(key_.choices.begin(), key_.choices.end(), value) == key_.choices.end()) refuse(node);
+        std::string value = text(node);
+        if (!value.empty() && std::find(key_.choices.begin(), key_.choices.end(), value) == key_.choices.end()) refuse(node);
         return value;
     }
+    /// Its cells; none where it is refused as a whole.
     [[nodiscard]] const toml::array& array(const toml::node& node) const {
-        if (!node.is_array() || node.as_array()->size() < key_.least_count || node.as_array()->size() > key_.most_count) refuse(node);
-        return *node.as_array();
+        static const toml::array kNone;
+        const auto* array = node.as_array();
+        if (array != nullptr && array->size() >= key_.least_count && array->size() <= key_.most_count) return *array;
+        return refuse(node), kNone;
     }
     [[nodiscard]] std::vector<double> numbers(const toml::node& node) const {
         std::vector<double> values;
@@ -101,22 +114,23 @@ private:
     [[nodiscard]] std::vector<std::string> choices(const toml::node& node) const {
         std::vector<std::string> values;
         for (const toml::node& cell : array(node)) {
-            if (std::find(values.begin(), values.end(), choice(cell)) != values.end()) refuse(cell);
-            values.push_back(choice(cell));
+            std::string value = choice(cell);
+            if (std::find(values.begin(), values.end(), value) != values.end()) refuse(cell);
+            values.push_back(std::move(value));
         }
         return values;
     }
 
     const Key& key_;
-    const std::string& file_;
+    Faults& faults_;
 };
 
 }  // namespace
 
-std::string place(const std::string& file, const toml::source_region& at, std::string_view path) {
-    return fmt::format("{}:{}:{}: {}", file, at.begin.line, at.begin.column, path);
+std::optional<Value> convert(const Key& key, const toml::node& node, Faults& faults) {
+    const std::size_t before = faults.count();
+    Value value = Converter(key, faults).convert(node);
+    return faults.count() == before ? std::optional(std::move(value)) : std::nullopt;
 }
-
-Value convert(const Key& key, const toml::node& node, const std::string& file) { return Converter(key, file).convert(node); }
 
 }  // namespace fusee::profile

@@ -6,12 +6,15 @@
 #include "fusee/core/csv.h"
 #include "fusee/core/file.h"
 #include "fusee/core/units.h"
+#include "key.h"
 
 namespace fs = std::filesystem;
 
 namespace fusee::profile {
 
 namespace {
+
+constexpr double kMostTorque = 1e4, kMost = 1e6, kLeast = 1e-9;  // as of the keys
 
 /// Two columns of one kind of table.
 struct Columns {
@@ -26,63 +29,74 @@ void read_rows(const std::string& csv, const std::string& file, const Columns& c
         core::parse_csv(csv, file, {{columns.x}, {columns.y}}, {.extra_columns = true, .least_rows = columns.least_rows});
     rows.x = table.numbers(columns.x);
     rows.y = table.numbers(columns.y);
+    core::CsvFaults faults(file);
     for (std::size_t i = 0; i < table.rows(); ++i) {
         const double x = rows.x[i], y = rows.y[i];
-        if (x < 0.0) throw table.fault(i, columns.x, fmt::format("{:g}", x), "at least 0");
-        if (i > 0 && x <= rows.x[i - 1])
-            throw table.fault(i, columns.x, fmt::format("{:g}", x), fmt::format("above the row before, {:g}", rows.x[i - 1]));
-        if (y < 0.0 || (columns.positive && y == 0.0))
-            throw table.fault(i, columns.y, fmt::format("{:g}", y), columns.positive ? "above 0" : "at least 0");
-        rows.y[i] = columns.unit * y;
+        const auto refuse = [&](const std::string& column, double value, std::string allowed) {
+            faults.add(table.fault(i, column, fmt::format("{:g}", value), std::move(allowed)));
+        };
+        if (x < 0.0 || x > kMostTorque) refuse(columns.x, x, fmt::format("0 to {:g}", kMostTorque));
+        if (i > 0 && x <= rows.x[i - 1]) refuse(columns.x, x, fmt::format("above the row before, {:g}", rows.x[i - 1]));
+        if (y > kMost || y < (columns.positive ? kLeast : 0.0))
+            refuse(columns.y, y,
+                   columns.positive ? fmt::format("above 0, {:g} to {:g}", kLeast, kMost) : fmt::format("at least 0, at most {:g}", kMost));
     }
+    faults.throw_if_any();
+    for (double& y : rows.y) y *= columns.unit;
 }
 
 /// Reads files beside the profile and keeps their bytes for its hash.
 class Folder {
 public:
-    explicit Folder(const fs::path& profile) : folder_(profile.parent_path()) {}
+    Folder(const Profile& profile, Faults& faults) : profile_(profile), faults_(faults) {}
 
-    void read(Rows& rows, const Columns& columns) {
-        if (rows.file.empty()) return;
-        const std::string path = (folder_ / rows.file).string();
-        read_rows(bytes_of(path), path, columns, rows);
+    /// Hands the bytes and the name of the file that `key` names to `parse`; no name: no file.
+    template <class Parse>
+    void read(const char* key, const fs::path& file, const Parse& parse) {
+        if (file.empty()) return;
+        const std::string path = (profile_.file.parent_path() / file).string();
+        faults_.collect([&] {
+            const std::string bytes = bytes_of(key, file, path);
+            bytes_ += bytes;
+            parse(bytes, path);
+        });
     }
-    void read(TablePair& table) {
-        const std::string path = (folder_ / table.file).string();
-        read_table(bytes_of(path), path, table);
-    }
-    void read(design::CoDesignOptions& co_design) {
-        if (co_design.catalogue_file.empty()) return;
-        const std::string path = (folder_ / co_design.catalogue_file).string();
-        co_design.catalogue = spring::parse_catalogue(bytes_of(path), path);
+    void read(const char* key, Rows& rows, const Columns& columns) {
+        read(key, rows.file, [&](const std::string& bytes, const std::string& path) { read_rows(bytes, path, columns, rows); });
     }
     [[nodiscard]] std::string bytes() && { return std::move(bytes_); }
 
 private:
-    std::string bytes_of(const std::string& path) {
-        const std::string bytes = core::read_file(path, kLargestFile);
-        bytes_ += bytes;
-        return bytes;
+    [[nodiscard]] std::string bytes_of(const char* key, const fs::path& file, const std::string& path) const {
+        try {
+            return core::read_file(path, kLargestFile);
+        } catch (const core::IoError& e) {
+            throw core::InvalidInput(profile_.place_of(key), quoted(file.string()), fmt::format("a file that can be read; {}", e.what()));
+        }
     }
 
-    fs::path folder_;
+    const Profile& profile_;
+    Faults& faults_;
     std::string bytes_;
 };
 
 }  // namespace
 
-std::string read_files(Profile& profile) {
+std::string read_files(Profile& profile, Faults& faults) {
     constexpr double kDegree = core::rad_from_deg(1.0);
     constexpr std::size_t kCurve = 4;  // math::make_interpolant needs as many
-    Folder folder(profile.file);
-    folder.read(profile.rig.gear_friction_table, {"load_Nm", "friction_Nm", 2, false});
-    if (auto* table = std::get_if<TablePair>(&profile.law.curves)) folder.read(*table);
+    Folder folder(profile, faults);
+    folder.read("rig.gear_friction_table", profile.rig.gear_friction_table, {"load_Nm", "friction_Nm", 2, false});
+    if (auto* table = std::get_if<TablePair>(&profile.law.curves))
+        folder.read("law.file", table->file, [table](const auto& bytes, const std::string& path) { read_table(bytes, path, *table); });
     if (auto* wanted = std::get_if<DeadBandSpec>(&profile.law.curves)) {
-        folder.read(wanted->dead_band.rows, {"tau_Nm", "dead_band_deg", kCurve, true, kDegree});
-        folder.read(wanted->series_stiffness.rows, {"tau_Nm", "stiffness_Nm_per_rad", kCurve});
+        folder.read("law.dead_band_file", wanted->dead_band.rows, {"tau_Nm", "dead_band_deg", kCurve, true, kDegree});
+        folder.read("law.series_stiffness_file", wanted->series_stiffness.rows, {"tau_Nm", "stiffness_Nm_per_rad", kCurve});
     }
-    folder.read(profile.co_design);
-    folder.read(profile.simulate.measured, {"tau_Nm", "width_deg", 1, false, kDegree});
+    design::CoDesignOptions& co_design = profile.co_design;
+    folder.read("co_design.catalogue", co_design.catalogue_file,
+                [&](const auto& bytes, const std::string& path) { co_design.catalogue = spring::parse_catalogue(bytes, path); });
+    folder.read("simulate.measured", profile.simulate.measured, {"tau_Nm", "width_deg", 1, false, kDegree});
     return std::move(folder).bytes();
 }
 

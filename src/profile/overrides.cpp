@@ -5,17 +5,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "convert.h"
-#include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/core/toml.h"
 #include "fusee/profile/profile.h"
+#include "key.h"
 
 namespace fusee::profile {
 
 namespace {
 
-constexpr std::size_t kLongestShown = 80;  // of a refused value
 constexpr const char* kShape = "[[limits]] with rule, one or more of its limits, and reason";
 
 std::string all_limits(const checks::Card& rule) {
@@ -27,45 +25,64 @@ std::string all_limits(const checks::Card& rule) {
 /// One table of the array.
 class Entry {
 public:
-    Entry(const toml::table& table, const std::string& file, const Cards& rules) : table_(table), file_(file), rules_(rules) {}
+    Entry(const toml::table& table, const Cards& rules, Faults& faults) : table_(table), rules_(rules), faults_(faults) {}
 
     void read(std::vector<checks::Override>& into) const {
-        const checks::Card& rule = this->rule();
+        const checks::Card* rule = this->rule();
         const std::string reason = text("reason", "why the limit may be another one, as text");
-        const std::size_t before = into.size();
+        if (rule == nullptr) return;  // nothing is known of its limits
+        std::size_t named = 0;
         for (const auto& [key, node] : table_) {
             if (key.str() == "rule" || key.str() == "reason") continue;
-            const checks::Limit& limit = limit_of(rule, key);
-            for (const checks::Override& other : into)
-                if (other.rule == rule.id && other.limit == limit.key()) refuse(key.str(), key.source(), "stands twice", "one value");
-            into.push_back({rule.id, limit.key(), number(key.str(), node, limit), reason});
+            ++named;
+            if (const checks::Limit* limit = limit_of(*rule, key)) read_limit(key, node, {*rule, *limit, reason}, into);
         }
-        if (into.size() == before) refuse("rule", table_.source(), "no limit", all_limits(rule));
+        if (named == 0) refuse("rule", table_.source(), "no limit", all_limits(*rule));
     }
 
 private:
-    [[noreturn]] void refuse(std::string_view key, const toml::source_region& at, std::string value, std::string allowed) const {
-        throw core::InvalidInput(place(file_, at, fmt::format("limits.{}", key)), std::move(value), std::move(allowed));
+    struct Place {
+        const checks::Card& rule;
+        const checks::Limit& limit;
+        const std::string& reason;
+    };
+
+    void refuse(std::string_view key, const toml::source_region& at, std::string value, std::string allowed) const {
+        faults_.add(at, fmt::format("limits.{}", key), std::move(value), std::move(allowed));
     }
+    void read_limit(const toml::key& key, const toml::node& node, const Place& place, std::vector<checks::Override>& into) const {
+        const bool twice = std::any_of(into.begin(), into.end(), [&](const checks::Override& other) {
+            return other.rule == place.rule.id && other.limit == place.limit.key();
+        });
+        if (twice)
+            refuse(key.str(), key.source(), "stands twice", "one value");
+        else
+            into.push_back({place.rule.id, place.limit.key(), number(key.str(), node, place.limit), place.reason});
+    }
+    /// "" for what is refused.
     [[nodiscard]] std::string text(const char* key, const std::string& allowed) const {
         const toml::node* node = table_.get(key);
-        if (node == nullptr) refuse(key, table_.source(), "missing", allowed);
+        if (node == nullptr) return refuse(key, table_.source(), "missing", allowed), "";
         if (!node->is_string() || node->as_string()->get().find_first_not_of(" \t\n") == std::string::npos)
-            refuse(key, node->source(), core::shown(*node), allowed);
+            return refuse(key, node->source(), core::shown(*node), allowed), "";
         return node->as_string()->get();
     }
-    [[nodiscard]] const checks::Card& rule() const {
+    /// nullptr for one that is not known.
+    [[nodiscard]] const checks::Card* rule() const {
         const std::string id = text("rule", "the id of a rule (docs/rules.md)");
+        if (id.empty()) return nullptr;
         const auto found = std::find_if(rules_.begin(), rules_.end(), [&](const checks::Card* card) { return card->id == id; });
-        if (found != rules_.end()) return **found;
-        refuse("rule", table_.get("rule")->source(), fmt::format("unknown rule \"{}\"", id.substr(0, kLongestShown)),
-               fmt::format("nearest known one: {}", nearest_rule(id, rules_).id));
+        if (found != rules_.end()) return *found;
+        const std::string near = faults_.full() ? "" : nearest_rule(id, rules_).id;
+        refuse("rule", table_.get("rule")->source(), fmt::format("unknown rule \"{}\"", id), "nearest known one: " + near);
+        return nullptr;
     }
-    [[nodiscard]] const checks::Limit& limit_of(const checks::Card& rule, const toml::key& key) const {
-        if (const checks::Limit* limit = rule.limit(key.str())) return *limit;
+    /// nullptr for one that the rule does not have.
+    [[nodiscard]] const checks::Limit* limit_of(const checks::Card& rule, const toml::key& key) const {
+        if (const checks::Limit* limit = rule.limit(key.str())) return limit;
         const bool named = std::any_of(rule.limits.begin(), rule.limits.end(),
                                        [&](const checks::Limit& l) { return key.str() == l.name || key.str().starts_with(l.name + "_"); });
-        refuse(key.str(), key.source(), named ? "not the unit of this limit" : "unknown limit", all_limits(rule));
+        return refuse(key.str(), key.source(), named ? "not the unit of this limit" : "unknown limit", all_limits(rule)), nullptr;
     }
     [[nodiscard]] double number(std::string_view key, const toml::node& node, const checks::Limit& limit) const {
         const double value = node.is_integer()          ? static_cast<double>(node.as_integer()->get())
@@ -77,8 +94,8 @@ private:
     }
 
     const toml::table& table_;
-    const std::string& file_;
     const Cards& rules_;
+    Faults& faults_;
 };
 
 }  // namespace
@@ -89,21 +106,26 @@ Cards design_rules() {
     return all;
 }
 
-std::vector<checks::Override> read_overrides(const toml::node& node, const std::string& file, const Cards& rules) {
-    if (!node.is_array_of_tables()) throw core::InvalidInput(place(file, node.source(), "limits"), "no array of tables", kShape);
+std::vector<checks::Override> read_overrides(const toml::node& node, const Cards& rules, Faults& faults) {
     std::vector<checks::Override> limits;
-    for (const toml::node& entry : *node.as_array()) Entry(*entry.as_table(), file, rules).read(limits);
+    if (node.is_array_of_tables())
+        for (const toml::node& entry : *node.as_array()) Entry(*entry.as_table(), rules, faults).read(limits);
+    else
+        faults.add(node.source(), "limits", "no array of tables", kShape);
     return limits;
 }
 
 std::vector<checks::Override> read_limits(const std::filesystem::path& path, const Cards& rules) {
     const toml::table table = core::parse_toml(core::read_file(path, kLargestFile), path.string());
+    Faults faults(path.string());
     for (const auto& [key, node] : table)
-        if (key.str() != "limits")
-            throw core::InvalidInput(place(path.string(), key.source(), key.str()), "has no meaning here", std::string("only ") + kShape);
+        if (key.str() != "limits") faults.add(key.source(), key.str(), "has no meaning here", std::string("only ") + kShape);
     const toml::node* limits = table.get("limits");
-    if (limits == nullptr) throw core::InvalidInput(path.string() + ": limits", "missing", kShape);
-    return read_overrides(*limits, path.string(), rules);
+    if (limits == nullptr) faults.add(table.source(), "limits", "missing", kShape);
+    std::vector<checks::Override> read;
+    if (limits != nullptr) read = read_overrides(*limits, rules, faults);
+    faults.throw_if_any();
+    return read;
 }
 
 std::string overrides_toml(const std::vector<checks::Override>& limits) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "faults.h"
 #include "fusee/checks/check.h"
 #include "fusee/profile/limits.h"
 
@@ -11,9 +12,9 @@
 namespace fusee::profile {
 
 /// @param node what stands under "limits" in the file
-/// @throws core::InvalidInput "file:line:column: limits.KEY": no array of tables; a rule that is not known; a limit that the rule does not
-/// have, one in another unit, one that is no finite number or stands twice; no limit or no reason
-[[nodiscard]] std::vector<checks::Override> read_overrides(const toml::node& node, const std::string& file, const Cards& rules);
+/// @param faults gets each mistake: no array of tables; a rule that is not known; a limit that the rule does not have, one in another unit,
+/// one that is no finite number or stands twice; no limit or no reason
+[[nodiscard]] std::vector<checks::Override> read_overrides(const toml::node& node, const Cards& rules, Faults& faults);
 /// Those that a profile may name.
 [[nodiscard]] Cards design_rules();
 

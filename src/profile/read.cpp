@@ -2,10 +2,10 @@
 #include <fmt/ranges.h>
 
 #include <map>
+#include <set>
 
 #include "convert.h"
 #include "files.h"
-#include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/core/toml.h"
 #include "overrides.h"
@@ -28,17 +28,38 @@ constexpr Order kOrders[] = {{"rig.least_torque_Nm", "rig.peak_torque_Nm", false
 /// Keys whose 0 would leave no curve.
 constexpr const char* kFactors[] = {"law.series_scale_Nm", "law.series_rate_per_rad", "law.parallel_scale_Nm", "law.parallel_rate_per_rad"};
 
+/// Collects the file's values under their paths, then sets them key by key. A mistake is noted and reading goes on; what follows from it
+/// alone (keys of a table that could not be read, of a kind that is not known) is not told.
 class Reader {
 public:
-    explicit Reader(std::string file) : file_(std::move(file)) {}
+    Reader(const toml::table& table, Faults& faults) : faults_(faults) { collect(table, ""); }
 
-    /// Notes every leaf of the file under its path. @throws InvalidInput for what the list of keys does not know
+    void assign(Profile& profile) {
+        profile.has_parts = limits_ != nullptr ||
+                            std::any_of(nodes_.begin(), nodes_.end(), [](const auto& node) { return find_key(node.first)->of_part(); });
+        bool of_others = false;  // parts that cannot be made
+        for (const Key& key : keys()) {
+            if (key.of_part() && !of_others) of_others = refuse_parts_of_others(profile);
+            if (of_others) break;
+            assign(key, profile);
+        }
+        if (limits_ != nullptr && !of_others) profile.limits = read_overrides(*limits_, design_rules(), faults_);
+        check_knots(profile);
+        for (const PartSpec* part : {&profile.k_se, &profile.k_pe}) check_cable(*part, profile);
+        for (const Order& order : kOrders) check(order, profile);
+        for (const char* factor : kFactors) require_not_0(*find_key(factor), profile);
+        for (const auto& [path, node] : nodes_) profile.places[path] = place(faults_.file(), node->source(), path);
+    }
+
+private:
+    /// Notes every leaf under its path, and what the list of keys does not know as a mistake.
     void collect(const toml::table& table, const std::string& prefix) {
         regions_[prefix] = table.source();
         for (const auto& [name, node] : table) {
             const std::string path = prefix.empty() ? std::string(name.str()) : prefix + "." + std::string(name.str());
-            if (name.str().find('.') != std::string_view::npos) refuse_unknown(path, name.source(), false);  // "a.b" in quotes is no a.b
-            if (path == "limits") {
+            if (name.str().find('.') != std::string_view::npos) {  // "a.b" in quotes is no a.b
+                refuse_unknown(path, name.source(), false);
+            } else if (path == "limits") {
                 limits_ = &node;
             } else if (node.is_table() && is_table(path)) {
                 collect(*node.as_table(), path);
@@ -50,100 +71,116 @@ public:
         }
     }
 
-    void assign(Profile& profile) const {
-        profile.has_parts = limits_ != nullptr ||
-                            std::any_of(nodes_.begin(), nodes_.end(), [](const auto& node) { return find_key(node.first)->of_part(); });
-        for (const Key& key : keys()) {
-            if (key.of_part()) refuse_parts_of_others(profile);
-            const auto found = nodes_.find(key.path);
-            const bool wanted = applies(key, profile);
-            if (found == nodes_.end()) {
-                if (wanted && key.required) refuse_missing(key);
-            } else if (!wanted) {
-                refuse_unused(key, *found->second);
-            } else {
-                key.set(profile, convert(key, *found->second, file_));
-            }
+    void refuse_unknown(const std::string& path, const toml::source_region& at, bool table) {
+        if (faults_.full()) return faults_.add(at, path, "unknown", "");
+        if (is_table(path)) {
+            faults_.add(at, path, "a single value", fmt::format("a table [{}]", path));
+            misread_.insert(path);
+        } else if (table) {
+            const std::string near = nearest_table(path);
+            faults_.add(at, path, "unknown table", fmt::format("nearest known one: [{}]", near));
+            misread_.insert(near);
+        } else {
+            const Key& near = nearest_key(path);
+            faults_.add(at, path, "unknown key", fmt::format("nearest known one: {}, {}", near.path, allowed_text(near)));
+            misread_.insert(near.path);
         }
-        if (limits_ != nullptr) profile.limits = read_overrides(*limits_, file_, design_rules());
-        check_knots(profile);
-        for (const PartSpec* part : {&profile.k_se, &profile.k_pe}) check_cable(*part, profile);
-        for (const Order& order : kOrders) check(order, profile);
-        for (const char* factor : kFactors) require_not_0(*find_key(factor), profile);
-        for (const auto& [path, node] : nodes_) profile.places[path] = place(file_, node->source(), path);
     }
 
-private:
-    [[noreturn]] void refuse_unknown(const std::string& path, const toml::source_region& at, bool table) const {
-        if (is_table(path)) throw core::InvalidInput(place(file_, at, path), "a single value", fmt::format("a table [{}]", path));
-        if (table)
-            throw core::InvalidInput(place(file_, at, path), "unknown table", fmt::format("nearest known one: [{}]", nearest_table(path)));
-        const Key& near = nearest_key(path);
-        throw core::InvalidInput(place(file_, at, path), "unknown key",
-                                 fmt::format("nearest known one: {}, {}", near.path, allowed_text(near)));
+    /// Does the value that the profile holds for the key say what the file means?
+    [[nodiscard]] bool is_known(const std::string& path) const { return !unknown_.contains(path); }
+
+    /// Is the key, or a table that it belongs to, what the writer of a misspelt one probably meant?
+    [[nodiscard]] bool is_misread(std::string path) const {
+        while (!misread_.contains(path)) {
+            const auto dot = path.rfind('.');
+            if (dot == std::string::npos) return false;
+            path.resize(dot);
+        }
+        return true;
     }
-    [[noreturn]] void refuse_missing(const Key& key) const {
+
+    void assign(const Key& key, Profile& profile) {
+        const auto found = nodes_.find(key.path);
+        const bool decided = std::all_of(key.when.begin(), key.when.end(), [this](const Condition& when) { return is_known(when.key); });
+        if (!decided) {
+            unknown_.insert(key.path);
+            if (found != nodes_.end()) (void)convert(key, *found->second, faults_);
+        } else if (found == nodes_.end()) {
+            if (applies(key, profile) && key.required) refuse_missing(key);
+        } else if (!applies(key, profile)) {
+            refuse_unused(key, *found->second);
+        } else if (const std::optional<Value> value = convert(key, *found->second, faults_)) {
+            key.set(profile, *value);
+        } else {
+            unknown_.insert(key.path);
+        }
+    }
+
+    void refuse_missing(const Key& key) {
+        unknown_.insert(key.path);
+        if (is_misread(key.path)) return;
         std::string table = key.table();
         while (!regions_.contains(table)) table = table.substr(0, table.find('.') == std::string::npos ? 0 : table.rfind('.'));
-        throw core::InvalidInput(place(file_, regions_.at(table), key.path), "missing", allowed_text(key));
+        faults_.add(regions_.at(table), key.path, "missing", allowed_text(key));
     }
-    [[noreturn]] void refuse_unused(const Key& key, const toml::node& node) const {
+    void refuse_unused(const Key& key, const toml::node& node) {
         std::vector<std::string> conditions;
         for (const Condition& when : key.when) conditions.push_back(when.text("", "\""));
-        throw core::InvalidInput(place(file_, node.source(), key.path), "has no meaning here",
-                                 fmt::format("{}", fmt::join(conditions, ", ")));
+        refuse(key.path, "has no meaning here", fmt::format("{}", fmt::join(conditions, ", ")), node);
     }
-    /// Cams are known for the paper's arrangement only.
-    void refuse_parts_of_others(const Profile& profile) const {
-        if (!profile.has_parts || profile.rig.arrangement == actuator::Arrangement::kPnrvsa) return;
-        const auto refuse = [this](const toml::node& node, const std::string& path) {
-            throw core::InvalidInput(place(file_, node.source(), path), "has no meaning here",
-                                     "only with rig.arrangement = \"pnrvsa\": the others cannot be made");
-        };
-        for (const auto& [path, node] : nodes_)
-            if (find_key(path)->of_part()) refuse(*node, path);
-        if (limits_ != nullptr) refuse(*limits_, "limits");
+    void refuse(const std::string& path, std::string value, std::string allowed, const toml::node& node) {
+        faults_.add(node.source(), path, std::move(value), std::move(allowed));
     }
-    void require_not_0(const Key& key, const Profile& profile) const {
-        if (applies(key, profile) && std::get<double>(key.get(profile)) == 0.0)
-            throw core::InvalidInput(place(file_, nodes_.at(key.path)->source(), key.path), "0", "another number than 0");
+    void refuse(const std::string& path, std::string value, std::string allowed) {
+        refuse(path, std::move(value), std::move(allowed), *nodes_.at(path));
     }
-    void check_knots(const Profile& profile) const {
+
+    /// Cams are known for the paper's arrangement only; told once. @returns whether it was told
+    [[nodiscard]] bool refuse_parts_of_others(const Profile& profile) {
+        if (!profile.has_parts || !is_known("rig.arrangement") || profile.rig.arrangement == actuator::Arrangement::kPnrvsa) return false;
+        const auto part = std::find_if(nodes_.begin(), nodes_.end(), [](const auto& node) { return find_key(node.first)->of_part(); });
+        refuse(part == nodes_.end() ? "limits" : part->first, "has no meaning here",
+               "only with rig.arrangement = \"pnrvsa\": the others cannot be made", part == nodes_.end() ? *limits_ : *part->second);
+        return true;
+    }
+    void require_not_0(const Key& key, const Profile& profile) {
+        if (is_known(key.path) && applies(key, profile) && std::get<double>(key.get(profile)) == 0.0)
+            refuse(key.path, "0", "another number than 0");
+    }
+    void check_knots(const Profile& profile) {
         const auto* curve = std::get_if<spring::FreeCurveOptions>(&profile.law.curves);
-        if (curve == nullptr) return;
-        const auto refuse = [this](const char* path, std::string value, std::string allowed) {
-            throw core::InvalidInput(place(file_, nodes_.at(path)->source(), path), std::move(value), std::move(allowed));
-        };
+        if (curve == nullptr || !is_known("law.loads_Nm")) return;
         const std::vector<double>& loads = curve->loads;
         for (std::size_t i = 1; i < loads.size(); ++i)
             if (loads[i] <= loads[i - 1])
                 refuse("law.loads_Nm", fmt::format("{:g}", loads[i]), fmt::format("above the knot before, {:g} Nm", loads[i - 1]));
         for (const auto& [path, knots] :
              {std::pair{"law.series_Nm_per_rad", &curve->series_stiffness}, {"law.transmission", &curve->transmission}})
-            if (knots->size() != loads.size())
+            if (is_known(path) && knots->size() != loads.size())
                 refuse(path, fmt::format("{} numbers", knots->size()), fmt::format("as many as law.loads_Nm, {}", loads.size()));
     }
     /// A length alone says nothing of how far a cable stretches.
-    void check_cable(const PartSpec& part, const Profile& profile) const {
-        if (part.cable_length <= 0.0 || profile.wrap.stiffness > 0.0) return;
-        const std::string path = &part == &profile.k_se ? "k_se.cable_length_mm" : "k_pe.cable_length_mm";
-        throw core::InvalidInput(place(file_, nodes_.at(path)->source(), path), "a length without stiffness",
-                                 "cable.stiffness_N above 0: E A of the cable, load over relative stretch");
+    void check_cable(const PartSpec& part, const Profile& profile) {
+        if (part.cable_length <= 0.0 || profile.wrap.stiffness > 0.0 || !is_known("cable.stiffness_N")) return;
+        refuse(&part == &profile.k_se ? "k_se.cable_length_mm" : "k_pe.cable_length_mm", "a length without stiffness",
+               "cable.stiffness_N above 0: E A of the cable, load over relative stretch");
     }
-    void check(const Order& order, const Profile& profile) const {
+    void check(const Order& order, const Profile& profile) {
         const Key &low = *find_key(order.low), &high = *find_key(order.high);
-        if (!applies(high, profile)) return;
+        if (!is_known(order.low) || !is_known(order.high) || !applies(high, profile)) return;
         const double a = std::get<double>(low.get(profile)), b = std::get<double>(high.get(profile));
         if (a < b || (order.may_be_equal && a == b)) return;
-        throw core::InvalidInput(
-            place(file_, nodes_.at(high.path)->source(), high.path), toml_text(high, profile),
-            fmt::format("{} {} = {} {}", order.may_be_equal ? "at least" : "above", low.path, toml_text(low, profile), low.unit.name));
+        refuse(high.path, toml_text(high, profile),
+               fmt::format("{} {} = {} {}", order.may_be_equal ? "at least" : "above", low.path, toml_text(low, profile), low.unit.name));
     }
 
-    std::string file_;
+    Faults& faults_;
     std::map<std::string, const toml::node*> nodes_;
     const toml::node* limits_ = nullptr;  ///< [[limits]]
     std::map<std::string, toml::source_region> regions_;
+    std::set<std::string> misread_;  ///< keys and tables that a misspelt one was probably meant for
+    std::set<std::string> unknown_;  ///< keys whose value is not known: refused, missing, or of a kind that is not known
 };
 
 /// What stands once in the file and in several rooms' options.
@@ -194,13 +231,13 @@ Profile read_profile(const fs::path& path) { return parse_profile(core::read_fil
 
 Profile parse_profile(std::string toml, const fs::path& path) {
     const toml::table table = core::parse_toml(toml, path.string());
-    Reader reader(path.string());
-    reader.collect(table, "");
+    Faults faults(path.string());
     Profile profile;
     profile.file = path;
-    reader.assign(profile);
+    Reader(table, faults).assign(profile);
+    toml += read_files(profile, faults);
+    faults.throw_if_any();
     distribute(profile);
-    toml += read_files(profile);
     profile.sha256 = core::sha256_hex(toml);
     return profile;
 }

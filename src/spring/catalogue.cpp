@@ -87,13 +87,15 @@ Catalogue parse_catalogue(std::string_view bytes, const std::string& file) {
         core::parse_csv(bytes, file, columns(), {.extra_columns = true, .least_rows = 1, .most_rows = kMostSprings});
     Catalogue catalogue;
     std::set<std::string> names;
-    for (std::size_t i = 0; i < table.rows(); ++i) {
-        const Row row(table, i);
+    core::CsvFaults faults(file);
+    const auto take = [&](const Row& row) {
         CatalogueSpring entry{row.text("name"), spring_of(row)};
         if (table.has("stress_share")) entry.spring.stress_share = stress_share(row);
         if (!names.insert(entry.name).second) throw row.fault("name", entry.name, "a name that stands once");
         (entry.spring.kind == BaseKind::kTorsion ? catalogue.torsion : catalogue.compression).push_back(std::move(entry));
-    }
+    };
+    for (std::size_t i = 0; i < table.rows(); ++i) faults.collect([&] { take(Row(table, i)); });
+    faults.throw_if_any();
     const auto softer = [](const CatalogueSpring& a, const CatalogueSpring& b) { return a.spring.rate < b.spring.rate; };
     std::stable_sort(catalogue.torsion.begin(), catalogue.torsion.end(), softer);
     std::stable_sort(catalogue.compression.begin(), catalogue.compression.end(), softer);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "fusee/core/file.h"
@@ -19,6 +20,8 @@ std::string refusal(const std::string& bytes, const CsvOptions& options = {}) {
     try {
         (void)parse_csv(bytes, "t.csv", kColumns, options);
     } catch (const InvalidInput& e) {
+        return e.what();
+    } catch (const InvalidInputs& e) {
         return e.what();
     }
     return "none";
@@ -52,10 +55,33 @@ TEST(Csv, RefusesCellsAndNamesThePlace) {
     for (const std::string wrong : {"nan", "inf", "-inf", "1e999", "1 Nm", "0x10", "+-1", "1,5e", "one", "--1", "1.0.0"})
         EXPECT_NE(refusal(head + "a," + wrong + ",1\n").find("t.csv:2:"), std::string::npos) << wrong;
     EXPECT_EQ(refusal(head + "a,1,1,2\n"), "t.csv:2:7: row: '2' (allowed: three columns)");
-    EXPECT_EQ(refusal(head + "a,\x1B[2J,1\n"), "t.csv:2:3: torque_Nm: '?[2J' (allowed: a finite number with a decimal point)");
+    EXPECT_EQ(refusal(head + "a,\x1B[2J,1\n"), "t.csv:2:3: torque_Nm: '\\x1b[2J' (allowed: a finite number with a decimal point)");
     const std::string shown = refusal(head + "a," + std::string(100'000, 'x') + ",1\n");
-    EXPECT_NE(shown.find("xxx...'"), std::string::npos);
+    EXPECT_NE(shown.find("xxx... (100000 characters)'"), std::string::npos);
     EXPECT_LT(shown.size(), 200u);
+}
+
+TEST(Csv, TellsAllBadCellsAtOnce) {
+    EXPECT_EQ(refusal("side,torque_Nm,length_m\na,,1\nb,2,x\nc\nd,4,4,4\n,nan,5\nf,6,6\n"),
+              "t.csv:2:3: torque_Nm: (missing) (allowed: a finite number in every row)\n"
+              "t.csv:3:5: length_m: 'x' (allowed: a finite number with a decimal point)\n"
+              "t.csv:4:2: torque_Nm: (missing) (allowed: a finite number in every row)\n"
+              "t.csv:5:7: row: '4' (allowed: three columns)\n"
+              "t.csv:6:1: side: (missing) (allowed: a text in every row)\n"
+              "t.csv:6:2: torque_Nm: 'nan' (allowed: a finite number with a decimal point)");
+    EXPECT_EQ(
+        refusal("x,x,torque_Nm,torque_Nm\n", {.extra_columns = false}).substr(0, 123),
+        "t.csv:1:1: header: 'x' (allowed: 'side,torque_Nm,note,length_m')\nt.csv:1:3: header: 'x' (allowed: every column once)\nt.csv:");
+}
+
+TEST(Csv, OfManyBadCellsTheFirstTwentyAreTold) {
+    std::string csv = "side,torque_Nm\n";
+    for (int i = 0; i < 500; ++i) csv += "a,\n";
+    const std::string all = refusal(csv + "b,1\n");
+    EXPECT_EQ(std::count(all.begin(), all.end(), '\n'), 20);
+    EXPECT_TRUE(
+        all.ends_with("t.csv:21:3: torque_Nm: (missing) (allowed: a finite number in every row)\nt.csv: and 480 more (allowed: none)"))
+        << all;
 }
 
 TEST(Csv, ThinsByAConstantStrideAndChecksWhatItLeavesOut) {

@@ -1,6 +1,7 @@
 #include "fusee/core/file.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "fusee/core/destination.h"
@@ -36,6 +37,21 @@ TEST_F(FileTest, WritesReadsAndLeavesNothingElse) {
     EXPECT_THROW((void)read_file(folder_ / "missing"), IoError);
     EXPECT_THROW((void)read_file(folder_), IoError);
     EXPECT_THROW(write_file(folder_ / "no" / "such" / "folder", "x"), IoError);
+}
+
+TEST_F(FileTest, OnlyRegularFilesAreRead) {
+    ASSERT_EQ(::mkfifo((folder_ / "pipe").c_str(), 0600), 0);
+    for (const fs::path& path : {folder_ / "pipe", fs::path("/dev/zero"), fs::path("/dev/null")}) {
+        try {
+            (void)read_file(path, 1000);
+            FAIL() << path;
+        } catch (const IoError& e) {
+            EXPECT_NE(std::string(e.what()).find("only regular files are read"), std::string::npos) << e.what();
+        }
+    }
+    write_file(folder_ / "a", "one");
+    fs::create_symlink("a", folder_ / "link");
+    EXPECT_EQ(read_file(folder_ / "link"), "one");
 }
 
 TEST_F(FileTest, AFolderInTheWayIsRefusedAndNothingIsLeft) {

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <random>
 
+#include "fusee/math/penalised_fit.h"
+
 namespace fusee::math {
 namespace {
 
@@ -90,6 +92,45 @@ TEST(SmoothingSpline, IsClampedToItsDomain) {
     EXPECT_EQ(spline.value(2.0), spline.value(1.0));
     EXPECT_EQ(spline.integral(-1.0), spline.integral(0.0));
     EXPECT_NEAR(spline.integral(0.0), 0.0, 1e-15);
+}
+
+/// The banded and the dense fit of the same rows.
+TEST(SmoothingSpline, BandedAndDenseFitsAgree) {
+    constexpr std::size_t kCount = 45;
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> value(0.1, 1.0);
+    std::vector<PenalisedFit::Row> rows;
+    for (std::size_t i = 0; i < 300; ++i) {
+        PenalisedFit::Row& row = rows.emplace_back(PenalisedFit::Row{i * (kCount - 5) / 300, {}, value(random)});
+        for (double& entry : row.values) entry = value(random);
+    }
+    const auto dense = make_dense_fit(rows, kCount), banded = make_banded_fit(rows, kCount);
+    for (const double lambda : {1e-6, 1.0, 1e6}) {
+        const auto a = dense->solve(lambda), b = banded->solve(lambda);
+        for (std::size_t i = 0; i < kCount; ++i) EXPECT_NEAR(a.coefficients[i], b.coefficients[i], 1e-9) << lambda;
+        EXPECT_NEAR(a.residual, b.residual, 1e-9 * a.residual) << lambda;
+        EXPECT_NEAR(a.parameters, b.parameters, 1e-8) << lambda;
+    }
+    EXPECT_NEAR(std::log10(dense->choose_lambda()), std::log10(banded->choose_lambda()), 0.01);
+}
+
+/// A dense matrix of these rows would have 120 million entries, and a factorisation for each of some 50 weights.
+TEST(SmoothingSpline, ManyRowsOnManyKnots) {
+    std::mt19937 random(1);
+    std::normal_distribution<double> noise(0.0, 0.01);
+    const auto x = even(0.0, 10.0, 300'000);
+    const SmoothingSpline spline(x, apply(x, [&](double at) { return std::sin(3.0 * at) + noise(random); }), {.intervals = 400});
+    EXPECT_NEAR(spline.noise(), 0.01, 1e-4);
+    // Inside some 1000 rows speak for each place: 0.01/sqrt(1000) = 0.0003; 6 deviations.
+    for (const double at : even(0.1, 9.9, 99)) EXPECT_NEAR(spline.value(at), std::sin(3.0 * at), 0.002);
+    EXPECT_LT(spline.effective_parameters(), 200.0);
+}
+
+TEST(SmoothingSpline, ManyRowsThatLeaveKnotsBareAreBridged) {
+    const std::vector<double> places = even(0.0, 1.0, 200'000);
+    const std::vector<double> x = apply(places, [](double at) { return at < 0.5 ? 0.1 * at : 1.0 + 0.1 * at; });
+    const SmoothingSpline spline(x, apply(x, [](double at) { return 1.0 + at * at; }), {.intervals = 60, .lambda = 0.0});
+    for (const double at : even(0.0, 1.1, 50)) EXPECT_NEAR(spline.value(at), 1.0 + at * at, 1e-4) << at;
 }
 
 }  // namespace

@@ -37,6 +37,8 @@ protected:
             (void)read(toml);
         } catch (const core::InvalidInput& e) {
             return e.what();
+        } catch (const core::InvalidInputs& e) {
+            return e.what();
         } catch (const core::IoError& e) {
             return e.what();
         }

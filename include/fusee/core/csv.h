@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "fusee/core/error.h"
@@ -67,13 +68,37 @@ private:
     std::vector<Column> columns_;
 };
 
+/// The faults of one table. Reading goes on after each, so that all are told at once; the first 20 are kept, the others counted.
+class CsvFaults {
+public:
+    explicit CsvFaults(std::string file) : file_(std::move(file)) {}
+    void add(InvalidInput fault);
+    /// Runs `read` and keeps what it throws as InvalidInput.
+    template <class Read>
+    void collect(const Read& read) {
+        try {
+            read();
+        } catch (const InvalidInput& e) {
+            add(e);
+        }
+    }
+    [[nodiscard]] std::size_t count() const { return count_; }
+    /// @throws InvalidInput or, of several, InvalidInputs
+    void throw_if_any() const;
+
+private:
+    std::string file_;
+    Mistakes first_;
+    std::size_t count_ = 0;
+};
+
 /// Reads a header line with the columns' names in any order, then one row a line, cells parted by commas. A byte order mark, CR LF, spaces
 /// around cells, blank lines and lines that begin with '#' are passed over. Numbers are finite, with a decimal point; texts are not empty
 /// and hold no quotation marks. Nothing else is guessed at.
 /// @param file the name used in messages
-/// @throws InvalidInput "file:line:column: name" for a gap, a text in place of a number, a NaN; "...: header" for a header that lacks a
-/// required column, has one twice or, where extra columns are refused, an unknown one; "...: row", "...: rows" for too many cells, too few
-/// or too many rows; "...: line" for one of more than a million bytes
+/// @throws InvalidInput, of several InvalidInputs: "file:line:column: name" for a gap, a text in place of a number, a NaN; "...: header"
+/// for a header that lacks a required column, has one twice or, where extra columns are refused, an unknown one; "...: row", "...: rows"
+/// for too many cells, too few or too many rows; "...: line" for one of more than a million bytes
 [[nodiscard]] CsvTable parse_csv(std::string_view bytes, const std::string& file, const std::vector<CsvColumn>& columns,
                                  const CsvOptions& options = {});
 /// The same from a file, of which a piece at a time is in memory.

@@ -13,7 +13,7 @@ namespace fusee::core {
 /// @throws IoError
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 
-/// @throws IoError, also when there are more than `largest` bytes
+/// @throws IoError, also when it is no regular file or has more than `largest` bytes
 [[nodiscard]] std::string read_file(const std::filesystem::path& path, std::size_t largest = std::numeric_limits<std::size_t>::max());
 
 /// Hands the bytes to `take` a piece at a time, in order: for what is too large to be kept. @throws IoError as read_file

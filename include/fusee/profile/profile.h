@@ -156,8 +156,8 @@ struct Profile {
 inline constexpr std::size_t kLargestFile = 10'000'000;
 
 /// Reads a profile and the CSV files that it names (docs/profile.md lists every key).
-/// @throws core::IoError if a file is missing, too large or no TOML (line and column)
-/// @throws core::InvalidInput "file:line:column: key": unknown key (with the nearest known one), wrong type, NaN, out of range, missing
+/// @throws core::IoError if the file is missing, too large or no TOML (line and column)
+/// @throws core::InvalidInput, of several core::InvalidInputs: "file:line:column: key": unknown key, wrong type, NaN, out of range, missing
 [[nodiscard]] Profile read_profile(const std::filesystem::path& path);
 /// The same from the text that `path` holds or is going to hold. @throws as read_profile
 [[nodiscard]] Profile parse_profile(std::string toml, const std::filesystem::path& path);

@@ -1,0 +1,46 @@
+#pragma once
+#include <toml++/toml.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fusee/core/error.h"
+
+namespace fusee::profile {
+
+/// "pnrvsa.toml:12:5: rig.gear_friction", the way in which every mistake is named.
+[[nodiscard]] std::string place(const std::string& file, const toml::source_region& at, std::string_view path);
+
+/// The mistakes of one TOML file. Reading goes on after each, so that all are told at once; of thousands the first hundred are kept.
+class Faults {
+public:
+    explicit Faults(std::string file) : file_(std::move(file)) {}
+
+    void add(const toml::source_region& at, std::string_view path, std::string value, std::string allowed);
+    /// Runs `read`, of another file that this one names; keeps what it throws as InvalidInput or InvalidInputs.
+    template <class Read>
+    void collect(const Read& read) {
+        if (!elsewhere_.collect(read)) ++count_;
+    }
+
+    [[nodiscard]] const std::string& file() const { return file_; }
+    /// At least one for each call that found a mistake: whether a step went well is seen by comparing.
+    [[nodiscard]] std::size_t count() const { return count_; }
+    /// Are there so many that no more are kept? Then a search for what was meant is not worth its time.
+    [[nodiscard]] bool full() const;
+    /// In the order of the file's lines; those of other files follow. @throws core::InvalidInput or, of several, core::InvalidInputs
+    void throw_if_any();
+
+private:
+    struct Fault {
+        toml::source_position at;
+        core::InvalidInput mistake;
+    };
+    std::string file_;
+    std::vector<Fault> here_;
+    core::Mistakes elsewhere_;
+    std::size_t count_ = 0, left_out_ = 0;
+};
+
+}  // namespace fusee::profile

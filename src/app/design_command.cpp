@@ -12,6 +12,7 @@
 #include "fusee/core/error.h"
 #include "fusee/core/progress.h"
 #include "fusee/profile/profile.h"
+#include "fusee/report/rule_counts.h"
 #include "places.h"
 
 namespace fusee::app {
@@ -83,7 +84,8 @@ int say(const codesign::RunResult& result) {
     }
     for (const std::string& line : result.summary) fmt::print("{}\n", line);
     for (const core::Finding& finding : result.findings)
-        if (finding.severity != core::Severity::kPass) fmt::print("  {}\n", core::to_line(finding));
+        if (core::is_broken(finding)) fmt::print("  {}\n", core::to_line(finding));
+    if (const std::string open = report::not_judged_text(result.findings); !open.empty()) fmt::print("  {}\n", open);
     fmt::print("{}: {}\n", result.interrupted ? "stopped early; the best so far" : "written", (result.folder / "").string());
     return result.interrupted ? kInterrupted : 0;
 }

@@ -47,7 +47,8 @@ std::string made_line(const Row& row) {
     const core::Findings& findings = row.result.findings;
     const std::string open = report::not_judged_text(findings);
     return fmt::format("{}/  {} rules passed, {} to review{}", row.result.folder.string(), core::count(findings, core::Severity::kPass),
-                       core::count(findings, core::Severity::kReview), open.empty() ? "" : "; " + open);
+                       core::count(findings, core::Severity::kReview),
+                       open.empty() ? "" : fmt::format("; {} (`fusee check {}` lists what is missing)", open, row.profile.string()));
 }
 
 /// What the user gets, a figure a line.
@@ -63,7 +64,7 @@ std::string details(const Ended& row, const core::Findings& findings) {
     std::istringstream error(row.error);
     for (std::string line; std::getline(error, line);) lines += "    " + line + "\n";
     if (!lines.empty()) return lines;
-    for (const core::Severity severity : {core::Severity::kRequired, core::Severity::kReview, core::Severity::kNotJudged})
+    for (const core::Severity severity : {core::Severity::kRequired, core::Severity::kReview})
         for (const core::Finding& f : findings)
             if (f.severity == severity) lines += "    " + core::to_line(f) + "\n";
     return lines;

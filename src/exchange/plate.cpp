@@ -9,6 +9,7 @@ namespace fusee::exchange {
 solid::Mesh placed(const solid::Mesh& mesh, const PlateObject& place) {
     solid::Mesh moved = mesh;
     for (solid::Vec3& p : moved.points_mm) {
+        if (place.flipped) p = {p[0], -p[1], -p[2]};
         if (place.turned) p = {-p[1], p[0], p[2]};
         for (std::size_t i = 0; i < 3; ++i) p[i] += place.moved_mm[i];
     }
@@ -20,6 +21,7 @@ solid::Mesh taken_back(const solid::Mesh& mesh, const PlateObject& place) {
     for (solid::Vec3& p : back.points_mm) {
         for (std::size_t i = 0; i < 3; ++i) p[i] -= place.moved_mm[i];
         if (place.turned) p = {p[1], -p[0], p[2]};
+        if (place.flipped) p = {p[0], -p[1], -p[2]};
     }
     return back;
 }
@@ -27,7 +29,8 @@ solid::Mesh taken_back(const solid::Mesh& mesh, const PlateObject& place) {
 void write_plate_file(const std::filesystem::path& path, const Plate& plate) {
     Json objects = Json::array();
     for (const PlateObject& o : plate.objects)
-        objects.push_back({{"name", o.name}, {"turned_deg", o.turned ? 90 : 0}, {"moved_mm", o.moved_mm}});
+        objects.push_back(
+            {{"name", o.name}, {"flipped_deg", o.flipped ? 180 : 0}, {"turned_deg", o.turned ? 90 : 0}, {"moved_mm", o.moved_mm}});
     const Json json{{"provenance", plate.provenance},
                     {"build_mm", plate.build_mm},
                     {"spacing_mm", plate.spacing_mm},
@@ -46,9 +49,11 @@ Plate read_plate_file(const std::filesystem::path& path) {
     plate.spacing_mm = root.at("spacing_mm").number(0.0);
     plate.file = read_entry(root.at("file"));
     for (const Node& object : root.at("objects").rows(false)) {
-        const Node turned = object.at("turned_deg");
+        const Node turned = object.at("turned_deg"), flipped = object.at("flipped_deg");
         if (turned.number() != 0.0 && turned.number() != 90.0) turned.fail("must be 0 or 90");
-        plate.objects.push_back({object.at("name").text(), turned.number() == 90.0, object.at("moved_mm").vector<3>()});
+        if (flipped.number() != 0.0 && flipped.number() != 180.0) flipped.fail("must be 0 or 180");
+        plate.objects.push_back(
+            {object.at("name").text(), turned.number() == 90.0, object.at("moved_mm").vector<3>(), flipped.number() == 180.0});
     }
     return plate;
 }

@@ -104,7 +104,7 @@ core::Findings check_compensated(const solid::Part& part, const profile::Profile
     const profile::PartSpec& spec = spec_of(part.cam.kind, profile);
     core::Findings worse;
     for (const core::Finding& f : checks::check({*wider, spec.spring, profile.cable, profile.process, profile.limits}))
-        if (!judges_fit(f.rule) && f.severity > worst(nominal, f.rule)) worse.push_back(f);
+        if (!judges_fit(f.rule) && core::is_broken(f) && f.severity > worst(nominal, f.rule)) worse.push_back(f);
     return of_file(worse);
 }
 

@@ -14,6 +14,7 @@
 #include "fusee/pipeline/pair.h"
 #include "fusee/pipeline/simulate.h"
 #include "fusee/report/report.h"
+#include "fusee/spring/potential.h"
 #include "outlook.h"
 #include "plate.h"
 
@@ -40,12 +41,26 @@ report::FileRow springs_file(const fs::path& folder, const spring::SpringLaw& la
     return file_row(path);
 }
 
+/// The table's rows beside the springs smoothed from it; none for other kinds of law.
+std::optional<report::SmoothedTable> smoothed_table(const profile::LawSpec& law) {
+    const auto* pair = std::get_if<profile::TablePair>(&law.curves);
+    if (pair == nullptr) return std::nullopt;
+    const auto series = spring::make_tabulated(pair->angle, pair->series, pair->smoothing);
+    const auto parallel = spring::make_tabulated(pair->angle, pair->parallel, pair->smoothing);
+    report::SmoothedTable table{pair->file.string(), {}};
+    for (std::size_t i = 0; i < pair->angle.size(); ++i)
+        table.rows.push_back(
+            {pair->angle[i], pair->series[i], pair->parallel[i], series->force(pair->angle[i]), parallel->force(pair->angle[i])});
+    return table;
+}
+
 report::LawReport law_report(const DesignedLaw& designed, const profile::Profile& profile, const actuator::Actuator& joint) {
     report::LawReport law;
     law.samples = spring::sample_by_load(*designed.law, kLawSamples);
     law.design_loads = designed.design_loads;
     law.lead_in_travel = profile.law.lead_in_travel;
     law.stiction_loads = joint.loads();
+    law.table = smoothed_table(profile.law);
     if (const auto* options = std::get_if<spring::StictionLawOptions>(&profile.law.curves))
         law.least_feasible_start = spring::least_feasible_load(*options);
     return law;
@@ -121,9 +136,9 @@ MakeResult make(const profile::Profile& profile, const MakeOptions& options) {
     design.outlook = outlook_of(profile, law->law, *simulated, design.parts);
 
     MakeResult result = not_made(profile, design.all_findings());
-    const double worst = design.worst_arm_error();
-    result.head = report::head_figures(design.outlook, worst);
-    result.worst_arm_error = std::isnan(worst) ? 0.0 : worst;
+    const report::FileErrors errors = design.file_errors();
+    result.head = report::head_figures(design.outlook, errors);
+    result.worst_arm_error = std::isnan(errors.arm) ? 0.0 : errors.arm;
     result.worst_dead_band_change = design.as_exported.worst_change();
     if (core::any_required(result.findings)) return result;  // a file does not carry the law: the staged folder goes
     core::write_file(staged.path() / "report.json", report::report_json(design));

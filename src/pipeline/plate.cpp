@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fusee/checks/limits.h"
+#include "fusee/checks/support.h"
 #include "fusee/core/units.h"
 #include "fusee/exchange/plate.h"
 #include "fusee/exchange/three_mf.h"
@@ -41,16 +43,23 @@ core::Finding too_small(const std::vector<solid::Size2>& sizes, const std::array
     return core::judged(f, core::Severity::kReview);
 }
 
+/// Printed parts stand the way up that needs less support. A process without a limit for overhangs takes either way.
+bool stands_on_top(const ExportedPart& part, const checks::Process& process) {
+    const double overhang = checks::process_limits(process).overhang;
+    return overhang > 0.0 && checks::prints_on_its_top(part.mesh, overhang);
+}
+
 /// The objects as they stand, in the middle of the bed.
 struct Arranged {
     std::vector<exchange::PlateObject> places;
     std::vector<exchange::NamedMesh> objects;
 };
-Arranged stand(const std::vector<ExportedPart>& parts, const std::vector<solid::Spot>& spots, const std::array<double, 3>& build) {
+Arranged stand(const std::vector<ExportedPart>& parts, const std::vector<solid::Spot>& spots, const checks::Process& process) {
+    const std::array<double, 3> build = build_mm(process);
     Arranged all;
     solid::Size2 reach{};  // of the group from the bed's corner
     for (std::size_t i = 0; i < parts.size(); ++i) {
-        exchange::PlateObject place{parts[i].name, spots[i].turned, {}};
+        exchange::PlateObject place{parts[i].name, spots[i].turned, {}, stands_on_top(parts[i], process)};
         const solid::Box box = solid::bounding_box(exchange::placed(parts[i].mesh, place));
         for (std::size_t k = 0; k < 2; ++k) {
             place.moved_mm[k] = spots[i].corner_mm[k] - box.low_mm[k];
@@ -97,7 +106,7 @@ PlateFiles write_plate(const std::vector<ExportedPart>& parts, const profile::Pr
         out.findings.push_back(too_small(sizes, build));
         return out;
     }
-    const exchange::Plate plate = write(stand(parts, *spots, build), build, chordal_error_mm, provenance.line(), folder, out);
+    const exchange::Plate plate = write(stand(parts, *spots, profile.process), build, chordal_error_mm, provenance.line(), folder, out);
     out.arm_errors = readback::read_back_plate(folder, plate);
     for (std::size_t i = 0; i < parts.size(); ++i) out.findings.push_back(judge(out.arm_errors[i], parts[i].report.part->cam));
     return out;

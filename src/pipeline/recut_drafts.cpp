@@ -37,7 +37,7 @@ spring::SpringLawPtr judge(const profile::Profile& profile, core::Findings& find
             const auto part = design_part(kind, profile, law->law);
             core::append(findings, part ? part->findings : part.refusal());
         }
-    std::erase_if(findings, [](const core::Finding& f) { return f.severity == core::Severity::kPass; });
+    std::erase_if(findings, [](const core::Finding& f) { return !core::is_broken(f); });
     return law ? law->law : nullptr;
 }
 

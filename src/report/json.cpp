@@ -14,6 +14,20 @@ using Json = nlohmann::ordered_json;
 
 Json range(const core::Range& r) { return Json::array({r.low, r.high}); }
 
+Json misfit_json(const SmoothedTable::Misfit& misfit) {
+    return {{"rms_Nm", misfit.rms}, {"largest_Nm", misfit.largest}, {"largest_in_row", misfit.row}};
+}
+
+Json table_json(const SmoothedTable& table) {
+    Json rows = Json::array();
+    for (const TableRow& r : table.rows) rows.push_back({r.angle, r.series, r.series_smooth, r.parallel, r.parallel_smooth});
+    return {{"file", table.file},
+            {"series", misfit_json(table.series())},
+            {"parallel", misfit_json(table.parallel())},
+            {"columns", {"angle_rad", "series_Nm", "series_smoothed_Nm", "parallel_Nm", "parallel_smoothed_Nm"}},
+            {"rows", std::move(rows)}};
+}
+
 Json law_json(const LawReport& law) {
     Json j;
     if (!law.samples.empty()) {
@@ -25,6 +39,7 @@ Json law_json(const LawReport& law) {
     j["least_feasible_start_Nm"] = law.least_feasible_start;
     j["stiction_loads_Nm"] = range(law.stiction_loads);
     j["covers_stiction"] = law.covers_stiction();
+    if (law.table) j["table"] = table_json(*law.table);
     return j;
 }
 

@@ -25,7 +25,11 @@ std::string width_text(const ExpectedWidth& width) {
 }
 
 HeadFigure dead_band_figure(const Outlook& o) {
-    HeadFigure figure{fmt::format("{} \u2192 {}", width_text(o.least), width_text(o.overdrive)),
+    const bool known = std::isfinite(o.least.nominal) && std::isfinite(o.overdrive.nominal);
+    const std::string value =
+        known ? fmt::format("{} to {} deg", deg(o.least.nominal), deg(o.overdrive.nominal))
+              : fmt::format("{} at {}, {} at {}", width_text(o.least), nm(o.least.tau), width_text(o.overdrive), nm(o.overdrive.tau));
+    HeadFigure figure{value,
                       fmt::format("dead-band at the joint, exact, from {} to {} of co-contraction", nm(o.least.tau), nm(o.overdrive.tau))};
     std::string built;
     for (const ExpectedWidth* width : {&o.least, &o.overdrive})
@@ -34,7 +38,7 @@ HeadFigure dead_band_figure(const Outlook& o) {
     return figure;
 }
 
-HeadFigure arms_figure(const Outlook& o, double worst_file_error) {
+HeadFigure arms_figure(const Outlook& o, const FileErrors& files) {
     const auto worst = std::max_element(o.arms.begin(), o.arms.end(),
                                         [](const auto& a, const auto& b) { return a.worst_relative() < b.worst_relative(); });
     const std::string percent = number(100.0 * worst->worst_relative(), 2);
@@ -42,7 +46,8 @@ HeadFigure arms_figure(const Outlook& o, double worst_file_error) {
     for (const MadeArm& arm : o.arms)
         figure.label += fmt::format("{} {} mm at the least arm of {}, {} mm", &arm == &o.arms.front() ? "" : ",",
                                     number(arm.tolerance_mm, 2), arm.part, number(arm.least_arm_mm, 3));
-    if (std::isfinite(worst_file_error)) figure.label += fmt::format("; of the files {} %", number(100.0 * worst_file_error, 2));
+    if (std::isfinite(files.arm)) figure.label += fmt::format("; of the files {} %", number(100.0 * files.arm, 2));
+    if (std::isfinite(files.dead_band)) figure.label += fmt::format(", their dead-band within {} %", number(100.0 * files.dead_band, 2));
     return figure;
 }
 
@@ -52,11 +57,11 @@ std::string short_condition(const actuator::ConditionSummary& c) {
 
 }  // namespace
 
-std::vector<HeadFigure> head_figures(const Outlook& o, double worst_file_error) {
+std::vector<HeadFigure> head_figures(const Outlook& o, const FileErrors& files) {
     std::vector<HeadFigure> all;
     if (o.process.empty()) return all;
     all.push_back(dead_band_figure(o));
-    if (!o.arms.empty()) all.push_back(arms_figure(o, worst_file_error));
+    if (!o.arms.empty()) all.push_back(arms_figure(o, files));
     if (std::isfinite(o.joint_torque)) all.push_back({nm(o.joint_torque), "greatest joint torque that no spring leaves its law for"});
     if (std::isfinite(o.condition.values.high))
         all.push_back({short_condition(o.condition), "condition (6), d(T tau_f)/dtau below 0, with its least and greatest value"});
@@ -103,8 +108,8 @@ std::string condition_text(const actuator::ConditionSummary& c) {
         case ConditionVerdict::kWithinRounding:
             return fmt::format(
                 "Condition (6) is met within rounding only {}: d(T tau_f)/dtau is {} to {}, so the stiction that reaches the "
-                "joint stays the same.",
-                range(c.torques), low, high);
+                "joint stays the same{}.",
+                range(c.torques), low, high, c.values.low < -kSlightest ? " at its weakest place" : "");
         case ConditionVerdict::kNotKnown:
             return "Condition (6) is not known: the law covers no co-contraction in use.";
         case ConditionVerdict::kMixed:

@@ -24,6 +24,8 @@ struct NumberedFinding {
 [[nodiscard]] std::vector<Marker> markers_of(const std::vector<NumberedFinding>& findings, const std::string& part);
 
 [[nodiscard]] std::string law_section(const DesignReport& design);
+/// Rows of a measured table beside the springs smoothed from it; empty for other laws.
+[[nodiscard]] std::string table_section(const LawReport& law);
 [[nodiscard]] std::string dead_band_section(const DesignReport& design);
 [[nodiscard]] std::string part_section(const PartReport& part, const std::vector<Marker>& markers);
 [[nodiscard]] std::string findings_section(const std::vector<NumberedFinding>& findings);

@@ -54,7 +54,7 @@ TEST_F(Program, WrongArgumentsAreNamedAndEndWith2) {
 TEST_F(Program, MakesADesignAndSaysSo) {
     const Ended made = run("make '" + fixtures::shipped("first_prototype").string() + "' --out 'my cams'");
     EXPECT_EQ(made.code, 0) << made.all();
-    expect_words(made.out, {"first_prototype.toml", "made", "my cams/first_prototype/", "worst arm error 0.0"});
+    expect_words(made.out, {"first_prototype.toml", "made", "my cams/first_prototype/", "of the files 0.0"});
     EXPECT_TRUE(fs::exists(folder_ / "my cams" / "first_prototype" / "k_pe.stl"));
 }
 

@@ -25,7 +25,9 @@ TEST_F(Check, AProfileAsMakeFindsItAndNoFile) {
     const Ended checked = run("check " + pnrvsa());
     EXPECT_EQ(checked.code, 0) << checked.all();
     expect_words(checked.out,
-                 {"pnrvsa by fdm: can be made; 0 required changes", "rules passed", "[process] and [[limits]] of the profile"});
+                 {"pnrvsa by fdm: can be made; 0 required changes", "rules passed; ", " rules not judged: spring ",
+                  "not judged: spring.stress: the base spring's wire yielding (k_se); missing: k_se.spring.wire_mm and k_se.spring.coil_mm",
+                  "[process] and [[limits]] of the profile"});
     EXPECT_FALSE(fs::exists(folder_ / "out"));
 }
 
@@ -43,6 +45,9 @@ TEST_F(Check, AllProcessesInOneTable) {
     ASSERT_EQ(j.at("processes").size(), 7u);
     for (const Json& p : j.at("processes")) {
         ASSERT_EQ(p.at("parts").size(), 2u) << p.at("process");
+        EXPECT_EQ(p.at("not_judged"), p.at("rules").at("not_judged"));
+        EXPECT_EQ(p.at("not_judged").get<int>(),
+                  p.at("parts").at(0).at("not_judged").get<int>() + p.at("parts").at(1).at("not_judged").get<int>());
         for (const Json& part : p.at("parts"))
             EXPECT_EQ(part.at("required").get<int>() > 0,
                       part.at("binding").is_object() && part.at("binding").at("severity") == "required change");
@@ -50,6 +55,11 @@ TEST_F(Check, AllProcessesInOneTable) {
     }
     const Ended one = run("check " + pnrvsa() + " --json");
     EXPECT_EQ(Json::parse(one.out).at("processes").at(0), j.at("processes").at(0)) << "the table's own row is the check";
+}
+
+TEST_F(Check, TheTableOfProcessesHasAColumnOfWhatWasNotJudged) {
+    const Ended checked = run("check " + pnrvsa() + " --process all");
+    EXPECT_EQ(checked.out.rfind("process  part       required review not judged  what binds", 0), 0u) << checked.out;
 }
 
 /// A rim has no groove that a plate could be too thin for.

@@ -113,12 +113,18 @@ TEST(ExitCode, TheGravestCounts) {
     EXPECT_EQ(code({Outcome::kMade, Outcome::kInterrupted, Outcome::kFailed}), 130);
 }
 
-TEST(ClosingTable, ADeadBandThatIsNotCoveredIsSaidInWords) {
+TEST(ClosingTable, LeadsWithWhatTheUserGetsAndSaysWhatWasNotJudged) {
     Row row;
     row.outcome = Outcome::kMade;
-    row.result.dead_band_peak_deg = std::nan("");
-    EXPECT_EQ(closing_table({row}).find("nan"), std::string::npos);
-    EXPECT_NE(closing_table({row}).find("do not cover"), std::string::npos);
+    row.profile = "a.toml";
+    row.result.head = {{"75.5 to 20.4 deg", "dead-band at the joint"}};
+    row.result.findings = {core::not_judged("spring.stress", "the wire yielding", "k_se.spring.wire_mm")};
+    const std::string table = closing_table({row});
+    EXPECT_NE(table.find("0 rules passed, 0 to review; 1 rule not judged: spring 1 (`fusee check a.toml` lists what is missing)"),
+              std::string::npos)
+        << table;
+    EXPECT_NE(table.find("\n    75.5 to 20.4 deg  dead-band at the joint\n"), std::string::npos) << table;
+    EXPECT_EQ(table.find("rule passed, 0 to review; 0"), std::string::npos);
 }
 
 // In a process of its own: the request to stop cannot be taken back.

@@ -14,7 +14,7 @@ protected:
         return {{"plate.3mf", "ab12", 4000, 0.002},
                 {200.0, 210.5, 180.0},
                 5.0,
-                {{"k_se", false, {12.25, 31.0, 4.0}}, {"k_se_mirrored", true, {100.0, 0.1, 4.0}}},
+                {{"k_se", false, {12.25, 31.0, 4.0}}, {"k_se_mirrored", true, {100.0, 0.1, 4.0}, true}},
                 "fusee test"};
     }
     const solid::Mesh disc_ = fixtures::disc_mesh({20.0, 5.0, 1.0, 200});
@@ -32,8 +32,18 @@ TEST_F(PlateTest, FileGivesBackWhatWasWritten) {
     for (std::size_t i = 0; i < 2; ++i) {
         EXPECT_EQ(back.objects[i].name, plate().objects[i].name);
         EXPECT_EQ(back.objects[i].turned, plate().objects[i].turned);
+        EXPECT_EQ(back.objects[i].flipped, plate().objects[i].flipped);
         EXPECT_EQ(back.objects[i].moved_mm, plate().objects[i].moved_mm);
     }
+}
+
+// Known: half a turn about +x takes (x, y, z) to (x, -y, -z), before the quarter turn.
+TEST_F(PlateTest, LaysAPartOnItsTopAndTakesBack) {
+    const PlateObject flipped{"a", true, {10.0, 20.0, 3.0}, true};
+    const solid::Mesh corner{{{1.0, 2.0, 0.5}}, {}};
+    EXPECT_EQ(placed(corner, flipped).points_mm.front(), (solid::Vec3{12.0, 21.0, 2.5}));
+    EXPECT_EQ(taken_back(placed(corner, flipped), flipped).points_mm.front(), corner.points_mm.front());
+    EXPECT_NEAR(solid::volume_mm3(placed(disc_, flipped)), solid::volume_mm3(disc_), 1e-6) << "no mirror: it still faces outward";
 }
 
 // Known: a quarter turn takes (x, y) to (-y, x).
@@ -71,6 +81,7 @@ TEST_F(PlateTest, RefusesBrokenFilesByNameAndKey) {
         return [this] { (void)read_plate_file(folder_ / "plate.json"); };
     };
     fixtures::expect_io_error(with("\"turned_deg\": 90", "\"turned_deg\": 45"), {"plate.json", "objects[1].turned_deg", "0 or 90"});
+    fixtures::expect_io_error(with("\"flipped_deg\": 180", "\"flipped_deg\": 90"), {"plate.json", "objects[1].flipped_deg", "0 or 180"});
     fixtures::expect_io_error(with("\"spacing_mm\"", "\"space_mm\""), {"plate.json", "spacing_mm is missing"});
     fixtures::expect_io_error(with("plate.3mf", "../plate.3mf"), {"plate.json", "file.name"});
 }

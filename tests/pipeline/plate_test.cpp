@@ -57,6 +57,36 @@ TEST_F(OnePlate, HoldsEveryPartApartAndEachCarriesItsLaw) {
     EXPECT_EQ(bed(result), nullptr);
 }
 
+/// Area of the faces that lie flat at the lowest and at the highest height [mm^2].
+std::pair<double, double> flat_areas(const solid::Mesh& mesh) {
+    const solid::Box box = solid::bounding_box(mesh);
+    std::pair<double, double> areas{0.0, 0.0};
+    for (const solid::Triangle& t : mesh.triangles) {
+        const auto &a = mesh.points_mm[t[0]], &b = mesh.points_mm[t[1]], &c = mesh.points_mm[t[2]];
+        const double area = 0.5 * std::abs((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
+        const auto all_at = [&](double z) { return std::max({std::abs(a[2] - z), std::abs(b[2] - z), std::abs(c[2] - z)}) < 1e-3; };
+        if (all_at(box.low_mm[2])) areas.first += area;
+        if (all_at(box.high_mm[2])) areas.second += area;
+    }
+    return areas;
+}
+
+// K_PE is overhung on its boss: upright it would stand on the boss alone, and its whole flange would need support.
+TEST_F(OnePlate, PartsStandTheWayUpThatNeedsLessSupport) {
+    const MakeResult result = made({});
+    ASSERT_TRUE(result.made);
+    const exchange::Plate plate = exchange::read_plate_file(result.folder / "plate.json");
+    const auto objects = exchange::read_3mf_objects(result.folder / "plate.3mf");
+    ASSERT_EQ(objects.size(), 4u);
+    for (std::size_t i = 0; i < 4; ++i) {
+        const bool overhung = objects[i].name.starts_with("k_pe");
+        EXPECT_EQ(plate.objects[i].flipped, overhung) << objects[i].name;
+        const auto [bed, top] = flat_areas(objects[i].mesh);
+        if (overhung) EXPECT_GT(bed, 3.0 * top) << objects[i].name << " stands on its boss";
+        if (overhung) EXPECT_GT(bed, 500.0) << objects[i].name;
+    }
+}
+
 // What the suggestion names holds them.
 TEST_F(OnePlate, TooSmallABedIsToReviewWithTheOneThatHolds) {
     const MakeResult result = made({{"process.build_mm", "[60.0, 60.0, 60.0]"}});

@@ -56,6 +56,20 @@ TEST(ReportHtml, ShowsEverySection) {
         EXPECT_NE(html.find(word), std::string::npos) << word;
 }
 
+TEST(ReportHtml, WhatWasNotJudgedStandsBeforeThePasses) {
+    Fixture fixture;
+    fixture.design.parts[0].findings.push_back(core::not_judged("spring.stress", "the wire yielding", "k_se.spring.wire_mm"));
+    const std::string html = report_html(fixture.design);
+    EXPECT_NE(html.find("! Review and accept; 1 rule not judged<"), std::string::npos);
+    EXPECT_NE(html.find("changes required / to review / not judged: spring 1"), std::string::npos);
+    const auto block = html.find(">Not judged<"), missing = html.find("k_se.spring.wire_mm"), held = html.find("rules hold<");
+    EXPECT_TRUE(block < missing && missing < held && held != std::string::npos);
+    EXPECT_EQ(first_unbalanced(without_style(html)), "");
+    DesignReport open;
+    open.findings = {core::not_judged("spring.stress", "the wire yielding", "k_se.spring.wire_mm")};
+    EXPECT_NE(report_html(open).find("Can be made; 1 rule not judged<"), std::string::npos);
+}
+
 TEST(ReportHtml, NumbersOnTheDrawingAreThoseOfTheTable) {
     const Fixture fixture;
     const std::string html = report_html(fixture.design);

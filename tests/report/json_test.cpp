@@ -42,6 +42,40 @@ TEST(ReportJson, HoldsWhatItDocuments) {
     EXPECT_EQ(j["files"][0]["name"], "springs.csv");
 }
 
+TEST(ReportJson, CountsWhatWasNotJudgedAndGivesItNoNumbers) {
+    Fixture fixture;
+    fixture.design.parts[0].findings.push_back(core::not_judged("spring.stress", "the wire yielding", "k_se.spring.wire_mm"));
+    const auto j = nlohmann::json::parse(report_json(fixture.design));
+    EXPECT_EQ(j["rules"]["not_judged"], 1);
+    EXPECT_EQ(j["rules"]["passed"], 3);
+    EXPECT_EQ(j["rules"]["groups"]["spring"]["not_judged"], 1);
+    EXPECT_EQ(j["rules"]["groups"]["cable"]["review"], 2);
+    const auto& open = j["parts"][0]["findings"][2];
+    EXPECT_EQ(open["severity"], "not judged");
+    EXPECT_TRUE(open["measured"].is_null());
+    EXPECT_TRUE(open["allowed"].is_null());
+    EXPECT_EQ(open["suggestion"], "k_se.spring.wire_mm");
+    EXPECT_TRUE(open["changes"].empty());
+}
+
+// Known: residuals 0, +2 and -1 mNm: rms sqrt(5/3).
+TEST(ReportJson, ATableHasItsRowsAndResiduals) {
+    Fixture fixture;
+    fixture.design.law.table =
+        SmoothedTable{"bench.csv", {{0.0, 0.1, 0.2, 0.1, 0.2}, {0.1, 0.11, 0.21, 0.112, 0.21}, {0.2, 0.12, 0.22, 0.119, 0.22}}};
+    const auto j = nlohmann::json::parse(report_json(fixture.design))["law"]["table"];
+    EXPECT_EQ(j["file"], "bench.csv");
+    EXPECT_EQ(j["rows"].size(), 3u);
+    EXPECT_EQ(j["rows"][1], (std::vector<double>{0.1, 0.11, 0.112, 0.21, 0.21}));
+    EXPECT_NEAR(j["series"]["rms_Nm"].get<double>(), 1e-3 * std::sqrt(5.0 / 3.0), 1e-9);
+    EXPECT_NEAR(j["series"]["largest_Nm"].get<double>(), 2e-3, 1e-12);
+    EXPECT_EQ(j["series"]["largest_in_row"], 2);
+    EXPECT_EQ(j["parallel"]["rms_Nm"], 0.0);
+    const std::string html = report_html(fixture.design);
+    for (const char* word : {"Measured table and smoothed law", "bench.csv, 3 rows", "rms 1.29 mNm, largest 2 mNm in row 2 at 0.1 rad"})
+        EXPECT_NE(html.find(word), std::string::npos) << word;
+}
+
 TEST(ReportJson, TextsThatAreNoUtf8DoNotLoseTheReport) {
     const Fixture fixture("bad\xFF");
     const auto j = nlohmann::json::parse(report_json(fixture.design));
@@ -60,6 +94,9 @@ TEST(Verdict, IsTheGravestOfAllFindingsAndReadings) {
     fixture.design.parts[1].arm_errors[0].worst_relative = std::numeric_limits<double>::quiet_NaN();
     EXPECT_EQ(verdict(fixture.design), core::Severity::kRequired);
     EXPECT_EQ(verdict(DesignReport{}), core::Severity::kPass);
+    DesignReport open;
+    open.findings = {core::not_judged("spring.stress", "the wire yielding", "k_se.spring.wire_mm")};
+    EXPECT_EQ(verdict(open), core::Severity::kNotJudged);
 }
 
 TEST(LawReport, CoversStictionOnlyAtBothEnds) {

@@ -8,12 +8,13 @@
 
 namespace fusee::exchange {
 
-/// Where a part stands on the plate: its mesh, as in its own files, is turned by 90 deg about +z or not, then moved. The object's vertices
-/// are where they stand: its transform in the 3MF is the identity.
+/// Where a part stands on the plate: its mesh, as in its own files, is laid on its top (turned by 180 deg about +x) or not, turned by 90
+/// deg about +z or not, then moved. The object's vertices are where they stand: its transform in the 3MF is the identity.
 struct PlateObject {
     std::string name;  ///< of the object in the 3MF; NAME.json is the part's own file
     bool turned = false;
     solid::Vec3 moved_mm{};
+    bool flipped = false;  ///< stands on its top face
 };
 
 /// plate.json: what is where in plate.3mf (docs/part-file.md). The bed's corner is the origin, its surface z = 0.

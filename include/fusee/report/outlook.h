@@ -37,9 +37,13 @@ struct Outlook {
 struct HeadFigure {
     std::string value, label;
 };
+/// How far the exported files are from the law; NaN: none was read back.
+struct FileErrors {
+    double arm = std::numeric_limits<double>::quiet_NaN();        ///< largest relative error of an arm
+    double dead_band = std::numeric_limits<double>::quiet_NaN();  ///< largest relative change of a dead-band
+};
 /// What the user gets, by importance: dead-band over the co-contractions, arms of the parts as made, joint torque, condition (6).
-/// @param worst_file_error largest relative arm error of the files; NaN: none was read back
-[[nodiscard]] std::vector<HeadFigure> head_figures(const Outlook& outlook, double worst_file_error);
+[[nodiscard]] std::vector<HeadFigure> head_figures(const Outlook& outlook, const FileErrors& files);
 
 /// How condition (6), d(T tau_f)/dtau < 0, ends. Slopes of less than 1e-4 either way are too small to be built: stiction stays the same.
 enum class ConditionVerdict { kHolds, kFails, kMixed, kWithinRounding, kNotKnown };

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,13 +23,35 @@
 /// Results to files that a program (JSON, CSV) or a person (HTML) reads. Nothing is computed here that a design depends on.
 namespace fusee::report {
 
+/// One row of a measured table beside the springs that were smoothed from it.
+struct TableRow {
+    double angle = 0.0;                                 ///< of the capstan, as in the file [rad]
+    double series = 0.0, parallel = 0.0;                ///< as in the file [Nm]
+    double series_smooth = 0.0, parallel_smooth = 0.0;  ///< of the smoothed springs there [Nm]
+};
+/// What a law that comes from a measured table leaves of the rows.
+struct SmoothedTable {
+    std::string file;
+    std::vector<TableRow> rows;  ///< all of the file's; not empty
+
+    /// How one of the springs misses its rows: smoothed less measured.
+    struct Misfit {
+        double rms = 0.0;      ///< [Nm]
+        double largest = 0.0;  ///< of the largest magnitude [Nm]
+        std::size_t row = 0;   ///< where: data row of the file, the first is 1
+    };
+    [[nodiscard]] Misfit series() const;
+    [[nodiscard]] Misfit parallel() const;
+};
+
 /// The pair of spring laws as designed.
 struct LawReport {
     std::vector<spring::LawPoint> samples;                                   ///< by rising load, lead-in included; at least 2
     core::Range design_loads;                                                ///< loads without the lead-in [Nm]
     double lead_in_travel = 0.0;                                             ///< capstan travel of the low-load law [rad]
     double least_feasible_start = std::numeric_limits<double>::quiet_NaN();  ///< tau_min [Nm]; NaN: the kind of law knows none
-    core::Range stiction_loads;  ///< what resting capstans may carry: actuator::Actuator::loads [Nm]
+    core::Range stiction_loads;          ///< what resting capstans may carry: actuator::Actuator::loads [Nm]
+    std::optional<SmoothedTable> table;  ///< of a law of kind "table"
     /// Do the springs reach every load that stiction allows?
     [[nodiscard]] bool covers_stiction() const;
 };
@@ -69,6 +92,7 @@ struct DesignReport {
     [[nodiscard]] core::Findings all_findings() const;
     /// Largest relative arm error of the files, prints left out; NaN if none was read back.
     [[nodiscard]] double worst_arm_error() const;
+    [[nodiscard]] FileErrors file_errors() const { return {worst_arm_error(), as_exported.worst_change()}; }
 };
 
 /// kPass: can be made; kNotJudged: can be made as far as its rules could be judged; kReview: a person must accept something; kRequired:

@@ -40,11 +40,25 @@ private:
     std::optional<core::Progress> progress_;
 };
 
+/// What only a whole case shows is refused without a file: the folder stands in for it.
+template <class Work>
+gap::Diagnosis with_folder(const fs::path& folder, const Work& work) {
+    try {
+        return work();
+    } catch (const core::InvalidInput& e) {
+        throw core::InvalidInput(folder.string() + ": " + e.field(), e.value(), e.allowed());
+    }
+}
+
 gap::Diagnosis diagnosis_of(const fs::path& folder, unsigned jobs) {
     Watched watched;
     const gap::DiagnoseOptions options{jobs, std::ref(watched)};
-    return gap::is_bench_case(folder) ? gap::diagnose_bench(gap::read_bench_case(folder), options)
-                                      : gap::diagnose(gap::read_case(folder), options);
+    if (gap::is_bench_case(folder)) {
+        const gap::BenchCase bench = gap::read_bench_case(folder);
+        return with_folder(folder, [&] { return gap::diagnose_bench(bench, options); });
+    }
+    const gap::Case bench = gap::read_case(folder);
+    return with_folder(folder, [&] { return gap::diagnose(bench, options); });
 }
 
 int diagnose(const DiagnoseArguments& arguments) {

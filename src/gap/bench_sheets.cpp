@@ -4,6 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace fusee::gap {
 
@@ -52,7 +54,7 @@ The whole joint. For each `cocontraction_Nm` ({torques} Nm), {repeats} times:
 1. From rest command both motors to the co-contraction, in a straight line in {ramp:g} s, and wait {settle:g} s.
 2. Push the joint up to `push_torque_Nm`, hold, in {push:g} s; release it to nothing in {release:g} s, damped by hand: it must not swing back.
 3. Read `q_high_rad`. From where the joint rests then, push down the same way: `q_low_rad`, below the other.
-)";
+{push_text})";
 
 constexpr const char* kStiffness = R"(
 ## joint_stiffness.csv: {rows} readings
@@ -86,6 +88,26 @@ std::string torques_of(const std::vector<Row>& rows, double Row::*torque) {
     return different(all);
 }
 
+/// What a set point of the push stands for.
+std::string push_text(const CaseTemplate& t, const std::vector<DeadBandRow>& rows) {
+    if (!t.push) return "";
+    double within = std::numeric_limits<double>::infinity();
+    for (const DeadBandRow& row : rows) {
+        if (row.repeat > 1) continue;
+        const double reach = t.push(row.cocontraction).within_laws;
+        if (reach < row.push_torque) within = std::min(within, reach);
+    }
+    std::string text =
+        "\nThe pushes are those of `fusee simulate`: 1.05 times the least one after which a stronger one reads the same, unless the\n"
+        "profile gives `simulate.push_torque_Nm`. A weaker push reads a narrower dead-band.\n";
+    if (std::isfinite(within))
+        text += fmt::format(
+            "On the way a spring goes beyond the end of its law, which a push of at most {:.3g} Nm does not: look at the cable and at\n"
+            "the cam's end before the first push.\n",
+            within);
+    return text;
+}
+
 std::string zero_text(double rest) {
     if (rest == 0.0) return "- theta = 0: the springs relaxed, no torque on them.\n";
     return fmt::format(
@@ -113,7 +135,7 @@ std::string bench_sheets(const CaseTemplate& t, const Rows& rows) {
     text +=
         fmt::format(kDeadBand, arg("rows", rows.dead_band.size()), arg("torques", torques_of(rows.dead_band, &DeadBandRow::cocontraction)),
                     arg("repeats", rows.dead_band.back().repeat), arg("ramp", p.motor_ramp), arg("settle", p.motor_settle),
-                    arg("push", p.dead_band_push), arg("release", p.dead_band_release));
+                    arg("push", p.dead_band_push), arg("release", p.dead_band_release), arg("push_text", push_text(t, rows.dead_band)));
     text +=
         fmt::format(kStiffness, arg("rows", rows.joint_stiffness.size()),
                     arg("torques", torques_of(rows.joint_stiffness, &StiffnessRow::cocontraction)), arg("phase", p.joint_stiffness_phase));

@@ -64,7 +64,7 @@ Diagnosis diagnose(const Case& bench, const DiagnoseOptions& options) {
     if (bench.rows.size() < kLeastRows)
         throw core::InvalidInput("experiments", std::to_string(bench.rows.size()) + " rows",
                                  fmt::format("at least {} rows in all", kLeastRows));
-    require_feasible(bench);
+    require_feasible(bench.rows, bench.protocol, kMostSteps);
     Steps told(options, bench);
     const unsigned jobs = threads_for(options.jobs);
     const Problem problem(bench);

@@ -58,6 +58,7 @@ std::vector<SpringPull> spring_pull(const CaseTemplate& t) {
 
 /// Strong enough to leave the dead-band, which grows with the co-contraction, as far as K_SE carries it without leaving its curve.
 double push_torque(const CaseTemplate& t, double cocontraction) {
+    if (const double push = t.push ? t.push(cocontraction).torque : 0.0; push > 0.0) return rounded(push);
     constexpr double kConstant = 0.4, kGrowth = 0.8, kReach = 0.9;
     const double carried = kReach * t.rig.springs.back().se_torque;
     return rounded(t.rig.ratio() * std::min(kConstant * t.torques.high + kGrowth * cocontraction, carried));
@@ -66,8 +67,10 @@ double push_torque(const CaseTemplate& t, double cocontraction) {
 std::vector<DeadBandRow> dead_band(const CaseTemplate& t) {
     constexpr std::size_t kLevels = 7;
     std::vector<DeadBandRow> rows;
-    for (const double torque : levels(t.torques, kLevels))
-        for (int repeat = 1; repeat <= kRepeats; ++repeat) rows.push_back({torque, repeat, push_torque(t, torque), kEmpty, kEmpty, kEmpty});
+    for (const double torque : levels(t.torques, kLevels)) {
+        const double push = push_torque(t, torque);
+        for (int repeat = 1; repeat <= kRepeats; ++repeat) rows.push_back({torque, repeat, push, kEmpty, kEmpty, kEmpty});
+    }
     return rows;
 }
 

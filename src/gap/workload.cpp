@@ -52,10 +52,10 @@ std::array<double, kExperiments> motion_steps(const Rows& rows, const Protocol& 
     return steps;
 }
 
-void require_feasible(const Case& bench) {
-    const std::array<double, kExperiments> steps = motion_steps(bench.rows, bench.protocol);
+void require_feasible(const Rows& rows, const Protocol& protocol, double most) {
+    const std::array<double, kExperiments> steps = motion_steps(rows, protocol);
     const double all = std::accumulate(steps.begin(), steps.end(), 0.0);
-    if (all <= kMostSteps) return;
+    if (all <= most) return;
     const auto longest = static_cast<std::size_t>(std::max_element(steps.begin(), steps.end()) - steps.begin());
     const auto experiment = static_cast<Experiment>(longest);
     const char* const hint =
@@ -63,9 +63,9 @@ void require_feasible(const Case& bench) {
             ? "; each change of cocontraction_Nm begins a loop from rest: does the column have what was commanded, rows in order?"
             : "; leave out repeats, or do them as a case of their own";
     throw core::InvalidInput(fmt::format("experiments.{}", to_string(experiment)),
-                             fmt::format("{} rows whose motion takes {:.3g} times as long as that of a usual case",
-                                         bench.rows.size(experiment), steps[longest] / kUsualSteps),
-                             fmt::format("at most {:.3g} times in all{}", kMostSteps / kUsualSteps, hint));
+                             fmt::format("{} rows whose motion takes {:.3g} times as long as that of a usual case", rows.size(experiment),
+                                         steps[longest] / kUsualSteps),
+                             fmt::format("at most {:.3g} times in all{}", most / kUsualSteps, hint));
 }
 
 }  // namespace fusee::gap

@@ -7,6 +7,7 @@
 
 #include "fusee/core/error.h"
 #include "fusee/pipeline/design.h"
+#include "fusee/pipeline/simulate.h"
 
 namespace fusee::pipeline {
 
@@ -88,6 +89,11 @@ core::Outcome<gap::CaseTemplate> case_template(const profile::Profile& profile, 
                 .springs = std::move(springs.rows)};
     made.torques = {profile.rig.least_torque, profile.rig.overdrive_torque};
     made.rest_deflection = springs.rest_deflection;
+    const actuator::ReleaseTest test{.push_torque = profile.simulate.push_torque};
+    made.push = [joint = path_joint_of(profile, designed->law), test](double cocontraction) -> gap::Push {
+        const actuator::ReleaseReading reading = actuator::release_test(joint, cocontraction, test);
+        return {reading.push_torque, reading.covered_push};
+    };
     return made;
 }
 

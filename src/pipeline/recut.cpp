@@ -47,6 +47,7 @@ public:
         const std::vector<report::DeadBandWidths> with_old = widths(old, as_is_),
                                                   with_new = known ? widths(cams, as_is_) : decltype(with_old)(torques_.size());
         for (std::size_t i = 0; i < torques_.size(); ++i) recut.levels.push_back({torques_[i], promised_[i], with_old[i], with_new[i]});
+        recut.peak = at_peak(old, cams, known);
         recut.torque_error_old = torque_error(old, as_is_);
         if (known) recut.torque_error_new = torque_error(cams, as_is_);
         recut.push_torque = push_torque_;
@@ -60,6 +61,14 @@ private:
             for (const int side : {0, 1})
                 if (draft.is_for(side)) cams[side] = {&draft.profile, draft.law};
         return cams;
+    }
+    [[nodiscard]] report::RecutLevel at_peak(const std::array<Cams, 2>& old, const std::array<Cams, 2>& cams, bool known) const {
+        const double tau = old_.profile->rig.peak_torque;
+        const auto width = [&](const std::array<Cams, 2>& of, const std::array<profile::Profile, 2>& rig) {
+            return dead_band_widths(joint_as_built(of, rig), tau, push_torque_);
+        };
+        return {tau, width(old, {*old_.profile, *old_.profile}), width(old, as_is_),
+                known ? width(cams, as_is_) : report::DeadBandWidths{}};
     }
     [[nodiscard]] std::vector<report::DeadBandWidths> widths(const std::array<Cams, 2>& cams,
                                                              const std::array<profile::Profile, 2>& as_is) const {

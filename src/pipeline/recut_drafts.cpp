@@ -28,9 +28,23 @@ std::string plain(std::string text) {
     return text;
 }
 
+/// From the findings that `design_law` makes of it; a finding that allows another torque than the profile's says that none is covered.
+report::RecutCover cover_of(const profile::Profile& profile, const DesignedLaw& law) {
+    const actuator::Actuator joint = actuator_of(profile, law.law);
+    report::RecutCover cover{
+        .asked = {profile.rig.least_torque, profile.rig.overdrive_torque}, .law_loads = law.law->loads(), .rest_loads = joint.loads()};
+    for (const core::Finding& f : law.findings) {
+        if (f.rule == "law.covers_least" && f.allowed == cover.asked.low) cover.covered.low = std::max(f.measured, f.allowed);
+        if (f.rule == "law.covers_greatest" && f.allowed == cover.asked.high) cover.covered.high = std::min(f.measured, f.allowed);
+    }
+    return cover;
+}
+
 /// What `make` is going to say, passes left out. @return the law, if there is one
-spring::SpringLawPtr judge(const profile::Profile& profile, core::Findings& findings) {
+spring::SpringLawPtr judge(const profile::Profile& profile, report::RecutProfile& report) {
+    core::Findings& findings = report.findings;
     const auto law = design_law(profile);
+    if (law) report.cover = cover_of(profile, *law);
     findings = law ? law->findings : law.refusal();
     if (law)
         for (const cam::PartKind kind : {cam::PartKind::kSeries, cam::PartKind::kParallel}) {
@@ -123,7 +137,7 @@ Draft Drafter::draft(const std::string& sides, const Edits& own, double share, b
     const Edits files = profile::file_edits(profile_, fs::absolute(file_).parent_path());
     edits.insert(edits.end(), files.begin(), files.end());
     draft.report.toml = profile::with_edits(toml_, profile_, edits, head(sides));
-    draft.law = judge(draft.profile, draft.report.findings);
+    draft.law = judge(draft.profile, draft.report);
     return draft;
 }
 

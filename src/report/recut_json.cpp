@@ -12,25 +12,31 @@ using Json = nlohmann::ordered_json;
 Json profile_json(const RecutProfile& profile) {
     Json changes = Json::array();
     for (const RecutChange& c : profile.changes) changes.push_back({{"key", c.key}, {"was", c.was}, {"is", c.is}, {"why", c.why}});
+    const auto range = [](const core::Range& r) { return Json::array({r.low, r.high}); };
     return {{"file", profile.file.string()},
             {"sides", profile.sides},
             {"can_be_cut", profile.can_be_cut()},
+            {"asked_Nm", range(profile.cover.asked)},
+            {"covered_Nm", range(profile.cover.covered)},
             {"changes", std::move(changes)},
             {"findings", findings_json(profile.findings)}};
 }
 
 Json widths_json(const DeadBandWidths& widths) { return {{"extreme_rad", widths.extreme}, {"read_rad", widths.read}}; }
 
+Json level_json(const RecutLevel& level) {
+    return {{"tau_Nm", level.tau},
+            {"promised", widths_json(level.promised)},
+            {"old_cams", widths_json(level.old_cams)},
+            {"new_cams", widths_json(level.new_cams)}};
+}
+
 }  // namespace
 
 std::string recut_json(const Recut& r) {
     Json profiles = Json::array(), levels = Json::array(), not_mended = Json::array();
     for (const RecutProfile& profile : r.profiles) profiles.push_back(profile_json(profile));
-    for (const RecutLevel& level : r.levels)
-        levels.push_back({{"tau_Nm", level.tau},
-                          {"promised", widths_json(level.promised)},
-                          {"old_cams", widths_json(level.old_cams)},
-                          {"new_cams", widths_json(level.new_cams)}});
+    for (const RecutLevel& level : r.levels) levels.push_back(level_json(level));
     for (const NotMended& n : r.not_mended) not_mended.push_back({{"id", n.cause.id}, {"side", n.cause.side}, {"instead", n.instead}});
     const Json j{{"profile", r.profile_name},
                  {"case", r.case_name},
@@ -39,6 +45,7 @@ std::string recut_json(const Recut& r) {
                  {"profiles", std::move(profiles)},
                  {"push_torque_Nm", r.push_torque},
                  {"dead_band", std::move(levels)},
+                 {"at_peak", r.levels.empty() ? Json() : level_json(r.peak)},
                  {"off_with_old_cams", r.off_with_old_cams()},
                  {"off_with_new_cams", r.off_with_new_cams()},
                  {"torque_error_old", r.torque_error_old},

@@ -53,6 +53,30 @@ std::string widths_table(const Recut& recut) {
            "</div><p>Extreme: between the outermost resting places; a dash where the springs' laws do not reach them.</p>";
 }
 
+/// "exact dead-band at peak torque, 1 Nm (as fusee make gives it): 51.3 deg promised, ..."
+std::string at_peak(const Recut& recut) {
+    const auto three = [&](double DeadBandWidths::*width) {
+        const auto degrees = [&](const DeadBandWidths& widths) { return known(core::deg_from_rad(widths.*width)); };
+        return fmt::format("{} deg promised, {} with the old cams, {} with new ones", degrees(recut.peak.promised),
+                           degrees(recut.peak.old_cams), degrees(recut.peak.new_cams));
+    };
+    return fmt::format("at peak torque, {:.4g} Nm: exact dead-band, as fusee make gives it, {}; read by the push-and-release test {}",
+                       recut.peak.tau, three(&DeadBandWidths::extreme), three(&DeadBandWidths::read));
+}
+
+/// "covers 0.9 to 1.31 Nm of the 0.85 to 1.5 Nm asked for: ..."
+std::string coverage(const RecutCover& cover) {
+    if (!std::isfinite(cover.law_loads.width())) return "";
+    const std::string limit =
+        fmt::format("friction lets a capstan rest at loads from {:.3g} to {:.3g} Nm, the springs' law has those from {:.3g} to {:.3g} Nm",
+                    cover.rest_loads.low, cover.rest_loads.high, cover.law_loads.low, cover.law_loads.high);
+    const std::string asked = fmt::format("{:.3g} to {:.3g} Nm", cover.asked.low, cover.asked.high);
+    if (cover.whole()) return fmt::format("covers all co-contractions asked for, {}", asked);
+    if (!std::isfinite(cover.covered.width())) return fmt::format("covers no co-contraction of the {} asked for: {}", asked, limit);
+    return fmt::format("covers co-contractions of {:.3g} to {:.3g} Nm, asked for are {}: {}", cover.covered.low, cover.covered.high, asked,
+                       limit);
+}
+
 std::string profile_part(const RecutProfile& profile) {
     std::vector<std::vector<Cell>> rows;
     for (const RecutChange& c : profile.changes)
@@ -60,6 +84,7 @@ std::string profile_part(const RecutProfile& profile) {
     std::string out =
         "<h3 class=\"held\">" + escape(profile.file.filename().string()) + "</h3>" + html_table({"key", "was", "is", "why"}, rows);
     out += profile.can_be_cut() ? "<p>fusee make can cut these cams.</p>" : "<p>fusee make is going to refuse these cams.</p>";
+    if (const std::string cover = coverage(profile.cover); !cover.empty()) out += "<p>It " + escape(cover) + ".</p>";
     if (profile.findings.empty()) return out;
     out += "<ul>";
     for (const core::Finding& finding : profile.findings) out += "<li>" + escape(core::to_line(finding)) + "</li>";
@@ -69,8 +94,10 @@ std::string profile_part(const RecutProfile& profile) {
 std::string summary(const Recut& recut) {
     return fmt::format(
         "<p>The springs of the rig as it is are off the law of their cams by at most {} with the old cams, {} with new ones. Its "
-        "dead-band is off the one promised by {} on the mean with the old cams, {} with new ones.</p>",
-        off(recut.torque_error_old), off(recut.torque_error_new), off(recut.off_with_old_cams()), off(recut.off_with_new_cams()));
+        "dead-band, as a push-and-release test reads it, is off the one promised by {} on the mean of {} levels with the old cams, {} with "
+        "new ones; {}.</p>",
+        off(recut.torque_error_old), off(recut.torque_error_new), off(recut.off_with_old_cams()), recut.levels.size(),
+        off(recut.off_with_new_cams()), at_peak(recut));
 }
 
 }  // namespace
@@ -92,15 +119,18 @@ std::string recut_section(const Recut& recut) {
 std::string recut_text(const Recut& recut) {
     std::string out;
     if (!recut.levels.empty())
-        out += fmt::format("  dead-band off the one promised: {} with the old cams, {} with new ones; springs off their law: {}, {}\n",
-                           off(recut.off_with_old_cams()), off(recut.off_with_new_cams()), off(recut.torque_error_old),
-                           off(recut.torque_error_new));
+        out += fmt::format(
+            "  dead-band off the one promised: {} with the old cams, {} with new ones, as a push-and-release test reads it, mean of {} "
+            "levels; springs off their law: {}, {}\n  {}\n",
+            off(recut.off_with_old_cams()), off(recut.off_with_new_cams()), recut.levels.size(), off(recut.torque_error_old),
+            off(recut.torque_error_new), at_peak(recut));
     for (const RecutProfile& profile : recut.profiles) {
         const std::string whose = profile.sides == "both" ? "both sides" : "the " + profile.sides;
         out += fmt::format("  profile for {}: {}: {}\n", whose, profile.file.string(),
                            !recut.new_cams_needed ? "the model alone changes, the cams stay"
                            : profile.can_be_cut() ? "cut its cams by fusee make"
                                                   : "its cams cannot be cut");
+        if (const std::string cover = coverage(profile.cover); !cover.empty()) out += "    " + cover + "\n";
         if (!profile.can_be_cut())
             for (const core::Finding& finding : profile.findings)
                 if (finding.severity == core::Severity::kRequired) out += "    " + core::to_line(finding) + "\n";

@@ -73,6 +73,17 @@ TEST_F(Gap, RefusesBadInputAndWritesNothing) {
     expect_refused("predict case --effects d.json --inputs inputs --out out", {"no.effect"});
     write("d.json", "{");
     expect_refused("predict case --effects d.json --inputs inputs --out out", {"d.json", "no valid JSON"});
+    const std::pair<std::string, std::string> bad[] = {
+        {R"({"effects": [{"id": "se.radius", "side": "both", "parameter": {"value": -0.02}}]})", "-0.006 to 0.006 m"},
+        {R"({"effects": [{"id": "gear.coulomb", "side": "both", "parameter": {"value": 1e400}}]})", "d.json:1:"},
+        {R"({"effects": [], "efects": []})", "efects: unknown key"},
+        {std::string(100'000, '['), "nested 65 deep"}};
+    for (const auto& [text, words] : bad) {
+        write("d.json", text);
+        expect_refused("predict case --effects d.json --inputs inputs --out out", {"d.json", words});
+    }
+    write("case/breakaway.csv", inputs_.substr(0, inputs_.find('\n')) + "\nagonist,drive,1,0.7\nagonist,backdrive,1,1.4\n");
+    expect_refused("diagnose case --out out", {"case: experiments: 2 rows (allowed: at least 4 rows in all)"});
     write("case/breakaway.csv", inputs_);
     expect_refused("diagnose case --out out", {"case/breakaway.csv:2:", "load_torque_Nm: (missing)"});
 }

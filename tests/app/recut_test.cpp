@@ -33,7 +33,10 @@ protected:
 TEST_F(CorrectedProfile, IsWrittenAndCanBeCut) {
     const Ended found = run("diagnose case --out d --profile rig/p.toml --write-profile new/p.toml --jobs 1");
     ASSERT_EQ(found.code, 0) << found.all();
-    expect_words(found.out, {"dead-band off the one promised", "profile for both sides: new/p.toml", "diagnosis.json, recut.json"});
+    expect_words(found.out,
+                 {"dead-band off the one promised", "at peak torque, 1 Nm: exact dead-band, as fusee make gives it, 51.3 deg promised",
+                  "profile for both sides: new/p.toml", "covers co-contractions of 0.8", "Nm, asked for are 0.85 to 1.5 Nm: friction lets",
+                  "diagnosis.json, recut.json"});
     const std::string toml = core::read_file(folder_ / "new" / "p.toml");
     expect_words(toml, {"# gear_friction was 0.28: gear.load_friction on both sides", "name = \"pnrvsa-recut\"\n"});
     const auto json = nlohmann::json::parse(core::read_file(folder_ / "d" / "recut.json"));

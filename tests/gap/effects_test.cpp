@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <map>
@@ -19,8 +20,8 @@ namespace {
 
 using namespace fixtures;
 
-/// id -> its parameter's unit as the tables of docs/gap.md give it.
-std::map<std::string, std::string> documented() {
+/// id -> its parameter's unit as the tables of docs/gap.md give it in their last column, its size in the one before.
+std::map<std::string, std::string> documented(std::size_t column_from_end = 1) {
     const std::string page = core::read_file(std::filesystem::path(FUSEE_SOURCE_DIR) / "docs/gap.md");
     std::istringstream lines(page.substr(page.find("\n## Effects"), page.find("\n## diagnosis.json") - page.find("\n## Effects")));
     const auto split = [](const std::string& text, const std::string& by) {
@@ -35,7 +36,7 @@ std::map<std::string, std::string> documented() {
     for (std::string line; std::getline(lines, line);) {
         if (line.rfind("| `", 0) != 0) continue;
         const std::vector<std::string> cells = split(line.substr(2, line.size() - 4), " | ");
-        const std::vector<std::string> ids = split(cells.front(), ", "), of = split(cells.back(), ", ");
+        const std::vector<std::string> ids = split(cells.front(), ", "), of = split(cells.at(cells.size() - column_from_end), ", ");
         for (std::size_t i = 0; i < ids.size(); ++i)
             units[ids[i].substr(1, ids[i].size() - 2)] = of.size() == ids.size() ? of[i] : of.front();
     }
@@ -171,6 +172,11 @@ INSTANTIATE_TEST_SUITE_P(All, Library, ::testing::ValuesIn(effect_library()), []
 TEST(EffectLibrary, has_each_id_once_and_no_more_than_the_page_tells) {
     std::set<std::string> ids;
     for (const Effect& effect : effect_library()) EXPECT_TRUE(ids.insert(effect.id).second) << effect.id << " twice";
+    const std::map<std::string, std::string> sizes = documented(2);
+    for (const Effect& effect : effect_library()) {
+        const core::Range& allowed = effect.parameters.front().allowed;
+        EXPECT_EQ(sizes.at(effect.id), fmt::format("{:g} to {:g}", allowed.low, allowed.high)) << effect.id;
+    }
     for (const auto& [id, unit] : documented()) EXPECT_TRUE(ids.contains(id)) << "docs/gap.md tells " << id;
     EXPECT_EQ(documented().size(), ids.size());
 }

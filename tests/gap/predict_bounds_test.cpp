@@ -86,6 +86,13 @@ TEST_F(Possible, BuildParametersAreKnownAndCanBeBuilt) {
     EXPECT_NE(field_refused([&] { return predict(bench, friction, bench.rows); }).find("zero of the joint's encoder"), std::string::npos);
 }
 
+TEST_F(Possible, APredictionEnds) {
+    const Case bench = read_case(folder_);
+    Rows inputs;
+    inputs.log = {{-1e6, 0.5, 0.5, 0.0}, {1e6, 0.5, 0.5, 0.0}};
+    EXPECT_EQ(field_refused([&] { return predict(bench, {}, inputs); }), "experiments.log");
+}
+
 TEST(PossibleBench, EffectsAndBuildParametersStayWhereAFitMayGo) {
     const BenchCase bench = fixtures::measure({{"agonist", fixtures::Motor{}}}, 1);
     const auto field = [&](const std::vector<FoundEffect>& effects, std::vector<std::pair<std::string, Parameter>> build) {

@@ -4,6 +4,7 @@
 
 #include "fusee/core/error.h"
 #include "fusee/pipeline/design.h"
+#include "fusee/pipeline/simulate.h"
 #include "pipeline/fixture.h"
 #include "refused.h"
 
@@ -97,6 +98,34 @@ TEST_F(TemplateOfProfile, RefusesWhatACaseCannotHold) {
     EXPECT_EQ(refused(bare), "k_pe.spring.preload_mm");
     bare.has_parts = false;
     EXPECT_EQ(refused(bare), "k_se.spring.rate_Nm_per_rad");
+}
+
+// One function says how hard the joint is pushed: at the bench as in the simulation. A push of 0.5495 Nm read 1.05 times less than a full
+// one of 0.8408 Nm at 0.85 Nm.
+TEST_F(TemplateOfProfile, PushesAsHardAsTheSimulation) {
+    const auto made = case_template(pnrvsa_);
+    ASSERT_TRUE(made);
+    const std::vector<gap::DeadBandRow> rows = gap::set_points(*made).dead_band;
+    const auto simulated = simulate(pnrvsa_, {.levels = 2});
+    ASSERT_TRUE(simulated);
+    const auto same = [](const gap::DeadBandRow& row, const report::SimulatedLevel& level) {
+        EXPECT_EQ(row.cocontraction, level.dead_band.tau);
+        EXPECT_NEAR(row.push_torque, level.reading.push_torque, 5e-5);  // set points have four digits
+        EXPECT_GE(row.push_torque, level.reading.full_push);
+    };
+    same(rows.front(), simulated->levels.front());
+    same(rows.back(), simulated->levels.back());
+    EXPECT_NEAR(rows.front().push_torque, 0.8828, 1e-4);
+    gap::write_case_template(*made, folder_ / "case");
+    const std::string sheets = core::read_file(folder_ / "case" / "BENCH.md");
+    EXPECT_NE(sheets.find("The pushes are those of `fusee simulate`"), std::string::npos);
+    EXPECT_NE(sheets.find("a push of at most 0.221 Nm does not"), std::string::npos) << sheets;
+}
+
+TEST_F(TemplateOfProfile, PushesAsTheProfileSays) {
+    const auto made = case_template(changed("simulate.push_torque_Nm", "0.6"));
+    ASSERT_TRUE(made);
+    for (const gap::DeadBandRow& row : gap::set_points(*made).dead_band) EXPECT_EQ(row.push_torque, 0.6);
 }
 
 }  // namespace

@@ -1,11 +1,20 @@
 #pragma once
 #include <filesystem>
+#include <functional>
+#include <limits>
 #include <string>
 
 #include "fusee/core/units.h"
 #include "fusee/gap/case.h"
 
 namespace fusee::gap {
+
+/// How hard the joint is pushed in a dead-band test [Nm].
+struct Push {
+    double torque = 0.0;
+    /// The strongest one on whose way no spring goes beyond the end of its law; NaN: not known.
+    double within_laws = std::numeric_limits<double>::quiet_NaN();
+};
 
 /// What an empty case is made for.
 struct CaseTemplate {
@@ -18,6 +27,8 @@ struct CaseTemplate {
     /// Deflection at which the springs rest on their stops without a motor torque [rad]; 0: they have none (docs/gap.md, "Springs with
     /// stops").
     double rest_deflection = 0.0;
+    /// Of the dead-band test at a co-contraction [Nm]; none: as far as K_SE's curve carries it, which may read less than a full push.
+    std::function<Push(double cocontraction)> push = {};
 };
 
 /// Fills `folder` with an empty case: case.toml, nominal_springs.csv, each experiment's CSV with its set points and empty cells for what is

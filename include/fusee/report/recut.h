@@ -15,6 +15,14 @@ namespace fusee::report {
 struct RecutChange {
     std::string key, was, is, why;
 };
+/// The co-contractions at which the springs reach every resting place that stiction allows, of those that the profile asks for.
+struct RecutCover {
+    core::Range asked{0.0, 0.0};                             ///< least to overdrive torque [Nm]
+    core::Range covered{gap::kNoFigure, gap::kNoFigure};     ///< NaN: none [Nm]
+    core::Range law_loads{gap::kNoFigure, gap::kNoFigure};   ///< of a capstan, that the springs' law has [Nm]
+    core::Range rest_loads{gap::kNoFigure, gap::kNoFigure};  ///< at which friction lets it rest over the torques asked for [Nm]
+    [[nodiscard]] bool whole() const { return covered.low <= asked.low && covered.high >= asked.high; }
+};
 /// A corrected profile.
 struct RecutProfile {
     std::string sides;           ///< whose cams it cuts: "both", "agonist", "antagonist"
@@ -22,6 +30,7 @@ struct RecutProfile {
     std::string toml;
     std::vector<RecutChange> changes;
     core::Findings findings;  ///< what `fusee make` is going to say of it, passes left out
+    RecutCover cover;
     [[nodiscard]] bool can_be_cut() const { return !core::any_required(findings); }
 };
 /// Full widths at the joint [rad]; NaN: the springs do not reach.
@@ -47,6 +56,7 @@ struct Recut {
     std::vector<RecutProfile> profiles;  ///< one, or one for each side where they differ; none: nothing was found that a profile can hold
     double push_torque = 0.0;            ///< of the push-and-release test, at the joint [Nm]; 0: strong enough
     std::vector<RecutLevel> levels;      ///< by rising co-contraction
+    RecutLevel peak;                     ///< at peak torque, where `fusee make` gives the exact width; with levels
     /// Greatest difference between a spring's torque on the rig as it is and the law its cam was cut for, over that torque.
     double torque_error_old = gap::kNoFigure, torque_error_new = gap::kNoFigure;
     std::vector<NotMended> not_mended;

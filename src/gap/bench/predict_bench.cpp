@@ -35,7 +35,8 @@ void put_value(const Law& law, std::size_t knob, const std::string& what, double
     const bench::Knob& k = law.knobs[knob];
     const double slack = kRounding * (k.high - k.low);
     if (!(value >= k.low - slack && value <= k.high + slack))
-        throw core::InvalidInput(what, fmt::format("{:g}", value), fmt::format("{:g} to {:g} {}", k.low, k.high, k.unit));
+        throw core::InvalidInput(what, fmt::format("{:g}", value),
+                                 fmt::format("{:g} to {:g}{}{}", k.low, k.high, k.unit.empty() ? "" : " ", k.unit));
     values[knob] = value;
 }
 

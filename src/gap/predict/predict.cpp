@@ -11,6 +11,7 @@
 #include "fusee/gap/effect.h"
 #include "fusee/gap/signals.h"
 #include "tolerances.h"
+#include "workload.h"
 
 namespace fusee::gap {
 
@@ -48,7 +49,7 @@ void require_allowed(const std::string& what, const EffectParameter& law, double
     const double slack = kRounding * law.allowed.width();
     if (!(value >= law.allowed.low - slack && value <= law.allowed.high + slack))
         throw core::InvalidInput(what, fmt::format("{:g}", value),
-                                 fmt::format("{:g} to {:g} {}", law.allowed.low, law.allowed.high, law.unit == "1" ? "" : law.unit));
+                                 fmt::format("{:g} to {:g}{}", law.allowed.low, law.allowed.high, law.unit == "1" ? "" : " " + law.unit));
 }
 
 /// One effect as it was found, with its further parameters.
@@ -125,6 +126,7 @@ void require_possible(const Case& nominal, const Diagnosis& found, const std::st
 }
 
 Rows predict(const Case& nominal, const Diagnosis& found, const Rows& inputs) {
+    require_feasible(inputs, nominal.protocol, kMostPredicted);
     BuiltRig rig = rig_of(nominal, found);
     const NominalCams cams(nominal.rig);
     require_buildable(rig, cams);

@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <new>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -9,6 +11,7 @@
 #include "fusee/core/error.h"
 #include "fusee/core/progress.h"
 #include "fusee/core/provenance.h"
+#include "fusee/exchange/mesh_isolated.h"
 
 namespace fusee::app {
 
@@ -46,6 +49,9 @@ int run(const Action& action) {
         return refuse(e);
     } catch (const std::system_error& e) {  // a full disk, a folder that is a file
         return refuse(e);
+    } catch (const std::bad_alloc&) {
+        fmt::print(stderr, "fusee: out of memory: this takes more than the machine or its limit (ulimit -v) gives\n");
+        return kBadInput;
     } catch (const core::Stopped&) {
         fmt::print(stderr, "stopped: nothing was written\n");
         return kInterrupted;
@@ -61,6 +67,7 @@ int run(const Action& action) {
 
 int main(int argc, char** argv) {
     using namespace fusee;
+    if (argc == 3 && std::string_view(argv[1]) == exchange::kReadMesh) return exchange::serve_mesh_file(argv[2]);  // for mesh_check.cpp
     CLI::App app("fusee turns the spring energies of a variable-stiffness joint into cams that a shop can print or machine", "fusee");
     app.set_version_flag("--version", core::version());
     app.require_subcommand(0, 1);  // none is refused below: CLI11 would pass over a wrong word

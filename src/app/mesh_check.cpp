@@ -6,7 +6,7 @@
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/core/provenance.h"
-#include "fusee/exchange/mesh_file.h"
+#include "fusee/exchange/mesh_isolated.h"
 #include "fusee/exchange/three_mf_coloured.h"
 #include "fusee/inspect/rule.h"
 
@@ -46,7 +46,7 @@ inspect::Body body_of(const solid::Mesh& mesh, const std::filesystem::path& file
 
 MeshCheck check_mesh(const std::filesystem::path& path, const std::vector<Machine>& machines, const std::vector<checks::Override>& limits,
                      const std::filesystem::path& out, unsigned jobs) {
-    const exchange::MeshFile file = exchange::read_mesh_file(path);
+    const exchange::MeshFile file = exchange::read_mesh_isolated(path, {"/proc/self/exe", exchange::kReadMesh});
     if (!out.empty()) core::make_folder(out);
     const inspect::Body body = body_of(file.mesh, path, jobs);
     const std::string name = path.stem().string();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <new>
 #include <optional>
 #include <set>
 #include <thread>
@@ -26,6 +27,8 @@ void guarded(Ended& row, const Guarded& work) {
         row.outcome = Outcome::kBadInput, row.error = e.what();
     } catch (const core::IoError& e) {
         row.outcome = Outcome::kBadInput, row.error = e.what();
+    } catch (const std::bad_alloc&) {
+        row.outcome = Outcome::kBadInput, row.error = "out of memory: this takes more than the machine or its limit (ulimit -v) gives";
     } catch (const std::exception& e) {
         row.outcome = Outcome::kFailed, row.error = e.what();
     }

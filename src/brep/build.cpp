@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "fusee/brep/brep.h"
+#include "fusee/brep/failure.h"
 #include "fusee/brep/measure.h"
 #include "fusee/brep/mirror.h"
 #include "fusee/cam/mirror.h"
@@ -103,6 +104,18 @@ core::Finding another_volume(const solid::Part& part, const Brep& exact) {
     return f;
 }
 
+/// Of several ways to divide the idle arcs the one whose volume comes nearest to the mesh's.
+Brep nearest_by_volume(const solid::Part& part, double expected) {
+    Brep best;
+    for (const int idle_parts : kIdleParts) {
+        Brep next = closed_by(side_of(part, idle_parts), part, expected);
+        if (idle_parts > kIdleParts[0] && next.faces > kMostFaces) break;
+        if (misfit(next, expected) < misfit(best, expected)) best = std::move(next);
+        if (misfit(best, expected) <= (idle_parts == kIdleParts[0] ? kGoodVolume : kVolume) || !part.cam.closed()) break;
+    }
+    return best;
+}
+
 }  // namespace
 
 core::Outcome<Brep> build(const solid::Part& part) {
@@ -112,11 +125,12 @@ core::Outcome<Brep> build(const solid::Part& part) {
     }
     const double expected = solid::volume_mm3(part.mesh);
     Brep best;
-    for (const int idle_parts : kIdleParts) {
-        Brep next = closed_by(side_of(part, idle_parts), part, expected);
-        if (idle_parts > kIdleParts[0] && next.faces > kMostFaces) break;
-        if (misfit(next, expected) < misfit(best, expected)) best = std::move(next);
-        if (misfit(best, expected) <= (idle_parts == kIdleParts[0] ? kGoodVolume : kVolume) || !part.cam.closed()) break;
+    try {
+        guard([&] { best = nearest_by_volume(part, expected); });
+    } catch (const Failure& failure) {
+        core::Finding f = no_solid(part);
+        f.what += fmt::format(" ({})", failure.what());
+        return f;
     }
     if (misfit(best, expected) <= kVolume) return best;
     return best.shape ? another_volume(part, best) : no_solid(part);

@@ -1,24 +1,42 @@
 #include "fusee/brep/mirror.h"
 
+#include <fmt/format.h>
+
 #include <BRepBuilderAPI_Transform.hxx>
 #include <TopoDS_Shape.hxx>
 #include <cmath>
 #include <gp_Ax2.hxx>
 #include <gp_Trsf.hxx>
 
+#include "fusee/brep/failure.h"
 #include "fusee/brep/measure.h"
 
 namespace fusee::brep {
 
-core::Outcome<Brep> mirrored(const Brep& solid) {
-    constexpr double kSameVolume = 1e-5;  // relative: each volume is integrated to 1e-6
+namespace {
+
+Brep reflected(const Brep& solid) {
     gp_Trsf reflection;
     reflection.SetMirror(gp_Ax2(gp_Pnt(0.0, 0.0, 0.0), gp_Dir(0.0, 1.0, 0.0)));
     const TopoDS_Shape shape = BRepBuilderAPI_Transform(*solid.shape, reflection, true).Shape();
-    Brep other{std::make_shared<TopoDS_Shape>(shape), count_faces(shape), volume_mm3(shape), solid.deviation_mm};
-    if (is_one_solid(shape) && std::abs(other.volume_mm3 / solid.volume_mm3 - 1.0) <= kSameVolume) return other;
-    core::Finding f = core::required_change("brep.validity", "OpenCASCADE makes no valid solid of the mirror image with the same volume",
-                                            other.volume_mm3, core::Bound::kAtLeast, solid.volume_mm3 * (1.0 - kSameVolume), "mm^3");
+    if (!is_one_solid(shape)) return {};
+    return {std::make_shared<TopoDS_Shape>(shape), count_faces(shape), volume_mm3(shape), solid.deviation_mm};
+}
+
+}  // namespace
+
+core::Outcome<Brep> mirrored(const Brep& solid) {
+    constexpr double kSameVolume = 1e-5;  // relative: each volume is integrated to 1e-6
+    Brep other;
+    std::string what = "OpenCASCADE makes no valid solid of the mirror image with the same volume";
+    try {
+        guard([&] { other = reflected(solid); });
+    } catch (const Failure& failure) {
+        what += fmt::format(" ({})", failure.what());
+    }
+    if (other.shape && std::abs(other.volume_mm3 / solid.volume_mm3 - 1.0) <= kSameVolume) return other;
+    core::Finding f = core::required_change("brep.validity", what, other.volume_mm3, core::Bound::kAtLeast,
+                                            solid.volume_mm3 * (1.0 - kSameVolume), "mm^3");
     f.suggestion = "outputs.pair = false, or leave STEP out of outputs.formats";
     f.source = "OpenCASCADE: one valid solid; docs/theory/cams.md";
     return f;

@@ -12,10 +12,33 @@
 #include <vector>
 
 #include "fusee/core/error.h"
+#include "fusee/core/file.h"
 
 namespace fusee::exchange {
 
 using Json = nlohmann::ordered_json;
+
+/// The JSON in a file. @throws IoError naming it: unreadable, larger than 1 GB, nested more than 100 deep, no JSON
+inline Json read_json(const std::filesystem::path& path) {
+    constexpr std::size_t kLargest = std::size_t{1} << 30;
+    constexpr std::size_t kDeepest = 100;
+    const std::string text = core::read_file(path, kLargest);
+    bool quoted = false;
+    for (std::size_t i = 0, depth = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (c == '"') quoted = !quoted;
+        if (quoted) {
+            i += c == '\\' ? 1 : 0;
+            continue;
+        }
+        if ((c == '[' || c == '{') && ++depth > kDeepest)
+            throw core::IoError(path.string(), fmt::format("byte {}: JSON nested more than {} deep", i, kDeepest));
+        if ((c == ']' || c == '}') && depth > 0) --depth;
+    }
+    Json json = Json::parse(text, nullptr, false);
+    if (json.is_discarded()) throw core::IoError(path.string(), "is not JSON");
+    return json;
+}
 
 /// A value in a JSON file that knows its own name, so that every error names file and key.
 class Node {

@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
+#include "fusee/core/markup.h"
 
 namespace fusee::exchange {
 
@@ -25,6 +28,45 @@ std::string uuid_from(std::string_view text) {
     hex[12] = '8';
     hex[16] = 'a';
     return fmt::format("{}-{}-{}-{}-{}", hex.substr(0, 8), hex.substr(8, 4), hex.substr(12, 4), hex.substr(16, 4), hex.substr(20, 12));
+}
+
+namespace {
+
+/// Bytes of the UTF-8 character at the beginning of `text`; 0 if there is none that XML can hold.
+std::size_t character(std::string_view text) {
+    const auto byte = [text](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
+    const unsigned first = byte(0);
+    if (first < 0x80) return first >= 0x20 || first == '\t' || first == '\n' || first == '\r' ? 1 : 0;
+    const std::size_t size = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
+    static constexpr unsigned kLeast[] = {0, 0, 0x80, 0x800, 0x10000};
+    unsigned code = first & (0x7FU >> size);
+    for (std::size_t i = 1; i < size; ++i) {
+        if ((byte(i) & 0xC0U) != 0x80) return 0;
+        code = (code << 6U) | (byte(i) & 0x3FU);
+    }
+    const bool allowed = code >= kLeast[size] && code <= 0x10FFFF && (code < 0xD800 || code > 0xDFFF) && code != 0xFFFE && code != 0xFFFF;
+    return first >= 0xC0 && first < 0xF8 && allowed ? size : 0;
+}
+
+}  // namespace
+
+std::string xml_text(std::string_view text) {
+    std::string out;
+    while (!text.empty()) {
+        const std::size_t size = character(text);
+        out += size == 0 ? std::string_view("\xEF\xBF\xBD") : text.substr(0, size);
+        text.remove_prefix(std::max<std::size_t>(size, 1));
+    }
+    return out;
+}
+
+void set_name(const Handle& object, const std::string& name, const std::filesystem::path& path) {
+    require(NMR::lib3mf_object_setnameutf8(object.get(), xml_text(name).c_str()), object, path, "naming the object");
+}
+
+void set_description(const Handle& model, const std::string& text, const std::filesystem::path& path) {
+    require(NMR::lib3mf_model_addmetadatautf8(model.get(), "Description", core::escape(xml_text(text)).c_str()), model, path,
+            "adding metadata");
 }
 
 std::string bytes_of(const Handle& model, const std::filesystem::path& path) {

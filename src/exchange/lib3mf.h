@@ -36,6 +36,14 @@ void require(LIB3MFRESULT result, const Handle& object, const std::filesystem::p
 /// An RFC 9562 version 8 UUID made from a hash: the same input names the same object.
 [[nodiscard]] std::string uuid_from(std::string_view text);
 
+/// Text that XML 1.0 can hold: what is no UTF-8 and what are control characters becomes U+FFFD.
+[[nodiscard]] std::string xml_text(std::string_view text);
+
+/// Sets the object's name. lib3mf escapes it.
+void set_name(const Handle& object, const std::string& name, const std::filesystem::path& path);
+/// Sets the model's metadata "Description", escaped: lib3mf writes metadata as they are.
+void set_description(const Handle& model, const std::string& text, const std::filesystem::path& path);
+
 /// The model as the bytes of a 3MF file. @throws IoError
 [[nodiscard]] std::string bytes_of(const Handle& model, const std::filesystem::path& path);
 

@@ -7,7 +7,6 @@
 
 #include "foreign.h"
 #include "fusee/core/error.h"
-#include "fusee/core/file.h"
 #include "fusee/exchange/stl.h"
 #include "stl_bytes.h"
 #include "weld.h"
@@ -36,8 +35,7 @@ constexpr const char* kNoUnit = "none, taken as millimetres";
 }  // namespace
 
 MeshFile read_foreign_stl(const std::filesystem::path& path) {
-    const std::string bytes = core::read_file(path);
-    if (bytes.empty()) throw core::IoError(path.string(), "is empty");
+    const std::string bytes = read_foreign_bytes(path);
     if (is_binary_stl(bytes)) return {read_stl_assimp(path), kNoUnit};
     // assimp takes what it finds before the end of a text file that was cut short.
     if (bytes.find("endsolid") == std::string::npos) throw core::IoError(path.string(), "is a text STL without its end (endsolid)");
@@ -46,8 +44,8 @@ MeshFile read_foreign_stl(const std::filesystem::path& path) {
 }
 
 MeshFile read_foreign_obj(const std::filesystem::path& path) {
-    const std::string bytes = core::read_file(path);
-    if (bytes.empty()) throw core::IoError(path.string(), "is empty");
+    const std::string bytes = read_foreign_bytes(path);
+    require_sound_obj(bytes, path);
     return {parsed(bytes, "obj", path), kNoUnit};
 }
 

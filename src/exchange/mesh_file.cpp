@@ -9,6 +9,7 @@
 
 #include "foreign.h"
 #include "fusee/core/error.h"
+#include "fusee/core/file.h"
 
 namespace fusee::exchange {
 
@@ -17,11 +18,13 @@ namespace {
 struct Format {
     const char* ending;
     MeshFile (*read)(const std::filesystem::path&);
+    const char* library;
 };
 constexpr double kFarthest_mm = 1e9;  // 3MF holds no coordinate beyond (lib3mf, NMR_MESH_MAXCOORDINATE)
 
-constexpr std::array kFormats = {Format{".stl", read_foreign_stl}, Format{".obj", read_foreign_obj}, Format{".3mf", read_foreign_3mf},
-                                 Format{".step", read_foreign_step}, Format{".stp", read_foreign_step}};
+constexpr std::array kFormats = {Format{".stl", read_foreign_stl, "assimp"}, Format{".obj", read_foreign_obj, "assimp"},
+                                 Format{".3mf", read_foreign_3mf, "lib3mf"}, Format{".step", read_foreign_step, "OpenCASCADE"},
+                                 Format{".stp", read_foreign_step, "OpenCASCADE"}};
 
 const Format* format_of(const std::filesystem::path& path) {
     std::string ending = path.extension().string();
@@ -34,11 +37,33 @@ const Format* format_of(const std::filesystem::path& path) {
 
 bool is_mesh_file(const std::filesystem::path& path) { return format_of(path) != nullptr; }
 
+std::string reader_of(const std::filesystem::path& path) { return format_of(path)->library; }
+
+void require_mesh_file(const std::filesystem::path& path) {
+    if (!is_mesh_file(path)) throw core::InvalidInput("mesh", path.string(), "a file that ends in .stl, .obj, .3mf, .step or .stp");
+    std::error_code error;
+    const auto status = std::filesystem::status(path, error);
+    if (!std::filesystem::exists(status)) throw core::IoError(path.string(), "cannot be opened for reading: it does not exist");
+    if (!std::filesystem::is_regular_file(status)) throw core::IoError(path.string(), "is not a regular file");
+    const std::uintmax_t size = std::filesystem::file_size(path, error);
+    if (!error && size > kMostMeshBytes)
+        throw core::IoError(path.string(), fmt::format("has {} bytes; at most {} are read", size, kMostMeshBytes));
+}
+
+std::string read_foreign_bytes(const std::filesystem::path& path) {
+    require_mesh_file(path);
+    std::string bytes = core::read_file(path, kMostMeshBytes);
+    if (bytes.empty()) throw core::IoError(path.string(), "is empty");
+    return bytes;
+}
+
 MeshFile read_mesh_file(const std::filesystem::path& path) {
-    const Format* format = format_of(path);
-    if (format == nullptr) throw core::InvalidInput("mesh", path.string(), "a file that ends in .stl, .obj, .3mf, .step or .stp");
-    MeshFile file = format->read(path);
+    require_mesh_file(path);
+    MeshFile file = format_of(path)->read(path);
     if (file.mesh.triangles.empty()) throw core::IoError(path.string(), "holds no triangles");
+    if (file.mesh.triangles.size() > kMostTriangles)
+        throw core::IoError(path.string(),
+                            fmt::format("holds {} triangles; at most {} are read", file.mesh.triangles.size(), kMostTriangles));
     for (std::size_t i = 0; i < file.mesh.points_mm.size(); ++i)
         for (const double x : file.mesh.points_mm[i]) {
             if (!std::isfinite(x)) throw core::IoError(path.string(), fmt::format("point {} has a coordinate that is not finite", i));

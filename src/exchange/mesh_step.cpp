@@ -1,7 +1,6 @@
 #include <BRepMesh_IncrementalMesh.hxx>
 #include <BRep_Tool.hxx>
 #include <Poly_Triangulation.hxx>
-#include <STEPControl_Reader.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopLoc_Location.hxx>
 #include <TopoDS.hxx>
@@ -10,8 +9,7 @@
 
 #include "foreign.h"
 #include "fusee/core/error.h"
-#include "fusee/core/file.h"
-#include "step_session.h"
+#include "step_shape.h"
 #include "weld.h"
 
 namespace fusee::exchange {
@@ -39,15 +37,11 @@ void append(Welder& welder, const TopoDS_Face& face, const std::filesystem::path
 }  // namespace
 
 MeshFile read_foreign_step(const std::filesystem::path& path) {
-    (void)core::read_file(path);  // says what a missing file is
-    const std::scoped_lock lock(step_session());
-    STEPControl_Reader reader;  // converts every unit to millimetres
-    if (reader.ReadFile(path.c_str()) != IFSelect_RetDone) throw core::IoError(path.string(), "is not a STEP file");
-    if (reader.TransferRoots() == 0) throw core::IoError(path.string(), "holds no shape");
-    const TopoDS_Shape shape = reader.OneShape();
-    const BRepMesh_IncrementalMesh tessellation(shape, kTessellation_mm, false, kTessellation_rad);
     Welder welder;
-    for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next()) append(welder, TopoDS::Face(face.Current()), path);
+    with_step_shape(path, read_foreign_bytes(path), [&](const TopoDS_Shape& shape, const STEPControl_Reader&) {
+        const BRepMesh_IncrementalMesh tessellation(shape, kTessellation_mm, false, kTessellation_rad);
+        for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next()) append(welder, TopoDS::Face(face.Current()), path);
+    });
     return {std::move(welder.mesh()), "millimetre (STEP)"};
 }
 

@@ -163,8 +163,7 @@ void write_part_file(const std::filesystem::path& path, const PartFile& part) {
 }
 
 PartFile read_part_file(const std::filesystem::path& path) {
-    const Json json = Json::parse(core::read_file(path), nullptr, false);
-    if (json.is_discarded()) throw core::IoError(path.string(), "is not JSON");
+    const Json json = read_json(path);
     const Node root(path, "", json);
     PartFile part;
     part.part = root.at("part").one_of({"k_se", "k_pe"});

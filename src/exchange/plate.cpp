@@ -40,8 +40,7 @@ void write_plate_file(const std::filesystem::path& path, const Plate& plate) {
 }
 
 Plate read_plate_file(const std::filesystem::path& path) {
-    const Json json = Json::parse(core::read_file(path), nullptr, false);
-    if (json.is_discarded()) throw core::IoError(path.string(), "is not JSON");
+    const Json json = read_json(path);
     const Node root(path, "", json);
     Plate plate;
     plate.provenance = root.at("provenance").text();

@@ -10,11 +10,14 @@
 #include <cmath>
 #include <mutex>
 
+#include "fusee/brep/failure.h"
 #include "fusee/brep/measure.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/exchange/step.h"
+#include "step_scan.h"
 #include "step_session.h"
+#include "step_shape.h"
 
 namespace fusee::exchange {
 
@@ -49,16 +52,29 @@ std::string product_of(const STEPControl_Reader& reader) {
 
 }  // namespace
 
-StepFile::StepFile(const std::filesystem::path& path) : shape_(std::make_unique<Shape>()) {
-    (void)core::read_file(path);  // says what a missing file is
+void with_step_shape(const std::filesystem::path& path, const std::string& bytes,
+                     const std::function<void(const TopoDS_Shape&, const STEPControl_Reader&)>& take) {
+    require_sound_step(bytes, path);
     const std::scoped_lock lock(step_session());
-    STEPControl_Reader reader;
-    if (reader.ReadFile(path.c_str()) != IFSelect_RetDone) throw core::IoError(path.string(), "is not a STEP file");
-    if (reader.TransferRoots() == 0) throw core::IoError(path.string(), "holds no shape");
-    shape_->solid = reader.OneShape();
-    if (!brep::is_one_solid(shape_->solid)) throw core::IoError(path.string(), "does not hold exactly one valid solid");
-    shape_->product = product_of(reader);
-    shape_->rays.Load(shape_->solid, kRay_mm);
+    try {
+        brep::guard([&] {
+            STEPControl_Reader reader;  // converts every unit to millimetres
+            if (reader.ReadFile(path.c_str()) != IFSelect_RetDone) throw core::IoError(path.string(), "is not a STEP file");
+            if (reader.TransferRoots() == 0) throw core::IoError(path.string(), "holds no shape");
+            take(reader.OneShape(), reader);
+        });
+    } catch (const brep::Failure& failure) {
+        throw core::IoError(path.string(), failure.what());
+    }
+}
+
+StepFile::StepFile(const std::filesystem::path& path) : shape_(std::make_unique<Shape>()) {
+    with_step_shape(path, core::read_file(path), [&](const TopoDS_Shape& shape, const STEPControl_Reader& reader) {
+        shape_->solid = shape;
+        if (!brep::is_one_solid(shape)) throw core::IoError(path.string(), "does not hold exactly one valid solid");
+        shape_->product = product_of(reader);
+        shape_->rays.Load(shape, kRay_mm);
+    });
 }
 
 StepFile::~StepFile() = default;
@@ -70,7 +86,9 @@ double StepFile::volume_mm3() const { return brep::volume_mm3(shape_->solid); }
 std::string StepFile::product() const { return shape_->product; }
 
 std::optional<double> StepFile::outermost(double azimuth, double z_mm) const {
-    shape_->rays.Perform(gp_Lin(gp_Pnt(0.0, 0.0, z_mm), gp_Dir(std::cos(azimuth), std::sin(azimuth), 0.0)), 0.0, kFarthest_mm);
+    brep::guard([&] {
+        shape_->rays.Perform(gp_Lin(gp_Pnt(0.0, 0.0, z_mm), gp_Dir(std::cos(azimuth), std::sin(azimuth), 0.0)), 0.0, kFarthest_mm);
+    });
     if (!shape_->rays.IsDone() || shape_->rays.NbPnt() == 0) return std::nullopt;
     double farthest = 0.0;
     for (int i = 1; i <= shape_->rays.NbPnt(); ++i) farthest = std::max(farthest, shape_->rays.WParameter(i));

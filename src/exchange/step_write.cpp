@@ -12,6 +12,7 @@
 #include <mutex>
 #include <sstream>
 
+#include "fusee/brep/failure.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/exchange/step.h"
@@ -46,10 +47,7 @@ void set_product(const Handle(StepData_StepModel) & model, const std::string& na
     }
 }
 
-}  // namespace
-
-void write_step(const std::filesystem::path& path, const brep::Brep& solid, const std::string& name, const std::string& provenance) {
-    const std::scoped_lock lock(step_session());
+std::string step_of(const std::filesystem::path& path, const brep::Brep& solid, const std::string& name, const std::string& provenance) {
     // The schema counts only between the controller and the writer that is made after it.
     Interface_Static::SetCVal("write.step.schema", "AP242DIS");
     STEPControl_Writer writer;
@@ -62,7 +60,20 @@ void write_step(const std::filesystem::path& path, const brep::Brep& solid, cons
     file.SendModel(Handle(StepData_Protocol)::DownCast(writer.WS()->Protocol()));
     std::ostringstream bytes;
     if (!file.Print(bytes)) throw core::IoError(path.string(), "OpenCASCADE does not print the STEP file");
-    core::write_file(path, bytes.str());
+    return bytes.str();
+}
+
+}  // namespace
+
+void write_step(const std::filesystem::path& path, const brep::Brep& solid, const std::string& name, const std::string& provenance) {
+    std::string bytes;
+    try {
+        const std::scoped_lock lock(step_session());
+        brep::guard([&] { bytes = step_of(path, solid, name, provenance); });
+    } catch (const brep::Failure& failure) {
+        throw core::IoError(path.string(), failure.what());
+    }
+    core::write_file(path, bytes);
 }
 
 }  // namespace fusee::exchange

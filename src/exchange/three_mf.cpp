@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <utility>
+
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "lib3mf.h"
@@ -35,7 +38,7 @@ void set_mesh(const Handle& object, const solid::Mesh& mesh) {
 void add(const Handle& model, const NamedMesh& named, const std::string& seed, const std::filesystem::path& path) {
     Handle object, item;
     require(NMR::lib3mf_model_addmeshobject(model.get(), object.out()), model, path, "adding the object");
-    require(NMR::lib3mf_object_setnameutf8(object.get(), named.name.c_str()), object, path, "naming the object");
+    set_name(object, named.name, path);
     set_mesh(object, named.mesh);
     require(NMR::lib3mf_model_addbuilditem(model.get(), object.get(), nullptr, item.out()), model, path, "adding the build item");
     require(NMR::lib3mf_object_setuuidutf8(object.get(), uuid_from("object" + seed).c_str()), object, path, "naming the object");
@@ -49,6 +52,25 @@ std::string name_of(const Handle& object, const std::filesystem::path& path) {
     require(NMR::lib3mf_object_getnameutf8(object.get(), name.data(), bytes + 1, &bytes), object, path, "reading a name");
     name.resize(bytes);
     return name;
+}
+
+/// @param model made, empty
+void read_model(const Handle& model, const std::filesystem::path& path) {
+    std::string bytes = core::read_file(path);
+    if (bytes.empty()) throw core::IoError(path.string(), "is empty");
+    Handle reader;
+    require(NMR::lib3mf_model_queryreader(model.get(), "3mf", reader.out()), model, path, "making the reader");
+    require(NMR::lib3mf_reader_readfrombuffer(reader.get(), reinterpret_cast<BYTE*>(bytes.data()), bytes.size()), reader, path, "reading");
+}
+
+/// lib3mf hands over what stands between two tags as it is.
+std::string unescaped(std::string text) {
+    constexpr std::array<std::pair<const char*, const char*>, 5> kEntities{
+        {{"&lt;", "<"}, {"&gt;", ">"}, {"&quot;", "\""}, {"&#39;", "'"}, {"&amp;", "&"}}};  // & is last: &amp;lt; is &lt;
+    for (const auto& [entity, character] : kEntities)
+        for (std::size_t at = text.find(entity); at != std::string::npos; at = text.find(entity, at + 1))
+            text.replace(at, std::char_traits<char>::length(entity), character);
+    return text;
 }
 
 /// The object of the build item on which the iterator stands.
@@ -71,7 +93,7 @@ void write_3mf(const std::filesystem::path& path, const std::vector<NamedMesh>& 
         Handle model;
         require(NMR::lib3mf_createmodel(model.out()), model, path, "creating the model");
         require(NMR::lib3mf_model_setunit(model.get(), NMR::MODELUNIT_MILLIMETER), model, path, "setting the unit");
-        require(NMR::lib3mf_model_addmetadatautf8(model.get(), "Description", provenance.c_str()), model, path, "adding metadata");
+        set_description(model, provenance, path);
         for (const NamedMesh& object : objects) {
             all += digest(object);
             add(model, object, all, path);
@@ -87,13 +109,10 @@ void write_3mf(const std::filesystem::path& path, const solid::Mesh& mesh, const
 }
 
 std::vector<NamedMesh> read_3mf_objects(const std::filesystem::path& path) {
-    std::string bytes = core::read_file(path);
-    if (bytes.empty()) throw core::IoError(path.string(), "is empty");
     const std::scoped_lock lock(library_mutex());
-    Handle model, reader, items;
+    Handle model, items;
     require(NMR::lib3mf_createmodel(model.out()), model, path, "creating the model");
-    require(NMR::lib3mf_model_queryreader(model.get(), "3mf", reader.out()), model, path, "making the reader");
-    require(NMR::lib3mf_reader_readfrombuffer(reader.get(), reinterpret_cast<BYTE*>(bytes.data()), bytes.size()), reader, path, "reading");
+    read_model(model, path);
     DWORD unit = 0;
     require(NMR::lib3mf_model_getunit(model.get(), &unit), model, path, "reading the unit");
     if (unit != NMR::MODELUNIT_MILLIMETER) throw core::IoError(path.string(), "is not in millimetres");
@@ -106,6 +125,27 @@ std::vector<NamedMesh> read_3mf_objects(const std::filesystem::path& path) {
     }
     if (objects.empty()) throw core::IoError(path.string(), "holds no build item");
     return objects;
+}
+
+std::string read_3mf_description(const std::filesystem::path& path) {
+    const std::scoped_lock lock(library_mutex());
+    Handle model;
+    require(NMR::lib3mf_createmodel(model.out()), model, path, "creating the model");
+    read_model(model, path);
+    DWORD count = 0;
+    require(NMR::lib3mf_model_getmetadatacount(model.get(), &count), model, path, "counting metadata");
+    const auto text = [&](auto get, DWORD i) {
+        ULONG bytes = 0;  // without the 0 at the end
+        require(get(model.get(), i, nullptr, 0, &bytes), model, path, "reading metadata");
+        std::string value(bytes + 1, '\0');
+        require(get(model.get(), i, value.data(), bytes + 1, &bytes), model, path, "reading metadata");
+        value.resize(bytes);
+        return value;
+    };
+    for (DWORD i = 0; i < count; ++i)
+        if (text(NMR::lib3mf_model_getmetadatakeyutf8, i) == "Description")
+            return unescaped(text(NMR::lib3mf_model_getmetadatavalueutf8, i));
+    return "";
 }
 
 solid::Mesh read_3mf(const std::filesystem::path& path) {

@@ -61,9 +61,9 @@ void write_coloured_3mf(const std::filesystem::path& path, const solid::Mesh& me
         Handle model, object;
         require(NMR::lib3mf_createmodel(model.out()), model, path, "creating the model");
         require(NMR::lib3mf_model_setunit(model.get(), NMR::MODELUNIT_MILLIMETER), model, path, "setting the unit");
-        require(NMR::lib3mf_model_addmetadatautf8(model.get(), "Description", provenance.c_str()), model, path, "adding metadata");
+        set_description(model, provenance, path);
         require(NMR::lib3mf_model_addmeshobject(model.get(), object.out()), model, path, "adding the object");
-        require(NMR::lib3mf_object_setnameutf8(object.get(), name.c_str()), object, path, "naming the object");
+        set_name(object, name, path);
         fill(model, object, mesh, colours, path);
         require(NMR::lib3mf_object_setuuidutf8(object.get(), uuid_from("object").c_str()), object, path, "naming the object");
         require(NMR::lib3mf_model_setbuilduuidutf8(model.get(), uuid_from("build").c_str()), model, path, "naming the build");

@@ -2,8 +2,8 @@
 
 #include "foreign.h"
 #include "fusee/core/error.h"
-#include "fusee/core/file.h"
 #include "lib3mf.h"
+#include "three_mf_instances.h"
 
 namespace fusee::exchange {
 
@@ -26,8 +26,7 @@ void append(solid::Mesh& to, const solid::Mesh& more, double scale) {
 }  // namespace
 
 MeshFile read_foreign_3mf(const std::filesystem::path& path) {
-    std::string bytes = core::read_file(path);
-    if (bytes.empty()) throw core::IoError(path.string(), "is empty");
+    std::string bytes = read_foreign_bytes(path);
     const std::scoped_lock lock(library_mutex());
     Handle model, reader, merged, objects;
     require(NMR::lib3mf_createmodel(model.out()), model, path, "creating the model");
@@ -36,6 +35,7 @@ MeshFile read_foreign_3mf(const std::filesystem::path& path) {
     DWORD unit = 0;
     require(NMR::lib3mf_model_getunit(model.get(), &unit), model, path, "reading the unit");
     if (unit >= kUnits.size()) throw core::IoError(path.string(), "is in a unit that is not known");
+    require_few_instances(model, path);
     require(NMR::lib3mf_model_mergetomodel(model.get(), merged.out()), model, path, "placing components");
     require(NMR::lib3mf_model_getmeshobjects(merged.get(), objects.out()), merged, path, "listing the meshes");
     MeshFile file{{}, kUnits[unit].name};

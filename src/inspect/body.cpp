@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "fusee/core/error.h"
 #include "fusee/core/units.h"
@@ -46,6 +47,13 @@ constexpr double kRounding =
     1e-10;                        // of the coordinates: what is hit nearer than that is the neighbour, past the edge that the ray starts on
 constexpr double kFeather = 0.6;  // of the way to where flat faces would meet; bent ones meet sooner
 
+/// A step with which i * step % count comes to every number below `count` once, spread from the beginning: near the golden section.
+std::size_t coprime_step(std::size_t count) {
+    auto step = static_cast<std::size_t>(0.6180339887 * static_cast<double>(count)) + 1;
+    while (std::gcd(step, count) != 1) ++step;
+    return step;
+}
+
 double farthest(const solid::Box& box) {
     double most = 0.0;
     for (const Vec3& corner : {box.low_mm, box.high_mm})
@@ -55,14 +63,45 @@ double farthest(const solid::Box& box) {
 
 }  // namespace
 
-Body::Body(solid::Mesh mesh, std::size_t samples, unsigned jobs)
+Body::Body(solid::Mesh mesh, std::size_t samples, unsigned jobs, std::size_t most_looks)
     : mesh_(sound(std::move(mesh))), jobs_(jobs), box_(solid::bounding_box(mesh_)), topology_(topology_of(mesh_)), rays_(mesh_) {
     if (rays_.empty())
         throw core::InvalidInput("mesh.triangles", fmt::format("{} without area", mesh_.triangles.size()), "at least one with an area");
     measure_facets();
-    place_components();
+    place_components(most_looks);
     samples_ = spread(*this, samples);
-    each(samples_.size(), jobs_, [this](std::size_t i) { measure_sample(samples_[i]); });
+    measure_samples(most_looks);
+}
+
+/// In batches, each of at most the samples that what is left pays for, by what samples have cost so far: nothing of it depends on threads.
+void Body::measure_samples(std::size_t most_looks) {
+    const std::size_t count = samples_.size(), step = coprime_step(count);
+    std::vector<bool> measured(count, false);
+    std::size_t looks = 0, done = 0;
+    for (std::size_t batch = 1; done < count && looks < most_looks;) {
+        const std::size_t now = std::min(batch, count - done);
+        std::vector<std::size_t> cost(now);
+        each(now, jobs_, [&](std::size_t i) {
+            const std::size_t before = Rays::looked_at();
+            measure_sample(samples_[(done + i) * step % count]);
+            cost[i] = Rays::looked_at() - before;
+        });
+        for (std::size_t i = 0; i < now; ++i) measured[(done + i) * step % count] = true;
+        looks = std::accumulate(cost.begin(), cost.end(), looks);
+        done += now;
+        const std::size_t paid_for = (most_looks - std::min(looks, most_looks)) / (looks / done + 1);
+        batch = std::clamp<std::size_t>(paid_for, 1, 2 * batch);
+    }
+    if (done < count) keep_measured(measured);
+}
+
+void Body::keep_measured(const std::vector<bool>& measured) {
+    std::vector<Sample> kept;
+    for (std::size_t i = 0; i < samples_.size(); ++i)
+        if (measured[i]) kept.push_back(samples_[i]);
+    samples_left_out_ = samples_.size() - kept.size();
+    for (Sample& s : kept) s.share_mm2 *= static_cast<double>(samples_.size()) / static_cast<double>(kept.size());
+    samples_ = std::move(kept);
 }
 
 void Body::measure_sample(Sample& s) const {
@@ -95,11 +134,16 @@ void Body::measure_facets() {
     }
 }
 
-void Body::place_components() {
+void Body::place_components(std::size_t most_looks) {
     const std::vector<Component>& all = topology_.components;
+    const std::size_t before = Rays::looked_at();
     cavity_.assign(all.size(), false), turned_.assign(all.size(), false);
     for (std::size_t c = 0; c < all.size(); ++c) {
         if (!all[c].closed || !(all[c].volume_mm3 < 0.0)) continue;
+        if (Rays::looked_at() - before > most_looks) {
+            ++components_left_out_;
+            continue;
+        }
         cavity_[c] = held_by(*this, all[c].largest) > 0;
         turned_[c] = !cavity_[c];
     }
@@ -118,9 +162,10 @@ std::optional<Ball> ball_at(const Body& body, std::uint32_t triangle, const Vec3
     double radius = above, apart = 1.0;  // cosine between the two contacts, seen from the ball's middle
     std::uint32_t contact = kNone;
     for (int i = 0; i < kShrinkings; ++i) {
-        const auto [nearest, there] = body.rays().nearest(at + radius * side);
+        const auto inside = body.rays().nearest(at + radius * side, radius * (1.0 - kTouches));
+        if (!inside) break;
+        const auto& [nearest, there] = *inside;
         const Vec3 chord = nearest - at;
-        if (length(nearest - (at + radius * side)) >= radius * (1.0 - kTouches)) break;
         const double ahead = dot(chord, side);
         if (!(ahead > 0.0)) return std::nullopt;  // by rounding the place itself, or its neighbour, is nearest
         radius = dot(chord, chord) / (2.0 * ahead);

@@ -11,13 +11,20 @@ namespace {
 
 std::optional<Marked> measure(const Foreign& part, const Allowed& allowed) {
     const Body& body = part.body;
-    const auto pairs = solid::crossings(body.mesh(), flat_triangles(body.mesh()));
-    if (!pairs)
-        return Marked{core::not_judged("mesh.self_intersection", "a surface that passes through itself",
+    const solid::Crossings found = solid::crossings(body.mesh(), flat_triangles(body.mesh()));
+    if (!found.manifold)
+        return Marked{core::not_judged("mesh.self_intersection",
+                                       "the surface is not manifold, so that it cannot be said whether it crosses itself",
                                        "a manifold surface: see mesh.manifold and mesh.orientation")};
+    if (!found.complete)
+        return Marked{
+            core::not_judged("mesh.self_intersection",
+                             fmt::format("more than {} pairs of triangles lie so near each other that they may cross; none was looked at",
+                                         solid::kMostNearPairs),
+                             "a mesh whose triangles do not overlap")};
     std::set<std::uint32_t> triangles;
-    for (const auto& [a, b] : *pairs) triangles.insert({a, b});
-    core::Finding f = judge(static_cast<double>(pairs->size()), {allowed("required")});
+    for (const auto& [a, b] : found.pairs) triangles.insert({a, b});
+    core::Finding f = judge(static_cast<double>(found.pairs.size()), {allowed("required")});
     f.what = "pairs of triangles that pass through each other";
     if (!triangles.empty()) set_place(f, middle_of(body, *triangles.begin()));
     f.suggestion = fmt::format("a union of the bodies that overlap in {} triangles", triangles.size());

@@ -9,11 +9,28 @@
 namespace fusee::inspect {
 
 std::span<const Rule> rules() {
-    static const std::array all = {
-        mesh_closed(), mesh_manifold(), mesh_orientation(),  mesh_flat_triangles(), mesh_self_intersection(), mesh_bodies(),
-        mesh_cavity(), mesh_unit(),     mesh_build_volume(), mesh_wall(),           mesh_feather_edge(),      mesh_pin(),
-        mesh_rib(),    mesh_gap(),      mesh_overhang(),     mesh_hole(),           mesh_hole_depth(),        mesh_inner_edge(),
-        mesh_pocket(), mesh_undercut(), mesh_plates()};
+    static const std::array all = {mesh_closed(),
+                                   mesh_manifold(),
+                                   mesh_orientation(),
+                                   mesh_flat_triangles(),
+                                   mesh_self_intersection(),
+                                   mesh_samples(),
+                                   mesh_bodies(),
+                                   mesh_cavity(),
+                                   mesh_unit(),
+                                   mesh_build_volume(),
+                                   mesh_wall(),
+                                   mesh_feather_edge(),
+                                   mesh_pin(),
+                                   mesh_rib(),
+                                   mesh_gap(),
+                                   mesh_overhang(),
+                                   mesh_hole(),
+                                   mesh_hole_depth(),
+                                   mesh_inner_edge(),
+                                   mesh_pocket(),
+                                   mesh_undercut(),
+                                   mesh_plates()};
     return all;
 }
 

@@ -15,6 +15,7 @@ Rule mesh_manifold();
 Rule mesh_orientation();
 Rule mesh_flat_triangles();
 Rule mesh_self_intersection();
+Rule mesh_samples();
 Rule mesh_bodies();
 Rule mesh_cavity();
 Rule mesh_unit();

@@ -4,6 +4,7 @@
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
 
 #include <exception>
+#include <new>
 
 #include "fusee/solid/slivers.h"
 #include "surface_mesh.h"
@@ -67,6 +68,8 @@ std::optional<Mesh> cut(const Mesh& body, const std::vector<Mesh>& tools) try {
     solid.collect_garbage();
     round_exact_points(solid, solid_map);
     return without_slivers(from_surface_mesh(solid));
+} catch (const std::bad_alloc&) {
+    throw;  // says nothing of the solid
 } catch (const std::exception&) {
     return std::nullopt;  // CGAL throws on an input that intersects itself; `validate` says so to the caller
 }

@@ -145,7 +145,7 @@ std::vector<Case> cases() {
 std::set<std::string> objecting(const core::Findings& findings) {
     std::set<std::string> rules;
     for (const core::Finding& f : findings)
-        if (f.severity != core::Severity::kPass) rules.insert(f.rule);
+        if (core::is_broken(f)) rules.insert(f.rule);  // a surface that is not manifold leaves others without a judgement
     return rules;
 }
 
@@ -177,6 +177,7 @@ INSTANTIATE_TEST_SUITE_P(Mesh, KnownBad, testing::ValuesIn(cases()));
 TEST(KnownBadMeshes, EveryRuleHasOne) {
     std::set<std::string> known;
     for (const Case& c : cases()) known.insert(c.rule);
+    known.insert("mesh.samples");  // never broken, but not judged: measure_test.cpp
     for (const Rule& rule : rules()) EXPECT_TRUE(known.count(rule.id)) << rule.id;
     EXPECT_EQ(known.size(), rules().size());
 }

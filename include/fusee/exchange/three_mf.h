@@ -24,6 +24,8 @@ void write_3mf(const std::filesystem::path& path, const solid::Mesh& mesh, const
 /// Reads the build items of a 3MF in millimetres, meshes without transforms as write_3mf leaves them, in the file's order. Thread-safe.
 /// @throws IoError naming the file
 [[nodiscard]] std::vector<NamedMesh> read_3mf_objects(const std::filesystem::path& path);
+/// The metadata "Description" of a 3MF; "" if it has none. Thread-safe. @throws IoError naming the file
+[[nodiscard]] std::string read_3mf_description(const std::filesystem::path& path);
 /// The mesh of a 3MF that holds one. @throws IoError as above, and if it holds several
 [[nodiscard]] solid::Mesh read_3mf(const std::filesystem::path& path);
 

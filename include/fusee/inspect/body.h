@@ -24,14 +24,19 @@ struct Sample {
     double gap_mm = std::numeric_limits<double>::quiet_NaN();
 };
 
+/// What measuring a mesh may cost, in triangles looked at: for samples, and again for the place of its components. A million triangles as
+/// bad as a torus take a tenth of it; triangles that lie over one another in great number take all of it.
+inline constexpr std::size_t kMostLooks = 2'000'000'000;
+
 /// A mesh made ready to be measured. Built once, then constant; every measure of it is a pure function.
 class Body {
 public:
     /// Components that face inward without being a cavity are turned (`turned`), so that the rest can be measured.
     /// @param samples places at which walls and gaps are measured; half of them are spread by area, half by triangle
     /// @param jobs threads, 0 = one for each processor; the result does not depend on them
+    /// @param most_looks where measuring ends: places are taken in an order that spreads them, those left are left out
     /// @throws core::InvalidInput naming mesh.triangles, if a triangle names a missing point or none has an area
-    explicit Body(solid::Mesh mesh, std::size_t samples = 20000, unsigned jobs = 0);
+    explicit Body(solid::Mesh mesh, std::size_t samples = 20000, unsigned jobs = 0, std::size_t most_looks = kMostLooks);
 
     [[nodiscard]] const solid::Mesh& mesh() const { return mesh_; }
     [[nodiscard]] const solid::Box& box() const { return box_; }
@@ -40,14 +45,18 @@ public:
     [[nodiscard]] const std::vector<solid::Vec3>& normals() const { return normals_; }  ///< by triangle, unit; zero without area
     [[nodiscard]] const std::vector<double>& areas_mm2() const { return areas_; }
     [[nodiscard]] const std::vector<Sample>& samples() const { return samples_; }
-    [[nodiscard]] const std::vector<bool>& cavity() const { return cavity_; }  ///< by component: it bounds a hollow inside
-    [[nodiscard]] const std::vector<bool>& turned() const { return turned_; }  ///< by component: it faced inward
+    [[nodiscard]] const std::vector<bool>& cavity() const { return cavity_; }               ///< by component: it bounds a hollow inside
+    [[nodiscard]] const std::vector<bool>& turned() const { return turned_; }               ///< by component: it faced inward
+    [[nodiscard]] std::size_t samples_left_out() const { return samples_left_out_; }        ///< not measured: it would have cost too much
+    [[nodiscard]] std::size_t components_left_out() const { return components_left_out_; }  ///< not looked at: cavity or turned
     [[nodiscard]] unsigned jobs() const { return jobs_; }
 
 private:
     void measure_facets();
+    void measure_samples(std::size_t most_looks);
     void measure_sample(Sample& sample) const;
-    void place_components();
+    void keep_measured(const std::vector<bool>& measured);
+    void place_components(std::size_t most_looks);
 
     solid::Mesh mesh_;
     unsigned jobs_;
@@ -58,6 +67,7 @@ private:
     std::vector<double> areas_;
     std::vector<bool> cavity_, turned_;
     std::vector<Sample> samples_;
+    std::size_t samples_left_out_ = 0, components_left_out_ = 0;
 };
 
 /// Balls on the side to which `side` (unit) points that touch the surface at `at`. The ray along `side` bounds them from above; points

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -26,8 +27,10 @@ public:
     [[nodiscard]] std::optional<Hit> first(const solid::Vec3& from, const solid::Vec3& direction, std::uint32_t skip) const;
     /// Every triangle on the way, ascending.
     [[nodiscard]] std::vector<std::uint32_t> all(const solid::Vec3& from, const solid::Vec3& direction) const;
-    /// The surface's point nearest to `at`, and a triangle that holds it. @pre some triangle has an area
-    [[nodiscard]] std::pair<solid::Vec3, std::uint32_t> nearest(const solid::Vec3& at) const;
+    /// The surface's point nearest to `at`, and a triangle that holds it; nothing if it is `within_mm` away or farther.
+    [[nodiscard]] std::optional<std::pair<solid::Vec3, std::uint32_t>> nearest(const solid::Vec3& at, double within_mm) const;
+    /// Triangles that this thread has looked at, of any mesh: what a query costs, the same on every machine.
+    [[nodiscard]] static std::size_t looked_at();
     /// No triangle has an area.
     [[nodiscard]] bool empty() const;
 

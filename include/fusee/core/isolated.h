@@ -1,0 +1,42 @@
+#pragma once
+#include <chrono>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace fusee::core {
+
+/// What a child process may take.
+struct ChildLimits {
+    std::chrono::seconds time{60};                     ///< of the processor
+    std::chrono::seconds clock{600};                   ///< by the clock: the machine may have other work
+    std::size_t memory_bytes = std::size_t{4} << 30;   ///< address space; not limited in builds with a sanitizer
+    std::size_t output_bytes = std::size_t{64} << 20;  ///< standard output
+};
+
+/// How a child process ended.
+struct ChildResult {
+    enum class End {
+        kExited,         ///< `code` is its exit code
+        kSignalled,      ///< `code` is the signal
+        kOutOfTime,      ///< of the processor or by the clock
+        kTooMuchOutput,  ///< more than `output_bytes`
+    };
+    End end = End::kExited;
+    int code = 0;
+    std::string output;  ///< its standard output, complete if it exited
+};
+
+/// Applies `limits` to the process that calls it, which is a child started by `run_child`: address space, processor time, no core file,
+/// and it is killed when the thread that started it ends. For the first line of the child's work.
+void limit_this_process(const ChildLimits& limits);
+
+/// Runs a program, without a shell, whose work may crash, loop or take all memory: only the child ends then, and the result says how.
+/// Its input is empty, its standard error is discarded (kept in builds with a sanitizer, which report there). Thread-safe: nothing is
+/// forked from this process's memory (posix_spawn). The limits of memory and processor time are for the child to apply.
+/// @param words the program's path and its arguments
+/// @param about the file that an error names
+/// @throws IoError if it cannot be started; Stopped if `interrupted()` while it runs
+[[nodiscard]] ChildResult run_child(const std::vector<std::string>& words, const std::string& about, const ChildLimits& limits);
+
+}  // namespace fusee::core

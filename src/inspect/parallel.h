@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
-#include <thread>
-#include <vector>
+
+#include "fusee/core/workers.h"
 
 namespace fusee::inspect {
 
@@ -17,10 +17,7 @@ void each(std::size_t count, unsigned jobs, const Work& work) {
         for (std::size_t i = next.fetch_add(kAtOnce); i < count; i = next.fetch_add(kAtOnce))
             for (std::size_t k = i; k < std::min(i + kAtOnce, count); ++k) work(k);
     };
-    const unsigned threads = jobs > 0 ? jobs : std::max(1u, std::thread::hardware_concurrency());
-    std::vector<std::jthread> others;
-    for (unsigned i = 1; i < threads && i * kAtOnce < count; ++i) others.emplace_back(worker);
-    worker();  // this thread is one of them
+    core::run_workers(core::worker_count(jobs, (count + kAtOnce - 1) / kAtOnce), worker);
 }
 
 }  // namespace fusee::inspect

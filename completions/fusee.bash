@@ -43,65 +43,65 @@ _fusee() {
         diagnose:--profile | diagnose:--write-profile | calibrate:--profile | calibrate:--write-profile) _fusee_files "$word" toml; return ;;
         make:*)
             case $word in
-                -*) choices='--out --via --jobs --help' ;;
+                -*) choices='--out --via --jobs --force --help' ;;
                 *) _fusee_files "$word" toml; return ;;
             esac ;;
         fix:*)
             case $word in
-                -*) choices='--out --most --reviews --json --help' ;;
+                -*) choices='--out --most --reviews --json --force --help' ;;
                 *) _fusee_files "$word" toml; return ;;
             esac ;;
         simulate:*)
             case $word in
-                -*) choices='--out --levels --push-torque --at --jobs --help' ;;
+                -*) choices='--out --levels --push-torque --at --jobs --force --help' ;;
                 *) _fusee_files "$word" toml; return ;;
             esac ;;
         design:*)
             case $word in
-                -*) choices='--method --out --population --generations --seed --jobs --resume --help' ;;
+                -*) choices='--method --out --population --generations --seed --jobs --resume --force --help' ;;
                 *) _fusee_files "$word" toml; return ;;
             esac ;;
         identify:*)
             case $word in
-                -*) choices='--out --help' ;;
+                -*) choices='--out --force --help' ;;
                 *) _fusee_files "$word" csv; return ;;
             esac ;;
         coupons:*)
             case $word in
-                -*) choices='--out --help' ;;
+                -*) choices='--out --force --help' ;;
                 *) _fusee_files "$word" toml; return ;;
             esac ;;
         calibrate:*)
             case $word in
-                -*) choices='--profile --write-profile --json --help' ;;
+                -*) choices='--profile --write-profile --json --force --help' ;;
                 *) _fusee_files "$word" csv; return ;;
             esac ;;
         diagnose:*)
             case $word in
-                -*) choices='--out --profile --write-profile --jobs --help' ;;
+                -*) choices='--out --profile --write-profile --jobs --force --help' ;;
                 *) _fusee_folders "$word"; return ;;
             esac ;;
         predict:*)
             case $word in
-                -*) choices='--effects --inputs --out --help' ;;
+                -*) choices='--effects --inputs --out --force --help' ;;
                 *) _fusee_folders "$word"; return ;;
             esac ;;
         case-template:*)
             case $word in
-                -*) choices='--out --help' ;;
+                -*) choices='--out --force --help' ;;
                 *) _fusee_files "$word" toml; return ;;
             esac ;;
         blind:*)
             case $step:$word in
-                make:*) choices='--seed --cases --plant --jobs --out --help' ;;
-                score:-*) choices='--seal --model --limit --again --jobs --out --help' ;;
+                make:*) choices='--seed --cases --plant --jobs --out --force --help' ;;
+                score:-*) choices='--seal --model --limit --again --jobs --out --force --help' ;;
                 score:*) _fusee_folders "$word"; return ;;
                 *) choices='make score --help' ;;
             esac ;;
-        paper:*) choices='--out --profiles --jobs --help' ;;
+        paper:*) choices='--out --profiles --jobs --force --help' ;;
         check:*)
             case $word in
-                -*) choices='--process --profile --limits --out --json --jobs --help' ;;
+                -*) choices='--process --profile --limits --out --json --jobs --force --help' ;;
                 *) _fusee_files "$word" toml stl obj 3mf step stp; return ;;
             esac ;;
         rules:*) choices='--json --help' ;;

@@ -36,6 +36,7 @@ _fusee() {
                         '(-o --out)'{-o,--out}'[folder for the results]:folder:_files -/' \
                         '--via[kernel that makes the solids]:kernel:(cgal openscad)' \
                         '(-j --jobs)'{-j,--jobs}'[designs made at once]:number:' \
+                        '--force[replace files of another source, and changed ones]' \
                         '(- *)--help[say how to use make]' \
                         '*:profile:_files -g "*.toml"' ;;
                 fix)
@@ -44,6 +45,7 @@ _fusee() {
                         '--reviews[take away what is to be reviewed, too]' \
                         '--most[profiles judged before the search gives up]:number:' \
                         '--json[as JSON]' \
+                        '--force[replace the file if it stands there]' \
                         '(- *)--help[say how to use fix]' \
                         '1:profile:_files -g "*.toml"' ;;
                 simulate)
@@ -53,6 +55,7 @@ _fusee() {
                         '--push-torque[joint torque of the push-and-release test]:torque:' \
                         '*--at[torques T1,T2,TQ of an equilibrium]:torques:' \
                         '(-j --jobs)'{-j,--jobs}'[profiles simulated at once]:number:' \
+                        '--force[replace files of another source, and changed ones]' \
                         '(- *)--help[say how to use simulate]' \
                         '*:profile:_files -g "*.toml"' ;;
                 design)
@@ -64,16 +67,19 @@ _fusee() {
                         '--seed[seed of the search]:number:' \
                         '(-j --jobs)'{-j,--jobs}'[threads]:number:' \
                         '--resume[go on from the checkpoint]' \
+                        '--force[replace files of another source, and changed ones]' \
                         '(- *)--help[say how to use design]' \
                         '1:profile:_files -g "*.toml"' ;;
                 identify)
                     _arguments \
                         '(-o --out)'{-o,--out}'[folder for the results]:folder:_files -/' \
+                        '--force[replace files of another source, and changed ones]' \
                         '(- *)--help[say how to use identify]' \
                         '1:rows:_files -g "*.csv"' ;;
                 coupons)
                     _arguments \
                         '(-o --out)'{-o,--out}'[folder for the results]:folder:_files -/' \
+                        '--force[replace files of another source, and changed ones]' \
                         '(- *)--help[say how to use coupons]' \
                         '1:profile:_files -g "*.toml"' ;;
                 calibrate)
@@ -81,6 +87,7 @@ _fusee() {
                         '--profile[profile of the coupons]:profile:_files -g "*.toml"' \
                         '--write-profile[calibrated profile to write]:profile:_files -g "*.toml"' \
                         '--json[as JSON]' \
+                        '--force[replace the file if it stands there]' \
                         '(- *)--help[say how to use calibrate]' \
                         '1:sheet:_files -g "*.csv"' ;;
                 diagnose)
@@ -89,6 +96,7 @@ _fusee() {
                         '--profile[profile of the rig]:profile:_files -g "*.toml"' \
                         '--write-profile[corrected profile to write]:profile:_files -g "*.toml"' \
                         '(-j --jobs)'{-j,--jobs}'[threads]:number:' \
+                        '--force[replace files of another source, and changed ones]' \
                         '(- *)--help[say how to use diagnose]' \
                         '1:case:_files -/' ;;
                 predict)
@@ -96,11 +104,13 @@ _fusee() {
                         '--effects[diagnosis to predict with]:diagnosis:_files -g "*.json"' \
                         '--inputs[folder of other inputs]:folder:_files -/' \
                         '(-o --out)'{-o,--out}'[folder for the results]:folder:_files -/' \
+                        '--force[replace files of another source, and changed ones]' \
                         '(- *)--help[say how to use predict]' \
                         '1:case:_files -/' ;;
                 case-template)
                     _arguments \
                         '(-o --out)'{-o,--out}'[folder of the case]:folder:_files -/' \
+                        '--force[replace files of another source, and changed ones]' \
                         '(- *)--help[say how to use case-template]' \
                         '1:profile:_files -g "*.toml"' ;;
                 blind)
@@ -113,6 +123,7 @@ _fusee() {
                                 '--plant[who makes the measurements]:maker:(plant model)' \
                                 '(-o --out)'{-o,--out}'[folder of the benchmark]:folder:_files -/' \
                                 '(-j --jobs)'{-j,--jobs}'[threads]:number:' \
+                                '--force[replace files of another source, and changed ones]' \
                                 '(- *)--help[say how to use blind make]' ;;
                         score)
                             _arguments \
@@ -123,6 +134,7 @@ _fusee() {
                                 '--again[make diagnoses anew]' \
                                 '(-o --out)'{-o,--out}'[folder for the results]:folder:_files -/' \
                                 '(-j --jobs)'{-j,--jobs}'[cases side by side]:number:' \
+                                '--force[replace files of another source, and changed ones]' \
                                 '(- *)--help[say how to use blind score]' \
                                 '2:benchmark:_files -/' ;;
                         *) _arguments '(- *)--help[say how to use blind]' '1:step:(make score)' ;;
@@ -132,6 +144,7 @@ _fusee() {
                         '(-o --out)'{-o,--out}'[folder for the results]:folder:_files -/' \
                         '--profiles[folder of the shipped profiles]:folder:_files -/' \
                         '(-j --jobs)'{-j,--jobs}'[threads]:number:' \
+                        '--force[replace files of another source, and changed ones]' \
                         '(- *)--help[say how to use paper]' ;;
                 check)
                     _arguments \
@@ -141,6 +154,7 @@ _fusee() {
                         '(-o --out)'{-o,--out}'[folder for the coloured mesh]:folder:_files -/' \
                         '--json[as JSON]' \
                         '(-j --jobs)'{-j,--jobs}'[threads]:number:' \
+                        '--force[replace files of another source, and changed ones]' \
                         '(- *)--help[say how to use check]' \
                         '1:profile or mesh:_files -g "*.(toml|stl|obj|3mf|step|stp)"' ;;
                 rules) _arguments '--json[as JSON]' '(- *)--help[say how to use rules]' ;;

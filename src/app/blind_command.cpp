@@ -3,11 +3,12 @@
 #include <memory>
 #include <optional>
 
+#include "arguments.h"
 #include "commands.h"
 #include "fusee/blind/score.h"
-#include "fusee/core/destination.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
+#include "fusee/core/output_folder.h"
 #include "fusee/core/progress.h"
 #include "fusee/report/score.h"
 
@@ -27,6 +28,7 @@ struct ScoreArguments {
 /// The seal first, before any case is there.
 int make(blind::BenchmarkOptions options) {
     core::catch_interrupts();
+    require_thread();
     core::Progress progress("blind make", options.cases);
     options.progress = [&](std::size_t done, std::size_t, const std::string& what) {
         if (core::interrupted()) throw core::Stopped();
@@ -37,7 +39,7 @@ int make(blind::BenchmarkOptions options) {
     try {
         blind::make_benchmark(options);
     } catch (const core::Stopped&) {
-        fmt::print(stderr, "stopped: {} is incomplete\n", options.out.string());
+        fmt::print(stderr, "stopped: nothing was written\n");
         return kInterrupted;
     }
     fmt::print("written: {}\n", (options.out / "").string());
@@ -55,6 +57,10 @@ blind::Score watched(blind::ScoreOptions options, const std::string& title) {
 }
 
 int write_score(const ScoreArguments& arguments) {
+    core::OutputFolder output(arguments.out, {.command = "blind score",
+                                              .source = arguments.options.folder,
+                                              .force = arguments.options.force,
+                                              .files = {"score.json", "score.html"}});
     const blind::Score score = watched(arguments.options, "blind score");
     std::optional<blind::Score> model;
     if (!arguments.model.empty()) {
@@ -63,15 +69,16 @@ int write_score(const ScoreArguments& arguments) {
         other.hash.clear();
         model = watched(other, "model = plant");
     }
-    core::make_folder(arguments.out);
-    core::write_file(arguments.out / "score.json", blind::score_json(score, model));
-    core::write_file(arguments.out / "score.html", report::score_html(score, model));
+    core::write_file(output.path() / "score.json", blind::score_json(score, model));
+    core::write_file(output.path() / "score.html", report::score_html(score, model));
+    output.commit();
     fmt::print("{}written: {}/score.html, score.json\n", report::score_text(score, model), arguments.out.string());
     return 0;
 }
 
 int score(const ScoreArguments& arguments) {
     core::catch_interrupts();
+    require_thread();
     try {
         return write_score(arguments);
     } catch (const core::Stopped&) {
@@ -87,15 +94,15 @@ void add_blind_make(CLI::App& blind, Action& action) {
         blind.add_subcommand("make", "Write cases of rigs that the model does not know, and a sealed file of what is wrong with them");
     command->add_option("--seed", options->seed, "The same seed gives the same benchmark")->required();
     command->add_option("--cases", options->cases, "How many cases")->required();
-    command->add_option("-o,--out", options->out, "Folder that gets them; one that does not exist yet, or is empty")->required();
+    command->add_option("-o,--out", options->out, "Folder that gets them")->required();
+    add_force(*command, options->force);
     command->add_option("--plant", options->maker, "Who makes the measurements: plant, or as a control the model itself")
         ->transform(
             CLI::CheckedTransformer(std::map<std::string, blind::Maker>{{"plant", blind::Maker::kPlant}, {"model", blind::Maker::kModel}}));
-    command->add_option("-j,--jobs", options->jobs, "Threads; 0 = one for each processor; no influence on the result")
-        ->capture_default_str();
+    add_jobs(*command, options->jobs, "Threads; 0 = one for each processor; no influence on the result");
     command->footer(
         "Example:\n  fusee blind make --seed 1 --cases 500 --out blind\n\n"
-        "Exit code: 0 made, 2 bad input, 3 a failure inside, 130 stopped by Ctrl-C: the benchmark is incomplete.");
+        "Exit code: 0 made, 2 bad input, 3 a failure inside, 130 stopped by Ctrl-C: nothing is written.");
     command->callback([options, &action] { action = [options] { return make(*options); }; });
 }
 
@@ -110,9 +117,9 @@ void add_blind_score(CLI::App& blind, Action& action) {
     command->add_option("--model", arguments->model, "A benchmark made with --plant model: its score is shown beside");
     command->add_option("--limit", options.limit, "The first cases only; 0 = all")->capture_default_str();
     command->add_flag("--again", options.again, "Make diagnoses anew that are there already");
-    command->add_option("-j,--jobs", options.jobs, "Cases side by side; 0 = one for each processor; no influence on the score")
-        ->capture_default_str();
-    command->add_option("-o,--out", arguments->out, "Folder that gets score.json and score.html; what else lies there stays")->required();
+    add_jobs(*command, options.jobs, "Cases side by side; 0 = one for each processor; no influence on the score");
+    command->add_option("-o,--out", arguments->out, "Folder that gets score.json and score.html")->required();
+    add_force(*command, options.force);
     command->footer(
         "Example:\n  fusee blind score blind --seal sha256:HASH --out blind/score\n\n"
         "Exit code: 0 scored, whatever the score, 2 bad input or a broken seal, 3 a failure inside,\n"

@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 
+#include "arguments.h"
 #include "commands.h"
 #include "fusee/core/file.h"
 #include "fusee/pipeline/coupons.h"
@@ -20,13 +21,13 @@ constexpr std::size_t kLargestSheet = 10'000'000;  // bytes
 
 struct CalibrateArguments {
     fs::path sheet, profile, corrected;
-    bool json = false;
+    bool json = false, force = false;
 };
 
 void require_pair(const CalibrateArguments& arguments) {
     if (arguments.corrected.empty()) return;
     if (arguments.profile.empty()) throw core::InvalidInput("--profile", "missing", "the profile of the coupons, beside --write-profile");
-    require_new_profile("--write-profile", arguments.corrected, arguments.profile);
+    require_new_profile("--write-profile", arguments.corrected, arguments.profile, arguments.force);
 }
 
 int calibrate(const CalibrateArguments& arguments) {
@@ -60,6 +61,7 @@ void add_calibrate(CLI::App& app, Action& action) {
     command->add_option("--profile", arguments->profile, "Profile that the coupons were made from: what it says already is compared");
     command->add_option("--write-profile", arguments->corrected, "File that gets the profile with what was found; with --profile");
     command->add_flag("--json", arguments->json, "Print JSON");
+    add_force_file(*command, arguments->force);
     command->footer(
         "Example:\n  fusee calibrate profiles/examples/coupon.csv --profile profiles/pnrvsa.toml --write-profile /tmp/calibrated.toml\n\n"
         "Exit code: 0 something was found, 1 the rows say nothing, 2 bad input (file, line and column are named), 3 a failure inside.");

@@ -2,8 +2,9 @@
 
 #include <memory>
 
+#include "arguments.h"
 #include "commands.h"
-#include "fusee/core/file.h"
+#include "fusee/core/output_folder.h"
 #include "fusee/pipeline/case_template.h"
 #include "places.h"
 
@@ -15,29 +16,24 @@ namespace {
 
 struct CaseTemplateArguments {
     fs::path profile, out;
+    bool force = false;
     pipeline::CaseTemplateOptions options;
 };
 
 constexpr int kRefused = 1;
 
-/// What was measured is worth more than a template: a folder that holds something is never replaced.
-void require_new(const fs::path& folder) {
-    std::error_code error;
-    if (fs::exists(folder, error) && !fs::is_empty(folder, error))
-        throw core::InvalidInput("--out", folder.string(), "a new or empty folder: what lies there would be replaced");
-}
-
 int write_template(const CaseTemplateArguments& arguments) {
-    require_new(arguments.out);
     const profile::Profile profile = profile::read_profile(arguments.profile);
+    core::OutputFolder output(
+        arguments.out,
+        {.command = "case-template", .source = arguments.profile, .force = arguments.force, .sheets = gap::case_template_files()});
     const auto made = with_places(profile, [&] { return pipeline::case_template(profile, arguments.options); });
     if (!made) {
         for (const core::Finding& finding : made.refusal()) fmt::print(stderr, "{}\n", core::to_line(finding));
         return kRefused;
     }
-    core::StagedFolder folder(arguments.out);
-    gap::write_case_template(*made, folder.path());
-    folder.commit();
+    gap::write_case_template(*made, output.path());
+    output.commit();
     fmt::print("{}: an empty case with {} set points; begin with BENCH.md\nwritten: {}\n", made->name, gap::set_points(*made).size(),
                (arguments.out / "").string());
     return 0;
@@ -50,7 +46,8 @@ void add_case_template(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand(
         "case-template", "Write an empty gap case for a profile's joint: nominal rig, set points and the sheets to fill in at the bench");
     command->add_option("profile", arguments->profile, "Profile (*.toml) with the parts' base springs")->required();
-    command->add_option("-o,--out", arguments->out, "Folder of the case, new or empty")->required();
+    command->add_option("-o,--out", arguments->out, "Folder of the case; sheets that were filled in are never replaced")->required();
+    add_force(*command, arguments->force);
     command->footer(
         "Example:\n  fusee case-template profiles/pnrvsa.toml --out bench/monday\n\n"
         "Exit code: 0 written, 1 the law cannot be (the binding limit and the nearest feasible change are printed),\n"

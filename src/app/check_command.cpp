@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "arguments.h"
 #include "commands.h"
 #include "fusee/checks/limits.h"
 #include "fusee/core/error.h"
@@ -21,7 +22,7 @@ struct CheckArguments {
     std::filesystem::path input;
     std::string process;
     std::filesystem::path profile, limits, out;
-    bool json = false;
+    bool json = false, force = false;
     unsigned jobs = 0;
 };
 
@@ -86,7 +87,7 @@ MeshCheck checked(const CheckArguments& arguments) {
     std::vector<Machine> machines = machines_for(arguments);
     for (Machine& machine : machines)
         if (!limits.empty()) machine.figures += "; [[limits]] of " + arguments.limits.filename().string();
-    return check_mesh(arguments.input, machines, limits, arguments.out, arguments.jobs);
+    return check_mesh(arguments.input, machines, limits, arguments.out, arguments.force, arguments.jobs);
 }
 
 int check(const CheckArguments& arguments) {
@@ -115,7 +116,8 @@ void add_check(CLI::App& app, Action& action) {
                         "Of a mesh: file of [[limits]] in the place of the rules' own, each with its reason");
     command->add_option("-o,--out", arguments->out, "Of a mesh: folder for NAME_check.3mf, which shows in colours where");
     command->add_flag("--json", arguments->json, "As JSON");
-    command->add_option("-j,--jobs", arguments->jobs, "Threads for a mesh; 0 = one for each processor")->capture_default_str();
+    add_jobs(*command, arguments->jobs, "Threads for a mesh; 0 = one for each processor");
+    add_force(*command, arguments->force);
     command->footer(
         "Example:\n  fusee check profiles/pnrvsa.toml\n  fusee check profiles/pnrvsa.toml --process all\n  fusee check bracket.stl "
         "--process "

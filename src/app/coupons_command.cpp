@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "arguments.h"
 #include "commands.h"
 #include "fusee/pipeline/coupons.h"
 #include "places.h"
@@ -12,11 +13,12 @@ namespace {
 
 struct CouponsArguments {
     std::filesystem::path profile, out = "out";
+    bool force = false;
 };
 
 int coupons(const CouponsArguments& arguments) {
     const profile::Profile profile = profile::read_profile(arguments.profile);
-    const pipeline::Coupons made = with_places(profile, [&] { return pipeline::make_coupons(profile, arguments.out); });
+    const pipeline::Coupons made = with_places(profile, [&] { return pipeline::make_coupons(profile, arguments.out, arguments.force); });
     for (const core::Finding& finding : made.findings)
         if (finding.severity != core::Severity::kPass) fmt::print(stderr, "{}\n", core::to_line(finding));
     if (!made.made) return 1;
@@ -35,6 +37,7 @@ void add_coupons(CLI::App& app, Action& action) {
         "Make test pieces for a profile's machine and cable: out/NAME-coupons with plate, groove ladder, disc and the sheet to fill");
     command->add_option("profile", arguments->profile, "Profile (*.toml)")->required();
     command->add_option("-o,--out", arguments->out, "Folder that gets NAME-coupons")->capture_default_str();
+    add_force(*command, arguments->force);
     command->footer(
         "Example:\n  fusee coupons profiles/pnrvsa.toml\n\n"
         "Exit code: 0 made, 1 they cannot be made (the binding limit is printed), 2 bad input, 3 a failure inside.");

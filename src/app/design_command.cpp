@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "arguments.h"
 #include "commands.h"
 #include "fusee/codesign/algorithm_1_run.h"
 #include "fusee/codesign/co_design_run.h"
@@ -92,6 +93,7 @@ int say(const codesign::RunResult& result) {
 
 int design(const DesignArguments& arguments) {
     core::catch_interrupts();
+    require_thread();
     const profile::Profile profile = read(arguments);
     return with_places(profile, [&] { return say(watched(profile, arguments.options)); });
 }
@@ -113,9 +115,9 @@ void add_design(CLI::App& app, Action& action) {
     command->add_option("--generations", arguments->generations, "Generations, in place of the profile's")->check(CLI::Range(1, kMost));
     command->add_option("--seed", arguments->seed, "Seed, in place of the profile's: the same one gives the same result")
         ->check(CLI::Range(0, 1'000'000'000));
-    command->add_option("-j,--jobs", arguments->options.jobs, "Threads; 0 = one for each processor; no influence on the result")
-        ->capture_default_str();
+    add_jobs(*command, arguments->options.jobs, "Threads; 0 = one for each processor; no influence on the result");
     command->add_flag("--resume", arguments->options.resume, "Go on from the checkpoint of a search that was stopped");
+    add_force(*command, arguments->options.force);
     command->footer(
         "Example:\n  fusee design profiles/pnrvsa.toml\n  fusee design profiles/pnrvsa.toml --generations 1000 --resume\n\n"
         "Exit code: 0 found, 1 no springs found (what binds and what to change is printed), 2 bad input (file, line and key are named),\n"

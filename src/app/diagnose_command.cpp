@@ -4,10 +4,11 @@
 #include <mutex>
 #include <optional>
 
+#include "arguments.h"
 #include "commands.h"
-#include "fusee/core/destination.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
+#include "fusee/core/output_folder.h"
 #include "fusee/core/progress.h"
 #include "fusee/gap/bench.h"
 #include "fusee/gap/diagnose.h"
@@ -22,6 +23,7 @@ namespace {
 
 struct DiagnoseArguments {
     fs::path folder, out, profile, corrected;
+    bool force = false;
     unsigned jobs = 0;
 };
 
@@ -61,19 +63,28 @@ gap::Diagnosis diagnosis_of(const fs::path& folder, unsigned jobs) {
     return with_folder(folder, [&] { return gap::diagnose(bench, options); });
 }
 
+core::OutputRun run_of(const DiagnoseArguments& arguments) {
+    return {.command = "diagnose", .source = arguments.folder, .force = arguments.force, .files = {"diagnosis.html", "diagnosis.json"}};
+}
+
 int diagnose(const DiagnoseArguments& arguments) {
     core::catch_interrupts();
-    const std::optional<RecutStep> recut = recut_step(arguments.profile, arguments.corrected, arguments.folder);
+    require_thread();
+    const std::optional<RecutStep> recut = recut_step(arguments.profile, arguments.corrected, arguments.folder, arguments.force);
+    core::OutputFolder output(arguments.out, run_of(arguments));
     const gap::Diagnosis found = diagnosis_of(arguments.folder, arguments.jobs);
     const std::string json = gap::diagnosis_json(found), page = report::diagnosis_html(found);
-    core::make_folder(arguments.out);
-    core::write_file(arguments.out / "diagnosis.html", page);
-    core::write_file(arguments.out / "diagnosis.json", json);
+    core::write_file(output.path() / "diagnosis.html", page);
+    core::write_file(output.path() / "diagnosis.json", json);
     RecutStep::Told told;
-    if (recut) {  // a figure that no profile can hold ends here, with the diagnosis written
-        told = recut->write(found, arguments.out);
-        core::write_file(arguments.out / "diagnosis.html", report::diagnosis_html(found, told.section));
-    }
+    if (recut) try {
+            told = recut->write(found, output.path());
+            core::write_file(output.path() / "diagnosis.html", report::diagnosis_html(found, told.section));
+        } catch (const core::InvalidInput&) {  // a figure that no profile can hold ends here, with the diagnosis written
+            output.commit();
+            throw;
+        }
+    output.commit();
     fmt::print("{}{}written: {}/diagnosis.html, diagnosis.json{}\n", report::diagnosis_text(found), told.text, arguments.out.string(),
                recut ? ", recut.json" : "");
     return 0;
@@ -86,13 +97,12 @@ void add_diagnose(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand(
         "diagnose", "Say where a built joint and its model part, which effect causes it and how far the gap shrinks with it in the model");
     command->add_option("case", arguments->folder, "Folder of a gap case: case.toml and one CSV file for each experiment")->required();
-    command->add_option("-o,--out", arguments->out, "Folder that gets diagnosis.json and diagnosis.html; what else lies there stays")
-        ->required();
+    command->add_option("-o,--out", arguments->out, "Folder that gets diagnosis.json and diagnosis.html")->required();
     command->add_option("--profile", arguments->profile, "Profile that the rig was made from; with --write-profile");
     command->add_option("--write-profile", arguments->corrected,
                         "File that gets the profile corrected for the rig as it is, to cut new cams from by fusee make");
-    command->add_option("-j,--jobs", arguments->jobs, "Threads; 0 = one for each processor; no influence on the result")
-        ->capture_default_str();
+    add_jobs(*command, arguments->jobs, "Threads; 0 = one for each processor; no influence on the result");
+    add_force(*command, arguments->force);
     command->footer(
         "Example:\n  fusee diagnose bench/monday --out bench/monday/diagnosis\n\n"
         "Exit code: 0 a verdict was reached, whichever it is: identified, none, ambiguous or unknown,\n"

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "arguments.h"
 #include "commands.h"
 #include "fusee/core/file.h"
 #include "fusee/core/progress.h"
@@ -18,7 +19,7 @@ constexpr int kRefused = 1;
 
 struct FixArguments {
     fs::path profile;
-    bool json = false;
+    bool json = false, force = false;
     pipeline::FixOptions options;
 };
 
@@ -27,13 +28,14 @@ fs::path beside(const fs::path& profile) { return profile.parent_path() / (profi
 
 int fix(const FixArguments& arguments) {
     core::catch_interrupts();
+    require_thread();
     pipeline::FixOptions options = arguments.options;
     if (options.file.empty()) options.file = beside(arguments.profile);
     options.progress = [](const std::string& step) { fmt::print(stderr, "fix: {}\n", step); };
     options.stop = core::interrupted;
     const std::string toml = core::read_file(arguments.profile, profile::kLargestFile);
     const profile::Profile profile = profile::parse_profile(toml, arguments.profile);
-    require_new_profile("--out", options.file, arguments.profile);
+    require_new_profile("--out", options.file, arguments.profile, arguments.force);
     const report::Fix found = with_places(profile, [&] { return pipeline::fix(profile, toml, options); });
     if (!found.file.empty()) core::write_file(found.file, found.toml);
     const bool cannot = found.end == report::Fix::End::kCannot;
@@ -57,6 +59,7 @@ void add_fix(CLI::App& app, Action& action) {
         ->check(CLI::Range(1, 1000000))
         ->capture_default_str();
     command->add_flag("--json", arguments->json, "Print the changes as JSON instead of text");
+    add_force_file(*command, arguments->force);
     command->footer(
         "Example:\n  fusee fix profiles/pnrvsa.toml --out /tmp/pnrvsa.toml\n\n"
         "Exit code: 0 fixed, or nothing to do, 1 it cannot be (what binds is printed, nothing is written), 2 bad input (file, line and key "

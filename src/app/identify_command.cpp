@@ -2,8 +2,10 @@
 
 #include <memory>
 
+#include "arguments.h"
 #include "commands.h"
 #include "fusee/core/file.h"
+#include "fusee/core/output_folder.h"
 #include "fusee/gap/break_away.h"
 #include "fusee/report/identification.h"
 
@@ -13,18 +15,22 @@ namespace {
 
 struct IdentifyArguments {
     std::filesystem::path csv, out = "out";
+    bool force = false;
 };
 
 int identify(const IdentifyArguments& arguments) {
+    core::OutputFolder output(arguments.out / ("identify-" + arguments.csv.stem().string()),
+                              {.command = "identify",
+                               .source = arguments.csv,
+                               .force = arguments.force,
+                               .files = {"identification.json", "identification.html"}});
     const std::string bytes = core::read_file(arguments.csv, gap::kLargestBreakAwayFile);
     const report::Identification found{arguments.csv.stem().string(), core::sha256_hex(bytes),
                                        gap::identify_friction(gap::parse_break_away(bytes, arguments.csv.string()))};
-    const std::filesystem::path target = arguments.out / ("identify-" + found.name);
-    core::StagedFolder folder(target);
-    core::write_file(folder.path() / "identification.json", report::identification_json(found));
-    core::write_file(folder.path() / "identification.html", report::identification_html(found));
-    folder.commit();
-    fmt::print("{}\nwritten: {}/identification.html, identification.json\n", report::identification_text(found), target.string());
+    core::write_file(output.path() / "identification.json", report::identification_json(found));
+    core::write_file(output.path() / "identification.html", report::identification_html(found));
+    output.commit();
+    fmt::print("{}\nwritten: {}/identification.html, identification.json\n", report::identification_text(found), output.target().string());
     return found.friction.law ? 0 : 1;
 }
 
@@ -38,6 +44,7 @@ void add_identify(CLI::App& app, Action& action) {
     command->add_option("csv", arguments->csv, "Rows of side,direction,motor_torque_Nm,load_torque_Nm; direction is drive or backdrive")
         ->required();
     command->add_option("-o,--out", arguments->out, "Folder that gets one folder per file")->capture_default_str();
+    add_force(*command, arguments->force);
     command->footer(
         "Example:\n  fusee identify profiles/examples/break_away.csv\n\n"
         "Exit code: 0 a law was found, 1 the rows are no gear's friction (what was found is written all the same),\n"

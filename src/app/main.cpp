@@ -1,6 +1,13 @@
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <iostream>
 #include <new>
 #include <string>
 #include <string_view>
@@ -37,6 +44,21 @@ int refuse(const std::exception& e) {
     return kBadInput;
 }
 
+/// What is left of standard output goes out now: a table that is lost is told.
+int with_output(int code) {
+    std::cout.flush();
+    const bool lost = std::fflush(stdout) != 0 || std::ferror(stdout) != 0 || !std::cout;
+    if (!lost) return code;
+    fmt::print(stderr, "fusee: standard output cannot be written: {}\n", errno != 0 ? std::strerror(errno) : "it is closed");
+    return std::max(code, kBadInput);
+}
+
+/// A closed standard output would let the next file that is opened take its place, and get what is printed.
+void keep_standard_files() {
+    for (const int file : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+        if (::fcntl(file, F_GETFD) < 0) (void)::open("/dev/null", O_RDONLY);  // the lowest free number; writing to it fails
+}
+
 int run(const Action& action) {
     try {
         return action();
@@ -47,7 +69,7 @@ int run(const Action& action) {
         return kBadInput;
     } catch (const core::IoError& e) {
         return refuse(e);
-    } catch (const std::system_error& e) {  // a full disk, a folder that is a file
+    } catch (const std::system_error& e) {  // a full disk, a folder that is a file, no more threads
         return refuse(e);
     } catch (const std::bad_alloc&) {
         fmt::print(stderr, "fusee: out of memory: this takes more than the machine or its limit (ulimit -v) gives\n");
@@ -67,6 +89,7 @@ int run(const Action& action) {
 
 int main(int argc, char** argv) {
     using namespace fusee;
+    app::keep_standard_files();
     if (argc == 3 && std::string_view(argv[1]) == exchange::kReadMesh) return exchange::serve_mesh_file(argv[2]);  // for mesh_check.cpp
     CLI::App app("fusee turns the spring energies of a variable-stiffness joint into cams that a shop can print or machine", "fusee");
     app.set_version_flag("--version", core::version());
@@ -77,7 +100,7 @@ int main(int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& e) {
-        return app.exit(e) == 0 ? 0 : app::kBadInput;
+        return app.exit(e) == 0 ? app::with_output(0) : app::kBadInput;
     }
-    return action ? app::run(action) : app::refuse_without_command(app);
+    return action ? app::with_output(app::run(action)) : app::refuse_without_command(app);
 }

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "arguments.h"
 #include "commands.h"
 #include "fusee/batch/batch.h"
 #include "fusee/core/error.h"
@@ -20,6 +21,7 @@ struct MakeArguments {
 
 int make(const MakeArguments& arguments) {
     core::catch_interrupts();
+    require_thread();
     if (arguments.paths.empty()) throw core::InvalidInput("make", "no profile", "at least one profile (*.toml) or folder of them");
     const auto rows = batch::make_all(batch::find_profiles(arguments.paths), arguments.options, arguments.jobs);
     const int code = batch::exit_code(rows);
@@ -38,7 +40,8 @@ void add_make(CLI::App& app, Action& action) {
     command->add_option("--via", arguments->via, "Kernel that makes the STL: cgal (direct, fast) or openscad (second, independent kernel)")
         ->check(CLI::IsMember({"cgal", "openscad"}))
         ->capture_default_str();
-    command->add_option("-j,--jobs", arguments->jobs, "Designs made at the same time; 0 = one for each processor")->capture_default_str();
+    add_force(*command, arguments->options.force);
+    add_jobs(*command, arguments->jobs, "Designs made at the same time; 0 = one for each processor");
     command->footer(
         "Example:\n  fusee make profiles/pnrvsa.toml\n  fusee make profiles --out /tmp/cams --jobs 2\n\n"
         "Exit code: 0 all made, 1 a design cannot be made (the binding limit and the nearest feasible change are printed),\n"

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
-#include "fusee/core/destination.h"
+#include <optional>
+
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
+#include "fusee/core/output_folder.h"
 #include "fusee/core/provenance.h"
 #include "fusee/exchange/mesh_isolated.h"
 #include "fusee/exchange/three_mf_coloured.h"
@@ -45,11 +47,14 @@ inspect::Body body_of(const solid::Mesh& mesh, const std::filesystem::path& file
 }  // namespace
 
 MeshCheck check_mesh(const std::filesystem::path& path, const std::vector<Machine>& machines, const std::vector<checks::Override>& limits,
-                     const std::filesystem::path& out, unsigned jobs) {
-    const exchange::MeshFile file = exchange::read_mesh_isolated(path, {"/proc/self/exe", exchange::kReadMesh});
-    if (!out.empty()) core::make_folder(out);
-    const inspect::Body body = body_of(file.mesh, path, jobs);
+                     const std::filesystem::path& out, bool force, unsigned jobs) {
     const std::string name = path.stem().string();
+    std::optional<core::OutputFolder> output;
+    if (!out.empty())
+        output.emplace(
+            out, core::OutputRun{.command = "check", .source = path, .force = force, .files = {name + "_check.3mf"}, .many_sources = true});
+    const exchange::MeshFile file = exchange::read_mesh_isolated(path, {"/proc/self/exe", exchange::kReadMesh});
+    const inspect::Body body = body_of(file.mesh, path, jobs);
     MeshCheck result{{name, core::sha256_hex(core::read_file(path)), input_line(file, body, path.filename().string()), {}}, {}};
     std::vector<exchange::Colour> colours(body.mesh().triangles.size(), exchange::kGrey);
     for (const Machine& machine : machines) {
@@ -59,10 +64,11 @@ MeshCheck check_mesh(const std::filesystem::path& path, const std::vector<Machin
         result.checked.processes.push_back({checks::to_string(machine.process.kind), machine.figures, machine.own, {}, {std::move(part)}});
         paint(colours, found);
     }
-    if (out.empty()) return result;
+    if (!output) return result;
     result.coloured = out / (name + "_check.3mf");
-    exchange::write_coloured_3mf(result.coloured, body.mesh(), colours, name,
+    exchange::write_coloured_3mf(output->path() / result.coloured.filename(), body.mesh(), colours, name,
                                  core::Provenance{name, result.checked.sha256, "check"}.line());
+    output->commit();
     return result;
 }
 

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "arguments.h"
 #include "commands.h"
 #include "fusee/core/progress.h"
 #include "fusee/paper/run.h"
@@ -20,6 +21,7 @@ paper::Result watched(paper::Options options) {
 
 int make_paper(const paper::Options& options) {
     core::catch_interrupts();
+    require_thread();
     const paper::Result result = watched(options);
     for (const core::Finding& finding : result.findings) fmt::print(stderr, "{}\n", core::to_line(finding));
     if (result.interrupted) {
@@ -39,8 +41,8 @@ void add_paper(CLI::App& app, Action& action) {
         app.add_subcommand("paper", "Make every table and figure of the paper anew: out/paper with paper.html and a CSV file for each");
     command->add_option("-o,--out", options->out, "Folder that gets the folder paper")->capture_default_str();
     command->add_option("--profiles", options->profiles, "Folder of the shipped profiles")->capture_default_str();
-    command->add_option("-j,--jobs", options->jobs, "Threads; 0 = one for each processor; no influence on the result")
-        ->capture_default_str();
+    add_jobs(*command, options->jobs, "Threads; 0 = one for each processor; no influence on the result");
+    add_force(*command, options->force);
     command->footer(
         "Example:\n  fusee paper\n\n"
         "Exit code: 0 all made, 1 a law cannot be (the binding limit and the nearest feasible change are printed),\n"

@@ -2,9 +2,11 @@
 
 #include <memory>
 
+#include "arguments.h"
 #include "commands.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
+#include "fusee/core/output_folder.h"
 #include "fusee/gap/bench.h"
 #include "fusee/gap/diagnose.h"
 
@@ -16,6 +18,7 @@ namespace {
 
 struct PredictArguments {
     fs::path folder, effects, inputs, out;
+    bool force = false;
 };
 
 constexpr std::size_t kLargestDiagnosis = 50'000'000;  // bytes
@@ -35,20 +38,22 @@ gap::Diagnosis effects_of(const fs::path& file) {
 int predict(const PredictArguments& arguments) {
     require_other_folder(arguments.out, arguments.inputs);
     require_other_folder(arguments.out, arguments.folder);
+    core::OutputFolder output(arguments.out, {.command = "predict", .source = arguments.folder, .force = arguments.force});
     const gap::Diagnosis found = effects_of(arguments.effects);
     std::size_t rows = 0;
     if (gap::is_bench_case(arguments.folder)) {
         const gap::BenchCase bench = gap::read_bench_case(arguments.folder);
         const gap::BenchCase predicted = gap::predict_bench(bench, found, gap::read_bench_inputs(bench, arguments.inputs));
-        gap::write_bench_rows(predicted, arguments.out);
+        gap::write_bench_rows(predicted, output.path());
         for (const gap::BenchRecord& record : predicted.records) rows += record.rows();
     } else {
         const gap::Case bench = gap::read_case(arguments.folder);
         gap::require_possible(bench, found, arguments.effects.string());
         const gap::Rows predicted = gap::predict(bench, found, gap::read_inputs(bench, arguments.inputs));
-        gap::write_rows(bench, predicted, arguments.out);
+        gap::write_rows(bench, predicted, output.path());
         rows = predicted.size();
     }
+    output.commit();
     fmt::print("{} rows predicted by the {}\nwritten: {}\n", rows,
                found.effects.empty() ? "nominal model"
                                      : fmt::format("model with {} effect{}", found.effects.size(), found.effects.size() > 1 ? "s" : ""),
@@ -67,6 +72,7 @@ void add_predict(CLI::App& app, Action& action) {
     command->add_option("--inputs", arguments->inputs, "Folder with CSV files named as the case's: their input columns are read")
         ->required();
     command->add_option("-o,--out", arguments->out, "Folder that gets the same files, measured columns replaced row by row")->required();
+    add_force(*command, arguments->force);
     command->footer(
         "Example:\n  fusee predict bench/monday --effects bench/monday/diagnosis/diagnosis.json --inputs bench/tuesday --out "
         "/tmp/foretold\n\n"

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "fusee/core/destination.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/gap/bench.h"
@@ -12,10 +13,11 @@ namespace fusee::app {
 
 namespace fs = std::filesystem;
 
-RecutStep::RecutStep(const fs::path& profile, const fs::path& file, const fs::path& case_folder)
-    : file_(file), toml_(core::read_file(profile, profile::kLargestFile)), profile_(profile::parse_profile(toml_, profile)) {
+RecutStep::RecutStep(const fs::path& profile, const fs::path& file, const fs::path& case_folder, bool force)
+    : file_(file), force_(force), toml_(core::read_file(profile, profile::kLargestFile)), profile_(profile::parse_profile(toml_, profile)) {
     if (fs::weakly_canonical(file) == fs::weakly_canonical(profile))
         throw core::InvalidInput("--write-profile", file.string(), "another file than --profile, which stays as it is");
+    if (std::error_code ignored; fs::exists(file, ignored)) core::require_new_file(file, force);
     if (gap::is_bench_case(case_folder))
         throw core::InvalidInput("--write-profile", case_folder.string(), "a case with [rig]: a subsystem on the bench has no cams");
     bench_ = gap::read_case(case_folder);
@@ -24,15 +26,15 @@ RecutStep::RecutStep(const fs::path& profile, const fs::path& file, const fs::pa
 
 RecutStep::Told RecutStep::write(const gap::Diagnosis& found, const fs::path& folder) const {
     const report::Recut recut = pipeline::recut(profile_, toml_, bench_, found, {.file = file_});
-    pipeline::write_recut(recut, folder);
+    pipeline::write_recut(recut, folder, force_);
     return {report::recut_section(recut), report::recut_text(recut)};
 }
 
-std::optional<RecutStep> recut_step(const fs::path& profile, const fs::path& file, const fs::path& case_folder) {
+std::optional<RecutStep> recut_step(const fs::path& profile, const fs::path& file, const fs::path& case_folder, bool force) {
     if (profile.empty() && file.empty()) return std::nullopt;
     if (profile.empty()) throw core::InvalidInput("--profile", "missing", "the profile that the rig was made from, beside --write-profile");
     if (file.empty()) throw core::InvalidInput("--write-profile", "missing", "the file that gets the corrected profile, beside --profile");
-    return RecutStep(profile, file, case_folder);
+    return RecutStep(profile, file, case_folder, force);
 }
 
 }  // namespace fusee::app

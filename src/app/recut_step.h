@@ -14,7 +14,8 @@ class RecutStep {
 public:
     /// Reads profile and case, so that what does not belong together is refused before the diagnosis begins.
     /// @throws core::InvalidInput, core::IoError
-    RecutStep(const std::filesystem::path& profile, const std::filesystem::path& file, const std::filesystem::path& case_folder);
+    RecutStep(const std::filesystem::path& profile, const std::filesystem::path& file, const std::filesystem::path& case_folder,
+              bool force);
 
     struct Told {
         std::string section;  ///< of the page
@@ -25,6 +26,7 @@ public:
 
 private:
     std::filesystem::path file_;
+    bool force_;  ///< a profile that stands there is replaced
     std::string toml_;
     profile::Profile profile_;
     gap::Case bench_;
@@ -32,6 +34,6 @@ private:
 
 /// None unless both options are given. @throws core::InvalidInput if one stands alone, and as RecutStep
 [[nodiscard]] std::optional<RecutStep> recut_step(const std::filesystem::path& profile, const std::filesystem::path& file,
-                                                  const std::filesystem::path& case_folder);
+                                                  const std::filesystem::path& case_folder, bool force);
 
 }  // namespace fusee::app

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "arguments.h"
 #include "commands.h"
 #include "fusee/batch/batch.h"
 #include "fusee/core/error.h"
@@ -77,8 +78,8 @@ void add_simulate(CLI::App& app, Action& action) {
         ->allow_extra_args(false)
         ->type_name("T1,T2,TQ")
         ->check(CLI::Validator(three_torques, ""));
-    command->add_option("-j,--jobs", arguments->jobs, "Profiles simulated at the same time; 0 = one for each processor")
-        ->capture_default_str();
+    add_force(*command, arguments->options.force);
+    add_jobs(*command, arguments->jobs, "Profiles simulated at the same time; 0 = one for each processor");
     command->footer(
         "Example:\n  fusee simulate profiles/pnrvsa.toml\n  fusee simulate profiles/relatives --levels 5\n  fusee simulate "
         "profiles/pnrvsa.toml --at 1,0.9,0 --at 1,1,0.05\n\n"

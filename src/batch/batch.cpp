@@ -5,6 +5,7 @@
 
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
+#include "fusee/core/output_folder.h"
 #include "run_each.h"
 
 namespace fs = std::filesystem;
@@ -18,6 +19,13 @@ template <class AnyRow>
 std::vector<AnyRow> joined(std::vector<AnyRow> rows, const std::vector<Ended>& ended) {
     for (std::size_t i = 0; i < rows.size(); ++i) static_cast<Ended&>(rows[i]) = ended[i];
     return rows;
+}
+
+/// Beside the folders of the joints, whatever else lies there.
+void write_relatives(const std::vector<report::Simulation>& done, const fs::path& out, bool force) {
+    core::OutputFolder output(out, {.command = "simulate", .source = out, .force = force, .among_others = true});
+    core::write_file(output.path() / "relatives.csv", report::relatives_csv(done));
+    output.commit();
 }
 
 /// A bar is worth its line when there is more than one to wait for.
@@ -66,14 +74,18 @@ std::vector<SimulationRow> simulate_all(const std::vector<fs::path>& profiles, c
     std::vector<SimulationRow> rows(profiles.size());
     const auto work = [&](const profile::Profile& profile, std::size_t place) {
         SimulationRow& row = rows[place];
+        core::OutputFolder output(out / profile.name, {.command = "simulate",
+                                                       .source = profile.file,
+                                                       .force = options.force,
+                                                       .files = {"simulation.json", "simulation.html", "dead_band.csv"}});
         auto simulation = pipeline::simulate(profile, options);
         if (!simulation) {
             row.refusal = simulation.refusal();
             return false;
         }
-        const fs::path folder = out / profile.name;
-        (void)pipeline::write_simulation(*simulation, folder);
-        row.folder = folder;
+        (void)pipeline::write_simulation(*simulation, output.path());
+        output.commit();
+        row.folder = output.target();
         row.simulation = std::move(simulation).value();
         row.refusal = report::refusals(*row.simulation);
         return row.refusal.empty();
@@ -83,7 +95,7 @@ std::vector<SimulationRow> simulate_all(const std::vector<fs::path>& profiles, c
     for (const SimulationRow& row : rows)
         if (row.simulation) done.push_back(*row.simulation);
     const auto relative = [](const report::Simulation& s) { return s.survey.arrangement != actuator::Arrangement::kPnrvsa; };
-    if (std::any_of(done.begin(), done.end(), relative)) core::write_file(out / "relatives.csv", report::relatives_csv(done));
+    if (std::any_of(done.begin(), done.end(), relative)) write_relatives(done, out, options.force);
     return joined(std::move(rows), ended);
 }
 

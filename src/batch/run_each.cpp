@@ -1,14 +1,14 @@
 #include "run_each.h"
 
-#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <new>
 #include <optional>
 #include <set>
-#include <thread>
+#include <system_error>
 
 #include "fusee/core/error.h"
+#include "fusee/core/workers.h"
 
 namespace fs = std::filesystem;
 
@@ -29,6 +29,8 @@ void guarded(Ended& row, const Guarded& work) {
         row.outcome = Outcome::kBadInput, row.error = e.what();
     } catch (const std::bad_alloc&) {
         row.outcome = Outcome::kBadInput, row.error = "out of memory: this takes more than the machine or its limit (ulimit -v) gives";
+    } catch (const std::system_error& e) {  // a full disk, no more threads, a working folder that is gone
+        row.outcome = Outcome::kBadInput, row.error = e.what();
     } catch (const std::exception& e) {
         row.outcome = Outcome::kFailed, row.error = e.what();
     }
@@ -80,13 +82,7 @@ std::vector<Ended> run_each(const std::vector<fs::path>& profiles, const Work& w
             if (progress != nullptr) progress->advance(all[i].row.profile.filename().string() + ": " + to_string(all[i].row.outcome));
         }
     };
-    const std::size_t wanted = jobs > 0 ? jobs : std::max(1u, std::thread::hardware_concurrency());
-    const std::size_t workers = std::min(wanted, all.size());
-    std::vector<std::jthread> pool;
-    pool.reserve(workers);
-    for (std::size_t i = 1; i < workers; ++i) pool.emplace_back(worker);  // this thread is one of them
-    worker();
-    pool.clear();  // joins
+    core::run_workers(core::worker_count(jobs, all.size()), worker);
     std::vector<Ended> rows;
     rows.reserve(all.size());
     for (Job& job : all) rows.push_back(std::move(job.row));

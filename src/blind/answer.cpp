@@ -4,10 +4,10 @@
 #include <chrono>
 #include <nlohmann/json.hpp>
 
-#include "fusee/core/destination.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/core/json.h"
+#include "fusee/core/output_folder.h"
 #include "fusee/core/progress.h"
 #include "fusee/gap/diagnose.h"
 #include "kept_back.h"
@@ -19,6 +19,7 @@ namespace fs = std::filesystem;
 namespace {
 
 using json = nlohmann::ordered_json;
+constexpr const char *kDiagnosis = "diagnosis.json", *kKept = "kept_back.json";
 constexpr std::size_t kLargest = 50'000'000;  // bytes of a diagnosis
 
 /// Why a case has no diagnosis.
@@ -91,8 +92,8 @@ public:
     }
 
 private:
-    [[nodiscard]] fs::path diagnosis_file() const { return place_ / "diagnosis.json"; }
-    [[nodiscard]] fs::path kept_file() const { return place_ / "kept_back.json"; }
+    [[nodiscard]] fs::path diagnosis_file() const { return place_ / kDiagnosis; }
+    [[nodiscard]] fs::path kept_file() const { return place_ / kKept; }
     [[nodiscard]] bool holds_this_case() const {
         if (!fs::exists(diagnosis_file())) return false;
         const json found = object_or_none(diagnosis_file());
@@ -106,10 +107,7 @@ private:
         const auto begin = std::chrono::steady_clock::now();
         const std::string found = or_failure([&] { return gap::diagnosis_json(gap::diagnose(bench_, {1, asked})); });
         answer_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-        core::make_folder(place_);
-        std::error_code absent;
-        fs::remove(kept_file(), absent);
-        core::write_file(diagnosis_file(), found);
+        put(kDiagnosis, found);
     }
 
     /// The gap on heldout/ of the diagnosis with this hash; time and figures stand in kept_back.json when it is met again.
@@ -128,7 +126,17 @@ private:
         answer_.kept_before = kept.before;
         answer_.kept_after = kept.after;
         const json file{{"before", kept.before}, {"after", kept.after}, {"seconds", answer_.seconds}, {"diagnosis_sha256", diagnosis}};
-        core::write_file(kept_file(), file.dump(2) + "\n");
+        put(kKept, file.dump(2) + "\n");
+    }
+
+    /// One file among those that lie there; a diagnosis by anybody else is not replaced.
+    void put(const char* name, const std::string& bytes) const {
+        core::OutputFolder output(place_, {.command = std::string("blind score, ") + name,
+                                           .source = options_.folder / answer_.case_name,
+                                           .force = options_.force,
+                                           .among_others = true});
+        core::write_file(output.path() / name, bytes);
+        output.commit();
     }
 
     const ScoreOptions& options_;

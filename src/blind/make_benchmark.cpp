@@ -1,7 +1,10 @@
+#include <fmt/format.h>
+
 #include "fusee/blind/blind.h"
 #include "fusee/core/destination.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
+#include "fusee/core/output_folder.h"
 #include "fusee/plant/case_files.h"
 #include "model_case.h"
 #include "side_by_side.h"
@@ -10,11 +13,11 @@ namespace fusee::blind {
 
 namespace {
 
-void require_empty(const std::filesystem::path& out) {
-    std::error_code none;
-    const bool free =
-        !std::filesystem::exists(out, none) || (std::filesystem::is_directory(out, none) && std::filesystem::is_empty(out, none));
-    if (out.empty() || !free) throw core::InvalidInput("out", out.string(), "a folder that does not exist yet, or is empty");
+/// A benchmark is made from nothing but these figures: two that differ are two sources.
+core::OutputRun run_of(const BenchmarkOptions& options) {
+    const std::string figures =
+        fmt::format("seed-{}-cases-{}{}", options.seed, options.cases, options.maker == Maker::kModel ? "-model" : "");
+    return {.command = "blind make", .source = options.out / figures, .force = options.force, .files = {"labels.sealed", "seal.txt"}};
 }
 
 void write_plant_case(const std::filesystem::path& folder, std::uint64_t seed, std::size_t index, const std::vector<LabelEffect>& labels) {
@@ -25,13 +28,11 @@ void write_plant_case(const std::filesystem::path& folder, std::uint64_t seed, s
 }
 
 /// The model takes set points, pushes and nominal figures from a faultless case of the plant.
-void write_case(const BenchmarkOptions& options, std::size_t index, const Label& label) {
-    const std::filesystem::path folder = options.out / label.case_name;
+void write_case(const std::filesystem::path& out, const BenchmarkOptions& options, std::size_t index, const Label& label) {
+    const std::filesystem::path folder = out / label.case_name;
     if (options.maker == Maker::kPlant) return write_plant_case(folder, options.seed, index, label.effects);
-    core::StagedFolder staged(folder);
-    write_plant_case(staged.path(), options.seed, index, {});
-    measure_by_model(staged.path(), options.seed, index, label);
-    staged.commit();
+    write_plant_case(folder, options.seed, index, {});
+    measure_by_model(folder, options.seed, index, label);
 }
 
 /// What the model does not know cannot be measured on it.
@@ -44,19 +45,21 @@ Mix mix_of(const BenchmarkOptions& options) {
 }  // namespace
 
 std::string make_benchmark(const BenchmarkOptions& options) {
-    require_empty(options.out);
+    if (options.out.empty()) throw core::InvalidInput("out", "\"\"", "the name of a folder");
+    core::OutputFolder output(options.out, run_of(options));
     const std::vector<Label> labels = draw_labels(options.seed, options.cases, mix_of(options));
     const std::string sealed = seal_labels(labels, options.seed);
     std::string hash = core::sha256_hex(sealed);
-    core::make_folder(options.out);
-    core::write_file(options.out / "labels.sealed", sealed);
-    core::write_file(options.out / "seal.txt", "sha256:" + hash + "\n");
+    const std::filesystem::path out = output.path();
+    core::write_file(out / "labels.sealed", sealed);
+    core::write_file(out / "seal.txt", "sha256:" + hash + "\n");
     if (options.progress) options.progress(0, labels.size(), "seal sha256:" + hash);
     side_by_side(
-        labels.size(), options.jobs, [&](std::size_t i) { write_case(options, i, labels[i]); },
+        labels.size(), options.jobs, [&](std::size_t i) { write_case(out, options, i, labels[i]); },
         [&](std::size_t done, std::size_t i) {
             if (options.progress) options.progress(done, labels.size(), labels[i].case_name);
         });
+    output.commit();
     return hash;
 }
 

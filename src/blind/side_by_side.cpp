@@ -1,12 +1,10 @@
 #include "side_by_side.h"
 
-#include <algorithm>
 #include <atomic>
 #include <exception>
 #include <mutex>
-#include <system_error>
-#include <thread>
-#include <vector>
+
+#include "fusee/core/workers.h"
 
 namespace fusee::blind {
 
@@ -28,14 +26,7 @@ void side_by_side(std::size_t items, unsigned jobs, const std::function<void(std
                 failed = true;
             }
     };
-    const unsigned wanted = jobs != 0 ? jobs : std::max(1U, std::thread::hardware_concurrency());
-    std::vector<std::thread> threads;
-    try {
-        for (std::size_t i = 1; i < std::min<std::size_t>(wanted, items); ++i) threads.emplace_back(run);
-    } catch (const std::system_error&) {  // the system gives no more threads: those that there are do the work
-    }
-    run();
-    for (std::thread& thread : threads) thread.join();
+    core::run_workers(core::worker_count(jobs, items), run);
     if (failure) std::rethrow_exception(failure);
 }
 

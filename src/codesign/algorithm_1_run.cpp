@@ -84,6 +84,7 @@ design::EvolutionResult search(const design::Algorithm1& algorithm, const profil
         options.checkpoint = checkpoint_file(profile, run);
     }
     options.resume = run.resume;
+    options.force = run.force;
     options.problem = identity(algorithm);
     options.progress = run.progress;
     options.observe = [&watch](std::span<const double> x, double cost) { watch.see(x, cost); };
@@ -167,16 +168,16 @@ void write_all(const fs::path& folder, const report::SearchReport& report, const
 }  // namespace
 
 RunResult run_algorithm_1(const profile::Profile& profile, const RunOptions& options) {
+    core::OutputFolder output(result_folder(profile, options), output_run(profile, options));
     RunResult result;
     Found found = find(profile, options);
     result.interrupted = found.interrupted;
     result.findings = std::move(found.refusal);
     if (!found.report) return result;
 
-    result.folder = result_folder(profile, options);
-    core::StagedFolder staged(result.folder);
-    write_all(staged.path(), *found.report, found.best);
-    staged.commit();
+    write_all(output.path(), *found.report, found.best);
+    output.commit();
+    result.folder = output.target();
     result.found = true;
     result.summary = found.report->remarks;
     for (const report::CamCurve& cam : found.report->cams)

@@ -37,6 +37,7 @@ design::EvolutionResult search(const Problem& problem, const RunOptions& run) {
     options.jobs = run.jobs;
     options.checkpoint = checkpoint_file(base, run);
     options.resume = run.resume;
+    options.force = run.force;
     options.problem = "co_design " + base.sha256;
     options.progress = run.progress;
     options.stop = run.stop;
@@ -140,6 +141,7 @@ void write_all(const fs::path& folder, const report::SearchReport& report, const
 }  // namespace
 
 RunResult run_co_design(const profile::Profile& profile, const RunOptions& options) {
+    core::OutputFolder output(result_folder(profile, options), output_run(profile, options));
     const Problem problem(profile);
     core::make_folder(options.out);
     const design::EvolutionResult found = search(problem, options);
@@ -159,9 +161,8 @@ RunResult run_co_design(const profile::Profile& profile, const RunOptions& optio
     best = moved(std::move(best), result.folder);
     report::SearchReport report = report_of(profile, problem, found, best);
     report.remarks = remarks_of(problem.evaluate(best), problem.options(), made);
-    core::StagedFolder staged(result.folder);
-    write_all(staged.path(), report, best);
-    staged.commit();
+    write_all(output.path(), report, best);
+    output.commit();
     result.found = true;
     result.summary = report.remarks;
     return result;

@@ -16,6 +16,7 @@
 #include <pagmo/utils/multi_objective.hpp>
 
 #include "fusee/core/error.h"
+#include "fusee/core/workers.h"
 
 namespace fusee::codesign {
 
@@ -99,7 +100,7 @@ Front search(const Costs& costs, const FrontOptions& o) {
 Front find_front(const Costs& costs, const FrontOptions& options) {
     validate(options);
     const int processors = oneapi::tbb::info::default_concurrency();
-    const int threads = options.jobs == 0 ? processors : static_cast<int>(options.jobs);
+    const int threads = options.jobs == 0 ? processors : static_cast<int>(std::min(options.jobs, core::kMostWorkers));
     const oneapi::tbb::global_control allowed(oneapi::tbb::global_control::max_allowed_parallelism,
                                               static_cast<std::size_t>(std::max(threads, processors)));
     oneapi::tbb::task_arena arena(threads);

@@ -132,9 +132,9 @@ Front search(const Problem& problem, const Problem& demanded, const RunOptions& 
 }  // namespace
 
 RunResult run_pareto(const profile::Profile& profile, const RunOptions& options) {
+    core::OutputFolder output(result_folder(profile, options), output_run(profile, options));
     const Problem demanded(profile);
     const Problem problem(with_share(demanded, against_size(demanded) ? kRadii.front() : kTravels.front()));
-    core::make_folder(options.out);
     const Front front = search(problem, demanded, options);
     RunResult result;
     result.interrupted = front.interrupted;
@@ -145,12 +145,11 @@ RunResult run_pareto(const profile::Profile& profile, const RunOptions& options)
         return result;
     }
     const report::ParetoReport report = report_of(profile, problem, front, made);
-    core::StagedFolder staged(folder);
-    fs::create_directories(staged.path() / "pareto");
-    for (const auto& [point, written] : made.points) core::write_file(staged.path() / point.file, profile::to_toml(written));
-    core::write_file(staged.path() / "pareto.csv", report::pareto_csv(report));
-    core::write_file(staged.path() / "pareto.html", report::pareto_html(report));
-    staged.commit();
+    core::make_folder(output.path() / "pareto");
+    for (const auto& [point, written] : made.points) core::write_file(output.path() / point.file, profile::to_toml(written));
+    core::write_file(output.path() / "pareto.csv", report::pareto_csv(report));
+    core::write_file(output.path() / "pareto.html", report::pareto_html(report));
+    output.commit();
     result.found = true;
     result.folder = folder;
     const report::ParetoPoint &least = report.points.front(), &most = report.points.back();

@@ -10,6 +10,10 @@ fs::path checkpoint_file(const profile::Profile& profile, const RunOptions& opti
     return options.out / (profile.name + "-design.checkpoint");
 }
 
+core::OutputRun output_run(const profile::Profile& profile, const RunOptions& options) {
+    return {.command = "design", .source = profile.file, .force = options.force};
+}
+
 profile::Profile moved(profile::Profile profile, const fs::path& folder) {
     const fs::path from = profile.file.parent_path(), to = fs::absolute(folder).lexically_normal();
     const auto move = [&](fs::path& file) {

@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <cstring>
 #include <limits>
+#include <vector>
 
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
@@ -13,6 +14,16 @@
 namespace fs = std::filesystem;
 
 namespace fusee::core {
+
+namespace {
+/// The disk begins to write; many files are written side by side.
+void begin_sync(const fs::path& path) {
+    const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (file < 0) return;
+    (void)::sync_file_range(file, 0, 0, SYNC_FILE_RANGE_WRITE);
+    ::close(file);
+}
+}  // namespace
 
 void sync(const fs::path& path) {
     const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
@@ -24,8 +35,11 @@ void sync(const fs::path& path) {
 }
 
 void sync_tree(const fs::path& folder) {
+    std::vector<fs::path> files;
     for (const auto& entry : fs::recursive_directory_iterator(folder))
-        if (entry.is_regular_file()) sync(entry.path());
+        if (entry.is_regular_file()) files.push_back(entry.path());
+    for (const fs::path& path : files) begin_sync(path);
+    for (const fs::path& path : files) sync(path);
 }
 
 std::string sha256_of_file(const fs::path& path) {

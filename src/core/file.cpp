@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "fusee/core/error.h"
+#include "fusee/core/temporary_folder.h"
 
 namespace fs = std::filesystem;
 
@@ -32,7 +33,7 @@ fs::path hidden_sibling(const fs::path& path, std::string_view purpose) {
 }
 
 /// Writes all bytes to a new file and hands them to the disk. @returns 0 or errno
-int write_new(const fs::path& path, std::string_view bytes) {
+int write_new(const fs::path& path, std::string_view bytes, bool to_disk) {
     const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (file < 0) return errno;
     int failed = 0;
@@ -43,7 +44,8 @@ int write_new(const fs::path& path, std::string_view bytes) {
         else if (errno != EINTR)
             failed = errno;
     }
-    if (failed == 0 && ::fsync(file) != 0 && errno != EINVAL && errno != EROFS) failed = errno;  // some file systems have no fsync
+    if (to_disk && failed == 0 && ::fsync(file) != 0 && errno != EINVAL && errno != EROFS)
+        failed = errno;  // some file systems have no fsync
     if (::close(file) != 0 && failed == 0) failed = errno;
     return failed;
 }
@@ -51,9 +53,10 @@ int write_new(const fs::path& path, std::string_view bytes) {
 }  // namespace
 
 void write_file(const fs::path& path, std::string_view bytes) {
+    const bool to_disk = !is_in_temporary_folder(path);  // an output folder hands over all of its files at once
     fs::path temporary;
     int failed = EEXIST;  // a name that a killed process left
-    for (int i = 0; i < kNames && failed == EEXIST; ++i) failed = write_new(temporary = hidden_sibling(path, "part"), bytes);
+    for (int i = 0; i < kNames && failed == EEXIST; ++i) failed = write_new(temporary = hidden_sibling(path, "part"), bytes, to_disk);
     std::error_code error;
     if (failed != 0) {
         if (failed != EEXIST) fs::remove(temporary, error);

@@ -24,12 +24,14 @@ namespace fusee::core {
 
 namespace {
 
-constexpr const char* kStaging = ".fusee-staging-";
 constexpr const char* kItself = ".";  // a source: the folder that is written into
 constexpr const char* kElsewhere = "move it, or choose another folder";
 
 /// The folder's place without links and dots, whether it exists or not. @throws IoError
 fs::path place_of(const fs::path& target) {
+    std::error_code gone;
+    if (target.is_relative() && (static_cast<void>(fs::current_path(gone)), gone))
+        throw IoError(target.string(), "the working folder is gone: " + gone.message());
     if (target.empty()) throw IoError("\"\"", "the name of a folder is empty");
     try {
         const fs::path place = fs::weakly_canonical(fs::absolute(target));
@@ -48,7 +50,7 @@ std::string first_entry(const fs::path& folder) {
     std::set<std::string> names;
     std::error_code error;
     for (auto entry = fs::directory_iterator(folder, error); !error && entry != fs::directory_iterator(); entry.increment(error))
-        if (std::string name = entry->path().filename().string(); !is_temporary_name(name, kStaging)) names.insert(std::move(name));
+        if (std::string name = entry->path().filename().string(); !is_temporary_name(name, kStagingPrefix)) names.insert(std::move(name));
     if (error) throw IoError(folder.string(), "cannot be read: " + error.message());
     return names.empty() ? "" : *names.begin();
 }
@@ -99,7 +101,7 @@ public:
         : target_(target), place_(place), run_(run), source_(source) {
         if (auto read = read_manifest(place)) {
             manifest_ = std::move(*read);
-        } else if (!run.shared) {
+        } else if (!run.among_others) {
             require_empty();
         }
         require_owner();
@@ -127,7 +129,7 @@ public:
     /// Does this run remove the file unless it makes it anew?
     [[nodiscard]] bool is_stale(const MadeFile& made) const {
         if (made.source == source_) return made.command == run_.command;
-        return run_.force && !run_.shared && is_foreign(made);
+        return run_.force && !run_.many_sources && is_foreign(made);
     }
 
     /// May a file that is no longer made go? A sheet that was filled in stays. @throws IoError if it was changed, unless forced
@@ -154,7 +156,7 @@ private:
                                                         entry, kManifestName));
     }
     void require_owner() const {
-        if (run_.shared || run_.force) return;
+        if (run_.many_sources || run_.force) return;
         for (const auto& [name, made] : manifest_)
             if (is_foreign(made))
                 throw IoError(target_.string(),
@@ -233,6 +235,7 @@ private:
     void put_manifest() const {
         const fs::path text = staging_ / kManifestName;
         write_file(text, manifest_text(next_));
+        sync(text);
         move(text, kManifestName);
         sync(place_);
     }
@@ -281,7 +284,7 @@ struct NewTarget {
 }  // namespace
 
 struct OutputFolder::Staged {
-    explicit Staged(const fs::path& place) : target(place), folder(place, kStaging) {}
+    explicit Staged(const fs::path& place) : target(place), folder(place, kStagingPrefix) {}
     NewTarget target;
     TemporaryFolder folder;  // goes first
 };
@@ -290,7 +293,7 @@ OutputFolder::OutputFolder(fs::path target, OutputRun run)
     : target_(std::move(target)), place_(place_of(target_)), run_(std::move(run)), source_(relative_source(run_.source, place_)) {
     std::error_code ignored;
     if (fs::exists(place_, ignored) && !fs::is_directory(place_, ignored)) throw IoError(target_.string(), "is a file, not a folder");
-    remove_left_behind(place_, kStaging);
+    remove_left_behind(place_, kStagingPrefix);
     const Judge judge(target_, place_, run_, source_);
     for (const std::string& name : run_.files) (void)judge.require_replaceable(name, "");
     for (const std::string& name : run_.sheets) (void)judge.require_replaceable(name, "");

@@ -24,7 +24,6 @@ namespace fusee::core {
 namespace {
 
 constexpr std::size_t kRandom = 6;  // characters that mkdtemp chooses
-constexpr const char* kPrefix = "fusee-temporary-";
 
 /// An open folder that is closed when this goes.
 class Descriptor {
@@ -57,6 +56,13 @@ bool is_temporary_name(const std::string& name, const std::string& prefix) {
     return std::all_of(name.begin() + static_cast<std::ptrdiff_t>(prefix.size()), name.end(), chosen);
 }
 
+bool is_in_temporary_folder(const fs::path& path) {
+    const fs::path folder = path.parent_path();
+    return std::any_of(folder.begin(), folder.end(), [](const fs::path& part) {
+        return is_temporary_name(part.string(), kStagingPrefix) || is_temporary_name(part.string(), kTemporaryPrefix);
+    });
+}
+
 void remove_left_behind(const fs::path& parent, const std::string& prefix) {
     std::error_code ignored;
     std::vector<fs::path> found;
@@ -75,7 +81,7 @@ TemporaryFolder::TemporaryFolder() {
     const fs::path parent = fs::temp_directory_path(error);  // fails if TMPDIR is no folder
     const char* named = std::getenv("TMPDIR");
     if (error) throw IoError(fmt::format("TMPDIR={}", named == nullptr ? "" : named), "no folder for temporary files: " + error.message());
-    make(parent, kPrefix);
+    make(parent, kTemporaryPrefix);
 }
 
 void TemporaryFolder::make(const fs::path& parent, const std::string& prefix) {

@@ -12,6 +12,8 @@
 #include <pagmo/problem.hpp>
 #include <utility>
 
+#include "fusee/core/workers.h"
+
 namespace fusee::design {
 
 namespace {
@@ -38,7 +40,9 @@ pagmo::problem problem_of(Cost cost, const std::vector<core::Range>& bounds) {
     return pagmo::problem(problem);
 }
 
-int threads(unsigned jobs) { return jobs == 0 ? oneapi::tbb::info::default_concurrency() : static_cast<int>(jobs); }
+int threads(unsigned jobs) {
+    return jobs == 0 ? oneapi::tbb::info::default_concurrency() : static_cast<int>(std::min(jobs, core::kMostWorkers));
+}
 
 }  // namespace
 

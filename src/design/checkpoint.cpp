@@ -1,9 +1,12 @@
 #include "checkpoint.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "fusee/core/destination.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/core/json.h"
@@ -15,6 +18,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kFormat = "fusee evolution 1";
+constexpr int kDeepest = 4;
 constexpr std::size_t kLargest = 100'000'000;  // bytes of a checkpoint
 
 /// What has to be the same for a search to go on as if it had never stopped. JSON's numbers are written with all digits that matter.
@@ -54,14 +58,29 @@ Json parsed(const std::string& bytes, const std::string& file) {
 
 }  // namespace
 
-void write_checkpoint(const EvolutionOptions& options, const Generation& state) {
+void write_checkpoint(const EvolutionOptions& options, const Generation& state, bool finished) {
     Json json = identity(options);
+    json["finished"] = finished;
     json["generation"] = state.number;
     json["evaluations"] = state.evaluations;
     json["members"] = state.members;
     json["costs"] = state.costs;
     json["history"] = state.history;
     core::write_file(options.checkpoint, json.dump(1) + "\n");
+}
+
+void require_replaceable(const EvolutionOptions& options) {
+    const std::string file = options.checkpoint.string();
+    core::require_writable(options.checkpoint);
+    if (!std::filesystem::exists(options.checkpoint)) return;
+    const auto shallow = [](int depth, Json::parse_event_t, const Json&) { return depth <= kDeepest; };
+    const Json json = Json::parse(core::read_file(options.checkpoint, kLargest), shallow, false);
+    if (!json.is_object() || json.value("format", Json()) != kFormat)
+        throw core::IoError(file, "fusee did not make this file: move it, or choose another folder");
+    if (!options.force && json.value("finished", Json()) != true)
+        throw core::IoError(file, fmt::format("holds a search that was stopped after {} generations: go on with --resume, or begin anew "
+                                              "with --force",
+                                              json.value("generation", Json()).dump()));
 }
 
 std::optional<Generation> read_checkpoint(const EvolutionOptions& options) {

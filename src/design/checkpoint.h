@@ -15,8 +15,12 @@ struct Generation {
     std::vector<double> history;
 };
 
-/// @throws core::IoError
-void write_checkpoint(const EvolutionOptions& options, const Generation& state);
+/// @param finished nothing is lost when another search takes its place @throws core::IoError
+void write_checkpoint(const EvolutionOptions& options, const Generation& state, bool finished);
+
+/// May a search that begins anew take the checkpoint's place? @throws core::IoError if it cannot be written, if it is no checkpoint, or if
+/// it holds a search that was stopped and options.force is not set
+void require_replaceable(const EvolutionOptions& options);
 
 /// Nothing if there is no such file.
 /// @throws core::InvalidInput naming what is another one in the checkpoint; core::IoError if it is damaged

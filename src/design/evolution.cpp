@@ -150,7 +150,10 @@ EvolutionResult evolve(const Cost& cost, const EvolutionOptions& options) {
     validate(options);
     Search search(cost, options);
     std::optional<Generation> stored;
-    if (options.resume) stored = read_checkpoint(options);
+    if (options.resume)
+        stored = read_checkpoint(options);
+    else if (!options.checkpoint.empty())
+        require_replaceable(options);
     if (stored)
         search.go_on(std::move(*stored));
     else
@@ -160,9 +163,9 @@ EvolutionResult evolve(const Cost& cost, const EvolutionOptions& options) {
         search.step();
         const Generation& state = search.state();
         if (options.progress) options.progress(state.number, state.history.back());
-        if (!options.checkpoint.empty() && state.number % options.checkpoint_every == 0) write_checkpoint(options, state);
+        if (!options.checkpoint.empty() && state.number % options.checkpoint_every == 0) write_checkpoint(options, state, false);
     }
-    if (!options.checkpoint.empty()) write_checkpoint(options, search.state());
+    if (!options.checkpoint.empty()) write_checkpoint(options, search.state(), search.finished());
     return search.result(!search.finished());
 }
 

@@ -8,12 +8,12 @@
 #include <future>
 #include <limits>
 #include <optional>
-#include <thread>
 #include <vector>
 
 #include "fusee/actuator/dead_band.h"
 #include "fusee/actuator/equilibrium.h"
 #include "fusee/core/error.h"
+#include "fusee/core/workers.h"
 #include "fusee/math/roots.h"
 #include "fusee/spring/built_spring.h"
 #include "fusee/spring/cable.h"
@@ -201,12 +201,12 @@ private:
 /// Every width at its place, whoever computed it.
 std::vector<double> widths_of(const Shop& shop, const SampleOptions& options) {
     std::vector<double> widths(static_cast<std::size_t>(options.count));
-    const unsigned jobs = options.jobs ? options.jobs : std::max(1u, std::thread::hardware_concurrency());
+    const unsigned jobs = core::worker_count(options.jobs, widths.size());
     const auto work = [&](unsigned first) {
         for (std::size_t i = first; i < widths.size(); i += jobs) widths[i] = shop.width(static_cast<int>(i));
     };
     std::vector<std::future<void>> others;
-    for (unsigned job = 1; job < jobs; ++job) others.push_back(std::async(std::launch::async, work, job));
+    for (unsigned job = 1; job < jobs; ++job) others.push_back(std::async(std::launch::async | std::launch::deferred, work, job));
     work(0);
     for (std::future<void>& other : others) other.get();
     return widths;

@@ -17,6 +17,8 @@ namespace {
 
 const char* const kSprings = "nominal_springs.csv";
 
+std::string csv_of(Experiment experiment) { return std::string(to_string(experiment)) + ".csv"; }
+
 std::string table_text(const std::string& name, const char* comment, const std::vector<NumberKey>& keys) {
     std::string text = fmt::format("\n[{}] # {}\n", name, comment);
     for (const NumberKey& key : keys) {
@@ -55,10 +57,16 @@ std::string springs_csv(const NominalRig& rig) {
 
 }  // namespace
 
+std::vector<std::string> case_template_files() {
+    std::vector<std::string> names{"case.toml", kSprings, "BENCH.md"};
+    for (const Experiment experiment : kAllExperiments) names.push_back(csv_of(experiment));
+    return names;
+}
+
 void write_case_template(const CaseTemplate& empty, const fs::path& folder) {
     if (empty.rig.springs.empty()) throw core::InvalidInput("rig.springs", "no rows", "the springs' torques over deflection");
     Case files;
-    for (const Experiment experiment : kAllExperiments) files.files[experiment] = {std::string(to_string(experiment)) + ".csv"};
+    for (const Experiment experiment : kAllExperiments) files.files[experiment] = {csv_of(experiment)};
     const std::string toml = case_toml(empty);
     const Rows rows = set_points(empty);
     write_rows(files, rows, folder);

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <exception>
 #include <mutex>
-#include <thread>
-#include <vector>
+
+#include "fusee/core/workers.h"
 
 namespace fusee::inspect {
 
@@ -27,11 +27,7 @@ void each(std::size_t count, unsigned jobs, const Work& work) {
             next = count;
         }
     };
-    const unsigned threads = jobs > 0 ? jobs : std::max(1u, std::thread::hardware_concurrency());
-    std::vector<std::jthread> others;
-    for (unsigned i = 1; i < threads && i * kAtOnce < count; ++i) others.emplace_back(worker);
-    worker();  // this thread is one of them
-    others.clear();
+    core::run_workers(core::worker_count(jobs, (count + kAtOnce - 1) / kAtOnce), worker);
     if (thrown) std::rethrow_exception(thrown);
 }
 

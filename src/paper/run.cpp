@@ -6,6 +6,7 @@
 #include "fusee/batch/batch.h"
 #include "fusee/codesign/algorithm_1_run.h"
 #include "fusee/core/file.h"
+#include "fusee/core/output_folder.h"
 #include "fusee/gap/break_away.h"
 #include "fusee/paper/figures.h"
 #include "fusee/pipeline/simulate.h"
@@ -130,16 +131,18 @@ void write_all(const report::Paper& paper, const fs::path& folder) {
 }  // namespace
 
 Result run(const Options& options) {
+    core::OutputFolder output(
+        options.out / "paper",
+        {.command = "paper", .source = options.profiles, .force = options.force, .files = {"paper.html", "paper.json"}});
     const Sources sources = read_sources(options.profiles);
     Maker maker(sources, options);
     Result result;
     result.interrupted = !maker.make_all();
     result.findings = maker.refusals();
     if (result.interrupted || !result.findings.empty()) return result;
-    result.folder = options.out / "paper";
-    core::StagedFolder staged(result.folder);
-    write_all(maker.paper(), staged.path());
-    staged.commit();
+    write_all(maker.paper(), output.path());
+    output.commit();
+    result.folder = output.target();
     result.made = true;
     result.summary = report::paper_text(maker.paper());
     return result;

@@ -28,7 +28,8 @@ report::CheckedProcess check_process(const profile::Profile& profile, const core
     report::CheckedProcess checked{checks::to_string(kind), other.figures, kind == profile.process.kind, {}, {}};
     checked.about = law ? law->findings : law.refusal();
     if (!law) return checked;
-    auto series = std::async(std::launch::async, [&] { return findings_of(cam::PartKind::kSeries, other.profile, law->law); });
+    auto series = std::async(std::launch::async | std::launch::deferred,
+                             [&] { return findings_of(cam::PartKind::kSeries, other.profile, law->law); });
     core::Findings parallel = findings_of(cam::PartKind::kParallel, other.profile, law->law);
     checked.parts = {{to_string(cam::PartKind::kSeries), series.get()}, {to_string(cam::PartKind::kParallel), std::move(parallel)}};
     return checked;

@@ -6,6 +6,7 @@
 
 #include "fusee/checks/limits.h"
 #include "fusee/core/file.h"
+#include "fusee/core/output_folder.h"
 #include "fusee/core/units.h"
 #include "fusee/coupon/bodies.h"
 #include "fusee/coupon/readme.h"
@@ -20,6 +21,12 @@ namespace fs = std::filesystem;
 namespace fusee::pipeline {
 
 namespace {
+
+constexpr const char* kSheet = "COUPON.csv";
+
+core::OutputRun run_of(const profile::Profile& profile, bool force) {
+    return {.command = "coupons", .source = profile.file, .force = force, .files = {"README.md", "disc.json"}, .sheets = {kSheet}};
+}
 
 coupon::Options options_of(const profile::Profile& profile) {
     const checks::ProcessLimits limits = checks::process_limits(profile.process);
@@ -126,8 +133,9 @@ private:
 
 }  // namespace
 
-Coupons make_coupons(const profile::Profile& profile, const fs::path& out) {
+Coupons make_coupons(const profile::Profile& profile, const fs::path& out, bool force) {
     require_parts(profile);
+    core::OutputFolder output(out / (profile.name + "-coupons"), run_of(profile, force));
     const coupon::Options options = options_of(profile);
     const auto bodies = bodies_of(options);
     Coupons made;
@@ -137,21 +145,19 @@ Coupons make_coupons(const profile::Profile& profile, const fs::path& out) {
     }
     made.findings.push_back(fits(*bodies, profile.process));
     if (core::any_required(made.findings)) return made;
-    const fs::path folder = out / (profile.name + "-coupons");
-    core::StagedFolder staged(folder);
     const core::Provenance provenance{profile.name, profile.sha256, "coupons"};
-    Writer writer(staged.path(), provenance, made);
+    Writer writer(output.path(), provenance, made);
     const double chord_mm = core::mm_from_m(options.chordal_error);
     writer.solid("bores_and_lengths", bodies->plate.mesh, chord_mm);
     writer.solid("groove_ladder", bodies->ladder.mesh, chord_mm);
     writer.disc(bodies->disc);
     const coupon::Drawn drawn = drawn_of(*bodies, options);
-    writer.text("COUPON.csv", coupon::empty_sheet(drawn, provenance.line()));
+    writer.text(kSheet, coupon::empty_sheet(drawn, provenance.line()));
     writer.text("README.md", coupon::readme(drawn, provenance.line()));
     if (core::any_required(made.findings)) return made;
-    staged.commit();
+    output.commit();
     made.made = true;
-    made.folder = folder;
+    made.folder = output.target();
     return made;
 }
 

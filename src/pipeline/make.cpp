@@ -7,6 +7,7 @@
 
 #include "fusee/actuator/dead_band.h"
 #include "fusee/core/file.h"
+#include "fusee/core/output_folder.h"
 #include "fusee/core/units.h"
 #include "fusee/pipeline/as_exported.h"
 #include "fusee/pipeline/design.h"
@@ -30,7 +31,7 @@ constexpr std::size_t kLawSamples = 401;
 /// The two parts share nothing but the law: each is designed on its own thread.
 template <class Work>
 auto both_parts(const Work& work) {
-    auto series = std::async(std::launch::async, [&] { return work(cam::PartKind::kSeries); });
+    auto series = std::async(std::launch::async | std::launch::deferred, [&] { return work(cam::PartKind::kSeries); });
     auto parallel = work(cam::PartKind::kParallel);
     return std::pair{series.get(), std::move(parallel)};
 }
@@ -74,6 +75,13 @@ MakeResult not_made(const profile::Profile& profile, core::Findings findings) {
     return result;
 }
 
+core::OutputRun run_of(const profile::Profile& profile, const MakeOptions& options) {
+    return {.command = "make",
+            .source = profile.file,
+            .force = options.force,
+            .files = {"report.json", "report.html", "springs.csv", "simulation.json", "simulation.html", "dead_band.csv"}};
+}
+
 /// Other programs take seconds a part.
 void announce(const profile::Profile& profile, const MakeOptions& options) {
     if (!options.note) return;
@@ -113,24 +121,25 @@ void export_parts(report::DesignReport& design, const Parts& parts, const profil
 MakeResult make(const profile::Profile& profile, const MakeOptions& options) {
     require_parts(profile);
     require_sliceable(profile);
+    core::OutputFolder output(options.out / profile.name, run_of(profile, options));
     const auto law = design_law(profile);
     if (!law) return not_made(profile, law.refusal());
-    auto simulation = std::async(std::launch::async, [&profile] { return simulate(profile); });  // needs no part
+    auto simulation = std::async(std::launch::async | std::launch::deferred, [&profile] { return simulate(profile); });  // needs no part
     const auto parts = design_parts(profile, *law);
     if (!parts) return not_made(profile, parts.refusal());
 
     const actuator::Actuator joint = actuator_of(profile, law->law);
-    core::StagedFolder staged(options.out / profile.name);
+    const fs::path folder = output.path();
     report::DesignReport design;
     design.provenance = {profile.name, profile.sha256, std::string("via=") + to_string(options.via)};
     design.law = law_report(*law, profile, joint);
     design.dead_band = actuator::dead_band_curve(joint, kDeadBandLevels);
     design.findings = law->findings;
     const core::Outcome<report::Simulation> simulated = simulation.get();
-    design.files = write_simulation(*simulated, staged.path());
-    design.files.push_back(springs_file(staged.path(), *law->law, profile));
+    design.files = write_simulation(*simulated, folder);
+    design.files.push_back(springs_file(folder, *law->law, profile));
     announce(profile, options);
-    export_parts(design, *parts, profile, options.via, staged.path());
+    export_parts(design, *parts, profile, options.via, folder);
     design.as_exported = as_exported(profile, law->law, design);
 
     design.outlook = outlook_of(profile, law->law, *simulated, design.parts);
@@ -140,12 +149,12 @@ MakeResult make(const profile::Profile& profile, const MakeOptions& options) {
     result.head = report::head_figures(design.outlook, errors);
     result.worst_arm_error = std::isnan(errors.arm) ? 0.0 : errors.arm;
     result.worst_dead_band_change = design.as_exported.worst_change();
-    if (core::any_required(result.findings)) return result;  // a file does not carry the law: the staged folder goes
-    core::write_file(staged.path() / "report.json", report::report_json(design));
-    core::write_file(staged.path() / "report.html", report::report_html(design));
-    staged.commit();
+    if (core::any_required(result.findings)) return result;  // a file does not carry the law: the files go
+    core::write_file(folder / "report.json", report::report_json(design));
+    core::write_file(folder / "report.html", report::report_html(design));
+    output.commit();
     result.made = true;
-    result.folder = options.out / profile.name;
+    result.folder = output.target();
     result.dead_band_peak_deg = core::deg_from_rad(actuator::dead_band(joint, joint.peak_torque).extreme);
     return result;
 }

@@ -159,11 +159,12 @@ report::Recut recut(const profile::Profile& profile, const std::string& toml, co
     return result;
 }
 
-void write_recut(const report::Recut& recut, const fs::path& folder) {
+void write_recut(const report::Recut& recut, const fs::path& folder, bool force) {
     for (const report::RecutProfile& profile : recut.profiles) {
         core::make_folder(fs::absolute(profile.file).parent_path());
-        core::write_file(profile.file, profile.toml);
+        core::require_new_file(profile.file, force);
     }
+    for (const report::RecutProfile& profile : recut.profiles) core::write_file(profile.file, profile.toml);
     core::write_file(folder / "recut.json", report::recut_json(recut));
 }
 

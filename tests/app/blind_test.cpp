@@ -51,7 +51,7 @@ TEST_F(Blind, RefusesBadInput) {
     expect_refused("blind make --seed 1 --cases 0 --out out", {"cases", "0"});
     expect_refused("blind make --seed 1 --cases 1 --out out --plant garden", {"--plant", "garden"});
     write("full/thesis.txt", "do not lose");
-    expect_refused("blind make --seed 1 --cases 1 --out full", {"out", "full", "empty"});
+    expect_refused("blind make --seed 1 --cases 1 --out full", {"full: fusee did not make this folder", "thesis.txt"});
     expect_refused("blind score full --out out", {"full/seal.txt"});
     expect_refused("blind score full --seal 0123 --out out", {"labels.sealed"});
     write("full/labels.sealed", "QUJD\n");

@@ -14,10 +14,14 @@ TEST_F(Program, WritesAnEmptyCaseAndNeverOverAnotherOne) {
                              "cocontraction.csv", "log.csv", "BENCH.md"})
         EXPECT_TRUE(fs::exists(folder_ / "my bench" / file)) << file;
     const auto before = fixtures::contents(folder_ / "my bench");
-    const Ended again = run("case-template " + profile + " --out 'my bench'");
-    EXPECT_EQ(again.code, 2) << again.all();
-    expect_words(again.err, {"--out", "a new or empty folder"});
-    EXPECT_EQ(fixtures::contents(folder_ / "my bench"), before);
+    EXPECT_EQ(run("case-template " + profile + " --out 'my bench'").code, 0) << "no sheet is filled in yet";
+    write("my bench/breakaway.csv", before.at("breakaway.csv") + "measured");
+    for (const char* force : {"", " --force"}) {
+        const Ended again = run("case-template " + profile + " --out 'my bench'" + force);
+        EXPECT_EQ(again.code, 2) << again.all();
+        expect_words(again.err, {"my bench/breakaway.csv", "sheet to fill in", "Move it, or choose another folder"});
+    }
+    EXPECT_EQ(core::read_file(folder_ / "my bench" / "breakaway.csv"), before.at("breakaway.csv") + "measured");
     EXPECT_EQ(run("case-template " + profile + " --out second").code, 0);
     EXPECT_EQ(fixtures::contents(folder_ / "second"), before);
 }

@@ -33,7 +33,8 @@ protected:
     }
     [[nodiscard]] static std::map<std::string, std::string> bytes_in(const fs::path& folder) {
         std::map<std::string, std::string> files;
-        for (const auto& entry : fs::directory_iterator(folder)) files[entry.path().filename().string()] = core::read_file(entry.path());
+        for (const auto& entry : fs::directory_iterator(folder))
+            if (entry.path().filename() != core::kManifestName) files[entry.path().filename().string()] = core::read_file(entry.path());
         return files;
     }
     static void expect_refused(const profile::Profile& profile, const std::string& field) {

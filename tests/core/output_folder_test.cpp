@@ -32,7 +32,7 @@ protected:
     void TearDown() override { fs::remove_all(folder_); }
 
     [[nodiscard]] OutputRun run(const std::string& command = "make", const std::string& source = "a.toml") const {
-        return {command, folder_ / source, false, {}, {}, false};
+        return {command, folder_ / source, false, {}, {}, false, false};
     }
     void put(const Files& files, const OutputRun& run) const {
         OutputFolder output(out_, run);
@@ -186,7 +186,9 @@ TEST_F(OutputFolderTest, ASharedFolderTakesSeveralSources) {
     fs::create_directories(out_);
     write_file(out_ / "notes.txt", "mine");
     OutputRun first = run("check"), second = run("check", "b.toml");
-    first.shared = second.shared = true;
+    first.many_sources = second.many_sources = true;
+    EXPECT_THROW(OutputFolder(out_, first), IoError);
+    first.among_others = second.among_others = true;
     put({{"a_check.3mf", "1"}}, first);
     put({{"b_check.3mf", "1"}}, second);
     EXPECT_EQ(standing(), (Files{{"a_check.3mf", "1"}, {"b_check.3mf", "1"}, {"notes.txt", "mine"}}));
@@ -196,7 +198,7 @@ TEST_F(OutputFolderTest, ASharedFolderTakesSeveralSources) {
 
 TEST_F(OutputFolderTest, AFolderThatIsItsOwnSourceTakesBoth) {
     put({{"case.toml", "1"}}, run("case-template"));
-    OutputRun diagnose{"diagnose", out_, false, {}, {}, false};
+    OutputRun diagnose{"diagnose", out_, false, {}, {}, false, false};
     put({{"diagnosis.json", "1"}}, diagnose);
     put({{"case.toml", "1"}}, run("case-template"));
     EXPECT_EQ(standing(), (Files{{"case.toml", "1"}, {"diagnosis.json", "1"}}));

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "fusee/core/file.h"
+#include "fusee/core/output_folder.h"
 
 /// Profiles to change by key, and folders that go when a test ends.
 namespace fusee::fixtures {
@@ -74,11 +75,12 @@ inline std::string with_keys(std::string text, const Changes& changes) {
     return text;
 }
 
-/// Every file under a folder with its bytes, by name.
+/// Every file under a folder with its bytes, by name; without the manifests, which name the source relative to the folder.
 inline std::map<std::string, std::string> contents(const fs::path& folder) {
     std::map<std::string, std::string> files;
     for (const auto& entry : fs::recursive_directory_iterator(folder))
-        if (entry.is_regular_file()) files[fs::relative(entry.path(), folder).string()] = core::read_file(entry.path());
+        if (entry.is_regular_file() && entry.path().filename() != core::kManifestName)
+            files[fs::relative(entry.path(), folder).string()] = core::read_file(entry.path());
     return files;
 }
 

@@ -36,12 +36,13 @@ enum class Maker {
 struct BenchmarkOptions {
     std::uint64_t seed = 1;
     std::size_t cases = 20;
-    std::filesystem::path out;  ///< a folder that does not exist yet, or is empty
+    std::filesystem::path out;  ///< gets the benchmark, whole or not at all
+    bool force = false;         ///< as core::OutputRun has it
     unsigned jobs = 0;          ///< threads, 0: as many as cores; the bytes are the same for any
     Mix mix;
     Maker maker = Maker::kPlant;  ///< kModel: one effect in place of those from outside
     /// Told first, with done = 0, "seal sha256:HASH", before any case is written; then each case as it is finished. Calls do not overlap.
-    /// May throw to stop; what is written stays.
+    /// May throw to stop: then nothing is written.
     std::function<void(std::size_t done, std::size_t of, const std::string& what)> progress;
 };
 

@@ -91,6 +91,7 @@ struct ScoreOptions {
     unsigned jobs = 0;             ///< cases side by side, each on one thread; 0: as many as cores; the score is the same for any
     std::size_t limit = 0;         ///< the first cases only; 0: all
     bool again = false;            ///< make diagnoses anew that lie there already
+    bool force = false;            ///< where files are written: as core::OutputRun has it
     /// Told of each finished case; calls do not overlap. What it throws ends the work.
     std::function<void(std::size_t done, std::size_t of, const std::string& what)> progress;
     /// Asked often: true ends the work with core::Stopped. Finished diagnoses stay and are not made again.

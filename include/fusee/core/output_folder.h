@@ -11,12 +11,13 @@ inline constexpr const char* kManifestName = ".fusee.json";
 
 /// A run that writes into a folder.
 struct OutputRun {
-    std::string command;                   ///< "make": a later run of this command removes the files that it no longer makes
-    std::filesystem::path source;          ///< profile, case or table that the files are made from; empty: none
+    std::string command = {};              ///< "make": a later run of this command removes the files that it no longer makes
+    std::filesystem::path source = {};     ///< profile, case or table that the files are made from; empty: none
     bool force = false;                    ///< also replace the files of another source, and files that were changed since they were made
     std::vector<std::string> files = {};   ///< names that will be written in any case: checked before the work begins
     std::vector<std::string> sheets = {};  ///< names of files to fill in: once changed they are never replaced, not even with `force`
-    bool shared = false;  ///< files of other sources, and files that fusee did not make, may stand beside those of this run
+    bool many_sources = false;             ///< files of other sources may stand beside those of this run
+    bool among_others = false;             ///< files that fusee did not make may stand beside them from the beginning
 };
 
 /// A folder that a command writes its files into: all of them or none, and nothing of the user's is touched (docs/outputs.md).

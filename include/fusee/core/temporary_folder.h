@@ -32,4 +32,10 @@ void remove_left_behind(const std::filesystem::path& parent, const std::string& 
 /// Is this the name of a temporary folder with that prefix?
 [[nodiscard]] bool is_temporary_name(const std::string& name, const std::string& prefix);
 
+/// Is it inside of a temporary folder or of an output folder's staging folder?
+[[nodiscard]] bool is_in_temporary_folder(const std::filesystem::path& path);
+
+/// The prefixes of both.
+inline constexpr const char *kTemporaryPrefix = "fusee-temporary-", *kStagingPrefix = ".fusee-staging-";
+
 }  // namespace fusee::core

@@ -27,6 +27,7 @@ struct EvolutionOptions {
     std::filesystem::path checkpoint = {};  ///< written after every `checkpoint_every` generations and at the end; empty: none
     int checkpoint_every = 10;
     bool resume = false;       ///< go on from the checkpoint if it is there; refused if it is of another problem, box, seed or population
+    bool force = false;        ///< begin anew although the checkpoint holds a search that was stopped
     std::string problem = "";  ///< identifies the cost in the checkpoint
     std::function<void(int generation, double best)> progress = {};          ///< after each generation, on the caller's thread
     std::function<void(std::span<const double>, double cost)> observe = {};  ///< every evaluation, in order, on the caller's thread
@@ -45,7 +46,8 @@ struct EvolutionResult {
 /// Differential Evolution (Storn & Price 1997) by generations: every trial vector of a generation is drawn from the counter-based stream
 /// of (seed, generation, individual), so that any number of threads, and any stop and resume, gives the same bits. A generation is
 /// evaluated by pagmo's batch evaluator (docs/decisions/0005-de-by-generations.md).
-/// @throws InvalidInput naming the option, or what differs in the checkpoint; IoError if the checkpoint cannot be read or written
+/// @throws InvalidInput naming the option, or what differs in the checkpoint; IoError if the checkpoint cannot be read or written, or if it
+/// is none, or holds a search that was stopped, and neither `resume` nor `force` is set
 [[nodiscard]] EvolutionResult evolve(const Cost& cost, const EvolutionOptions& options);
 
 }  // namespace fusee::design

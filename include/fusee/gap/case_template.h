@@ -3,6 +3,7 @@
 #include <functional>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "fusee/core/units.h"
 #include "fusee/gap/case.h"
@@ -35,6 +36,9 @@ struct CaseTemplate {
 /// measured, and BENCH.md, the sheets that say how to measure. As long as a cell is empty `read_case` names it.
 /// @throws core::InvalidInput if the torques are no range above 0 or a figure is none that read_case takes; core::IoError
 void write_case_template(const CaseTemplate& empty, const std::filesystem::path& folder);
+
+/// The names of its files: all are to be filled in or put right by the user.
+[[nodiscard]] std::vector<std::string> case_template_files();
 
 /// The set points of every experiment; what is measured is NaN.
 [[nodiscard]] Rows set_points(const CaseTemplate& empty);

@@ -13,6 +13,7 @@ struct Options {
     std::filesystem::path profiles = "profiles";  ///< holds first_prototype.toml, pnrvsa.toml, paper/, relatives/ and examples/
     std::filesystem::path out = "out";            ///< the result lands in out/paper, complete or not at all
     unsigned jobs = 0;                            ///< threads of figure 9's search; 0 = one for each processor; no influence on the result
+    bool force = false;                           ///< where files are written: as core::OutputRun has it
     std::function<void(const std::string& piece)> note = {};  ///< told of each finished piece, kPieces times; may be empty
     std::function<bool()> stop = core::interrupted;           ///< asked before each piece
 };

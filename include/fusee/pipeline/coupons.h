@@ -18,8 +18,9 @@ struct Coupons {
 };
 /// The coupons of a profile in `out`/NAME-coupons, complete or not at all: plate, groove ladder and disc as STL and 3MF, disc.json, the
 /// empty COUPON.csv and README.md (docs/guides/calibrate.md). They are nominal whatever the profile's compensation is.
-/// @throws core::InvalidInput, core::IoError
-[[nodiscard]] Coupons make_coupons(const profile::Profile& profile, const std::filesystem::path& out);
+/// A COUPON.csv that was filled in is not replaced, not even by `force`.
+/// @throws core::InvalidInput; core::IoError, also if the folder may not be written (core::OutputFolder)
+[[nodiscard]] Coupons make_coupons(const profile::Profile& profile, const std::filesystem::path& out, bool force = false);
 
 /// What the profile says of the figures that coupons measure.
 [[nodiscard]] coupon::Present present_of(const profile::Profile& profile);

@@ -14,6 +14,7 @@ struct MakeOptions {
     std::filesystem::path out = "out";  ///< the design lands in out/NAME, complete or not at all
     Via via = Via::kCgal;
     std::function<void(const std::string&)> note = {};  ///< told when something long begins; may be empty; called on the caller's thread
+    bool force = false;  ///< also replace another profile's files in out/NAME, and files changed since (core::OutputRun)
 };
 
 /// What became of one profile.
@@ -29,7 +30,7 @@ struct MakeResult {
 };
 
 /// One profile in, two cams out: law, arms, contours, solids, rules, files, read-back, report (README, "How it works").
-/// An impossible design writes nothing. @throws core::InvalidInput, core::IoError
+/// An impossible design writes nothing. @throws core::InvalidInput; core::IoError, also if out/NAME may not be written (core::OutputFolder)
 [[nodiscard]] MakeResult make(const profile::Profile& profile, const MakeOptions& options = {});
 
 }  // namespace fusee::pipeline

@@ -31,7 +31,8 @@ struct RecutOptions {
 [[nodiscard]] report::Recut recut(const profile::Profile& profile, const std::string& toml, const gap::Case& bench,
                                   const gap::Diagnosis& found, const RecutOptions& options);
 
-/// Writes each corrected profile, its folder made if there is none, and `folder`/recut.json. @throws core::IoError
-void write_recut(const report::Recut& recut, const std::filesystem::path& folder);
+/// Writes each corrected profile, its folder made if there is none, and `folder`/recut.json.
+/// @throws core::IoError, before anything is written, if a profile stands there already and `force` is not set
+void write_recut(const report::Recut& recut, const std::filesystem::path& folder, bool force = false);
 
 }  // namespace fusee::pipeline

@@ -17,6 +17,7 @@ struct SimulateOptions {
     int levels = 0;                          ///< of co-contraction; 0: as the profile says
     std::optional<double> push_torque = {};  ///< of the push-and-release test [Nm]; none: as the profile says
     std::vector<Eigen::Vector3d> at = {};    ///< torques (tau_1, tau_2, tau_q) at which the equilibrium is asked for [Nm]
+    bool force = false;                      ///< where files are written: as core::OutputRun has it
 };
 
 /// The joint that a profile describes, at rest and pushed, with its motor and frame subsystems and its noise; of the paper's relatives the

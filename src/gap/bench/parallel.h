@@ -1,12 +1,10 @@
 #pragma once
-#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <exception>
 #include <mutex>
-#include <system_error>
-#include <thread>
-#include <vector>
+
+#include "fusee/core/workers.h"
 
 namespace fusee::gap::bench {
 
@@ -14,7 +12,6 @@ namespace fusee::gap::bench {
 /// number of threads. The first exception stops the rest and is thrown on.
 template <class Work>
 void for_each_index(std::size_t count, unsigned jobs, const Work& work) {
-    if (jobs == 0) jobs = std::max(1u, std::thread::hardware_concurrency());
     std::atomic<std::size_t> next{0};
     std::exception_ptr failure;
     std::mutex mutex;
@@ -29,13 +26,7 @@ void for_each_index(std::size_t count, unsigned jobs, const Work& work) {
             }
         }
     };
-    std::vector<std::thread> threads;
-    try {
-        for (unsigned t = 1; t < std::min<std::size_t>(jobs, count); ++t) threads.emplace_back(run);
-    } catch (const std::system_error&) {  // the system gives no more threads: those that there are do the work
-    }
-    run();
-    for (std::thread& thread : threads) thread.join();
+    core::run_workers(core::worker_count(jobs, count), run);
     if (failure) std::rethrow_exception(failure);
 }
 

@@ -1,0 +1,37 @@
+#pragma once
+#include <CLI/CLI.hpp>
+#include <string>
+#include <system_error>
+#include <thread>
+
+#include "fusee/core/error.h"
+#include "fusee/core/workers.h"
+
+namespace fusee::app {
+
+/// Libraries end the program where they get no thread: told before. @throws core::IoError
+inline void require_thread() {
+    try {
+        const std::jthread one([] {});
+    } catch (const std::system_error& e) {
+        throw core::IoError("ulimit -u", "no thread can be started: " + e.code().message());
+    }
+}
+
+/// -j, --jobs: 0 to core::kMostWorkers.
+inline void add_jobs(CLI::App& command, unsigned& jobs, const std::string& meaning) {
+    command.add_option("-j,--jobs", jobs, meaning)->check(CLI::Range(0U, core::kMostWorkers))->capture_default_str();
+}
+
+/// --force of a command that writes into a folder (docs/outputs.md).
+inline void add_force(CLI::App& command, bool& force) {
+    command.add_flag("--force", force,
+                     "Also replace files that were made from another source or changed since; never those that fusee did not make");
+}
+
+/// --force of a command that writes a file that the user names.
+inline void add_force_file(CLI::App& command, bool& force) {
+    command.add_flag("--force", force, "Replace the file if it stands there already");
+}
+
+}  // namespace fusee::app

@@ -100,8 +100,8 @@ TEST_F(TemplateOfProfile, RefusesWhatACaseCannotHold) {
     EXPECT_EQ(refused(bare), "k_se.spring.rate_Nm_per_rad");
 }
 
-// One function says how hard the joint is pushed: at the bench as in the simulation. A push of 0.5495 Nm read 1.05 times less than a full
-// one of 0.8408 Nm at 0.85 Nm.
+// One function says how hard the joint is pushed: at the bench as in the simulation. The template once asked for 0.5495 Nm at every
+// co-contraction, where a full push is 0.8408 Nm at 0.85 Nm and more above it.
 TEST_F(TemplateOfProfile, PushesAsHardAsTheSimulation) {
     const auto made = case_template(pnrvsa_);
     ASSERT_TRUE(made);

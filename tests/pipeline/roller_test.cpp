@@ -22,7 +22,8 @@ protected:
 
 TEST_F(RollerMade, CarriesItsLawInEveryFile) {
     const MakeResult result = make(profile::read_profile(write("roller.toml", example())), {.out = folder_ / "out"});
-    for (const core::Finding& f : result.findings) EXPECT_FALSE(core::is_broken(f)) << core::to_line(f);
+    for (const core::Finding& f : result.findings)  // its G-code is for another process than it is printed by
+        EXPECT_EQ(core::is_broken(f), f.rule == "toolpath.process") << core::to_line(f);
     ASSERT_TRUE(result.made);
     for (const core::Finding& f : result.findings) {
         if (!f.where.starts_with("k_pe")) continue;

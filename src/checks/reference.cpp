@@ -40,7 +40,8 @@ std::string reference(const std::vector<const Card*>& cards, const std::vector<s
             text += fmt::format("{}### {}: {}\n\n| rule | guards against | measured | limits | source |\n|---|---|---|---|---|\n",
                                 text.empty() ? "" : "\n", group, group_title(group));
         }
-        text += fmt::format("| `{}` | {} | {}{} | {} | {} |\n", rule->id, rule->title, rule->measures, needed, limits_text(*rule), rule->source);
+        text += fmt::format("| `{}` | {} | {}{} | {} | {} |\n", rule->id, rule->title, rule->measures, needed, limits_text(*rule),
+                            rule->source);
     }
     return text;
 }

@@ -197,6 +197,9 @@ core::Outcome<report::Simulation> simulate(const profile::Profile& profile, cons
         JointSimulator(profile, law->law, push).fill(simulation, levels);
         simulation.stretches = stretch_sides(profile, law->law);
         simulation.wraps = wrap_sides(profile, law->law);
+        const bool cables_known = profile.wrap.friction > 0.0 && profile.wrap.stiffness > 0.0;
+        if (profile.has_parts && !cables_known)
+            simulation.gaps.push_back("hysteresis of the cables on their cams: cable.friction and cable.stiffness_N are not both stated");
     } else {
         for (const double tau : levels) simulation.levels.push_back(surveyed_level(arrangement, tau));
     }

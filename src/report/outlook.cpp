@@ -11,7 +11,7 @@ namespace fusee::report {
 
 namespace {
 
-constexpr double kSlightest = 1e-4;  // Nm of stiction for each Nm of co-contraction: a tenth of what a file's arms may be off
+constexpr double kSlightest = 1e-5;  // Nm of stiction for each Nm of co-contraction: a hundredth of what a file's arms may be off
 
 std::string deg(double rad) { return number(core::deg_from_rad(rad), 3); }
 std::string nm(double torque) { return number(torque, 3) + " Nm"; }

@@ -125,6 +125,8 @@ std::vector<std::string> remarks(const Simulation& s) {
     std::vector<std::string> all;
     if (!s.survey.remark.empty()) all.push_back(s.survey.remark);
     if (s.survey.arrangement != actuator::Arrangement::kPnrvsa) return all;
+    if (std::isfinite(s.survey.torque))
+        all.push_back(fmt::format("The joint takes at most {} of torque before a spring leaves its law.", nm(s.survey.torque)));
     all.push_back(condition_text(s.condition));
     for (const auto& text : {linear_text(s), protocol_text(s), push_text(s), beyond_text(s),
                              missing_text(s, &DeadBand::extreme, "The exact extremes are not covered"),

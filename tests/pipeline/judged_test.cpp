@@ -50,8 +50,10 @@ TEST_F(Judged, TheShippedSpringsAreNotJudgedUntilTheirDataIsStated) {
     EXPECT_EQ(find(without, "spring.buckling", "k_se"), nullptr) << "a torsion spring does not buckle";
     const core::Findings with = checked(changed("pnrvsa", kSprings));
     for (const core::Finding& f : with) EXPECT_NE(f.severity, core::Severity::kNotJudged) << core::to_line(f);
-    for (const core::Finding& f : without)
-        if (f.severity == core::Severity::kNotJudged) EXPECT_NE(find(with, f.rule, f.where.substr(0, 4)), nullptr) << f.rule;
+    for (const core::Finding& f : without) {
+        if (f.severity != core::Severity::kNotJudged) continue;
+        EXPECT_NE(find(with, f.rule, f.where.substr(0, 4)), nullptr) << f.rule;
+    }
 }
 
 TEST_F(Judged, EachMissingKeyIsOneThatStatesTheData) {

@@ -61,6 +61,10 @@ TEST_F(Simulate, LevelsAreTheActuatorsDeadBands) {
             << "dq/dtau_q, both capstans free";
     }
     EXPECT_EQ(report::condition_verdict(simulation), report::ConditionVerdict::kWithinRounding) << "u of 1.2 mNm: by 2e-6 at the most";
+    EXPECT_NE(report::simulation_text(simulation).find("The joint takes at most 0.151 Nm of torque before a spring leaves its law."),
+              std::string::npos);
+    EXPECT_NE(report::simulation_text(simulation).find("not known: hysteresis of the cables on their cams: cable.friction"),
+              std::string::npos);
     EXPECT_LT(simulation.levels.back().noise[2], simulation.levels.front().noise[2]) << "co-contraction rejects noise";
 }
 

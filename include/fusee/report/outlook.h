@@ -45,7 +45,7 @@ struct FileErrors {
 /// What the user gets, by importance: dead-band over the co-contractions, arms of the parts as made, joint torque, condition (6).
 [[nodiscard]] std::vector<HeadFigure> head_figures(const Outlook& outlook, const FileErrors& files);
 
-/// How condition (6), d(T tau_f)/dtau < 0, ends. Slopes of less than 1e-4 either way are too small to be built: stiction stays the same.
+/// How condition (6), d(T tau_f)/dtau < 0, ends. Slopes of less than 1e-5 either way are too small to be built: stiction stays the same.
 enum class ConditionVerdict { kHolds, kFails, kMixed, kWithinRounding, kNotKnown };
 [[nodiscard]] ConditionVerdict condition_verdict(const actuator::ConditionSummary& condition);
 [[nodiscard]] const char* to_string(ConditionVerdict verdict);  ///< "holds", "fails", "holds in part", "within rounding", "not known"

@@ -47,6 +47,9 @@ constexpr double kRounding =
     1e-10;                        // of the coordinates: what is hit nearer than that is the neighbour, past the edge that the ray starts on
 constexpr double kFeather = 0.6;  // of the way to where flat faces would meet; bent ones meet sooner
 
+constexpr std::size_t kOverlapping = 100'000;  // looks for a sample; a torus of a million triangles takes 34,000
+constexpr std::size_t kOverlappingShare = 4, kComponentsShare = 16;
+
 /// A step with which i * step % count comes to every number below `count` once, spread from the beginning: near the golden section.
 std::size_t coprime_step(std::size_t count) {
     auto step = static_cast<std::size_t>(0.6180339887 * static_cast<double>(count)) + 1;
@@ -78,7 +81,7 @@ void Body::measure_samples(std::size_t most_looks) {
     const std::size_t count = samples_.size(), step = coprime_step(count);
     std::vector<bool> measured(count, false);
     std::size_t looks = 0, done = 0;
-    for (std::size_t batch = 1; done < count && looks < most_looks;) {
+    for (std::size_t batch = 1, most = most_looks; done < count && looks < most;) {
         const std::size_t now = std::min(batch, count - done);
         std::vector<std::size_t> cost(now);
         each(now, jobs_, [&](std::size_t i) {
@@ -89,7 +92,8 @@ void Body::measure_samples(std::size_t most_looks) {
         for (std::size_t i = 0; i < now; ++i) measured[(done + i) * step % count] = true;
         looks = std::accumulate(cost.begin(), cost.end(), looks);
         done += now;
-        const std::size_t paid_for = (most_looks - std::min(looks, most_looks)) / (looks / done + 1);
+        most = looks / done > kOverlapping ? most_looks / kOverlappingShare : most_looks;
+        const std::size_t paid_for = (most - std::min(looks, most)) / (looks / done + 1);
         batch = std::clamp<std::size_t>(paid_for, 1, 2 * batch);
     }
     if (done < count) keep_measured(measured);
@@ -140,7 +144,7 @@ void Body::place_components(std::size_t most_looks) {
     cavity_.assign(all.size(), false), turned_.assign(all.size(), false);
     for (std::size_t c = 0; c < all.size(); ++c) {
         if (!all[c].closed || !(all[c].volume_mm3 < 0.0)) continue;
-        if (Rays::looked_at() - before > most_looks) {
+        if (Rays::looked_at() - before > most_looks / kComponentsShare) {
             ++components_left_out_;
             continue;
         }

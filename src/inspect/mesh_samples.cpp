@@ -28,7 +28,7 @@ std::optional<Marked> measure(const Foreign& part, const Allowed& allowed) {
 Rule mesh_samples() {
     return {{"mesh.samples",
              "walls and slots that were not looked at",
-             "places left out because measuring them would look at more than 2e9 triangles in all",
+             "places left out because measuring them would look at more than 8e8 triangles in all, or 2e8 where they lie over one another",
              "what is not measured is not judged",
              {required(kAtMost, "places", 0.0)}},
             measure};

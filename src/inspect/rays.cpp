@@ -73,6 +73,18 @@ struct Traits : CGAL::AABB_traits<Kernel, Primitive> {
 };
 using AabbTree = CGAL::AABB_tree<Traits>;
 
+/// A look along a ray takes as long as four looks for the nearest point, and counts as many.
+class CountAsRay {
+public:
+    CountAsRay() = default;
+    ~CountAsRay() { t_looked_at += 3 * (t_looked_at - before_); }
+    CountAsRay(const CountAsRay&) = delete;
+    CountAsRay& operator=(const CountAsRay&) = delete;
+
+private:
+    std::size_t before_ = t_looked_at;
+};
+
 Kernel::Ray_3 ray(const Vec3& from, const Vec3& direction) {
     return {point(from), Kernel::Vector_3(direction[0], direction[1], direction[2])};
 }
@@ -108,6 +120,7 @@ bool Rays::empty() const { return tree_->facets.empty(); }
 
 std::optional<Hit> Rays::first(const Vec3& from, const Vec3& direction, std::uint32_t skip) const {
     if (empty()) return std::nullopt;
+    const CountAsRay count;
     const auto skipped = [&](Facets::const_iterator facet) { return tree_->number(facet) == skip; };
     const auto found = tree_->tree.first_intersection(ray(from, direction), skipped);
     if (!found) return std::nullopt;
@@ -118,6 +131,7 @@ std::optional<Hit> Rays::first(const Vec3& from, const Vec3& direction, std::uin
 }
 
 std::vector<std::uint32_t> Rays::all(const Vec3& from, const Vec3& direction) const {
+    const CountAsRay count;
     std::vector<Facets::const_iterator> found;
     if (!empty()) tree_->tree.all_intersected_primitives(ray(from, direction), std::back_inserter(found));
     std::vector<std::uint32_t> numbers;

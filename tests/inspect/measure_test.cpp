@@ -3,6 +3,7 @@
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/inspect/hollow.h"
+#include "fusee/solid/crossings.h"
 #include "inspect/shapes.h"
 
 // What walls, gaps, holes and pieces of a mesh measure: closed forms, and no change when it is turned or measured by more threads.
@@ -71,6 +72,59 @@ TEST(Walls, OnAnEdgeAreNoFailure) {
                 EXPECT_TRUE(!ball || ball->touching_mm > 0.0) << "triangle " << t;
             }
         }
+}
+
+/// Copies of one triangle once overflowed the stack: CGAL's tree of corners divided them without end.
+TEST(Samples, OfManyCopiesOfOneTriangle) {
+    solid::Mesh mesh;
+    mesh.points_mm = {{0, 0, 0}, {10, 0, 0}, {0, 10, 0}};
+    mesh.triangles.assign(40'000, {0, 1, 2});
+    const Body body(mesh, 20, 1);
+    EXPECT_EQ(body.samples_left_out(), 0u);
+    EXPECT_NEAR(body.samples().front().at_mm[2], 0.0, 1e-12);
+}
+
+/// Long triangles across one another: each query looks at a great share of them.
+solid::Mesh bundle(int count) {
+    solid::Mesh mesh;
+    for (int i = 0; i < count; ++i) {
+        const double a = kPi * i / count, z = 0.001 * i, x = 50 * std::cos(a), y = 50 * std::sin(a);
+        const auto first = static_cast<std::uint32_t>(mesh.points_mm.size());
+        mesh.points_mm.insert(mesh.points_mm.end(), {{x, y, z}, {-x, -y, -z}, {x, y + 1, z - 1}});
+        mesh.triangles.push_back({first, first + 1, first + 2});
+    }
+    return mesh;
+}
+
+TEST(Samples, ThatWouldCostTooMuchAreLeftOutAndSaidSo) {
+    const Body all(bundle(2000), 500, 1), some(bundle(2000), 500, 1, 100'000), same(bundle(2000), 500, 3, 100'000);
+    EXPECT_EQ(all.samples_left_out(), 0u);
+    EXPECT_GT(some.samples_left_out(), 100u);
+    EXPECT_EQ(some.samples().size() + some.samples_left_out(), all.samples().size());
+    ASSERT_EQ(some.samples().size(), same.samples().size()) << "whatever the number of threads";
+    double whole = 0.0, kept = 0.0;
+    for (const Sample& s : all.samples()) whole += s.share_mm2;
+    for (std::size_t i = 0; i < some.samples().size(); ++i) {
+        kept += some.samples()[i].share_mm2;
+        EXPECT_EQ(some.samples()[i].triangle, same.samples()[i].triangle);
+    }
+    EXPECT_NEAR(kept / whole, 1.0, 0.2);  // the triangles have nearly the same area
+    const auto severity = [](const Body& body) {
+        for (const Marked& m : check({body, {}}, "bundle"))
+            if (m.finding.rule == "mesh.samples") return m.finding.severity;
+        return core::Severity::kRequired;
+    };
+    EXPECT_EQ(severity(all), core::Severity::kPass);
+    EXPECT_EQ(severity(some), core::Severity::kNotJudged);
+}
+
+TEST(Crossings, MoreNearPairsThanAreLookedAtAreSaid) {
+    const solid::Mesh mesh = bundle(300);
+    const solid::Crossings all = solid::crossings(mesh, {}), none = solid::crossings(mesh, {}, 1000);
+    EXPECT_TRUE(all.complete && all.manifold);
+    EXPECT_GT(all.pairs.size(), 100u);
+    EXPECT_FALSE(none.complete);
+    EXPECT_TRUE(none.manifold && none.pairs.empty());
 }
 
 TEST(Samples, SharesAddUpToTheSurface) {

@@ -16,7 +16,7 @@ struct MeshFile {
 /// Of a file; more are refused.
 inline constexpr std::size_t kMostTriangles = 5'000'000;
 /// Corners of one face of an OBJ file: assimp cuts faces into triangles in a time that grows with the square of their corners.
-inline constexpr std::size_t kMostCorners = 10'000;
+inline constexpr std::size_t kMostCorners = 5'000;
 
 /// How far the tessellation of a STEP file may leave its surface.
 inline constexpr double kTessellation_mm = 0.01, kTessellation_rad = 0.2;

@@ -29,7 +29,7 @@ public:
     [[nodiscard]] std::vector<std::uint32_t> all(const solid::Vec3& from, const solid::Vec3& direction) const;
     /// The surface's point nearest to `at`, and a triangle that holds it; nothing if it is `within_mm` away or farther.
     [[nodiscard]] std::optional<std::pair<solid::Vec3, std::uint32_t>> nearest(const solid::Vec3& at, double within_mm) const;
-    /// Triangles that this thread has looked at, of any mesh: what a query costs, the same on every machine.
+    /// Triangles that this thread has looked at, of any mesh, along a ray four times: what a query costs, the same on every machine.
     [[nodiscard]] static std::size_t looked_at();
     /// No triangle has an area.
     [[nodiscard]] bool empty() const;

@@ -141,7 +141,7 @@ TEST_F(Outputs, WhatTheEnvironmentLacksIsNamed) {
 TEST_F(Outputs, NoThreadIsAnErrorOfTheEnvironment) {
     lay("a.toml", "arm");
     const auto limited = [&](const std::string& arguments) {
-        const std::string run = "sh -c 'ulimit -u 1; exec \"$FUSEE\" " + arguments + "'";
+        const std::string run = "bash -c 'ulimit -u 1; exec \"$FUSEE\" " + arguments + "'";
         return shell("chmod 755 . && if [ $(id -u) = 0 ]; then setpriv --reuid 65534 --clear-groups " + run + "; else " + run + "; fi");
     };
     if (limited("rules").code != 0) GTEST_SKIP() << "the number of processes cannot be limited here";

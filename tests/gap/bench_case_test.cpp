@@ -90,8 +90,8 @@ TEST_F(BenchFolder, PredictsWhatTheDiagnosisSaid) {
     const BenchCase bench = measure({{"agonist", {.constant = 0.05}}}, 11);
     const Diagnosis found = diagnose_bench(bench, {.jobs = 1, .progress = {}});
     ASSERT_EQ(names_of(found), "gear.coulomb agonist");
-    write_bench_rows(bench, folder_);
-    const BenchCase inputs = read_bench_inputs(bench, folder_);
+    write_bench_rows(bench, folder_ / "new" / "inside");  // made if it is missing
+    const BenchCase inputs = read_bench_inputs(bench, folder_ / "new" / "inside");
     const auto error = [&](const Diagnosis& d) {
         const BenchCase out = predict_bench(bench, d, inputs);
         double square = 0.0;

@@ -8,6 +8,7 @@
 #include "case_toml.h"
 #include "columns.h"
 #include "fusee/core/csv.h"
+#include "fusee/core/destination.h"
 #include "fusee/core/file.h"
 
 namespace fs = std::filesystem;
@@ -178,6 +179,7 @@ void write_bench_rows(const BenchCase& rows, const fs::path& folder) {
                 out += (record.texts.contains(names[c]) ? record.texts.at(names[c])[i]
                                                         : fmt::format("{:.9g}", record.columns.at(names[c])[i])) +
                        (c + 1 == names.size() ? "\n" : ",");
+        core::make_folder((folder / record.file).parent_path());
         core::write_file(folder / record.file, out);
     }
 }

@@ -7,6 +7,7 @@
 #include <cassert>
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 #include "fusee/core/file.h"
 #include "fusee/core/text.h"
@@ -121,11 +122,12 @@ private:
     }
 
     void read_header(std::string_view text) {
+        bool twice_told = false;  // what is no table at all has thousands
         for (std::size_t i = 0; i < cells_.size(); ++i) {
             const Cell& cell = cells_[i];
             const auto same = [&cell](const auto& other) { return other.text == cell.text; };
             const auto end = cells_.begin() + static_cast<std::ptrdiff_t>(i);
-            if (!cell.text.empty() && std::find_if(cells_.begin(), end, same) != end)
+            if (!cell.text.empty() && std::find_if(cells_.begin(), end, same) != end && !std::exchange(twice_told, true))
                 faults_.add(fault(cell.place, "header", shown(cell.text), "every column once"));
             const auto known = std::find_if(known_.begin(), known_.end(), [&cell](const CsvColumn& c) { return c.name == cell.text; });
             if (known != known_.end()) {
@@ -134,9 +136,10 @@ private:
             }
             if (known == known_.end() && !options_.extra_columns) faults_.add(fault(cell.place, "header", shown(cell.text), shown(names_)));
         }
+        std::string missing;
         for (const CsvColumn& column : known_)
-            if (column.required && !table_.has(column.name))
-                faults_.add(fault(text.size() + 1, "header", shown(column.name) + " (missing)", shown(names_)));
+            if (column.required && !table_.has(column.name)) missing += (missing.empty() ? "" : ",") + column.name;
+        if (!missing.empty()) faults_.add(fault(text.size() + 1, "header", shown(missing) + " (missing)", shown(names_)));
         faults_.throw_if_any();  // without its columns no row can be read
         width_ = cells_.size();
     }

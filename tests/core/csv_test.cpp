@@ -69,9 +69,11 @@ TEST(Csv, TellsAllBadCellsAtOnce) {
               "t.csv:5:7: row: '4' (allowed: three columns)\n"
               "t.csv:6:1: side: (missing) (allowed: a text in every row)\n"
               "t.csv:6:2: torque_Nm: 'nan' (allowed: a finite number with a decimal point)");
-    EXPECT_EQ(
-        refusal("x,x,torque_Nm,torque_Nm\n", {.extra_columns = false}).substr(0, 123),
-        "t.csv:1:1: header: 'x' (allowed: 'side,torque_Nm,note,length_m')\nt.csv:1:3: header: 'x' (allowed: every column once)\nt.csv:");
+    EXPECT_EQ(refusal("x,x,note,note\n", {.extra_columns = false}),
+              "t.csv:1:1: header: 'x' (allowed: 'side,torque_Nm,note,length_m')\n"
+              "t.csv:1:3: header: 'x' (allowed: every column once)\n"
+              "t.csv:1:3: header: 'x' (allowed: 'side,torque_Nm,note,length_m')\n"
+              "t.csv:1:14: header: 'side,torque_Nm' (missing) (allowed: 'side,torque_Nm,note,length_m')");
 }
 
 TEST(Csv, OfManyBadCellsTheFirstTwentyAreTold) {

@@ -19,9 +19,9 @@ protected:
     std::size_t entries() const {
         return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
     }
-    // One folder for each test: ctest runs them side by side.
-    fs::path folder_ =
-        fs::path(::testing::TempDir()) / (std::string("fusee_file_") + ::testing::UnitTest::GetInstance()->current_test_info()->name());
+    // One folder for each test and process: ctest runs them side by side.
+    fs::path folder_ = fs::path(::testing::TempDir()) / (std::string("fusee_file_") + std::to_string(::getpid()) + "_" +
+                                                         ::testing::UnitTest::GetInstance()->current_test_info()->name());
 };
 
 TEST_F(FileTest, Sha256OfAbc) {

@@ -3,6 +3,7 @@
 
 #include <map>
 
+#include "companions.h"
 #include "convert.h"
 #include "files.h"
 #include "fusee/core/error.h"
@@ -67,6 +68,7 @@ public:
         }
         if (limits_ != nullptr) profile.limits = read_overrides(*limits_, file_, design_rules());
         check_knots(profile);
+        check_companions(profile);
         for (const PartSpec* part : {&profile.k_se, &profile.k_pe}) check_cable(*part, profile);
         for (const Order& order : kOrders) check(order, profile);
         for (const char* factor : kFactors) require_not_0(*find_key(factor), profile);
@@ -122,6 +124,19 @@ private:
              {std::pair{"law.series_Nm_per_rad", &curve->series_stiffness}, {"law.transmission", &curve->transmission}})
             if (knots->size() != loads.size())
                 refuse(path, fmt::format("{} numbers", knots->size()), fmt::format("as many as law.loads_Nm, {}", loads.size()));
+    }
+    /// @throws InvalidInput at the key that asks for others, or at its table where it is left out
+    void check_companions(const Profile& profile) const {
+        const std::vector<Companions> missing = missing_companions(profile);
+        if (missing.empty()) return;
+        const Companions& first = missing.front();
+        const Key& key = *find_key(first.key);
+        std::string table = key.table();
+        while (!regions_.contains(table)) table = table.substr(0, table.find('.') == std::string::npos ? 0 : table.rfind('.'));
+        const auto node = nodes_.find(first.key);
+        const toml::source_region& at = node == nodes_.end() ? regions_.at(table) : node->second->source();
+        throw core::InvalidInput(place(file_, at, fmt::format("{}", fmt::join(first.needs, " and "))), "missing, or 0",
+                                 fmt::format("above 0 mm, with {} = \"{}\"", first.key, first.value));
     }
     /// A length alone says nothing of how far a cable stretches.
     void check_cable(const PartSpec& part, const Profile& profile) const {

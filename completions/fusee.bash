@@ -37,7 +37,7 @@ _fusee() {
         check:--profile | check:--limits) _fusee_files "$word" toml; return ;;
         check:--jobs | check:-j) return ;;
         design:--method) choices='algorithm_1 co_design pareto' ;;
-        make:--jobs | make:-j | simulate:--jobs | simulate:-j | simulate:--levels | simulate:--push-torque | simulate:--at | design:--jobs | design:-j | paper:--jobs | paper:-j | diagnose:--jobs | diagnose:-j | fix:--most | blind:--seed | blind:--cases | blind:--seal | blind:--limit | blind:--jobs | blind:-j | design:--population | design:--generations | design:--seed) return ;;
+        make:--jobs | make:-j | simulate:--jobs | simulate:-j | simulate:--levels | simulate:--push-torque | simulate:--at | design:--jobs | design:-j | paper:--jobs | paper:-j | diagnose:--jobs | diagnose:-j | fix:--most | fix:--keep | blind:--seed | blind:--cases | blind:--seal | blind:--limit | blind:--jobs | blind:-j | design:--population | design:--generations | design:--seed) return ;;
         fix:--out | fix:-o) _fusee_files "$word" toml; return ;;
         predict:--effects) _fusee_files "$word" json; return ;;
         diagnose:--profile | diagnose:--write-profile | calibrate:--profile | calibrate:--write-profile) _fusee_files "$word" toml; return ;;
@@ -48,7 +48,7 @@ _fusee() {
             esac ;;
         fix:*)
             case $word in
-                -*) choices='--out --most --reviews --json --force --help' ;;
+                -*) choices='--out --keep --most --reviews --json --force --help' ;;
                 *) _fusee_files "$word" toml; return ;;
             esac ;;
         simulate:*)

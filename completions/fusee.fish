@@ -27,6 +27,7 @@ complete -c fusee -n '__fish_seen_subcommand_from make; and not __fish_seen_subc
 complete -c fusee -n '__fish_seen_subcommand_from fix' -a '(__fish_complete_suffix .toml)'
 complete -c fusee -n '__fish_seen_subcommand_from fix' -s o -l out -r -F -d 'file for the new profile'
 complete -c fusee -n '__fish_seen_subcommand_from fix' -l reviews -d 'take away what is to be reviewed, too'
+complete -c fusee -n '__fish_seen_subcommand_from fix' -l keep -x -d 'key or table that is not changed'
 complete -c fusee -n '__fish_seen_subcommand_from fix' -l most -x -d 'profiles judged before the search gives up'
 complete -c fusee -n '__fish_seen_subcommand_from fix' -l json -d 'as JSON'
 complete -c fusee -n '__fish_seen_subcommand_from fix' -l force -d 'replace the file if it stands there'

@@ -43,6 +43,7 @@ _fusee() {
                     _arguments \
                         '(-o --out)'{-o,--out}'[file for the new profile]:profile:_files -g "*.toml"' \
                         '--reviews[take away what is to be reviewed, too]' \
+                        '*--keep[key or table that is not changed]:key:' \
                         '--most[profiles judged before the search gives up]:number:' \
                         '--json[as JSON]' \
                         '--force[replace the file if it stands there]' \

@@ -7,6 +7,7 @@
 #include "fusee/core/file.h"
 #include "fusee/core/progress.h"
 #include "fusee/pipeline/fix.h"
+#include "fusee/profile/edit.h"
 #include "places.h"
 
 namespace fusee::app {
@@ -33,6 +34,7 @@ int fix(const FixArguments& arguments) {
     if (options.file.empty()) options.file = beside(arguments.profile);
     options.progress = [](const std::string& step) { fmt::print(stderr, "fix: {}\n", step); };
     options.stop = core::interrupted;
+    for (const std::string& key : options.keep) profile::require_key("--keep", key);
     const std::string toml = core::read_file(arguments.profile, profile::kLargestFile);
     const profile::Profile profile = profile::parse_profile(toml, arguments.profile);
     require_new_profile("--out", options.file, arguments.profile, arguments.force);
@@ -55,6 +57,11 @@ void add_fix(CLI::App& app, Action& action) {
     command->add_option("profile", arguments->profile, "Profile (*.toml) that cannot be made; it stays as it is")->required();
     command->add_option("-o,--out", arguments->options.file, "File that gets the new profile; left out: PROFILE-fixed.toml beside it");
     command->add_flag("--reviews", arguments->options.reviews, "Take away what is to be reviewed and accepted, too");
+    command
+        ->add_option("--keep", arguments->options.keep, "Key or table that is not changed, as k_pe.hub.bore_mm or cable; may be repeated")
+        ->type_name("KEY")
+        ->expected(1)
+        ->take_all();
     command->add_option("--most", arguments->options.most_judged, "Profiles judged before the search gives up")
         ->check(CLI::Range(1, 1000000))
         ->capture_default_str();

@@ -19,6 +19,7 @@ namespace {
 constexpr core::Range kArms{1e-4, 1.0};  // [m] arms, and how far from the axis the cable touches: beyond is a mistake in the profile
 constexpr double kLongestHelix = 20.0 * 2.0 * core::kPi;  // [rad] more turns than any cable drum of this kind has
 constexpr double kWorthwhile = 1.2;                       // a law that ends sooner, as a ratio of its loads, is none
+constexpr double kPitch = 6.0;                            // of a helix, in cable diameters: groove and land
 constexpr double kInside = 1e-3;                          // share by which a suggested value lies inside its limit
 
 using Test = std::function<bool(const Contact&)>;
@@ -99,12 +100,24 @@ std::string joined(const std::string& a, const std::string& b) {
     return a.empty() || b.empty() ? a + b : a + ", or " + b;
 }
 
+/// Where no cable pulls, the arm has no number: the pull has.
+void tell_by_pull(core::Finding& f, const ArmFunction& arm, const Contact& at) {
+    const bool spool = arm.kind() == PartKind::kSeries;
+    const double torque = spool ? arm.base().rate * at.arm.state : arm.law().at_load(at.arm.tau).f_pe;  // that the cam has to pass on
+    f.what = "no cam has such a lever arm: the cable does not pull there, and the arm would have to be endless";
+    f.measured = std::isfinite(at.arm.tension) ? at.arm.tension : 0.0;
+    f.bound = core::Bound::kAtLeast;
+    f.allowed = torque / kArms.high;
+    f.unit = "N";
+}
+
 core::Finding arm_beyond(const ArmFunction& arm, const CamOptions& options, const std::vector<Contact>& contacts, const Contact& at) {
     const bool shorter = at.arm.arm < kArms.low, far_out = kArms.holds(at.arm.arm);
     const char* what = far_out ? "the cable would touch farther from the axis than any cam reaches" : "no cam has such a lever arm";
     const double measured = far_out ? std::hypot(at.path.h, at.path.slope) : at.arm.arm;
     core::Finding f = broken(arm, "cam.arm", what, at, core::mm_from_m(measured), core::mm_from_m(shorter ? kArms.low : kArms.high));
     f.bound = shorter ? core::Bound::kAtLeast : core::Bound::kAtMost;
+    if (!std::isfinite(f.measured)) tell_by_pull(f, arm, at);
     f.source = "docs/theory/cams.md, table 1: springs and law of one size";
     f.suggestion = joined(earlier_end(arm, options, contacts, sane_arm), other_spring(arm, options));
     return f;
@@ -156,7 +169,8 @@ core::Findings check_wrap(const ArmFunction& arm, const Cam& cam, double travel)
     const double end = solve_between([&](double tau) { return arm.at_load(tau).angle - angle; }, loads.low, loads.high);
     f.suggestion = fmt::format("law.end_torque_Nm = {:.4g}", end);
     if (cam.closed() && !cam.has_roller())
-        f.suggestion = fmt::format("{}.path.kind = \"helix\", or {}", to_string(arm.kind()), f.suggestion);
+        f.suggestion = fmt::format("{0}.path.kind = \"helix\" with {0}.path.pitch_mm = {1:.3g}, or {2}", to_string(arm.kind()),
+                                   kPitch * core::mm_from_m(cam.options.cable_diameter), f.suggestion);
     f.source = cam.closed() ? "geometry: one turn less the idle arc" : "docs/theory/cams.md: arms and law of one size";
     return {f};
 }

@@ -11,6 +11,15 @@ namespace fusee::checks {
 
 namespace {
 
+constexpr double kGuide_mm = 200.0;  // where a guide may stand that had no place
+
+/// A parallel guide has no point to aim at.
+std::string aimed_change(const Design& design) {
+    const std::string aimed = fmt::format("{}.path.lead = \"aimed\"", name(design));
+    if (design.part.cam.options.guide.kind != cam::GuideKind::kParallel) return aimed;
+    return fmt::format("{0} with {1}.guide.kind = \"point\" with {1}.guide.distance_mm = {2:g}", aimed, name(design), kGuide_mm);
+}
+
 core::Findings run(const Design& design, const Allowed& allowed) {
     const cam::Cam& cam = design.part.cam;
     if (cam.closed() || cam.working.size() < 2) return {};
@@ -23,9 +32,10 @@ core::Findings run(const Design& design, const Allowed& allowed) {
     f.where = where(design, worst.path.psi);
     f.place = place(worst.path, 0.0);
     if (cam.options.path.lead == cam::Lead::kConstantPitch)
-        f.suggestion = fmt::format(
-            "{}.path.pitch_mm = {}, or {}.path.lead = \"aimed\"", name(design),
-            down(core::mm_from_m(cam.options.path.pitch) * std::tan(core::rad_from_deg(f.allowed)) / std::tan(angle(worst))), name(design));
+        f.suggestion =
+            fmt::format("{}.path.pitch_mm = {}, or {}", name(design),
+                        down(core::mm_from_m(cam.options.path.pitch) * std::tan(core::rad_from_deg(f.allowed)) / std::tan(angle(worst))),
+                        aimed_change(design));
     else
         f.suggestion = fmt::format("{}.guide.z_mm = {:.3g}: half height", name(design),
                                    core::mm_from_m(0.5 * (cam.working.front().path.z + cam.working.back().path.z)));

@@ -2,6 +2,7 @@
 
 #include "fusee/checks/limits.h"
 #include "fusee/core/units.h"
+#include "fusee/solid/companions.h"
 #include "measure.h"
 #include "rules.h"
 #include "shape.h"
@@ -29,7 +30,7 @@ core::Findings run(const Design& design, const Allowed& allowed) {
     f.suggestion = scale_arms(design, f.allowed / f.measured);
     const double bore = 2.0 * (least.arm.arm - half_cable - wall) - hub.bore_clearance;
     if (through && bore > 0.0) f.suggestion += fmt::format(", or {}.hub.bore_mm = {}", name(design), down(core::mm_from_m(bore)));
-    if (through) f.suggestion += fmt::format(", or {}.hub.kind = \"overhung\"", name(design));
+    if (through && !is_stacked(design)) f.suggestion += ", or " + solid::overhung_change(name(design), hub);
     return {f};
 }
 

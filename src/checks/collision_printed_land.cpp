@@ -29,8 +29,10 @@ core::Findings run(const Design& design, const Allowed& allowed) {
     core::Finding f = judge(core::mm_from_m(reach * printed), {allowed("review")});
     f.what = fmt::format("distance at which the guide of {:.2f} turns of {:.2f} mm has to stand; the cable alone would ask for {:.0f} mm",
                          turns, core::mm_from_m(printed), core::mm_from_m(reach * rope));
-    f.suggestion = fmt::format("{0}.path.lead = \"aimed\", or {0}.path.pitch_mm = {1} with a groove and a land that narrow", name(design),
-                               down(f.allowed / reach));
+    f.suggestion = fmt::format(
+        "{0}.path.lead = \"aimed\" with {0}.guide.kind = \"point\" with {0}.guide.distance_mm = {2:g}, or {0}.path.pitch_mm = {1} with a "
+        "groove and a land that narrow",
+        name(design), down(f.allowed / reach), f.allowed);
     return {f};
 }
 

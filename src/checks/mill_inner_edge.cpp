@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "fusee/solid/companions.h"
 #include "measure.h"
 #include "rules.h"
 
@@ -14,8 +15,8 @@ core::Findings run(const Design& design, const Allowed& allowed) {
     if (!sharp) return {};
     core::Finding f = judge(0.0, {allowed("review")});
     f.what = fmt::format("radius in the corners of the {}, drawn sharp", lock == solid::HubLock::kKeyway ? "keyway" : "D-flat");
-    f.suggestion =
-        fmt::format("{}.hub.lock = \"set_screw\", or the bore broached, or corners of {:g} mm accepted", name(design), f.allowed);
+    f.suggestion = fmt::format("{}, or the bore broached, or corners of {:g} mm accepted",
+                               solid::set_screw_change(name(design), design.part.options.hub), f.allowed);
     return {f};
 }
 

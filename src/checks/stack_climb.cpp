@@ -18,7 +18,7 @@ core::Findings run(const Design& design, const Allowed& allowed) {
     const auto [low, high] = std::minmax_element(path.begin(), path.end(), [](const auto& a, const auto& b) { return a.z < b.z; });
     core::Finding f = judge(core::mm_from_m(high->z - low->z), {allowed("required")});
     f.what = "height that the groove gains from end to end";
-    f.suggestion = fmt::format("{}.path.kind = \"planar\": {:g} mm", name(design), f.allowed);
+    f.suggestion = fmt::format("{}.path.kind = \"planar\" without lead, pitch_mm and hand: {:g} mm", name(design), f.allowed);
     return {f};
 }
 

@@ -46,6 +46,8 @@ Walls walls(const Design& design) {
     return w;
 }
 
+constexpr double kShortest = 1.05;  // length of a slot over its width, at least
+
 core::Findings run(const Design& design, const Allowed& allowed) {
     const solid::FeatureOptions& features = design.part.options.features;
     if (!has_slot(features) || design.part.cam.working.empty()) return {};
@@ -61,12 +63,18 @@ core::Findings run(const Design& design, const Allowed& allowed) {
         {core::mm_from_m(leg_slot(features).outer[0]), core::mm_from_m(leg_slot(features).outer[1]), core::mm_from_m(design.part.z_high)}};
     const double lacking = core::m_from_mm(f.allowed - f.measured),
                  room = w.bored ? w.inner + w.outer - 2.0 * core::m_from_mm(f.allowed) : lacking;
-    // Move it if the other side has the room, else shorten it by what both sides lack.
-    f.suggestion = room >= 0.0 ? fmt::format("{}.features.leg_slot_radius_mm = {:.3f}", name(design),
-                                             core::mm_from_m(features.leg_slot_radius + (inwards ? lacking : -lacking)))
-                               : fmt::format("{0}.features.leg_slot_length_mm = {1:.3f} with {0}.features.leg_slot_radius_mm = {2:.3f}",
-                                             name(design), core::mm_from_m(features.leg_slot_length + room),
-                                             core::mm_from_m(features.leg_slot_radius + 0.5 * (w.outer - w.inner)));
+    // Move it if the other side has the room, else shorten it by what both sides lack; a slot shorter than it is wide is none.
+    const double shorter = features.leg_slot_length + room;
+    if (shorter < kShortest * features.leg_slot_width) {
+        f.suggestion = fmt::format("{}.features.leg_slot_width_mm = 0 and the leg held outside the part: {} mm are missing for the slot",
+                                   name(design), up(core::mm_from_m(kShortest * features.leg_slot_width - shorter)));
+        return {f};
+    }
+    f.suggestion =
+        room >= 0.0 ? fmt::format("{}.features.leg_slot_radius_mm = {:.3f}", name(design),
+                                  core::mm_from_m(features.leg_slot_radius + (inwards ? lacking : -lacking)))
+                    : fmt::format("{0}.features.leg_slot_length_mm = {1:.3f} with {0}.features.leg_slot_radius_mm = {2:.3f}", name(design),
+                                  core::mm_from_m(shorter), core::mm_from_m(features.leg_slot_radius + 0.5 * (w.outer - w.inner)));
     return {f};
 }
 

@@ -73,6 +73,36 @@ Front front_of(const pagmo::population& population) {
     return front;
 }
 
+/// NSGA-II crosses and mutates only numbers that have a range.
+class Free {
+public:
+    explicit Free(const std::vector<core::Range>& bounds) : bounds_(bounds) {
+        for (std::size_t i = 0; i < bounds.size(); ++i)
+            if (bounds[i].low < bounds[i].high) free_.push_back(i);
+    }
+    [[nodiscard]] bool all() const { return free_.size() == bounds_.size(); }
+    [[nodiscard]] bool none() const { return free_.empty(); }
+
+    /// The numbers that have a range.
+    template <class Value>
+    [[nodiscard]] std::vector<Value> of(const std::vector<Value>& values) const {
+        std::vector<Value> some;
+        for (const std::size_t i : free_) some.push_back(values[i]);
+        return some;
+    }
+    /// All of them, the others at their only value.
+    [[nodiscard]] std::vector<double> with_fixed(std::span<const double> some) const {
+        std::vector<double> values;
+        for (const core::Range& range : bounds_) values.push_back(range.low);
+        for (std::size_t i = 0; i < free_.size(); ++i) values[free_[i]] = some[i];
+        return values;
+    }
+
+private:
+    const std::vector<core::Range>& bounds_;
+    std::vector<std::size_t> free_;
+};
+
 Front search(const Costs& costs, const FrontOptions& o) {
     const pagmo::bfe evaluator{pagmo::thread_bfe{}};
     pagmo::population population = first_population(costs, o, evaluator);
@@ -104,7 +134,16 @@ Front find_front(const Costs& costs, const FrontOptions& options) {
     const oneapi::tbb::global_control allowed(oneapi::tbb::global_control::max_allowed_parallelism,
                                               static_cast<std::size_t>(std::max(threads, processors)));
     oneapi::tbb::task_arena arena(threads);
-    return arena.execute([&] { return search(costs, options); });
+    const Free free(options.bounds);
+    if (free.all()) return arena.execute([&] { return search(costs, options); });
+    if (free.none()) return {.members = {free.with_fixed({})}, .evaluations = 0};
+    FrontOptions of_free = options;
+    of_free.bounds = free.of(options.bounds);
+    for (std::vector<double>& seed : of_free.seeds) seed = free.of(seed);
+    const Costs costs_of_free = [&](std::span<const double> some) { return costs(free.with_fixed(some)); };
+    Front front = arena.execute([&] { return search(costs_of_free, of_free); });
+    for (std::vector<double>& member : front.members) member = free.with_fixed(member);
+    return front;
 }
 
 }  // namespace fusee::codesign

@@ -135,8 +135,9 @@ void require_rows(const std::vector<BreakAway>& rows, const Group& all) {
 
 std::string FrictionReport::profile_lines() const {
     if (!law) return "";
-    std::string text = fmt::format("[rig]\ngear_friction = {:.4f}\n", law->mu);
-    if (law->constant > 0.0) text += fmt::format("gear_friction_constant_Nm = {:.5f}\n", law->constant);
+    const std::string origin = lines.empty() ? "measured" : fmt::format("measured, {} break-aways", lines.front().rows);
+    std::string text = fmt::format("[rig]\ngear_friction = {:.4f}  # {}\n", law->mu, origin);
+    if (law->constant > 0.0) text += fmt::format("gear_friction_constant_Nm = {:.5f}  # {}\n", law->constant, origin);
     return text;
 }
 

@@ -55,7 +55,10 @@ std::string calibrated_profile(const profile::Profile& profile, const std::strin
     std::vector<profile::Edit> edits;
     if (!profile.name.ends_with(kEnding)) edits.push_back(profile::text_edit(profile, "name", profile.name + kEnding, ""));
     for (auto f = calibration.figures.rbegin(); f != calibration.figures.rend(); ++f)  // each goes right below its table's heading
-        if (f->changes()) edits.push_back(profile::number_edit(profile, f->key, f->value, why(*f)));
+        if (f->changes()) {
+            edits.push_back(profile::number_edit(profile, f->key, f->value, why(*f)));
+            edits.back().origin = "measured, coupons";
+        }
     for (profile::Edit& edit : profile::file_edits(profile, fs::absolute(file).parent_path())) edits.push_back(std::move(edit));
     std::string text = profile::with_edits(toml, profile, edits);
     (void)profile::parse_profile(text, file);  // what no profile may hold is refused before it is written

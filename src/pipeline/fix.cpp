@@ -1,5 +1,7 @@
 #include "fusee/pipeline/fix.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "fix_nearest.h"
@@ -7,6 +9,7 @@
 #include "fix_search.h"
 #include "fusee/actuator/dead_band.h"
 #include "fusee/pipeline/design.h"
+#include "fusee/profile/edit.h"
 
 namespace fusee::pipeline {
 
@@ -23,7 +26,7 @@ std::optional<double> dead_band_of(const profile::Profile& profile) {
 std::vector<report::FixChange> changes_of(const Drafts& drafts, const Choices& choices) {
     std::vector<report::FixChange> changes;
     for (const auto& [key, choice] : choices)
-        changes.push_back({key, drafts.was(key), choice.value, policy_of(key)->asks_for, choice.because});
+        changes.push_back({key, drafts.was(key), choice.value, policy_of(key)->asks_for, choice.because, choice.follows});
     return changes;
 }
 
@@ -44,7 +47,8 @@ std::vector<report::LostTorque> lost(const Drafts& drafts, const Nearest& neares
 
 report::Fix fix(const profile::Profile& profile, const std::string& toml, const FixOptions& options) {
     require_parts(profile);
-    const Drafts drafts(profile, toml, options.file);
+    for (const std::string& key : options.keep) profile::require_key("--keep", key);
+    const Drafts drafts(profile, toml, options.file, options.keep);
     Judge judge(options);
     (void)judge.drawing(profile);  // values that are at odds with each other are the caller's mistake here, but not in a draft
     Searched searched = Search(drafts, judge, options).run();
@@ -58,12 +62,15 @@ report::Fix fix(const profile::Profile& profile, const std::string& toml, const 
     fix.judged = judge.judged();
     fix.made = judge.made();
     fix.circles.assign(searched.circles.begin(), searched.circles.end());
+    for (const auto& [key, why] : searched.refused) fix.unchanged.push_back(fmt::format("{}: {}", key, why));
     if (!searched.found) {
         fix.left = std::move(searched.left);
+        fix.conflicts = std::move(searched.conflicts);
         return fix;
     }
     fix.end = fix.changes.empty() ? report::Fix::End::kNothingToDo : report::Fix::End::kFixed;
     fix.left = judge.reviews();
+    fix.not_judged = judge.not_judged();
     fix.lost = lost(drafts, nearest);
     fix.band_after = dead_band_of(*drafts.read(nearest.choices));
     if (fix.changes.empty()) return fix;

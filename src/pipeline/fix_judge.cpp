@@ -82,6 +82,7 @@ Verdict Judge::making(const profile::Profile& profile) {
     Verdict verdict;
     keep(verdict, findings);
     if (!verdict.clear()) return verdict;
+    not_judged_ = core::count(findings, core::Severity::kNotJudged);
     reviews_.clear();
     std::copy_if(findings.begin(), findings.end(), std::back_inserter(reviews_),
                  [](const core::Finding& f) { return f.severity == core::Severity::kReview; });

@@ -16,6 +16,8 @@ struct Verdict {
     int unseen = 0;  ///< objections that a refusal may hide: without a law all of both cams, without a cam all of its body
     [[nodiscard]] bool clear() const { return broken.empty(); }
     [[nodiscard]] int left() const { return static_cast<int>(broken.size()) + unseen; }
+    /// Of them those without which nothing can be made.
+    [[nodiscard]] int required() const { return static_cast<int>(core::count(broken, core::Severity::kRequired)) + unseen; }
 };
 
 /// "cam.arm k_pe": which rule, and of what.
@@ -53,6 +55,8 @@ public:
     [[nodiscard]] int made() const { return made_; }
     /// What is to be reviewed of the last profile that was made and was clear.
     [[nodiscard]] const core::Findings& reviews() const { return reviews_; }
+    /// Rules of that profile that could not be judged.
+    [[nodiscard]] std::size_t not_judged() const { return not_judged_; }
 
 private:
     [[nodiscard]] Verdict draw(std::span<const cam::PartKind> kinds, const profile::Profile& profile);
@@ -63,6 +67,7 @@ private:
     const FixOptions& options_;
     int judged_ = 0, made_ = 0;
     core::Findings reviews_;
+    std::size_t not_judged_ = 0;
 };
 
 }  // namespace fusee::pipeline

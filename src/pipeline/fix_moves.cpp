@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "fix_policy.h"
+#include "fix_standard.h"
 
 namespace fusee::pipeline {
 
@@ -31,21 +32,27 @@ bool has_other_spring(const std::string& part, const Choices& choices) {
 /// Were the ends of the law moved?
 bool has_other_range(const Choices& choices) { return choices.contains("law.start_torque_Nm") || choices.contains("law.end_torque_Nm"); }
 
+/// A key that has no meaning yet may get one from the first change: a helix its pitch.
 bool allowed(const core::Changes& changes, const profile::Profile& draft) {
-    return std::all_of(changes.begin(), changes.end(), [&draft](const core::Change& change) {
-        return policy_of(change.key) != nullptr && profile::value_text(draft, change.key).has_value();
-    });
+    const bool known = std::all_of(changes.begin(), changes.end(), [](const core::Change& c) { return policy_of(c.key) != nullptr; });
+    return known && profile::value_text(draft, changes.front().key).has_value();
 }
 
 }  // namespace
 
-std::vector<Move> suggested(const core::Finding& finding, const Verdict& verdict, const profile::Profile& draft, const Choices& choices) {
+std::vector<Move> suggested(const core::Finding& finding, const Verdict& verdict, const profile::Profile& draft, const Choices& choices,
+                            const Drafts& drafts, std::map<std::string, std::string>& refused) {
     const std::string part = part_of(finding);
     const bool spring_stays = is_of_cam(finding) && has_other_spring(part, choices);
     std::vector<Move> moves;
-    for (const core::Changes& changes : core::suggested_changes(finding.suggestion))
-        if (allowed(changes, draft) && !(spring_stays && is_of_spring(changes.front().key, part)))
-            moves.push_back({changes, finding, static_cast<int>(verdict.broken.size()) - 1});
+    for (const core::Changes& changes : core::suggested_changes(finding.suggestion)) {
+        if (!allowed(changes, draft) || (spring_stays && is_of_spring(changes.front().key, part))) continue;
+        Held held = hold(changes, draft, drafts);
+        if (held.changes.empty())
+            refused.try_emplace(held.key, held.refused);
+        else
+            moves.push_back({std::move(held.changes), std::move(held.follows), finding, static_cast<int>(verdict.broken.size()) - 1});
+    }
     return moves;
 }
 
@@ -56,12 +63,12 @@ std::vector<Move> scanned(const Verdict& verdict, const profile::Profile& draft,
         const bool of_law = finding.rule.starts_with("law.") || is_of_cam(finding);
         if (finding.severity != core::Severity::kRequired || !of_law) continue;
         if (!law_scanned)
-            for (const Scan::Step& step : scan.laws(draft, choices)) moves.push_back({step.changes, finding, step.left});
+            for (const Scan::Step& step : scan.laws(draft, choices)) moves.push_back({step.changes, step.follows, finding, step.left});
         law_scanned = true;
         if (!is_of_cam(finding) || has_other_spring(part_of(finding), choices)) continue;
         const auto kind = part_of(finding) == "k_se" ? cam::PartKind::kSeries : cam::PartKind::kParallel;
         for (const Scan::Step& step : scan.springs(kind, draft, choices))
-            moves.push_back({step.changes, finding, verdict.left() - share_of(finding, verdict) + step.left});
+            moves.push_back({step.changes, step.follows, finding, verdict.left() - share_of(finding, verdict) + step.left});
     }
     return moves;
 }

@@ -47,8 +47,11 @@ private:
         for (bool undone = true; undone;) {
             undone = false;
             for (const std::string& key : keys) {
+                const auto choice = result_.choices.find(key);
+                if (choice == result_.choices.end() || !choice->second.follows.empty()) continue;
                 Choices without = result_.choices;
-                if (without.size() < 2 || without.erase(key) == 0 || !holds(without)) continue;
+                std::erase_if(without, [&key](const auto& entry) { return entry.first == key || entry.second.follows == key; });
+                if (without.empty() || !holds(without)) continue;
                 result_.choices = std::move(without);
                 undone = true;
             }

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fix_standard.h"
+
 namespace fusee::pipeline {
 
 namespace {
@@ -64,6 +66,13 @@ std::string seen_by_cams(const Choices& choices) {
     return text;
 }
 
+/// The rates alone: the rest of a spring follows when it is held to the catalogue.
+Steps rates_of(const Steps& springs) {
+    Steps steps;
+    for (const core::Changes& spring : springs) steps.push_back({spring.front()});
+    return steps;
+}
+
 bool sound(const Verdict& verdict) {
     return verdict.unseen == 0 && std::none_of(verdict.broken.begin(), verdict.broken.end(), [](const core::Finding& f) {
                return f.rule.starts_with("law.") || f.rule.starts_with("cam.");
@@ -77,11 +86,13 @@ bool Scan::walk(const Steps& steps, const Choices& choices, const Look& look, st
     const auto as_it_is = drafts_.read(choices);
     const int before = look(*as_it_is).left();
     for (const core::Changes& step : steps) {
-        const auto profile = drafts_.read(drafts_.with(choices, step, {}, 0));
+        const Held held = hold(step, *as_it_is, drafts_);
+        if (held.changes.empty()) continue;
+        const auto profile = drafts_.read(drafts_.with(choices, held.changes, {}, 0, held.follows));
         const auto verdict = profile ? if_allowed([&] { return look(*profile); }) : std::nullopt;
         if (!verdict) continue;
-        if (!first_sound && sound(*verdict)) first_sound = Step{step, verdict->left()};
-        if (!best || verdict->left() < best->left) best = Step{step, verdict->left()};
+        if (!first_sound && sound(*verdict)) first_sound = Step{held.changes, held.follows, verdict->left()};
+        if (!best || verdict->left() < best->left) best = Step{held.changes, held.follows, verdict->left()};
         if (best->left == 0) break;
     }
     if (first_sound && first_sound->left < before) found.push_back(*first_sound);
@@ -107,7 +118,9 @@ std::vector<Scan::Step> Scan::try_springs(cam::PartKind part, const profile::Pro
                       preload = spring + (torsion ? "preload_rad" : "preload_mm");
     const Look look = [&](const profile::Profile& profile) { return judge_.part(part, profile); };
     std::vector<Step> found;
-    const bool by_preload = walk(one_key(draft, preload), choices, look, found), by_rate = walk(one_key(draft, rate), choices, look, found);
+    const std::vector<core::Changes> sold = catalogue_springs(to_string(part), draft);
+    const bool by_preload = walk(one_key(draft, preload), choices, look, found),
+               by_rate = walk(sold.empty() ? one_key(draft, rate) : rates_of(sold), choices, look, found);
     if (!by_preload && !by_rate && value_of(draft, preload) > 0.0) walk(two_keys(draft, rate, preload), choices, look, found);
     return found;
 }

@@ -18,6 +18,7 @@ public:
     /// A step, and what is left to do after it.
     struct Step {
         core::Changes changes;
+        Follows follows;
         int left = 0;
     };
     /// Another preload, another rate, and if neither alone leaves nothing broken, both. `left` counts the part alone.

@@ -17,6 +17,8 @@ struct Searched {
     Choices choices;      ///< of the profile found, or of the one that comes nearest
     core::Findings left;  ///< what still stands against the nearest
     std::set<std::string> circles;
+    std::vector<report::FixConflict> conflicts;  ///< of what is left
+    std::map<std::string, std::string> refused;  ///< by key: why a suggested change was not made
 };
 
 /// Best first: the draft with the least sum of what its choices cost and what is left to do is looked at next. Drafts are judged when it
@@ -52,6 +54,8 @@ private:
     [[nodiscard]] bool makes(const NodePtr& node);
     void keep_nearest(const Node& node, bool made);
     void note_circle(const Node& node);
+    void note_conflicts(const Node& node);
+    void keep_conflicts();
 
     const Drafts& drafts_;
     Judge& judge_;
@@ -61,6 +65,7 @@ private:
     std::set<std::string> seen_;
     int sequence_ = 0, moves_ = 0;
     double least_left_ = std::numeric_limits<double>::infinity();
+    std::map<std::pair<std::string, std::string>, report::FixConflict> broken_by_;  ///< by the names of what was answered and what broke
     Searched result_;
 };
 

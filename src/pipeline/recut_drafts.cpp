@@ -130,7 +130,15 @@ Draft Drafter::draft(const std::string& sides, const Edits& own, double share, b
     draft.report.file = file_;
     if (of_two && sides == kSides[1]) draft.report.file.replace_filename(file_.stem().string() + "-" + sides + file_.extension().string());
     Edits edits{profile::text_edit(profile_, "name", name, "new cams beside the old ones")};
-    for (const Edits& more : {law_edits(share), shared_, own}) edits.insert(edits.end(), more.begin(), more.end());
+    for (profile::Edit& edit : law_edits(share)) {
+        edit.origin = fmt::format("for the friction measured, case {}", plain(bench_.name));
+        edits.push_back(std::move(edit));
+    }
+    for (const Edits& more : {shared_, own})
+        for (profile::Edit edit : more) {
+            edit.origin = fmt::format("measured, case {}", plain(bench_.name));
+            edits.push_back(std::move(edit));
+        }
     for (const profile::Edit& e : edits) draft.report.changes.push_back({e.key, e.was, e.value, e.why});
     // Judged as if it stood beside the old one: the new folder need not be there yet, and the files that it names are the same.
     draft.profile = profile::parse_profile(profile::with_edits(toml_, profile_, edits), profile_.file.parent_path() / file_.filename());

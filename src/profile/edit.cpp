@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
+#include <algorithm>
 #include <sstream>
 
 #include "fusee/core/error.h"
@@ -27,9 +28,10 @@ std::size_t line_begin(const std::string& toml, std::size_t line) {
 
 std::size_t place_of(const std::string& toml, const toml::source_position& at) { return line_begin(toml, at.line) + at.column - 1; }
 
-/// One past the end of the number or one-line text that begins at `begin`.
+/// One past the end of the number, one-line text or array of numbers or texts without brackets that begins at `begin`.
 std::size_t value_end(const std::string& toml, std::size_t begin) {
     const char quote = toml[begin];
+    if (quote == '[') return std::min(toml.find(']', begin), toml.size() - 1) + 1;
     if (quote != '"' && quote != '\'') return std::min(toml.find_first_of(" \t\r\n,}#", begin), toml.size());
     std::size_t end = begin + 1;
     while (end < toml.size() && toml[end] != quote) end += quote == '"' && toml[end] == '\\' ? 2 : 1;
@@ -38,6 +40,13 @@ std::size_t value_end(const std::string& toml, std::size_t begin) {
 
 std::string comment(const Key& key, const Edit& edit, const std::string& end) {
     return edit.why.empty() ? "" : fmt::format("# {} was {}: {}{}", key.leaf(), edit.was, edit.why, end);
+}
+
+/// The comment behind a value spoke of the old one. What follows the value in a table of one line stays.
+void replace_comment(std::string& toml, std::size_t value_end, const std::string& origin) {
+    const std::size_t at = toml.find_first_not_of(" \t", value_end);
+    if (at == std::string::npos || toml[at] != '#') return;
+    toml.replace(at, std::min(toml.find_first_of("\r\n", at), toml.size()) - at, "# " + origin);
 }
 
 /// Is this the line "[k_se.spring]"?
@@ -65,9 +74,44 @@ void make(std::string& toml, const Key& key, const Edit& edit) {
     const toml::node_view<const toml::node> node = parsed.at_path(key.path);
     if (!node) return add_key(toml, parsed, key, edit);
     const toml::source_position at = node.node()->source().begin;
-    const std::size_t begin = place_of(toml, at);
-    toml.replace(begin, value_end(toml, begin) - begin, edit.value);
+    const std::size_t begin = place_of(toml, at), end = value_end(toml, begin);
+    if (!edit.origin.empty()) replace_comment(toml, end, edit.origin);
+    toml.replace(begin, end - begin, edit.value);
     toml.insert(line_begin(toml, at.line), comment(key, edit, line_end(toml)));
+}
+
+/// The edits' value of a key of text; none if they leave it as it is.
+std::optional<std::string> chosen(const std::string& key, const std::vector<Edit>& edits) {
+    for (const Edit& edit : edits)
+        if (edit.key == key && edit.value.size() >= 2 && edit.value.front() == '"') return edit.value.substr(1, edit.value.size() - 2);
+    return std::nullopt;
+}
+
+/// Keys of the file that have no meaning any more once the edits are made, with the condition that they miss.
+std::vector<std::pair<const Key*, Condition>> without_meaning(const Profile& profile, const std::vector<Edit>& edits) {
+    std::vector<std::pair<const Key*, Condition>> all;
+    for (const Key& key : keys()) {
+        if (!profile.places.contains(key.path)) continue;
+        for (const Condition& when : key.when) {
+            const auto value = chosen(when.key, edits);
+            if (!value || std::find(when.values.begin(), when.values.end(), *value) != when.values.end()) continue;
+            all.emplace_back(&key, when);
+            break;
+        }
+    }
+    return all;
+}
+
+/// Makes the key's line a comment. @throws InvalidInput if the line holds more than the key
+void comment_out(std::string& toml, const Profile& profile, const Key& key, const Condition& when) {
+    const toml::table parsed = toml::parse(toml);
+    const toml::node_view<const toml::node> node = parsed.at_path(key.path);
+    if (!node) return;
+    const std::size_t begin = line_begin(toml, node.node()->source().begin.line), leaf = toml.find_first_not_of(" \t", begin);
+    if (!toml.substr(leaf).starts_with(key.leaf()))
+        throw core::InvalidInput(profile.place_of(key.path), "stands in a line with other keys",
+                                 fmt::format("a line of its own, which can be left out: {}", when.text("", "\"")));
+    toml.insert(begin, fmt::format("# {}: ", when.text("", "\"")));
 }
 
 /// Does the text now hold the new value, and only there?
@@ -85,6 +129,11 @@ bool holds(const std::string& toml, const Key& key, const Edit& edit) {
 }
 
 }  // namespace
+
+void require_key(const std::string& field, const std::string& key) {
+    if (find_key(key) == nullptr && !is_table(key))
+        throw core::InvalidInput(field, key, fmt::format("a key of a profile; nearest known one: {}", nearest_key(key).path));
+}
 
 double number_of(const Profile& profile, const std::string& key) { return std::get<double>(find_key(key)->get(profile)); }
 
@@ -129,6 +178,7 @@ std::string with_edits(std::string toml, const Profile& profile, const std::vect
                 profile.place_of(edit.key), "its table stands in one line or in dotted keys",
                 fmt::format("a heading [{}] with one key a line, so that {} can be put below it", key.table(), key.leaf()));
     }
+    for (const auto& [key, when] : without_meaning(profile, edits)) comment_out(toml, profile, *key, when);
     return toml.insert(line_begin(toml, 1), head.empty() ? "" : head + line_end(toml));
 }
 

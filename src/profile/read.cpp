@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "companions.h"
 #include "convert.h"
 #include "files.h"
 #include "fusee/core/file.h"
@@ -45,6 +46,7 @@ public:
         }
         if (limits_ != nullptr && !of_others) profile.limits = read_overrides(*limits_, design_rules(), faults_);
         check_knots(profile);
+        if (!of_others) check_companions(profile);
         for (const PartSpec* part : {&profile.k_se, &profile.k_pe}) check_cable(*part, profile);
         for (const Order& order : kOrders) check(order, profile);
         for (const char* factor : kFactors) require_not_0(*find_key(factor), profile);
@@ -117,12 +119,16 @@ private:
         }
     }
 
+    /// The table of a key that is left out, or the one around it.
+    [[nodiscard]] const toml::source_region& nearest_region(const Key& key) const {
+        std::string table = key.table();
+        while (!regions_.contains(table)) table = table.substr(0, table.find('.') == std::string::npos ? 0 : table.rfind('.'));
+        return regions_.at(table);
+    }
     void refuse_missing(const Key& key) {
         unknown_.insert(key.path);
         if (is_misread(key.path)) return;
-        std::string table = key.table();
-        while (!regions_.contains(table)) table = table.substr(0, table.find('.') == std::string::npos ? 0 : table.rfind('.'));
-        faults_.add(regions_.at(table), key.path, "missing", allowed_text(key));
+        faults_.add(nearest_region(key), key.path, "missing", allowed_text(key));
     }
     void refuse_unused(const Key& key, const toml::node& node) {
         std::vector<std::string> conditions;
@@ -159,6 +165,17 @@ private:
              {std::pair{"law.series_Nm_per_rad", &curve->series_stiffness}, {"law.transmission", &curve->transmission}})
             if (is_known(path) && knots->size() != loads.size())
                 refuse(path, fmt::format("{} numbers", knots->size()), fmt::format("as many as law.loads_Nm, {}", loads.size()));
+    }
+    /// A fault at the key that asks for others, or at its table where it is left out.
+    void check_companions(const Profile& profile) {
+        for (const Companions& missing : missing_companions(profile)) {
+            const auto unread = [this](const std::string& key) { return !is_known(key) || is_misread(key); };
+            if (unread(missing.key) || std::any_of(missing.needs.begin(), missing.needs.end(), unread)) continue;
+            const auto node = nodes_.find(missing.key);
+            faults_.add(node == nodes_.end() ? nearest_region(*find_key(missing.key)) : node->second->source(),
+                        fmt::format("{}", fmt::join(missing.needs, " and ")), "missing, or 0",
+                        fmt::format("above 0 mm, with {} = \"{}\"", missing.key, missing.value));
+        }
     }
     /// A length alone says nothing of how far a cable stretches.
     void check_cable(const PartSpec& part, const Profile& profile) {

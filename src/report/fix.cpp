@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "findings_json.h"
 #include "fusee/core/units.h"
 
@@ -12,7 +14,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using End = Fix::End;
 
-constexpr std::size_t kMostCircles = 5;  // shown on a terminal
+constexpr std::size_t kMostCircles = 5, kMostConflicts = 3;  // shown on a terminal
 
 const char* word(End end) {
     switch (end) {
@@ -51,7 +53,34 @@ std::string lost_text(const LostTorque& lost) {
 }
 
 std::string change_text(const FixChange& change) {
+    if (!change.follows.empty()) return fmt::format("  {} = {} (was {}): follows {}\n", change.key, change.to, change.from, change.follows);
     return fmt::format("  {} = {} (was {}): {}\n      {}\n", change.key, change.to, change.from, change.asks_for, reason(change.because));
+}
+
+/// "cam.convexity (k_se at 3.2 Nm): measured -4.13 mm, allowed at least 0 mm"
+std::string figures(core::Finding finding) {
+    const std::string rule = finding.rule, where = finding.where;
+    finding.suggestion.clear(), finding.where.clear(), finding.what.clear();
+    const std::string line = core::to_line(finding);
+    return fmt::format("{}{}: {}", rule, where.empty() ? "" : fmt::format(" ({})", where), line.substr(line.find(": : ") + 4));
+}
+
+std::string conflict_text(const FixConflict& c) {
+    const std::string asks = c.asks.empty() ? "" : fmt::format("; it asks for {} = {}", c.key, c.asks);
+    return fmt::format("    for {}\n      {} = {} (was {})\n      breaks {}{}\n", figures(c.one), c.key, c.to, c.from, figures(c.other),
+                       asks);
+}
+
+/// What was not done about the findings, and why.
+std::string unchanged_text(const Fix& fix) {
+    std::string text;
+    for (const std::string& line : fix.unchanged) text += fmt::format("  not changed: {}\n", line);
+    return text;
+}
+
+std::string not_judged_text(const Fix& fix) {
+    if (fix.not_judged == 0) return {};
+    return fmt::format("  {} not judged for want of data: `fusee make` lists what is missing\n", count(fix.not_judged, "rule"));
 }
 
 std::string cannot_text(const Fix& fix) {
@@ -59,6 +88,10 @@ std::string cannot_text(const Fix& fix) {
     for (const FixChange& change : fix.changes) text += change_text(change);
     if (!fix.changes.empty()) text += "  and still binding:\n";
     for (const core::Finding& finding : fix.left) text += fmt::format("  {}\n", core::to_line(finding));
+    text += unchanged_text(fix);
+    if (!fix.conflicts.empty()) text += "  limits that stand against each other:\n";
+    for (std::size_t i = 0; i < std::min(kMostConflicts, fix.conflicts.size()); ++i) text += conflict_text(fix.conflicts[i]);
+    if (!fix.conflicts.empty()) return text;
     for (std::size_t i = 0; i < std::min(kMostCircles, fix.circles.size()); ++i) text += fmt::format("  a circle: {}\n", fix.circles[i]);
     return text;
 }
@@ -68,10 +101,21 @@ Json band_json(const std::optional<double>& band) { return band ? Json(*band) : 
 }  // namespace
 
 std::string fix_json(const Fix& fix) {
-    Json changes = Json::array(), lost = Json::array();
+    Json changes = Json::array(), lost = Json::array(), conflicts = Json::array();
     for (const FixChange& c : fix.changes)
-        changes.push_back(
-            {{"key", c.key}, {"from", c.from}, {"to", c.to}, {"asks_for", c.asks_for}, {"because", findings_json({c.because})[0]}});
+        changes.push_back({{"key", c.key},
+                           {"from", c.from},
+                           {"to", c.to},
+                           {"asks_for", c.asks_for},
+                           {"because", findings_json({c.because})[0]},
+                           {"follows", c.follows}});
+    for (const FixConflict& c : fix.conflicts)
+        conflicts.push_back({{"one", findings_json({c.one})[0]},
+                             {"other", findings_json({c.other})[0]},
+                             {"key", c.key},
+                             {"from", c.from},
+                             {"to", c.to},
+                             {"asks", c.asks}});
     for (const LostTorque& l : fix.lost)
         lost.push_back(
             {{"key", l.key}, {"from_Nm", l.from}, {"to_Nm", l.to}, {"lost_Nm", l.lost()}, {"binds", findings_json({l.binds})[0]}});
@@ -81,6 +125,9 @@ std::string fix_json(const Fix& fix) {
                  {"changes", std::move(changes)},
                  {"lost", std::move(lost)},
                  {"left", findings_json(fix.left)},
+                 {"conflicts", std::move(conflicts)},
+                 {"unchanged", fix.unchanged},
+                 {"not_judged", fix.not_judged},
                  {"circles", fix.circles},
                  {"judged", fix.judged},
                  {"made", fix.made},
@@ -94,15 +141,18 @@ std::string fix_json(const Fix& fix) {
 std::string fix_text(const Fix& fix) {
     const std::string tried =
         fmt::format("{} judged, {} made with every file", count(static_cast<std::size_t>(fix.judged), "profile"), fix.made);
-    if (fix.end == End::kNothingToDo) return fmt::format("{}: no change is required; nothing was changed ({})\n", fix.profile_name, tried);
+    if (fix.end == End::kNothingToDo)
+        return fmt::format("{}: no change is required; nothing was changed ({})\n{}", fix.profile_name, tried, not_judged_text(fix));
     if (fix.end == End::kCannot)
         return fmt::format("{}: cannot be met by changes that findings suggest ({})\n{}", fix.profile_name, tried, cannot_text(fix));
-    std::string text = fmt::format("{}: fixed by {} ({})\n", fix.profile_name, count(fix.changes.size(), "change"), tried);
+    const auto own = std::count_if(fix.changes.begin(), fix.changes.end(), [](const FixChange& c) { return c.follows.empty(); });
+    std::string text = fmt::format("{}: fixed by {} ({})\n", fix.profile_name, count(static_cast<std::size_t>(own), "change"), tried);
     for (const FixChange& change : fix.changes) text += change_text(change);
     for (const LostTorque& l : fix.lost) text += lost_text(l);
+    text += unchanged_text(fix);
     text += band_line(fix);
     if (!fix.left.empty()) text += fmt::format("  {} to review and accept: `fusee make` lists them\n", count(fix.left.size(), "finding"));
-    return text + fmt::format("written: {}\n", fix.file.string());
+    return text + not_judged_text(fix) + fmt::format("written: {}\n", fix.file.string());
 }
 
 }  // namespace fusee::report

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "fusee/core/units.h"
+#include "fusee/solid/companions.h"
 #include "fusee/solid/outline.h"
 #include "fusee/solid/sweep.h"
 
@@ -48,7 +49,8 @@ Refusal turns(const Room& room) {
     return refusal("solid.turns", "the land between neighbouring turns is thinner than the rib", gap, rib, room.part,
                    path.lead == cam::Lead::kConstantPitch
                        ? fmt::format("{}.path.pitch_mm = {:.2f}", room.part, mm_from_m(path.pitch) + rib - gap + 0.05)
-                       : fmt::format("{0}.guide.z_mm larger, or {0}.path.lead = \"constant_pitch\"", room.part));
+                       : fmt::format("{}.guide.z_mm larger, or {}", room.part,
+                                     constant_pitch_change(room.part, room.options.groove, room.cam.options.cable_diameter)));
 }
 
 Refusal floor_folds(const Room& room) {
@@ -61,8 +63,10 @@ Refusal floor_folds(const Room& room) {
 Refusal misses_axis(const Room& room) {
     const double lip = room.least_h + room.section.front().offset_mm;
     if (!room.cam.closed() || lip >= kLeastLip_mm) return std::nullopt;
-    return refusal("solid.axis", "the contour does not go round the axis: on the idle arc its lips pass the axis on the wrong side", lip,
-                   kLeastLip_mm, room.part, fmt::format("{}.path.kind = \"helix\", or a base spring whose arms differ less", room.part));
+    return refusal(
+        "solid.axis", "the contour does not go round the axis: on the idle arc its lips pass the axis on the wrong side", lip, kLeastLip_mm,
+        room.part,
+        helix_change(room.part, room.options.groove, room.cam.options.cable_diameter) + ", or a base spring whose arms differ less");
 }
 
 Refusal anchor(const Room& room) {
@@ -86,7 +90,7 @@ Refusal bore(const Room& room) {
     const double fitting = mm_from_m(room.options.hub.bore_diameter) - 2.0 * (reach + 0.3 - floor);
     const std::string smaller = fitting > kLeastBore_mm ? fmt::format("{}.hub.bore_mm = {:.2f}, or ", room.part, fitting) : "";
     return refusal("solid.bore", "the bore breaks into the groove's floor", floor, reach + kLeastFloor_mm, room.part,
-                   fmt::format("{}{}.hub.kind = \"overhung\"", smaller, room.part));
+                   smaller + overhung_change(room.part, room.options.hub));
 }
 
 }  // namespace

@@ -70,10 +70,11 @@ TEST_F(BadInput, WrongKeysAndValues) {
 // The key's place is known where the profile is read, its fault only where the part is built.
 TEST_F(BadInput, WhatDoesNotFitTogether) {
     expect_key_refused("k_se.hub.key_width_mm", "8.0", {"t.toml:", "k_se.hub.key_width_mm: 8", "mm"});
-    expect_key_refused("k_pe.path.kind", "\"helix\"", {"t.toml: k_pe.path.pitch_mm"});
+    expect_key_refused("k_pe.path.kind", "\"helix\"", {"t.toml:", "k_pe.path.pitch_mm: missing", "k_pe.path.lead = \"constant_pitch\""});
     expect_key_refused("k_pe.features.mark_depth_mm", "50.0", {"t.toml:", "k_pe.features.mark_depth_mm: 50"});
     expect_key_refused("groove.depth_ratio", "0.1", {"t.toml:", "groove.depth_ratio: 0.1"});
-    expect_key_refused("k_se.hub.kind", "\"overhung\"", {"t.toml: k_se.hub.boss_height_mm"});
+    expect_key_refused("k_se.hub.kind", "\"overhung\"",
+                       {"t.toml:", "k_se.hub.boss_mm and k_se.hub.boss_height_mm: missing", "k_se.hub.kind = \"overhung\""});
 }
 
 TEST_F(BadInput, TablesWithFaults) {

@@ -59,6 +59,24 @@ TEST(Front, GoodMembersGivenAreKeptOrBettered) {
     EXPECT_EQ(schaffer(front.members.back())[1], 0.0);
 }
 
+/// Two equal bounds fix a number: the front is that of the others.
+TEST(Front, KeepsANumberWithEqualBounds) {
+    FrontOptions o = options();
+    o.bounds = {{-10.0, 10.0}, {0.5, 0.5}, {-1.0, 1.0}};
+    o.seeds = {{1.0, 0.5, 0.0}};
+    const Front front = find_front(schaffer, o);
+    EXPECT_GE(front.members.size(), 20u);
+    for (const auto& x : front.members) {
+        ASSERT_EQ(x.size(), 3u);
+        EXPECT_EQ(x[1], 0.5);
+        const auto f = schaffer(x);
+        EXPECT_NEAR(std::sqrt(f[0] - 0.25) + std::sqrt(f[1] - 0.25), 2.0, 0.2) << "Schaffer's front, 0.25 higher in both";
+    }
+    o.bounds = {{1.0, 1.0}, {0.5, 0.5}, {0.0, 0.0}};
+    o.seeds.clear();
+    EXPECT_EQ(find_front(schaffer, o).members, (std::vector<std::vector<double>>{{1.0, 0.5, 0.0}}));
+}
+
 TEST(Front, StopsWhenAsked) {
     FrontOptions o = options();
     o.stop = [] { return true; };

@@ -23,6 +23,48 @@ TEST_F(ProfileEdit, ReplacesTheValueAndNothingElse) {
     EXPECT_EQ(made(toml, {rate(0.0201)}), expected);
 }
 
+/// The comment behind a value speaks of that value; one on a line of its own stays.
+TEST_F(ProfileEdit, ReplacesTheCommentThatSpokeOfTheOldValue) {
+    const std::string toml = edited("rate_Nm_per_rad = 0.0183\n", "# torsion spring\nrate_Nm_per_rad = 0.0183   # as bought\n");
+    Edit measured = rate(0.0201);
+    measured.origin = "measured, case bench_3";
+    expect_words(made(toml, {measured}), {"# torsion spring\n# rate_Nm_per_rad was 0.0183: measured\n"
+                                          "rate_Nm_per_rad = 0.0201   # measured, case bench_3\n"});
+    EXPECT_EQ(made(toml, {measured}).find("as bought"), std::string::npos);
+    // No comment, no new one; what follows in a table of one line speaks of all its keys.
+    EXPECT_EQ(made(kShort, {measured}).find("bench_3"), std::string::npos);
+    const std::string inlined = edited("[k_se.spring]\nrate_Nm_per_rad = 0.0183\npreload_rad = 3.6\n",
+                                       "[k_se]\nspring = {preload_rad = 3.6, rate_Nm_per_rad = 0.0183} # both as bought\n");
+    expect_words(made(inlined, {measured}), {"rate_Nm_per_rad = 0.0201} # both as bought\n"});
+}
+
+TEST_F(ProfileEdit, LeavesOutWhatLosesItsMeaning) {
+    const std::string toml = std::string(kShort) + "\n[k_pe.path]\nkind = \"helix\"\npitch_mm = 5.0  # steep\n";
+    const Profile p = read(toml);
+    const std::string text = made(toml, {text_edit(p, "k_pe.path.kind", "planar", "a stack")});
+    expect_words(text, {"kind = \"planar\"\n# only with k_pe.path.kind = \"helix\": pitch_mm = 5.0  # steep\n"});
+    const std::string one_line = std::string(kShort) + "\n[k_pe]\npath = {kind = \"helix\", pitch_mm = 5.0}\n";
+    EXPECT_THROW((void)with_edits(one_line, read(one_line), {text_edit(read(one_line), "k_pe.path.kind", "planar", "a stack")}),
+                 core::InvalidInput);
+}
+
+TEST_F(ProfileEdit, ReplacesArrays) {
+    const std::string toml = edited("kind = \"fdm\"\n", "kind = \"fdm\"\nbuild_mm = [200, 200,\n  200]  # the old machine\n");
+    expect_words(made(toml, {{"process.build_mm", "[300, 300, 200]", "[200, 200, 200]", "larger", "changed by fix"}}),
+                 {"build_mm = [300, 300, 200]  # changed by fix\n"});
+}
+
+TEST_F(ProfileEdit, KnowsKeysAndTables) {
+    EXPECT_NO_THROW(require_key("--keep", "k_pe.hub.bore_mm"));
+    EXPECT_NO_THROW(require_key("--keep", "k_pe.hub"));
+    try {
+        require_key("--keep", "k_pe.hub.bore");
+        FAIL() << "accepted";
+    } catch (const core::InvalidInput& e) {
+        expect_words(e.what(), {"--keep", "k_pe.hub.bore", "nearest known one: k_pe.hub.bore_mm"});
+    }
+}
+
 TEST_F(ProfileEdit, AddsWhatIsLeftOutBelowItsHeadingOrWithItsTable) {
     const Profile p = read(kShort);
     const std::string below = made(kShort, {number_edit(p, "rig.joint_friction_Nm", 0.0125, "bearing")});

@@ -40,7 +40,8 @@ TEST_F(ProfileTest, LeavesTheRoomsDefaultsAlone) {
 TEST_F(ProfileTest, ReadsEnumsListsAndArrays) {
     const Profile p = read(std::string(kShort) +
                            "[outputs]\nformats = [\"3mf\", \"stl\"]\n[k_pe.guide]\nkind = \"idler\"\ndistance_mm = 80\nradius_mm = 10\n"
-                           "sense = -1\n[k_pe.path]\nkind = \"helix\"\nlead = \"aimed\"\npitch_mm = 2\n[k_pe.hub]\nlock = \"set_screw\"\n");
+                           "sense = -1\n[k_pe.path]\nkind = \"helix\"\nlead = \"aimed\"\npitch_mm = 2\n[k_pe.hub]\nlock = \"set_screw\"\n"
+                           "screw_mm = 3\nboss_mm = 16\nboss_height_mm = 8\n");
     EXPECT_TRUE(p.outputs.stl && p.outputs.three_mf);
     EXPECT_FALSE(p.outputs.scad || p.outputs.dxf);
     EXPECT_EQ(p.k_pe.cam.guide.kind, cam::GuideKind::kIdler);

@@ -13,6 +13,16 @@ TEST_F(RefusalTest, UnknownKeyNamesFileLineColumnAndTheNearest) {
     expect_words(refusal(std::string(kShort) + "[k_pe.gide]\nz_mm = 1\n"), {"p.toml:27:", "unknown table", "[k_pe.guide]"});
 }
 
+TEST_F(RefusalTest, AChoiceThatNeedsOtherKeysNamesThemAndItsLine) {
+    const std::string text = std::string(kShort) + "[k_pe.hub]\nkind = \"overhung\"\n";
+    expect_words(refusal(text),
+                 {"p.toml:28:8: k_pe.hub.boss_mm and k_pe.hub.boss_height_mm: missing, or 0", "with k_pe.hub.kind = \"overhung\""});
+    expect_words(refusal(text + "boss_mm = 16\n"), {"p.toml:28:8: k_pe.hub.boss_height_mm: missing"});
+    EXPECT_EQ(refusal(text + "boss_mm = 16\nboss_height_mm = 8\n"), "");
+    // The lead is left out: its table says where.
+    expect_words(refusal(std::string(kShort) + "[k_se.path]\nkind = \"helix\"\n"), {"p.toml:27:", "k_se.path.pitch_mm: missing"});
+}
+
 TEST_F(RefusalTest, WrongUnitNamesTheRightOne) {
     expect_words(refusal(edited("diameter_mm = 0.8", "diameter_m = 0.0008")), {"p.toml:18:1: cable.diameter_m", "cable.diameter_mm"});
     expect_words(refusal(edited("lead_in_deg = 5", "lead_in_rad = 0.1")), {"p.toml:16:1: law.lead_in_rad", "law.lead_in_deg"});

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <regex>
 
 #include "fusee/core/file.h"
 #include "generator.h"
@@ -24,6 +25,12 @@ std::string fault_of_made(const batch::Row& row) {
     return "";
 }
 
+/// Does a finding say "nan" or "inf" where a number belongs? One that was not judged has none to say.
+bool without_number(const core::Finding& f) {
+    static const std::regex kNone(R"(\b(nan|inf)\b)");
+    return f.severity != core::Severity::kNotJudged && std::regex_search(core::to_line(f), kNone);
+}
+
 std::string fault_of_refused(const batch::Row& row) {
     if (!core::any_required(row.result.findings)) return "refused without a required change";
     if (!row.result.folder.empty()) return "refused and something was written";
@@ -31,6 +38,7 @@ std::string fault_of_refused(const batch::Row& row) {
         if (f.severity != core::Severity::kRequired) continue;
         if (f.rule.empty() || f.what.empty() || f.where.empty() || f.suggestion.empty())
             return "a refusal without rule, place or suggestion: " + core::to_line(f);
+        if (without_number(f)) return "a refusal without a number: " + core::to_line(f);
     }
     return "";
 }

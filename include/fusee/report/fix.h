@@ -15,6 +15,14 @@ struct FixChange {
     std::string key, from, to;
     std::string asks_for;   ///< whose business it is: "the drawing", "another spring", "the law", ...
     core::Finding because;  ///< what stood against the old value
+    std::string follows;    ///< the key that it follows, as a breaking load follows the cable's diameter; empty: none
+};
+
+/// Two limits that stand against each other: what is done for the one breaks the other.
+struct FixConflict {
+    core::Finding one, other;
+    std::string key, from, to;  ///< the change made for `one`, as TOML
+    std::string asks;           ///< the value that `other` asks for then; empty: it asks for another key
 };
 
 /// Loads that the law gives up because no cam carries them.
@@ -37,12 +45,15 @@ struct Fix {
     std::string toml;            ///< the new profile; empty unless it is fixed
     std::vector<FixChange> changes;
     std::vector<LostTorque> lost;
-    core::Findings left;                ///< what still has to change, or, if fixed, be reviewed
-    std::vector<std::string> circles;   ///< changes that brought back what an earlier one had taken away, one sentence each
-    int judged = 0, made = 0;           ///< profiles judged without files, and made with all of them
-    double peak_torque = 0.0;           ///< [Nm]
-    std::optional<double> band_before;  ///< exact dead-band at peak torque, full width at the joint [rad]; none: the law does not exist or
-                                        ///< does not reach that far
+    core::Findings left;                 ///< what still has to change, or, if fixed, be reviewed
+    std::vector<FixConflict> conflicts;  ///< between what is left and other limits; empty if it is fixed
+    std::vector<std::string> unchanged;  ///< "cable.diameter_mm: its breaking load is not stated": changes that were not made, and why
+    std::size_t not_judged = 0;          ///< rules that could not be judged of the profile that was made, for want of data
+    std::vector<std::string> circles;    ///< changes that brought back what an earlier one had taken away, one sentence each
+    int judged = 0, made = 0;            ///< profiles judged without files, and made with all of them
+    double peak_torque = 0.0;            ///< [Nm]
+    std::optional<double> band_before;   ///< exact dead-band at peak torque, full width at the joint [rad]; none: the law does not exist or
+                                         ///< does not reach that far
     std::optional<double> band_after;
 };
 

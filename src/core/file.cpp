@@ -8,12 +8,9 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
-#include <csignal>
-#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <system_error>
-#include <vector>
 
 #include "fusee/core/error.h"
 #include "fusee/core/temporary_folder.h"
@@ -114,61 +111,6 @@ std::string sha256_hex(std::string_view bytes) {
     Sha256 hash;
     hash.add(bytes);
     return hash.hex();
-}
-
-namespace {
-/// Hidden siblings of `target` made for `purpose` by a process that is no more.
-std::vector<fs::path> orphans_of(const fs::path& target, const std::string& purpose) {
-    const std::string prefix = "." + target.filename().string() + "." + purpose + "-";
-    std::error_code ignored;
-    std::vector<fs::path> orphans;
-    for (auto entry = fs::directory_iterator(target.parent_path(), ignored); !ignored && entry != fs::directory_iterator();
-         entry.increment(ignored)) {
-        const std::string name = entry->path().filename().string();
-        if (name.rfind(prefix, 0) != 0) continue;
-        const int process = std::atoi(name.c_str() + prefix.size());
-        if (process > 0 && ::kill(process, 0) != 0 && errno == ESRCH) orphans.push_back(entry->path());
-    }
-    return orphans;
-}
-
-/// Clears away what a killed run left; one killed between its two renames gets its earlier folder back.
-void tidy_up(const fs::path& target) {
-    std::error_code ignored;
-    for (const fs::path& earlier : orphans_of(target, "earlier"))
-        if (!fs::exists(target, ignored)) fs::rename(earlier, target, ignored);
-    for (const char* purpose : {"partial", "earlier"})
-        for (const fs::path& orphan : orphans_of(target, purpose)) fs::remove_all(orphan, ignored);
-}
-}  // namespace
-
-StagedFolder::StagedFolder(fs::path target)
-    : target_(std::move(target)), staging_(hidden_sibling(fs::absolute(target_).lexically_normal(), "partial")) {
-    tidy_up(fs::absolute(target_).lexically_normal());
-    std::error_code error;
-    fs::create_directories(staging_, error);
-    if (error) throw IoError(target_.string(), "the folder cannot be made: " + error.message());
-}
-
-StagedFolder::~StagedFolder() {
-    std::error_code ignored;
-    if (!committed_) fs::remove_all(staging_, ignored);
-}
-
-void StagedFolder::commit() {
-    std::error_code error;
-    const fs::path earlier = hidden_sibling(fs::absolute(target_).lexically_normal(), "earlier");
-    const bool replaces = fs::exists(target_, error);
-    if (replaces) fs::rename(target_, earlier, error);
-    if (error) throw IoError(target_.string(), error.message());
-    fs::rename(staging_, target_, error);
-    if (error) {
-        const std::string why = error.message();
-        if (replaces) fs::rename(earlier, target_, error);
-        throw IoError(target_.string(), why);
-    }
-    committed_ = true;
-    if (replaces) fs::remove_all(earlier, error);
 }
 
 }  // namespace fusee::core

@@ -78,46 +78,38 @@ TEST_F(FileTest, MakesFoldersUnlessAFileIsInTheWay) {
     EXPECT_THROW(make_folder(folder_ / "c" / "d"), IoError);
 }
 
-TEST_F(FileTest, StagedFolderReplacesAsAWhole) {
-    {
-        StagedFolder first(folder_ / "out");
-        write_file(first.path() / "old", "1");
-        first.commit();
-    }
-    {
-        StagedFolder second(folder_ / "out");
-        write_file(second.path() / "new", "2");
-        second.commit();
-    }
-    EXPECT_TRUE(fs::exists(folder_ / "out" / "new"));
-    EXPECT_FALSE(fs::exists(folder_ / "out" / "old"));
-    EXPECT_EQ(entries(), 1u);
+TEST_F(FileTest, AFailureNamesItsCause) {
+    const auto cause_of = [](const auto& write) -> std::string {
+        try {
+            write();
+        } catch (const IoError& e) {
+            return e.what();
+        }
+        return "none";
+    };
+    const fs::path missing = folder_ / "no" / "such" / "folder";
+    EXPECT_EQ(cause_of([&] { write_file(missing, "x"); }), missing.string() + ": cannot be written: No such file or directory");
+    EXPECT_EQ(cause_of([&] { require_writable(missing); }), missing.string() + ": cannot be written: No such file or directory");
 }
 
-TEST_F(FileTest, StagedFolderLeftUncommittedLeavesTheEarlierOne) {
-    fs::create_directories(folder_ / "out");
-    write_file(folder_ / "out" / "old", "1");
-    {
-        StagedFolder staged(folder_ / "out");
-        write_file(staged.path() / "half", "x");
-    }
-    EXPECT_EQ(read_file(folder_ / "out" / "old"), "1");
-    EXPECT_EQ(entries(), 1u);
+TEST_F(FileTest, AFileThatTheUserNamesIsReplacedByForceOnly) {
+    require_new_file(folder_ / "new", false);
+    EXPECT_EQ(entries(), 0u);
+    write_file(folder_ / "a", "mine");
+    EXPECT_THROW(require_new_file(folder_ / "a", false), IoError);
+    require_new_file(folder_ / "a", true);
+    EXPECT_EQ(read_file(folder_ / "a"), "mine");
 }
 
-TEST_F(FileTest, StagedFolderClearsAwayWhatAKilledProcessLeft) {
-    const fs::path orphan = folder_ / ".out.partial-4194303-0", alive = folder_ / (".out.partial-" + std::to_string(::getpid()) + "-99");
-    fs::create_directories(orphan);  // 4194303 is Linux's highest process number: practically never in use
-    fs::create_directories(alive);
-    { const StagedFolder staged(folder_ / "out"); }
-    EXPECT_FALSE(fs::exists(orphan));
-    EXPECT_TRUE(fs::exists(alive));
-    const fs::path earlier = folder_ / ".out.earlier-4194303-1";  // killed between its two renames
-    fs::create_directories(earlier);
-    write_file(earlier / "kept", "1");
-    { const StagedFolder staged(folder_ / "out"); }
-    EXPECT_EQ(read_file(folder_ / "out" / "kept"), "1");
-    EXPECT_FALSE(fs::exists(earlier));
+// 4194303 is Linux's highest process number: practically never in use.
+TEST_F(FileTest, WhatAKilledWriteLeftIsRemoved) {
+    const std::string own = ".a.part-" + std::to_string(::getpid()) + "-0";
+    for (const std::string& name : {std::string(".a.part-4194303-0"), std::string(".b.part-4194303-0"), own})
+        write_file(folder_ / name, "x");
+    require_writable(folder_ / "a");
+    EXPECT_FALSE(fs::exists(folder_ / ".a.part-4194303-0"));
+    EXPECT_TRUE(fs::exists(folder_ / ".b.part-4194303-0")) << "of another file";
+    EXPECT_TRUE(fs::exists(folder_ / own));
 }
 
 }  // namespace

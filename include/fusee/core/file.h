@@ -34,24 +34,4 @@ private:
     std::shared_ptr<void> state_;  // of OpenSSL
 };
 
-/// A folder that is filled under a hidden name beside its target and takes the target's place only when it is complete; what stood
-/// there before is replaced as a whole. Destroyed uncommitted, it leaves nothing behind; what a killed process left is removed by the next
-/// one.
-class StagedFolder {
-public:
-    /// @throws IoError
-    explicit StagedFolder(std::filesystem::path target);
-    ~StagedFolder();
-    StagedFolder(const StagedFolder&) = delete;
-    StagedFolder& operator=(const StagedFolder&) = delete;
-
-    [[nodiscard]] const std::filesystem::path& path() const { return staging_; }
-    /// @throws IoError; after a throw the earlier target still stands
-    void commit();
-
-private:
-    std::filesystem::path target_, staging_;
-    bool committed_ = false;
-};
-
 }  // namespace fusee::core

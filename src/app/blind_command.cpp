@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -11,6 +13,7 @@
 #include "fusee/core/output_folder.h"
 #include "fusee/core/progress.h"
 #include "fusee/report/score.h"
+#include "numbers.h"
 
 namespace fusee::app {
 
@@ -92,8 +95,10 @@ void add_blind_make(CLI::App& blind, Action& action) {
     const auto options = std::make_shared<blind::BenchmarkOptions>();
     CLI::App* command =
         blind.add_subcommand("make", "Write cases of rigs that the model does not know, and a sealed file of what is wrong with them");
-    command->add_option("--seed", options->seed, "The same seed gives the same benchmark")->required();
-    command->add_option("--cases", options->cases, "How many cases")->required();
+    command->add_option("--seed", options->seed, "The same seed gives the same benchmark")
+        ->required()
+        ->check(number_within(std::uint64_t{0}, std::numeric_limits<std::uint64_t>::max()));
+    command->add_option("--cases", options->cases, "How many cases")->required()->check(number_within(1, 10000));
     command->add_option("-o,--out", options->out, "Folder that gets them")->required();
     add_force(*command, options->force);
     command->add_option("--plant", options->maker, "Who makes the measurements: plant, or as a control the model itself")

@@ -14,6 +14,7 @@
 #include "fusee/core/progress.h"
 #include "fusee/profile/profile.h"
 #include "fusee/report/rule_counts.h"
+#include "numbers.h"
 #include "places.h"
 
 namespace fusee::app {
@@ -111,10 +112,10 @@ void add_design(CLI::App& app, Action& action) {
     command->add_option("-o,--out", arguments->options.out, "Folder that gets NAME-design and NAME-design.checkpoint")
         ->capture_default_str();
     command->add_option("--population", arguments->population, "Members of a generation, in place of the profile's")
-        ->check(CLI::Range(8, 100000));
-    command->add_option("--generations", arguments->generations, "Generations, in place of the profile's")->check(CLI::Range(1, kMost));
+        ->check(number_within(8, 100000));
+    command->add_option("--generations", arguments->generations, "Generations, in place of the profile's")->check(number_within(1, kMost));
     command->add_option("--seed", arguments->seed, "Seed, in place of the profile's: the same one gives the same result")
-        ->check(CLI::Range(0, 1'000'000'000));
+        ->check(number_within(0, 1'000'000'000));
     add_jobs(*command, arguments->options.jobs, "Threads; 0 = one for each processor; no influence on the result");
     command->add_flag("--resume", arguments->options.resume, "Go on from the checkpoint of a search that was stopped");
     add_force(*command, arguments->options.force);

@@ -10,6 +10,7 @@
 #include "fusee/batch/batch.h"
 #include "fusee/core/error.h"
 #include "fusee/core/progress.h"
+#include "numbers.h"
 
 namespace fusee::app {
 
@@ -67,10 +68,10 @@ void add_simulate(CLI::App& app, Action& action) {
     command->add_option("-o,--out", arguments->out, "Folder that gets one folder per profile; what lies there already stays")
         ->capture_default_str();
     command->add_option("--levels", arguments->options.levels, "Levels of co-contraction in place of the profile's")
-        ->check(CLI::Range(2, kMostLevels));
+        ->check(number_within(2, kMostLevels));
     command
         ->add_option("--push-torque", arguments->options.push_torque, "Joint torque of the push-and-release test [Nm]; 0 = strong enough")
-        ->check(CLI::Range(0.0, kLargestTorque));
+        ->check(number_within(0.0, kLargestTorque));
     command
         ->add_option("--at", arguments->at,
                      "Torques of agonist, antagonist and joint [Nm] at which equilibrium, sensitivity and dead-band are asked for, such as "

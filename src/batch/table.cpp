@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "fusee/batch/batch.h"
+#include "fusee/core/text.h"
 #include "fusee/report/rule_counts.h"
 
 namespace fusee::batch {
@@ -74,8 +75,8 @@ std::string details(const Ended& row, const core::Findings& findings) {
 template <class AnyRow>
 std::string beginning(const AnyRow& row, const std::vector<AnyRow>& rows, const char* done) {
     std::size_t width = 0;
-    for (const Ended& other : rows) width = std::max(width, other.profile.string().size());
-    return fmt::format("{:{}}  {:9}  {:6.2f} s  ", row.profile.string(), width,
+    for (const Ended& other : rows) width = std::max(width, core::printable(other.profile.string()).size());
+    return fmt::format("{:{}}  {:9}  {:6.2f} s  ", core::printable(row.profile.string()), width,
                        row.outcome == Outcome::kMade ? done : to_string(row.outcome), row.seconds);
 }
 

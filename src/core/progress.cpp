@@ -6,6 +6,7 @@
 #include <csignal>
 
 #include "fusee/core/process.h"
+#include "fusee/core/text.h"
 
 namespace fusee::core {
 
@@ -33,13 +34,14 @@ void Progress::note(const std::string& label) {
 }
 
 void Progress::draw(const std::string& label) const {
+    const std::string shown = printable(label);  // it may hold a file's name
     if (!terminal_) {
-        fmt::print(stderr, "{} {}/{}: {}\n", title_, done_, total_, label);
+        fmt::print(stderr, "{} {}/{}: {}\n", title_, done_, total_, shown);
         return;
     }
     const std::size_t filled = total_ == 0 ? kBarWidth : kBarWidth * done_ / total_;
     fmt::print(stderr, "\r\x1b[K{} [{}{}] {}/{} {}", title_, std::string(filled, '#'), std::string(kBarWidth - filled, '.'), done_, total_,
-               label);
+               shown);
     std::fflush(stderr);
 }
 

@@ -119,7 +119,7 @@ std::string check_json(const Checked& checked) {
     for (const CheckedProcess& p : checked.processes) processes.push_back(process_json(p));
     const Json j{{"fusee", core::version()}, {"name", checked.name},           {"sha256", checked.sha256},
                  {"input", checked.input},   {"makeable", checked.makeable()}, {"processes", processes}};
-    return j.dump(2) + "\n";
+    return j.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace fusee::report

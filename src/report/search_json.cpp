@@ -63,7 +63,7 @@ std::string search_json(const SearchReport& report) {
                  {"cams", cams_json(report.cams)},
                  {"findings", findings_json(report.findings)},
                  {"remarks", report.remarks}};
-    return j.dump(2) + "\n";
+    return j.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 std::string figure_9_csv(const std::vector<CostCurve>& costs) {

@@ -100,6 +100,73 @@ TEST_F(BadInput, TablesWithFaults) {
     expect_refused("t.toml", {"measured_table.csv"});
 }
 
+TEST_F(BadInput, AllMistakesAtOnce) {
+    std::string empty = "name = \"t\"\n[rig]\n[law]\nkind = \"stiction_compensating\"\n[k_se.spring]\n[k_pe.spring]\n";
+    write("t.toml", empty + "rate_N_per_m = -1\n");
+    expect_refused("t.toml", {"t.toml:2:1: rig.capstan_radius_mm: missing", "rig.joint_radius_mm: missing", "rig.gear_friction: missing",
+                              "rig.least_torque_Nm: missing", "rig.peak_torque_Nm: missing", "rig.overdrive_torque_Nm: missing",
+                              "t.toml:3:1: law.k_per_Nm_rad: missing", "law.u_Nm: missing", "law.c_Nm: missing",
+                              "law.start_torque_Nm: missing", "law.end_torque_Nm: missing", "t.toml:7:16: k_pe.spring.rate_N_per_m: -1"});
+    const Ended checked = run("check t.toml");
+    EXPECT_EQ(checked.code, 2);
+    expect_words(checked.err, {"fusee: 17 mistakes:\nt.toml:1:1: cable.diameter_mm: missing"});
+}
+
+TEST_F(BadInput, NothingThatATerminalObeysIsPrinted) {
+    write("t.toml", "name = \"\\u001b]0;x\"\n");
+    write("u.toml", "name = \"t\"\n\"\\u001b[2J\" = 1\n");
+    write("v.toml", "[law]\nkind = \"from_dead_band\"\ndead_band_deg = \"tau\\u0000\"\n");
+    write("\x1b[2J.toml", "name = 3\n");
+    write("\xff.toml", "name = 3\n");
+    for (const char* file : {"t.toml", "u.toml", "v.toml", "'\x1b[2J.toml'", "'\xff.toml'"}) {
+        for (const char* command : {"make ", "check "}) {
+            const Ended refused = run(command + std::string(file));
+            EXPECT_EQ(refused.code, 2) << command << file << refused.all();
+            EXPECT_EQ(refused.all().find_first_of("\x1b\xff"), std::string::npos) << refused.all();
+        }
+    }
+    write("w.toml", "[rig]\n" + std::string(9'000'000, 'k') + " = 1\n");
+    EXPECT_LT(run("make w.toml").err.size(), 20'000u);
+}
+
+TEST_F(BadInput, AMeshWhoseNameIsNoUtf8IsJudged) {
+    const char* corners[4][3] = {
+        {"0 0 0", "0 9 0", "9 0 0"}, {"0 0 0", "9 0 0", "0 0 9"}, {"0 0 0", "0 0 9", "0 9 0"}, {"9 0 0", "0 9 0", "0 0 9"}};
+    std::string stl = "solid t\n";
+    for (const auto& face : corners) {
+        stl += "facet normal 0 0 0\nouter loop\n";
+        for (const char* corner : face) stl += "vertex " + std::string(corner) + "\n";
+        stl += "endloop\nendfacet\n";
+    }
+    write("\xff.stl", stl + "endsolid t\n");
+    EXPECT_LT(run("check --json --process fdm '\xff.stl'").code, 2);
+}
+
+TEST_F(BadInput, APipeAsAFileIsNotWaitedFor) {
+    write("t.toml", text_);
+    ASSERT_EQ(std::system(("mkfifo '" + (folder_ / "measured_table.csv").string() + "' '" + (folder_ / "p.toml").string() + "'").c_str()),
+              0);
+    expect_refused("p.toml", {"p.toml", "only regular files"});
+    expect_refused("t.toml", {"t.toml:", "law.file", "only regular files"});
+}
+
+TEST_F(BadInput, NumbersOfTheCommandLine) {
+    const std::string simulate = "simulate '" + fixtures::shipped("pnrvsa").string() + "' --levels ";
+    for (const char* wrong : {"2 --push-torque nan", "2 --push-torque inf", "2 --push-torque 0x10", "2 --push-torque 1e400",
+                              "2 --push-torque ''", "0x10", "010", "2.5", "1e3", "-3", "99999999999999999999", "''"}) {
+        const Ended refused = run(simulate + wrong);
+        EXPECT_EQ(refused.code, 2) << wrong << refused.all();
+        expect_words(refused.err, {"allowed: a "});
+    }
+    for (const char* wrong :
+         {"--seed -1 --cases 1", "--seed 99999999999999999999 --cases 1", "--seed 1 --cases -1", "--seed 1e2 --cases 1"}) {
+        const Ended refused = run("blind make --out b " + std::string(wrong));
+        EXPECT_EQ(refused.code, 2) << wrong << refused.all();
+        expect_words(refused.err, {"allowed: a whole number"});
+    }
+    EXPECT_FALSE(fs::exists(folder_ / "b"));
+}
+
 TEST_F(BadInput, AnOutFolderThatCannotBe) {
     write("out.txt", "a file");
     const Ended refused = run("make '" + fixtures::shipped("pnrvsa").string() + "' --out out.txt");

@@ -6,6 +6,7 @@
 
 #include "fusee/core/error.h"
 #include "fusee/core/workers.h"
+#include "numbers.h"
 
 namespace fusee::app {
 
@@ -20,7 +21,7 @@ inline void require_thread() {
 
 /// -j, --jobs: 0 to core::kMostWorkers.
 inline void add_jobs(CLI::App& command, unsigned& jobs, const std::string& meaning) {
-    command.add_option("-j,--jobs", jobs, meaning)->check(CLI::Range(0U, core::kMostWorkers))->capture_default_str();
+    command.add_option("-j,--jobs", jobs, meaning)->check(number_within(0U, core::kMostWorkers))->capture_default_str();
 }
 
 /// --force of a command that writes into a folder (docs/outputs.md).

@@ -8,6 +8,7 @@
 #include "fusee/core/progress.h"
 #include "fusee/pipeline/fix.h"
 #include "fusee/profile/edit.h"
+#include "numbers.h"
 #include "places.h"
 
 namespace fusee::app {
@@ -63,7 +64,7 @@ void add_fix(CLI::App& app, Action& action) {
         ->expected(1)
         ->take_all();
     command->add_option("--most", arguments->options.most_judged, "Profiles judged before the search gives up")
-        ->check(CLI::Range(1, 1000000))
+        ->check(number_within(1, 1000000))
         ->capture_default_str();
     command->add_flag("--json", arguments->json, "Print the changes as JSON instead of text");
     add_force_file(*command, arguments->force);

@@ -45,8 +45,7 @@ TEST(StandardSizes, AscendAndNameTheirSource) {
 
 /// DIN 6885 has a key for each shaft size between its ends.
 TEST(StandardSizes, ShaftsHaveTheirKeys) {
-    for (const double mm : shaft_sizes().mm)
-        EXPECT_EQ(key_size(1e-3 * mm) != nullptr, mm >= 6.0 && mm <= 30.0) << mm;
+    for (const double mm : shaft_sizes().mm) EXPECT_EQ(key_size(1e-3 * mm) != nullptr, mm >= 6.0 && mm <= 30.0) << mm;
 }
 
 TEST(StandardSizes, BearByTheSquareOfTheDiameter) {

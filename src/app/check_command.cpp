@@ -7,6 +7,7 @@
 #include "commands.h"
 #include "fusee/checks/limits.h"
 #include "fusee/core/error.h"
+#include "fusee/core/text.h"
 #include "fusee/exchange/mesh_file.h"
 #include "fusee/inspect/rule.h"
 #include "fusee/pipeline/check.h"
@@ -98,7 +99,8 @@ int check(const CheckArguments& arguments) {
     } else {
         fmt::print(good ? stdout : stderr, "{}", report::check_text(result.checked));
         if (!result.coloured.empty())
-            fmt::print(good ? stdout : stderr, "Where: {} (red: required change, orange: review)\n", result.coloured.string());
+            fmt::print(good ? stdout : stderr, "Where: {} (red: required change, orange: review)\n",
+                       core::printable(result.coloured.string()));
     }
     return good ? 0 : 1;
 }

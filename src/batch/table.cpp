@@ -47,9 +47,10 @@ namespace {
 std::string made_line(const Row& row) {
     const core::Findings& findings = row.result.findings;
     const std::string open = report::not_judged_text(findings);
-    return fmt::format("{}/  {} rules passed, {} to review{}", row.result.folder.string(), core::count(findings, core::Severity::kPass),
-                       core::count(findings, core::Severity::kReview),
-                       open.empty() ? "" : fmt::format("; {} (`fusee check {}` lists what is missing)", open, row.profile.string()));
+    return fmt::format(
+        "{}/  {} rules passed, {} to review{}", core::printable(row.result.folder.string()), core::count(findings, core::Severity::kPass),
+        core::count(findings, core::Severity::kReview),
+        open.empty() ? "" : fmt::format("; {} (`fusee check {}` lists what is missing)", open, core::printable(row.profile.string())));
 }
 
 /// What the user gets, a figure a line.

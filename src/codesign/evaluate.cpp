@@ -144,6 +144,7 @@ private:
         const auto body = solid::outline_part(*cam, spec(kind).solid);
         if (!body) return refuse(body.refusal(), part);
         for (const core::Finding& f : checks::check_without_mesh({*body, spec(kind).spring, p_.cable, p_.process, p_.limits})) {
+            if (f.severity == core::Severity::kNotJudged) continue;  // measures nothing
             const bool broken = f.severity == core::Severity::kRequired ||
                                 (f.severity == core::Severity::kReview && options_.reviews == design::Reviews::kAvoid);
             Limit limit{f.rule + " " + part, f.unit, f.measured, f.allowed, f.bound};

@@ -151,8 +151,8 @@ TEST_F(Check, BadInputIsNamed) {
     write("line.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n");
     refused("line.obj --process fdm", {"line.obj"});
     write("file", "");
-    refused("a.obj --process fdm --out file", {"file", "cannot be made"});
-    refused("a.obj --process fdm --out file/x", {"file/x", "cannot be made"});
+    refused("a.obj --process fdm --out file", {"file: is a file, not a folder"});
+    refused("a.obj --process fdm --out file/x", {"file/x: the folder cannot be made"});
     refused(cube("far.obj", 1e10) + " --process fdm", {"far.obj", "1e+10 mm", "1e+09 mm"});
 }
 

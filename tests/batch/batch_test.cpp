@@ -95,8 +95,8 @@ TEST_F(Batch, BadInputFoundLateNamesItsLine) {
     EXPECT_EQ(rows[0].error.rfind(line_of(rows[0], "key_width_mm") + ":", 0), 0u) << rows[0].error;
     EXPECT_NE(rows[0].error.find("k_se.hub.key_width_mm: 9"), std::string::npos) << rows[0].error;
     EXPECT_EQ(rows[1].error.rfind(line_of(rows[1], "gear_friction") + ":", 0), 0u) << rows[1].error;
-    EXPECT_NE(rows[2].error.find("unpitched.toml: k_pe.path.pitch_mm"), std::string::npos)
-        << "left out, so it has no line: " << rows[2].error;
+    EXPECT_EQ(rows[2].error.rfind(line_of(rows[2], "[k_pe.path]") + ":", 0), 0u) << "left out: its table is named: " << rows[2].error;
+    EXPECT_NE(rows[2].error.find("k_pe.path.pitch_mm: missing"), std::string::npos) << rows[2].error;
 }
 
 TEST(ExitCode, TheGravestCounts) {

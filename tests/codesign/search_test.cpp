@@ -128,7 +128,7 @@ TEST_F(CoDesignRun, EachPointOfAFrontIsAProfileThatMakeAccepts) {
     EXPECT_TRUE(pipeline::make(first, {.out = folder_ / "made"}).made);
     // as many rows as profiles; a wider dead-band buys more travel
     const core::CsvTable table = core::read_csv(result.folder / "pareto.csv", {{"figure_deg"}, {"travel_rad"}});
-    EXPECT_EQ(table.rows() + 2, files.size());  // and the CSV and the page
+    EXPECT_EQ(table.rows() + 3, files.size());  // and the CSV, the page and the manifest
     for (std::size_t i = 1; i < table.rows(); ++i) {
         EXPECT_GE(table.numbers("figure_deg")[i], table.numbers("figure_deg")[i - 1]);
         EXPECT_GE(table.numbers("travel_rad")[i], table.numbers("travel_rad")[i - 1]);

@@ -106,6 +106,7 @@ TEST_P(EveryRule, SaysTheSameOfTheMirrorImage) {
         for (std::size_t i = 0; i < known.size(); ++i) {
             EXPECT_EQ(image[i].rule, known[i].rule);
             EXPECT_EQ(image[i].severity, known[i].severity) << known[i].rule;
+            if (known[i].severity == core::Severity::kNotJudged) continue;  // measures nothing
             EXPECT_NEAR(image[i].measured, known[i].measured, 1e-6 * std::abs(known[i].measured) + 1e-9) << known[i].rule;
         }
     }

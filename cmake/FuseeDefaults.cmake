@@ -41,13 +41,13 @@ set_property(GLOBAL PROPERTY JOB_POOLS compile=${FUSEE_JOBS} link=${FUSEE_JOBS})
 set(CMAKE_JOB_POOL_COMPILE compile)
 set(CMAKE_JOB_POOL_LINK link)
 
-# The warnings are the project's own affair: whoever links an installed room does not inherit them.
+# The warnings are the project's own affair: whoever links an installed module does not inherit them.
 add_library(fusee_options INTERFACE)
 target_compile_features(fusee_options INTERFACE cxx_std_20)
 target_compile_options(fusee_options INTERFACE
   "$<BUILD_INTERFACE:-ffp-contract=off>"  # no fused multiply-add: the same bytes from every build of the same source
   "$<BUILD_INTERFACE:-Wall;-Wextra;-Wpedantic;-Wshadow;-Wconversion>"
-  # clang warns of what g++ does: signs are not part of g++'s -Wconversion, nor elided braces of its -Wall, and a room may silence a warning
+  # clang warns of what g++ does: signs are not part of g++'s -Wconversion, nor elided braces of its -Wall, and a module may silence a warning
   # that only g++ has
   "$<BUILD_INTERFACE:$<$<CXX_COMPILER_ID:Clang>:-Wno-sign-conversion;-Wno-missing-braces;-Wno-unknown-warning-option>>"
   "$<BUILD_INTERFACE:$<$<BOOL:${FUSEE_WERROR}>:-Werror>>")

@@ -1,4 +1,4 @@
-# cmake --install, beside the program and the rooms: templates, profiles, shell completions and find_package(fusee).
+# cmake --install, beside the program and the modules: templates, profiles, shell completions and find_package(fusee).
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 

@@ -1,33 +1,43 @@
-# fusee_module(cam SOURCES a.cpp ... USES core math ... LINKS Eigen3::Eigen ... PRIVATE_LINKS ...)
-# One room: static library fusee_<room> with alias fusee::<room>; its headers are include/fusee/<room>/*.h and each must
-# compile alone; it may include only the rooms it USES (checked at configure time), and only rooms declared before it.
+# fusee_module(cam SOURCES a.cpp ... USES core math ... LINKS Eigen3::Eigen ... PRIVATE_LINKS ... [UNITY 12] [OPTIMIZE 1])
+# One module: static library fusee_<module> with alias fusee::<module>; its headers are include/fusee/<module>/**.h and each must
+# compile alone; it may include only the modules it USES (checked at configure time), and only modules declared before it.
+# UNITY n: compile the sources n at a time (0: all at once), so that their common headers are read once. Names in the anonymous namespaces
+# of a module must differ. -DFUSEE_UNITY=OFF compiles each source alone.
+# OPTIMIZE 1: -O1 instead of -O2 in a Release build, for a module that computes little. Floating-point results are the same.
 include(GNUInstallDirs)
 
-function(fusee_module room)
-  cmake_parse_arguments(M "" "" "SOURCES;USES;LINKS;PRIVATE_LINKS" ${ARGN})
-  file(GLOB headers CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/include/fusee/${room}/*.h")
-  add_library(fusee_${room} STATIC ${M_SOURCES})
-  add_library(fusee::${room} ALIAS fusee_${room})
-  set_target_properties(fusee_${room} PROPERTIES EXPORT_NAME ${room} VERIFY_INTERFACE_HEADER_SETS ON)
-  target_sources(fusee_${room} PUBLIC FILE_SET HEADERS BASE_DIRS "${PROJECT_SOURCE_DIR}/include" FILES ${headers})
+function(fusee_module module)
+  cmake_parse_arguments(M "" "UNITY;OPTIMIZE" "SOURCES;USES;LINKS;PRIVATE_LINKS" ${ARGN})
+  file(GLOB_RECURSE headers CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/include/fusee/${module}/*.h")
+  add_library(fusee_${module} STATIC ${M_SOURCES})
+  add_library(fusee::${module} ALIAS fusee_${module})
+  set_target_properties(fusee_${module} PROPERTIES EXPORT_NAME ${module} VERIFY_INTERFACE_HEADER_SETS ON)
+  target_sources(fusee_${module} PUBLIC FILE_SET HEADERS BASE_DIRS "${PROJECT_SOURCE_DIR}/include" FILES ${headers})
   foreach(used IN LISTS M_USES)
     if(NOT TARGET fusee_${used})
-      message(FATAL_ERROR "room '${room}' uses '${used}', which is not on a floor below it")
+      message(FATAL_ERROR "module '${module}' uses '${used}', which is not on a floor below it")
     endif()
-    target_link_libraries(fusee_${room} PUBLIC fusee::${used})
+    target_link_libraries(fusee_${module} PUBLIC fusee::${used})
   endforeach()
-  target_link_libraries(fusee_${room} PUBLIC fusee_options ${M_LINKS} PRIVATE ${M_PRIVATE_LINKS})
-  fusee_check_layering(${room} "${M_USES}")
-  install(TARGETS fusee_${room} EXPORT fuseeTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+  target_link_libraries(fusee_${module} PUBLIC fusee_options ${M_LINKS} PRIVATE ${M_PRIVATE_LINKS})
+  target_include_directories(fusee_${module} PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}")  # for the sources in sub-folders
+  if(DEFINED M_UNITY AND FUSEE_UNITY)
+    set_target_properties(fusee_${module} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${M_UNITY})
+  endif()
+  if(DEFINED M_OPTIMIZE)
+    target_compile_options(fusee_${module} PRIVATE $<$<CONFIG:Release>:-O${M_OPTIMIZE}>)
+  endif()
+  fusee_check_layering(${module} "${M_USES}")
+  install(TARGETS fusee_${module} EXPORT fuseeTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
           FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 endfunction()
 
-# Every `#include "fusee/X/..."` of a room must name the room itself or one that it declares in USES, and no include may climb
+# Every `#include "fusee/X/..."` of a module must name the module itself or one that it declares in USES, and no include may climb
 # out of its folder, which would go round that rule. Linking is transitive, including is not.
-function(fusee_check_layering room uses)
-  file(GLOB_RECURSE files CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/include/fusee/${room}/*.h"
-       "${PROJECT_SOURCE_DIR}/src/${room}/*.cpp" "${PROJECT_SOURCE_DIR}/src/${room}/*.h")
-  set(allowed ${room} ${uses})
+function(fusee_check_layering module uses)
+  file(GLOB_RECURSE files CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/include/fusee/${module}/*.h"
+       "${PROJECT_SOURCE_DIR}/src/${module}/*.cpp" "${PROJECT_SOURCE_DIR}/src/${module}/*.h")
+  set(allowed ${module} ${uses})
   foreach(file IN LISTS files)
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${file}")
     file(STRINGS "${file}" lines REGEX "^[ \t]*#[ \t]*include[ \t]*([\"<]fusee/|\"[^\"]*\\.\\./)")
@@ -35,7 +45,7 @@ function(fusee_check_layering room uses)
       string(REGEX REPLACE "^[^\"<]*[\"<]fusee/([a-z_]+)/.*" "\\1" other "${line}")
       if(line MATCHES "\\.\\./" OR NOT other IN_LIST allowed)
         string(STRIP "${line}" line)
-        message(FATAL_ERROR "${file}: room '${room}' (USES ${uses}) may not have: ${line}")
+        message(FATAL_ERROR "${file}: module '${module}' (USES ${uses}) may not have: ${line}")
       endif()
     endforeach()
   endforeach()

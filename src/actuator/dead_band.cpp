@@ -106,7 +106,7 @@ DeadBand dead_band(const Actuator& actuator, double tau) {
     band.tau = tau;
     const std::optional<double> extreme = extreme_width(actuator, tau);
     band.covered = extreme.has_value();
-    band.extreme = extreme.value_or(kNan);
+    band.exact_width = extreme.value_or(kNan);
     if (!actuator.law->loads().holds(tau)) {
         band.linear = band.joint_stiffness = band.free_joint_stiffness = band.theta = band.condition_6 = kNan;
         return band;

@@ -37,7 +37,7 @@ core::Outcome<Eigen::Matrix3d> sensitivity(const Joint& joint, const Eigen::Vect
     return inverse;
 }
 
-Eigen::Matrix3d hatted(const Eigen::Matrix3d& sensitivity, const Joint& joint) {
+Eigen::Matrix3d cable_space(const Eigen::Matrix3d& sensitivity, const Joint& joint) {
     const Eigen::Vector3d radii(joint.capstan_radius, joint.capstan_radius, joint.joint_radius);
     return radii.asDiagonal() * sensitivity * radii.asDiagonal();
 }

@@ -34,7 +34,7 @@ double condition(const Joint& joint, const JointDeadBand& band, const Eigen::Mat
 JointDeadBand nowhere() {
     JointDeadBand band;
     band.z.setConstant(kNan);
-    band.linear = band.extreme = band.edges.low = band.edges.high = band.joint_stiffness = band.free_joint_stiffness = kNan;
+    band.linear = band.exact_width = band.edges.low = band.edges.high = band.joint_stiffness = band.free_joint_stiffness = kNan;
     band.condition_5 = band.condition_6 = {kNan, kNan};
     band.covered = false;
     return band;
@@ -69,8 +69,8 @@ JointDeadBand joint_dead_band(const Joint& joint, double tau_1, double tau_2) {
         band.condition_6[at] = condition(joint, band, m, i, torque[i], m.col(kAgonist) + m.col(kAntagonist));
     }
     band.edges = {edge(joint, loads, band, m, -1), edge(joint, loads, band, m, 1)};
-    band.extreme = band.edges.width();
-    band.covered = !std::isnan(band.extreme);
+    band.exact_width = band.edges.width();
+    band.covered = !std::isnan(band.exact_width);
     band.joint_stiffness = stiffness(joint, band.z)(kOutput, kOutput);
     band.free_joint_stiffness = 1.0 / m(kOutput, kOutput);
     return band;

@@ -128,8 +128,8 @@ private:
         const double largest = z.cwiseAbs().maxCoeff(&most);
         // Anything above 0 would do; a hundredth of what already acts on that body holds or brakes it without changing much else.
         const double present = lacking(most, most), enough = present > 0.0 ? 0.01 * present : 0.01;
-        core::Finding finding = core::required_change("noise.unbounded", fmt::format("{}: noise drives it arbitrarily far", what),
-                                                      z.dot(lacking * z) / (largest * largest), core::Bound::kAtLeast, enough, unit);
+        core::Finding finding = core::error_finding("noise.unbounded", fmt::format("{}: noise drives it arbitrarily far", what),
+                                                    z.dot(lacking * z) / (largest * largest), core::Bound::kAtLeast, enough, unit);
         for (Eigen::Index i = 0; i < z.size(); ++i)
             finding.where += fmt::format("{}{} {:.3g}", i ? ", " : "motion: ", names[static_cast<std::size_t>(i)], z(i) / z(most));
         finding.suggestion = fmt::format("{:.4g} {} between {} and ground", enough, unit, names[static_cast<std::size_t>(most)]);

@@ -66,8 +66,8 @@ core::Findings softening(const Joint& joint, const Eigen::Vector3d& z) {
     for (const JointSpring& spring : joint.springs) {
         const double x = deflection(spring, z), stiff = spring.potential->stiffness(x);
         if (!(stiff < 0.0)) continue;
-        core::Finding f = core::required_change("equilibrium.convexity", "a spring that softens leaves the resting place open", stiff,
-                                                core::Bound::kAtLeast, 0.0, "Nm/rad");
+        core::Finding f = core::error_finding("equilibrium.convexity", "a spring that softens leaves the resting place open", stiff,
+                                              core::Bound::kAtLeast, 0.0, "Nm/rad");
         f.where = fmt::format("{} at {:.4g} rad", spring.name, x);
         f.suggestion = fmt::format("a spring whose stiffness is higher by {:.4g} Nm/rad", -1.001 * stiff);
         f.source = kSource;
@@ -78,8 +78,8 @@ core::Findings softening(const Joint& joint, const Eigen::Vector3d& z) {
 
 /// The search ended neither at rest nor far away: with continuous torques that rise, that does not happen.
 core::Findings unsettled(const Settled& settled) {
-    core::Finding f = core::required_change("equilibrium.convexity", "no resting place was found: the torque of some spring jumps or falls",
-                                            settled.residual, core::Bound::kAtMost, 1e-9 * settled.scale, "Nm");
+    core::Finding f = core::error_finding("equilibrium.convexity", "no resting place was found: the torque of some spring jumps or falls",
+                                          settled.residual, core::Bound::kAtMost, 1e-9 * settled.scale, "Nm");
     f.suggestion = "springs whose torque rises at every deflection, without jumps";
     f.source = kSource;
     return {f};
@@ -94,7 +94,7 @@ core::Findings beyond_laws(const Joint& joint, const Eigen::Vector3d& z) {
         const double x = deflection(spring, z);
         const core::Range domain = spring.potential->domain();
         const bool below = x < domain.low;
-        core::Finding f = core::required_change(
+        core::Finding f = core::error_finding(
             "equilibrium.outside", below ? "a spring goes slack or rests on its stop" : "a spring is wound beyond its law", x,
             below ? core::Bound::kAtLeast : core::Bound::kAtMost, below ? domain.low : domain.high, "rad");
         f.where = spring.name;
@@ -112,8 +112,8 @@ core::Findings free_motion(const Joint& joint, const Eigen::Vector3d& z) {
     if (least > kNoStiffness * greatest) return {};
     Eigen::Index body = 0;
     modes.eigenvectors().col(0).cwiseAbs().maxCoeff(&body);
-    core::Finding f = core::required_change("equilibrium.free", "no spring holds a motion of the joint", std::max(0.0, least),
-                                            core::Bound::kAtLeast, kEnoughStiffness * greatest, "Nm/rad");
+    core::Finding f = core::error_finding("equilibrium.free", "no spring holds a motion of the joint", std::max(0.0, least),
+                                          core::Bound::kAtLeast, kEnoughStiffness * greatest, "Nm/rad");
     f.where = fmt::format("mostly the {}", kBodies[static_cast<std::size_t>(body)]);
     f.suggestion = "a spring to the ground: not both a = 0 and b = 0 in the paper's figure 1";
     f.source = kSource;

@@ -5,7 +5,7 @@
 #include <thread>
 
 #include "fusee/core/error.h"
-#include "fusee/core/workers.h"
+#include "fusee/core/parallel.h"
 #include "numbers.h"
 
 namespace fusee::app {

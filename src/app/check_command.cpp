@@ -84,7 +84,7 @@ MeshCheck checked(const CheckArguments& arguments) {
     if (!exchange::is_mesh_file(arguments.input))
         throw core::InvalidInput("check", arguments.input.string(), "a profile (.toml) or a mesh (.stl, .obj, .3mf, .step, .stp)");
     const auto limits =
-        arguments.limits.empty() ? std::vector<checks::Override>{} : profile::read_limits(arguments.limits, inspect::cards());
+        arguments.limits.empty() ? std::vector<checks::Override>{} : profile::read_limits(arguments.limits, inspect::rule_infos());
     std::vector<Machine> machines = machines_for(arguments);
     for (Machine& machine : machines)
         if (!limits.empty()) machine.figures += "; [[limits]] of " + arguments.limits.filename().string();

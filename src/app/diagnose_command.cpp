@@ -13,7 +13,7 @@
 #include "fusee/gap/bench.h"
 #include "fusee/gap/diagnose.h"
 #include "fusee/report/diagnosis.h"
-#include "recut_step.h"
+#include "redesign_step.h"
 
 namespace fusee::app {
 
@@ -70,23 +70,23 @@ core::OutputRun run_of(const DiagnoseArguments& arguments) {
 int diagnose(const DiagnoseArguments& arguments) {
     core::catch_interrupts();
     require_thread();
-    const std::optional<RecutStep> recut = recut_step(arguments.profile, arguments.corrected, arguments.folder, arguments.force);
+    const std::optional<RedesignStep> redesign = redesign_step(arguments.profile, arguments.corrected, arguments.folder, arguments.force);
     core::OutputFolder output(arguments.out, run_of(arguments));
     const gap::Diagnosis found = diagnosis_of(arguments.folder, arguments.jobs);
     const std::string json = gap::diagnosis_json(found), page = report::diagnosis_html(found);
     core::write_file(output.path() / "diagnosis.html", page);
     core::write_file(output.path() / "diagnosis.json", json);
-    RecutStep::Told told;
-    if (recut) try {
-            told = recut->write(found, output.path());
-            core::write_file(output.path() / "diagnosis.html", report::diagnosis_html(found, told.section));
+    RedesignStep::Output redesigned;
+    if (redesign) try {
+            redesigned = redesign->write(found, output.path());
+            core::write_file(output.path() / "diagnosis.html", report::diagnosis_html(found, redesigned.section));
         } catch (const core::InvalidInput&) {  // a figure that no profile can hold ends here, with the diagnosis written
             output.commit();
             throw;
         }
     output.commit();
-    fmt::print("{}{}written: {}/diagnosis.html, diagnosis.json{}\n", report::diagnosis_text(found), told.text, arguments.out.string(),
-               recut ? ", recut.json" : "");
+    fmt::print("{}{}written: {}/diagnosis.html, diagnosis.json{}\n", report::diagnosis_text(found), redesigned.text, arguments.out.string(),
+               redesign ? ", redesign.json" : "");
     return 0;
 }
 

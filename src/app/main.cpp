@@ -62,12 +62,7 @@ void keep_standard_files() {
 int run(const Action& action) {
     try {
         return action();
-    } catch (const core::InvalidInput& e) {
-        return refuse(e);
-    } catch (const core::InvalidInputs& e) {
-        fmt::print(stderr, "fusee: {} mistakes:\n{}\n", e.all().size(), e.what());
-        return kBadInput;
-    } catch (const core::IoError& e) {
+    } catch (const core::InputError& e) {
         return refuse(e);
     } catch (const std::system_error& e) {  // a full disk, a folder that is a file, no more threads
         return refuse(e);
@@ -78,7 +73,7 @@ int run(const Action& action) {
         fmt::print(stderr, "stopped: nothing was written\n");
         return kInterrupted;
     } catch (const std::exception& e) {
-        fmt::print(stderr, "fusee: a failure inside, please report it: {}\n", e.what());
+        fmt::print(stderr, "fusee: internal error, please report it: {}\n", e.what());
         return kFailed;
     }
 }

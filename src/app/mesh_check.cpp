@@ -28,11 +28,11 @@ std::string input_line(const exchange::MeshFile& file, const inspect::Body& body
 
 /// The gravest finding of each triangle, of all processes.
 void paint(std::vector<exchange::Colour>& colours, const std::vector<inspect::Marked>& found) {
-    for (const core::Severity severity : {core::Severity::kReview, core::Severity::kRequired})
+    for (const core::Severity severity : {core::Severity::kWarning, core::Severity::kError})
         for (const inspect::Marked& marked : found)
             if (marked.finding.severity == severity)
                 for (const std::uint32_t t : marked.triangles)
-                    if (colours[t] != kRed) colours[t] = severity == core::Severity::kRequired ? kRed : kOrange;
+                    if (colours[t] != kRed) colours[t] = severity == core::Severity::kError ? kRed : kOrange;
 }
 
 /// @throws core::IoError naming the file: what is wrong with its triangles is the file's fault

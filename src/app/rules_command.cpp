@@ -26,7 +26,7 @@ Json limit_json(const checks::Limit& limit) {
     return j;
 }
 
-Json rule_json(const checks::Card& rule, bool needs_mesh, const std::vector<checks::Need>& needs) {
+Json rule_json(const checks::RuleInfo& rule, bool needs_mesh, const std::vector<checks::Need>& needs) {
     Json limits = Json::array();
     for (const checks::Limit& limit : rule.limits) limits.push_back(limit_json(limit));
     Json keys = Json::array();
@@ -50,17 +50,17 @@ void print_json() {
 }
 
 /// The rules of a design, then those of a mesh.
-std::vector<const checks::Card*> all_rules() {
-    std::vector<const checks::Card*> cards;
-    for (const checks::Rule& rule : checks::rules()) cards.push_back(&rule);
-    for (const inspect::Rule& rule : inspect::rules()) cards.push_back(&rule);
-    return cards;
+std::vector<const checks::RuleInfo*> all_rules() {
+    std::vector<const checks::RuleInfo*> infos;
+    for (const checks::Rule& rule : checks::rules()) infos.push_back(&rule);
+    for (const inspect::Rule& rule : inspect::rules()) infos.push_back(&rule);
+    return infos;
 }
 
 void print_text() {
     std::string_view group;
-    for (const checks::Card* card : all_rules()) {
-        const checks::Card& rule = *card;
+    for (const checks::RuleInfo* info : all_rules()) {
+        const checks::RuleInfo& rule = *info;
         if (rule.group() != group) {
             fmt::print("{}{}: {}\n", group.empty() ? "" : "\n", rule.group(), checks::group_title(rule.group()));
             group = rule.group();

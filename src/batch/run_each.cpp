@@ -1,6 +1,5 @@
 #include "run_each.h"
 
-#include <atomic>
 #include <chrono>
 #include <new>
 #include <optional>
@@ -8,7 +7,7 @@
 #include <system_error>
 
 #include "fusee/core/error.h"
-#include "fusee/core/workers.h"
+#include "fusee/core/parallel.h"
 
 namespace fs = std::filesystem;
 
@@ -21,11 +20,7 @@ template <class Guarded>
 void guarded(Ended& row, const Guarded& work) {
     try {
         work();
-    } catch (const core::InvalidInput& e) {
-        row.outcome = Outcome::kBadInput, row.error = e.what();
-    } catch (const core::InvalidInputs& e) {
-        row.outcome = Outcome::kBadInput, row.error = e.what();
-    } catch (const core::IoError& e) {
+    } catch (const core::InputError& e) {
         row.outcome = Outcome::kBadInput, row.error = e.what();
     } catch (const std::bad_alloc&) {
         row.outcome = Outcome::kBadInput, row.error = "out of memory: this takes more than the machine or its limit (ulimit -v) gives";
@@ -75,14 +70,11 @@ void run(Job& job, const Work& work, std::size_t place) {
 
 std::vector<Ended> run_each(const std::vector<fs::path>& profiles, const Work& work, unsigned jobs, core::Progress* progress) {
     std::vector<Job> all = read_all(profiles);
-    std::atomic<std::size_t> next{0};
-    const auto worker = [&] {
-        for (std::size_t i = next++; i < all.size() && !core::interrupted(); i = next++) {
-            if (all[i].profile) run(all[i], work, i);
-            if (progress != nullptr) progress->advance(all[i].row.profile.filename().string() + ": " + to_string(all[i].row.outcome));
-        }
-    };
-    core::run_workers(core::worker_count(jobs, all.size()), worker);
+    core::parallel_for(all.size(), jobs, [&](std::size_t i) {
+        if (core::interrupted()) return;
+        if (all[i].profile) run(all[i], work, i);
+        if (progress != nullptr) progress->advance(all[i].row.profile.filename().string() + ": " + to_string(all[i].row.outcome));
+    });
     std::vector<Ended> rows;
     rows.reserve(all.size());
     for (Job& job : all) rows.push_back(std::move(job.row));

@@ -49,7 +49,7 @@ std::string made_line(const Row& row) {
     const std::string open = report::not_judged_text(findings);
     return fmt::format(
         "{}/  {} rules passed, {} to review{}", core::printable(row.result.folder.string()), core::count(findings, core::Severity::kPass),
-        core::count(findings, core::Severity::kReview),
+        core::count(findings, core::Severity::kWarning),
         open.empty() ? "" : fmt::format("; {} (`fusee check {}` lists what is missing)", open, core::printable(row.profile.string())));
 }
 
@@ -66,7 +66,7 @@ std::string details(const Ended& row, const core::Findings& findings) {
     std::istringstream error(row.error);
     for (std::string line; std::getline(error, line);) lines += "    " + line + "\n";
     if (!lines.empty()) return lines;
-    for (const core::Severity severity : {core::Severity::kRequired, core::Severity::kReview})
+    for (const core::Severity severity : {core::Severity::kError, core::Severity::kWarning})
         for (const core::Finding& f : findings)
             if (f.severity == severity) lines += "    " + core::to_line(f) + "\n";
     return lines;

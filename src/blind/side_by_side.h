@@ -1,13 +1,22 @@
 #pragma once
 #include <cstddef>
 #include <functional>
+#include <mutex>
+
+#include "fusee/core/parallel.h"
 
 namespace fusee::blind {
 
-/// Does work(0), ... work(items - 1) on several threads, each item once. After each, `finished(how many are done, item)` is called; these
-/// calls do not overlap. The first exception of either ends it when the items in hand are done, and is thrown on.
-/// @param jobs threads; 0: as many as cores
-void side_by_side(std::size_t items, unsigned jobs, const std::function<void(std::size_t)>& work,
-                  const std::function<void(std::size_t done, std::size_t item)>& finished);
+/// core::parallel_for over `items`, with a call of `finished(number of items done, item)` after each; these calls do not overlap.
+template <class Work, class Finished>
+void side_by_side(std::size_t items, unsigned jobs, const Work& work, const Finished& finished) {
+    std::mutex mutex;
+    std::size_t done = 0;
+    core::parallel_for(items, jobs, [&](std::size_t i) {
+        work(i);
+        const std::lock_guard lock(mutex);
+        finished(++done, i);
+    });
+}
 
 }  // namespace fusee::blind

@@ -76,7 +76,7 @@ Brep closed_by(const Side& side, const solid::Part& part, double expected_mm3) {
 }
 
 core::Finding refusal(const solid::Part& part, std::string what, double measured, core::Bound bound, double allowed, const char* unit) {
-    core::Finding f = core::required_change("brep.validity", std::move(what), measured, bound, allowed, unit);
+    core::Finding f = core::error_finding("brep.validity", std::move(what), measured, bound, allowed, unit);
     f.where = to_string(part.cam.kind);
     f.source = "OpenCASCADE: one valid solid; docs/theory/cams.md";
     return f;

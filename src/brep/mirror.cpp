@@ -35,8 +35,8 @@ core::Outcome<Brep> mirrored(const Brep& solid) {
         what += fmt::format(" ({})", failure.what());
     }
     if (other.shape && std::abs(other.volume_mm3 / solid.volume_mm3 - 1.0) <= kSameVolume) return other;
-    core::Finding f = core::required_change("brep.validity", what, other.volume_mm3, core::Bound::kAtLeast,
-                                            solid.volume_mm3 * (1.0 - kSameVolume), "mm^3");
+    core::Finding f =
+        core::error_finding("brep.validity", what, other.volume_mm3, core::Bound::kAtLeast, solid.volume_mm3 * (1.0 - kSameVolume), "mm^3");
     f.suggestion = "outputs.pair = false, or leave STEP out of outputs.formats";
     f.source = "OpenCASCADE: one valid solid; docs/theory/cams.md";
     return f;

@@ -41,12 +41,12 @@ ArmFunction::ArmFunction(PartKind kind, spring::SpringLawPtr law, spring::BaseSp
     core::require_positive("rig.capstan_radius", capstan_radius_, "m");
     core::require_within(part + ".radius_allowance", allowance_.radius, -1.0, 1.0, "m");
     core::require_within("compensation.cable_axis", allowance_.cable_axis, -1.0, 1.0, "m");
-    core::require_within(part + ".cable_give", allowance_.cable_give, 0.0, 1.0, "m/N");
-    pulled_ = spring::in_series_with_cable(base_, allowance_.cable_give);
+    core::require_within(part + ".cable_compliance", allowance_.cable_compliance, 0.0, 1.0, "m/N");
+    pulled_ = spring::in_series_with_cable(base_, allowance_.cable_compliance);
     if (kind_ != PartKind::kSeries) return;
     core::require_within("k_se.cable_compliance_rad_per_Nm", allowance_.series_compliance, 0.0, 1e6, "rad/Nm");
     behind_spool_ = allowance_.behind_spool(capstan_radius_);
-    require_softer(*law_, behind_spool_, allowance_.cable_give > 0.0 ? "k_se.cable_length_mm" : "k_se.cable_compliance_rad_per_Nm");
+    require_softer(*law_, behind_spool_, allowance_.cable_compliance > 0.0 ? "k_se.cable_length_mm" : "k_se.cable_compliance_rad_per_Nm");
     least_series_torque_ = law_->at_load(law_->loads().low).f_se;
 }
 
@@ -78,37 +78,37 @@ Arm ArmFunction::arm_of(const Point& law) const {
         a.angle = a.state - base_.preload;
         a.arm = base_.rate * a.state / force;
         a.slope = (base_.rate - rate * a.arm * a.arm) / force;
-        a.bend = -a.arm * (rise * a.arm * a.arm + 3.0 * rate * a.slope) / force;
+        a.second_derivative = -a.arm * (rise * a.arm * a.arm + 3.0 * rate * a.slope) / force;
         a.tension = force;
     } else {
         const auto drawn = pulled_.state(p.u_pe);  // y + y0 and the cable's stretch
-        a.state = allowance_.cable_give == 0.0 ? drawn : pulled_.rate * drawn / base_.rate;
+        a.state = allowance_.cable_compliance == 0.0 ? drawn : pulled_.rate * drawn / base_.rate;
         a.angle = p.theta;
         a.tension = pulled_.rate * drawn;
         a.arm = p.f_pe / a.tension;
         a.slope = (p.p - pulled_.rate * a.arm * a.arm) / a.tension;
-        a.bend = (p.p_slope - 3.0 * pulled_.rate * a.arm * a.slope) / a.tension;
+        a.second_derivative = (p.p_slope - 3.0 * pulled_.rate * a.arm * a.slope) / a.tension;
     }
     a.travel = a.state - base_.preload;
     a.arm -= allowance_.on_arms();
-    if (lean_) lean_->lay_flat(a);
+    if (fleet_correction_) fleet_correction_->project_to_plane(a);
     return a;
 }
 
-ArmFunction ArmFunction::leaning(const Lean& lean) const {
+ArmFunction ArmFunction::corrected_for_fleet_angle(const FleetAngleCorrection& correction) const {
     ArmFunction other = *this;
-    other.lean_ = lean;
+    other.fleet_correction_ = correction;
     return other;
 }
 
 // docs/theory/cams.md, eq. 22. K_PE: every piece of cable that the cam draws is shared out the same way between spring and cable.
-Stretch ArmFunction::stretch(const spring::LawPoint& law, double tension) const {
+CableStretch ArmFunction::stretch(const spring::LawPoint& law, double tension) const {
     if (kind_ == PartKind::kSeries) {
         const double turn = behind_spool_ * (law.f_se - least_series_torque_);
         return {capstan_radius_ * turn, turn, law.theta};
     }
-    const double of_cable = allowance_.cable_give * pulled_.rate;
-    return {allowance_.cable_give * (tension - base_.rate * base_.preload), of_cable * law.theta, law.theta};
+    const double of_cable = allowance_.cable_compliance * pulled_.rate;
+    return {allowance_.cable_compliance * (tension - base_.rate * base_.preload), of_cable * law.theta, law.theta};
 }
 
 ArmPoint ArmFunction::at_load(double tau) const {

@@ -31,8 +31,8 @@ using Radius = std::function<Jet(const ContourJet&)>;
 Jet radius_in_space(const ContourJet& at, double depth) {
     using boost::numeric::sqrt, boost::numeric::square;
     const Interval rho = at.rho.value - depth, rise = at.rho.slope / at.psi.slope;  // d rho/d psi: the same on every parallel curve
-    const Interval tangent = at.climb / rho, turn = 1.0 + square(tangent);
-    const Interval twist = (at.climb_rate - tangent * rise) / rho;
+    const Interval tangent = at.axial_slope / rho, turn = 1.0 + square(tangent);
+    const Interval twist = (at.axial_slope_rate - tangent * rise) / rho;
     return {rho * turn * sqrt(turn) / sqrt(turn + square(twist)), math::whole_line()};
 }
 
@@ -170,9 +170,9 @@ std::optional<core::Finding> doubt(const Certificate& certificate, PartKind kind
     const bool refuted = certificate.convex == Proof::kRefuted || certificate.ordered == Proof::kRefuted;
     if (!refuted && certificate.convex == Proof::kProven && certificate.ordered == Proof::kProven) return std::nullopt;
     const LeastRadius& least = certificate.least();
-    core::Finding f = core::required_change("cam.certificate", "the contour is convex and the cable unrolls in order, proven, not sampled",
-                                            core::mm_from_m(refuted ? least.found : least.proven), core::Bound::kAtLeast, 0.0, "mm");
-    f.severity = refuted ? core::Severity::kRequired : core::Severity::kReview;
+    core::Finding f = core::error_finding("cam.certificate", "the contour is convex and the cable unrolls in order, proven, not sampled",
+                                          core::mm_from_m(refuted ? least.found : least.proven), core::Bound::kAtLeast, 0.0, "mm");
+    f.severity = refuted ? core::Severity::kError : core::Severity::kWarning;
     f.where = fmt::format("{}: {}", to_string(kind), certificate.open);
     f.suggestion =
         refuted ? "another base spring or law: see cam.convexity" : "a law of formulas, tables or knots: those can say their bounds";

@@ -33,7 +33,7 @@ Touch touched(PartKind kind, const Arm& arm, const CamOptions& options) {
     if (options.guide.kind == GuideKind::kParallel) {
         path.psi = options.guide.direction - ts * core::kPi / 2.0 - turned;
         path.slope = sigma * ts * arm.slope;
-        path.rho = arm.arm + arm.bend;
+        path.rho = arm.arm + arm.second_derivative;
         return contact;
     }
     const double distance = options.guide.distance;
@@ -42,7 +42,7 @@ Touch touched(PartKind kind, const Arm& arm, const CamOptions& options) {
     const T w = 1.0 + sigma * arm.slope / span;
     path.psi = options.guide.direction - ts * acos(c / distance) - turned;
     path.slope = sigma * ts * arm.slope / w;
-    path.rho = arm.arm + (arm.bend - sigma * c * cube(arm.slope / span)) / cube(w);
+    path.rho = arm.arm + (arm.second_derivative - sigma * c * cube(arm.slope / span)) / cube(w);
     contact.span = span * span / (span + sigma * arm.slope);
     return contact;
 }

@@ -44,11 +44,12 @@ std::vector<ContourStretch> working_stretches(const ArmFunction& arm, const CamO
     std::vector<ContourStretch> result;
     const auto heights = std::make_shared<const Height>(height);
     for (const spring::LawStretch& law : spring::stretches(arm.law()))
-        result.push_back({law.parameter, true, [arm, options, heights, law](const Interval& box) {
-                              const ContactJet contact = touch(arm.kind(), arm.over(law.over(box)), options);
-                              const Height::Climb climb = heights->over(contact.path.psi.value);
-                              return ContourJet{contact.path.psi, contact.path.rho, contact.arm.angle, climb.slope, climb.bend};
-                          }});
+        result.push_back(
+            {law.parameter, true, [arm, options, heights, law](const Interval& box) {
+                 const ContactJet contact = touch(arm.kind(), arm.over(law.over(box)), options);
+                 const Height::AxialSlope axial_slope = heights->over(contact.path.psi.value);
+                 return ContourJet{contact.path.psi, contact.path.rho, contact.arm.angle, axial_slope.first, axial_slope.second};
+             }});
     return result;
 }
 
@@ -58,9 +59,9 @@ std::vector<ContourStretch> idle_stretches(const IdleArc& arc, double begin_psi)
 
 std::vector<ContourStretch> run_out_stretches(const RunOut& run_out) {
     return by_psi(run_out.arc(), run_out.end().psi, run_out.direction(), [run_out](ContourJet& at) {
-        const Height::Climb climb = run_out.over(at.rho);
-        at.climb = climb.slope;
-        at.climb_rate = climb.bend;
+        const Height::AxialSlope axial_slope = run_out.over(at.rho);
+        at.axial_slope = axial_slope.first;
+        at.axial_slope_rate = axial_slope.second;
     });
 }
 

@@ -104,8 +104,8 @@ std::optional<Eigen::VectorXd> evenest(const Eigen::MatrixXd& cost, const Closin
 }
 
 core::Finding refusal(double width, double least_rho, double possible) {
-    core::Finding f = core::required_change("cam.idle_arc", "the arc without cable cannot close the contour convexly with the least radius",
-                                            core::mm_from_m(possible), core::Bound::kAtLeast, core::mm_from_m(least_rho), "mm");
+    core::Finding f = core::error_finding("cam.idle_arc", "the arc without cable cannot close the contour convexly with the least radius",
+                                          core::mm_from_m(possible), core::Bound::kAtLeast, core::mm_from_m(least_rho), "mm");
     f.where = fmt::format("idle arc of {:.1f} deg", core::deg_from_rad(width));
     f.suggestion = possible > 0.0 ? fmt::format("path.min_idle_radius_mm = {:.2f}", 0.95 * core::mm_from_m(possible))
                                   : "path.kind = \"helix\", or less wrap (another spring preload or a smaller travel)";

@@ -15,7 +15,7 @@ PathPoint mirrored(const PathPoint& p) { return {-p.psi, p.h, -p.slope, p.rho, p
 
 ContourJet mirrored(ContourJet at) {
     at.psi = -at.psi;
-    at.climb = -at.climb;  // dz/dpsi; d2z/dpsi2 and, by the stretch's own parameter, rho stay
+    at.axial_slope = -at.axial_slope;  // dz/dpsi; d2z/dpsi2 and, by the stretch's own parameter, rho stay
     return at;
 }
 

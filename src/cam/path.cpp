@@ -65,8 +65,8 @@ namespace {
 
 /// Over the share s of one piece of a cubic whose slopes are known at both ends: its derivative is a parabola, by Bernstein's form (each
 /// term positive, the hull of the coefficients a bound as well), and the second derivative runs linearly.
-Height::Climb climb_between(const math::Interval& rise, const math::Interval& from, const math::Interval& to, const math::Interval& width,
-                            const math::Interval& s) {
+Height::AxialSlope axial_slope_between(const math::Interval& rise, const math::Interval& from, const math::Interval& to,
+                                       const math::Interval& width, const math::Interval& s) {
     using boost::numeric::hull;
     const math::Interval amid = 3.0 * rise / width - from - to, rest = 1.0 - s;
     const math::Interval parabola = rest * rest * from + 2.0 * s * rest * amid + s * s * to;
@@ -75,19 +75,19 @@ Height::Climb climb_between(const math::Interval& rise, const math::Interval& fr
 
 }  // namespace
 
-Height::Climb Height::over(const math::Interval& psi) const {
+Height::AxialSlope Height::over(const math::Interval& psi) const {
     using boost::numeric::hull;
     if (entries_.empty()) return {0.0, 0.0};
     if (lead_ == Lead::kConstantPitch) return {entries_.front().slope, 0.0};
     if (!(psi.upper() >= entries_.front().psi && psi.lower() <= entries_.back().psi)) return {math::whole_line(), math::whole_line()};
     auto b = std::lower_bound(entries_.begin() + 1, entries_.end() - 1, psi.lower(), [](const Entry& e, double v) { return e.psi < v; });
-    std::optional<Climb> all;
+    std::optional<AxialSlope> all;
     for (; b != entries_.end() && (b - 1)->psi <= psi.upper(); ++b) {
         const Entry& a = *(b - 1);
         const math::Interval width = math::Interval(b->psi) - a.psi;
         const math::Interval share = math::common((psi - a.psi) / width, math::Interval(0.0, 1.0));
-        const Climb piece = climb_between(math::Interval(b->z) - a.z, a.slope, b->slope, width, share);
-        all = all ? Climb{hull(all->slope, piece.slope), hull(all->bend, piece.bend)} : piece;
+        const AxialSlope piece = axial_slope_between(math::Interval(b->z) - a.z, a.slope, b->slope, width, share);
+        all = all ? AxialSlope{hull(all->first, piece.first), hull(all->second, piece.second)} : piece;
     }
     return *all;
 }
@@ -96,26 +96,26 @@ namespace {
 
 constexpr double kMostTwist = 0.35;  // of a run-out's groove: leaves 1/sqrt(1 + 0.35^2) = 94 % of its least radius in the plane
 
-/// Angle over which a constant pitch lets the radius run out: it turns the groove's direction by climb rho'/rho^2 a radian of arc.
-double easing(const PathPoint& end, double climb, Lead lead) {
+/// Angle over which a constant pitch lets the radius run out: it turns the groove's direction by dz/dpsi rho'/rho^2 a radian of arc.
+double easing(const PathPoint& end, double axial_slope, Lead lead) {
     if (lead == Lead::kAimedAtGuide) return 0.0;
     const double least = std::min(end.rho, end.h);
-    return std::abs(climb * (end.h - end.rho)) / (kMostTwist * least * least);
+    return std::abs(axial_slope * (end.h - end.rho)) / (kMostTwist * least * least);
 }
 
 }  // namespace
 
 // Below the low end the arc is walked backwards: with -psi for psi, h' changes its sign.
-RunOut::RunOut(const PathPoint& end, int direction, double width, double climb, Lead lead)
+RunOut::RunOut(const PathPoint& end, int direction, double width, double axial_slope, Lead lead)
     : end_(end),
       direction_(direction),
-      climb_(climb),
+      axial_slope_(axial_slope),
       lead_(lead),
-      arc_(IdleArc::run_out({end.h, direction * end.slope, end.rho}, width, end.h, easing(end, climb, lead))) {}
+      arc_(IdleArc::run_out({end.h, direction * end.slope, end.rho}, width, end.h, easing(end, axial_slope, lead))) {}
 
-Height::Climb RunOut::over(const math::Jet& rho) const {
-    if (lead_ == Lead::kConstantPitch) return {climb_, 0.0};
-    const math::Interval share = math::Interval(climb_) / end_.rho;
+Height::AxialSlope RunOut::over(const math::Jet& rho) const {
+    if (lead_ == Lead::kConstantPitch) return {axial_slope_, 0.0};
+    const math::Interval share = math::Interval(axial_slope_) / end_.rho;
     return {share * rho.value, share * rho.slope};
 }
 
@@ -123,7 +123,7 @@ PathPoint RunOut::at(double psi) const {
     const double x = direction_ * (psi - end_.psi);
     const SupportState s = arc_.at(x);
     const double gone = lead_ == Lead::kConstantPitch ? x : arc_.length(x) / end_.rho;
-    return {psi, s.h, direction_ * s.slope, s.rho, end_.z + direction_ * climb_ * gone};
+    return {psi, s.h, direction_ * s.slope, s.rho, end_.z + direction_ * axial_slope_ * gone};
 }
 
 }  // namespace fusee::cam

@@ -32,7 +32,7 @@ Test within_reach(const ArmFunction& arm, const CamOptions& options) {
 }
 
 core::Finding broken(const ArmFunction& arm, const char* rule, const char* what, const Contact& at, double measured_mm, double allowed_mm) {
-    core::Finding f = core::required_change(rule, what, measured_mm, core::Bound::kAtLeast, allowed_mm, "mm");
+    core::Finding f = core::error_finding(rule, what, measured_mm, core::Bound::kAtLeast, allowed_mm, "mm");
     f.where = fmt::format("{} at {:.4g} Nm, cam angle {:.1f} deg", to_string(arm.kind()), at.arm.tau, core::deg_from_rad(at.arm.angle));
     f.source = "cable kinematics: the envelope of the cable's lines exists and is convex";
     return f;
@@ -158,7 +158,7 @@ core::Findings check_contacts(const ArmFunction& arm, const CamOptions& options,
 core::Findings check_wrap(const ArmFunction& arm, const Cam& cam, double travel) {
     const double wrap = cam.working_psi.width(), allowed = cam.closed() ? 2.0 * core::kPi - kLeastIdleArc : kLongestHelix;
     if (wrap <= allowed) return {};
-    core::Finding f = core::required_change(
+    core::Finding f = core::error_finding(
         "cam.wrap",
         cam.closed() ? "a planar groove cannot hold this wrap: it would run over itself" : "more turns of groove than a cam can have",
         core::deg_from_rad(wrap), core::Bound::kAtMost, core::deg_from_rad(allowed), "deg");

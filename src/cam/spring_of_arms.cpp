@@ -68,7 +68,7 @@ spring::PotentialPtr spring_of_arms(PartKind kind, std::span<const FoundArm> arm
     }
     math::require_table(angle, arm, 4, "angle", "arms");
     const Through cable(angle, arm);  // its integral is the cable that the cam has moved
-    const spring::BaseSpring pulled = spring::in_series_with_cable(base, allowance.cable_give);
+    const spring::BaseSpring pulled = spring::in_series_with_cable(base, allowance.cable_compliance);
     const double behind_spool = allowance.behind_spool(capstan_radius);
     for (std::size_t i = 0; i < arm.size(); ++i) {
         const double moved = cable.sums()[i];

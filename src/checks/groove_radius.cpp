@@ -17,8 +17,8 @@ core::Findings run(const Design& design, const Allowed& allowed) {
     f.what =
         "radius of the groove's floor: " + std::string(f.bound == core::Bound::kAtLeast ? "pinches the cable" : "lets the cable flatten");
     if (f.severity == core::Severity::kPass) f.what = "radius of the groove's floor";
-    f.suggestion = fmt::format("groove.radius_ratio = {:.2f} ({:.3f} mm)", f.severity == core::Severity::kRequired ? kGood : f.allowed,
-                               core::mm_from_m((f.severity == core::Severity::kRequired ? kGood : f.allowed) * design.cable.diameter));
+    f.suggestion = fmt::format("groove.radius_ratio = {:.2f} ({:.3f} mm)", f.severity == core::Severity::kError ? kGood : f.allowed,
+                               core::mm_from_m((f.severity == core::Severity::kError ? kGood : f.allowed) * design.cable.diameter));
     return {f};
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kRounding = 1e-9;
 
-core::Finding compare(double measured, const Bar& bar) {
+core::Finding compare(double measured, const EffectiveLimit& bar) {
     core::Finding f;
     f.allowed = bar.value();
     f.measured = std::abs(measured - f.allowed) <= kRounding * std::abs(f.allowed) ? f.allowed : measured;
@@ -31,20 +31,20 @@ constexpr double kByDesign = std::numeric_limits<double>::quiet_NaN();
 }  // namespace
 
 Limit required(core::Bound bound, const char* unit, double value, const char* name) {
-    return {name, core::Severity::kRequired, bound, unit, value, ""};
+    return {name, core::Severity::kError, bound, unit, value, ""};
 }
 Limit required(core::Bound bound, const char* unit, const char* by, const char* name) {
-    return {name, core::Severity::kRequired, bound, unit, kByDesign, by};
+    return {name, core::Severity::kError, bound, unit, kByDesign, by};
 }
 Limit review(core::Bound bound, const char* unit, double value, const char* name) {
-    return {name, core::Severity::kReview, bound, unit, value, ""};
+    return {name, core::Severity::kWarning, bound, unit, value, ""};
 }
 Limit review(core::Bound bound, const char* unit, const char* by, const char* name) {
-    return {name, core::Severity::kReview, bound, unit, kByDesign, by};
+    return {name, core::Severity::kWarning, bound, unit, kByDesign, by};
 }
 
-Bar Allowed::operator()(std::string_view name, double normal) const {
-    Bar bar;
+EffectiveLimit Allowed::operator()(std::string_view name, double normal) const {
+    EffectiveLimit bar;
     for (const Limit& limit : rule_.limits)
         if (limit.name == name) bar.limit = &limit;
     assert(bar.limit && "a rule declares what it asks for");
@@ -54,17 +54,17 @@ Bar Allowed::operator()(std::string_view name, double normal) const {
     return bar;
 }
 
-std::optional<Bar> Allowed::stated(std::string_view name, double normal) const {
-    const Bar bar = (*this)(name, normal > 0.0 ? normal : kByDesign);
+std::optional<EffectiveLimit> Allowed::stated(std::string_view name, double normal) const {
+    const EffectiveLimit bar = (*this)(name, normal > 0.0 ? normal : kByDesign);
     return bar.by || normal > 0.0 ? std::optional(bar) : std::nullopt;
 }
 
-core::Finding judge(double measured, std::initializer_list<Bar> bars) {
+core::Finding judge(double measured, std::initializer_list<EffectiveLimit> bars) {
     assert(bars.size() > 0);
     core::Finding f;
-    for (const Bar& bar : bars)
+    for (const EffectiveLimit& bar : bars)
         if (f.severity == core::Severity::kPass) f = compare(measured, bar);
-    for (const Bar& bar : bars)
+    for (const EffectiveLimit& bar : bars)
         if (bar.by) f.overridden.push_back({bar.by->limit, bar.by->value, bar.normal, bar.limit->unit, bar.by->reason});
     return f;
 }

@@ -7,11 +7,11 @@ namespace fusee::checks {
 namespace {
 
 /// "required change: `required_mm` at least the process's wall; review: `review_mm` at least 1.2 mm"
-std::string limits_text(const Card& rule) {
+std::string limits_text(const RuleInfo& rule) {
     std::string text;
     for (const Limit& limit : rule.limits)
         text += fmt::format("{}{}: `{}` {}", text.empty() ? "" : "; ",
-                            limit.severity == core::Severity::kRequired ? "required change" : "review", limit.key(), limit.text());
+                            limit.severity == core::Severity::kError ? "required change" : "review", limit.key(), limit.text());
     return text;
 }
 
@@ -29,11 +29,11 @@ std::string needs_text(const Rule& rule) {
 
 }  // namespace
 
-std::string reference(const std::vector<const Card*>& cards, const std::vector<std::string>& needs) {
+std::string reference(const std::vector<const RuleInfo*>& infos, const std::vector<std::string>& needs) {
     std::string text;
     std::string_view group;
-    for (std::size_t i = 0; i < cards.size(); ++i) {
-        const Card* rule = cards[i];
+    for (std::size_t i = 0; i < infos.size(); ++i) {
+        const RuleInfo* rule = infos[i];
         const std::string needed = needs.empty() || needs[i].empty() ? "" : "; needs " + needs[i];
         if (rule->group() != group) {
             group = rule->group();
@@ -47,13 +47,13 @@ std::string reference(const std::vector<const Card*>& cards, const std::vector<s
 }
 
 std::string rules_reference() {
-    std::vector<const Card*> cards;
+    std::vector<const RuleInfo*> infos;
     std::vector<std::string> needs;
     for (const Rule& rule : rules()) {
-        cards.push_back(&rule);
+        infos.push_back(&rule);
         needs.push_back(needs_text(rule));
     }
-    return reference(cards, needs);
+    return reference(infos, needs);
 }
 
 }  // namespace fusee::checks

@@ -36,23 +36,23 @@ std::string Limit::text() const {
     return fmt::format("{} {}", bound == kAtLeast ? "at least" : "at most", std::isnan(value) ? by : with_unit(value, unit));
 }
 
-std::string_view Card::group() const {
+std::string_view RuleInfo::group() const {
     const std::string_view whole = id;
     return whole.substr(0, whole.find('.'));
 }
 
-core::Severity Card::severity() const {
+core::Severity RuleInfo::severity() const {
     core::Severity gravest = core::Severity::kPass;
     for (const Limit& l : limits) gravest = std::max(gravest, l.severity);
     return gravest;
 }
 
-const Limit* Card::limit(std::string_view key) const {
+const Limit* RuleInfo::limit(std::string_view key) const {
     const auto found = std::find_if(limits.begin(), limits.end(), [key](const Limit& l) { return l.key() == key; });
     return found == limits.end() ? nullptr : &*found;
 }
 
-void complete(core::Finding& f, const Card& rule, const std::string& where) {
+void complete(core::Finding& f, const RuleInfo& rule, const std::string& where) {
     f.rule = rule.id;
     if (f.where.empty()) f.where = where;
     if (f.source.empty()) f.source = rule.source;

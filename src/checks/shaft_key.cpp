@@ -10,7 +10,8 @@ namespace fusee::checks {
 namespace {
 
 /// A size that ought to be the standard's.
-core::Finding exactly(double measured, const Bar& least, const Bar& most, const std::string& what, const std::string& key) {
+core::Finding exactly(double measured, const EffectiveLimit& least, const EffectiveLimit& most, const std::string& what,
+                      const std::string& key) {
     core::Finding f = judge(core::mm_from_m(measured), {least, most});
     f.what = what;
     f.suggestion = fmt::format("{} = {:g}", key, f.allowed);

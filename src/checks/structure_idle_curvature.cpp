@@ -34,7 +34,7 @@ core::Findings run(const Design& design, const Allowed& allowed) {
     f.place = place(*sharpest, -0.5 * design.cable.diameter);
     const double margin = core::deg_from_rad(cam.options.path.margin);
     // An arc that keeps to its least radius where it can is as sharp as the working arc's ends, which it continues: the wish has to give.
-    const std::string radius = f.severity == core::Severity::kReview ? down(f.measured) : up(f.allowed);
+    const std::string radius = f.severity == core::Severity::kWarning ? down(f.measured) : up(f.allowed);
     f.suggestion = cam.closed() ? fmt::format("{}.path.min_idle_radius_mm = {}", name(design), radius)
                                 : fmt::format("{}.path.margin_deg = {}: a longer run-out bends less", name(design), up(1.5 * margin));
     return {f};

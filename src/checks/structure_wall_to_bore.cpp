@@ -11,7 +11,7 @@ namespace fusee::checks {
 
 namespace {
 
-core::Finding web(const Design& design, const Bar& required, const Bar& review) {
+core::Finding web(const Design& design, const EffectiveLimit& required, const EffectiveLimit& review) {
     core::Finding f = judge(core::mm_from_m(design.part.options.hub.web), {required, review});
     f.what = "web between the blind bore's end and the groove's lower lip";
     f.suggestion = fmt::format("{}.hub.web_mm = {}", name(design), up(f.allowed));
@@ -21,8 +21,8 @@ core::Finding web(const Design& design, const Bar& required, const Bar& review) 
 core::Findings run(const Design& design, const Allowed& allowed) {
     const solid::HubOptions& hub = design.part.options.hub;
     const ProcessLimits process = process_limits(design.process);
-    const Bar required = allowed("required", core::mm_from_m(process.wall)),
-              review = allowed("review", core::mm_from_m(process.loaded_wall));
+    const EffectiveLimit required = allowed("required", core::mm_from_m(process.wall)),
+                         review = allowed("review", core::mm_from_m(process.loaded_wall));
     if (hub.kind == solid::HubKind::kOverhung) return {web(design, required, review)};
     const std::vector<cam::PathPoint> path = contour(design.part.cam);
     if (path.empty()) return {};

@@ -98,7 +98,7 @@ core::Finding not_found(const design::Algorithm1& algorithm, const design::Algor
     core::Finding f;
     f.source = "docs/theory/algorithm_1.md, eq. 3 and 8";
     f.where = "[algorithm_1]";
-    f.severity = core::Severity::kRequired;
+    f.severity = core::Severity::kError;
     f.bound = core::Bound::kAtLeast;
     if (std::isnan(least_weight)) {
         f.rule = "design.feasible";

@@ -74,7 +74,7 @@ std::vector<report::ComparedFigure> figures_of(const Trial& trial, const design:
     for (std::size_t i = 0; i < o.torques.size(); ++i)
         all.push_back({fmt::format("exact dead-band at {:g} Nm, full width at the joint", o.torques[i]), "deg",
                        deg_from_rad(trial.dead_band[i]),
-                       own ? deg_from_rad(actuator::dead_band(own->drawing.actuator, o.torques[i]).extreme) : NAN});
+                       own ? deg_from_rad(actuator::dead_band(own->drawing.actuator, o.torques[i]).exact_width) : NAN});
     add_bands(all, trial, o, own);
     const spring::LawPoint low = own ? own->law->at_load(o.loads.low) : spring::LawPoint{};
     const spring::LawPoint high = own ? own->law->at_load(o.loads.high) : spring::LawPoint{};

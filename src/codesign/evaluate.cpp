@@ -145,8 +145,8 @@ private:
         if (!body) return refuse(body.refusal(), part);
         for (const core::Finding& f : checks::check_without_mesh({*body, spec(kind).spring, p_.cable, p_.process, p_.limits})) {
             if (f.severity == core::Severity::kNotJudged) continue;  // measures nothing
-            const bool broken = f.severity == core::Severity::kRequired ||
-                                (f.severity == core::Severity::kReview && options_.reviews == design::Reviews::kAvoid);
+            const bool broken = f.severity == core::Severity::kError ||
+                                (f.severity == core::Severity::kWarning && options_.reviews == design::Reviews::kAvoid);
             Limit limit{f.rule + " " + part, f.unit, f.measured, f.allowed, f.bound};
             if (broken) trial_.violation += std::max(1e-6, limit.excess());
             trial_.limits.push_back(std::move(limit));

@@ -16,7 +16,7 @@
 #include <pagmo/utils/multi_objective.hpp>
 
 #include "fusee/core/error.h"
-#include "fusee/core/workers.h"
+#include "fusee/core/parallel.h"
 
 namespace fusee::codesign {
 

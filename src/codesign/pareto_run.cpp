@@ -82,7 +82,7 @@ Made make_all(const Problem& problem, const Front& front, const fs::path& folder
         if (!result.made) {
             ++made.dropped;
             for (const core::Finding& f : result.findings)
-                if (f.severity == core::Severity::kRequired) made.rules.insert(f.rule);
+                if (f.severity == core::Severity::kError) made.rules.insert(f.rule);
             continue;
         }
         made.points.push_back({{"pareto/" + number + ".toml", trial.figure, trial.dead_band, trial.travel, trial.stiffness, trial.radius,

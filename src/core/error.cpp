@@ -25,21 +25,21 @@ std::string printable_lines(const std::string& text) {
 }
 
 std::string all_lines(const std::vector<InvalidInput>& all) {
-    std::string text;
-    for (std::size_t i = 0; i < std::min(all.size(), kMostLines); ++i) text += fmt::format("{}{}", i == 0 ? "" : "\n", all[i].what());
+    std::string text = fmt::format("{} mistakes:", all.size());
+    for (std::size_t i = 0; i < std::min(all.size(), kMostLines); ++i) text += fmt::format("\n{}", all[i].what());
     return all.size() > kMostLines ? fmt::format("{}\nand {} more", text, all.size() - kMostLines) : text;
 }
 
 }  // namespace
 
 InvalidInput::InvalidInput(std::string field, std::string value, std::string allowed)
-    : std::invalid_argument(fmt::format("{}: {} (allowed: {})", printable(field, kMostOfField), printable(value, kMostOfValue),
-                                        printable(allowed, kMostOfReason))),
+    : InputError(fmt::format("{}: {} (allowed: {})", printable(field, kMostOfField), printable(value, kMostOfValue),
+                             printable(allowed, kMostOfReason))),
       field_(std::move(field)),
       value_(std::move(value)),
       allowed_(std::move(allowed)) {}
 
-InvalidInputs::InvalidInputs(std::vector<InvalidInput> all) : std::invalid_argument(all_lines(all)), all_(std::move(all)) {}
+InvalidInputs::InvalidInputs(std::vector<InvalidInput> all) : InputError(all_lines(all)), all_(std::move(all)) {}
 
 void Mistakes::throw_if_any() const {
     if (all_.size() == 1) throw all_.front();
@@ -47,7 +47,7 @@ void Mistakes::throw_if_any() const {
 }
 
 IoError::IoError(const std::string& path, const std::string& why)
-    : std::runtime_error(fmt::format("{}: {}", printable(path, kMostOfField), printable_lines(why))) {}
+    : InputError(fmt::format("{}: {}", printable(path, kMostOfField), printable_lines(why))) {}
 
 namespace {
 std::string with_unit(const std::string& unit) { return unit.empty() ? "" : " " + unit; }

@@ -8,10 +8,10 @@
 
 namespace fusee::core {
 
-Finding required_change(std::string rule, std::string what, double measured, Bound bound, double allowed, std::string unit) {
+Finding error_finding(std::string rule, std::string what, double measured, Bound bound, double allowed, std::string unit) {
     Finding f;
     f.rule = std::move(rule);
-    f.severity = Severity::kRequired;
+    f.severity = Severity::kError;
     f.what = std::move(what);
     f.measured = measured;
     f.bound = bound;
@@ -38,8 +38,8 @@ Finding judged(Finding finding, Severity when_broken) {
     return finding;
 }
 
-bool any_required(const Findings& findings) {
-    return std::any_of(findings.begin(), findings.end(), [](const Finding& f) { return f.severity == Severity::kRequired; });
+bool any_error(const Findings& findings) {
+    return std::any_of(findings.begin(), findings.end(), [](const Finding& f) { return f.severity == Severity::kError; });
 }
 
 std::size_t count(const Findings& findings, Severity severity) {
@@ -47,7 +47,7 @@ std::size_t count(const Findings& findings, Severity severity) {
         std::count_if(findings.begin(), findings.end(), [severity](const Finding& f) { return f.severity == severity; }));
 }
 
-bool is_broken(const Finding& finding) { return finding.severity == Severity::kReview || finding.severity == Severity::kRequired; }
+bool is_broken(const Finding& finding) { return finding.severity == Severity::kWarning || finding.severity == Severity::kError; }
 
 const char* to_string(Severity severity) {
     switch (severity) {
@@ -55,9 +55,9 @@ const char* to_string(Severity severity) {
             return "pass";
         case Severity::kNotJudged:
             return "not judged";
-        case Severity::kReview:
+        case Severity::kWarning:
             return "review and accept";
-        case Severity::kRequired:
+        case Severity::kError:
             return "required change";
     }
     return "";

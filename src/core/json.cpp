@@ -55,6 +55,15 @@ std::string shown(const Json& json) {
     return all.size() <= kLongestShown ? all : all.substr(0, kLongestShown) + "...";
 }
 
+/// Adds the old name beside the new one in `json` and all that it holds. @returns whether the new name was there
+bool add_old_name(Json& json, const std::string& before, const std::string& now) {
+    bool found = false;
+    for (Json& child : json) found |= child.is_structured() && add_old_name(child, before, now);
+    if (!json.is_object() || !json.contains(now)) return found;
+    json[before] = Json(json[now]);
+    return true;
+}
+
 }  // namespace
 
 nlohmann::ordered_json parse_json(std::string_view bytes, const std::string& file) {
@@ -118,5 +127,12 @@ void JsonNode::allow_keys(const std::vector<std::string>& known) const {
 }
 
 void JsonNode::refuse(const std::string& allowed) const { throw InvalidInput(path_, shown(json_), allowed); }
+
+void keep_old_spelling(nlohmann::ordered_json& json, const std::vector<std::pair<std::string, std::string>>& renamed) {
+    Json names = Json::object();
+    for (const auto& [before, now] : renamed)
+        if (add_old_name(json, before, now)) names[before] = now;
+    if (!names.empty()) json["renamed_fields"] = names;
+}
 
 }  // namespace fusee::core

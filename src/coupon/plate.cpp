@@ -74,7 +74,7 @@ core::Outcome<solid::Mesh> finished(solid::Mesh mesh, const char* name) {
     const solid::Validity validity = solid::validate(mesh);
     if (validity.good()) return mesh;
     core::Finding f =
-        core::required_change("coupon.validity", "the solid is not valid: " + validity.line(), 0.0, core::Bound::kAtLeast, 1.0, "");
+        core::error_finding("coupon.validity", "the solid is not valid: " + validity.line(), 0.0, core::Bound::kAtLeast, 1.0, "");
     f.where = name;
     f.suggestion = "another bore or groove";
     f.source = "CGAL: closed, oriented, one component, no self-intersection";

@@ -12,7 +12,7 @@
 #include <pagmo/problem.hpp>
 #include <utility>
 
-#include "fusee/core/workers.h"
+#include "fusee/core/parallel.h"
 
 namespace fusee::design {
 

@@ -5,7 +5,6 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <future>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -13,7 +12,7 @@
 #include "fusee/actuator/dead_band.h"
 #include "fusee/actuator/equilibrium.h"
 #include "fusee/core/error.h"
-#include "fusee/core/workers.h"
+#include "fusee/core/parallel.h"
 #include "fusee/math/roots.h"
 #include "fusee/spring/built_spring.h"
 #include "fusee/spring/cable.h"
@@ -64,7 +63,7 @@ double share_below(double x, double sigma) {
 struct Stretched {
     Error rate, contour;
     std::size_t side;
-    Vector3d reach;
+    Vector3d jacobian_row;
     const spring::BaseSpring& base;
     double x, force, stiffness, energy;  ///< deflection and energy count from the law's lowest load
 
@@ -80,11 +79,11 @@ std::array<Stretched, 4> stretch(const Drawing& drawing, const Vector3d& z) {
     const spring::SpringLaw& law = *drawing.actuator.law;
     const double g = drawing.actuator.ratio(), x = z(actuator::kAgonist) + g * z(actuator::kOutput);
     const spring::LawPoint both = law.at_angle(x), first = law.at_angle(z(0)), second = law.at_angle(z(1));
-    const auto series = [&](std::size_t side, const Vector3d& reach) -> Stretched {
-        return {kRateSe, kContourSe, side, reach, drawing.base_se, x, both.f_se, both.s, both.u_se};
+    const auto series = [&](std::size_t side, const Vector3d& jacobian_row) -> Stretched {
+        return {kRateSe, kContourSe, side, jacobian_row, drawing.base_se, x, both.f_se, both.s, both.u_se};
     };
-    const auto parallel = [&](std::size_t side, const Vector3d& reach, const spring::LawPoint& at) -> Stretched {
-        return {kRatePe, kContourPe, side, reach, drawing.base_pe, at.theta, at.f_pe, at.p, at.u_pe};
+    const auto parallel = [&](std::size_t side, const Vector3d& jacobian_row, const spring::LawPoint& at) -> Stretched {
+        return {kRatePe, kContourPe, side, jacobian_row, drawing.base_pe, at.theta, at.f_pe, at.p, at.u_pe};
     };
     return {parallel(0, {1.0, 0.0, 0.0}, first), series(0, {1.0, 0.0, g}), series(1, {0.0, 1.0, -g}), parallel(1, {0.0, 1.0, 0.0}, second)};
 }
@@ -109,11 +108,11 @@ std::optional<Vector3d> place_of(const actuator::Actuator& rig, double width, do
 Edge differentiate(const Drawing& drawing, const Vector3d& z, core::Range loads, const std::array<double, kErrors>& sigma) {
     const std::array<Stretched, 4> springs = stretch(drawing, z);
     Eigen::Matrix3d k = Eigen::Matrix3d::Zero();
-    for (const Stretched& spring : springs) k += spring.stiffness * spring.reach * spring.reach.transpose();
+    for (const Stretched& spring : springs) k += spring.stiffness * spring.jacobian_row * spring.jacobian_row.transpose();
     const Eigen::Matrix3d m = k.inverse();
     Edge edge{.z = z, .moves = {}};
     for (const Stretched& spring : springs) {
-        const Vector3d per_torque = -m * spring.reach;
+        const Vector3d per_torque = -m * spring.jacobian_row;
         edge.moves[spring.rate][spring.side] = sigma[spring.rate] * spring.force * per_torque;
         edge.moves[spring.contour][spring.side] = sigma[spring.contour] * spring.by_radius(drawing.actuator.capstan_radius) * per_torque;
     }
@@ -198,17 +197,9 @@ private:
     spring::PotentialPtr series_, parallel_;
 };
 
-/// Every width at its place, whoever computed it.
 std::vector<double> widths_of(const Shop& shop, const SampleOptions& options) {
     std::vector<double> widths(static_cast<std::size_t>(options.count));
-    const unsigned jobs = core::worker_count(options.jobs, widths.size());
-    const auto work = [&](unsigned first) {
-        for (std::size_t i = first; i < widths.size(); i += jobs) widths[i] = shop.width(static_cast<int>(i));
-    };
-    std::vector<std::future<void>> others;
-    for (unsigned job = 1; job < jobs; ++job) others.push_back(std::async(std::launch::async | std::launch::deferred, work, job));
-    work(0);
-    for (std::future<void>& other : others) other.get();
+    core::parallel_for(widths.size(), options.jobs, [&](std::size_t i) { widths[i] = shop.width(static_cast<int>(i)); });
     return widths;
 }
 
@@ -225,7 +216,7 @@ RobustBand robust_dead_band(const Drawing& drawing, double tau, const ShopScatte
     validate(drawing, tau, scatter);
     RobustBand band{.tau = tau, .nominal = kNan, .sigma = kNan, .band = {kNan, kNan}, .sources = {kNan, kNan, kNan, kNan}};
     const core::Range loads = drawing.actuator.gear_friction.resting_loads(tau);
-    const double width = actuator::dead_band(drawing.actuator, tau).extreme;
+    const double width = actuator::dead_band(drawing.actuator, tau).exact_width;
     const auto z = std::isnan(width) ? std::nullopt : place_of(drawing.actuator, width, loads.low);
     if (!z) return band;
     band.nominal = width;

@@ -21,22 +21,6 @@ namespace {
 
 constexpr std::size_t kLeastRows = 4;  ///< of which anything can be said: those of the paper's table I
 
-/// TBB makes no more threads than there are cores, and fails where the system does not give them: as many as it gives at once.
-unsigned threads_for(unsigned jobs) {
-    const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
-    const unsigned wanted = jobs == 0 ? cores : std::min(jobs, cores);
-    std::promise<void> over;
-    std::vector<std::thread> probes;
-    try {
-        const std::shared_future<void> end = over.get_future().share();
-        while (probes.size() + 1 < wanted) probes.emplace_back([end] { end.wait(); });
-    } catch (const std::system_error&) {
-    }
-    over.set_value();
-    for (std::thread& probe : probes) probe.join();
-    return static_cast<unsigned>(probes.size()) + 1;
-}
-
 /// Parts of a diagnosis, told as they are finished.
 class Steps {
 public:
@@ -66,7 +50,7 @@ Diagnosis diagnose(const Case& bench, const DiagnoseOptions& options) {
                                  fmt::format("at least {} rows in all", kLeastRows));
     require_feasible(bench.rows, bench.protocol, kMostSteps);
     Steps told(options, bench);
-    const unsigned jobs = threads_for(options.jobs);
+    const unsigned jobs = options.jobs;
     const Problem problem(bench);
     const Search found = search(problem, {jobs, std::ref(told)});
     const Judgement judgement = judge(problem, found);

@@ -7,8 +7,8 @@
 #include <numeric>
 
 #include "fusee/core/error.h"
+#include "fusee/core/parallel.h"
 #include "fusee/core/units.h"
-#include "parallel.h"
 #include "spread.h"
 #include "vector.h"
 
@@ -84,7 +84,7 @@ void Body::measure_samples(std::size_t most_looks) {
     for (std::size_t batch = 1, most = most_looks; done < count && looks < most;) {
         const std::size_t now = std::min(batch, count - done);
         std::vector<std::size_t> cost(now);
-        each(now, jobs_, [&](std::size_t i) {
+        core::parallel_for(now, jobs_, [&](std::size_t i) {
             const std::size_t before = Rays::looked_at();
             measure_sample(samples_[(done + i) * step % count]);
             cost[i] = Rays::looked_at() - before;

@@ -14,7 +14,7 @@ constexpr double kAsGood = 1e-3;
 double against(double diameter, double allowed) { return diameter < allowed && diameter >= (1.0 - kAsGood) * allowed ? allowed : diameter; }
 
 std::optional<Marked> measure(const Foreign& part, const Allowed& allowed) {
-    const checks::Bar bar = allowed("required", core::mm_from_m(checks::process_limits(part.process).hole));
+    const checks::EffectiveLimit bar = allowed("required", core::mm_from_m(checks::process_limits(part.process).hole));
     std::optional<Hollow> least;
     std::size_t count = 0;
     std::vector<std::uint32_t> triangles;

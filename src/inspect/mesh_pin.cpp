@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "parallel.h"
+#include "fusee/core/parallel.h"
 #include "rules.h"
 
 namespace fusee::inspect {
@@ -28,11 +28,11 @@ double width_across(const Body& body, const Vec3& middle, const Vec3& n) {
 
 std::optional<Marked> measure(const Foreign& part, const Allowed& allowed) {
     const double limit = core::mm_from_m(checks::process_limits(part.process).feature);
-    const checks::Bar bar = allowed("review", limit);
+    const checks::EffectiveLimit bar = allowed("review", limit);
     const Body& body = part.body;
     const std::vector<Sample>& samples = body.samples();
     std::vector<char> slender(samples.size(), 0);
-    each(samples.size(), body.jobs(), [&](std::size_t i) {
+    core::parallel_for(samples.size(), body.jobs(), [&](std::size_t i) {
         const Sample& s = samples[i];
         if (!(s.wall_mm < bar.value()) || s.feather) return;  // thicker is no concern, and most samples are
         slender[i] = width_across(body, s.middle_mm, body.normals()[s.triangle]) <= kSlender * s.wall_mm ? 1 : 0;

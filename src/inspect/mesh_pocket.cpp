@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "fusee/core/parallel.h"
 #include "fusee/inspect/hollow.h"
-#include "parallel.h"
 #include "rules.h"
 
 namespace fusee::inspect {
@@ -72,7 +72,7 @@ std::vector<Pocket> pockets(const Body& body) {
     const std::size_t step = floors.size() / kMostFloors + 1;
     std::vector<Pocket> all((floors.size() + step - 1) / step);
     const Walls walls(body, std::move(drilled));
-    each(all.size(), body.jobs(), [&](std::size_t i) { all[i] = walls.at(*floors[i * step]); });
+    core::parallel_for(all.size(), body.jobs(), [&](std::size_t i) { all[i] = walls.at(*floors[i * step]); });
     return all;
 }
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "parallel.h"
+#include "fusee/core/parallel.h"
 #include "rules.h"
 
 namespace fusee::inspect {
@@ -31,7 +31,7 @@ std::vector<Rib> ribs(const Body& body, double thin) {
     const std::size_t step = all.size() / kMostThin + 1;
     for (std::size_t i = 0; i * step < all.size(); ++i) all[i] = all[i * step];
     all.resize((all.size() + step - 1) / step);
-    each(all.size(), body.jobs(), [&](std::size_t i) {
+    core::parallel_for(all.size(), body.jobs(), [&](std::size_t i) {
         double nearest = INFINITY;
         for (const Sample* other : known)
             if (other->ball_mm >= kThick * all[i].at->wall_mm) {

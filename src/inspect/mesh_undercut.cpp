@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "parallel.h"
+#include "fusee/core/parallel.h"
 #include "rules.h"
 
 namespace fusee::inspect {
@@ -30,7 +30,7 @@ std::optional<Marked> measure(const Foreign& part, const Allowed& allowed) {
     const Body& body = part.body;
     const std::vector<Vec3> directions = tools(part.process);
     std::vector<char> seen(body.samples().size());
-    each(seen.size(), body.jobs(), [&](std::size_t i) { seen[i] = is_seen(body, body.samples()[i], directions) ? 1 : 0; });
+    core::parallel_for(seen.size(), body.jobs(), [&](std::size_t i) { seen[i] = is_seen(body, body.samples()[i], directions) ? 1 : 0; });
     double hidden = 0.0, whole = 0.0;
     const Sample* first = nullptr;
     std::vector<std::uint32_t> triangles;

@@ -26,7 +26,7 @@ std::optional<Marked> measure(const Foreign& part, const Allowed& allowed) {
     const Sample* thinnest = thinnest_of(part.body, wall * wall);
     if (!thinnest) return std::nullopt;
     core::Finding f = judge(thinnest->wall_mm, {allowed("required", wall), allowed("review", core::mm_from_m(limits.loaded_wall))});
-    f.what = f.severity == core::Severity::kReview ? "thinnest wall, enough unless it carries load" : "thinnest wall";
+    f.what = f.severity == core::Severity::kWarning ? "thinnest wall, enough unless it carries load" : "thinnest wall";
     set_place(f, thinnest->at_mm);
     f.suggestion = fmt::format("{} mm thick there ({} mm more)", up(f.allowed), up(f.allowed - f.measured));
     return Marked{f, triangles_of(part.body, [&](const Sample& s) { return s.wall_mm < f.allowed && !s.feather; })};

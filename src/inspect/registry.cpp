@@ -34,13 +34,13 @@ std::span<const Rule> rules() {
     return all;
 }
 
-std::vector<const checks::Card*> cards() {
-    std::vector<const checks::Card*> all;
+std::vector<const checks::RuleInfo*> rule_infos() {
+    std::vector<const checks::RuleInfo*> all;
     for (const Rule& rule : rules()) all.push_back(&rule);
     return all;
 }
 
-std::string rules_reference() { return checks::reference(cards()); }
+std::string rules_reference() { return checks::reference(rule_infos()); }
 
 std::vector<Marked> check(const Foreign& part, const std::string& name) {
     std::vector<Marked> all;

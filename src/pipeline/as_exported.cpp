@@ -141,7 +141,7 @@ public:
             spring.file = readings.front()->file;
             for (const readback::ArmError* reading : readings) {
                 if (!(reading->worst_relative <= spring.worst_arm)) spring.worst_arm = reading->worst_relative;
-                joint.binding = joint.binding && reading->when_broken == core::Severity::kRequired;
+                joint.binding = joint.binding && reading->when_broken == core::Severity::kError;
             }
             springs[part] = spring_of(*format.parts[part], readings, joint);
             if (!springs[part]) break;
@@ -157,7 +157,7 @@ private:
     [[nodiscard]] std::vector<double> dead_bands(const spring::SpringLawPtr& law) const {
         const actuator::Actuator joint = actuator_of(profile_, law);
         std::vector<double> widths;
-        for (const double tau : result_.torques) widths.push_back(actuator::dead_band(joint, tau).extreme);
+        for (const double tau : result_.torques) widths.push_back(actuator::dead_band(joint, tau).exact_width);
         return widths;
     }
 

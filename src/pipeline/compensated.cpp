@@ -67,15 +67,15 @@ core::Finding judge_bore(const fs::path& stl, const exchange::PartFile& part) {
     f.where = part.part;
     f.suggestion = "compensation.bore_offset_mm = 0, and report this as a fault of fusee";
     f.source = "docs/part-file.md: the file's bore, less what the process takes";
-    return core::judged(f, core::Severity::kRequired);
+    return core::judged(f, core::Severity::kError);
 }
 
 /// Growing and rounding again must not fold what was proven valid.
 std::optional<core::Finding> folded(const solid::Mesh& mesh, const std::string& where) {
     const solid::Validity validity = solid::validate(mesh);
     if (validity.good()) return std::nullopt;
-    core::Finding f = core::required_change("solid.validity", "the compensated solid is not valid: " + validity.line(), 0.0,
-                                            core::Bound::kAtLeast, 1.0, "");
+    core::Finding f = core::error_finding("solid.validity", "the compensated solid is not valid: " + validity.line(), 0.0,
+                                          core::Bound::kAtLeast, 1.0, "");
     f.where = where;
     f.suggestion = "compensation.shrink_x_percent and the others rounded to 0.1";
     f.source = "CGAL: closed, oriented, one component, no self-intersection";

@@ -80,7 +80,7 @@ core::Finding fits(const Bodies& bodies, const checks::Process& process) {
     f.unit = "mm";
     f.suggestion = fmt::format("process.build_mm of a machine with {:.0f} mm there, or a smaller k_se.hub.bore_mm", std::ceil(f.measured));
     f.source = "the profile's process.build_mm";
-    return core::judged(f, core::Severity::kRequired);
+    return core::judged(f, core::Severity::kError);
 }
 
 coupon::Drawn drawn_of(const Bodies& bodies, const coupon::Options& options) {
@@ -144,7 +144,7 @@ Coupons make_coupons(const profile::Profile& profile, const fs::path& out, bool 
         return made;
     }
     made.findings.push_back(fits(*bodies, profile.process));
-    if (core::any_required(made.findings)) return made;
+    if (core::any_error(made.findings)) return made;
     const core::Provenance provenance{profile.name, profile.sha256, "coupons"};
     Writer writer(output.path(), provenance, made);
     const double chord_mm = core::mm_from_m(options.chordal_error);
@@ -154,7 +154,7 @@ Coupons make_coupons(const profile::Profile& profile, const fs::path& out, bool 
     const coupon::Drawn drawn = drawn_of(*bodies, options);
     writer.text(kSheet, coupon::empty_sheet(drawn, provenance.line()));
     writer.text("README.md", coupon::readme(drawn, provenance.line()));
-    if (core::any_required(made.findings)) return made;
+    if (core::any_error(made.findings)) return made;
     output.commit();
     made.made = true;
     made.folder = output.target();

@@ -65,8 +65,7 @@ ExportedPart exported(PartExport& out, core::Findings findings) {
     core::append(report.findings, out.findings);
     report.arm_errors = readback::read_back(json.parent_path(), exchange::read_part_file(json));
     for (const readback::ArmError& error : report.arm_errors)
-        report.findings.push_back(error.when_broken == core::Severity::kRequired ? judge(error, out.part.cam)
-                                                                                 : judge_print(error, out.part));
+        report.findings.push_back(error.when_broken == core::Severity::kError ? judge(error, out.part.cam) : judge_print(error, out.part));
     report.certificate = cam::certify(out.part.cam);
     if (const auto doubt = cam::doubt(report.certificate, out.part.cam.kind)) report.findings.push_back(*doubt);
     report.files = out.stated;
@@ -105,7 +104,7 @@ core::Finding judge(const readback::ArmError& error, const cam::Cam& cam) {
                           core::deg_from_rad(error.worst_angle_rad), error.rows);
     f.suggestion = nearest_change(error, cam);
     f.source = "docs/part-file.md: turn the part, lay a taut cable over the groove's floor";
-    return core::judged(f, core::Severity::kRequired);
+    return core::judged(f, core::Severity::kError);
 }
 
 const char* to_string(Via via) { return via == Via::kCgal ? "cgal" : "openscad"; }
@@ -121,7 +120,7 @@ std::vector<ExportedPart> export_pair(const Pair& pair, const profile::Profile& 
     const profile::PartSpec& spec = part.cam.kind == cam::PartKind::kSeries ? profile.k_se : profile.k_pe;
     PartExport out{part, spec.spring, profile, provenance, via, folder / to_string(part.cam.kind)};
     std::vector<ExportedPart> sides{exported(out, pair.agonist.findings)};
-    if (pair.antagonist && !core::any_required(sides.front().report.findings)) {  // else refused as it is
+    if (pair.antagonist && !core::any_error(sides.front().report.findings)) {  // else refused as it is
         PartExport other = other_side(out, pair.antagonist->part);
         sides.push_back(exported(other, pair.antagonist->findings));
         sides.back().mirrored = true;

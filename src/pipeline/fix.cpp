@@ -20,7 +20,7 @@ std::optional<double> dead_band_of(const profile::Profile& profile) {
     const auto law = if_allowed([&] { return design_law(profile); });
     if (!law || !*law) return std::nullopt;
     const actuator::DeadBand band = actuator::dead_band(actuator_of(profile, (*law)->law), profile.rig.peak_torque);
-    return band.covered ? std::optional(band.extreme) : std::nullopt;
+    return band.covered ? std::optional(band.exact_width) : std::nullopt;
 }
 
 std::vector<report::FixChange> changes_of(const Drafts& drafts, const Choices& choices) {

@@ -35,7 +35,7 @@ void Judge::ask_to_stop() const {
 }
 
 void Judge::keep(Verdict& verdict, const core::Findings& findings) const {
-    const core::Severity least = options_.reviews ? core::Severity::kReview : core::Severity::kRequired;
+    const core::Severity least = options_.reviews ? core::Severity::kWarning : core::Severity::kError;
     std::copy_if(findings.begin(), findings.end(), std::back_inserter(verdict.broken),
                  [least](const core::Finding& f) { return f.severity >= least; });
 }
@@ -85,7 +85,7 @@ Verdict Judge::making(const profile::Profile& profile) {
     not_judged_ = core::count(findings, core::Severity::kNotJudged);
     reviews_.clear();
     std::copy_if(findings.begin(), findings.end(), std::back_inserter(reviews_),
-                 [](const core::Finding& f) { return f.severity == core::Severity::kReview; });
+                 [](const core::Finding& f) { return f.severity == core::Severity::kWarning; });
     return verdict;
 }
 

@@ -17,7 +17,7 @@ struct Verdict {
     [[nodiscard]] bool clear() const { return broken.empty(); }
     [[nodiscard]] int left() const { return static_cast<int>(broken.size()) + unseen; }
     /// Of them those without which nothing can be made.
-    [[nodiscard]] int required() const { return static_cast<int>(core::count(broken, core::Severity::kRequired)) + unseen; }
+    [[nodiscard]] int required() const { return static_cast<int>(core::count(broken, core::Severity::kError)) + unseen; }
 };
 
 /// "cam.arm k_pe": which rule, and of what.

@@ -61,7 +61,7 @@ std::vector<Move> scanned(const Verdict& verdict, const profile::Profile& draft,
     bool law_scanned = has_other_range(choices);
     for (const core::Finding& finding : verdict.broken) {
         const bool of_law = finding.rule.starts_with("law.") || is_of_cam(finding);
-        if (finding.severity != core::Severity::kRequired || !of_law) continue;
+        if (finding.severity != core::Severity::kError || !of_law) continue;
         if (!law_scanned)
             for (const Scan::Step& step : scan.laws(draft, choices)) moves.push_back({step.changes, step.follows, finding, step.left});
         law_scanned = true;

@@ -48,7 +48,7 @@ core::Finding covers(const actuator::Actuator& joint, const char* side, double t
         f.measured = low ? loads.low : loads.high;
         f.allowed = low ? (1.0 - kBeyondRest) * needed.low : (1.0 + kBeyondRest) * needed.high;
         f.suggestion = fmt::format("law.{}_torque_Nm = {:.3g}", low ? "start" : "end", f.allowed);
-        return core::judged(f, core::Severity::kReview);
+        return core::judged(f, core::Severity::kWarning);
     }
     f.what = fmt::format("the springs must reach every resting place that stiction allows at the {} co-contraction", side);
     f.measured = *covered;
@@ -57,7 +57,7 @@ core::Finding covers(const actuator::Actuator& joint, const char* side, double t
     f.suggestion = low ? fmt::format("rig.least_torque_Nm = {:.3g}, or law.lead_in_deg larger", 1.005 * *covered)
                        : fmt::format("law.end_torque_Nm = {:.3g}, or rig.overdrive_torque_Nm = {:.3g}",
                                      1.01 * loads.high * torque / *covered, 0.995 * *covered);
-    return core::judged(f, core::Severity::kReview);
+    return core::judged(f, core::Severity::kWarning);
 }
 
 }  // namespace
@@ -73,10 +73,10 @@ actuator::Actuator actuator_of(const profile::Profile& profile, const spring::Sp
 core::Outcome<DesignedLaw> design_law(const profile::Profile& profile) {
     const auto bare = spring_law(profile);
     if (!bare) return bare.refusal();
-    if (core::Findings broken = spring::check_law(**bare); core::any_required(broken)) return broken;
+    if (core::Findings broken = spring::check_law(**bare); core::any_error(broken)) return broken;
     const auto law = spring::with_lead_in(*bare, profile.law.lead_in_travel);
     if (!law) return law.refusal();
-    if (core::Findings broken = spring::check_law(**law); core::any_required(broken)) return broken;
+    if (core::Findings broken = spring::check_law(**law); core::any_error(broken)) return broken;
 
     const actuator::Actuator joint = actuator_of(profile, *law);
     return DesignedLaw{*law,

@@ -149,13 +149,13 @@ MakeResult make(const profile::Profile& profile, const MakeOptions& options) {
     result.head = report::head_figures(design.outlook, errors);
     result.worst_arm_error = std::isnan(errors.arm) ? 0.0 : errors.arm;
     result.worst_dead_band_change = design.as_exported.worst_change();
-    if (core::any_required(result.findings)) return result;  // a file does not carry the law: the files go
+    if (core::any_error(result.findings)) return result;  // a file does not carry the law: the files go
     core::write_file(folder / "report.json", report::report_json(design));
     core::write_file(folder / "report.html", report::report_html(design));
     output.commit();
     result.made = true;
     result.folder = output.target();
-    result.dead_band_peak_deg = core::deg_from_rad(actuator::dead_band(joint, joint.peak_torque).extreme);
+    result.dead_band_peak_deg = core::deg_from_rad(actuator::dead_band(joint, joint.peak_torque).exact_width);
     return result;
 }
 

@@ -15,7 +15,7 @@ namespace {
 report::ExpectedWidth width_at(const design::Drawing& drawing, double tau) {
     report::ExpectedWidth width;
     width.tau = tau;
-    width.nominal = actuator::dead_band(drawing.actuator, tau).extreme;
+    width.nominal = actuator::dead_band(drawing.actuator, tau).exact_width;
     width.built = design::robust_dead_band(drawing, tau).band;
     return width;
 }

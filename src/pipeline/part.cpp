@@ -100,8 +100,8 @@ core::Outcome<DesignedPart> design_part(cam::PartKind kind, const profile::Profi
     }
     core::Findings findings = checks::check({*part, spec.spring, profile.cable, profile.process, profile.limits});
     core::append(findings, check_cable_length(*cam, profile));
-    if (!core::any_required(findings)) core::append(findings, check_compensated(*part, profile, findings));
-    if (core::any_required(findings)) return findings;
+    if (!core::any_error(findings)) core::append(findings, check_compensated(*part, profile, findings));
+    if (core::any_error(findings)) return findings;
     return DesignedPart{std::move(part).value(), std::move(findings)};
 }
 

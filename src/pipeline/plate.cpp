@@ -40,7 +40,7 @@ core::Finding too_small(const std::vector<solid::Size2>& sizes, const std::array
     f.where = "bed along x";
     f.suggestion = fmt::format("process.build_mm = [{:g}, {:g}, {:g}], or the parts one by one from their own files", x, y, build[2]);
     f.source = "process.build_mm; quarter turns about z allowed";
-    return core::judged(f, core::Severity::kReview);
+    return core::judged(f, core::Severity::kWarning);
 }
 
 /// Printed parts stand the way up that needs less support. A process without a limit for overhangs takes either way.

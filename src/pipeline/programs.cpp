@@ -39,7 +39,7 @@ core::Finding judged_for_another(const PartExport& out) {
     f.where = out.name();
     f.suggestion = fmt::format("fusee check PROFILE --process {} lists them; or outputs.formats without \"ngc\"", checks::to_string(mill));
     f.source = "docs/theory/toolpaths.md; limits: " + other.figures;
-    return core::judged(f, core::Severity::kReview);
+    return core::judged(f, core::Severity::kWarning);
 }
 
 bool is_milled(const checks::Process& process) {

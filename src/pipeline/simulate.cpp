@@ -172,7 +172,7 @@ report::SimulatedLevel simulate_level(const actuator::Actuator& actuator, const 
     report::SimulatedLevel level = report::unknown_level(tau);
     level.dead_band = actuator::dead_band(actuator, tau);
     level.reading = actuator::release_test(joint, tau, test);
-    level.dead_band.protocol = level.reading.width();
+    level.dead_band.measured_width = level.reading.width();
     if (level.reading.covered_push > 0.0)
         level.within_laws = level.reading.inside ? level.reading.width() : read(joint, tau, level.reading.covered_push);
     return level;

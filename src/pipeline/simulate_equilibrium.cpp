@@ -18,7 +18,7 @@ report::EquilibriumRow equilibrium_at(const actuator::Joint& joint, const Eigen:
     }
     row.z = rest->z;
     row.sensitivity = actuator::sensitivity(joint, row.z).value();  // springs hold every motion of a joint that rests
-    row.hatted = actuator::hatted(row.sensitivity, joint);
+    row.cable_space = actuator::cable_space(row.sensitivity, joint);
     row.joint_stiffness = actuator::stiffness(joint, row.z)(actuator::kOutput, actuator::kOutput);
     row.free_joint_stiffness = 1.0 / row.sensitivity(actuator::kOutput, actuator::kOutput);
     if (torque[actuator::kOutput] == 0.0)

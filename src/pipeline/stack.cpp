@@ -11,12 +11,12 @@ namespace {
 /// Plates are flat and cut through: a helix is not, and a boss is no plate of the groove's outline.
 core::Finding not_flat(const solid::Part& part) {
     const double boss = part.options.hub.boss_height;
-    core::Finding f = core::required_change("stack.boss", "height of the boss below the plates: no plates were drawn",
-                                            core::mm_from_m(boss), core::Bound::kAtMost, 0.0, "mm");
+    core::Finding f = core::error_finding("stack.boss", "height of the boss below the plates: no plates were drawn", core::mm_from_m(boss),
+                                          core::Bound::kAtMost, 0.0, "mm");
     f.where = to_string(part.cam.kind);
     f.suggestion = fmt::format("{0}.hub.boss_height_mm = 0 and {0}.hub.kind = \"through\", or outputs.formats without \"plates\"", f.where);
     f.source = "geometry: plates are cut through";
-    return core::judged(f, core::Severity::kReview);
+    return core::judged(f, core::Severity::kWarning);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace fusee::pipeline {
 
 design::Drawing drawing_of(const profile::Profile& profile, const spring::SpringLawPtr& law) {
     return {actuator_of(profile, law), profile.k_se.spring,
-            spring::in_series_with_cable(profile.k_pe.spring, profile.k_pe.allowance.cable_give)};
+            spring::in_series_with_cable(profile.k_pe.spring, profile.k_pe.allowance.cable_compliance)};
 }
 
 std::vector<report::StretchSide> stretch_sides(const profile::Profile& profile, const spring::SpringLawPtr& law) {
@@ -34,12 +34,12 @@ core::Findings check_cable_length(const cam::Cam& cam, const profile::Profile& p
     const drawing::CableLength wound = drawing::cable_length(cam);
     const double least = core::mm_from_m(wound.working + wound.to_anchor);
     const std::string key = std::string(to_string(cam.kind)) + ".cable_length_mm";
-    core::Finding f = core::required_change("cable.length", "the cable reaches from its anchor round the cam's whole working arc",
-                                            core::mm_from_m(length), core::Bound::kAtLeast, least, "mm");
+    core::Finding f = core::error_finding("cable.length", "the cable reaches from its anchor round the cam's whole working arc",
+                                          core::mm_from_m(length), core::Bound::kAtLeast, least, "mm");
     f.where = key;
     f.suggestion = fmt::format("{} = {:.0f} and the free cable: the length counts from the anchor on the cam", key, std::ceil(least));
     f.source = "docs/theory/cams.md, eq. 18";
-    return {core::judged(std::move(f), core::Severity::kRequired)};
+    return {core::judged(std::move(f), core::Severity::kError)};
 }
 
 }  // namespace fusee::pipeline

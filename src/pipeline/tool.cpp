@@ -14,7 +14,7 @@ core::Finding done_by(const Tool& tool, const solid::Part& part) {
     f.where = to_string(part.cam.kind);
     f.suggestion = fmt::format("install the package {} and make again: {}", tool.package, tool.undone);
     f.source = tool.source;
-    return core::judged(f, core::Severity::kReview);
+    return core::judged(f, core::Severity::kWarning);
 }
 
 }  // namespace fusee::pipeline

@@ -12,7 +12,7 @@ std::vector<report::WrapSide> wrap_sides(const profile::Profile& profile, const 
         const auto cam = design_cam(kind, profile, law);
         if (!cam || cam->has_roller()) continue;  // `make` says why there is no cam
         const profile::PartSpec& spec = spec_of(kind, profile);
-        const double rate = spring::in_series_with_cable(spec.spring, spec.allowance.cable_give).rate;
+        const double rate = spring::in_series_with_cable(spec.spring, spec.allowance.cable_compliance).rate;
         sides.push_back({kind, cam::wrap_loop(*cam, rate, profile.rig.capstan_radius, profile.wrap)});
     }
     return sides;

@@ -72,7 +72,7 @@ struct Key {
 /// The known key that the writer of `path` most likely meant.
 [[nodiscard]] const Key& nearest_key(std::string_view path);
 [[nodiscard]] std::string nearest_table(std::string_view path);
-[[nodiscard]] const checks::Card& nearest_rule(std::string_view id, const Cards& rules);
+[[nodiscard]] const checks::RuleInfo& nearest_rule(std::string_view id, const RuleInfos& rules);
 
 /// Does the key have a meaning in this profile, as far as it is read?
 [[nodiscard]] bool applies(const Key& key, const Profile& profile);

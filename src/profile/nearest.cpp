@@ -71,9 +71,9 @@ std::string nearest_table(std::string_view path) {
     });
 }
 
-const checks::Card& nearest_rule(std::string_view id, const Cards& rules) {
+const checks::RuleInfo& nearest_rule(std::string_view id, const RuleInfos& rules) {
     id = id.substr(0, kLongestCompared);
-    return **std::min_element(rules.begin(), rules.end(), [id](const checks::Card* a, const checks::Card* b) {
+    return **std::min_element(rules.begin(), rules.end(), [id](const checks::RuleInfo* a, const checks::RuleInfo* b) {
         return edit_distance(id, a->id) < edit_distance(id, b->id);
     });
 }

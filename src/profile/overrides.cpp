@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* kShape = "[[limits]] with rule, one or more of its limits, and reason";
 
-std::string all_limits(const checks::Card& rule) {
+std::string all_limits(const checks::RuleInfo& rule) {
     std::string all;
     for (const checks::Limit& limit : rule.limits) all += fmt::format("{}{} ({})", all.empty() ? "" : ", ", limit.key(), limit.text());
     return fmt::format("{} has {}", rule.id, all);
@@ -25,10 +25,10 @@ std::string all_limits(const checks::Card& rule) {
 /// One table of the array.
 class Entry {
 public:
-    Entry(const toml::table& table, const Cards& rules, Faults& faults) : table_(table), rules_(rules), faults_(faults) {}
+    Entry(const toml::table& table, const RuleInfos& rules, Faults& faults) : table_(table), rules_(rules), faults_(faults) {}
 
     void read(std::vector<checks::Override>& into) const {
-        const checks::Card* rule = this->rule();
+        const checks::RuleInfo* rule = this->rule();
         const std::string reason = text("reason", "why the limit may be another one, as text");
         if (rule == nullptr) return;  // nothing is known of its limits
         std::size_t named = 0;
@@ -42,7 +42,7 @@ public:
 
 private:
     struct Place {
-        const checks::Card& rule;
+        const checks::RuleInfo& rule;
         const checks::Limit& limit;
         const std::string& reason;
     };
@@ -68,17 +68,17 @@ private:
         return node->as_string()->get();
     }
     /// nullptr for one that is not known.
-    [[nodiscard]] const checks::Card* rule() const {
+    [[nodiscard]] const checks::RuleInfo* rule() const {
         const std::string id = text("rule", "the id of a rule (docs/rules.md)");
         if (id.empty()) return nullptr;
-        const auto found = std::find_if(rules_.begin(), rules_.end(), [&](const checks::Card* card) { return card->id == id; });
+        const auto found = std::find_if(rules_.begin(), rules_.end(), [&](const checks::RuleInfo* info) { return info->id == id; });
         if (found != rules_.end()) return *found;
         const std::string near = faults_.full() ? "" : nearest_rule(id, rules_).id;
         refuse("rule", table_.get("rule")->source(), fmt::format("unknown rule \"{}\"", id), "nearest known one: " + near);
         return nullptr;
     }
     /// nullptr for one that the rule does not have.
-    [[nodiscard]] const checks::Limit* limit_of(const checks::Card& rule, const toml::key& key) const {
+    [[nodiscard]] const checks::Limit* limit_of(const checks::RuleInfo& rule, const toml::key& key) const {
         if (const checks::Limit* limit = rule.limit(key.str())) return limit;
         const bool named = std::any_of(rule.limits.begin(), rule.limits.end(),
                                        [&](const checks::Limit& l) { return key.str() == l.name || key.str().starts_with(l.name + "_"); });
@@ -94,19 +94,19 @@ private:
     }
 
     const toml::table& table_;
-    const Cards& rules_;
+    const RuleInfos& rules_;
     Faults& faults_;
 };
 
 }  // namespace
 
-Cards design_rules() {
-    Cards all;
+RuleInfos design_rules() {
+    RuleInfos all;
     for (const checks::Rule& rule : checks::rules()) all.push_back(&rule);
     return all;
 }
 
-std::vector<checks::Override> read_overrides(const toml::node& node, const Cards& rules, Faults& faults) {
+std::vector<checks::Override> read_overrides(const toml::node& node, const RuleInfos& rules, Faults& faults) {
     std::vector<checks::Override> limits;
     if (node.is_array_of_tables())
         for (const toml::node& entry : *node.as_array()) Entry(*entry.as_table(), rules, faults).read(limits);
@@ -115,7 +115,7 @@ std::vector<checks::Override> read_overrides(const toml::node& node, const Cards
     return limits;
 }
 
-std::vector<checks::Override> read_limits(const std::filesystem::path& path, const Cards& rules) {
+std::vector<checks::Override> read_limits(const std::filesystem::path& path, const RuleInfos& rules) {
     const toml::table table = core::parse_toml(core::read_file(path, kLargestFile), path.string());
     Faults faults(path.string());
     for (const auto& [key, node] : table)

@@ -14,9 +14,9 @@ namespace fusee::profile {
 /// @param node what stands under "limits" in the file
 /// @param faults gets each mistake: no array of tables; a rule that is not known; a limit that the rule does not have, one in another unit,
 /// one that is no finite number or stands twice; no limit or no reason
-[[nodiscard]] std::vector<checks::Override> read_overrides(const toml::node& node, const Cards& rules, Faults& faults);
+[[nodiscard]] std::vector<checks::Override> read_overrides(const toml::node& node, const RuleInfos& rules, Faults& faults);
 /// Those that a profile may name.
-[[nodiscard]] Cards design_rules();
+[[nodiscard]] RuleInfos design_rules();
 
 /// The same as TOML.
 [[nodiscard]] std::string overrides_toml(const std::vector<checks::Override>& limits);

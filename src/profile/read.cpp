@@ -208,7 +208,7 @@ void distribute(Profile& p) {
     p.k_pe.solid.chordal_error = p.k_se.solid.chordal_error;
     p.k_pe.allowance.cable_axis = p.k_se.allowance.cable_axis;
     for (PartSpec* part : {&p.k_se, &p.k_pe})
-        if (part->cable_length > 0.0) part->allowance.cable_give = part->cable_length / p.wrap.stiffness;
+        if (part->cable_length > 0.0) part->allowance.cable_compliance = part->cable_length / p.wrap.stiffness;
     p.k_se.cam.cable_diameter = p.k_pe.cam.cable_diameter = p.cable.diameter;
     if (p.k_pe.cam.family == cam::Family::kRoller) {  // neither cable nor anchor nor lips
         p.k_pe.cam.cable_diameter = p.k_pe.solid.features.anchor_hole_diameter = p.k_pe.solid.flange_height = 0.0;

@@ -71,7 +71,7 @@ ArmError compare_print(const fs::path& path, const exchange::PartFile& part) {
     double least_mm = part.target.front().arm_mm;
     for (const exchange::TargetRow& row : part.target) least_mm = std::min(least_mm, row.arm_mm);
     error.allowed = 0.5 * print.layer_mm / least_mm;
-    error.when_broken = core::Severity::kReview;
+    error.when_broken = core::Severity::kWarning;
     return error;
 }
 

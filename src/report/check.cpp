@@ -29,15 +29,15 @@ std::string binding_text(const core::Findings& findings) {
                        f->bound == core::Bound::kAtMost ? "at most" : "at least", f->allowed, unit);
 }
 
-const char* verdict(const core::Findings& findings) { return core::any_required(findings) ? "cannot be made as it is" : "can be made"; }
+const char* verdict(const core::Findings& findings) { return core::any_error(findings) ? "cannot be made as it is" : "can be made"; }
 
 std::string one(const Checked& checked, const CheckedProcess& p) {
     const core::Findings all = p.all();
     const std::string open = not_judged_text(all);
     std::string text = fmt::format("{} by {}: {}; {} required changes, {} to review, {} rules passed{}{}\n", checked.name, p.process,
-                                   verdict(all), core::count(all, core::Severity::kRequired), core::count(all, core::Severity::kReview),
+                                   verdict(all), core::count(all, core::Severity::kError), core::count(all, core::Severity::kWarning),
                                    core::count(all, core::Severity::kPass), open.empty() ? "" : "; ", open);
-    for (const core::Severity severity : {core::Severity::kRequired, core::Severity::kReview, core::Severity::kNotJudged})
+    for (const core::Severity severity : {core::Severity::kError, core::Severity::kWarning, core::Severity::kNotJudged})
         for (const core::Finding& f : all)
             if (f.severity == severity) text += "    " + core::to_line(f) + "\n";
     return text + fmt::format("Limits: {}.\n", p.figures);
@@ -53,7 +53,7 @@ std::string table(const Checked& checked) {
         if (binding(p.about) != nullptr) parts.insert(parts.begin(), {"law", p.about});
         for (const CheckedPart& part : parts)
             text += fmt::format("{:8} {:10} {:>8} {:>6} {:>10}  {}\n", process, part.name,
-                                core::count(part.findings, core::Severity::kRequired), core::count(part.findings, core::Severity::kReview),
+                                core::count(part.findings, core::Severity::kError), core::count(part.findings, core::Severity::kWarning),
                                 core::count(part.findings, core::Severity::kNotJudged), binding_text(part.findings));
         notes += fmt::format("{:8} {}\n", process, p.figures);
     }
@@ -62,8 +62,8 @@ std::string table(const Checked& checked) {
 
 Json part_json(const CheckedPart& part) {
     Json j{{"part", part.name},
-           {"required", core::count(part.findings, core::Severity::kRequired)},
-           {"review", core::count(part.findings, core::Severity::kReview)},
+           {"required", core::count(part.findings, core::Severity::kError)},
+           {"review", core::count(part.findings, core::Severity::kWarning)},
            {"not_judged", core::count(part.findings, core::Severity::kNotJudged)}};
     const core::Finding* f = binding(part.findings);
     j["binding"] = f == nullptr ? Json() : findings_json({*f}).front();
@@ -78,9 +78,9 @@ Json process_json(const CheckedProcess& p) {
     return {{"process", p.process},
             {"own", p.own},
             {"limits", p.figures},
-            {"makeable", !core::any_required(all)},
-            {"required", core::count(all, core::Severity::kRequired)},
-            {"review", core::count(all, core::Severity::kReview)},
+            {"makeable", !core::any_error(all)},
+            {"required", core::count(all, core::Severity::kError)},
+            {"review", core::count(all, core::Severity::kWarning)},
             {"not_judged", core::count(all, core::Severity::kNotJudged)},
             {"rules", rules_json(all)},
             {"findings", findings_json(p.about)},
@@ -96,7 +96,7 @@ core::Findings CheckedProcess::all() const {
 }
 
 bool Checked::makeable() const {
-    return std::any_of(processes.begin(), processes.end(), [](const CheckedProcess& p) { return !core::any_required(p.all()); });
+    return std::any_of(processes.begin(), processes.end(), [](const CheckedProcess& p) { return !core::any_error(p.all()); });
 }
 
 const core::Finding* binding(const core::Findings& findings) {

@@ -50,7 +50,7 @@ nlohmann::ordered_json rules_json(const core::Findings& findings) {
         return Json{{"passed", passed}, {"not_judged", not_judged}, {"review", review}, {"required", required}};
     };
     Json all = counts(core::count(findings, core::Severity::kPass), core::count(findings, core::Severity::kNotJudged),
-                      core::count(findings, core::Severity::kReview), core::count(findings, core::Severity::kRequired));
+                      core::count(findings, core::Severity::kWarning), core::count(findings, core::Severity::kError));
     all["groups"] = Json::object();
     for (const RuleCounts& group : count_rules(findings))
         all["groups"][group.group] = counts(group.passed, group.not_judged, group.review, group.required);

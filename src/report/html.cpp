@@ -19,16 +19,16 @@ std::string verdict_text(core::Severity severity, const std::string& not_judged)
         case core::Severity::kPass:
         case core::Severity::kNotJudged:
             return fmt::format("<span class=\"verdict {}\">\u2713 Can be made{}</span>", open.empty() ? "pass-tag" : "unjudged-tag", open);
-        case core::Severity::kReview:
+        case core::Severity::kWarning:
             return "<span class=\"verdict review-tag\">! Review and accept" + open + "</span>";
-        case core::Severity::kRequired:
+        case core::Severity::kError:
             return "<span class=\"verdict required-tag\">\u2715 Change required" + open + "</span>";
     }
     return "";
 }
 
 std::string findings_text(const core::Findings& findings) {
-    return fmt::format("{} / {} / {}", core::count(findings, core::Severity::kRequired), core::count(findings, core::Severity::kReview),
+    return fmt::format("{} / {} / {}", core::count(findings, core::Severity::kError), core::count(findings, core::Severity::kWarning),
                        core::count(findings, core::Severity::kNotJudged));
 }
 

@@ -119,7 +119,8 @@ std::string dead_band_section(const DesignReport& design) {
     Plot band("Dead-band at the joint, edge to edge", "co-contraction, motor torque at the capstan [Nm]", "dead-band [deg]");
     band.curve("linear: 2 mu tau / (g P)", tau, column(design.dead_band, [](const D& d) { return deg_from_rad(d.linear); }), "linear",
                true);
-    band.curve("exact extremes", tau, column(design.dead_band, [](const D& d) { return deg_from_rad(d.extreme); }), "exact").from_zero();
+    band.curve("exact extremes", tau, column(design.dead_band, [](const D& d) { return deg_from_rad(d.exact_width); }), "exact")
+        .from_zero();
     Plot stiffness("Stiffness of the joint", "co-contraction, motor torque at the capstan [Nm]", "stiffness [Nm/rad]");
     stiffness.curve("capstans held", tau, column(design.dead_band, [](const D& d) { return d.joint_stiffness; }), "se");
     stiffness.curve("capstans free", tau, column(design.dead_band, [](const D& d) { return d.free_joint_stiffness; }), "sum", true);

@@ -15,9 +15,9 @@ std::string tag(core::Severity severity) {
             return "<span class=\"tag pass-tag\">\u2713 pass</span>";
         case core::Severity::kNotJudged:
             return "<span class=\"tag unjudged-tag\">? not judged</span>";
-        case core::Severity::kReview:
+        case core::Severity::kWarning:
             return "<span class=\"tag review-tag\">! review</span>";
-        case core::Severity::kRequired:
+        case core::Severity::kError:
             return "<span class=\"tag required-tag\">\u2715 change</span>";
     }
     return "";

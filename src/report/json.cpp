@@ -47,7 +47,7 @@ Json dead_band_json(const actuator::DeadBand& d) {
     return {{"tau_Nm", d.tau},
             {"theta_rad", d.theta},
             {"linear_rad", d.linear},
-            {"exact_rad", d.extreme},
+            {"exact_rad", d.exact_width},
             {"covered", d.covered},
             {"joint_stiffness_Nm_per_rad", d.joint_stiffness},
             {"free_joint_stiffness_Nm_per_rad", d.free_joint_stiffness},

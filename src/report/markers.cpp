@@ -19,9 +19,9 @@ const char* css(core::Severity severity) {
             return "pass";
         case core::Severity::kNotJudged:
             return "unjudged";
-        case core::Severity::kReview:
+        case core::Severity::kWarning:
             return "review";
-        case core::Severity::kRequired:
+        case core::Severity::kError:
             return "required";
     }
     return "";

@@ -27,7 +27,7 @@ std::string noise_text(const std::vector<NoiseCurve>& curves) {
 
 std::string figure_6_text(const Simulation& s) {
     const actuator::DeadBand& peak = s.levels.back().dead_band;
-    std::string text = fmt::format("gear friction holds it anywhere within {} deg at {} Nm", deg(peak.extreme), number(peak.tau));
+    std::string text = fmt::format("gear friction holds it anywhere within {} deg at {} Nm", deg(peak.exact_width), number(peak.tau));
     if (!s.path) return text;
     return text + fmt::format("; pushed up and released it rests at {} deg, pushed down at {} deg", deg(s.path->up.back().q),
                               deg(s.path->down.back().q));
@@ -46,7 +46,7 @@ std::string change(const std::vector<MeasuredRow>& rows, double actuator::DeadBa
 std::string table_text(const PaperTable& table) {
     const std::vector<MeasuredRow>& rows = table.simulation.measured;
     return fmt::format("condition (6) {}; exact {}; the test reads {}", to_string(condition_verdict(table.simulation)),
-                       change(rows, &actuator::DeadBand::extreme), change(rows, &actuator::DeadBand::protocol));
+                       change(rows, &actuator::DeadBand::exact_width), change(rows, &actuator::DeadBand::measured_width));
 }
 
 std::string paper_rows(const PaperTable& table) {

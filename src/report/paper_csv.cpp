@@ -80,8 +80,8 @@ std::string table_csv(const PaperTable& table) {
         const MeasuredRow& row = table.simulation.measured[i];
         const actuator::DeadBand& d = row.computed;
         add_row(csv, "{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}\n", row.tau, deg(row.measured), deg(d.linear),
-                deg(d.extreme), deg(d.protocol), deg(d.linear - row.measured), deg(d.extreme - row.measured),
-                deg(d.protocol - row.measured), table.parallel[i]);
+                deg(d.exact_width), deg(d.measured_width), deg(d.linear - row.measured), deg(d.exact_width - row.measured),
+                deg(d.measured_width - row.measured), table.parallel[i]);
     }
     return csv;
 }

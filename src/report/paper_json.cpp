@@ -50,8 +50,8 @@ Json table_json(const PaperTable& table) {
         j["rows"].push_back({{"tau_Nm", row.tau},
                              {"paper_rad", row.measured},
                              {"linear_rad", row.computed.linear},
-                             {"extreme_rad", row.computed.extreme},
-                             {"protocol_rad", row.computed.protocol},
+                             {"extreme_rad", row.computed.exact_width},
+                             {"protocol_rad", row.computed.measured_width},
                              {"implied_parallel_Nm_per_rad", table.parallel[i]}});
     }
     return j;

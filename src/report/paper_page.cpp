@@ -98,7 +98,7 @@ std::string table_rows(const PaperTable& table) {
     for (std::size_t i = 0; i < table.simulation.measured.size(); ++i) {
         const MeasuredRow& row = table.simulation.measured[i];
         rows.push_back({figure(row.tau), figure(deg_from_rad(row.measured)), beside(row.computed.linear, row.measured),
-                        beside(row.computed.extreme, row.measured), beside(row.computed.protocol, row.measured),
+                        beside(row.computed.exact_width, row.measured), beside(row.computed.measured_width, row.measured),
                         figure(table.parallel[i], 2)});
     }
     return html_table({"tau [Nm]", "paper [deg]", "linear [deg]", "exact [deg]", "test reads [deg]", "implied K_PE [Nm/rad]"}, rows);

@@ -14,9 +14,9 @@ std::size_t& field_of(RuleCounts& counts, core::Severity severity) {
             return counts.passed;
         case core::Severity::kNotJudged:
             return counts.not_judged;
-        case core::Severity::kReview:
+        case core::Severity::kWarning:
             return counts.review;
-        case core::Severity::kRequired:
+        case core::Severity::kError:
             break;
     }
     return counts.required;

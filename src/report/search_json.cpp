@@ -29,7 +29,7 @@ Json dead_band_json(const std::vector<actuator::DeadBand>& levels) {
     for (const actuator::DeadBand& d : levels)
         all.push_back({{"tau_Nm", d.tau},
                        {"linear_rad", d.linear},
-                       {"extreme_rad", d.extreme},
+                       {"extreme_rad", d.exact_width},
                        {"condition_6", d.condition_6},
                        {"joint_stiffness_Nm_per_rad", d.joint_stiffness}});
     return all;

@@ -24,7 +24,7 @@ std::string with_unit(const std::string& name, const std::string& unit) { return
 
 bool can_be_cut(const SearchReport& report) {
     return std::all_of(report.cams.begin(), report.cams.end(), [](const CamCurve& cam) { return cam.part.has_value(); }) &&
-           !core::any_required(report.findings);
+           !core::any_error(report.findings);
 }
 
 std::string verdict_tag(const SearchReport& report) {

@@ -34,8 +34,8 @@ std::string dead_band_chart(const Simulation& s, const OverLevels& over) {
     using D = actuator::DeadBand;
     Plot plot("Dead-band at the joint, edge to edge", kTau, "dead-band [deg]");
     plot.curve("linear", over.tau, over.figure(&D::linear, kDegrees), "linear", true);
-    plot.curve("exact extremes", over.tau, over.figure(&D::extreme, kDegrees), "exact");
-    plot.curve("push and release", over.tau, over.figure(&D::protocol, kDegrees), "se");
+    plot.curve("exact extremes", over.tau, over.figure(&D::exact_width, kDegrees), "exact");
+    plot.curve("push and release", over.tau, over.figure(&D::measured_width, kDegrees), "se");
     plot.curve("push within the laws", over.tau, column(s.levels, [](const Level& l) { return deg_from_rad(l.within_laws); }), "se", true);
     if (!s.measured.empty())
         plot.points("measured", column(s.measured, [](const MeasuredRow& r) { return r.tau; }),
@@ -55,7 +55,7 @@ std::string built_chart(const Simulation& s, const OverLevels& over) {
     Plot plot("Exact dead-band as drawn, and of 90 % of the joints that a shop builds", kTau, "dead-band [deg]");
     plot.band("5 to 95 %", over.tau, column(s.levels, [](const Level& l) { return deg_from_rad(l.built.low); }),
               column(s.levels, [](const Level& l) { return deg_from_rad(l.built.high); }), "exact");
-    plot.curve("as drawn", over.tau, over.figure(&actuator::DeadBand::extreme, kDegrees), "exact");
+    plot.curve("as drawn", over.tau, over.figure(&actuator::DeadBand::exact_width, kDegrees), "exact");
     return plot.from_zero().svg();
 }
 
@@ -116,7 +116,7 @@ std::string friction_chart(const std::vector<BreakAwayRow>& rows) {
 std::string frame_chart(const Simulation& s, const OverLevels& over) {
     Plot plot("Frame subsystem: dead-band with masses for motors", kTau, "dead-band [deg]");
     plot.curve("bearing only", over.tau, column(s.levels, [](const Level& l) { return deg_from_rad(l.frame); }), "se");
-    plot.curve("with gears", over.tau, over.figure(&actuator::DeadBand::protocol, kDegrees), "sum", true);
+    plot.curve("with gears", over.tau, over.figure(&actuator::DeadBand::measured_width, kDegrees), "sum", true);
     return plot.from_zero().svg();
 }
 

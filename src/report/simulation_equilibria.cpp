@@ -33,7 +33,7 @@ std::string torques_text(const Eigen::Vector3d& torque) {
 
 std::string width_text(const actuator::JointDeadBand& band) {
     const std::string exact = band.covered
-                                  ? fmt::format("exact {} deg, q from {} to {} deg", number(core::deg_from_rad(band.extreme), kDigits),
+                                  ? fmt::format("exact {} deg, q from {} to {} deg", number(core::deg_from_rad(band.exact_width), kDigits),
                                                 degrees(band.edges.low), degrees(band.edges.high))
                                   : "exact not known, since a spring leaves its law before an edge";
     return fmt::format("linear {} deg; {}", number(core::deg_from_rad(band.linear), kDigits), exact);
@@ -62,7 +62,7 @@ std::string matrix_text(const EquilibriumRow& row) {
     std::string text = fmt::format("    {:<50}{}\n", "sensitivity (2) to tau_1, tau_2, tau_q [rad/Nm]", kHatted);
     for (int i = 0; i < 3; ++i) {
         text += fmt::format("    {:8}", kBodies[static_cast<std::size_t>(i)]);
-        for (const Eigen::Matrix3d* m : {&row.sensitivity, &row.hatted}) {
+        for (const Eigen::Matrix3d* m : {&row.sensitivity, &row.cable_space}) {
             for (int j = 0; j < 3; ++j) text += fmt::format("{:>{}}", number((*m)(i, j), kDigits), kWide);
             text += "  ";
         }
@@ -116,7 +116,7 @@ std::string equilibria_section(const Simulation& s) {
         for (const core::Finding& finding : row.refusal) out += "<p>" + escape(core::to_line(finding)) + "</p>";
         if (!row.refusal.empty()) continue;
         out += "<div class=\"card\">" + html_facts(facts_of(row)) + "</div><div class=\"grid\">" + matrix_table(kMatrix, row.sensitivity) +
-               matrix_table(kHatted, row.hatted) + "</div>";
+               matrix_table(kHatted, row.cable_space) + "</div>";
     }
     return out + "</div></section>\n";
 }

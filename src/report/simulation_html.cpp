@@ -45,7 +45,7 @@ std::string head(const Simulation& s) {
                       "</p><div class=\"tiles\">";
     const auto change = [](double from, double to) { return deg(from, 3) + " \u2192 " + deg(to, 3) + " deg"; };
     const std::string levels = fmt::format("{} to {} Nm", number(first.tau, 3), number(last.tau, 3));
-    if (is_paper(s)) out += html_tile(change(first.protocol, last.protocol), "read by a push-and-release test, " + levels);
+    if (is_paper(s)) out += html_tile(change(first.measured_width, last.measured_width), "read by a push-and-release test, " + levels);
     out += html_tile(change(first.linear, last.linear), "linear dead-band, " + levels);
     out += html_tile(span(s.survey.stiffness, "Nm/rad"), "joint stiffness, capstans held");
     out += html_tile(number(s.survey.torque, 3) + " Nm", "greatest joint torque within the springs' laws");
@@ -63,9 +63,10 @@ std::string level_section(const Simulation& s) {
     std::vector<std::vector<Cell>> rows;
     for (const SimulatedLevel& level : s.levels) {
         const actuator::DeadBand& d = level.dead_band;
-        rows.push_back({figure(d.tau), figure(deg_from_rad(d.linear)), figure(deg_from_rad(d.extreme)), figure(deg_from_rad(d.protocol)),
-                        figure(deg_from_rad(level.within_laws)), figure(d.condition_6, 3), figure(d.joint_stiffness),
-                        figure(d.free_joint_stiffness), figure(level.reading.push_torque, 3), figure(level.reading.full_push, 3)});
+        rows.push_back({figure(d.tau), figure(deg_from_rad(d.linear)), figure(deg_from_rad(d.exact_width)),
+                        figure(deg_from_rad(d.measured_width)), figure(deg_from_rad(level.within_laws)), figure(d.condition_6, 3),
+                        figure(d.joint_stiffness), figure(d.free_joint_stiffness), figure(level.reading.push_torque, 3),
+                        figure(level.reading.full_push, 3)});
     }
     return "<section><h2>Levels of co-contraction</h2>" +
            html_table({"tau [Nm]", "linear [deg]", "exact [deg]", "test reads [deg]", "within the laws [deg]", "condition (6)",
@@ -99,7 +100,7 @@ std::string measured_section(const Simulation& s) {
     };
     for (const MeasuredRow& row : s.measured)
         rows.push_back({figure(row.tau), figure(deg_from_rad(row.measured)), beside(row.computed.linear, row.measured),
-                        beside(row.computed.extreme, row.measured), beside(row.computed.protocol, row.measured)});
+                        beside(row.computed.exact_width, row.measured), beside(row.computed.measured_width, row.measured)});
     return "<section><h2>Beside what was measured</h2><p>Full widths in degrees; in brackets the difference from the measured one.</p>" +
            html_table({"tau [Nm]", "measured", "linear", "exact", "test reads"}, rows) + "</section>\n";
 }

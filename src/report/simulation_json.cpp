@@ -29,7 +29,7 @@ Json survey_json(const actuator::ArrangementRow& row) {
 }
 
 Json dead_band_json(const actuator::DeadBand& d) {
-    return {{"tau_Nm", d.tau}, {"linear_rad", d.linear}, {"extreme_rad", d.extreme}, {"protocol_rad", d.protocol}};
+    return {{"tau_Nm", d.tau}, {"linear_rad", d.linear}, {"extreme_rad", d.exact_width}, {"protocol_rad", d.measured_width}};
 }
 
 Json level_json(const SimulatedLevel& level) {
@@ -86,14 +86,14 @@ Json equilibrium_json(const EquilibriumRow& row) {
     Json j = {{"torques_Nm", three(row.torque)},
               {"z_rad", three(row.z)},
               {"sensitivity_rad_per_Nm", matrix(row.sensitivity)},
-              {"hatted_sensitivity_m_per_N", matrix(row.hatted)},
+              {"hatted_sensitivity_m_per_N", matrix(row.cable_space)},
               {"joint_stiffness_Nm_per_rad", row.joint_stiffness},
               {"free_joint_stiffness_Nm_per_rad", row.free_joint_stiffness},
               {"dead_band", Json()},
               {"findings", findings_json(row.refusal)}};
     if (const auto& band = row.dead_band)
         j["dead_band"] = {{"linear_rad", band->linear},
-                          {"extreme_rad", band->extreme},
+                          {"extreme_rad", band->exact_width},
                           {"edges_rad", range(band->edges)},
                           {"condition_5", band->condition_5},
                           {"condition_6", band->condition_6}};

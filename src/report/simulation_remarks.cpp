@@ -35,10 +35,10 @@ std::string difference(const DeadBand& d, double DeadBand::*a, double DeadBand::
 }
 
 std::optional<std::string> linear_text(const Simulation& s) {
-    const SimulatedLevel* level = widest(s.levels, &DeadBand::linear, &DeadBand::extreme);
+    const SimulatedLevel* level = widest(s.levels, &DeadBand::linear, &DeadBand::exact_width);
     if (level == nullptr) return std::nullopt;
     return fmt::format("The linear dead-band is at most {} than the exact extremes: stiffness changes within the dead-band.",
-                       difference(level->dead_band, &DeadBand::linear, &DeadBand::extreme));
+                       difference(level->dead_band, &DeadBand::linear, &DeadBand::exact_width));
 }
 
 /// Levels of which something is true, in words: "at 3 of 15 levels, from 0.3 Nm to 0.5 Nm"; none: nothing.
@@ -56,12 +56,12 @@ std::optional<std::string> protocol_text(const Simulation& s) {
     std::vector<SimulatedLevel> full;
     std::copy_if(s.levels.begin(), s.levels.end(), std::back_inserter(full),
                  [](const SimulatedLevel& l) { return l.reading.strong_enough(); });
-    const SimulatedLevel* level = widest(full, &DeadBand::protocol, &DeadBand::extreme);
+    const SimulatedLevel* level = widest(full, &DeadBand::measured_width, &DeadBand::exact_width);
     if (level == nullptr) return std::nullopt;
     return fmt::format(
         "A push strong enough that a stronger one reads the same still reads up to {} than the exact extremes: each capstan "
         "sticks where the release leaves it, and a slack cable pushes no farther.",
-        difference(level->dead_band, &DeadBand::protocol, &DeadBand::extreme));
+        difference(level->dead_band, &DeadBand::measured_width, &DeadBand::exact_width));
 }
 
 /// The first level at which a push falls short, in words.
@@ -113,8 +113,8 @@ std::optional<std::string> measured_text(const Simulation& s) {
     if (s.measured.empty()) return std::nullopt;
     const auto& rows = s.measured;
     return fmt::format("Measured, {} rows: the mean difference is {} for the linear figure, {} for the exact extremes, {} for the test.",
-                       rows.size(), deg(mean_error(rows, &DeadBand::linear)), deg(mean_error(rows, &DeadBand::extreme)),
-                       deg(mean_error(rows, &DeadBand::protocol)));
+                       rows.size(), deg(mean_error(rows, &DeadBand::linear)), deg(mean_error(rows, &DeadBand::exact_width)),
+                       deg(mean_error(rows, &DeadBand::measured_width)));
 }
 
 }  // namespace
@@ -129,8 +129,8 @@ std::vector<std::string> remarks(const Simulation& s) {
         all.push_back(fmt::format("The joint takes at most {} of torque before a spring leaves its law.", nm(s.survey.torque)));
     all.push_back(condition_text(s.condition));
     for (const auto& text : {linear_text(s), protocol_text(s), push_text(s), beyond_text(s),
-                             missing_text(s, &DeadBand::extreme, "The exact extremes are not covered"),
-                             missing_text(s, &DeadBand::protocol, "Nothing is read"), measured_text(s)})
+                             missing_text(s, &DeadBand::exact_width, "The exact extremes are not covered"),
+                             missing_text(s, &DeadBand::measured_width, "Nothing is read"), measured_text(s)})
         if (text) all.push_back(*text);
     all.push_back(frame_text(s));
     if (!s.stretches.empty()) all.push_back(stretch_remark(s));

@@ -21,12 +21,13 @@ std::string simulation_text(const Simulation& s) {
                                    "linear", "exact", "test reads", "condition (6)", "held [Nm/rad]", "capstan");
     for (const SimulatedLevel& level : s.levels) {
         const actuator::DeadBand& d = level.dead_band;
-        text += fmt::format("  {:>8}  {:>10}  {:>10}  {:>10}  {:>13}  {:>13}  {:>11}\n", number(d.tau, 4), deg(d.linear), deg(d.extreme),
-                            deg(d.protocol), number(d.condition_6, 3), number(d.joint_stiffness, 4), deg(d.theta));
+        text +=
+            fmt::format("  {:>8}  {:>10}  {:>10}  {:>10}  {:>13}  {:>13}  {:>11}\n", number(d.tau, 4), deg(d.linear), deg(d.exact_width),
+                        deg(d.measured_width), number(d.condition_6, 3), number(d.joint_stiffness, 4), deg(d.theta));
     }
     for (const MeasuredRow& row : s.measured)
         text += fmt::format("  measured at {} Nm: {} deg; linear {}, exact {}, test reads {}\n", number(row.tau, 4), deg(row.measured),
-                            deg(row.computed.linear), deg(row.computed.extreme), deg(row.computed.protocol));
+                            deg(row.computed.linear), deg(row.computed.exact_width), deg(row.computed.measured_width));
     text += equilibria_text(s);
     for (const std::string& remark : remarks(s)) text += "  " + remark + "\n";
     for (const std::string& gap : s.gaps) text += "  not known: " + gap + "\n";

@@ -39,7 +39,7 @@ core::Findings DesignReport::all_findings() const {
 double DesignReport::worst_arm_error() const {
     double worst = std::numeric_limits<double>::quiet_NaN();
     for (const readback::ArmError* error : arm_errors())
-        if (error->when_broken == core::Severity::kRequired) worst = std::fmax(worst, error->worst_relative);
+        if (error->when_broken == core::Severity::kError) worst = std::fmax(worst, error->worst_relative);
     return worst;
 }
 

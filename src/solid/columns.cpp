@@ -113,20 +113,20 @@ ColumnMaker::RunOut ColumnMaker::run_out_needed(bool high) const {
     return need;
 }
 
-std::vector<Stretch> ColumnMaker::stretches() const {
+std::vector<AngularSpan> ColumnMaker::spans() const {
     const double low = reach_.low;
     if (cam_.closed()) return {{low, low + kTurn, {true}}};
     const auto direction = [&](double psi) { return low + std::fmod(psi - low, kTurn); };
     std::vector<double> borders{low, direction(cam_.groove_psi.low), direction(cam_.groove_psi.high), direction(reach_.high), low + kTurn};
     std::sort(borders.begin(), borders.end());
-    std::vector<Stretch> stretches;
+    std::vector<AngularSpan> spans;
     for (std::size_t i = 1; i < borders.size(); ++i) {
-        Stretch s{borders[i - 1], borders[i], {}};
+        AngularSpan s{borders[i - 1], borders[i], {}};
         const double middle = 0.5 * (s.low + s.high);
         for (double psi = middle; psi < reach_.high; psi += kTurn) s.cut.push_back(cam_.groove_psi.holds(psi));
-        if (s.high > s.low) stretches.push_back(s);
+        if (s.high > s.low) spans.push_back(s);
     }
-    return stretches;
+    return spans;
 }
 
 std::vector<Vec3> ColumnMaker::lower_rails(double u) const {

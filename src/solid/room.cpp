@@ -97,7 +97,7 @@ Refusal bore(const Room& room) {
 
 core::Finding refusal(const char* rule, std::string what, double measured, double allowed, const std::string& where,
                       std::string suggestion) {
-    core::Finding f = core::required_change(rule, std::move(what), measured, core::Bound::kAtLeast, allowed, "mm");
+    core::Finding f = core::error_finding(rule, std::move(what), measured, core::Bound::kAtLeast, allowed, "mm");
     f.where = where;
     f.suggestion = std::move(suggestion);
     f.source = "geometry of the part";

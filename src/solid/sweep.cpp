@@ -57,19 +57,19 @@ void add_wall(Mesh& mesh, const Numbers& slot, bool begins) {
         add_triangle(mesh, begins ? Triangle{slot.front(), slot[k], slot[k + 1]} : Triangle{slot.front(), slot[k + 1], slot[k]});
 }
 
-/// Builds columns; where two stretches meet, both have a column at the same direction and share what stands in both.
+/// Builds columns; where two spans meet, both have a column at the same direction and share what stands in both.
 class Builder {
 public:
     Builder(const ColumnMaker& maker, Mesh& mesh) : maker_(maker), mesh_(mesh) {}
 
-    Column column(double u, const Stretch& stretch, const Column* twin) {
+    Column column(double u, const AngularSpan& span, const Column* twin) {
         Column c;
         c.lower = twin ? twin->lower : add_points(mesh_, maker_.lower_rails(u));
         c.upper = twin ? twin->upper : add_points(mesh_, maker_.upper_rails(u));
-        for (std::size_t turn = 0; turn < stretch.cut.size(); ++turn) {
+        for (std::size_t turn = 0; turn < span.cut.size(); ++turn) {
             const Numbers* shared = twin ? twin->slot(turn) : nullptr;
             const double psi = u + kTurn * static_cast<double>(turn);
-            c.slots.push_back(stretch.cut[turn] ? cut_slot(psi, shared) : lips(psi, shared, c));
+            c.slots.push_back(span.cut[turn] ? cut_slot(psi, shared) : lips(psi, shared, c));
         }
         return c;
     }
@@ -126,14 +126,14 @@ SweptBody sweep(const cam::Cam& cam, const std::vector<SectionPoint>& section, c
     body.lower_lip_mm = body.z_low_mm + flanges.rib_mm;
 
     Builder builder(maker, body.mesh);
-    const std::vector<Stretch> stretches = maker.stretches();
-    const double end = stretches.back().high;
+    const std::vector<AngularSpan> spans = maker.spans();
+    const double end = spans.back().high;
     Column first, last;
-    for (const Stretch& stretch : stretches) {
-        for (const double u : place_columns(maker, stretch.low, stretch.high, tolerance_mm)) {
+    for (const AngularSpan& span : spans) {
+        for (const double u : place_columns(maker, span.low, span.high, tolerance_mm)) {
             if (u == end) break;  // the first column again
-            const bool begins = u == stretch.low && !body.columns_psi.empty();
-            Column column = builder.column(u, stretch, begins ? &last : nullptr);
+            const bool begins = u == span.low && !body.columns_psi.empty();
+            Column column = builder.column(u, span, begins ? &last : nullptr);
             if (begins) {
                 add_walls(body.mesh, last, column);
             } else {

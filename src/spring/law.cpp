@@ -45,8 +45,8 @@ std::optional<core::Finding> judge(const Condition& condition, const std::vector
         last = i;
     }
     if (first == points.size()) return std::nullopt;
-    core::Finding finding = core::required_change(condition.rule, condition.what, condition.measure(points[worst]), condition.bound,
-                                                  condition.allowed, condition.unit);
+    core::Finding finding = core::error_finding(condition.rule, condition.what, condition.measure(points[worst]), condition.bound,
+                                                condition.allowed, condition.unit);
     finding.where = fmt::format("law at {:.4g} Nm first, worst at {:.4g} Nm", points[first].tau, points[worst].tau);
     finding.suggestion = nearest_feasible(points, first, last);
     finding.source = "docs/theory/springs.md, eq. 3";

@@ -117,8 +117,8 @@ private:
 core::Finding too_long(const char* spring, double travel, double longest) {
     const double safe = 0.98 * longest;
     core::Finding finding =
-        core::required_change("law.lead_in", fmt::format("{}'s stiffness and torque must stay above 0 over the lead-in", spring),
-                              core::deg_from_rad(travel), core::Bound::kAtMost, core::deg_from_rad(longest), "deg");
+        core::error_finding("law.lead_in", fmt::format("{}'s stiffness and torque must stay above 0 over the lead-in", spring),
+                            core::deg_from_rad(travel), core::Bound::kAtMost, core::deg_from_rad(longest), "deg");
     finding.where = "lower end of the law's lead-in";
     finding.suggestion = fmt::format("law.lead_in_deg = {:.4g}", core::deg_from_rad(safe));
     finding.source = "docs/theory/springs.md, eq. 15";

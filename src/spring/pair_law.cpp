@@ -101,7 +101,7 @@ private:
 };
 
 core::Finding refuse(const char* rule, const char* what, double measured, core::Bound bound, double allowed, const char* unit) {
-    core::Finding finding = core::required_change(rule, what, measured, bound, allowed, unit);
+    core::Finding finding = core::error_finding(rule, what, measured, bound, allowed, unit);
     finding.source = "docs/theory/springs.md, eq. 1";
     return finding;
 }

@@ -132,7 +132,7 @@ void require_finite(const char* field, double value, const char* unit) {
 }
 
 core::Finding transmission_finding(double measured, core::Bound bound, double allowed, const char* what, const char* end) {
-    core::Finding finding = core::required_change("law.transmission", what, measured, bound, allowed, "Nm");
+    core::Finding finding = core::error_finding("law.transmission", what, measured, bound, allowed, "Nm");
     finding.where = fmt::format("law at its {} torque", end);
     finding.source = "docs/theory/springs.md, eq. 3 and 4";
     return finding;

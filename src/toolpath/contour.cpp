@@ -68,8 +68,8 @@ void mill_plate(Gcode& code, const Cutting& cutting, const Plate& plate, double 
 
 core::Finding bore_too_small(const solid::Part& part, const Plate& plate, double cutter) {
     const double widest = 2.0 * plate.bore_radius / kLooseBore;
-    core::Finding f = core::required_change("toolpath.bore", "the flat end mill goes down the bore in a helix", cutter,
-                                            core::Bound::kAtMost, widest, "mm");
+    core::Finding f =
+        core::error_finding("toolpath.bore", "the flat end mill goes down the bore in a helix", cutter, core::Bound::kAtMost, widest, "mm");
     f.where = to_string(part.cam.kind);
     f.suggestion = fmt::format("machining.tool_diameter_mm = {:.2f}", 0.99 * widest);
     f.source = "docs/theory/toolpaths.md";

@@ -18,26 +18,26 @@ using Vec = std::array<double, 3>;
 double dot(const Vec& a, const Vec& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 Vec minus(const Vec& a, const Vec& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 
-void widen(std::optional<Stretch>& stretch, double low, double high) {
+void widen(std::optional<SweptInterval>& stretch, double low, double high) {
     if (!stretch)
-        stretch = Stretch{low, high};
+        stretch = SweptInterval{low, high};
     else
         *stretch = {std::min(stretch->low, low), std::max(stretch->high, high)};
 }
 
 /// Roots of a t^2 - 2 b t + c = 0, the lower first.
-std::optional<Stretch> roots(double a, double b, double c) {
+std::optional<SweptInterval> roots(double a, double b, double c) {
     const double discriminant = b * b - a * c;
     if (discriminant < 0.0 || a <= 0.0) return std::nullopt;
     const double s = std::sqrt(discriminant);
-    return Stretch{(b - s) / a, (b + s) / a};
+    return SweptInterval{(b - s) / a, (b + s) / a};
 }
 
 }  // namespace
 
-std::optional<Stretch> stretch_in(const Capsule& capsule, double azimuth, double z) {
+std::optional<SweptInterval> interval_in(const Capsule& capsule, double azimuth, double z) {
     const Vec ray{std::cos(azimuth), std::sin(azimuth), 0.0}, origin{0.0, 0.0, z};
-    std::optional<Stretch> within;
+    std::optional<SweptInterval> within;
     for (const Vec& end : {capsule.a, capsule.b}) {
         const Vec to = minus(end, origin);
         if (const auto r = roots(1.0, dot(ray, to), dot(to, to) - capsule.radius * capsule.radius)) widen(within, r->low, r->high);
@@ -92,12 +92,12 @@ void CutFloor::Swept::put(std::uint32_t i) {
 
 std::optional<double> CutFloor::Swept::floor(double azimuth, double z) const {
     const double share = azimuth / kTurn - std::floor(azimuth / kTurn);
-    const auto later = [](const Stretch& a, const Stretch& b) { return a.low > b.low; };
-    std::priority_queue<Stretch, std::vector<Stretch>, decltype(later)> beyond(later);
+    const auto later = [](const SweptInterval& a, const SweptInterval& b) { return a.low > b.low; };
+    std::priority_queue<SweptInterval, std::vector<SweptInterval>, decltype(later)> beyond(later);
     double bore = 0.0;  // what is open from the axis on
     for (const std::uint32_t i : bins_[std::min(kBins - 1, static_cast<std::size_t>(share * kBins))]) {
         if (!beyond.empty() && near_[i].least > beyond.top().low) break;  // nor does any that follows reach as far in
-        if (const auto s = stretch_in(near_[i].capsule, azimuth, z); s && s->high > 0.0) beyond.push(*s);
+        if (const auto s = interval_in(near_[i].capsule, azimuth, z); s && s->high > 0.0) beyond.push(*s);
         for (; !beyond.empty() && beyond.top().low <= bore; beyond.pop()) bore = std::max(bore, beyond.top().high);
     }
     return beyond.empty() ? std::nullopt : std::optional(beyond.top().low);

@@ -15,12 +15,12 @@ struct Capsule {
 };
 
 /// Part of a ray that lies in something, distances from the axis.
-struct Stretch {
+struct SweptInterval {
     double low = 0.0, high = 0.0;
 };
 
 /// The part of the line (t cos azimuth, t sin azimuth, z) that lies in the capsule: one stretch, since a capsule is convex.
-[[nodiscard]] std::optional<Stretch> stretch_in(const Capsule& capsule, double azimuth, double z);
+[[nodiscard]] std::optional<SweptInterval> interval_in(const Capsule& capsule, double azimuth, double z);
 
 /// All that a cutter's end took away, sorted by azimuth.
 class CutFloor::Swept {

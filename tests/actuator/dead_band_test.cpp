@@ -45,14 +45,14 @@ TEST(DeadBand, LinearWidthsOfADesignAreKnown) {
 
 TEST(DeadBand, ExactWidthAgreesWithExhaustiveSearch) {
     const Actuator actuator = with_law(soft_law(2.4));
-    EXPECT_NEAR(core::deg_from_rad(dead_band(actuator, 1.0).extreme), 51.3, 0.05);
+    EXPECT_NEAR(core::deg_from_rad(dead_band(actuator, 1.0).exact_width), 51.3, 0.05);
     for (const double tau : {1.0, 1.25, 1.5}) {
         const DeadBand band = dead_band(actuator, tau);
         ASSERT_TRUE(band.covered) << tau;
         // The search loses up to two steps of q and one of x to its grid.
         const double step = 2.0 * actuator.law->angles().high / 1200.0;
-        EXPECT_LE(widest_by_search(actuator, tau), band.extreme + 1e-12) << tau;
-        EXPECT_NEAR(widest_by_search(actuator, tau), band.extreme, 3.0 * step) << tau;
+        EXPECT_LE(widest_by_search(actuator, tau), band.exact_width + 1e-12) << tau;
+        EXPECT_NEAR(widest_by_search(actuator, tau), band.exact_width, 3.0 * step) << tau;
     }
 }
 
@@ -64,7 +64,7 @@ TEST(DeadBand, LinearSpringsAreKnownByHand) {
     const double g = 1.5;
     const DeadBand band = dead_band(with_law(*law, kMu, g), 1.0);
     EXPECT_TRUE(band.covered);
-    EXPECT_NEAR(band.extreme, (1.0 / (1.0 - kMu) - 1.0 / (1.0 + kMu)) / (p * g), 1e-12);
+    EXPECT_NEAR(band.exact_width, (1.0 / (1.0 - kMu) - 1.0 / (1.0 + kMu)) / (p * g), 1e-12);
     EXPECT_NEAR(band.linear, 2.0 * kMu / (p * g), 1e-14);
     EXPECT_NEAR(band.joint_stiffness, 2.0 * g * g * s, 1e-14);
     EXPECT_NEAR(band.free_joint_stiffness, 2.0 * g * g * s * p / (s + p), 1e-14);
@@ -76,9 +76,9 @@ TEST(DeadBand, ExactTendsToLinearAsFrictionVanishes) {
     const spring::SpringLawPtr law = soft_law(2.4);
     for (const double mu : {1e-2, 1e-3, 1e-4}) {
         const DeadBand band = dead_band(with_law(law, mu), 1.2);
-        EXPECT_NEAR(band.extreme / band.linear, 1.0, 20.0 * mu * mu + 1e-9);  // symmetric in +-mu to first order
+        EXPECT_NEAR(band.exact_width / band.linear, 1.0, 20.0 * mu * mu + 1e-9);  // symmetric in +-mu to first order
     }
-    EXPECT_EQ(dead_band(with_law(law, 0.0), 1.2).extreme, 0.0);
+    EXPECT_EQ(dead_band(with_law(law, 0.0), 1.2).exact_width, 0.0);
 }
 
 TEST(DeadBand, Condition6IsTheSlopeOfTheTransmittedStiction) {
@@ -95,7 +95,7 @@ TEST(DeadBand, Condition6IsTheSlopeOfTheTransmittedStiction) {
 TEST(DeadBand, UncoveredLoadsAreSaid) {
     const DeadBand low = dead_band(with_law(soft_law(2.4)), 0.65);  // needs 0.508 Nm, the law starts at 0.6
     EXPECT_FALSE(low.covered);
-    EXPECT_TRUE(std::isnan(low.extreme));
+    EXPECT_TRUE(std::isnan(low.exact_width));
     EXPECT_FALSE(std::isnan(low.linear));
     const DeadBand outside = dead_band(with_law(soft_law(2.4)), 0.5);
     EXPECT_TRUE(std::isnan(outside.linear));
@@ -115,8 +115,8 @@ TEST(DeadBand, CoverHasNoHoles) {
     for (double tau = 0.12; tau <= 1.0; tau += 0.001) {
         const DeadBand band = dead_band(actuator, tau);
         ASSERT_TRUE(band.covered) << tau;
-        EXPECT_GT(band.extreme, earlier) << tau;
-        earlier = band.extreme;
+        EXPECT_GT(band.exact_width, earlier) << tau;
+        earlier = band.exact_width;
     }
 }
 
@@ -143,11 +143,11 @@ TEST(DeadBand, FollowsAnyFrictionLaw) {
     const auto transmitted = [&](double tau) { return actuator.law->at_load(tau).transmission() * (0.025 + 0.25 * tau); };
     const double h = 1e-4;
     EXPECT_NEAR(band.condition_6, (transmitted(0.6 + h) - transmitted(0.6 - h)) / (2.0 * h), 1e-9);
-    EXPECT_TRUE(std::isnan(band.protocol));  // the caller's
+    EXPECT_TRUE(std::isnan(band.measured_width));  // the caller's
     // Linear springs: (high - low)/P with the loads of the law, 0.775/1.25 Nm below and 0.825/0.75 Nm above 0.8 Nm.
     const auto linear = spring::make_pair_law(spring::make_polynomial({0.0, 0.4}), spring::make_polynomial({0.0, 0.6}), 0.01, 20.0);
     actuator.law = *linear;
-    EXPECT_NEAR(dead_band(actuator, 0.8).extreme, (0.825 / 0.75 - 0.775 / 1.25) / 0.6, 1e-12);
+    EXPECT_NEAR(dead_band(actuator, 0.8).exact_width, (0.825 / 0.75 - 0.775 / 1.25) / 0.6, 1e-12);
     // A motor weaker than the constant part of the friction holds the capstan where its cable is slack: no law covers that.
     EXPECT_FALSE(dead_band(actuator, 0.02).covered);
 }

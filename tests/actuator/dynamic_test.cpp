@@ -73,7 +73,7 @@ TEST_P(DynamicTest, ProtocolAgreesAndLinearDoesNot) {
     const DynamicReading time = dynamic_release_test(joint, given.tau, path.push_torque);
     const DeadBand band = dead_band(actuator, given.tau);
     std::printf("%-16s tau %.2f push %.3f Nm: linear %.4f extreme %.4f protocol %.4f dynamic %.4f rad, off by %+.2f %% (linear %+.0f %%)\n",
-                given.name, given.tau, path.push_torque, band.linear, band.extreme, path.width(), time.width(),
+                given.name, given.tau, path.push_torque, band.linear, band.exact_width, path.width(), time.width(),
                 100.0 * (path.width() / time.width() - 1.0), 100.0 * (band.linear / time.width() - 1.0));
     EXPECT_NEAR(path.width() / time.width(), 1.0, 0.03);
     EXPECT_NEAR(path.q_high, time.q_high, 0.03 * time.width());

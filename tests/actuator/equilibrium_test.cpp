@@ -227,7 +227,7 @@ TEST(Sensitivity, IsThePapersClosedForm) {
         const std::array<double, 4> x{place[0], place[0] + joint.ratio() * place[2], place[1] - joint.ratio() * place[2], place[1]};
         for (std::size_t s = 0; s < 4; ++s)
             u[s] = joint.springs[s].potential->stiffness(x[s]) / (joint.capstan_radius * joint.capstan_radius);
-        const Matrix3d closed = closed_sensitivity(u[0], u[1], u[2], u[3]), inverse = hatted(sensitivity(joint, place).value(), joint);
+        const Matrix3d closed = closed_sensitivity(u[0], u[1], u[2], u[3]), inverse = cable_space(sensitivity(joint, place).value(), joint);
         // The closed form adds positive terms only; the inverse loses as many digits as the stiffest spring has over the softest (to 1e6).
         ASSERT_LE((closed - inverse).cwiseAbs().maxCoeff(), 1e-9 * closed.cwiseAbs().maxCoeff()) << i;
         // The two ratios after P(3), the agonist's with the sign of the joint's own counting.

@@ -32,8 +32,8 @@ TEST(JointDeadBand, IsTheSymmetricOneAtEqualTorques) {
             const JointDeadBand other = joint_dead_band(joint, tau, tau);
             ASSERT_TRUE(one.covered && other.covered) << tau;
             EXPECT_NEAR(other.linear, one.linear, 1e-9 * one.linear);
-            EXPECT_NEAR(other.extreme, one.extreme, 1e-9 * one.extreme);
-            EXPECT_NEAR(other.edges.low, -other.edges.high, 1e-9 * one.extreme);
+            EXPECT_NEAR(other.exact_width, one.exact_width, 1e-9 * one.exact_width);
+            EXPECT_NEAR(other.edges.low, -other.edges.high, 1e-9 * one.exact_width);
             EXPECT_NEAR(other.z[kAgonist], one.theta, 1e-12);
             EXPECT_NEAR(other.joint_stiffness, one.joint_stiffness, 1e-9 * one.joint_stiffness);
             EXPECT_NEAR(other.free_joint_stiffness, one.free_joint_stiffness, 1e-9 * one.free_joint_stiffness);
@@ -134,14 +134,14 @@ TEST(JointDeadBand, NoLoadsInsideReachBeyondItsEdges) {
     }
     EXPECT_GE(met.low, band.edges.low);
     EXPECT_LE(met.high, band.edges.high);
-    EXPECT_GT(met.width(), 0.9 * band.extreme);
+    EXPECT_GT(met.width(), 0.9 * band.exact_width);
 }
 
 /// The frame subsystem: masses for motors, no gears. Nothing is left of the dead-band.
 TEST(JointDeadBand, VanishesWithoutGears) {
     const JointDeadBand band = joint_dead_band(joint_of(symmetric(friction::Law::proportional(0.28)), false), 1.0, 1.0);
     EXPECT_EQ(band.linear, 0.0);
-    EXPECT_NEAR(band.extreme, 0.0, 1e-13);
+    EXPECT_NEAR(band.exact_width, 0.0, 1e-13);
     EXPECT_TRUE(band.covered);
 }
 
@@ -149,7 +149,7 @@ TEST(JointDeadBand, SaysWhereTheLawsEnd) {
     const Joint joint = joint_of(symmetric(friction::Law::proportional(0.28)));
     const JointDeadBand edge = joint_dead_band(joint, 1.9, 1.9);  // rests inside, but 2.64 Nm lies beyond the law
     EXPECT_FALSE(edge.covered);
-    EXPECT_TRUE(std::isnan(edge.extreme));
+    EXPECT_TRUE(std::isnan(edge.exact_width));
     EXPECT_GT(edge.linear, 0.0);
     const JointDeadBand none = joint_dead_band(joint, 3.0, 3.0);
     EXPECT_FALSE(none.covered);

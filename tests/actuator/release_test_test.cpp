@@ -47,7 +47,7 @@ TEST(ReleaseTest, AFullPushReadsTheExactExtremeWhereBothCapstansSlideBack) {
             const ReleaseReading reading = release_test(joint_of(actuator), 1.0);
             EXPECT_TRUE(reading.inside);
             EXPECT_TRUE(reading.strong_enough());
-            EXPECT_NEAR(reading.width(), dead_band(actuator, 1.0).extreme, 1e-8) << mu;
+            EXPECT_NEAR(reading.width(), dead_band(actuator, 1.0).exact_width, 1e-8) << mu;
             EXPECT_NEAR(reading.q_high, -reading.q_low, 1e-8) << mu;
         }
     }
@@ -57,7 +57,7 @@ TEST(ReleaseTest, AFullPushReadsTheExactExtremeWhereBothCapstansSlideBack) {
 /// comes to the limit at which it would slide back: the reading stays inside the exact extreme, however strong the push.
 TEST(ReleaseTest, ALooseCableKeepsTheReadingInsideTheExtreme) {
     const Actuator actuator = with_law(paper_law());
-    const double exact = dead_band(actuator, 1.0).extreme;
+    const double exact = dead_band(actuator, 1.0).exact_width;
     const Joint joint = joint_of(actuator);
     for (const double push : {1.25, 1.3, 5.0}) {  // 5 Nm: more than the gears hold
         const ReleaseReading reading = release_test(joint, 1.0, {.push_torque = push});
@@ -97,7 +97,7 @@ TEST(ReleaseTest, ReadsWithinTheExactExtreme) {
         const ReleaseReading reading = release_test(joint, tau, {.push_torque = push, .find_full_push = false});
         EXPECT_GE(reading.q_low, exact.edges.low - 1e-8) << i;
         EXPECT_LE(reading.q_high, exact.edges.high + 1e-8) << i;
-        if (reading.width() > 0.9 * exact.extreme) ++wide;
+        if (reading.width() > 0.9 * exact.exact_width) ++wide;
     }
     EXPECT_GT(covered, 50);
     EXPECT_GT(wide, 5);

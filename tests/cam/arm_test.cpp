@@ -24,7 +24,7 @@ TEST(Arm, LinearSpringsNeedRoundCams) {
         EXPECT_NEAR(spool.at_load(tau).arm, kCapstan * std::sqrt(kt / s), 1e-14);
         EXPECT_NEAR(cam.at_load(tau).arm, std::sqrt(p / k), 1e-14);
         EXPECT_NEAR(spool.at_load(tau).slope, 0.0, 1e-12);
-        EXPECT_NEAR(cam.at_load(tau).bend, 0.0, 1e-12);
+        EXPECT_NEAR(cam.at_load(tau).second_derivative, 0.0, 1e-12);
     }
 }
 
@@ -40,7 +40,7 @@ TEST_P(ArmLaw, SlopeAndBendAreDerivatives) {
         const ArmPoint low = arm().at_load(tau - h), mid = arm().at_load(tau), high = arm().at_load(tau + h);
         const double width = high.angle - low.angle;
         EXPECT_NEAR((high.arm - low.arm) / width, mid.slope, 2e-5 * std::abs(mid.slope) + 1e-7) << tau;
-        EXPECT_NEAR((high.slope - low.slope) / width, mid.bend, 2e-5 * std::abs(mid.bend) + 1e-6) << tau;
+        EXPECT_NEAR((high.slope - low.slope) / width, mid.second_derivative, 2e-5 * std::abs(mid.second_derivative) + 1e-6) << tau;
     }
 }
 
@@ -73,7 +73,7 @@ TEST(Arm, IsSmoothWhereTheLeadInEnds) {
         const ArmPoint below = arm.at_load(0.6 - 1e-7), above = arm.at_load(0.6 + 1e-7);
         EXPECT_NEAR(below.arm, above.arm, 1e-5 * above.arm);
         EXPECT_NEAR(below.slope, above.slope, 1e-4 * std::abs(above.slope));
-        EXPECT_NEAR(below.bend, above.bend, 1e-4 * std::abs(above.bend));
+        EXPECT_NEAR(below.second_derivative, above.second_derivative, 1e-4 * std::abs(above.second_derivative));
     }
 }
 
@@ -86,7 +86,7 @@ TEST(Arm, IsCutWithoutWhatTheRigAdds) {
         EXPECT_DOUBLE_EQ(b.arm, a.arm - 3e-4);
         EXPECT_EQ(c.arm, b.arm);
         EXPECT_EQ(b.slope, a.slope);
-        EXPECT_EQ(b.bend, a.bend);
+        EXPECT_EQ(b.second_derivative, a.second_derivative);
         EXPECT_EQ(b.tension, a.tension);
         EXPECT_EQ(b.angle, a.angle);
     }

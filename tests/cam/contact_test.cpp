@@ -52,7 +52,7 @@ TEST_P(ContactOnDisc, LiesOnTheDisc) {
         arm.angle = angle;
         arm.arm = r0;
         arm.slope = (m2 - 8 * m1 + 8 * p1 - p2) / (12 * h);
-        arm.bend = (-m2 + 16 * m1 - 30 * r0 + 16 * p1 - p2) / (12 * h * h);
+        arm.second_derivative = (-m2 + 16 * m1 - 30 * r0 + 16 * p1 - p2) / (12 * h * h);
         const Contact contact = touch(c.kind, arm, options);
         EXPECT_NEAR(std::hypot(contact.path.x() - kEccentric, contact.path.y()), kDisc, 1e-11) << angle;
         EXPECT_NEAR(contact.path.rho, kDisc, 1e-7) << angle;

@@ -45,7 +45,7 @@ inline void expect_derivatives(const ArmFunction& arm, std::initializer_list<dou
         const ArmPoint low = arm.at_load(tau - h), mid = arm.at_load(tau), high = arm.at_load(tau + h);
         const double width = high.angle - low.angle;
         EXPECT_NEAR((high.arm - low.arm) / width, mid.slope, 2e-5 * std::abs(mid.slope) + 1e-7) << tau;
-        EXPECT_NEAR((high.slope - low.slope) / width, mid.bend, 2e-5 * std::abs(mid.bend) + 1e-6) << tau;
+        EXPECT_NEAR((high.slope - low.slope) / width, mid.second_derivative, 2e-5 * std::abs(mid.second_derivative) + 1e-6) << tau;
     }
 }
 

@@ -44,7 +44,7 @@ inline Bench bad(const Case& c) {
     return b;
 }
 
-inline constexpr core::Severity kRequired = core::Severity::kRequired, kReview = core::Severity::kReview;
+inline constexpr core::Severity kRequired = core::Severity::kError, kReview = core::Severity::kWarning;
 
 inline void without_hole(Bench& b) { b.part.options.features.anchor_hole_diameter = 0.0; }
 inline void without_slot(Bench& b) { b.part.options.features.leg_slot_width = 0.0; }

@@ -59,7 +59,7 @@ TEST(NeighbourTurns, CableThatClimbsIntoALargerTurnIsFound) {
     EXPECT_GE(level, 0.0);
     for (cam::Contact& c : b.part.cam.working) c.fleet = core::rad_from_deg(6.0);
     const core::Finding f = gravest("groove.neighbour_turns", b);
-    EXPECT_EQ(f.severity, core::Severity::kRequired) << core::to_line(f);
+    EXPECT_EQ(f.severity, core::Severity::kError) << core::to_line(f);
     EXPECT_LT(f.measured, level);
 }
 

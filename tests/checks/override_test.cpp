@@ -11,7 +11,7 @@ TEST(Override, StricterLimitsBindToo) {
     Bench b = spool();
     b.overrides = {{"process.wall", "required_mm", 1.5, "a rough workshop"}};
     const core::Finding f = gravest("process.wall", b);
-    EXPECT_EQ(f.severity, core::Severity::kRequired);
+    EXPECT_EQ(f.severity, core::Severity::kError);
     EXPECT_DOUBLE_EQ(f.allowed, 1.5);
     ASSERT_EQ(f.overridden.size(), 1u);
     EXPECT_DOUBLE_EQ(f.overridden[0].normal, 0.8);
@@ -30,7 +30,7 @@ TEST(Override, TouchesNoOtherRuleAndNoOtherLimit) {
     thin.part.options.hub.boss_diameter = 7.0 * kMm;
     thin.overrides = b.overrides;
     const core::Finding f = gravest("shaft.hub_wall", thin);
-    EXPECT_EQ(f.severity, core::Severity::kReview) << "0.4 mm: required is waived, the loaded wall still wants a review";
+    EXPECT_EQ(f.severity, core::Severity::kWarning) << "0.4 mm: required is waived, the loaded wall still wants a review";
     EXPECT_EQ(f.overridden.size(), 1u) << "and the waiver is said beside it";
 }
 
@@ -40,7 +40,7 @@ TEST(Override, JudgesWhatTheProfileLeftOpen) {
     ASSERT_EQ(gravest("cable.pressure", b).severity, core::Severity::kNotJudged);
     b.overrides = {{"cable.pressure", "required_MPa", 5.0, "measured dents"}};
     const core::Finding f = gravest("cable.pressure", b);
-    EXPECT_EQ(f.severity, core::Severity::kRequired);
+    EXPECT_EQ(f.severity, core::Severity::kError);
     EXPECT_NE(f.what.find("where the rule has none"), std::string::npos) << f.what;
 }
 

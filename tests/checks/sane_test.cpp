@@ -9,7 +9,7 @@ namespace {
 core::Findings forbidden(const core::Findings& findings) {
     core::Findings some;
     for (const core::Finding& f : findings)
-        if (f.severity == core::Severity::kRequired) some.push_back(f);
+        if (f.severity == core::Severity::kError) some.push_back(f);
     return some;
 }
 
@@ -74,8 +74,8 @@ TEST(Sane, RulesOfOneKindOfPartLeaveTheOtherAlone) {
 TEST(Sane, NotANumberNeverPasses) {
     Bench b = spool();
     b.part.cam.working[5].path.rho = b.part.cam.working[5].fleet = std::nan("");
-    EXPECT_EQ(gravest("cable.bend_ratio", b).severity, core::Severity::kRequired);
-    EXPECT_EQ(gravest("cable.fleet", b).severity, core::Severity::kRequired);
+    EXPECT_EQ(gravest("cable.bend_ratio", b).severity, core::Severity::kError);
+    EXPECT_EQ(gravest("cable.fleet", b).severity, core::Severity::kError);
 }
 
 }  // namespace

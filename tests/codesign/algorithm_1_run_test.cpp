@@ -83,7 +83,7 @@ TEST_F(Algorithm1Run, WritesTheLawFoundAndHowItWasFound) {
 TEST_F(Algorithm1Run, InTheShippedBoxBothCamsAreCutAndDrawn) {
     const RunResult result = run_algorithm_1(read(), into("out"));
     ASSERT_TRUE(result.found);
-    EXPECT_FALSE(core::any_required(result.findings));
+    EXPECT_FALSE(core::any_error(result.findings));
     const std::string html = core::read_file(result.folder / "design.html");
     for (const char* word : {"their cams can be made", "class=\"cam k_se\"", "class=\"cam k_pe\""})
         EXPECT_NE(html.find(word), std::string::npos) << word;
@@ -94,11 +94,11 @@ TEST_F(Algorithm1Run, InTheShippedBoxBothCamsAreCutAndDrawn) {
 TEST_F(Algorithm1Run, CamsThatCannotBeCutAreSaidSoWithTheBindingRule) {
     const RunResult result = run_algorithm_1(read({{"algorithm_1.u_Nm", "[0.0, 0.3]"}, {"algorithm_1.c_Nm", "[0.0, 0.5]"}}), into("out"));
     ASSERT_TRUE(result.found);
-    ASSERT_TRUE(core::any_required(result.findings)) << "T falls as 1/tau^2: too steep for a convex K_SE on this spring";
+    ASSERT_TRUE(core::any_error(result.findings)) << "T falls as 1/tau^2: too steep for a convex K_SE on this spring";
     const std::string html = core::read_file(result.folder / "design.html");
     const Json json = Json::parse(core::read_file(result.folder / "design.json"));
     for (const core::Finding& finding : result.findings) {
-        if (finding.severity != core::Severity::kRequired) continue;
+        if (finding.severity != core::Severity::kError) continue;
         EXPECT_NE(html.find(finding.rule), std::string::npos) << finding.rule;
         EXPECT_FALSE(finding.suggestion.empty());
     }

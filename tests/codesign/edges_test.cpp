@@ -19,7 +19,7 @@ TEST(Edges, EqualTheNestedRootsWhereTheLawReaches) {
     for (double torque = 0.86; torque < 1.55; torque += 0.03) {
         const auto edges = find_edges(*joint.law, joint.gear_friction.resting_loads(torque));
         ASSERT_TRUE(edges);
-        EXPECT_NEAR(edges->width(joint.ratio()), actuator::dead_band(joint, torque).extreme, 1e-10) << torque;
+        EXPECT_NEAR(edges->width(joint.ratio()), actuator::dead_band(joint, torque).exact_width, 1e-10) << torque;
     }
 }
 

@@ -64,10 +64,10 @@ TEST_F(CoDesignRun, FindsADesignThatMakeAcceptsAndSaysWhatLimitsIt) {
     const profile::Profile best = profile::read_profile(result.folder / "small-best.toml");
     const pipeline::MakeResult made = pipeline::make(best, {.out = folder_ / "made"});
     EXPECT_TRUE(made.made);
-    EXPECT_FALSE(core::any_required(made.findings));
+    EXPECT_FALSE(core::any_error(made.findings));
 
     const auto law = pipeline::design_law(best);
-    const double width = actuator::dead_band(pipeline::actuator_of(best, law->law), 1.0).extreme;
+    const double width = actuator::dead_band(pipeline::actuator_of(best, law->law), 1.0).exact_width;
     const auto json = nlohmann::json::parse(files.at("design.json"));
     EXPECT_EQ(json["method"], "co_design");
     EXPECT_NEAR(json["figures"][0]["found"].get<double>(), core::deg_from_rad(width), 1e-6);
@@ -116,7 +116,7 @@ TEST_F(CoDesignRun, WhatCannotBeNamesTheLimitsAndWritesNothing) {
     ASSERT_FALSE(result.findings.empty());
     EXPECT_TRUE(std::any_of(result.findings.begin(), result.findings.end(),
                             [](const core::Finding& f) { return f.rule == "limit.contour_radius"; }));
-    for (const core::Finding& f : result.findings) EXPECT_EQ(f.severity, core::Severity::kRequired);
+    for (const core::Finding& f : result.findings) EXPECT_EQ(f.severity, core::Severity::kError);
 }
 
 TEST_F(CoDesignRun, EachPointOfAFrontIsAProfileThatMakeAccepts) {

@@ -19,9 +19,7 @@ const std::vector<CsvColumn> kColumns{{"side", CsvColumn::Kind::kText},
 std::string refusal(const std::string& bytes, const CsvOptions& options = {}) {
     try {
         (void)parse_csv(bytes, "t.csv", kColumns, options);
-    } catch (const InvalidInput& e) {
-        return e.what();
-    } catch (const InvalidInputs& e) {
+    } catch (const InputError& e) {
         return e.what();
     }
     return "none";

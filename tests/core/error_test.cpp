@@ -17,7 +17,7 @@ TEST(Mistakes, AreThrownTogether) {
         FAIL();
     } catch (const InvalidInputs& e) {
         EXPECT_EQ(e.all().size(), 2u);
-        EXPECT_STREQ(e.what(), "a.toml:1: x: -1 (allowed: above 0)\na.toml:7: y: missing (allowed: a number)");
+        EXPECT_STREQ(e.what(), "2 mistakes:\na.toml:1: x: -1 (allowed: above 0)\na.toml:7: y: missing (allowed: a number)");
     }
 }
 

@@ -74,5 +74,14 @@ TEST(JsonNode, ALongValueIsShortened) {
     }
 }
 
+TEST(Json, RenamedFieldsKeepTheirOldSpelling) {
+    nlohmann::ordered_json json = parse_json(R"({"a": {"new": 1}, "rows": [{"new": 2}, {"other": 3}]})", "d.json");
+    keep_old_spelling(json, {{"old", "new"}, {"gone", "absent"}});
+    EXPECT_EQ(json["a"]["old"], 1);
+    EXPECT_EQ(json["rows"][0]["old"], 2);
+    EXPECT_FALSE(json["rows"][1].contains("old"));
+    EXPECT_EQ(json["renamed_fields"], nlohmann::ordered_json({{"old", "new"}}));
+}
+
 }  // namespace
 }  // namespace fusee::core

@@ -86,7 +86,7 @@ TEST(Robust, LinearSpringsAreKnownByHand) {
 TEST(Robust, NoScatterLeavesNoBand) {
     const ShopScatter none{.rate_se = 0.0, .rate_pe = 0.0, .contour = 0.0, .friction = 0.0};
     for (const double tau : {1.0, 1.5}) {
-        const double nominal = actuator::dead_band(paper().actuator, tau).extreme;
+        const double nominal = actuator::dead_band(paper().actuator, tau).exact_width;
         const RobustBand band = robust_dead_band(paper(), tau, none);
         EXPECT_NEAR(band.nominal, nominal, 1e-8);  // the equilibrium's residual
         EXPECT_EQ(band.sigma, 0.0);
@@ -107,7 +107,7 @@ double built_width(const Drawing& drawing, double tau, const spring::BuildError&
     const auto joint = actuator::antagonist(spring::make_built_spring(parallel, drawing.base_pe, rig.capstan_radius, pe),
                                             spring::make_built_spring(series, drawing.base_se, rig.capstan_radius, se), series, parallel,
                                             {friction::Law::proportional(mu), rig.gear_friction}, rig.capstan_radius, rig.joint_radius);
-    return actuator::joint_dead_band(joint, tau, tau).extreme;
+    return actuator::joint_dead_band(joint, tau, tau).exact_width;
 }
 
 // The derivatives are exact: the same as differences of actuators built with one error, for each kind of error.

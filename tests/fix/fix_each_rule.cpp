@@ -51,8 +51,8 @@ std::string try_one(const fix_each_rule::BadProfile& bad, const fs::path& folder
     core::write_file(folder / (bad.rule + ".toml"), bad.toml);
     const profile::Profile profile = profile::parse_profile(bad.toml, folder / (bad.rule + ".toml"));
     const core::Severity severity = objection(profile, bad.rule);
-    if (severity < core::Severity::kReview) return "is not broken";
-    const pipeline::FixOptions options{.file = folder / (bad.rule + "-fixed.toml"), .reviews = severity == core::Severity::kReview};
+    if (severity < core::Severity::kWarning) return "is not broken";
+    const pipeline::FixOptions options{.file = folder / (bad.rule + "-fixed.toml"), .reviews = severity == core::Severity::kWarning};
     const report::Fix fixed = pipeline::fix(profile, bad.toml, options);
     const char* word = options.reviews ? "review" : "required";
     fmt::print("| `{}` | {} | {} |\n", bad.rule, word, ended(fixed, options, ends));

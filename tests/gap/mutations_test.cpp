@@ -22,11 +22,7 @@ std::string outcome(const Work& work) {
     try {
         work();
         return "read";
-    } catch (const core::InvalidInput& e) {
-        return e.what();
-    } catch (const core::InvalidInputs& e) {
-        return e.what();
-    } catch (const core::IoError& e) {
+    } catch (const core::InputError& e) {
         return e.what();
     }
 }

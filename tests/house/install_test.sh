@@ -1,5 +1,5 @@
 #!/bin/sh
-# What `cmake --install` lays down is complete: a project of its own finds it, links a room and gets the known answer.
+# What `cmake --install` lays down is complete: a project of its own finds it, links a module and gets the known answer.
 # install_test.sh BUILD_FOLDER COMPILER FLAGS [PROGRAM]
 . "$(dirname -- "$0")/lib.sh"
 consumer=$(cd -- "$(dirname -- "$0")/consumer" && pwd)

@@ -1,10 +1,10 @@
 #!/bin/sh
-# FuseeModule refuses an include that a room did not declare, and a header that does not compile alone; it accepts a good tree.
+# FuseeModule refuses an include that a module did not declare, and a header that does not compile alone; it accepts a good tree.
 # layering_test.sh CMAKE_FOLDER
 . "$(dirname -- "$0")/lib.sh"
 modules=$1
 
-# A house of two rooms: high USES low.
+# A house of two modules: high USES low.
 make_house() {
     house=$work/$1
     mkdir -p "$house/include/fusee/low" "$house/include/fusee/high" "$house/src/low" "$house/src/high"
@@ -33,7 +33,7 @@ check_headers || { cat "$house/log" >&2; fail 'good headers were refused'; }
 # The same house, with a wrong include written after it was configured: the next build notices.
 echo '#include "fusee/high/high.h"' >>"$house/src/low/low.cpp"
 if cmake --build "$house/build" >"$house/log" 2>&1; then fail 'a later wrong include was not noticed'; fi
-expect_in 'the message' "room 'low' (USES )" "$house/log"
+expect_in 'the message' "module 'low' (USES )" "$house/log"
 
 refuse() {  # NAME FILE LINE
     make_house "$1"
@@ -52,7 +52,7 @@ refuse climbing_back src/low/low.cpp '#include "fusee/low/../high/high.h"'
 
 make_house wrong_floor
 sed -i 's/low.cpp)/low.cpp USES high)/' "$house/CMakeLists.txt"
-if configure; then fail 'a room used one above it'; fi
+if configure; then fail 'a module used one above it'; fi
 expect_in 'wrong floor' 'floor below' "$house/log"
 
 make_house lonely

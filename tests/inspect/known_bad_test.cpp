@@ -9,7 +9,7 @@ namespace fusee::inspect {
 namespace {
 
 using enum checks::ProcessKind;
-constexpr core::Severity kRequired = core::Severity::kRequired, kReview = core::Severity::kReview;
+constexpr core::Severity kRequired = core::Severity::kError, kReview = core::Severity::kWarning;
 
 struct Case {
     const char* rule;

@@ -164,7 +164,7 @@ TEST(AsExported, EveryPartIsFoundOnThePlate) {
 TEST(AsExported, APrintDoesNotCountAndALostArmIsNamed) {
     Joint joint(linear_profile(), linear_law());
     joint.add(1, ".stl", "assimp", 1.0 + 1e-4);
-    joint.add(1, ".gcode", "perimeters", 1.03).when_broken = core::Severity::kReview;
+    joint.add(1, ".gcode", "perimeters", 1.03).when_broken = core::Severity::kWarning;
     report::AsExported exported = joint.compare();
     EXPECT_FALSE(exported.joints[1].binding);
     EXPECT_NEAR(exported.joints[1].dead_band[0], by_hand(0.4, 1.03 * 1.03 * kParallelRate), 1e-9);

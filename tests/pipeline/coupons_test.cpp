@@ -59,7 +59,7 @@ TEST_F(CouponsTest, AFolderWithSolidsSheetAndPage) {
 TEST_F(CouponsTest, AMachineTooSmallIsTheBindingLimit) {
     const Coupons made = make_coupons(pnrvsa({{"process.build_mm", "[50.0, 200.0, 200.0]"}}), folder_ / "out");
     EXPECT_FALSE(made.made);
-    ASSERT_TRUE(core::any_required(made.findings));
+    ASSERT_TRUE(core::any_error(made.findings));
     EXPECT_EQ(made.findings.front().rule, "coupon.build_volume");
     EXPECT_EQ(made.findings.front().allowed, 50.0);
     EXPECT_GT(made.findings.front().measured, 50.0);
@@ -106,7 +106,7 @@ TEST_F(CouponsTest, ACompensatedBoreThatBreaksAWallIsFound) {
     const auto broken = k_pe("2.0");
     ASSERT_FALSE(broken);
     const auto found = std::find_if(broken.refusal().begin(), broken.refusal().end(), [](const core::Finding& f) {
-        return f.severity == core::Severity::kRequired && f.where.find("in the compensated file") != std::string::npos;
+        return f.severity == core::Severity::kError && f.where.find("in the compensated file") != std::string::npos;
     });
     ASSERT_NE(found, broken.refusal().end());
     EXPECT_EQ(found->rule, "shaft.hub_wall");

@@ -27,7 +27,7 @@ TEST_F(Cover, IsCompleteForTheShippedLaw) { EXPECT_EQ(finding("law.covers_greate
 
 TEST_F(Cover, NamesTheGreatestCoveredTorqueAndItsCureWorks) {
     const core::Finding f = finding("law.covers_greatest", 0.6, 1.9);
-    EXPECT_EQ(f.severity, core::Severity::kReview);
+    EXPECT_EQ(f.severity, core::Severity::kWarning);
     EXPECT_GT(f.measured, 1.0);
     EXPECT_LT(f.measured, 1.5);
     const std::string key = "law.end_torque_Nm = ";
@@ -39,7 +39,7 @@ TEST_F(Cover, NamesTheGreatestCoveredTorqueAndItsCureWorks) {
 TEST_F(Cover, OfANarrowLawIsToldInLoads) {
     for (const char* rule : {"law.covers_least", "law.covers_greatest"}) {
         const core::Finding f = finding(rule, 0.9, 1.0);
-        EXPECT_EQ(f.severity, core::Severity::kReview) << rule;
+        EXPECT_EQ(f.severity, core::Severity::kWarning) << rule;
         EXPECT_TRUE(std::isfinite(f.measured) && std::isfinite(f.allowed)) << rule;
         EXPECT_EQ(f.suggestion.find("nan"), std::string::npos) << f.suggestion;
     }

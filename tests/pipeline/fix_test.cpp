@@ -103,7 +103,7 @@ TEST_P(Fixing, ChangesWhatIsWrongAndNothingElse) {
         EXPECT_EQ(fixed.end, report::Fix::End::kCannot) << fix_text(fixed);
         EXPECT_TRUE(fixed.toml.empty());
         ASSERT_FALSE(fixed.left.empty());
-        for (const core::Finding& f : fixed.left) EXPECT_EQ(f.severity, core::Severity::kRequired) << core::to_line(f);
+        for (const core::Finding& f : fixed.left) EXPECT_EQ(f.severity, core::Severity::kError) << core::to_line(f);
         return;
     }
     ASSERT_EQ(fixed.end, report::Fix::End::kFixed) << fix_text(fixed);
@@ -292,7 +292,7 @@ TEST_F(Fix, LosesNoMoreTorqueThanItMust) {
     EXPECT_EQ(lost.key, "law.end_torque_Nm");
     EXPECT_EQ(lost.from, 3.2);
     EXPECT_GT(lost.to, 2.21) << "what pnrvsa reaches as it is shipped";
-    EXPECT_EQ(lost.binds.severity, core::Severity::kRequired);
+    EXPECT_EQ(lost.binds.severity, core::Severity::kError);
     const std::string farther = fixtures::with_key(fixed.toml, "law.end_torque_Nm", std::to_string(1.01 * lost.to));
     FixOptions look = options;
     look.most_judged = kOnlyLook;

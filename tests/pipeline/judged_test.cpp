@@ -83,7 +83,7 @@ TEST_F(Judged, GCodeOfAPrintedProfileIsToReviewWithTheNumberOfRulesOfTheMill) {
     for (const auto& [part, mill] : {std::pair{"k_se", checks::ProcessKind::kMill}, std::pair{"k_pe", checks::ProcessKind::kMill4}}) {
         const core::Finding* f = find(result.findings, "toolpath.process", part);
         ASSERT_NE(f, nullptr) << part;
-        EXPECT_EQ(f->severity, core::Severity::kReview) << core::to_line(*f);
+        EXPECT_EQ(f->severity, core::Severity::kWarning) << core::to_line(*f);
         EXPECT_NE(f->suggestion.find(std::string("--process ") + checks::to_string(mill) + " "), std::string::npos) << f->suggestion;
         const std::vector<report::CheckedPart> parts = check(profile, std::array{mill}).processes.front().parts;
         const core::Findings& of_mill = parts[part == std::string("k_se") ? 0 : 1].findings;

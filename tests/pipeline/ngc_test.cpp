@@ -47,7 +47,7 @@ TEST_F(GCode, TooCoarseAToleranceIsSeenAndNotMade) {
     const MakeResult result = made({{"machining.tolerance_mm", "0.02"}});
     EXPECT_FALSE(result.made);
     EXPECT_TRUE(std::any_of(result.findings.begin(), result.findings.end(), [](const core::Finding& f) {
-        return f.rule == "readback.arm" && f.severity == core::Severity::kRequired && f.what.find("k_pe.ngc") != std::string::npos;
+        return f.rule == "readback.arm" && f.severity == core::Severity::kError && f.what.find("k_pe.ngc") != std::string::npos;
     }));
 }
 

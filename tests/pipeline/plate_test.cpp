@@ -94,7 +94,7 @@ TEST_F(OnePlate, TooSmallABedIsToReviewWithTheOneThatHolds) {
     ASSERT_TRUE(result.made) << "each part fits alone";
     EXPECT_FALSE(std::filesystem::exists(result.folder / "plate.3mf"));
     ASSERT_NE(bed(result), nullptr);
-    EXPECT_EQ(bed(result)->severity, core::Severity::kReview);
+    EXPECT_EQ(bed(result)->severity, core::Severity::kWarning);
     EXPECT_GT(bed(result)->measured, 60.0);
     const std::string side = std::to_string(bed(result)->measured);
     EXPECT_EQ(bed(made({{"process.build_mm", "[" + side + ", " + side + ", 60.0]"}})), nullptr);

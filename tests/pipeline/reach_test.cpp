@@ -58,7 +58,7 @@ TEST_F(ReachTest, AnOverrideDecidesWhetherADesignIsMade) {
     const auto refused = design_part(cam::PartKind::kParallel, p, design_law(p)->law);
     ASSERT_FALSE(refused);
     for (const core::Finding& f : refused.refusal()) {
-        if (f.severity != core::Severity::kRequired) continue;
+        if (f.severity != core::Severity::kError) continue;
         EXPECT_EQ(f.rule, "cable.bend_ratio");
         EXPECT_EQ(f.allowed, 7.0);
         ASSERT_EQ(f.overridden.size(), 1u);

@@ -64,7 +64,7 @@ INSTANTIATE_TEST_SUITE_P(Pipeline, Impossible, testing::ValuesIn(kCases), [](con
 
 const core::Finding* find(const core::Findings& findings, const std::string& rule) {
     const auto found = std::find_if(findings.begin(), findings.end(),
-                                    [&](const core::Finding& f) { return f.rule == rule && f.severity == core::Severity::kRequired; });
+                                    [&](const core::Finding& f) { return f.rule == rule && f.severity == core::Severity::kError; });
     return found == findings.end() ? nullptr : &*found;
 }
 

@@ -32,7 +32,7 @@ TEST(SimulateEquilibrium, EqualTorquesStandWhereTheLawSays) {
     EXPECT_NEAR(row.free_joint_stiffness, d.free_joint_stiffness, 1e-10 * d.free_joint_stiffness);
     ASSERT_TRUE(row.dead_band);
     EXPECT_NEAR(row.dead_band->linear, d.linear, 1e-10 * d.linear);
-    EXPECT_NEAR(row.dead_band->extreme, d.extreme, 1e-9 * d.extreme);
+    EXPECT_NEAR(row.dead_band->exact_width, d.exact_width, 1e-9 * d.exact_width);
     EXPECT_NEAR(row.dead_band->condition_6[0], d.condition_6, 1e-9);
     EXPECT_NE(simulation.provenance.options.find(", at=0.7,0.7,0"), std::string::npos);
 }
@@ -51,7 +51,7 @@ TEST(SimulateEquilibrium, SensitivityIsHowTheRestingPlaceMoves) {
             EXPECT_NEAR(rows[0].sensitivity(i, j), moved[i], 1e-6 * rows[0].sensitivity.cwiseAbs().maxCoeff());
     }
     EXPECT_FALSE(rows[0].dead_band) << "defined without joint torque only";
-    const double r_c = std::sqrt(rows[0].hatted(0, 0) / rows[0].sensitivity(0, 0));
+    const double r_c = std::sqrt(rows[0].cable_space(0, 0) / rows[0].sensitivity(0, 0));
     EXPECT_NEAR(r_c, profile::read_profile(fixtures::shipped("first_prototype")).rig.capstan_radius, 1e-12) << "arc over force";
 }
 

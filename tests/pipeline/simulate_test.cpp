@@ -50,13 +50,13 @@ TEST_F(Simulate, LevelsAreTheActuatorsDeadBands) {
     for (const report::SimulatedLevel& level : simulation.levels) {
         const actuator::DeadBand d = actuator::dead_band(joint, level.dead_band.tau);
         EXPECT_EQ(level.dead_band.linear, d.linear);
-        EXPECT_EQ(level.dead_band.extreme, d.extreme);
-        EXPECT_EQ(level.dead_band.protocol, level.reading.width());
-        EXPECT_LE(level.dead_band.protocol, level.dead_band.extreme * 1.0001) << "no test reads beyond the extremes";
-        EXPECT_GT(level.dead_band.protocol, 0.0);
+        EXPECT_EQ(level.dead_band.exact_width, d.exact_width);
+        EXPECT_EQ(level.dead_band.measured_width, level.reading.width());
+        EXPECT_LE(level.dead_band.measured_width, level.dead_band.exact_width * 1.0001) << "no test reads beyond the extremes";
+        EXPECT_GT(level.dead_band.measured_width, 0.0);
         EXPECT_NEAR(level.frame, 0.0, 1e-12) << "no gear and no bearing friction";
-        EXPECT_LT(level.built.low, d.extreme);
-        EXPECT_GT(level.built.high, d.extreme);
+        EXPECT_LT(level.built.low, d.exact_width);
+        EXPECT_GT(level.built.high, d.exact_width);
         EXPECT_NEAR(level.sensitivity(2, 2), 1.0 / d.free_joint_stiffness, 1e-6 / d.free_joint_stiffness)
             << "dq/dtau_q, both capstans free";
     }
@@ -102,7 +102,7 @@ TEST_F(Simulate, BearingFrictionAloneLeavesADeadBandThatVanishesWithLoad) {
         EXPECT_NEAR(levels[i].frame, 2.0 * 0.002 / levels[i].dead_band.free_joint_stiffness, 0.05 * levels[i].frame)
             << "capstans free to turn: 2 c over the free stiffness, which changes a little within it";
         EXPECT_TRUE(i == 0 || levels[i].frame < levels[i - 1].frame);
-        EXPECT_LT(levels[i].frame, 0.2 * levels[i].dead_band.extreme) << "hardly noticeable beside the gears";
+        EXPECT_LT(levels[i].frame, 0.2 * levels[i].dead_band.exact_width) << "hardly noticeable beside the gears";
     }
 }
 
@@ -160,7 +160,7 @@ TEST_F(Simulate, MotorSubsystemIsTheGearsFriction) {
 TEST_F(Simulate, AWeakPushReadsLessAndSaysSo) {
     const profile::Profile profile = profile::read_profile(fixtures::shipped("first_prototype"));
     const report::Simulation strong = simulated(profile, {.levels = 2}), weak = simulated(profile, {.levels = 2, .push_torque = 0.05});
-    EXPECT_LT(weak.levels.front().dead_band.protocol, 0.9 * strong.levels.front().dead_band.protocol);
+    EXPECT_LT(weak.levels.front().dead_band.measured_width, 0.9 * strong.levels.front().dead_band.measured_width);
     std::string words;
     for (const std::string& remark : report::remarks(weak)) words += remark + "\n";
     EXPECT_NE(words.find("too weak"), std::string::npos) << words;
@@ -215,7 +215,7 @@ TEST_F(Simulate, RelativesAreComparedAndNotMade) {
     const report::Simulation simulation = simulated(bidirectional);
     EXPECT_EQ(simulation.survey.arrangement, actuator::Arrangement::kBidirectional);
     EXPECT_NEAR(simulation.levels.back().dead_band.linear, simulation.survey.dead_band.high, 1e-12);
-    EXPECT_TRUE(std::isnan(simulation.levels.back().dead_band.extreme));
+    EXPECT_TRUE(std::isnan(simulation.levels.back().dead_band.exact_width));
     try {
         require_parts(bidirectional);
         FAIL();

@@ -6,7 +6,7 @@
 #include "fusee/pipeline/case_template.h"
 #include "fusee/pipeline/design.h"
 #include "fusee/pipeline/make.h"
-#include "fusee/pipeline/recut.h"
+#include "fusee/pipeline/redesign.h"
 #include "pipeline/fixture.h"
 
 // profiles/examples/elastic_cable.toml as a user makes it: springs, cams and cables that stretch have the law together.
@@ -52,7 +52,7 @@ Read recomputed(const exchange::PartFile& part, double capstan) {
 TEST_F(Stretched, IsMadeAndCarriesItsLaw) {
     const profile::Profile profile = read(example());
     const MakeResult result = make(profile, {.out = folder_ / "out"});
-    for (const core::Finding& f : result.findings) EXPECT_NE(f.severity, core::Severity::kRequired) << core::to_line(f);
+    for (const core::Finding& f : result.findings) EXPECT_NE(f.severity, core::Severity::kError) << core::to_line(f);
     ASSERT_TRUE(result.made);
     EXPECT_LT(result.worst_dead_band_change, 5e-4);
     const auto law = design_law(profile)->law;
@@ -98,13 +98,13 @@ TEST_F(Stretched, ACableShorterThanItsWrapIsRefused) {
     ASSERT_FALSE(part);
     bool named = false;
     for (const core::Finding& f : part.refusal())
-        named |= f.rule == "cable.length" && f.severity == core::Severity::kRequired &&
+        named |= f.rule == "cable.length" && f.severity == core::Severity::kError &&
                  f.suggestion.find("k_pe.cable_length_mm = ") != std::string::npos && f.allowed > 60.0;
     EXPECT_TRUE(named);
 }
 
 // The loop closed on a rig whose cables stretch: what a diagnosis finds comes on top, and the new cams carry the law.
-TEST_F(Stretched, RecutKeepsItsCables) {
+TEST_F(Stretched, RedesignKeepsItsCables) {
     const std::string text = example();
     const profile::Profile profile = read(text);
     gap::Case bench;
@@ -115,11 +115,11 @@ TEST_F(Stretched, RecutKeepsItsCables) {
     found.verdict = gap::Verdict::kIdentified;
     for (const auto& [id, value, unit] : {std::tuple{"cable.stretch", 50.0, "Nm/rad"}, {"pe.rate", 0.08, "1"}, {"se.rate", -0.05, "1"}})
         found.effects.push_back({{id, "both"}, 0.99, {value, {0.95 * value, 1.05 * value}, unit}, {}});
-    const report::Recut result = recut(profile, text, bench, found, {.file = folder_ / "recut.toml", .levels = 3});
+    const report::Redesign result = redesign(profile, text, bench, found, {.file = folder_ / "redesign.toml", .levels = 3});
     ASSERT_EQ(result.profiles.size(), 1u);
     const profile::Profile fresh = profile::parse_profile(result.profiles[0].toml, result.profiles[0].file);
     EXPECT_NEAR(fresh.k_se.allowance.behind_spool(0.03), 0.02 + 0.2 / 25000.0 / 9e-4, 1e-9);
-    EXPECT_EQ(fresh.k_pe.allowance.cable_give, profile.k_pe.allowance.cable_give);
+    EXPECT_EQ(fresh.k_pe.allowance.cable_compliance, profile.k_pe.allowance.cable_compliance);
     EXPECT_GT(result.torque_error_old, 0.02);
     EXPECT_LT(result.torque_error_new, 1e-5);  // six digits in the profile
 }

@@ -13,17 +13,17 @@ protected:
 
 TEST_F(CableKeys, LengthOverStiffnessIsWhatACableGives) {
     const Profile both = read(with_cable("stiffness_N = 25000\n", "cable_length_mm = 300\n", "cable_length_mm = 150\n"));
-    EXPECT_DOUBLE_EQ(both.k_se.allowance.cable_give, 0.3 / 25000.0);
-    EXPECT_DOUBLE_EQ(both.k_pe.allowance.cable_give, 0.15 / 25000.0);
+    EXPECT_DOUBLE_EQ(both.k_se.allowance.cable_compliance, 0.3 / 25000.0);
+    EXPECT_DOUBLE_EQ(both.k_pe.allowance.cable_compliance, 0.15 / 25000.0);
     const Profile again = parse_profile(to_toml(both), both.file);
-    EXPECT_EQ(again.k_pe.allowance.cable_give, both.k_pe.allowance.cable_give);
+    EXPECT_EQ(again.k_pe.allowance.cable_compliance, both.k_pe.allowance.cable_compliance);
 }
 
 TEST_F(CableKeys, WithoutALengthACableIsRigid) {
     const Profile one = read(with_cable("stiffness_N = 25000\n", "", "cable_length_mm = 150\n"));
-    EXPECT_EQ(one.k_se.allowance.cable_give, 0.0);
-    EXPECT_GT(one.k_pe.allowance.cable_give, 0.0);
-    EXPECT_EQ(read(with_cable("", "cable_length_mm = 0\n", "")).k_se.allowance.cable_give, 0.0);
+    EXPECT_EQ(one.k_se.allowance.cable_compliance, 0.0);
+    EXPECT_GT(one.k_pe.allowance.cable_compliance, 0.0);
+    EXPECT_EQ(read(with_cable("", "cable_length_mm = 0\n", "")).k_se.allowance.cable_compliance, 0.0);
 }
 
 TEST_F(CableKeys, ALengthWithoutStiffnessSaysNothing) {

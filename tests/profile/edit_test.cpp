@@ -81,10 +81,10 @@ TEST_F(ProfileEdit, KeepsLineEndsAndByteOrderMark) {
     for (std::size_t at = 0; (at = toml.find('\n', at)) != std::string::npos; at += 2) toml.replace(at, 1, "\r\n");
     const Profile p = read(toml);
     const std::string text =
-        with_edits(toml, p, {text_edit(p, "name", "recut", "new cams"), number_edit(p, "rig.gear_friction", 0.364, "+30 %")}, "# head");
-    EXPECT_TRUE(text.starts_with("\xEF\xBB\xBF# head\r\n# name was \"short\": new cams\r\nname = \"recut\"\r\n")) << text;
+        with_edits(toml, p, {text_edit(p, "name", "redesign", "new cams"), number_edit(p, "rig.gear_friction", 0.364, "+30 %")}, "# head");
+    EXPECT_TRUE(text.starts_with("\xEF\xBB\xBF# head\r\n# name was \"short\": new cams\r\nname = \"redesign\"\r\n")) << text;
     expect_words(text, {"\r\n# gear_friction was 0.28: +30 %\r\ngear_friction = 0.364\r\n"});
-    EXPECT_EQ(read(text).name, "recut");
+    EXPECT_EQ(read(text).name, "redesign");
 }
 
 TEST_F(ProfileEdit, InlineTablesAreEditedButNotAddedTo) {

@@ -36,11 +36,7 @@ protected:
     std::string refusal(const std::string& toml) const {
         try {
             (void)read(toml);
-        } catch (const core::InvalidInput& e) {
-            return e.what();
-        } catch (const core::InvalidInputs& e) {
-            return e.what();
-        } catch (const core::IoError& e) {
+        } catch (const core::InputError& e) {
             return e.what();
         }
         return "";

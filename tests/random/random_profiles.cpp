@@ -40,7 +40,7 @@ struct Tally {
         if (row.outcome == batch::Outcome::kMade) worst_arm_error = std::max(worst_arm_error, row.result.worst_arm_error);
         std::set<std::string> rules;
         for (const core::Finding& f : row.result.findings)
-            if (f.severity == core::Severity::kRequired) rules.insert(f.rule);
+            if (f.severity == core::Severity::kError) rules.insert(f.rule);
         for (const std::string& rule : rules) binds[rule].push_back(row.profile.stem().string());
     }
 

@@ -92,7 +92,7 @@ TEST(RandomProfile, JudgeFindsWhatIsWrong) {
     batch::Row refused;
     refused.outcome = batch::Outcome::kRefused;
     EXPECT_NE(fault(refused), "");
-    refused.result.findings = {core::required_change("cam.wrap", "too many turns", 2.0, core::Bound::kAtMost, 1.0, "turns")};
+    refused.result.findings = {core::error_finding("cam.wrap", "too many turns", 2.0, core::Bound::kAtMost, 1.0, "turns")};
     EXPECT_NE(fault(refused), "");
     refused.result.findings[0].where = "k_se";
     refused.result.findings[0].suggestion = "k_se.path.kind = \"helix\"";

@@ -63,7 +63,7 @@ TEST_F(SlicedTest, OutlineIsHalfABeadOutsideOfTheCentreline) {
     for (const bool relative : {true, false}) {
         const ArmError error = read(gcode({{10.1, 0.2, 19.5 - 0.225}}, -10.0, 0.45, relative), part);
         EXPECT_EQ(error.reader, "perimeters");
-        EXPECT_EQ(error.when_broken, core::Severity::kReview);
+        EXPECT_EQ(error.when_broken, core::Severity::kWarning);
         expect_arms(error, part, 0.0);
         EXPECT_LT(error.worst_relative, (kDigits_mm + 2.4e-5) / 15.0);
     }

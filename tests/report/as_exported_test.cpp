@@ -61,9 +61,9 @@ TEST(AsExportedReport, APrintThatIsOffIsForReview) {
     EXPECT_EQ(verdict(fixture.design), core::Severity::kPass);
     readback::ArmError& error = fixture.design.parts[0].arm_errors[0];
     error.worst_relative = 0.02;
-    EXPECT_EQ(verdict(fixture.design), core::Severity::kRequired);
-    error.when_broken = core::Severity::kReview;
-    EXPECT_EQ(verdict(fixture.design), core::Severity::kReview);
+    EXPECT_EQ(verdict(fixture.design), core::Severity::kError);
+    error.when_broken = core::Severity::kWarning;
+    EXPECT_EQ(verdict(fixture.design), core::Severity::kWarning);
 }
 
 }  // namespace

@@ -53,7 +53,7 @@ TEST(CamDrawing, TheWorkingArcAndTheCableStandWhereTheyTouch) {
 }
 
 TEST(CamDrawing, EveryMarkerIsDrawnWithItsNumberAndPlace) {
-    const std::string svg = cam_svg(disc(cam::PartKind::kSeries), {{7, core::Severity::kRequired, 3.0, 4.0, "a<b"}});
+    const std::string svg = cam_svg(disc(cam::PartKind::kSeries), {{7, core::Severity::kError, 3.0, 4.0, "a<b"}});
     EXPECT_NE(svg.find("class=\"place required\"><title>a&lt;b</title><path class=\"leader\" d=\"M3 -4L"), std::string::npos);
     EXPECT_NE(svg.find(">7</text>"), std::string::npos);
 }

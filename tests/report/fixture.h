@@ -87,7 +87,7 @@ struct Fixture {
             actuator::DeadBand d;
             d.tau = 0.4 + 0.1 * i;
             d.linear = 1.0 / d.tau;
-            d.extreme = i < 4 ? 1.2 / d.tau : std::numeric_limits<double>::quiet_NaN();
+            d.exact_width = i < 4 ? 1.2 / d.tau : std::numeric_limits<double>::quiet_NaN();
             d.covered = i < 4;
             d.joint_stiffness = 0.4;
             d.free_joint_stiffness = 0.24;
@@ -101,7 +101,7 @@ struct Fixture {
             report.spring.rate = 0.02;
             const std::string stem = cam::to_string(part->cam.kind);
             report.findings = {finding("cable.pressure", core::Severity::kPass, 0.6),
-                               finding("cable.bend_ratio", core::Severity::kReview, 2.4)};
+                               finding("cable.bend_ratio", core::Severity::kWarning, 2.4)};
             report.files = {{{stem + ".stl", std::string(64, 'b'), 1020, 0.002}, 51084}};
             report.arm_errors = {{stem + ".stl", "assimp", 400, 2e-4, 1.0, 1e-3}};
             design.parts.push_back(std::move(report));

@@ -90,9 +90,9 @@ TEST(ReportJson, NamesTheFamilyOfACam) {
 
 TEST(Verdict, IsTheGravestOfAllFindingsAndReadings) {
     Fixture fixture;
-    EXPECT_EQ(verdict(fixture.design), core::Severity::kReview);
+    EXPECT_EQ(verdict(fixture.design), core::Severity::kWarning);
     fixture.design.parts[1].arm_errors[0].worst_relative = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_EQ(verdict(fixture.design), core::Severity::kRequired);
+    EXPECT_EQ(verdict(fixture.design), core::Severity::kError);
     EXPECT_EQ(verdict(DesignReport{}), core::Severity::kPass);
     DesignReport open;
     open.findings = {core::not_judged("spring.stress", "the wire yielding", "k_se.spring.wire_mm")};

@@ -19,7 +19,7 @@ core::Finding of(const char* rule, core::Severity severity) {
 core::Findings mixed() {
     return {of("cable.pressure", core::Severity::kNotJudged), of("spring.stress", core::Severity::kNotJudged),
             of("spring.load", core::Severity::kPass),         of("spring.rod", core::Severity::kNotJudged),
-            of("shaft.key", core::Severity::kReview),         of("cable.knot", core::Severity::kRequired)};
+            of("shaft.key", core::Severity::kWarning),        of("cable.knot", core::Severity::kError)};
 }
 
 TEST(RuleCounts, ByGroupInOrder) {

@@ -19,7 +19,7 @@ PaperTable table(const std::vector<double>& measured_deg) {
     for (const double width : measured_deg) {
         MeasuredRow row{tau, core::rad_from_deg(width), unknown_level(tau).dead_band};
         row.computed.linear = core::rad_from_deg(width + 10.0);
-        row.computed.extreme = tau > 0.5 ? core::rad_from_deg(width - 20.0) : kUnknown;
+        row.computed.exact_width = tau > 0.5 ? core::rad_from_deg(width - 20.0) : kUnknown;
         table.simulation.measured.push_back(row);
         table.simulation.levels.push_back(unknown_level(tau));
         table.simulation.levels.back().dead_band = row.computed;

@@ -22,9 +22,9 @@ SearchReport small_report() {
     report.costs = {{"u", "Nm", {-0.1, 0.0, 0.1}, {1e9, -1.25, 2.0 / 3.0}, {false, true, true}, {-0.05, 0.05}, {NAN, -1.0}, 0.0}};
     report.found.samples = spring::sample_by_load(*law, 11);
     actuator::DeadBand level;
-    level.tau = 1.0, level.linear = 0.9, level.extreme = NAN;
+    level.tau = 1.0, level.linear = 0.9, level.exact_width = NAN;
     report.found.dead_band = {level, level};
-    core::Finding finding = core::required_change("cam.convexity", "no <convex> contour", -1.0, core::Bound::kAtLeast, 0.0, "mm");
+    core::Finding finding = core::error_finding("cam.convexity", "no <convex> contour", -1.0, core::Bound::kAtLeast, 0.0, "mm");
     finding.suggestion = "law.end_torque_Nm = 1.8";
     report.cams = {{cam::PartKind::kSeries, {{1.0, 0.0, 0.02}, {1.1, 0.1, 0.021}}, std::nullopt, {finding}}};
     report.remarks = {"u & C stand at their edges"};

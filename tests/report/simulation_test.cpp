@@ -18,8 +18,8 @@ Simulation example(const std::string& name = "joint") {
     for (const double tau : {0.5, 1.0}) {
         SimulatedLevel level = unknown_level(tau);
         level.dead_band.linear = 0.1 / tau;
-        level.dead_band.extreme = tau < 1.0 ? 0.22 : kUnknown;
-        level.dead_band.protocol = 0.11 / tau;
+        level.dead_band.exact_width = tau < 1.0 ? 0.22 : kUnknown;
+        level.dead_band.measured_width = 0.11 / tau;
         level.dead_band.condition_6 = -0.1;
         level.reading.push_torque = 0.3;
         level.reading.full_push = tau < 1.0 ? 0.25 : 0.4;
@@ -92,13 +92,13 @@ TEST(SimulationEquilibria, SayWhereTheJointRestsOrWhyNot) {
     for (EquilibriumRow* row : {&rests, &pulled}) {
         row->z = {0.5, 0.25, 1e-17};
         row->sensitivity.setConstant(2.0);
-        row->hatted.setConstant(0.003);
+        row->cable_space.setConstant(0.003);
     }
     rests.dead_band.emplace();
     rests.dead_band->linear = core::rad_from_deg(10.0);
-    rests.dead_band->extreme = kUnknown;
+    rests.dead_band->exact_width = kUnknown;
     rests.dead_band->covered = false;
-    refused.refusal = {core::required_change("equilibrium.outside", "wound beyond", 1.9, core::Bound::kAtMost, 1.5, "rad")};
+    refused.refusal = {core::error_finding("equilibrium.outside", "wound beyond", 1.9, core::Bound::kAtMost, 1.5, "rad")};
     s.equilibria = {rests, refused, pulled};
     const auto j = nlohmann::json::parse(simulation_json(s))["equilibria"];
     ASSERT_EQ(j.size(), 3u);

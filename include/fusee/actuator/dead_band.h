@@ -10,10 +10,10 @@ namespace fusee::actuator {
 
 /// The dead-band at one level of equal co-contraction: full width (edge to edge) at the joint. Figures outside the law are NaN.
 struct DeadBand {
-    double tau = 0.0;      ///< motor torque of both sides, at the capstan [Nm]
-    double linear = 0.0;   ///< 2 tau_f(tau)/(g P): paper (3)-(4) for a symmetric actuator [rad]
-    double extreme = 0.0;  ///< the widest pair of resting places with capstan loads anywhere in resting_loads(tau) [rad]
-    double protocol =
+    double tau = 0.0;          ///< motor torque of both sides, at the capstan [Nm]
+    double linear = 0.0;       ///< 2 tau_f(tau)/(g P): paper (3)-(4) for a symmetric actuator [rad]
+    double exact_width = 0.0;  ///< the widest pair of resting places with capstan loads anywhere in resting_loads(tau) [rad]
+    double measured_width =
         std::numeric_limits<double>::quiet_NaN();  ///< what a push-and-release test reads (StickSlip); the caller fills it [rad]
     bool covered = true;                           ///< false: the springs do not cover the loads that stiction allows at this torque
     double joint_stiffness = 0.0;                  ///< dtau_q/dq with both capstans held by stiction: 2 g^2 S [Nm/rad]
@@ -41,7 +41,7 @@ struct ConditionSummary {
 struct JointDeadBand {
     Eigen::Vector3d z = Eigen::Vector3d::Zero();  ///< where the joint would rest without friction [rad]
     double linear = 0.0;                          ///< paper (3)-(4), edge to edge: sum of |dq/dtau_i| 2 tau_f,i(tau_i) [rad]
-    double extreme = 0.0;                         ///< between `edges` [rad]
+    double exact_width = 0.0;                     ///< between `edges` [rad]
     core::Range edges;                            ///< least and greatest q with capstan loads anywhere in their resting_loads [rad]
     bool covered = true;                          ///< false: no resting place, or an edge, lies within the springs' laws
     std::array<double, 2> condition_5{};          ///< d(T_i tau_f,i)/dtau_i, one torque raised: what the paper's (5) means

@@ -1,7 +1,7 @@
 #pragma once
 #include <optional>
 
-#include "fusee/cam/lean.h"
+#include "fusee/cam/fleet_angle_correction.h"
 #include "fusee/spring/base_spring.h"
 #include "fusee/spring/law.h"
 
@@ -18,7 +18,7 @@ enum class PartKind {
 [[nodiscard]] const char* to_string(PartKind kind);  ///< "k_se", "k_pe"
 
 /// What the cable gives way from the law's lowest load on, and what that takes of the capstan's travel.
-struct Stretch {
+struct CableStretch {
     double length = 0.0;  ///< [m]
     double turn = 0.0;    ///< of the capstan, spent on it [rad]
     double travel = 0.0;  ///< of the capstan in all: theta [rad]
@@ -27,27 +27,27 @@ struct Stretch {
 
 /// What the law asks of the cam at one load.
 struct ArmPoint {
-    double tau = 0.0;      ///< capstan load [Nm]: names the point
-    double angle = 0.0;    ///< rotation of the cam from the law's lowest load [rad], >= 0
-    double arm = 0.0;      ///< r, torque over tension [m]; pivot to cable centreline where the cable does not lean
-    double slope = 0.0;    ///< r' = dr/dangle [m/rad]
-    double bend = 0.0;     ///< r'' [m/rad^2]
-    double tension = 0.0;  ///< cable tension [N]
-    double state = 0.0;    ///< phi + phi0 [rad] or y + y0 [m] of the base spring
-    double travel = 0.0;   ///< of it since the law's lowest load: phi [rad] or y [m]
-    Stretch stretch = {};  ///< of the cable; nothing unless it has been said how far it gives way (`Allowance`)
+    double tau = 0.0;                ///< capstan load [Nm]: names the point
+    double angle = 0.0;              ///< rotation of the cam from the law's lowest load [rad], >= 0
+    double arm = 0.0;                ///< r, torque over tension [m]; pivot to cable centreline where the cable does not lean
+    double slope = 0.0;              ///< r' = dr/dangle [m/rad]
+    double second_derivative = 0.0;  ///< r'' [m/rad^2]
+    double tension = 0.0;            ///< cable tension [N]
+    double state = 0.0;              ///< phi + phi0 [rad] or y + y0 [m] of the base spring
+    double travel = 0.0;             ///< of it since the law's lowest load: phi [rad] or y [m]
+    CableStretch stretch = {};       ///< of the cable; nothing unless it has been said how far it gives way (`Allowance`)
 };
 
 /// What the rig adds to a cam, so that the cam has to be cut without it (docs/guides/close-the-loop.md). All 0: a rig as it is drawn.
 struct Allowance {
     double radius = 0.0;             ///< added to every arm [m]: a thicker cable, overcut, less shrinkage; of either sign
-    double series_compliance = 0.0;  ///< behind K_SE's spool beyond `cable_give`, >= 0 [rad/Nm] at the capstan; K_SE only
+    double series_compliance = 0.0;  ///< behind K_SE's spool beyond `cable_compliance`, >= 0 [rad/Nm] at the capstan; K_SE only
     double cable_axis = 0.0;         ///< what coupons measured the cable's neutral axis to run farther out than d/2 [m]: as `radius`
-    double cable_give = 0.0;         ///< L/(E A): what the cable stretches for its tension, >= 0 [m/N] (docs/theory/cams.md, eq. 18)
+    double cable_compliance = 0.0;   ///< L/(E A): what the cable stretches for its tension, >= 0 [m/N] (docs/theory/cams.md, eq. 18)
     [[nodiscard]] double on_arms() const { return radius + cable_axis; }
     /// All that gives way behind K_SE's spool [rad/Nm] at the capstan.
     [[nodiscard]] double behind_spool(double capstan_radius) const {
-        return series_compliance + cable_give / (capstan_radius * capstan_radius);
+        return series_compliance + cable_compliance / (capstan_radius * capstan_radius);
     }
 };
 
@@ -68,7 +68,7 @@ public:
     /// The same law on another base spring. @throws InvalidInput as the constructor
     [[nodiscard]] ArmFunction on(const spring::BaseSpring& base) const;
     /// The arms in the plane that a cable has to have which leans so (docs/theory/cams.md, eq. 8a).
-    [[nodiscard]] ArmFunction leaning(const Lean& lean) const;
+    [[nodiscard]] ArmFunction corrected_for_fleet_angle(const FleetAngleCorrection& correction) const;
     [[nodiscard]] PartKind kind() const { return kind_; }
     [[nodiscard]] const spring::SpringLaw& law() const { return *law_; }
     [[nodiscard]] const spring::BaseSpring& base() const { return base_; }
@@ -78,7 +78,7 @@ private:
     [[nodiscard]] Point behind_cable(Point p) const;
     template <class Arm, class Point>
     [[nodiscard]] Arm arm_of(const Point& law) const;
-    [[nodiscard]] Stretch stretch(const spring::LawPoint& law, double tension) const;
+    [[nodiscard]] CableStretch stretch(const spring::LawPoint& law, double tension) const;
 
     PartKind kind_;
     spring::SpringLawPtr law_;
@@ -88,7 +88,7 @@ private:
     spring::BaseSpring pulled_;         ///< what K_PE's cam pulls: the base spring and its cable
     double behind_spool_ = 0.0;         ///< K_SE: compliance [rad/Nm] at the capstan
     double least_series_torque_ = 0.0;  ///< K_SE: F_SE at the law's lowest load [Nm]
-    std::optional<Lean> lean_;
+    std::optional<FleetAngleCorrection> fleet_correction_;
 };
 
 }  // namespace fusee::cam

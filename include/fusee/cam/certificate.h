@@ -12,10 +12,10 @@ namespace fusee::cam {
 
 /// A contour over a box of some parameter; derivatives by that parameter.
 struct ContourJet {
-    math::Jet psi;                                 ///< direction of the normal [rad]
-    math::Jet rho;                                 ///< radius of curvature in the plane, cable's centreline [m]
-    math::Jet angle;                               ///< cam angle at which the cable leaves there [rad]; working stretches only
-    math::Interval climb = 0.0, climb_rate = 0.0;  ///< dz/dpsi [m/rad], d2z/dpsi2 [m/rad^2]
+    math::Jet psi;                                             ///< direction of the normal [rad]
+    math::Jet rho;                                             ///< radius of curvature in the plane, cable's centreline [m]
+    math::Jet angle;                                           ///< cam angle at which the cable leaves there [rad]; working stretches only
+    math::Interval axial_slope = 0.0, axial_slope_rate = 0.0;  ///< dz/dpsi [m/rad], d2z/dpsi2 [m/rad^2]
 };
 
 /// A stretch of a contour over which it is one smooth formula of one parameter.

@@ -8,7 +8,7 @@ namespace fusee::cam {
 
 /// Every figure of an `ArmPoint` over a box, with its derivative by the box's parameter.
 struct ArmJet {
-    math::Jet tau, angle, arm, slope, bend, tension, state, travel;
+    math::Jet tau, angle, arm, slope, second_derivative, tension, state, travel;
 };
 
 /// Every figure of a `Contact` in the plane over a box, with its derivative by the box's parameter.

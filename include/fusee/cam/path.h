@@ -37,10 +37,10 @@ public:
     /// dz/dpsi where the working arc begins (false) and ends (true) [m/rad].
     [[nodiscard]] double slope_at(bool high_end) const;
     /// Bounds of dz/dpsi [m/rad] and d2z/dpsi2 [m/rad^2] over a box of psi.
-    struct Climb {
-        math::Interval slope, bend;
+    struct AxialSlope {
+        math::Interval first, second;
     };
-    [[nodiscard]] Climb over(const math::Interval& psi) const;
+    [[nodiscard]] AxialSlope over(const math::Interval& psi) const;
 
 private:
     struct Entry {
@@ -57,11 +57,11 @@ class RunOut {
 public:
     /// @param end       where the working arc ends, height included
     /// @param direction +1 beyond the arc's high end, -1 below its low end
-    /// @param climb     dz/dpsi there [m/rad]
-    RunOut(const PathPoint& end, int direction, double width, double climb, Lead lead);
+    /// @param axial_slope     dz/dpsi there [m/rad]
+    RunOut(const PathPoint& end, int direction, double width, double axial_slope, Lead lead);
     [[nodiscard]] PathPoint at(double psi) const;
     /// dz/dpsi and d2z/dpsi2 where rho, as a function of psi, is that: with constant pitch as at the end, else in proportion to rho.
-    [[nodiscard]] Height::Climb over(const math::Jet& rho) const;
+    [[nodiscard]] Height::AxialSlope over(const math::Jet& rho) const;
     [[nodiscard]] const IdleArc& arc() const { return arc_; }
     [[nodiscard]] const PathPoint& end() const { return end_; }
     [[nodiscard]] int direction() const { return direction_; }
@@ -69,7 +69,7 @@ public:
 private:
     PathPoint end_;
     int direction_;
-    double climb_;
+    double axial_slope_;
     Lead lead_;
     IdleArc arc_;
 };

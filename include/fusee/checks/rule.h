@@ -36,7 +36,7 @@ struct Override {
 };
 
 /// What the list of rules shows of one, whatever it looks at.
-struct Card {
+struct RuleInfo {
     const char* id;             ///< "group.name"
     const char* title;          ///< what it guards against
     const char* measures;       ///< what it measures, and where
@@ -48,8 +48,8 @@ struct Card {
     [[nodiscard]] const Limit* limit(std::string_view key) const;  ///< nullptr if it has no such limit
 };
 /// The Markdown tables of docs/rules.md, one for each group in turn.
-/// @param needs of each card: the keys that it is not judged without, as Markdown; empty: none needs any
-[[nodiscard]] std::string reference(const std::vector<const Card*>& cards, const std::vector<std::string>& needs = {});
+/// @param needs of each info: the keys that it is not judged without, as Markdown; empty: none needs any
+[[nodiscard]] std::string reference(const std::vector<const RuleInfo*>& infos, const std::vector<std::string>& needs = {});
 
 /// A value that a profile may leave open and that a rule cannot judge without.
 struct Need {
@@ -66,7 +66,7 @@ struct Need {
 
 /// One rule: pure, one file under src/checks, returns a finding for what it measured (passes too), none where it does not apply, and one
 /// that says so where it could not be judged.
-struct Rule : Card {
+struct Rule : RuleInfo {
     using Measure = std::function<core::Findings(const Design&, const Allowed&)>;
 
     Measure measure;                           ///< findings without what all have in common: id, part, source

@@ -6,8 +6,14 @@
 
 namespace fusee::core {
 
-/// The caller's mistake: names the field, the value found and what is allowed. The app ends with exit code 2.
-class InvalidInput : public std::invalid_argument {
+/// The input of a command is wrong: a value, several values or a file. The app ends with exit code 2.
+class InputError : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+/// One wrong value: names the field, the value found and what is allowed.
+class InvalidInput : public InputError {
 public:
     /// @param field where the value stands, e.g. "rig.gear_friction" or "springs.csv:12: torque_Nm"
     InvalidInput(std::string field, std::string value, std::string allowed);
@@ -20,8 +26,8 @@ private:
     std::string field_, value_, allowed_;
 };
 
-/// Several mistakes of the caller's, found in one reading. `what()` has one line each. The app ends with exit code 2.
-class InvalidInputs : public std::invalid_argument {
+/// Several wrong values, found in one reading. `what()` has their number and one line each.
+class InvalidInputs : public InputError {
 public:
     /// @pre at least one
     explicit InvalidInputs(std::vector<InvalidInput> all);
@@ -56,8 +62,8 @@ private:
     std::vector<InvalidInput> all_;
 };
 
-/// A file could not be read, written or understood. The app ends with exit code 2.
-class IoError : public std::runtime_error {
+/// A file could not be read, written or understood.
+class IoError : public InputError {
 public:
     IoError(const std::string& path, const std::string& why);
 };

@@ -12,8 +12,8 @@ namespace fusee::core {
 enum class Severity {
     kPass,       ///< the rule holds; kept so that the margin can be read
     kNotJudged,  ///< the rule applies, but the profile does not state what it needs; `suggestion` names the missing keys
-    kReview,     ///< a person must look and accept
-    kRequired,   ///< the part or the law cannot be made as it is
+    kWarning,    ///< a person must look and accept
+    kError,      ///< the part or the law cannot be made as it is
 };
 
 /// Which side of `allowed` the measured value has to be on.
@@ -51,8 +51,8 @@ struct Finding {
 };
 using Findings = std::vector<Finding>;
 
-/// What forbids a design: a finding of severity kRequired. Place, suggestion and source are for the caller to add.
-[[nodiscard]] Finding required_change(std::string rule, std::string what, double measured, Bound bound, double allowed, std::string unit);
+/// What forbids a design: a finding of severity kError. Place, suggestion and source are for the caller to add.
+[[nodiscard]] Finding error_finding(std::string rule, std::string what, double measured, Bound bound, double allowed, std::string unit);
 
 /// A rule that applies and cannot be judged. `measured` and `allowed` are NaN.
 /// @param missing the keys to state, e.g. "k_se.spring.wire_diameter_mm and k_se.spring.coil_diameter_mm"
@@ -61,7 +61,7 @@ using Findings = std::vector<Finding>;
 /// Sets the severity by comparing measured with allowed: `when_broken` if the bound is broken or the value is NaN.
 Finding judged(Finding finding, Severity when_broken);
 
-[[nodiscard]] bool any_required(const Findings& findings);
+[[nodiscard]] bool any_error(const Findings& findings);
 [[nodiscard]] std::size_t count(const Findings& findings, Severity severity);
 /// Neither a pass nor without a judgement: something that a person has to act on.
 [[nodiscard]] bool is_broken(const Finding& finding);

@@ -43,4 +43,9 @@ private:
     std::string path_;
 };
 
+/// For one version after a field was renamed: each object of `json` that holds a new name also holds the same value under the old name,
+/// and the top object says so under "renamed_fields" (old name: new name). `json` stays as it is if it holds none of them.
+/// @param renamed old name, new name
+void keep_old_spelling(nlohmann::ordered_json& json, const std::vector<std::pair<std::string, std::string>>& renamed);
+
 }  // namespace fusee::core

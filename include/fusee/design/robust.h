@@ -22,7 +22,7 @@ struct Drawing {
     spring::BaseSpring base_se, base_pe;
 };
 
-/// The exact dead-band (`DeadBand::extreme`, full width at the joint) of the actuators that a shop builds, by first-order propagation.
+/// The exact dead-band (`DeadBand::exact_width`, full width at the joint) of the actuators that a shop builds, by first-order propagation.
 struct RobustBand {
     double tau = 0.0;                 ///< co-contraction [Nm]
     double nominal = 0.0;             ///< as drawn [rad]; NaN, like all that follows, if the drawing's springs do not cover it

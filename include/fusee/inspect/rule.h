@@ -26,7 +26,7 @@ struct Marked {
 };
 
 /// One rule for a mesh: pure, one file under src/inspect.
-struct Rule : checks::Card {
+struct Rule : checks::RuleInfo {
     using Measure = std::function<std::optional<Marked>(const Foreign&, const checks::Allowed&)>;
 
     Measure measure;  ///< nothing where it does not apply
@@ -37,7 +37,7 @@ struct Rule : checks::Card {
 /// Their Markdown table in docs/rules.md.
 [[nodiscard]] std::string rules_reference();
 /// What they are called and hold parts against.
-[[nodiscard]] std::vector<const checks::Card*> cards();
+[[nodiscard]] std::vector<const checks::RuleInfo*> rule_infos();
 
 /// Runs every rule. @param name of the part in the findings
 [[nodiscard]] std::vector<Marked> check(const Foreign& part, const std::string& name);

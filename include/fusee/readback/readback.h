@@ -18,9 +18,9 @@ struct ArmError {
     std::size_t rows = 0;         ///< working positions compared
     double worst_relative = 0.0;  ///< largest |arm found / arm asked - 1| over the working range
     double worst_angle_rad = 0.0;
-    double allowed = 1e-3;                                   ///< 1e-4 for splines: STEP, and those of DXF; of a print half a layer
-    core::Severity when_broken = core::Severity::kRequired;  ///< kReview of a print, which no exported file can answer for
-    std::vector<double> arms_mm = {};                        ///< as found, one for each row of the target
+    double allowed = 1e-3;                                ///< 1e-4 for splines: STEP, and those of DXF; of a print half a layer
+    core::Severity when_broken = core::Severity::kError;  ///< kReview of a print, which no exported file can answer for
+    std::vector<double> arms_mm = {};                     ///< as found, one for each row of the target
     [[nodiscard]] bool passed() const { return worst_relative <= allowed; }  ///< false for NaN
 };
 

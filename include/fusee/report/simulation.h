@@ -21,8 +21,8 @@ inline constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 /// The joint at one level of equal co-contraction. Widths are full widths at the joint.
 struct SimulatedLevel {
-    actuator::DeadBand dead_band;           ///< linear, extreme and protocol [rad]
-    actuator::ReleaseReading reading;       ///< of the push-and-release test that `dead_band.protocol` comes from
+    actuator::DeadBand dead_band;           ///< linear, exact and measured width [rad]
+    actuator::ReleaseReading reading;       ///< of the push-and-release test that `dead_band.measured_width` comes from
     double within_laws = kUnknown;          ///< read after the strongest push on which no spring leaves its law [rad]
     Eigen::Matrix3d sensitivity;            ///< paper (2), d(theta_1, theta_2, q)/d(tau_1, tau_2, tau_q) [rad/Nm]; NaN: no springs hold it
     Eigen::Vector3d noise;                  ///< standard deviations of theta_1, theta_2, q under white torque noise [rad]; NaN: unbounded
@@ -71,7 +71,7 @@ struct EquilibriumRow {
     Eigen::Vector3d torque;                                              ///< asked for [Nm]
     Eigen::Vector3d z = Eigen::Vector3d::Constant(kUnknown);             ///< (theta_1, theta_2, q), paper (1) [rad]
     Eigen::Matrix3d sensitivity = Eigen::Matrix3d::Constant(kUnknown);   ///< paper (2) [rad/Nm]
-    Eigen::Matrix3d hatted = Eigen::Matrix3d::Constant(kUnknown);        ///< the same with the paper's hats [m/N]
+    Eigen::Matrix3d cable_space = Eigen::Matrix3d::Constant(kUnknown);   ///< the same with the paper's hats [m/N]
     double joint_stiffness = kUnknown, free_joint_stiffness = kUnknown;  ///< capstans held; free [Nm/rad]
     std::optional<actuator::JointDeadBand> dead_band = {};               ///< without joint torque only
     core::Findings refusal = {};                                         ///< why it does not rest

@@ -10,7 +10,7 @@ namespace fusee::solid {
 inline constexpr double kLongestRunOut = 5.0;
 
 /// Directions over which every column has the same turns, the lowest first; the turns whose groove is cut there are marked.
-struct Stretch {
+struct AngularSpan {
     double low = 0.0, high = 0.0;  ///< directions u [rad]
     std::vector<bool> cut;         ///< [turn]; false: only its two lips, running out
 };
@@ -21,7 +21,7 @@ public:
     ColumnMaker(const cam::Cam& cam, const std::vector<SectionPoint>& section, const Flanges& flanges);
 
     /// One turn of directions, cut where a groove begins or ends to run out: between two cuts every column has the same rails.
-    [[nodiscard]] std::vector<Stretch> stretches() const;
+    [[nodiscard]] std::vector<AngularSpan> spans() const;
 
     [[nodiscard]] std::vector<Vec3> lower_rails(double u) const;  ///< flange, bottom to top
     [[nodiscard]] std::vector<Vec3> upper_rails(double u) const;

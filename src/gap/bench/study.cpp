@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "fusee/core/error.h"
-#include "parallel.h"
+#include "fusee/core/parallel.h"
 #include "verdicts.h"
 
 namespace fusee::gap::bench {
@@ -176,7 +176,7 @@ void try_beside_best(const Law& law, Study& study, const DiagnoseOptions& option
         more.back().effects.push_back(e);
         std::sort(more.back().effects.begin(), more.back().effects.end());
     }
-    for_each_index(more.size(), options.jobs, [&](std::size_t i) {
+    core::parallel_for(more.size(), options.jobs, [&](std::size_t i) {
         fit_all(law, study, study.tried.front().fit.values, more[i]);
         more[i].log_evidence = log_evidence(law, study, more[i]);
         keep_back(law, more[i]);
@@ -238,7 +238,7 @@ Study study(const Law& law, const DiagnoseOptions& options) {
         std::size_t end = begin;
         while (end < sets.size() && sets[end].size() == sets[begin].size()) ++end;
         std::vector<Tried> fitted(end - begin);
-        for_each_index(fitted.size(), options.jobs, [&](std::size_t i) {
+        core::parallel_for(fitted.size(), options.jobs, [&](std::size_t i) {
             fitted[i].effects = sets[begin + i];
             fit_all(law, study, nominal, fitted[i]);
             told("fit");
@@ -253,7 +253,7 @@ Study study(const Law& law, const DiagnoseOptions& options) {
     study.effective_rows = effective_rows(law, closest->fit.values);
     for (Tried& tried : study.tried) tried.log_evidence = log_evidence(law, study, tried);
     const std::vector<bool> needed = worth_refits(study);
-    for_each_index(study.tried.size(), options.jobs, [&](std::size_t i) {
+    core::parallel_for(study.tried.size(), options.jobs, [&](std::size_t i) {
         if (needed[i]) keep_back(law, study.tried[i]);
         told("files kept back");
     });

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "parallel.h"
+#include "fusee/core/parallel.h"
 
 namespace fusee::gap {
 
@@ -26,8 +26,8 @@ using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::Ro
 /// Columns `first` up to `last` of the residual's Jacobian.
 Eigen::MatrixXd columns_at(const Problem& problem, const Causes& causes, const Eigen::VectorXd& x, int first, int last, unsigned jobs) {
     Eigen::MatrixXd columns(problem.residuals(), last - first);
-    parallel_for(static_cast<std::size_t>(last - first), jobs,
-                 [&](std::size_t k) { columns.col(static_cast<int>(k)) = problem.slope(causes, x, first + static_cast<int>(k)); });
+    core::parallel_for(static_cast<std::size_t>(last - first), jobs,
+                       [&](std::size_t k) { columns.col(static_cast<int>(k)) = problem.slope(causes, x, first + static_cast<int>(k)); });
     return columns;
 }
 
@@ -114,7 +114,7 @@ Eigen::MatrixXd information(const Problem& problem, const Fit& fit, const Eigen:
 
 Eigen::VectorXd spread_of(const Problem& problem, const Causes& causes, const Eigen::VectorXd& x, unsigned jobs) {
     std::vector<Eigen::VectorXd> draws(2 * kPairsOfDraws);
-    parallel_for(draws.size(), jobs, [&](std::size_t i) {
+    core::parallel_for(draws.size(), jobs, [&](std::size_t i) {
         Eigen::VectorXd near = x;
         for (int k = 0; k < near.size(); ++k) {
             const double reach = reach_of(problem.role(causes, k), x[k]);

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "parallel.h"
+#include "fusee/core/parallel.h"
 
 namespace fusee::gap {
 
@@ -124,7 +124,7 @@ Isolability isolability(const Problem& problem, const Fit& null, const std::vect
     const Projection projection(problem, null);
     const std::size_t n = causes.size();
     std::vector<Mark> marks(n);
-    parallel_for(n, jobs, [&](std::size_t i) {
+    core::parallel_for(n, jobs, [&](std::size_t i) {
         Causes all = null.causes;
         all.push_back(causes[i]);
         const Effect& effect = find_effect(causes[i].id);

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "fusee/core/parallel.h"
 #include "next_experiment_information.h"
-#include "parallel.h"
 
 namespace fusee::gap {
 
@@ -71,7 +71,7 @@ Outlook outlook(const Problem& problem, const Menu& menu, const Layout& layout, 
     Outlook seen;
     seen.mean = layout.joined(predict_sheets(problem, menu, rival.causes, rival.x));
     seen.spread.resize(seen.mean.size(), root.cols());
-    parallel_for(static_cast<std::size_t>(root.cols()), jobs, [&](std::size_t k) {
+    core::parallel_for(static_cast<std::size_t>(root.cols()), jobs, [&](std::size_t k) {
         const auto column = static_cast<int>(k);
         seen.spread.col(column) = layout.joined(predict_sheets(problem, menu, rival.causes, rival.x + root.col(column))) - seen.mean;
     });
@@ -112,7 +112,7 @@ std::vector<Eigen::MatrixXd> distances(const Problem& problem, const Menu& menu,
     for (const Fit* rival : rivals) outlooks.push_back(outlook(problem, menu, layout, *rival, jobs));
     const auto n = static_cast<int>(rivals.size());
     std::vector<Eigen::MatrixXd> all(menu.measurements.size());
-    parallel_for(all.size(), jobs, [&](std::size_t m) {
+    core::parallel_for(all.size(), jobs, [&](std::size_t m) {
         const std::vector<int> places = layout.places(menu, menu.measurements[m]);
         const Eigen::VectorXd weight = precision(places) * std::sqrt(menu.measurements[m].repeats);
         std::vector<Eigen::VectorXd> means;

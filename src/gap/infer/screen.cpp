@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "parallel.h"
+#include "fusee/core/parallel.h"
 
 namespace fusee::gap {
 
@@ -161,7 +161,7 @@ std::vector<Cause> possible_causes(const Rows& rows) {
 
 std::vector<Guess> screen(const Problem& problem, const Fit& base, const std::vector<Cause>& causes, unsigned jobs) {
     std::vector<Guess> guesses(causes.size());
-    parallel_for(causes.size(), jobs, [&](std::size_t i) {
+    core::parallel_for(causes.size(), jobs, [&](std::size_t i) {
         Causes all = base.causes;
         all.push_back(causes[i]);
         guesses[i] = improved(problem, base, best_start(problem, base, all, find_effect(causes[i].id)));

@@ -7,8 +7,8 @@
 #include <limits>
 #include <span>
 
+#include "fusee/core/parallel.h"
 #include "interval.h"
-#include "parallel.h"
 #include "screen.h"
 
 namespace fusee::gap {
@@ -42,8 +42,8 @@ void sort_by_score(std::vector<Fit>& fits) {
 std::vector<Fit> in_full(const Problem& problem, std::span<const Guess> guesses, const SearchOptions& options) {
     std::vector<Fit> fits(guesses.size());
     const unsigned jobs_of_one = std::max(1U, options.jobs / std::max(1U, static_cast<unsigned>(guesses.size())));
-    parallel_for(guesses.size(), options.jobs,
-                 [&](std::size_t i) { fits[i] = fit(problem, guesses[i].causes, guesses[i].x, {.jobs = jobs_of_one}); });
+    core::parallel_for(guesses.size(), options.jobs,
+                       [&](std::size_t i) { fits[i] = fit(problem, guesses[i].causes, guesses[i].x, {.jobs = jobs_of_one}); });
     return fits;
 }
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <set>
 
-#include "parallel.h"
+#include "fusee/core/parallel.h"
 
 namespace fusee::gap {
 
@@ -53,7 +53,7 @@ Split by_groups(const Problem& problem, const Fit& fit, const std::vector<int>& 
     Split split;
     split.x.resize(left.size());
     split.sigma.resize(left.size());
-    parallel_for(left.size(), jobs, [&](std::size_t g) {
+    core::parallel_for(left.size(), jobs, [&](std::size_t g) {
         std::vector<bool> kept(group.size());
         for (std::size_t i = 0; i < group.size(); ++i) kept[i] = group[i] != static_cast<int>(g);
         if (std::find(kept.begin(), kept.end(), false) == kept.end()) return;

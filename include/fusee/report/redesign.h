@@ -12,11 +12,11 @@
 namespace fusee::report {
 
 /// One value of a profile, as its file writes it.
-struct RecutChange {
+struct RedesignChange {
     std::string key, was, is, why;
 };
 /// The co-contractions at which the springs reach every resting place that stiction allows, of those that the profile asks for.
-struct RecutCover {
+struct RedesignCover {
     core::Range asked{0.0, 0.0};                             ///< least to overdrive torque [Nm]
     core::Range covered{gap::kNoFigure, gap::kNoFigure};     ///< NaN: none [Nm]
     core::Range law_loads{gap::kNoFigure, gap::kNoFigure};   ///< of a capstan, that the springs' law has [Nm]
@@ -24,21 +24,21 @@ struct RecutCover {
     [[nodiscard]] bool whole() const { return covered.low <= asked.low && covered.high >= asked.high; }
 };
 /// A corrected profile.
-struct RecutProfile {
+struct RedesignProfile {
     std::string sides;           ///< whose cams it cuts: "both", "agonist", "antagonist"
     std::filesystem::path file;  ///< where it is to be written
     std::string toml;
-    std::vector<RecutChange> changes;
+    std::vector<RedesignChange> changes;
     core::Findings findings;  ///< what `fusee make` is going to say of it, passes left out
-    RecutCover cover;
-    [[nodiscard]] bool can_be_cut() const { return !core::any_required(findings); }
+    RedesignCover cover;
+    [[nodiscard]] bool can_be_cut() const { return !core::any_error(findings); }
 };
 /// Full widths at the joint [rad]; NaN: the springs do not reach.
 struct DeadBandWidths {
-    double extreme = gap::kNoFigure;  ///< between the outermost resting places
-    double read = gap::kNoFigure;     ///< by a push-and-release test
+    double exact_width = gap::kNoFigure;     ///< between the outermost resting places
+    double measured_width = gap::kNoFigure;  ///< by a push-and-release test
 };
-struct RecutLevel {
+struct RedesignLevel {
     double tau = 0.0;         ///< co-contraction [Nm]
     DeadBandWidths promised;  ///< by the old profile
     DeadBandWidths old_cams;  ///< the rig as it is
@@ -50,13 +50,14 @@ struct NotMended {
     std::string instead;  ///< what to do, one sentence
 };
 
-struct Recut {
+struct Redesign {
     std::string profile_name, case_name, case_sha256;
-    bool new_cams_needed = false;        ///< false: nothing was found that a cam makes up for
-    std::vector<RecutProfile> profiles;  ///< one, or one for each side where they differ; none: nothing was found that a profile can hold
-    double push_torque = 0.0;            ///< of the push-and-release test, at the joint [Nm]; 0: strong enough
-    std::vector<RecutLevel> levels;      ///< by rising co-contraction
-    RecutLevel peak;                     ///< at peak torque, where `fusee make` gives the exact width; with levels
+    bool new_cams_needed = false;  ///< false: nothing was found that a cam makes up for
+    std::vector<RedesignProfile>
+        profiles;                       ///< one, or one for each side where they differ; none: nothing was found that a profile can hold
+    double push_torque = 0.0;           ///< of the push-and-release test, at the joint [Nm]; 0: strong enough
+    std::vector<RedesignLevel> levels;  ///< by rising co-contraction
+    RedesignLevel peak;                 ///< at peak torque, where `fusee make` gives the exact width; with levels
     /// Greatest difference between a spring's torque on the rig as it is and the law its cam was cut for, over that torque.
     double torque_error_old = gap::kNoFigure, torque_error_new = gap::kNoFigure;
     std::vector<NotMended> not_mended;
@@ -68,10 +69,10 @@ struct Recut {
 };
 
 /// Keys as docs/guides/close-the-loop.md gives them; a NaN is null.
-[[nodiscard]] std::string recut_json(const Recut& recut);
+[[nodiscard]] std::string redesign_json(const Redesign& redesign);
 /// A section for the page of the diagnosis.
-[[nodiscard]] std::string recut_section(const Recut& recut);
+[[nodiscard]] std::string redesign_section(const Redesign& redesign);
 /// A few lines for a terminal.
-[[nodiscard]] std::string recut_text(const Recut& recut);
+[[nodiscard]] std::string redesign_text(const Redesign& redesign);
 
 }  // namespace fusee::report

@@ -36,16 +36,16 @@ TEST_F(CorrectedProfile, IsWrittenAndCanBeCut) {
     expect_words(found.out,
                  {"dead-band off the one promised", "at peak torque, 1 Nm: exact dead-band, as fusee make gives it, 51.3 deg promised",
                   "profile for both sides: new/p.toml", "covers co-contractions of 0.8", "Nm, asked for are 0.85 to 1.5 Nm: friction lets",
-                  "diagnosis.json, recut.json"});
+                  "diagnosis.json, redesign.json"});
     const std::string toml = core::read_file(folder_ / "new" / "p.toml");
-    expect_words(toml, {"# gear_friction was 0.28: gear.load_friction on both sides", "name = \"pnrvsa-recut\"\n"});
-    const auto json = nlohmann::json::parse(core::read_file(folder_ / "d" / "recut.json"));
+    expect_words(toml, {"# gear_friction was 0.28: gear.load_friction on both sides", "name = \"pnrvsa-redesign\"\n"});
+    const auto json = nlohmann::json::parse(core::read_file(folder_ / "d" / "redesign.json"));
     EXPECT_LT(json["off_with_new_cams"].get<double>(), 0.5 * json["off_with_old_cams"].get<double>());
     expect_words(core::read_file(folder_ / "d" / "diagnosis.html"), {"Cams for the rig as it is", "rig as it is, new cams"});
     EXPECT_EQ(core::read_file(folder_ / "rig" / "p.toml"), core::read_file(fixtures::shipped("pnrvsa")));
     const Ended made = run("make new/p.toml --out out");
     EXPECT_EQ(made.code, 0) << made.all();
-    EXPECT_TRUE(fs::exists(folder_ / "out" / "pnrvsa-recut" / "k_se.stl"));
+    EXPECT_TRUE(fs::exists(folder_ / "out" / "pnrvsa-redesign" / "k_se.stl"));
 }
 
 TEST_F(CorrectedProfile, WhatDoesNotBelongTogetherIsRefusedBeforeTheDiagnosis) {

@@ -1,4 +1,4 @@
-#include "recut_figures.h"
+#include "redesign_figures.h"
 
 #include <fmt/format.h>
 

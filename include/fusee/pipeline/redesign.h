@@ -5,7 +5,7 @@
 #include "fusee/gap/case.h"
 #include "fusee/gap/diagnosis.h"
 #include "fusee/profile/profile.h"
-#include "fusee/report/recut.h"
+#include "fusee/report/redesign.h"
 
 namespace fusee::pipeline {
 
@@ -15,7 +15,7 @@ namespace fusee::pipeline {
 void require_same_rig(const profile::Profile& profile, const gap::Case& bench);
 inline constexpr double kSameRig = 4.0;
 
-struct RecutOptions {
+struct RedesignOptions {
     std::filesystem::path file;  ///< of the corrected profile; a second one, for the antagonist, gets "-antagonist" before its extension
     int levels = 9;              ///< of co-contraction, from least to overdrive torque; at least 2
 };
@@ -28,11 +28,11 @@ struct RecutOptions {
 /// @param toml the text that `profile` was read from
 /// @throws core::InvalidInput as require_same_rig; if the law of `profile` itself is refused; naming the key of a measured figure that no
 /// profile can hold (a spring that starts slack)
-[[nodiscard]] report::Recut recut(const profile::Profile& profile, const std::string& toml, const gap::Case& bench,
-                                  const gap::Diagnosis& found, const RecutOptions& options);
+[[nodiscard]] report::Redesign redesign(const profile::Profile& profile, const std::string& toml, const gap::Case& bench,
+                                        const gap::Diagnosis& found, const RedesignOptions& options);
 
-/// Writes each corrected profile, its folder made if there is none, and `folder`/recut.json.
+/// Writes each corrected profile, its folder made if there is none, and `folder`/redesign.json.
 /// @throws core::IoError, before anything is written, if a profile stands there already and `force` is not set
-void write_recut(const report::Recut& recut, const std::filesystem::path& folder, bool force = false);
+void write_redesign(const report::Redesign& redesign, const std::filesystem::path& folder, bool force = false);
 
 }  // namespace fusee::pipeline

@@ -1,4 +1,4 @@
-#include "fusee/pipeline/recut.h"
+#include "fusee/pipeline/redesign.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/pipeline/design.h"
-#include "recut_drafts.h"
+#include "redesign_drafts.h"
 
 namespace fs = std::filesystem;
 
@@ -35,22 +35,22 @@ public:
         double sum = 0.0;
         int known = 0;
         for (std::size_t i = 0; i < torques_.size(); ++i)
-            if (const double share = fresh[i].read / promised_[i].read - 1.0; std::isfinite(share)) {
+            if (const double share = fresh[i].measured_width / promised_[i].measured_width - 1.0; std::isfinite(share)) {
                 sum += share;
                 ++known;
             }
         return known > 0 ? sum / known : 0.0;
     }
-    void fill(const std::vector<Draft>& drafts, report::Recut& recut) const {
+    void fill(const std::vector<Draft>& drafts, report::Redesign& redesign) const {
         const std::array<Cams, 2> old{old_, old_}, cams = cams_of(drafts);
         const bool known = cams[0].law && cams[1].law;
         const std::vector<report::DeadBandWidths> with_old = widths(old, as_is_),
                                                   with_new = known ? widths(cams, as_is_) : decltype(with_old)(torques_.size());
-        for (std::size_t i = 0; i < torques_.size(); ++i) recut.levels.push_back({torques_[i], promised_[i], with_old[i], with_new[i]});
-        recut.peak = at_peak(old, cams, known);
-        recut.torque_error_old = torque_error(old, as_is_);
-        if (known) recut.torque_error_new = torque_error(cams, as_is_);
-        recut.push_torque = push_torque_;
+        for (std::size_t i = 0; i < torques_.size(); ++i) redesign.levels.push_back({torques_[i], promised_[i], with_old[i], with_new[i]});
+        redesign.peak = at_peak(old, cams, known);
+        redesign.torque_error_old = torque_error(old, as_is_);
+        if (known) redesign.torque_error_new = torque_error(cams, as_is_);
+        redesign.push_torque = push_torque_;
     }
 
 private:
@@ -62,7 +62,7 @@ private:
                 if (draft.is_for(side)) cams[side] = {&draft.profile, draft.law};
         return cams;
     }
-    [[nodiscard]] report::RecutLevel at_peak(const std::array<Cams, 2>& old, const std::array<Cams, 2>& cams, bool known) const {
+    [[nodiscard]] report::RedesignLevel at_peak(const std::array<Cams, 2>& old, const std::array<Cams, 2>& cams, bool known) const {
         const double tau = old_.profile->rig.peak_torque;
         const auto width = [&](const std::array<Cams, 2>& of, const std::array<profile::Profile, 2>& rig) {
             return dead_band_widths(joint_as_built(of, rig), tau, push_torque_);
@@ -113,21 +113,22 @@ Choice choose(const Drafter& drafter, const Comparison& comparison) {
     return choice;
 }
 
-std::vector<std::string> remarks(const report::Recut& recut, const Drafter& drafter, const gap::Diagnosis& found, const Choice& choice) {
+std::vector<std::string> remarks(const report::Redesign& redesign, const Drafter& drafter, const gap::Diagnosis& found,
+                                 const Choice& choice) {
     std::vector<std::string> all;
     if (found.verdict == gap::Verdict::kAmbiguous)
         all.emplace_back("The diagnosis is ambiguous: do its next experiment before cams are cut.");
     if (found.verdict == gap::Verdict::kUnknown) all.emplace_back("The cause of the gap is unknown: find it before cams are cut.");
-    if (recut.profiles.empty()) all.emplace_back("Nothing was found that a profile can hold: it stays as it is.");
-    if (!recut.profiles.empty() && !recut.new_cams_needed) all.emplace_back("Only the model changes: the cams stay.");
+    if (redesign.profiles.empty()) all.emplace_back("Nothing was found that a profile can hold: it stays as it is.");
+    if (!redesign.profiles.empty() && !redesign.new_cams_needed) all.emplace_back("Only the model changes: the cams stay.");
     const double first = gear_friction(drafter.as_is()[0]).mu(), second = gear_friction(drafter.as_is()[1]).mu();
     if (first != second)
         all.push_back(
             fmt::format("The gears' friction at a load of 1 Nm is {:.4g} Nm on the agonist and {:.4g} Nm on the antagonist; both "
                         "sides share one law, made for the mean.",
                         first, second));
-    if (recut.profiles.size() == 1 && recut.profiles.front().sides != "both")
-        all.push_back(fmt::format("Only the {}'s cams are cut anew; those of the other side stay.", recut.profiles.front().sides));
+    if (redesign.profiles.size() == 1 && redesign.profiles.front().sides != "both")
+        all.push_back(fmt::format("Only the {}'s cams are cut anew; those of the other side stay.", redesign.profiles.front().sides));
     if (choice.refused_nearer)
         all.emplace_back(
             "C is as low as the cams can be cut; the dead-band stays wider than promised. fusee design finds springs for this "
@@ -137,12 +138,12 @@ std::vector<std::string> remarks(const report::Recut& recut, const Drafter& draf
 
 }  // namespace
 
-report::Recut recut(const profile::Profile& profile, const std::string& toml, const gap::Case& bench, const gap::Diagnosis& found,
-                    const RecutOptions& options) {
+report::Redesign redesign(const profile::Profile& profile, const std::string& toml, const gap::Case& bench, const gap::Diagnosis& found,
+                          const RedesignOptions& options) {
     core::require_within("levels", options.levels, 2, 1000);
     require_same_rig(profile, bench);
     const Drafter drafter(profile, toml, bench, found, options.file);
-    report::Recut result;
+    report::Redesign result;
     result.profile_name = profile.name;
     result.case_name = bench.name;
     result.case_sha256 = bench.sha256;
@@ -159,13 +160,13 @@ report::Recut recut(const profile::Profile& profile, const std::string& toml, co
     return result;
 }
 
-void write_recut(const report::Recut& recut, const fs::path& folder, bool force) {
-    for (const report::RecutProfile& profile : recut.profiles) {
+void write_redesign(const report::Redesign& redesign, const fs::path& folder, bool force) {
+    for (const report::RedesignProfile& profile : redesign.profiles) {
         core::make_folder(fs::absolute(profile.file).parent_path());
         core::require_new_file(profile.file, force);
     }
-    for (const report::RecutProfile& profile : recut.profiles) core::write_file(profile.file, profile.toml);
-    core::write_file(folder / "recut.json", report::recut_json(recut));
+    for (const report::RedesignProfile& profile : redesign.profiles) core::write_file(profile.file, profile.toml);
+    core::write_file(folder / "redesign.json", report::redesign_json(redesign));
 }
 
 }  // namespace fusee::pipeline

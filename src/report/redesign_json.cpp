@@ -1,7 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "findings_json.h"
-#include "fusee/report/recut.h"
+#include "fusee/report/redesign.h"
 
 namespace fusee::report {
 
@@ -9,9 +9,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json profile_json(const RecutProfile& profile) {
+Json profile_json(const RedesignProfile& profile) {
     Json changes = Json::array();
-    for (const RecutChange& c : profile.changes) changes.push_back({{"key", c.key}, {"was", c.was}, {"is", c.is}, {"why", c.why}});
+    for (const RedesignChange& c : profile.changes) changes.push_back({{"key", c.key}, {"was", c.was}, {"is", c.is}, {"why", c.why}});
     const auto range = [](const core::Range& r) { return Json::array({r.low, r.high}); };
     return {{"file", profile.file.string()},
             {"sides", profile.sides},
@@ -22,9 +22,9 @@ Json profile_json(const RecutProfile& profile) {
             {"findings", findings_json(profile.findings)}};
 }
 
-Json widths_json(const DeadBandWidths& widths) { return {{"extreme_rad", widths.extreme}, {"read_rad", widths.read}}; }
+Json widths_json(const DeadBandWidths& widths) { return {{"extreme_rad", widths.exact_width}, {"read_rad", widths.measured_width}}; }
 
-Json level_json(const RecutLevel& level) {
+Json level_json(const RedesignLevel& level) {
     return {{"tau_Nm", level.tau},
             {"promised", widths_json(level.promised)},
             {"old_cams", widths_json(level.old_cams)},
@@ -33,10 +33,10 @@ Json level_json(const RecutLevel& level) {
 
 }  // namespace
 
-std::string recut_json(const Recut& r) {
+std::string redesign_json(const Redesign& r) {
     Json profiles = Json::array(), levels = Json::array(), not_mended = Json::array();
-    for (const RecutProfile& profile : r.profiles) profiles.push_back(profile_json(profile));
-    for (const RecutLevel& level : r.levels) levels.push_back(level_json(level));
+    for (const RedesignProfile& profile : r.profiles) profiles.push_back(profile_json(profile));
+    for (const RedesignLevel& level : r.levels) levels.push_back(level_json(level));
     for (const NotMended& n : r.not_mended) not_mended.push_back({{"id", n.cause.id}, {"side", n.cause.side}, {"instead", n.instead}});
     const Json j{{"profile", r.profile_name},
                  {"case", r.case_name},

@@ -1,4 +1,4 @@
-#include "fusee/pipeline/recut.h"
+#include "fusee/pipeline/redesign.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,7 @@ gap::FoundEffect effect(const std::string& id, const std::string& side, double v
     return {{id, side}, 0.99, {value, {0.95 * value, 1.05 * value}, unit}, {}};
 }
 
-class Recut : public fixtures::TempFolder {
+class Redesign : public fixtures::TempFolder {
 protected:
     void SetUp() override {
         TempFolder::SetUp();
@@ -29,15 +29,15 @@ protected:
         bench_.sha256 = std::string(64, 'a');
         bench_.rig = case_template(profile_)->rig;
     }
-    [[nodiscard]] report::Recut recut_for(const std::vector<gap::FoundEffect>& effects,
-                                          std::vector<std::pair<std::string, gap::Parameter>> build = {}, int levels = 3) const {
+    [[nodiscard]] report::Redesign redesign_for(const std::vector<gap::FoundEffect>& effects,
+                                                std::vector<std::pair<std::string, gap::Parameter>> build = {}, int levels = 3) const {
         gap::Diagnosis found;
         found.verdict = gap::Verdict::kIdentified;
         found.effects = effects;
         found.build = std::move(build);
-        return recut(profile_, toml_, bench_, found, {.file = folder_ / "recut.toml", .levels = levels});
+        return redesign(profile_, toml_, bench_, found, {.file = folder_ / "redesign.toml", .levels = levels});
     }
-    [[nodiscard]] static profile::Profile read(const report::RecutProfile& p) { return profile::parse_profile(p.toml, p.file); }
+    [[nodiscard]] static profile::Profile read(const report::RedesignProfile& p) { return profile::parse_profile(p.toml, p.file); }
 
     std::string toml_;
     profile::Profile profile_;
@@ -82,14 +82,15 @@ double worst_error(const Pulled& pulled, const spring::SpringLaw& law) {
 
 // Arms 0.3 mm too long on the rig: the old spool is off, the new one carries the law again. 0.2 %: the trapezoidal rule over 400 rows is
 // off by less than 0.01 %, six digits in the profile by 1e-6.
-TEST_F(Recut, CamsCarryTheLawOnTheRigAsItIs) {
-    const report::Recut result = recut_for({effect("gear.load_friction", "both", 0.3), effect("se.radius", "both", 3e-4, "m")}, {}, 9);
+TEST_F(Redesign, CamsCarryTheLawOnTheRigAsItIs) {
+    const report::Redesign result =
+        redesign_for({effect("gear.load_friction", "both", 0.3), effect("se.radius", "both", 3e-4, "m")}, {}, 9);
     ASSERT_EQ(result.profiles.size(), 1u);
     EXPECT_TRUE(result.profiles[0].can_be_cut());
     const profile::Profile fresh = read(result.profiles[0]);
     EXPECT_NEAR(fresh.rig.gear_friction, 0.364, 1e-12);
     EXPECT_NEAR(fresh.k_se.allowance.radius, 3e-4, 1e-15);
-    EXPECT_EQ(fresh.name, "pnrvsa-recut");
+    EXPECT_EQ(fresh.name, "pnrvsa-redesign");
     EXPECT_NE(result.profiles[0].toml.find("# gear_friction was 0.28: gear.load_friction on both sides 0.3 (95 %: 0.285 to 0.315)\n"
                                            "gear_friction = 0.364         # measured, case "),
               std::string::npos)
@@ -110,8 +111,8 @@ TEST_F(Recut, CamsCarryTheLawOnTheRigAsItIs) {
 }
 
 // A spring alone is mended whole: the law stays, and with it the dead-band. Six digits of the profile's figures are 1e-6 of the torques.
-TEST_F(Recut, ASpringAloneGivesTheDeadBandBack) {
-    const report::Recut result = recut_for({effect("pe.rate", "both", 0.12), effect("pe.preload", "both", -1e-3, "m")});
+TEST_F(Redesign, ASpringAloneGivesTheDeadBandBack) {
+    const report::Redesign result = redesign_for({effect("pe.rate", "both", 0.12), effect("pe.preload", "both", -1e-3, "m")});
     ASSERT_EQ(result.profiles.size(), 1u);
     const profile::Profile fresh = read(result.profiles[0]);
     EXPECT_NEAR(fresh.k_pe.spring.rate, 1.12 * 7460.0, 1e-9);
@@ -125,8 +126,8 @@ TEST_F(Recut, ASpringAloneGivesTheDeadBandBack) {
 }
 
 // The spool of a stretching cable is cut stiffer, so that both together carry the law.
-TEST_F(Recut, ACableThatStretchesIsCutAgainst) {
-    const report::Recut result = recut_for({effect("cable.stretch", "both", 20.0, "Nm/rad")});
+TEST_F(Redesign, ACableThatStretchesIsCutAgainst) {
+    const report::Redesign result = redesign_for({effect("cable.stretch", "both", 20.0, "Nm/rad")});
     const profile::Profile fresh = read(result.profiles.at(0));
     EXPECT_EQ(fresh.k_se.allowance.series_compliance, 0.05);
     const auto law = design_law(fresh);
@@ -136,87 +137,87 @@ TEST_F(Recut, ACableThatStretchesIsCutAgainst) {
     EXPECT_GT(worst_error(pulled_spool(spool->part, fresh.k_se.spring, 0.03, 0.0), *law->law), 5e-3);
     EXPECT_LT(result.torque_error_new, 1e-5);
     // Behind 0.5 Nm/rad no spool is stiff enough.
-    EXPECT_NE(field_refused([&] { return recut_for({effect("cable.stretch", "both", 0.5, "Nm/rad")}); }).find("cable_compliance"),
+    EXPECT_NE(field_refused([&] { return redesign_for({effect("cable.stretch", "both", 0.5, "Nm/rad")}); }).find("cable_compliance"),
               std::string::npos);
 }
 
-TEST_F(Recut, EachSideGetsWhatItNeeds) {
-    const report::Recut one = recut_for({effect("se.rate", "antagonist", 0.1)});
+TEST_F(Redesign, EachSideGetsWhatItNeeds) {
+    const report::Redesign one = redesign_for({effect("se.rate", "antagonist", 0.1)});
     ASSERT_EQ(one.profiles.size(), 1u);
     EXPECT_EQ(one.profiles[0].sides, "antagonist");
-    EXPECT_EQ(read(one.profiles[0]).name, "pnrvsa-recut-antagonist");
+    EXPECT_EQ(read(one.profiles[0]).name, "pnrvsa-redesign-antagonist");
     EXPECT_LT(one.torque_error_new, 1e-5);
-    const report::Recut two = recut_for({effect("se.rate", "agonist", 0.1), effect("pe.radius", "antagonist", 1e-4, "m")});
+    const report::Redesign two = redesign_for({effect("se.rate", "agonist", 0.1), effect("pe.radius", "antagonist", 1e-4, "m")});
     ASSERT_EQ(two.profiles.size(), 2u);
-    EXPECT_EQ(two.profiles[0].file.filename(), "recut.toml");
-    EXPECT_EQ(two.profiles[1].file.filename(), "recut-antagonist.toml");
+    EXPECT_EQ(two.profiles[0].file.filename(), "redesign.toml");
+    EXPECT_EQ(two.profiles[1].file.filename(), "redesign-antagonist.toml");
     EXPECT_EQ(read(two.profiles[1]).k_pe.allowance.radius, 1e-4);
     EXPECT_EQ(read(two.profiles[1]).k_se.spring.rate, 0.0183);
     // A case's springs have no stops: up to the profile's the longer arm has pressed the spring by dr L.
     EXPECT_NEAR(read(two.profiles[1]).k_pe.spring.preload, 14.6e-3 + 1e-4 * case_template(profile_)->rest_deflection, 1e-7);
     EXPECT_LT(two.torque_error_new, 1e-5);
-    const report::Recut mean = recut_for({effect("gear.coulomb", "agonist", 0.02, "Nm")});
+    const report::Redesign mean = redesign_for({effect("gear.coulomb", "agonist", 0.02, "Nm")});
     EXPECT_EQ(read(mean.profiles.at(0)).rig.gear_friction_constant, 0.01);
     EXPECT_NE(mean.remarks.at(0).find("0.3 Nm on the agonist and 0.28 Nm on the antagonist"), std::string::npos) << mean.remarks[0];
 }
 
 // What the build's tolerances allow is put in beside an effect on the same figure only.
-TEST_F(Recut, BuildParametersCountBesideTheirEffect) {
+TEST_F(Redesign, BuildParametersCountBesideTheirEffect) {
     const auto built = [](double value) { return gap::Parameter{value, {value, value}, "1"}; };
-    const report::Recut result =
-        recut_for({effect("se.rate", "agonist", 0.1)},
-                  {{"K_SE rate agonist", built(0.01)}, {"K_SE rate antagonist", built(0.02)}, {"K_PE rate agonist", built(0.01)}});
+    const report::Redesign result =
+        redesign_for({effect("se.rate", "agonist", 0.1)},
+                     {{"K_SE rate agonist", built(0.01)}, {"K_SE rate antagonist", built(0.02)}, {"K_PE rate agonist", built(0.01)}});
     ASSERT_EQ(result.profiles.size(), 1u);
     EXPECT_NEAR(read(result.profiles[0]).k_se.spring.rate, 1.11 * 0.0183, 1e-9);
     EXPECT_EQ(read(result.profiles[0]).k_pe.spring.rate, 7460.0);
-    const report::Recut both = recut_for({effect("se.rate", "both", 0.1)}, {{"K_SE rate agonist", built(0.01)}});
+    const report::Redesign both = redesign_for({effect("se.rate", "both", 0.1)}, {{"K_SE rate agonist", built(0.01)}});
     EXPECT_NEAR(read(both.profiles.at(0)).k_se.spring.rate, 1.105 * 0.0183, 1e-9);
 }
 
-TEST_F(Recut, SaysWhatNoCamMends) {
-    const report::Recut model =
-        recut_for({effect("joint.coulomb", "none", 0.03, "Nm"), effect("sensor.joint_offset", "none", 0.05, "rad")});
+TEST_F(Redesign, SaysWhatNoCamMends) {
+    const report::Redesign model =
+        redesign_for({effect("joint.coulomb", "none", 0.03, "Nm"), effect("sensor.joint_offset", "none", 0.05, "rad")});
     ASSERT_EQ(model.not_mended.size(), 2u);
     EXPECT_FALSE(model.new_cams_needed);
     EXPECT_EQ(read(model.profiles.at(0)).rig.joint_friction.constant, 0.03);
-    EXPECT_GT(model.levels[0].old_cams.read, model.levels[0].promised.read);
-    const report::Recut nothing = recut_for({});
+    EXPECT_GT(model.levels[0].old_cams.measured_width, model.levels[0].promised.measured_width);
+    const report::Redesign nothing = redesign_for({});
     EXPECT_TRUE(nothing.profiles.empty());
     EXPECT_EQ(nothing.remarks.at(0), "Nothing was found that a profile can hold: it stays as it is.");
-    write_recut(nothing, folder_);
-    EXPECT_FALSE(std::filesystem::exists(folder_ / "recut.toml"));
+    write_redesign(nothing, folder_);
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "redesign.toml"));
 }
 
-TEST_F(Recut, WritesProfilesAndFigures) {
-    const report::Recut result = recut_for({effect("se.radius", "both", 2e-4, "m")});
-    write_recut(result, folder_);
-    EXPECT_EQ(profile::read_profile(folder_ / "recut.toml").k_se.allowance.radius, 2e-4);
-    const auto json = nlohmann::json::parse(core::read_file(folder_ / "recut.json"));
+TEST_F(Redesign, WritesProfilesAndFigures) {
+    const report::Redesign result = redesign_for({effect("se.radius", "both", 2e-4, "m")});
+    write_redesign(result, folder_);
+    EXPECT_EQ(profile::read_profile(folder_ / "redesign.toml").k_se.allowance.radius, 2e-4);
+    const auto json = nlohmann::json::parse(core::read_file(folder_ / "redesign.json"));
     EXPECT_EQ(json["profiles"][0]["sides"], "both");
     EXPECT_EQ(json["dead_band"].size(), 3u);
     EXPECT_LT(json["off_with_new_cams"].get<double>(), json["off_with_old_cams"].get<double>());
     // The corrected profile is where the next correction begins.
-    EXPECT_EQ(profile::read_profile(folder_ / "recut.toml").name, "pnrvsa-recut");
+    EXPECT_EQ(profile::read_profile(folder_ / "redesign.toml").name, "pnrvsa-redesign");
 }
 
 // `diagnose` said 1.4 % off the promised and `make` gave 60.0 deg of 51.3: the one is what a test reads, the other the exact width. At peak
 // torque both stand side by side, and are those of `make` and `simulate`.
-TEST_F(Recut, GivesAtPeakTorqueWhatMakeGives) {
-    const report::Recut result = recut_for({effect("gear.load_friction", "both", 0.3)});
+TEST_F(Redesign, GivesAtPeakTorqueWhatMakeGives) {
+    const report::Redesign result = redesign_for({effect("gear.load_friction", "both", 0.3)});
     ASSERT_EQ(result.profiles.size(), 1u);
     EXPECT_EQ(result.peak.tau, profile_.rig.peak_torque);
     const auto exact = [](const profile::Profile& p) {
-        return actuator::dead_band(actuator_of(p, design_law(p)->law), p.rig.peak_torque).extreme;
+        return actuator::dead_band(actuator_of(p, design_law(p)->law), p.rig.peak_torque).exact_width;
     };
-    EXPECT_NEAR(result.peak.promised.extreme, exact(profile_), 1e-4 * exact(profile_));
-    EXPECT_NEAR(result.peak.new_cams.extreme, exact(read(result.profiles[0])), 1e-3 * exact(profile_));
-    EXPECT_GT(result.peak.new_cams.extreme, 1.1 * result.peak.promised.extreme);
-    EXPECT_NEAR(result.peak.new_cams.read, result.peak.promised.read, 0.1 * result.peak.promised.read);
+    EXPECT_NEAR(result.peak.promised.exact_width, exact(profile_), 1e-4 * exact(profile_));
+    EXPECT_NEAR(result.peak.new_cams.exact_width, exact(read(result.profiles[0])), 1e-3 * exact(profile_));
+    EXPECT_GT(result.peak.new_cams.exact_width, 1.1 * result.peak.promised.exact_width);
+    EXPECT_NEAR(result.peak.new_cams.measured_width, result.peak.promised.measured_width, 0.1 * result.peak.promised.measured_width);
 }
 
 // More friction asks for more of the law than it has.
-TEST_F(Recut, SaysWhichCocontractionsTheNewLawCovers) {
-    const report::RecutCover cover = recut_for({effect("gear.load_friction", "both", 0.3)}).profiles.at(0).cover;
+TEST_F(Redesign, SaysWhichCocontractionsTheNewLawCovers) {
+    const report::RedesignCover cover = redesign_for({effect("gear.load_friction", "both", 0.3)}).profiles.at(0).cover;
     EXPECT_EQ(cover.asked.low, 0.85);
     EXPECT_EQ(cover.asked.high, 1.5);
     EXPECT_FALSE(cover.whole());
@@ -224,19 +225,19 @@ TEST_F(Recut, SaysWhichCocontractionsTheNewLawCovers) {
     EXPECT_LT(cover.covered.high, 1.4);
     EXPECT_NEAR(cover.rest_loads.high, 1.5 / (1.0 - 1.3 * 0.28), 1e-9);
     EXPECT_LT(cover.law_loads.high, cover.rest_loads.high);
-    EXPECT_TRUE(recut_for({effect("pe.rate", "both", 0.05)}).profiles.at(0).cover.whole());
+    EXPECT_TRUE(redesign_for({effect("pe.rate", "both", 0.05)}).profiles.at(0).cover.whole());
 }
 
 // Springs from a wanted dead-band follow the friction by themselves, and the files that the profile names are found from its new folder.
-TEST_F(Recut, SpringsFromADeadBandFollowTheFriction) {
+TEST_F(Redesign, SpringsFromADeadBandFollowTheFriction) {
     write("gear.csv", "tau_Nm,width_deg\n1,30\n");
     toml_ = fixtures::with_key(core::read_file(fixtures::shipped("from_dead_band")), "simulate.measured", "\"gear.csv\"");
     profile_ = profile::read_profile(write("wanted.toml", toml_));
     bench_.rig = case_template(profile_)->rig;
     gap::Diagnosis found;
     found.effects = {effect("gear.load_friction", "both", 0.1)};
-    const report::Recut result = recut(profile_, toml_, bench_, found, {.file = folder_ / "deep" / "new.toml", .levels = 3});
-    write_recut(result, folder_);
+    const report::Redesign result = redesign(profile_, toml_, bench_, found, {.file = folder_ / "deep" / "new.toml", .levels = 3});
+    write_redesign(result, folder_);
     const profile::Profile fresh = profile::read_profile(folder_ / "deep" / "new.toml");
     EXPECT_EQ(fresh.simulate.measured.file, "../gear.csv");
     EXPECT_TRUE(result.new_cams_needed);
@@ -252,12 +253,12 @@ TEST_F(Recut, SpringsFromADeadBandFollowTheFriction) {
         EXPECT_NEAR(linear(as_is, profile_), 1.1 * promised, 1e-6 * promised) << tau;
     }
     // The outermost resting places come back with it; 1 %: stiffness changes within the dead-band. The old cams are 10 % off.
-    const report::RecutLevel& middle = result.levels.at(1);
-    EXPECT_NEAR(middle.new_cams.extreme, middle.promised.extreme, 0.01 * middle.promised.extreme);
-    EXPECT_GT(middle.old_cams.extreme, 1.08 * middle.promised.extreme);
+    const report::RedesignLevel& middle = result.levels.at(1);
+    EXPECT_NEAR(middle.new_cams.exact_width, middle.promised.exact_width, 0.01 * middle.promised.exact_width);
+    EXPECT_GT(middle.old_cams.exact_width, 1.08 * middle.promised.exact_width);
 }
 
-TEST_F(Recut, RefusesAProfileOfAnotherRig) {
+TEST_F(Redesign, RefusesAProfileOfAnotherRig) {
     const auto refused = [&](const std::string& key, const std::string& value) {
         const profile::Profile other = profile::read_profile(write("other.toml", fixtures::with_key(toml_, key, value)));
         return field_refused([&] { require_same_rig(other, bench_); });

@@ -23,12 +23,12 @@ TEST(Stretch, ARoundCamPullsItsSpringThroughItsCable) {
     const auto law = spring::make_pair_law(spring::make_polynomial({0.2, 0.1}), spring::make_polynomial({r * k * y0, both * r * r}),
                                            0.2 + r * k * y0, 2.0)
                          .value();
-    const ArmFunction cam(PartKind::kParallel, law, compression(k, y0), kCapstan, {.cable_give = kGive});
+    const ArmFunction cam(PartKind::kParallel, law, compression(k, y0), kCapstan, {.cable_compliance = kGive});
     for (const double tau : {law->loads().low, 1.0, 2.0}) {
         const ArmPoint p = cam.at_load(tau);
         EXPECT_NEAR(p.arm, r, 1e-14);  // rounding, as in what follows
         EXPECT_NEAR(p.slope, 0.0, 1e-12);
-        EXPECT_NEAR(p.bend, 0.0, 1e-11);
+        EXPECT_NEAR(p.second_derivative, 0.0, 1e-11);
         EXPECT_NEAR(p.tension, k * y0 + both * r * p.angle, 1e-10);
         EXPECT_NEAR(p.state, p.tension / k, 1e-15);
         EXPECT_NEAR(p.stretch.length, kGive * (p.tension - k * y0), 1e-15);
@@ -43,7 +43,7 @@ TEST(Stretch, ARoundSpoolTurnsItsSpringThroughItsCable) {
     const double r = 0.02, kt = 0.02, phi0 = 3.0, s = kCapstan * kCapstan / (r * r / kt + kGive), start = kt * phi0 / r * kCapstan;
     const auto law =
         spring::make_pair_law(spring::make_polynomial({start, s}), spring::make_polynomial({0.1, 0.2}), start + 0.1, 1.0).value();
-    const ArmFunction spool(PartKind::kSeries, law, torsion(kt, phi0), kCapstan, {.cable_give = kGive});
+    const ArmFunction spool(PartKind::kSeries, law, torsion(kt, phi0), kCapstan, {.cable_compliance = kGive});
     for (const double tau : {law->loads().low, 0.5, 1.0}) {
         const ArmPoint p = spool.at_load(tau);
         EXPECT_NEAR(p.arm, r, 1e-14);
@@ -75,14 +75,14 @@ INSTANTIATE_TEST_SUITE_P(Stretch, OfBothCams, ::testing::Values(PartKind::kSerie
 
 // Law: slope and bend stay derivatives by the cam's own angle. Central differences over a load step h err by O(h^2).
 TEST_P(OfBothCams, SlopeAndBendAreDerivatives) {
-    const ArmFunction cam = arm({.cable_give = kGive});
+    const ArmFunction cam = arm({.cable_compliance = kGive});
     expect_derivatives(cam, {0.7, 1.4, 1.9});
 }
 
 // Law, by Hooke and torque over tension alone, without an energy: the arms, a linear spring and a cable that is longer by L F/(E A) have
 // the torques of the law where they stand. Trapezoids over 2000 rows: 1e-6.
 TEST_P(OfBothCams, SpringCamAndCableTogetherHaveTheLaw) {
-    const std::vector<FoundArm> found = rows({.cable_give = kGive});
+    const std::vector<FoundArm> found = rows({.cable_compliance = kGive});
     const auto law = stiction_law();
     const spring::BaseSpring spring = base();
     const bool series = GetParam() == PartKind::kSeries;
@@ -104,11 +104,11 @@ TEST_P(OfBothCams, SpringCamAndCableTogetherHaveTheLaw) {
 
 // Roundtrip, with every other allowance at once: as exported is the law. Judged as if its cable were rigid the same cam is off.
 TEST_P(OfBothCams, ReadBackWithItsCableCarriesTheLaw) {
-    const Allowance allowance{.radius = 2e-4, .series_compliance = 0.01, .cable_axis = 5e-5, .cable_give = kGive};
+    const Allowance allowance{.radius = 2e-4, .series_compliance = 0.01, .cable_axis = 5e-5, .cable_compliance = kGive};
     const auto law = stiction_law();
     const auto as_cut = spring_of_arms(GetParam(), rows(allowance), base(), kCapstan, allowance);
     Allowance rigid = allowance;
-    rigid.series_compliance = rigid.cable_give = 0.0;
+    rigid.series_compliance = rigid.cable_compliance = 0.0;
     const auto judged_rigid = spring_of_arms(GetParam(), rows(allowance), base(), kCapstan, rigid);
     const double end = judged_rigid->domain().high;
     for (const double share : {0.0, 0.2, 0.6, 1.0}) {
@@ -132,10 +132,10 @@ TEST_P(OfBothCams, WithoutGiveNothingChanges) {
 
 // c = L/(E A r_c^2): what a diagnosis found beyond it is added.
 TEST(Stretch, BehindTheSpoolComplianceAddsUp) {
-    const ArmFunction length(PartKind::kSeries, stiction_law(), torsion(), kCapstan, {.cable_give = kGive});
+    const ArmFunction length(PartKind::kSeries, stiction_law(), torsion(), kCapstan, {.cable_compliance = kGive});
     const ArmFunction angle(PartKind::kSeries, stiction_law(), torsion(), kCapstan, {.series_compliance = kGive / (kCapstan * kCapstan)});
     const ArmFunction halves(PartKind::kSeries, stiction_law(), torsion(), kCapstan,
-                             {.series_compliance = 0.5 * kGive / (kCapstan * kCapstan), .cable_give = 0.5 * kGive});
+                             {.series_compliance = 0.5 * kGive / (kCapstan * kCapstan), .cable_compliance = 0.5 * kGive});
     for (const double tau : {0.7, 1.4, 2.0}) {
         EXPECT_DOUBLE_EQ(length.at_load(tau).arm, angle.at_load(tau).arm);
         EXPECT_NEAR(halves.at_load(tau).arm, angle.at_load(tau).arm, 1e-15);
@@ -147,7 +147,7 @@ TEST(Stretch, RefusesACableSofterThanTheSeriesSpring) {
     const double soft = kCapstan * kCapstan / stiction_law()->at_load(2.09).s;  // c S = 1 at the stiffest place
     const auto field = [](double give) -> std::string {
         try {
-            (void)ArmFunction(PartKind::kSeries, stiction_law(), torsion(), kCapstan, {.cable_give = give});
+            (void)ArmFunction(PartKind::kSeries, stiction_law(), torsion(), kCapstan, {.cable_compliance = give});
         } catch (const core::InvalidInput& error) {
             return error.field();
         }
@@ -155,8 +155,8 @@ TEST(Stretch, RefusesACableSofterThanTheSeriesSpring) {
     };
     EXPECT_EQ(field(0.99 * soft), "");
     EXPECT_EQ(field(1.01 * soft), "k_se.cable_length_mm");
-    EXPECT_EQ(field(-1e-6), "k_se.cable_give");
-    EXPECT_NO_THROW(ArmFunction(PartKind::kParallel, stiction_law(), compression(), kCapstan, {.cable_give = 1.01 * soft}));
+    EXPECT_EQ(field(-1e-6), "k_se.cable_compliance");
+    EXPECT_NO_THROW(ArmFunction(PartKind::kParallel, stiction_law(), compression(), kCapstan, {.cable_compliance = 1.01 * soft}));
 }
 
 }  // namespace

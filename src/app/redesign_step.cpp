@@ -1,4 +1,4 @@
-#include "recut_step.h"
+#include "redesign_step.h"
 
 #include <fmt/format.h>
 
@@ -6,14 +6,14 @@
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/gap/bench.h"
-#include "fusee/pipeline/recut.h"
-#include "fusee/report/recut.h"
+#include "fusee/pipeline/redesign.h"
+#include "fusee/report/redesign.h"
 
 namespace fusee::app {
 
 namespace fs = std::filesystem;
 
-RecutStep::RecutStep(const fs::path& profile, const fs::path& file, const fs::path& case_folder, bool force)
+RedesignStep::RedesignStep(const fs::path& profile, const fs::path& file, const fs::path& case_folder, bool force)
     : file_(file), force_(force), toml_(core::read_file(profile, profile::kLargestFile)), profile_(profile::parse_profile(toml_, profile)) {
     if (fs::weakly_canonical(file) == fs::weakly_canonical(profile))
         throw core::InvalidInput("--write-profile", file.string(), "another file than --profile, which stays as it is");
@@ -24,17 +24,17 @@ RecutStep::RecutStep(const fs::path& profile, const fs::path& file, const fs::pa
     pipeline::require_same_rig(profile_, bench_);
 }
 
-RecutStep::Told RecutStep::write(const gap::Diagnosis& found, const fs::path& folder) const {
-    const report::Recut recut = pipeline::recut(profile_, toml_, bench_, found, {.file = file_});
-    pipeline::write_recut(recut, folder, force_);
-    return {report::recut_section(recut), report::recut_text(recut)};
+RedesignStep::Output RedesignStep::write(const gap::Diagnosis& found, const fs::path& folder) const {
+    const report::Redesign redesign = pipeline::redesign(profile_, toml_, bench_, found, {.file = file_});
+    pipeline::write_redesign(redesign, folder, force_);
+    return {report::redesign_section(redesign), report::redesign_text(redesign)};
 }
 
-std::optional<RecutStep> recut_step(const fs::path& profile, const fs::path& file, const fs::path& case_folder, bool force) {
+std::optional<RedesignStep> redesign_step(const fs::path& profile, const fs::path& file, const fs::path& case_folder, bool force) {
     if (profile.empty() && file.empty()) return std::nullopt;
     if (profile.empty()) throw core::InvalidInput("--profile", "missing", "the profile that the rig was made from, beside --write-profile");
     if (file.empty()) throw core::InvalidInput("--write-profile", "missing", "the file that gets the corrected profile, beside --profile");
-    return RecutStep(profile, file, case_folder, force);
+    return RedesignStep(profile, file, case_folder, force);
 }
 
 }  // namespace fusee::app

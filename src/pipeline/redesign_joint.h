@@ -3,7 +3,7 @@
 
 #include "fusee/actuator/joint.h"
 #include "fusee/profile/profile.h"
-#include "fusee/report/recut.h"
+#include "fusee/report/redesign.h"
 #include "fusee/spring/law.h"
 
 /// Cams of one profile on a rig that is another.

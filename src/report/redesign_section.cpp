@@ -5,7 +5,7 @@
 #include "column.h"
 #include "diagnosis_page.h"
 #include "diagnosis_words.h"
-#include "fusee/report/recut.h"
+#include "fusee/report/redesign.h"
 #include "svg_plot.h"
 
 namespace fusee::report {
@@ -19,33 +19,33 @@ std::string off(double share) {
     return share < kRounding ? "less than 0.001 %" : fmt::format("{:.2g} %", 100.0 * share);
 }
 
-std::vector<double> degrees(const std::vector<RecutLevel>& levels, DeadBandWidths RecutLevel::*which) {
+std::vector<double> degrees(const std::vector<RedesignLevel>& levels, DeadBandWidths RedesignLevel::*which) {
     std::vector<double> all;
-    for (const RecutLevel& level : levels) all.push_back(core::deg_from_rad((level.*which).read));
+    for (const RedesignLevel& level : levels) all.push_back(core::deg_from_rad((level.*which).measured_width));
     return all;
 }
 
-std::string chart(const Recut& recut) {
+std::string chart(const Redesign& redesign) {
     std::vector<double> tau;
-    for (const RecutLevel& level : recut.levels) tau.push_back(level.tau);
+    for (const RedesignLevel& level : redesign.levels) tau.push_back(level.tau);
     Plot plot("Dead-band as a push-and-release test reads it", "co-contraction [Nm]", "dead-band [deg]");
-    plot.curve("promised", tau, degrees(recut.levels, &RecutLevel::promised), "sum", true);
-    plot.curve("rig as it is, old cams", tau, degrees(recut.levels, &RecutLevel::old_cams), "pe");
-    plot.curve("rig as it is, new cams", tau, degrees(recut.levels, &RecutLevel::new_cams), "se");
+    plot.curve("promised", tau, degrees(redesign.levels, &RedesignLevel::promised), "sum", true);
+    plot.curve("rig as it is, old cams", tau, degrees(redesign.levels, &RedesignLevel::old_cams), "pe");
+    plot.curve("rig as it is, new cams", tau, degrees(redesign.levels, &RedesignLevel::new_cams), "se");
     return "<div class=\"grid\">" + plot.from_zero().svg() + "</div>";
 }
 
-std::string widths_table(const Recut& recut) {
+std::string widths_table(const Redesign& redesign) {
     std::vector<std::vector<Cell>> rows;
     const auto cell = [](double radians) { return Cell{known(core::deg_from_rad(radians)), "num"}; };
-    for (const RecutLevel& level : recut.levels)
+    for (const RedesignLevel& level : redesign.levels)
         rows.push_back({{known(level.tau), "num"},
-                        cell(level.promised.read),
-                        cell(level.old_cams.read),
-                        cell(level.new_cams.read),
-                        cell(level.promised.extreme),
-                        cell(level.old_cams.extreme),
-                        cell(level.new_cams.extreme)});
+                        cell(level.promised.measured_width),
+                        cell(level.old_cams.measured_width),
+                        cell(level.new_cams.measured_width),
+                        cell(level.promised.exact_width),
+                        cell(level.old_cams.exact_width),
+                        cell(level.new_cams.exact_width)});
     return "<div class=\"dense\">" +
            html_table({"co-contraction [Nm]", "promised [deg]", "old cams", "new cams", "extreme, promised", "extreme, old cams",
                        "extreme, new cams"},
@@ -54,18 +54,18 @@ std::string widths_table(const Recut& recut) {
 }
 
 /// "exact dead-band at peak torque, 1 Nm (as fusee make gives it): 51.3 deg promised, ..."
-std::string at_peak(const Recut& recut) {
+std::string at_peak(const Redesign& redesign) {
     const auto three = [&](double DeadBandWidths::*width) {
         const auto degrees = [&](const DeadBandWidths& widths) { return known(core::deg_from_rad(widths.*width)); };
-        return fmt::format("{} deg promised, {} with the old cams, {} with new ones", degrees(recut.peak.promised),
-                           degrees(recut.peak.old_cams), degrees(recut.peak.new_cams));
+        return fmt::format("{} deg promised, {} with the old cams, {} with new ones", degrees(redesign.peak.promised),
+                           degrees(redesign.peak.old_cams), degrees(redesign.peak.new_cams));
     };
     return fmt::format("at peak torque, {:.4g} Nm: exact dead-band, as fusee make gives it, {}; read by the push-and-release test {}",
-                       recut.peak.tau, three(&DeadBandWidths::extreme), three(&DeadBandWidths::read));
+                       redesign.peak.tau, three(&DeadBandWidths::exact_width), three(&DeadBandWidths::measured_width));
 }
 
 /// "covers 0.9 to 1.31 Nm of the 0.85 to 1.5 Nm asked for: ..."
-std::string coverage(const RecutCover& cover) {
+std::string coverage(const RedesignCover& cover) {
     if (!std::isfinite(cover.law_loads.width())) return "";
     const std::string limit =
         fmt::format("friction lets a capstan rest at loads from {:.3g} to {:.3g} Nm, the springs' law has those from {:.3g} to {:.3g} Nm",
@@ -77,9 +77,9 @@ std::string coverage(const RecutCover& cover) {
                        limit);
 }
 
-std::string profile_part(const RecutProfile& profile) {
+std::string profile_part(const RedesignProfile& profile) {
     std::vector<std::vector<Cell>> rows;
-    for (const RecutChange& c : profile.changes)
+    for (const RedesignChange& c : profile.changes)
         rows.push_back({{escape(c.key), "code"}, {escape(c.was), "num"}, {escape(c.is), "num"}, {escape(c.why), ""}});
     std::string out =
         "<h3 class=\"held\">" + escape(profile.file.filename().string()) + "</h3>" + html_table({"key", "was", "is", "why"}, rows);
@@ -91,52 +91,52 @@ std::string profile_part(const RecutProfile& profile) {
     return out + "</ul>";
 }
 
-std::string summary(const Recut& recut) {
+std::string summary(const Redesign& redesign) {
     return fmt::format(
         "<p>The springs of the rig as it is are off the law of their cams by at most {} with the old cams, {} with new ones. Its "
         "dead-band, as a push-and-release test reads it, is off the one promised by {} on the mean of {} levels with the old cams, {} with "
         "new ones; {}.</p>",
-        off(recut.torque_error_old), off(recut.torque_error_new), off(recut.off_with_old_cams()), recut.levels.size(),
-        off(recut.off_with_new_cams()), at_peak(recut));
+        off(redesign.torque_error_old), off(redesign.torque_error_new), off(redesign.off_with_old_cams()), redesign.levels.size(),
+        off(redesign.off_with_new_cams()), at_peak(redesign));
 }
 
 }  // namespace
 
-std::string recut_section(const Recut& recut) {
+std::string redesign_section(const Redesign& redesign) {
     std::string out;
-    if (!recut.levels.empty()) out += summary(recut) + chart(recut) + widths_table(recut);
-    for (const RecutProfile& profile : recut.profiles) out += profile_part(profile);
-    if (!recut.not_mended.empty() || !recut.remarks.empty()) {
+    if (!redesign.levels.empty()) out += summary(redesign) + chart(redesign) + widths_table(redesign);
+    for (const RedesignProfile& profile : redesign.profiles) out += profile_part(profile);
+    if (!redesign.not_mended.empty() || !redesign.remarks.empty()) {
         out += "<ul>";
-        for (const NotMended& n : recut.not_mended)
+        for (const NotMended& n : redesign.not_mended)
             out += "<li>" + escape(cause_name(n.cause)) + " is not mended by cams: " + escape(n.instead) + "</li>";
-        for (const std::string& remark : recut.remarks) out += "<li>" + escape(remark) + "</li>";
+        for (const std::string& remark : redesign.remarks) out += "<li>" + escape(remark) + "</li>";
         out += "</ul>";
     }
     return section("Cams for the rig as it is", out);
 }
 
-std::string recut_text(const Recut& recut) {
+std::string redesign_text(const Redesign& redesign) {
     std::string out;
-    if (!recut.levels.empty())
+    if (!redesign.levels.empty())
         out += fmt::format(
             "  dead-band off the one promised: {} with the old cams, {} with new ones, as a push-and-release test reads it, mean of {} "
             "levels; springs off their law: {}, {}\n  {}\n",
-            off(recut.off_with_old_cams()), off(recut.off_with_new_cams()), recut.levels.size(), off(recut.torque_error_old),
-            off(recut.torque_error_new), at_peak(recut));
-    for (const RecutProfile& profile : recut.profiles) {
+            off(redesign.off_with_old_cams()), off(redesign.off_with_new_cams()), redesign.levels.size(), off(redesign.torque_error_old),
+            off(redesign.torque_error_new), at_peak(redesign));
+    for (const RedesignProfile& profile : redesign.profiles) {
         const std::string whose = profile.sides == "both" ? "both sides" : "the " + profile.sides;
         out += fmt::format("  profile for {}: {}: {}\n", whose, profile.file.string(),
-                           !recut.new_cams_needed ? "the model alone changes, the cams stay"
-                           : profile.can_be_cut() ? "cut its cams by fusee make"
-                                                  : "its cams cannot be cut");
+                           !redesign.new_cams_needed ? "the model alone changes, the cams stay"
+                           : profile.can_be_cut()    ? "cut its cams by fusee make"
+                                                     : "its cams cannot be cut");
         if (const std::string cover = coverage(profile.cover); !cover.empty()) out += "    " + cover + "\n";
         if (!profile.can_be_cut())
             for (const core::Finding& finding : profile.findings)
-                if (finding.severity == core::Severity::kRequired) out += "    " + core::to_line(finding) + "\n";
+                if (finding.severity == core::Severity::kError) out += "    " + core::to_line(finding) + "\n";
     }
-    for (const NotMended& n : recut.not_mended) out += "  no cam mends " + cause_name(n.cause) + ": " + n.instead + "\n";
-    for (const std::string& remark : recut.remarks) out += "  - " + remark + "\n";
+    for (const NotMended& n : redesign.not_mended) out += "  no cam mends " + cause_name(n.cause) + ": " + n.instead + "\n";
+    for (const std::string& remark : redesign.remarks) out += "  - " + remark + "\n";
     return out;
 }
 

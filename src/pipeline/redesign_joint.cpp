@@ -1,4 +1,4 @@
-#include "recut_joint.h"
+#include "redesign_joint.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +18,7 @@ namespace {
 /// What the cam pulls: K_PE's spring through its cable; K_SE's cable is on the other side of its spool.
 spring::BaseSpring pulled_spring(const profile::PartSpec& spec) {
     if (spec.spring.kind == spring::BaseKind::kTorsion) return spec.spring;
-    return spring::in_series_with_cable(spec.spring, spec.allowance.cable_give);
+    return spring::in_series_with_cable(spec.spring, spec.allowance.cable_compliance);
 }
 
 spring::BuildError departure(const profile::PartSpec& cut_for, const profile::PartSpec& as_is) {
@@ -73,7 +73,7 @@ double torque_error(const std::array<Cams, 2>& cams, const std::array<profile::P
 }
 
 report::DeadBandWidths dead_band_widths(const actuator::Joint& joint, double tau, double push_torque) {
-    return {actuator::joint_dead_band(joint, tau, tau).extreme,
+    return {actuator::joint_dead_band(joint, tau, tau).exact_width,
             actuator::release_test(joint, tau, {.push_torque = push_torque, .find_full_push = false}).width()};
 }
 

@@ -1,4 +1,4 @@
-#include "fusee/cam/lean.h"
+#include "fusee/cam/fleet_angle_correction.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ namespace {
 
 using namespace test;
 
-CamOptions leaning(PathKind path, Lead lead, double z) {
+CamOptions with_guide_at(PathKind path, Lead lead, double z) {
     CamOptions o;
     o.guide = {GuideKind::kPoint, core::kPi / 2.0, 0.15, 0.0, 1, z};
     o.path.kind = path;
@@ -37,9 +37,9 @@ double wound(const Cam& cam, double from, double to) {
 
 /// Law: virtual work. A groove that points at its guide takes up as much cable as the arms asked for say; without the correction it would
 /// miss 1 - cos(fleet), up to 0.9 % here. Differences and midpoints err by 1e-6.
-TEST(Lean, AimedGrooveTakesUpTheCableThatTheLawAsksFor) {
+TEST(FleetAngleCorrection, AimedGrooveTakesUpTheCableThatTheLawAsksFor) {
     for (const int sign : {1, -1}) {
-        CamOptions o = leaning(PathKind::kHelix, Lead::kAimedAtGuide, 0.02);
+        CamOptions o = with_guide_at(PathKind::kHelix, Lead::kAimedAtGuide, 0.02);
         o.torque_sign = sign;
         const Cam cam = synthesize_cam(long_parallel_arm(), o).value();
         const auto free = [&](const Contact& c) { return std::hypot(c.span, o.guide.z - c.path.z); };
@@ -57,11 +57,11 @@ TEST(Lean, AimedGrooveTakesUpTheCableThatTheLawAsksFor) {
     }
 }
 
-TEST(Lean, ArmInThePlaneTimesItsCosineIsTheArmAskedFor) {
+TEST(FleetAngleCorrection, ArmInThePlaneTimesItsCosineIsTheArmAskedFor) {
     for (const PartKind kind : {PartKind::kSeries, PartKind::kParallel})
         for (const CamOptions& o :
-             {leaning(PathKind::kPlanar, Lead::kConstantPitch, 0.008), leaning(PathKind::kHelix, Lead::kAimedAtGuide, 0.02),
-              leaning(PathKind::kHelix, Lead::kConstantPitch, 0.005)}) {
+             {with_guide_at(PathKind::kPlanar, Lead::kConstantPitch, 0.008), with_guide_at(PathKind::kHelix, Lead::kAimedAtGuide, 0.02),
+              with_guide_at(PathKind::kHelix, Lead::kConstantPitch, 0.005)}) {
             const ArmFunction arm = kind == PartKind::kSeries ? series_arm() : parallel_arm();
             const Cam cam = synthesize_cam(arm, o).value();
             for (const Contact& c : cam.working) {
@@ -76,8 +76,8 @@ TEST(Lean, ArmInThePlaneTimesItsCosineIsTheArmAskedFor) {
         }
 }
 
-TEST(Lean, CableInItsPlaneIsLeftAsItIs) {
-    const Cam level = synthesize_cam(parallel_arm(), leaning(PathKind::kPlanar, Lead::kConstantPitch, 0.0)).value();
+TEST(FleetAngleCorrection, CableInItsPlaneIsLeftAsItIs) {
+    const Cam level = synthesize_cam(parallel_arm(), with_guide_at(PathKind::kPlanar, Lead::kConstantPitch, 0.0)).value();
     for (const Contact& c : level.working) EXPECT_EQ(c.path.h, c.arm.arm);
     const Cam straight_off = synthesize_cam(series_arm(), CamOptions{}).value();
     for (const Contact& c : straight_off.working) EXPECT_EQ(c.path.h, c.arm.arm);

@@ -4,17 +4,17 @@
 #include <string>
 #include <vector>
 
-#include "fusee/pipeline/recut.h"
+#include "fusee/pipeline/redesign.h"
 #include "fusee/profile/edit.h"
-#include "recut_figures.h"
-#include "recut_joint.h"
+#include "redesign_figures.h"
+#include "redesign_joint.h"
 
 /// Corrected profiles from a diagnosis.
 namespace fusee::pipeline {
 
 /// A corrected profile on its way.
 struct Draft {
-    report::RecutProfile report;
+    report::RedesignProfile report;
     profile::Profile profile;
     spring::SpringLawPtr law;  ///< none: refused
     [[nodiscard]] bool is_for(int side) const;

@@ -1,4 +1,4 @@
-#include "fusee/report/recut.h"
+#include "fusee/report/redesign.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 namespace fusee::report {
 namespace {
 
-Recut some() {
-    Recut r;
+Redesign some() {
+    Redesign r;
     r.profile_name = "arm";
     r.new_cams_needed = true;
     r.profiles.push_back(
@@ -25,14 +25,14 @@ Recut some() {
 }
 
 // Known: (25 % + 10 %)/2 and (5 % + 0 %)/2; the level that is not known does not count.
-TEST(Recut, MeansOverTheKnownLevels) {
+TEST(Redesign, MeansOverTheKnownLevels) {
     EXPECT_NEAR(some().off_with_old_cams(), 0.175, 1e-12);
     EXPECT_NEAR(some().off_with_new_cams(), 0.025, 1e-12);
-    EXPECT_TRUE(std::isnan(Recut{}.off_with_new_cams()));
+    EXPECT_TRUE(std::isnan(Redesign{}.off_with_new_cams()));
 }
 
-TEST(Recut, JsonHoldsEveryFigure) {
-    const auto j = nlohmann::json::parse(recut_json(some()));
+TEST(Redesign, JsonHoldsEveryFigure) {
+    const auto j = nlohmann::json::parse(redesign_json(some()));
     EXPECT_EQ(j["profiles"][0]["changes"][0]["is"], "0.364");
     EXPECT_EQ(j["profiles"][0]["can_be_cut"], true);
     EXPECT_EQ(j["dead_band"][1]["old_cams"]["read_rad"], 0.33);
@@ -41,11 +41,11 @@ TEST(Recut, JsonHoldsEveryFigure) {
     EXPECT_EQ(j["at_peak"]["new_cams"]["extreme_rad"], 0.5);
     EXPECT_EQ(j["profiles"][0]["asked_Nm"], (nlohmann::json{0.85, 1.5}));
     EXPECT_EQ(j["profiles"][0]["covered_Nm"], (nlohmann::json{0.9, 1.31}));
-    EXPECT_TRUE(nlohmann::json::parse(recut_json(Recut{}))["at_peak"].is_null());
+    EXPECT_TRUE(nlohmann::json::parse(redesign_json(Redesign{}))["at_peak"].is_null());
 }
 
-TEST(Recut, SectionAndTextSayTheSame) {
-    const std::string html = recut_section(some()), text = recut_text(some());
+TEST(Redesign, SectionAndTextSayTheSame) {
+    const std::string html = redesign_section(some()), text = redesign_text(some());
     for (const char* words : {"<svg", "arm &lt;new&gt;.toml", "gear.load_friction &lt;b&gt;", "cams &lt; are cut", "11 %", "18 %", "2.5 %"})
         EXPECT_NE(html.find(words), std::string::npos) << words;
     EXPECT_EQ(html.find("<b>"), std::string::npos);
@@ -59,17 +59,17 @@ TEST(Recut, SectionAndTextSayTheSame) {
           "0.6 to 2.36 Nm, the springs' law has"}) {
         EXPECT_NE(text.find(words), std::string::npos) << text;
     }
-    Recut whole = some();
+    Redesign whole = some();
     whole.profiles[0].cover.covered = whole.profiles[0].cover.asked;
-    EXPECT_NE(recut_text(whole).find("covers all co-contractions asked for, 0.85 to 1.5 Nm"), std::string::npos);
-    Recut none = some();
+    EXPECT_NE(redesign_text(whole).find("covers all co-contractions asked for, 0.85 to 1.5 Nm"), std::string::npos);
+    Redesign none = some();
     none.profiles[0].cover.covered = {gap::kNoFigure, gap::kNoFigure};
-    EXPECT_NE(recut_text(none).find("covers no co-contraction of the 0.85 to 1.5 Nm asked for"), std::string::npos);
-    Recut refused = some();
-    refused.profiles[0].findings = {core::required_change("cam.arm", "an arm", 1.0, core::Bound::kAtLeast, 2.0, "mm")};
-    EXPECT_NE(recut_text(refused).find("cam.arm"), std::string::npos);
-    EXPECT_NE(recut_section(refused).find("is going to refuse"), std::string::npos);
-    EXPECT_EQ(recut_section(Recut{}), "");
+    EXPECT_NE(redesign_text(none).find("covers no co-contraction of the 0.85 to 1.5 Nm asked for"), std::string::npos);
+    Redesign refused = some();
+    refused.profiles[0].findings = {core::error_finding("cam.arm", "an arm", 1.0, core::Bound::kAtLeast, 2.0, "mm")};
+    EXPECT_NE(redesign_text(refused).find("cam.arm"), std::string::npos);
+    EXPECT_NE(redesign_section(refused).find("is going to refuse"), std::string::npos);
+    EXPECT_EQ(redesign_section(Redesign{}), "");
 }
 
 }  // namespace

@@ -10,19 +10,19 @@
 namespace fusee::app {
 
 /// `fusee diagnose --profile PROFILE --write-profile FILE`: from the diagnosis to cams for the rig as it is.
-class RecutStep {
+class RedesignStep {
 public:
     /// Reads profile and case, so that what does not belong together is refused before the diagnosis begins.
     /// @throws core::InvalidInput, core::IoError
-    RecutStep(const std::filesystem::path& profile, const std::filesystem::path& file, const std::filesystem::path& case_folder,
-              bool force);
+    RedesignStep(const std::filesystem::path& profile, const std::filesystem::path& file, const std::filesystem::path& case_folder,
+                 bool force);
 
-    struct Told {
+    struct Output {
         std::string section;  ///< of the page
         std::string text;     ///< for the terminal
     };
-    /// Writes the corrected profiles, and recut.json into `folder`. @throws as pipeline::recut and pipeline::write_recut
-    [[nodiscard]] Told write(const gap::Diagnosis& found, const std::filesystem::path& folder) const;
+    /// Writes the corrected profiles, and redesign.json into `folder`. @throws as pipeline::redesign and pipeline::write_redesign
+    [[nodiscard]] Output write(const gap::Diagnosis& found, const std::filesystem::path& folder) const;
 
 private:
     std::filesystem::path file_;
@@ -32,8 +32,8 @@ private:
     gap::Case bench_;
 };
 
-/// None unless both options are given. @throws core::InvalidInput if one stands alone, and as RecutStep
-[[nodiscard]] std::optional<RecutStep> recut_step(const std::filesystem::path& profile, const std::filesystem::path& file,
-                                                  const std::filesystem::path& case_folder, bool force);
+/// None unless both options are given. @throws core::InvalidInput if one stands alone, and as RedesignStep
+[[nodiscard]] std::optional<RedesignStep> redesign_step(const std::filesystem::path& profile, const std::filesystem::path& file,
+                                                        const std::filesystem::path& case_folder, bool force);
 
 }  // namespace fusee::app

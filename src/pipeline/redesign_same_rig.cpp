@@ -5,8 +5,8 @@
 
 #include "fusee/core/error.h"
 #include "fusee/pipeline/design.h"
-#include "fusee/pipeline/recut.h"
-#include "recut_figures.h"
+#include "fusee/pipeline/redesign.h"
+#include "redesign_figures.h"
 
 namespace fusee::pipeline {
 

@@ -1,4 +1,4 @@
-#include "recut_drafts.h"
+#include "redesign_drafts.h"
 
 #include <fmt/format.h>
 
@@ -29,9 +29,9 @@ std::string plain(std::string text) {
 }
 
 /// From the findings that `design_law` makes of it; a finding that allows another torque than the profile's says that none is covered.
-report::RecutCover cover_of(const profile::Profile& profile, const DesignedLaw& law) {
+report::RedesignCover cover_of(const profile::Profile& profile, const DesignedLaw& law) {
     const actuator::Actuator joint = actuator_of(profile, law.law);
-    report::RecutCover cover{
+    report::RedesignCover cover{
         .asked = {profile.rig.least_torque, profile.rig.overdrive_torque}, .law_loads = law.law->loads(), .rest_loads = joint.loads()};
     for (const core::Finding& f : law.findings) {
         if (f.rule == "law.covers_least" && f.allowed == cover.asked.low) cover.covered.low = std::max(f.measured, f.allowed);
@@ -41,7 +41,7 @@ report::RecutCover cover_of(const profile::Profile& profile, const DesignedLaw& 
 }
 
 /// What `make` is going to say, passes left out. @return the law, if there is one
-spring::SpringLawPtr judge(const profile::Profile& profile, report::RecutProfile& report) {
+spring::SpringLawPtr judge(const profile::Profile& profile, report::RedesignProfile& report) {
     core::Findings& findings = report.findings;
     const auto law = design_law(profile);
     if (law) report.cover = cover_of(profile, *law);
@@ -123,7 +123,7 @@ std::string Drafter::head(const std::string& sides) const {
 }
 
 Draft Drafter::draft(const std::string& sides, const Edits& own, double share, bool of_two) const {
-    const std::string suffix = sides == "both" ? "-recut" : "-recut-" + sides;
+    const std::string suffix = sides == "both" ? "-redesign" : "-redesign-" + sides;
     const std::string name = profile_.name.substr(0, kLongestName - suffix.size()) + suffix;
     Draft draft;
     draft.report.sides = sides;

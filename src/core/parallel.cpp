@@ -1,0 +1,55 @@
+#include "fusee/core/parallel.h"
+
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <atomic>
+#include <future>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+namespace fusee::core {
+
+namespace {
+
+/// At most `wanted`: the number of threads, this one included, that the system gives at the same time. oneTBB ends the program where it
+/// gets no thread, so they are tried first.
+unsigned available_threads(unsigned wanted) {
+    static std::atomic<unsigned> known{1};
+    if (wanted <= known) return wanted;
+    std::promise<void> over;
+    const std::shared_future<void> end = over.get_future().share();
+    std::vector<std::thread> probes;
+    try {
+        while (probes.size() + 1 < wanted) probes.emplace_back([end] { end.wait(); });
+    } catch (const std::system_error&) {  // no more
+    }
+    over.set_value();
+    for (std::thread& probe : probes) probe.join();
+    const auto available = static_cast<unsigned>(probes.size()) + 1;
+    known = std::max(known.load(), available);
+    return available;
+}
+
+}  // namespace
+
+unsigned worker_count(unsigned jobs, std::size_t items) {
+    const unsigned wanted = jobs > 0 ? jobs : std::max(1U, std::thread::hardware_concurrency());
+    return static_cast<unsigned>(std::clamp<std::size_t>(items, 1, std::min(wanted, kMostWorkers)));
+}
+
+void parallel_for(std::size_t count, unsigned jobs, const std::function<void(std::size_t)>& body) {
+    const unsigned threads = available_threads(worker_count(jobs, count));
+    if (threads == 1) {
+        for (std::size_t i = 0; i < count; ++i) body(i);
+        return;
+    }
+    const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, threads);  // oneTBB alone stops at the processors
+    tbb::task_arena arena(static_cast<int>(threads));
+    arena.execute([&] { tbb::parallel_for(std::size_t{0}, count, body, tbb::simple_partitioner()); });
+}
+
+}  // namespace fusee::core

@@ -12,7 +12,7 @@ inline constexpr int kFaultlessRigs = 32;  ///< that sigma is found from: it is 
 /// Gap of the nominal model and of the model with what was found, on measurements that the diagnosis never saw: root mean square of
 /// (measured - predicted)/sigma over every measured figure, all alike. sigma^2 is that of the sensors plus the mean square by which
 /// faultless rigs, drawn within tolerance and read with noise where readings are inputs, are off the nominal prediction
-/// (docs/gap-benchmark.md).
+/// (docs/benchmark.md).
 [[nodiscard]] KeptBack kept_back_gap(const gap::Case& bench, const gap::Diagnosis& found, const gap::Rows& measured);
 
 }  // namespace fusee::blind

@@ -17,7 +17,7 @@ namespace {
 
 using Words = std::pair<std::string_view, std::string_view>;
 
-/// Of bench cases (docs/gap-bench.md); what acts on a joint says it in its own file.
+/// Of bench cases (docs/subsystem-cases.md); what acts on a joint says it in its own file.
 constexpr std::array kBenchMeanings{Words{"element.presliding", "The contact yields like a spring before it slides."},
                                     Words{"element.backlash", "The element moves by this much before it grips in the other direction."},
                                     Words{"element.asymmetry", "The friction differs between the two directions."},

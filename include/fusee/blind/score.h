@@ -12,7 +12,7 @@
 #include "fusee/core/units.h"
 #include "fusee/gap/diagnosis.h"
 
-/// What the diagnoses of a sealed benchmark are worth once the seal is opened (docs/gap-benchmark.md).
+/// What the diagnoses of a sealed benchmark are worth once the seal is opened (docs/benchmark.md).
 namespace fusee::blind {
 
 /// How often something was so.
@@ -102,7 +102,7 @@ struct ScoreOptions {
 /// core::IoError; core::Stopped
 [[nodiscard]] Score score(const ScoreOptions& options);
 
-/// Keys as docs/gap-benchmark.md gives them; a NaN is null. @param model score of the cases that the model itself made, or none
+/// Keys as docs/benchmark.md gives them; a NaN is null. @param model score of the cases that the model itself made, or none
 [[nodiscard]] std::string score_json(const Score& score, const std::optional<Score>& model = {});
 
 }  // namespace fusee::blind

@@ -7,9 +7,9 @@
 #include "fusee/gap/diagnose.h"
 #include "fusee/gap/diagnosis.h"
 
-/// Bench cases: one subsystem alone (docs/gap-bench.md). A folder with case.toml, where [bench] stands in place of [rig], and CSV files.
-/// The nominal law's parameters are fitted on the case's own rows; an effect counts only if it also foretells whole files that its fit
-/// has not seen.
+/// Bench cases: one subsystem alone (docs/subsystem-cases.md). A folder with case.toml, where [bench] stands in place of [rig], and CSV
+/// files. The nominal law's parameters are fitted on the case's own rows; an effect counts only if it also foretells whole files that its
+/// fit has not seen.
 namespace fusee::gap {
 
 enum class BenchKind : int {

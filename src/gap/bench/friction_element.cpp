@@ -13,7 +13,7 @@ namespace fusee::gap::bench {
 
 namespace {
 
-/// Spring, play and slider in series (docs/gap-bench.md, eq. 1 to 3): u is the elongation of spring and play.
+/// Spring, play and slider in series (docs/subsystem-cases.md, eq. 1 to 3): u is the elongation of spring and play.
 enum Place : std::size_t { kCoulomb, kDeflection, kBacklash, kSeat, kAsymmetry, kViscous, kStribeck, kStribeckSpeed, kLoad, kPlaces };
 
 constexpr std::size_t kMostRows = 12'000;  // of all files together in a fit; loops keep their shape, the fit takes a quarter of the time

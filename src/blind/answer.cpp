@@ -9,7 +9,7 @@
 #include "fusee/core/json.h"
 #include "fusee/core/output_folder.h"
 #include "fusee/core/progress.h"
-#include "fusee/gap/diagnose.h"
+#include "fusee/diagnosis/diagnose.h"
 #include "kept_back.h"
 
 namespace fusee::blind {
@@ -39,7 +39,7 @@ auto or_failure(const Work& work) {
     }
 }
 
-double number(const json& j) { return j.is_number() ? j.get<double>() : gap::kNoFigure; }
+double number(const json& j) { return j.is_number() ? j.get<double>() : diagnosis::kNoFigure; }
 
 /// A file that is no JSON object says nothing, and is made anew.
 json object_or_none(const fs::path& file) {
@@ -55,7 +55,7 @@ json object_or_none(const fs::path& file) {
 void read_claims(const json& j, Answer& answer) {
     if (j.contains("alternatives"))
         for (const json& other : j["alternatives"]) {
-            gap::Alternative alternative{{}, number(other.at("probability"))};
+            diagnosis::Alternative alternative{{}, number(other.at("probability"))};
             for (const json& cause : other.at("effects"))
                 alternative.effects.push_back({cause.at("id").get<std::string>(), cause.at("side").get<std::string>()});
             answer.alternatives.push_back(std::move(alternative));
@@ -71,17 +71,17 @@ public:
     Desk(const ScoreOptions& options, const std::string& name)
         : options_(options),
           place_(options.folder / "diagnoses" / name),
-          bench_(or_failure([&] { return gap::read_case(options.folder / name); })) {
+          bench_(or_failure([&] { return gap_case::read_case(options.folder / name); })) {
         answer_.case_name = name;
     }
 
     Answer answer() {
         if (options_.again || !holds_this_case()) diagnose();
         const std::string text = core::read_file(diagnosis_file(), kLargest);
-        const gap::Diagnosis found = or_failure([&] {
+        const diagnosis::Diagnosis found = or_failure([&] {
             const std::string file = diagnosis_file().string();
-            gap::Diagnosis read = gap::parse_diagnosis(text, file);
-            gap::require_possible(bench_, read, file);
+            diagnosis::Diagnosis read = diagnosis::parse_diagnosis(text, file);
+            diagnosis::require_possible(bench_, read, file);
             read_claims(core::parse_json(text, file), answer_);
             return read;
         });
@@ -105,13 +105,13 @@ private:
             if (options_.stop && options_.stop()) throw core::Stopped();
         };
         const auto begin = std::chrono::steady_clock::now();
-        const std::string found = or_failure([&] { return gap::diagnosis_json(gap::diagnose(bench_, {1, asked})); });
+        const std::string found = or_failure([&] { return diagnosis::diagnosis_json(diagnosis::diagnose(bench_, {1, asked})); });
         answer_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         put(kDiagnosis, found);
     }
 
     /// The gap on heldout/ of the diagnosis with this hash; time and figures stand in kept_back.json when it is met again.
-    void keep_back(const gap::Diagnosis& found, const std::string& diagnosis) {
+    void keep_back(const diagnosis::Diagnosis& found, const std::string& diagnosis) {
         if (fs::exists(kept_file())) {
             const json kept = object_or_none(kept_file());
             if (kept.value("diagnosis_sha256", json()) == diagnosis) {
@@ -122,7 +122,7 @@ private:
             }
         }
         const KeptBack kept = or_failure(
-            [&] { return kept_back_gap(bench_, found, gap::read_inputs(bench_, options_.folder / answer_.case_name / "heldout")); });
+            [&] { return kept_back_gap(bench_, found, gap_case::read_inputs(bench_, options_.folder / answer_.case_name / "heldout")); });
         answer_.kept_before = kept.before;
         answer_.kept_after = kept.after;
         const json file{{"before", kept.before}, {"after", kept.after}, {"seconds", answer_.seconds}, {"diagnosis_sha256", diagnosis}};
@@ -141,7 +141,7 @@ private:
 
     const ScoreOptions& options_;
     const fs::path place_;
-    const gap::Case bench_;
+    const gap_case::Case bench_;
     Answer answer_;
 };
 

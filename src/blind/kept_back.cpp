@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "faultless.h"
-#include "fusee/gap/diagnose.h"
+#include "fusee/diagnosis/diagnose.h"
 
 namespace fusee::blind {
 
@@ -12,29 +12,29 @@ namespace {
 constexpr std::uint64_t kRigs = 401;  ///< a stream that no case is drawn from
 
 /// Deflections and joint torques are readings too.
-gap::Rows inputs_off(const gap::Case& bench, gap::Rows rows, plant::Random& random) {
-    const gap::Sensors& s = bench.sensors;
+gap_case::Rows inputs_off(const gap_case::Case& bench, gap_case::Rows rows, plant::Random& random) {
+    const gap_case::Sensors& s = bench.sensors;
     const double encoder = std::hypot(s.encoder_noise, s.encoder_step / std::sqrt(12.0));
-    for (gap::SpringPull& row : rows.spring_pull) row.deflection += encoder * random.normal();
-    for (gap::StiffnessRow& row : rows.joint_stiffness)
+    for (gap_case::SpringPull& row : rows.spring_pull) row.deflection += encoder * random.normal();
+    for (gap_case::StiffnessRow& row : rows.joint_stiffness)
         row.joint_torque += std::hypot(s.torque_noise, s.torque_noise_relative * row.joint_torque) * random.normal();
     return rows;
 }
 
 template <typename Visit>
-void visit_figures(const gap::Signals& signals, const Visit& visit) {
-    for (const gap::Experiment experiment : gap::kAllExperiments)
+void visit_figures(const joint_model::Signals& signals, const Visit& visit) {
+    for (const gap_case::Experiment experiment : gap_case::kAllExperiments)
         for (std::size_t i = 0; i < signals[experiment].size(); ++i) visit(experiment, i);
 }
 
-gap::Signals sigma_of(const gap::Case& bench, const gap::Rows& rows, const gap::Signals& nominal) {
-    gap::Signals sigma = sensor_sigma(bench, rows, nominal);
+joint_model::Signals sigma_of(const gap_case::Case& bench, const gap_case::Rows& rows, const joint_model::Signals& nominal) {
+    joint_model::Signals sigma = sensor_sigma(bench, rows, nominal);
     const double share = 1.0 / std::sqrt(static_cast<double>(kFaultlessRigs));
     for (int i = 0; i < kFaultlessRigs; ++i) {
         plant::Random random(0, static_cast<std::uint64_t>(i), kRigs);
         const Faultless rig = draw_faultless(bench, random);
-        const gap::Signals other = gap::measured(gap::predict(rig.bench, rig.built, inputs_off(bench, rows, random)));
-        visit_figures(nominal, [&](gap::Experiment e, std::size_t k) {
+        const joint_model::Signals other = joint_model::measured(diagnosis::predict(rig.bench, rig.built, inputs_off(bench, rows, random)));
+        visit_figures(nominal, [&](gap_case::Experiment e, std::size_t k) {
             sigma[e][k] = std::hypot(sigma[e][k], share * (other[e][k] - nominal[e][k]));
         });
     }
@@ -43,12 +43,13 @@ gap::Signals sigma_of(const gap::Case& bench, const gap::Rows& rows, const gap::
 
 }  // namespace
 
-KeptBack kept_back_gap(const gap::Case& bench, const gap::Diagnosis& found, const gap::Rows& rows) {
-    const gap::Signals measured = gap::measured(rows), nominal = gap::measured(gap::predict(bench, {}, rows)),
-                       after = gap::measured(gap::predict(bench, found, rows)), sigma = sigma_of(bench, rows, nominal);
-    const auto gap_of = [&](const gap::Signals& predicted) {
+KeptBack kept_back_gap(const gap_case::Case& bench, const diagnosis::Diagnosis& found, const gap_case::Rows& rows) {
+    const joint_model::Signals measured = joint_model::measured(rows), nominal = joint_model::measured(diagnosis::predict(bench, {}, rows)),
+                               after = joint_model::measured(diagnosis::predict(bench, found, rows)),
+                               sigma = sigma_of(bench, rows, nominal);
+    const auto gap_of = [&](const joint_model::Signals& predicted) {
         double sum = 0.0, figures = 0.0;
-        visit_figures(measured, [&](gap::Experiment e, std::size_t i) {
+        visit_figures(measured, [&](gap_case::Experiment e, std::size_t i) {
             sum += std::pow((measured[e][i] - predicted[e][i]) / sigma[e][i], 2);
             ++figures;
         });

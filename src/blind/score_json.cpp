@@ -38,9 +38,9 @@ Json calibration_json(const Score& score) {
     return all;
 }
 
-Json causes_json(const std::vector<gap::Cause>& causes) {
+Json causes_json(const std::vector<effects::Cause>& causes) {
     Json all = Json::array();
-    for (const gap::Cause& cause : causes) all.push_back({{"id", cause.id}, {"side", cause.side}});
+    for (const effects::Cause& cause : causes) all.push_back({{"id", cause.id}, {"side", cause.side}});
     return all;
 }
 
@@ -52,15 +52,15 @@ Json truth_json(const Label& label) {
 
 Json answer_json(const Answer& answer) {
     Json effects = Json::array(), alternatives = Json::array();
-    for (const gap::FoundEffect& e : answer.effects)
+    for (const diagnosis::FoundEffect& e : answer.effects)
         effects.push_back({{"id", e.cause.id},
                            {"side", e.cause.side},
                            {"probability", e.probability},
                            {"value", e.parameter.value},
                            {"ci95", range(e.parameter.ci95)}});
-    for (const gap::Alternative& other : answer.alternatives)
+    for (const diagnosis::Alternative& other : answer.alternatives)
         alternatives.push_back({{"effects", causes_json(other.effects)}, {"probability", other.probability}});
-    return {{"verdict", answer.failure.empty() ? gap::to_string(answer.verdict) : "failed"},
+    return {{"verdict", answer.failure.empty() ? to_string(answer.verdict) : "failed"},
             {"effects", std::move(effects)},
             {"alternatives", std::move(alternatives)},
             {"kept_back_before", answer.kept_before},

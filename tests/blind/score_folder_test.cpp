@@ -8,7 +8,7 @@
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/core/progress.h"
-#include "fusee/gap/case.h"
+#include "fusee/gap_case/case.h"
 
 // A benchmark on disk, from seal to score; diagnoses are written by hand: a real one takes seconds.
 namespace fusee::blind {
@@ -46,7 +46,7 @@ protected:
                          {"effects", nlohmann::json::array()},
                          {"alternatives", nlohmann::json::array()},
                          {"gap", {{"heldout_before", 8.0}, {"heldout_after", 2.0}}},
-                         {"case_sha256", gap::read_case(folder_ / label.case_name).sha256}};
+                         {"case_sha256", gap_case::read_case(folder_ / label.case_name).sha256}};
         for (const LabelEffect& e : label.effects) {
             nlohmann::json effect{{"id", e.id},
                                   {"side", e.side},

@@ -11,9 +11,9 @@
 namespace fusee::blind {
 namespace {
 
-using gap::Verdict;
+using diagnosis::Verdict;
 
-gap::FoundEffect found(const std::string& id, const std::string& side, double probability, double low = 0.0, double high = 1.0) {
+diagnosis::FoundEffect found(const std::string& id, const std::string& side, double probability, double low = 0.0, double high = 1.0) {
     return {{id, side}, probability, {0.5 * (low + high), {low, high}, "1"}, {}};
 }
 
@@ -22,7 +22,7 @@ struct Table {
     std::vector<Label> labels;
     std::vector<Answer> answers;
 
-    Answer& add(std::vector<LabelEffect> truth, Verdict verdict, std::vector<gap::FoundEffect> said = {}) {
+    Answer& add(std::vector<LabelEffect> truth, Verdict verdict, std::vector<diagnosis::FoundEffect> said = {}) {
         const std::string name = "case" + std::to_string(labels.size());
         const bool outside = !truth.empty() && truth.front().id.starts_with("outside.");
         labels.push_back({name, std::move(truth), !outside});
@@ -143,7 +143,7 @@ TEST(ScoreAnswers, ShrinkIsComparedWithItsClaim) {
 TEST(ScoreAnswers, ACaseWithoutADiagnosisIsAMiss) {
     Table t;
     t.add({kCoulomb}, Verdict::kUnknown).failure = "too few rows";
-    t.answers[0].kept_before = t.answers[0].kept_after = gap::kNoFigure;
+    t.answers[0].kept_before = t.answers[0].kept_after = diagnosis::kNoFigure;
     const Score score = t.score();
     expect_share(score, "effect_named", 0, 1);
     expect_share(score, "known_called_unknown", 0, 1);

@@ -10,7 +10,7 @@
 
 #include "fusee/blind/blind.h"
 #include "fusee/core/units.h"
-#include "fusee/gap/diagnosis.h"
+#include "fusee/diagnosis/diagnosis.h"
 
 /// What the diagnoses of a sealed benchmark are worth once the seal is opened (docs/gap-benchmark.md).
 namespace fusee::blind {
@@ -27,12 +27,13 @@ struct Share {
 struct Answer {
     std::string case_name;
     std::string failure;  ///< why there is no diagnosis; "" if there is one
-    gap::Verdict verdict = gap::Verdict::kUnknown;
-    std::vector<gap::FoundEffect> effects;
-    std::vector<gap::Alternative> alternatives;
-    double claimed_before = gap::kNoFigure, claimed_after = gap::kNoFigure;  ///< heldout_before, heldout_after of the diagnosis [sigma]
-    double kept_before = gap::kNoFigure, kept_after = gap::kNoFigure;        ///< on the case's folder heldout/ [sigma]
-    double seconds = gap::kNoFigure;                                         ///< the diagnosis took, on one thread
+    diagnosis::Verdict verdict = diagnosis::Verdict::kUnknown;
+    std::vector<diagnosis::FoundEffect> effects;
+    std::vector<diagnosis::Alternative> alternatives;
+    double claimed_before = diagnosis::kNoFigure,
+           claimed_after = diagnosis::kNoFigure;  ///< heldout_before, heldout_after of the diagnosis [sigma]
+    double kept_before = diagnosis::kNoFigure, kept_after = diagnosis::kNoFigure;  ///< on the case's folder heldout/ [sigma]
+    double seconds = diagnosis::kNoFigure;                                         ///< the diagnosis took, on one thread
 };
 /// An effect named: "gear.coulomb", else "two effects", "none", "ambiguous", "unknown" or "failed".
 [[nodiscard]] std::string answer_name(const Answer& answer);
@@ -45,14 +46,14 @@ struct Figure {
     Share share;
     core::Range wanted{0.0, 1.0};  ///< what the project asks of itself
     /// The same with the labels dealt anew among the cases: mean, and 95 % of the deals. NaN where labels do not enter.
-    double shuffled = gap::kNoFigure;
-    core::Range shuffled95{gap::kNoFigure, gap::kNoFigure};
+    double shuffled = diagnosis::kNoFigure;
+    core::Range shuffled95{diagnosis::kNoFigure, diagnosis::kNoFigure};
 };
 
 /// Effects stated with a probability in [from, to): how often they were there.
 struct CalibrationBin {
     core::Range stated;
-    double mean_stated = gap::kNoFigure;
+    double mean_stated = diagnosis::kNoFigure;
     Share right;
 };
 struct ShrinkRow {
@@ -73,7 +74,7 @@ struct Score {
     std::vector<CalibrationBin> calibration;
     std::map<std::string, Share> coverage;  ///< by id: 95 % intervals that hold the true size
     std::vector<ShrinkRow> shrink;          ///< of cases in whose diagnosis an effect is named
-    double median_seconds = gap::kNoFigure, worst_seconds = gap::kNoFigure;
+    double median_seconds = diagnosis::kNoFigure, worst_seconds = diagnosis::kNoFigure;
     std::vector<Miss> misses;
     /// @pre there is one
     [[nodiscard]] const Figure& figure(const std::string& key) const;

@@ -1,0 +1,109 @@
+#include "verdict.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "fusee/inference/interval.h"
+
+namespace fusee::diagnosis {
+
+namespace {
+
+constexpr double kSure = 0.75;   ///< probability from which one hypothesis is the answer
+constexpr double kRival = 0.08;  ///< least probability of an alternative that counts
+constexpr double kSlip = 1.5;    ///< spread of a row that sticks and slips
+constexpr double kSlips = 0.25;  ///< share of such rows from which an experiment is no evidence against the model
+/// T of each experiment above which something is not in the model [sigma]: a break-away scatters with the friction as built, spring pulls
+/// are known best, paths that stick and slip least.
+constexpr std::array<double, gap_case::kExperiments> kUnexplained{2.0, 1.35, 2.75, 3.0, 2.0, 2.75};
+
+/// Share of an experiment's rows at which the prediction hangs on next to nothing.
+double share_of_slips(const inference::Problem& problem, const inference::Fit& fit, gap_case::Experiment experiment) {
+    double slips = 0.0, rows = 0.0;
+    for (int i = 0; i < fit.spread.size(); ++i)
+        if (problem.experiment_of(i) == experiment) {
+            slips += fit.spread[i] > kSlip ? 1.0 : 0.0;
+            rows += 1.0;
+        }
+    return rows > 0.0 ? slips / rows : 0.0;
+}
+
+/// What is said of the best hypothesis while it is looked at.
+struct Scrutiny {
+    std::vector<std::string> remarks;
+    bool unexplained = false;
+    bool evidence = false;  ///< an experiment that can be foretold row by row
+};
+
+void look_at_experiments(Scrutiny& said, const inference::Problem& problem, const inference::Fit& best) {
+    const std::array<double, gap_case::kExperiments> left = misfits(problem, best.seen());
+    for (const gap_case::Experiment experiment : gap_case::kAllExperiments) {
+        const double misfit = left[static_cast<std::size_t>(experiment)];
+        const double limit = kUnexplained[static_cast<std::size_t>(experiment)];
+        if (misfit <= limit) {
+            said.evidence = said.evidence || problem.bench().rows.size(experiment) > 0;
+            continue;
+        }
+        if (const double share = share_of_slips(problem, best, experiment); share > kSlips) {
+            said.remarks.push_back(
+                fmt::format("{}: sticks and slips in {:.0f} % of its rows, which cannot be foretold row by row ({:.1f} "
+                            "sigma): no evidence against the model",
+                            to_string(experiment), 100.0 * share, misfit));
+            continue;
+        }
+        said.unexplained = true;
+        said.remarks.push_back(fmt::format("{}: the best hypothesis leaves {:.1f} sigma; up to {:.2f} the model is as good as it should be",
+                                           to_string(experiment), misfit, limit));
+    }
+}
+
+void look_at_tolerances(Scrutiny& said, const inference::Problem& problem, const inference::Fit& best) {
+    const inference::Strain most = strain(problem, best);
+    if (std::abs(most.sigmas) <= inference::kImpossible) return;
+    said.unexplained = true;
+    said.remarks.push_back(
+        fmt::format("{}: the best hypothesis needs it {:+.1f} sigma of its tolerance off; no effect of the library explains that",
+                    problem.build()[most.parameter].name, most.sigmas));
+}
+
+void look_at_sizes(Scrutiny& said, const inference::Problem& problem, const inference::Search& search) {
+    const inference::Fit& best = search.best();
+    for (const effects::Cause& cause : inference::contradicted(problem, best, search.left_out.front())) {
+        // Two sizes are too loose, an experiment less, to speak against each other.
+        said.unexplained = said.unexplained || best.causes.size() == 1;
+        said.remarks.push_back(fmt::format("{} ({}): refits without one experiment each disagree about its size", cause.id, cause.side));
+    }
+    for (const effects::Cause& cause : inference::at_their_end(problem, best)) {
+        said.unexplained = true;
+        said.remarks.push_back(
+            fmt::format("{} ({}): its size is at the end of what its law allows, so it stands for something else", cause.id, cause.side));
+    }
+}
+
+Verdict verdict_of(const Scrutiny& said, const inference::Search& search) {
+    if (said.unexplained || !said.evidence) return Verdict::kUnknown;
+    const bool rivalled = search.probability.size() > 1 && search.probability[1] >= kRival;  // they fall
+    if (search.probability.front() < kSure && rivalled) return Verdict::kAmbiguous;
+    return search.best().causes.empty() ? Verdict::kNone : Verdict::kIdentified;
+}
+
+}  // namespace
+
+Judgement judge(const inference::Problem& problem, const inference::Search& search) {
+    Scrutiny said;
+    if (problem.known().stick_slip)
+        said.remarks.emplace_back(
+            "cocontraction: a capstan sticks and slips on the way; when it slips cannot be foretold, so paths count with less accuracy");
+    look_at_experiments(said, problem, search.best());
+    look_at_tolerances(said, problem, search.best());
+    look_at_sizes(said, problem, search);
+    return {verdict_of(said, search), std::move(said.remarks)};
+}
+
+}  // namespace fusee::diagnosis

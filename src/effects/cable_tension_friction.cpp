@@ -1,0 +1,23 @@
+#include "fusee/effects/effect.h"
+
+namespace fusee::effects {
+
+namespace {
+
+void apply(BuiltRig& rig, int /*side*/, std::span<const double> values) { rig.tension_friction += values[0]; }
+
+}  // namespace
+
+Effect make_cable_tension_friction() {
+    return {.id = "cable.tension_friction",
+            .law = "Friction at the joint in proportion to the cables' pull: c g (F_SE1 + F_SE2).",
+            .meaning = "The cables rub at the joint in proportion to their tension.",
+            .sided = false,
+            .parameters = {{"c", "1", 0.12, {0, 0.8}, 0}},
+            .starts = {0.4, 1.2},
+            .seen_by = {Experiment::kDeadBand, Experiment::kJointStiffness, Experiment::kCocontraction, Experiment::kLog},
+            .confused_with = {"joint.coulomb"},
+            .apply = apply};
+}
+
+}  // namespace fusee::effects

@@ -1,0 +1,23 @@
+#include "fusee/effects/effect.h"
+
+namespace fusee::effects {
+
+namespace {
+
+void apply(BuiltRig& rig, int side, std::span<const double> values) { rig.sides[side].gear.backlash += values[0]; }
+
+}  // namespace
+
+Effect make_gear_backlash() {
+    return {.id = "gear.backlash",
+            .law = "Play between the capstan and the encoder of its motor.",
+            .meaning = "The gear turns by this much before its teeth meet on the other side.",
+            .sided = true,
+            .parameters = {{"b", "rad", 0.03, {0, 0.5}, 0}},
+            .starts = {0.5, 1.5},
+            .seen_by = {Experiment::kCocontraction, Experiment::kLog},
+            .confused_with = {},
+            .apply = apply};
+}
+
+}  // namespace fusee::effects

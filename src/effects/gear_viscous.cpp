@@ -1,0 +1,23 @@
+#include "fusee/effects/effect.h"
+
+namespace fusee::effects {
+
+namespace {
+
+void apply(BuiltRig& rig, int side, std::span<const double> values) { rig.sides[side].gear.viscous += values[0]; }
+
+}  // namespace
+
+Effect make_gear_viscous() {
+    return {.id = "gear.viscous",
+            .law = "Extra viscous drag at the capstan.",
+            .meaning = "The gear drags more the faster it turns, as in stiff grease.",
+            .sided = true,
+            .parameters = {{"d", "Nms", 0.05, {0, 1}, 0}},
+            .starts = {0.5, 1.5},
+            .seen_by = {Experiment::kDeadBand, Experiment::kJointStiffness, Experiment::kCocontraction, Experiment::kLog},
+            .confused_with = {"joint.viscous"},
+            .apply = apply};
+}
+
+}  // namespace fusee::effects

@@ -1,0 +1,23 @@
+#include "fusee/effects/effect.h"
+
+namespace fusee::effects {
+
+namespace {
+
+void apply(BuiltRig& rig, int /*side*/, std::span<const double> values) { rig.joint_coulomb += values[0]; }
+
+}  // namespace
+
+Effect make_joint_coulomb() {
+    return {.id = "joint.coulomb",
+            .law = "Constant friction at the joint.",
+            .meaning = "The joint's bearing has a constant friction.",
+            .sided = false,
+            .parameters = {{"tau_c", "Nm", 0.07, {0, 0.6}, 0}},
+            .starts = {0.4, 1.2},
+            .seen_by = {Experiment::kDeadBand, Experiment::kJointStiffness, Experiment::kCocontraction, Experiment::kLog},
+            .confused_with = {"cable.tension_friction", "joint.viscous"},
+            .apply = apply};
+}
+
+}  // namespace fusee::effects

@@ -1,0 +1,29 @@
+#include "fusee/effects/effect.h"
+
+namespace fusee::effects {
+
+namespace {
+
+void apply(BuiltRig& rig, int /*side*/, std::span<const double> values) {
+    rig.stop = values[0];
+    rig.stop_stiffness = values[1];
+    rig.stop_damping = values[2];
+}
+
+}  // namespace
+
+Effect make_joint_stop() {
+    return {.id = "joint.stop",
+            .law = "A hard stop inside the modelled range: |q| goes no farther.",
+            .meaning = "The joint meets a hard stop at this angle, inside the modelled range.",
+            .sided = false,
+            .parameters = {{"q_s", "rad", 0.5, {0.02, 4}, 0},
+                           {"k_s", "Nm/rad", 50, {3, 500}, 60, {15, 60, 250}},
+                           {"zeta", "1", 0.3, {0, 2}, 0.5}},
+            .starts = {0.3, 0.6, 1, 1.5, 2.2, 3},
+            .seen_by = {Experiment::kDeadBand, Experiment::kJointStiffness, Experiment::kLog},
+            .confused_with = {},
+            .apply = apply};
+}
+
+}  // namespace fusee::effects

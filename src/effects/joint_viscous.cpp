@@ -1,0 +1,23 @@
+#include "fusee/effects/effect.h"
+
+namespace fusee::effects {
+
+namespace {
+
+void apply(BuiltRig& rig, int /*side*/, std::span<const double> values) { rig.joint_viscous += values[0]; }
+
+}  // namespace
+
+Effect make_joint_viscous() {
+    return {.id = "joint.viscous",
+            .law = "Extra viscous drag at the joint.",
+            .meaning = "The joint drags more the faster it turns.",
+            .sided = false,
+            .parameters = {{"d", "Nms", 0.04, {0, 0.5}, 0}},
+            .starts = {0.5, 1.5},
+            .seen_by = {Experiment::kDeadBand, Experiment::kJointStiffness, Experiment::kCocontraction, Experiment::kLog},
+            .confused_with = {"joint.coulomb", "gear.viscous"},
+            .apply = apply};
+}
+
+}  // namespace fusee::effects

@@ -1,0 +1,23 @@
+#include "fusee/effects/effect.h"
+
+namespace fusee::effects {
+
+namespace {
+
+void apply(BuiltRig& rig, int /*side*/, std::span<const double> values) { rig.delay += values[0]; }
+
+}  // namespace
+
+Effect make_loop_delay() {
+    return {.id = "loop.delay",
+            .law = "Every command of a log arrives late.",
+            .meaning = "A command takes effect later by this time.",
+            .sided = false,
+            .parameters = {{"t_d", "s", 0.02, {0, 0.2}, 0}},
+            .starts = {0.5, 1.5},
+            .seen_by = {Experiment::kLog},
+            .confused_with = {"joint.viscous"},
+            .apply = apply};
+}
+
+}  // namespace fusee::effects

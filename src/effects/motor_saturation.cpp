@@ -1,0 +1,24 @@
+#include "fusee/effects/effect.h"
+
+namespace fusee::effects {
+
+namespace {
+
+void apply(BuiltRig& rig, int side, std::span<const double> values) { rig.sides[side].gear.saturation = values[0]; }
+
+}  // namespace
+
+Effect make_motor_saturation() {
+    return {.id = "motor.saturation",
+            .law = "The motor gives no more than some torque.",
+            .meaning = "The motor delivers no more than this torque, whatever is commanded.",
+            .sided = true,
+            .parameters = {{"tau_max", "Nm", 0.8, {0.1, 5}, 0}},
+            .starts = {0.6, 1, 1.4},
+            .seen_by = {Experiment::kBreakAway, Experiment::kDeadBand, Experiment::kJointStiffness, Experiment::kCocontraction,
+                        Experiment::kLog},
+            .confused_with = {"sensor.torque_scale"},
+            .apply = apply};
+}
+
+}  // namespace fusee::effects

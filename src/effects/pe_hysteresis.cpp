@@ -1,0 +1,24 @@
+#include "fusee/effects/effect.h"
+
+namespace fusee::effects {
+
+namespace {
+
+void apply(BuiltRig& rig, int side, std::span<const double> values) { rig.sides[side].pe_build.hysteresis += values[0]; }
+
+}  // namespace
+
+Effect make_pe_hysteresis() {
+    return {.id = "pe.hysteresis",
+            .law = "F_PE (1 + a z), z from -1 (unloading) to 1 (loading).",
+            .meaning = "K_PE pulls this share harder while it is loaded and this share less while it is unloaded.",
+            .sided = true,
+            .parameters = {{"a", "1", 0.12, {0, 0.6}, 0}},
+            .starts = {0.6, 1.5},
+            .seen_by = {Experiment::kSpringPull, Experiment::kDeadBand, Experiment::kJointStiffness, Experiment::kCocontraction,
+                        Experiment::kLog},
+            .confused_with = {"gear.load_friction"},
+            .apply = apply};
+}
+
+}  // namespace fusee::effects

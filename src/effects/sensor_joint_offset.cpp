@@ -1,0 +1,23 @@
+#include "fusee/effects/effect.h"
+
+namespace fusee::effects {
+
+namespace {
+
+void apply(BuiltRig& rig, int /*side*/, std::span<const double> values) { rig.joint_offset += values[0]; }
+
+}  // namespace
+
+Effect make_sensor_joint_offset() {
+    return {.id = "sensor.joint_offset",
+            .law = "The zero of the joint's encoder is off.",
+            .meaning = "The zero of the joint's encoder is off by this angle.",
+            .sided = false,
+            .parameters = {{"q_0", "rad", 0.05, {-1, 1}, 0}},
+            .starts = {-1, 1},
+            .seen_by = {Experiment::kDeadBand, Experiment::kJointStiffness, Experiment::kCocontraction, Experiment::kLog},
+            .confused_with = {},
+            .apply = apply};
+}
+
+}  // namespace fusee::effects

@@ -1,0 +1,24 @@
+#pragma once
+#include <functional>
+#include <string_view>
+
+#include "fusee/gap_case/case.h"
+
+namespace fusee::gap_case {
+
+/// What is read of a folder's files.
+struct TablesOptions {
+    bool inputs_only = false;  ///< measured columns, and whole files, may be missing; nothing is thinned
+    std::function<void(std::string_view)> seen = [](std::string_view) {};  ///< told of every byte read
+    std::vector<std::string>* remarks = nullptr;                           ///< gets one for each thinned file
+};
+
+/// The files of `bench.files` in `folder`, checked for figures that cannot be of `bench.rig`.
+/// @throws core::InvalidInput "file:line:column: column", core::IoError
+[[nodiscard]] Rows read_tables(const Case& bench, const std::filesystem::path& folder, const TablesOptions& options);
+
+/// Columns deflection_rad, se_torque_Nm, pe_torque_Nm: 8 rows or more, ascending from 0, torques never falling from 0.
+[[nodiscard]] std::vector<NominalRig::SpringRow> read_springs(const std::filesystem::path& file,
+                                                              const std::function<void(std::string_view)>& seen);
+
+}  // namespace fusee::gap_case

@@ -1,0 +1,11 @@
+#pragma once
+#include <string>
+
+#include "fusee/gap_case/case_template.h"
+
+namespace fusee::gap_case {
+
+/// The text of BENCH.md: how each experiment of the template is done, with its set points. Markdown.
+[[nodiscard]] std::string bench_sheets(const CaseTemplate& empty, const Rows& rows);
+
+}  // namespace fusee::gap_case

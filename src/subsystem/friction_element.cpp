@@ -1,0 +1,257 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <set>
+
+#include "cycles.h"
+#include "fusee/core/error.h"
+#include "law.h"
+
+namespace fusee::subsystem {
+
+namespace {
+
+/// Spring, play and slider in series (docs/gap-bench.md, eq. 1 to 3): u is the elongation of spring and play.
+enum Place : std::size_t { kCoulomb, kDeflection, kBacklash, kSeat, kAsymmetry, kViscous, kStribeck, kStribeckSpeed, kLoad, kPlaces };
+
+constexpr std::size_t kMostRows = 12'000;  // of all files together in a fit; loops keep their shape, the fit takes a quarter of the time
+constexpr double kRigid = 1e-7;            // [m], elastic deflection of an element without presliding
+constexpr double kRigidPlay = 0.1;         // the same with play, of a row's travel: a fit then sees which way to go
+
+struct Drive {
+    std::vector<double> x, speed;
+    double preload = 0.0;  // [N]
+    double rigid = 0.0;    // [m]
+};
+
+class FrictionElement final : public Law {
+public:
+    FrictionElement(const Case& bench, bool for_inputs);
+    void predict(std::size_t record, const Values& values, std::vector<double>& predicted) const override;
+    [[nodiscard]] diagnosis::NextExperiment next() const override;
+
+private:
+    void set_knobs(const Case& bench, double force);
+    void set_targets(const Case& bench, std::size_t thin);
+    void set_floors(const Case& bench);
+    void set_preloads(const Case& bench);
+
+    std::vector<Drive> drives_;
+    std::vector<Cycles> cycles_;
+    double amplitude_ = 0.0, speed_ = 0.0;  // the largest of all files
+    double preload_ = 1.0;                  // mean over the files [N]
+    bool preloads_differ_ = false;
+};
+
+/// Speed as measured, or central differences of the displacement.
+std::vector<double> speed_of(const Record& record) {
+    if (const auto v = record.columns.find("v_m_s"); v != record.columns.end()) return v->second;
+    const std::vector<double>&t = record.columns.at("t_s"), &x = record.columns.at("x_m");
+    std::vector<double> speed(x.size(), 0.0);
+    for (std::size_t i = 1; i + 1 < x.size(); ++i) speed[i] = (x[i + 1] - x[i - 1]) / (t[i + 1] - t[i - 1]);
+    return speed;
+}
+
+std::vector<double> every(const std::vector<double>& column, std::size_t step) {
+    std::vector<double> out;
+    for (std::size_t i = 0; i < column.size(); i += step) out.push_back(column[i]);
+    return out;
+}
+
+double mean_travel(const std::vector<double>& x) {
+    double travel = 0.0;
+    for (std::size_t i = 1; i < x.size(); ++i) travel += std::abs(x[i] - x[i - 1]);
+    return std::max(1e-12, travel / static_cast<double>(x.size()));
+}
+
+/// Travel since the last reversal that was followed by more than a hundredth of the amplitude.
+std::vector<double> travel_since_reversal(const std::vector<double>& x, double amplitude) {
+    std::vector<double> travel;
+    double turn = x.front(), farthest = x.front(), sign = 0.0;
+    for (const double at : x) {
+        if (sign != 0.0 && sign * (at - farthest) >= 0.0) farthest = at;
+        if (std::abs(at - farthest) > 0.01 * amplitude) {
+            turn = farthest;
+            sign = at > farthest ? 1.0 : -1.0;
+            farthest = at;
+        }
+        travel.push_back(std::abs(at - turn));
+    }
+    return travel;
+}
+
+FrictionElement::FrictionElement(const Case& bench, bool for_inputs) {
+    measured_name = "F_N";
+    region_name = "travel_since_reversal_m";
+    unit = "N";
+    most_effects = 3;
+    std::size_t rows = 0;
+    for (const Record& record : bench.records) rows += record.rows();
+    const std::size_t thin = for_inputs ? 1 : (rows + kMostRows - 1) / kMostRows;
+    set_preloads(bench);
+    for (std::size_t r = 0; r < bench.records.size(); ++r) {
+        drives_[r].x = every(bench.records[r].columns.at("x_m"), thin);
+        drives_[r].speed = every(speed_of(bench.records[r]), thin);
+        drives_[r].rigid = kRigidPlay * mean_travel(drives_[r].x);
+        const auto [low, high] = std::minmax_element(drives_[r].x.begin(), drives_[r].x.end());
+        amplitude_ = std::max(amplitude_, 0.5 * (*high - *low));
+        for (const double v : drives_[r].speed) speed_ = std::max(speed_, std::abs(v));
+    }
+    if (!for_inputs) {
+        set_floors(bench);
+        set_targets(bench, thin);
+    }
+    double force = 1.0;
+    for (const Target& target : targets)
+        for (const double f : target.measured) force = std::max(force, std::abs(f));
+    set_knobs(bench, force);
+    if (for_inputs) return;
+    if (!(amplitude_ > 0.0)) throw core::InvalidInput("x_m", "no motion in any file", "an element that is driven to and fro");
+    if (thin > 1) floor_remarks.push_back(fmt::format("every {}th row is used in the fits; the floors come from all rows", thin));
+    floor_remarks.push_back("rows before the first whole cycle are not judged: how far the element is strained at the start is not known");
+    make_blocks(*this, bench);
+    std::vector<std::string> amplitudes, frequencies;
+    for (const Cycles& cycles : cycles_) {
+        amplitudes.push_back(fmt::format("{:.2g} m", first_alike(cycles_, cycles).amplitude));
+        frequencies.push_back(cycles.period > 0.0 ? fmt::format("{:.2g} Hz", 1.0 / cycles.period) : "aperiodic");
+    }
+    add_scheme(*this, "amplitude", amplitudes);
+    add_scheme(*this, "frequency", frequencies);
+    for (std::size_t r = 0; r < targets.size(); ++r) targets[r].group = fmt::format("force_loop, amplitude {}", amplitudes[r]);
+}
+
+void FrictionElement::set_preloads(const Case& bench) {
+    drives_.resize(bench.records.size());
+    std::vector<double> preloads;
+    for (const Record& record : bench.records)
+        if (const auto at = record.parameters.find("preload_N"); at != record.parameters.end()) preloads.push_back(at->second);
+    if (preloads.size() < bench.records.size()) return;
+    const double mean = std::accumulate(preloads.begin(), preloads.end(), 0.0) / static_cast<double>(preloads.size());
+    if (!(mean > 0.0)) return;
+    for (std::size_t r = 0; r < drives_.size(); ++r) drives_[r].preload = preloads[r];
+    preload_ = mean;
+    const auto [low, high] = std::minmax_element(preloads.begin(), preloads.end());
+    preloads_differ_ = *high - *low > 0.02 * mean;
+}
+
+void FrictionElement::set_knobs(const Case& bench, double force) {
+    const double a = amplitude_;
+    knobs.resize(kPlaces);
+    double start = 0.7 * force;
+    if (!bench.records.empty())
+        if (const auto at = bench.records.front().parameters.find("coulomb_N"); at != bench.records.front().parameters.end())
+            start = at->second;
+    knobs[kCoulomb] = {"coulomb", "N", start, 1e-3 * force, 10.0 * force, {}};
+    knobs[kDeflection] = {"deflection", "m", 0.0, 0.0, a, {0.03 * a, 0.15 * a}};
+    knobs[kBacklash] = {"backlash", "m", 0.0, 0.0, a, {0.05 * a, 0.1 * a, 0.2 * a, 0.4 * a}};
+    knobs[kSeat] = {"seat", "", 0.0, 0.0, 1.0, {0.5}};
+    knobs[kAsymmetry] = {"asymmetry", "", 0.0, -0.9, 0.9, {0.05}};
+    knobs[kViscous] = {"viscous", "Ns/m", 0.0, 0.0, 5.0 * force / speed_, {0.05 * force / speed_}};
+    knobs[kStribeck] = {"stribeck", "", 0.0, 0.0, 5.0, {0.1}};
+    knobs[kStribeckSpeed] = {"stribeck_speed", "m/s", 0.1 * speed_, 0.01 * speed_, speed_, {0.05 * speed_, 0.3 * speed_}};
+    knobs[kLoad] = {"load", "", 0.0, -force / preload_, 2.0 * force / preload_, {0.2 * force / preload_}};
+    nominal = 1;
+    effects = {{{"element.presliding"}, {kDeflection}, false, ""},
+               {{"element.backlash"}, {kBacklash, kSeat}, false, ""},
+               {{"element.asymmetry"}, {kAsymmetry}, false, ""},
+               {{"element.viscous"}, {kViscous}, true, ""},
+               {{"element.stribeck"}, {kStribeck, kStribeckSpeed}, true, ""},
+               {{"element.load"}, {kLoad}, true, ""}};
+    if (!preloads_differ_) effects.back().unseen = "preload_N is not given, or the same in every file";
+}
+
+/// Sigma is the sensor's, or else the scatter from cycle to cycle.
+void FrictionElement::set_floors(const Case& bench) {
+    double squares = 0.0, freedom = 0.0;
+    for (const Record& record : bench.records) {
+        cycles_.push_back(find_cycles(record.columns.at("t_s"), record.columns.at("x_m"), record.columns.at("F_N")));
+        squares += cycles_.back().variance * static_cast<double>(cycles_.back().freedom);
+        freedom += static_cast<double>(cycles_.back().freedom);
+    }
+    const double cycle = freedom > 0.0 ? std::sqrt(squares / freedom) : 0.0, setup = std::sqrt(setup_variance(cycles_));
+    const auto given = bench.sensors.find("force_noise_N");
+    if (given == bench.sensors.end() && !(cycle > 0.0))
+        throw core::InvalidInput("sensors.force_noise_N", "missing, and no input goes through two like cycles",
+                                 "a force noise, or files with repeated cycles");
+    unit_sigma = given != bench.sensors.end() ? given->second : cycle;
+    cycle_floor = std::max(1.0, cycle / unit_sigma);
+    setup_floor = std::isfinite(setup) ? std::max(cycle_floor, setup / unit_sigma) : cycle_floor;
+    if (given == bench.sensors.end())
+        floor_remarks.push_back(
+            fmt::format("sigma is the scatter from cycle to cycle, {:.4g} N: no sensors.force_noise_N is given", cycle));
+    if (std::isfinite(setup))
+        floor_remarks.push_back(
+            fmt::format("files of the same amplitude differ by {:.4g} N: the floor from one set-up to the next", setup));
+}
+
+void FrictionElement::set_targets(const Case& bench, std::size_t thin) {
+    for (std::size_t r = 0; r < bench.records.size(); ++r) {
+        Target target;
+        target.measured = every(bench.records[r].columns.at("F_N"), thin);
+        target.sigma.assign(target.measured.size(), unit_sigma);
+        target.region = travel_since_reversal(drives_[r].x, amplitude_);
+        for (const double t : every(bench.records[r].columns.at("t_s"), thin))
+            target.settled.push_back(cycles_[r].period <= 0.0 || t >= cycles_[r].begin);
+        targets.push_back(std::move(target));
+    }
+}
+
+/// Play whose flanks meet over a stretch of travel: what is left of the elongation u >= 0 for the spring, and its inverse.
+struct Play {
+    double free, seat;  // half of the travel without any force; half of the stretch over which the flanks come to bear
+
+    [[nodiscard]] double stretch(double u) const {
+        const double z = u - free;
+        return z <= 0.0 ? 0.0 : z < 2.0 * seat ? z * z / (4.0 * seat) : z - seat;
+    }
+    [[nodiscard]] double elongation(double stretch) const {
+        return free + (stretch < seat ? 2.0 * std::sqrt(seat * stretch) : stretch + seat);
+    }
+};
+
+void FrictionElement::predict(std::size_t record, const Values& values, std::vector<double>& predicted) const {
+    const Drive& drive = drives_[record];
+    const Play play{0.5 * values[kBacklash] * (1.0 - values[kSeat]), 0.5 * values[kBacklash] * values[kSeat]};
+    const double coulomb = std::max(1e-9, values[kCoulomb] + values[kLoad] * drive.preload);
+    const double stiffness =
+        coulomb / std::max(values[kDeflection], values[kBacklash] > 0.0 ? drive.rigid : kRigid);  // of an even element, whatever the speed
+    const bool speeds = values[kViscous] != 0.0 || values[kStribeck] != 0.0;
+    predicted.resize(drive.x.size());
+    double u = 0.0;
+    for (std::size_t i = 0; i < drive.x.size(); ++i) {
+        double most = coulomb;
+        if (speeds) {
+            const double v = drive.speed[i], ratio = v / values[kStribeckSpeed];
+            most = std::max(0.0, most * (1.0 + values[kStribeck] * std::exp(-ratio * ratio)) + values[kViscous] * std::abs(v));
+        }
+        if (i > 0) u += drive.x[i] - drive.x[i - 1];
+        const double side = 1.0 + (u > 0.0 ? values[kAsymmetry] : -values[kAsymmetry]);
+        const double elastic = stiffness * side * play.stretch(std::abs(u));
+        const double limit = most * side;
+        predicted[i] = std::copysign(std::min(elastic, limit), u);
+        if (elastic > limit) u = std::copysign(play.elongation(limit / (stiffness * side)), u);  // the slider gives way
+    }
+}
+
+diagnosis::NextExperiment FrictionElement::next() const {
+    diagnosis::NextExperiment next;
+    next.experiment = "force_loop";
+    next.variable = "x_m";
+    next.set_points = {0.02 * amplitude_, 0.1 * amplitude_, amplitude_};
+    next.cost = 10.0;
+    next.text = fmt::format(
+        "drive the element by triangles of {:.2g}, {:.2g} and {:.2g} m at one slow speed, twice each after taking it out and back in: "
+        "small "
+        "triangles show play and elastic deflection apart, the repeated set-up gives the floor below which nothing is to be explained{}",
+        next.set_points[0], next.set_points[1], next.set_points[2],
+        preloads_differ_ ? "" : "; then the same at another preload: this case cannot show a dependence on load");
+    return next;
+}
+
+}  // namespace
+
+std::unique_ptr<Law> friction_element(const Case& bench, bool for_inputs) { return std::make_unique<FrictionElement>(bench, for_inputs); }
+
+}  // namespace fusee::subsystem

@@ -10,7 +10,7 @@
 #include "fusee/core/output_folder.h"
 #include "fusee/core/progress.h"
 #include "fusee/diagnosis/diagnose.h"
-#include "kept_back.h"
+#include "held_out_gap.h"
 
 namespace fusee::blind {
 
@@ -19,8 +19,9 @@ namespace fs = std::filesystem;
 namespace {
 
 using json = nlohmann::ordered_json;
-constexpr const char *kDiagnosis = "diagnosis.json", *kKept = "kept_back.json";
-constexpr std::size_t kLargest = 50'000'000;  // bytes of a diagnosis
+constexpr const char *kDiagnosis = "diagnosis.json", *kHeldOut = "held_out.json",
+                     *kOldHeldOut = "kept_back.json";  // read for one more version
+constexpr std::size_t kLargest = 50'000'000;           // bytes of a diagnosis
 
 /// Why a case has no diagnosis.
 struct Failure {
@@ -71,7 +72,7 @@ public:
     Desk(const ScoreOptions& options, const std::string& name)
         : options_(options),
           place_(options.folder / "diagnoses" / name),
-          bench_(or_failure([&] { return gap_case::read_case(options.folder / name); })) {
+          gap_case_(or_failure([&] { return gap_case::read_case(options.folder / name); })) {
         answer_.case_name = name;
     }
 
@@ -81,23 +82,22 @@ public:
         const diagnosis::Diagnosis found = or_failure([&] {
             const std::string file = diagnosis_file().string();
             diagnosis::Diagnosis read = diagnosis::parse_diagnosis(text, file);
-            diagnosis::require_possible(bench_, read, file);
+            diagnosis::require_possible(gap_case_, read, file);
             read_claims(core::parse_json(text, file), answer_);
             return read;
         });
         answer_.verdict = found.verdict;
         answer_.effects = found.effects;
-        keep_back(found, core::sha256_hex(text));
+        hold_out(found, core::sha256_hex(text));
         return answer_;
     }
 
 private:
     [[nodiscard]] fs::path diagnosis_file() const { return place_ / kDiagnosis; }
-    [[nodiscard]] fs::path kept_file() const { return place_ / kKept; }
     [[nodiscard]] bool holds_this_case() const {
         if (!fs::exists(diagnosis_file())) return false;
         const json found = object_or_none(diagnosis_file());
-        return found.value("case_sha256", json()) == bench_.sha256;
+        return found.value("case_sha256", json()) == gap_case_.sha256;
     }
 
     void diagnose() {
@@ -105,28 +105,28 @@ private:
             if (options_.stop && options_.stop()) throw core::Stopped();
         };
         const auto begin = std::chrono::steady_clock::now();
-        const std::string found = or_failure([&] { return diagnosis::diagnosis_json(diagnosis::diagnose(bench_, {1, asked})); });
+        const std::string found = or_failure([&] { return diagnosis::diagnosis_json(diagnosis::diagnose(gap_case_, {1, asked})); });
         answer_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         put(kDiagnosis, found);
     }
 
-    /// The gap on heldout/ of the diagnosis with this hash; time and figures stand in kept_back.json when it is met again.
-    void keep_back(const diagnosis::Diagnosis& found, const std::string& diagnosis) {
-        if (fs::exists(kept_file())) {
-            const json kept = object_or_none(kept_file());
-            if (kept.value("diagnosis_sha256", json()) == diagnosis) {
-                answer_.kept_before = number(kept.value("before", json()));
-                answer_.kept_after = number(kept.value("after", json()));
-                answer_.seconds = number(kept.value("seconds", json()));
-                return;
-            }
+    /// The gap on heldout/ of the diagnosis with this hash. held_out.json holds the figures of an earlier run and its seconds.
+    void hold_out(const diagnosis::Diagnosis& found, const std::string& diagnosis) {
+        for (const char* name : {kHeldOut, kOldHeldOut}) {
+            const json known = fs::exists(place_ / name) ? object_or_none(place_ / name) : json::object();
+            if (known.value("diagnosis_sha256", json()) != diagnosis) continue;
+            answer_.held_out_before = number(known.value("before", json()));
+            answer_.held_out_after = number(known.value("after", json()));
+            answer_.seconds = number(known.value("seconds", json()));
+            return;
         }
-        const KeptBack kept = or_failure(
-            [&] { return kept_back_gap(bench_, found, gap_case::read_inputs(bench_, options_.folder / answer_.case_name / "heldout")); });
-        answer_.kept_before = kept.before;
-        answer_.kept_after = kept.after;
-        const json file{{"before", kept.before}, {"after", kept.after}, {"seconds", answer_.seconds}, {"diagnosis_sha256", diagnosis}};
-        put(kKept, file.dump(2) + "\n");
+        const HeldOutGap gap = or_failure([&] {
+            return held_out_gap(gap_case_, found, gap_case::read_inputs(gap_case_, options_.folder / answer_.case_name / "heldout"));
+        });
+        answer_.held_out_before = gap.before;
+        answer_.held_out_after = gap.after;
+        const json file{{"before", gap.before}, {"after", gap.after}, {"seconds", answer_.seconds}, {"diagnosis_sha256", diagnosis}};
+        put(kHeldOut, file.dump(2) + "\n");
     }
 
     /// One file among those that lie there; a diagnosis by anybody else is not replaced.
@@ -141,7 +141,7 @@ private:
 
     const ScoreOptions& options_;
     const fs::path place_;
-    const gap_case::Case bench_;
+    const gap_case::Case gap_case_;
     Answer answer_;
 };
 

@@ -6,9 +6,9 @@
 
 namespace fusee::blind {
 
-Faultless draw_faultless(const gap_case::Case& bench, plant::Random& random) {
-    const gap_case::Tolerance& t = bench.tolerance;
-    Faultless rig{bench, {}};
+Faultless draw_faultless(const gap_case::Case& gap_case, plant::Random& random) {
+    const gap_case::Tolerance& t = gap_case.tolerance;
+    Faultless rig{gap_case, {}};
     const auto add = [&](const char* id, const char* side, double value) {
         rig.built.effects.push_back({{id, side}, 1.0, {value, {}, {}}, {}});
     };
@@ -29,13 +29,13 @@ Faultless draw_faultless(const gap_case::Case& bench, plant::Random& random) {
                                            {&gap_case::NominalRig::joint_radius, t.radii},
                                            {&gap_case::NominalRig::motor_inertia, t.inertia},
                                            {&gap_case::NominalRig::joint_inertia, t.inertia}})
-        rig.bench.rig.*figure *= 1.0 + relative * random.normal();
+        rig.gap_case.rig.*figure *= 1.0 + relative * random.normal();
     return rig;
 }
 
-joint_model::Signals sensor_sigma(const gap_case::Case& bench, const gap_case::Rows& rows, const joint_model::Signals& exact) {
-    const gap_case::Sensors& s = bench.sensors;
-    const double encoder = std::hypot(s.encoder_noise, s.encoder_step / std::sqrt(12.0)), mu = bench.rig.gear_load_friction;
+joint_model::Signals sensor_sigma(const gap_case::Case& gap_case, const gap_case::Rows& rows, const joint_model::Signals& exact) {
+    const gap_case::Sensors& s = gap_case.sensors;
+    const double encoder = std::hypot(s.encoder_noise, s.encoder_step / std::sqrt(12.0)), mu = gap_case.rig.gear_load_friction;
     joint_model::Signals sigma = exact;
     for (const gap_case::Experiment experiment : gap_case::kAllExperiments)
         for (double& figure : sigma[experiment])

@@ -22,10 +22,10 @@ diagnosis::FoundEffect model_effect(const LabelEffect& label) {
     return effect;
 }
 
-gap_case::Rows read_by_sensors(const gap_case::Case& bench, const gap_case::Rows& exact, plant::Random random) {
+gap_case::Rows read_by_sensors(const gap_case::Case& gap_case, const gap_case::Rows& exact, plant::Random random) {
     joint_model::Signals read = joint_model::measured(exact);
-    const joint_model::Signals sigma = sensor_sigma(bench, exact, read);
-    const gap_case::Sensors& s = bench.sensors;
+    const joint_model::Signals sigma = sensor_sigma(gap_case, exact, read);
+    const gap_case::Sensors& s = gap_case.sensors;
     for (const gap_case::Experiment experiment : gap_case::kAllExperiments)
         for (std::size_t i = 0; i < read[experiment].size(); ++i) {
             double& figure = read[experiment][i];
@@ -40,13 +40,13 @@ gap_case::Rows read_by_sensors(const gap_case::Case& bench, const gap_case::Rows
 }  // namespace
 
 void measure_by_model(const std::filesystem::path& folder, std::uint64_t seed, std::size_t index, const Label& label) {
-    const gap_case::Case bench = gap_case::read_case(folder);
+    const gap_case::Case gap_case = gap_case::read_case(folder);
     plant::Random build(seed, index, kBuild);
-    Faultless rig = draw_faultless(bench, build);
+    Faultless rig = draw_faultless(gap_case, build);
     for (const LabelEffect& effect : label.effects) rig.built.effects.push_back(model_effect(effect));
     const auto measure = [&](const std::filesystem::path& where, Purpose noise) {
-        const gap_case::Rows exact = diagnosis::predict(rig.bench, rig.built, gap_case::read_inputs(bench, where));
-        gap_case::write_rows(bench, read_by_sensors(bench, exact, plant::Random(seed, index, noise)), where);
+        const gap_case::Rows exact = diagnosis::predict(rig.gap_case, rig.built, gap_case::read_inputs(gap_case, where));
+        gap_case::write_rows(gap_case, read_by_sensors(gap_case, exact, plant::Random(seed, index, noise)), where);
     };
     measure(folder, kNoise);
     measure(folder / "heldout", kHeldoutNoise);

@@ -31,7 +31,7 @@ bool none(const Label& label) { return label.effects.empty(); }
 bool outside(const Label& label) { return !label.in_library; }
 bool named(const Label& label, const Answer& answer) { return names(answer, label, false); }
 bool named_with_side(const Label& label, const Answer& answer) { return names(answer, label, true); }
-template <diagnosis::Verdict verdict>
+template <diagnosis::VerdictKind verdict>
 bool says(const Label&, const Answer& answer) {
     return has_verdict(answer, verdict);
 }
@@ -42,18 +42,18 @@ constexpr std::array<Question, 10> kQuestions{{
     {"effect_and_side", "effect and side named", {0.90, 1.0}, true, one, named_with_side},
     {"effect_left_open", "effect named, or among those that an ambiguous answer leaves", kAny, true, one,
      [](const Label& label, const Answer& answer) { return leaves_open(answer, label); }},
-    {"none_on_null", "none on faultless rigs", {1.0, 1.0}, true, none, says<diagnosis::Verdict::kNone>},
+    {"none_on_null", "none on faultless rigs", {1.0, 1.0}, true, none, says<diagnosis::VerdictKind::kNone>},
     {"both_of_two", "both of two effects named", {0.75, 1.0}, true, two, named},
     {"both_of_two_and_sides", "both of two effects and their sides named", kAny, true, two, named_with_side},
-    {"kept_back_halved",
-     "kept-back gap at least halved",
+    {"held_out_halved",
+     "held-out gap at least halved",
      {0.95, 1.0},
      false,
      knows_effects,
      [](const Label&, const Answer& answer) { return halves_the_gap(answer); }},
-    {"unknown_called_unknown", "unknown effects called unknown", {0.85, 1.0}, true, outside, says<diagnosis::Verdict::kUnknown>},
-    {"known_called_unknown", "known effects called unknown", {0.0, 0.05}, true, knows_effects, says<diagnosis::Verdict::kUnknown>},
-    {"known_not_seen", "known effects called none", kAny, true, knows_effects, says<diagnosis::Verdict::kNone>},
+    {"unknown_called_unknown", "unknown effects called unknown", {0.85, 1.0}, true, outside, says<diagnosis::VerdictKind::kUnknown>},
+    {"known_called_unknown", "known effects called unknown", {0.0, 0.05}, true, knows_effects, says<diagnosis::VerdictKind::kUnknown>},
+    {"known_not_seen", "known effects called none", kAny, true, knows_effects, says<diagnosis::VerdictKind::kNone>},
 }};
 
 Share ask(const Question& question, const std::vector<const Label*>& labels, const std::vector<Answer>& answers) {
@@ -145,7 +145,7 @@ core::Range Share::wilson95() const {
 
 std::string answer_name(const Answer& answer) {
     if (!answer.failure.empty()) return "failed";
-    if (answer.verdict != diagnosis::Verdict::kIdentified) return to_string(answer.verdict);
+    if (answer.verdict != diagnosis::VerdictKind::kIdentified) return to_string(answer.verdict);
     if (answer.effects.empty()) return "failed";
     return answer.effects.size() == 1 ? answer.effects.front().cause.id : "two effects";
 }
@@ -177,9 +177,9 @@ Score score_answers(const std::vector<Label>& labels, const std::vector<Answer>&
         const Answer& answer = answers[i];
         ++score.confusion[truth_name(*of[i])][answer_name(answer)];
         score_statements(score, *of[i], answer, stated, intervals);
-        if (!answer.effects.empty() && answer.claimed_before > 0.0 && answer.kept_before > 0.0)
+        if (!answer.effects.empty() && answer.claimed_before > 0.0 && answer.held_out_before > 0.0)
             score.shrink.push_back(
-                {answer.case_name, answer.claimed_after / answer.claimed_before, answer.kept_after / answer.kept_before});
+                {answer.case_name, answer.claimed_after / answer.claimed_before, answer.held_out_after / answer.held_out_before});
         if (const std::string what = miss_of(*of[i], answer); !what.empty()) score.misses.push_back({*of[i], answer, what});
     }
     for (std::size_t b = 0; b < stated.size(); ++b)

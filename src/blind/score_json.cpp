@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "fusee/blind/score.h"
+#include "fusee/core/json.h"
 #include "fusee/core/provenance.h"
 
 namespace fusee::blind {
@@ -63,8 +64,8 @@ Json answer_json(const Answer& answer) {
     return {{"verdict", answer.failure.empty() ? to_string(answer.verdict) : "failed"},
             {"effects", std::move(effects)},
             {"alternatives", std::move(alternatives)},
-            {"kept_back_before", answer.kept_before},
-            {"kept_back_after", answer.kept_after}};
+            {"held_out_before", answer.held_out_before},
+            {"held_out_after", answer.held_out_after}};
 }
 
 Json misses_json(const Score& score) {
@@ -97,6 +98,8 @@ std::string score_json(const Score& score, const std::optional<Score>& model) {
     Json j = score_object(score);
     j["model"] = model ? score_object(*model) : Json();
     j["fusee"] = core::version();
+    core::keep_old_spelling(
+        j, {{"kept_back_halved", "held_out_halved"}, {"kept_back_before", "held_out_before"}, {"kept_back_after", "held_out_after"}});
     return j.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -19,7 +19,7 @@ constexpr double kLeastAlternative = 1e-3;  ///< probability below which an alte
 constexpr std::size_t kMostRivals = 4;      ///< among which a further experiment is sought: each costs as much as a fit
 constexpr double kSmallLeak = 0.05;         ///< probability that is shared out among rivals but not worth a further experiment
 
-/// 95 % of what the folds say of the gap on rows kept back.
+/// 95 % of what the folds say of the gap on rows held out.
 core::Range interval_over_folds(const inference::Problem& problem, const Eigen::VectorXd& held) {
     const std::vector<int> fold = folds(problem);
     double mean = 0.0, square = 0.0;
@@ -43,17 +43,17 @@ Parameter parameter_of(double value, double half, const effects::EffectParameter
 
 }  // namespace
 
-Answer::Answer(const inference::Problem& problem, const inference::Search& found, const Judgement& judgement)
-    : problem_(problem), found_(found), judgement_(judgement) {
+Answer::Answer(const inference::Problem& problem, const inference::Search& found, const Verdict& verdict)
+    : problem_(problem), found_(found), verdict_(verdict) {
     sigma_ = tolerance_sigma(problem, found.fits[found.null].jacobian);
     nominal_ = problem.predict({}, problem.start({}));
     before_ = problem.residual(nominal_).cwiseQuotient(sigma_);
-    const gap_case::Case& bench = problem.bench();
-    diagnosis_.case_name = bench.name;
-    diagnosis_.case_sha256 = bench.sha256;
-    diagnosis_.verdict = judgement.verdict;
-    diagnosis_.remarks = bench.remarks;
-    diagnosis_.remarks.insert(diagnosis_.remarks.end(), judgement.remarks.begin(), judgement.remarks.end());
+    const gap_case::Case& gap_case = problem.gap_case();
+    diagnosis_.case_name = gap_case.name;
+    diagnosis_.case_sha256 = gap_case.sha256;
+    diagnosis_.verdict = verdict.verdict;
+    diagnosis_.remarks = gap_case.remarks;
+    diagnosis_.remarks.insert(diagnosis_.remarks.end(), verdict.remarks.begin(), verdict.remarks.end());
 }
 
 void Answer::compare(const inference::Split& kept) {
@@ -70,13 +70,13 @@ void Answer::compare(const inference::Split& kept) {
     diagnosis_.gap = gap(nullptr);
     diagnosis_.gap.heldout_after_95 = interval_over_folds(problem_, held);
     for (const gap_case::Experiment experiment : gap_case::kAllExperiments) {
-        const std::size_t rows = problem_.bench().rows.size(experiment);
+        const std::size_t rows = problem_.gap_case().rows.size(experiment);
         if (rows == 0) continue;
         const Gap own = gap(&experiment);
         diagnosis_.experiments.push_back({to_string(experiment), rows, own, own.after});
     }
     diagnosis_.map = gap_map(problem_, before_, after);
-    diagnosis_.where = whereabouts(problem_, judgement_.verdict == Verdict::kUnknown ? after : before_);
+    diagnosis_.where = gap_contributions(problem_, verdict_.verdict == VerdictKind::kUnknown ? after : before_);
     build();
     traces();
 }
@@ -109,7 +109,7 @@ void Answer::rank() {
 
 void Answer::found_effects() {
     const inference::Fit& best = found_.best();
-    const bool named = judgement_.verdict == Verdict::kIdentified || judgement_.verdict == Verdict::kAmbiguous;
+    const bool named = verdict_.verdict == VerdictKind::kIdentified || verdict_.verdict == VerdictKind::kAmbiguous;
     for (std::size_t c = 0; named && c < best.causes.size(); ++c) {
         const effects::Effect& effect = effects::find_effect(best.causes[c].id);
         const auto k = static_cast<std::size_t>(problem_.size_at(best.causes, c));
@@ -122,16 +122,16 @@ void Answer::found_effects() {
             found.extra.emplace_back(effect.parameters[p].name, best.x[static_cast<Eigen::Index>(k + p)] * effect.parameters[p].scale);
         diagnosis_.effects.push_back(std::move(found));
     }
-    for (std::size_t h = named || judgement_.verdict == Verdict::kNone ? 1 : 0; h < found_.fits.size(); ++h)
-        if (found_.probability[h] >= kLeastAlternative || (h == 0 && judgement_.verdict == Verdict::kUnknown))
+    for (std::size_t h = named || verdict_.verdict == VerdictKind::kNone ? 1 : 0; h < found_.fits.size(); ++h)
+        if (found_.probability[h] >= kLeastAlternative || (h == 0 && verdict_.verdict == VerdictKind::kUnknown))
             diagnosis_.alternatives.push_back({found_.fits[h].causes, found_.probability[h]});
 }
 
-void Answer::look_ahead(unsigned jobs) {
-    const std::vector<effects::Cause> causes = inference::possible_causes(problem_.bench().rows);
+void Answer::plan_next_experiment(unsigned jobs) {
+    const std::vector<effects::Cause> causes = inference::possible_causes(problem_.gap_case().rows);
     diagnosis_.isolability = isolability(problem_, found_.fits[found_.null], causes, jobs);
     // A refuted nominal rig is no rival: what is asked for then is which of the effects comes nearest.
-    const bool refuted = judgement_.verdict == Verdict::kUnknown && found_.best().causes.empty();
+    const bool refuted = verdict_.verdict == VerdictKind::kUnknown && found_.best().causes.empty();
     const double of_all = refuted ? 1.0 - found_.probability[found_.null] : 1.0;
     std::vector<const inference::Fit*> rivals;
     std::vector<double> probabilities;

@@ -49,7 +49,7 @@ Trace thinned(const Trace& trace) {
 }  // namespace
 
 void Answer::traces() {
-    const gap_case::Rows& rows = problem_.bench().rows;
+    const gap_case::Rows& rows = problem_.gap_case().rows;
     const inference::Fit& best = found_.best();
     TraceMaker maker{problem_, nominal_, problem_.predict(best.causes, best.x), {}};
     const std::vector<Place> all = places(rows);

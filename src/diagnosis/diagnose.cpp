@@ -24,8 +24,8 @@ constexpr std::size_t kLeastRows = 4;  ///< of which anything can be said: those
 /// Parts of a diagnosis, told as they are finished.
 class Steps {
 public:
-    Steps(const DiagnoseOptions& options, const gap_case::Case& bench) : options_(options) {
-        const auto steps = motion_steps(bench.rows, bench.protocol);
+    Steps(const DiagnoseOptions& options, const gap_case::Case& gap_case) : options_(options) {
+        const auto steps = motion_steps(gap_case.rows, gap_case.protocol);
         const double usual = std::accumulate(steps.begin(), steps.end(), 0.0) / kUsualSteps;
         if (usual > kLong) warning_ = fmt::format("; this case takes {:.2g} times as long as a usual one", usual);
     }
@@ -44,22 +44,22 @@ private:
 
 }  // namespace
 
-Diagnosis diagnose(const gap_case::Case& bench, const DiagnoseOptions& options) {
-    if (bench.rows.size() < kLeastRows)
-        throw core::InvalidInput("experiments", std::to_string(bench.rows.size()) + " rows",
+Diagnosis diagnose(const gap_case::Case& gap_case, const DiagnoseOptions& options) {
+    if (gap_case.rows.size() < kLeastRows)
+        throw core::InvalidInput("experiments", std::to_string(gap_case.rows.size()) + " rows",
                                  fmt::format("at least {} rows in all", kLeastRows));
-    require_feasible(bench.rows, bench.protocol, kMostSteps);
-    Steps told(options, bench);
+    require_feasible(gap_case.rows, gap_case.protocol, kMostSteps);
+    Steps progress(options, gap_case);
     const unsigned jobs = options.jobs;
-    const inference::Problem problem(bench);
-    const inference::Search found = search(problem, {jobs, std::ref(told)});
-    const Judgement judgement = judge(problem, found);
-    Answer answer(problem, found, judgement);
-    answer.compare(kept_back(problem, found.best(), jobs));
-    told("rows kept back");
+    const inference::Problem problem(gap_case);
+    const inference::Search found = search(problem, {jobs, std::ref(progress)});
+    const Verdict verdict = judge(problem, found);
+    Answer answer(problem, found, verdict);
+    answer.compare(held_out(problem, found.best(), jobs));
+    progress("rows kept back");
     answer.rank();
-    answer.look_ahead(jobs);
-    told("next experiment");
+    answer.plan_next_experiment(jobs);
+    progress("next experiment");
     return answer.take();
 }
 

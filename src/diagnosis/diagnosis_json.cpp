@@ -1,6 +1,7 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "fusee/core/json.h"
 #include "fusee/diagnosis/diagnosis.h"
 
 namespace fusee::diagnosis {
@@ -34,9 +35,9 @@ Json effects_json(const std::vector<FoundEffect>& effects) {
     return all;
 }
 
-Json where_json(const std::vector<Whereabouts>& where) {
+Json where_json(const std::vector<GapContribution>& where) {
     Json all = Json::array();
-    for (const Whereabouts& part : where) {
+    for (const GapContribution& part : where) {
         Json j{{"experiment", part.experiment},
                {"share", part.share},
                {"region", {{"variable", part.variable}, {"from", part.region.low}, {"to", part.region.high}}}};
@@ -98,7 +99,7 @@ Json ranking_json(const std::vector<Hypothesis>& ranking) {
 
 Json isolability_json(const Isolability& isolability) {
     return {{"causes", causes_json(isolability.causes)},
-            {"alike", isolability.alike},
+            {"signature_similarity", isolability.signature_similarity},
             {"detectable", isolability.detectable},
             {"units", isolability.units},
             {"classes", isolability.classes}};
@@ -118,7 +119,7 @@ Json next_json(const std::vector<NextExperiment>& next) {
 
 }  // namespace
 
-const char* to_string(Verdict verdict) {
+const char* to_string(VerdictKind verdict) {
     static constexpr std::array<const char*, 4> kNames{"identified", "none", "ambiguous", "unknown"};
     return kNames.at(static_cast<std::size_t>(verdict));
 }
@@ -126,21 +127,22 @@ const char* to_string(Verdict verdict) {
 std::string diagnosis_json(const Diagnosis& d) {
     Json build = Json::object();
     for (const auto& [name, parameter] : d.build) build[name] = parameter_json(parameter);
-    const Json j{{"verdict", to_string(d.verdict)},
-                 {"effects", effects_json(d.effects)},
-                 {"alternatives", alternatives_json(d.alternatives)},
-                 {"where", where_json(d.where)},
-                 {"gap", gap_json(d.gap)},
-                 {"next_experiment", d.next_experiment},
-                 {"next", next_json(d.next)},
-                 {"build", std::move(build)},
-                 {"experiments", experiments_json(d.experiments)},
-                 {"map", map_json(d.map)},
-                 {"ranking", ranking_json(d.ranking)},
-                 {"isolability", isolability_json(d.isolability)},
-                 {"remarks", d.remarks},
-                 {"case", d.case_name},
-                 {"case_sha256", d.case_sha256}};
+    Json j{{"verdict", to_string(d.verdict)},
+           {"effects", effects_json(d.effects)},
+           {"alternatives", alternatives_json(d.alternatives)},
+           {"where", where_json(d.where)},
+           {"gap", gap_json(d.gap)},
+           {"next_experiment", d.next_experiment},
+           {"next", next_json(d.next)},
+           {"build", std::move(build)},
+           {"experiments", experiments_json(d.experiments)},
+           {"map", map_json(d.map)},
+           {"ranking", ranking_json(d.ranking)},
+           {"isolability", isolability_json(d.isolability)},
+           {"remarks", d.remarks},
+           {"case", d.case_name},
+           {"case_sha256", d.case_sha256}};
+    core::keep_old_spelling(j, {{"alike", "signature_similarity"}});
     // A folder's name may be no UTF-8.
     return j.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

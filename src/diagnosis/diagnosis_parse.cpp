@@ -10,9 +10,9 @@ namespace {
 using core::JsonNode;
 
 constexpr double kRounding = 1e-9;  // of a sum of probabilities
-const std::vector<std::string> kKeys{"verdict", "effects", "alternatives", "where",       "gap",     "next_experiment",
-                                     "next",    "build",   "experiments",  "map",         "ranking", "isolability",
-                                     "remarks", "case",    "case_sha256",  "unknown_term"};
+const std::vector<std::string> kKeys{"verdict", "effects", "alternatives", "where",        "gap",           "next_experiment",
+                                     "next",    "build",   "experiments",  "map",          "ranking",       "isolability",
+                                     "remarks", "case",    "case_sha256",  "unknown_term", "renamed_fields"};
 
 Parameter parameter_of(const JsonNode& node) {
     node.allow_keys({"value", "ci95", "unit"});
@@ -35,8 +35,8 @@ FoundEffect effect_of(const JsonNode& node) {
     return effect;
 }
 
-Verdict verdict_of(const JsonNode& node) {
-    for (const Verdict verdict : {Verdict::kIdentified, Verdict::kNone, Verdict::kAmbiguous, Verdict::kUnknown})
+VerdictKind verdict_of(const JsonNode& node) {
+    for (const VerdictKind verdict : {VerdictKind::kIdentified, VerdictKind::kNone, VerdictKind::kAmbiguous, VerdictKind::kUnknown})
         if (node.text() == to_string(verdict)) return verdict;
     node.refuse("identified, none, ambiguous or unknown");
 }
@@ -49,7 +49,7 @@ Diagnosis parse_diagnosis(std::string_view json, const std::string& file) {
     root.allow_keys(kKeys);
     Diagnosis diagnosis;
     for (const JsonNode& effect : root["effects"].cells()) diagnosis.effects.push_back(effect_of(effect));
-    diagnosis.verdict = diagnosis.effects.empty() ? Verdict::kNone : Verdict::kIdentified;
+    diagnosis.verdict = diagnosis.effects.empty() ? VerdictKind::kNone : VerdictKind::kIdentified;
     if (root.has("verdict")) diagnosis.verdict = verdict_of(root["verdict"]);
     if (root.has("build"))
         for (const auto& [name, parameter] : root["build"].members()) diagnosis.build.emplace_back(name, parameter_of(parameter));

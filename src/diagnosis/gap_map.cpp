@@ -51,10 +51,10 @@ std::string component_of(const std::vector<int>& rows, const std::vector<Place>&
     return excess.size() > 1 && most->second > kStandsOut * sum ? most->first : "";
 }
 
-Whereabouts whereabouts_of(const inference::Problem& problem, const std::vector<Place>& places, gap_case::Experiment experiment,
-                           const Eigen::VectorXd& gap) {
+GapContribution whereabouts_of(const inference::Problem& problem, const std::vector<Place>& places, gap_case::Experiment experiment,
+                               const Eigen::VectorXd& gap) {
     const std::vector<std::vector<int>> cells = cells_of(problem, places, experiment);
-    Whereabouts where{to_string(experiment), 0.0, variable_of(experiment), {}, ""};
+    GapContribution where{to_string(experiment), 0.0, variable_of(experiment), {}, ""};
     std::vector<double> excess;
     std::vector<int> all;
     for (const std::vector<int>& cell : cells) {
@@ -126,7 +126,7 @@ double root_mean_square(const inference::Problem& problem, const Eigen::VectorXd
 }
 
 std::vector<GapCell> gap_map(const inference::Problem& problem, const Eigen::VectorXd& before, const Eigen::VectorXd& after) {
-    const std::vector<Place> all = places(problem.bench().rows);
+    const std::vector<Place> all = places(problem.gap_case().rows);
     std::vector<GapCell> map;
     for (const gap_case::Experiment experiment : gap_case::kAllExperiments)
         for (const std::vector<int>& cell : cells_of(problem, all, experiment))
@@ -135,19 +135,19 @@ std::vector<GapCell> gap_map(const inference::Problem& problem, const Eigen::Vec
     return map;
 }
 
-std::vector<Whereabouts> whereabouts(const inference::Problem& problem, const Eigen::VectorXd& gap) {
-    const std::vector<Place> all = places(problem.bench().rows);
-    std::vector<Whereabouts> where;
+std::vector<GapContribution> gap_contributions(const inference::Problem& problem, const Eigen::VectorXd& gap) {
+    const std::vector<Place> all = places(problem.gap_case().rows);
+    std::vector<GapContribution> where;
     double sum = 0.0;
     for (const gap_case::Experiment experiment : gap_case::kAllExperiments)
-        if (problem.bench().rows.size(experiment) > 0) {
+        if (problem.gap_case().rows.size(experiment) > 0) {
             where.push_back(whereabouts_of(problem, all, experiment, gap));
             sum += where.back().share;
         }
     if (sum <= 0.0) return {};
-    for (Whereabouts& part : where) part.share /= sum;
-    std::erase_if(where, [](const Whereabouts& part) { return part.share < kLeastShare; });
-    std::stable_sort(where.begin(), where.end(), [](const Whereabouts& a, const Whereabouts& b) { return a.share > b.share; });
+    for (GapContribution& part : where) part.share /= sum;
+    std::erase_if(where, [](const GapContribution& part) { return part.share < kLeastShare; });
+    std::stable_sort(where.begin(), where.end(), [](const GapContribution& a, const GapContribution& b) { return a.share > b.share; });
     return where;
 }
 

@@ -28,6 +28,6 @@ struct Place {
 /// Four cells an experiment, of equal numbers of rows.
 [[nodiscard]] std::vector<GapCell> gap_map(const inference::Problem& problem, const Eigen::VectorXd& before, const Eigen::VectorXd& after);
 /// Where `gap` is above the floor of 1, greatest share first: per experiment its share, range and component.
-[[nodiscard]] std::vector<Whereabouts> whereabouts(const inference::Problem& problem, const Eigen::VectorXd& gap);
+[[nodiscard]] std::vector<GapContribution> gap_contributions(const inference::Problem& problem, const Eigen::VectorXd& gap);
 
 }  // namespace fusee::diagnosis

@@ -136,11 +136,11 @@ Isolability isolability(const inference::Problem& problem, const inference::Fit&
     for (std::size_t i = 0; i < n; ++i) {
         result.detectable.push_back(marks[i].detectable);
         result.units.push_back(effects::find_effect(causes[i].id).parameters.front().unit);
-        result.alike[i][i] = 1.0;
+        result.signature_similarity[i][i] = 1.0;
         for (std::size_t j = 0; j < i; ++j) {
             const double lengths = marks[i].length * marks[j].length;
             const double cosine = lengths > kNothing ? std::clamp(marks[i].change.dot(marks[j].change) / lengths, -1.0, 1.0) : 0.0;
-            result.alike[i][j] = result.alike[j][i] = std::abs(cosine);
+            result.signature_similarity[i][j] = result.signature_similarity[j][i] = std::abs(cosine);
             linked[i][j] = cannot_tell(marks[i], marks[j], cosine);
         }
     }

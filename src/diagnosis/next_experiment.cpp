@@ -54,7 +54,7 @@ private:
 };
 
 /// What a rival says of every figure: at its fit, and how that moves with one sigma along each column of its covariance's root.
-struct Outlook {
+struct PredictedOutcome {
     Eigen::VectorXd mean;
     Eigen::MatrixXd spread;
 };
@@ -63,13 +63,14 @@ std::vector<joint_model::Signals> predict_sheets(const inference::Problem& probl
                                                  const Eigen::VectorXd& x) {
     const joint_model::BuiltRig rig = problem.rig(causes, x);
     std::vector<joint_model::Signals> sheets;
-    for (const gap_case::Rows& rows : menu.sheets) sheets.push_back(joint_model::predict_signals(rig, rows, problem.bench().protocol));
+    for (const gap_case::Rows& rows : menu.sheets) sheets.push_back(joint_model::predict_signals(rig, rows, problem.gap_case().protocol));
     return sheets;
 }
 
-Outlook outlook(const inference::Problem& problem, const Menu& menu, const Layout& layout, const inference::Fit& rival, unsigned jobs) {
+PredictedOutcome predicted_outcome(const inference::Problem& problem, const Menu& menu, const Layout& layout, const inference::Fit& rival,
+                                   unsigned jobs) {
     const Eigen::MatrixXd root = rival.covariance.llt().matrixL();
-    Outlook seen;
+    PredictedOutcome seen;
     seen.mean = layout.joined(predict_sheets(problem, menu, rival.causes, rival.x));
     seen.spread.resize(seen.mean.size(), root.cols());
     core::parallel_for(static_cast<std::size_t>(root.cols()), jobs, [&](std::size_t k) {
@@ -84,7 +85,7 @@ Eigen::VectorXd precisions(const inference::Problem& problem, const Menu& menu, 
                            const std::vector<joint_model::Signals>& sheets) {
     std::vector<joint_model::Signals> precision;
     for (std::size_t s = 0; s < sheets.size(); ++s) {
-        gap_case::Case asked = problem.bench();
+        gap_case::Case asked = problem.gap_case();
         asked.rows = joint_model::with_measured(menu.sheets[s], sheets[s]);
         const inference::Uncertainty known = inference::uncertainty(asked);
         precision.push_back(known.sigma);
@@ -111,8 +112,8 @@ std::vector<Eigen::MatrixXd> distances(const inference::Problem& problem, const 
     const std::vector<joint_model::Signals> first = predict_sheets(problem, menu, rivals[0]->causes, rivals[0]->x);
     const Layout layout(first);
     const Eigen::VectorXd precision = precisions(problem, menu, layout, first);
-    std::vector<Outlook> outlooks;
-    for (const inference::Fit* rival : rivals) outlooks.push_back(outlook(problem, menu, layout, *rival, jobs));
+    std::vector<PredictedOutcome> predicted;
+    for (const inference::Fit* rival : rivals) predicted.push_back(predicted_outcome(problem, menu, layout, *rival, jobs));
     const auto n = static_cast<int>(rivals.size());
     std::vector<Eigen::MatrixXd> all(menu.measurements.size());
     core::parallel_for(all.size(), jobs, [&](std::size_t m) {
@@ -120,7 +121,7 @@ std::vector<Eigen::MatrixXd> distances(const inference::Problem& problem, const 
         const Eigen::VectorXd weight = precision(places) * std::sqrt(menu.measurements[m].repeats);
         std::vector<Eigen::VectorXd> means;
         std::vector<Eigen::MatrixXd> spreads;
-        for (const Outlook& seen : outlooks) {
+        for (const PredictedOutcome& seen : predicted) {
             means.emplace_back(weight.cwiseProduct(seen.mean(places)));
             spreads.emplace_back(weight.asDiagonal() * seen.spread(places, Eigen::all));
         }
@@ -197,7 +198,7 @@ std::vector<NextExperiment> next_experiments(const inference::Problem& problem, 
     for (double& value : p) value /= sum;
     const double most = entropy(p);
     if (rivals.size() < 2 || !(most > 0.0)) return {};
-    const Menu menu = bench_menu(problem.bench());
+    const Menu menu = bench_menu(problem.gap_case());
     const std::vector<Eigen::MatrixXd> apart = distances(problem, menu, rivals, jobs);
     std::vector<NextExperiment> best;  // of each experiment
     std::size_t tells_most = 0;

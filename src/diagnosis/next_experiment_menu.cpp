@@ -17,10 +17,11 @@ namespace fusee::diagnosis {
 namespace {
 
 /// Minutes at the bench: to mount what one side, spring or joint needs, and for one reading.
-struct Price {
+struct ExperimentCost {
     double mounting, reading;
 };
-constexpr std::array<Price, gap_case::kExperiments> kPrices{{{10.0, 0.5}, {8.0, 0.2}, {5.0, 0.5}, {10.0, 0.02}, {3.0, 0.02}, {5.0, 0.002}}};
+constexpr std::array<ExperimentCost, gap_case::kExperiments> kCosts{
+    {{10.0, 0.5}, {8.0, 0.2}, {5.0, 0.5}, {10.0, 0.02}, {3.0, 0.02}, {5.0, 0.002}}};
 constexpr std::size_t kEveryPull = 5;  ///< of a template's pulls is enough to tell two causes apart
 constexpr double kStronger = 1.5;      ///< push
 constexpr double kReach = 0.9;         ///< of K_SE's greatest torque: as far as a push may go
@@ -28,27 +29,27 @@ constexpr double kLowest = 0.2;        ///< of the highest level, where a case h
 constexpr double kUsualLoad = 0.6;     ///< of what the springs carry, where a case shows no motor torque
 
 /// The motor torques of a template for this rig.
-core::Range torques(const gap_case::Case& bench) {
+core::Range torques(const gap_case::Case& gap_case) {
     core::Range range{std::numeric_limits<double>::infinity(), 0.0};
     const auto at_level = [&](double torque) { range = {std::min(range.low, torque), std::max(range.high, torque)}; };
-    for (const identification::BreakAway& row : bench.rows.breakaway) at_level(row.motor_torque);
-    for (const gap_case::DeadBandRow& row : bench.rows.dead_band) at_level(row.cocontraction);
-    for (const gap_case::StiffnessRow& row : bench.rows.joint_stiffness) at_level(row.cocontraction);
-    for (const gap_case::CocontractionRow& row : bench.rows.cocontraction) range.high = std::max(range.high, row.motor_torque);
-    for (const gap_case::LogRow& row : bench.rows.log) range.high = std::max({range.high, row.torque_agonist, row.torque_antagonist});
-    const gap_case::NominalRig::SpringRow& end = bench.rig.springs.back();
+    for (const identification::BreakAway& row : gap_case.rows.breakaway) at_level(row.motor_torque);
+    for (const gap_case::DeadBandRow& row : gap_case.rows.dead_band) at_level(row.cocontraction);
+    for (const gap_case::StiffnessRow& row : gap_case.rows.joint_stiffness) at_level(row.cocontraction);
+    for (const gap_case::CocontractionRow& row : gap_case.rows.cocontraction) range.high = std::max(range.high, row.motor_torque);
+    for (const gap_case::LogRow& row : gap_case.rows.log) range.high = std::max({range.high, row.torque_agonist, row.torque_antagonist});
+    const gap_case::NominalRig::SpringRow& end = gap_case.rig.springs.back();
     if (range.high <= 0.0) range.high = kUsualLoad * (end.se_torque + end.pe_torque);
     range.low = std::clamp(range.low, 0.0, kLowest * range.high);
     return range;
 }
 
-gap_case::Rows usual_rows(const gap_case::Case& bench) {
-    gap_case::CaseTemplate t{bench.name, bench.rig, bench.tolerance, bench.sensors, bench.protocol, torques(bench)};
-    if (!bench.rows.spring_pull.empty())
-        t.rest_deflection =
-            std::max(0.0, std::min_element(bench.rows.spring_pull.begin(), bench.rows.spring_pull.end(), [](const auto& a, const auto& b) {
-                              return a.deflection < b.deflection;
-                          })->deflection);
+gap_case::Rows usual_rows(const gap_case::Case& gap_case) {
+    gap_case::CaseTemplate t{gap_case.name, gap_case.rig, gap_case.tolerance, gap_case.sensors, gap_case.protocol, torques(gap_case)};
+    if (!gap_case.rows.spring_pull.empty())
+        t.rest_deflection = std::max(
+            0.0, std::min_element(gap_case.rows.spring_pull.begin(), gap_case.rows.spring_pull.end(), [](const auto& a, const auto& b) {
+                     return a.deflection < b.deflection;
+                 })->deflection);
     return set_points(t);
 }
 
@@ -128,8 +129,8 @@ int count_of(Sides side) { return side ? 1 : 2; }
 
 class MenuWriter {
 public:
-    explicit MenuWriter(const gap_case::Case& bench) {
-        gap_case::Rows usual = usual_rows(bench);
+    explicit MenuWriter(const gap_case::Case& gap_case) {
+        gap_case::Rows usual = usual_rows(gap_case);
         thin_pulls(usual.spring_pull);
         break_away_repeats_ = drop_repeats(usual.breakaway, [](const identification::BreakAway& a, const identification::BreakAway& b) {
             return a.side == b.side && a.backdrive == b.backdrive && a.motor_torque == b.motor_torque;
@@ -137,7 +138,7 @@ public:
         dead_band_repeats_ = drop_repeats(usual.dead_band, [](const gap_case::DeadBandRow& a, const gap_case::DeadBandRow& b) {
             return a.cocontraction == b.cocontraction;
         });
-        menu_.sheets = {usual, harder(usual, bench.rig), log_at(usual, 0.5, 2), log_at(usual, 2.0, 1)};
+        menu_.sheets = {usual, harder(usual, gap_case.rig), log_at(usual, 0.5, 2), log_at(usual, 2.0, 1)};
     }
     Menu write() {
         break_aways();
@@ -154,9 +155,9 @@ public:
 
 private:
     void add(Measurement m, int mountings) {
-        const Price& price = kPrices[static_cast<std::size_t>(m.experiment)];
+        const ExperimentCost& cost = kCosts[static_cast<std::size_t>(m.experiment)];
         if (m.rows.empty()) return;
-        m.cost = price.mounting * mountings + price.reading * static_cast<double>(m.rows.size()) * m.repeats;
+        m.cost = cost.mounting * mountings + cost.reading * static_cast<double>(m.rows.size()) * m.repeats;
         menu_.measurements.push_back(std::move(m));
     }
     void break_aways() {
@@ -257,6 +258,6 @@ private:
 
 }  // namespace
 
-Menu bench_menu(const gap_case::Case& bench) { return MenuWriter(bench).write(); }
+Menu bench_menu(const gap_case::Case& gap_case) { return MenuWriter(gap_case).write(); }
 
 }  // namespace fusee::diagnosis

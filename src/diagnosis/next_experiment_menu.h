@@ -26,6 +26,6 @@ struct Menu {
 
 /// Every experiment with the set points of a case template, and its parts: one side, one spring, the lowest and the highest level alone, a
 /// stronger push, a faster and a slower log. Torques stay within those that the case's motors have shown.
-[[nodiscard]] Menu bench_menu(const gap_case::Case& bench);
+[[nodiscard]] Menu bench_menu(const gap_case::Case& gap_case);
 
 }  // namespace fusee::diagnosis

@@ -23,7 +23,7 @@ constexpr double kSlips = 0.25;  ///< share of such rows from which an experimen
 /// are known best, paths that stick and slip least.
 constexpr std::array<double, gap_case::kExperiments> kUnexplained{2.0, 1.35, 2.75, 3.0, 2.0, 2.75};
 
-/// Share of an experiment's rows at which the prediction hangs on next to nothing.
+/// Share of an experiment's rows at which the prediction is ill-conditioned.
 double share_of_slips(const inference::Problem& problem, const inference::Fit& fit, gap_case::Experiment experiment) {
     double slips = 0.0, rows = 0.0;
     for (int i = 0; i < fit.spread.size(); ++i)
@@ -38,7 +38,7 @@ double share_of_slips(const inference::Problem& problem, const inference::Fit& f
 struct Scrutiny {
     std::vector<std::string> remarks;
     bool unexplained = false;
-    bool evidence = false;  ///< an experiment that can be foretold row by row
+    bool evidence = false;  ///< an experiment that can be predicted row by row
 };
 
 void look_at_experiments(Scrutiny& said, const inference::Problem& problem, const inference::Fit& best) {
@@ -47,7 +47,7 @@ void look_at_experiments(Scrutiny& said, const inference::Problem& problem, cons
         const double misfit = left[static_cast<std::size_t>(experiment)];
         const double limit = kUnexplained[static_cast<std::size_t>(experiment)];
         if (misfit <= limit) {
-            said.evidence = said.evidence || problem.bench().rows.size(experiment) > 0;
+            said.evidence = said.evidence || problem.gap_case().rows.size(experiment) > 0;
             continue;
         }
         if (const double share = share_of_slips(problem, best, experiment); share > kSlips) {
@@ -64,7 +64,7 @@ void look_at_experiments(Scrutiny& said, const inference::Problem& problem, cons
 }
 
 void look_at_tolerances(Scrutiny& said, const inference::Problem& problem, const inference::Fit& best) {
-    const inference::Strain most = strain(problem, best);
+    const inference::WorstNuisancePull most = worst_nuisance_pull(problem, best);
     if (std::abs(most.sigmas) <= inference::kImpossible) return;
     said.unexplained = true;
     said.remarks.push_back(
@@ -79,23 +79,23 @@ void look_at_sizes(Scrutiny& said, const inference::Problem& problem, const infe
         said.unexplained = said.unexplained || best.causes.size() == 1;
         said.remarks.push_back(fmt::format("{} ({}): refits without one experiment each disagree about its size", cause.id, cause.side));
     }
-    for (const effects::Cause& cause : inference::at_their_end(problem, best)) {
+    for (const effects::Cause& cause : inference::at_bounds(problem, best)) {
         said.unexplained = true;
         said.remarks.push_back(
             fmt::format("{} ({}): its size is at the end of what its law allows, so it stands for something else", cause.id, cause.side));
     }
 }
 
-Verdict verdict_of(const Scrutiny& said, const inference::Search& search) {
-    if (said.unexplained || !said.evidence) return Verdict::kUnknown;
+VerdictKind verdict_of(const Scrutiny& said, const inference::Search& search) {
+    if (said.unexplained || !said.evidence) return VerdictKind::kUnknown;
     const bool rivalled = search.probability.size() > 1 && search.probability[1] >= kRival;  // they fall
-    if (search.probability.front() < kSure && rivalled) return Verdict::kAmbiguous;
-    return search.best().causes.empty() ? Verdict::kNone : Verdict::kIdentified;
+    if (search.probability.front() < kSure && rivalled) return VerdictKind::kAmbiguous;
+    return search.best().causes.empty() ? VerdictKind::kNone : VerdictKind::kIdentified;
 }
 
 }  // namespace
 
-Judgement judge(const inference::Problem& problem, const inference::Search& search) {
+Verdict judge(const inference::Problem& problem, const inference::Search& search) {
     Scrutiny said;
     if (problem.known().stick_slip)
         said.remarks.emplace_back(

@@ -8,10 +8,10 @@
 namespace fusee::diagnosis {
 
 /// What the ranking, the splits and what is left come to.
-struct Judgement {
-    Verdict verdict = Verdict::kNone;
+struct Verdict {
+    VerdictKind verdict = VerdictKind::kNone;
     std::vector<std::string> remarks;
 };
-[[nodiscard]] Judgement judge(const inference::Problem& problem, const inference::Search& search);
+[[nodiscard]] Verdict judge(const inference::Problem& problem, const inference::Search& search);
 
 }  // namespace fusee::diagnosis

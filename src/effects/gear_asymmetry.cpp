@@ -18,6 +18,7 @@ Effect make_gear_asymmetry() {
             .seen_by = {Experiment::kBreakAway, Experiment::kDeadBand, Experiment::kJointStiffness, Experiment::kCocontraction,
                         Experiment::kLog},
             .confused_with = {"gear.load_friction", "sensor.torque_scale"},
+            .advice = "measure both directions by break-away tests: a profile knows one friction for winding in and paying out",
             .apply = apply};
 }
 

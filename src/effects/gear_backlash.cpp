@@ -17,6 +17,7 @@ Effect make_gear_backlash() {
             .starts = {0.5, 1.5},
             .seen_by = {Experiment::kCocontraction, Experiment::kLog},
             .confused_with = {},
+            .advice = "take the play out of the gear or its coupling",
             .apply = apply};
 }
 

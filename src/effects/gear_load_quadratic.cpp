@@ -18,6 +18,7 @@ Effect make_gear_load_quadratic() {
             .seen_by = {Experiment::kBreakAway, Experiment::kDeadBand, Experiment::kJointStiffness, Experiment::kCocontraction,
                         Experiment::kLog},
             .confused_with = {"gear.load_friction", "gear.coulomb"},
+            .advice = "measure the friction by break-away tests and name the table in rig.gear_friction_table",
             .apply = apply};
 }
 

@@ -17,6 +17,7 @@ Effect make_gear_viscous() {
             .starts = {0.5, 1.5},
             .seen_by = {Experiment::kDeadBand, Experiment::kJointStiffness, Experiment::kCocontraction, Experiment::kLog},
             .confused_with = {"joint.viscous"},
+            .advice = "move slower or change the grease; the corrected profile has it in its model",
             .apply = apply};
 }
 

@@ -17,6 +17,7 @@ Effect make_joint_gravity() {
             .starts = {-1, 0.6, 1.5},
             .seen_by = {Experiment::kDeadBand, Experiment::kJointStiffness, Experiment::kCocontraction, Experiment::kLog},
             .confused_with = {},
+            .advice = "balance the joint, or stand it so that gravity has no lever",
             .apply = apply};
 }
 

@@ -23,6 +23,7 @@ Effect make_joint_stop() {
             .starts = {0.3, 0.6, 1, 1.5, 2.2, 3},
             .seen_by = {Experiment::kDeadBand, Experiment::kJointStiffness, Experiment::kLog},
             .confused_with = {},
+            .advice = "find what the joint runs into and take it away",
             .apply = apply};
 }
 

@@ -17,6 +17,7 @@ Effect make_joint_viscous() {
             .starts = {0.5, 1.5},
             .seen_by = {Experiment::kDeadBand, Experiment::kJointStiffness, Experiment::kCocontraction, Experiment::kLog},
             .confused_with = {"joint.coulomb", "gear.viscous"},
+            .advice = "look at the joint's grease and seals; the corrected profile has it in its model",
             .apply = apply};
 }
 

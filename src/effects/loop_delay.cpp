@@ -17,6 +17,7 @@ Effect make_loop_delay() {
             .starts = {0.5, 1.5},
             .seen_by = {Experiment::kLog},
             .confused_with = {"joint.viscous"},
+            .advice = "look at the controller: no spring changes it",
             .apply = apply};
 }
 

@@ -18,6 +18,7 @@ Effect make_motor_saturation() {
             .seen_by = {Experiment::kBreakAway, Experiment::kDeadBand, Experiment::kJointStiffness, Experiment::kCocontraction,
                         Experiment::kLog},
             .confused_with = {"sensor.torque_scale"},
+            .advice = "command less torque, or take a stronger motor",
             .apply = apply};
 }
 

@@ -21,6 +21,7 @@ Effect make_pe_bottoming() {
             .seen_by = {Experiment::kSpringPull, Experiment::kDeadBand, Experiment::kJointStiffness, Experiment::kCocontraction,
                         Experiment::kLog},
             .confused_with = {},
+            .advice = "take a compression spring with more travel to solid (k_pe.spring.max_travel_mm)",
             .apply = apply};
 }
 

@@ -18,6 +18,7 @@ Effect make_pe_hysteresis() {
             .seen_by = {Experiment::kSpringPull, Experiment::kDeadBand, Experiment::kJointStiffness, Experiment::kCocontraction,
                         Experiment::kLog},
             .confused_with = {"gear.load_friction"},
+            .advice = "look at the compression spring: coils or guide that rub",
             .apply = apply};
 }
 

@@ -18,6 +18,7 @@ Effect make_se_hysteresis() {
             .seen_by = {Experiment::kSpringPull, Experiment::kDeadBand, Experiment::kJointStiffness, Experiment::kCocontraction,
                         Experiment::kLog},
             .confused_with = {"gear.load_friction"},
+            .advice = "look at the torsion spring: coils that rub, a leg that slips",
             .apply = apply};
 }
 

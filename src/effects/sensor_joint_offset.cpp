@@ -17,6 +17,7 @@ Effect make_sensor_joint_offset() {
             .starts = {-1, 1},
             .seen_by = {Experiment::kDeadBand, Experiment::kJointStiffness, Experiment::kCocontraction, Experiment::kLog},
             .confused_with = {},
+            .advice = "set the joint encoder's zero",
             .apply = apply};
 }
 

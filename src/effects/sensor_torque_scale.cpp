@@ -18,6 +18,7 @@ Effect make_sensor_torque_scale() {
             .seen_by = {Experiment::kBreakAway, Experiment::kDeadBand, Experiment::kJointStiffness, Experiment::kCocontraction,
                         Experiment::kLog},
             .confused_with = {"gear.asymmetry"},
+            .advice = "calibrate the motor's torque; do not cut cams for it",
             .apply = apply};
 }
 

@@ -59,16 +59,16 @@ std::map<Experiment, std::vector<std::string>> read_files(const CaseToml& toml) 
     return files;
 }
 
-void read_toml(const CaseToml& toml, Case& bench) {
+void read_toml(const CaseToml& toml, Case& gap_case) {
     if (toml.has("bench")) throw toml.fault("bench", "a bench case", "a case with [rig]; one subsystem alone is read as a bench case");
     toml.allow_tables({"rig", "tolerance", "sensors", "protocol", "experiments"});
-    toml.require_numbers("rig", rig_keys(bench.rig), {"springs"});
-    read_or_default(toml, "tolerance", tolerance_keys(bench.tolerance), {}, bench.remarks);
-    read_or_default(toml, "sensors", sensor_keys(bench.sensors), {}, bench.remarks);
-    read_or_default(toml, "protocol", protocol_keys(bench.protocol), {"log_start", "motor_ramp"}, bench.remarks);
-    if (toml.has("protocol.motor_ramp")) bench.protocol.smooth_motor_ramp = read_ramp(toml);
-    require_noise(toml, bench.sensors);
-    bench.files = read_files(toml);
+    toml.require_numbers("rig", rig_keys(gap_case.rig), {"springs"});
+    read_or_default(toml, "tolerance", tolerance_keys(gap_case.tolerance), {}, gap_case.remarks);
+    read_or_default(toml, "sensors", sensor_keys(gap_case.sensors), {}, gap_case.remarks);
+    read_or_default(toml, "protocol", protocol_keys(gap_case.protocol), {"log_start", "motor_ramp"}, gap_case.remarks);
+    if (toml.has("protocol.motor_ramp")) gap_case.protocol.smooth_motor_ramp = read_ramp(toml);
+    require_noise(toml, gap_case.sensors);
+    gap_case.files = read_files(toml);
 }
 
 }  // namespace
@@ -114,19 +114,19 @@ std::size_t Rows::size() const {
 
 Case read_case(const fs::path& folder) {
     const CaseToml toml(folder);
-    Case bench;
-    bench.name = fs::absolute(folder / "case.toml").lexically_normal().parent_path().filename().string();
-    read_toml(toml, bench);
+    Case gap_case;
+    gap_case.name = fs::absolute(folder / "case.toml").lexically_normal().parent_path().filename().string();
+    read_toml(toml, gap_case);
     core::Sha256 hash;
     hash.add(toml.bytes());
     const auto seen = [&hash](std::string_view bytes) { hash.add(bytes); };
     const std::string springs = toml.text("rig.springs", kSpringsAllowed);
     (void)toml.files("rig.springs");
-    bench.rig.springs = read_springs(folder / springs, seen);
-    bench.rows = read_tables(bench, folder, {.seen = seen, .remarks = &bench.remarks});
-    bench.sha256 = hash.hex();
-    for (std::string& remark : check_rows(bench, folder, springs)) bench.remarks.push_back(std::move(remark));
-    return bench;
+    gap_case.rig.springs = read_springs(folder / springs, seen);
+    gap_case.rows = read_tables(gap_case, folder, {.seen = seen, .remarks = &gap_case.remarks});
+    gap_case.sha256 = hash.hex();
+    for (std::string& remark : check_rows(gap_case, folder, springs)) gap_case.remarks.push_back(std::move(remark));
+    return gap_case;
 }
 
 bool is_subsystem_case(const fs::path& folder) { return CaseToml(folder).has("bench"); }

@@ -82,8 +82,8 @@ std::string likely_unit(double ratio) {
 
 class Checker {
 public:
-    Checker(const Case& bench, fs::path folder, std::string springs)
-        : bench_(bench), rows_(bench.rows), folder_(std::move(folder)), springs_(std::move(springs)) {}
+    Checker(const Case& gap_case, fs::path folder, std::string springs)
+        : gap_case_(gap_case), rows_(gap_case.rows), folder_(std::move(folder)), springs_(std::move(springs)) {}
 
     std::vector<std::string> check() && {
         check_springs();
@@ -105,7 +105,7 @@ private:
     /// The experiment's first file stands for all of them.
     [[nodiscard]] core::InvalidInput fault(Experiment experiment, const std::string& columns, std::string value,
                                            std::string allowed) const {
-        const std::string file = (folder_ / bench_.files.at(experiment).front()).string();
+        const std::string file = (folder_ / gap_case_.files.at(experiment).front()).string();
         return {fmt::format("{}: {}", file, columns), std::move(value), std::move(allowed)};
     }
 
@@ -116,12 +116,12 @@ private:
     /// Cams follow from curves that rise everywhere, over a turn that a capstan can be seen to make.
     void check_springs() const {
         constexpr double kLeastEnd = 0.1;  // [rad]
-        const double end = bench_.rig.springs.back().deflection;
+        const double end = gap_case_.rig.springs.back().deflection;
         if (end < kLeastEnd)
             throw springs_fault("deflection_rad", fmt::format("at most {:g}", end),
                                 fmt::format("radians at the capstan, to {:g} at least; are these another unit?", kLeastEnd));
         try {
-            bench_.rig.require_rising_springs();
+            gap_case_.rig.require_rising_springs();
         } catch (const core::InvalidInput& e) {
             throw springs_fault("se_torque_Nm, pe_torque_Nm", e.value(), e.allowed());
         }
@@ -129,22 +129,22 @@ private:
 
     void check_travel() const {
         constexpr double kMostAngle = 30.0, kMostTravel = 0.25, kLeastTravel = 1e-4;
-        const BaseTravel travel = base_travel(bench_.rig);
+        const BaseTravel travel = base_travel(gap_case_.rig);
         const std::string file = (folder_ / "case.toml").string();
         if (travel.spool_angle > kMostAngle)
             throw core::InvalidInput(
-                file + ": rig.se_torsion_rate_Nm_per_rad", fmt::format("{:g}", bench_.rig.se_torsion_rate),
+                file + ": rig.se_torsion_rate_Nm_per_rad", fmt::format("{:g}", gap_case_.rig.se_torsion_rate),
                 fmt::format("a rate in Nm/rad, and springs in Nm over rad: the spool would turn by {:.3g} rad", travel.spool_angle));
         if (travel.compression > kMostTravel || travel.compression < kLeastTravel)
             throw core::InvalidInput(
-                file + ": rig.pe_compression_rate_N_per_m", fmt::format("{:g}", bench_.rig.pe_compression_rate),
+                file + ": rig.pe_compression_rate_N_per_m", fmt::format("{:g}", gap_case_.rig.pe_compression_rate),
                 fmt::format("a rate in N/m, and springs in Nm over rad: the spring would give way by {:.3g} m", travel.compression));
     }
 
     /// Commands so far below the springs' torques that they would hardly move: another unit.
     void check_commands() const {
         constexpr double kLeastShare = 0.03;  // of the springs' greatest torque: rigs use half of it, Ncm would be a hundredth
-        const double springs = bench_.rig.springs.back().se_torque + bench_.rig.springs.back().pe_torque;
+        const double springs = gap_case_.rig.springs.back().se_torque + gap_case_.rig.springs.back().pe_torque;
         for_each_experiment(rows_, [&]<class Row>(Experiment experiment, const std::vector<Row>& rows) {
             for (const Field<Row>& field : fields<Row>()) {
                 if (field.measured || field.quantity != Quantity::kPull || rows.empty()) continue;
@@ -190,7 +190,7 @@ private:
     void check_carried() const {
         double carried = 0.0, given = 0.0;
         const auto add = [&](double theta, double torque) {
-            if (theta > 0.0) carried += nominal_torque(bench_.rig, true, theta) + nominal_torque(bench_.rig, false, theta);
+            if (theta > 0.0) carried += nominal_torque(gap_case_.rig, true, theta) + nominal_torque(gap_case_.rig, false, theta);
             given += std::abs(torque);
         };
         const auto judge = [&](Experiment experiment) {
@@ -218,7 +218,7 @@ private:
             for (const SpringPull& row : rows_.spring_pull) {
                 if (row.series != series) continue;
                 measured += std::abs(row.torque);
-                nominal += std::abs(nominal_torque(bench_.rig, series, row.deflection));
+                nominal += std::abs(nominal_torque(gap_case_.rig, series, row.deflection));
             }
             if (nominal > 0.0 && (measured > kMuchPull * nominal || nominal > kMuchPull * measured))
                 throw fault(
@@ -229,7 +229,7 @@ private:
     }
 
     void check_ends() const {
-        const double noise = 10.0 * (bench_.sensors.encoder_step + bench_.sensors.encoder_noise);
+        const double noise = 10.0 * (gap_case_.sensors.encoder_step + gap_case_.sensors.encoder_noise);
         for (const DeadBandRow& row : rows_.dead_band)
             if (row.width < -noise)
                 throw fault(Experiment::kDeadBand, "q_low_rad, q_high_rad",
@@ -275,25 +275,25 @@ private:
         std::vector<double> steps;
         for (std::size_t i = 1; i < rows.size(); ++i) steps.push_back(rows[i].time - rows[i - 1].time);
         std::nth_element(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2), steps.end());
-        const double step = steps[steps.size() / 2], ratio = step * bench_.sensors.log_rate;
+        const double step = steps[steps.size() / 2], ratio = step * gap_case_.sensors.log_rate;
         if (std::abs(ratio / kMilli - 1.0) < kNear)
             throw fault(Experiment::kLog, "t_s", fmt::format("a row every {:g} s", step),
-                        fmt::format("seconds: {:g} Hz in [sensors] would be {:g} s; are these milliseconds?", bench_.sensors.log_rate,
-                                    1.0 / bench_.sensors.log_rate));
+                        fmt::format("seconds: {:g} Hz in [sensors] would be {:g} s; are these milliseconds?", gap_case_.sensors.log_rate,
+                                    1.0 / gap_case_.sensors.log_rate));
         if (ratio > kOther || ratio * kOther < 1.0)
             remarks_.push_back(fmt::format("log: a row every {:g} s, where log_rate_Hz = {:g} says {:g} s; the times are taken as they are",
-                                           step, bench_.sensors.log_rate, 1.0 / bench_.sensors.log_rate));
+                                           step, gap_case_.sensors.log_rate, 1.0 / gap_case_.sensors.log_rate));
     }
 
     /// Readings of an encoder are multiples of its step: in degrees or milliradians they are multiples of another one.
     void check_encoder(Experiment experiment, const char* name, const std::vector<double>& readings) const {
         constexpr double kMilli = 1000.0, kDegree = 180.0 / core::kPi;
-        if (readings.size() < kEnough || bench_.sensors.encoder_step == 0.0) return;
+        if (readings.size() < kEnough || gap_case_.sensors.encoder_step == 0.0) return;
         for (const auto& [unit, factor] : {std::pair{"degrees", kDegree}, {"milliradians", kMilli}})
-            if (counted_in(readings, factor * bench_.sensors.encoder_step))
+            if (counted_in(readings, factor * gap_case_.sensors.encoder_step))
                 throw fault(
-                    experiment, name, fmt::format("multiples of {:.4g}", factor * bench_.sensors.encoder_step),
-                    fmt::format("radians, with the encoder's step of {:.4g} rad; are these {}?", bench_.sensors.encoder_step, unit));
+                    experiment, name, fmt::format("multiples of {:.4g}", factor * gap_case_.sensors.encoder_step),
+                    fmt::format("radians, with the encoder's step of {:.4g} rad; are these {}?", gap_case_.sensors.encoder_step, unit));
     }
 
     void check_encoders() const {
@@ -306,7 +306,7 @@ private:
 
     void check_counts() {
         constexpr std::size_t kFewInAll = 30;
-        for (const auto& [experiment, files] : bench_.files)
+        for (const auto& [experiment, files] : gap_case_.files)
             if (rows_.size(experiment) < kFew)
                 remarks_.push_back(fmt::format("{}: {} rows only; it has little weight", to_string(experiment), rows_.size(experiment)));
         if (rows_.size() < kFewInAll)
@@ -314,7 +314,7 @@ private:
         if (rows_.dead_band_width_only) remarks_.emplace_back("dead_band: widths alone; which side is at fault cannot be seen from them");
     }
 
-    const Case& bench_;
+    const Case& gap_case_;
     const Rows& rows_;
     fs::path folder_;
     std::string springs_;
@@ -333,8 +333,8 @@ BaseTravel base_travel(const NominalRig& rig) {
     return {std::sqrt(2.0 * series / rig.se_torsion_rate), std::sqrt(2.0 * parallel / rig.pe_compression_rate)};
 }
 
-std::vector<std::string> check_rows(const Case& bench, const fs::path& folder, const std::string& springs) {
-    return Checker(bench, folder, springs).check();
+std::vector<std::string> check_rows(const Case& gap_case, const fs::path& folder, const std::string& springs) {
+    return Checker(gap_case, folder, springs).check();
 }
 
 }  // namespace fusee::gap_case

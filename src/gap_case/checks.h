@@ -10,7 +10,7 @@ namespace fusee::gap_case {
 /// does not go with the springs' curves. Returns what the reader should know and can live with.
 /// @throws core::InvalidInput "FOLDER/FILE: column" where nothing sensible can be done with the figures
 /// @param springs the name of the springs' file in the folder
-[[nodiscard]] std::vector<std::string> check_rows(const Case& bench, const std::filesystem::path& folder, const std::string& springs);
+[[nodiscard]] std::vector<std::string> check_rows(const Case& gap_case, const std::filesystem::path& folder, const std::string& springs);
 
 /// How far the base springs move: spool angle and compression at the end of the nominal curves, from the energies
 ///     1/2 k_t phi^2 = U_SE, 1/2 k y^2 = U_PE.

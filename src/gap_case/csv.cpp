@@ -193,14 +193,14 @@ void tell_left_out(const std::string& file, const core::CsvTable& table, std::ve
 }
 
 template <class Row>
-void read_experiment(const Case& bench, const fs::path& folder, const TablesOptions& options, Experiment experiment, Rows& all,
+void read_experiment(const Case& gap_case, const fs::path& folder, const TablesOptions& options, Experiment experiment, Rows& all,
                      std::vector<Row>& rows) {
-    const auto named = bench.files.find(experiment);
-    if (named == bench.files.end()) return;
+    const auto named = gap_case.files.find(experiment);
+    if (named == gap_case.files.end()) return;
     for (const std::string& name : named->second) {
         std::size_t& part = all.parts[experiment].emplace_back(0);
         if (options.inputs_only && !fs::exists(folder / name)) continue;
-        const TableReader<Row> reader(folder / name, bench.rig, options);
+        const TableReader<Row> reader(folder / name, gap_case.rig, options);
         const std::vector<Row> read = reader.rows();
         part = read.size();
         rows.insert(rows.end(), read.begin(), read.end());
@@ -212,9 +212,9 @@ void read_experiment(const Case& bench, const fs::path& folder, const TablesOpti
 
 }  // namespace
 
-Rows read_tables(const Case& bench, const fs::path& folder, const TablesOptions& options) {
+Rows read_tables(const Case& gap_case, const fs::path& folder, const TablesOptions& options) {
     Rows all;
-    for_each_experiment(all, [&](Experiment experiment, auto& rows) { read_experiment(bench, folder, options, experiment, all, rows); });
+    for_each_experiment(all, [&](Experiment experiment, auto& rows) { read_experiment(gap_case, folder, options, experiment, all, rows); });
     return all;
 }
 

@@ -15,7 +15,7 @@ struct TablesOptions {
 
 /// The files of `bench.files` in `folder`, checked for figures that cannot be of `bench.rig`.
 /// @throws core::InvalidInput "file:line:column: column", core::IoError
-[[nodiscard]] Rows read_tables(const Case& bench, const std::filesystem::path& folder, const TablesOptions& options);
+[[nodiscard]] Rows read_tables(const Case& gap_case, const std::filesystem::path& folder, const TablesOptions& options);
 
 /// Columns deflection_rad, se_torque_Nm, pe_torque_Nm: 8 rows or more, ascending from 0, torques never falling from 0.
 [[nodiscard]] std::vector<NominalRig::SpringRow> read_springs(const std::filesystem::path& file,

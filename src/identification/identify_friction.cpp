@@ -44,14 +44,14 @@ std::vector<FrictionLine> lines_of(const std::vector<BreakAway>& rows, const std
 }
 
 /// What the rows' scatter looks like about the lines of the finest groups, and what each row counts therefore.
-struct Weighing {
+struct RowWeights {
     std::vector<double> weights;
     std::vector<std::size_t> outliers;  // ascending
     Scatter scatter;
 };
 
-Weighing weigh(const std::vector<BreakAway>& rows, const std::vector<Group>& finest) {
-    Weighing w{std::vector<double>(rows.size(), 1.0), {}, {}};
+RowWeights weigh(const std::vector<BreakAway>& rows, const std::vector<Group>& finest) {
+    RowWeights w{std::vector<double>(rows.size(), 1.0), {}, {}};
     for (int pass = 0; pass < kScatterPasses; ++pass) {
         std::vector<double> frictions, residuals, weights(rows.size(), 1.0);
         std::vector<std::pair<std::size_t, double>> expected;  // row and its friction on the line
@@ -150,26 +150,26 @@ FrictionReport identify_friction(const std::vector<BreakAway>& rows) {
                              ? std::vector<Group>{}
                              : groups_by(rows, [](const BreakAway& row) { return row.side + " " + direction_of(row); });
     const std::vector<Group> finest = with_lines(rows, !by_both.empty() ? by_both : !by_side.empty() ? by_side : by_direction);
-    const Weighing weighing = weigh(rows, finest);
+    const RowWeights row_weights = weigh(rows, finest);
 
     FrictionReport report;
     report.repeats = repeats_of(rows);
-    report.scatter_growth = weighing.scatter.growth;
-    report.lines.push_back(fit_line(all, line_model(rows, all, weighing.weights)));
-    if (const Group rest = without(all, weighing.outliers); rest.rows.size() < all.rows.size()) {
-        const math::LinearModel model = line_model(rows, rest, weighing.weights);
+    report.scatter_growth = row_weights.scatter.growth;
+    report.lines.push_back(fit_line(all, line_model(rows, all, row_weights.weights)));
+    if (const Group rest = without(all, row_weights.outliers); rest.rows.size() < all.rows.size()) {
+        const math::LinearModel model = line_model(rows, rest, row_weights.weights);
         report.outliers_left_out = has_line(model);
         if (report.outliers_left_out) report.lines.push_back(fit_line(rest, model));
     }
     const Fitted fitted{rows,
-                        weighing.weights,
+                        row_weights.weights,
                         report.trusted(),
-                        lines_of(rows, by_direction, weighing.weights),
-                        lines_of(rows, by_side, weighing.weights),
+                        lines_of(rows, by_direction, row_weights.weights),
+                        lines_of(rows, by_side, row_weights.weights),
                         finest,
-                        weighing.outliers,
-                        weighing.scatter};
-    for (const auto& lines : {fitted.directions, fitted.sides, lines_of(rows, by_both, weighing.weights)})
+                        row_weights.outliers,
+                        row_weights.scatter};
+    for (const auto& lines : {fitted.directions, fitted.sides, lines_of(rows, by_both, row_weights.weights)})
         report.lines.insert(report.lines.end(), lines.begin(), lines.end());
     report.remarks = remarks_on(fitted);
     report.law = law_of(fitted.trusted);

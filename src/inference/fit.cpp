@@ -129,8 +129,8 @@ Eigen::VectorXd spread_of(const Problem& problem, const Causes& causes, const Ei
     return (square.array() + 1.0).sqrt();
 }
 
-Strain strain(const Problem& problem, const Fit& fit) {
-    Strain most;
+WorstNuisancePull worst_nuisance_pull(const Problem& problem, const Fit& fit) {
+    WorstNuisancePull most;
     for (std::size_t k = 0; k < problem.build().size(); ++k)
         if (const double x = fit.x[static_cast<Eigen::Index>(k)]; problem.build()[k].of_rig && std::abs(x) > std::abs(most.sigmas))
             most = {k, x};

@@ -50,7 +50,7 @@ Causes contradicted(const Problem& problem, const Fit& fit, const Split& left_ou
     return causes;
 }
 
-Causes at_their_end(const Problem& problem, const Fit& fit) {
+Causes at_bounds(const Problem& problem, const Fit& fit) {
     Causes causes;
     for (std::size_t c = 0; c < fit.causes.size(); ++c) {
         const int k = problem.size_at(fit.causes, c);

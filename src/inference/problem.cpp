@@ -13,15 +13,15 @@ constexpr double kEffectStep = 0.04;  ///< in scales of an effect's parameter
 
 }  // namespace
 
-Problem::Problem(const gap_case::Case& bench)
-    : bench_(bench),
-      cams_(bench.rig),
-      build_(joint_model::build_parameters(bench)),
-      known_(uncertainty(bench)),
-      measured_(joint_model::measured(bench.rows)),
-      thin_(bench.rows) {
+Problem::Problem(const gap_case::Case& gap_case)
+    : gap_case_(gap_case),
+      cams_(gap_case.rig),
+      build_(joint_model::build_parameters(gap_case)),
+      known_(uncertainty(gap_case)),
+      measured_(joint_model::measured(gap_case.rows)),
+      thin_(gap_case.rows) {
     thin_.dead_band.clear();
-    for (const gap_case::DeadBandRow& row : bench.rows.dead_band) {
+    for (const gap_case::DeadBandRow& row : gap_case.rows.dead_band) {
         const auto same = std::find_if(thin_.dead_band.begin(), thin_.dead_band.end(),
                                        [&](const gap_case::DeadBandRow& other) { return other.cocontraction == row.cocontraction; });
         like_.push_back(static_cast<std::size_t>(same - thin_.dead_band.begin()));
@@ -112,7 +112,7 @@ Problem::Role Problem::role(const Causes& causes, int parameter) const {
 }
 
 joint_model::BuiltRig Problem::rig(const Causes& causes, const Eigen::VectorXd& x) const {
-    joint_model::BuiltRig rig(bench_.rig);
+    joint_model::BuiltRig rig(gap_case_.rig);
     for (std::size_t i = 0; i < build_.size(); ++i) build_[i].add(rig, x[static_cast<int>(i)] * build_[i].sigma);
     auto next = static_cast<int>(build_.size());
     for (const effects::Cause& cause : causes) {
@@ -127,11 +127,11 @@ joint_model::BuiltRig Problem::rig(const Causes& causes, const Eigen::VectorXd& 
 }
 
 joint_model::Signals Problem::predict(const Causes& causes, const Eigen::VectorXd& x) const {
-    return joint_model::predict_signals(rig(causes, x), bench_.rows, bench_.protocol);
+    return joint_model::predict_signals(rig(causes, x), gap_case_.rows, gap_case_.protocol);
 }
 
 joint_model::Signals Problem::predict_thin(const Causes& causes, const Eigen::VectorXd& x) const {
-    joint_model::Signals signals = joint_model::predict_signals(rig(causes, x), thin_, bench_.protocol);
+    joint_model::Signals signals = joint_model::predict_signals(rig(causes, x), thin_, gap_case_.protocol);
     const std::vector<double> levels = signals[gap_case::Experiment::kDeadBand];
     const std::size_t columns = thin_.dead_band_width_only ? 1 : 2;
     std::vector<double>& all = signals[gap_case::Experiment::kDeadBand];
@@ -154,7 +154,7 @@ Eigen::VectorXd Problem::direct_residual(const Causes& causes, const Eigen::Vect
     const joint_model::BuiltRig built = rig(causes, x);
     joint_model::Signals signals = measured_;
     for (const gap_case::Experiment experiment : {gap_case::Experiment::kBreakAway, gap_case::Experiment::kSpringPull})
-        signals[experiment] = joint_model::predict_experiment(built, bench_.rows, bench_.protocol, experiment);
+        signals[experiment] = joint_model::predict_experiment(built, gap_case_.rows, gap_case_.protocol, experiment);
     return residual(signals);
 }
 

@@ -102,7 +102,7 @@ Guess best_start(const Problem& problem, const Fit& base, const Causes& causes, 
         joined(base.spread.cwiseInverse().asDiagonal() * base.jacobian, Eigen::MatrixXd::Zero(base.jacobian.rows(), own));
     std::vector<Eigen::VectorXd> starts = starts_upon(problem, base, causes, effect);
     const bool direct = std::any_of(effect.seen_by.begin(), effect.seen_by.end(), [&](gap_case::Experiment e) {
-        return (e == gap_case::Experiment::kBreakAway || e == gap_case::Experiment::kSpringPull) && problem.bench().rows.size(e) > 0;
+        return (e == gap_case::Experiment::kBreakAway || e == gap_case::Experiment::kSpringPull) && problem.gap_case().rows.size(e) > 0;
     });
     if (direct) {
         for (Eigen::VectorXd& x : starts) x = directed(problem, base, causes, x);

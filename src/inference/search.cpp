@@ -15,18 +15,18 @@ namespace fusee::inference {
 
 namespace {
 
-constexpr double kEffectOdds = 15.0;    ///< log odds against an effect: some sixty candidates, and rigs are mostly as designed [nat]
+constexpr double kEffectOdds = 15.0;    ///< log odds against an effect: some sixty candidates, and rigs are mostly as designed [nats]
 constexpr double kSecondOdds = 17.0;    ///< against a second one, which also likes to mend what the first one's law leaves open
 constexpr std::size_t kSingles = 5;     ///< fitted in full
 constexpr double kNearEnough = 0.5;     ///< of the way from the best back to no effect, within which a rival of what explains all is fitted
 constexpr std::size_t kPairs = 3;       ///< upon each base
 constexpr std::size_t kBases = 2;       ///< single effects upon which pairs are sought
-constexpr double kWorthAPair = 60.0;    ///< a base is left out when it is so far behind the best one [nat]
+constexpr double kWorthAPair = 60.0;    ///< a base is left out when it is so far behind the best one [nats]
 constexpr double kNothingLeft = 1.15;   ///< T of every experiment at which no second effect is sought
 constexpr double kStretched = 3.5;      ///< sigmas of a build parameter: among 22, one time in a hundred on a faultless rig
 constexpr double kStandsOff = 3.0;      ///< sigmas from 0 that an effect's size has to stand
 constexpr std::size_t kLeftOut = 4;     ///< hypotheses of the ranking whose experiments are left out
-constexpr double kContradicted = 30.0;  ///< against a hypothesis of which the experiments disagree about a size [nat]
+constexpr double kContradicted = 30.0;  ///< against a hypothesis of which the experiments disagree about a size [nats]
 constexpr double kLeastSize = 0.1;      ///< of what is usual: less is what a law leaves open, not an effect
 
 /// docs/theory/diagnosis.md, eq. 13 and 14.
@@ -75,7 +75,7 @@ void add_pairs(const Problem& problem, const std::vector<effects::Cause>& causes
 /// Nothing is left for a second effect: every experiment is as near as its prediction is accurate, and no build tolerance is stretched to
 /// stand in for one.
 bool explained(const Problem& problem, const Fit& fit) {
-    if (std::abs(strain(problem, fit).sigmas) > kStretched) return false;
+    if (std::abs(worst_nuisance_pull(problem, fit).sigmas) > kStretched) return false;
     const std::array<double, gap_case::kExperiments> misfit = misfits(problem, fit.seen());
     return std::all_of(misfit.begin(), misfit.end(), [](double t) { return t < kNothingLeft; });
 }
@@ -110,7 +110,7 @@ std::vector<Fit> singles_of(const Problem& problem, const Fit& null, const std::
 /// Every effect of the hypothesis is there: its size stands off 0, or it is a limit (a stop), which has no size of 0; and no build
 /// parameter is off by what no workshop is to make room for it.
 bool stands(const Problem& problem, const Fit& fit) {
-    if (!fit.causes.empty() && std::abs(strain(problem, fit).sigmas) > kImpossible) return false;
+    if (!fit.causes.empty() && std::abs(worst_nuisance_pull(problem, fit).sigmas) > kImpossible) return false;
     for (std::size_t c = 0; c < fit.causes.size(); ++c) {
         const int k = problem.size_at(fit.causes, c);
         const double least = std::max(kLeastSize, kStandsOff * std::sqrt(fit.covariance(k, k)));
@@ -195,9 +195,9 @@ void discount_unfounded(std::span<const std::size_t> effects, std::span<double> 
 }
 
 Search search(const Problem& problem, const SearchOptions& options) {
-    const std::vector<effects::Cause> causes = possible_causes(problem.bench().rows);
+    const std::vector<effects::Cause> causes = possible_causes(problem.gap_case().rows);
     const auto tell = [&](const char* what) {
-        if (options.told) options.told(what);
+        if (options.progress) options.progress(what);
     };
     std::vector<Fit> fits{fit(problem, {}, problem.start({}), {.jobs = options.jobs})};
     tell("build tolerances");

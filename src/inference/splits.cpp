@@ -12,7 +12,7 @@ namespace fusee::inference {
 namespace {
 
 constexpr int kSteps = 2;            ///< of each refit
-constexpr std::size_t kStretch = 8;  ///< rows of a path that are kept back together
+constexpr std::size_t kStretch = 8;  ///< rows of a path that are held out together
 constexpr double kLogStretch = 0.5;  ///< [s]
 
 template <typename RowList, typename Figure>
@@ -70,7 +70,7 @@ Split by_groups(const Problem& problem, const Fit& fit, const std::vector<int>& 
 }  // namespace
 
 std::vector<int> folds(const Problem& problem) {
-    const gap_case::Rows& rows = problem.bench().rows;
+    const gap_case::Rows& rows = problem.gap_case().rows;
     std::vector<int> fold;
     const auto add = [&](int group, int columns) { fold.insert(fold.end(), static_cast<std::size_t>(columns), group % kFolds); };
     const std::vector<double> torques = levels(rows.breakaway, [](const auto& row) { return row.motor_torque; });
@@ -84,7 +84,7 @@ std::vector<int> folds(const Problem& problem) {
     return fold;
 }
 
-Split kept_back(const Problem& problem, const Fit& fit, unsigned jobs) { return by_groups(problem, fit, folds(problem), kFolds, jobs); }
+Split held_out(const Problem& problem, const Fit& fit, unsigned jobs) { return by_groups(problem, fit, folds(problem), kFolds, jobs); }
 
 Split experiments_left_out(const Problem& problem, const Fit& fit, unsigned jobs) {
     std::vector<int> group;

@@ -62,8 +62,8 @@ int stops_on_the_way(const std::vector<gap_case::CocontractionRow>& rows, double
 
 class Maker {
 public:
-    explicit Maker(const gap_case::Case& bench) : bench_(bench), rows_(bench.rows) {
-        const gap_case::Sensors& s = bench.sensors;
+    explicit Maker(const gap_case::Case& gap_case) : gap_case_(gap_case), rows_(gap_case.rows) {
+        const gap_case::Sensors& s = gap_case.sensors;
         encoder_ = std::hypot(s.encoder_noise, s.encoder_step / std::sqrt(12.0));
         const double step = std::max(s.encoder_step, s.encoder_noise);
         result_.stick_slip = stops_on_the_way(rows_.cocontraction, &gap_case::CocontractionRow::theta_agonist, step) +
@@ -81,7 +81,7 @@ public:
 
 private:
     [[nodiscard]] double torque_noise(double torque) const {
-        return std::hypot(bench_.sensors.torque_noise, bench_.sensors.torque_noise_relative * torque);
+        return std::hypot(gap_case_.sensors.torque_noise, gap_case_.sensors.torque_noise_relative * torque);
     }
     void add(gap_case::Experiment experiment, double sensor, double accuracy) {
         result_.sensors[experiment].push_back(sensor);
@@ -89,14 +89,14 @@ private:
     }
     void torques() {
         for (const identification::BreakAway& row : rows_.breakaway) {  // friction mu L scatters, and L (1 -+ mu) = tau
-            const double mu = bench_.rig.gear_load_friction, lever = row.backdrive ? 1.0 - mu : 1.0 + mu;
+            const double mu = gap_case_.rig.gear_load_friction, lever = row.backdrive ? 1.0 - mu : 1.0 + mu;
             add(gap_case::Experiment::kBreakAway,
-                std::hypot(bench_.sensors.breakaway_scatter * mu * row.motor_torque / (lever * lever), torque_noise(row.motor_torque)),
+                std::hypot(gap_case_.sensors.breakaway_scatter * mu * row.motor_torque / (lever * lever), torque_noise(row.motor_torque)),
                 0.0);
         }
         for (const gap_case::SpringPull& row : rows_.spring_pull)
             add(gap_case::Experiment::kSpringPull,
-                std::hypot(torque_noise(row.torque), encoder_ * steepness(bench_.rig.springs, row.series, row.deflection)), 0.0);
+                std::hypot(torque_noise(row.torque), encoder_ * steepness(gap_case_.rig.springs, row.series, row.deflection)), 0.0);
     }
     void dead_band() {
         for (const gap_case::DeadBandRow& row : rows_.dead_band)
@@ -129,7 +129,7 @@ private:
         }
     }
 
-    const gap_case::Case& bench_;
+    const gap_case::Case& gap_case_;
     const gap_case::Rows& rows_;
     double encoder_ = 0.0;
     Uncertainty result_;
@@ -137,6 +137,6 @@ private:
 
 }  // namespace
 
-Uncertainty uncertainty(const gap_case::Case& bench) { return Maker(bench).make(); }
+Uncertainty uncertainty(const gap_case::Case& gap_case) { return Maker(gap_case).make(); }
 
 }  // namespace fusee::inference

@@ -16,13 +16,13 @@ double positive(double x, double corner) {
     return x > 0.0 ? x + corner * std::log1p(std::exp(-x / corner)) : corner * std::log1p(std::exp(x / corner));
 }
 
-void add_side(const gap_case::Case& bench, int side, std::vector<BuildParameter>& all) {
-    const gap_case::Tolerance& t = bench.tolerance;
+void add_side(const gap_case::Case& gap_case, int side, std::vector<BuildParameter>& all) {
+    const gap_case::Tolerance& t = gap_case.tolerance;
     const std::string of = std::string(" ") + to_string(static_cast<gap_case::Side>(side));
     const auto add = [&](const char* name, const char* unit, double sigma, std::function<void(BuiltSide&, double)> change) {
         all.push_back({name + of, unit, sigma, [side, change](BuiltRig& rig, double x) { change(rig.sides[side], x); }, true});
     };
-    add("gear load friction", "1", t.gear_load_friction * bench.rig.gear_load_friction,
+    add("gear load friction", "1", t.gear_load_friction * gap_case.rig.gear_load_friction,
         [](BuiltSide& s, double x) { s.gear.load_friction += x; });
     add("K_SE rate", "1", t.spring_rate, [](BuiltSide& s, double x) { s.se_build.rate += x; });
     add("K_PE rate", "1", t.spring_rate, [](BuiltSide& s, double x) { s.pe_build.rate += x; });
@@ -35,11 +35,11 @@ void add_side(const gap_case::Case& bench, int side, std::vector<BuildParameter>
 
 }  // namespace
 
-std::vector<BuildParameter> build_parameters(const gap_case::Case& bench) {
+std::vector<BuildParameter> build_parameters(const gap_case::Case& gap_case) {
     std::vector<BuildParameter> all;
-    const gap_case::Tolerance& t = bench.tolerance;
-    for (const int side : {0, 1}) add_side(bench, side, all);
-    const double ratio = bench.rig.ratio(), motor = bench.rig.motor_inertia, joint = bench.rig.joint_inertia;
+    const gap_case::Tolerance& t = gap_case.tolerance;
+    for (const int side : {0, 1}) add_side(gap_case, side, all);
+    const double ratio = gap_case.rig.ratio(), motor = gap_case.rig.motor_inertia, joint = gap_case.rig.joint_inertia;
     all.push_back({"joint radius", "1", t.radii, [ratio](BuiltRig& r, double x) { r.ratio += ratio * x; }});
     all.push_back({"capstan radius", "1", t.radii, [](BuiltRig& r, double x) { r.capstan_scale += x; }});
     all.push_back({"motor inertia", "1", t.inertia, [motor](BuiltRig& r, double x) { r.motor_inertia += motor * x; }});

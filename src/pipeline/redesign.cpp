@@ -116,9 +116,10 @@ Choice choose(const Drafter& drafter, const Comparison& comparison) {
 std::vector<std::string> remarks(const report::Redesign& redesign, const Drafter& drafter, const diagnosis::Diagnosis& found,
                                  const Choice& choice) {
     std::vector<std::string> all;
-    if (found.verdict == diagnosis::Verdict::kAmbiguous)
+    if (found.verdict == diagnosis::VerdictKind::kAmbiguous)
         all.emplace_back("The diagnosis is ambiguous: do its next experiment before cams are cut.");
-    if (found.verdict == diagnosis::Verdict::kUnknown) all.emplace_back("The cause of the gap is unknown: find it before cams are cut.");
+    if (found.verdict == diagnosis::VerdictKind::kUnknown)
+        all.emplace_back("The cause of the gap is unknown: find it before cams are cut.");
     if (redesign.profiles.empty()) all.emplace_back("Nothing was found that a profile can hold: it stays as it is.");
     if (!redesign.profiles.empty() && !redesign.new_cams_needed) all.emplace_back("Only the model changes: the cams stay.");
     const double first = gear_friction(drafter.as_is()[0]).mu(), second = gear_friction(drafter.as_is()[1]).mu();

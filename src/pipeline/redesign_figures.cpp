@@ -137,28 +137,7 @@ std::vector<effects::Cause> not_mended(const gap_case::Case& bench, const diagno
     return all;
 }
 
-std::string instead_of_cams(const std::string& id) {
-    static const std::vector<std::pair<std::string, std::string>> kAdvice{
-        {"joint.coulomb", "look at the joint's bearing: alignment, preload, seals; the corrected profile has it in its model"},
-        {"cable.tension_friction", "look at the joint's pulley and bearing under load; the corrected profile has it in its model"},
-        {"joint.viscous", "look at the joint's grease and seals; the corrected profile has it in its model"},
-        {"gear.viscous", "move slower or change the grease; the corrected profile has it in its model"},
-        {"joint.stop", "find what the joint runs into and take it away"},
-        {"joint.gravity", "balance the joint, or stand it so that gravity has no lever"},
-        {"gear.asymmetry", "measure both directions by break-away tests: a profile knows one friction for winding in and paying out"},
-        {"gear.load_quadratic", "measure the friction by break-away tests and name the table in rig.gear_friction_table"},
-        {"gear.backlash", "take the play out of the gear or its coupling"},
-        {"se.hysteresis", "look at the torsion spring: coils that rub, a leg that slips"},
-        {"pe.hysteresis", "look at the compression spring: coils or guide that rub"},
-        {"pe.bottoming", "take a compression spring with more travel to solid (k_pe.spring.max_travel_mm)"},
-        {"motor.saturation", "command less torque, or take a stronger motor"},
-        {"loop.delay", "look at the controller: no spring changes it"},
-        {"sensor.torque_scale", "calibrate the motor's torque; do not cut cams for it"},
-        {"sensor.joint_offset", "set the joint encoder's zero"},
-    };
-    const auto known = std::find_if(kAdvice.begin(), kAdvice.end(), [&](const auto& row) { return row.first == id; });
-    return known != kAdvice.end() ? known->second : "no figure of a profile stands for it";
-}
+std::string instead_of_cams(const std::string& id) { return effects::find_effect(id).advice; }
 
 double as_built(const profile::Profile& profile, const Figure& figure, double departure) {
     const double was = profile::number_of(profile, figure.key);

@@ -8,7 +8,7 @@ namespace fusee::plant {
 
 namespace {
 
-/// Streams of a case: rig, its tolerances, noise of the fit's and of the kept-back experiments.
+/// Streams of a case: rig, its tolerances, noise of the fit's and of the held out experiments.
 enum Purpose : std::uint64_t { kRig = 1, kBuild, kNoise, kHeldoutNoise };
 constexpr double kHeldoutSession = 900.0;  // [s] after switching on: behind the last of the fit's experiments
 constexpr std::array<const char*, 2> kSides{"agonist", "antagonist"};
@@ -50,8 +50,8 @@ std::string csv(const char* header, const std::vector<Row>& rows, const Line& li
 
 }  // namespace
 
-std::string case_toml(const Bench& bench) {
-    const Nominal& n = bench.nominal;
+std::string case_toml(const Bench& gap_case) {
+    const Nominal& n = gap_case.nominal;
     std::string text = fmt::format(
         "# nominal rig: what the model is told; 1-sigma build tolerances; sensors\n[rig]\ncapstan_radius_m = {:.6g}\n"
         "joint_radius_m = {:.6g}\ngear_load_friction = {:.6g}\nmotor_inertia_kgm2 = {:.6g}\njoint_inertia_kgm2 = {:.6g}\n"
@@ -59,7 +59,7 @@ std::string case_toml(const Bench& bench) {
         "pe_compression_rate_N_per_m = {:.8g}\nsprings = \"nominal_springs.csv\"\n",
         n.capstan_radius, n.joint_radius, n.mu, n.motor_inertia, n.joint_inertia, n.motor_viscous, n.joint_viscous, n.torsion_rate,
         n.compression_rate);
-    text += tables_of_sensors(bench) + table_of_protocol(bench.protocol) + "\n[experiments]\n";
+    text += tables_of_sensors(gap_case) + table_of_protocol(gap_case.protocol) + "\n[experiments]\n";
     for (const char* name : {"breakaway", "spring_pull", "dead_band", "joint_stiffness", "cocontraction", "log"})
         text += fmt::format("{0} = \"{0}.csv\"\n", name);
     return text;
@@ -111,22 +111,22 @@ CaseFiles experiment_files(const Measured& m) {
 
 Bench draw_bench(std::uint64_t seed, std::uint64_t index) {
     Random rig(seed, index, kRig), made(seed, index, kBuild);
-    Bench bench;
-    bench.nominal = draw_nominal(rig);
-    bench.truth = build(bench.nominal, bench.tolerance, made);
-    return bench;
+    Bench gap_case;
+    gap_case.nominal = draw_nominal(rig);
+    gap_case.truth = build(gap_case.nominal, gap_case.tolerance, made);
+    return gap_case;
 }
 
 CaseFiles make_case(std::uint64_t seed, std::uint64_t index, const std::vector<Effect>& effects) {
-    Bench bench = draw_bench(seed, index);
-    for (const Effect& effect : effects) apply(effect, bench.truth);
-    const double scale = range_of(bench.nominal).scale;
+    Bench gap_case = draw_bench(seed, index);
+    for (const Effect& effect : effects) apply(effect, gap_case.truth);
+    const double scale = range_of(gap_case.nominal).scale;
     Random noise(seed, index, kNoise), heldout_noise(seed, index, kHeldoutNoise);
-    CaseFiles files = experiment_files(measure(bench, set_points(false, scale), noise));
-    for (auto& [name, bytes] : experiment_files(measure(bench, set_points(true, scale), heldout_noise, kHeldoutSession)))
+    CaseFiles files = experiment_files(measure(gap_case, set_points(false, scale), noise));
+    for (auto& [name, bytes] : experiment_files(measure(gap_case, set_points(true, scale), heldout_noise, kHeldoutSession)))
         files["heldout/" + name] = bytes;
-    files["case.toml"] = case_toml(bench);
-    files["nominal_springs.csv"] = springs_csv(bench.nominal);
+    files["case.toml"] = case_toml(gap_case);
+    files["nominal_springs.csv"] = springs_csv(gap_case.nominal);
     return files;
 }
 

@@ -16,15 +16,15 @@ namespace {
 using diagnosis::Diagnosis;
 using diagnosis::Gap;
 
-std::string verdict_tag(diagnosis::Verdict verdict) {
+std::string verdict_tag(diagnosis::VerdictKind verdict) {
     switch (verdict) {
-        case diagnosis::Verdict::kIdentified:
+        case diagnosis::VerdictKind::kIdentified:
             return "<span class=\"verdict pass-tag\">\u2713 Cause identified</span>";
-        case diagnosis::Verdict::kNone:
+        case diagnosis::VerdictKind::kNone:
             return "<span class=\"verdict pass-tag\">\u2713 No gap beyond tolerance and noise</span>";
-        case diagnosis::Verdict::kAmbiguous:
+        case diagnosis::VerdictKind::kAmbiguous:
             return "<span class=\"verdict review-tag\">! Cause ambiguous</span>";
-        case diagnosis::Verdict::kUnknown:
+        case diagnosis::VerdictKind::kUnknown:
             return "<span class=\"verdict required-tag\">\u2715 Cause unknown</span>";
     }
     return "";

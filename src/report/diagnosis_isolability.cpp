@@ -39,7 +39,9 @@ bool same_class(const Isolability& isolability, std::size_t a, std::size_t b) {
 }
 
 double alike(const Isolability& isolability, std::size_t a, std::size_t b) {
-    return a < isolability.alike.size() && b < isolability.alike[a].size() ? isolability.alike[a][b] : diagnosis::kNoFigure;
+    return a < isolability.signature_similarity.size() && b < isolability.signature_similarity[a].size()
+               ? isolability.signature_similarity[a][b]
+               : diagnosis::kNoFigure;
 }
 
 std::string number_at(double x, double y, std::size_t n) {

@@ -130,11 +130,11 @@ std::string gap_map(const diagnosis::Diagnosis& diagnosis) {
            "<div class=\"wide\">" + heat_legend(gap_scale()) + "</div></div>";
 }
 
-std::string share_table(const std::vector<diagnosis::Whereabouts>& where) {
+std::string share_table(const std::vector<diagnosis::GapContribution>& where) {
     if (where.empty()) return "";
     std::vector<std::vector<Cell>> rows;
     rows.reserve(where.size());
-    for (const diagnosis::Whereabouts& part : where)
+    for (const diagnosis::GapContribution& part : where)
         rows.push_back({share_cell(part.share, percent(part.share)),
                         {escape(experiment_name(part.experiment)), "num"},
                         {escape(column_name(part.variable)), ""},

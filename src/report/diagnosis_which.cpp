@@ -58,7 +58,7 @@ std::string sizes(const diagnosis::Hypothesis& hypothesis) {
 std::string ranking_table(const diagnosis::Diagnosis& diagnosis) {
     if (diagnosis.ranking.empty()) return "";
     const std::vector<effects::Cause> found = found_causes(diagnosis);
-    const bool tells = diagnosis.verdict == diagnosis::Verdict::kIdentified || diagnosis.verdict == diagnosis::Verdict::kNone;
+    const bool tells = diagnosis.verdict == diagnosis::VerdictKind::kIdentified || diagnosis.verdict == diagnosis::VerdictKind::kNone;
     std::vector<std::vector<Cell>> rows;
     for (std::size_t i = 0; i < std::min(kMostHypotheses, diagnosis.ranking.size()); ++i) {
         const diagnosis::Hypothesis& h = diagnosis.ranking[i];

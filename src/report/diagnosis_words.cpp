@@ -116,7 +116,7 @@ std::string law(std::string_view effect_id) {
     return fmt::format("{} Looks much like {}.", effect->law, fmt::join(effect->confused_with, ", "));
 }
 
-std::string place(const diagnosis::Whereabouts& where) {
+std::string place(const diagnosis::GapContribution& where) {
     std::string out = experiment_name(where.experiment);
     if (!where.variable.empty()) {
         const Column over = column_of(where.variable);
@@ -133,16 +133,16 @@ std::vector<effects::Cause> found_causes(const diagnosis::Diagnosis& diagnosis) 
 
 std::string verdict_sentence(const diagnosis::Diagnosis& diagnosis) {
     switch (diagnosis.verdict) {
-        case diagnosis::Verdict::kIdentified:
+        case diagnosis::VerdictKind::kIdentified:
             return fmt::format("The rig has {} that the model does not: {}.",
                                diagnosis.effects.size() == 1 ? "an effect" : fmt::format("{} effects", diagnosis.effects.size()),
                                causes_name(found_causes(diagnosis)));
-        case diagnosis::Verdict::kNone:
+        case diagnosis::VerdictKind::kNone:
             return "Model and rig agree within build tolerance and noise: nothing is missing from the model.";
-        case diagnosis::Verdict::kAmbiguous:
+        case diagnosis::VerdictKind::kAmbiguous:
             return fmt::format("Model and rig part, and these experiments cannot tell which causes it: {}.",
                                fmt::format("{}", fmt::join(choices(diagnosis), "; or ")));
-        case diagnosis::Verdict::kUnknown:
+        case diagnosis::VerdictKind::kUnknown:
             return "Model and rig part, and no effect of the library explains it" +
                    (diagnosis.where.empty() ? std::string(".") : "; the gap lies in: " + place(diagnosis.where.front()) + ".");
     }
@@ -151,9 +151,9 @@ std::string verdict_sentence(const diagnosis::Diagnosis& diagnosis) {
 
 double verdict_probability(const diagnosis::Diagnosis& diagnosis) {
     double least = diagnosis::kNoFigure;
-    if (diagnosis.verdict == diagnosis::Verdict::kIdentified)
+    if (diagnosis.verdict == diagnosis::VerdictKind::kIdentified)
         for (const diagnosis::FoundEffect& effect : diagnosis.effects) least = std::fmin(least, effect.probability);
-    if (diagnosis.verdict == diagnosis::Verdict::kNone)
+    if (diagnosis.verdict == diagnosis::VerdictKind::kNone)
         for (const diagnosis::Hypothesis& hypothesis : diagnosis.ranking)
             if (hypothesis.effects.empty()) least = hypothesis.probability;
     return least;

@@ -39,7 +39,7 @@ namespace fusee::report {
 [[nodiscard]] std::string law(std::string_view effect_id);
 
 /// "dead-band, co-contraction 0.12 to 0.5 Nm, agonist"
-[[nodiscard]] std::string place(const diagnosis::Whereabouts& where);
+[[nodiscard]] std::string place(const diagnosis::GapContribution& where);
 [[nodiscard]] std::vector<effects::Cause> found_causes(const diagnosis::Diagnosis& diagnosis);
 /// The verdict in a sentence.
 [[nodiscard]] std::string verdict_sentence(const diagnosis::Diagnosis& diagnosis);

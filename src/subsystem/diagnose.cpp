@@ -20,7 +20,7 @@ constexpr double kStable = 0.95;               // share of the splits that agree
 constexpr double kLeastAlternative = 0.01;     // less likely ones are not listed
 constexpr double kStructure = 3.0;             // times the floor: what stays above it has a cause
 constexpr double kIndependentStructure = 1.3;  // the same for rows whose sigma is known
-constexpr double kDisagreement = 3.0;          // [nat] by which the evidence may prefer a set that the splits refuse
+constexpr double kDisagreement = 3.0;          // [nats] by which the evidence may prefer a set that the splits refuse
 constexpr double kRefusedShare = 0.25;         // of the probability, that goes to such a set
 constexpr double kAtFloor = 1.1;               // times the floor, which few repeats tell no better
 constexpr std::size_t kBins = 8;
@@ -32,90 +32,93 @@ double sum_of(const std::vector<double>& values) {
     return sum;
 }
 
-/// 95 % interval of a knob: the wider of the fit's covariance, for rows that depend on each other, and the jackknife over what is kept back
-/// one by one (J. W. Tukey, Ann. Math. Statist. 29, 1958).
-diagnosis::Parameter parameter_of(const Law& law, const Study& study, const Tried& tried, std::size_t knob) {
-    const auto& free = tried.fit.free;
-    const auto j = static_cast<std::size_t>(std::find(free.begin(), free.end(), knob) - free.begin());
-    const double rows = sum_of(study.effective_rows), square = law.rows_independent ? 1.0 : std::pow(tried.seen_gap(), 2);
-    double variance = tried.fit.covariance[j][j] * square * tried.fit.rows / rows;
+/// 95 % interval of a parameter: the wider of the fit's covariance, for rows that depend on each other, and the jackknife over what is held
+/// out one by one (J. W. Tukey, Ann. Math. Statist. 29, 1958).
+diagnosis::Parameter parameter_of(const Law& law, const Study& study, const Candidate& candidate, std::size_t parameter) {
+    const auto& free = candidate.fit.free;
+    const auto j = static_cast<std::size_t>(std::find(free.begin(), free.end(), parameter) - free.begin());
+    const double rows = sum_of(study.effective_rows), square = law.rows_independent ? 1.0 : std::pow(candidate.seen_gap(), 2);
+    double variance = candidate.fit.covariance[j][j] * square * candidate.fit.rows / rows;
     double freedom = std::max(1.0, rows - static_cast<double>(free.size()));
-    if (!tried.refits.empty() && tried.refits[0].size() > 2) {
-        const auto& refits = tried.refits[0];
+    if (!candidate.refits.empty() && candidate.refits[0].size() > 2) {
+        const auto& refits = candidate.refits[0];
         const auto n = static_cast<double>(refits.size());
         double mean = 0.0, spread = 0.0;
-        for (const Values& v : refits) mean += v[knob] / n;
-        for (const Values& v : refits) spread += std::pow(v[knob] - mean, 2);
+        for (const Values& v : refits) mean += v[parameter] / n;
+        for (const Values& v : refits) spread += std::pow(v[parameter] - mean, 2);
         const double jackknife = spread * (n - 1.0) / n;
         if (!law.rows_independent && jackknife > variance) variance = jackknife, freedom = n - 1.0;
     }
     const double half = math::student_quantile(0.95, static_cast<std::size_t>(freedom)) * std::sqrt(variance);
-    const double value = tried.fit.values[knob];
-    return {value, {std::max(law.knobs[knob].low, value - half), std::min(law.knobs[knob].high, value + half)}, law.knobs[knob].unit};
+    const double value = candidate.fit.values[parameter];
+    return {value,
+            {std::max(law.parameters[parameter].low, value - half), std::min(law.parameters[parameter].high, value + half)},
+            law.parameters[parameter].unit};
 }
 
-std::vector<effects::Cause> causes_of(const Law& law, const Tried& tried) {
+std::vector<effects::Cause> causes_of(const Law& law, const Candidate& candidate) {
     std::vector<effects::Cause> causes;
-    for (const std::size_t e : tried.effects) causes.push_back(law.effects[e].cause);
+    for (const std::size_t e : candidate.effects) causes.push_back(law.effects[e].cause);
     return causes;
 }
 
 /// The set that the evidence prefers although the splits refuse it, where there is something left to explain.
-const Tried* preferred_by_evidence(const Law& law, const Study& study) {
-    const Tried& best = study.tried[study.best];
+const Candidate* preferred_by_evidence(const Law& law, const Study& study) {
+    const Candidate& best = study.candidates[study.best];
     if (law.rows_independent || best.seen_gap() <= kStructure * law.setup_floor) return nullptr;
-    const Tried* most = &best;
-    for (const Tried& t : study.tried)
+    const Candidate* most = &best;
+    for (const Candidate& t : study.candidates)
         if (t.effects.size() <= law.most_effects && t.log_evidence > most->log_evidence) most = &t;
     return most->log_evidence > best.log_evidence + kDisagreement ? most : nullptr;
 }
 
 void share_with_refused(const Law& law, Study& study, diagnosis::Diagnosis& out) {
-    const Tried* other = preferred_by_evidence(law, study);
+    const Candidate* other = preferred_by_evidence(law, study);
     if (other == nullptr) return;
-    const auto place = static_cast<std::size_t>(other - study.tried.data());
-    for (Tried& t : study.tried) t.probability *= 1.0 - kRefusedShare;
-    study.tried[place].probability += kRefusedShare;
+    const auto place = static_cast<std::size_t>(other - study.candidates.data());
+    for (Candidate& t : study.candidates) t.probability *= 1.0 - kRefusedShare;
+    study.candidates[place].probability += kRefusedShare;
     out.remarks.push_back(fmt::format("evidence and splits disagree: the evidence prefers {} by {:.0f} nat, which the splits refuse ({})",
-                                      name_of(law, other->effects), other->log_evidence - study.tried[study.best].log_evidence,
+                                      name_of(law, other->effects), other->log_evidence - study.candidates[study.best].log_evidence,
                                       other->refused));
 }
 
-diagnosis::Verdict verdict_of(const Law& law, const Study& study) {
-    const Tried& best = study.tried[study.best];
+diagnosis::VerdictKind verdict_of(const Law& law, const Study& study) {
+    const Candidate& best = study.candidates[study.best];
     const double limit = law.rows_independent ? kIndependentStructure : kStructure * law.setup_floor;
-    if (best.probability < kSure) return diagnosis::Verdict::kAmbiguous;
-    if (!best.effects.empty() && best.unseen_gap(0) > limit && study.stability < kStable) return diagnosis::Verdict::kAmbiguous;
-    if (!best.effects.empty()) return diagnosis::Verdict::kIdentified;
-    return best.unseen_gap(0) > limit ? diagnosis::Verdict::kUnknown : diagnosis::Verdict::kNone;
+    if (best.probability < kSure) return diagnosis::VerdictKind::kAmbiguous;
+    if (!best.effects.empty() && best.unseen_gap(0) > limit && study.stability < kStable) return diagnosis::VerdictKind::kAmbiguous;
+    if (!best.effects.empty()) return diagnosis::VerdictKind::kIdentified;
+    return best.unseen_gap(0) > limit ? diagnosis::VerdictKind::kUnknown : diagnosis::VerdictKind::kNone;
 }
 
 void put_effects(const Law& law, const Study& study, diagnosis::Diagnosis& out) {
-    const Tried& best = study.tried[study.best];
+    const Candidate& best = study.candidates[study.best];
     for (const std::size_t e : best.effects) {
-        const auto& knobs = law.effects[e].knobs;
-        diagnosis::FoundEffect found{law.effects[e].cause, study.probability_of(e), parameter_of(law, study, best, knobs.front()), {}};
-        for (std::size_t k = 1; k < knobs.size(); ++k) found.extra.emplace_back(law.knobs[knobs[k]].name, best.fit.values[knobs[k]]);
+        const auto& parameters = law.effects[e].parameters;
+        diagnosis::FoundEffect found{law.effects[e].cause, study.probability_of(e), parameter_of(law, study, best, parameters.front()), {}};
+        for (std::size_t k = 1; k < parameters.size(); ++k)
+            found.extra.emplace_back(law.parameters[parameters[k]].name, best.fit.values[parameters[k]]);
         out.effects.push_back(std::move(found));
     }
-    for (std::size_t k = 0; k < law.nominal; ++k) out.build.emplace_back(law.knobs[k].name, parameter_of(law, study, best, k));
-    for (const Tried& t : study.tried)
+    for (std::size_t k = 0; k < law.nominal; ++k) out.build.emplace_back(law.parameters[k].name, parameter_of(law, study, best, k));
+    for (const Candidate& t : study.candidates)
         if (&t != &best && t.probability >= kLeastAlternative) out.alternatives.push_back({causes_of(law, t), t.probability});
     std::sort(out.alternatives.begin(), out.alternatives.end(),
               [](const diagnosis::Alternative& a, const diagnosis::Alternative& b) { return a.probability > b.probability; });
 }
 
 void put_ranking(const Law& law, const Study& study, diagnosis::Diagnosis& out) {
-    double most = study.tried.front().log_evidence;
-    for (const Tried& t : study.tried) most = std::max(most, t.log_evidence);
-    for (const Tried& t : study.tried) {
+    double most = study.candidates.front().log_evidence;
+    for (const Candidate& t : study.candidates) most = std::max(most, t.log_evidence);
+    for (const Candidate& t : study.candidates) {
         diagnosis::Hypothesis h{causes_of(law, t),
                                 t.log_evidence - most,
                                 t.probability,
                                 t.fit.cost,
                                 t.unseen.empty() ? diagnosis::kNoFigure : t.unseen_gap(),
                                 {}};
-        for (const std::size_t e : t.effects) h.parameters.push_back(parameter_of(law, study, t, law.effects[e].knobs.front()));
+        for (const std::size_t e : t.effects) h.parameters.push_back(parameter_of(law, study, t, law.effects[e].parameters.front()));
         out.ranking.push_back(std::move(h));
     }
     std::stable_sort(out.ranking.begin(), out.ranking.end(), [](const diagnosis::Hypothesis& a, const diagnosis::Hypothesis& b) {
@@ -193,10 +196,10 @@ void put_map(const Law& law, const Residuals& residuals, diagnosis::Diagnosis& o
         out.where.push_back({group, part / std::max(all, 1e-300), law.region_name, {edge(first), edge(last)}, ""});
     }
     std::stable_sort(out.where.begin(), out.where.end(),
-                     [](const diagnosis::Whereabouts& a, const diagnosis::Whereabouts& b) { return a.share > b.share; });
+                     [](const diagnosis::GapContribution& a, const diagnosis::GapContribution& b) { return a.share > b.share; });
 }
 
-diagnosis::Gap gap_over(const Tried& nominal, const Tried& best, const std::vector<std::size_t>& blocks, double floor) {
+diagnosis::Gap gap_over(const Candidate& nominal, const Candidate& best, const std::vector<std::size_t>& blocks, double floor) {
     const auto over = [&](const Misfit& m) {
         double squares = 0.0, rows = 0.0;
         for (const std::size_t b : blocks) squares += m.squares[b], rows += m.rows[b];
@@ -207,7 +210,7 @@ diagnosis::Gap gap_over(const Tried& nominal, const Tried& best, const std::vect
 }
 
 void put_gaps(const Law& law, const Study& study, diagnosis::Diagnosis& out) {
-    const Tried &nominal = study.tried.front(), &best = study.tried[study.best];
+    const Candidate &nominal = study.candidates.front(), &best = study.candidates[study.best];
     std::vector<std::size_t> all;
     std::map<std::string, std::vector<std::size_t>> groups;
     for (std::size_t b = 0; b < law.blocks.size(); ++b) {
@@ -223,7 +226,7 @@ void put_gaps(const Law& law, const Study& study, diagnosis::Diagnosis& out) {
     }
 }
 
-void put_traces(const Case& bench, const Law& law, const Values& before, const Values& after, diagnosis::Diagnosis& out) {
+void put_traces(const Case& subsystem_case, const Law& law, const Values& before, const Values& after, diagnosis::Diagnosis& out) {
     std::vector<double> nominal, found;
     for (std::size_t r = 0; r < law.targets.size(); ++r) {
         const Target& target = law.targets[r];
@@ -231,9 +234,9 @@ void put_traces(const Case& bench, const Law& law, const Values& before, const V
         law.predict(r, after, found);
         diagnosis::Trace trace;
         trace.experiment = target.group;
-        trace.label = fmt::format("{} of {}", law.measured_name, bench.records[r].file);
+        trace.label = fmt::format("{} of {}", law.measured_name, subsystem_case.records[r].file);
         trace.y_name = law.measured_name;
-        const auto& columns = bench.records[r].columns;
+        const auto& columns = subsystem_case.records[r].columns;
         trace.x_name = columns.contains("t_s") ? "t_s" : law.region_name;
         const std::vector<double>& x = columns.at(trace.x_name);
         const std::size_t rows = target.measured.size(), thin = x.size() / rows + (x.size() % rows > rows / 2 ? 1 : 0);
@@ -249,7 +252,7 @@ void put_traces(const Case& bench, const Law& law, const Values& before, const V
 }
 
 void put_floor_remarks(const Law& law, const Study& study, diagnosis::Diagnosis& out) {
-    const Tried& best = study.tried[study.best];
+    const Candidate& best = study.candidates[study.best];
     const double kept = best.unseen_gap(0), unit = law.unit_sigma;
     if (kept <= kAtFloor * law.setup_floor)
         out.remarks.push_back(
@@ -263,46 +266,46 @@ void put_floor_remarks(const Law& law, const Study& study, diagnosis::Diagnosis&
                         kept * unit, law.unit, law.setup_floor * unit, law.unit));
     for (std::size_t s = 0; s < law.schemes.size(); ++s)
         out.remarks.push_back(fmt::format("kept back by {}: {:.4g} {} before, {:.4g} {} after", law.schemes[s].name,
-                                          study.tried.front().unseen_gap(s) * unit, law.unit, best.unseen_gap(s) * unit, law.unit));
+                                          study.candidates.front().unseen_gap(s) * unit, law.unit, best.unseen_gap(s) * unit, law.unit));
 }
 
 double entropy_bits(const Study& study) {
     double bits = 0.0;
-    for (const Tried& t : study.tried)
+    for (const Candidate& t : study.candidates)
         if (t.probability > 0.0) bits -= t.probability * std::log2(t.probability);
     return bits;
 }
 
 }  // namespace
 
-diagnosis::Diagnosis diagnose(const Case& bench, const diagnosis::DiagnoseOptions& options) {
-    if (bench.records.empty()) throw core::InvalidInput("experiments", "no file", "at least one");
-    const auto law = law_of(bench);
+diagnosis::Diagnosis diagnose(const Case& subsystem_case, const diagnosis::DiagnoseOptions& options) {
+    if (subsystem_case.records.empty()) throw core::InvalidInput("experiments", "no file", "at least one");
+    const auto law = law_of(subsystem_case);
     Study study = subsystem::study(*law, options);
     diagnosis::Diagnosis out;
-    out.case_name = bench.name;
-    out.case_sha256 = bench.sha256;
-    out.remarks = bench.remarks;
+    out.case_name = subsystem_case.name;
+    out.case_sha256 = subsystem_case.sha256;
+    out.remarks = subsystem_case.remarks;
     share_with_refused(*law, study, out);
     out.verdict = verdict_of(*law, study);
     put_effects(*law, study, out);
     put_ranking(*law, study, out);
     put_gaps(*law, study, out);
-    const Values &before = study.tried.front().fit.values, &after = study.tried[study.best].fit.values;
+    const Values &before = study.candidates.front().fit.values, &after = study.candidates[study.best].fit.values;
     Residuals residuals;
     for (std::size_t r = 0; r < law->targets.size(); ++r) {
         residuals.before.push_back(residuals_of(*law, r, before));
         residuals.after.push_back(residuals_of(*law, r, after));
     }
     put_map(*law, residuals, out);
-    put_traces(bench, *law, before, after, out);
+    put_traces(subsystem_case, *law, before, after, out);
     put_floor_remarks(*law, study, out);
     for (const auto& more : {study.remarks, law->remarks(), law->floor_remarks})
         out.remarks.insert(out.remarks.end(), more.begin(), more.end());
     out.next.push_back(law->next());
     out.next.back().information = entropy_bits(study);
     out.next_experiment = out.next.back().text;
-    if (out.verdict == diagnosis::Verdict::kNone || out.verdict == diagnosis::Verdict::kUnknown) out.effects.clear();
+    if (out.verdict == diagnosis::VerdictKind::kNone || out.verdict == diagnosis::VerdictKind::kUnknown) out.effects.clear();
     return out;
 }
 

@@ -9,7 +9,7 @@ namespace fusee::subsystem {
 namespace {
 
 constexpr double kHuber = 3.0;        // robust deviations
-constexpr double kDifference = 1e-4;  // of a knob's range: above the rounding of an integrated rollout, below what bends it
+constexpr double kDifference = 1e-4;  // of a parameter's range: above the rounding of an integrated rollout, below what bends it
 constexpr double kSettled = 1e-5;     // relative gain below which a fit has ended
 constexpr double kLeastDeviation = 1e-9;
 
@@ -60,17 +60,18 @@ double huber_cost(const VectorXd& residuals, double limit) {
     return cost;
 }
 
-double stretch_of(const Knob& knob) { return knob.high - knob.low; }
+double stretch_of(const Parameter& parameter) { return parameter.high - parameter.low; }
 
-/// Columns d residual / d z, z = knob over its range.
+/// Columns d residual / d z, z = parameter over its range.
 MatrixXd jacobian(const Law& law, const FitRows& rows, const std::vector<std::size_t>& free, const Values& values, const VectorXd& at) {
     MatrixXd J(at.size(), static_cast<Eigen::Index>(free.size()));
     for (std::size_t j = 0; j < free.size(); ++j) {
-        const Knob& knob = law.knobs[free[j]];
+        const Parameter& parameter = law.parameters[free[j]];
         Values moved = values;
-        const double step = kDifference * stretch_of(knob) * (values[free[j]] + kDifference * stretch_of(knob) > knob.high ? -1.0 : 1.0);
+        const double step =
+            kDifference * stretch_of(parameter) * (values[free[j]] + kDifference * stretch_of(parameter) > parameter.high ? -1.0 : 1.0);
         moved[free[j]] += step;
-        J.col(static_cast<Eigen::Index>(j)) = (rows.residuals(moved) - at) * (stretch_of(knob) / step);
+        J.col(static_cast<Eigen::Index>(j)) = (rows.residuals(moved) - at) * (stretch_of(parameter) / step);
     }
     return J;
 }
@@ -78,8 +79,9 @@ MatrixXd jacobian(const Law& law, const FitRows& rows, const std::vector<std::si
 Values stepped(const Law& law, const std::vector<std::size_t>& free, const Values& values, const VectorXd& step) {
     Values moved = values;
     for (std::size_t j = 0; j < free.size(); ++j) {
-        const Knob& knob = law.knobs[free[j]];
-        moved[free[j]] = std::clamp(values[free[j]] + step[static_cast<Eigen::Index>(j)] * stretch_of(knob), knob.low, knob.high);
+        const Parameter& parameter = law.parameters[free[j]];
+        moved[free[j]] =
+            std::clamp(values[free[j]] + step[static_cast<Eigen::Index>(j)] * stretch_of(parameter), parameter.low, parameter.high);
     }
     return moved;
 }
@@ -91,8 +93,8 @@ void set_covariance(const Law& law, const MatrixXd& A, Fit& fit) {
     fit.covariance.assign(fit.free.size(), std::vector<double>(fit.free.size()));
     for (std::size_t i = 0; i < fit.free.size(); ++i)
         for (std::size_t j = 0; j < fit.free.size(); ++j)
-            fit.covariance[i][j] = C(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) * stretch_of(law.knobs[fit.free[i]]) *
-                                   stretch_of(law.knobs[fit.free[j]]);
+            fit.covariance[i][j] = C(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) * stretch_of(law.parameters[fit.free[i]]) *
+                                   stretch_of(law.parameters[fit.free[j]]);
 }
 
 /// One damped step that lowers the cost, or none: the damping rises until one does.
@@ -139,14 +141,14 @@ Misfit misfit(const Law& law, const Values& values) {
 
 Values start_values(const Law& law) {
     Values values;
-    for (const Knob& knob : law.knobs) values.push_back(knob.off);
+    for (const Parameter& parameter : law.parameters) values.push_back(parameter.null_value);
     return values;
 }
 
-std::vector<std::size_t> free_knobs(const Law& law, const std::vector<std::size_t>& effects) {
+std::vector<std::size_t> free_parameters(const Law& law, const std::vector<std::size_t>& effects) {
     std::vector<std::size_t> free;
     for (std::size_t k = 0; k < law.nominal; ++k) free.push_back(k);
-    for (const std::size_t e : effects) free.insert(free.end(), law.effects[e].knobs.begin(), law.effects[e].knobs.end());
+    for (const std::size_t e : effects) free.insert(free.end(), law.effects[e].parameters.begin(), law.effects[e].parameters.end());
     return free;
 }
 
@@ -174,10 +176,10 @@ Fit fit(const Law& law, const std::vector<std::size_t>& kept, const std::vector<
 Fit fit_from_all_starts(const Law& law, const std::vector<std::size_t>& kept, const std::vector<std::size_t>& free, const Values& nominal) {
     std::vector<Values> starts{nominal};
     for (const std::size_t k : free) {
-        if (law.knobs[k].starts.empty()) continue;
+        if (law.parameters[k].starts.empty()) continue;
         std::vector<Values> more;
         for (const Values& values : starts)
-            for (const double at : law.knobs[k].starts) {
+            for (const double at : law.parameters[k].starts) {
                 more.push_back(values);
                 more.back()[k] = at;
             }
@@ -185,8 +187,8 @@ Fit fit_from_all_starts(const Law& law, const std::vector<std::size_t>& kept, co
     }
     Fit best;
     for (const Values& start : starts) {
-        Fit tried = fit(law, kept, free, start);
-        if (best.values.empty() || tried.cost < best.cost) best = std::move(tried);
+        Fit candidate = fit(law, kept, free, start);
+        if (best.values.empty() || candidate.cost < best.cost) best = std::move(candidate);
     }
     return best;
 }

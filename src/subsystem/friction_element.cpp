@@ -28,15 +28,15 @@ struct Drive {
 
 class FrictionElement final : public Law {
 public:
-    FrictionElement(const Case& bench, bool for_inputs);
+    FrictionElement(const Case& subsystem_case, bool for_inputs);
     void predict(std::size_t record, const Values& values, std::vector<double>& predicted) const override;
     [[nodiscard]] diagnosis::NextExperiment next() const override;
 
 private:
-    void set_knobs(const Case& bench, double force);
-    void set_targets(const Case& bench, std::size_t thin);
-    void set_floors(const Case& bench);
-    void set_preloads(const Case& bench);
+    void set_parameters(const Case& subsystem_case, double force);
+    void set_targets(const Case& subsystem_case, std::size_t thin);
+    void set_floors(const Case& subsystem_case);
+    void set_preloads(const Case& subsystem_case);
 
     std::vector<Drive> drives_;
     std::vector<Cycles> cycles_;
@@ -82,36 +82,36 @@ std::vector<double> travel_since_reversal(const std::vector<double>& x, double a
     return travel;
 }
 
-FrictionElement::FrictionElement(const Case& bench, bool for_inputs) {
+FrictionElement::FrictionElement(const Case& subsystem_case, bool for_inputs) {
     measured_name = "F_N";
     region_name = "travel_since_reversal_m";
     unit = "N";
     most_effects = 3;
     std::size_t rows = 0;
-    for (const Record& record : bench.records) rows += record.rows();
+    for (const Record& record : subsystem_case.records) rows += record.rows();
     const std::size_t thin = for_inputs ? 1 : (rows + kMostRows - 1) / kMostRows;
-    set_preloads(bench);
-    for (std::size_t r = 0; r < bench.records.size(); ++r) {
-        drives_[r].x = every(bench.records[r].columns.at("x_m"), thin);
-        drives_[r].speed = every(speed_of(bench.records[r]), thin);
+    set_preloads(subsystem_case);
+    for (std::size_t r = 0; r < subsystem_case.records.size(); ++r) {
+        drives_[r].x = every(subsystem_case.records[r].columns.at("x_m"), thin);
+        drives_[r].speed = every(speed_of(subsystem_case.records[r]), thin);
         drives_[r].rigid = kRigidPlay * mean_travel(drives_[r].x);
         const auto [low, high] = std::minmax_element(drives_[r].x.begin(), drives_[r].x.end());
         amplitude_ = std::max(amplitude_, 0.5 * (*high - *low));
         for (const double v : drives_[r].speed) speed_ = std::max(speed_, std::abs(v));
     }
     if (!for_inputs) {
-        set_floors(bench);
-        set_targets(bench, thin);
+        set_floors(subsystem_case);
+        set_targets(subsystem_case, thin);
     }
     double force = 1.0;
     for (const Target& target : targets)
         for (const double f : target.measured) force = std::max(force, std::abs(f));
-    set_knobs(bench, force);
+    set_parameters(subsystem_case, force);
     if (for_inputs) return;
     if (!(amplitude_ > 0.0)) throw core::InvalidInput("x_m", "no motion in any file", "an element that is driven to and fro");
     if (thin > 1) floor_remarks.push_back(fmt::format("every {}th row is used in the fits; the floors come from all rows", thin));
     floor_remarks.push_back("rows before the first whole cycle are not judged: how far the element is strained at the start is not known");
-    make_blocks(*this, bench);
+    make_blocks(*this, subsystem_case);
     std::vector<std::string> amplitudes, frequencies;
     for (const Cycles& cycles : cycles_) {
         amplitudes.push_back(fmt::format("{:.2g} m", first_alike(cycles_, cycles).amplitude));
@@ -122,12 +122,12 @@ FrictionElement::FrictionElement(const Case& bench, bool for_inputs) {
     for (std::size_t r = 0; r < targets.size(); ++r) targets[r].group = fmt::format("force_loop, amplitude {}", amplitudes[r]);
 }
 
-void FrictionElement::set_preloads(const Case& bench) {
-    drives_.resize(bench.records.size());
+void FrictionElement::set_preloads(const Case& subsystem_case) {
+    drives_.resize(subsystem_case.records.size());
     std::vector<double> preloads;
-    for (const Record& record : bench.records)
+    for (const Record& record : subsystem_case.records)
         if (const auto at = record.parameters.find("preload_N"); at != record.parameters.end()) preloads.push_back(at->second);
-    if (preloads.size() < bench.records.size()) return;
+    if (preloads.size() < subsystem_case.records.size()) return;
     const double mean = std::accumulate(preloads.begin(), preloads.end(), 0.0) / static_cast<double>(preloads.size());
     if (!(mean > 0.0)) return;
     for (std::size_t r = 0; r < drives_.size(); ++r) drives_[r].preload = preloads[r];
@@ -136,22 +136,23 @@ void FrictionElement::set_preloads(const Case& bench) {
     preloads_differ_ = *high - *low > 0.02 * mean;
 }
 
-void FrictionElement::set_knobs(const Case& bench, double force) {
+void FrictionElement::set_parameters(const Case& subsystem_case, double force) {
     const double a = amplitude_;
-    knobs.resize(kPlaces);
+    parameters.resize(kPlaces);
     double start = 0.7 * force;
-    if (!bench.records.empty())
-        if (const auto at = bench.records.front().parameters.find("coulomb_N"); at != bench.records.front().parameters.end())
+    if (!subsystem_case.records.empty())
+        if (const auto at = subsystem_case.records.front().parameters.find("coulomb_N");
+            at != subsystem_case.records.front().parameters.end())
             start = at->second;
-    knobs[kCoulomb] = {"coulomb", "N", start, 1e-3 * force, 10.0 * force, {}};
-    knobs[kDeflection] = {"deflection", "m", 0.0, 0.0, a, {0.03 * a, 0.15 * a}};
-    knobs[kBacklash] = {"backlash", "m", 0.0, 0.0, a, {0.05 * a, 0.1 * a, 0.2 * a, 0.4 * a}};
-    knobs[kSeat] = {"seat", "", 0.0, 0.0, 1.0, {0.5}};
-    knobs[kAsymmetry] = {"asymmetry", "", 0.0, -0.9, 0.9, {0.05}};
-    knobs[kViscous] = {"viscous", "Ns/m", 0.0, 0.0, 5.0 * force / speed_, {0.05 * force / speed_}};
-    knobs[kStribeck] = {"stribeck", "", 0.0, 0.0, 5.0, {0.1}};
-    knobs[kStribeckSpeed] = {"stribeck_speed", "m/s", 0.1 * speed_, 0.01 * speed_, speed_, {0.05 * speed_, 0.3 * speed_}};
-    knobs[kLoad] = {"load", "", 0.0, -force / preload_, 2.0 * force / preload_, {0.2 * force / preload_}};
+    parameters[kCoulomb] = {"coulomb", "N", start, 1e-3 * force, 10.0 * force, {}};
+    parameters[kDeflection] = {"deflection", "m", 0.0, 0.0, a, {0.03 * a, 0.15 * a}};
+    parameters[kBacklash] = {"backlash", "m", 0.0, 0.0, a, {0.05 * a, 0.1 * a, 0.2 * a, 0.4 * a}};
+    parameters[kSeat] = {"seat", "", 0.0, 0.0, 1.0, {0.5}};
+    parameters[kAsymmetry] = {"asymmetry", "", 0.0, -0.9, 0.9, {0.05}};
+    parameters[kViscous] = {"viscous", "Ns/m", 0.0, 0.0, 5.0 * force / speed_, {0.05 * force / speed_}};
+    parameters[kStribeck] = {"stribeck", "", 0.0, 0.0, 5.0, {0.1}};
+    parameters[kStribeckSpeed] = {"stribeck_speed", "m/s", 0.1 * speed_, 0.01 * speed_, speed_, {0.05 * speed_, 0.3 * speed_}};
+    parameters[kLoad] = {"load", "", 0.0, -force / preload_, 2.0 * force / preload_, {0.2 * force / preload_}};
     nominal = 1;
     effects = {{{"element.presliding"}, {kDeflection}, false, ""},
                {{"element.backlash"}, {kBacklash, kSeat}, false, ""},
@@ -163,22 +164,22 @@ void FrictionElement::set_knobs(const Case& bench, double force) {
 }
 
 /// Sigma is the sensor's, or else the scatter from cycle to cycle.
-void FrictionElement::set_floors(const Case& bench) {
+void FrictionElement::set_floors(const Case& subsystem_case) {
     double squares = 0.0, freedom = 0.0;
-    for (const Record& record : bench.records) {
+    for (const Record& record : subsystem_case.records) {
         cycles_.push_back(find_cycles(record.columns.at("t_s"), record.columns.at("x_m"), record.columns.at("F_N")));
         squares += cycles_.back().variance * static_cast<double>(cycles_.back().freedom);
         freedom += static_cast<double>(cycles_.back().freedom);
     }
     const double cycle = freedom > 0.0 ? std::sqrt(squares / freedom) : 0.0, setup = std::sqrt(setup_variance(cycles_));
-    const auto given = bench.sensors.find("force_noise_N");
-    if (given == bench.sensors.end() && !(cycle > 0.0))
+    const auto given = subsystem_case.sensors.find("force_noise_N");
+    if (given == subsystem_case.sensors.end() && !(cycle > 0.0))
         throw core::InvalidInput("sensors.force_noise_N", "missing, and no input goes through two like cycles",
                                  "a force noise, or files with repeated cycles");
-    unit_sigma = given != bench.sensors.end() ? given->second : cycle;
+    unit_sigma = given != subsystem_case.sensors.end() ? given->second : cycle;
     cycle_floor = std::max(1.0, cycle / unit_sigma);
     setup_floor = std::isfinite(setup) ? std::max(cycle_floor, setup / unit_sigma) : cycle_floor;
-    if (given == bench.sensors.end())
+    if (given == subsystem_case.sensors.end())
         floor_remarks.push_back(
             fmt::format("sigma is the scatter from cycle to cycle, {:.4g} N: no sensors.force_noise_N is given", cycle));
     if (std::isfinite(setup))
@@ -186,13 +187,13 @@ void FrictionElement::set_floors(const Case& bench) {
             fmt::format("files of the same amplitude differ by {:.4g} N: the floor from one set-up to the next", setup));
 }
 
-void FrictionElement::set_targets(const Case& bench, std::size_t thin) {
-    for (std::size_t r = 0; r < bench.records.size(); ++r) {
+void FrictionElement::set_targets(const Case& subsystem_case, std::size_t thin) {
+    for (std::size_t r = 0; r < subsystem_case.records.size(); ++r) {
         Target target;
-        target.measured = every(bench.records[r].columns.at("F_N"), thin);
+        target.measured = every(subsystem_case.records[r].columns.at("F_N"), thin);
         target.sigma.assign(target.measured.size(), unit_sigma);
         target.region = travel_since_reversal(drives_[r].x, amplitude_);
-        for (const double t : every(bench.records[r].columns.at("t_s"), thin))
+        for (const double t : every(subsystem_case.records[r].columns.at("t_s"), thin))
             target.settled.push_back(cycles_[r].period <= 0.0 || t >= cycles_[r].begin);
         targets.push_back(std::move(target));
     }
@@ -252,6 +253,8 @@ diagnosis::NextExperiment FrictionElement::next() const {
 
 }  // namespace
 
-std::unique_ptr<Law> friction_element(const Case& bench, bool for_inputs) { return std::make_unique<FrictionElement>(bench, for_inputs); }
+std::unique_ptr<Law> friction_element(const Case& subsystem_case, bool for_inputs) {
+    return std::make_unique<FrictionElement>(subsystem_case, for_inputs);
+}
 
 }  // namespace fusee::subsystem

@@ -9,32 +9,32 @@
 
 namespace fusee::subsystem {
 
-std::unique_ptr<Law> law_of(const Case& bench, bool for_inputs) {
-    switch (bench.kind) {
+std::unique_ptr<Law> law_of(const Case& subsystem_case, bool for_inputs) {
+    switch (subsystem_case.kind) {
         case Kind::kFrictionElement:
-            return friction_element(bench, for_inputs);
+            return friction_element(subsystem_case, for_inputs);
         case Kind::kServoPendulum:
-            return servo_pendulum(bench, for_inputs);
+            return servo_pendulum(subsystem_case, for_inputs);
         case Kind::kMotorBreakaway:
-            return motor_breakaway(bench, for_inputs);
+            return motor_breakaway(subsystem_case, for_inputs);
     }
     throw core::InvalidInput("bench.kind", "unknown", "a kind of bench");
 }
 
-double parameter(const Record& record, const std::vector<std::string>& names) {
+double number_of(const Record& record, const std::vector<std::string>& names) {
     for (const std::string& name : names)
         if (const auto at = record.parameters.find(name); at != record.parameters.end()) return at->second;
     throw core::InvalidInput(record.file + ": " + names.front(), "missing",
                              "a number in [bench] or a word key=value in the file's '#' line");
 }
 
-void make_blocks(Law& law, const Case& bench) {
-    const std::size_t parts = bench.records.size() < 3 ? 3 : 1;
+void make_blocks(Law& law, const Case& subsystem_case) {
+    const std::size_t parts = subsystem_case.records.size() < 3 ? 3 : 1;
     Scheme scheme{parts == 1 ? "file" : "part", {}};
-    for (std::size_t r = 0; r < bench.records.size(); ++r) {
+    for (std::size_t r = 0; r < subsystem_case.records.size(); ++r) {
         const std::size_t rows = law.targets[r].measured.size();
         for (std::size_t p = 0; p < parts; ++p) {
-            Block block{bench.records[r].file, r, {}};
+            Block block{subsystem_case.records[r].file, r, {}};
             if (parts > 1) block.name += fmt::format(" part {}", p + 1);
             for (std::size_t i = rows * p / parts; i < rows * (p + 1) / parts; ++i)
                 if (law.targets[r].settled.empty() || law.targets[r].settled[i]) block.rows.push_back(i);

@@ -9,28 +9,28 @@
 /// A bench's law: what it predicts from its inputs, with a number for each nominal parameter and for each parameter of each effect.
 namespace fusee::subsystem {
 
-struct Knob {
+struct Parameter {
     std::string name, unit;
-    double off = 0.0;  ///< the value without its effect; a nominal parameter's start
+    double null_value = 0.0;  ///< the value without its effect; a nominal parameter's start
     double low = 0.0, high = 0.0;
     std::vector<double> starts;  ///< an effect's: where fits begin; the best end counts
 };
-using Values = std::vector<double>;  ///< one for each knob
+using Values = std::vector<double>;  ///< one for each parameter
 
-/// An effect and its knobs; the first is the parameter that a diagnosis gives.
+/// An effect and its parameters; the first is the parameter that a diagnosis gives.
 struct LawEffect {
     effects::Cause cause;
-    std::vector<std::size_t> knobs;
+    std::vector<std::size_t> parameters;
     bool moves_setups = false;  ///< makes files of the same motion differ: the floor from set-up to set-up is no argument against it
     std::string unseen;         ///< why this case cannot show it; empty: it can
 };
 
-/// How files may be kept back together, e.g. by "kp": a label for each block.
+/// How files may be held out together, e.g. by "kp": a label for each block.
 struct Scheme {
     std::string name;
     std::vector<std::string> labels;
 };
-/// Rows that are kept back together at least: a file, a part of the only one, a motor torque.
+/// Rows that are held out together at least: a file, a part of the only one, a motor torque.
 struct Block {
     std::string name;
     std::size_t record = 0;
@@ -57,13 +57,13 @@ public:
 
     std::string measured_name, region_name, unit;  ///< unit of the measured column
     double unit_sigma = 1.0;                       ///< a typical sigma in `unit`: turns a gap in sigma into one in unit
-    std::vector<Knob> knobs;
-    std::size_t nominal = 0;  ///< the first so many knobs are the nominal law's
+    std::vector<Parameter> parameters;
+    std::size_t nominal = 0;  ///< the first so many parameters are the nominal law's
     std::vector<LawEffect> effects;
     std::size_t most_effects = 2;  ///< in one hypothesis
     std::vector<Target> targets;   ///< one for each record
     std::vector<Block> blocks;
-    std::vector<Scheme> schemes;  ///< the first keeps back one block at a time
+    std::vector<Scheme> schemes;  ///< the first holds out one block at a time
     double cycle_floor = 1.0;     ///< scatter from cycle to cycle, or of the sensor [sigma]
     double setup_floor = 1.0;     ///< from one file to the next of the same motion, at least cycle_floor [sigma]
     std::vector<std::string> floor_remarks;
@@ -71,16 +71,16 @@ public:
 };
 
 /// The law of a case; `for_inputs`: only `predict` will be used, measured columns may be absent.
-[[nodiscard]] std::unique_ptr<Law> law_of(const Case& bench, bool for_inputs = false);
-[[nodiscard]] std::unique_ptr<Law> friction_element(const Case& bench, bool for_inputs);
-[[nodiscard]] std::unique_ptr<Law> servo_pendulum(const Case& bench, bool for_inputs);
-[[nodiscard]] std::unique_ptr<Law> motor_breakaway(const Case& bench, bool for_inputs);
+[[nodiscard]] std::unique_ptr<Law> law_of(const Case& subsystem_case, bool for_inputs = false);
+[[nodiscard]] std::unique_ptr<Law> friction_element(const Case& subsystem_case, bool for_inputs);
+[[nodiscard]] std::unique_ptr<Law> servo_pendulum(const Case& subsystem_case, bool for_inputs);
+[[nodiscard]] std::unique_ptr<Law> motor_breakaway(const Case& subsystem_case, bool for_inputs);
 
 /// A number of the record, one of several names. @throws core::InvalidInput naming the file and the first name if none stands there
-[[nodiscard]] double parameter(const Record& record, const std::vector<std::string>& names);
+[[nodiscard]] double number_of(const Record& record, const std::vector<std::string>& names);
 /// Blocks of whole files; of three parts in time of each if there are fewer than three files. With the scheme "file" or "part".
-void make_blocks(Law& law, const Case& bench);
-/// Adds a scheme that keeps back together what shares a label, if there are two labels or more and they part the blocks otherwise than the
+void make_blocks(Law& law, const Case& subsystem_case);
+/// Adds a scheme that holds out together what shares a label, if there are two labels or more and they part the blocks otherwise than the
 /// schemes that are there.
 void add_scheme(Law& law, const std::string& name, const std::vector<std::string>& label_of_record);
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kScatter = 0.03;        // relative, of the friction, where neither [sensors] nor repeats tell it
 constexpr double kMostMu = 0.95;         // friction::Law allows no more
-constexpr std::size_t kLeastLevels = 3;  // motor torques that can be kept back one by one
+constexpr std::size_t kLeastLevels = 3;  // motor torques that can be held out one by one
 
 enum Term : std::size_t { kConstant, kAsymmetry, kQuadratic, kScale, kTerms };
 
@@ -26,7 +26,7 @@ struct Row {
 
 class MotorBreakaway final : public Law {
 public:
-    MotorBreakaway(const Case& bench, bool for_inputs);
+    MotorBreakaway(const Case& subsystem_case, bool for_inputs);
     void predict(std::size_t record, const Values& values, std::vector<double>& predicted) const override;
     [[nodiscard]] diagnosis::NextExperiment next() const override;
     [[nodiscard]] std::vector<std::string> remarks() const override {
@@ -40,27 +40,27 @@ private:
     [[nodiscard]] double term(const Values& values, Term t, std::size_t side) const {
         return values[at(t, side)] + values[at(t, sides_.size())];
     }
-    void set_knobs(const Case& bench);
-    void set_targets(const Case& bench);
-    void set_blocks(const Case& bench);
+    void set_parameters(const Case& subsystem_case);
+    void set_targets(const Case& subsystem_case);
+    void set_blocks(const Case& subsystem_case);
 
     std::vector<std::string> sides_;
     std::vector<std::vector<Row>> rows_;
     double most_torque_ = 1e-9;
 };
 
-MotorBreakaway::MotorBreakaway(const Case& bench, bool for_inputs) {
+MotorBreakaway::MotorBreakaway(const Case& subsystem_case, bool for_inputs) {
     measured_name = "load_torque_Nm";
     region_name = "motor_torque_Nm";
     unit = "Nm";
     most_effects = 2;
     rows_independent = true;
     std::set<std::string> names;
-    for (const Record& record : bench.records)
+    for (const Record& record : subsystem_case.records)
         for (const std::string& side : record.texts.at("side")) names.insert(side);
     sides_.assign(names.begin(), names.end());
     if (sides_.size() > 2) throw core::InvalidInput("side", fmt::format("{} different names", sides_.size()), "one motor or two");
-    for (const Record& record : bench.records) {
+    for (const Record& record : subsystem_case.records) {
         const auto &side = record.texts.at("side"), &direction = record.texts.at("direction");
         const std::vector<double>& motor = record.columns.at("motor_torque_Nm");
         std::vector<Row> rows;
@@ -70,42 +70,43 @@ MotorBreakaway::MotorBreakaway(const Case& bench, bool for_inputs) {
         }
         rows_.push_back(std::move(rows));
     }
-    set_knobs(bench);
+    set_parameters(subsystem_case);
     if (for_inputs) return;
-    set_targets(bench);
-    set_blocks(bench);
+    set_targets(subsystem_case);
+    set_blocks(subsystem_case);
 }
 
-void MotorBreakaway::set_knobs(const Case& bench) {
-    const auto given = bench.parameters.find("gear_load_friction");
+void MotorBreakaway::set_parameters(const Case& subsystem_case) {
+    const auto given = subsystem_case.parameters.find("gear_load_friction");
     for (const std::string& side : sides_)
-        knobs.push_back({"gear_load_friction " + side, "", given != bench.parameters.end() ? given->second : 0.2, 0.0, kMostMu, {}});
+        parameters.push_back(
+            {"gear_load_friction " + side, "", given != subsystem_case.parameters.end() ? given->second : 0.2, 0.0, kMostMu, {}});
     nominal = sides_.size();
-    const Knob kinds[kTerms] = {{"constant", "Nm", 0.0, -0.5 * most_torque_, most_torque_, {0.02 * most_torque_}},
-                                {"asymmetry", "", 0.0, -0.9, 0.9, {0.05}},
-                                {"quadratic", "1/Nm", 0.0, -0.5 / most_torque_, 0.5 / most_torque_, {0.05 / most_torque_}},
-                                {"scale", "", 0.0, -0.5, 1.0, {0.02}}};
+    const Parameter kinds[kTerms] = {{"constant", "Nm", 0.0, -0.5 * most_torque_, most_torque_, {0.02 * most_torque_}},
+                                     {"asymmetry", "", 0.0, -0.9, 0.9, {0.05}},
+                                     {"quadratic", "1/Nm", 0.0, -0.5 / most_torque_, 0.5 / most_torque_, {0.05 / most_torque_}},
+                                     {"scale", "", 0.0, -0.5, 1.0, {0.02}}};
     const char* ids[kTerms] = {"gear.coulomb", "gear.asymmetry", "gear.load_quadratic", "sensor.torque_scale"};
     for (std::size_t t = 0; t < kTerms; ++t)
         for (std::size_t s = 0; s <= sides_.size(); ++s) {
-            knobs.push_back(kinds[t]);
+            parameters.push_back(kinds[t]);
             if (s == sides_.size() && s == 1) continue;  // one motor: no "both"
             effects.push_back({{ids[t], s < sides_.size() ? sides_[s] : "both"}, {at(static_cast<Term>(t), s)}, false, ""});
         }
 }
 
 /// Sigma of a load from the friction met in the row's repeats (side, direction, motor torque): dL = f d/(1 - s mu), and the sensor's noise.
-void MotorBreakaway::set_targets(const Case& bench) {
+void MotorBreakaway::set_targets(const Case& subsystem_case) {
     const auto sensor = [&](const char* name, double fallback) {
-        const auto found = bench.sensors.find(name);
-        return found != bench.sensors.end() ? found->second : fallback;
+        const auto found = subsystem_case.sensors.find(name);
+        return found != subsystem_case.sensors.end() ? found->second : fallback;
     };
     const double noise = sensor("torque_noise_Nm", 0.0), relative = sensor("torque_noise_relative", 0.0);
     std::map<std::tuple<std::size_t, double, double>, std::vector<double>> repeats;
     for (std::size_t r = 0; r < rows_.size(); ++r)
         for (std::size_t i = 0; i < rows_[r].size(); ++i)
             repeats[{rows_[r][i].side, rows_[r][i].sign, rows_[r][i].motor}].push_back(
-                rows_[r][i].sign * (bench.records[r].columns.at("load_torque_Nm")[i] - rows_[r][i].motor));
+                rows_[r][i].sign * (subsystem_case.records[r].columns.at("load_torque_Nm")[i] - rows_[r][i].motor));
     std::map<std::tuple<std::size_t, double, double>, double> friction;
     double squares = 0.0, freedom = 0.0;
     for (const auto& [key, met] : repeats) {
@@ -118,7 +119,11 @@ void MotorBreakaway::set_targets(const Case& bench) {
     const double scatter = sensor("breakaway_scatter", freedom >= 10.0 ? std::sqrt(squares / freedom) : kScatter);
     unit_sigma = 0.0;
     for (std::size_t r = 0; r < rows_.size(); ++r) {
-        Target target{bench.records[r].columns.at("load_torque_Nm"), {}, {}, bench.records[r].columns.at("motor_torque_Nm"), "breakaway"};
+        Target target{subsystem_case.records[r].columns.at("load_torque_Nm"),
+                      {},
+                      {},
+                      subsystem_case.records[r].columns.at("motor_torque_Nm"),
+                      "breakaway"};
         for (std::size_t i = 0; i < rows_[r].size(); ++i) {
             const Row& row = rows_[r][i];
             const double f = friction[{row.side, row.sign, row.motor}], load = target.measured[i];
@@ -130,11 +135,11 @@ void MotorBreakaway::set_targets(const Case& bench) {
         targets.push_back(std::move(target));
     }
     floor_remarks.push_back(fmt::format("sigma is a scatter of {:.3g} of the friction{} and the torque sensor's noise", scatter,
-                                        bench.sensors.contains("breakaway_scatter") ? "" : " (from the repeats)"));
+                                        subsystem_case.sensors.contains("breakaway_scatter") ? "" : " (from the repeats)"));
 }
 
-/// A motor torque is kept back as a whole; with fewer than three of them, every third row.
-void MotorBreakaway::set_blocks(const Case& bench) {
+/// A motor torque is held out as a whole; with fewer than three of them, every third row.
+void MotorBreakaway::set_blocks(const Case& subsystem_case) {
     std::set<double> levels;
     for (const auto& rows : rows_)
         for (const Row& row : rows) levels.insert(row.motor);
@@ -150,9 +155,9 @@ void MotorBreakaway::set_blocks(const Case& bench) {
         scheme.labels.push_back(key.second);
     }
     schemes.push_back(std::move(scheme));
-    if (bench.records.size() < 3) return;
+    if (subsystem_case.records.size() < 3) return;
     std::vector<std::string> files;
-    for (const Record& record : bench.records) files.push_back(record.file);
+    for (const Record& record : subsystem_case.records) files.push_back(record.file);
     add_scheme(*this, "file", files);
 }
 
@@ -187,6 +192,8 @@ diagnosis::NextExperiment MotorBreakaway::next() const {
 
 }  // namespace
 
-std::unique_ptr<Law> motor_breakaway(const Case& bench, bool for_inputs) { return std::make_unique<MotorBreakaway>(bench, for_inputs); }
+std::unique_ptr<Law> motor_breakaway(const Case& subsystem_case, bool for_inputs) {
+    return std::make_unique<MotorBreakaway>(subsystem_case, for_inputs);
+}
 
 }  // namespace fusee::subsystem

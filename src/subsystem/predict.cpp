@@ -11,9 +11,9 @@ namespace fusee::subsystem {
 
 namespace {
 
-std::size_t knob_named(const Law& law, const std::string& name, std::size_t first, std::size_t last) {
+std::size_t parameter_named(const Law& law, const std::string& name, std::size_t first, std::size_t last) {
     for (std::size_t k = first; k < last; ++k)
-        if (law.knobs[k].name == name) return k;
+        if (law.parameters[k].name == name) return k;
     throw core::InvalidInput("diagnosis", "\"" + name + "\"", "a parameter of this bench");
 }
 
@@ -26,29 +26,29 @@ const LawEffect& effect_of(const Law& law, const effects::Cause& cause) {
     throw core::InvalidInput("effects", cause.id + " " + cause.side, known);
 }
 
-/// @throws core::InvalidInput for a value beyond what a fit may give the knob
-void put_value(const Law& law, std::size_t knob, const std::string& what, double value, Values& values) {
+/// @throws core::InvalidInput for a value beyond what a fit may give the parameter
+void put_value(const Law& law, std::size_t parameter, const std::string& what, double value, Values& values) {
     constexpr double kRounding = 1e-9;
-    const Knob& k = law.knobs[knob];
+    const Parameter& k = law.parameters[parameter];
     const double slack = kRounding * (k.high - k.low);
     if (!(value >= k.low - slack && value <= k.high + slack))
         throw core::InvalidInput(what, fmt::format("{:g}", value),
                                  fmt::format("{:g} to {:g}{}{}", k.low, k.high, k.unit.empty() ? "" : " ", k.unit));
-    values[knob] = value;
+    values[parameter] = value;
 }
 
 void put_effect(const Law& law, const diagnosis::FoundEffect& found, Values& values) {
     const LawEffect& effect = effect_of(law, found.cause);
     const std::string what = "effects: " + found.cause.id;
-    const Knob& size = law.knobs[effect.knobs.front()];
-    if (values[effect.knobs.front()] != size.off) throw core::InvalidInput(what, "stated again", "each effect once on a side");
+    const Parameter& size = law.parameters[effect.parameters.front()];
+    if (values[effect.parameters.front()] != size.null_value) throw core::InvalidInput(what, "stated again", "each effect once on a side");
     if (!found.parameter.unit.empty() && !size.unit.empty() && found.parameter.unit != size.unit)
         throw core::InvalidInput(what + ": unit", found.parameter.unit, size.unit);
-    put_value(law, effect.knobs.front(), what, found.parameter.value, values);
+    put_value(law, effect.parameters.front(), what, found.parameter.value, values);
     for (const auto& [name, value] : found.extra) {
-        const auto known =
-            std::find_if(effect.knobs.begin() + 1, effect.knobs.end(), [&](std::size_t k) { return law.knobs[k].name == name; });
-        if (known == effect.knobs.end()) throw core::InvalidInput(what + ": extra", name, "a further parameter of this effect");
+        const auto known = std::find_if(effect.parameters.begin() + 1, effect.parameters.end(),
+                                        [&](std::size_t k) { return law.parameters[k].name == name; });
+        if (known == effect.parameters.end()) throw core::InvalidInput(what + ": extra", name, "a further parameter of this effect");
         put_value(law, *known, what + ": " + name, value, values);
     }
 }
@@ -61,24 +61,24 @@ void require_finite(const Record& record, const std::vector<double>& predicted) 
 }
 
 /// The nominal parameters on the case's own rows, the effects held.
-void fit_nominal(const Case& bench, Values& values) {
-    const auto law = law_of(bench);
+void fit_nominal(const Case& subsystem_case, Values& values) {
+    const auto law = law_of(subsystem_case);
     std::vector<std::size_t> all(law->blocks.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
     Values start = values;
     const Values own = start_values(*law);
     std::copy_n(own.begin(), law->nominal, start.begin());
-    values = fit(*law, all, free_knobs(*law, {}), start).values;
+    values = fit(*law, all, free_parameters(*law, {}), start).values;
 }
 
 /// A case's law, or that of its inputs, with the case's own scale: starts and bounds do not matter for a prediction.
-Values values_of(const Case& bench, const diagnosis::Diagnosis& found) {
-    const auto law = law_of(bench);
+Values values_of(const Case& subsystem_case, const diagnosis::Diagnosis& found) {
+    const auto law = law_of(subsystem_case);
     Values values = start_values(*law);
     for (const diagnosis::FoundEffect& effect : found.effects) put_effect(*law, effect, values);
     for (const auto& [name, parameter] : found.build)
-        put_value(*law, knob_named(*law, name, 0, law->nominal), "build: " + name, parameter.value, values);
-    if (found.build.empty()) fit_nominal(bench, values);
+        put_value(*law, parameter_named(*law, name, 0, law->nominal), "build: " + name, parameter.value, values);
+    if (found.build.empty()) fit_nominal(subsystem_case, values);
     return values;
 }
 
@@ -96,13 +96,14 @@ const char* measured_column(Kind kind) {
 
 }  // namespace
 
-Case predict(const Case& bench, const diagnosis::Diagnosis& found, const Case& inputs) {
-    const Values values = values_of(bench, found);
+Case predict(const Case& subsystem_case, const diagnosis::Diagnosis& found, const Case& inputs) {
+    const Values values = values_of(subsystem_case, found);
     const auto law = law_of(inputs, true);
-    if (law->knobs.size() != values.size()) throw core::InvalidInput("inputs", "other motors than the case's", "the sides of the case");
+    if (law->parameters.size() != values.size())
+        throw core::InvalidInput("inputs", "other motors than the case's", "the sides of the case");
     Case out = inputs;
     for (std::size_t r = 0; r < out.records.size(); ++r) {
-        std::vector<double>& predicted = out.records[r].columns[measured_column(bench.kind)];
+        std::vector<double>& predicted = out.records[r].columns[measured_column(subsystem_case.kind)];
         law->predict(r, values, predicted);
         require_finite(out.records[r], predicted);
     }

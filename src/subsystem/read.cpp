@@ -126,37 +126,37 @@ Case read_case(const fs::path& folder) {
     const gap_case::CaseToml toml(folder);
     toml.allow_tables({"bench", "sensors", "experiments", "tolerance", "protocol"});
     const KindKeys& keys = kind_of(toml);
-    Case bench;
-    bench.name = fs::absolute(folder / "").parent_path().filename().string();
-    bench.kind = keys.kind;
-    bench.parameters = numbers_of(toml, "bench", keys.parameters, {std::begin(kKindKeys), std::end(kKindKeys)});
-    bench.sensors = numbers_of(toml, "sensors", keys.sensors, {});
+    Case subsystem_case;
+    subsystem_case.name = fs::absolute(folder / "").parent_path().filename().string();
+    subsystem_case.kind = keys.kind;
+    subsystem_case.parameters = numbers_of(toml, "bench", keys.parameters, {std::begin(kKindKeys), std::end(kKindKeys)});
+    subsystem_case.sensors = numbers_of(toml, "sensors", keys.sensors, {});
     for (const char* table : {"tolerance", "protocol"})
-        if (toml.has(table)) bench.remarks.push_back(fmt::format("[{}] has no meaning for a bench and is not used", table));
+        if (toml.has(table)) subsystem_case.remarks.push_back(fmt::format("[{}] has no meaning for a bench and is not used", table));
     for (const std::string& key : toml.keys_of("experiments"))
         if (key != keys.experiment) throw toml.fault("experiments." + key, "unknown key", keys.experiment);
     std::string all = toml.bytes();
     for (const std::string& file : toml.files(std::string("experiments.") + keys.experiment)) {
-        Record record{keys.experiment, file, bench.parameters, {}, {}, {}};
+        Record record{keys.experiment, file, subsystem_case.parameters, {}, {}, {}};
         all += take_file(folder / file, keys, false, record);
-        bench.records.push_back(std::move(record));
+        subsystem_case.records.push_back(std::move(record));
     }
-    bench.sha256 = core::sha256_hex(all);
-    return bench;
+    subsystem_case.sha256 = core::sha256_hex(all);
+    return subsystem_case;
 }
 
-Case read_inputs(const Case& bench, const fs::path& folder) {
+Case read_inputs(const Case& subsystem_case, const fs::path& folder) {
     if (!fs::is_directory(folder)) throw core::IoError(folder.string(), "is no folder");
-    const KindKeys& keys = keys_of(bench.kind);
+    const KindKeys& keys = keys_of(subsystem_case.kind);
     std::vector<fs::path> files;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder))
         if (entry.is_regular_file() && entry.path().extension() == ".csv") files.push_back(entry.path());
     std::sort(files.begin(), files.end());
-    Case inputs = bench;
+    Case inputs = subsystem_case;
     inputs.records.clear();
     for (const fs::path& file : files) {
-        Record record{keys.experiment, file.filename().string(), bench.parameters, {}, {}, {}};
-        for (const Record& known : bench.records)
+        Record record{keys.experiment, file.filename().string(), subsystem_case.parameters, {}, {}, {}};
+        for (const Record& known : subsystem_case.records)
             if (known.file == record.file) record.parameters = known.parameters, record.words = known.words;
         (void)take_file(file, keys, true, record);
         inputs.records.push_back(std::move(record));

@@ -43,7 +43,7 @@ struct Rollout {
 
 class ServoPendulum final : public Law {
 public:
-    ServoPendulum(const Case& bench, bool for_inputs);
+    ServoPendulum(const Case& subsystem_case, bool for_inputs);
     void predict(std::size_t record, const Values& values, std::vector<double>& predicted) const override;
     [[nodiscard]] diagnosis::NextExperiment next() const override;
     [[nodiscard]] std::vector<std::string> remarks() const override {
@@ -56,7 +56,7 @@ public:
     }
 
 private:
-    void set_knobs(const Case& bench);
+    void set_parameters(const Case& subsystem_case);
 
     std::vector<Rollout> rollouts_;
     bool several_masses_ = false;
@@ -72,40 +72,40 @@ Rollout rollout_of(const Record& record) {
         roll.powered.assign(roll.time.size(), true);
     roll.start = roll.goal.front();
     if (const auto q = record.columns.find("q_rad"); q != record.columns.end()) roll.start = q->second.front();
-    const double mass = parameter(record, {"mass_kg"}), length = parameter(record, {"length_m"});
+    const double mass = number_of(record, {"mass_kg"}), length = number_of(record, {"length_m"});
     roll.gravity = mass * kGravity * length;
     roll.load_inertia = mass * length * length;
     const auto given = record.parameters.find("duty_per_kp_rad");
-    roll.loop = parameter(record, {"kp"}) * (given != record.parameters.end() ? given->second : kDutyPerKpRad);
-    roll.supply = parameter(record, {"vin_V", "supply_V", "supply"});
+    roll.loop = number_of(record, {"kp"}) * (given != record.parameters.end() ? given->second : kDutyPerKpRad);
+    roll.supply = number_of(record, {"vin_V", "supply_V", "supply"});
     return roll;
 }
 
-ServoPendulum::ServoPendulum(const Case& bench, bool for_inputs) {
+ServoPendulum::ServoPendulum(const Case& subsystem_case, bool for_inputs) {
     measured_name = "q_rad";
     region_name = "t_s";
     unit = "rad";
     most_effects = 2;
-    for (const Record& record : bench.records) rollouts_.push_back(rollout_of(record));
-    set_knobs(bench);
+    for (const Record& record : subsystem_case.records) rollouts_.push_back(rollout_of(record));
+    set_parameters(subsystem_case);
     for (const Rollout& roll : rollouts_) several_masses_ |= std::abs(roll.gravity - rollouts_.front().gravity) > 0.05 * roll.gravity;
     if (for_inputs) return;
     const auto sensor = [&](const char* name, double fallback) {
-        const auto at = bench.sensors.find(name);
-        return at != bench.sensors.end() ? at->second : fallback;
+        const auto at = subsystem_case.sensors.find(name);
+        return at != subsystem_case.sensors.end() ? at->second : fallback;
     };
     unit_sigma = std::max(sensor("encoder_noise_rad", 0.0), sensor("encoder_step_rad", kEncoderStep));
     for (std::size_t r = 0; r < rollouts_.size(); ++r) {
         Target target;
-        target.measured = bench.records[r].columns.at("q_rad");
+        target.measured = subsystem_case.records[r].columns.at("q_rad");
         target.sigma.assign(target.measured.size(), unit_sigma);
         target.region = rollouts_[r].time;
-        target.group = fmt::format("pendulum_log, kp {:g}", bench.records[r].parameters.at("kp"));
+        target.group = fmt::format("pendulum_log, kp {:g}", subsystem_case.records[r].parameters.at("kp"));
         targets.push_back(std::move(target));
     }
-    make_blocks(*this, bench);
+    make_blocks(*this, subsystem_case);
     std::vector<std::string> gains, trajectories;
-    for (const Record& record : bench.records) {
+    for (const Record& record : subsystem_case.records) {
         gains.push_back(fmt::format("{:g}", record.parameters.at("kp")));
         const auto word = record.words.find("trajectory");
         trajectories.push_back(word != record.words.end() ? word->second : "unnamed");
@@ -116,27 +116,27 @@ ServoPendulum::ServoPendulum(const Case& bench, bool for_inputs) {
         fmt::format("no file repeats another's motion: the floor is the encoder's, {:.3g} rad, and not that of a set-up", unit_sigma));
 }
 
-void ServoPendulum::set_knobs(const Case& bench) {
+void ServoPendulum::set_parameters(const Case& subsystem_case) {
     const auto given = [&](const char* name, double fallback) {
-        const auto at = bench.parameters.find(name);
-        return at != bench.parameters.end() ? at->second : fallback;
+        const auto at = subsystem_case.parameters.find(name);
+        return at != subsystem_case.parameters.end() ? at->second : fallback;
     };
     const Rollout& first = rollouts_.front();
     const double weight = first.gravity, stall = 1.5 * weight;  // a guess: a servo that lifts its mass with some reserve
     const double kt = given("kt_Nm_per_A", stall), resistance = given("resistance_ohm", first.supply * kt / stall);
-    knobs.resize(kPlaces);
-    knobs[kTorqueConstant] = {"kt", "Nm/A", kt, 0.05 * kt, 20.0 * kt, {}};
-    knobs[kResistance] = {"resistance", "ohm", resistance, 0.05 * resistance, 20.0 * resistance, {}};
-    knobs[kArmature] = {"armature", "kg m^2", given("armature_kgm2", 0.3 * first.load_inertia), 0.0, 5.0 * first.load_inertia, {}};
-    knobs[kCoulomb] = {"coulomb", "Nm", given("coulomb_Nm", 0.05 * weight), 0.0, weight, {}};
-    knobs[kViscous] = {"viscous", "Nms", given("viscous_Nms", 0.02 * weight), 0.0, 2.0 * weight, {}};
-    knobs[kOffset] = {"offset", "rad", given("offset_rad", 0.0), -0.5, 0.5, {}};
-    knobs[kLoadFriction] = {"load_friction", "", 0.0, 0.0, 0.9, {0.1}};
-    knobs[kStribeck] = {"stribeck", "", 0.0, 0.0, 5.0, {0.5}};
-    knobs[kStribeckSpeed] = {"stribeck_speed", "rad/s", 0.5, 0.02, 5.0, {0.5}};
-    knobs[kAsymmetry] = {"asymmetry", "", 0.0, -0.9, 0.9, {0.05}};
-    knobs[kGain] = {"gain", "", 0.0, -0.6, 2.0, {0.05}};
-    knobs[kDelay] = {"delay", "s", 0.0, 0.0, kLongestDelay, {0.01}};
+    parameters.resize(kPlaces);
+    parameters[kTorqueConstant] = {"kt", "Nm/A", kt, 0.05 * kt, 20.0 * kt, {}};
+    parameters[kResistance] = {"resistance", "ohm", resistance, 0.05 * resistance, 20.0 * resistance, {}};
+    parameters[kArmature] = {"armature", "kg m^2", given("armature_kgm2", 0.3 * first.load_inertia), 0.0, 5.0 * first.load_inertia, {}};
+    parameters[kCoulomb] = {"coulomb", "Nm", given("coulomb_Nm", 0.05 * weight), 0.0, weight, {}};
+    parameters[kViscous] = {"viscous", "Nms", given("viscous_Nms", 0.02 * weight), 0.0, 2.0 * weight, {}};
+    parameters[kOffset] = {"offset", "rad", given("offset_rad", 0.0), -0.5, 0.5, {}};
+    parameters[kLoadFriction] = {"load_friction", "", 0.0, 0.0, 0.9, {0.1}};
+    parameters[kStribeck] = {"stribeck", "", 0.0, 0.0, 5.0, {0.5}};
+    parameters[kStribeckSpeed] = {"stribeck_speed", "rad/s", 0.5, 0.02, 5.0, {0.5}};
+    parameters[kAsymmetry] = {"asymmetry", "", 0.0, -0.9, 0.9, {0.05}};
+    parameters[kGain] = {"gain", "", 0.0, -0.6, 2.0, {0.05}};
+    parameters[kDelay] = {"delay", "s", 0.0, 0.0, kLongestDelay, {0.01}};
     nominal = kOffset + 1;
     effects = {{{"gear.load_friction"}, {kLoadFriction}, false, ""},
                {{"gear.stribeck"}, {kStribeck, kStribeckSpeed}, false, ""},
@@ -241,6 +241,8 @@ diagnosis::NextExperiment ServoPendulum::next() const {
 
 }  // namespace
 
-std::unique_ptr<Law> servo_pendulum(const Case& bench, bool for_inputs) { return std::make_unique<ServoPendulum>(bench, for_inputs); }
+std::unique_ptr<Law> servo_pendulum(const Case& subsystem_case, bool for_inputs) {
+    return std::make_unique<ServoPendulum>(subsystem_case, for_inputs);
+}
 
 }  // namespace fusee::subsystem

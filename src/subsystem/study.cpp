@@ -41,36 +41,36 @@ std::vector<std::size_t> all_blocks(const Law& law) {
 double sum(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
 
 /// The fit on all rows: from every start with the effects off, and from the best of the sets that lack one effect.
-void fit_all(const Law& law, const Study& study, const Values& nominal, Tried& tried) {
-    const auto all = all_blocks(law), free = free_knobs(law, tried.effects);
-    tried.fit = fit_from_all_starts(law, all, free, nominal);
-    const Tried* best = nullptr;
-    for (const std::size_t e : tried.effects) {
-        std::vector<std::size_t> less = tried.effects;
+void fit_all(const Law& law, const Study& study, const Values& nominal, Candidate& candidate) {
+    const auto all = all_blocks(law), free = free_parameters(law, candidate.effects);
+    candidate.fit = fit_from_all_starts(law, all, free, nominal);
+    const Candidate* best = nullptr;
+    for (const std::size_t e : candidate.effects) {
+        std::vector<std::size_t> less = candidate.effects;
         std::erase(less, e);
-        const Tried* without = study.find(less);
+        const Candidate* without = study.find(less);
         if (without != nullptr && (best == nullptr || without->fit.cost < best->fit.cost)) best = without;
     }
     if (best != nullptr) {
         Values start = best->fit.values;
         for (const std::size_t k : free)
-            if (start[k] == law.knobs[k].off && !law.knobs[k].starts.empty()) start[k] = law.knobs[k].starts.front();
+            if (start[k] == law.parameters[k].null_value && !law.parameters[k].starts.empty()) start[k] = law.parameters[k].starts.front();
         Fit other = fit(law, all, free, start);
-        if (other.cost < tried.fit.cost) tried.fit = std::move(other);
+        if (other.cost < candidate.fit.cost) candidate.fit = std::move(other);
     }
-    tried.seen = misfit(law, tried.fit.values);
+    candidate.seen = misfit(law, candidate.fit.values);
 }
 
 /// Where a set ends lower than the set without one of its effects even with that effect turned off again, the smaller set had stopped too
 /// early: it goes on from there.
 void lower_subsets(const Law& law, Study& study) {
-    for (std::size_t i = study.tried.size(); i-- > 0;)
-        for (const std::size_t e : study.tried[i].effects) {
-            std::vector<std::size_t> less = study.tried[i].effects;
+    for (std::size_t i = study.candidates.size(); i-- > 0;)
+        for (const std::size_t e : study.candidates[i].effects) {
+            std::vector<std::size_t> less = study.candidates[i].effects;
             std::erase(less, e);
-            Tried& without = study.tried[static_cast<std::size_t>(study.find(less) - study.tried.data())];
-            Values start = study.tried[i].fit.values;
-            for (const std::size_t k : law.effects[e].knobs) start[k] = law.knobs[k].off;
+            Candidate& without = study.candidates[static_cast<std::size_t>(study.find(less) - study.candidates.data())];
+            Values start = study.candidates[i].fit.values;
+            for (const std::size_t k : law.effects[e].parameters) start[k] = law.parameters[k].null_value;
             if (sum(misfit(law, start).squares) >= sum(without.seen.squares)) continue;
             without.fit = fit(law, all_blocks(law), without.fit.free, start);
             without.seen = misfit(law, without.fit.values);
@@ -89,22 +89,22 @@ std::vector<std::vector<std::size_t>> folds_of(const Scheme& scheme) {
     return folds;
 }
 
-void keep_back(const Law& law, Tried& tried) {
+void keep_back(const Law& law, Candidate& candidate) {
     for (const Scheme& scheme : law.schemes) {
-        Misfit unseen = tried.seen;
+        Misfit unseen = candidate.seen;
         std::vector<Values> refits;
         for (const auto& fold : folds_of(scheme)) {
             std::vector<std::size_t> rest;
             const auto all = all_blocks(law);
             std::set_difference(all.begin(), all.end(), fold.begin(), fold.end(), std::back_inserter(rest));
             if (rest.empty()) continue;
-            const Fit refit = fit(law, rest, tried.fit.free, tried.fit.values, kRefitSteps);
+            const Fit refit = fit(law, rest, candidate.fit.free, candidate.fit.values, kRefitSteps);
             const Misfit there = misfit(law, refit.values);
             for (const std::size_t b : fold) unseen.squares[b] = there.squares[b];
             refits.push_back(refit.values);
         }
-        tried.unseen.push_back(std::move(unseen));
-        tried.refits.push_back(std::move(refits));
+        candidate.unseen.push_back(std::move(unseen));
+        candidate.refits.push_back(std::move(refits));
     }
 }
 
@@ -135,28 +135,28 @@ std::vector<double> effective_rows(const Law& law, const Values& values) {
 }
 
 /// -BIC/2 with the scale of the residuals fitted too, but never below the floor.
-double log_evidence(const Law& law, const Study& study, const Tried& tried) {
+double log_evidence(const Law& law, const Study& study, const Candidate& candidate) {
     const double rows = sum(study.effective_rows);
     double square = 0.0;
     for (std::size_t b = 0; b < law.blocks.size(); ++b)
-        square += study.effective_rows[b] * tried.seen.squares[b] / tried.seen.rows[b] / rows;
+        square += study.effective_rows[b] * candidate.seen.squares[b] / candidate.seen.rows[b] / rows;
     const double scale = law.rows_independent ? 1.0 : std::max(square, law.cycle_floor * law.cycle_floor);
-    return -0.5 * rows * (std::log(scale) + square / scale) - 0.5 * static_cast<double>(tried.fit.free.size()) * std::log(rows);
+    return -0.5 * rows * (std::log(scale) + square / scale) - 0.5 * static_cast<double>(candidate.fit.free.size()) * std::log(rows);
 }
 
 /// Sets whose evidence is above that of each set with one effect less, those sets, and the nominal law: the others are refused anyway.
 std::vector<bool> worth_refits(const Study& study) {
-    std::vector<bool> needed(study.tried.size(), false);
+    std::vector<bool> needed(study.candidates.size(), false);
     needed[0] = true;
     for (std::size_t i = 0; i < needed.size(); ++i) {
         std::vector<std::size_t> less;
         bool rises = true;
-        for (const std::size_t e : study.tried[i].effects) {
-            std::vector<std::size_t> others = study.tried[i].effects;
+        for (const std::size_t e : study.candidates[i].effects) {
+            std::vector<std::size_t> others = study.candidates[i].effects;
             std::erase(others, e);
-            const Tried* without = study.find(others);
-            less.push_back(static_cast<std::size_t>(without - study.tried.data()));
-            rises = rises && study.tried[i].log_evidence > without->log_evidence;
+            const Candidate* without = study.find(others);
+            less.push_back(static_cast<std::size_t>(without - study.candidates.data()));
+            rises = rises && study.candidates[i].log_evidence > without->log_evidence;
         }
         if (!rises) continue;
         needed[i] = true;
@@ -167,9 +167,9 @@ std::vector<bool> worth_refits(const Study& study) {
 
 /// Tries the answer with one effect more where that makes a larger set than law.most_effects: for the remarks alone.
 void try_beside_best(const Law& law, Study& study, const diagnosis::DiagnoseOptions& options) {
-    const std::vector<std::size_t> best = study.tried[study.best].effects;
+    const std::vector<std::size_t> best = study.candidates[study.best].effects;
     if (best.size() < law.most_effects) return;
-    std::vector<Tried> more;
+    std::vector<Candidate> more;
     for (std::size_t e = 0; e < law.effects.size(); ++e) {
         if (!law.effects[e].unseen.empty() || std::find(best.begin(), best.end(), e) != best.end()) continue;
         more.emplace_back().effects = best;
@@ -177,13 +177,13 @@ void try_beside_best(const Law& law, Study& study, const diagnosis::DiagnoseOpti
         std::sort(more.back().effects.begin(), more.back().effects.end());
     }
     core::parallel_for(more.size(), options.jobs, [&](std::size_t i) {
-        fit_all(law, study, study.tried.front().fit.values, more[i]);
+        fit_all(law, study, study.candidates.front().fit.values, more[i]);
         more[i].log_evidence = log_evidence(law, study, more[i]);
         keep_back(law, more[i]);
-        more[i].refused = study.tried[study.best].unseen_gap(0) <= law.setup_floor ? "without it the model is at the floor"
-                                                                                   : "no set has so many effects";
+        more[i].refused = study.candidates[study.best].unseen_gap(0) <= law.setup_floor ? "without it the model is at the floor"
+                                                                                        : "no set has so many effects";
     });
-    study.tried.insert(study.tried.end(), more.begin(), more.end());
+    study.candidates.insert(study.candidates.end(), more.begin(), more.end());
 }
 
 double gap_of(const Misfit& misfit) { return std::sqrt(sum(misfit.squares) / sum(misfit.rows)); }
@@ -201,24 +201,24 @@ void require_rows(const Law& law) {
 
 }  // namespace
 
-double Tried::seen_gap() const { return gap_of(seen); }
-double Tried::unseen_gap(std::size_t scheme) const { return gap_of(unseen[scheme]); }
-double Tried::unseen_gap() const {
+double Candidate::seen_gap() const { return gap_of(seen); }
+double Candidate::unseen_gap(std::size_t scheme) const { return gap_of(unseen[scheme]); }
+double Candidate::unseen_gap() const {
     double square = 0.0;
     for (const Misfit& misfit : unseen) square += sum(misfit.squares) / sum(misfit.rows) / static_cast<double>(unseen.size());
     return std::sqrt(square);
 }
 
-const Tried* Study::find(std::vector<std::size_t> effects) const {
+const Candidate* Study::find(std::vector<std::size_t> effects) const {
     std::sort(effects.begin(), effects.end());
-    for (const Tried& t : tried)
+    for (const Candidate& t : candidates)
         if (t.effects == effects) return &t;
     return nullptr;
 }
 
 double Study::probability_of(std::size_t effect) const {
     double probability = 0.0;
-    for (const Tried& t : tried)
+    for (const Candidate& t : candidates)
         if (std::find(t.effects.begin(), t.effects.end(), effect) != t.effects.end()) probability += t.probability;
     return probability;
 }
@@ -229,7 +229,7 @@ Study study(const Law& law, const diagnosis::DiagnoseOptions& options) {
     const auto sets = sets_of(law);
     std::size_t done = 0;
     std::mutex mutex;
-    const auto told = [&](const char* what) {
+    const auto progress = [&](const char* what) {
         const std::lock_guard lock(mutex);
         if (options.progress) options.progress(++done, 2 * sets.size(), what);
     };
@@ -237,25 +237,25 @@ Study study(const Law& law, const diagnosis::DiagnoseOptions& options) {
     for (std::size_t begin = 0; begin < sets.size();) {  // sets of one size at a time: they begin from the smaller ones
         std::size_t end = begin;
         while (end < sets.size() && sets[end].size() == sets[begin].size()) ++end;
-        std::vector<Tried> fitted(end - begin);
+        std::vector<Candidate> fitted(end - begin);
         core::parallel_for(fitted.size(), options.jobs, [&](std::size_t i) {
             fitted[i].effects = sets[begin + i];
             fit_all(law, study, nominal, fitted[i]);
-            told("fit");
+            progress("fit");
         });
-        study.tried.insert(study.tried.end(), fitted.begin(), fitted.end());
-        nominal = study.tried.front().fit.values;
+        study.candidates.insert(study.candidates.end(), fitted.begin(), fitted.end());
+        nominal = study.candidates.front().fit.values;
         begin = end;
     }
     lower_subsets(law, study);
-    const auto closest = std::min_element(study.tried.begin(), study.tried.end(),
-                                          [](const Tried& a, const Tried& b) { return a.seen_gap() < b.seen_gap(); });
+    const auto closest = std::min_element(study.candidates.begin(), study.candidates.end(),
+                                          [](const Candidate& a, const Candidate& b) { return a.seen_gap() < b.seen_gap(); });
     study.effective_rows = effective_rows(law, closest->fit.values);
-    for (Tried& tried : study.tried) tried.log_evidence = log_evidence(law, study, tried);
+    for (Candidate& candidate : study.candidates) candidate.log_evidence = log_evidence(law, study, candidate);
     const std::vector<bool> needed = worth_refits(study);
-    core::parallel_for(study.tried.size(), options.jobs, [&](std::size_t i) {
-        if (needed[i]) keep_back(law, study.tried[i]);
-        told("files kept back");
+    core::parallel_for(study.candidates.size(), options.jobs, [&](std::size_t i) {
+        if (needed[i]) keep_back(law, study.candidates[i]);
+        progress("files kept back");
     });
     judge(law, study);
     try_beside_best(law, study, options);

@@ -12,16 +12,16 @@ namespace fusee::subsystem {
 
 namespace {
 
-constexpr double kLeastEvidence = 5.0;  // [nat]: 150 to 1
-constexpr double kLeastErrors = 1.0;    // standard errors of the mean fall of the kept-back gap
-constexpr double kLeastGain = 0.005;    // of the kept-back mean square; less is no difference to anybody
+constexpr double kLeastEvidence = 5.0;  // [nats]: 150 to 1
+constexpr double kLeastErrors = 1.0;    // standard errors of the mean fall of the held out gap
+constexpr double kLeastGain = 0.005;    // of the held out mean square; less is no difference to anybody
 constexpr int kDraws = 2000;
 constexpr std::uint64_t kSeed = 20240518;
 
 double mean_square(const Misfit& m, std::size_t block) { return m.squares[block] / m.rows[block]; }
 
 /// Mean of ln(square without / square with) over the blocks, in its standard errors. Few blocks: no judgement.
-double standard_errors(const Tried& with, const Tried& without) {
+double standard_errors(const Candidate& with, const Candidate& without) {
     const std::size_t n = with.seen.rows.size();
     if (n < 3) return kLeastErrors;
     double mean = 0.0, square = 0.0;
@@ -34,7 +34,7 @@ double standard_errors(const Tried& with, const Tried& without) {
 }
 
 /// Why an effect does not earn its place against the set without it; "" if it does.
-std::string refusal(const Law& law, const LawEffect& effect, const Tried& with, const Tried& without) {
+std::string refusal(const Law& law, const LawEffect& effect, const Candidate& with, const Candidate& without) {
     if (with.log_evidence - without.log_evidence < kLeastEvidence) return "the evidence does not rise by 5 nat";
     if (with.unseen.empty() || without.unseen.empty()) return "";  // another of its effects does not raise the evidence
     const double floor = effect.moves_setups ? 1.0 : law.setup_floor;
@@ -56,21 +56,21 @@ std::vector<double> dirichlet(std::mt19937_64& random, std::size_t n) {
     return weights;
 }
 
-std::vector<Tried*> left(Study& study) {
-    std::vector<Tried*> sets;
-    for (Tried& t : study.tried)
+std::vector<Candidate*> left(Study& study) {
+    std::vector<Candidate*> sets;
+    for (Candidate& t : study.candidates)
         if (t.refused.empty()) sets.push_back(&t);
     return sets;
 }
 
-/// log density of the kept-back blocks, the mean over the schemes; one scale for all sets.
-std::vector<std::vector<double>> block_scores(const Law& law, const Study& study, const std::vector<Tried*>& sets) {
+/// log density of the held out blocks, the mean over the schemes; one scale for all sets.
+std::vector<std::vector<double>> block_scores(const Law& law, const Study& study, const std::vector<Candidate*>& sets) {
     double scale = law.rows_independent ? 1.0 : law.setup_floor * law.setup_floor;
     double least = std::numeric_limits<double>::infinity();
-    for (const Tried* t : sets) least = std::min(least, t->unseen_gap());
+    for (const Candidate* t : sets) least = std::min(least, t->unseen_gap());
     scale = std::max(scale, least * least);
     std::vector<std::vector<double>> scores;
-    for (const Tried* t : sets) {
+    for (const Candidate* t : sets) {
         std::vector<double> of_blocks(law.blocks.size(), 0.0);
         for (const Misfit& m : t->unseen)
             for (std::size_t b = 0; b < of_blocks.size(); ++b)
@@ -88,8 +88,8 @@ std::vector<double> softmax(std::vector<double> scores) {
     return scores;
 }
 
-/// Share of the folds of all schemes that each set foretells best; sets that are equal to a per mille share.
-std::vector<double> shares_of_folds(const Law& law, const std::vector<Tried*>& sets) {
+/// Share of the folds of all schemes that each set predicts best; sets that are equal to a per mille share.
+std::vector<double> shares_of_folds(const Law& law, const std::vector<Candidate*>& sets) {
     std::vector<double> wins(sets.size(), 0.0);
     double folds = 0.0;
     for (std::size_t s = 0; s < law.schemes.size(); ++s) {
@@ -112,7 +112,7 @@ std::vector<double> shares_of_folds(const Law& law, const std::vector<Tried*>& s
 }
 
 void weigh(const Law& law, Study& study) {
-    const std::vector<Tried*> sets = left(study);
+    const std::vector<Candidate*> sets = left(study);
     const auto scores = block_scores(law, study, sets);
     std::vector<std::vector<double>> draws;
     std::vector<double> weights(sets.size(), 0.0);
@@ -133,7 +133,7 @@ void weigh(const Law& law, Study& study) {
         sets[i]->probability = law.rows_independent ? weights[i] : 0.5 * (weights[i] + folds[i]);
         if (sets[i]->probability > sets[best]->probability) best = i;
     }
-    study.best = static_cast<std::size_t>(sets[best] - study.tried.data());
+    study.best = static_cast<std::size_t>(sets[best] - study.candidates.data());
     study.stability = folds[best];
     std::vector<double> gaps;
     for (const auto& draw : draws) {
@@ -149,15 +149,15 @@ std::string from_to(const Law& law, double from, double to) {
     return fmt::format("from {:.4g} to {:.4g} {}", from * law.unit_sigma, to * law.unit_sigma, law.unit);
 }
 
-/// The case in which the effect improves the fit and worsens kept-back rows most, if there is one: a false cause.
+/// The case in which the effect improves the fit and worsens held out rows most, if there is one: a false cause.
 std::string false_cause(const Law& law, const Study& study, std::size_t e) {
     std::string text;
     double worst = 1.0;
-    for (const Tried& base : study.tried) {
+    for (const Candidate& base : study.candidates) {
         if (!base.refused.empty() || base.unseen.empty()) continue;
         std::vector<std::size_t> more = base.effects;
         more.push_back(e);
-        const Tried* with = study.find(more);
+        const Candidate* with = study.find(more);
         if (with == nullptr || with->unseen.empty() || with->seen_gap() >= base.seen_gap()) continue;
         for (std::size_t s = 0; s < law.schemes.size(); ++s) {
             const double ratio = with->unseen_gap(s) / base.unseen_gap(s);
@@ -173,7 +173,7 @@ std::string false_cause(const Law& law, const Study& study, std::size_t e) {
 
 /// What each effect that is not in the answer does beside it.
 void remark_on_refused(const Law& law, Study& study) {
-    const Tried best = study.tried[study.best];
+    const Candidate best = study.candidates[study.best];
     for (std::size_t e = 0; e < law.effects.size(); ++e) {
         if (std::find(best.effects.begin(), best.effects.end(), e) != best.effects.end()) continue;
         if (!law.effects[e].unseen.empty()) {
@@ -182,7 +182,7 @@ void remark_on_refused(const Law& law, Study& study) {
         }
         std::vector<std::size_t> more = best.effects;
         more.push_back(e);
-        const Tried* with = study.find(more);
+        const Candidate* with = study.find(more);
         if (law.rows_independent || with == nullptr || with->refused.empty()) continue;
         std::string text = fmt::format("{} is refused: beside {} the fit goes {}", name_of(law.effects[e]), name_of(law, best.effects),
                                        from_to(law, best.seen_gap(), with->seen_gap()));
@@ -194,7 +194,7 @@ void remark_on_refused(const Law& law, Study& study) {
 
 /// Splits whose best set is another one.
 void remark_on_splits(const Law& law, Study& study) {
-    const std::vector<Tried*> sets = left(study);
+    const std::vector<Candidate*> sets = left(study);
     for (std::size_t s = 0; s < law.schemes.size(); ++s) {
         std::map<std::string, std::vector<double>> squares;
         for (std::size_t b = 0; b < law.blocks.size(); ++b) {
@@ -227,19 +227,19 @@ std::string name_of(const Law& law, const std::vector<std::size_t>& effects) {
     return name;
 }
 
-void refuse(const Law& law, const Study& study, Tried& tried) {
-    for (const std::size_t e : tried.effects) {
-        std::vector<std::size_t> less = tried.effects;
+void refuse(const Law& law, const Study& study, Candidate& candidate) {
+    for (const std::size_t e : candidate.effects) {
+        std::vector<std::size_t> less = candidate.effects;
         std::erase(less, e);
-        const std::string why = refusal(law, law.effects[e], tried, *study.find(less));
+        const std::string why = refusal(law, law.effects[e], candidate, *study.find(less));
         if (why.empty()) continue;
-        tried.refused = name_of(law.effects[e]) + ": " + why;
+        candidate.refused = name_of(law.effects[e]) + ": " + why;
         return;
     }
 }
 
 void judge(const Law& law, Study& study) {
-    for (Tried& tried : study.tried) refuse(law, study, tried);
+    for (Candidate& candidate : study.candidates) refuse(law, study, candidate);
     weigh(law, study);
 }
 

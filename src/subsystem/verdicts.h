@@ -4,7 +4,7 @@
 namespace fusee::subsystem {
 
 /// Sets `refused` if one of the set's effects does not earn its place. @pre the sets with one effect less are in `study`
-void refuse(const Law& law, const Study& study, Tried& tried);
+void refuse(const Law& law, const Study& study, Candidate& candidate);
 /// Refuses sets and gives the others their probabilities. @pre fits, refits and evidence are in place
 void judge(const Law& law, Study& study);
 /// What a user should know of the effects that are not in the answer, and of splits that disagree.

@@ -58,7 +58,7 @@ protected:
         fs::create_directories(diagnosis_file(label).parent_path());
         core::write_file(diagnosis_file(label), j.dump());
     }
-    [[nodiscard]] fs::path kept_file(std::size_t i) const { return folder_ / "diagnoses" / labels_[i].case_name / "kept_back.json"; }
+    [[nodiscard]] fs::path held_out_file(std::size_t i) const { return folder_ / "diagnoses" / labels_[i].case_name / "held_out.json"; }
 
     fs::path folder_ = fs::temp_directory_path() / ("fusee_score_" + std::to_string(getpid()));
     std::string hash_;
@@ -72,11 +72,11 @@ TEST_F(ScoreFolder, ReadsDiagnosesAgainAndMeasuresTheGapKeptBack) {
     stopped.progress = [&](std::size_t done, std::size_t, const std::string&) { finished = done; };
     stopped.stop = [&] { return finished == 1; };
     EXPECT_THROW(static_cast<void>(score(stopped)), core::Stopped);
-    EXPECT_FALSE(fs::exists(kept_file(1)));
-    const std::string before = core::read_file(kept_file(0));
+    EXPECT_FALSE(fs::exists(held_out_file(1)));
+    const std::string before = core::read_file(held_out_file(0));
 
     const Score first = score(options());
-    EXPECT_EQ(core::read_file(kept_file(0)), before) << "what was finished stays";
+    EXPECT_EQ(core::read_file(held_out_file(0)), before) << "what was finished stays";
     EXPECT_EQ(first.seal, hash_);
     EXPECT_EQ(first.cases, 2u);
     EXPECT_EQ(first.figure("effect_and_side").share.hits, 2u);
@@ -84,7 +84,7 @@ TEST_F(ScoreFolder, ReadsDiagnosesAgainAndMeasuresTheGapKeptBack) {
     for (const std::size_t i : {0u, 1u}) {
         // Only build tolerances and noise are left, which sigma holds: 1.0 to 1.4 on four faultless rigs, and 0.6 to 2.5 on six with an
         // effect, where tolerances weigh otherwise than on the nominal rig.
-        const auto kept = nlohmann::json::parse(core::read_file(kept_file(i)));
+        const auto kept = nlohmann::json::parse(core::read_file(held_out_file(i)));
         EXPECT_GT(kept["after"], 0.4);
         EXPECT_LT(kept["after"], 3.0);
         EXPECT_GT(kept["before"], kept["after"]);

@@ -31,7 +31,7 @@ gap_case::Rows few_rows() {
 }
 const effects::Cause kCoulomb{"gear.coulomb", "agonist"}, kWound{"se.preload", "antagonist"};
 
-Diagnosis diagnosed(const gap_case::Case& bench, unsigned jobs = 1) { return diagnose(bench, {.jobs = jobs, .progress = {}}); }
+Diagnosis diagnosed(const gap_case::Case& gap_case, unsigned jobs = 1) { return diagnose(gap_case, {.jobs = jobs, .progress = {}}); }
 const FoundEffect* found(const Diagnosis& diagnosis, const effects::Cause& cause) {
     const auto at =
         std::find_if(diagnosis.effects.begin(), diagnosis.effects.end(), [&](const FoundEffect& f) { return f.cause == cause; });
@@ -40,7 +40,7 @@ const FoundEffect* found(const Diagnosis& diagnosis, const effects::Cause& cause
 
 TEST(Diagnose, a_rig_as_designed_has_no_effect) {
     const Diagnosis none = diagnosed(measured_case(few_rows(), {}, {}, 1.0, 3));
-    EXPECT_EQ(none.verdict, Verdict::kNone) << diagnosis_json(none);
+    EXPECT_EQ(none.verdict, VerdictKind::kNone) << diagnosis_json(none);
     EXPECT_TRUE(none.effects.empty());
     EXPECT_LT(none.gap.before, 2.0);
 }
@@ -48,7 +48,7 @@ TEST(Diagnose, a_rig_as_designed_has_no_effect) {
 TEST(Diagnose, an_effect_of_one_side_is_named_with_its_size) {
     const double size = 0.06;
     const Diagnosis diagnosis = diagnosed(measured_case(few_rows(), {kCoulomb}, {size}, 1.0, 4));
-    EXPECT_EQ(diagnosis.verdict, Verdict::kIdentified);
+    EXPECT_EQ(diagnosis.verdict, VerdictKind::kIdentified);
     ASSERT_EQ(diagnosis.effects.size(), 1U) << diagnosis_json(diagnosis);
     EXPECT_EQ(diagnosis.effects[0].cause, kCoulomb);
     const Parameter& parameter = diagnosis.effects[0].parameter;
@@ -61,7 +61,7 @@ TEST(Diagnose, an_effect_of_one_side_is_named_with_its_size) {
 
 TEST(Diagnose, two_effects_are_both_named) {
     const Diagnosis diagnosis = diagnosed(measured_case(parts_alone(), {kCoulomb, kWound}, {0.06, -0.25}, 1.0, 5));
-    EXPECT_EQ(diagnosis.verdict, Verdict::kIdentified) << diagnosis_json(diagnosis);
+    EXPECT_EQ(diagnosis.verdict, VerdictKind::kIdentified) << diagnosis_json(diagnosis);
     ASSERT_EQ(diagnosis.effects.size(), 2U);
     const FoundEffect *rubs = found(diagnosis, kCoulomb), *wound = found(diagnosis, kWound);
     ASSERT_TRUE(rubs != nullptr && wound != nullptr);
@@ -70,11 +70,11 @@ TEST(Diagnose, two_effects_are_both_named) {
 }
 
 TEST(Diagnose, a_bump_in_one_spring_is_unknown_and_found_where_it_is) {
-    gap_case::Case bench = measured_case(parts_alone(), {}, {}, 1.0, 6);
-    for (gap_case::SpringPull& row : bench.rows.spring_pull)
+    gap_case::Case gap_case = measured_case(parts_alone(), {}, {}, 1.0, 6);
+    for (gap_case::SpringPull& row : gap_case.rows.spring_pull)
         if (row.series && row.side == gap_case::Side::kAgonist) row.torque += 0.15 * std::sin(4.0 * row.deflection);
-    const Diagnosis diagnosis = diagnosed(bench);
-    EXPECT_EQ(diagnosis.verdict, Verdict::kUnknown) << diagnosis_json(diagnosis);
+    const Diagnosis diagnosis = diagnosed(gap_case);
+    EXPECT_EQ(diagnosis.verdict, VerdictKind::kUnknown) << diagnosis_json(diagnosis);
     EXPECT_TRUE(diagnosis.effects.empty());
     ASSERT_FALSE(diagnosis.where.empty());
     EXPECT_EQ(diagnosis.where[0].experiment, "spring_pull");
@@ -82,9 +82,9 @@ TEST(Diagnose, a_bump_in_one_spring_is_unknown_and_found_where_it_is) {
 }
 
 TEST(Diagnose, one_load_alone_leaves_friction_laws_ambiguous_and_asks_for_another) {
-    const gap_case::Case bench = measured_case(break_aways({0.8}, 8, false), {kCoulomb}, {0.12}, 1.0, 8);
-    const Diagnosis diagnosis = diagnosed(bench);
-    EXPECT_EQ(diagnosis.verdict, Verdict::kAmbiguous) << diagnosis_json(diagnosis);
+    const gap_case::Case gap_case = measured_case(break_aways({0.8}, 8, false), {kCoulomb}, {0.12}, 1.0, 8);
+    const Diagnosis diagnosis = diagnosed(gap_case);
+    EXPECT_EQ(diagnosis.verdict, VerdictKind::kAmbiguous) << diagnosis_json(diagnosis);
     inference::Causes named;
     for (const FoundEffect& effect : diagnosis.effects) named.push_back(effect.cause);
     for (const Alternative& other : diagnosis.alternatives) named.insert(named.end(), other.effects.begin(), other.effects.end());
@@ -102,8 +102,8 @@ TEST(Diagnose, one_load_alone_leaves_friction_laws_ambiguous_and_asks_for_anothe
 TEST(Diagnose, answers_alike_with_any_number_of_threads) {
     gap_case::Rows rows = pulls(8);
     rows.breakaway = break_aways({0.3, 0.9}, 2, true).breakaway;
-    const gap_case::Case bench = measured_case(rows, {kCoulomb}, {0.06}, 1.0, 9);
-    EXPECT_EQ(diagnosis_json(diagnosed(bench, 1)), diagnosis_json(diagnosed(bench, 4)));
+    const gap_case::Case gap_case = measured_case(rows, {kCoulomb}, {0.06}, 1.0, 9);
+    EXPECT_EQ(diagnosis_json(diagnosed(gap_case, 1)), diagnosis_json(diagnosed(gap_case, 4)));
 }
 
 TEST(Diagnose, few_rows_end_in_words) {
@@ -118,26 +118,26 @@ TEST(Diagnose, few_rows_end_in_words) {
 }
 
 TEST(Diagnose, what_was_found_predicts_what_was_not_measured) {
-    const gap_case::Case bench = measured_case(parts_alone(), {kWound}, {-0.25}, 1.0, 11);
+    const gap_case::Case gap_case = measured_case(parts_alone(), {kWound}, {-0.25}, 1.0, 11);
     const gap_case::Case other = measured_case(pulls(1), {kWound}, {-0.25}, 0.0, 1);
     const auto off = [&](const Diagnosis& model) {
-        const gap_case::Rows foretold = predict(bench, model, other.rows);
+        const gap_case::Rows foretold = predict(gap_case, model, other.rows);
         double sum = 0.0;
         for (std::size_t i = 0; i < foretold.spring_pull.size(); ++i)
             sum += std::abs(foretold.spring_pull[i].torque - other.rows.spring_pull[i].torque);
         return sum;
     };
-    EXPECT_LT(off(diagnosed(bench)), 0.2 * off({}));
+    EXPECT_LT(off(diagnosed(gap_case)), 0.2 * off({}));
 }
 
 // 20,000 rows would take hours; a reader is told before the first minute is gone.
 TEST(Diagnose, a_case_that_would_take_hours_is_refused_at_once) {
     gap_case::Rows rows = few_rows();
     for (int i = 0; i < 3000; ++i) rows.joint_stiffness.push_back({0.5 + 1e-4 * i, gap_case::StiffnessPhase::kLoadUp, 0.1, 0.01});
-    gap_case::Case bench = measured_case(parts_alone(), {}, {}, 1.0, 3);
-    bench.rows.joint_stiffness = rows.joint_stiffness;
+    gap_case::Case gap_case = measured_case(parts_alone(), {}, {}, 1.0, 3);
+    gap_case.rows.joint_stiffness = rows.joint_stiffness;
     try {
-        (void)diagnosed(bench);
+        (void)diagnosed(gap_case);
         FAIL() << "diagnosed";
     } catch (const core::InvalidInput& e) {
         EXPECT_EQ(e.field(), "experiments.joint_stiffness");
@@ -147,8 +147,8 @@ TEST(Diagnose, a_case_that_would_take_hours_is_refused_at_once) {
 }
 
 TEST(Diagnose, any_number_of_threads_is_taken) {
-    const gap_case::Case bench = measured_case(parts_alone(), {kCoulomb}, {0.06}, 1.0, 4);
-    EXPECT_EQ(diagnosis_json(diagnosed(bench, 100'000)), diagnosis_json(diagnosed(bench, 1)));
+    const gap_case::Case gap_case = measured_case(parts_alone(), {kCoulomb}, {0.06}, 1.0, 4);
+    EXPECT_EQ(diagnosis_json(diagnosed(gap_case, 100'000)), diagnosis_json(diagnosed(gap_case, 1)));
 }
 
 }  // namespace

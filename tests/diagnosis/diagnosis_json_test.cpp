@@ -14,7 +14,7 @@ Diagnosis example() {
     Diagnosis d;
     d.case_name = "bench \xFF day";  // no UTF-8
     d.case_sha256 = "00ff";
-    d.verdict = Verdict::kIdentified;
+    d.verdict = VerdictKind::kIdentified;
     d.effects = {{{"gear.coulomb", "agonist"}, 0.98, {0.1 + 0.2, {0.25, 0.35}, "Nm"}, {}},
                  {{"gear.stribeck", "both"}, 0.9, {0.4, {kNoFigure, kNoFigure}, ""}, {{"velocity", 0.05}}}};
     d.alternatives = {{{}, 0.01}, {{{"joint.coulomb", "none"}}, 0.005}};
@@ -63,7 +63,7 @@ TEST(DiagnosisJson, AnEmptyOneHasEmptyLists) {
 TEST(DiagnosisJson, GivesAPredictionBackWhatItNeeds) {
     const Diagnosis read = parse_diagnosis(diagnosis_json(example()), "d.json");
     ASSERT_EQ(read.effects.size(), 2u);
-    EXPECT_EQ(read.verdict, Verdict::kIdentified);
+    EXPECT_EQ(read.verdict, VerdictKind::kIdentified);
     EXPECT_EQ(read.effects[0].cause, (effects::Cause{"gear.coulomb", "agonist"}));
     EXPECT_EQ(read.effects[0].parameter.value, 0.1 + 0.2);
     EXPECT_EQ(read.effects[0].parameter.ci95.high, 0.35);
@@ -73,7 +73,7 @@ TEST(DiagnosisJson, GivesAPredictionBackWhatItNeeds) {
     EXPECT_EQ(read.build[0].first, "radius_ratio");
     EXPECT_EQ(read.build[0].second.value, 1.002);
     EXPECT_EQ(read.case_sha256, "00ff");
-    for (const Verdict verdict : {Verdict::kNone, Verdict::kAmbiguous, Verdict::kUnknown}) {
+    for (const VerdictKind verdict : {VerdictKind::kNone, VerdictKind::kAmbiguous, VerdictKind::kUnknown}) {
         Diagnosis d;
         d.verdict = verdict;
         EXPECT_EQ(parse_diagnosis(diagnosis_json(d), "d.json").verdict, verdict);
@@ -82,9 +82,9 @@ TEST(DiagnosisJson, GivesAPredictionBackWhatItNeeds) {
 
 TEST(DiagnosisJson, EffectsAloneAreEnough) {
     const Diagnosis read = parse_diagnosis(R"({"effects": [{"id": "joint.coulomb", "parameter": {"value": 0.02}}]})", "d.json");
-    EXPECT_EQ(read.verdict, Verdict::kIdentified);
+    EXPECT_EQ(read.verdict, VerdictKind::kIdentified);
     EXPECT_EQ(read.effects[0].cause.side, "none");
-    EXPECT_EQ(parse_diagnosis(R"({"effects": []})", "d.json").verdict, Verdict::kNone);
+    EXPECT_EQ(parse_diagnosis(R"({"effects": []})", "d.json").verdict, VerdictKind::kNone);
 }
 
 TEST(DiagnosisJson, RefusalsNameTheKey) {

@@ -23,7 +23,7 @@ std::vector<double> numbers(std::string text) {
 struct Constant {
     std::string name, value, source;
 };
-std::vector<Constant> told() {
+std::vector<Constant> progress() {
     std::istringstream lines(file("docs/theory/diagnosis.md"));
     std::vector<Constant> all;
     for (std::string line; std::getline(lines, line);) {
@@ -38,7 +38,7 @@ std::vector<Constant> told() {
 }
 
 TEST(DiagnosisPage, tells_the_constants_of_the_sources) {
-    const std::vector<Constant> constants = told();
+    const std::vector<Constant> constants = progress();
     EXPECT_GT(constants.size(), 20U);
     for (const Constant& constant : constants) {
         const std::string source = file(constant.source);

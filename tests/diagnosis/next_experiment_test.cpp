@@ -25,7 +25,7 @@ TEST(Information, of_two_is_the_capacity_of_a_binary_channel) {
     EXPECT_EQ(expected_information(kEven, apart(2, 0.0)), 0.0);
     // Antipodal signals of 1 in noise of 1 (0 dB): 0.4859 bit, the four digits of the tables
     EXPECT_NEAR(expected_information(kEven, apart(2, 2.0)), 0.4859, 5e-5);
-    // Little signal: p (1 - p) d^2/2 nat; the next term is of the order of d^4
+    // Little signal: p (1 - p) d^2/2 nats; the next term is of the order of d^4
     EXPECT_NEAR(expected_information(std::vector{0.3, 0.7}, apart(2, 0.05)) / (0.21 * 0.0025 / 2.0 / std::log(2.0)), 1.0, 2e-3);
     EXPECT_NEAR(expected_information(std::vector{0.3, 0.7}, apart(2, 20.0)), entropy(std::vector{0.3, 0.7}), 1e-6);
 }
@@ -46,11 +46,11 @@ TEST(Information, grows_with_the_distance_up_to_the_entropy_and_the_bound_stays_
 
 /// Rivals fitted to one case.
 struct Rivals {
-    Rivals(gap_case::Case of, const std::vector<inference::Causes>& causes) : bench(std::move(of)), problem(bench) {
+    Rivals(gap_case::Case of, const std::vector<inference::Causes>& causes) : gap_case(std::move(of)), problem(gap_case) {
         for (const inference::Causes& c : causes) fits.push_back(best_fit(problem, c));
         for (const inference::Fit& fit : fits) all.push_back(&fit);
     }
-    gap_case::Case bench;
+    gap_case::Case gap_case;
     inference::Problem problem;
     std::vector<inference::Fit> fits;
     std::vector<const inference::Fit*> all;
@@ -62,8 +62,8 @@ const Rivals& friction() {
     return rivals;
 }
 /// A menu of break-aways and pulls alone, which cost no motion.
-Menu bench_alone(const gap_case::Case& bench) {
-    Menu menu = bench_menu(bench);
+Menu bench_alone(const gap_case::Case& gap_case) {
+    Menu menu = bench_menu(gap_case);
     for (gap_case::Rows& rows : menu.sheets) {
         gap_case::Rows kept;
         kept.breakaway = rows.breakaway;
@@ -82,7 +82,7 @@ double most_of(const Menu& menu, const std::vector<double>& bits, const std::str
 }
 
 TEST(NextExperiment, friction_laws_are_split_by_another_load_on_their_own_side) {
-    const Menu menu = bench_alone(friction().bench);
+    const Menu menu = bench_alone(friction().gap_case);
     const std::vector<double> bits = expected_bits(friction().problem, menu, friction().all, kEven, 1);
     EXPECT_GT(most_of(menu, bits, "Break the agonist away"), 0.9);
     EXPECT_LT(most_of(menu, bits, "Break the antagonist away"), 0.05);
@@ -92,7 +92,7 @@ TEST(NextExperiment, friction_laws_are_split_by_another_load_on_their_own_side) 
 TEST(NextExperiment, the_first_is_the_cheapest_that_decides) {
     const auto next = next_experiments(friction().problem, friction().all, std::vector{3.0, 3.0}, 1);  // any sum
     ASSERT_GE(next.size(), 3U);
-    const Menu menu = bench_menu(friction().bench);
+    const Menu menu = bench_menu(friction().gap_case);
     const std::vector<double> bits = expected_bits(friction().problem, menu, friction().all, kEven, 1);
     EXPECT_GE(next[0].information, 0.9);
     for (std::size_t m = 0; m < bits.size(); ++m) {
@@ -108,8 +108,8 @@ TEST(NextExperiment, the_first_is_the_cheapest_that_decides) {
 }
 
 TEST(NextExperiment, more_noise_tells_less) {
-    const Menu menu = bench_alone(friction().bench);
-    gap_case::Case noisy = friction().bench;
+    const Menu menu = bench_alone(friction().gap_case);
+    gap_case::Case noisy = friction().gap_case;
     noisy.sensors.torque_noise *= 30.0;
     noisy.sensors.breakaway_scatter *= 30.0;
     noisy.sensors.torque_noise_relative *= 30.0;
@@ -122,17 +122,17 @@ TEST(NextExperiment, more_noise_tells_less) {
 /// What a rival may show of a break-away measurement: mean, and root of the covariance.
 struct Outcome {
     Outcome(const inference::Problem& problem, const inference::Fit& rival, const gap_case::Rows& rows, const Eigen::VectorXd& variance) {
-        const auto told = [&](const Eigen::VectorXd& x) {
+        const auto progress = [&](const Eigen::VectorXd& x) {
             const joint_model::BuiltRig rig = problem.rig(rival.causes, x);
             const std::vector<double> loads =
-                joint_model::predict_experiment(rig, rows, problem.bench().protocol, gap_case::Experiment::kBreakAway);
+                joint_model::predict_experiment(rig, rows, problem.gap_case().protocol, gap_case::Experiment::kBreakAway);
             return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(loads.data(), static_cast<int>(loads.size())));
         };
-        mean = told(rival.x);
+        mean = progress(rival.x);
         Eigen::MatrixXd covariance = variance.asDiagonal();
         const Eigen::MatrixXd by_sigma = rival.covariance.llt().matrixL();
         for (int k = 0; k < by_sigma.cols(); ++k) {
-            const Eigen::VectorXd moved = told(rival.x + by_sigma.col(k)) - mean;
+            const Eigen::VectorXd moved = progress(rival.x + by_sigma.col(k)) - mean;
             covariance += moved * moved.transpose();
         }
         root = covariance.llt().matrixL();
@@ -160,7 +160,7 @@ double drawn_bits(const std::array<Outcome, 2>& rivals) {
 }
 
 TEST(NextExperiment, outcomes_drawn_at_random_tell_as_much_as_expected) {
-    gap_case::Case noisy = friction().bench;
+    gap_case::Case noisy = friction().gap_case;
     noisy.sensors.torque_noise = 0.08;  // so that about half a bit can be told
     const inference::Problem problem(noisy);
     Menu menu = bench_alone(noisy);
@@ -183,7 +183,7 @@ TEST(NextExperiment, outcomes_drawn_at_random_tell_as_much_as_expected) {
 }
 
 TEST(NextExperiment, the_same_for_any_threads) {
-    const Menu menu = bench_alone(friction().bench);
+    const Menu menu = bench_alone(friction().gap_case);
     EXPECT_EQ(expected_bits(friction().problem, menu, friction().all, kEven, 1),
               expected_bits(friction().problem, menu, friction().all, kEven, 4));
 }
@@ -199,7 +199,7 @@ TEST(NextExperiment, a_pull_of_its_series_spring_splits_the_sides) {
         fit.covariance = Eigen::MatrixXd::Identity(size + 1, size + 1);
         fit.covariance(size, size) = 0.16;
     }
-    const Menu menu = bench_alone(rivals.bench);
+    const Menu menu = bench_alone(rivals.gap_case);
     const std::vector<double> bits = expected_bits(rivals.problem, menu, {&fits[0], &fits[1]}, kEven, 1);
     EXPECT_GT(most_of(menu, bits, "Pull K_SE of the agonist alone"), 0.9);
     EXPECT_LT(most_of(menu, bits, "Pull K_PE"), 0.01);

@@ -24,17 +24,17 @@ void PrintTo(const PaperTable& table, std::ostream* out) { *out << table.name; }
 class PaperTables : public testing::TestWithParam<PaperTable> {};
 
 TEST_P(PaperTables, are_the_printed_widths) {
-    const gap_case::Case bench = shipped_case(GetParam().name);
-    ASSERT_EQ(bench.rows.dead_band.size(), GetParam().rows);
-    EXPECT_TRUE(bench.rows.dead_band_width_only);
+    const gap_case::Case gap_case = shipped_case(GetParam().name);
+    ASSERT_EQ(gap_case.rows.dead_band.size(), GetParam().rows);
+    EXPECT_TRUE(gap_case.rows.dead_band_width_only);
     const double degree = std::numbers::pi / 180.0, printed = 1e-5;  // rad: the files have five decimals
-    EXPECT_NEAR(bench.rows.dead_band.front().width, GetParam().first_deg * degree, printed);
-    EXPECT_NEAR(bench.rows.dead_band.back().width, GetParam().last_deg * degree, printed);
+    EXPECT_NEAR(gap_case.rows.dead_band.front().width, GetParam().first_deg * degree, printed);
+    EXPECT_NEAR(gap_case.rows.dead_band.back().width, GetParam().last_deg * degree, printed);
 }
 
 TEST_P(PaperTables, name_no_cause_and_ask_for_a_further_experiment) {
     const Diagnosis found = diagnose(shipped_case(GetParam().name), {.jobs = 1, .progress = {}});
-    EXPECT_TRUE(found.verdict == Verdict::kAmbiguous || found.verdict == Verdict::kUnknown) << to_string(found.verdict);
+    EXPECT_TRUE(found.verdict == VerdictKind::kAmbiguous || found.verdict == VerdictKind::kUnknown) << to_string(found.verdict);
     ASSERT_FALSE(found.where.empty());
     EXPECT_EQ(found.where.front().experiment, "dead_band");
     EXPECT_GT(found.gap.before, 3.0);

@@ -385,9 +385,9 @@ TEST(OpenCases, AreReadWithoutARemark) {
     std::size_t read = 0;
     for (const fs::directory_entry& entry : fs::directory_iterator(open)) {
         if (!fs::exists(entry.path() / "case.toml")) continue;
-        const Case bench = read_case(entry.path());
-        EXPECT_TRUE(bench.remarks.empty()) << bench.name << ": " << bench.remarks.front();
-        EXPECT_EQ(read_inputs(bench, entry.path()).size(), bench.rows.size());
+        const Case gap_case = read_case(entry.path());
+        EXPECT_TRUE(gap_case.remarks.empty()) << gap_case.name << ": " << gap_case.remarks.front();
+        EXPECT_EQ(read_inputs(gap_case, entry.path()).size(), gap_case.rows.size());
         ++read;
     }
     EXPECT_GT(read, 0u);

@@ -57,8 +57,8 @@ TEST(IdentifyFriction, AGroupForEverySideAndDirection) {
 
 // The load stands on both sides of tau_f = |motor - load|: a plain regression on it is biased by its own scatter.
 TEST(IdentifyFriction, ScatterOfTheLoadDoesNotBiasMu) {
-    const fixtures::Bench bench{.absolute = 0.1, .sides = {"one"}, .repeats = 500};
-    const std::vector<BreakAway> rows = fixtures::measure(bench, 2);
+    const fixtures::TestDay day{.absolute = 0.1, .sides = {"one"}, .repeats = 500};
+    const std::vector<BreakAway> rows = fixtures::measure(day, 2);
     std::vector<double> load, friction, ones;
     for (const BreakAway& row : rows) {
         if (!row.backdrive) continue;

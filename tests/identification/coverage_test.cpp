@@ -8,21 +8,21 @@ namespace {
 
 struct Case {
     const char* name;
-    fixtures::Bench bench;
+    fixtures::TestDay day;
 };
 void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
 
 class Coverage : public ::testing::TestWithParam<Case> {};
 
 TEST_P(Coverage, HoldsTheTruth) {
-    const fixtures::Bench& bench = GetParam().bench;
+    const fixtures::TestDay& day = GetParam().day;
     constexpr unsigned kDays = 2000;
     int mu = 0, constant = 0, through_zero = 0;
-    for (unsigned day = 0; day < kDays; ++day) {
-        const FrictionLine all = identify_friction(fixtures::measure(bench, 1000 + day)).lines.front();
-        mu += all.mu_95.holds(bench.mu);
-        constant += all.constant_95.holds(bench.constant);
-        through_zero += all.through_zero_mu_95.holds(bench.mu);
+    for (unsigned seed = 0; seed < kDays; ++seed) {
+        const FrictionLine all = identify_friction(fixtures::measure(day, 1000 + seed)).lines.front();
+        mu += all.mu_95.holds(day.mu);
+        constant += all.constant_95.holds(day.constant);
+        through_zero += all.through_zero_mu_95.holds(day.mu);
     }
     const auto expect_held = [](int held, const char* what) {
         EXPECT_GE(held, 93 * kDays / 100) << what;
@@ -30,7 +30,7 @@ TEST_P(Coverage, HoldsTheTruth) {
     };
     expect_held(mu, "mu");
     expect_held(constant, "constant");
-    if (bench.constant == 0.0) expect_held(through_zero, "mu through zero");
+    if (day.constant == 0.0) expect_held(through_zero, "mu through zero");
 }
 
 INSTANTIATE_TEST_SUITE_P(Benches, Coverage,

@@ -9,7 +9,7 @@ namespace fusee::fixtures {
 
 /// A bench day: every side and direction at each motor torque, some repeats. The friction met scatters by `relative` of itself and by
 /// `absolute` Nm, so that load = motor torque +- friction holds with the load's own friction, as on a bench.
-struct Bench {
+struct TestDay {
     double mu = 0.28, constant = 0.0;
     double relative = 0.0, absolute = 0.0;
     std::vector<double> motor_torques{0.1, 0.25, 0.5, 0.75, 1.0, 1.25};
@@ -17,18 +17,18 @@ struct Bench {
     int repeats = 3;
 };
 
-inline std::vector<identification::BreakAway> measure(const Bench& bench, unsigned seed) {
+inline std::vector<identification::BreakAway> measure(const TestDay& day, unsigned seed) {
     std::mt19937_64 random(seed);
     std::normal_distribution<double> normal(0.0, 1.0);
     std::vector<identification::BreakAway> rows;
-    for (const std::string& side : bench.sides)
+    for (const std::string& side : day.sides)
         for (const bool backdrive : {true, false})
-            for (const double motor : bench.motor_torques)
-                for (int i = 0; i < bench.repeats; ++i) {
+            for (const double motor : day.motor_torques)
+                for (int i = 0; i < day.repeats; ++i) {
                     const double sign = backdrive ? 1.0 : -1.0;
-                    const double met = 1.0 + bench.relative * normal(random), more = bench.absolute * normal(random);
+                    const double met = 1.0 + day.relative * normal(random), more = day.absolute * normal(random);
                     // load = motor + sign ((constant + mu load) met + more)
-                    const double load = (motor + sign * (bench.constant * met + more)) / (1.0 - sign * bench.mu * met);
+                    const double load = (motor + sign * (day.constant * met + more)) / (1.0 - sign * day.mu * met);
                     rows.push_back({side, backdrive, motor, load});
                 }
     return rows;

@@ -10,34 +10,34 @@ namespace fusee::fixtures {
 /// The small rig as a case of some of its set points.
 inline gap_case::Case small_case(const gap_case::Rows& rows) {
     const gap_case::CaseTemplate t = small_template();
-    gap_case::Case bench;
-    bench.name = t.name;
-    bench.rig = t.rig;
-    bench.tolerance = t.tolerance;
-    bench.sensors = t.sensors;
-    bench.protocol = t.protocol;
-    bench.rows = rows;
-    return bench;
+    gap_case::Case gap_case;
+    gap_case.name = t.name;
+    gap_case.rig = t.rig;
+    gap_case.tolerance = t.tolerance;
+    gap_case.sensors = t.sensors;
+    gap_case.protocol = t.protocol;
+    gap_case.rows = rows;
+    return gap_case;
 }
 
 /// What a rig shows that has `causes` at `sizes` (in their units), with `noise` times the sensors' noise.
 inline gap_case::Case measured_case(const gap_case::Rows& set_points, const inference::Causes& causes, const std::vector<double>& sizes,
                                     double noise, unsigned seed) {
-    gap_case::Case bench = small_case(set_points);
-    joint_model::BuiltRig rig(bench.rig);
-    rig.joint_coulomb = bench.tolerance.joint_coulomb;
+    gap_case::Case gap_case = small_case(set_points);
+    joint_model::BuiltRig rig(gap_case.rig);
+    rig.joint_coulomb = gap_case.tolerance.joint_coulomb;
     for (std::size_t i = 0; i < causes.size(); ++i)
         effects::apply_effect(effects::find_effect(causes[i].id), causes[i], std::vector{sizes[i]}, rig);
-    rig.assemble(joint_model::NominalCams(bench.rig));
-    joint_model::Signals signals = joint_model::predict_signals(rig, bench.rows, bench.protocol);
-    bench.rows = joint_model::with_measured(bench.rows, signals);
-    const inference::Uncertainty known = inference::uncertainty(bench);
+    rig.assemble(joint_model::NominalCams(gap_case.rig));
+    joint_model::Signals signals = joint_model::predict_signals(rig, gap_case.rows, gap_case.protocol);
+    gap_case.rows = joint_model::with_measured(gap_case.rows, signals);
+    const inference::Uncertainty known = inference::uncertainty(gap_case);
     std::mt19937_64 random(seed);
     std::normal_distribution<double> normal(0.0, noise);
     for (std::size_t e = 0; e < gap_case::kExperiments; ++e)
         for (std::size_t i = 0; i < signals.of[e].size(); ++i) signals.of[e][i] += normal(random) * known.sensors.of[e][i];
-    bench.rows = joint_model::with_measured(bench.rows, signals);
-    return bench;
+    gap_case.rows = joint_model::with_measured(gap_case.rows, signals);
+    return gap_case;
 }
 
 /// Break-aways of both sides at each torque, `repeats` times, driven back only or both ways.

@@ -14,8 +14,8 @@ using namespace fixtures;
 
 /// A fit of one effect at `size` (in scales, sigma 0.01) and what refits without each of six experiments find.
 struct Refitted {
-    gap_case::Case bench = small_case(pulls(5));
-    Problem problem{bench};
+    gap_case::Case gap_case = small_case(pulls(5));
+    Problem problem{gap_case};
     Fit fit;
     Split left_out;
     int k = 0;
@@ -74,12 +74,12 @@ TEST(Contradicted, not_a_stop_whose_angle_has_no_nothing) {
 
 TEST(AtTheirEnd, a_size_that_wants_to_be_more_than_its_law_allows) {
     Refitted coulomb(kCoulomb, 1.0, std::vector<double>(6, 1.0), kSharp);
-    EXPECT_TRUE(at_their_end(coulomb.problem, coulomb.fit).empty());
+    EXPECT_TRUE(at_bounds(coulomb.problem, coulomb.fit).empty());
     coulomb.fit.x[coulomb.k] = coulomb.problem.allowed(coulomb.fit.causes, coulomb.k).high;
-    EXPECT_EQ(at_their_end(coulomb.problem, coulomb.fit), coulomb.fit.causes);
+    EXPECT_EQ(at_bounds(coulomb.problem, coulomb.fit), coulomb.fit.causes);
     Refitted stop(kStop, 1.0, std::vector<double>(6, 1.0), kSharp);
     stop.fit.x[stop.k] = stop.problem.allowed(stop.fit.causes, stop.k).high;  // a stop that is never reached
-    EXPECT_TRUE(at_their_end(stop.problem, stop.fit).empty());
+    EXPECT_TRUE(at_bounds(stop.problem, stop.fit).empty());
 }
 
 TEST(DiscountUnfounded, pairs_need_a_single_effect_that_beats_none) {
@@ -95,8 +95,8 @@ TEST(ExperimentsLeftOut, say_how_well_the_others_see_a_size) {
     // Friction alone shows in break-away; without it pulls of springs know as little as the prior, three scales.
     gap_case::Rows rows = pulls(5);
     rows.breakaway = break_aways({0.2, 0.6, 1.0, 1.4}, 3, true).breakaway;
-    const gap_case::Case bench = measured_case(rows, {kCoulomb}, {0.06}, 1.0, 4);
-    const Problem problem(bench);
+    const gap_case::Case gap_case = measured_case(rows, {kCoulomb}, {0.06}, 1.0, 4);
+    const Problem problem(gap_case);
     const Fit fit = best_fit(problem, {kCoulomb});
     const Split left_out = experiments_left_out(problem, fit, 1);
     const int k = problem.size_at(fit.causes, 0);

@@ -33,7 +33,7 @@ protected:
                                                 std::vector<std::pair<std::string, diagnosis::Parameter>> build = {},
                                                 int levels = 3) const {
         diagnosis::Diagnosis found;
-        found.verdict = diagnosis::Verdict::kIdentified;
+        found.verdict = diagnosis::VerdictKind::kIdentified;
         found.effects = effects;
         found.build = std::move(build);
         return redesign(profile_, toml_, bench_, found, {.file = folder_ / "redesign.toml", .levels = levels});

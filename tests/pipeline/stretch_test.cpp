@@ -112,7 +112,7 @@ TEST_F(Stretched, RedesignKeepsItsCables) {
     bench.sha256 = std::string(64, 'a');
     bench.rig = case_template(profile)->rig;
     diagnosis::Diagnosis found;
-    found.verdict = diagnosis::Verdict::kIdentified;
+    found.verdict = diagnosis::VerdictKind::kIdentified;
     for (const auto& [id, value, unit] : {std::tuple{"cable.stretch", 50.0, "Nm/rad"}, {"pe.rate", 0.08, "1"}, {"se.rate", -0.05, "1"}})
         found.effects.push_back({{id, "both"}, 0.99, {value, {0.95 * value, 1.05 * value}, unit}, {}});
     const report::Redesign result = redesign(profile, text, bench, found, {.file = folder_ / "redesign.toml", .levels = 3});

@@ -70,14 +70,14 @@ inline diagnosis::Isolability isolability() {
         for (const char* side : {"agonist", "antagonist", "both"}) isolability.causes.push_back({id, side});
     isolability.causes.push_back({"joint.coulomb", "none"});
     const std::size_t n = isolability.causes.size();
-    isolability.alike.assign(n, std::vector<double>(n, 0.0));
+    isolability.signature_similarity.assign(n, std::vector<double>(n, 0.0));
     for (std::size_t i = 0; i < n; ++i) {
         isolability.detectable.push_back(0.004 * static_cast<double>(i + 1));
         isolability.units.push_back(i / 3 == 1 || i == n - 1 ? "Nm" : i / 3 == 3 ? "m" : "relative");
         for (std::size_t j = 0; j < n; ++j)
-            isolability.alike[i][j] = std::abs(std::cos(0.9 * (static_cast<double>(i) - static_cast<double>(j))));
+            isolability.signature_similarity[i][j] = std::abs(std::cos(0.9 * (static_cast<double>(i) - static_cast<double>(j))));
     }
-    isolability.alike[0][12] = isolability.alike[12][0] = 0.984;
+    isolability.signature_similarity[0][12] = isolability.signature_similarity[12][0] = 0.984;
     isolability.classes = {{0, 12}, {6, 9, 8}};
     return isolability;
 }
@@ -103,7 +103,7 @@ inline diagnosis::Diagnosis diagnosis() {
     diagnosis::Diagnosis d;
     d.case_name = "open-07";
     d.case_sha256 = "0123456789abcdef0123";
-    d.verdict = diagnosis::Verdict::kIdentified;
+    d.verdict = diagnosis::VerdictKind::kIdentified;
     d.effects = {{{"gear.coulomb", "agonist"}, 0.981, {0.0512, {0.0473, 0.0551}, "Nm"}, {}},
                  {{"se.radius", "both"}, 0.934, {-2.1e-4, {-2.6e-4, -1.6e-4}, "m"}, {{"v_s", 0.02}}}};
     d.alternatives = {{{{"gear.load_friction", "agonist"}, {"se.radius", "both"}}, 0.041}, {{}, 0.002}};

@@ -85,7 +85,7 @@ TEST(DiagnosisHtml, FiguresThatAreNotKnownAreDashes) {
     d.experiments[0].forecast = unknown;
     for (diagnosis::Hypothesis& h : d.ranking) h.log_evidence = -INFINITY, h.chi2 = h.left_out = h.probability = unknown;
     d.isolability.detectable[0] = INFINITY;
-    d.isolability.alike[3][2] = unknown;
+    d.isolability.signature_similarity[3][2] = unknown;
     d.next[0].information = unknown;
     const std::string page = diagnosis_html(d);
     for (const char* never : {">nan", "nan<", "nan to", ">inf", "-inf", "\"nan", "nan\""}) EXPECT_FALSE(holds(page, never)) << never;
@@ -144,7 +144,7 @@ TEST(IsolabilityMatrix, OutlinesPairsOfAClass) {
 TEST(IsolabilityMatrix, StaysBoundedForManyCauses) {
     diagnosis::Diagnosis d;
     d.isolability.causes.assign(200, {"gear.coulomb", "agonist"});
-    d.isolability.alike.assign(200, std::vector<double>(200, 0.5));
+    d.isolability.signature_similarity.assign(200, std::vector<double>(200, 0.5));
     const std::string html = isolability_section(d);
     EXPECT_TRUE(holds(html, "The first 72 of 200 causes"));
     EXPECT_LT(html.size(), 600'000u);

@@ -91,14 +91,14 @@ TEST(DiagnosisWords, TheVerdictIsASentence) {
     EXPECT_DOUBLE_EQ(verdict_probability(d), 0.934) << "of the less certain one";
     d.effects.resize(1);
     EXPECT_EQ(verdict_sentence(d), "The rig has an effect that the model does not: gear.coulomb (agonist).");
-    d.verdict = diagnosis::Verdict::kAmbiguous;
+    d.verdict = diagnosis::VerdictKind::kAmbiguous;
     d.alternatives = {{{{"gear.coulomb", "agonist"}}, 0.5}, {{{"joint.coulomb", "none"}}, 0.45}, {{}, 0.001}};
     EXPECT_EQ(verdict_sentence(d),
               "Model and rig part, and these experiments cannot tell which causes it: gear.coulomb (agonist); or joint.coulomb.");
-    d.verdict = diagnosis::Verdict::kUnknown;
+    d.verdict = diagnosis::VerdictKind::kUnknown;
     EXPECT_NE(verdict_sentence(d).find("dead-band, co-contraction 0.12 to 0.5 Nm, agonist, push up"), std::string::npos);
     EXPECT_TRUE(std::isnan(verdict_probability(d))) << "a ranking within the library says nothing of what is outside it";
-    d.verdict = diagnosis::Verdict::kNone;
+    d.verdict = diagnosis::VerdictKind::kNone;
     d.ranking = {{{}, 0.0, 0.97, 300.0, 1.0, {}}};
     EXPECT_DOUBLE_EQ(verdict_probability(d), 0.97);
 }

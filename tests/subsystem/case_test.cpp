@@ -49,10 +49,10 @@ TEST_F(BenchFolder, ReadsWordsOfTheFileOverThoseOfTheCase) {
     put("a.csv",
         "# source=somebody licence=MIT mass_kg=0.49, kp=200 "
         "trajectory=lift_and_drop\nt_s,q_rad,q_goal_rad,load_raw\n0,0,0,3\n0.01,0.1,0.2,4\n");
-    const Case bench = read_case(folder_);
-    ASSERT_EQ(bench.records.size(), 1u);
-    const Record& r = bench.records.front();
-    EXPECT_EQ(bench.kind, Kind::kServoPendulum);
+    const Case subsystem_case = read_case(folder_);
+    ASSERT_EQ(subsystem_case.records.size(), 1u);
+    const Record& r = subsystem_case.records.front();
+    EXPECT_EQ(subsystem_case.kind, Kind::kServoPendulum);
     EXPECT_EQ(r.parameters.at("mass_kg"), 0.49);
     EXPECT_EQ(r.parameters.at("length_m"), 0.1);
     EXPECT_EQ(r.parameters.at("kp"), 200.0);
@@ -87,23 +87,24 @@ TEST_F(BenchFolder, RefusesWithThePlace) {
 
 // Roundtrip: what is written for a prediction reads back, and the prediction of the answer on its own inputs leaves the gap that was told.
 TEST_F(BenchFolder, PredictsWhatTheDiagnosisSaid) {
-    const Case bench = measure({{"agonist", {.constant = 0.05}}}, 11);
-    const diagnosis::Diagnosis found = diagnose(bench, {.jobs = 1, .progress = {}});
+    const Case subsystem_case = measure({{"agonist", {.constant = 0.05}}}, 11);
+    const diagnosis::Diagnosis found = diagnose(subsystem_case, {.jobs = 1, .progress = {}});
     ASSERT_EQ(names_of(found), "gear.coulomb agonist");
-    write_rows(bench, folder_ / "new" / "inside");  // made if it is missing
-    const Case inputs = read_inputs(bench, folder_ / "new" / "inside");
+    write_rows(subsystem_case, folder_ / "new" / "inside");  // made if it is missing
+    const Case inputs = read_inputs(subsystem_case, folder_ / "new" / "inside");
     const auto error = [&](const diagnosis::Diagnosis& d) {
-        const Case out = predict(bench, d, inputs);
+        const Case out = predict(subsystem_case, d, inputs);
         double square = 0.0;
         for (std::size_t i = 0; i < out.records[0].rows(); ++i)
-            square += std::pow(out.records[0].columns.at("load_torque_Nm")[i] - bench.records[0].columns.at("load_torque_Nm")[i], 2);
+            square +=
+                std::pow(out.records[0].columns.at("load_torque_Nm")[i] - subsystem_case.records[0].columns.at("load_torque_Nm")[i], 2);
         return square;
     };
     EXPECT_LT(error(found), 0.5 * error({}));
     diagnosis::Diagnosis parsed = diagnosis::parse_diagnosis(diagnosis::diagnosis_json(found), "diagnosis.json");
     EXPECT_NEAR(error(parsed), error(found), 1e-6 * error(found));
     parsed.effects.front().cause.id = "gear.magic";
-    EXPECT_THROW((void)predict(bench, parsed, inputs), core::InvalidInput);
+    EXPECT_THROW((void)predict(subsystem_case, parsed, inputs), core::InvalidInput);
 }
 
 fs::path real_folder() {
@@ -130,7 +131,7 @@ TEST_F(BenchFolder, ServoHasLoadFrictionAndNoDelay) {
     link_case(real_folder() / "pendulum_xl330", "servo_pendulum", "pendulum_log");
     const diagnosis::Diagnosis d = diagnose(read_case(folder_), {.jobs = 1, .progress = {}});
     EXPECT_EQ(names_of(d).find("gear.load_friction"), 0u) << names_of(d);
-    EXPECT_EQ(d.verdict, diagnosis::Verdict::kAmbiguous);
+    EXPECT_EQ(d.verdict, diagnosis::VerdictKind::kAmbiguous);
     EXPECT_TRUE(says(d, "loop.delay is a false cause"));
     EXPECT_TRUE(says(d, "the ranking changes"));
     EXPECT_TRUE(says(d, "partly confounded"));
@@ -146,7 +147,7 @@ TEST_F(BenchFolder, OpenCasesGiveTheirConstantFriction) {
         "torque_noise_Nm = 1.5e-3\n[experiments]\nbreakaway = \"breakaway.csv\"\n");
     for (const auto& [name, effects] : known) {
         put("breakaway.csv", core::read_file(fs::path(cases) / name / "breakaway.csv"));
-        // The rig's torque scale is built to 0.5 %, which a bench case does not know: beside the constant it may be named too.
+        // The rig's torque scale is built to 0.5 %, which a subsystem case does not know: beside the constant it may be named too.
         const std::string found = names_of(diagnose(read_case(folder_), {.jobs = 1, .progress = {}}));
         EXPECT_TRUE(*effects == '\0' ? found.empty() : found.find(effects) == 0) << name << ": " << found;
     }

@@ -38,7 +38,7 @@ TEST(DiagnoseBench, NamesWhatTheElementHas) {
     for (const ElementCase& c : cases) {
         const diagnosis::Diagnosis d = diagnose(measure(c.element, seed++, c.preloads), {.jobs = 1, .progress = {}});
         EXPECT_EQ(names_of(d), c.effects);
-        EXPECT_EQ(d.verdict, *c.effects == '\0' ? diagnosis::Verdict::kNone : diagnosis::Verdict::kIdentified) << c.effects;
+        EXPECT_EQ(d.verdict, *c.effects == '\0' ? diagnosis::VerdictKind::kNone : diagnosis::VerdictKind::kIdentified) << c.effects;
         // A rigid play lets the force jump between two rows: a row near each jump
         // is told wrong by any model, by up to 50 sigma here.
         const bool jumps = c.element.backlash > 0.0 && c.element.deflection == 0.0;
@@ -87,7 +87,7 @@ TEST(DiagnoseBench, NamesWhatTheMotorHas) {
     for (const Known& c : cases) {
         const diagnosis::Diagnosis d = diagnose(measure({{"agonist", c.motor}}, seed++), {.jobs = 1, .progress = {}});
         if (c.ambiguous) {
-            EXPECT_EQ(d.verdict, diagnosis::Verdict::kAmbiguous);
+            EXPECT_EQ(d.verdict, diagnosis::VerdictKind::kAmbiguous);
             std::string all = names_of(d);
             for (const diagnosis::Alternative& a : d.alternatives)
                 for (const effects::Cause& cause : a.effects) all += ", " + cause.id;
@@ -96,7 +96,7 @@ TEST(DiagnoseBench, NamesWhatTheMotorHas) {
             continue;
         }
         EXPECT_EQ(names_of(d), c.effect);
-        EXPECT_EQ(d.verdict, *c.effect == '\0' ? diagnosis::Verdict::kNone : diagnosis::Verdict::kIdentified) << c.effect;
+        EXPECT_EQ(d.verdict, *c.effect == '\0' ? diagnosis::VerdictKind::kNone : diagnosis::VerdictKind::kIdentified) << c.effect;
         if (c.size > 0.0 && d.effects.size() == 1) {
             EXPECT_TRUE(d.effects.front().parameter.ci95.holds(c.size)) << c.effect;
         }
@@ -105,7 +105,7 @@ TEST(DiagnoseBench, NamesWhatTheMotorHas) {
 
 TEST(DiagnoseBench, OneMotorTorqueTellsNothingApart) {
     const diagnosis::Diagnosis d = diagnose(measure({{"one", {.constant = 0.1}}}, 5, {0.5}), {.jobs = 1, .progress = {}});
-    EXPECT_EQ(d.verdict, diagnosis::Verdict::kAmbiguous);
+    EXPECT_EQ(d.verdict, diagnosis::VerdictKind::kAmbiguous);
     EXPECT_FALSE(d.next_experiment.empty());
 }
 
@@ -119,12 +119,13 @@ TEST(DiagnoseBench, NamesTheSideOfTwoMotors) {
 
 // Same: any order of rows, any number of threads.
 TEST(DiagnoseBench, GivesTheSameForAnyOrderAndThreads) {
-    const Case bench = measure({{"agonist", {.constant = 0.04}}}, 8);
-    Case turned = bench;
+    const Case subsystem_case = measure({{"agonist", {.constant = 0.04}}}, 8);
+    Case turned = subsystem_case;
     Record& r = turned.records.front();
     for (auto& [name, column] : r.columns) std::reverse(column.begin(), column.end());
     for (auto& [name, column] : r.texts) std::reverse(column.begin(), column.end());
-    const diagnosis::Diagnosis one = diagnose(bench, {.jobs = 1, .progress = {}}), three = diagnose(bench, {.jobs = 3, .progress = {}}),
+    const diagnosis::Diagnosis one = diagnose(subsystem_case, {.jobs = 1, .progress = {}}),
+                               three = diagnose(subsystem_case, {.jobs = 3, .progress = {}}),
                                other = diagnose(turned, {.jobs = 1, .progress = {}});
     EXPECT_EQ(diagnosis::diagnosis_json(one), diagnosis::diagnosis_json(three));
     EXPECT_EQ(names_of(one), names_of(other));
@@ -132,10 +133,10 @@ TEST(DiagnoseBench, GivesTheSameForAnyOrderAndThreads) {
 }
 
 TEST(DiagnoseBench, RefusesAHandfulOfRows) {
-    Case bench = measure({{"agonist", {}}}, 9, {0.5});
-    for (auto& [name, column] : bench.records[0].columns) column.resize(4);
-    for (auto& [name, column] : bench.records[0].texts) column.resize(4);
-    EXPECT_THROW((void)diagnose(bench), core::InvalidInput);
+    Case subsystem_case = measure({{"agonist", {}}}, 9, {0.5});
+    for (auto& [name, column] : subsystem_case.records[0].columns) column.resize(4);
+    for (auto& [name, column] : subsystem_case.records[0].texts) column.resize(4);
+    EXPECT_THROW((void)diagnose(subsystem_case), core::InvalidInput);
 }
 
 }  // namespace

@@ -22,9 +22,9 @@ struct Element {
 inline subsystem::Case measure(const Element& e, unsigned seed, bool preloads = false) {
     std::mt19937_64 random(seed);
     std::normal_distribution<double> normal(0.0, 1.0);
-    subsystem::Case bench;
-    bench.name = "element";
-    bench.sensors["force_noise_N"] = e.noise;
+    subsystem::Case subsystem_case;
+    subsystem_case.name = "element";
+    subsystem_case.sensors["force_noise_N"] = e.noise;
     for (const double amplitude : {0.005, 0.01, 0.02})
         for (const double frequency : {0.25, 0.5, 1.0}) {
             subsystem::Record record{
@@ -55,9 +55,9 @@ inline subsystem::Case measure(const Element& e, unsigned seed, bool preloads = 
                 record.columns["v_m_s"].push_back(v);
                 record.columns["F_N"].push_back(force + e.noise * normal(random));
             }
-            bench.records.push_back(std::move(record));
+            subsystem_case.records.push_back(std::move(record));
         }
-    return bench;
+    return subsystem_case;
 }
 
 /// A servo that swings a mass; explicit steps of 0.2 ms, friction by a steep tanh.
@@ -69,9 +69,9 @@ struct Servo {
 inline subsystem::Case measure(const Servo& s, unsigned seed) {
     std::mt19937_64 random(seed);
     std::normal_distribution<double> normal(0.0, 6e-4);
-    subsystem::Case bench;
-    bench.kind = subsystem::Kind::kServoPendulum;
-    bench.name = "servo";
+    subsystem::Case subsystem_case;
+    subsystem_case.kind = subsystem::Kind::kServoPendulum;
+    subsystem_case.name = "servo";
     const double weight = 0.49 * 9.81 * 0.1, inertia = 0.49 * 0.01 + s.armature, h = 2e-4;
     for (const double kp : {100.0, 300.0, 800.0})
         for (const int trajectory : {0, 1}) {
@@ -104,9 +104,9 @@ inline subsystem::Case measure(const Servo& s, unsigned seed) {
                 v += h * (motor + pull - s.viscous * v - friction * std::tanh(v / 0.003)) / inertia;
                 q += h * v;
             }
-            bench.records.push_back(std::move(record));
+            subsystem_case.records.push_back(std::move(record));
         }
-    return bench;
+    return subsystem_case;
 }
 
 /// Break-aways of one motor or two; the scatter is that of the friction.
@@ -118,10 +118,10 @@ inline subsystem::Case measure(const std::vector<std::pair<std::string, Motor>>&
                                const std::vector<double>& torques = {0.1, 0.2, 0.4, 0.6, 0.8, 1.0, 1.2}) {
     std::mt19937_64 random(seed);
     std::normal_distribution<double> normal(0.0, 1.0);
-    subsystem::Case bench;
-    bench.kind = subsystem::Kind::kMotorBreakaway;
-    bench.name = "motor";
-    bench.sensors["breakaway_scatter"] = motors.front().second.scatter;
+    subsystem::Case subsystem_case;
+    subsystem_case.kind = subsystem::Kind::kMotorBreakaway;
+    subsystem_case.name = "motor";
+    subsystem_case.sensors["breakaway_scatter"] = motors.front().second.scatter;
     subsystem::Record record{"breakaway", "breakaway.csv", {}, {}, {}, {}};
     for (const auto& [side, m] : motors)
         for (const double s : {1.0, -1.0})
@@ -137,8 +137,8 @@ inline subsystem::Case measure(const std::vector<std::pair<std::string, Motor>>&
                     record.columns["motor_torque_Nm"].push_back(torque);
                     record.columns["load_torque_Nm"].push_back(load);
                 }
-    bench.records.push_back(std::move(record));
-    return bench;
+    subsystem_case.records.push_back(std::move(record));
+    return subsystem_case;
 }
 
 inline std::string names_of(const diagnosis::Diagnosis& d) {

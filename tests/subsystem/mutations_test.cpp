@@ -67,12 +67,12 @@ TEST_F(MutatedCase, IsReadOrRefused) {
         const std::string done = Mutator(seed).change(folder_, files);
         SCOPED_TRACE(fmt::format("{}: {}", seed, done));
         const std::string said = outcome([&] {
-            const gap_case::Case bench = gap_case::read_case(folder_);
+            const gap_case::Case subsystem_case = gap_case::read_case(folder_);
             if (++read % 8 != 0) return;
-            gap_case::Rows inputs = gap_case::read_inputs(bench, folder_);
+            gap_case::Rows inputs = gap_case::read_inputs(subsystem_case, folder_);
             inputs.log.clear();
             inputs.parts.clear();
-            const joint_model::Signals signals = joint_model::measured(diagnosis::predict(bench, {}, inputs));
+            const joint_model::Signals signals = joint_model::measured(diagnosis::predict(subsystem_case, {}, inputs));
             for (const double figure : signals[gap_case::Experiment::kDeadBand]) EXPECT_TRUE(std::isfinite(figure));
         });
         expect_said(said, done);
@@ -81,8 +81,8 @@ TEST_F(MutatedCase, IsReadOrRefused) {
     EXPECT_LT(read, count);
 }
 
-std::string bench_csv(const Case& bench, const Record& record, const fs::path& folder) {
-    Case one = bench;
+std::string bench_csv(const Case& subsystem_case, const Record& record, const fs::path& folder) {
+    Case one = subsystem_case;
     one.records = {record};
     one.records[0].file = "one.csv";
     write_rows(one, folder);
@@ -120,11 +120,11 @@ TEST_F(Mutated, BenchesAreDiagnosedOrRefused) {
         const std::string done = mutate(good, seed);
         SCOPED_TRACE(fmt::format("{}: {}", seed, done));
         const std::string said = outcome([&] {
-            const Case bench = read_case(folder_);
+            const Case subsystem_case = read_case(folder_);
             ++read;
-            const diagnosis::Diagnosis found = diagnose(bench, {1, {}});
+            const diagnosis::Diagnosis found = diagnose(subsystem_case, {1, {}});
             EXPECT_FALSE(diagnosis::diagnosis_json(found).empty());
-            (void)predict(bench, found, bench);
+            (void)predict(subsystem_case, found, subsystem_case);
         });
         expect_said(said, done);
     }

@@ -18,9 +18,9 @@ diagnosis::FoundEffect found(const std::string& id, const std::string& side, dou
 
 class Possible : public fixtures::CaseFolder {
 protected:
-    [[nodiscard]] static std::string said(const gap_case::Case& bench, const diagnosis::Diagnosis& diagnosis) {
+    [[nodiscard]] static std::string said(const gap_case::Case& subsystem_case, const diagnosis::Diagnosis& diagnosis) {
         try {
-            diagnosis::require_possible(bench, diagnosis, "d.json");
+            diagnosis::require_possible(subsystem_case, diagnosis, "d.json");
         } catch (const core::InvalidInput& e) {
             return e.what();
         }
@@ -70,41 +70,46 @@ TEST_F(Possible, AnEffectStandsOnceOnASide) {
 }
 
 TEST_F(Possible, BuildParametersAreKnownAndCanBeBuilt) {
-    const gap_case::Case bench = gap_case::read_case(folder_);
+    const gap_case::Case subsystem_case = gap_case::read_case(folder_);
     diagnosis::Diagnosis diagnosis;
     diagnosis.build = {{"K_SE radius agonist", {1e-5, {}, "m"}}};
-    EXPECT_EQ(said(bench, diagnosis), "accepted");
-    EXPECT_EQ(diagnosis::predict(bench, diagnosis, bench.rows).size(), bench.rows.size());
+    EXPECT_EQ(said(subsystem_case, diagnosis), "accepted");
+    EXPECT_EQ(diagnosis::predict(subsystem_case, diagnosis, subsystem_case.rows).size(), subsystem_case.rows.size());
     diagnosis.build[0].second.value = -0.5;
-    EXPECT_NE(field_refused([&] { return diagnosis::predict(bench, diagnosis, bench.rows); }).find("shortest arm of K_SE"),
-              std::string::npos);
+    EXPECT_NE(
+        field_refused([&] { return diagnosis::predict(subsystem_case, diagnosis, subsystem_case.rows); }).find("shortest arm of K_SE"),
+        std::string::npos);
     diagnosis.build = {{"joint inertia", {-2.0, {}, "1"}}};
-    EXPECT_NE(field_refused([&] { return diagnosis::predict(bench, diagnosis, bench.rows); }).find("joint inertia"), std::string::npos);
+    EXPECT_NE(field_refused([&] { return diagnosis::predict(subsystem_case, diagnosis, subsystem_case.rows); }).find("joint inertia"),
+              std::string::npos);
     diagnosis.build = {{"grease", {1.0, {}, "1"}}};
-    EXPECT_NE(said(bench, diagnosis).find("d.json: build: grease (allowed: gear load friction agonist"), std::string::npos);
+    EXPECT_NE(said(subsystem_case, diagnosis).find("d.json: build: grease (allowed: gear load friction agonist"), std::string::npos);
     diagnosis::Diagnosis friction;
     friction.effects = {found("gear.coulomb", "both", -0.1)};
-    EXPECT_NE(field_refused([&] { return diagnosis::predict(bench, friction, bench.rows); }).find("gear friction [Nm]"), std::string::npos);
+    EXPECT_NE(field_refused([&] { return diagnosis::predict(subsystem_case, friction, subsystem_case.rows); }).find("gear friction [Nm]"),
+              std::string::npos);
     friction.effects = {found("sensor.joint_offset", "none", 1e308)};
-    EXPECT_NE(field_refused([&] { return diagnosis::predict(bench, friction, bench.rows); }).find("zero of the joint's encoder"),
+    EXPECT_NE(field_refused([&] {
+                  return diagnosis::predict(subsystem_case, friction, subsystem_case.rows);
+              }).find("zero of the joint's encoder"),
               std::string::npos);
 }
 
 TEST_F(Possible, APredictionEnds) {
-    const gap_case::Case bench = gap_case::read_case(folder_);
+    const gap_case::Case subsystem_case = gap_case::read_case(folder_);
     gap_case::Rows inputs;
     inputs.log = {{-1e6, 0.5, 0.5, 0.0}, {1e6, 0.5, 0.5, 0.0}};
-    EXPECT_EQ(field_refused([&] { return diagnosis::predict(bench, {}, inputs); }), "experiments.log");
+    EXPECT_EQ(field_refused([&] { return diagnosis::predict(subsystem_case, {}, inputs); }), "experiments.log");
 }
 
 TEST(PossibleBench, EffectsAndBuildParametersStayWhereAFitMayGo) {
-    const Case bench = fixtures::measure({{"agonist", fixtures::Motor{}}}, 1);
+    const Case subsystem_case = fixtures::measure({{"agonist", fixtures::Motor{}}}, 1);
     const auto field = [&](const std::vector<diagnosis::FoundEffect>& effects,
                            std::vector<std::pair<std::string, diagnosis::Parameter>> build) {
         diagnosis::Diagnosis diagnosis;
         diagnosis.effects = effects;
         diagnosis.build = std::move(build);
-        return field_refused([&] { return predict(bench, diagnosis, bench); });
+        return field_refused([&] { return predict(subsystem_case, diagnosis, subsystem_case); });
     };
     EXPECT_EQ(field({found("gear.coulomb", "agonist", 0.02)}, {}), "accepted");
     EXPECT_EQ(field({found("gear.coulomb", "agonist", -1e308)}, {}), "effects: gear.coulomb");

@@ -23,17 +23,17 @@ struct Share {
     void count(bool hit) { hits += hit, ++of; }
 };
 
-/// What was said of a case before its label was known, and how far that shrank the gap on rows kept back.
+/// What was said of a case before its label was known, and how far that shrank the gap on rows held out.
 struct Answer {
     std::string case_name;
     std::string failure;  ///< why there is no diagnosis; "" if there is one
-    diagnosis::Verdict verdict = diagnosis::Verdict::kUnknown;
+    diagnosis::VerdictKind verdict = diagnosis::VerdictKind::kUnknown;
     std::vector<diagnosis::FoundEffect> effects;
     std::vector<diagnosis::Alternative> alternatives;
     double claimed_before = diagnosis::kNoFigure,
            claimed_after = diagnosis::kNoFigure;  ///< heldout_before, heldout_after of the diagnosis [sigma]
-    double kept_before = diagnosis::kNoFigure, kept_after = diagnosis::kNoFigure;  ///< on the case's folder heldout/ [sigma]
-    double seconds = diagnosis::kNoFigure;                                         ///< the diagnosis took, on one thread
+    double held_out_before = diagnosis::kNoFigure, held_out_after = diagnosis::kNoFigure;  ///< on the case's folder heldout/ [sigma]
+    double seconds = diagnosis::kNoFigure;                                                 ///< the diagnosis took, on one thread
 };
 /// An effect named: "gear.coulomb", else "two effects", "none", "ambiguous", "unknown" or "failed".
 [[nodiscard]] std::string answer_name(const Answer& answer);
@@ -87,7 +87,7 @@ inline constexpr std::size_t kDeals = 400;  ///< of the labels, for the control
 [[nodiscard]] Score score_answers(const std::vector<Label>& labels, const std::vector<Answer>& answers, std::uint64_t seed = 1);
 
 struct ScoreOptions {
-    std::filesystem::path folder;  ///< as make_benchmark left it; FOLDER/diagnoses/CASE gets diagnosis.json and kept_back.json
+    std::filesystem::path folder;  ///< as make_benchmark left it; FOLDER/diagnoses/CASE gets diagnosis.json and held_out.json
     std::string hash;              ///< the seal as told when the benchmark was made; "": as seal.txt says
     unsigned jobs = 0;             ///< cases side by side, each on one thread; 0: as many as cores; the score is the same for any
     std::size_t limit = 0;         ///< the first cases only; 0: all

@@ -16,7 +16,7 @@ struct DiagnoseOptions {
 
 /// Where model and rig part, which unmodelled effect causes it, how far the gap shrinks once it is in the model (docs/gap.md).
 /// Deterministic. @throws core::InvalidInput if the case has too few rows to say anything
-[[nodiscard]] Diagnosis diagnose(const gap_case::Case& bench, const DiagnoseOptions& options = {});
+[[nodiscard]] Diagnosis diagnose(const gap_case::Case& gap_case, const DiagnoseOptions& options = {});
 
 /// Is a diagnosis that was read from a file one of this case's rig? Each effect is known, stands once on a side, has a size (and further
 /// parameters) within the range of its law, and its unit; each build parameter is known.

@@ -13,8 +13,8 @@ namespace fusee::diagnosis {
 /// In place of a figure that there is none for.
 inline constexpr double kNoFigure = std::numeric_limits<double>::quiet_NaN();
 
-enum class Verdict { kIdentified, kNone, kAmbiguous, kUnknown };
-[[nodiscard]] const char* to_string(Verdict verdict);  ///< "identified", "none", "ambiguous", "unknown"
+enum class VerdictKind { kIdentified, kNone, kAmbiguous, kUnknown };
+[[nodiscard]] const char* to_string(VerdictKind verdict);  ///< "identified", "none", "ambiguous", "unknown"
 
 struct Parameter {
     double value = 0.0;
@@ -32,7 +32,7 @@ struct Alternative {
     double probability = 0.0;
 };
 /// A part of the gap. Shares of all parts sum to 1; sorted, greatest first.
-struct Whereabouts {
+struct GapContribution {
     std::string experiment;
     double share = 0.0;
     std::string variable;  ///< "cocontraction_Nm", ...
@@ -43,13 +43,13 @@ struct Whereabouts {
 struct Gap {
     double before = kNoFigure, after = kNoFigure, noise_floor = kNoFigure;
     double heldout_before = kNoFigure, heldout_after = kNoFigure;
-    core::Range heldout_after_95{kNoFigure, kNoFigure};  ///< over the kept-back blocks
+    core::Range heldout_after_95{kNoFigure, kNoFigure};  ///< over the held out blocks
 };
 
 /// One row of the ranking: a hypothesis of one or two effects, or of none.
 struct Hypothesis {
     std::vector<effects::Cause> effects;
-    double log_evidence = 0.0;  ///< relative to the best, <= 0 [nat]
+    double log_evidence = 0.0;  ///< relative to the best, <= 0 [nats]
     double probability = 0.0;
     double chi2 = 0.0;                  ///< robust misfit, at the best parameters
     double left_out = kNoFigure;        ///< gap on experiments that its fit did not see [sigma]
@@ -74,10 +74,10 @@ struct Trace {
     std::string x_name, y_name;
     std::vector<double> x, measured, before, after, sigma;
 };
-/// How alike two causes look to these experiments: |cosine| of their whitened signatures, nuisance parameters projected out.
+/// Which causes the experiments can distinguish. Similarity: |cosine| of two whitened signatures, nuisance parameters projected out.
 struct Isolability {
     std::vector<effects::Cause> causes;
-    std::vector<std::vector<double>> alike;  ///< [i][j], 1 on the diagonal
+    std::vector<std::vector<double>> signature_similarity;  ///< [i][j], 1 on the diagonal
     std::vector<double> detectable;          ///< least size seen at 3 sigma, in the parameter's unit
     std::vector<std::string> units;
     std::vector<std::vector<std::size_t>> classes;  ///< causes that these experiments cannot tell apart, two or more each
@@ -94,10 +94,10 @@ struct NextExperiment {
 
 struct Diagnosis {
     std::string case_name, case_sha256;
-    Verdict verdict = Verdict::kNone;
+    VerdictKind verdict = VerdictKind::kNone;
     std::vector<FoundEffect> effects;
     std::vector<Alternative> alternatives;
-    std::vector<Whereabouts> where;
+    std::vector<GapContribution> where;
     Gap gap;
     std::string next_experiment;
     // What follows is for the page and for a later prediction; diagnosis.json has it under further keys.

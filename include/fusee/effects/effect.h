@@ -30,13 +30,14 @@ struct EffectParameter {
 /// by being there (docs/guides/add-an-effect.md).
 struct Effect {
     std::string id;
-    std::string law;                          ///< one sentence with its symbols
-    std::string meaning;                      ///< what it is on a rig, with what its sign says, in a sentence
-    bool sided = false;                       ///< on the agonist's, the antagonist's or both sides
-    std::vector<EffectParameter> parameters;  ///< the first is its size: 0 is no effect
-    std::vector<double> starts;               ///< sizes to try first, in units of the first parameter's scale
-    std::vector<Experiment> seen_by;          ///< experiments that it changes
-    std::vector<std::string> confused_with;   ///< ids with a like signature in some experiments, for the reader
+    std::string law;                                              ///< one sentence with its symbols
+    std::string meaning;                                          ///< what it is on a rig, with what its sign says, in a sentence
+    bool sided = false;                                           ///< on the agonist's, the antagonist's or both sides
+    std::vector<EffectParameter> parameters;                      ///< the first is its size: 0 is no effect
+    std::vector<double> starts;                                   ///< sizes to try first, in units of the first parameter's scale
+    std::vector<Experiment> seen_by;                              ///< experiments that it changes
+    std::vector<std::string> confused_with;                       ///< ids with a like signature in some experiments, for the reader
+    std::string advice = "no figure of a profile stands for it";  ///< what to do where new cams do not help
     /// Puts it on one side of the rig (side 0 for an effect without sides). `values` as `parameters`.
     void (*apply)(BuiltRig& rig, int side, std::span<const double> values) = nullptr;
 

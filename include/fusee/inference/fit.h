@@ -22,7 +22,7 @@ struct Fit {
     Causes causes;
     Eigen::VectorXd x;          ///< as Problem
     double cost = 0.0;          ///< weighted robust misfit and priors
-    double log_evidence = 0.0;  ///< Laplace's approximation (eq. 12) [nat], up to a constant of the case
+    double log_evidence = 0.0;  ///< Laplace's approximation (eq. 12) [nats], up to a constant of the case
     Eigen::VectorXd residual;   ///< at x, unweighted
     Eigen::VectorXd spread;     ///< of each row, spread_of at x
     [[nodiscard]] Eigen::VectorXd seen() const { return residual.cwiseQuotient(spread); }
@@ -42,16 +42,16 @@ struct FitOptions {
                                           const std::vector<bool>* kept = nullptr);
 
 /// What the prediction itself can say of a row (eq. 8), in sigmas, >= 1: sqrt(1 + the square of what draws of x on opposite sides, within
-/// its tolerance, do not share with a straight line). Where friction sticks and slips, the moment of a slip hangs on next to nothing: such
+/// its tolerance, do not share with a straight line). Where friction sticks and slips, the moment of a slip is ill-conditioned: such
 /// rows say little, however far off they are.
 [[nodiscard]] Eigen::VectorXd spread_of(const Problem& problem, const Causes& causes, const Eigen::VectorXd& x, unsigned jobs);
 /// The build parameter that is farthest off its nominal figure, and how far.
-struct Strain {
+struct WorstNuisancePull {
     std::size_t parameter = 0;
     double sigmas = 0.0;  ///< with its sign
 };
 inline constexpr double kImpossible = 5.0;  ///< sigmas that no workshop is off by
-[[nodiscard]] Strain strain(const Problem& problem, const Fit& fit);
+[[nodiscard]] WorstNuisancePull worst_nuisance_pull(const Problem& problem, const Fit& fit);
 /// T of each experiment: the root of the mean loss of its rows (0 without rows).
 [[nodiscard]] std::array<double, gap_case::kExperiments> misfits(const Problem& problem, const Eigen::VectorXd& residual);
 [[nodiscard]] Scales scales_of(const Problem& problem, const Eigen::VectorXd& residual, const std::vector<bool>* kept = nullptr);

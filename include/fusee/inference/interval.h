@@ -15,6 +15,6 @@ namespace fusee::inference {
 [[nodiscard]] Causes contradicted(const Problem& problem, const Fit& fit, const Split& left_out);
 
 /// The causes whose size the fit wants to be more than the effect's law allows, so that it stands for something else. No limits either.
-[[nodiscard]] Causes at_their_end(const Problem& problem, const Fit& fit);
+[[nodiscard]] Causes at_bounds(const Problem& problem, const Fit& fit);
 
 }  // namespace fusee::inference

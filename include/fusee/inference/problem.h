@@ -15,9 +15,9 @@ using Causes = std::vector<effects::Cause>;
 /// Residuals are (measured - predicted)/sigma, experiment by experiment, in the order of Signals.
 class Problem {
 public:
-    explicit Problem(const gap_case::Case& bench);
+    explicit Problem(const gap_case::Case& gap_case);
 
-    [[nodiscard]] const gap_case::Case& bench() const { return bench_; }
+    [[nodiscard]] const gap_case::Case& gap_case() const { return gap_case_; }
     [[nodiscard]] const std::vector<joint_model::BuildParameter>& build() const { return build_; }
     [[nodiscard]] const joint_model::NominalCams& cams() const { return cams_; }
     [[nodiscard]] const Uncertainty& known() const { return known_; }
@@ -56,7 +56,7 @@ public:
 private:
     [[nodiscard]] joint_model::Signals predict_thin(const Causes& causes, const Eigen::VectorXd& x) const;
 
-    const gap_case::Case& bench_;
+    const gap_case::Case& gap_case_;
     joint_model::NominalCams cams_;
     std::vector<joint_model::BuildParameter> build_;
     Uncertainty known_;

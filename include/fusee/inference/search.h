@@ -12,7 +12,7 @@ namespace fusee::inference {
 struct Search {
     std::vector<Fit> fits;
     std::vector<Split> left_out;        ///< of each, with experiments left out: the best four and no effect, else empty
-    std::vector<double> log_posterior;  ///< of each, relative to the best [nat]
+    std::vector<double> log_posterior;  ///< of each, relative to the best [nats]
     std::vector<double> probability;    ///< sums to 1
     std::size_t null = 0;               ///< the place of the hypothesis without effects
     [[nodiscard]] const Fit& best() const { return fits.front(); }
@@ -20,13 +20,13 @@ struct Search {
 
 struct SearchOptions {
     unsigned jobs = 1;
-    std::function<void(const std::string&)> told;  ///< of each part that is finished: five
+    std::function<void(const std::string&)> progress;  ///< of each part that is finished: five
 };
 
 /// Takes the price of a contradiction from every pair where no single effect beats none once the splits were asked: pairs were sought for
 /// the sake of a single one, and sizes that only make up for each other are no pair of causes.
 /// @param effects how many each hypothesis has
-/// @param scores  of each [nat]
+/// @param scores  of each [nats]
 void discount_unfounded(std::span<const std::size_t> effects, std::span<double> scores);
 
 /// No effect, then each effect on each side, then pairs upon the best single ones: screened in the linear model, the best fitted in full.

@@ -6,7 +6,7 @@
 namespace fusee::inference {
 
 inline constexpr int kFolds = 4;
-/// Of each residual, the fold that it is kept back in: whole set points of an experiment, whole stretches of a path.
+/// Of each residual, the fold that it is held out in: whole set points of an experiment, whole stretches of a path.
 [[nodiscard]] std::vector<int> folds(const Problem& problem);
 
 /// Refits without a part of the rows, one part after the other.
@@ -16,7 +16,7 @@ struct Split {
     std::vector<Eigen::VectorXd> sigma;  ///< of each refit's x, by the rows that it has seen
 };
 /// Every fold predicted by a refit without it (nested: the refit begins at `fit` and takes Gauss-Newton steps on the other folds' rows).
-[[nodiscard]] Split kept_back(const Problem& problem, const Fit& fit, unsigned jobs);
+[[nodiscard]] Split held_out(const Problem& problem, const Fit& fit, unsigned jobs);
 /// The same with whole experiments left out.
 [[nodiscard]] Split experiments_left_out(const Problem& problem, const Fit& fit, unsigned jobs);
 

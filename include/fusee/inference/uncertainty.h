@@ -12,6 +12,6 @@ struct Uncertainty {
     /// A capstan stood still again and again while co-contraction went on: the moments of its slips are chance.
     bool stick_slip = false;
 };
-[[nodiscard]] Uncertainty uncertainty(const gap_case::Case& bench);
+[[nodiscard]] Uncertainty uncertainty(const gap_case::Case& gap_case);
 
 }  // namespace fusee::inference

@@ -17,6 +17,6 @@ struct BuildParameter {
     bool of_rig = true;  ///< else of how an experiment was done: nothing that [tolerance] bounds
 };
 /// Friction, springs and torque of each side, radii, inertias, bearing friction, encoder zero, and the hand of the dead-band test.
-[[nodiscard]] std::vector<BuildParameter> build_parameters(const gap_case::Case& bench);
+[[nodiscard]] std::vector<BuildParameter> build_parameters(const gap_case::Case& gap_case);
 
 }  // namespace fusee::joint_model

@@ -12,7 +12,7 @@ namespace fusee::plant {
 /// Relative path to bytes: case.toml, nominal_springs.csv, the six experiments, and the same six under heldout/.
 using CaseFiles = std::map<std::string, std::string>;
 
-[[nodiscard]] std::string case_toml(const Bench& bench);
+[[nodiscard]] std::string case_toml(const Bench& gap_case);
 [[nodiscard]] std::string springs_csv(const Nominal& nominal);
 /// The six CSV files of the format, by name.
 [[nodiscard]] CaseFiles experiment_files(const Measured& measured);

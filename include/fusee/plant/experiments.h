@@ -15,7 +15,7 @@ struct SetPoints {
     double log_slow = 0.2, log_fast = 1.0;      ///< the swing's frequencies, first and last [Hz]
     double log_knock = 0.75;                    ///< torque of the knock on the joint [Nm]
 };
-/// The set points of the fit, or those kept back, for a top torque of 1.5 Nm times `scale`.
+/// The set points of the fit, or those held out, for a top torque of 1.5 Nm times `scale`.
 [[nodiscard]] SetPoints set_points(bool heldout, double scale);
 
 struct BreakAwayRow {
@@ -71,6 +71,6 @@ struct Bench {
 };
 
 /// All six, one after the other in one session that begins at `session` [s]; equal arguments give equal rows.
-[[nodiscard]] Measured measure(const Bench& bench, const SetPoints& points, Random& random, double session = 0.0);
+[[nodiscard]] Measured measure(const Bench& gap_case, const SetPoints& points, Random& random, double session = 0.0);
 
 }  // namespace fusee::plant

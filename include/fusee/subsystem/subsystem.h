@@ -7,9 +7,9 @@
 #include "fusee/diagnosis/diagnose.h"
 #include "fusee/diagnosis/diagnosis.h"
 
-/// Bench cases: one subsystem alone (docs/gap-bench.md). A folder with case.toml, where [bench] stands in place of [rig], and CSV files.
-/// The nominal law's parameters are fitted on the case's own rows; an effect counts only if it also foretells whole files that its fit
-/// has not seen.
+/// Subsystem cases: one subsystem alone (docs/gap-bench.md). A folder with case.toml, where [bench] stands in place of [rig], and CSV
+/// files. The nominal law's parameters are fitted on the case's own rows; an effect counts only if it also predicts whole files that its
+/// fit has not seen.
 namespace fusee::subsystem {
 
 enum class Kind : int {
@@ -44,17 +44,17 @@ struct Case {
 /// @throws core::InvalidInput "file:line:column: key", core::IoError
 [[nodiscard]] Case read_case(const std::filesystem::path& folder);
 
-/// Where the nominal law and the bench part, which effects survive every split of the files, how far the gap shrinks on files kept back.
+/// Where the nominal law and the bench part, which effects survive every split of the files, how far the gap shrinks on files held out.
 /// Deterministic, the same for any number of threads. @throws core::InvalidInput if there are too few rows to say anything
-[[nodiscard]] diagnosis::Diagnosis diagnose(const Case& bench, const diagnosis::DiagnoseOptions& options = {});
+[[nodiscard]] diagnosis::Diagnosis diagnose(const Case& subsystem_case, const diagnosis::DiagnoseOptions& options = {});
 
 /// Every CSV file in `folder`; measured columns may be missing. A file's parameters are those of [bench], those of the case's file of the
 /// same name over them, and the words of its own '#' lines over all. @throws as read_bench_case; core::IoError if there is no CSV file
-[[nodiscard]] Case read_inputs(const Case& bench, const std::filesystem::path& folder);
+[[nodiscard]] Case read_inputs(const Case& subsystem_case, const std::filesystem::path& folder);
 /// `inputs` with the measured column as the law says, row by row: with `found.build` and `found.effects`; without `found.build` the
 /// nominal parameters are fitted on the rows of `bench` first, the effects held.
 /// @throws core::InvalidInput naming an effect that this bench does not know
-[[nodiscard]] Case predict(const Case& bench, const diagnosis::Diagnosis& found, const Case& inputs);
+[[nodiscard]] Case predict(const Case& subsystem_case, const diagnosis::Diagnosis& found, const Case& inputs);
 /// Writes one CSV for each record, under its file name: the columns that the bench knows.
 /// @throws core::IoError
 void write_rows(const Case& rows, const std::filesystem::path& folder);

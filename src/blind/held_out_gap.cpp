@@ -1,4 +1,4 @@
-#include "kept_back.h"
+#include "held_out_gap.h"
 
 #include <cmath>
 
@@ -12,8 +12,8 @@ namespace {
 constexpr std::uint64_t kRigs = 401;  ///< a stream that no case is drawn from
 
 /// Deflections and joint torques are readings too.
-gap_case::Rows inputs_off(const gap_case::Case& bench, gap_case::Rows rows, plant::Random& random) {
-    const gap_case::Sensors& s = bench.sensors;
+gap_case::Rows inputs_off(const gap_case::Case& gap_case, gap_case::Rows rows, plant::Random& random) {
+    const gap_case::Sensors& s = gap_case.sensors;
     const double encoder = std::hypot(s.encoder_noise, s.encoder_step / std::sqrt(12.0));
     for (gap_case::SpringPull& row : rows.spring_pull) row.deflection += encoder * random.normal();
     for (gap_case::StiffnessRow& row : rows.joint_stiffness)
@@ -27,13 +27,14 @@ void visit_figures(const joint_model::Signals& signals, const Visit& visit) {
         for (std::size_t i = 0; i < signals[experiment].size(); ++i) visit(experiment, i);
 }
 
-joint_model::Signals sigma_of(const gap_case::Case& bench, const gap_case::Rows& rows, const joint_model::Signals& nominal) {
-    joint_model::Signals sigma = sensor_sigma(bench, rows, nominal);
+joint_model::Signals sigma_of(const gap_case::Case& gap_case, const gap_case::Rows& rows, const joint_model::Signals& nominal) {
+    joint_model::Signals sigma = sensor_sigma(gap_case, rows, nominal);
     const double share = 1.0 / std::sqrt(static_cast<double>(kFaultlessRigs));
     for (int i = 0; i < kFaultlessRigs; ++i) {
         plant::Random random(0, static_cast<std::uint64_t>(i), kRigs);
-        const Faultless rig = draw_faultless(bench, random);
-        const joint_model::Signals other = joint_model::measured(diagnosis::predict(rig.bench, rig.built, inputs_off(bench, rows, random)));
+        const Faultless rig = draw_faultless(gap_case, random);
+        const joint_model::Signals other =
+            joint_model::measured(diagnosis::predict(rig.gap_case, rig.built, inputs_off(gap_case, rows, random)));
         visit_figures(nominal, [&](gap_case::Experiment e, std::size_t k) {
             sigma[e][k] = std::hypot(sigma[e][k], share * (other[e][k] - nominal[e][k]));
         });
@@ -43,10 +44,11 @@ joint_model::Signals sigma_of(const gap_case::Case& bench, const gap_case::Rows&
 
 }  // namespace
 
-KeptBack kept_back_gap(const gap_case::Case& bench, const diagnosis::Diagnosis& found, const gap_case::Rows& rows) {
-    const joint_model::Signals measured = joint_model::measured(rows), nominal = joint_model::measured(diagnosis::predict(bench, {}, rows)),
-                               after = joint_model::measured(diagnosis::predict(bench, found, rows)),
-                               sigma = sigma_of(bench, rows, nominal);
+HeldOutGap held_out_gap(const gap_case::Case& gap_case, const diagnosis::Diagnosis& found, const gap_case::Rows& rows) {
+    const joint_model::Signals measured = joint_model::measured(rows),
+                               nominal = joint_model::measured(diagnosis::predict(gap_case, {}, rows)),
+                               after = joint_model::measured(diagnosis::predict(gap_case, found, rows)),
+                               sigma = sigma_of(gap_case, rows, nominal);
     const auto gap_of = [&](const joint_model::Signals& predicted) {
         double sum = 0.0, figures = 0.0;
         visit_figures(measured, [&](gap_case::Experiment e, std::size_t i) {

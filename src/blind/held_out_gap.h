@@ -4,7 +4,7 @@
 
 namespace fusee::blind {
 
-struct KeptBack {
+struct HeldOutGap {
     double before = diagnosis::kNoFigure, after = diagnosis::kNoFigure;  ///< [sigma]
 };
 inline constexpr int kFaultlessRigs = 32;  ///< that sigma is found from: it is then known to 12 %
@@ -13,6 +13,6 @@ inline constexpr int kFaultlessRigs = 32;  ///< that sigma is found from: it is 
 /// (measured - predicted)/sigma over every measured figure, all alike. sigma^2 is that of the sensors plus the mean square by which
 /// faultless rigs, drawn within tolerance and read with noise where readings are inputs, are off the nominal prediction
 /// (docs/gap-benchmark.md).
-[[nodiscard]] KeptBack kept_back_gap(const gap_case::Case& bench, const diagnosis::Diagnosis& found, const gap_case::Rows& measured);
+[[nodiscard]] HeldOutGap held_out_gap(const gap_case::Case& gap_case, const diagnosis::Diagnosis& found, const gap_case::Rows& measured);
 
 }  // namespace fusee::blind

@@ -18,10 +18,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-using json = nlohmann::ordered_json;
+using Json = nlohmann::ordered_json;
 constexpr const char *kDiagnosis = "diagnosis.json", *kHeldOut = "held_out.json",
                      *kOldHeldOut = "kept_back.json";  // read for one more version
-constexpr std::size_t kLargest = 50'000'000;           // bytes of a diagnosis
+constexpr std::size_t kLargestDiagnosis = 50'000'000;  // bytes of a diagnosis
 
 /// Why a case has no diagnosis.
 struct Failure {
@@ -40,30 +40,30 @@ auto or_failure(const Work& work) {
     }
 }
 
-double number(const json& j) { return j.is_number() ? j.get<double>() : diagnosis::kNoFigure; }
+double number(const Json& j) { return j.is_number() ? j.get<double>() : diagnosis::kNoFigure; }
 
 /// A file that is no JSON object says nothing, and is made anew.
-json object_or_none(const fs::path& file) {
+Json object_or_none(const fs::path& file) {
     try {
-        json found = core::parse_json(core::read_file(file, kLargest), file.string());
-        return found.is_object() ? found : json::object();
+        Json found = core::parse_json(core::read_file(file, kLargestDiagnosis), file.string());
+        return found.is_object() ? found : Json::object();
     } catch (const core::InvalidInput&) {
-        return json::object();
+        return Json::object();
     }
 }
 
 /// What a score needs beyond the effects: alternatives, and the shrink that is claimed.
-void read_claims(const json& j, Answer& answer) {
+void read_claims(const Json& j, Answer& answer) {
     if (j.contains("alternatives"))
-        for (const json& other : j["alternatives"]) {
+        for (const Json& other : j["alternatives"]) {
             diagnosis::Alternative alternative{{}, number(other.at("probability"))};
-            for (const json& cause : other.at("effects"))
+            for (const Json& cause : other.at("effects"))
                 alternative.effects.push_back({cause.at("id").get<std::string>(), cause.at("side").get<std::string>()});
             answer.alternatives.push_back(std::move(alternative));
         }
     if (!j.contains("gap")) return;
-    answer.claimed_before = number(j["gap"].value("heldout_before", json()));
-    answer.claimed_after = number(j["gap"].value("heldout_after", json()));
+    answer.claimed_before = number(j["gap"].value("heldout_before", Json()));
+    answer.claimed_after = number(j["gap"].value("heldout_after", Json()));
 }
 
 /// One case with its place for results.
@@ -78,7 +78,7 @@ public:
 
     Answer answer() {
         if (options_.again || !holds_this_case()) diagnose();
-        const std::string text = core::read_file(diagnosis_file(), kLargest);
+        const std::string text = core::read_file(diagnosis_file(), kLargestDiagnosis);
         const diagnosis::Diagnosis found = or_failure([&] {
             const std::string file = diagnosis_file().string();
             diagnosis::Diagnosis read = diagnosis::parse_diagnosis(text, file);
@@ -96,8 +96,8 @@ private:
     [[nodiscard]] fs::path diagnosis_file() const { return place_ / kDiagnosis; }
     [[nodiscard]] bool holds_this_case() const {
         if (!fs::exists(diagnosis_file())) return false;
-        const json found = object_or_none(diagnosis_file());
-        return found.value("case_sha256", json()) == gap_case_.sha256;
+        const Json found = object_or_none(diagnosis_file());
+        return found.value("case_sha256", Json()) == gap_case_.sha256;
     }
 
     void diagnose() {
@@ -113,11 +113,11 @@ private:
     /// The gap on heldout/ of the diagnosis with this hash. held_out.json holds the figures of an earlier run and its seconds.
     void hold_out(const diagnosis::Diagnosis& found, const std::string& diagnosis) {
         for (const char* name : {kHeldOut, kOldHeldOut}) {
-            const json known = fs::exists(place_ / name) ? object_or_none(place_ / name) : json::object();
-            if (known.value("diagnosis_sha256", json()) != diagnosis) continue;
-            answer_.held_out_before = number(known.value("before", json()));
-            answer_.held_out_after = number(known.value("after", json()));
-            answer_.seconds = number(known.value("seconds", json()));
+            const Json known = fs::exists(place_ / name) ? object_or_none(place_ / name) : Json::object();
+            if (known.value("diagnosis_sha256", Json()) != diagnosis) continue;
+            answer_.held_out_before = number(known.value("before", Json()));
+            answer_.held_out_after = number(known.value("after", Json()));
+            answer_.seconds = number(known.value("seconds", Json()));
             return;
         }
         const HeldOutGap gap = or_failure([&] {
@@ -125,7 +125,7 @@ private:
         });
         answer_.held_out_before = gap.before;
         answer_.held_out_after = gap.after;
-        const json file{{"before", gap.before}, {"after", gap.after}, {"seconds", answer_.seconds}, {"diagnosis_sha256", diagnosis}};
+        const Json file{{"before", gap.before}, {"after", gap.after}, {"seconds", answer_.seconds}, {"diagnosis_sha256", diagnosis}};
         put(kHeldOut, file.dump(2) + "\n");
     }
 

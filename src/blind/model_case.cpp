@@ -12,7 +12,7 @@ namespace fusee::blind {
 namespace {
 
 /// Streams of a case that the model makes: none of those that the plant draws from.
-enum Purpose : std::uint64_t { kBuild = 111, kNoise, kHeldoutNoise };
+enum ModelStream : std::uint64_t { kModelBuild = 111, kModelNoise, kModelHeldOutNoise };
 
 /// Further parameters stand in the same order in both; what the plant leaves out is as the model's law begins.
 diagnosis::FoundEffect model_effect(const LabelEffect& label) {
@@ -41,15 +41,15 @@ gap_case::Rows read_by_sensors(const gap_case::Case& gap_case, const gap_case::R
 
 void measure_by_model(const std::filesystem::path& folder, std::uint64_t seed, std::size_t index, const Label& label) {
     const gap_case::Case gap_case = gap_case::read_case(folder);
-    plant::Random build(seed, index, kBuild);
+    plant::Random build(seed, index, kModelBuild);
     Faultless rig = draw_faultless(gap_case, build);
     for (const LabelEffect& effect : label.effects) rig.built.effects.push_back(model_effect(effect));
-    const auto measure = [&](const std::filesystem::path& where, Purpose noise) {
+    const auto measure = [&](const std::filesystem::path& where, ModelStream noise) {
         const gap_case::Rows exact = diagnosis::predict(rig.gap_case, rig.built, gap_case::read_inputs(gap_case, where));
         gap_case::write_rows(gap_case, read_by_sensors(gap_case, exact, plant::Random(seed, index, noise)), where);
     };
-    measure(folder, kNoise);
-    measure(folder / "heldout", kHeldoutNoise);
+    measure(folder, kModelNoise);
+    measure(folder / "heldout", kModelHeldOutNoise);
 }
 
 }  // namespace fusee::blind

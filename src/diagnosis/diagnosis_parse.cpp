@@ -9,7 +9,7 @@ namespace {
 
 using core::JsonNode;
 
-constexpr double kRounding = 1e-9;  // of a sum of probabilities
+constexpr double kProbabilityRounding = 1e-9;  // of a sum of probabilities
 const std::vector<std::string> kKeys{"verdict", "effects", "alternatives", "where",        "gap",           "next_experiment",
                                      "next",    "build",   "experiments",  "map",          "ranking",       "isolability",
                                      "remarks", "case",    "case_sha256",  "unknown_term", "renamed_fields"};
@@ -29,7 +29,7 @@ FoundEffect effect_of(const JsonNode& node) {
     node.allow_keys({"id", "side", "probability", "parameter", "extra"});
     FoundEffect effect{{node["id"].text(), node.has("side") ? node["side"].text() : "none"}, 1.0, parameter_of(node["parameter"]), {}};
     if (node.has("probability") && !node["probability"].is_null())
-        effect.probability = node["probability"].number_within(0.0, 1.0 + kRounding);
+        effect.probability = node["probability"].number_within(0.0, 1.0 + kProbabilityRounding);
     if (node.has("extra"))
         for (const auto& [name, value] : node["extra"].members()) effect.extra.emplace_back(name, value.number());
     return effect;

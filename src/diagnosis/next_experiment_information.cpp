@@ -11,9 +11,9 @@ namespace {
 /// E[log2(1 + exp(-(odds + d^2/2 + d z)))], z standard normal: the surprise left when the first of two hypotheses with log odds `odds` and
 /// distance d is true. Trapezoidal rule, which converges faster than any power for such an integrand.
 double surprise_left(double odds, double d) {
-    constexpr double kReach = 9.0, kStep = 0.01;  // of z; the step is fine beside 1/d where anything is left to integrate
+    constexpr double kQuadratureEnd = 9.0, kStep = 0.01;  // of z; the step is fine beside 1/d where anything is left to integrate
     double sum = 0.0;
-    for (double z = -kReach; z <= kReach; z += kStep) {
+    for (double z = -kQuadratureEnd; z <= kQuadratureEnd; z += kStep) {
         const double log_odds = odds + 0.5 * d * d + d * z;
         const double softplus = std::max(0.0, -log_odds) + std::log1p(std::exp(-std::abs(log_odds)));
         sum += std::exp(-0.5 * z * z) * softplus;

@@ -24,7 +24,7 @@ constexpr std::array<ExperimentCost, gap_case::kExperiments> kCosts{
     {{10.0, 0.5}, {8.0, 0.2}, {5.0, 0.5}, {10.0, 0.02}, {3.0, 0.02}, {5.0, 0.002}}};
 constexpr std::size_t kEveryPull = 5;  ///< of a template's pulls is enough to tell two causes apart
 constexpr double kStronger = 1.5;      ///< push
-constexpr double kReach = 0.9;         ///< of K_SE's greatest torque: as far as a push may go
+constexpr double kSafePush = 0.9;      ///< of K_SE's greatest torque: as far as a push may go
 constexpr double kLowest = 0.2;        ///< of the highest level, where a case has no lower one
 constexpr double kUsualLoad = 0.6;     ///< of what the springs carry, where a case shows no motor torque
 
@@ -76,7 +76,7 @@ void thin_pulls(std::vector<gap_case::SpringPull>& rows) {
 gap_case::Rows harder(const gap_case::Rows& usual, const gap_case::NominalRig& rig) {
     gap_case::Rows rows;
     for (gap_case::DeadBandRow row : usual.dead_band) {
-        const double push = std::min(kStronger * row.push_torque, kReach * rig.ratio() * rig.springs.back().se_torque);
+        const double push = std::min(kStronger * row.push_torque, kSafePush * rig.ratio() * rig.springs.back().se_torque);
         if (push < 0.5 * (1.0 + kStronger) * row.push_torque) continue;
         row.push_torque = std::round(push * 1e4) / 1e4;
         rows.dead_band.push_back(row);

@@ -42,11 +42,11 @@ joint_model::BuiltRig rig_of(const gap_case::Case& nominal, const Diagnosis& fou
     return rig;
 }
 
-constexpr double kMostArm = 0.1;    // [m]
-constexpr double kRounding = 1e-9;  // of a size that was written at the end of its range
+constexpr double kMostArm = 0.1;        // [m]
+constexpr double kSizeRounding = 1e-9;  // of a size that was written at the end of its range
 
 void require_allowed(const std::string& what, const effects::EffectParameter& law, double value) {
-    const double slack = kRounding * law.allowed.width();
+    const double slack = kSizeRounding * law.allowed.width();
     if (!(value >= law.allowed.low - slack && value <= law.allowed.high + slack))
         throw core::InvalidInput(what, fmt::format("{:g}", value),
                                  fmt::format("{:g} to {:g}{}", law.allowed.low, law.allowed.high, law.unit == "1" ? "" : " " + law.unit));

@@ -2,12 +2,6 @@
 
 namespace fusee::effects {
 
-namespace {
-
-void apply(BuiltRig& rig, int side, std::span<const double> values) { rig.sides[side].se_build.stretch += 1.0 / values[0]; }
-
-}  // namespace
-
 Effect make_cable_stretch() {
     return {.id = "cable.stretch",
             .law = "Compliance in series with K_SE.",
@@ -18,7 +12,7 @@ Effect make_cable_stretch() {
             .seen_by = {Experiment::kSpringPull, Experiment::kDeadBand, Experiment::kJointStiffness, Experiment::kCocontraction,
                         Experiment::kLog},
             .confused_with = {"se.rate", "se.radius"},
-            .apply = apply};
+            .apply = [](BuiltRig& rig, int side, std::span<const double> values) { rig.sides[side].se_build.stretch += 1.0 / values[0]; }};
 }
 
 }  // namespace fusee::effects

@@ -2,12 +2,6 @@
 
 namespace fusee::effects {
 
-namespace {
-
-void apply(BuiltRig& rig, int /*side*/, std::span<const double> values) { rig.tension_friction += values[0]; }
-
-}  // namespace
-
 Effect make_cable_tension_friction() {
     return {.id = "cable.tension_friction",
             .law = "Friction at the joint in proportion to the cables' pull: c g (F_SE1 + F_SE2).",
@@ -18,7 +12,7 @@ Effect make_cable_tension_friction() {
             .seen_by = {Experiment::kDeadBand, Experiment::kJointStiffness, Experiment::kCocontraction, Experiment::kLog},
             .confused_with = {"joint.coulomb"},
             .advice = "look at the joint's pulley and bearing under load; the corrected profile has it in its model",
-            .apply = apply};
+            .apply = [](BuiltRig& rig, int, std::span<const double> values) { rig.tension_friction += values[0]; }};
 }
 
 }  // namespace fusee::effects

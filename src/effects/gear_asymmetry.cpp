@@ -2,12 +2,6 @@
 
 namespace fusee::effects {
 
-namespace {
-
-void apply(BuiltRig& rig, int side, std::span<const double> values) { rig.sides[side].gear.asymmetry += values[0]; }
-
-}  // namespace
-
 Effect make_gear_asymmetry() {
     return {.id = "gear.asymmetry",
             .law = "Friction is (1 + a) times the nominal when the motor winds in, (1 - a) times when it pays out.",
@@ -19,7 +13,7 @@ Effect make_gear_asymmetry() {
                         Experiment::kLog},
             .confused_with = {"gear.load_friction", "sensor.torque_scale"},
             .advice = "measure both directions by break-away tests: a profile knows one friction for winding in and paying out",
-            .apply = apply};
+            .apply = [](BuiltRig& rig, int side, std::span<const double> values) { rig.sides[side].gear.asymmetry += values[0]; }};
 }
 
 }  // namespace fusee::effects

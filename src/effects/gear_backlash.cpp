@@ -2,12 +2,6 @@
 
 namespace fusee::effects {
 
-namespace {
-
-void apply(BuiltRig& rig, int side, std::span<const double> values) { rig.sides[side].gear.backlash += values[0]; }
-
-}  // namespace
-
 Effect make_gear_backlash() {
     return {.id = "gear.backlash",
             .law = "Play between the capstan and the encoder of its motor.",
@@ -18,7 +12,7 @@ Effect make_gear_backlash() {
             .seen_by = {Experiment::kCocontraction, Experiment::kLog},
             .confused_with = {},
             .advice = "take the play out of the gear or its coupling",
-            .apply = apply};
+            .apply = [](BuiltRig& rig, int side, std::span<const double> values) { rig.sides[side].gear.backlash += values[0]; }};
 }
 
 }  // namespace fusee::effects

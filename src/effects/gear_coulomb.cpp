@@ -2,12 +2,6 @@
 
 namespace fusee::effects {
 
-namespace {
-
-void apply(BuiltRig& rig, int side, std::span<const double> values) { rig.sides[side].gear.coulomb += values[0]; }
-
-}  // namespace
-
 Effect make_gear_coulomb() {
     return {.id = "gear.coulomb",
             .law = "Constant friction on top of mu tau_load.",
@@ -18,7 +12,7 @@ Effect make_gear_coulomb() {
             .seen_by = {Experiment::kBreakAway, Experiment::kDeadBand, Experiment::kJointStiffness, Experiment::kCocontraction,
                         Experiment::kLog},
             .confused_with = {"gear.load_friction", "gear.load_quadratic"},
-            .apply = apply};
+            .apply = [](BuiltRig& rig, int side, std::span<const double> values) { rig.sides[side].gear.coulomb += values[0]; }};
 }
 
 }  // namespace fusee::effects

@@ -2,12 +2,6 @@
 
 namespace fusee::effects {
 
-namespace {
-
-void apply(BuiltRig& rig, int side, std::span<const double> values) { rig.sides[side].gear.quadratic += values[0]; }
-
-}  // namespace
-
 Effect make_gear_load_quadratic() {
     return {.id = "gear.load_quadratic",
             .law = "Friction that grows with the load squared: b tau_load^2 on top of mu tau_load.",
@@ -19,7 +13,7 @@ Effect make_gear_load_quadratic() {
                         Experiment::kLog},
             .confused_with = {"gear.load_friction", "gear.coulomb"},
             .advice = "measure the friction by break-away tests and name the table in rig.gear_friction_table",
-            .apply = apply};
+            .apply = [](BuiltRig& rig, int side, std::span<const double> values) { rig.sides[side].gear.quadratic += values[0]; }};
 }
 
 }  // namespace fusee::effects

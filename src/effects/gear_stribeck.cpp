@@ -2,15 +2,6 @@
 
 namespace fusee::effects {
 
-namespace {
-
-void apply(BuiltRig& rig, int side, std::span<const double> values) {
-    rig.sides[side].gear.stribeck += values[0];
-    rig.sides[side].gear.stribeck_speed = values[1];
-}
-
-}  // namespace
-
 Effect make_gear_stribeck() {
     return {.id = "gear.stribeck",
             .law = "Friction at rest is (1 + s) times that in motion; it falls as s exp(-(v/v_s)^2).",
@@ -21,7 +12,10 @@ Effect make_gear_stribeck() {
             .seen_by = {Experiment::kBreakAway, Experiment::kDeadBand, Experiment::kJointStiffness, Experiment::kCocontraction,
                         Experiment::kLog},
             .confused_with = {"gear.load_friction"},
-            .apply = apply};
+            .apply = [](BuiltRig& rig, int side, std::span<const double> values) {
+                rig.sides[side].gear.stribeck += values[0];
+                rig.sides[side].gear.stribeck_speed = values[1];
+            }};
 }
 
 }  // namespace fusee::effects

@@ -2,12 +2,6 @@
 
 namespace fusee::effects {
 
-namespace {
-
-void apply(BuiltRig& rig, int side, std::span<const double> values) { rig.sides[side].gear.viscous += values[0]; }
-
-}  // namespace
-
 Effect make_gear_viscous() {
     return {.id = "gear.viscous",
             .law = "Extra viscous drag at the capstan.",
@@ -18,7 +12,7 @@ Effect make_gear_viscous() {
             .seen_by = {Experiment::kDeadBand, Experiment::kJointStiffness, Experiment::kCocontraction, Experiment::kLog},
             .confused_with = {"joint.viscous"},
             .advice = "move slower or change the grease; the corrected profile has it in its model",
-            .apply = apply};
+            .apply = [](BuiltRig& rig, int side, std::span<const double> values) { rig.sides[side].gear.viscous += values[0]; }};
 }
 
 }  // namespace fusee::effects

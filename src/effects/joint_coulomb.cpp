@@ -2,12 +2,6 @@
 
 namespace fusee::effects {
 
-namespace {
-
-void apply(BuiltRig& rig, int /*side*/, std::span<const double> values) { rig.joint_coulomb += values[0]; }
-
-}  // namespace
-
 Effect make_joint_coulomb() {
     return {.id = "joint.coulomb",
             .law = "Constant friction at the joint.",
@@ -18,7 +12,7 @@ Effect make_joint_coulomb() {
             .seen_by = {Experiment::kDeadBand, Experiment::kJointStiffness, Experiment::kCocontraction, Experiment::kLog},
             .confused_with = {"cable.tension_friction", "joint.viscous"},
             .advice = "look at the joint's bearing: alignment, preload, seals; the corrected profile has it in its model",
-            .apply = apply};
+            .apply = [](BuiltRig& rig, int, std::span<const double> values) { rig.joint_coulomb += values[0]; }};
 }
 
 }  // namespace fusee::effects

@@ -2,12 +2,6 @@
 
 namespace fusee::effects {
 
-namespace {
-
-void apply(BuiltRig& rig, int /*side*/, std::span<const double> values) { rig.gravity += values[0]; }
-
-}  // namespace
-
 Effect make_joint_gravity() {
     return {.id = "joint.gravity",
             .law = "The weight of what the joint carries: torque -m g l sin q.",
@@ -18,7 +12,7 @@ Effect make_joint_gravity() {
             .seen_by = {Experiment::kDeadBand, Experiment::kJointStiffness, Experiment::kCocontraction, Experiment::kLog},
             .confused_with = {},
             .advice = "balance the joint, or stand it so that gravity has no lever",
-            .apply = apply};
+            .apply = [](BuiltRig& rig, int, std::span<const double> values) { rig.gravity += values[0]; }};
 }
 
 }  // namespace fusee::effects

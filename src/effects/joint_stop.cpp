@@ -2,16 +2,6 @@
 
 namespace fusee::effects {
 
-namespace {
-
-void apply(BuiltRig& rig, int /*side*/, std::span<const double> values) {
-    rig.stop = values[0];
-    rig.stop_stiffness = values[1];
-    rig.stop_damping = values[2];
-}
-
-}  // namespace
-
 Effect make_joint_stop() {
     return {.id = "joint.stop",
             .law = "A hard stop inside the modelled range: |q| goes no farther.",
@@ -24,7 +14,11 @@ Effect make_joint_stop() {
             .seen_by = {Experiment::kDeadBand, Experiment::kJointStiffness, Experiment::kLog},
             .confused_with = {},
             .advice = "find what the joint runs into and take it away",
-            .apply = apply};
+            .apply = [](BuiltRig& rig, int, std::span<const double> values) {
+                rig.stop = values[0];
+                rig.stop_stiffness = values[1];
+                rig.stop_damping = values[2];
+            }};
 }
 
 }  // namespace fusee::effects

@@ -2,12 +2,6 @@
 
 namespace fusee::effects {
 
-namespace {
-
-void apply(BuiltRig& rig, int /*side*/, std::span<const double> values) { rig.joint_viscous += values[0]; }
-
-}  // namespace
-
 Effect make_joint_viscous() {
     return {.id = "joint.viscous",
             .law = "Extra viscous drag at the joint.",
@@ -18,7 +12,7 @@ Effect make_joint_viscous() {
             .seen_by = {Experiment::kDeadBand, Experiment::kJointStiffness, Experiment::kCocontraction, Experiment::kLog},
             .confused_with = {"joint.coulomb", "gear.viscous"},
             .advice = "look at the joint's grease and seals; the corrected profile has it in its model",
-            .apply = apply};
+            .apply = [](BuiltRig& rig, int, std::span<const double> values) { rig.joint_viscous += values[0]; }};
 }
 
 }  // namespace fusee::effects

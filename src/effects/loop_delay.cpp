@@ -2,12 +2,6 @@
 
 namespace fusee::effects {
 
-namespace {
-
-void apply(BuiltRig& rig, int /*side*/, std::span<const double> values) { rig.delay += values[0]; }
-
-}  // namespace
-
 Effect make_loop_delay() {
     return {.id = "loop.delay",
             .law = "Every command of a log arrives late.",
@@ -18,7 +12,7 @@ Effect make_loop_delay() {
             .seen_by = {Experiment::kLog},
             .confused_with = {"joint.viscous"},
             .advice = "look at the controller: no spring changes it",
-            .apply = apply};
+            .apply = [](BuiltRig& rig, int, std::span<const double> values) { rig.delay += values[0]; }};
 }
 
 }  // namespace fusee::effects

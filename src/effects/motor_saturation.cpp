@@ -2,12 +2,6 @@
 
 namespace fusee::effects {
 
-namespace {
-
-void apply(BuiltRig& rig, int side, std::span<const double> values) { rig.sides[side].gear.saturation = values[0]; }
-
-}  // namespace
-
 Effect make_motor_saturation() {
     return {.id = "motor.saturation",
             .law = "The motor gives no more than some torque.",
@@ -19,7 +13,7 @@ Effect make_motor_saturation() {
                         Experiment::kLog},
             .confused_with = {"sensor.torque_scale"},
             .advice = "command less torque, or take a stronger motor",
-            .apply = apply};
+            .apply = [](BuiltRig& rig, int side, std::span<const double> values) { rig.sides[side].gear.saturation = values[0]; }};
 }
 
 }  // namespace fusee::effects

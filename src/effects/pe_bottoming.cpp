@@ -2,15 +2,6 @@
 
 namespace fusee::effects {
 
-namespace {
-
-void apply(BuiltRig& rig, int side, std::span<const double> values) {
-    rig.sides[side].pe_build.binds_at = values[0];
-    rig.sides[side].pe_build.binding_rate = values[1];
-}
-
-}  // namespace
-
 Effect make_pe_bottoming() {
     return {.id = "pe.bottoming",
             .law = "The compression spring binds past some compression y_b.",
@@ -22,7 +13,10 @@ Effect make_pe_bottoming() {
                         Experiment::kLog},
             .confused_with = {},
             .advice = "take a compression spring with more travel to solid (k_pe.spring.max_travel_mm)",
-            .apply = apply};
+            .apply = [](BuiltRig& rig, int side, std::span<const double> values) {
+                rig.sides[side].pe_build.binds_at = values[0];
+                rig.sides[side].pe_build.binding_rate = values[1];
+            }};
 }
 
 }  // namespace fusee::effects

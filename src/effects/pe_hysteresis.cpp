@@ -2,12 +2,6 @@
 
 namespace fusee::effects {
 
-namespace {
-
-void apply(BuiltRig& rig, int side, std::span<const double> values) { rig.sides[side].pe_build.hysteresis += values[0]; }
-
-}  // namespace
-
 Effect make_pe_hysteresis() {
     return {.id = "pe.hysteresis",
             .law = "F_PE (1 + a z), z from -1 (unloading) to 1 (loading).",
@@ -19,7 +13,7 @@ Effect make_pe_hysteresis() {
                         Experiment::kLog},
             .confused_with = {"gear.load_friction"},
             .advice = "look at the compression spring: coils or guide that rub",
-            .apply = apply};
+            .apply = [](BuiltRig& rig, int side, std::span<const double> values) { rig.sides[side].pe_build.hysteresis += values[0]; }};
 }
 
 }  // namespace fusee::effects

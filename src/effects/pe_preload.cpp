@@ -2,12 +2,6 @@
 
 namespace fusee::effects {
 
-namespace {
-
-void apply(BuiltRig& rig, int side, std::span<const double> values) { rig.sides[side].pe_build.preload += values[0]; }
-
-}  // namespace
-
 Effect make_pe_preload() {
     return {.id = "pe.preload",
             .law = "K_PE's base spring starts compressed (+) or slack (-).",
@@ -18,7 +12,7 @@ Effect make_pe_preload() {
             .seen_by = {Experiment::kSpringPull, Experiment::kDeadBand, Experiment::kJointStiffness, Experiment::kCocontraction,
                         Experiment::kLog},
             .confused_with = {"pe.radius"},
-            .apply = apply};
+            .apply = [](BuiltRig& rig, int side, std::span<const double> values) { rig.sides[side].pe_build.preload += values[0]; }};
 }
 
 }  // namespace fusee::effects

@@ -2,12 +2,6 @@
 
 namespace fusee::effects {
 
-namespace {
-
-void apply(BuiltRig& rig, int side, std::span<const double> values) { rig.sides[side].pe_build.radius += values[0]; }
-
-}  // namespace
-
 Effect make_pe_radius() {
     return {.id = "pe.radius",
             .law = "Every arm of K_PE's cam is longer or shorter.",
@@ -18,7 +12,7 @@ Effect make_pe_radius() {
             .seen_by = {Experiment::kSpringPull, Experiment::kDeadBand, Experiment::kJointStiffness, Experiment::kCocontraction,
                         Experiment::kLog},
             .confused_with = {"pe.rate"},
-            .apply = apply};
+            .apply = [](BuiltRig& rig, int side, std::span<const double> values) { rig.sides[side].pe_build.radius += values[0]; }};
 }
 
 }  // namespace fusee::effects

@@ -2,12 +2,6 @@
 
 namespace fusee::effects {
 
-namespace {
-
-void apply(BuiltRig& rig, int side, std::span<const double> values) { rig.sides[side].pe_build.rate += values[0]; }
-
-}  // namespace
-
 Effect make_pe_rate() {
     return {.id = "pe.rate",
             .law = "The rate of K_PE's base spring is off: k (1 + e).",
@@ -18,7 +12,7 @@ Effect make_pe_rate() {
             .seen_by = {Experiment::kSpringPull, Experiment::kDeadBand, Experiment::kJointStiffness, Experiment::kCocontraction,
                         Experiment::kLog},
             .confused_with = {"pe.radius"},
-            .apply = apply};
+            .apply = [](BuiltRig& rig, int side, std::span<const double> values) { rig.sides[side].pe_build.rate += values[0]; }};
 }
 
 }  // namespace fusee::effects

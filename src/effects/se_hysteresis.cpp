@@ -2,12 +2,6 @@
 
 namespace fusee::effects {
 
-namespace {
-
-void apply(BuiltRig& rig, int side, std::span<const double> values) { rig.sides[side].se_build.hysteresis += values[0]; }
-
-}  // namespace
-
 Effect make_se_hysteresis() {
     return {.id = "se.hysteresis",
             .law = "F_SE (1 + a z), z from -1 (unloading) to 1 (loading).",
@@ -19,7 +13,7 @@ Effect make_se_hysteresis() {
                         Experiment::kLog},
             .confused_with = {"gear.load_friction"},
             .advice = "look at the torsion spring: coils that rub, a leg that slips",
-            .apply = apply};
+            .apply = [](BuiltRig& rig, int side, std::span<const double> values) { rig.sides[side].se_build.hysteresis += values[0]; }};
 }
 
 }  // namespace fusee::effects

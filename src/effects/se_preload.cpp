@@ -2,12 +2,6 @@
 
 namespace fusee::effects {
 
-namespace {
-
-void apply(BuiltRig& rig, int side, std::span<const double> values) { rig.sides[side].se_build.preload += values[0]; }
-
-}  // namespace
-
 Effect make_se_preload() {
     return {.id = "se.preload",
             .law = "K_SE's base spring starts wound (+) or slack (-).",
@@ -18,7 +12,7 @@ Effect make_se_preload() {
             .seen_by = {Experiment::kSpringPull, Experiment::kDeadBand, Experiment::kJointStiffness, Experiment::kCocontraction,
                         Experiment::kLog},
             .confused_with = {},
-            .apply = apply};
+            .apply = [](BuiltRig& rig, int side, std::span<const double> values) { rig.sides[side].se_build.preload += values[0]; }};
 }
 
 }  // namespace fusee::effects

@@ -2,12 +2,6 @@
 
 namespace fusee::effects {
 
-namespace {
-
-void apply(BuiltRig& rig, int side, std::span<const double> values) { rig.sides[side].se_build.radius += values[0]; }
-
-}  // namespace
-
 Effect make_se_radius() {
     return {.id = "se.radius",
             .law = "Every arm of K_SE's spool is longer or shorter.",
@@ -18,7 +12,7 @@ Effect make_se_radius() {
             .seen_by = {Experiment::kSpringPull, Experiment::kDeadBand, Experiment::kJointStiffness, Experiment::kCocontraction,
                         Experiment::kLog},
             .confused_with = {"se.rate"},
-            .apply = apply};
+            .apply = [](BuiltRig& rig, int side, std::span<const double> values) { rig.sides[side].se_build.radius += values[0]; }};
 }
 
 }  // namespace fusee::effects

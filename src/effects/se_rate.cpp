@@ -2,12 +2,6 @@
 
 namespace fusee::effects {
 
-namespace {
-
-void apply(BuiltRig& rig, int side, std::span<const double> values) { rig.sides[side].se_build.rate += values[0]; }
-
-}  // namespace
-
 Effect make_se_rate() {
     return {.id = "se.rate",
             .law = "The rate of K_SE's base spring is off: k (1 + e).",
@@ -18,7 +12,7 @@ Effect make_se_rate() {
             .seen_by = {Experiment::kSpringPull, Experiment::kDeadBand, Experiment::kJointStiffness, Experiment::kCocontraction,
                         Experiment::kLog},
             .confused_with = {"se.radius", "cable.stretch"},
-            .apply = apply};
+            .apply = [](BuiltRig& rig, int side, std::span<const double> values) { rig.sides[side].se_build.rate += values[0]; }};
 }
 
 }  // namespace fusee::effects

@@ -2,12 +2,6 @@
 
 namespace fusee::effects {
 
-namespace {
-
-void apply(BuiltRig& rig, int /*side*/, std::span<const double> values) { rig.joint_offset += values[0]; }
-
-}  // namespace
-
 Effect make_sensor_joint_offset() {
     return {.id = "sensor.joint_offset",
             .law = "The zero of the joint's encoder is off.",
@@ -18,7 +12,7 @@ Effect make_sensor_joint_offset() {
             .seen_by = {Experiment::kDeadBand, Experiment::kJointStiffness, Experiment::kCocontraction, Experiment::kLog},
             .confused_with = {},
             .advice = "set the joint encoder's zero",
-            .apply = apply};
+            .apply = [](BuiltRig& rig, int, std::span<const double> values) { rig.joint_offset += values[0]; }};
 }
 
 }  // namespace fusee::effects

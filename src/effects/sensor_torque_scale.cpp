@@ -2,12 +2,6 @@
 
 namespace fusee::effects {
 
-namespace {
-
-void apply(BuiltRig& rig, int side, std::span<const double> values) { rig.sides[side].gear.torque_scale += values[0]; }
-
-}  // namespace
-
 Effect make_sensor_torque_scale() {
     return {.id = "sensor.torque_scale",
             .law = "The torque delivered is (1 + e) times the one commanded.",
@@ -19,7 +13,7 @@ Effect make_sensor_torque_scale() {
                         Experiment::kLog},
             .confused_with = {"gear.asymmetry"},
             .advice = "calibrate the motor's torque; do not cut cams for it",
-            .apply = apply};
+            .apply = [](BuiltRig& rig, int side, std::span<const double> values) { rig.sides[side].gear.torque_scale += values[0]; }};
 }
 
 }  // namespace fusee::effects

@@ -11,7 +11,7 @@ namespace {
 constexpr int kDirectRounds = 6;      ///< of steps on break-away and spring pulls
 constexpr double kDirectStep = 0.01;  ///< of their differences, in scales
 constexpr double kLike = 0.05;        ///< distance, in x, of starts that are one
-constexpr int kRounds = 2;            ///< of steps with the effect's own columns
+constexpr int kScreenRounds = 2;            ///< of steps with the effect's own columns
 constexpr double kStrained = 3.0;     ///< sigmas of a build parameter past which it may stand in for the effect that is being tried
 
 /// The same starts with strained build parameters back at nothing: what they stood in for is there now. Friction that sticks and slips
@@ -128,7 +128,7 @@ Guess improved(const Problem& problem, const Fit& base, Guess guess) {
     const Eigen::MatrixXd held = base.spread.cwiseInverse().asDiagonal() * base.jacobian;
     Eigen::VectorXd residual = seen(guess.x);
     guess.cost = cost_of(problem, guess.causes, residual, guess.x);
-    for (int round = 0; round < kRounds; ++round) {
+    for (int round = 0; round < kScreenRounds; ++round) {
         Eigen::MatrixXd columns(residual.size(), own);
         for (int k = 0; k < own; ++k)
             columns.col(k) = problem.slope(guess.causes, guess.x, static_cast<int>(base.x.size()) + k).cwiseQuotient(base.spread);

@@ -10,7 +10,7 @@ using R = const RigRange&;
 double phase(Random& random) { return random.uniform(0.0, 2.0 * core::kPi); }
 
 /// What sticks otherwise at a motor.
-std::vector<EffectKind> gear_kinds() {
+std::vector<EffectKind> outside_gear_kinds() {
     return {
         // One bad tooth: friction rises and falls once or a few times per turn of the capstan.
         {"outside.gear_ripple",
@@ -144,7 +144,7 @@ std::vector<EffectKind> output_kinds() {
 
 const std::vector<EffectKind>& outside_kinds() {
     static const std::vector<EffectKind> all = [] {
-        std::vector<EffectKind> kinds = gear_kinds();
+        std::vector<EffectKind> kinds = outside_gear_kinds();
         for (const auto& more : {capstan_kinds(), cam_kinds(), output_kinds()}) kinds.insert(kinds.end(), more.begin(), more.end());
         return kinds;
     }();

@@ -8,11 +8,11 @@ namespace fusee::plant {
 /// One run of the bench through its experiments: what they share.
 class Session {
 public:
-    Session(const Bench& gap_case, const SetPoints& points, Random& random, double begin)
-        : gap_case_(gap_case),
+    Session(const TestRig& test_rig, const SetPoints& points, Random& random, double begin)
+        : test_rig_(test_rig),
           points_(points),
-          range_(range_of(gap_case.nominal)),
-          springs_(gap_case.nominal, gap_case.truth),
+          range_(range_of(test_rig.nominal)),
+          springs_(test_rig.nominal, test_rig.truth),
           random_(random),
           now_(begin) {}
 
@@ -26,22 +26,22 @@ public:
 private:
     // Sensors.
     [[nodiscard]] double encoder(double angle) {
-        const double step = gap_case_.sensors.encoder_step;
-        return step * std::round((angle + gap_case_.sensors.encoder_noise * random_.normal()) / step);
+        const double step = test_rig_.sensors.encoder_step;
+        return step * std::round((angle + test_rig_.sensors.encoder_noise * random_.normal()) / step);
     }
     [[nodiscard]] double torque_sensor(double torque) {
-        const Sensors& s = gap_case_.sensors;
+        const Sensors& s = test_rig_.sensors;
         return torque * (1.0 + s.torque_noise_relative * random_.normal()) + s.torque_noise * random_.normal();
     }
     [[nodiscard]] double read_theta(const Machine& machine, std::size_t side) {
-        const SideTruth& built = gap_case_.truth.sides[side];
+        const SideTruth& built = test_rig_.truth.sides[side];
         const double theta = machine.theta(side);
         // The disc's eccentric shift is 0 where the encoder was zeroed.
         const double shift = built.eccentricity * (std::sin(theta + built.eccentricity_phase) - std::sin(built.eccentricity_phase));
         return encoder(theta + shift);
     }
     [[nodiscard]] double read_q(const Machine& machine) {
-        const JointTruth& joint = gap_case_.truth.joint;
+        const JointTruth& joint = test_rig_.truth.joint;
         return encoder(joint.encoder_scale * machine.q() + joint.encoder_offset);
     }
     // Phases.
@@ -53,7 +53,7 @@ private:
     void pull_spring(bool series, std::size_t side, std::vector<PullRow>& rows);
     [[nodiscard]] Command log_command(double t, double knock) const;
 
-    const Bench& gap_case_;
+    const TestRig& test_rig_;
     const SetPoints& points_;
     RigRange range_;
     BuiltSprings springs_;

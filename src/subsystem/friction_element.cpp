@@ -14,7 +14,9 @@ namespace fusee::subsystem {
 namespace {
 
 /// Spring, play and slider in series (docs/gap-bench.md, eq. 1 to 3): u is the elongation of spring and play.
-enum Place : std::size_t { kCoulomb, kDeflection, kBacklash, kSeat, kAsymmetry, kViscous, kStribeck, kStribeckSpeed, kLoad, kPlaces };
+struct ElementParameter {
+    enum : std::size_t { kCoulomb, kDeflection, kBacklash, kSeat, kAsymmetry, kViscous, kStribeck, kStribeckSpeed, kLoad, kPlaces };
+};
 
 constexpr std::size_t kMostRows = 12'000;  // of all files together in a fit; loops keep their shape, the fit takes a quarter of the time
 constexpr double kRigid = 1e-7;            // [m], elastic deflection of an element without presliding
@@ -138,28 +140,29 @@ void FrictionElement::set_preloads(const Case& subsystem_case) {
 
 void FrictionElement::set_parameters(const Case& subsystem_case, double force) {
     const double a = amplitude_;
-    parameters.resize(kPlaces);
+    parameters.resize(ElementParameter::kPlaces);
     double start = 0.7 * force;
     if (!subsystem_case.records.empty())
         if (const auto at = subsystem_case.records.front().parameters.find("coulomb_N");
             at != subsystem_case.records.front().parameters.end())
             start = at->second;
-    parameters[kCoulomb] = {"coulomb", "N", start, 1e-3 * force, 10.0 * force, {}};
-    parameters[kDeflection] = {"deflection", "m", 0.0, 0.0, a, {0.03 * a, 0.15 * a}};
-    parameters[kBacklash] = {"backlash", "m", 0.0, 0.0, a, {0.05 * a, 0.1 * a, 0.2 * a, 0.4 * a}};
-    parameters[kSeat] = {"seat", "", 0.0, 0.0, 1.0, {0.5}};
-    parameters[kAsymmetry] = {"asymmetry", "", 0.0, -0.9, 0.9, {0.05}};
-    parameters[kViscous] = {"viscous", "Ns/m", 0.0, 0.0, 5.0 * force / speed_, {0.05 * force / speed_}};
-    parameters[kStribeck] = {"stribeck", "", 0.0, 0.0, 5.0, {0.1}};
-    parameters[kStribeckSpeed] = {"stribeck_speed", "m/s", 0.1 * speed_, 0.01 * speed_, speed_, {0.05 * speed_, 0.3 * speed_}};
-    parameters[kLoad] = {"load", "", 0.0, -force / preload_, 2.0 * force / preload_, {0.2 * force / preload_}};
+    parameters[ElementParameter::kCoulomb] = {"coulomb", "N", start, 1e-3 * force, 10.0 * force, {}};
+    parameters[ElementParameter::kDeflection] = {"deflection", "m", 0.0, 0.0, a, {0.03 * a, 0.15 * a}};
+    parameters[ElementParameter::kBacklash] = {"backlash", "m", 0.0, 0.0, a, {0.05 * a, 0.1 * a, 0.2 * a, 0.4 * a}};
+    parameters[ElementParameter::kSeat] = {"seat", "", 0.0, 0.0, 1.0, {0.5}};
+    parameters[ElementParameter::kAsymmetry] = {"asymmetry", "", 0.0, -0.9, 0.9, {0.05}};
+    parameters[ElementParameter::kViscous] = {"viscous", "Ns/m", 0.0, 0.0, 5.0 * force / speed_, {0.05 * force / speed_}};
+    parameters[ElementParameter::kStribeck] = {"stribeck", "", 0.0, 0.0, 5.0, {0.1}};
+    parameters[ElementParameter::kStribeckSpeed] = {"stribeck_speed", "m/s",  0.1 * speed_,
+                                                    0.01 * speed_,    speed_, {0.05 * speed_, 0.3 * speed_}};
+    parameters[ElementParameter::kLoad] = {"load", "", 0.0, -force / preload_, 2.0 * force / preload_, {0.2 * force / preload_}};
     nominal = 1;
-    effects = {{{"element.presliding"}, {kDeflection}, false, ""},
-               {{"element.backlash"}, {kBacklash, kSeat}, false, ""},
-               {{"element.asymmetry"}, {kAsymmetry}, false, ""},
-               {{"element.viscous"}, {kViscous}, true, ""},
-               {{"element.stribeck"}, {kStribeck, kStribeckSpeed}, true, ""},
-               {{"element.load"}, {kLoad}, true, ""}};
+    effects = {{{"element.presliding"}, {ElementParameter::kDeflection}, false, ""},
+               {{"element.backlash"}, {ElementParameter::kBacklash, ElementParameter::kSeat}, false, ""},
+               {{"element.asymmetry"}, {ElementParameter::kAsymmetry}, false, ""},
+               {{"element.viscous"}, {ElementParameter::kViscous}, true, ""},
+               {{"element.stribeck"}, {ElementParameter::kStribeck, ElementParameter::kStribeckSpeed}, true, ""},
+               {{"element.load"}, {ElementParameter::kLoad}, true, ""}};
     if (!preloads_differ_) effects.back().unseen = "preload_N is not given, or the same in every file";
 }
 
@@ -214,21 +217,24 @@ struct Play {
 
 void FrictionElement::predict(std::size_t record, const Values& values, std::vector<double>& predicted) const {
     const Drive& drive = drives_[record];
-    const Play play{0.5 * values[kBacklash] * (1.0 - values[kSeat]), 0.5 * values[kBacklash] * values[kSeat]};
-    const double coulomb = std::max(1e-9, values[kCoulomb] + values[kLoad] * drive.preload);
+    const Play play{0.5 * values[ElementParameter::kBacklash] * (1.0 - values[ElementParameter::kSeat]),
+                    0.5 * values[ElementParameter::kBacklash] * values[ElementParameter::kSeat]};
+    const double coulomb = std::max(1e-9, values[ElementParameter::kCoulomb] + values[ElementParameter::kLoad] * drive.preload);
     const double stiffness =
-        coulomb / std::max(values[kDeflection], values[kBacklash] > 0.0 ? drive.rigid : kRigid);  // of an even element, whatever the speed
-    const bool speeds = values[kViscous] != 0.0 || values[kStribeck] != 0.0;
+        coulomb / std::max(values[ElementParameter::kDeflection],
+                           values[ElementParameter::kBacklash] > 0.0 ? drive.rigid : kRigid);  // of an even element, whatever the speed
+    const bool speeds = values[ElementParameter::kViscous] != 0.0 || values[ElementParameter::kStribeck] != 0.0;
     predicted.resize(drive.x.size());
     double u = 0.0;
     for (std::size_t i = 0; i < drive.x.size(); ++i) {
         double most = coulomb;
         if (speeds) {
-            const double v = drive.speed[i], ratio = v / values[kStribeckSpeed];
-            most = std::max(0.0, most * (1.0 + values[kStribeck] * std::exp(-ratio * ratio)) + values[kViscous] * std::abs(v));
+            const double v = drive.speed[i], ratio = v / values[ElementParameter::kStribeckSpeed];
+            most = std::max(0.0, most * (1.0 + values[ElementParameter::kStribeck] * std::exp(-ratio * ratio)) +
+                                     values[ElementParameter::kViscous] * std::abs(v));
         }
         if (i > 0) u += drive.x[i] - drive.x[i - 1];
-        const double side = 1.0 + (u > 0.0 ? values[kAsymmetry] : -values[kAsymmetry]);
+        const double side = 1.0 + (u > 0.0 ? values[ElementParameter::kAsymmetry] : -values[ElementParameter::kAsymmetry]);
         const double elastic = stiffness * side * play.stretch(std::abs(u));
         const double limit = most * side;
         predicted[i] = std::copysign(std::min(elastic, limit), u);

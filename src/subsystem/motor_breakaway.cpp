@@ -17,7 +17,9 @@ constexpr double kScatter = 0.03;        // relative, of the friction, where nei
 constexpr double kMostMu = 0.95;         // friction::Law allows no more
 constexpr std::size_t kLeastLevels = 3;  // motor torques that can be held out one by one
 
-enum Term : std::size_t { kConstant, kAsymmetry, kQuadratic, kScale, kTerms };
+struct MotorTerm {
+    enum Type : std::size_t { kConstant, kAsymmetry, kQuadratic, kScale, kTerms };
+};
 
 struct Row {
     std::size_t side;
@@ -36,8 +38,8 @@ public:
 
 private:
     /// Where the term's number for a side stands; side = sides: for both.
-    [[nodiscard]] std::size_t at(Term term, std::size_t side) const { return sides_.size() + term * (sides_.size() + 1) + side; }
-    [[nodiscard]] double term(const Values& values, Term t, std::size_t side) const {
+    [[nodiscard]] std::size_t at(MotorTerm::Type term, std::size_t side) const { return sides_.size() + term * (sides_.size() + 1) + side; }
+    [[nodiscard]] double term(const Values& values, MotorTerm::Type t, std::size_t side) const {
         return values[at(t, side)] + values[at(t, sides_.size())];
     }
     void set_parameters(const Case& subsystem_case);
@@ -82,16 +84,16 @@ void MotorBreakaway::set_parameters(const Case& subsystem_case) {
         parameters.push_back(
             {"gear_load_friction " + side, "", given != subsystem_case.parameters.end() ? given->second : 0.2, 0.0, kMostMu, {}});
     nominal = sides_.size();
-    const Parameter kinds[kTerms] = {{"constant", "Nm", 0.0, -0.5 * most_torque_, most_torque_, {0.02 * most_torque_}},
-                                     {"asymmetry", "", 0.0, -0.9, 0.9, {0.05}},
-                                     {"quadratic", "1/Nm", 0.0, -0.5 / most_torque_, 0.5 / most_torque_, {0.05 / most_torque_}},
-                                     {"scale", "", 0.0, -0.5, 1.0, {0.02}}};
-    const char* ids[kTerms] = {"gear.coulomb", "gear.asymmetry", "gear.load_quadratic", "sensor.torque_scale"};
-    for (std::size_t t = 0; t < kTerms; ++t)
+    const Parameter kinds[MotorTerm::kTerms] = {{"constant", "Nm", 0.0, -0.5 * most_torque_, most_torque_, {0.02 * most_torque_}},
+                                                {"asymmetry", "", 0.0, -0.9, 0.9, {0.05}},
+                                                {"quadratic", "1/Nm", 0.0, -0.5 / most_torque_, 0.5 / most_torque_, {0.05 / most_torque_}},
+                                                {"scale", "", 0.0, -0.5, 1.0, {0.02}}};
+    const char* ids[MotorTerm::kTerms] = {"gear.coulomb", "gear.asymmetry", "gear.load_quadratic", "sensor.torque_scale"};
+    for (std::size_t t = 0; t < MotorTerm::kTerms; ++t)
         for (std::size_t s = 0; s <= sides_.size(); ++s) {
             parameters.push_back(kinds[t]);
             if (s == sides_.size() && s == 1) continue;  // one motor: no "both"
-            effects.push_back({{ids[t], s < sides_.size() ? sides_[s] : "both"}, {at(static_cast<Term>(t), s)}, false, ""});
+            effects.push_back({{ids[t], s < sides_.size() ? sides_[s] : "both"}, {at(static_cast<MotorTerm::Type>(t), s)}, false, ""});
         }
 }
 
@@ -166,8 +168,9 @@ void MotorBreakaway::predict(std::size_t record, const Values& values, std::vect
     predicted.resize(rows_[record].size());
     for (std::size_t i = 0; i < predicted.size(); ++i) {
         const auto& [side, s, motor] = rows_[record][i];
-        const double c = term(values, kConstant, side), b = term(values, kQuadratic, side), k = 1.0 + term(values, kScale, side);
-        const double mu = std::clamp(values[side] * (1.0 + s * term(values, kAsymmetry, side)), 0.0, kMostMu);
+        const double c = term(values, MotorTerm::kConstant, side), b = term(values, MotorTerm::kQuadratic, side),
+                     k = 1.0 + term(values, MotorTerm::kScale, side);
+        const double mu = std::clamp(values[side] * (1.0 + s * term(values, MotorTerm::kAsymmetry, side)), 0.0, kMostMu);
         double load = (k * motor + s * c) / (1.0 - s * mu);
         for (int step = 0; step < 6; ++step)
             load -= (load - s * (c + mu * load + b * load * load) - k * motor) / std::max(0.05, 1.0 - s * (mu + 2.0 * b * load));

@@ -11,20 +11,22 @@ namespace fusee::subsystem {
 
 namespace {
 
-enum Place : std::size_t {
-    kTorqueConstant,
-    kResistance,
-    kArmature,
-    kCoulomb,
-    kViscous,
-    kOffset,
-    kLoadFriction,
-    kStribeck,
-    kStribeckSpeed,
-    kAsymmetry,
-    kGain,
-    kDelay,
-    kPlaces
+struct ServoParameter {
+    enum : std::size_t {
+        kTorqueConstant,
+        kResistance,
+        kArmature,
+        kCoulomb,
+        kViscous,
+        kOffset,
+        kLoadFriction,
+        kStribeck,
+        kStribeckSpeed,
+        kAsymmetry,
+        kGain,
+        kDelay,
+        kPlaces
+    };
 };
 
 constexpr double kGravity = 9.81;      // [m/s^2]
@@ -124,25 +126,26 @@ void ServoPendulum::set_parameters(const Case& subsystem_case) {
     const Rollout& first = rollouts_.front();
     const double weight = first.gravity, stall = 1.5 * weight;  // a guess: a servo that lifts its mass with some reserve
     const double kt = given("kt_Nm_per_A", stall), resistance = given("resistance_ohm", first.supply * kt / stall);
-    parameters.resize(kPlaces);
-    parameters[kTorqueConstant] = {"kt", "Nm/A", kt, 0.05 * kt, 20.0 * kt, {}};
-    parameters[kResistance] = {"resistance", "ohm", resistance, 0.05 * resistance, 20.0 * resistance, {}};
-    parameters[kArmature] = {"armature", "kg m^2", given("armature_kgm2", 0.3 * first.load_inertia), 0.0, 5.0 * first.load_inertia, {}};
-    parameters[kCoulomb] = {"coulomb", "Nm", given("coulomb_Nm", 0.05 * weight), 0.0, weight, {}};
-    parameters[kViscous] = {"viscous", "Nms", given("viscous_Nms", 0.02 * weight), 0.0, 2.0 * weight, {}};
-    parameters[kOffset] = {"offset", "rad", given("offset_rad", 0.0), -0.5, 0.5, {}};
-    parameters[kLoadFriction] = {"load_friction", "", 0.0, 0.0, 0.9, {0.1}};
-    parameters[kStribeck] = {"stribeck", "", 0.0, 0.0, 5.0, {0.5}};
-    parameters[kStribeckSpeed] = {"stribeck_speed", "rad/s", 0.5, 0.02, 5.0, {0.5}};
-    parameters[kAsymmetry] = {"asymmetry", "", 0.0, -0.9, 0.9, {0.05}};
-    parameters[kGain] = {"gain", "", 0.0, -0.6, 2.0, {0.05}};
-    parameters[kDelay] = {"delay", "s", 0.0, 0.0, kLongestDelay, {0.01}};
-    nominal = kOffset + 1;
-    effects = {{{"gear.load_friction"}, {kLoadFriction}, false, ""},
-               {{"gear.stribeck"}, {kStribeck, kStribeckSpeed}, false, ""},
-               {{"gear.asymmetry"}, {kAsymmetry}, false, ""},
-               {{"loop.gain"}, {kGain}, false, ""},
-               {{"loop.delay"}, {kDelay}, false, ""}};
+    parameters.resize(ServoParameter::kPlaces);
+    parameters[ServoParameter::kTorqueConstant] = {"kt", "Nm/A", kt, 0.05 * kt, 20.0 * kt, {}};
+    parameters[ServoParameter::kResistance] = {"resistance", "ohm", resistance, 0.05 * resistance, 20.0 * resistance, {}};
+    parameters[ServoParameter::kArmature] = {
+        "armature", "kg m^2", given("armature_kgm2", 0.3 * first.load_inertia), 0.0, 5.0 * first.load_inertia, {}};
+    parameters[ServoParameter::kCoulomb] = {"coulomb", "Nm", given("coulomb_Nm", 0.05 * weight), 0.0, weight, {}};
+    parameters[ServoParameter::kViscous] = {"viscous", "Nms", given("viscous_Nms", 0.02 * weight), 0.0, 2.0 * weight, {}};
+    parameters[ServoParameter::kOffset] = {"offset", "rad", given("offset_rad", 0.0), -0.5, 0.5, {}};
+    parameters[ServoParameter::kLoadFriction] = {"load_friction", "", 0.0, 0.0, 0.9, {0.1}};
+    parameters[ServoParameter::kStribeck] = {"stribeck", "", 0.0, 0.0, 5.0, {0.5}};
+    parameters[ServoParameter::kStribeckSpeed] = {"stribeck_speed", "rad/s", 0.5, 0.02, 5.0, {0.5}};
+    parameters[ServoParameter::kAsymmetry] = {"asymmetry", "", 0.0, -0.9, 0.9, {0.05}};
+    parameters[ServoParameter::kGain] = {"gain", "", 0.0, -0.6, 2.0, {0.05}};
+    parameters[ServoParameter::kDelay] = {"delay", "s", 0.0, 0.0, kLongestDelay, {0.01}};
+    nominal = ServoParameter::kOffset + 1;
+    effects = {{{"gear.load_friction"}, {ServoParameter::kLoadFriction}, false, ""},
+               {{"gear.stribeck"}, {ServoParameter::kStribeck, ServoParameter::kStribeckSpeed}, false, ""},
+               {{"gear.asymmetry"}, {ServoParameter::kAsymmetry}, false, ""},
+               {{"loop.gain"}, {ServoParameter::kGain}, false, ""},
+               {{"loop.delay"}, {ServoParameter::kDelay}, false, ""}};
 }
 
 /// What the loop saw `delay` ago: the errors of the past steps, straight between them.
@@ -173,26 +176,27 @@ public:
     Pendulum(const Rollout& roll, const Values& values)
         : roll_(roll),
           v_(values),
-          drive_(values[kTorqueConstant] / values[kResistance]),
-          inertia_(roll.load_inertia + values[kArmature]),
-          error_(values[kDelay]),
+          drive_(values[ServoParameter::kTorqueConstant] / values[ServoParameter::kResistance]),
+          inertia_(roll.load_inertia + values[ServoParameter::kArmature]),
+          error_(values[ServoParameter::kDelay]),
           q_(roll.start) {}
 
     [[nodiscard]] double q() const { return q_; }
 
     void step(double time, double h, double goal, bool powered) {
         const double error = error_(time, goal - q_);
-        const double duty = std::clamp((1.0 + v_[kGain]) * roll_.loop * error, -1.0, 1.0);
+        const double duty = std::clamp((1.0 + v_[ServoParameter::kGain]) * roll_.loop * error, -1.0, 1.0);
         const double push = powered ? drive_ * duty * roll_.supply : 0.0;
-        const double damping = v_[kViscous] + (powered ? drive_ * v_[kTorqueConstant] : 0.0);
-        const double load = -roll_.gravity * std::sin(q_ + v_[kOffset]);
+        const double damping = v_[ServoParameter::kViscous] + (powered ? drive_ * v_[ServoParameter::kTorqueConstant] : 0.0);
+        const double load = -roll_.gravity * std::sin(q_ + v_[ServoParameter::kOffset]);
         const double mass = inertia_ + h * damping;
         const double free = (inertia_ * speed_ + h * (push + load)) / mass;  // without friction
-        const double motor = push - (powered ? drive_ * v_[kTorqueConstant] * speed_ : 0.0);
+        const double motor = push - (powered ? drive_ * v_[ServoParameter::kTorqueConstant] * speed_ : 0.0);
         // What presses the teeth: half of what pulls on the gear from both sides.
-        double friction = v_[kCoulomb] + v_[kLoadFriction] * 0.5 * std::abs(motor - load);
-        friction *= 1.0 + std::copysign(v_[kAsymmetry], free);
-        if (v_[kStribeck] > 0.0) friction *= 1.0 + v_[kStribeck] * std::exp(-std::pow(speed_ / v_[kStribeckSpeed], 2));
+        double friction = v_[ServoParameter::kCoulomb] + v_[ServoParameter::kLoadFriction] * 0.5 * std::abs(motor - load);
+        friction *= 1.0 + std::copysign(v_[ServoParameter::kAsymmetry], free);
+        if (v_[ServoParameter::kStribeck] > 0.0)
+            friction *= 1.0 + v_[ServoParameter::kStribeck] * std::exp(-std::pow(speed_ / v_[ServoParameter::kStribeckSpeed], 2));
         const double loss = h * friction / mass;
         speed_ = std::abs(free) <= loss ? 0.0 : free - std::copysign(loss, free);
         q_ += h * speed_;

@@ -38,14 +38,14 @@ const FoundEffect* found(const Diagnosis& diagnosis, const effects::Cause& cause
     return at == diagnosis.effects.end() ? nullptr : &*at;
 }
 
-TEST(Diagnose, a_rig_as_designed_has_no_effect) {
+TEST(Diagnose, ARigAsDesignedHasNoEffect) {
     const Diagnosis none = diagnosed(measured_case(few_rows(), {}, {}, 1.0, 3));
     EXPECT_EQ(none.verdict, VerdictKind::kNone) << diagnosis_json(none);
     EXPECT_TRUE(none.effects.empty());
     EXPECT_LT(none.gap.before, 2.0);
 }
 
-TEST(Diagnose, an_effect_of_one_side_is_named_with_its_size) {
+TEST(Diagnose, AnEffectOfOneSideIsNamedWithItsSize) {
     const double size = 0.06;
     const Diagnosis diagnosis = diagnosed(measured_case(few_rows(), {kCoulomb}, {size}, 1.0, 4));
     EXPECT_EQ(diagnosis.verdict, VerdictKind::kIdentified);
@@ -59,7 +59,7 @@ TEST(Diagnose, an_effect_of_one_side_is_named_with_its_size) {
     ASSERT_FALSE(diagnosis.where.empty());
 }
 
-TEST(Diagnose, two_effects_are_both_named) {
+TEST(Diagnose, TwoEffectsAreBothNamed) {
     const Diagnosis diagnosis = diagnosed(measured_case(parts_alone(), {kCoulomb, kWound}, {0.06, -0.25}, 1.0, 5));
     EXPECT_EQ(diagnosis.verdict, VerdictKind::kIdentified) << diagnosis_json(diagnosis);
     ASSERT_EQ(diagnosis.effects.size(), 2U);
@@ -69,7 +69,7 @@ TEST(Diagnose, two_effects_are_both_named) {
     EXPECT_TRUE(wound->parameter.ci95.holds(-0.25));
 }
 
-TEST(Diagnose, a_bump_in_one_spring_is_unknown_and_found_where_it_is) {
+TEST(Diagnose, ABumpInOneSpringIsUnknownAndFoundWhereItIs) {
     gap_case::Case gap_case = measured_case(parts_alone(), {}, {}, 1.0, 6);
     for (gap_case::SpringPull& row : gap_case.rows.spring_pull)
         if (row.series && row.side == gap_case::Side::kAgonist) row.torque += 0.15 * std::sin(4.0 * row.deflection);
@@ -81,7 +81,7 @@ TEST(Diagnose, a_bump_in_one_spring_is_unknown_and_found_where_it_is) {
     EXPECT_EQ(diagnosis.where[0].component, "se agonist");
 }
 
-TEST(Diagnose, one_load_alone_leaves_friction_laws_ambiguous_and_asks_for_another) {
+TEST(Diagnose, OneLoadAloneLeavesFrictionLawsAmbiguousAndAsksForAnother) {
     const gap_case::Case gap_case = measured_case(break_aways({0.8}, 8, false), {kCoulomb}, {0.12}, 1.0, 8);
     const Diagnosis diagnosis = diagnosed(gap_case);
     EXPECT_EQ(diagnosis.verdict, VerdictKind::kAmbiguous) << diagnosis_json(diagnosis);
@@ -99,14 +99,14 @@ TEST(Diagnose, one_load_alone_leaves_friction_laws_ambiguous_and_asks_for_anothe
     EXPECT_FALSE(diagnosis.next_experiment.empty());
 }
 
-TEST(Diagnose, answers_alike_with_any_number_of_threads) {
+TEST(Diagnose, GivesTheSameAnswerWithAnyNumberOfThreads) {
     gap_case::Rows rows = pulls(8);
     rows.breakaway = break_aways({0.3, 0.9}, 2, true).breakaway;
     const gap_case::Case gap_case = measured_case(rows, {kCoulomb}, {0.06}, 1.0, 9);
     EXPECT_EQ(diagnosis_json(diagnosed(gap_case, 1)), diagnosis_json(diagnosed(gap_case, 4)));
 }
 
-TEST(Diagnose, few_rows_end_in_words) {
+TEST(Diagnose, FewRowsEndInWords) {
     gap_case::Case four = measured_case(break_aways({0.3, 0.9, 1.4}, 1, true), {}, {}, 1.0, 10);
     four.rows.breakaway.resize(4);
     gap_case::Case three = four;
@@ -117,7 +117,7 @@ TEST(Diagnose, few_rows_end_in_words) {
     EXPECT_EQ(field_refused([&] { return diagnosed(three); }), "experiments");
 }
 
-TEST(Diagnose, what_was_found_predicts_what_was_not_measured) {
+TEST(Diagnose, WhatWasFoundPredictsWhatWasNotMeasured) {
     const gap_case::Case gap_case = measured_case(parts_alone(), {kWound}, {-0.25}, 1.0, 11);
     const gap_case::Case other = measured_case(pulls(1), {kWound}, {-0.25}, 0.0, 1);
     const auto off = [&](const Diagnosis& model) {
@@ -131,7 +131,7 @@ TEST(Diagnose, what_was_found_predicts_what_was_not_measured) {
 }
 
 // 20,000 rows would take hours; a reader is told before the first minute is gone.
-TEST(Diagnose, a_case_that_would_take_hours_is_refused_at_once) {
+TEST(Diagnose, ACaseThatWouldTakeHoursIsRefusedAtOnce) {
     gap_case::Rows rows = few_rows();
     for (int i = 0; i < 3000; ++i) rows.joint_stiffness.push_back({0.5 + 1e-4 * i, gap_case::StiffnessPhase::kLoadUp, 0.1, 0.01});
     gap_case::Case gap_case = measured_case(parts_alone(), {}, {}, 1.0, 3);
@@ -146,7 +146,7 @@ TEST(Diagnose, a_case_that_would_take_hours_is_refused_at_once) {
     }
 }
 
-TEST(Diagnose, any_number_of_threads_is_taken) {
+TEST(Diagnose, AnyNumberOfThreadsIsTaken) {
     const gap_case::Case gap_case = measured_case(parts_alone(), {kCoulomb}, {0.06}, 1.0, 4);
     EXPECT_EQ(diagnosis_json(diagnosed(gap_case, 100'000)), diagnosis_json(diagnosed(gap_case, 1)));
 }

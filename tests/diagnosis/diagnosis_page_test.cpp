@@ -37,7 +37,7 @@ std::vector<Constant> progress() {
     return all;
 }
 
-TEST(DiagnosisPage, tells_the_constants_of_the_sources) {
+TEST(DiagnosisPage, TellsTheConstantsOfTheSources) {
     const std::vector<Constant> constants = progress();
     EXPECT_GT(constants.size(), 20U);
     for (const Constant& constant : constants) {

@@ -20,7 +20,7 @@ Isolability of(const gap_case::Rows& rows, const std::vector<effects::Cause>& ca
     return isolability(problem, best_fit(problem, {}), causes, jobs);
 }
 
-TEST(Isolability, one_load_cannot_tell_constant_from_load_friction_and_six_can) {
+TEST(Isolability, OneLoadCannotTellConstantFromLoadFrictionAndSixCan) {
     const std::vector<effects::Cause> causes{kCoulomb, kOther, kLoad};
     const Isolability one = of(break_aways({0.8}, 4, false), causes);
     EXPECT_NEAR(one.signature_similarity[0][2], 1.0, 1e-6);  // one figure: both only move it
@@ -30,7 +30,7 @@ TEST(Isolability, one_load_cannot_tell_constant_from_load_friction_and_six_can) 
     EXPECT_TRUE(six.classes.empty());
 }
 
-TEST(Isolability, least_size_is_three_sigma_of_the_mean_beside_the_tolerances) {
+TEST(Isolability, LeastSizeIsThreeSigmaOfTheMeanBesideTheTolerances) {
     const int repeats = 4;
     const double torque = 0.8;
     const gap_case::Case gap_case = measured_case(break_aways({torque}, repeats, false), {}, {}, 0.0, 1);
@@ -47,7 +47,7 @@ TEST(Isolability, least_size_is_three_sigma_of_the_mean_beside_the_tolerances) {
     EXPECT_EQ(found.units[0], "Nm");
 }
 
-TEST(Isolability, a_pull_tells_sides_and_springs_apart_and_is_blind_for_friction) {
+TEST(Isolability, APullTellsSidesAndSpringsApartAndIsBlindForFriction) {
     const Isolability found = of(pulls(5), {kRate, kOtherRate, {"pe.rate", "agonist"}, kCoulomb});
     // Only the capstan radius is common to both sides: F x goes with its square, (2 x 0.003)^2/(0.008^2 + (2 x 0.003)^2) = 0.36 of what the
     // tolerances of rate and radius let a side vary; those of its spool let it vary more.
@@ -59,7 +59,7 @@ TEST(Isolability, a_pull_tells_sides_and_springs_apart_and_is_blind_for_friction
     EXPECT_TRUE(found.classes.empty());
 }
 
-TEST(Isolability, a_log_tells_the_drags_apart) {
+TEST(Isolability, ALogTellsTheDragsApart) {
     const Isolability found = of(short_log(1.5), {kDrag, kJointDrag});
     EXPECT_LT(found.signature_similarity[0][1], 0.95);
     EXPECT_TRUE(found.classes.empty());
@@ -67,7 +67,7 @@ TEST(Isolability, a_log_tells_the_drags_apart) {
     EXPECT_LT(found.detectable[1], 0.04);
 }
 
-TEST(Isolability, straight_springs_hide_a_stretched_cable_behind_a_soft_spring) {
+TEST(Isolability, StraightSpringsHideAStretchedCableBehindASoftSpring) {
     // F = k x/(1 + k c) is a straight spring of another rate: no pull can tell
     const Isolability found = of(pulls(5), {kRate, kStretch, kOtherRate});
     EXPECT_GT(found.signature_similarity[0][1], 0.99);
@@ -75,7 +75,7 @@ TEST(Isolability, straight_springs_hide_a_stretched_cable_behind_a_soft_spring) 
     EXPECT_EQ(found.classes[0], (std::vector<std::size_t>{0, 1}));
 }
 
-TEST(Isolability, a_limit_is_seen_up_to_where_the_rig_comes) {
+TEST(Isolability, ALimitIsSeenUpToWhereTheRigComes) {
     gap_case::Rows rows;
     const gap_case::CaseTemplate t = small_template();
     for (const gap_case::DeadBandRow& row : set_points(t).dead_band)
@@ -89,7 +89,7 @@ TEST(Isolability, a_limit_is_seen_up_to_where_the_rig_comes) {
     EXPECT_LT(most, 4.0);          // and one that the push does not reach is none
 }
 
-TEST(Isolability, symmetric_between_0_and_1_and_the_same_for_any_threads) {
+TEST(Isolability, SymmetricBetween0And1AndTheSameForAnyThreads) {
     gap_case::Rows rows = pulls(5);
     rows.breakaway = break_aways({0.3, 0.9}, 2, true).breakaway;
     const std::vector<effects::Cause> causes{

@@ -21,7 +21,7 @@ Eigen::MatrixXd apart(int n, double distance) {
     return distance * distance * (Eigen::MatrixXd::Ones(n, n) - Eigen::MatrixXd::Identity(n, n));
 }
 
-TEST(Information, of_two_is_the_capacity_of_a_binary_channel) {
+TEST(Information, OfTwoIsTheCapacityOfABinaryChannel) {
     EXPECT_EQ(expected_information(kEven, apart(2, 0.0)), 0.0);
     // Antipodal signals of 1 in noise of 1 (0 dB): 0.4859 bit, the four digits of the tables
     EXPECT_NEAR(expected_information(kEven, apart(2, 2.0)), 0.4859, 5e-5);
@@ -30,7 +30,7 @@ TEST(Information, of_two_is_the_capacity_of_a_binary_channel) {
     EXPECT_NEAR(expected_information(std::vector{0.3, 0.7}, apart(2, 20.0)), entropy(std::vector{0.3, 0.7}), 1e-6);
 }
 
-TEST(Information, grows_with_the_distance_up_to_the_entropy_and_the_bound_stays_below) {
+TEST(Information, GrowsWithTheDistanceUpToTheEntropyAndTheBoundStaysBelow) {
     const std::vector<double> three{0.6, 0.3, 0.1}, third_out{0.5, 0.5, 0.0};
     double last_two = 0.0, last_three = 0.0;
     for (double d = 0.25; d < 30.0; d *= 1.5) {
@@ -81,7 +81,7 @@ double most_of(const Menu& menu, const std::vector<double>& bits, const std::str
     return most;
 }
 
-TEST(NextExperiment, friction_laws_are_split_by_another_load_on_their_own_side) {
+TEST(NextExperiment, FrictionLawsAreSplitByAnotherLoadOnTheirOwnSide) {
     const Menu menu = bench_alone(friction().gap_case);
     const std::vector<double> bits = expected_bits(friction().problem, menu, friction().all, kEven, 1);
     EXPECT_GT(most_of(menu, bits, "Break the agonist away"), 0.9);
@@ -89,7 +89,7 @@ TEST(NextExperiment, friction_laws_are_split_by_another_load_on_their_own_side) 
     EXPECT_LT(most_of(menu, bits, "Pull"), 0.05);
 }
 
-TEST(NextExperiment, the_first_is_the_cheapest_that_decides) {
+TEST(NextExperiment, TheFirstIsTheCheapestThatDecides) {
     const auto next = next_experiments(friction().problem, friction().all, std::vector{3.0, 3.0}, 1);  // any sum
     ASSERT_GE(next.size(), 3U);
     const Menu menu = bench_menu(friction().gap_case);
@@ -107,7 +107,7 @@ TEST(NextExperiment, the_first_is_the_cheapest_that_decides) {
     }
 }
 
-TEST(NextExperiment, more_noise_tells_less) {
+TEST(NextExperiment, MoreNoiseTellsLess) {
     const Menu menu = bench_alone(friction().gap_case);
     gap_case::Case noisy = friction().gap_case;
     noisy.sensors.torque_noise *= 30.0;
@@ -159,7 +159,7 @@ double drawn_bits(const std::array<Outcome, 2>& rivals) {
     return 1.0 - left;
 }
 
-TEST(NextExperiment, outcomes_drawn_at_random_tell_as_much_as_expected) {
+TEST(NextExperiment, OutcomesDrawnAtRandomTellAsMuchAsExpected) {
     gap_case::Case noisy = friction().gap_case;
     noisy.sensors.torque_noise = 0.08;  // so that about half a bit can be told
     const inference::Problem problem(noisy);
@@ -182,13 +182,13 @@ TEST(NextExperiment, outcomes_drawn_at_random_tell_as_much_as_expected) {
     EXPECT_NEAR(expected, drawn, 0.03);  // drawing leaves 0.005; the rest is what differs between the two scatters
 }
 
-TEST(NextExperiment, the_same_for_any_threads) {
+TEST(NextExperiment, TheSameForAnyThreads) {
     const Menu menu = bench_alone(friction().gap_case);
     EXPECT_EQ(expected_bits(friction().problem, menu, friction().all, kEven, 1),
               expected_bits(friction().problem, menu, friction().all, kEven, 4));
 }
 
-TEST(NextExperiment, a_pull_of_its_series_spring_splits_the_sides) {
+TEST(NextExperiment, APullOfItsSeriesSpringSplitsTheSides) {
     // As if the joint were known to be softer, by a fifth of that, and neither which spring nor what the tolerances left.
     const Rivals rivals(measured_case(break_aways({0.8}, 1, false), {}, {}, 1.0, 5), {{kRate}, {kOtherRate}});
     std::vector<inference::Fit> fits = rivals.fits;
@@ -206,7 +206,7 @@ TEST(NextExperiment, a_pull_of_its_series_spring_splits_the_sides) {
     EXPECT_LT(most_of(menu, bits, "Break"), 0.01);
 }
 
-TEST(NextExperiment, a_log_splits_drag_at_the_gears_from_drag_at_the_joint) {
+TEST(NextExperiment, ALogSplitsDragAtTheGearsFromDragAtTheJoint) {
     gap_case::Rows rows;
     for (const gap_case::DeadBandRow& row : set_points(small_template()).dead_band)
         if (row.repeat == 1 && row.cocontraction > 0.7 && row.cocontraction < 0.9) rows.dead_band.push_back(row);
@@ -218,7 +218,7 @@ TEST(NextExperiment, a_log_splits_drag_at_the_gears_from_drag_at_the_joint) {
     for (const NextExperiment& n : next) EXPECT_FALSE(n.experiment == "spring_pull" || n.experiment == "breakaway") << n.text;
 }
 
-TEST(NextExperiment, nothing_to_decide_and_nothing_that_decides) {
+TEST(NextExperiment, NothingToDecideAndNothingThatDecides) {
     const inference::Problem& problem = friction().problem;
     const inference::Fit* one = friction().all[0];
     EXPECT_TRUE(next_experiments(problem, {}, {}, 1).empty());
@@ -230,7 +230,7 @@ TEST(NextExperiment, nothing_to_decide_and_nothing_that_decides) {
     EXPECT_NE(same[0].text.find("No usual measurement tells these causes apart. No size"), std::string::npos) << same[0].text;
 }
 
-TEST(NextExperiment, what_is_too_small_is_told_with_the_size_that_would_do) {
+TEST(NextExperiment, WhatIsTooSmallIsToldWithTheSizeThatWouldDo) {
     std::vector<inference::Fit> fits = friction().fits;
     for (inference::Fit& fit : fits) {  // both too small to see
         const auto last = fit.x.size() - 1;
@@ -245,7 +245,7 @@ TEST(NextExperiment, what_is_too_small_is_told_with_the_size_that_would_do) {
     EXPECT_NE(next[0].text.find("times as large as found: gear.coulomb (agonist) of"), std::string::npos) << next[0].text;
 }
 
-TEST(NextExperiment, a_menu_asks_for_torques_that_the_motors_have_shown) {
+TEST(NextExperiment, AMenuAsksForTorquesThatTheMotorsReached) {
     const Menu menu = bench_menu(small_case(break_aways({0.8}, 1, false)));
     for (const gap_case::Rows& rows : menu.sheets) {
         for (const identification::BreakAway& row : rows.breakaway) EXPECT_TRUE(row.motor_torque > 0.0 && row.motor_torque <= 0.8);

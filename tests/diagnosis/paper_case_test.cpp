@@ -23,7 +23,7 @@ void PrintTo(const PaperTable& table, std::ostream* out) { *out << table.name; }
 
 class PaperTables : public testing::TestWithParam<PaperTable> {};
 
-TEST_P(PaperTables, are_the_printed_widths) {
+TEST_P(PaperTables, AreThePrintedWidths) {
     const gap_case::Case gap_case = shipped_case(GetParam().name);
     ASSERT_EQ(gap_case.rows.dead_band.size(), GetParam().rows);
     EXPECT_TRUE(gap_case.rows.dead_band_width_only);
@@ -32,7 +32,7 @@ TEST_P(PaperTables, are_the_printed_widths) {
     EXPECT_NEAR(gap_case.rows.dead_band.back().width, GetParam().last_deg * degree, printed);
 }
 
-TEST_P(PaperTables, name_no_cause_and_ask_for_a_further_experiment) {
+TEST_P(PaperTables, NameNoCauseAndAskForAFurtherExperiment) {
     const Diagnosis found = diagnose(shipped_case(GetParam().name), {.jobs = 1, .progress = {}});
     EXPECT_TRUE(found.verdict == VerdictKind::kAmbiguous || found.verdict == VerdictKind::kUnknown) << to_string(found.verdict);
     ASSERT_FALSE(found.where.empty());
@@ -41,7 +41,7 @@ TEST_P(PaperTables, name_no_cause_and_ask_for_a_further_experiment) {
     EXPECT_FALSE(found.next_experiment.empty());
 }
 
-TEST(PaperCases, springs_of_table_2_are_those_of_the_new_springs) {
+TEST(PaperCases, SpringsOfTable2AreThoseOfTheNewSprings) {
     const gap_case::NominalRig rig = shipped_case("paper_table_2").rig;
     const auto law = spring::make_stiction_law(
         {.k = 0.353, .u = 0.015, .c = 0.0455, .mu = rig.gear_load_friction, .start_torque = 0.09, .end_torque = 2.5});

@@ -104,7 +104,7 @@ protected:
     }
 };
 
-TEST_P(Library, is_documented_with_its_unit) {
+TEST_P(Library, IsDocumentedWithItsUnit) {
     const std::map<std::string, std::string> page = documented();
     const auto row = page.find(GetParam().id);
     ASSERT_NE(row, page.end()) << "docs/gap.md lacks " << GetParam().id;
@@ -114,7 +114,7 @@ TEST_P(Library, is_documented_with_its_unit) {
     EXPECT_TRUE(plain || told == size.unit) << "docs/gap.md: " << row->second << "; the library: " << size.unit;
 }
 
-TEST_P(Library, has_a_law_parameters_with_ranges_and_starts_inside_them) {
+TEST_P(Library, HasALawParametersWithRangesAndStartsInsideThem) {
     const Effect& effect = GetParam();
     ASSERT_FALSE(effect.parameters.empty());
     for (const std::string& sentence : {effect.law, effect.meaning}) EXPECT_TRUE(sentence.ends_with('.')) << sentence;
@@ -133,11 +133,11 @@ TEST_P(Library, has_a_law_parameters_with_ranges_and_starts_inside_them) {
     }
 }
 
-TEST_P(Library, of_no_size_changes_nothing) {
+TEST_P(Library, OfNoSizeChangesNothing) {
     for (const std::string& side : sides()) EXPECT_TRUE(marks().of(GetParam(), side, values_at(GetParam(), no_effect(GetParam()))).empty());
 }
 
-TEST_P(Library, changes_only_what_it_is_seen_by_and_each_start_some_of_it) {
+TEST_P(Library, ChangesOnlyWhatItIsSeenByAndEachStartSomeOfIt) {
     const Effect& effect = GetParam();
     const std::set<gap_case::Experiment> allowed(effect.seen_by.begin(), effect.seen_by.end());
     for (const double start : effect.starts) {
@@ -150,7 +150,7 @@ TEST_P(Library, changes_only_what_it_is_seen_by_and_each_start_some_of_it) {
     }
 }
 
-TEST_P(Library, refuses_a_side_that_it_does_not_have) {
+TEST_P(Library, RefusesASideThatItDoesNotHave) {
     const Effect& effect = GetParam();
     const std::vector<double> values = values_at(effect, effect.starts[0] * effect.parameters[0].scale);
     for (const char* side : {"agonist", "antagonist", "both", "none", "left", ""}) {
@@ -171,7 +171,7 @@ INSTANTIATE_TEST_SUITE_P(All, Library, ::testing::ValuesIn(effect_library()), []
     return name;
 });
 
-TEST(EffectLibrary, has_each_id_once_and_no_more_than_the_page_tells) {
+TEST(EffectLibrary, HasEachIdOnceAndNoMoreThanThePageTells) {
     std::set<std::string> ids;
     for (const Effect& effect : effect_library()) EXPECT_TRUE(ids.insert(effect.id).second) << effect.id << " twice";
     const std::map<std::string, std::string> sizes = documented(2);
@@ -183,7 +183,7 @@ TEST(EffectLibrary, has_each_id_once_and_no_more_than_the_page_tells) {
     EXPECT_EQ(documented().size(), ids.size());
 }
 
-TEST(EffectLibrary, an_unknown_id_is_refused_with_those_that_there_are) {
+TEST(EffectLibrary, AnUnknownIdIsRefusedWithThoseThatThereAre) {
     try {
         (void)find_effect("gear.magic");
         FAIL();
@@ -193,7 +193,7 @@ TEST(EffectLibrary, an_unknown_id_is_refused_with_those_that_there_are) {
     }
 }
 
-TEST(EffectLibrary, an_effect_of_both_sides_is_that_of_each) {
+TEST(EffectLibrary, AnEffectOfBothSidesIsThatOfEach) {
     for (const Effect& effect : effect_library()) {
         if (!effect.sided) continue;
         const std::vector<double> values = values_at(effect, effect.starts[0] * effect.parameters[0].scale);

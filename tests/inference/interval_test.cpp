@@ -37,42 +37,40 @@ struct Refitted {
 const effects::Cause kCoulomb{"gear.coulomb", "agonist"}, kStop{"joint.stop", "none"};
 const std::vector<double> kSharp(6, 0.02);
 
-TEST(Student95, is_the_table_s) {
+TEST(Student95, IsThatOfTheTable) {
     EXPECT_NEAR(student95(4), 3.182, 5e-4);
     EXPECT_NEAR(student95(5), 2.776, 5e-4);
     EXPECT_NEAR(student95(6), 2.571, 5e-4);
     EXPECT_EQ(student95(1), student95(4));
 }
 
-TEST(HalfInterval, is_the_fit_s_own_where_no_refit_differs) {
+TEST(HalfInterval, IsThatOfTheFitWhereNoRefitDiffers) {
     const Refitted same(kCoulomb, 1.0, std::vector<double>(6, 1.0), kSharp);
     EXPECT_NEAR(half_interval(same.fit, same.left_out, same.k), 1.959964 * std::hypot(0.01, 0.01), 1e-9);  // sigma and 1 % of the size
 }
 
-TEST(HalfInterval, grows_with_the_spread_of_the_refits) {
+TEST(HalfInterval, GrowsWithTheSpreadOfTheRefits) {
     // Mean 1, sum of squares 6 * 0.01; (n - 1)/n of it is 0.05.
     const Refitted spread(kCoulomb, 1.0, {0.9, 1.1, 0.9, 1.1, 0.9, 1.1}, kSharp);
     EXPECT_NEAR(half_interval(spread.fit, spread.left_out, spread.k),
                 std::hypot(1.959964 * std::hypot(0.01, 0.01), 2.570582 * std::sqrt(0.05)), 1e-6);
 }
 
-TEST(Contradicted, not_a_cause_that_every_split_finds) {
+TEST(Contradicted, NotACauseThatEverySplitFinds) {
     EXPECT_TRUE(Refitted(kCoulomb, 1.0, {0.9, 1.1, 1.0, 1.0, 1.05, 0.95}, kSharp).stands());
 }
 
-TEST(Contradicted, a_cause_that_the_other_experiments_speak_against) {
+TEST(Contradicted, ACauseThatTheOtherExperimentsSpeakAgainst) {
     EXPECT_FALSE(Refitted(kCoulomb, 1.0, {0.1, 1.1, 1.1, 1.1, 1.1, 1.1}, kSharp).stands());
 }
 
-TEST(Contradicted, not_a_cause_that_one_experiment_alone_can_see) {
+TEST(Contradicted, NotACauseThatOneExperimentAloneCanSee) {
     EXPECT_TRUE(Refitted(kCoulomb, 1.0, {0.0, 1.0, 1.0, 1.0, 1.0, 1.0}, {2.9, 0.02, 0.02, 0.02, 0.02, 0.02}).stands());
 }
 
-TEST(Contradicted, not_a_stop_whose_angle_has_no_nothing) {
-    EXPECT_TRUE(Refitted(kStop, 1.0, {0.1, 1.1, 1.1, 1.1, 1.1, 1.1}, kSharp).stands());
-}
+TEST(Contradicted, NotAStopWhoseAngleHasNoNothing) { EXPECT_TRUE(Refitted(kStop, 1.0, {0.1, 1.1, 1.1, 1.1, 1.1, 1.1}, kSharp).stands()); }
 
-TEST(AtTheirEnd, a_size_that_wants_to_be_more_than_its_law_allows) {
+TEST(AtBounds, ASizeThatWantsToBeMoreThanItsLawAllows) {
     Refitted coulomb(kCoulomb, 1.0, std::vector<double>(6, 1.0), kSharp);
     EXPECT_TRUE(at_bounds(coulomb.problem, coulomb.fit).empty());
     coulomb.fit.x[coulomb.k] = coulomb.problem.allowed(coulomb.fit.causes, coulomb.k).high;
@@ -82,7 +80,7 @@ TEST(AtTheirEnd, a_size_that_wants_to_be_more_than_its_law_allows) {
     EXPECT_TRUE(at_bounds(stop.problem, stop.fit).empty());
 }
 
-TEST(DiscountUnfounded, pairs_need_a_single_effect_that_beats_none) {
+TEST(DiscountUnfounded, PairsNeedASingleEffectThatBeatsNone) {
     const std::vector<std::size_t> effects{2, 0, 1, 2};
     std::vector<double> founded{9.0, 0.0, 1.0, -2.0}, unfounded{9.0, 0.0, -1.0, -2.0};
     discount_unfounded(effects, founded);
@@ -91,7 +89,7 @@ TEST(DiscountUnfounded, pairs_need_a_single_effect_that_beats_none) {
     EXPECT_EQ(unfounded, (std::vector<double>{-21.0, 0.0, -1.0, -32.0}));
 }
 
-TEST(ExperimentsLeftOut, say_how_well_the_others_see_a_size) {
+TEST(ExperimentsLeftOut, SayHowWellTheOthersSeeASize) {
     // Friction alone shows in break-away; without it pulls of springs know as little as the prior, three scales.
     gap_case::Rows rows = pulls(5);
     rows.breakaway = break_aways({0.2, 0.6, 1.0, 1.4}, 3, true).breakaway;

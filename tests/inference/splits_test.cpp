@@ -11,7 +11,7 @@ namespace {
 
 using namespace fixtures;
 
-TEST(Folds, keep_set_points_and_stretches_together_and_fill_every_fold) {
+TEST(Folds, KeepSetPointsAndStretchesTogetherAndFillEveryFold) {
     gap_case::Rows rows = pulls(1);
     rows.breakaway = break_aways({0.2, 0.5, 0.8, 1.1}, 3, true).breakaway;
     const gap_case::Case gap_case = measured_case(rows, {}, {}, 0.0, 1);
@@ -27,7 +27,7 @@ TEST(Folds, keep_set_points_and_stretches_together_and_fill_every_fold) {
     EXPECT_EQ(all.size(), static_cast<std::size_t>(kFolds));
 }
 
-TEST(Folds, of_a_log_whose_second_part_counts_time_from_anew) {
+TEST(Folds, OfALogWhoseSecondPartCountsTimeFromAnew) {
     gap_case::Rows rows = short_log(2.0);
     for (gap_case::LogRow& row : rows.log) row.time += 30.0;
     const std::vector<gap_case::LogRow> again = short_log(2.0).log;
@@ -37,7 +37,7 @@ TEST(Folds, of_a_log_whose_second_part_counts_time_from_anew) {
     for (const int fold : folds(Problem(gap_case))) EXPECT_TRUE(fold >= 0 && fold < kFolds) << fold;
 }
 
-TEST(KeptBack, rows_that_no_refit_saw_are_predicted_as_well_as_those_that_it_saw) {
+TEST(HeldOut, RowsThatNoRefitSawArePredictedAsWellAsThoseThatItSaw) {
     gap_case::Rows rows = pulls(3);
     rows.breakaway = break_aways({0.2, 0.5, 0.8, 1.1}, 3, true).breakaway;
     const gap_case::Case gap_case = measured_case(rows, {{"gear.coulomb", "agonist"}}, {0.06}, 1.0, 7);

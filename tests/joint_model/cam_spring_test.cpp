@@ -13,10 +13,10 @@ using namespace fixtures;
 
 constexpr int kPlaces = 97;                 // no divisor of the tables' cells
 constexpr double kFrom = 0.3, kUpTo = 3.6;  // [rad], within every built spring's cam
-const gap_case::NominalRig kRig = stiffening_rig();
+const gap_case::NominalRig kStiffening = stiffening_rig();
 
-TEST(CamSpring, without_a_fault_is_the_nominal_curve) {
-    const NominalCams cams(kRig);
+TEST(CamSpring, WithoutAFaultIsTheNominalCurve) {
+    const NominalCams cams(kStiffening);
     const CamSpring se = cams.series({}), pe = cams.parallel({});
     for (int i = 0; i <= kPlaces; ++i) {
         const double x = kEnd * i / kPlaces;
@@ -25,8 +25,8 @@ TEST(CamSpring, without_a_fault_is_the_nominal_curve) {
     }
 }
 
-TEST(CamSpring, a_cable_cannot_push_and_its_deflection_is_the_inverse_of_its_torque) {
-    const CamSpring se = NominalCams(kRig).series({});
+TEST(CamSpring, ACableCannotPushAndItsDeflectionIsTheInverseOfItsTorque) {
+    const CamSpring se = NominalCams(kStiffening).series({});
     EXPECT_EQ(se.torque(-0.001), 0.0);
     EXPECT_EQ(se.torque(-3.0), 0.0);
     EXPECT_EQ(se.deflection(0.0), 0.0);
@@ -49,24 +49,24 @@ spring::PotentialPtr from(const Stiffening& law) {
     return spring::make_polynomial({law.torque(kFrom), law.a + 2.0 * law.b * kFrom, law.b});
 }
 
-TEST_P(BuiltCam, series_is_the_exact_built_spring) {
+TEST_P(BuiltCam, SeriesIsTheExactBuiltSpring) {
     const SpringBuild& fault = GetParam().build;
-    const double state = std::sqrt(2.0 * kSe.energy(kFrom) / kRig.se_torsion_rate);
+    const double state = std::sqrt(2.0 * kSe.energy(kFrom) / kStiffening.se_torsion_rate);
     const auto exact =
-        spring::make_built_spring(from(kSe), {.kind = spring::BaseKind::kTorsion, .rate = kRig.se_torsion_rate, .preload = state},
-                                  kRig.capstan_radius, {fault.rate, fault.radius, fault.preload});
-    const CamSpring se = NominalCams(kRig).series(fault);
-    const double begin = kFrom + fault.radius * state / kRig.capstan_radius;
+        spring::make_built_spring(from(kSe), {.kind = spring::BaseKind::kTorsion, .rate = kStiffening.se_torsion_rate, .preload = state},
+                                  kStiffening.capstan_radius, {fault.rate, fault.radius, fault.preload});
+    const CamSpring se = NominalCams(kStiffening).series(fault);
+    const double begin = kFrom + fault.radius * state / kStiffening.capstan_radius;
     for (double x = begin; x < kUpTo; x += 0.0731) EXPECT_NEAR(se.torque(x) / exact->force(x - begin), 1.0, 1e-3) << x;
 }
 
-TEST_P(BuiltCam, parallel_is_the_exact_built_spring) {
+TEST_P(BuiltCam, ParallelIsTheExactBuiltSpring) {
     const SpringBuild fault{.rate = GetParam().build.rate, .radius = GetParam().build.radius, .preload = 0.01 * GetParam().build.preload};
-    const double state = std::sqrt(2.0 * kPe.energy(kFrom) / kRig.pe_compression_rate);
-    const auto exact =
-        spring::make_built_spring(from(kPe), {.kind = spring::BaseKind::kCompression, .rate = kRig.pe_compression_rate, .preload = state},
-                                  kRig.capstan_radius, {fault.rate, fault.radius, fault.preload + fault.radius * kFrom});
-    const CamSpring pe = NominalCams(kRig).parallel(fault);
+    const double state = std::sqrt(2.0 * kPe.energy(kFrom) / kStiffening.pe_compression_rate);
+    const auto exact = spring::make_built_spring(
+        from(kPe), {.kind = spring::BaseKind::kCompression, .rate = kStiffening.pe_compression_rate, .preload = state},
+        kStiffening.capstan_radius, {fault.rate, fault.radius, fault.preload + fault.radius * kFrom});
+    const CamSpring pe = NominalCams(kStiffening).parallel(fault);
     for (double x = kFrom; x < kUpTo; x += 0.0731) EXPECT_NEAR(pe.torque(x) / exact->force(x - kFrom), 1.0, 1e-3) << x;
 }
 
@@ -78,9 +78,9 @@ INSTANTIATE_TEST_SUITE_P(Faults, BuiltCam,
                                            Fault{"all", {.rate = -0.05, .radius = 5e-4, .preload = 0.1}}),
                          [](const auto& test) { return test.param.name; });
 
-TEST(CamSpring, a_stretched_cable_gives_way_by_its_pull_over_its_rate) {
+TEST(CamSpring, AStretchedCableGivesWayByItsPullOverItsRate) {
     const double rate = 2.5;  // [Nm/rad]
-    const NominalCams cams(kRig);
+    const NominalCams cams(kStiffening);
     const CamSpring firm = cams.series({}), stretched = cams.series({.stretch = 1.0 / rate});
     for (const double x : {0.2, 1.0, 2.3, 3.7}) {
         const double torque = firm.torque(x);
@@ -89,21 +89,21 @@ TEST(CamSpring, a_stretched_cable_gives_way_by_its_pull_over_its_rate) {
     EXPECT_NEAR(stretched.end(), firm.end() + kSe.torque(kEnd) / rate, 1e-5);
 }
 
-TEST(CamSpring, bound_coils_take_over_past_their_compression) {
+TEST(CamSpring, BoundCoilsTakeOverPastTheirCompression) {
     const double binds_at = 0.02, rate = 15.0;
-    const NominalCams cams(kRig);
+    const NominalCams cams(kStiffening);
     const CamSpring free = cams.parallel({}), bound = cams.parallel({.binds_at = binds_at, .binding_rate = rate});
     for (int i = 1; i <= kPlaces; ++i) {
-        const double x = kEnd * i / kPlaces, y = std::sqrt(2.0 * kPe.energy(x) / kRig.pe_compression_rate);
+        const double x = kEnd * i / kPlaces, y = std::sqrt(2.0 * kPe.energy(x) / kStiffening.pe_compression_rate);
         const double more = y <= binds_at ? 0.0 : rate * (y - binds_at) / y;  // of the spring's own force
         // The kink lies within a cell: at most a quarter of 15 times what a cell's compression (0.01 rad x 17 mm) adds to 20 mm
         EXPECT_NEAR(bound.torque(x) / free.torque(x), 1.0 + more, std::abs(y - binds_at) < 4e-4 ? 0.04 : 1e-3 * (1.0 + more)) << x;
     }
-    EXPECT_NEAR(cams.greatest_compression(), std::sqrt(2.0 * kPe.energy(kEnd) / kRig.pe_compression_rate), 1e-7);
+    EXPECT_NEAR(cams.greatest_compression(), std::sqrt(2.0 * kPe.energy(kEnd) / kStiffening.pe_compression_rate), 1e-7);
 }
 
-TEST(CamSpring, arms_that_no_spool_has_give_a_stiff_spring_that_can_be_read_everywhere) {
-    const NominalCams cams(kRig);
+TEST(CamSpring, ArmsThatNoSpoolHasGiveAStiffSpringThatCanBeReadEverywhere) {
+    const NominalCams cams(kStiffening);
     ASSERT_GT(cams.shortest_series_arm(), 0.005);
     for (const SpringBuild build :
          {SpringBuild{.radius = -0.02}, {.radius = -0.5}, {.preload = -1.0, .stretch = 5.0}, {.radius = -cams.shortest_series_arm()}}) {
@@ -114,14 +114,14 @@ TEST(CamSpring, arms_that_no_spool_has_give_a_stiff_spring_that_can_be_read_ever
     }
 }
 
-TEST(CamSpring, a_wound_spring_pulls_at_deflection_0_and_lets_go_within_a_short_way) {
-    const CamSpring wound = NominalCams(kRig).series({.preload = 0.3});
+TEST(CamSpring, AWoundSpringPullsAtDeflection0AndLetsGoWithinAShortWay) {
+    const CamSpring wound = NominalCams(kStiffening).series({.preload = 0.3});
     EXPECT_GT(wound.torque(0.0), 0.05);
     EXPECT_NEAR(wound.torque(-0.005), 0.5 * wound.torque(0.0), 1e-12);
     EXPECT_EQ(wound.torque(-0.011), 0.0);
 }
 
-TEST(CamSpring, a_curve_that_falls_or_stays_is_refused) {
+TEST(CamSpring, ACurveThatFallsOrStaysIsRefused) {
     for (const double torque : {0.0, -0.01}) {
         gap_case::NominalRig rig = straight_rig();
         rig.springs[10].pe_torque = rig.springs[9].pe_torque + torque;

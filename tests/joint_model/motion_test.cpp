@@ -60,7 +60,7 @@ private:
     Motion& motion_;
 };
 
-TEST(Motion, energy_stays_without_friction_and_falls_with_any) {
+TEST(Motion, EnergyStaysWithoutFrictionAndFallsWithAny) {
     const auto with = [](double mu, double coulomb, double viscous) {
         BuiltRig rig = free_rig();
         for (BuiltSide& side : rig.sides) side.gear.load_friction = mu;
@@ -87,7 +87,7 @@ TEST(Motion, energy_stays_without_friction_and_falls_with_any) {
     }
 }
 
-TEST(Motion, stays_exactly_where_it_is_below_the_limit) {
+TEST(Motion, StaysExactlyWhereItIsBelowTheLimit) {
     BuiltRig rig = held_rig();
     rig.joint_coulomb = 0.05;
     Motion motion = held(rig);
@@ -104,7 +104,7 @@ TEST(Motion, stays_exactly_where_it_is_below_the_limit) {
     EXPECT_GT(motion.q(), q);
 }
 
-TEST(Motion, winds_in_at_the_load_tau_over_1_plus_mu_and_pays_out_at_tau_over_1_minus_mu) {
+TEST(Motion, WindsInAtTheLoadTauOver1PlusMuAndPaysOutAtTauOver1MinusMu) {
     const gap_case::NominalRig nominal = straight_rig();
     const BuiltRig rig = built(nominal, [](BuiltRig& r) {
         for (BuiltSide& side : r.sides) side.gear.viscous = 0.0;
@@ -138,7 +138,7 @@ std::vector<double> crossings(Motion& motion, double seconds) {
     return times;
 }
 
-TEST(Motion, a_linear_joint_swings_with_the_frequency_and_the_decay_of_its_stiffness_inertia_and_drag) {
+TEST(Motion, ALinearJointSwingsWithTheFrequencyAndTheDecayOfItsStiffnessInertiaAndDrag) {
     const double drag = 0.004;
     const BuiltRig rig = held_rig(drag);
     Motion motion = held(rig);
@@ -159,7 +159,7 @@ TEST(Motion, a_linear_joint_swings_with_the_frequency_and_the_decay_of_its_stiff
     EXPECT_NEAR(std::log(before / after) / (decay * 2.0 * core::kPi / omega), 1.0, 0.01);
 }
 
-TEST(Motion, viscous_drag_at_a_capstan_follows_the_equation_of_second_order) {
+TEST(Motion, ViscousDragAtACapstanFollowsTheEquationOfSecondOrder) {
     const double drag = 0.2, torque = 0.6, k = kSeries + kParallel;
     BuiltRig rig = free_rig();
     for (BuiltSide& side : rig.sides) side.gear.viscous = drag;
@@ -175,7 +175,7 @@ TEST(Motion, viscous_drag_at_a_capstan_follows_the_equation_of_second_order) {
     }
 }
 
-TEST(Motion, weight_and_stop_stand_against_the_joint_torque) {
+TEST(Motion, WeightAndStopStandAgainstTheJointTorque) {
     const auto rest = [](double gravity, double stop, double torque) {
         BuiltRig rig = held_rig(0.1);
         rig.gravity = gravity;
@@ -194,7 +194,7 @@ TEST(Motion, weight_and_stop_stand_against_the_joint_torque) {
     EXPECT_NEAR(rest(0.0, 1.0, 0.4), 0.4 / kBoth, 1e-6);
 }
 
-TEST(Motion, a_capstan_pays_out_no_farther_than_its_stop) {
+TEST(Motion, ACapstanPaysOutNoFartherThanItsStop) {
     BuiltRig rig = free_rig();
     rig.joint_viscous = 0.1;
     Motion motion(rig, kFine);
@@ -214,14 +214,14 @@ double swung(double step) {
     return motion.q();
 }
 
-TEST(Motion, halving_the_step_halves_the_error) {
+TEST(Motion, HalvingTheStepHalvesTheError) {
     const double exact = swung(1e-5);
     const double coarse = swung(8e-4) - exact, fine = swung(4e-4) - exact;
     EXPECT_GT(std::abs(coarse), 1e-5);
     EXPECT_NEAR(coarse / fine, 2.0, 0.3);
 }
 
-TEST(Motion, led_slowly_it_is_the_quasi_static_stick_slip) {
+TEST(Motion, LedSlowlyItIsTheQuasiStaticStickSlip) {
     const gap_case::NominalRig nominal = straight_rig();
     const BuiltRig rig = built(nominal, [](BuiltRig& r) {
         r.joint_coulomb = 0.02;

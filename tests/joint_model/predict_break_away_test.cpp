@@ -31,7 +31,7 @@ void PrintTo(const Known& known, std::ostream* out) { *out << known.id; }
 
 class BreakAwayLaw : public ::testing::TestWithParam<Known> {};
 
-TEST_P(BreakAwayLaw, is_the_closed_form_on_its_side_and_leaves_the_other_alone) {
+TEST_P(BreakAwayLaw, IsTheClosedFormOnItsSideAndLeavesTheOtherAlone) {
     const Known& known = GetParam();
     const BuiltRig rig = built(straight_rig(), [&](BuiltRig& r) {
         effects::apply_effect(effects::find_effect(known.id), {known.id, "agonist"}, known.values, r);
@@ -86,12 +86,12 @@ INSTANTIATE_TEST_SUITE_P(Effects, BreakAwayLaw, ::testing::ValuesIn(kKnown), [](
     return name;
 });
 
-TEST(PredictBreakAway, a_motor_below_its_constant_friction_lifts_nothing) {
+TEST(PredictBreakAway, AMotorBelowItsConstantFrictionLiftsNothing) {
     const BuiltRig rig = built(straight_rig(), [](BuiltRig& r) { r.sides[0].gear.coulomb = 0.3; });
     EXPECT_EQ(load(rig, "agonist", false, 0.2), 0.0);
 }
 
-TEST(PredictBreakAway, every_size_that_is_allowed_gives_a_load_even_where_a_gear_locks_itself) {
+TEST(PredictBreakAway, EverySizeThatIsAllowedGivesALoadEvenWhereAGearLocksItself) {
     for (const effects::Effect& effect : effects::effect_library())
         for (const double size : {effect.parameters[0].allowed.low, effect.parameters[0].allowed.high}) {
             std::vector<double> values{size};

@@ -32,7 +32,7 @@ gap_case::Rows some_of(gap_case::Experiment experiment) {
 }
 constexpr std::array kJoint{gap_case::Experiment::kDeadBand, gap_case::Experiment::kJointStiffness, gap_case::Experiment::kCocontraction};
 
-TEST(PredictDeadBand, a_rig_with_equal_sides_reads_a_width_that_friction_makes) {
+TEST(PredictDeadBand, ARigWithEqualSidesReadsAWidthThatFrictionMakes) {
     const gap_case::Rows rows = some_of(gap_case::Experiment::kDeadBand);
     const std::vector<double> q = read(faultless(kRig), rows, gap_case::Experiment::kDeadBand);
     ASSERT_EQ(q.size(), 2 * rows.dead_band.size());
@@ -52,7 +52,7 @@ TEST(PredictDeadBand, a_rig_with_equal_sides_reads_a_width_that_friction_makes) 
     for (const double reading : none) EXPECT_NEAR(reading, 0.0, 0.01);  // it comes back; what is left is a slow swing
 }
 
-TEST(PredictDeadBand, widths_alone_are_the_differences_and_know_no_offset) {
+TEST(PredictDeadBand, WidthsAloneAreTheDifferencesAndKnowNoOffset) {
     gap_case::Rows rows = some_of(gap_case::Experiment::kDeadBand);
     const BuiltRig rig = built(kRig, [](BuiltRig& r) { r.joint_offset = 0.05; });
     const std::vector<double> both = read(rig, rows, gap_case::Experiment::kDeadBand);
@@ -64,14 +64,14 @@ TEST(PredictDeadBand, widths_alone_are_the_differences_and_know_no_offset) {
     EXPECT_EQ(read(faultless(kRig), rows, gap_case::Experiment::kDeadBand), width);
 }
 
-TEST(PredictDeadBand, a_push_that_is_not_told_is_a_strong_one) {
+TEST(PredictDeadBand, APushThatIsNotToldIsAStrongOne) {
     gap_case::Rows told = some_of(gap_case::Experiment::kDeadBand), untold = told;
     for (gap_case::DeadBandRow& row : untold.dead_band) row.push_torque = gap_case::DeadBandRow::kNotTold;
     for (gap_case::DeadBandRow& row : told.dead_band) row.push_torque = 1.5 * kRig.ratio() * row.cocontraction;
     EXPECT_EQ(read(faultless(kRig), told, gap_case::Experiment::kDeadBand), read(faultless(kRig), untold, gap_case::Experiment::kDeadBand));
 }
 
-TEST(PredictJoint, an_offset_moves_q_by_itself_and_nothing_else) {
+TEST(PredictJoint, AnOffsetMovesQByItselfAndNothingElse) {
     const double offset = 0.04;
     const BuiltRig right = faultless(kRig), off = built(kRig, [&](BuiltRig&r) { r.joint_offset = offset; });
     for (const gap_case::Experiment experiment : kJoint) {
@@ -83,7 +83,7 @@ TEST(PredictJoint, an_offset_moves_q_by_itself_and_nothing_else) {
     }
 }
 
-TEST(PredictJointStiffness, a_joint_whose_capstans_are_held_is_a_straight_spring) {
+TEST(PredictJointStiffness, AJointWhoseCapstansAreHeldIsAStraightSpring) {
     const BuiltRig rig = built(kRig, [](BuiltRig& r) {
         for (BuiltSide& side : r.sides) side.gear.coulomb = 3.0;  // they do not even wind in: both cables hang at 0
         r.joint_viscous = 0.05;
@@ -98,7 +98,7 @@ TEST(PredictJointStiffness, a_joint_whose_capstans_are_held_is_a_straight_spring
     for (std::size_t i = 0; i < q.size(); ++i) EXPECT_NEAR(q[i], rows.joint_stiffness[i].joint_torque / stiffness, 1e-3) << i;
 }
 
-TEST(PredictJointStiffness, every_level_begins_anew_at_rest) {
+TEST(PredictJointStiffness, EveryLevelBeginsAnewAtRest) {
     const gap_case::Rows all = some_of(gap_case::Experiment::kJointStiffness);
     const std::vector<double> q = read(faultless(kRig), all, gap_case::Experiment::kJointStiffness);
     gap_case::Rows last;
@@ -108,7 +108,7 @@ TEST(PredictJointStiffness, every_level_begins_anew_at_rest) {
     EXPECT_EQ(std::vector<double>(q.end() - static_cast<std::ptrdiff_t>(alone.size()), q.end()), alone);
 }
 
-TEST(PredictJoint, every_file_begins_anew_at_rest) {
+TEST(PredictJoint, EveryFileBeginsAnewAtRest) {
     for (const gap_case::Experiment experiment : {gap_case::Experiment::kJointStiffness, gap_case::Experiment::kCocontraction}) {
         const gap_case::Rows one = some_of(experiment);
         gap_case::Rows two = one;
@@ -122,7 +122,7 @@ TEST(PredictJoint, every_file_begins_anew_at_rest) {
     }
 }
 
-TEST(PredictCocontraction, capstans_wind_in_at_their_lower_and_pay_out_at_their_upper_limit) {
+TEST(PredictCocontraction, CapstansWindInAtTheirLowerAndPayOutAtTheirUpperLimit) {
     const gap_case::Rows rows = some_of(gap_case::Experiment::kCocontraction);
     const std::vector<double> angles = read(faultless(kRig), rows, gap_case::Experiment::kCocontraction, kSlow);
     const double mu = kRig.gear_load_friction, k = kSeries + kParallel;
@@ -138,7 +138,7 @@ TEST(PredictCocontraction, capstans_wind_in_at_their_lower_and_pay_out_at_their_
     }
 }
 
-TEST(PredictCocontraction, backlash_lags_by_half_of_itself_either_way_on_its_side) {
+TEST(PredictCocontraction, BacklashLagsByHalfOfItselfEitherWayOnItsSide) {
     const double play = 0.06;
     const gap_case::Rows rows = some_of(gap_case::Experiment::kCocontraction);
     const BuiltRig rig = built(kRig, [&](BuiltRig& r) { r.sides[0].gear.backlash = play; });
@@ -172,7 +172,7 @@ std::vector<double> released(double step) {
     return q;
 }
 
-TEST(PredictJoint, the_steps_are_accurate_to_2_mrad_and_2_percent_of_a_dead_band) {
+TEST(PredictJoint, TheStepsAreAccurateTo2MradAnd2PercentOfADeadBand) {
     const std::vector<double> exact = released(kSlowStep / 16.0), dead_band = released(kDeadBandStep);
     EXPECT_LT(farthest(released(kSlowStep), exact), 2e-3);
     for (std::size_t i = 0; i < exact.size(); i += 2)

@@ -10,29 +10,29 @@ namespace {
 
 using namespace fixtures;
 
-const gap_case::CaseTemplate kTemplate = small_template();
+const gap_case::CaseTemplate kLogTemplate = small_template();
 
 gap_case::Rows first_rows(std::size_t count) {
     gap_case::Rows rows;
-    const std::vector<gap_case::LogRow> all = set_points(kTemplate).log;
+    const std::vector<gap_case::LogRow> all = set_points(kLogTemplate).log;
     rows.log.assign(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count));
     return rows;
 }
 std::vector<double> read(const BuiltRig& rig, const gap_case::Rows& rows) {
-    return predict_experiment(rig, rows, kTemplate.protocol, gap_case::Experiment::kLog);
+    return predict_experiment(rig, rows, kLogTemplate.protocol, gap_case::Experiment::kLog);
 }
 BuiltRig delayed(double seconds) {
-    return built(kTemplate.rig, [&](BuiltRig& r) { r.delay = seconds; });
+    return built(kLogTemplate.rig, [&](BuiltRig& r) { r.delay = seconds; });
 }
 
-TEST(PredictLog, begins_co_contracted_at_rest_and_follows_its_commands) {
+TEST(PredictLog, BeginsCoContractedAtRestAndFollowsItsCommands) {
     const gap_case::Rows rows = first_rows(200);
-    const BuiltRig rig = faultless(kTemplate.rig);
+    const BuiltRig rig = faultless(kLogTemplate.rig);
     const std::vector<double> angles = read(rig, rows);
     Motion motion(rig, kLogStep);
     const double tau = rows.log[0].torque_agonist;
-    motion.lead_to({tau, tau, 0.0}, kTemplate.protocol.motor_ramp);
-    motion.hold(kTemplate.protocol.motor_settle);
+    motion.lead_to({tau, tau, 0.0}, kLogTemplate.protocol.motor_ramp);
+    motion.hold(kLogTemplate.protocol.motor_settle);
     EXPECT_EQ(angles[0], motion.theta(gap_case::Side::kAgonist));
     for (std::size_t i = 1; i < rows.log.size(); ++i) {
         const gap_case::LogRow& row = rows.log[i];
@@ -41,10 +41,10 @@ TEST(PredictLog, begins_co_contracted_at_rest_and_follows_its_commands) {
     }
 }
 
-TEST(PredictLog, begins_as_the_motor_ramp_was_led) {
+TEST(PredictLog, BeginsAsTheMotorRampWasLed) {
     const gap_case::Rows rows = first_rows(2);
-    const BuiltRig rig = faultless(kTemplate.rig);
-    gap_case::Protocol smooth = kTemplate.protocol;
+    const BuiltRig rig = faultless(kLogTemplate.rig);
+    gap_case::Protocol smooth = kLogTemplate.protocol;
     smooth.smooth_motor_ramp = true;
     const std::vector<double> straight = read(rig, rows), led = predict_experiment(rig, rows, smooth, gap_case::Experiment::kLog);
     EXPECT_GT(std::abs(led[0] - straight[0]), 1e-3) << "a gear that is left in another way rests elsewhere";
@@ -56,7 +56,7 @@ TEST(PredictLog, begins_as_the_motor_ramp_was_led) {
 }
 
 // Not yet: commands are counted as arrived in whole rows, and the motion is read where the last one left it.
-TEST(PredictLog, a_delay_of_some_rows_shifts_the_log_by_them) {
+TEST(PredictLog, ADelayOfSomeRowsShiftsTheLogByThem) {
     const gap_case::Rows rows = first_rows(250);
     const double step = rows.log[1].time - rows.log[0].time;
     const std::size_t late = 4;
@@ -69,7 +69,7 @@ TEST(PredictLog, a_delay_of_some_rows_shifts_the_log_by_them) {
     EXPECT_GT(moved, 0.05);
 }
 
-TEST(PredictLog, a_delay_of_half_a_row_lies_halfway) {
+TEST(PredictLog, ADelayOfHalfARowLiesHalfway) {
     const gap_case::Rows rows = first_rows(250);
     const double step = rows.log[1].time - rows.log[0].time;
     const std::vector<double> none = read(delayed(0.0), rows), half = read(delayed(0.5 * step), rows), one = read(delayed(step), rows);
@@ -81,22 +81,22 @@ TEST(PredictLog, a_delay_of_half_a_row_lies_halfway) {
     EXPECT_NEAR(sum / square, 0.5, 0.05);
 }
 
-TEST(PredictLog, each_part_begins_anew_at_rest) {
+TEST(PredictLog, EachPartBeginsAnewAtRest) {
     const gap_case::Rows one = first_rows(300);
     gap_case::Rows two = one;
     two.log.insert(two.log.end(), one.log.begin(), one.log.end());
     two.parts[gap_case::Experiment::kLog] = {300, 300};
-    const BuiltRig rig = faultless(kTemplate.rig);
+    const BuiltRig rig = faultless(kLogTemplate.rig);
     const std::vector<double> alone = read(rig, one), both = read(rig, two);
     ASSERT_EQ(both.size(), 2 * alone.size());
     EXPECT_EQ(std::vector<double>(both.begin(), both.begin() + 900), alone);
     EXPECT_EQ(std::vector<double>(both.begin() + 900, both.end()), alone);
 }
 
-TEST(PredictLog, its_step_is_accurate_enough) {
+TEST(PredictLog, ItsStepIsAccurateEnough) {
     // motion.h: 2 mrad after 8 s of fast motion
-    const BuiltRig rig = faultless(kTemplate.rig);
-    const std::vector<gap_case::LogRow> rows = set_points(kTemplate).log;
+    const BuiltRig rig = faultless(kLogTemplate.rig);
+    const std::vector<gap_case::LogRow> rows = set_points(kLogTemplate).log;
     std::vector<double> ends;
     for (const double step : {kLogStep, kLogStep / 8.0}) {
         Motion motion(rig, step);

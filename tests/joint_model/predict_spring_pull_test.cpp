@@ -22,7 +22,7 @@ std::vector<double> torques(const BuiltRig& rig, const gap_case::Rows& rows) {
     return predict_experiment(rig, rows, {}, gap_case::Experiment::kSpringPull);
 }
 
-TEST(PredictSpringPull, a_faultless_spring_pulls_as_its_curve_says_both_ways) {
+TEST(PredictSpringPull, AFaultlessSpringPullsAsItsCurveSaysBothWays) {
     const BuiltRig rig = faultless(stiffening_rig());
     for (const gap_case::Side side : {gap_case::Side::kAgonist, gap_case::Side::kAntagonist})
         for (const bool series : {true, false}) {
@@ -35,7 +35,7 @@ TEST(PredictSpringPull, a_faultless_spring_pulls_as_its_curve_says_both_ways) {
         }
 }
 
-TEST(PredictSpringPull, hysteresis_adds_its_share_on_the_way_up_and_takes_it_on_the_way_down) {
+TEST(PredictSpringPull, HysteresisAddsItsShareOnTheWayUpAndTakesItOnTheWayDown) {
     const double a = 0.12;
     const BuiltRig rig = built(stiffening_rig(), [&](BuiltRig& r) { r.sides[1].pe_build.hysteresis = a; });
     const BuiltRig without = faultless(stiffening_rig());
@@ -49,7 +49,7 @@ TEST(PredictSpringPull, hysteresis_adds_its_share_on_the_way_up_and_takes_it_on_
         EXPECT_EQ(torques(rig, pulled(series, side)), torques(without, pulled(series, side)));
 }
 
-TEST(PredictSpringPull, a_wider_capstan_deflects_K_SE_more_and_has_the_longer_lever) {
+TEST(PredictSpringPull, AWiderCapstanDeflectsKSEMoreAndHasTheLongerLever) {
     const double scale = 1.01;
     const BuiltRig rig = built(straight_rig(), [&](BuiltRig& r) { r.capstan_scale = scale; });
     const gap_case::Rows series = pulled(true, gap_case::Side::kAgonist), parallel = pulled(false, gap_case::Side::kAgonist);

@@ -62,7 +62,7 @@ struct Measured {
 };
 
 /// A rig with its sensors and its protocol on the bench.
-struct Bench {
+struct TestRig {
     Nominal nominal;
     Truth truth;
     Tolerance tolerance;
@@ -71,6 +71,6 @@ struct Bench {
 };
 
 /// All six, one after the other in one session that begins at `session` [s]; equal arguments give equal rows.
-[[nodiscard]] Measured measure(const Bench& gap_case, const SetPoints& points, Random& random, double session = 0.0);
+[[nodiscard]] Measured measure(const TestRig& test_rig, const SetPoints& points, Random& random, double session = 0.0);
 
 }  // namespace fusee::plant

@@ -28,7 +28,7 @@ struct Failure {
     std::string why;
 };
 
-/// What goes wrong in reading or diagnosing a case is a miss of that case, a fault of ours included; the others go on.
+/// An error in reading or diagnosing a case, internal errors included, is a miss of that case; the others continue.
 template <typename Work>
 auto or_failure(const Work& work) {
     try {
@@ -42,7 +42,7 @@ auto or_failure(const Work& work) {
 
 double number(const Json& j) { return j.is_number() ? j.get<double>() : diagnosis::kNoFigure; }
 
-/// A file that is no JSON object says nothing, and is made anew.
+/// A file that is not a JSON object is ignored and written again.
 Json object_or_none(const fs::path& file) {
     try {
         Json found = core::parse_json(core::read_file(file, kLargestDiagnosis), file.string());
@@ -52,7 +52,7 @@ Json object_or_none(const fs::path& file) {
     }
 }
 
-/// What a score needs beyond the effects: alternatives, and the shrink that is claimed.
+/// Reads alternatives and the claimed reduction of the gap.
 void read_claims(const Json& j, Answer& answer) {
     if (j.contains("alternatives"))
         for (const Json& other : j["alternatives"]) {
@@ -66,7 +66,7 @@ void read_claims(const Json& j, Answer& answer) {
     answer.claimed_after = number(j["gap"].value("heldout_after", Json()));
 }
 
-/// One case with its place for results.
+/// One case with its result folder.
 class Desk {
 public:
     Desk(const ScoreOptions& options, const std::string& name)
@@ -129,7 +129,7 @@ private:
         put(kHeldOut, file.dump(2) + "\n");
     }
 
-    /// One file among those that lie there; a diagnosis by anybody else is not replaced.
+    /// Writes one file next to existing ones; a third-party diagnosis is not replaced.
     void put(const char* name, const std::string& bytes) const {
         core::OutputFolder output(place_, {.command = std::string("blind score, ") + name,
                                            .source = options_.folder / answer_.case_name,
@@ -152,7 +152,7 @@ std::vector<std::string> case_names(const fs::path& folder, std::size_t limit) {
     std::vector<std::string> names;
     for (const auto& entry : fs::directory_iterator(folder, failed))
         if (fs::exists(entry.path() / "case.toml")) names.push_back(entry.path().filename().string());
-    if (names.empty()) throw core::InvalidInput("folder", folder.string(), "a folder that fusee blind make wrote cases to");
+    if (names.empty()) throw core::InvalidInput("folder", folder.string(), "a folder with cases of `fusee blind make`");
     std::sort(names.begin(), names.end());
     if (limit != 0 && names.size() > limit) names.resize(limit);
     return names;

@@ -16,7 +16,7 @@ namespace {
 enum Purpose : std::uint64_t { kOrder = 101, kEffects };
 enum class Kind { kNone, kOne, kTwo, kOutside };
 
-/// Ids in a shuffled order that begins anew, shuffled again, when all were dealt.
+/// Ids in shuffled order, shuffled again after each pass.
 class Deck {
 public:
     Deck(std::vector<std::string> ids, plant::Random& random) : ids_(std::move(ids)), random_(random) {}

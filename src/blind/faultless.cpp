@@ -23,7 +23,7 @@ Faultless draw_faultless(const gap_case::Case& gap_case, plant::Random& random) 
                                         {"sensor.torque_scale", t.torque_scale}})
             add(id, to_string(side), sigma * random.normal());
     add("sensor.joint_offset", "none", t.joint_offset * random.normal());
-    // The model's bearing has a friction of one sigma, and none has less than 0.
+    // The nominal bearing friction is one sigma; it cannot be negative.
     add("joint.coulomb", "none", t.joint_coulomb * std::max(-1.0, random.normal()));
     for (const auto& [figure, relative] : {std::pair{&gap_case::NominalRig::capstan_radius, t.radii},
                                            {&gap_case::NominalRig::joint_radius, t.radii},

@@ -4,15 +4,15 @@
 #include "fusee/joint_model/signals.h"
 #include "fusee/plant/random.h"
 
-/// Rigs of the model, and sensors, that are off by no more than they may be, said with nothing but the public model.
+/// Faultless rigs and sensors within tolerance, expressed with the public model.
 namespace fusee::blind {
 
-/// `bench.rig` with effects as small as tolerances, for diagnosis::predict.
+/// `gap_case.rig` with effects as small as tolerances, for diagnosis::predict.
 struct Faultless {
     gap_case::Case gap_case;
     diagnosis::Diagnosis built;
 };
-/// Every nominal figure off by a normal draw of its build tolerance.
+/// Every nominal value changed by a normal draw of its build tolerance.
 [[nodiscard]] Faultless draw_faultless(const gap_case::Case& gap_case, plant::Random& random);
 
 /// True where an encoder reads the measured figures, else a torque sensor.

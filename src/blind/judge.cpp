@@ -6,7 +6,7 @@ namespace fusee::blind {
 
 namespace {
 
-constexpr double kEnough = 0.5;  ///< of the held out gap may be left
+constexpr double kEnough = 0.5;  ///< of the held-out gap may be left
 
 effects::Cause cause_of(const LabelEffect& effect) { return {effect.id, effect.side}; }
 const effects::Cause& cause_of(const diagnosis::FoundEffect& effect) { return effect.cause; }
@@ -75,7 +75,7 @@ std::string miss_of(const Label& label, const Answer& answer) {
     if (label.effects.empty()) return said == "none" ? "" : "faultless, called " + said;
     std::string what = names(answer, label, true) ? "" : wrong_name(label, answer);
     const auto add = [&](const char* more) { what += (what.empty() ? "" : ", ") + std::string(more); };
-    if (misses_a_size(label, answer)) add("interval without the true size");
+    if (misses_a_size(label, answer)) add("interval misses the true size");
     if (!halves_the_gap(answer)) add("held-out gap not halved");
     return what;
 }

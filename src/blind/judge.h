@@ -15,7 +15,7 @@ namespace fusee::blind {
 [[nodiscard]] bool halves_the_gap(const Answer& answer);
 /// The label's effect that this one is, same side; nullptr: none.
 [[nodiscard]] const LabelEffect* found_in(const Label& label, const diagnosis::FoundEffect& effect);
-/// What is wrong with it, in words; "" if nothing is.
+/// Description of the error; "" if the answer is right.
 [[nodiscard]] std::string miss_of(const Label& label, const Answer& answer);
 
 }  // namespace fusee::blind

@@ -16,11 +16,11 @@ constexpr double kNormal95 = 1.959963984540054;
 constexpr std::uint64_t kDealPurpose = 301;  ///< a stream that no case and no label is drawn from
 constexpr std::array<double, 7> kStated{0.0, 0.5, 0.8, 0.9, 0.95, 0.99, 1.0};
 
-/// A question that is put to a case and its answer: does it apply, and if so, was it so?
+/// A question on a case and its answer: whether it applies, and whether it is true.
 struct Question {
     const char *key, *name;
     core::Range wanted;
-    bool asks_label;  ///< whether labels dealt anew say something
+    bool asks_label;  ///< whether shuffled labels are a control
     bool (*applies)(const Label&);
     bool (*so)(const Label&, const Answer&);
 };
@@ -63,7 +63,7 @@ Share ask(const Question& question, const std::vector<const Label*>& labels, con
     return share;
 }
 
-/// The control: what the same answers score under labels dealt anew.
+/// The control: score of the same answers with shuffled labels.
 void deal_anew(std::vector<Figure>& figures, std::vector<const Label*> labels, const std::vector<Answer>& answers, std::uint64_t seed) {
     std::vector<std::vector<double>> values(kQuestions.size());
     for (std::size_t deal = 0; deal < kDeals; ++deal) {
@@ -97,7 +97,7 @@ std::vector<const Label*> labels_of(const std::vector<Label>& labels, const std:
     return found;
 }
 
-/// Effects that were stated: how sure, and how large.
+/// Stated effects: probability and interval.
 void score_statements(Score& score, const Label& label, const Answer& answer, std::vector<double>& stated, Share& intervals) {
     if (!answer.failure.empty()) return;
     for (const diagnosis::FoundEffect& effect : answer.effects) {

@@ -16,10 +16,10 @@ namespace {
 
 constexpr double kNormal95 = 1.959964;
 constexpr double kLeastAlternative = 1e-3;  ///< probability below which an alternative is not listed
-constexpr std::size_t kMostRivals = 4;      ///< among which a further experiment is sought: each costs as much as a fit
-constexpr double kSmallLeak = 0.05;         ///< probability that is shared out among rivals but not worth a further experiment
+constexpr std::size_t kMostRivals = 4;      ///< rivals of the next experiment: each costs as much as a fit
+constexpr double kSmallLeak = 0.05;         ///< probability below which a hypothesis gets no further experiment
 
-/// 95 % of what the folds say of the gap on rows held out.
+/// 95 % interval over the folds of the gap on held-out rows.
 core::Range interval_over_folds(const inference::Problem& problem, const Eigen::VectorXd& held) {
     const std::vector<int> fold = folds(problem);
     double mean = 0.0, square = 0.0;
@@ -130,7 +130,7 @@ void Answer::found_effects() {
 void Answer::plan_next_experiment(unsigned jobs) {
     const std::vector<effects::Cause> causes = inference::possible_causes(problem_.gap_case().rows);
     diagnosis_.isolability = isolability(problem_, found_.fits[found_.null], causes, jobs);
-    // A refuted nominal rig is no rival: what is asked for then is which of the effects comes nearest.
+    // A refuted nominal rig is not a rival: the question is then which effect comes nearest.
     const bool refuted = verdict_.verdict == VerdictKind::kUnknown && found_.best().causes.empty();
     const double of_all = refuted ? 1.0 - found_.probability[found_.null] : 1.0;
     std::vector<const inference::Fit*> rivals;

@@ -6,15 +6,15 @@
 
 namespace fusee::diagnosis {
 
-/// Puts a diagnosis together, part by part.
+/// Assembles a diagnosis, part by part.
 class Answer {
 public:
     Answer(const inference::Problem& problem, const inference::Search& found, const Verdict& verdict);
-    /// How far the gap shrinks: on the rows of the fit and on rows held out.
+    /// Reduction of the gap, on the rows of the fit and on held-out rows.
     void compare(const inference::Split& kept);
-    /// The ranking and the intervals, which experiments that are left out may widen.
+    /// Ranking and intervals; experiments left out may widen the intervals.
     void rank();
-    /// What these experiments can tell apart, and what further one would split the rivals.
+    /// Isolability of the causes, and the next experiment that distinguishes the rivals.
     void plan_next_experiment(unsigned jobs);
     [[nodiscard]] Diagnosis take() { return std::move(diagnosis_); }
 
@@ -26,8 +26,8 @@ private:
     const inference::Problem& problem_;
     const inference::Search& found_;
     const Verdict& verdict_;
-    joint_model::Signals nominal_;  ///< what the nominal rig gives
-    Eigen::VectorXd sigma_;         ///< with build tolerances, of each row
+    joint_model::Signals nominal_;  ///< prediction of the nominal rig
+    Eigen::VectorXd sigma_;         ///< of each row, with build tolerances
     Eigen::VectorXd before_;        ///< (measured - nominal)/sigma
     Diagnosis diagnosis_;
 };

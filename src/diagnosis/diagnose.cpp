@@ -19,9 +19,9 @@ namespace fusee::diagnosis {
 
 namespace {
 
-constexpr std::size_t kLeastRows = 4;  ///< of which anything can be said: those of the paper's table I
+constexpr std::size_t kLeastRows = 4;  ///< least number of rows of a diagnosis: that of the paper's table I
 
-/// Parts of a diagnosis, told as they are finished.
+/// Progress of a diagnosis.
 class Steps {
 public:
     Steps(const DiagnoseOptions& options, const gap_case::Case& gap_case) : options_(options) {
@@ -56,7 +56,7 @@ Diagnosis diagnose(const gap_case::Case& gap_case, const DiagnoseOptions& option
     const Verdict verdict = judge(problem, found);
     Answer answer(problem, found, verdict);
     answer.compare(held_out(problem, found.best(), jobs));
-    progress("rows kept back");
+    progress("held-out rows");
     answer.rank();
     answer.plan_next_experiment(jobs);
     progress("next experiment");

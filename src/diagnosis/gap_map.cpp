@@ -38,7 +38,7 @@ core::Range range_of(const std::vector<int>& rows, const std::vector<Place>& pla
     return {places[static_cast<std::size_t>(rows.front())].at, places[static_cast<std::size_t>(rows.back())].at};
 }
 
-/// The component with most of the excess, if it stands out.
+/// The component with most of the excess, if it dominates.
 std::string component_of(const std::vector<int>& rows, const std::vector<Place>& places, const Eigen::VectorXd& gap) {
     std::map<std::string, double> excess;
     double sum = 0.0;

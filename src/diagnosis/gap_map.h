@@ -7,7 +7,7 @@
 
 namespace fusee::diagnosis {
 
-/// Where a figure stands.
+/// Location of a measured value.
 struct Place {
     gap_case::Experiment experiment = gap_case::Experiment::kBreakAway;
     double at = 0.0;        ///< of the experiment's variable
@@ -17,17 +17,17 @@ struct Place {
 [[nodiscard]] std::vector<Place> places(const gap_case::Rows& rows);
 [[nodiscard]] const char* variable_of(gap_case::Experiment experiment);  ///< "motor_torque_Nm", "deflection_rad", ...
 
-/// Sigma of each residual with the build tolerances in it, in units of the problem's sigma: what a gap is counted in
+/// Sigma of each residual with the build tolerances in it, in units of the problem's sigma: the unit of a gap
 /// (docs/theory/diagnosis.md, eq. 17). From the slopes of the nominal rig.
 [[nodiscard]] Eigen::VectorXd tolerance_sigma(const inference::Problem& problem, const Eigen::MatrixXd& build_slopes);
 
-/// Root mean square of the weighted figures; kNoFigure if there are none. `only`: of one experiment.
+/// Root mean square of the weighted figures; kNoFigure if there are none. `only`: restricts it to one experiment.
 [[nodiscard]] double root_mean_square(const inference::Problem& problem, const Eigen::VectorXd& figures,
                                       const gap_case::Experiment* only = nullptr);
 
-/// Four cells an experiment, of equal numbers of rows.
+/// Four cells per experiment with equal numbers of rows.
 [[nodiscard]] std::vector<GapCell> gap_map(const inference::Problem& problem, const Eigen::VectorXd& before, const Eigen::VectorXd& after);
-/// Where `gap` is above the floor of 1, greatest share first: per experiment its share, range and component.
+/// Contributions above the floor of 1, greatest first: share, range and component of each experiment.
 [[nodiscard]] std::vector<GapContribution> gap_contributions(const inference::Problem& problem, const Eigen::VectorXd& gap);
 
 }  // namespace fusee::diagnosis

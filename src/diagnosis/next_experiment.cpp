@@ -18,7 +18,7 @@ constexpr double kDecides = 0.9;        ///< share of the entropy
 constexpr double kWorthwhile = 0.1;     ///< the same: less is no answer
 constexpr double kLargestFactor = 1e3;  ///< of a size that is asked for
 
-/// Every figure of every sheet of a menu, one after the other.
+/// All values of all sheets of a menu as one vector.
 class Layout {
 public:
     explicit Layout(const std::vector<joint_model::Signals>& sheets) {
@@ -38,7 +38,7 @@ public:
                 for (const double figure : figures) all[next++] = figure;
         return all;
     }
-    /// Where the figures of a measurement stand.
+    /// Indices of the values of a measurement.
     [[nodiscard]] std::vector<int> places(const Menu& menu, const Measurement& m) const {
         const std::size_t columns = joint_model::measured_columns(m.experiment, menu.sheets[m.sheet]).size();
         std::vector<int> all;
@@ -53,7 +53,7 @@ private:
     std::size_t size_ = 0;
 };
 
-/// What a rival says of every figure: at its fit, and how that moves with one sigma along each column of its covariance's root.
+/// Prediction of a rival for every value: at its fit, and its change by one sigma along each column of the root of its covariance.
 struct PredictedOutcome {
     Eigen::VectorXd mean;
     Eigen::MatrixXd spread;
@@ -80,7 +80,7 @@ PredictedOutcome predicted_outcome(const inference::Problem& problem, const Menu
     return seen;
 }
 
-/// sqrt(weight)/sigma of every figure, as a fit of such rows would weigh it; `sheets` tells of what size the figures are.
+/// sqrt(weight)/sigma of every figure, as a fit of such rows weights it; `sheets` gives the magnitude of the values.
 Eigen::VectorXd precisions(const inference::Problem& problem, const Menu& menu, const Layout& layout,
                            const std::vector<joint_model::Signals>& sheets) {
     std::vector<joint_model::Signals> precision;
@@ -95,7 +95,7 @@ Eigen::VectorXd precisions(const inference::Problem& problem, const Menu& menu, 
     return layout.joined(precision);
 }
 
-/// (a - b)^T (I + S)^-1 (a - b) with the mean S of what both leave open, by Woodbury's identity.
+/// (a - b)^T (I + S)^-1 (a - b) with the mean covariance S of both, by the Woodbury identity.
 double squared_distance(const Eigen::VectorXd& apart, const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
     Eigen::MatrixXd open(apart.size(), a.cols() + b.cols());
     open << a, b;
@@ -132,7 +132,7 @@ std::vector<Eigen::MatrixXd> distances(const inference::Problem& problem, const 
     return all;
 }
 
-/// Of one experiment, or of all: does `a` serve better than `b`?
+/// True if `a` is the better proposal.
 bool serves_better(const NextExperiment& a, const NextExperiment& b, double enough) {
     const bool a_decides = a.information >= enough, b_decides = b.information >= enough;
     if (a_decides != b_decides) return a_decides;
@@ -148,7 +148,7 @@ NextExperiment offered(const Measurement& m, double bits) {
     return {sentence(m.what, bits, m.cost), to_string(m.experiment), m.set_points, m.variable, bits, m.cost};
 }
 
-/// How many times as far apart the rivals would have to be to be decided; above kLargestFactor: never.
+/// Factor by which the rivals would have to differ more to be decided; above kLargestFactor: never.
 double factor_to_decide(std::span<const double> probabilities, const Eigen::MatrixXd& distances, double enough) {
     double low = 1.0, high = 2.0;
     while (high < kLargestFactor && expected_information(probabilities, high * high * distances) < enough) high *= 2.0;
@@ -159,7 +159,7 @@ double factor_to_decide(std::span<const double> probabilities, const Eigen::Matr
     return high;
 }
 
-/// The size of the most probable rival's effect, enlarged by `factor`; "" if it has none, or one that cannot be so large.
+/// The effect size of the most probable rival times `factor`; "" without effect or beyond its range.
 std::string enlarged(const inference::Problem& problem, const std::vector<const inference::Fit*>& rivals,
                      std::span<const double> probabilities, double factor) {
     const inference::Fit& rival =
@@ -175,10 +175,10 @@ std::string enlarged(const inference::Problem& problem, const std::vector<const 
 NextExperiment none_tells(const inference::Problem& problem, const std::vector<const inference::Fit*>& rivals,
                           std::span<const double> probabilities, NextExperiment best, const Eigen::MatrixXd& distances) {
     const double factor = factor_to_decide(probabilities, distances, kDecides * entropy(probabilities));
-    const std::string size = factor < kLargestFactor ? fmt::format("Effects would have to be {:.2g} times as large as found{}.", factor,
-                                                                   enlarged(problem, rivals, probabilities, factor))
-                                                     : std::string("No size of the effects would change that.");
-    best.text = fmt::format("No usual measurement tells these causes apart. {} Best of all would be: {}", size, best.text);
+    const std::string size = factor < kLargestFactor ? fmt::format("Effects {:.2g} times as large as found could be distinguished{}.",
+                                                                   factor, enlarged(problem, rivals, probabilities, factor))
+                                                     : std::string("Larger effects would not change that.");
+    best.text = fmt::format("No usual measurement distinguishes these causes. {} The best one is: {}", size, best.text);
     return best;
 }
 

@@ -16,17 +16,17 @@ namespace fusee::diagnosis {
 
 namespace {
 
-/// Minutes at the bench: to mount what one side, spring or joint needs, and for one reading.
+/// Estimated cost [min]: to mount one side, spring or joint, and for one reading.
 struct ExperimentCost {
     double mounting, reading;
 };
 constexpr std::array<ExperimentCost, gap_case::kExperiments> kCosts{
     {{10.0, 0.5}, {8.0, 0.2}, {5.0, 0.5}, {10.0, 0.02}, {3.0, 0.02}, {5.0, 0.002}}};
-constexpr std::size_t kEveryPull = 5;  ///< of a template's pulls is enough to tell two causes apart
+constexpr std::size_t kEveryPull = 5;  ///< every n-th pull of a template is enough to distinguish two causes
 constexpr double kStronger = 1.5;      ///< push
-constexpr double kSafePush = 0.9;      ///< of K_SE's greatest torque: as far as a push may go
-constexpr double kLowest = 0.2;        ///< of the highest level, where a case has no lower one
-constexpr double kUsualLoad = 0.6;     ///< of what the springs carry, where a case shows no motor torque
+constexpr double kSafePush = 0.9;      ///< of the greatest torque of K_SE: limit of a push
+constexpr double kLowest = 0.2;        ///< of the highest level, if the case has no lower one
+constexpr double kUsualLoad = 0.6;     ///< of the torque of the springs, if the case has no motor torque
 
 /// The motor torques of a template for this rig.
 core::Range torques(const gap_case::Case& gap_case) {
@@ -72,7 +72,7 @@ void thin_pulls(std::vector<gap_case::SpringPull>& rows) {
     rows = kept;
 }
 
-/// Only dead-bands, pushed harder as far as K_SE carries that; levels at which it does not are left out.
+/// Only dead-bands, pushed harder within the range of K_SE; other levels are left out.
 gap_case::Rows harder(const gap_case::Rows& usual, const gap_case::NominalRig& rig) {
     gap_case::Rows rows;
     for (gap_case::DeadBandRow row : usual.dead_band) {
@@ -148,8 +148,8 @@ public:
         loops();
         cocontraction();
         log(0, "");
-        log(2, ", played at twice the usual speed");
-        log(3, ", played at half the usual speed");
+        log(2, ", at twice the usual speed");
+        log(3, ", at half the usual speed");
         return std::move(menu_);
     }
 
@@ -219,7 +219,7 @@ private:
         at_levels(rows, [&](const std::vector<std::size_t>& chosen, const std::vector<double>& levels) {
             const double most = levels_of(rows, chosen, [](const gap_case::StiffnessRow& row) { return row.joint_torque; }).back();
             add({gap_case::Experiment::kJointStiffness, 0, chosen, 1,
-                 fmt::format("Lead the joint's torque to {0:.4g} Nm, back, to -{0:.4g} Nm and back at a co-contraction of {1} Nm", most,
+                 fmt::format("Ramp the joint torque to {0:.4g} Nm, back, to -{0:.4g} Nm and back at a co-contraction of {1} Nm", most,
                              list(levels)),
                  "cocontraction_Nm", levels},
                 1);

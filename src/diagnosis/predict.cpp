@@ -17,7 +17,7 @@ namespace fusee::diagnosis {
 
 namespace {
 
-/// The values of an effect's parameters: its size, and the further ones as found or else as they start.
+/// Parameter values of an effect: its size, and further ones as found or at their start.
 std::vector<double> values_of(const effects::Effect& effect, const FoundEffect& found) {
     std::vector<double> values{found.parameter.value};
     for (std::size_t k = 1; k < effect.parameters.size(); ++k) {
@@ -43,7 +43,7 @@ joint_model::BuiltRig rig_of(const gap_case::Case& nominal, const Diagnosis& fou
 }
 
 constexpr double kMostArm = 0.1;        // [m]
-constexpr double kSizeRounding = 1e-9;  // of a size that was written at the end of its range
+constexpr double kSizeRounding = 1e-9;  // of a size written at a bound of its range
 
 void require_allowed(const std::string& what, const effects::EffectParameter& law, double value) {
     const double slack = kSizeRounding * law.allowed.width();
@@ -52,7 +52,7 @@ void require_allowed(const std::string& what, const effects::EffectParameter& la
                                  fmt::format("{:g} to {:g}{}", law.allowed.low, law.allowed.high, law.unit == "1" ? "" : " " + law.unit));
 }
 
-/// One effect as it was found, with its further parameters.
+/// Checks one effect with its further parameters.
 void require_possible(const std::string& place, const FoundEffect& found) {
     const effects::Effect& law = effects::find_effect(found.cause.id);
     const effects::EffectParameter& size = law.parameters.front();
@@ -72,7 +72,7 @@ void require_possible(const std::string& place, const FoundEffect& found) {
     }
 }
 
-/// What can be built: anything else is a wrong figure, whichever effect or build parameter it comes from.
+/// Rejects a rig that cannot be built, whatever the effect or build parameter behind it.
 void require_buildable(const joint_model::BuiltRig& rig, const joint_model::NominalCams& cams) {
     const auto require = [](bool holds, const char* what, double value, const char* allowed) {
         if (!holds || !std::isfinite(value))
@@ -94,7 +94,7 @@ void require_buildable(const joint_model::BuiltRig& rig, const joint_model::Nomi
     require(rig.motor_inertia > 0.0, "motor inertia [kg m^2]", rig.motor_inertia, "above 0");
     require(rig.joint_inertia > 0.0, "joint inertia [kg m^2]", rig.joint_inertia, "above 0");
     require(rig.joint_coulomb >= 0.0, "joint friction [Nm]", rig.joint_coulomb, "at least 0");
-    require(std::abs(rig.joint_offset) < core::kPi, "zero of the joint's encoder [rad]", rig.joint_offset, "-pi to pi");
+    require(std::abs(rig.joint_offset) < core::kPi, "zero of the joint encoder [rad]", rig.joint_offset, "-pi to pi");
     require(rig.hand.damping > 0.0, "damping of the hand", rig.hand.damping, "above 0");
 }
 
@@ -103,7 +103,8 @@ void require_finite(const joint_model::Signals& signals) {
         for (std::size_t i = 0; i < signals[experiment].size(); ++i)
             if (!std::isfinite(signals[experiment][i]))
                 throw core::InvalidInput(fmt::format("effects or inputs: {}", to_string(experiment)),
-                                         fmt::format("no prediction of figure {}", i + 1), "what a rig of this case can do");
+                                         fmt::format("no finite prediction of value {}", i + 1),
+                                         "effects and inputs that a rig of this case can follow");
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 
 namespace fusee::diagnosis {
 
-/// What the ranking, the splits and what is left come to.
+/// Result of ranking, splits and remaining gap.
 struct Verdict {
     VerdictKind verdict = VerdictKind::kNone;
     std::vector<std::string> remarks;

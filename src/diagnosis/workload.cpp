@@ -13,7 +13,7 @@ namespace fusee::diagnosis {
 
 namespace {
 
-/// Each change of co-contraction begins from rest; each phase takes its time, and each row a step at least.
+/// Each change of co-contraction begins from rest; each row takes at least one step.
 double stiffness_steps(const std::vector<gap_case::StiffnessRow>& rows, const gap_case::Protocol& p) {
     double seconds = 0.0;
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -61,12 +61,12 @@ void require_feasible(const gap_case::Rows& rows, const gap_case::Protocol& prot
     const auto experiment = static_cast<gap_case::Experiment>(longest);
     const char* const hint =
         experiment == gap_case::Experiment::kJointStiffness
-            ? "; each change of cocontraction_Nm begins a loop from rest: does the column have what was commanded, rows in order?"
-            : "; leave out repeats, or do them as a case of their own";
-    throw core::InvalidInput(fmt::format("experiments.{}", to_string(experiment)),
-                             fmt::format("{} rows whose motion takes {:.3g} times as long as that of a usual case", rows.size(experiment),
-                                         steps[longest] / kUsualSteps),
-                             fmt::format("at most {:.3g} times in all{}", most / kUsualSteps, hint));
+            ? "; each change of cocontraction_Nm begins a loop from rest: does the column hold the commands, with rows in order?"
+            : "; leave out repeats, or put them into a separate case";
+    throw core::InvalidInput(
+        fmt::format("experiments.{}", to_string(experiment)),
+        fmt::format("{} rows with a motion {:.3g} times as long as in a usual case", rows.size(experiment), steps[longest] / kUsualSteps),
+        fmt::format("at most {:.3g} times in all{}", most / kUsualSteps, hint));
 }
 
 }  // namespace fusee::diagnosis

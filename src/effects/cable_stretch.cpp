@@ -5,7 +5,7 @@ namespace fusee::effects {
 Effect make_cable_stretch() {
     return {.id = "cable.stretch",
             .law = "Compliance in series with K_SE.",
-            .meaning = "The cable gives way in series with K_SE: together they are softer than the cam was cut for.",
+            .meaning = "The cable stretches in series with K_SE: together they are softer than designed.",
             .sided = true,
             .parameters = {{"k_c", "Nm/rad", 1.0, {0.05, 1000}, 0}},
             .starts = {0.5, 1, 2.5, 8},

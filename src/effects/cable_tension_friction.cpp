@@ -11,7 +11,7 @@ Effect make_cable_tension_friction() {
             .starts = {0.4, 1.2},
             .seen_by = {Experiment::kDeadBand, Experiment::kJointStiffness, Experiment::kCocontraction, Experiment::kLog},
             .confused_with = {"joint.coulomb"},
-            .advice = "look at the joint's pulley and bearing under load; the corrected profile has it in its model",
+            .advice = "check the pulley and bearing of the joint under load; the corrected profile includes this friction",
             .apply = [](BuiltRig& rig, int, std::span<const double> values) { rig.tension_friction += values[0]; }};
 }
 

@@ -4,8 +4,8 @@ namespace fusee::effects {
 
 Effect make_gear_coulomb() {
     return {.id = "gear.coulomb",
-            .law = "Constant friction on top of mu tau_load.",
-            .meaning = "The gear rubs even without load: a constant on top of mu times the load, as of a seal or a preloaded bearing.",
+            .law = "Constant friction in addition to mu tau_load.",
+            .meaning = "The gear has a constant friction in addition to mu times the load, for example from a seal or a preloaded bearing.",
             .sided = true,
             .parameters = {{"tau_c", "Nm", 0.04, {0, 0.5}, 0}},
             .starts = {0.5, 1.5},

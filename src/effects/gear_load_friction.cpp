@@ -5,7 +5,7 @@ namespace fusee::effects {
 Effect make_gear_load_friction() {
     return {
         .id = "gear.load_friction",
-        .law = "mu is not the nominal one: mu (1 + e).",
+        .law = "The friction coefficient differs from the nominal one: mu (1 + e).",
         .meaning = "The gear loses more (+) or less (-) of its load to friction than the nominal mu says.",
         .sided = true,
         .parameters = {{"e", "1", 0.25, {-0.9, 1.5}, 0}},

@@ -4,7 +4,7 @@ namespace fusee::effects {
 
 Effect make_gear_load_quadratic() {
     return {.id = "gear.load_quadratic",
-            .law = "Friction that grows with the load squared: b tau_load^2 on top of mu tau_load.",
+            .law = "Friction that grows with the load squared: b tau_load^2 in addition to mu tau_load.",
             .meaning = "The gear's friction grows faster than its load.",
             .sided = true,
             .parameters = {{"b", "1/Nm", 0.08, {-0.1, 0.4}, 0}},

@@ -5,7 +5,7 @@ namespace fusee::effects {
 Effect make_gear_stribeck() {
     return {.id = "gear.stribeck",
             .law = "Friction at rest is (1 + s) times that in motion; it falls as s exp(-(v/v_s)^2).",
-            .meaning = "The gear holds more at rest than it rubs in motion: it sticks, then slips.",
+            .meaning = "The gear friction is larger at rest than in motion: the gear sticks, then slips.",
             .sided = true,
             .parameters = {{"s", "1", 0.6, {0, 3}, 0}, {"v_s", "rad/s", 0.06, {0.005, 0.5}, 0.06, {0.03, 0.1, 0.25}}},
             .starts = {0.5, 1.5},

@@ -11,7 +11,7 @@ Effect make_joint_coulomb() {
             .starts = {0.4, 1.2},
             .seen_by = {Experiment::kDeadBand, Experiment::kJointStiffness, Experiment::kCocontraction, Experiment::kLog},
             .confused_with = {"cable.tension_friction", "joint.viscous"},
-            .advice = "look at the joint's bearing: alignment, preload, seals; the corrected profile has it in its model",
+            .advice = "check the joint bearing: alignment, preload, seals; the corrected profile includes this friction",
             .apply = [](BuiltRig& rig, int, std::span<const double> values) { rig.joint_coulomb += values[0]; }};
 }
 

@@ -4,14 +4,14 @@ namespace fusee::effects {
 
 Effect make_joint_gravity() {
     return {.id = "joint.gravity",
-            .law = "The weight of what the joint carries: torque -m g l sin q.",
+            .law = "Weight of the link: torque -m g l sin q.",
             .meaning = "The link's weight turns the joint: its centre of mass lies off the joint's axis.",
             .sided = false,
             .parameters = {{"mgl", "Nm", 0.15, {-1, 1.5}, 0}},
             .starts = {-1, 0.6, 1.5},
             .seen_by = {Experiment::kDeadBand, Experiment::kJointStiffness, Experiment::kCocontraction, Experiment::kLog},
             .confused_with = {},
-            .advice = "balance the joint, or stand it so that gravity has no lever",
+            .advice = "balance the joint, or mount it so that gravity has no lever arm",
             .apply = [](BuiltRig& rig, int, std::span<const double> values) { rig.gravity += values[0]; }};
 }
 

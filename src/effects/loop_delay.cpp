@@ -4,14 +4,14 @@ namespace fusee::effects {
 
 Effect make_loop_delay() {
     return {.id = "loop.delay",
-            .law = "Every command of a log arrives late.",
-            .meaning = "A command takes effect later by this time.",
+            .law = "Commands of a log act with a delay.",
+            .meaning = "A command acts with this delay.",
             .sided = false,
             .parameters = {{"t_d", "s", 0.02, {0, 0.2}, 0}},
             .starts = {0.5, 1.5},
             .seen_by = {Experiment::kLog},
             .confused_with = {"joint.viscous"},
-            .advice = "look at the controller: no spring changes it",
+            .advice = "check the controller: springs do not change a delay",
             .apply = [](BuiltRig& rig, int, std::span<const double> values) { rig.delay += values[0]; }};
 }
 

@@ -5,7 +5,7 @@ namespace fusee::effects {
 Effect make_se_radius() {
     return {.id = "se.radius",
             .law = "Every arm of K_SE's spool is longer or shorter.",
-            .meaning = "Every arm of K_SE's cam is longer (+) or shorter (-): cable thickness, over- or under-cut, shrinkage.",
+            .meaning = "Every arm of K_SE's spool is longer (+) or shorter (-): cable thickness, over- or under-cut, shrinkage.",
             .sided = true,
             .parameters = {{"dr", "m", 0.0015, {-0.006, 0.006}, 0}},
             .starts = {-1, 1},

@@ -4,7 +4,7 @@ namespace fusee::effects {
 
 Effect make_se_rate() {
     return {.id = "se.rate",
-            .law = "The rate of K_SE's base spring is off: k (1 + e).",
+            .law = "The rate of K_SE's base spring differs from the nominal one: k (1 + e).",
             .meaning = "The base spring of K_SE is stiffer (+) or softer (-) than its nominal rate.",
             .sided = true,
             .parameters = {{"e", "1", 0.12, {-0.6, 1}, 0}},

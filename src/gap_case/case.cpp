@@ -19,23 +19,23 @@ namespace {
 
 const char* const kSpringsAllowed = "the name of a CSV file with deflection_rad, se_torque_Nm, pe_torque_Nm";
 
-/// A reading without any scatter would be exact: no gap could be weighed against it.
+/// Every reading needs a scatter: gaps are measured in sigmas.
 void require_noise(const CaseToml& toml, const Sensors& sensors) {
     const auto require = [&toml](const char* path, double sum) {
-        if (sum == 0.0) throw toml.fault(path, "0", "a scatter above 0: a sensor without any does not exist");
+        if (sum == 0.0) throw toml.fault(path, "0", "a scatter above 0: every sensor has one");
     };
     require("sensors.encoder_noise_rad", sensors.encoder_step + sensors.encoder_noise);
     require("sensors.torque_noise_Nm", sensors.torque_noise);
 }
 
-/// Tables that may be left out, whole or in part: the defaults stand, and a remark says which.
+/// Optional tables: missing keys keep their defaults, and a remark names them.
 void read_or_default(const CaseToml& toml, const std::string& table, const std::vector<NumberKey>& keys,
                      const std::vector<std::string>& others, std::vector<std::string>& remarks) {
     std::vector<std::string> left_out;
     for (const std::string& name : toml.read_numbers(table, keys, others))
         for (const NumberKey& key : keys)
             if (key.name == name) left_out.push_back(fmt::format("{} = {:g}", name, *key.to));
-    if (!left_out.empty()) remarks.push_back(fmt::format("[{}] leaves out, taken as usual: {}", table, fmt::join(left_out, ", ")));
+    if (!left_out.empty()) remarks.push_back(fmt::format("[{}] uses defaults for: {}", table, fmt::join(left_out, ", ")));
 }
 
 bool read_ramp(const CaseToml& toml) {
@@ -60,7 +60,7 @@ std::map<Experiment, std::vector<std::string>> read_files(const CaseToml& toml) 
 }
 
 void read_toml(const CaseToml& toml, Case& gap_case) {
-    if (toml.has("bench")) throw toml.fault("bench", "a bench case", "a case with [rig]; one subsystem alone is read as a bench case");
+    if (toml.has("bench")) throw toml.fault("bench", "a subsystem case", "a case with [rig]; a case with [bench] is a subsystem case");
     toml.allow_tables({"rig", "tolerance", "sensors", "protocol", "experiments"});
     toml.require_numbers("rig", rig_keys(gap_case.rig), {"springs"});
     read_or_default(toml, "tolerance", tolerance_keys(gap_case.tolerance), {}, gap_case.remarks);

@@ -33,18 +33,18 @@ std::string table_text(const std::string& name, const char* comment, const std::
 /// @param t by value: the keys point into it
 std::string case_toml(CaseTemplate t) {
     std::string text = fmt::format(
-        "# A gap case of {}: what the model is told, and which files hold what the rig did (BENCH.md).\n"
+        "# A gap case of {}: nominal rig, and the files with the measurements (BENCH.md).\n"
         "# SI: metres, newtons, radians, seconds, Nm; the unit stands at the end of each name.\n",
         t.name);
     text += table_text("rig", "the nominal rig", rig_keys(t.rig));
     text +=
-        fmt::format("{:<44} # {}\n", fmt::format("springs = \"{}\"", kSprings), "torques at the capstan over deflection, both sides alike");
-    text += table_text("tolerance", "one sigma of what a workshop leaves: a gap inside of it is no effect", tolerance_keys(t.tolerance));
+        fmt::format("{:<44} # {}\n", fmt::format("springs = \"{}\"", kSprings), "torques at the capstan over deflection, both sides equal");
+    text += table_text("tolerance", "one sigma of build tolerances: a gap within them is not an effect", tolerance_keys(t.tolerance));
     text += table_text("sensors", "put in those of the rig", sensor_keys(t.sensors));
     text += table_text("protocol", "how long each phase takes [s]", protocol_keys(t.protocol));
     text += fmt::format("{:<44} # {}\n", fmt::format("motor_ramp = \"{}\"", t.protocol.smooth_motor_ramp ? "smooth" : "straight"),
                         "or smooth: 3 s^2 - 2 s^3");
-    text += "\n[experiments] # take out what was not measured\n";
+    text += "\n[experiments] # remove what was not measured\n";
     for (const Experiment experiment : kAllExperiments) text += fmt::format("{0} = \"{0}.csv\"\n", to_string(experiment));
     return text;
 }

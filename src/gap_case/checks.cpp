@@ -45,7 +45,7 @@ double correlation(const std::vector<double>& a, const std::vector<double>& b) {
     return aa > 0.0 && bb > 0.0 ? ab / std::sqrt(aa * bb) : 0.0;
 }
 
-/// Are the readings multiples of `step`, as those of an encoder are, and of many different ones?
+/// True if the readings are multiples of `step`, and of many different ones.
 bool counted_in(const std::vector<double>& readings, double step) {
     constexpr double kOff = 0.05;          // of a step: by chance one reading in ten is as near
     constexpr std::size_t kDifferent = 8;  // counts: an axis that stays where it is may stand near one or two
@@ -66,7 +66,7 @@ double nominal_torque(const NominalRig& rig, bool series, double deflection) {
     return torque(a) + (torque(b) - torque(a)) * (deflection - a.deflection) / (b.deflection - a.deflection);
 }
 
-/// A question after the unit that figures most likely have which are `ratio` times what Nm over rad would be.
+/// A question about the likely unit of values that are `ratio` times those in Nm over rad.
 std::string likely_unit(double ratio) {
     struct Unit {
         double factor;
@@ -102,7 +102,7 @@ public:
     }
 
 private:
-    /// The experiment's first file stands for all of them.
+    /// Named by the first file of the experiment.
     [[nodiscard]] core::InvalidInput fault(Experiment experiment, const std::string& columns, std::string value,
                                            std::string allowed) const {
         const std::string file = (folder_ / gap_case_.files.at(experiment).front()).string();
@@ -113,7 +113,7 @@ private:
         return {fmt::format("{}: {}", (folder_ / springs_).string(), columns), std::move(value), std::move(allowed)};
     }
 
-    /// Cams follow from curves that rise everywhere, over a turn that a capstan can be seen to make.
+    /// Cams need curves that rise everywhere over a plausible capstan angle.
     void check_springs() const {
         constexpr double kLeastEnd = 0.1;  // [rad]
         const double end = gap_case_.rig.springs.back().deflection;
@@ -138,10 +138,10 @@ private:
         if (travel.compression > kMostTravel || travel.compression < kLeastTravel)
             throw core::InvalidInput(
                 file + ": rig.pe_compression_rate_N_per_m", fmt::format("{:g}", gap_case_.rig.pe_compression_rate),
-                fmt::format("a rate in N/m, and springs in Nm over rad: the spring would give way by {:.3g} m", travel.compression));
+                fmt::format("a rate in N/m, and springs in Nm over rad: the spring would deflect by {:.3g} m", travel.compression));
     }
 
-    /// Commands so far below the springs' torques that they would hardly move: another unit.
+    /// Commands far below the spring torques are in another unit.
     void check_commands() const {
         constexpr double kLeastShare = 0.03;  // of the springs' greatest torque: rigs use half of it, Ncm would be a hundredth
         const double springs = gap_case_.rig.springs.back().se_torque + gap_case_.rig.springs.back().pe_torque;
@@ -151,14 +151,13 @@ private:
                 const std::vector<double> torques = column(rows, field.get);
                 const double greatest = *std::max_element(torques.begin(), torques.end());
                 if (greatest > 0.0 && greatest < kLeastShare * springs)
-                    throw fault(
-                        experiment, field.column, fmt::format("at most {:.3g}", greatest),
-                        fmt::format("Nm, as the springs have {:.3g} Nm; are these or the springs' torques another unit (Ncm)?", springs));
+                    throw fault(experiment, field.column, fmt::format("at most {:.3g}", greatest),
+                                fmt::format("Nm; the springs reach {:.3g} Nm: is one of the two in another unit (Ncm)?", springs));
             }
         });
     }
 
-    /// More friction than none: a load above the motor torque drives it back, one below it is lifted.
+    /// Friction is positive: a load above the motor torque drives back, one below it is lifted.
     void check_directions() {
         std::size_t rows[2] = {0, 0}, wrong[2] = {0, 0};
         for (const identification::BreakAway& row : rows_.breakaway) {
@@ -186,7 +185,8 @@ private:
                         fmt::format("Nm at the capstan, as the motor torques{}", likely_unit(loads / motors)));
     }
 
-    /// What the nominal springs carry at the angles read over what the motors gave: friction takes a share of it, another unit takes all.
+    /// Torque of the nominal springs at the measured angles over the motor torque: friction changes it by a share, a wrong unit by a
+    /// factor.
     void check_carried() const {
         double carried = 0.0, given = 0.0;
         const auto add = [&](double theta, double torque) {
@@ -245,7 +245,7 @@ private:
                                      column(rows, [](const auto& row) { return row.q; }));
         if (r < kWrongWay)
             throw fault(Experiment::kJointStiffness, "q_rad", "falls as joint_torque_Nm rises",
-                        "a joint that gives way to its torque: one of the two has the other sign");
+                        "a joint that follows its torque: one of the two has the wrong sign");
     }
 
     /// The agonist winds in: the joint goes down (docs/gap.md). Faultless and faulty rigs: -0.57 to -0.97, 0.16 to 0.65.
@@ -262,7 +262,8 @@ private:
         const double motors_turn = correlation(capstans, motors);
         if (motors_turn < 0.0 && motors_turn >= kMotors)
             remarks_.emplace_back(
-                "log: the capstans hardly follow their motors; if the sides of torques or angles are swapped, so is the answer");
+                "log: the capstans hardly follow their motors; if the sides of torques or angles are swapped, the diagnosis swaps them "
+                "too");
         if (motors_turn < kMotors)
             throw fault(Experiment::kLog, "motor_torque_agonist_Nm", "moves the antagonist's capstan",
                         "torques and angles of the same side: are the sides of one of them swapped?");
@@ -308,10 +309,12 @@ private:
         constexpr std::size_t kFewInAll = 30;
         for (const auto& [experiment, files] : gap_case_.files)
             if (rows_.size(experiment) < kFew)
-                remarks_.push_back(fmt::format("{}: {} rows only; it has little weight", to_string(experiment), rows_.size(experiment)));
+                remarks_.push_back(
+                    fmt::format("{}: {} rows only, which carry little weight", to_string(experiment), rows_.size(experiment)));
         if (rows_.size() < kFewInAll)
-            remarks_.push_back(fmt::format("{} rows in all: only a great effect can be told from scatter", rows_.size()));
-        if (rows_.dead_band_width_only) remarks_.emplace_back("dead_band: widths alone; which side is at fault cannot be seen from them");
+            remarks_.push_back(fmt::format("{} rows in all: only a large effect can be distinguished from scatter", rows_.size()));
+        if (rows_.dead_band_width_only)
+            remarks_.emplace_back("dead_band: the table holds widths only, which do not show the side of a fault");
     }
 
     const Case& gap_case_;

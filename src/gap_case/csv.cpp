@@ -32,7 +32,7 @@ struct Allowed {
     std::string text;
 };
 
-/// What a figure can be on this rig: beyond, another unit is meant.
+/// Limits of a value on this rig: beyond them it is in another unit.
 Allowed allowed(Quantity quantity, const NominalRig& rig) {
     const double springs = rig.springs.back().se_torque + rig.springs.back().pe_torque;
     const double pull = kMostTorques * springs, joint = pull * std::max(rig.ratio(), 1.0);
@@ -139,8 +139,8 @@ private:
                                        fmt::format("after the row before, {:g} s", rows[i - 1].time));
     }
 
-    /// Co-contractions as they were read in place of commanded: those that lie together are one level, their mean. Else each row would
-    /// begin a loop of its own, from rest.
+    /// Co-contractions may be measured instead of commanded: close values are one level, their mean. Otherwise each row would
+    /// begin a separate loop from rest.
     void level(std::vector<StiffnessRow>& rows) const {
         constexpr double kApart = 0.01, kWidest = 0.04;  // of the greatest
         std::map<double, std::size_t> counts;
@@ -165,7 +165,7 @@ private:
                             path_.filename().string(), levels.size(), counts.size()));
     }
 
-    /// Both ends, or the width alone.
+    /// Both ends, or only the width.
     void finish_widths(std::vector<DeadBandRow>& rows) const {
         const bool ends = table_.has("q_low_rad") && table_.has("q_high_rad");
         if (!options_.inputs_only && !ends && !table_.has("width_rad"))
@@ -188,7 +188,7 @@ void tell_left_out(const std::string& file, const core::CsvTable& table, std::ve
         remarks.push_back(fmt::format("{}: of {} rows the first {:g} s are used, {} rows are left out", file, table.rows_read(),
                                       kLongestLog, table.rows_beyond_span()));
     if (table.stride() > 1)
-        remarks.push_back(fmt::format("{}: every {}th row is used, {} of {}; what happened in between is not seen", file, table.stride(),
+        remarks.push_back(fmt::format("{}: every {}th row is used, {} of {}; the rows in between are ignored", file, table.stride(),
                                       table.rows(), table.rows_read() - table.rows_beyond_span()));
 }
 

@@ -6,14 +6,14 @@
 
 namespace fusee::gap_case {
 
-/// What is read of a folder's files.
+/// How the files of a folder are read.
 struct TablesOptions {
     bool inputs_only = false;  ///< measured columns, and whole files, may be missing; nothing is thinned
-    std::function<void(std::string_view)> seen = [](std::string_view) {};  ///< told of every byte read
-    std::vector<std::string>* remarks = nullptr;                           ///< gets one for each thinned file
+    std::function<void(std::string_view)> seen = [](std::string_view) {};  ///< receives every byte read
+    std::vector<std::string>* remarks = nullptr;                           ///< receives one for each thinned file
 };
 
-/// The files of `bench.files` in `folder`, checked for figures that cannot be of `bench.rig`.
+/// The files of `bench.files` in `folder`, checked against `bench.rig`.
 /// @throws core::InvalidInput "file:line:column: column", core::IoError
 [[nodiscard]] Rows read_tables(const Case& gap_case, const std::filesystem::path& folder, const TablesOptions& options);
 

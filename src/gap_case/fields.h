@@ -4,19 +4,19 @@
 
 #include "fusee/gap_case/case.h"
 
-/// The columns of the experiments' files: the one list that reading, refusing, writing and the empty templates walk.
+/// The columns of the experiment files: one list for reading, checking, writing and the empty templates.
 namespace fusee::gap_case {
 
-/// What a number is of: decides which figures are taken for another unit.
+/// Physical quantity of a column: decides which values are rejected as another unit.
 enum class Quantity { kWord, kCount, kTime, kDeflection, kCapstanAngle, kJointAngle, kPull, kTorque, kJointTorque };
 
 template <class Row>
 struct Field {
     const char* column;
     bool measured = false;  ///< else commanded: an input
-    bool required = true;   ///< may be missing as a whole, its figure left as a row begins
+    bool required = true;   ///< the column may be missing: values keep their defaults
     Quantity quantity = Quantity::kWord;
-    double (*get)(const Row&) = nullptr;  ///< of a word: its place in `words`
+    double (*get)(const Row&) = nullptr;  ///< for a word: its index in `words`
     void (*set)(Row&, double) = nullptr;
     std::vector<std::string> words{};
 };

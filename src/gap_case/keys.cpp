@@ -31,7 +31,7 @@ std::vector<NumberKey> tolerance_keys(Tolerance& t) {
 
 std::vector<NumberKey> sensor_keys(Sensors& s) {
     return {{"encoder_step_rad", 0.0, 0.03, "rad", &s.encoder_step, "between two readings of an encoder"},
-            {"encoder_noise_rad", 0.0, 0.03, "rad", &s.encoder_noise, "one sigma, beside the step"},
+            {"encoder_noise_rad", 0.0, 0.03, "rad", &s.encoder_noise, "one sigma, in addition to the step"},
             {"torque_noise_relative", 0.0, 0.3, "", &s.torque_noise_relative, "one sigma of a torque reading, relative"},
             {"torque_noise_Nm", 0.0, 1.0, "Nm", &s.torque_noise, "one sigma of a torque reading, added to it"},
             {"breakaway_scatter", 0.0, 0.5, "", &s.breakaway_scatter, "one sigma of friction from one break-away to the next, relative"},

@@ -2,7 +2,7 @@
 #include "fusee/gap_case/case.h"
 #include "fusee/gap_case/toml.h"
 
-/// The numbers of a case.toml, table by table, each with what it may be: what reading and the empty template walk.
+/// The numbers of a case.toml, table by table, with their ranges: one list for reading and for the empty template.
 namespace fusee::gap_case {
 
 [[nodiscard]] std::vector<NumberKey> rig_keys(NominalRig& rig);

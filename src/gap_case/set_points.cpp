@@ -11,7 +11,7 @@ namespace {
 constexpr double kEmpty = std::numeric_limits<double>::quiet_NaN();
 constexpr int kRepeats = 3, kBreakAwayRepeats = 4;
 
-/// Figures that can be set on a bench: four digits.
+/// Rounded to four digits: a person has to set them.
 double rounded(double value) { return std::round(value * 1e4) / 1e4; }
 
 /// `count` set points from low to high, both included.
@@ -27,7 +27,7 @@ std::vector<double> back(std::vector<double> levels) {
     return levels;
 }
 
-/// The greatest joint torque of the stiffness loops: its share at the capstan stays below what K_SE carries.
+/// Greatest joint torque of the stiffness loops: its share at the capstan stays within the range of K_SE.
 double joint_torque(const CaseTemplate& t) {
     constexpr double kShare = 0.6;
     return rounded(t.rig.ratio() * kShare * std::min(t.torques.high, t.rig.springs.back().se_torque));
@@ -56,7 +56,7 @@ std::vector<SpringPull> spring_pull(const CaseTemplate& t) {
     return rows;
 }
 
-/// Strong enough to leave the dead-band, which grows with the co-contraction, as far as K_SE carries it without leaving its curve.
+/// A push that leaves the dead-band, which grows with the co-contraction, within the curve of K_SE.
 double push_torque(const CaseTemplate& t, double cocontraction) {
     if (const double push = t.push ? t.push(cocontraction).torque : 0.0; push > 0.0) return rounded(push);
     constexpr double kConstant = 0.4, kGrowth = 0.8, kReach = 0.9;

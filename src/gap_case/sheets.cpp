@@ -88,7 +88,7 @@ std::string torques_of(const std::vector<Row>& rows, double Row::*torque) {
     return different(all);
 }
 
-/// What a set point of the push stands for.
+/// Meaning of a push set point.
 std::string push_text(const CaseTemplate& t, const std::vector<DeadBandRow>& rows) {
     if (!t.push) return "";
     double within = std::numeric_limits<double>::infinity();

@@ -22,7 +22,7 @@ constexpr std::size_t kLongestShown = 80;        // of a refused value
 std::string leaf_of(const std::string& path) { return path.substr(path.rfind('.') + 1); }
 std::string table_of(const std::string& path) { return path.substr(0, path.find('.') == std::string::npos ? 0 : path.rfind('.')); }
 
-/// All cells of one kind, or nothing.
+/// All cells of one type, or nothing.
 template <class T>
 std::optional<std::vector<T>> cells_of(const toml::array& array) {
     std::vector<T> cells;
@@ -62,7 +62,7 @@ std::string allowed_text(const NumberKey& key) {
 
 }  // namespace
 
-/// Walks through the parsed file; keeps toml++ out of the header.
+/// Flattens the parsed file; keeps toml++ out of the header.
 struct CaseToml::Builder {
     CaseToml& to;
 

@@ -15,7 +15,7 @@ namespace fusee::gap_case {
 
 namespace {
 
-/// Does the column stand in the file? Those that may be missing do not if no row has a figure for them.
+/// True if the column is written: optional columns need a value in at least one row.
 template <class Row>
 bool stands(const Field<Row>& field, const std::vector<Row>& rows, const Rows& all) {
     if (field.required) return true;

@@ -12,7 +12,7 @@ namespace {
 const std::vector<core::CsvColumn> kColumns{
     {"side", core::CsvColumn::Kind::kText}, {"direction", core::CsvColumn::Kind::kText}, {"motor_torque_Nm"}, {"load_torque_Nm"}};
 
-constexpr double kLargestTorque = 1e6;  // [Nm]; whoever has more has another unit in mind
+constexpr double kLargestTorque = 1e6;  // [Nm]; larger values are in another unit
 
 double torque_of(const core::CsvTable& table, std::size_t row, const char* column) {
     const double torque = table.numbers(column)[row];

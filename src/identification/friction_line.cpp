@@ -10,10 +10,10 @@ namespace fusee::identification {
 namespace {
 
 constexpr std::size_t kLeastRows = 3;             // two give a line without an interval
-constexpr std::size_t kLeastRowsForOutliers = 8;  // with fewer the median deviation itself is chance
+constexpr std::size_t kLeastRowsForOutliers = 8;  // of fewer rows the median deviation is not reliable
 constexpr double kOutlier = 4.0;                  // robust deviations: one row in some thousands by chance, the median of few rows included
-constexpr double kSpread = 1e-6;                  // of the loads, relative; less cannot be told from rounding in a million rows
-constexpr double kMostGrowth = 0.9999;            // sensors scatter where friction does not: a hundredth of the typical deviation stays
+constexpr double kSpread = 1e-6;                  // of the loads, relative; below it is rounding in a million rows
+constexpr double kMostGrowth = 0.9999;            // least deviation of a row, in typical ones: sensors always scatter
 
 /// The straight line through (x, y) at each x: the mean of y if x has no spread.
 void fit_within(const std::vector<double>& x, const std::vector<double>& y, const std::vector<std::size_t>& members,

@@ -3,7 +3,7 @@
 
 namespace fusee::identification {
 
-/// Rows that one line is to go through; indices into all rows.
+/// Rows of one line: indices into all rows.
 struct Group {
     std::string name;
     std::vector<std::size_t> rows;
@@ -13,7 +13,7 @@ struct Group {
 /// @param weights of all rows. Columns: constant, load.
 [[nodiscard]] math::LinearModel line_model(const std::vector<BreakAway>& rows, const Group& group, const std::vector<double>& weights);
 
-/// At least 3 rows, and loads that differ by more than rounding: else there is no line.
+/// True for at least 3 rows whose loads differ by more than rounding.
 [[nodiscard]] bool has_line(const math::LinearModel& model);
 
 /// The group's rows beyond 4 robust deviations, in the group's order; none of fewer than 8 rows.

@@ -13,8 +13,8 @@ namespace fusee::identification {
 
 namespace {
 
-constexpr int kScatterPasses = 3;    // weights from lines from weights: settled to a per mille
-constexpr double kLargestMu = 0.95;  // friction::Law allows no more: the gear locks itself
+constexpr int kScatterPasses = 3;    // iterations of weights and lines: converged to 0.1 %
+constexpr double kLargestMu = 0.95;  // limit of friction::Law: beyond it the gear is self-locking
 
 const char* direction_of(const BreakAway& row) { return row.backdrive ? "backdrive" : "drive"; }
 
@@ -43,7 +43,7 @@ std::vector<FrictionLine> lines_of(const std::vector<BreakAway>& rows, const std
     return lines;
 }
 
-/// What the rows' scatter looks like about the lines of the finest groups, and what each row counts therefore.
+/// Scatter of the rows about the lines of the finest groups, and the weight of each row.
 struct RowWeights {
     std::vector<double> weights;
     std::vector<std::size_t> outliers;  // ascending
@@ -77,7 +77,7 @@ RowWeights weigh(const std::vector<BreakAway>& rows, const std::vector<Group>& f
     return w;
 }
 
-/// Those of the groups that have a line; all rows if none has.
+/// The groups that have a line; all rows if none has.
 std::vector<Group> with_lines(const std::vector<BreakAway>& rows, std::vector<Group> groups) {
     const std::vector<double> even(rows.size(), 1.0);
     std::erase_if(groups, [&](const Group& group) { return !has_line(line_model(rows, group, even)); });
@@ -128,7 +128,7 @@ void require_rows(const std::vector<BreakAway>& rows, const Group& all) {
     if (rows.size() < 3) throw core::InvalidInput("break-away rows", fmt::format("{}", rows.size()), "at least 3");
     if (!has_line(line_model(rows, all, std::vector<double>(rows.size(), 1.0))))
         throw core::InvalidInput("motor_torque_Nm", fmt::format("{:g} in every row", rows.front().motor_torque),
-                                 "motor torques that differ, so that the loads do");
+                                 "motor torques with at least two values");
 }
 
 }  // namespace
@@ -174,8 +174,8 @@ FrictionReport identify_friction(const std::vector<BreakAway>& rows) {
     report.remarks = remarks_on(fitted);
     report.law = law_of(fitted.trusted);
     if (!report.law)
-        report.remarks.push_back(
-            {"law", fmt::format("mu = {:.4g} is no friction of a gear (0 to {:g}): no law is stated", fitted.trusted.mu, kLargestMu)});
+        report.remarks.push_back({"law", fmt::format("mu = {:.4g} is outside the range of a gear (0 to {:g}): no law is stated",
+                                                     fitted.trusted.mu, kLargestMu)});
     return report;
 }
 

@@ -11,9 +11,9 @@ namespace fusee::identification {
 
 namespace {
 
-constexpr double kChance = 0.01;     // a difference is stated if chance makes it more rarely than this
+constexpr double kChance = 0.01;     // significance level of a remark
 constexpr std::size_t kNamed = 5;    // rows that a remark names
-constexpr double kRounding = 1e-20;  // variance of a coefficient that is taken for rounding: rows without scatter
+constexpr double kRounding = 1e-20;  // variance of a coefficient due to rounding, for rows without scatter
 
 /// "0.280 (0.275 to 0.285)"
 std::string with_interval(double value, const core::Range& range) {
@@ -29,7 +29,7 @@ std::string places(const std::vector<BreakAway>& rows, const std::vector<std::si
     return which.size() > kNamed ? fmt::format("{} and {} more", out, which.size() - kNamed) : out;
 }
 
-/// The probability that lines alike in truth differ as much as these (F test on constants and slopes together).
+/// Probability that equal lines differ as much as these (F test on constants and slopes together).
 double chance_of_difference(const std::vector<FrictionLine>& lines) {
     Eigen::Matrix2d information = Eigen::Matrix2d::Zero();
     Eigen::Vector2d sum = Eigen::Vector2d::Zero();
@@ -71,7 +71,7 @@ FrictionRemark on_constant(const FrictionLine& line) {
                             with_interval(line.through_zero_mu, line.through_zero_mu_95)),
                 p};
     return {"constant",
-            fmt::format("a constant friction of {} Nm acts beside mu = {}: a line through zero would {}state mu", constant,
+            fmt::format("a constant friction of {} Nm acts in addition to mu = {}: a line through zero would {}state mu", constant,
                         with_interval(line.mu, line.mu_95), line.constant > 0.0 ? "over" : "under"),
             p};
 }
@@ -85,8 +85,9 @@ void add_directions(const Fitted& fitted, std::vector<FrictionRemark>& remarks) 
     const double scale = 2.0 / (2.0 + fitted.directions[1].mu - fitted.directions[0].mu);
     remarks.push_back(
         {"directions",
-         fmt::format("the directions differ: {}; one mu for both, {:.3g}, would need motor torques {:+.1f} % from those stated",
-                     each(fitted.directions), 1.0 - scale * (1.0 - fitted.directions[0].mu), 100.0 * (scale - 1.0)),
+         fmt::format(
+             "the directions differ: {}; one mu for both, {:.3g}, requires motor torques that differ by {:+.1f} % from those stated",
+             each(fitted.directions), 1.0 - scale * (1.0 - fitted.directions[0].mu), 100.0 * (scale - 1.0)),
          p});
 }
 
@@ -96,8 +97,7 @@ void add_sides(const Fitted& fitted, std::vector<FrictionRemark>& remarks) {
     if (p >= kChance) return;
     const std::string more = fitted.sides.size() > kNamed ? fmt::format(" and {} more", fitted.sides.size() - kNamed) : "";
     remarks.push_back(
-        {"sides", fmt::format("the sides differ: {}{}; the law below lies between them and is neither motor's", each(fitted.sides), more),
-         p});
+        {"sides", fmt::format("the sides differ: {}{}; the law below is a mean and fits neither motor", each(fitted.sides), more), p});
 }
 
 /// A term in load^2 in each of the finest groups, all tested together.
@@ -126,8 +126,7 @@ void add_curvature(const Fitted& fitted, std::vector<FrictionRemark>& remarks) {
     if (p >= kChance) return;
     remarks.push_back(
         {"curvature",
-         fmt::format("friction is no straight line of the load: a term {:.3g} load^2 shows; a tabulated law fits better", sum / precision),
-         p});
+         fmt::format("friction is not linear in the load: the data show a term {:.3g} load^2; use a tabulated law", sum / precision), p});
 }
 
 void add_rows(const Fitted& fitted, std::vector<FrictionRemark>& remarks) {
@@ -135,7 +134,7 @@ void add_rows(const Fitted& fitted, std::vector<FrictionRemark>& remarks) {
         remarks.push_back(
             {"outliers", fmt::format("{} row{} far off the line and {} the law below: {}", fitted.outliers.size(),
                                      fitted.outliers.size() == 1 ? " lies" : "s lie",
-                                     fitted.trusted.rows < fitted.rows.size() ? "left out of" : "kept, since nothing else holds up",
+                                     fitted.trusted.rows < fitted.rows.size() ? "left out of" : "kept, because the other rows give no law",
                                      places(fitted.rows, fitted.outliers))});
     std::vector<std::size_t> wrong;
     for (std::size_t i = 0; i < fitted.rows.size(); ++i)
@@ -144,7 +143,7 @@ void add_rows(const Fitted& fitted, std::vector<FrictionRemark>& remarks) {
         remarks.push_back({"wrong_way", fmt::format("{} row{} the load on the wrong side of the motor torque for the direction given: {}",
                                                     wrong.size(), wrong.size() == 1 ? " has" : "s have", places(fitted.rows, wrong))});
     if (fitted.scatter.growth > 0.5)
-        remarks.push_back({"scatter", "the scatter grows with the friction: rows count by the inverse of their variance"});
+        remarks.push_back({"scatter", "the scatter grows with the friction: rows are weighted by the inverse of their variance"});
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 
 namespace fusee::identification {
 
-/// Everything that the tests are made on.
+/// Input of all tests.
 struct Fitted {
     const std::vector<BreakAway>& rows;
     const std::vector<double>& weights;

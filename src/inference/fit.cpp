@@ -14,7 +14,7 @@ namespace fusee::inference {
 
 namespace {
 
-constexpr double kFair = 1.5;             ///< T up to which an experiment's prediction is as accurate as it should be
+constexpr double kFair = 1.5;             ///< T up to which the prediction of an experiment is as accurate as expected
 constexpr std::size_t kPairsOfDraws = 3;  ///< of the spread
 constexpr double kBuildDraw = 0.7;        ///< size of a draw in sigmas of a build parameter
 constexpr double kEffectDraw = 0.03;      ///< in shares of an effect's size
@@ -90,7 +90,7 @@ void weigh(const Problem& problem, Fit& fit) {
     fit.log_evidence = -0.5 * fit.cost - 0.5 * log_det + 0.5 * prior_precision(problem, fit.causes).array().log().sum();
 }
 
-/// How far a draw goes.
+/// Size of a draw.
 double reach_of(Problem::Role role, double x) {
     if (role == Problem::Role::kBuild) return kBuildDraw;
     return (role == Problem::Role::kSize ? kEffectDraw : kFurtherDraw) * std::abs(x);

@@ -11,11 +11,11 @@ namespace {
 constexpr int kDirectRounds = 6;      ///< of steps on break-away and spring pulls
 constexpr double kDirectStep = 0.01;  ///< of their differences, in scales
 constexpr double kLike = 0.05;        ///< distance, in x, of starts that are one
-constexpr int kScreenRounds = 2;            ///< of steps with the effect's own columns
-constexpr double kStrained = 3.0;     ///< sigmas of a build parameter past which it may stand in for the effect that is being tried
+constexpr int kScreenRounds = 2;      ///< of steps with the effect's own columns
+constexpr double kStrained = 3.0;     ///< sigmas of a build parameter beyond which it may replace the effect under test
 
-/// The same starts with strained build parameters back at nothing: what they stood in for is there now. Friction that sticks and slips
-/// gives no slope by which a fit would go that way.
+/// The same starts with deviating build parameters back at 0: the effect replaces them now. Stick-slip friction
+/// gives a fit no slope in that direction.
 void add_relaxed(const Problem& problem, std::vector<Eigen::VectorXd>& starts) {
     const auto build = static_cast<Eigen::Index>(problem.build().size());
     Eigen::ArrayXd free = starts.front().head(build).array();
@@ -27,7 +27,7 @@ void add_relaxed(const Problem& problem, std::vector<Eigen::VectorXd>& starts) {
     }
 }
 
-/// Every x to begin at: the base's, with each start of the effect's size and each try of its further parameters.
+/// Every start: x of the base with each start of the effect size and each try of its further parameters.
 std::vector<Eigen::VectorXd> starts_upon(const Problem& problem, const Fit& base, const Causes& causes, const effects::Effect& effect) {
     Eigen::VectorXd first = problem.start(causes);
     first.head(base.x.size()) = base.x;
@@ -51,14 +51,14 @@ std::vector<Eigen::VectorXd> starts_upon(const Problem& problem, const Fit& base
     return all;
 }
 
-/// Columns of `jacobian` for what the base has, and `own` for the rest.
+/// Columns of `jacobian` for the base, and `own` for the rest.
 Eigen::MatrixXd joined(const Eigen::MatrixXd& jacobian, const Eigen::MatrixXd& own) {
     Eigen::MatrixXd all(jacobian.rows(), jacobian.cols() + own.cols());
     all << jacobian, own;
     return all;
 }
 
-/// x moved to where break-away and spring pulls want it, which need no motion: a far better start where they see the effect.
+/// x fitted to break-away and spring pulls, which need no motion: a far better start where they see the effect.
 Eigen::VectorXd directed(const Problem& problem, const Fit& base, const Causes& causes, Eigen::VectorXd x) {
     const auto first = static_cast<int>(base.x.size());
     std::vector<bool> direct(static_cast<std::size_t>(problem.residuals()));
@@ -86,7 +86,7 @@ Eigen::VectorXd directed(const Problem& problem, const Fit& base, const Causes& 
     return x;
 }
 
-/// Starts that have come to the same place count once.
+/// Starts that end at the same place count once.
 void drop_like(std::vector<Eigen::VectorXd>& starts) {
     std::vector<Eigen::VectorXd> kept;
     for (const Eigen::VectorXd& x : starts)
@@ -119,7 +119,7 @@ Guess best_start(const Problem& problem, const Fit& base, const Causes& causes, 
     return best;
 }
 
-/// Steps with the effect's own columns, taken where they lower the true cost.
+/// Steps with the columns of the effect, taken if they lower the true cost.
 Guess improved(const Problem& problem, const Fit& base, Guess guess) {
     const auto own = guess.x.size() - base.x.size();
     const auto seen = [&](const Eigen::VectorXd& x) -> Eigen::VectorXd {

@@ -16,7 +16,7 @@ namespace fusee::inference {
 namespace {
 
 constexpr double kEffectOdds = 15.0;    ///< log odds against an effect: some sixty candidates, and rigs are mostly as designed [nats]
-constexpr double kSecondOdds = 17.0;    ///< against a second one, which also likes to mend what the first one's law leaves open
+constexpr double kSecondOdds = 17.0;    ///< against a second one, which also tends to correct errors of the first law
 constexpr std::size_t kSingles = 5;     ///< fitted in full
 constexpr double kNearEnough = 0.5;     ///< of the way from the best back to no effect, within which a rival of what explains all is fitted
 constexpr std::size_t kPairs = 3;       ///< upon each base
@@ -38,7 +38,7 @@ void sort_by_score(std::vector<Fit>& fits) {
     std::stable_sort(fits.begin(), fits.end(), [](const Fit& a, const Fit& b) { return score(a) > score(b); });
 }
 
-/// Each guess fitted in full, side by side.
+/// Full fits of all guesses, in parallel.
 std::vector<Fit> in_full(const Problem& problem, std::span<const Guess> guesses, const SearchOptions& options) {
     std::vector<Fit> fits(guesses.size());
     const unsigned jobs_of_one = std::max(1U, options.jobs / std::max(1U, static_cast<unsigned>(guesses.size())));
@@ -72,16 +72,16 @@ void add_pairs(const Problem& problem, const std::vector<effects::Cause>& causes
     }
 }
 
-/// Nothing is left for a second effect: every experiment is as near as its prediction is accurate, and no build tolerance is stretched to
-/// stand in for one.
+/// Nothing is left for a second effect: every experiment agrees within its accuracy, and no build parameter deviates enough to
+/// replace one.
 bool explained(const Problem& problem, const Fit& fit) {
     if (std::abs(worst_nuisance_pull(problem, fit).sigmas) > kStretched) return false;
     const std::array<double, gap_case::kExperiments> misfit = misfits(problem, fit.seen());
     return std::all_of(misfit.begin(), misfit.end(), [](double t) { return t < kNothingLeft; });
 }
 
-/// The best pair with one of its effects taken away, from where the pair stands: a single fit that had stuck elsewhere would make its
-/// partner look needed.
+/// The best pair without one of its effects, started at the pair: a single fit that stopped elsewhere would make its
+/// partner look necessary.
 void step_back(const Problem& problem, const SearchOptions& options, std::vector<Fit>& fits) {
     const Fit best = *std::max_element(fits.begin(), fits.end(), [](const Fit& a, const Fit& b) { return score(a) < score(b); });
     if (best.causes.size() < 2) return;
@@ -95,7 +95,7 @@ void step_back(const Problem& problem, const SearchOptions& options, std::vector
     }
 }
 
-/// The best single effects, best first. Once one explains all, only what came near it in the screening is a rival.
+/// The best single effects, best first. If one explains all, only those close to it in the screening are rivals.
 std::vector<Fit> singles_of(const Problem& problem, const Fit& null, const std::vector<Guess>& guesses, const SearchOptions& options) {
     if (guesses.empty()) return {};
     std::vector<Fit> singles = in_full(problem, std::span(guesses).first(1), options);
@@ -119,18 +119,18 @@ bool stands(const Problem& problem, const Fit& fit) {
     return true;
 }
 
-/// A hypothesis on its way into the ranking.
+/// A hypothesis before ranking.
 struct Ranked {
     Fit fit;
     double score = 0.0;
-    Split left_out;  ///< empty until it is asked
+    Split left_out;  ///< empty until computed
 };
 
 void sort_by_score(std::vector<Ranked>& ranking) {
     std::stable_sort(ranking.begin(), ranking.end(), [](const Ranked& a, const Ranked& b) { return a.score > b.score; });
 }
 
-/// Takes the price of a cause that the splits contradict from those that come first, until the first are all asked. No effect is too.
+/// Applies the cost of a contradicted cause to the leading hypotheses until the leaders are all checked, no effect included.
 void ask_the_splits(const Problem& problem, std::vector<Ranked>& ranking, const SearchOptions& options) {
     const auto first = [&] { return ranking.begin() + static_cast<std::ptrdiff_t>(std::min(kLeftOut, ranking.size())); };
     const auto unasked = [](const Ranked& h) { return h.left_out.x.empty(); };
@@ -146,7 +146,7 @@ void ask_the_splits(const Problem& problem, std::vector<Ranked>& ranking, const 
     }
 }
 
-/// As `discount_unfounded`, and in order again.
+/// As `discount_unfounded`, then sorted again.
 void ask_for_a_single(std::vector<Ranked>& ranking) {
     std::vector<std::size_t> effects;
     std::vector<double> scores;

@@ -15,11 +15,11 @@ constexpr double kStiffnessAccuracy = 0.003;     ///< of q's range at that co-co
 constexpr double kCocontractionAccuracy = 8e-4;  ///< of the capstans' range
 constexpr double kLogAccuracy = 1.5e-3;          ///< of the greatest range, at the beginning
 constexpr double kLogGrowth = 1.5e-3;            ///< and more of it every second: small errors grow on the way
-/// Of the same ranges on a rig that sticks and slips, where a slip comes sooner or later by chance.
+/// The same on a rig that sticks and slips, where the moment of a slip is random.
 constexpr double kSlippingDeadBand = 0.05, kSlippingStiffness = 0.01, kSlippingCocontraction = 0.02;
 constexpr double kStands = 4.0, kMoves = 15.0;  ///< encoder steps from row to row
 constexpr int kManyStops = 4;                   ///< of both capstans; ramps that only turn have 2 at most
-/// Shares of rows that are independent, from the autocorrelation of what is left on faultless rigs.
+/// Shares of independent rows, from the autocorrelation of the residuals of faultless rigs.
 constexpr std::array<double, gap_case::kExperiments> kIndependent{1.0, 0.7, 0.33, 0.15, 0.1, 0.06};
 
 template <typename RowList, typename Figure>
@@ -42,7 +42,7 @@ double steepness(const std::vector<gap_case::NominalRig::SpringRow>& springs, bo
     return 0.0;
 }
 
-/// How often a capstan stands still between two moves while co-contraction goes on in one direction.
+/// Number of times a capstan stops between two moves while co-contraction continues in one direction.
 int stops_on_the_way(const std::vector<gap_case::CocontractionRow>& rows, double gap_case::CocontractionRow::*angle, double step) {
     int stops = 0;
     bool moved = false, stands = false;

@@ -7,7 +7,7 @@ namespace fusee::joint_model {
 
 namespace {
 
-constexpr double kLocked = 1e3;  ///< in place of a load that does not exist: friction grows faster than it [Nm]
+constexpr double kLocked = 1e3;  ///< replaces a load that does not exist because friction grows faster [Nm]
 
 /// The load at which |load - torque| = c + m load + k load^2, on the side above (backdrive) or below the torque.
 double break_away_load(double torque, double way, double c, double m, double k) {
@@ -22,7 +22,7 @@ std::vector<double> predict_break_away(const BuiltRig& rig, const std::vector<id
     std::vector<double> loads;
     for (const identification::BreakAway& row : rows) {
         const Gear& gear = rig.sides[row.side == to_string(gap_case::Side::kAgonist) ? 0 : 1].gear;
-        const double way = row.backdrive ? 1.0 : -1.0;  // a load that wins pays the cable out
+        const double way = row.backdrive ? 1.0 : -1.0;  // the load drives back: the cable pays out
         const double at_rest = (1.0 + gear.stribeck) * (1.0 - way * gear.asymmetry);
         const double torque = std::min(gear.saturation, row.motor_torque * (1.0 + gear.torque_scale));
         loads.push_back(

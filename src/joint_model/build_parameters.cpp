@@ -10,7 +10,7 @@ namespace {
 constexpr double kHandDamping = 0.3;  ///< one sigma of the hand's damping, of its logarithm
 constexpr double kHandShare = 0.04;   ///< of settle_share
 
-/// max(0, x) with a round corner: a friction that a fit holds to be none still shows what a little of it would do.
+/// max(0, x) with a round corner: the slope does not vanish where a fit has no friction.
 double positive(double x, double corner) {
     if (corner <= 0.0) return std::max(0.0, x);
     return x > 0.0 ? x + corner * std::log1p(std::exp(-x / corner)) : corner * std::log1p(std::exp(x / corner));

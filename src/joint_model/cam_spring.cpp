@@ -11,9 +11,9 @@ namespace fusee::joint_model {
 namespace {
 
 constexpr std::size_t kCells = 400;                                      ///< of a table: linear between them, 1e-5 of the greatest torque
-constexpr std::size_t kRefinement = gap_case::NominalRig::kSpringSteps;  ///< places at which the nominal cams are kept
-constexpr double kLeastArm = 1e-5;   ///< [m]; a shorter or negative one is no spool: a fit that tries it sees a very stiff spring
-constexpr double kLeastTurn = 1e-9;  ///< [rad] between two places of a table, which has to rise
+constexpr std::size_t kRefinement = gap_case::NominalRig::kSpringSteps;  ///< grid of the nominal cams
+constexpr double kLeastArm = 1e-5;   ///< [m], least arm: a fit that tries a shorter one sees a very stiff spring
+constexpr double kLeastTurn = 1e-9;  ///< [rad], least step of a table, which must rise
 
 }  // namespace
 

@@ -8,7 +8,7 @@ namespace fusee::joint_model {
 
 namespace {
 
-/// One file, from rest, at the speed that makes the greatest torque of all files last a phase.
+/// One file from rest. The greatest torque of all files takes one phase.
 void follow(const BuiltRig& rig, std::span<const gap_case::CocontractionRow> rows, double seconds_per_torque, std::vector<double>& read) {
     Motion motion(rig, kSlowStep);
     Reading reading(rig);

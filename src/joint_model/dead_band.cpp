@@ -6,7 +6,7 @@ namespace fusee::joint_model {
 
 namespace {
 
-constexpr double kStrongPush = 1.5;  ///< of the co-contraction, times g, where no push is told
+constexpr double kStrongPush = 1.5;  ///< of the co-contraction, times g, where no push is given
 
 /// dtau_q/dq with both capstans held [Nm/rad].
 double held_stiffness(const BuiltRig& rig, const Motion& motion) {
@@ -20,7 +20,7 @@ double held_stiffness(const BuiltRig& rig, const Motion& motion) {
     return rig.ratio * rig.ratio * sum;
 }
 
-/// Pushes, holds, releases slowly and reads q.
+/// Pushes, holds, releases slowly, reads q.
 double push_and_release(Motion& motion, const Hand& hand, double cocontraction, double push, const gap_case::Protocol& protocol) {
     motion.lead_smoothly_to({cocontraction, cocontraction, push}, hand.push_share * protocol.dead_band_push);
     motion.hold((1.0 - hand.push_share) * protocol.dead_band_push);

@@ -5,10 +5,10 @@
 #include "fusee/joint_model/motion.h"
 #include "fusee/joint_model/signals.h"
 
-/// One prediction an experiment, each in a file of its own.
+/// One prediction per experiment, each in its file.
 namespace fusee::joint_model {
 
-/// From rest to the torques that an experiment begins with, as the protocol says, settled.
+/// From rest to the first torques of an experiment by the protocol, then settling.
 inline void begin_at(Motion& motion, const Motion::Torques& torques, const gap_case::Protocol& protocol) {
     if (protocol.smooth_motor_ramp)
         motion.lead_smoothly_to(torques, protocol.motor_ramp);
@@ -17,7 +17,7 @@ inline void begin_at(Motion& motion, const Motion::Torques& torques, const gap_c
     motion.hold(protocol.motor_settle);
 }
 
-/// The rows of each file of an experiment, since each begins from rest; those that no file accounts for are one more.
+/// The rows of each file of an experiment: each begins from rest. Rows beyond the files are one more part.
 template <class Row>
 [[nodiscard]] std::vector<std::span<const Row>> files_of(const gap_case::Rows& rows, gap_case::Experiment experiment,
                                                          const std::vector<Row>& all) {

@@ -7,7 +7,7 @@ namespace fusee::joint_model {
 
 namespace {
 
-/// The straight line through a phase's torques: what was commanded, without the scatter of its reading.
+/// Line through the torques of a phase: the command without the scatter of its reading.
 struct Ramp {
     double from = 0.0, per_row = 0.0;
 };
@@ -24,7 +24,7 @@ Ramp straight(std::span<const gap_case::StiffnessRow> rows, std::size_t first, s
     return {mean - per_row * middle, per_row};
 }
 
-/// One file: each co-contraction from rest, its phases one after the other.
+/// One file: each co-contraction from rest, then its phases in order.
 void follow(const BuiltRig& rig, std::span<const gap_case::StiffnessRow> rows, const gap_case::Protocol& protocol,
             std::vector<double>& read) {
     Motion motion(rig, kSlowStep);

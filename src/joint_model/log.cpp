@@ -11,20 +11,20 @@ namespace {
 
 Motion::Torques torques_of(const gap_case::LogRow& row) { return {row.torque_agonist, row.torque_antagonist, row.joint_torque}; }
 
-/// One log from rest: its first row's torques are reached in the motors' ramp and settled before it begins.
+/// One log from rest: the motor ramp reaches the torques of the first row, which settle before the log begins.
 void follow(const BuiltRig& rig, std::span<const gap_case::LogRow> rows, const gap_case::Protocol& protocol, std::vector<double>& read) {
     Motion motion(rig, kLogStep);
     Reading reading(rig);
     const gap_case::LogRow& first = rows.front();
     begin_at(motion, torques_of(first), protocol);
     std::size_t next = 1;
-    double now = first.time;  // of the commands as they arrive, `delay` late
+    double now = first.time;  // commands after the `delay`
     const auto lead_to = [&](const Motion::Torques& command, double time) {
         motion.lead_to(command, time - now);
         now = time;
     };
     for (const gap_case::LogRow& row : rows) {
-        const double sent = row.time - rig.delay;  // what arrives at this row
+        const double sent = row.time - rig.delay;  // command that acts at this row
         for (; next < rows.size() && rows[next].time <= sent; ++next)
             if (rows[next].time > now) lead_to(torques_of(rows[next]), rows[next].time);
         if (sent > now && next < rows.size()) {

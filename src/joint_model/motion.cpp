@@ -14,7 +14,7 @@ Torques between(const Torques& from, const Torques& to, double share) {
             from.joint + share * (to.joint - from.joint)};
 }
 
-/// Steps of one length on one rig. What does not change from step to step is taken out of the loop, and the state is a local of it: this is
+/// Steps of equal length on one rig. Constants and state are local variables: this is
 /// the innermost loop of a diagnosis.
 class Stepper {
 public:
@@ -34,7 +34,7 @@ public:
     }
 
 private:
-    /// A new speed for a capstan. @return what its K_SE pulls [Nm of nominal capstan]
+    /// New speed of a capstan. @return torque of its K_SE [Nm of nominal capstan]
     template <std::size_t kSide>
     double turn_capstan(MotionState& s, double command) const {
         const BuiltSide& side = rig_.sides[kSide];

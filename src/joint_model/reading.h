@@ -7,7 +7,7 @@
 
 namespace fusee::joint_model {
 
-/// What the encoders of a rig say: motors through the play of their gears, the joint with its offset.
+/// Encoder readings of a rig: motors with gear backlash, joint with its offset.
 class Reading {
 public:
     explicit Reading(const BuiltRig& rig) : rig_(rig) {}

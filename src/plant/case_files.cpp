@@ -8,7 +8,7 @@ namespace fusee::plant {
 
 namespace {
 
-/// Streams of a case: rig, its tolerances, noise of the fit's and of the held out experiments.
+/// Streams of a case: rig, its tolerances, noise of the fit's and of the held-out experiments.
 enum Purpose : std::uint64_t { kRig = 1, kBuild, kNoise, kHeldoutNoise };
 constexpr double kHeldoutSession = 900.0;  // [s] after switching on: behind the last of the fit's experiments
 constexpr std::array<const char*, 2> kSideNames{"agonist", "antagonist"};
@@ -65,7 +65,7 @@ std::string case_toml(const TestRig& test_rig) {
     return text;
 }
 
-/// Rows at even steps of deflection and load together, so that neither a flat nor a steep part is thin.
+/// Rows at even steps of deflection and load together, dense in flat and steep parts.
 std::string springs_csv(const Nominal& nominal) {
     const SpringCurves& s = nominal.springs;
     std::vector<double> way = load_of(s);

@@ -13,7 +13,7 @@ constexpr double kBreakAwayTime = 3.0;  // [s] of one break-away
 constexpr int kPullRows = 60, kStiffnessRows = 25, kCocontractionRows = 60;
 constexpr double kPullTime = 6.0;                        // [s] of a load or an unload
 constexpr double kHandAtRest = 0.035, kHandAtTop = 0.1;  // [Nms] at no and at the top torque of the motors
-constexpr double kPushScatter = 0.03;                    // a hand does not push alike twice
+constexpr double kPushScatter = 0.03;                    // scatter of a push by hand
 
 /// 0 to 1 with no speed at either end.
 double smooth(double s) {
@@ -100,7 +100,7 @@ Machine Session::co_contracted(double torque, double hand) {
     return machine;
 }
 
-/// Damping by hand [Nms]: firmer where the joint is stiffer, so that it neither swings nor creeps back.
+/// Damping by hand [Nms]: higher for a stiffer joint, so that it neither swings nor creeps back.
 double Session::hand(double cocontraction) const {
     return test_rig_.truth.hand * (kHandAtRest + kHandAtTop * cocontraction / test_rig_.nominal.top_torque);
 }

@@ -5,7 +5,7 @@
 
 namespace fusee::plant {
 
-/// One run of the bench through its experiments: what they share.
+/// One session of all experiments: their common state.
 class Session {
 public:
     Session(const TestRig& test_rig, const SetPoints& points, Random& random, double begin)

@@ -42,7 +42,7 @@ std::string head(const Diagnosis& diagnosis) {
     out += html_tile(known(gap.noise_floor) + " sigma", "noise floor");
     const bool interval = std::isfinite(gap.heldout_after_95.low) && std::isfinite(gap.heldout_after_95.high);
     out += html_tile(change(gap.heldout_before, gap.heldout_after) + " sigma",
-                     "on rows kept back" + (interval ? ", after: " + span(gap.heldout_after_95) : std::string()));
+                     "on held-out rows" + (interval ? ", after: " + span(gap.heldout_after_95) : std::string()));
     out += html_tile(chance(probability), diagnosis.effects.size() > 1 ? "probability of the less certain effect" : "probability");
     return out + "</div></header>\n";
 }

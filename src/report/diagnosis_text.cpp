@@ -37,7 +37,7 @@ std::string diagnosis_text(const diagnosis::Diagnosis& diagnosis) {
     const diagnosis::Gap& gap = diagnosis.gap;
     lines.push_back(fmt::format("  gap: {} sigma, noise floor {}", change(gap.before, gap.after), known(gap.noise_floor)));
     if (std::isfinite(gap.heldout_before))
-        lines.push_back(fmt::format("  on rows kept back: {} sigma (95 %: {})", change(gap.heldout_before, gap.heldout_after),
+        lines.push_back(fmt::format("  on held-out rows: {} sigma (95 %: {})", change(gap.heldout_before, gap.heldout_after),
                                     span(gap.heldout_after_95)));
     if (!diagnosis.next_experiment.empty()) lines.push_back("  next: " + diagnosis.next_experiment);
     const std::size_t room = static_cast<std::size_t>(kMostDiagnosisLines) - lines.size();

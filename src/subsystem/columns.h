@@ -4,13 +4,13 @@
 
 #include "fusee/subsystem/subsystem.h"
 
-/// What each kind of bench has in its files: the one list that reading, refusing and writing walk.
+/// Columns and parameters of each kind of subsystem: one list for reading, checking and writing.
 namespace fusee::subsystem {
 
 struct ColumnKey {
     const char* name;
     bool measured, required, text;
-    double low, high;  ///< of a number: beyond them it is of another unit
+    double low, high;  ///< limits of a number: beyond them it is in another unit
 };
 /// A number of [bench] or of a file's '#' lines.
 struct ParameterKey {

@@ -106,7 +106,7 @@ Cycles find_cycles(const std::vector<double>& time, const std::vector<double>& i
     return cycles;
 }
 
-const Cycles& first_alike(const std::vector<Cycles>& files, const Cycles& file) {
+const Cycles& first_of_same_amplitude(const std::vector<Cycles>& files, const Cycles& file) {
     for (const Cycles& other : files)
         if (std::abs(other.amplitude - file.amplitude) <= kLikeAmplitudes * other.amplitude) return other;
     return file;
@@ -117,7 +117,7 @@ double setup_variance(const std::vector<Cycles>& files) {
     for (const Cycles& first : files) {
         std::vector<const Cycles*> alike;
         for (const Cycles& file : files)
-            if (file.period > 0.0 && &first_alike(files, file) == &first) alike.push_back(&file);
+            if (file.period > 0.0 && &first_of_same_amplitude(files, file) == &first) alike.push_back(&file);
         if (alike.size() < 2) continue;
         for (std::size_t p = 0; p < kPhases; ++p) {
             double mean = 0.0;

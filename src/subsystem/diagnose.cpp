@@ -15,14 +15,14 @@ namespace fusee::subsystem {
 
 namespace {
 
-constexpr double kSure = 0.8;                  // of the answer, to call it identified
-constexpr double kStable = 0.95;               // share of the splits that agree, where much of the gap stays
+constexpr double kSure = 0.8;                  // probability of an identified answer
+constexpr double kStable = 0.95;               // share of agreeing splits, if much of the gap remains
 constexpr double kLeastAlternative = 0.01;     // less likely ones are not listed
-constexpr double kStructure = 3.0;             // times the floor: what stays above it has a cause
+constexpr double kStructure = 3.0;             // times the floor: a larger gap has a cause
 constexpr double kIndependentStructure = 1.3;  // the same for rows whose sigma is known
-constexpr double kDisagreement = 3.0;          // [nats] by which the evidence may prefer a set that the splits refuse
-constexpr double kRefusedShare = 0.25;         // of the probability, that goes to such a set
-constexpr double kAtFloor = 1.1;               // times the floor, which few repeats tell no better
+constexpr double kDisagreement = 3.0;          // [nats] in favour of a set that the splits refuse
+constexpr double kRefusedShare = 0.25;         // probability given to such a set
+constexpr double kAtFloor = 1.1;               // times the floor: accuracy of a floor from few repeats
 constexpr std::size_t kBins = 8;
 constexpr std::size_t kTraceRows = 400;
 
@@ -62,7 +62,7 @@ std::vector<effects::Cause> causes_of(const Law& law, const Candidate& candidate
     return causes;
 }
 
-/// The set that the evidence prefers although the splits refuse it, where there is something left to explain.
+/// The set that the evidence prefers although the splits refuse it, if a gap remains.
 const Candidate* preferred_by_evidence(const Law& law, const Study& study) {
     const Candidate& best = study.candidates[study.best];
     if (law.rows_independent || best.seen_gap() <= kStructure * law.setup_floor) return nullptr;
@@ -78,7 +78,7 @@ void share_with_refused(const Law& law, Study& study, diagnosis::Diagnosis& out)
     const auto place = static_cast<std::size_t>(other - study.candidates.data());
     for (Candidate& t : study.candidates) t.probability *= 1.0 - kRefusedShare;
     study.candidates[place].probability += kRefusedShare;
-    out.remarks.push_back(fmt::format("evidence and splits disagree: the evidence prefers {} by {:.0f} nat, which the splits refuse ({})",
+    out.remarks.push_back(fmt::format("evidence and splits disagree: the evidence prefers {} by {:.0f} nats, which the splits refuse ({})",
                                       name_of(law, other->effects), other->log_evidence - study.candidates[study.best].log_evidence,
                                       other->refused));
 }
@@ -130,7 +130,7 @@ struct Residuals {
     std::vector<std::vector<double>> before, after;  // [record][row], sigma
 };
 
-/// Squares in the bins of one group of files.
+/// Squared residuals in the bins of one group of files.
 struct GroupMap {
     double low = 0.0, high = 0.0;
     std::array<double, kBins> before{}, after{}, rows{};
@@ -256,16 +256,16 @@ void put_floor_remarks(const Law& law, const Study& study, diagnosis::Diagnosis&
     const double kept = best.unseen_gap(0), unit = law.unit_sigma;
     if (kept <= kAtFloor * law.setup_floor)
         out.remarks.push_back(
-            fmt::format("at the floor: the kept-back error, {:.4g} {}, is not above the {:.4g} {} by which {} differ: nothing further "
-                        "is to be explained",
+            fmt::format("at the floor: the held-out error is {:.4g} {}, and {:.4g} {} is the difference between {}: no gap is left "
+                        "to explain",
                         kept * unit, law.unit, law.setup_floor * unit, law.unit,
                         law.setup_floor > law.cycle_floor ? "set-ups of the same motion" : "repeats"));
     else
         out.remarks.push_back(
-            fmt::format("above the floor: the kept-back error is {:.4g} {}, the floor {:.4g} {}: part of the gap has no cause in the list",
+            fmt::format("above the floor: the held-out error is {:.4g} {}, the floor {:.4g} {}: no known cause explains part of the gap",
                         kept * unit, law.unit, law.setup_floor * unit, law.unit));
     for (std::size_t s = 0; s < law.schemes.size(); ++s)
-        out.remarks.push_back(fmt::format("kept back by {}: {:.4g} {} before, {:.4g} {} after", law.schemes[s].name,
+        out.remarks.push_back(fmt::format("held out by {}: {:.4g} {} before, {:.4g} {} after", law.schemes[s].name,
                                           study.candidates.front().unseen_gap(s) * unit, law.unit, best.unseen_gap(s) * unit, law.unit));
 }
 

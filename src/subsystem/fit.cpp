@@ -60,7 +60,7 @@ double huber_cost(const VectorXd& residuals, double limit) {
     return cost;
 }
 
-double stretch_of(const Parameter& parameter) { return parameter.high - parameter.low; }
+double range_of(const Parameter& parameter) { return parameter.high - parameter.low; }
 
 /// Columns d residual / d z, z = parameter over its range.
 MatrixXd jacobian(const Law& law, const FitRows& rows, const std::vector<std::size_t>& free, const Values& values, const VectorXd& at) {
@@ -69,9 +69,9 @@ MatrixXd jacobian(const Law& law, const FitRows& rows, const std::vector<std::si
         const Parameter& parameter = law.parameters[free[j]];
         Values moved = values;
         const double step =
-            kDifference * stretch_of(parameter) * (values[free[j]] + kDifference * stretch_of(parameter) > parameter.high ? -1.0 : 1.0);
+            kDifference * range_of(parameter) * (values[free[j]] + kDifference * range_of(parameter) > parameter.high ? -1.0 : 1.0);
         moved[free[j]] += step;
-        J.col(static_cast<Eigen::Index>(j)) = (rows.residuals(moved) - at) * (stretch_of(parameter) / step);
+        J.col(static_cast<Eigen::Index>(j)) = (rows.residuals(moved) - at) * (range_of(parameter) / step);
     }
     return J;
 }
@@ -81,7 +81,7 @@ Values stepped(const Law& law, const std::vector<std::size_t>& free, const Value
     for (std::size_t j = 0; j < free.size(); ++j) {
         const Parameter& parameter = law.parameters[free[j]];
         moved[free[j]] =
-            std::clamp(values[free[j]] + step[static_cast<Eigen::Index>(j)] * stretch_of(parameter), parameter.low, parameter.high);
+            std::clamp(values[free[j]] + step[static_cast<Eigen::Index>(j)] * range_of(parameter), parameter.low, parameter.high);
     }
     return moved;
 }
@@ -93,8 +93,8 @@ void set_covariance(const Law& law, const MatrixXd& A, Fit& fit) {
     fit.covariance.assign(fit.free.size(), std::vector<double>(fit.free.size()));
     for (std::size_t i = 0; i < fit.free.size(); ++i)
         for (std::size_t j = 0; j < fit.free.size(); ++j)
-            fit.covariance[i][j] = C(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) * stretch_of(law.parameters[fit.free[i]]) *
-                                   stretch_of(law.parameters[fit.free[j]]);
+            fit.covariance[i][j] = C(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) * range_of(law.parameters[fit.free[i]]) *
+                                   range_of(law.parameters[fit.free[j]]);
 }
 
 /// One damped step that lowers the cost, or none: the damping rises until one does.

@@ -110,13 +110,13 @@ FrictionElement::FrictionElement(const Case& subsystem_case, bool for_inputs) {
         for (const double f : target.measured) force = std::max(force, std::abs(f));
     set_parameters(subsystem_case, force);
     if (for_inputs) return;
-    if (!(amplitude_ > 0.0)) throw core::InvalidInput("x_m", "no motion in any file", "an element that is driven to and fro");
-    if (thin > 1) floor_remarks.push_back(fmt::format("every {}th row is used in the fits; the floors come from all rows", thin));
-    floor_remarks.push_back("rows before the first whole cycle are not judged: how far the element is strained at the start is not known");
+    if (!(amplitude_ > 0.0)) throw core::InvalidInput("x_m", "no motion in any file", "an element that is driven back and forth");
+    if (thin > 1) floor_remarks.push_back(fmt::format("the fits use every {}th row; the floors use all rows", thin));
+    floor_remarks.push_back("rows before the first whole cycle are not judged: the deflection of the element at the start is unknown");
     make_blocks(*this, subsystem_case);
     std::vector<std::string> amplitudes, frequencies;
     for (const Cycles& cycles : cycles_) {
-        amplitudes.push_back(fmt::format("{:.2g} m", first_alike(cycles_, cycles).amplitude));
+        amplitudes.push_back(fmt::format("{:.2g} m", first_of_same_amplitude(cycles_, cycles).amplitude));
         frequencies.push_back(cycles.period > 0.0 ? fmt::format("{:.2g} Hz", 1.0 / cycles.period) : "aperiodic");
     }
     add_scheme(*this, "amplitude", amplitudes);
@@ -177,7 +177,7 @@ void FrictionElement::set_floors(const Case& subsystem_case) {
     const double cycle = freedom > 0.0 ? std::sqrt(squares / freedom) : 0.0, setup = std::sqrt(setup_variance(cycles_));
     const auto given = subsystem_case.sensors.find("force_noise_N");
     if (given == subsystem_case.sensors.end() && !(cycle > 0.0))
-        throw core::InvalidInput("sensors.force_noise_N", "missing, and no input goes through two like cycles",
+        throw core::InvalidInput("sensors.force_noise_N", "missing, and no input repeats a cycle",
                                  "a force noise, or files with repeated cycles");
     unit_sigma = given != subsystem_case.sensors.end() ? given->second : cycle;
     cycle_floor = std::max(1.0, cycle / unit_sigma);
@@ -249,9 +249,8 @@ diagnosis::NextExperiment FrictionElement::next() const {
     next.set_points = {0.02 * amplitude_, 0.1 * amplitude_, amplitude_};
     next.cost = 10.0;
     next.text = fmt::format(
-        "drive the element by triangles of {:.2g}, {:.2g} and {:.2g} m at one slow speed, twice each after taking it out and back in: "
-        "small "
-        "triangles show play and elastic deflection apart, the repeated set-up gives the floor below which nothing is to be explained{}",
+        "drive the element with triangles of {:.2g}, {:.2g} and {:.2g} m at one slow speed, twice each, with the element removed and "
+        "mounted again in between: small triangles distinguish play from elastic deflection, the repeated set-up gives the floor{}",
         next.set_points[0], next.set_points[1], next.set_points[2],
         preloads_differ_ ? "" : "; then the same at another preload: this case cannot show a dependence on load");
     return next;

@@ -18,7 +18,7 @@ std::unique_ptr<Law> law_of(const Case& subsystem_case, bool for_inputs) {
         case Kind::kMotorBreakaway:
             return motor_breakaway(subsystem_case, for_inputs);
     }
-    throw core::InvalidInput("bench.kind", "unknown", "a kind of bench");
+    throw core::InvalidInput("bench.kind", "unknown", "a kind of subsystem");
 }
 
 double number_of(const Record& record, const std::vector<std::string>& names) {

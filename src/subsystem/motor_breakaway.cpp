@@ -33,7 +33,8 @@ public:
     [[nodiscard]] diagnosis::NextExperiment next() const override;
     [[nodiscard]] std::vector<std::string> remarks() const override {
         return {
-            "a gear whose directions differ and a motor that gives another torque than stated make the same rows in any break-away test"};
+            "a gear with different friction in its two directions and a motor with a wrong torque scale give the same rows in any "
+            "break-away test"};
     }
 
 private:

@@ -14,7 +14,7 @@ namespace {
 std::size_t parameter_named(const Law& law, const std::string& name, std::size_t first, std::size_t last) {
     for (std::size_t k = first; k < last; ++k)
         if (law.parameters[k].name == name) return k;
-    throw core::InvalidInput("diagnosis", "\"" + name + "\"", "a parameter of this bench");
+    throw core::InvalidInput("diagnosis", "\"" + name + "\"", "a parameter of this subsystem");
 }
 
 const LawEffect& effect_of(const Law& law, const effects::Cause& cause) {
@@ -57,7 +57,7 @@ void require_finite(const Record& record, const std::vector<double>& predicted) 
     const auto none = std::find_if(predicted.begin(), predicted.end(), [](double value) { return !std::isfinite(value); });
     if (none != predicted.end())
         throw core::InvalidInput(record.file, fmt::format("no prediction of row {}", none - predicted.begin() + 1),
-                                 "inputs and effects that this bench can follow");
+                                 "inputs and effects that this subsystem can follow");
 }
 
 /// The nominal parameters on the case's own rows, the effects held.
@@ -100,7 +100,7 @@ Case predict(const Case& subsystem_case, const diagnosis::Diagnosis& found, cons
     const Values values = values_of(subsystem_case, found);
     const auto law = law_of(inputs, true);
     if (law->parameters.size() != values.size())
-        throw core::InvalidInput("inputs", "other motors than the case's", "the sides of the case");
+        throw core::InvalidInput("inputs", "motors that the case does not have", "the sides of the case");
     Case out = inputs;
     for (std::size_t r = 0; r < out.records.size(); ++r) {
         std::vector<double>& predicted = out.records[r].columns[measured_column(subsystem_case.kind)];

@@ -132,7 +132,7 @@ Case read_case(const fs::path& folder) {
     subsystem_case.parameters = numbers_of(toml, "bench", keys.parameters, {std::begin(kKindKeys), std::end(kKindKeys)});
     subsystem_case.sensors = numbers_of(toml, "sensors", keys.sensors, {});
     for (const char* table : {"tolerance", "protocol"})
-        if (toml.has(table)) subsystem_case.remarks.push_back(fmt::format("[{}] has no meaning for a bench and is not used", table));
+        if (toml.has(table)) subsystem_case.remarks.push_back(fmt::format("[{}] is not used by a subsystem case", table));
     for (const std::string& key : toml.keys_of("experiments"))
         if (key != keys.experiment) throw toml.fault("experiments." + key, "unknown key", keys.experiment);
     std::string all = toml.bytes();
@@ -161,7 +161,7 @@ Case read_inputs(const Case& subsystem_case, const fs::path& folder) {
         (void)take_file(file, keys, true, record);
         inputs.records.push_back(std::move(record));
     }
-    if (inputs.records.empty()) throw core::IoError(folder.string(), "no CSV file stands here");
+    if (inputs.records.empty()) throw core::IoError(folder.string(), "no CSV file in this folder");
     return inputs;
 }
 

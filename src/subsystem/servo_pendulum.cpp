@@ -53,7 +53,8 @@ public:
         return {
             "with one mass on the arm, kt, R and friction are partly confounded: the duty gives torque only in proportion to kt/R, and "
             "back-EMF "
-            "and viscous friction brake alike wherever the torque is on; loop.gain cannot be told from kt and R at all unless the duty "
+            "and viscous friction have the same effect wherever the torque is on; loop.gain cannot be distinguished from kt and R at all "
+            "unless the duty "
             "saturates"};
     }
 
@@ -115,7 +116,7 @@ ServoPendulum::ServoPendulum(const Case& subsystem_case, bool for_inputs) {
     add_scheme(*this, "kp", gains);
     add_scheme(*this, "trajectory", trajectories);
     floor_remarks.push_back(
-        fmt::format("no file repeats another's motion: the floor is the encoder's, {:.3g} rad, and not that of a set-up", unit_sigma));
+        fmt::format("no two files have the same motion: the floor is that of the encoder, {:.3g} rad, not that of a set-up", unit_sigma));
 }
 
 void ServoPendulum::set_parameters(const Case& subsystem_case) {
@@ -236,9 +237,8 @@ diagnosis::NextExperiment ServoPendulum::next() const {
     next.set_points = {0.0, mass, 2.0 * mass};
     next.cost = 15.0;
     next.text = fmt::format(
-        "the same trajectories with {:.2g} kg and with the bare arm, each twice: friction that grows with the load then parts from kt, R "
-        "and "
-        "constant friction, and the repeats give the floor of a set-up; a locked arm at three duties gives kt/R alone",
+        "the same trajectories with {:.2g} kg and with the bare arm, each twice: friction that grows with the load is then distinguished "
+        "from kt, R and constant friction, and the repeats give the floor of a set-up; a locked arm at three duties gives kt/R alone",
         2.0 * mass);
     return next;
 }

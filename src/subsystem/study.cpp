@@ -14,7 +14,7 @@ namespace fusee::subsystem {
 
 namespace {
 
-constexpr int kRefitSteps = 15;  // from the fit on all rows: a refit is near its end
+constexpr int kRefitSteps = 15;  // a refit starts at the fit on all rows
 
 /// Every set of up to `most` of the effects that this case can show, smaller sets first.
 std::vector<std::vector<std::size_t>> sets_of(const Law& law) {
@@ -40,7 +40,7 @@ std::vector<std::size_t> all_blocks(const Law& law) {
 
 double sum(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
 
-/// The fit on all rows: from every start with the effects off, and from the best of the sets that lack one effect.
+/// The fit on all rows: from every start, and from the best of the sets without one of the effects.
 void fit_all(const Law& law, const Study& study, const Values& nominal, Candidate& candidate) {
     const auto all = all_blocks(law), free = free_parameters(law, candidate.effects);
     candidate.fit = fit_from_all_starts(law, all, free, nominal);
@@ -61,8 +61,8 @@ void fit_all(const Law& law, const Study& study, const Values& nominal, Candidat
     candidate.seen = misfit(law, candidate.fit.values);
 }
 
-/// Where a set ends lower than the set without one of its effects even with that effect turned off again, the smaller set had stopped too
-/// early: it goes on from there.
+/// If a set with one effect at its null value has a lower cost than the set without that effect, the smaller set stopped too
+/// early: it continues from there.
 void lower_subsets(const Law& law, Study& study) {
     for (std::size_t i = study.candidates.size(); i-- > 0;)
         for (const std::size_t e : study.candidates[i].effects) {
@@ -195,8 +195,7 @@ void require_rows(const Law& law) {
     if (rows < least)
         throw core::InvalidInput("rows", std::to_string(rows), "at least " + std::to_string(least) + " in all files together");
     for (const Block& block : law.blocks)
-        if (block.rows.empty())
-            throw core::InvalidInput(block.name, "no row that can be judged", "a file that goes on after its first cycle");
+        if (block.rows.empty()) throw core::InvalidInput(block.name, "no row to judge", "a file with more than one cycle");
 }
 
 }  // namespace
@@ -255,7 +254,7 @@ Study study(const Law& law, const diagnosis::DiagnoseOptions& options) {
     const std::vector<bool> needed = worth_refits(study);
     core::parallel_for(study.candidates.size(), options.jobs, [&](std::size_t i) {
         if (needed[i]) keep_back(law, study.candidates[i]);
-        progress("files kept back");
+        progress("held-out files");
     });
     judge(law, study);
     try_beside_best(law, study, options);

@@ -13,14 +13,14 @@ namespace fusee::subsystem {
 namespace {
 
 constexpr double kLeastEvidence = 5.0;  // [nats]: 150 to 1
-constexpr double kLeastErrors = 1.0;    // standard errors of the mean fall of the held out gap
-constexpr double kLeastGain = 0.005;    // of the held out mean square; less is no difference to anybody
+constexpr double kLeastErrors = 1.0;    // standard errors of the mean fall of the held-out gap
+constexpr double kLeastGain = 0.005;    // least relevant change of the held-out mean square
 constexpr int kDraws = 2000;
 constexpr std::uint64_t kSeed = 20240518;
 
 double mean_square(const Misfit& m, std::size_t block) { return m.squares[block] / m.rows[block]; }
 
-/// Mean of ln(square without / square with) over the blocks, in its standard errors. Few blocks: no judgement.
+/// Mean of ln(square without / square with) over the blocks, in its standard errors. With few blocks: kLeastErrors.
 double standard_errors(const Candidate& with, const Candidate& without) {
     const std::size_t n = with.seen.rows.size();
     if (n < 3) return kLeastErrors;
@@ -33,21 +33,21 @@ double standard_errors(const Candidate& with, const Candidate& without) {
     return mean / std::sqrt(square / static_cast<double>(n * (n - 1)) + 1e-18);
 }
 
-/// Why an effect does not earn its place against the set without it; "" if it does.
+/// Why an effect is not justified against the set without it; "" if it is.
 std::string refusal(const Law& law, const LawEffect& effect, const Candidate& with, const Candidate& without) {
-    if (with.log_evidence - without.log_evidence < kLeastEvidence) return "the evidence does not rise by 5 nat";
+    if (with.log_evidence - without.log_evidence < kLeastEvidence) return "the evidence does not rise by 5 nats";
     if (with.unseen.empty() || without.unseen.empty()) return "";  // another of its effects does not raise the evidence
     const double floor = effect.moves_setups ? 1.0 : law.setup_floor;
     if (!law.rows_independent && without.unseen_gap(0) <= floor) return "without it the model is at the floor";
     for (std::size_t s = 0; s < law.schemes.size(); ++s)
         if (std::pow(with.unseen_gap(s) / without.unseen_gap(s), 2) > 1.0 - kLeastGain)
-            return fmt::format("it does not foretell what is kept back by {}", law.schemes[s].name);
+            return fmt::format("it does not predict the rows held out by {}", law.schemes[s].name);
     if (!law.rows_independent && standard_errors(with, without) < kLeastErrors)
-        return fmt::format("on kept-back files its gain is below {:g} standard error: few files make it", kLeastErrors);
+        return fmt::format("on held-out files its gain is below {:g} standard error: it comes from a few files", kLeastErrors);
     return "";
 }
 
-/// Exponential draws of a seeded generator whose bits are the same everywhere: normed, they are Dirichlet(1, ..., 1).
+/// Normalized exponential draws of a portable seeded generator: Dirichlet(1, ..., 1).
 std::vector<double> dirichlet(std::mt19937_64& random, std::size_t n) {
     std::vector<double> weights(n);
     double sum = 0.0;
@@ -63,7 +63,7 @@ std::vector<Candidate*> left(Study& study) {
     return sets;
 }
 
-/// log density of the held out blocks, the mean over the schemes; one scale for all sets.
+/// log density of the held-out blocks, the mean over the schemes; one scale for all sets.
 std::vector<std::vector<double>> block_scores(const Law& law, const Study& study, const std::vector<Candidate*>& sets) {
     double scale = law.rows_independent ? 1.0 : law.setup_floor * law.setup_floor;
     double least = std::numeric_limits<double>::infinity();
@@ -149,7 +149,7 @@ std::string from_to(const Law& law, double from, double to) {
     return fmt::format("from {:.4g} to {:.4g} {}", from * law.unit_sigma, to * law.unit_sigma, law.unit);
 }
 
-/// The case in which the effect improves the fit and worsens held out rows most, if there is one: a false cause.
+/// The set in which the effect improves the fit and worsens the held-out rows most, if any: a false cause.
 std::string false_cause(const Law& law, const Study& study, std::size_t e) {
     std::string text;
     double worst = 1.0;
@@ -163,7 +163,7 @@ std::string false_cause(const Law& law, const Study& study, std::size_t e) {
             const double ratio = with->unseen_gap(s) / base.unseen_gap(s);
             if (ratio <= worst) continue;
             worst = ratio;
-            text = fmt::format("{} is a false cause: beside {} it improves the fit {} and worsens what is kept back by {} {}",
+            text = fmt::format("{} is a false cause: added to {} it improves the fit {} and worsens the rows held out by {} {}",
                                name_of(law.effects[e]), name_of(law, base.effects), from_to(law, base.seen_gap(), with->seen_gap()),
                                law.schemes[s].name, from_to(law, base.unseen_gap(s), with->unseen_gap(s)));
         }
@@ -171,7 +171,7 @@ std::string false_cause(const Law& law, const Study& study, std::size_t e) {
     return text;
 }
 
-/// What each effect that is not in the answer does beside it.
+/// What each other effect changes if it is added to the answer.
 void remark_on_refused(const Law& law, Study& study) {
     const Candidate best = study.candidates[study.best];
     for (std::size_t e = 0; e < law.effects.size(); ++e) {
@@ -184,15 +184,15 @@ void remark_on_refused(const Law& law, Study& study) {
         more.push_back(e);
         const Candidate* with = study.find(more);
         if (law.rows_independent || with == nullptr || with->refused.empty()) continue;
-        std::string text = fmt::format("{} is refused: beside {} the fit goes {}", name_of(law.effects[e]), name_of(law, best.effects),
-                                       from_to(law, best.seen_gap(), with->seen_gap()));
-        if (!with->unseen.empty()) text += fmt::format(", kept-back rows {}", from_to(law, best.unseen_gap(0), with->unseen_gap(0)));
+        std::string text = fmt::format("{} is refused: added to {} it changes the fit {}", name_of(law.effects[e]),
+                                       name_of(law, best.effects), from_to(law, best.seen_gap(), with->seen_gap()));
+        if (!with->unseen.empty()) text += fmt::format(", held-out rows {}", from_to(law, best.unseen_gap(0), with->unseen_gap(0)));
         study.remarks.push_back(text + "; " + with->refused);
         if (const std::string lure = false_cause(law, study, e); !lure.empty()) study.remarks.push_back(lure);
     }
 }
 
-/// Splits whose best set is another one.
+/// Splits with another best set.
 void remark_on_splits(const Law& law, Study& study) {
     const std::vector<Candidate*> sets = left(study);
     for (std::size_t s = 0; s < law.schemes.size(); ++s) {
@@ -207,10 +207,10 @@ void remark_on_splits(const Law& law, Study& study) {
             winners[name_of(law, sets[i]->effects)].push_back(label);
         }
         if (winners.size() < 2 || law.rows_independent) continue;
-        std::string text = fmt::format("the ranking changes with what is kept back by {}:", law.schemes[s].name);
+        std::string text = fmt::format("the ranking changes with the rows held out by {}:", law.schemes[s].name);
         for (const auto& [name, labels] : winners) text += fmt::format(" {} is best on {} of {};", name, labels.size(), squares.size());
         text.pop_back();
-        study.remarks.push_back(text + ": one split is no evidence");
+        study.remarks.push_back(text + ": one split alone is not evidence");
     }
 }
 

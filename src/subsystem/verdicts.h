@@ -3,11 +3,11 @@
 
 namespace fusee::subsystem {
 
-/// Sets `refused` if one of the set's effects does not earn its place. @pre the sets with one effect less are in `study`
+/// Sets `refused` if an effect of the set is not justified. @pre the sets with one effect less are in `study`
 void refuse(const Law& law, const Study& study, Candidate& candidate);
 /// Refuses sets and gives the others their probabilities. @pre fits, refits and evidence are in place
 void judge(const Law& law, Study& study);
-/// What a user should know of the effects that are not in the answer, and of splits that disagree.
+/// Adds remarks on effects outside the answer and on disagreeing splits.
 void remark(const Law& law, Study& study);
 
 /// "element.presliding + element.backlash"; "no effect"

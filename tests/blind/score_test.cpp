@@ -125,7 +125,7 @@ TEST(ScoreAnswers, MissesSayWhatIsWrong) {
     std::map<std::string, std::string> misses;
     for (const Miss& miss : mixed().score().misses) misses[miss.truth.case_name] = miss.what;
     const decltype(misses) expected{{"case1", "another side, held-out gap not halved"},
-                                    {"case2", "interval without the true size"},
+                                    {"case2", "interval misses the true size"},
                                     {"case3", "left open"},
                                     {"case5", "faultless, called unknown"},
                                     {"case7", "one of two"},

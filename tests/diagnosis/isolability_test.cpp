@@ -9,10 +9,6 @@ namespace {
 
 using namespace fixtures;
 
-const effects::Cause kCoulomb{"gear.coulomb", "agonist"}, kLoad{"gear.load_friction", "agonist"}, kOther{"gear.coulomb", "antagonist"};
-const effects::Cause kRate{"se.rate", "agonist"}, kOtherRate{"se.rate", "antagonist"}, kStretch{"cable.stretch", "agonist"};
-const effects::Cause kDrag{"gear.viscous", "both"}, kJointDrag{"joint.viscous", "none"}, kStop{"joint.stop", "none"};
-
 /// Isolability of `causes` on a faultless rig without noise.
 Isolability of(const gap_case::Rows& rows, const std::vector<effects::Cause>& causes, unsigned jobs = 1) {
     const gap_case::Case gap_case = measured_case(rows, {}, {}, 0.0, 1);
@@ -21,7 +17,7 @@ Isolability of(const gap_case::Rows& rows, const std::vector<effects::Cause>& ca
 }
 
 TEST(Isolability, OneLoadCannotTellConstantFromLoadFrictionAndSixCan) {
-    const std::vector<effects::Cause> causes{kCoulomb, kOther, kLoad};
+    const std::vector<effects::Cause> causes{kCoulomb, kOtherCoulomb, kLoad};
     const Isolability one = of(break_aways({0.8}, 4, false), causes);
     EXPECT_NEAR(one.signature_similarity[0][2], 1.0, 1e-6);  // one figure: both only move it
     EXPECT_EQ(one.classes, (std::vector<std::vector<std::size_t>>{{0, 2}}));
@@ -93,7 +89,7 @@ TEST(Isolability, SymmetricBetween0And1AndTheSameForAnyThreads) {
     gap_case::Rows rows = pulls(5);
     rows.breakaway = break_aways({0.3, 0.9}, 2, true).breakaway;
     const std::vector<effects::Cause> causes{
-        kCoulomb, kLoad, kOther, kRate, kStretch, {"se.radius", "both"}, {"motor.saturation", "agonist"}};
+        kCoulomb, kLoad, kOtherCoulomb, kRate, kStretch, {"se.radius", "both"}, {"motor.saturation", "agonist"}};
     const Isolability one = of(rows, causes, 1), four = of(rows, causes, 4);
     for (std::size_t i = 0; i < causes.size(); ++i) {
         EXPECT_EQ(one.signature_similarity[i][i], 1.0);

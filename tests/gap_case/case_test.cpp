@@ -54,8 +54,8 @@ TEST_F(CaseFolder, LeftOutTablesTakeTheDefaultsAndSaySo) {
     const Case read = read_case(folder_);
     EXPECT_EQ(read.tolerance.radii, 0.003);
     EXPECT_EQ(read.rows.size(), read.rows.dead_band.size());
-    EXPECT_TRUE(remarked("[tolerance] leaves out, taken as usual: gear_load_friction = 0.02"));
-    EXPECT_TRUE(remarked("[sensors] leaves out, taken as usual: encoder_step_rad"));
+    EXPECT_TRUE(remarked("[tolerance] uses defaults for: gear_load_friction = 0.02"));
+    EXPECT_TRUE(remarked("[sensors] uses defaults for: encoder_step_rad"));
     EXPECT_TRUE(remarked("[protocol]"));
     EXPECT_TRUE(remarked("21 rows in all"));
 }
@@ -81,7 +81,7 @@ TEST_F(CaseFolder, APublishedTableMayHaveTheWidthAlone) {
     EXPECT_EQ(read.rows.dead_band[1].repeat, 1);
     EXPECT_TRUE(std::isnan(read.rows.dead_band[1].q_low));
     EXPECT_TRUE(std::isnan(read.rows.dead_band[1].push_torque));
-    EXPECT_TRUE(remarked("widths alone"));
+    EXPECT_TRUE(remarked("widths only"));
     write_rows(read, read.rows, folder_);
     EXPECT_EQ(text("dead_band.csv"), "cocontraction_Nm,width_rad\n0.12,0.7\n0.5,0.6\n");
 }

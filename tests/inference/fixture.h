@@ -7,6 +7,11 @@
 
 namespace fusee::fixtures {
 
+inline const effects::Cause kCoulomb{"gear.coulomb", "agonist"}, kOtherCoulomb{"gear.coulomb", "antagonist"};
+inline const effects::Cause kLoad{"gear.load_friction", "agonist"}, kStop{"joint.stop", "none"}, kStretch{"cable.stretch", "agonist"};
+inline const effects::Cause kRate{"se.rate", "agonist"}, kOtherRate{"se.rate", "antagonist"};
+inline const effects::Cause kDrag{"gear.viscous", "both"}, kJointDrag{"joint.viscous", "none"};
+
 /// The small rig as a case of some of its set points.
 inline gap_case::Case small_case(const gap_case::Rows& rows) {
     const gap_case::CaseTemplate t = small_template();

@@ -34,7 +34,6 @@ struct Refitted {
     }
     [[nodiscard]] bool stands() const { return contradicted(problem, fit, left_out).empty(); }
 };
-const effects::Cause kCoulomb{"gear.coulomb", "agonist"}, kStop{"joint.stop", "none"};
 const std::vector<double> kSharp(6, 0.02);
 
 TEST(Student95, IsThatOfTheTable) {

@@ -91,7 +91,7 @@ TEST_F(Possible, BuildParametersAreKnownAndCanBeBuilt) {
     friction.effects = {found("sensor.joint_offset", "none", 1e308)};
     EXPECT_NE(field_refused([&] {
                   return diagnosis::predict(subsystem_case, friction, subsystem_case.rows);
-              }).find("zero of the joint's encoder"),
+              }).find("zero of the joint encoder"),
               std::string::npos);
 }
 

@@ -7,10 +7,10 @@
 #include "fusee/core/units.h"
 #include "fusee/effects/effect.h"
 
-/// The answer to a gap case: where, which, how far (docs/gap.md). Written as diagnosis.json and as a page.
+/// The diagnosis of a gap case: location, cause and size of the gap (docs/gap.md). Written as diagnosis.json and as a page.
 namespace fusee::diagnosis {
 
-/// In place of a figure that there is none for.
+/// A missing value.
 inline constexpr double kNoFigure = std::numeric_limits<double>::quiet_NaN();
 
 enum class VerdictKind { kIdentified, kNone, kAmbiguous, kUnknown };
@@ -25,25 +25,25 @@ struct FoundEffect {
     effects::Cause cause;
     double probability = 0.0;
     Parameter parameter;
-    std::vector<std::pair<std::string, double>> extra;  ///< further parameters of its law, by name: what a prediction needs again
+    std::vector<std::pair<std::string, double>> extra;  ///< further parameters of its law by name, for a later prediction
 };
 struct Alternative {
     std::vector<effects::Cause> effects;  ///< empty: no effect at all
     double probability = 0.0;
 };
-/// A part of the gap. Shares of all parts sum to 1; sorted, greatest first.
+/// Contribution of one experiment to the gap. Shares sum to 1, greatest first.
 struct GapContribution {
     std::string experiment;
     double share = 0.0;
     std::string variable;  ///< "cocontraction_Nm", ...
     core::Range region;
-    std::string component;  ///< what stands out there: a spring, a side, a direction; may be empty
+    std::string component;  ///< the spring, side or direction with most of it; may be empty
 };
 /// Root mean square of (measured - predicted)/sigma; kNoFigure where there is none.
 struct Gap {
     double before = kNoFigure, after = kNoFigure, noise_floor = kNoFigure;
     double heldout_before = kNoFigure, heldout_after = kNoFigure;
-    core::Range heldout_after_95{kNoFigure, kNoFigure};  ///< over the held out blocks
+    core::Range heldout_after_95{kNoFigure, kNoFigure};  ///< over the held-out blocks
 };
 
 /// One row of the ranking: a hypothesis of one or two effects, or of none.
@@ -52,7 +52,7 @@ struct Hypothesis {
     double log_evidence = 0.0;  ///< relative to the best, <= 0 [nats]
     double probability = 0.0;
     double chi2 = 0.0;                  ///< robust misfit, at the best parameters
-    double left_out = kNoFigure;        ///< gap on experiments that its fit did not see [sigma]
+    double left_out = kNoFigure;        ///< gap on experiments outside its fit [sigma]
     std::vector<Parameter> parameters;  ///< one for each effect
 };
 /// The gap in one cell of the map.
@@ -66,9 +66,9 @@ struct ExperimentGap {
     std::string experiment;
     std::size_t rows = 0;
     Gap gap;
-    double forecast = kNoFigure;  ///< heldout_after that the fit expects [sigma]
+    double forecast = kNoFigure;  ///< expected heldout_after [sigma]
 };
-/// What was measured, and what was predicted before and after, of one quantity over one variable.
+/// Measured values and predictions before and after, of one quantity over one variable.
 struct Trace {
     std::string experiment, label;  ///< "q_high_rad over cocontraction_Nm"
     std::string x_name, y_name;
@@ -78,11 +78,11 @@ struct Trace {
 struct Isolability {
     std::vector<effects::Cause> causes;
     std::vector<std::vector<double>> signature_similarity;  ///< [i][j], 1 on the diagonal
-    std::vector<double> detectable;          ///< least size seen at 3 sigma, in the parameter's unit
+    std::vector<double> detectable;                         ///< least size detected at 3 sigma, in the unit of the parameter
     std::vector<std::string> units;
-    std::vector<std::vector<std::size_t>> classes;  ///< causes that these experiments cannot tell apart, two or more each
+    std::vector<std::vector<std::size_t>> classes;  ///< causes that these experiments cannot distinguish, two or more each
 };
-/// A further measurement that would tell the alternatives apart.
+/// A further measurement that distinguishes the alternatives.
 struct NextExperiment {
     std::string text;  ///< one sentence with its set points
     std::string experiment;
@@ -100,7 +100,7 @@ struct Diagnosis {
     std::vector<GapContribution> where;
     Gap gap;
     std::string next_experiment;
-    // What follows is for the page and for a later prediction; diagnosis.json has it under further keys.
+    // The rest is for the page and for a later prediction; diagnosis.json has it under further keys.
     std::vector<std::pair<std::string, Parameter>> build;  ///< nuisance parameters as fitted, by name
     std::vector<ExperimentGap> experiments;
     std::vector<GapCell> map;
@@ -108,12 +108,12 @@ struct Diagnosis {
     Isolability isolability;
     std::vector<Trace> traces;
     std::vector<NextExperiment> next;
-    std::vector<std::string> remarks;  ///< limitations, splits that disagree, what is at the floor
+    std::vector<std::string> remarks;  ///< limitations, disagreeing splits, gaps at the noise floor
 };
 
-/// Keys as docs/gap.md gives them. A figure that is not a number is written as null.
+/// Keys as docs/gap.md gives them. NaN is written as null.
 [[nodiscard]] std::string diagnosis_json(const Diagnosis& diagnosis);
-/// What a prediction needs of it: verdict, effects with their extra parameters, build. Files written by others may have only `effects`.
+/// Reads what a prediction needs: verdict, effects with extra parameters, build. Third-party files may have only `effects`.
 /// @param file the name used in messages. @throws core::InvalidInput naming the key
 [[nodiscard]] Diagnosis parse_diagnosis(std::string_view json, const std::string& file);
 

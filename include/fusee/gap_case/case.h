@@ -9,14 +9,14 @@
 
 #include "fusee/identification/break_away.h"
 
-/// A gap case: what was modelled and what was measured (docs/gap.md). Everything is SI; angles and torques are those of the capstan unless
+/// A gap case: nominal rig and measurements (docs/gap.md). Everything is SI; angles and torques are those of the capstan unless
 /// the name says joint; a capstan's angle and torque are positive when they wind its own cable in.
 namespace fusee::gap_case {
 
 enum class Side : int { kAgonist = 0, kAntagonist = 1 };
 [[nodiscard]] const char* to_string(Side side);  ///< "agonist", "antagonist"
 
-/// The nominal rig: what the model is told. Table [rig] of case.toml.
+/// The nominal rig: table [rig] of case.toml.
 struct NominalRig {
     double capstan_radius = 0.0;       ///< r_c [m]
     double joint_radius = 0.0;         ///< r_j [m]
@@ -30,14 +30,14 @@ struct NominalRig {
     struct SpringRow {
         double deflection = 0.0, se_torque = 0.0, pe_torque = 0.0;
     };
-    std::vector<SpringRow> springs;                                               ///< both sides alike, deflection ascending from 0
+    std::vector<SpringRow> springs;                                               ///< both sides equal, deflection ascending from 0
     [[nodiscard]] double ratio() const { return joint_radius / capstan_radius; }  ///< g
     static constexpr std::size_t kSpringSteps = 600;  ///< of a spring curve: places at which it is looked at and integrated
     /// @throws core::InvalidInput naming the deflection if a curve does not rise there
     void require_rising_springs() const;
 };
 
-/// One-sigma build tolerances of the nominal figures: a gap inside them is no effect. Table [tolerance].
+/// Build tolerances of the nominal values, one sigma: a gap within them is not an effect. Table [tolerance].
 struct Tolerance {
     double gear_load_friction = 0.02;           ///< relative
     double radii = 0.003;                       ///< r_c and r_j, relative
@@ -64,7 +64,7 @@ struct Sensors {
 /// How long each phase took [s]. Table [protocol].
 struct Protocol {
     double motor_ramp = 0.6, motor_settle = 0.4;
-    bool smooth_motor_ramp = false;  ///< 3 s^2 - 2 s^3 in place of a straight line: where a gear stops depends on it
+    bool smooth_motor_ramp = false;  ///< 3 s^2 - 2 s^3 instead of a straight line: the rest position of a gear depends on it
     double dead_band_push = 1.6, dead_band_release = 3.15;
     double joint_stiffness_phase = 2.0, cocontraction_phase = 5.0;
 };
@@ -76,12 +76,12 @@ struct SpringPull {
     double deflection = 0.0, torque = 0.0;
 };
 struct DeadBandRow {
-    static constexpr double kNotTold = std::numeric_limits<double>::quiet_NaN();
+    static constexpr double kNotGiven = std::numeric_limits<double>::quiet_NaN();
     double cocontraction = 0.0;
     int repeat = 1;
-    double push_torque = kNotTold;               ///< NaN: not told, strong
-    double q_low = kNotTold, q_high = kNotTold;  ///< NaN where the table has the width alone
-    double width = kNotTold;                     ///< q_high - q_low
+    double push_torque = kNotGiven;                ///< NaN: not given, a strong push
+    double q_low = kNotGiven, q_high = kNotGiven;  ///< NaN where the table has only the width
+    double width = kNotGiven;                      ///< q_high - q_low
 };
 enum class StiffnessPhase : int { kLoadUp, kUnloadUp, kLoadDown, kUnloadDown };  ///< load+, unload+, load-, unload-
 struct StiffnessRow {
@@ -100,8 +100,8 @@ struct LogRow {
 
 enum class Experiment : int { kBreakAway, kSpringPull, kDeadBand, kJointStiffness, kCocontraction, kLog };
 inline constexpr std::size_t kExperiments = 6;
-inline constexpr double kLongestLog = 60.0;                  ///< of a log, from its first row on [s]: each fit runs through it again
-inline constexpr std::size_t kLongestTable = 20'000;         ///< rows kept of a file; of more, every n-th
+inline constexpr double kLongestLog = 60.0;                  ///< of a log, from its first row [s]: each fit simulates it again
+inline constexpr std::size_t kLongestTable = 20'000;         ///< rows used of a file; of longer ones every n-th row
 inline constexpr std::size_t kMostRows = 12'000'000;         ///< rows read of a file
 inline constexpr std::size_t kLargestTable = 1'500'000'000;  ///< bytes of a file
 inline constexpr std::array<Experiment, kExperiments> kAllExperiments{Experiment::kBreakAway,     Experiment::kSpringPull,
@@ -109,7 +109,7 @@ inline constexpr std::array<Experiment, kExperiments> kAllExperiments{Experiment
                                                                       Experiment::kCocontraction, Experiment::kLog};
 [[nodiscard]] const char* to_string(Experiment experiment);  ///< "breakaway", "spring_pull", "dead_band", "joint_stiffness", ...
 
-/// The rows of every experiment of a case; empty where the case has none. Where only inputs were read, measured figures are NaN.
+/// The rows of every experiment of a case; empty where the case has none. Without measurements the measured values are NaN.
 struct Rows {
     std::vector<identification::BreakAway> breakaway;
     std::vector<SpringPull> spring_pull;
@@ -118,7 +118,7 @@ struct Rows {
     std::vector<StiffnessRow> joint_stiffness;
     std::vector<CocontractionRow> cocontraction;
     std::vector<LogRow> log;
-    /// Rows from each of the case's files, in the order of their names; 0: that file is not there. Empty: all from the first.
+    /// Number of rows of each file, in the order of the file names; 0: missing file. Empty: all rows are of the first file.
     std::map<Experiment, std::vector<std::size_t>> parts;
     [[nodiscard]] std::size_t size(Experiment experiment) const;
     [[nodiscard]] std::size_t size() const;
@@ -133,22 +133,22 @@ struct Case {
     Protocol protocol;
     std::map<Experiment, std::vector<std::string>> files;  ///< as named in [experiments]
     Rows rows;
-    std::vector<std::string> remarks;  ///< limitations to be told: few rows, thinned log, a table left at its defaults
+    std::vector<std::string> remarks;  ///< limitations: few rows, thinned log, a table with defaults
 };
 
-/// Reads DIR/case.toml and the CSV files that it names. Figures that cannot be of such a rig (a mu of 22, a radius of 15: another unit) are
-/// refused with the unit that is asked for. Of a longer log than `kLongestLog` the beginning is used, a file above `kLongestTable` rows is
-/// thinned, and a remark says so.
+/// Reads DIR/case.toml and the CSV files that it names. Implausible values (a mu of 22, a radius of 15: another unit) are
+/// rejected with the required unit. Of a log longer than `kLongestLog` only the beginning is used; a file above `kLongestTable` rows is
+/// thinned; a remark says so.
 /// @throws core::InvalidInput "file:line:column: key", core::IoError
 [[nodiscard]] Case read_case(const std::filesystem::path& folder);
 /// True if DIR/case.toml has [bench] in place of [rig] (see bench.h).
 [[nodiscard]] bool is_subsystem_case(const std::filesystem::path& folder);
 
-/// The input columns of whatever experiment files stand in `folder` under the case's file names; measured columns may be missing, or have
-/// empty cells: such figures are NaN. Nothing is thinned. @throws as read_case, also if none of the files stands there
+/// The input columns of the experiment files in `folder` with the file names of the case; measured columns may be missing or have
+/// empty cells: such values are NaN. Nothing is thinned. @throws as read_case, and if none of the files exists
 [[nodiscard]] Rows read_inputs(const Case& nominal, const std::filesystem::path& folder);
-/// Writes the files that read_inputs would read, one row for each, measured columns as in `rows`; NaN as an empty cell. Folders are made,
-/// other files stay. @throws core::IoError
+/// Writes the files that read_inputs reads, measured columns as in `rows`; NaN as an empty cell. Creates folders;
+/// keeps other files. @throws core::IoError
 void write_rows(const Case& nominal, const Rows& rows, const std::filesystem::path& folder);
 
 }  // namespace fusee::gap_case

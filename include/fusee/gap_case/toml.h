@@ -10,13 +10,13 @@
 
 namespace fusee::gap_case {
 
-/// A number of a table and where it goes.
+/// A number of a table and its target.
 struct NumberKey {
     std::string name;              ///< "capstan_radius_m"
     double low = 0.0, high = 0.0;  ///< allowed, both ends included
     const char* unit = "";         ///< asked for; "" for a pure number
     double* to = nullptr;
-    const char* meaning = "";  ///< for who fills it in
+    const char* meaning = "";  ///< for the person who fills it in
 };
 
 /// A case.toml, flattened: every leaf under its path "rig.capstan_radius_m", with the place where it stands.

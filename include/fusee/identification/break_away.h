@@ -27,7 +27,7 @@ struct BreakAway {
 
 inline constexpr std::size_t kLargestBreakAwayFile = 200'000'000;  ///< bytes
 
-/// Columns side, direction (drive or backdrive), motor_torque_Nm, load_torque_Nm in any order; others are passed over.
+/// Columns side, direction (drive or backdrive), motor_torque_Nm, load_torque_Nm in any order; other columns are ignored.
 /// @param file the name used in messages
 /// @throws core::InvalidInput "file:line:column: ..."
 [[nodiscard]] std::vector<BreakAway> parse_break_away(std::string_view csv, const std::string& file);
@@ -42,7 +42,7 @@ struct FrictionLine {
     core::Range mu_95, constant_95;
     double scatter = 0.0;  ///< standard deviation of the rows about the line [Nm]
     double r_squared = 0.0;
-    double robust_mu = 0.0, robust_constant = 0.0;  ///< Huber's fit: what outliers do not move
+    double robust_mu = 0.0, robust_constant = 0.0;  ///< Huber's fit, robust against outliers
     std::vector<std::size_t> outliers;              ///< rows farther from the robust line than 4 robust deviations; of 8 rows or more
     double through_zero_mu = 0.0;                   ///< tau_f = mu load, no constant: the paper's figure 8
     core::Range through_zero_mu_95;
@@ -51,7 +51,7 @@ struct FrictionLine {
     [[nodiscard]] core::Range friction_95(double load) const { return fit.interval_at({1.0, load}); }
 };
 
-/// Something that a reader should know of the data, with the probability of its being chance where a test was made.
+/// A remark on the data, with its probability under pure chance where a test was made.
 struct FrictionRemark {
     std::string id;    ///< "constant", "directions", "sides", "curvature", "scatter", "outliers", "wrong_way", "law"
     std::string text;  ///< one sentence
@@ -59,11 +59,11 @@ struct FrictionRemark {
 };
 
 struct FrictionReport {
-    /// All rows, and again without outliers if there are some; then each direction, each side, each side and direction, of those that have
-    /// at least 3 rows and loads that differ. What there is only one of is not repeated.
+    /// All rows; all rows without outliers if there are any; then each direction, side, and side with direction, of those that have
+    /// at least 3 rows and two loads. A group that equals another one is left out.
     std::vector<FrictionLine> lines;
     bool outliers_left_out = false;  ///< lines[1] is all rows without outliers
-    /// The line that the law comes from. @pre lines is not empty
+    /// The line behind the law. @pre lines is not empty
     [[nodiscard]] const FrictionLine& trusted() const { return lines[outliers_left_out ? 1 : 0]; }
     std::vector<FrictionRemark> remarks;
     /// Repeats: rows with the same side, direction and motor torque; mean and standard deviation, figure 8's error bars.
@@ -75,7 +75,7 @@ struct FrictionReport {
         std::size_t rows = 0;
     };
     std::vector<Repeat> repeats;
-    /// Share of the scatter's variance that grows with the friction squared: 0 all rows scatter alike, near 1 in proportion to friction.
+    /// Share of the scatter variance that grows with the friction squared: 0 all rows scatter equally, near 1 in proportion to friction.
     double scatter_growth = 0.0;
 
     /// A law for a profile: constant + mu load, constant 0 unless the data show one.
@@ -87,7 +87,7 @@ struct FrictionReport {
     [[nodiscard]] std::string profile_lines() const;
 };
 
-/// @throws core::InvalidInput with fewer than 3 rows, or if all loads that the motor torques make are alike
+/// @throws core::InvalidInput with fewer than 3 rows, or if all loads are equal
 [[nodiscard]] FrictionReport identify_friction(const std::vector<BreakAway>& rows);
 
 }  // namespace fusee::identification

@@ -8,13 +8,13 @@ namespace fusee::inference {
 
 // Equations 8 to 12 of docs/theory/diagnosis.md.
 
-/// Cauchy's loss in sigmas, c^2 ln(1 + r^2/c^2) (eq. 9): a slip that happened in the model and not on the rig puts a stretch of rows a
-/// hundred sigmas off, and how far does not matter.
+/// Cauchy's loss in sigmas, c^2 ln(1 + r^2/c^2) (eq. 9): a slip in the model that the rig did not have puts a run of rows a
+/// hundred sigmas off; the distance does not matter.
 inline constexpr double kCauchy = 3.0;
 [[nodiscard]] double loss(double r);
 
-/// How much less accurate each experiment's prediction is than on a faultless rig, >= 1: where all its rows are off (a path full of
-/// stick-slip, an effect that is not in the model) they count with that accuracy, so that one experiment cannot outvote the others.
+/// How much less accurate each experiment's prediction is than on a faultless rig, >= 1: where all its rows deviate (a path full of
+/// stick-slip, an effect outside the model) they are weighted with that accuracy, so that no experiment outvotes the others.
 using Scales = std::array<double, gap_case::kExperiments>;
 
 /// A hypothesis at its best parameters.
@@ -31,26 +31,27 @@ struct Fit {
 };
 
 struct FitOptions {
-    int steps = 20;  ///< of Levenberg and Marquardt in a round, at most
+    int steps = 20;  ///< Levenberg-Marquardt steps in a round, at most
     unsigned jobs = 1;
 };
 /// Least of sum w loss(residual) + sum (x/prior)^2 from `start`, bounds kept (Ceres).
 [[nodiscard]] Fit fit(const Problem& problem, const Causes& causes, const Eigen::VectorXd& start, const FitOptions& options = {});
 
-/// J^T W J + Lambda (eq. 12) with the weights of the loss at residuals `seen` (in spreads): what the rows `kept` and the priors say of x.
+/// J^T W J + Lambda (eq. 12) with the weights of the loss at residuals `seen` (in spreads): information of the rows `kept` and of the
+/// priors on x.
 [[nodiscard]] Eigen::MatrixXd information(const Problem& problem, const Fit& fit, const Eigen::VectorXd& seen,
                                           const std::vector<bool>* kept = nullptr);
 
-/// What the prediction itself can say of a row (eq. 8), in sigmas, >= 1: sqrt(1 + the square of what draws of x on opposite sides, within
+/// Uncertainty of the prediction of each row (eq. 8), in sigmas, >= 1: sqrt(1 + the square of what draws of x on opposite sides, within
 /// its tolerance, do not share with a straight line). Where friction sticks and slips, the moment of a slip is ill-conditioned: such
-/// rows say little, however far off they are.
+/// rows carry little information, whatever their deviation.
 [[nodiscard]] Eigen::VectorXd spread_of(const Problem& problem, const Causes& causes, const Eigen::VectorXd& x, unsigned jobs);
-/// The build parameter that is farthest off its nominal figure, and how far.
+/// The build parameter with the largest deviation from its nominal value.
 struct WorstNuisancePull {
     std::size_t parameter = 0;
     double sigmas = 0.0;  ///< with its sign
 };
-inline constexpr double kImpossible = 5.0;  ///< sigmas that no workshop is off by
+inline constexpr double kImpossible = 5.0;  ///< sigmas that no workshop exceeds
 [[nodiscard]] WorstNuisancePull worst_nuisance_pull(const Problem& problem, const Fit& fit);
 /// T of each experiment: the root of the mean loss of its rows (0 without rows).
 [[nodiscard]] std::array<double, gap_case::kExperiments> misfits(const Problem& problem, const Eigen::VectorXd& residual);
@@ -63,7 +64,7 @@ inline constexpr double kImpossible = 5.0;  ///< sigmas that no workshop is off 
 /// not `kept` do not count.
 [[nodiscard]] double cost_of(const Problem& problem, const Causes& causes, const Eigen::VectorXd& residual, const Eigen::VectorXd& x,
                              const std::vector<bool>* kept = nullptr);
-/// One step of Gauss and Newton with a Jacobian that is taken to hold: the x that is best for rows `kept` in the linear model.
+/// One Gauss-Newton step with a constant Jacobian: the best x for the rows `kept` in the linear model.
 [[nodiscard]] Eigen::VectorXd linear_step(const Problem& problem, const Causes& causes, const Eigen::VectorXd& x,
                                           const Eigen::VectorXd& residual, const Eigen::MatrixXd& jacobian,
                                           const std::vector<bool>* kept = nullptr);

@@ -11,7 +11,7 @@ namespace fusee::inference {
 /// One or two effects, each on its side; none at all for the nominal rig.
 using Causes = std::vector<effects::Cause>;
 
-/// A case made ready for fits: x = (build parameters in sigmas, then each cause's parameters in their scales).
+/// A case prepared for fits: x = (build parameters in sigmas, then each cause's parameters in their scales).
 /// Residuals are (measured - predicted)/sigma, experiment by experiment, in the order of Signals.
 class Problem {
 public:
@@ -27,11 +27,11 @@ public:
     [[nodiscard]] gap_case::Experiment experiment_of(int residual) const;
     [[nodiscard]] int size_at(const Causes& causes, std::size_t cause) const;      ///< the place in x of causes[cause]'s size
     [[nodiscard]] core::Range allowed(const Causes& causes, int parameter) const;  ///< of x[parameter]
-    /// Where a fit of these causes begins: sizes at their first start.
+    /// Start of a fit of these causes: sizes at their first start.
     [[nodiscard]] Eigen::VectorXd start(const Causes& causes) const;
-    /// Of x: 0 for build parameters and sizes, where they start for further parameters.
+    /// Prior mean of x: 0 for build parameters and sizes, the start value for further parameters.
     [[nodiscard]] Eigen::VectorXd prior_mean(const Causes& causes) const;
-    /// `x` of `causes` for the hypothesis that has `kept` alone of them.
+    /// `x` of `causes` reduced to the hypothesis with the cause `kept` only.
     [[nodiscard]] Eigen::VectorXd without_others(const Causes& causes, const Eigen::VectorXd& x, const effects::Cause& kept) const;
     [[nodiscard]] double prior_sigma(const Causes& causes, int parameter) const;
     enum class Role { kBuild, kSize, kFurther };
@@ -42,13 +42,13 @@ public:
     [[nodiscard]] joint_model::Signals predict(const Causes& causes, const Eigen::VectorXd& x) const;
     [[nodiscard]] Eigen::VectorXd residual(const joint_model::Signals& prediction) const;
     [[nodiscard]] Eigen::VectorXd residual(const Causes& causes, const Eigen::VectorXd& x) const { return residual(predict(causes, x)); }
-    /// The same with one dead-band repeat a level in place of all: half the time.
+    /// The same with one dead-band repeat per level: half the time.
     [[nodiscard]] Eigen::VectorXd thin_residual(const Causes& causes, const Eigen::VectorXd& x) const {
         return residual(predict_thin(causes, x));
     }
-    /// The same of break-away and spring pulls alone, which need no motion; 0 elsewhere.
+    /// The same for break-away and spring pulls, which need no motion; 0 elsewhere.
     [[nodiscard]] Eigen::VectorXd direct_residual(const Causes& causes, const Eigen::VectorXd& x) const;
-    /// d residual/dx[parameter], from predictions with one dead-band repeat a level.
+    /// d residual/dx[parameter], from predictions with one dead-band repeat per level.
     [[nodiscard]] Eigen::VectorXd slope(const Causes& causes, const Eigen::VectorXd& x, int parameter) const;
     /// sqrt(weight) of each residual.
     [[nodiscard]] const Eigen::VectorXd& root_weight() const { return root_weight_; }

@@ -5,17 +5,17 @@
 
 namespace fusee::inference {
 
-/// A hypothesis with parameters that are about right.
+/// A hypothesis with approximate parameters.
 struct Guess {
     Causes causes;
     Eigen::VectorXd x;
     double cost = 0.0;  ///< estimated: build parameters follow in the linear model
 };
 
-/// Every effect on every side that the case's experiments can see.
+/// Every effect on every side that the experiments of the case can see.
 [[nodiscard]] std::vector<effects::Cause> possible_causes(const gap_case::Rows& rows);
 
-/// Adds each of `causes` to what `base` has, at its sizes to start with and one step of Gauss and Newton on, the rest of x following in
+/// Adds each of `causes` to what `base` has, at its sizes to start with and one Gauss-Newton step, the rest of x following in
 /// the linear model of `base`. Sorted by cost.
 [[nodiscard]] std::vector<Guess> screen(const Problem& problem, const Fit& base, const std::vector<effects::Cause>& causes, unsigned jobs);
 

@@ -24,11 +24,11 @@ struct Gear {
     double saturation = kNever;    ///< greatest torque delivered [Nm]
 };
 
-/// How the joint was moved by hand in a dead-band test. Nobody measures it: what faultless rigs show, and fitted with the build tolerances.
+/// Hand motion of the joint in a dead-band test. It is not measured: defaults from faultless rigs, fitted with the build tolerances.
 struct Hand {
     double damping = 0.36;       ///< of the hand that follows the joint, of critical damping at that co-contraction
-    double push_share = 0.72;    ///< of dead_band_push in which the push rises; then it is held
-    double settle_share = 0.11;  ///< of dead_band_release that is left after the release before q is read
+    double push_share = 0.72;    ///< share of dead_band_push in which the push rises; then it is held
+    double settle_share = 0.11;  ///< share of dead_band_release between the end of the release and the reading of q
 };
 
 /// One side as built: springs are made of `se_build`, `pe_build` by BuiltRig::assemble.
@@ -38,7 +38,7 @@ struct BuiltSide {
     CamSpring se, pe;
 };
 
-/// The rig that a prediction is made for: the nominal one, changed by effects and by build tolerances.
+/// The rig of a prediction: the nominal rig with effects and build tolerances.
 struct BuiltRig {
     explicit BuiltRig(const gap_case::NominalRig& nominal);
 
@@ -58,7 +58,7 @@ struct BuiltRig {
     double joint_offset = 0.0;      ///< added to q as read [rad]
     Hand hand;
 
-    /// Tabulates the springs. To be called after the builds were changed.
+    /// Tabulates the springs. Call it after changing the builds.
     void assemble(const NominalCams& cams);
 };
 

@@ -6,7 +6,7 @@
 
 namespace fusee::joint_model {
 
-/// How a spring as built departs from its nominal cam and base spring.
+/// Deviations of a built spring from its nominal cam and base spring.
 struct SpringBuild {
     double rate = 0.0;           ///< relative change of the base spring's rate
     double radius = 0.0;         ///< added to every arm [m]
@@ -17,8 +17,8 @@ struct SpringBuild {
     double hysteresis = 0.0;     ///< a of F (1 + a z)
 };
 
-/// One spring of a rig with its cam and cable: torque over deflection at the capstan, uniformly tabulated so that a torque costs a few
-/// nanoseconds. A cable cannot push: 0 below deflection 0; beyond the cam's end the torque goes on straight.
+/// One spring of a rig with its cam and cable: torque over deflection at the capstan, tabulated uniformly, so that one evaluation costs a
+/// few nanoseconds. A cable cannot push: 0 below deflection 0; beyond the end of the cam the torque continues linearly.
 class CamSpring {
 public:
     CamSpring() = default;
@@ -47,8 +47,8 @@ class NominalCams {
 public:
     /// @throws core::InvalidInput if a curve does not rise
     explicit NominalCams(const gap_case::NominalRig& rig);
-    /// Exact: x = x0 + dr phi/r_c, F = r_c k (phi + phi0)/(r + dr) (docs/theory/springs.md, eq. 24 to 27). Where r + dr is no arm of a
-    /// spool, 0.01 mm stands for it, so that a fit may try any dr.
+    /// Exact: x = x0 + dr phi/r_c, F = r_c k (phi + phi0)/(r + dr) (docs/theory/springs.md, eq. 24 to 27). Where r + dr is not a valid arm
+    /// of a spool, 0.01 mm replaces it, so that a fit may try any dr.
     [[nodiscard]] CamSpring series(const SpringBuild& build) const;
     /// y = y0 + dr x, F = k (y + preload)(r + dr).
     [[nodiscard]] CamSpring parallel(const SpringBuild& build) const;

@@ -16,11 +16,11 @@ struct Signals {
 
 /// Names of the measured columns: {"load_torque_Nm"}, {"q_low_rad", "q_high_rad"}, ...
 [[nodiscard]] std::vector<std::string> measured_columns(gap_case::Experiment experiment, const gap_case::Rows& rows);
-/// What stands in the rows, and the rows with `signals` put in its place.
+/// The measured values of the rows; the rows with `signals` as measured values.
 [[nodiscard]] Signals measured(const gap_case::Rows& rows);
 [[nodiscard]] gap_case::Rows with_measured(const gap_case::Rows& rows, const Signals& signals);
 
-/// What a built rig gives at the inputs of `rows`. Slow experiments and log alike are integrated in time (motion.h).
+/// Prediction for a built rig at the inputs of `rows`. All experiments with motion are integrated in time (motion.h).
 [[nodiscard]] std::vector<double> predict_experiment(const BuiltRig& rig, const gap_case::Rows& rows, const gap_case::Protocol& protocol,
                                                      gap_case::Experiment experiment);
 [[nodiscard]] Signals predict_signals(const BuiltRig& rig, const gap_case::Rows& rows, const gap_case::Protocol& protocol);

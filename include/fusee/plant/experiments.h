@@ -51,7 +51,7 @@ struct LogRow {
     std::array<double, 2> theta{};
     double q = 0.0;
 };
-/// What a bench writes down.
+/// Recorded measurements.
 struct Measured {
     std::vector<BreakAwayRow> breakaway;
     std::vector<PullRow> spring_pull;
@@ -61,7 +61,7 @@ struct Measured {
     std::vector<LogRow> log;
 };
 
-/// A rig with its sensors and its protocol on the bench.
+/// A rig with its sensors and its protocol.
 struct TestRig {
     Nominal nominal;
     Truth truth;

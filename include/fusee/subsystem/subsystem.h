@@ -23,8 +23,8 @@ enum class Kind : int {
 struct Record {
     std::string experiment;                                 ///< "force_loop", "pendulum_log", "breakaway"
     std::string file;                                       ///< as [experiments] names it
-    std::map<std::string, double> parameters;               ///< "kp", "preload_N", ...: [bench], with the file's own words over it
-    std::map<std::string, std::string> words;               ///< words of its '#' lines that are no numbers, e.g. "trajectory"
+    std::map<std::string, double> parameters;               ///< "kp", "preload_N", ...: [bench], overridden by the words of the file
+    std::map<std::string, std::string> words;               ///< non-numeric words of its '#' lines, e.g. "trajectory"
     std::map<std::string, std::vector<double>> columns;     ///< by name, all of one length; a measured column may be absent in inputs
     std::map<std::string, std::vector<std::string>> texts;  ///< "side", "direction"
     [[nodiscard]] std::size_t rows() const;
@@ -37,15 +37,15 @@ struct Case {
     std::map<std::string, double> parameters;  ///< numbers of [bench], for every file
     std::map<std::string, double> sensors;     ///< table [sensors]
     std::vector<Record> records;
-    std::vector<std::string> remarks;  ///< limitations to be told: thinned rows, few files
+    std::vector<std::string> remarks;  ///< limitations: thinned rows, few files
 };
 
 /// Reads FOLDER/case.toml and the CSV files that it names.
 /// @throws core::InvalidInput "file:line:column: key", core::IoError
 [[nodiscard]] Case read_case(const std::filesystem::path& folder);
 
-/// Where the nominal law and the bench part, which effects survive every split of the files, how far the gap shrinks on files held out.
-/// Deterministic, the same for any number of threads. @throws core::InvalidInput if there are too few rows to say anything
+/// Where nominal law and measurements differ, which effects survive every split of the files, how far the gap shrinks on held-out files.
+/// Deterministic for any number of threads. @throws core::InvalidInput if there are too few rows
 [[nodiscard]] diagnosis::Diagnosis diagnose(const Case& subsystem_case, const diagnosis::DiagnoseOptions& options = {});
 
 /// Every CSV file in `folder`; measured columns may be missing. A file's parameters are those of [bench], those of the case's file of the
@@ -53,9 +53,9 @@ struct Case {
 [[nodiscard]] Case read_inputs(const Case& subsystem_case, const std::filesystem::path& folder);
 /// `inputs` with the measured column as the law says, row by row: with `found.build` and `found.effects`; without `found.build` the
 /// nominal parameters are fitted on the rows of `bench` first, the effects held.
-/// @throws core::InvalidInput naming an effect that this bench does not know
+/// @throws core::InvalidInput naming an unknown effect
 [[nodiscard]] Case predict(const Case& subsystem_case, const diagnosis::Diagnosis& found, const Case& inputs);
-/// Writes one CSV for each record, under its file name: the columns that the bench knows.
+/// Writes one CSV for each record, under its file name: the columns of the subsystem.
 /// @throws core::IoError
 void write_rows(const Case& rows, const std::filesystem::path& folder);
 

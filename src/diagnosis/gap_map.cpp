@@ -51,8 +51,8 @@ std::string component_of(const std::vector<int>& rows, const std::vector<Place>&
     return excess.size() > 1 && most->second > kStandsOut * sum ? most->first : "";
 }
 
-GapContribution whereabouts_of(const inference::Problem& problem, const std::vector<Place>& places, gap_case::Experiment experiment,
-                               const Eigen::VectorXd& gap) {
+GapContribution contribution_of(const inference::Problem& problem, const std::vector<Place>& places, gap_case::Experiment experiment,
+                                const Eigen::VectorXd& gap) {
     const std::vector<std::vector<int>> cells = cells_of(problem, places, experiment);
     GapContribution where{to_string(experiment), 0.0, variable_of(experiment), {}, ""};
     std::vector<double> excess;
@@ -141,7 +141,7 @@ std::vector<GapContribution> gap_contributions(const inference::Problem& problem
     double sum = 0.0;
     for (const gap_case::Experiment experiment : gap_case::kAllExperiments)
         if (problem.gap_case().rows.size(experiment) > 0) {
-            where.push_back(whereabouts_of(problem, all, experiment, gap));
+            where.push_back(contribution_of(problem, all, experiment, gap));
             sum += where.back().share;
         }
     if (sum <= 0.0) return {};

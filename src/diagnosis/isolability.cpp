@@ -100,7 +100,7 @@ Mark mark_of_limit(const Projection& projection, const inference::Causes& causes
 /// Could one pass for the other? `cosine` is that of their marks.
 bool cannot_tell(const Mark& a, const Mark& b, double cosine) {
     const double least = std::min(a.length, b.length);
-    if (least < kSeen || std::abs(cosine) < kAlike) return false;
+    if (least < kSeen || std::abs(cosine) < kSimilar) return false;
     if (cosine < 0.0 && !a.both_ways && !b.both_ways) return false;
     return least * std::sqrt(std::max(0.0, 1.0 - cosine * cosine)) < kSeen;
 }

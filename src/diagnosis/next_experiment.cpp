@@ -96,14 +96,14 @@ Eigen::VectorXd precisions(const inference::Problem& problem, const Menu& menu, 
 }
 
 /// (a - b)^T (I + S)^-1 (a - b) with the mean covariance S of both, by the Woodbury identity.
-double squared_distance(const Eigen::VectorXd& apart, const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
-    Eigen::MatrixXd open(apart.size(), a.cols() + b.cols());
+double squared_distance(const Eigen::VectorXd& difference, const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
+    Eigen::MatrixXd open(difference.size(), a.cols() + b.cols());
     open << a, b;
     open *= std::sqrt(0.5);
-    const Eigen::VectorXd along = open.transpose() * apart;
+    const Eigen::VectorXd along = open.transpose() * difference;
     Eigen::MatrixXd normal = open.transpose() * open;
     normal.diagonal().array() += 1.0;
-    return std::max(0.0, apart.squaredNorm() - along.dot(normal.llt().solve(along)));
+    return std::max(0.0, difference.squaredNorm() - along.dot(normal.llt().solve(along)));
 }
 
 /// Squared distances of the rivals in each measurement.
@@ -198,13 +198,13 @@ std::vector<NextExperiment> next_experiments(const inference::Problem& problem, 
     for (double& value : p) value /= sum;
     const double most = entropy(p);
     if (rivals.size() < 2 || !(most > 0.0)) return {};
-    const Menu menu = bench_menu(problem.gap_case());
-    const std::vector<Eigen::MatrixXd> apart = distances(problem, menu, rivals, jobs);
+    const Menu menu = measurement_menu(problem.gap_case());
+    const std::vector<Eigen::MatrixXd> squared = distances(problem, menu, rivals, jobs);
     std::vector<NextExperiment> best;  // of each experiment
     std::size_t tells_most = 0;
     std::vector<NextExperiment> all;
-    for (std::size_t m = 0; m < apart.size(); ++m) {
-        all.push_back(offered(menu.measurements[m], expected_information(p, apart[m])));
+    for (std::size_t m = 0; m < squared.size(); ++m) {
+        all.push_back(offered(menu.measurements[m], expected_information(p, squared[m])));
         if (all[m].information > all[tells_most].information) tells_most = m;
         if (all[m].information < kWorthwhile * most) continue;
         const auto same =
@@ -214,7 +214,7 @@ std::vector<NextExperiment> next_experiments(const inference::Problem& problem, 
         else if (serves_better(all[m], *same, kDecides * most))
             *same = all[m];
     }
-    if (best.empty()) return {none_tells(problem, rivals, p, all[tells_most], apart[tells_most])};
+    if (best.empty()) return {none_tells(problem, rivals, p, all[tells_most], squared[tells_most])};
     std::stable_sort(best.begin(), best.end(), [&](const auto& a, const auto& b) { return serves_better(a, b, kDecides * most); });
     std::stable_sort(best.begin() + 1, best.end(),
                      [](const auto& a, const auto& b) { return a.information * b.cost > b.information * a.cost; });

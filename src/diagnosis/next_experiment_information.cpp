@@ -11,7 +11,7 @@ namespace {
 /// E[log2(1 + exp(-(odds + d^2/2 + d z)))], z standard normal: the surprise left when the first of two hypotheses with log odds `odds` and
 /// distance d is true. Trapezoidal rule, which converges faster than any power for such an integrand.
 double surprise_left(double odds, double d) {
-    constexpr double kQuadratureEnd = 9.0, kStep = 0.01;  // of z; the step is fine beside 1/d where anything is left to integrate
+    constexpr double kQuadratureEnd = 9.0, kStep = 0.01;  // of z; the step is fine compared with 1/d if anything is left to integrate
     double sum = 0.0;
     for (double z = -kQuadratureEnd; z <= kQuadratureEnd; z += kStep) {
         const double log_odds = odds + 0.5 * d * d + d * z;
@@ -31,9 +31,9 @@ double bound_of_more(std::span<const double> p, const Eigen::MatrixXd& distances
     double bits = 0.0;
     for (std::size_t i = 0; i < p.size(); ++i) {
         if (p[i] <= 0.0) continue;
-        double alike = 0.0;
-        for (std::size_t j = 0; j < p.size(); ++j) alike += p[j] * std::exp(-distances(static_cast<int>(i), static_cast<int>(j)) / 8.0);
-        bits -= p[i] * std::log2(alike);
+        double overlap = 0.0;
+        for (std::size_t j = 0; j < p.size(); ++j) overlap += p[j] * std::exp(-distances(static_cast<int>(i), static_cast<int>(j)) / 8.0);
+        bits -= p[i] * std::log2(overlap);
     }
     return bits;
 }

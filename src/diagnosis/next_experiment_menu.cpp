@@ -258,6 +258,6 @@ private:
 
 }  // namespace
 
-Menu bench_menu(const gap_case::Case& gap_case) { return MenuWriter(gap_case).write(); }
+Menu measurement_menu(const gap_case::Case& gap_case) { return MenuWriter(gap_case).write(); }
 
 }  // namespace fusee::diagnosis

@@ -15,7 +15,7 @@ struct Measurement {
     std::string what;               ///< instruction without a full stop
     std::string variable;
     std::vector<double> set_points;
-    double cost = 0.0;  ///< [min] at the bench (docs/theory/isolability.md, "What a measurement costs")
+    double cost = 0.0;  ///< [min] (docs/theory/isolability.md, "What a measurement costs")
 };
 
 /// Rows to predict once, and measurements made of some of them: the rows of a sheet are independent.
@@ -26,6 +26,6 @@ struct Menu {
 
 /// Every experiment with the set points of a case template, and its parts: one side, one spring, the lowest and the highest level alone, a
 /// stronger push, a faster and a slower log. Torques stay within the range of the case.
-[[nodiscard]] Menu bench_menu(const gap_case::Case& gap_case);
+[[nodiscard]] Menu measurement_menu(const gap_case::Case& gap_case);
 
 }  // namespace fusee::diagnosis

@@ -72,7 +72,7 @@ void write_case_template(const CaseTemplate& empty, const fs::path& folder) {
     write_rows(files, rows, folder);
     core::write_file(folder / "case.toml", toml);
     core::write_file(folder / kSprings, springs_csv(empty.rig));
-    core::write_file(folder / "BENCH.md", bench_sheets(empty, rows));
+    core::write_file(folder / "BENCH.md", experiment_sheets(empty, rows));
 }
 
 }  // namespace fusee::gap_case

@@ -13,7 +13,7 @@ struct TablesOptions {
     std::vector<std::string>* remarks = nullptr;                           ///< receives one for each thinned file
 };
 
-/// The files of `bench.files` in `folder`, checked against `bench.rig`.
+/// The files of `gap_case.files` in `folder`, checked against `gap_case.rig`.
 /// @throws core::InvalidInput "file:line:column: column", core::IoError
 [[nodiscard]] Rows read_tables(const Case& gap_case, const std::filesystem::path& folder, const TablesOptions& options);
 

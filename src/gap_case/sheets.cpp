@@ -120,7 +120,7 @@ std::string zero_text(double rest) {
 
 }  // namespace
 
-std::string bench_sheets(const CaseTemplate& t, const Rows& rows) {
+std::string experiment_sheets(const CaseTemplate& t, const Rows& rows) {
     using fmt::arg;
     const Protocol& p = t.protocol;
     const auto first_repeats = std::count_if(rows.breakaway.begin(), rows.breakaway.end(), [&](const identification::BreakAway& row) {

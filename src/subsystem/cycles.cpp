@@ -38,8 +38,8 @@ double median(std::vector<double> values) {
     return values[values.size() / 2];
 }
 
-/// The spans that last and reach alike: what begins from rest or dies out is none.
-std::vector<Span> alike(std::vector<Span> spans) {
+/// The spans with the usual duration and range: an input that begins from rest or decays has none.
+std::vector<Span> usual_spans(std::vector<Span> spans) {
     if (spans.empty()) return spans;
     std::vector<double> lengths, ranges;
     for (const Span& s : spans) lengths.push_back(s.end - s.begin), ranges.push_back(s.high - s.low);
@@ -84,7 +84,7 @@ Cycles find_cycles(const std::vector<double>& time, const std::vector<double>& i
         spans[c].high = std::max(spans[c].high, input[i]);
     }
     const std::size_t found = spans.size();
-    spans = alike(std::move(spans));
+    spans = usual_spans(std::move(spans));
     if (spans.empty() || 2 * spans.size() < found) return cycles;
     cycles.begin = spans.front().begin;
     cycles.period = median_length(spans);
@@ -115,15 +115,15 @@ const Cycles& first_of_same_amplitude(const std::vector<Cycles>& files, const Cy
 double setup_variance(const std::vector<Cycles>& files) {
     double squares = 0.0, freedom = 0.0;
     for (const Cycles& first : files) {
-        std::vector<const Cycles*> alike;
+        std::vector<const Cycles*> equal;
         for (const Cycles& file : files)
-            if (file.period > 0.0 && &first_of_same_amplitude(files, file) == &first) alike.push_back(&file);
-        if (alike.size() < 2) continue;
+            if (file.period > 0.0 && &first_of_same_amplitude(files, file) == &first) equal.push_back(&file);
+        if (equal.size() < 2) continue;
         for (std::size_t p = 0; p < kPhases; ++p) {
             double mean = 0.0;
-            for (const Cycles* file : alike) mean += file->mean[p] / static_cast<double>(alike.size());
-            for (const Cycles* file : alike) squares += std::pow(file->mean[p] - mean, 2);
-            freedom += static_cast<double>(alike.size()) - 1.0;
+            for (const Cycles* file : equal) mean += file->mean[p] / static_cast<double>(equal.size());
+            for (const Cycles* file : equal) squares += std::pow(file->mean[p] - mean, 2);
+            freedom += static_cast<double>(equal.size()) - 1.0;
         }
     }
     return freedom > 0.0 ? squares / freedom : std::numeric_limits<double>::quiet_NaN();

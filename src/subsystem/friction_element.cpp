@@ -238,7 +238,7 @@ void FrictionElement::predict(std::size_t record, const Values& values, std::vec
         const double elastic = stiffness * side * play.stretch(std::abs(u));
         const double limit = most * side;
         predicted[i] = std::copysign(std::min(elastic, limit), u);
-        if (elastic > limit) u = std::copysign(play.elongation(limit / (stiffness * side)), u);  // the slider gives way
+        if (elastic > limit) u = std::copysign(play.elongation(limit / (stiffness * side)), u);  // the slider moves
     }
 }
 

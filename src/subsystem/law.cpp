@@ -47,7 +47,7 @@ void make_blocks(Law& law, const Case& subsystem_case) {
 
 namespace {
 
-/// Labels as numbers in the order of their first blocks: alike for two schemes that part the blocks alike.
+/// Labels as numbers in the order of their first blocks: equal for two schemes that split the blocks in the same way.
 std::vector<std::size_t> partition(const std::vector<std::string>& labels) {
     std::map<std::string, std::size_t> seen;
     std::vector<std::size_t> numbers;

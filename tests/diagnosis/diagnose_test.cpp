@@ -90,10 +90,10 @@ TEST(Diagnose, OneLoadAloneLeavesFrictionLawsAmbiguousAndAsksForAnother) {
     for (const Alternative& other : diagnosis.alternatives) named.insert(named.end(), other.effects.begin(), other.effects.end());
     EXPECT_GE(named.size(), 2U);
     // At one load, driven back: whatever raises it by some share is as good, and nothing of the other side.
-    const std::set<std::string> alike{"gear.coulomb",   "gear.load_friction", "gear.load_quadratic",
-                                      "gear.asymmetry", "gear.stribeck",      "sensor.torque_scale"};
+    const std::set<std::string> similar{"gear.coulomb",   "gear.load_friction", "gear.load_quadratic",
+                                        "gear.asymmetry", "gear.stribeck",      "sensor.torque_scale"};
     for (const effects::Cause& cause : named) {
-        EXPECT_TRUE(alike.contains(cause.id)) << cause.id;
+        EXPECT_TRUE(similar.contains(cause.id)) << cause.id;
         EXPECT_EQ(cause.side, "agonist") << cause.id;
     }
     EXPECT_FALSE(diagnosis.next_experiment.empty());
@@ -121,10 +121,10 @@ TEST(Diagnose, WhatWasFoundPredictsWhatWasNotMeasured) {
     const gap_case::Case gap_case = measured_case(parts_alone(), {kWound}, {-0.25}, 1.0, 11);
     const gap_case::Case other = measured_case(pulls(1), {kWound}, {-0.25}, 0.0, 1);
     const auto off = [&](const Diagnosis& model) {
-        const gap_case::Rows foretold = predict(gap_case, model, other.rows);
+        const gap_case::Rows predicted = predict(gap_case, model, other.rows);
         double sum = 0.0;
-        for (std::size_t i = 0; i < foretold.spring_pull.size(); ++i)
-            sum += std::abs(foretold.spring_pull[i].torque - other.rows.spring_pull[i].torque);
+        for (std::size_t i = 0; i < predicted.spring_pull.size(); ++i)
+            sum += std::abs(predicted.spring_pull[i].torque - other.rows.spring_pull[i].torque);
         return sum;
     };
     EXPECT_LT(off(diagnosed(gap_case)), 0.2 * off({}));

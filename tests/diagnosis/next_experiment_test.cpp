@@ -14,27 +14,27 @@ using namespace fixtures;
 
 const std::vector<double> kEven{0.5, 0.5};
 
-Eigen::MatrixXd apart(int n, double distance) {
+Eigen::MatrixXd equal_distances(int n, double distance) {
     return distance * distance * (Eigen::MatrixXd::Ones(n, n) - Eigen::MatrixXd::Identity(n, n));
 }
 
 TEST(Information, OfTwoIsTheCapacityOfABinaryChannel) {
-    EXPECT_EQ(expected_information(kEven, apart(2, 0.0)), 0.0);
+    EXPECT_EQ(expected_information(kEven, equal_distances(2, 0.0)), 0.0);
     // Antipodal signals of 1 in noise of 1 (0 dB): 0.4859 bit, the four digits of the tables
-    EXPECT_NEAR(expected_information(kEven, apart(2, 2.0)), 0.4859, 5e-5);
+    EXPECT_NEAR(expected_information(kEven, equal_distances(2, 2.0)), 0.4859, 5e-5);
     // Little signal: p (1 - p) d^2/2 nats; the next term is of the order of d^4
-    EXPECT_NEAR(expected_information(std::vector{0.3, 0.7}, apart(2, 0.05)) / (0.21 * 0.0025 / 2.0 / std::log(2.0)), 1.0, 2e-3);
-    EXPECT_NEAR(expected_information(std::vector{0.3, 0.7}, apart(2, 20.0)), entropy(std::vector{0.3, 0.7}), 1e-6);
+    EXPECT_NEAR(expected_information(std::vector{0.3, 0.7}, equal_distances(2, 0.05)) / (0.21 * 0.0025 / 2.0 / std::log(2.0)), 1.0, 2e-3);
+    EXPECT_NEAR(expected_information(std::vector{0.3, 0.7}, equal_distances(2, 20.0)), entropy(std::vector{0.3, 0.7}), 1e-6);
 }
 
 TEST(Information, GrowsWithTheDistanceUpToTheEntropyAndTheBoundStaysBelow) {
     const std::vector<double> three{0.6, 0.3, 0.1}, third_out{0.5, 0.5, 0.0};
     double last_two = 0.0, last_three = 0.0;
     for (double d = 0.25; d < 30.0; d *= 1.5) {
-        const double two = expected_information(kEven, apart(2, d)), more = expected_information(three, apart(3, d));
+        const double two = expected_information(kEven, equal_distances(2, d)), more = expected_information(three, equal_distances(3, d));
         EXPECT_TRUE(two >= last_two && two <= 1.0);
         EXPECT_TRUE(more >= last_three && more <= entropy(three));
-        EXPECT_LE(expected_information(third_out, apart(3, d)), two + 1e-12);
+        EXPECT_LE(expected_information(third_out, equal_distances(3, d)), two + 1e-12);
         last_two = two;
         last_three = more;
     }
@@ -59,8 +59,8 @@ const Rivals& friction() {
     return rivals;
 }
 /// A menu of break-aways and pulls alone, which cost no motion.
-Menu bench_alone(const gap_case::Case& gap_case) {
-    Menu menu = bench_menu(gap_case);
+Menu usual_menu(const gap_case::Case& gap_case) {
+    Menu menu = measurement_menu(gap_case);
     for (gap_case::Rows& rows : menu.sheets) {
         gap_case::Rows kept;
         kept.breakaway = rows.breakaway;
@@ -79,7 +79,7 @@ double most_of(const Menu& menu, const std::vector<double>& bits, const std::str
 }
 
 TEST(NextExperiment, FrictionLawsAreSplitByAnotherLoadOnTheirOwnSide) {
-    const Menu menu = bench_alone(friction().gap_case);
+    const Menu menu = usual_menu(friction().gap_case);
     const std::vector<double> bits = expected_bits(friction().problem, menu, friction().all, kEven, 1);
     EXPECT_GT(most_of(menu, bits, "Break the agonist away"), 0.9);
     EXPECT_LT(most_of(menu, bits, "Break the antagonist away"), 0.05);
@@ -89,7 +89,7 @@ TEST(NextExperiment, FrictionLawsAreSplitByAnotherLoadOnTheirOwnSide) {
 TEST(NextExperiment, TheFirstIsTheCheapestThatDecides) {
     const auto next = next_experiments(friction().problem, friction().all, std::vector{3.0, 3.0}, 1);  // any sum
     ASSERT_GE(next.size(), 3U);
-    const Menu menu = bench_menu(friction().gap_case);
+    const Menu menu = measurement_menu(friction().gap_case);
     const std::vector<double> bits = expected_bits(friction().problem, menu, friction().all, kEven, 1);
     EXPECT_GE(next[0].information, 0.9);
     for (std::size_t m = 0; m < bits.size(); ++m) {
@@ -105,7 +105,7 @@ TEST(NextExperiment, TheFirstIsTheCheapestThatDecides) {
 }
 
 TEST(NextExperiment, MoreNoiseTellsLess) {
-    const Menu menu = bench_alone(friction().gap_case);
+    const Menu menu = usual_menu(friction().gap_case);
     gap_case::Case noisy = friction().gap_case;
     noisy.sensors.torque_noise *= 30.0;
     noisy.sensors.breakaway_scatter *= 30.0;
@@ -160,7 +160,7 @@ TEST(NextExperiment, OutcomesDrawnAtRandomTellAsMuchAsExpected) {
     gap_case::Case noisy = friction().gap_case;
     noisy.sensors.torque_noise = 0.08;  // so that about half a bit can be told
     const inference::Problem problem(noisy);
-    Menu menu = bench_alone(noisy);
+    Menu menu = usual_menu(noisy);
     std::erase_if(menu.measurements,
                   [](const Measurement& m) { return m.what.find("the agonist away at 0.16, 0.8 Nm") == std::string::npos; });
     ASSERT_EQ(menu.measurements.size(), 1U);
@@ -180,7 +180,7 @@ TEST(NextExperiment, OutcomesDrawnAtRandomTellAsMuchAsExpected) {
 }
 
 TEST(NextExperiment, TheSameForAnyThreads) {
-    const Menu menu = bench_alone(friction().gap_case);
+    const Menu menu = usual_menu(friction().gap_case);
     EXPECT_EQ(expected_bits(friction().problem, menu, friction().all, kEven, 1),
               expected_bits(friction().problem, menu, friction().all, kEven, 4));
 }
@@ -196,7 +196,7 @@ TEST(NextExperiment, APullOfItsSeriesSpringSplitsTheSides) {
         fit.covariance = Eigen::MatrixXd::Identity(size + 1, size + 1);
         fit.covariance(size, size) = 0.16;
     }
-    const Menu menu = bench_alone(rivals.gap_case);
+    const Menu menu = usual_menu(rivals.gap_case);
     const std::vector<double> bits = expected_bits(rivals.problem, menu, {&fits[0], &fits[1]}, kEven, 1);
     EXPECT_GT(most_of(menu, bits, "Pull K_SE of the agonist alone"), 0.9);
     EXPECT_LT(most_of(menu, bits, "Pull K_PE"), 0.01);
@@ -224,7 +224,8 @@ TEST(NextExperiment, NothingToDecideAndNothingThatDecides) {
     const auto same = next_experiments(problem, {one, one}, kEven, 1);
     ASSERT_EQ(same.size(), 1U);
     EXPECT_EQ(same[0].information, 0.0);
-    EXPECT_NE(same[0].text.find("No usual measurement distinguishes these causes. Larger effects would not"), std::string::npos) << same[0].text;
+    EXPECT_NE(same[0].text.find("No usual measurement distinguishes these causes. Larger effects would not"), std::string::npos)
+        << same[0].text;
 }
 
 TEST(NextExperiment, WhatIsTooSmallIsToldWithTheSizeThatWouldDo) {
@@ -239,11 +240,12 @@ TEST(NextExperiment, WhatIsTooSmallIsToldWithTheSizeThatWouldDo) {
     const auto next = next_experiments(friction().problem, {&fits[0], &fits[1]}, std::vector{0.7, 0.3}, 1);
     ASSERT_EQ(next.size(), 1U);
     EXPECT_LT(next[0].information, 0.1);
-    EXPECT_NE(next[0].text.find("times as large as found could be distinguished: gear.coulomb (agonist) of"), std::string::npos) << next[0].text;
+    EXPECT_NE(next[0].text.find("times as large as found could be distinguished: gear.coulomb (agonist) of"), std::string::npos)
+        << next[0].text;
 }
 
 TEST(NextExperiment, AMenuAsksForTorquesThatTheMotorsReached) {
-    const Menu menu = bench_menu(small_case(break_aways({0.8}, 1, false)));
+    const Menu menu = measurement_menu(small_case(break_aways({0.8}, 1, false)));
     for (const gap_case::Rows& rows : menu.sheets) {
         for (const identification::BreakAway& row : rows.breakaway) EXPECT_TRUE(row.motor_torque > 0.0 && row.motor_torque <= 0.8);
         for (const gap_case::DeadBandRow& row : rows.dead_band) EXPECT_LE(row.cocontraction, 0.8);
@@ -252,7 +254,7 @@ TEST(NextExperiment, AMenuAsksForTorquesThatTheMotorsReached) {
     for (const gap_case::Experiment e : gap_case::kAllExperiments)
         EXPECT_TRUE(
             std::any_of(menu.measurements.begin(), menu.measurements.end(), [&](const Measurement& m) { return m.experiment == e; }));
-    EXPECT_FALSE(bench_menu(small_case(pulls(5))).measurements.empty());  // no torque shown: what the springs carry
+    EXPECT_FALSE(measurement_menu(small_case(pulls(5))).measurements.empty());  // no torque shown: what the springs carry
     for (const Measurement& m : menu.measurements) EXPECT_GT(m.cost, 0.0);
 }
 

@@ -166,7 +166,7 @@ const Broken kBroken[] = {
      "motor_ramp = \"steep\"",
      {"protocol.motor_ramp: \"steep\"", "\"straight\" or \"smooth\""}},
     {"N_per_mm", "case.toml", "rate_N_per_m = 2000", "rate_N_per_m = 2", {"rig.pe_compression_rate_N_per_m", "N/m"}},
-    {"too_soft", "case.toml", "rate_N_per_m = 2000", "rate_N_per_m = 10", {"rig.pe_compression_rate_N_per_m", "give way by"}},
+    {"too_soft", "case.toml", "rate_N_per_m = 2000", "rate_N_per_m = 10", {"rig.pe_compression_rate_N_per_m", "deflect by"}},
     {"unknown_key",
      "case.toml",
      "capstan_radius_m",
@@ -328,7 +328,7 @@ TEST_F(CaseFolder, AFileUnderTwoNamesIsRefused) {
     }
 }
 
-/// A bench that writes down what it reads of the co-contraction: each row would be a loop of its own, from rest.
+/// Measured instead of commanded co-contractions: each row would be a separate loop from rest.
 TEST_F(CaseFolder, CocontractionsThatScatterAreOneLevel) {
     Rows rows = fixtures::measured(template_);
     const std::vector<StiffnessRow> commanded = rows.joint_stiffness;

@@ -13,7 +13,7 @@ namespace {
 using fixtures::line_of;
 using fixtures::remark_of;
 
-// Roundtrip: what the friction law says a resting capstan may carry is what a bench without scatter measures.
+// Roundtrip: what the friction law says a resting capstan may carry is what a test without scatter measures.
 TEST(IdentifyFriction, GivesBackTheLawThatMadeTheRows) {
     for (const double constant : {0.0, 0.02}) {
         const friction::Law law = friction::Law::affine(constant, 0.28);
@@ -147,10 +147,10 @@ TEST(IdentifyFriction, OutliersThatHoldUpTheLineStay) {
 
 TEST(IdentifyFriction, RefusesWhatGivesNoLine) {
     const std::vector<BreakAway> two{{"a", true, 0.1, 0.14}, {"a", true, 1.0, 1.4}},
-        alike{{"a", true, 0.5, 0.7}, {"a", true, 0.5, 0.71}, {"a", true, 0.5, 0.69}};
+        equal{{"a", true, 0.5, 0.7}, {"a", true, 0.5, 0.71}, {"a", true, 0.5, 0.69}};
     EXPECT_THROW((void)identify_friction({}), core::InvalidInput);
     EXPECT_THROW((void)identify_friction(two), core::InvalidInput);
-    EXPECT_THROW((void)identify_friction(alike), core::InvalidInput);
+    EXPECT_THROW((void)identify_friction(equal), core::InvalidInput);
 }
 
 TEST(IdentifyFriction, NoGearIsNoLaw) {

@@ -2,7 +2,7 @@
 
 #include "identification/fixture.h"
 
-// Law: what is called a 95 % interval holds the truth in 95 % of 2000 bench days. Chance alone leaves 95 +- 1 % (two standard deviations).
+// Law: what is called a 95 % interval holds the truth in 95 % of 2000 test days. Chance alone leaves 95 +- 1 % (two standard deviations).
 namespace fusee::identification {
 namespace {
 
@@ -33,7 +33,7 @@ TEST_P(Coverage, HoldsTheTruth) {
     if (day.constant == 0.0) expect_held(through_zero, "mu through zero");
 }
 
-INSTANTIATE_TEST_SUITE_P(Benches, Coverage,
+INSTANTIATE_TEST_SUITE_P(TestDays, Coverage,
                          ::testing::Values(Case{"gear_scatter", {.relative = 0.03}}, Case{"sensor_scatter", {.absolute = 0.05}},
                                            Case{"both", {.constant = 0.03, .relative = 0.05, .absolute = 0.005, .repeats = 5}},
                                            Case{"few", {.relative = 0.03, .sides = {"one"}, .repeats = 2}},

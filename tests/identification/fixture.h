@@ -7,8 +7,8 @@
 
 namespace fusee::fixtures {
 
-/// A bench day: every side and direction at each motor torque, some repeats. The friction met scatters by `relative` of itself and by
-/// `absolute` Nm, so that load = motor torque +- friction holds with the load's own friction, as on a bench.
+/// A test day: every side and direction at each motor torque, some repeats. The friction met scatters by `relative` of itself and by
+/// `absolute` Nm, so that load = motor torque +- friction holds with the load's own friction, as in a test.
 struct TestDay {
     double mu = 0.28, constant = 0.0;
     double relative = 0.0, absolute = 0.0;

@@ -41,8 +41,8 @@ TEST(PredictDeadBand, ARigWithEqualSidesReadsAWidthThatFrictionMakes) {
         EXPECT_GT(q[2 * i + 1], 0.0);
         // Exact extremes (docs/theory/dead_band.md): both capstans at opposite limits. No path reads more.
         const double mu = kRig.gear_load_friction, tau = rows.dead_band[i].cocontraction;
-        const double apart = (tau / (1.0 - mu) - tau / (1.0 + mu)) / kParallel;  // theta_2 - theta_1 where both K_SE pull alike
-        EXPECT_LT(q[2 * i + 1] - q[2 * i], 1.05 * apart / kRig.ratio());         // 5 %: dynamics may carry a capstan past its limit
+        const double difference = (tau / (1.0 - mu) - tau / (1.0 + mu)) / kParallel;  // theta_2 - theta_1 where both K_SE pull equally
+        EXPECT_LT(q[2 * i + 1] - q[2 * i], 1.05 * difference / kRig.ratio());         // 5 %: dynamics may carry a capstan past its limit
     }
     const std::vector<double> none = read(built(kRig,
                                                 [](BuiltRig& r) {

@@ -16,7 +16,7 @@ using fixtures::measure;
 using fixtures::names_of;
 using fixtures::says;
 
-class BenchFolder : public ::testing::Test {
+class SubsystemFolder : public ::testing::Test {
 protected:
     void SetUp() override {
         folder_ = fs::temp_directory_path() /
@@ -44,7 +44,7 @@ protected:
 constexpr const char* kServoToml =
     "[bench]\nkind = \"servo_pendulum\"\nmass_kg = 0.5\nlength_m = 0.1\nsupply_V = 7.4\n[experiments]\npendulum_log = \"a.csv\"\n";
 
-TEST_F(BenchFolder, ReadsWordsOfTheFileOverThoseOfTheCase) {
+TEST_F(SubsystemFolder, ReadsWordsOfTheFileOverThoseOfTheCase) {
     put("case.toml", kServoToml);
     put("a.csv",
         "# source=somebody licence=MIT mass_kg=0.49, kp=200 "
@@ -61,7 +61,7 @@ TEST_F(BenchFolder, ReadsWordsOfTheFileOverThoseOfTheCase) {
     EXPECT_EQ(r.columns.at("q_goal_rad").back(), 0.2);
 }
 
-TEST_F(BenchFolder, RefusesWithThePlace) {
+TEST_F(SubsystemFolder, RefusesWithThePlace) {
     const auto field_of = [&]() -> std::string {
         try {
             (void)read_case(folder_);
@@ -86,7 +86,7 @@ TEST_F(BenchFolder, RefusesWithThePlace) {
 }
 
 // Roundtrip: what is written for a prediction reads back, and the prediction of the answer on its own inputs leaves the gap that was told.
-TEST_F(BenchFolder, PredictsWhatTheDiagnosisSaid) {
+TEST_F(SubsystemFolder, PredictsWhatTheDiagnosisSaid) {
     const Case subsystem_case = measure({{"agonist", {.constant = 0.05}}}, 11);
     const diagnosis::Diagnosis found = diagnose(subsystem_case, {.jobs = 1, .progress = {}});
     ASSERT_EQ(names_of(found), "gear.coulomb agonist");
@@ -113,7 +113,7 @@ fs::path real_folder() {
 }
 
 // Measured by others; the figures are those of docs/gap-bench.md.
-TEST_F(BenchFolder, BandBrakeHasBacklashAndIsAtTheFloor) {
+TEST_F(SubsystemFolder, BandBrakeHasBacklashAndIsAtTheFloor) {
     if (real_folder().empty()) GTEST_SKIP() << "FUSEE_GAP_REAL names no folder of real measurements";
     link_case(real_folder() / "force_loop_band_brake", "friction_element", "force_loop");
     const diagnosis::Diagnosis d = diagnose(read_case(folder_), {.jobs = 1, .progress = {}});
@@ -126,7 +126,7 @@ TEST_F(BenchFolder, BandBrakeHasBacklashAndIsAtTheFloor) {
     EXPECT_TRUE(says(d, "element.stribeck is refused"));
 }
 
-TEST_F(BenchFolder, ServoHasLoadFrictionAndNoDelay) {
+TEST_F(SubsystemFolder, ServoHasLoadFrictionAndNoDelay) {
     if (real_folder().empty()) GTEST_SKIP() << "FUSEE_GAP_REAL names no folder of real measurements";
     link_case(real_folder() / "pendulum_xl330", "servo_pendulum", "pendulum_log");
     const diagnosis::Diagnosis d = diagnose(read_case(folder_), {.jobs = 1, .progress = {}});
@@ -137,7 +137,7 @@ TEST_F(BenchFolder, ServoHasLoadFrictionAndNoDelay) {
     EXPECT_TRUE(says(d, "partly confounded"));
 }
 
-TEST_F(BenchFolder, OpenCasesGiveTheirConstantFriction) {
+TEST_F(SubsystemFolder, OpenCasesGiveTheirConstantFriction) {
     const char* cases = std::getenv("FUSEE_GAP_CASES");
     if (cases == nullptr) GTEST_SKIP() << "FUSEE_GAP_CASES names no folder of open cases";
     const std::pair<const char*, const char*> known[] = {
@@ -147,7 +147,7 @@ TEST_F(BenchFolder, OpenCasesGiveTheirConstantFriction) {
         "torque_noise_Nm = 1.5e-3\n[experiments]\nbreakaway = \"breakaway.csv\"\n");
     for (const auto& [name, effects] : known) {
         put("breakaway.csv", core::read_file(fs::path(cases) / name / "breakaway.csv"));
-        // The rig's torque scale is built to 0.5 %, which a subsystem case does not know: beside the constant it may be named too.
+        // The rig's torque scale is built to 0.5 %, which a subsystem case does not know: it may be named with the constant.
         const std::string found = names_of(diagnose(read_case(folder_), {.jobs = 1, .progress = {}}));
         EXPECT_TRUE(*effects == '\0' ? found.empty() : found.find(effects) == 0) << name << ": " << found;
     }

@@ -22,7 +22,7 @@ struct ElementCase {
 
 // Known: what was put in is named, its interval holds the size that was put in (to a hundredth of it for the sampling of the stroke), and
 // nothing else is.
-TEST(DiagnoseBench, NamesWhatTheElementHas) {
+TEST(DiagnoseSubsystem, NamesWhatTheElementHas) {
     const ElementCase cases[] = {
         {{}, "", 0.0},
         {{.deflection = 0.001}, "element.presliding", 0.001},
@@ -53,11 +53,11 @@ TEST(DiagnoseBench, NamesWhatTheElementHas) {
     }
 }
 
-TEST(DiagnoseBench, SaysThatALoadCannotBeSeenWithoutPreloads) {
+TEST(DiagnoseSubsystem, SaysThatALoadCannotBeSeenWithoutPreloads) {
     EXPECT_TRUE(says(diagnose(measure(Element{}, 3), {.jobs = 1, .progress = {}}), "element.load cannot be seen here"));
 }
 
-TEST(DiagnoseBench, NamesWhatTheServoHas) {
+TEST(DiagnoseSubsystem, NamesWhatTheServoHas) {
     const std::pair<Servo, const char*> cases[] = {
         {{}, ""}, {{.coulomb = 0.01, .load_friction = 0.3}, "gear.load_friction"}, {{.delay = 0.03}, "loop.delay"}};
     unsigned seed = 20;
@@ -71,7 +71,7 @@ TEST(DiagnoseBench, NamesWhatTheServoHas) {
 }
 
 // A gear whose directions differ and a motor that gives another torque make the same rows: both are named, neither chosen.
-TEST(DiagnoseBench, NamesWhatTheMotorHas) {
+TEST(DiagnoseSubsystem, NamesWhatTheMotorHas) {
     struct Known {
         Motor motor;
         const char* effect;
@@ -103,13 +103,13 @@ TEST(DiagnoseBench, NamesWhatTheMotorHas) {
     }
 }
 
-TEST(DiagnoseBench, OneMotorTorqueTellsNothingApart) {
+TEST(DiagnoseSubsystem, OneMotorTorqueTellsNothingApart) {
     const diagnosis::Diagnosis d = diagnose(measure({{"one", {.constant = 0.1}}}, 5, {0.5}), {.jobs = 1, .progress = {}});
     EXPECT_EQ(d.verdict, diagnosis::VerdictKind::kAmbiguous);
     EXPECT_FALSE(d.next_experiment.empty());
 }
 
-TEST(DiagnoseBench, NamesTheSideOfTwoMotors) {
+TEST(DiagnoseSubsystem, NamesTheSideOfTwoMotors) {
     EXPECT_EQ(names_of(diagnose(measure({{"agonist", {}}, {"antagonist", {.constant = 0.04}}}, 6), {.jobs = 1, .progress = {}})),
               "gear.coulomb antagonist");
     EXPECT_EQ(
@@ -118,7 +118,7 @@ TEST(DiagnoseBench, NamesTheSideOfTwoMotors) {
 }
 
 // Same: any order of rows, any number of threads.
-TEST(DiagnoseBench, GivesTheSameForAnyOrderAndThreads) {
+TEST(DiagnoseSubsystem, GivesTheSameForAnyOrderAndThreads) {
     const Case subsystem_case = measure({{"agonist", {.constant = 0.04}}}, 8);
     Case turned = subsystem_case;
     Record& r = turned.records.front();
@@ -132,7 +132,7 @@ TEST(DiagnoseBench, GivesTheSameForAnyOrderAndThreads) {
     EXPECT_NEAR(one.effects.at(0).parameter.value, other.effects.at(0).parameter.value, 1e-6);  // sums in another order
 }
 
-TEST(DiagnoseBench, RefusesAHandfulOfRows) {
+TEST(DiagnoseSubsystem, RefusesAHandfulOfRows) {
     Case subsystem_case = measure({{"agonist", {}}}, 9, {0.5});
     for (auto& [name, column] : subsystem_case.records[0].columns) column.resize(4);
     for (auto& [name, column] : subsystem_case.records[0].texts) column.resize(4);

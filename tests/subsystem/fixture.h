@@ -6,11 +6,11 @@
 
 #include "fusee/subsystem/subsystem.h"
 
-/// Benches whose truth is known, made without the model's code.
+/// Subsystem cases whose truth is known, made without the model's code.
 namespace fusee::fixtures {
 
 /// A friction element as a chain of 40 sliders behind one play: each slider holds its share of the force up to its own limit; all limits
-/// alike, it is a spring with one slider.
+/// equal, it is a spring with one slider.
 struct Element {
     double coulomb = 1000.0, deflection = 0.0, backlash = 0.0, asymmetry = 0.0, viscous = 0.0, stribeck = 0.0, stribeck_speed = 0.01;
     double load = 0.0;  ///< N of friction per N of preload

@@ -81,7 +81,7 @@ TEST_F(MutatedCase, IsReadOrRefused) {
     EXPECT_LT(read, count);
 }
 
-std::string bench_csv(const Case& subsystem_case, const Record& record, const fs::path& folder) {
+std::string record_csv(const Case& subsystem_case, const Record& record, const fs::path& folder) {
     Case one = subsystem_case;
     one.records = {record};
     one.records[0].file = "one.csv";
@@ -89,7 +89,7 @@ std::string bench_csv(const Case& subsystem_case, const Record& record, const fs
     return core::read_file(folder / "one.csv");
 }
 
-TEST_F(Mutated, BenchesAreDiagnosedOrRefused) {
+TEST_F(Mutated, SubsystemCasesAreDiagnosedOrRefused) {
     const Case motor = fixtures::measure({{"agonist", fixtures::Motor{}}}, 1, {0.2, 0.5, 1.0});
     Case element = fixtures::measure(fixtures::Element{.rows = 60}, 1), servo = fixtures::measure(fixtures::Servo{}, 1);
     const auto thinned = [](Record record, std::size_t most) {
@@ -100,19 +100,19 @@ TEST_F(Mutated, BenchesAreDiagnosedOrRefused) {
         {"case.toml",
          "[bench]\nkind = \"motor_breakaway\"\ngear_load_friction = 0.25\n[sensors]\nbreakaway_scatter = 0.02\n"
          "[experiments]\nbreakaway = \"breakaway.csv\"\n"},
-        {"breakaway.csv", bench_csv(motor, motor.records[0], folder_)}};
+        {"breakaway.csv", record_csv(motor, motor.records[0], folder_)}};
     const std::map<std::string, std::string> elements{
         {"case.toml",
          "[bench]\nkind = \"friction_element\"\ncoulomb_N = 900\n[sensors]\nforce_noise_N = 20\n[experiments]\nforce_loop = "
          "[\"a.csv\", \"b.csv\"]\n"},
-        {"a.csv", "# preload_N=100\n" + bench_csv(element, element.records[0], folder_)},
-        {"b.csv", "# preload_N=200\n" + bench_csv(element, element.records[4], folder_)}};
+        {"a.csv", "# preload_N=100\n" + record_csv(element, element.records[0], folder_)},
+        {"b.csv", "# preload_N=200\n" + record_csv(element, element.records[4], folder_)}};
     const std::map<std::string, std::string> servos{
         {"case.toml",
          "[bench]\nkind = \"servo_pendulum\"\nmass_kg = 0.49\nlength_m = 0.1\nvin_V = 7.4\n[sensors]\nencoder_step_rad = "
          "0.0015\n[experiments]\npendulum_log = [\"a.csv\", \"b.csv\"]\n"},
-        {"a.csv", "# kp=100 trajectory=swing\n" + bench_csv(servo, thinned(servo.records[0], 40), folder_)},
-        {"b.csv", "# kp=300 trajectory=drop\n" + bench_csv(servo, thinned(servo.records[3], 40), folder_)}};
+        {"a.csv", "# kp=100 trajectory=swing\n" + record_csv(servo, thinned(servo.records[0], 40), folder_)},
+        {"b.csv", "# kp=300 trajectory=drop\n" + record_csv(servo, thinned(servo.records[3], 40), folder_)}};
     std::size_t read = 0;
     const unsigned count = fixtures::mutations(90);
     for (unsigned seed = 0; seed < count; ++seed) {

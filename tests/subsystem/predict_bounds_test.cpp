@@ -89,10 +89,9 @@ TEST_F(Possible, BuildParametersAreKnownAndCanBeBuilt) {
     EXPECT_NE(field_refused([&] { return diagnosis::predict(subsystem_case, friction, subsystem_case.rows); }).find("gear friction [Nm]"),
               std::string::npos);
     friction.effects = {found("sensor.joint_offset", "none", 1e308)};
-    EXPECT_NE(field_refused([&] {
-                  return diagnosis::predict(subsystem_case, friction, subsystem_case.rows);
-              }).find("zero of the joint encoder"),
-              std::string::npos);
+    EXPECT_NE(
+        field_refused([&] { return diagnosis::predict(subsystem_case, friction, subsystem_case.rows); }).find("zero of the joint encoder"),
+        std::string::npos);
 }
 
 TEST_F(Possible, APredictionEnds) {
@@ -102,7 +101,7 @@ TEST_F(Possible, APredictionEnds) {
     EXPECT_EQ(field_refused([&] { return diagnosis::predict(subsystem_case, {}, inputs); }), "experiments.log");
 }
 
-TEST(PossibleBench, EffectsAndBuildParametersStayWhereAFitMayGo) {
+TEST(PossibleSubsystem, EffectsAndBuildParametersStayWhereAFitMayGo) {
     const Case subsystem_case = fixtures::measure({{"agonist", fixtures::Motor{}}}, 1);
     const auto field = [&](const std::vector<diagnosis::FoundEffect>& effects,
                            std::vector<std::pair<std::string, diagnosis::Parameter>> build) {

@@ -89,7 +89,7 @@ struct NextExperiment {
     std::vector<double> set_points;
     std::string variable;
     double information = 0.0;  ///< expected [bit]
-    double cost = 0.0;         ///< [min] at the bench
+    double cost = 0.0;         ///< [min]
 };
 
 struct Diagnosis {

@@ -52,7 +52,7 @@ struct Case {
 /// same name over them, and the words of its own '#' lines over all. @throws as read_bench_case; core::IoError if there is no CSV file
 [[nodiscard]] Case read_inputs(const Case& subsystem_case, const std::filesystem::path& folder);
 /// `inputs` with the measured column as the law says, row by row: with `found.build` and `found.effects`; without `found.build` the
-/// nominal parameters are fitted on the rows of `bench` first, the effects held.
+/// nominal parameters are fitted on the rows of `subsystem_case` first, the effects held.
 /// @throws core::InvalidInput naming an unknown effect
 [[nodiscard]] Case predict(const Case& subsystem_case, const diagnosis::Diagnosis& found, const Case& inputs);
 /// Writes one CSV for each record, under its file name: the columns of the subsystem.

@@ -95,6 +95,11 @@ TEST_F(ScoreFolder, ReadsDiagnosesAgainAndMeasuresTheGapKeptBack) {
     two.jobs = 2;
     EXPECT_EQ(score_json(score(two)), score_json(first));
 
+    // The file of the version before is read under its name.
+    fs::rename(held_out_file(1), held_out_file(1).parent_path() / "kept_back.json");
+    EXPECT_EQ(score_json(score(options())), score_json(first));
+    EXPECT_FALSE(fs::exists(held_out_file(1)));
+
     // A diagnosis that changed is measured anew.
     Label wrong = labels_[0];
     wrong.effects[0] = {"joint.coulomb", "none", 0.01, {}};

@@ -64,11 +64,11 @@ TEST(PredictDeadBand, WidthsAloneAreTheDifferencesAndKnowNoOffset) {
     EXPECT_EQ(read(faultless(kRig), rows, gap_case::Experiment::kDeadBand), width);
 }
 
-TEST(PredictDeadBand, APushThatIsNotToldIsAStrongOne) {
-    gap_case::Rows told = some_of(gap_case::Experiment::kDeadBand), untold = told;
-    for (gap_case::DeadBandRow& row : untold.dead_band) row.push_torque = gap_case::DeadBandRow::kNotTold;
-    for (gap_case::DeadBandRow& row : told.dead_band) row.push_torque = 1.5 * kRig.ratio() * row.cocontraction;
-    EXPECT_EQ(read(faultless(kRig), told, gap_case::Experiment::kDeadBand), read(faultless(kRig), untold, gap_case::Experiment::kDeadBand));
+TEST(PredictDeadBand, APushThatIsNotGivenIsAStrongOne) {
+    gap_case::Rows given = some_of(gap_case::Experiment::kDeadBand), unknown = given;
+    for (gap_case::DeadBandRow& row : unknown.dead_band) row.push_torque = gap_case::DeadBandRow::kNotGiven;
+    for (gap_case::DeadBandRow& row : given.dead_band) row.push_torque = 1.5 * kRig.ratio() * row.cocontraction;
+    EXPECT_EQ(read(faultless(kRig), given, gap_case::Experiment::kDeadBand), read(faultless(kRig), unknown, gap_case::Experiment::kDeadBand));
 }
 
 TEST(PredictJoint, AnOffsetMovesQByItselfAndNothingElse) {

@@ -113,12 +113,13 @@ Choice choose(const Drafter& drafter, const Comparison& comparison) {
     return choice;
 }
 
-std::vector<std::string> remarks(const report::Redesign& redesign, const Drafter& drafter, const gap::Diagnosis& found,
+std::vector<std::string> remarks(const report::Redesign& redesign, const Drafter& drafter, const diagnosis::Diagnosis& found,
                                  const Choice& choice) {
     std::vector<std::string> all;
-    if (found.verdict == gap::Verdict::kAmbiguous)
+    if (found.verdict == diagnosis::VerdictKind::kAmbiguous)
         all.emplace_back("The diagnosis is ambiguous: do its next experiment before cams are cut.");
-    if (found.verdict == gap::Verdict::kUnknown) all.emplace_back("The cause of the gap is unknown: find it before cams are cut.");
+    if (found.verdict == diagnosis::VerdictKind::kUnknown)
+        all.emplace_back("The cause of the gap is unknown: find it before cams are cut.");
     if (redesign.profiles.empty()) all.emplace_back("Nothing was found that a profile can hold: it stays as it is.");
     if (!redesign.profiles.empty() && !redesign.new_cams_needed) all.emplace_back("Only the model changes: the cams stay.");
     const double first = gear_friction(drafter.as_is()[0]).mu(), second = gear_friction(drafter.as_is()[1]).mu();
@@ -138,8 +139,8 @@ std::vector<std::string> remarks(const report::Redesign& redesign, const Drafter
 
 }  // namespace
 
-report::Redesign redesign(const profile::Profile& profile, const std::string& toml, const gap::Case& bench, const gap::Diagnosis& found,
-                          const RedesignOptions& options) {
+report::Redesign redesign(const profile::Profile& profile, const std::string& toml, const gap_case::Case& bench,
+                          const diagnosis::Diagnosis& found, const RedesignOptions& options) {
     core::require_within("levels", options.levels, 2, 1000);
     require_same_rig(profile, bench);
     const Drafter drafter(profile, toml, bench, found, options.file);
@@ -147,7 +148,7 @@ report::Redesign redesign(const profile::Profile& profile, const std::string& to
     result.profile_name = profile.name;
     result.case_name = bench.name;
     result.case_sha256 = bench.sha256;
-    for (const gap::Cause& cause : not_mended(bench, found)) result.not_mended.push_back({cause, instead_of_cams(cause.id)});
+    for (const effects::Cause& cause : not_mended(bench, found)) result.not_mended.push_back({cause, instead_of_cams(cause.id)});
     Choice choice;
     if (drafter.changes_anything()) {
         const Comparison comparison(profile, drafter.as_is(), options.levels);

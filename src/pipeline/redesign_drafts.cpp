@@ -63,7 +63,7 @@ bool can_be_cut(const std::vector<Draft>& drafts) {
     return std::all_of(drafts.begin(), drafts.end(), [](const Draft& d) { return d.report.can_be_cut(); });
 }
 
-Drafter::Drafter(const profile::Profile& profile, const std::string& toml, const gap::Case& bench, const gap::Diagnosis& found,
+Drafter::Drafter(const profile::Profile& profile, const std::string& toml, const gap_case::Case& bench, const diagnosis::Diagnosis& found,
                  const fs::path& file)
     : profile_(profile), toml_(toml), bench_(bench), file_(file), departures_(departures(bench, found, rest_deflection(profile, bench))) {
     as_is_.fill(profile);

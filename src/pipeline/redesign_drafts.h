@@ -24,7 +24,7 @@ struct Draft {
 /// Writes drafts for the figures that a diagnosis changes. What it is made from has to outlive it.
 class Drafter {
 public:
-    Drafter(const profile::Profile& profile, const std::string& toml, const gap::Case& bench, const gap::Diagnosis& found,
+    Drafter(const profile::Profile& profile, const std::string& toml, const gap_case::Case& bench, const diagnosis::Diagnosis& found,
             const std::filesystem::path& file);
 
     /// The profile with each figure as it is on a side of the rig.
@@ -50,7 +50,7 @@ private:
 
     const profile::Profile& profile_;
     const std::string& toml_;
-    const gap::Case& bench_;
+    const gap_case::Case& bench_;
     const std::filesystem::path& file_;
     std::vector<Departure> departures_;
     std::array<profile::Profile, 2> as_is_;

@@ -24,10 +24,10 @@ void require_alike(const profile::Profile& profile, const std::string& key, cons
         fmt::format("the case's {:.5g} within {:.2g} %: profile and case have to be of the same rig", of_case, 100.0 * allowed));
 }
 
-using AtLoad = gap::NominalRig::SpringRow;
+using AtLoad = gap_case::NominalRig::SpringRow;
 /// The springs of a case at one load of the capstan, both springs seeing the capstan's angle.
-AtLoad at_load(const std::vector<gap::NominalRig::SpringRow>& rows, double load) {
-    const auto total = [](const gap::NominalRig::SpringRow& row) { return row.se_torque + row.pe_torque; };
+AtLoad at_load(const std::vector<gap_case::NominalRig::SpringRow>& rows, double load) {
+    const auto total = [](const gap_case::NominalRig::SpringRow& row) { return row.se_torque + row.pe_torque; };
     auto above = std::find_if(rows.begin() + 1, rows.end() - 1, [&](const auto& row) { return total(row) >= load; });
     const auto below = above - 1;
     const double share = (load - total(*below)) / (total(*above) - total(*below));
@@ -36,11 +36,11 @@ AtLoad at_load(const std::vector<gap::NominalRig::SpringRow>& rows, double load)
 }
 
 /// The same springs, wherever their deflection is counted from: the share of K_SE at each load, and the travel between loads.
-void require_same_springs(const profile::Profile& profile, const gap::Case& bench) {
+void require_same_springs(const profile::Profile& profile, const gap_case::Case& bench) {
     constexpr int kPlaces = 24;
     const auto designed = design_law(profile);
     if (!designed) throw core::InvalidInput(profile.place_of("law.kind"), "refused", core::to_line(designed.refusal().front()));
-    const std::vector<gap::NominalRig::SpringRow>& rows = bench.rig.springs;
+    const std::vector<gap_case::NominalRig::SpringRow>& rows = bench.rig.springs;
     core::Range loads = designed->design_loads;
     loads.high = std::min(loads.high, rows.back().se_torque + rows.back().pe_torque);
     const double first_angle = designed->law->at_load(loads.low).theta, first_deflection = at_load(rows, loads.low).deflection;
@@ -58,14 +58,14 @@ void require_same_springs(const profile::Profile& profile, const gap::Case& benc
 
 }  // namespace
 
-double rest_deflection(const profile::Profile& profile, const gap::Case& bench) {
+double rest_deflection(const profile::Profile& profile, const gap_case::Case& bench) {
     return at_load(bench.rig.springs, design_law(profile)->law->loads().low).deflection;
 }
 
-void require_same_rig(const profile::Profile& profile, const gap::Case& bench) {
+void require_same_rig(const profile::Profile& profile, const gap_case::Case& bench) {
     require_parts(profile);
-    const gap::Tolerance& t = bench.tolerance;
-    const gap::NominalRig& rig = bench.rig;
+    const gap_case::Tolerance& t = bench.tolerance;
+    const gap_case::NominalRig& rig = bench.rig;
     constexpr double kMm = 1e3;
     if (!profile.rig.gear_friction_table.file.empty())
         throw core::InvalidInput(profile.place_of("rig.gear_friction_table"), "given",

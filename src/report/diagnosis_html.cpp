@@ -13,18 +13,18 @@ namespace fusee::report {
 
 namespace {
 
-using gap::Diagnosis;
-using gap::Gap;
+using diagnosis::Diagnosis;
+using diagnosis::Gap;
 
-std::string verdict_tag(gap::Verdict verdict) {
+std::string verdict_tag(diagnosis::VerdictKind verdict) {
     switch (verdict) {
-        case gap::Verdict::kIdentified:
+        case diagnosis::VerdictKind::kIdentified:
             return "<span class=\"verdict pass-tag\">\u2713 Cause identified</span>";
-        case gap::Verdict::kNone:
+        case diagnosis::VerdictKind::kNone:
             return "<span class=\"verdict pass-tag\">\u2713 No gap beyond tolerance and noise</span>";
-        case gap::Verdict::kAmbiguous:
+        case diagnosis::VerdictKind::kAmbiguous:
             return "<span class=\"verdict review-tag\">! Cause ambiguous</span>";
-        case gap::Verdict::kUnknown:
+        case diagnosis::VerdictKind::kUnknown:
             return "<span class=\"verdict required-tag\">\u2715 Cause unknown</span>";
     }
     return "";
@@ -42,7 +42,7 @@ std::string head(const Diagnosis& diagnosis) {
     out += html_tile(known(gap.noise_floor) + " sigma", "noise floor");
     const bool interval = std::isfinite(gap.heldout_after_95.low) && std::isfinite(gap.heldout_after_95.high);
     out += html_tile(change(gap.heldout_before, gap.heldout_after) + " sigma",
-                     "on rows kept back" + (interval ? ", after: " + span(gap.heldout_after_95) : std::string()));
+                     "on held-out rows" + (interval ? ", after: " + span(gap.heldout_after_95) : std::string()));
     out += html_tile(chance(probability), diagnosis.effects.size() > 1 ? "probability of the less certain effect" : "probability");
     return out + "</div></header>\n";
 }
@@ -63,7 +63,7 @@ std::vector<Cell> gap_row(const std::string& name, const std::string& rows, cons
 std::string build_section(const Diagnosis& diagnosis) {
     std::vector<std::vector<Cell>> rows;
     for (const auto& [name, raw] : diagnosis.build) {
-        const gap::Parameter p = for_reading(raw);
+        const diagnosis::Parameter p = for_reading(raw);
         rows.push_back({{escape(name), "num"}, {known(p.value), "num"}, {span(p.ci95), "num"}, {escape(p.unit), ""}});
     }
     if (rows.empty()) return "";
@@ -73,7 +73,7 @@ std::string build_section(const Diagnosis& diagnosis) {
                        html_table({"figure", "value", "95 %", "unit"}, rows) + "</div>");
 }
 
-std::string set_points(const gap::NextExperiment& next) {
+std::string set_points(const diagnosis::NextExperiment& next) {
     std::string out;
     for (const double value : next.set_points) out += (out.empty() ? "" : ", ") + known(value);
     return out.empty() || next.variable.empty() ? out : column_name(next.variable) + ": " + out;
@@ -82,7 +82,7 @@ std::string set_points(const gap::NextExperiment& next) {
 std::string next_section(const Diagnosis& diagnosis) {
     std::vector<std::vector<Cell>> rows;
     bool told = diagnosis.next_experiment.empty();
-    for (const gap::NextExperiment& next : diagnosis.next) {
+    for (const diagnosis::NextExperiment& next : diagnosis.next) {
         told = told || next.text == diagnosis.next_experiment;
         rows.push_back({{escape(next.text), ""},
                         {escape(experiment_name(next.experiment)), "num"},
@@ -121,9 +121,9 @@ Cell share_cell(double share, const std::string& text) {
 std::string how_far_section(const Diagnosis& diagnosis) {
     if (diagnosis.experiments.empty()) return "";
     std::vector<std::vector<Cell>> rows;
-    for (const gap::ExperimentGap& e : diagnosis.experiments)
+    for (const diagnosis::ExperimentGap& e : diagnosis.experiments)
         rows.push_back(gap_row(escape(experiment_name(e.experiment)), std::to_string(e.rows), e.gap, e.forecast));
-    rows.push_back(gap_row("<b>all</b>", "", diagnosis.gap, gap::kNoFigure));
+    rows.push_back(gap_row("<b>all</b>", "", diagnosis.gap, diagnosis::kNoFigure));
     return section("How far the gap shrinks",
                    "<p>All in sigma. Kept back: rows that no fit has seen. The forecast is what the fit expects of them.</p>" +
                        html_table({"experiment", "rows", "before", "after", "floor", "kept back, before", "forecast", "measured", "95 %",

@@ -13,7 +13,7 @@ namespace fusee::report {
 
 namespace {
 
-using gap::Isolability;
+using diagnosis::Isolability;
 using Indices = std::vector<std::size_t>;
 
 constexpr double kCell = 25, kLetter = 6.4, kFoot = 20, kMargin = 4;
@@ -39,7 +39,9 @@ bool same_class(const Isolability& isolability, std::size_t a, std::size_t b) {
 }
 
 double alike(const Isolability& isolability, std::size_t a, std::size_t b) {
-    return a < isolability.alike.size() && b < isolability.alike[a].size() ? isolability.alike[a][b] : gap::kNoFigure;
+    return a < isolability.signature_similarity.size() && b < isolability.signature_similarity[a].size()
+               ? isolability.signature_similarity[a][b]
+               : diagnosis::kNoFigure;
 }
 
 std::string number_at(double x, double y, std::size_t n) {
@@ -75,7 +77,7 @@ std::string class_list(const Isolability& isolability) {
     if (isolability.classes.empty()) return "<p>These experiments can tell all of these causes apart.</p>";
     std::string out = "<p>These experiments cannot tell apart (outlined in the matrix):</p><ul>";
     for (const Indices& members : isolability.classes) {
-        std::vector<gap::Cause> causes;
+        std::vector<effects::Cause> causes;
         for (const std::size_t i : members)
             if (i < isolability.causes.size()) causes.push_back(isolability.causes[i]);
         out += "<li>" + escape(causes_name(causes, ", ")) + "</li>";
@@ -101,8 +103,8 @@ std::string size_table(const Isolability& isolability, const Indices& order) {
     std::vector<std::vector<Cell>> rows;
     for (std::size_t n = 0; n < order.size(); ++n) {
         const std::size_t i = order[n], other = nearest(isolability, i);
-        const double least = i < isolability.detectable.size() ? isolability.detectable[i] : gap::kNoFigure;
-        const gap::Parameter size = for_reading({least, {}, i < isolability.units.size() ? isolability.units[i] : ""});
+        const double least = i < isolability.detectable.size() ? isolability.detectable[i] : diagnosis::kNoFigure;
+        const diagnosis::Parameter size = for_reading({least, {}, i < isolability.units.size() ? isolability.units[i] : ""});
         rows.push_back({{std::to_string(n + 1), "num"},
                         {escape(cause_name(isolability.causes[i])), ""},
                         {known(size.value, 2), "num"},
@@ -117,7 +119,7 @@ std::string size_table(const Isolability& isolability, const Indices& order) {
 
 }  // namespace
 
-std::string isolability_section(const gap::Diagnosis& diagnosis) {
+std::string isolability_section(const diagnosis::Diagnosis& diagnosis) {
     const Isolability& isolability = diagnosis.isolability;
     if (isolability.causes.empty()) return "";
     const Indices order = by_class(isolability);

@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "fusee/gap/diagnosis.h"
+#include "fusee/diagnosis/diagnosis.h"
 #include "html.h"
 
 /// The parts of the diagnosis page, each pure HTML from data and "" where there is nothing to show.
@@ -12,11 +12,11 @@ namespace fusee::report {
 /// A share of 1 as a bar with its figure beside it.
 [[nodiscard]] Cell share_cell(double share, const std::string& text);
 
-[[nodiscard]] std::string where_section(const gap::Diagnosis& diagnosis);        ///< parts of the gap, map before and after
-[[nodiscard]] std::string which_section(const gap::Diagnosis& diagnosis);        ///< effects found, what else could be, ranking
-[[nodiscard]] std::string isolability_section(const gap::Diagnosis& diagnosis);  ///< likeness, classes, detectable sizes
-[[nodiscard]] std::string how_far_section(const gap::Diagnosis& diagnosis);      ///< gap of each experiment, fitted and kept back
-[[nodiscard]] std::string trace_section(const gap::Diagnosis& diagnosis);        ///< measured against predicted
+[[nodiscard]] std::string where_section(const diagnosis::Diagnosis& diagnosis);        ///< parts of the gap, map before and after
+[[nodiscard]] std::string which_section(const diagnosis::Diagnosis& diagnosis);        ///< effects found, what else could be, ranking
+[[nodiscard]] std::string isolability_section(const diagnosis::Diagnosis& diagnosis);  ///< likeness, classes, detectable sizes
+[[nodiscard]] std::string how_far_section(const diagnosis::Diagnosis& diagnosis);      ///< gap of each experiment, fitted and kept back
+[[nodiscard]] std::string trace_section(const diagnosis::Diagnosis& diagnosis);        ///< measured against predicted
 
 inline constexpr std::size_t kMostPointsOfATrace = 400, kMostDotsOfATrace = 120;
 inline constexpr std::size_t kMostPoints = 12000;  ///< of all traces together: at about 100 bytes each the page stays below 2 MB

@@ -13,7 +13,7 @@ namespace fusee::report {
 
 namespace {
 
-using gap::GapCell;
+using diagnosis::GapCell;
 
 // Drawing units, 520 wide as the page's charts are.
 constexpr double kWidth = 520, kLeast = 110, kMost = 240, kRight = 24, kStrip = 30, kRow = 56, kTop = 6;
@@ -120,7 +120,7 @@ std::string map_svg(const std::vector<Strip>& strips, const std::string& title, 
     return out + "</svg></figure>\n";
 }
 
-std::string gap_map(const gap::Diagnosis& diagnosis) {
+std::string gap_map(const diagnosis::Diagnosis& diagnosis) {
     if (diagnosis.map.empty()) return "";
     const std::vector<Strip> strips = strips_of(diagnosis.map);
     return "<h3 class=\"held\">Gap map</h3><p>Each strip is an experiment over the range named below it; each figure is the root mean "
@@ -130,11 +130,11 @@ std::string gap_map(const gap::Diagnosis& diagnosis) {
            "<div class=\"wide\">" + heat_legend(gap_scale()) + "</div></div>";
 }
 
-std::string share_table(const std::vector<gap::Whereabouts>& where) {
+std::string share_table(const std::vector<diagnosis::GapContribution>& where) {
     if (where.empty()) return "";
     std::vector<std::vector<Cell>> rows;
     rows.reserve(where.size());
-    for (const gap::Whereabouts& part : where)
+    for (const diagnosis::GapContribution& part : where)
         rows.push_back({share_cell(part.share, percent(part.share)),
                         {escape(experiment_name(part.experiment)), "num"},
                         {escape(column_name(part.variable)), ""},
@@ -145,7 +145,7 @@ std::string share_table(const std::vector<gap::Whereabouts>& where) {
 
 }  // namespace
 
-std::string where_section(const gap::Diagnosis& diagnosis) {
+std::string where_section(const diagnosis::Diagnosis& diagnosis) {
     return section("Where the gap lies", share_table(diagnosis.where) + gap_map(diagnosis));
 }
 

@@ -11,7 +11,7 @@ using Json = nlohmann::ordered_json;
 
 Json range(const core::Range& r) { return Json::array({r.low, r.high}); }
 
-Json line_json(const gap::FrictionLine& line) {
+Json line_json(const identification::FrictionLine& line) {
     return {{"group", line.group},
             {"rows", line.rows},
             {"mu", line.mu},
@@ -27,7 +27,7 @@ Json line_json(const gap::FrictionLine& line) {
             {"outlier_rows", line.outliers}};
 }
 
-Json repeat_json(const gap::FrictionReport::Repeat& r) {
+Json repeat_json(const identification::FrictionReport::Repeat& r) {
     return {{"side", r.side},
             {"direction", r.backdrive ? "backdrive" : "drive"},
             {"motor_torque_Nm", r.motor_torque},
@@ -40,7 +40,7 @@ Json repeat_json(const gap::FrictionReport::Repeat& r) {
 }  // namespace
 
 std::string identification_json(const Identification& identification) {
-    const gap::FrictionReport& friction = identification.friction;
+    const identification::FrictionReport& friction = identification.friction;
     Json j;
     j["fusee"] = core::version();
     j["name"] = identification.name;
@@ -48,13 +48,13 @@ std::string identification_json(const Identification& identification) {
     j["law"] = nullptr;
     if (friction.law) j["law"] = {{"gear_friction", friction.law->mu}, {"gear_friction_constant_Nm", friction.law->constant}};
     j["remarks"] = Json::array();
-    for (const gap::FrictionRemark& remark : friction.remarks)
+    for (const identification::FrictionRemark& remark : friction.remarks)
         j["remarks"].push_back({{"id", remark.id}, {"text", remark.text}, {"p", remark.p}});
     j["scatter_growth"] = friction.scatter_growth;
     j["lines"] = Json::array();
-    for (const gap::FrictionLine& line : friction.lines) j["lines"].push_back(line_json(line));
+    for (const identification::FrictionLine& line : friction.lines) j["lines"].push_back(line_json(line));
     j["repeats"] = Json::array();
-    for (const gap::FrictionReport::Repeat& r : friction.repeats) j["repeats"].push_back(repeat_json(r));
+    for (const identification::FrictionReport::Repeat& r : friction.repeats) j["repeats"].push_back(repeat_json(r));
     // A broken byte in a side's name is replaced rather than losing the file.
     return j.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

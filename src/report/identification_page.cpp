@@ -18,8 +18,8 @@ namespace fusee::report {
 
 namespace {
 
-using gap::FrictionLine;
-using gap::FrictionReport;
+using identification::FrictionLine;
+using identification::FrictionReport;
 using Repeat = FrictionReport::Repeat;
 
 constexpr std::array<const char*, 4> kColours{"se", "pe", "t", "linear"};
@@ -91,7 +91,7 @@ std::string head(const Identification& identification) {
 
 std::string words(const FrictionReport& friction) {
     std::string out = "<section><h2>What the data say</h2><ul>";
-    for (const gap::FrictionRemark& remark : friction.remarks)
+    for (const identification::FrictionRemark& remark : friction.remarks)
         out += "<li>" + escape(remark.text) + (std::isnan(remark.p) ? "" : escape(fmt::format(" (p = {:.2g})", remark.p))) + "</li>";
     out += "</ul></section>\n";
     if (friction.law)

@@ -16,7 +16,7 @@ double mean_off(const std::vector<RedesignLevel>& levels, DeadBandWidths Redesig
         sum += off;
         ++known;
     }
-    return known > 0 ? sum / known : gap::kNoFigure;
+    return known > 0 ? sum / known : diagnosis::kNoFigure;
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ std::string head(const Score& score) {
     std::string out = "<header><p class=\"eyebrow\">fusee blind benchmark</p><h1>" + std::to_string(score.cases) +
                       " sealed cases</h1><p class=\"stamp\">" +
                       escape(fmt::format("fusee {}, seal sha256:{}", core::version(), score.seal)) + "</p><div class=\"tiles\">";
-    for (const char* key : {"effect_named", "effect_and_side", "none_on_null", "both_of_two", "intervals_hold", "kept_back_halved",
+    for (const char* key : {"effect_named", "effect_and_side", "none_on_null", "both_of_two", "intervals_hold", "held_out_halved",
                             "unknown_called_unknown", "known_called_unknown"}) {
         const blind::Figure& figure = score.figure(key);
         out += html_tile(per_cent(figure.share.value()), figure.name);
@@ -152,7 +152,7 @@ std::string miss_section(const Score& score) {
                         {escape(truth_text(miss.truth)), ""},
                         {escape(answer_text(miss.answer)), ""},
                         {escape(alternatives_text(miss.answer)), "faint"},
-                        {change(miss.answer.kept_before, miss.answer.kept_after), "num"}});
+                        {change(miss.answer.held_out_before, miss.answer.held_out_after), "num"}});
     if (rows.empty()) return section("Misses", paragraph("None."));
     return section("Misses", "<div class=\"dense\">" +
                                  html_table({"case", "what", "built in", "answer", "alternatives", "kept-back gap [sigma]"}, rows) +

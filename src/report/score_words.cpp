@@ -44,16 +44,16 @@ std::string truth_text(const blind::Label& label) {
 std::string answer_text(const blind::Answer& answer) {
     if (!answer.failure.empty()) return "failed";
     std::string effects;
-    for (const gap::FoundEffect& e : answer.effects)
+    for (const diagnosis::FoundEffect& e : answer.effects)
         append(effects, fmt::format("{} {} (95 %: {})", cause_name(e.cause), known(e.parameter.value), span(e.parameter.ci95)), ", ");
-    return gap::to_string(answer.verdict) + std::string(effects.empty() ? "" : ": ") + effects;
+    return to_string(answer.verdict) + std::string(effects.empty() ? "" : ": ") + effects;
 }
 
 std::string alternatives_text(const blind::Answer& answer) {
     std::string text;
-    for (const gap::Alternative& other : answer.alternatives) {
+    for (const diagnosis::Alternative& other : answer.alternatives) {
         std::string causes;
-        for (const gap::Cause& cause : other.effects) append(causes, cause_name(cause), " + ");
+        for (const effects::Cause& cause : other.effects) append(causes, cause_name(cause), " + ");
         append(text, (causes.empty() ? "none" : causes) + " " + chance(other.probability), "; ");
     }
     return text;

@@ -15,7 +15,7 @@
 namespace fusee::pipeline {
 namespace {
 
-gap::FoundEffect effect(const std::string& id, const std::string& side, double value, const std::string& unit = "1") {
+diagnosis::FoundEffect effect(const std::string& id, const std::string& side, double value, const std::string& unit = "1") {
     return {{id, side}, 0.99, {value, {0.95 * value, 1.05 * value}, unit}, {}};
 }
 
@@ -29,10 +29,11 @@ protected:
         bench_.sha256 = std::string(64, 'a');
         bench_.rig = case_template(profile_)->rig;
     }
-    [[nodiscard]] report::Redesign redesign_for(const std::vector<gap::FoundEffect>& effects,
-                                                std::vector<std::pair<std::string, gap::Parameter>> build = {}, int levels = 3) const {
-        gap::Diagnosis found;
-        found.verdict = gap::Verdict::kIdentified;
+    [[nodiscard]] report::Redesign redesign_for(const std::vector<diagnosis::FoundEffect>& effects,
+                                                std::vector<std::pair<std::string, diagnosis::Parameter>> build = {},
+                                                int levels = 3) const {
+        diagnosis::Diagnosis found;
+        found.verdict = diagnosis::VerdictKind::kIdentified;
         found.effects = effects;
         found.build = std::move(build);
         return redesign(profile_, toml_, bench_, found, {.file = folder_ / "redesign.toml", .levels = levels});
@@ -41,7 +42,7 @@ protected:
 
     std::string toml_;
     profile::Profile profile_;
-    gap::Case bench_;
+    gap_case::Case bench_;
 };
 
 /// Torque over deflection of a spool as cut, on a rig that adds `wider` to every arm, behind a cable of `compliance`: the trapezoidal
@@ -163,7 +164,7 @@ TEST_F(Redesign, EachSideGetsWhatItNeeds) {
 
 // What the build's tolerances allow is put in beside an effect on the same figure only.
 TEST_F(Redesign, BuildParametersCountBesideTheirEffect) {
-    const auto built = [](double value) { return gap::Parameter{value, {value, value}, "1"}; };
+    const auto built = [](double value) { return diagnosis::Parameter{value, {value, value}, "1"}; };
     const report::Redesign result =
         redesign_for({effect("se.rate", "agonist", 0.1)},
                      {{"K_SE rate agonist", built(0.01)}, {"K_SE rate antagonist", built(0.02)}, {"K_PE rate agonist", built(0.01)}});
@@ -234,7 +235,7 @@ TEST_F(Redesign, SpringsFromADeadBandFollowTheFriction) {
     toml_ = fixtures::with_key(core::read_file(fixtures::shipped("from_dead_band")), "simulate.measured", "\"gear.csv\"");
     profile_ = profile::read_profile(write("wanted.toml", toml_));
     bench_.rig = case_template(profile_)->rig;
-    gap::Diagnosis found;
+    diagnosis::Diagnosis found;
     found.effects = {effect("gear.load_friction", "both", 0.1)};
     const report::Redesign result = redesign(profile_, toml_, bench_, found, {.file = folder_ / "deep" / "new.toml", .levels = 3});
     write_redesign(result, folder_);
@@ -274,7 +275,7 @@ TEST_F(Redesign, RefusesAProfileOfAnotherRig) {
     EXPECT_NE(refused("law.k_per_Nm_rad", "0.25").find("law.kind"), std::string::npos);
     EXPECT_NE(refused("law.c_Nm", "0.25").find("law.kind"), std::string::npos);
     try {
-        gap::Case other = bench_;
+        gap_case::Case other = bench_;
         other.rig.capstan_radius = 0.015;
         require_same_rig(profile_, other);
         FAIL() << "accepted";

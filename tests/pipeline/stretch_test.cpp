@@ -107,12 +107,12 @@ TEST_F(Stretched, ACableShorterThanItsWrapIsRefused) {
 TEST_F(Stretched, RedesignKeepsItsCables) {
     const std::string text = example();
     const profile::Profile profile = read(text);
-    gap::Case bench;
+    gap_case::Case bench;
     bench.name = "monday";
     bench.sha256 = std::string(64, 'a');
     bench.rig = case_template(profile)->rig;
-    gap::Diagnosis found;
-    found.verdict = gap::Verdict::kIdentified;
+    diagnosis::Diagnosis found;
+    found.verdict = diagnosis::VerdictKind::kIdentified;
     for (const auto& [id, value, unit] : {std::tuple{"cable.stretch", 50.0, "Nm/rad"}, {"pe.rate", 0.08, "1"}, {"se.rate", -0.05, "1"}})
         found.effects.push_back({{id, "both"}, 0.99, {value, {0.95 * value, 1.05 * value}, unit}, {}});
     const report::Redesign result = redesign(profile, text, bench, found, {.file = folder_ / "redesign.toml", .levels = 3});

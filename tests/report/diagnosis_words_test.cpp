@@ -11,7 +11,7 @@
 namespace fusee::report {
 namespace {
 
-using gap::kNoFigure;
+using diagnosis::kNoFigure;
 
 TEST(DiagnosisWords, FiguresThatAreNotKnownAreDashes) {
     EXPECT_EQ(known(kNoFigure), "\u2013");
@@ -26,7 +26,7 @@ TEST(DiagnosisWords, FiguresThatAreNotKnownAreDashes) {
 }
 
 TEST(DiagnosisWords, LengthsAreReadInMillimetres) {
-    const gap::Parameter mm = for_reading({-2.1e-4, {-2.6e-4, -1.6e-4}, "m"});
+    const diagnosis::Parameter mm = for_reading({-2.1e-4, {-2.6e-4, -1.6e-4}, "m"});
     EXPECT_EQ(mm.unit, "mm");
     EXPECT_DOUBLE_EQ(mm.value, -0.21);
     EXPECT_DOUBLE_EQ(mm.ci95.low, -0.26);
@@ -86,19 +86,19 @@ TEST(DiagnosisWords, EveryIdOfTheFormatHasAMeaning) {
 }
 
 TEST(DiagnosisWords, TheVerdictIsASentence) {
-    gap::Diagnosis d = diagnosis();
+    diagnosis::Diagnosis d = diagnosis();
     EXPECT_EQ(verdict_sentence(d), "The rig has 2 effects that the model does not: gear.coulomb (agonist) and se.radius (both).");
     EXPECT_DOUBLE_EQ(verdict_probability(d), 0.934) << "of the less certain one";
     d.effects.resize(1);
     EXPECT_EQ(verdict_sentence(d), "The rig has an effect that the model does not: gear.coulomb (agonist).");
-    d.verdict = gap::Verdict::kAmbiguous;
+    d.verdict = diagnosis::VerdictKind::kAmbiguous;
     d.alternatives = {{{{"gear.coulomb", "agonist"}}, 0.5}, {{{"joint.coulomb", "none"}}, 0.45}, {{}, 0.001}};
     EXPECT_EQ(verdict_sentence(d),
               "Model and rig part, and these experiments cannot tell which causes it: gear.coulomb (agonist); or joint.coulomb.");
-    d.verdict = gap::Verdict::kUnknown;
+    d.verdict = diagnosis::VerdictKind::kUnknown;
     EXPECT_NE(verdict_sentence(d).find("dead-band, co-contraction 0.12 to 0.5 Nm, agonist, push up"), std::string::npos);
     EXPECT_TRUE(std::isnan(verdict_probability(d))) << "a ranking within the library says nothing of what is outside it";
-    d.verdict = gap::Verdict::kNone;
+    d.verdict = diagnosis::VerdictKind::kNone;
     d.ranking = {{{}, 0.0, 0.97, 300.0, 1.0, {}}};
     EXPECT_DOUBLE_EQ(verdict_probability(d), 0.97);
 }
@@ -113,7 +113,7 @@ TEST(DiagnosisText, HoldsWhereWhichAndHowFar) {
 }
 
 TEST(DiagnosisText, StaysShort) {
-    gap::Diagnosis d = diagnosis();
+    diagnosis::Diagnosis d = diagnosis();
     d.effects.resize(9, d.effects.front());
     d.where.resize(20, d.where.front());
     d.remarks.resize(50, "one more");

@@ -63,7 +63,7 @@ TEST(Redesign, SectionAndTextSayTheSame) {
     whole.profiles[0].cover.covered = whole.profiles[0].cover.asked;
     EXPECT_NE(redesign_text(whole).find("covers all co-contractions asked for, 0.85 to 1.5 Nm"), std::string::npos);
     Redesign none = some();
-    none.profiles[0].cover.covered = {gap::kNoFigure, gap::kNoFigure};
+    none.profiles[0].cover.covered = {diagnosis::kNoFigure, diagnosis::kNoFigure};
     EXPECT_NE(redesign_text(none).find("covers no co-contraction of the 0.85 to 1.5 Nm asked for"), std::string::npos);
     Redesign refused = some();
     refused.profiles[0].findings = {core::error_finding("cam.arm", "an arm", 1.0, core::Bound::kAtLeast, 2.0, "mm")};

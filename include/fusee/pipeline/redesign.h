@@ -2,8 +2,8 @@
 #include <filesystem>
 #include <string>
 
-#include "fusee/gap/case.h"
-#include "fusee/gap/diagnosis.h"
+#include "fusee/diagnosis/diagnosis.h"
+#include "fusee/gap_case/case.h"
 #include "fusee/profile/profile.h"
 #include "fusee/report/redesign.h"
 
@@ -12,7 +12,7 @@ namespace fusee::pipeline {
 /// A profile and a case of the same rig: radii, friction and rates of the base springs, and the springs' torques, as a case built from the
 /// profile would have them, each within `kSameRig` build tolerances of the case.
 /// @throws core::InvalidInput naming the profile's key, with both figures
-void require_same_rig(const profile::Profile& profile, const gap::Case& bench);
+void require_same_rig(const profile::Profile& profile, const gap_case::Case& bench);
 inline constexpr double kSameRig = 4.0;
 
 struct RedesignOptions {
@@ -28,8 +28,8 @@ struct RedesignOptions {
 /// @param toml the text that `profile` was read from
 /// @throws core::InvalidInput as require_same_rig; if the law of `profile` itself is refused; naming the key of a measured figure that no
 /// profile can hold (a spring that starts slack)
-[[nodiscard]] report::Redesign redesign(const profile::Profile& profile, const std::string& toml, const gap::Case& bench,
-                                        const gap::Diagnosis& found, const RedesignOptions& options);
+[[nodiscard]] report::Redesign redesign(const profile::Profile& profile, const std::string& toml, const gap_case::Case& bench,
+                                        const diagnosis::Diagnosis& found, const RedesignOptions& options);
 
 /// Writes each corrected profile, its folder made if there is none, and `folder`/redesign.json.
 /// @throws core::IoError, before anything is written, if a profile stands there already and `force` is not set

@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "fusee/gap/break_away.h"
+#include "fusee/identification/break_away.h"
 
 /// A gear's friction as identified, to files that a program (JSON) or a person (HTML, text) reads (docs/guides/identify-friction.md).
 namespace fusee::report {
@@ -10,7 +10,7 @@ namespace fusee::report {
 struct Identification {
     std::string name;         ///< of the file, without its ending
     std::string file_sha256;  ///< of the CSV as read
-    gap::FrictionReport friction;
+    identification::FrictionReport friction;
 };
 
 /// The keys of docs/guides/identify-friction.md, in that order; a NaN is null.

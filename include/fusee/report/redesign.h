@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "fusee/core/finding.h"
-#include "fusee/gap/diagnosis.h"
+#include "fusee/diagnosis/diagnosis.h"
 
 /// What a diagnosis means for the cams: corrected profiles, and the dead-band with the old cams and with new ones
 /// (docs/guides/close-the-loop.md).
@@ -17,10 +17,10 @@ struct RedesignChange {
 };
 /// The co-contractions at which the springs reach every resting place that stiction allows, of those that the profile asks for.
 struct RedesignCover {
-    core::Range asked{0.0, 0.0};                             ///< least to overdrive torque [Nm]
-    core::Range covered{gap::kNoFigure, gap::kNoFigure};     ///< NaN: none [Nm]
-    core::Range law_loads{gap::kNoFigure, gap::kNoFigure};   ///< of a capstan, that the springs' law has [Nm]
-    core::Range rest_loads{gap::kNoFigure, gap::kNoFigure};  ///< at which friction lets it rest over the torques asked for [Nm]
+    core::Range asked{0.0, 0.0};                                         ///< least to overdrive torque [Nm]
+    core::Range covered{diagnosis::kNoFigure, diagnosis::kNoFigure};     ///< NaN: none [Nm]
+    core::Range law_loads{diagnosis::kNoFigure, diagnosis::kNoFigure};   ///< of a capstan, that the springs' law has [Nm]
+    core::Range rest_loads{diagnosis::kNoFigure, diagnosis::kNoFigure};  ///< at which friction lets it rest over the torques asked for [Nm]
     [[nodiscard]] bool whole() const { return covered.low <= asked.low && covered.high >= asked.high; }
 };
 /// A corrected profile.
@@ -35,8 +35,8 @@ struct RedesignProfile {
 };
 /// Full widths at the joint [rad]; NaN: the springs do not reach.
 struct DeadBandWidths {
-    double exact_width = gap::kNoFigure;     ///< between the outermost resting places
-    double measured_width = gap::kNoFigure;  ///< by a push-and-release test
+    double exact_width = diagnosis::kNoFigure;     ///< between the outermost resting places
+    double measured_width = diagnosis::kNoFigure;  ///< by a push-and-release test
 };
 struct RedesignLevel {
     double tau = 0.0;         ///< co-contraction [Nm]
@@ -46,7 +46,7 @@ struct RedesignLevel {
 };
 /// An effect that no cam makes up for.
 struct NotMended {
-    gap::Cause cause;
+    effects::Cause cause;
     std::string instead;  ///< what to do, one sentence
 };
 
@@ -59,7 +59,7 @@ struct Redesign {
     std::vector<RedesignLevel> levels;  ///< by rising co-contraction
     RedesignLevel peak;                 ///< at peak torque, where `fusee make` gives the exact width; with levels
     /// Greatest difference between a spring's torque on the rig as it is and the law its cam was cut for, over that torque.
-    double torque_error_old = gap::kNoFigure, torque_error_new = gap::kNoFigure;
+    double torque_error_old = diagnosis::kNoFigure, torque_error_new = diagnosis::kNoFigure;
     std::vector<NotMended> not_mended;
     std::vector<std::string> remarks;
 

@@ -11,9 +11,9 @@
 #include "fusee/core/toml.h"
 #include "fusee/profile/profile.h"
 
-// README.md and docs/**/*.md: every TOML block is read, every command is run from the clone's folder as a reader has it, and what is shown
-// below a command is what it prints. Blocks of TOML are whole profiles, which must be free of required changes, or stand in the profile
-// that their mark names: `<!-- test: with profiles/pnrvsa.toml -->`. What cannot be run says why: `<!-- test: skip, REASON -->`.
+// README.md and docs/**/*.md: every TOML block is read, every command is run in a folder like a clone, and a text block below a command is
+// its output. Blocks of TOML are whole profiles, which must be free of errors, or part of the profile that their mark names:
+// `<!-- test: with profiles/pnrvsa.toml -->`. A block that cannot be run states the reason: `<!-- test: skip, REASON -->`.
 namespace fusee::docs {
 namespace {
 
@@ -23,19 +23,16 @@ const fs::path kSource = FUSEE_SOURCE_DIR;
 
 bool is_tested(const Block& block) { return block.language == "sh" || block.language == "toml" || block.language == "text"; }
 
-/// Those with something to test.
-std::vector<std::string> pages() {
-    std::vector<std::string> all{"README.md"};
-    for (const auto& entry : fs::recursive_directory_iterator(kSource / "docs")) {
-        if (entry.path().extension() != ".md") continue;
-        const auto blocks = blocks_of(core::read_file(entry.path()));
-        if (std::any_of(blocks.begin(), blocks.end(), is_tested)) all.push_back(fs::relative(entry.path(), kSource).string());
+std::vector<std::string> pages_with_blocks() {
+    std::vector<std::string> pages;
+    for (const fs::path& page : markdown_files(kSource)) {
+        const auto blocks = blocks_of(core::read_file(page));
+        if (std::any_of(blocks.begin(), blocks.end(), is_tested)) pages.push_back(fs::relative(page, kSource).string());
     }
-    std::sort(all.begin(), all.end());
-    return all;
+    return pages;
 }
 
-class Page : public ::testing::TestWithParam<std::string> {
+class Blocks : public ::testing::TestWithParam<std::string> {
 protected:
     /// A folder that looks like a clone with fusee built.
     void SetUp() override {
@@ -51,29 +48,29 @@ protected:
         int code = -1;
         std::string output;
     };
-    /// The lines as one script; a command that fails ends it. Building is left to CI.
+    /// The lines as one script; a command that fails ends it. Lines that build are skipped.
     [[nodiscard]] Ended run(const std::string& script) const {
         std::istringstream lines(script);
-        std::string kept = "set -e\n";
+        std::string script_run = "set -e\n";
         for (std::string line; std::getline(lines, line);) {
             const bool builds = line.starts_with("cmake ") || line.starts_with("build/") || line.starts_with("./fusee test");
             if (builds) std::cout << GetParam() << ": skipped, it builds: " << line << "\n";
-            kept += builds ? "" : line + "\n";
+            script_run += builds ? "" : line + "\n";
         }
-        core::write_file(folder_ / ".script", kept);
+        core::write_file(folder_ / ".script", script_run);
         const std::string command =
             "cd '" + folder_.string() + "' && PATH='" + folder_.string() + "':$PATH timeout 120 bash .script >.output 2>&1 </dev/null";
         const int status = std::system(command.c_str());
         return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, core::read_file(folder_ / ".output")};
     }
 
-    /// A profile as a whole: read, and without required changes.
+    /// A whole profile: can be read, and has no errors.
     void check_profile(const Block& block) const {
         core::write_file(folder_ / "block.toml", block.text);
         const Ended checked = run("./fusee check block.toml");
         EXPECT_EQ(checked.code, 0) << GetParam() << ":" << block.line << ": a profile that cannot be made\n" << checked.output;
     }
-    /// A piece of a profile, in the place of the same keys of another one.
+    /// A part of a profile, which replaces the same keys of another one.
     void check_piece(const Block& block, const std::string& profile) const {
         const fs::path path = folder_ / profile;
         toml::table whole = core::parse_toml(core::read_file(path), path.string());
@@ -97,7 +94,7 @@ private:
     }
 };
 
-TEST_P(Page, DoesWhatItSays) {
+TEST_P(Blocks, DoWhatThePageShows) {
     int run_blocks = 0, skipped = 0;
     Ended last;
     bool printed = false;  // did the block above run?
@@ -129,7 +126,7 @@ TEST_P(Page, DoesWhatItSays) {
     std::cout << GetParam() << ": " << run_blocks << " blocks run, " << skipped << " skipped\n";
 }
 
-INSTANTIATE_TEST_SUITE_P(Docs, Page, ::testing::ValuesIn(pages()), [](const auto& page) {
+INSTANTIATE_TEST_SUITE_P(Docs, Blocks, ::testing::ValuesIn(pages_with_blocks()), [](const auto& page) {
     std::string name = page.param;
     std::replace_if(
         name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');

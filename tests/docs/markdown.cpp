@@ -28,7 +28,7 @@ std::string comparable(const std::string& line) {
     return std::regex_replace(std::regex_replace(trimmed(line), kSpaces, " "), kSeconds, "N.NN s");
 }
 
-/// Do the pieces between the dots stand in `found`, the first at its beginning and the last at its end?
+/// Does `found` contain the pieces between the dots, the first at its beginning and the last at its end?
 bool matches(const std::string& shown, const std::string& found) {
     std::size_t at = 0, begin = 0;
     while (true) {
@@ -48,6 +48,14 @@ std::string Block::after(std::string_view word) const {
     if (!mark.starts_with(word)) return "";
     const std::string rest = mark.substr(word.size());
     return rest.substr(std::min(rest.size(), rest.find_first_not_of(" ,")));
+}
+
+std::vector<std::filesystem::path> markdown_files(const std::filesystem::path& root) {
+    std::vector<std::filesystem::path> files{root / "README.md", root / "CHANGELOG.md"};
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(root / "docs"))
+        if (entry.path().extension() == ".md") files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    return files;
 }
 
 std::vector<Block> blocks_of(const std::string& markdown) {

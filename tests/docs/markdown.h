@@ -19,9 +19,12 @@ struct Block {
     [[nodiscard]] std::string after(std::string_view word) const;
 };
 
+/// README.md, CHANGELOG.md and docs/**/*.md of the clone in `root`, sorted.
+[[nodiscard]] std::vector<std::filesystem::path> markdown_files(const std::filesystem::path& root);
+
 [[nodiscard]] std::vector<Block> blocks_of(const std::string& markdown);
 
-/// The lines of `shown` that `found` does not hold in their order. Spaces count as one; "..." stands for anything; times in seconds are
+/// The lines of `shown` that `found` lacks in their order. Spaces count as one; "..." stands for anything; times in seconds are
 /// not compared.
 [[nodiscard]] std::vector<std::string> missing_lines(const std::string& shown, const std::string& found);
 

@@ -25,8 +25,8 @@ int identify(const IdentifyArguments& arguments) {
                                .force = arguments.force,
                                .files = {"identification.json", "identification.html"}});
     const std::string bytes = core::read_file(arguments.csv, gap::kLargestBreakAwayFile);
-    const report::Identification found{arguments.csv.stem().string(), core::sha256_hex(bytes),
-                                       gap::identify_friction(gap::parse_break_away(bytes, arguments.csv.string()))};
+    const gap::Identification found{arguments.csv.stem().string(), core::sha256_hex(bytes),
+                                    gap::identify_friction(gap::parse_break_away(bytes, arguments.csv.string()))};
     core::write_file(output.path() / "identification.json", report::identification_json(found));
     core::write_file(output.path() / "identification.html", report::identification_html(found));
     output.commit();

@@ -6,7 +6,7 @@
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/gap/bench.h"
-#include "fusee/pipeline/redesign.h"
+#include "fusee/redesign/redesign.h"
 #include "fusee/report/redesign.h"
 
 namespace fusee::app {
@@ -21,13 +21,14 @@ RedesignStep::RedesignStep(const fs::path& profile, const fs::path& file, const 
     if (gap::is_bench_case(case_folder))
         throw core::InvalidInput("--write-profile", case_folder.string(), "a case with [rig]: a subsystem on the bench has no cams");
     bench_ = gap::read_case(case_folder);
-    pipeline::require_same_rig(profile_, bench_);
+    (void)redesign::require_same_rig(profile_, bench_);
 }
 
 RedesignStep::Output RedesignStep::write(const gap::Diagnosis& found, const fs::path& folder) const {
-    const report::Redesign redesign = pipeline::redesign(profile_, toml_, bench_, found, {.file = file_});
-    pipeline::write_redesign(redesign, folder, force_);
-    return {report::redesign_section(redesign), report::redesign_text(redesign)};
+    const redesign::Redesign planned = redesign::plan_redesign(profile_, toml_, bench_, found, {.file = file_});
+    redesign::write_profiles(planned, force_);
+    core::write_file(folder / "redesign.json", report::redesign_json(planned));
+    return {report::redesign_section(planned), report::redesign_text(planned)};
 }
 
 std::optional<RedesignStep> redesign_step(const fs::path& profile, const fs::path& file, const fs::path& case_folder, bool force) {

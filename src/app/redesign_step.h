@@ -21,7 +21,7 @@ public:
         std::string section;  ///< of the page
         std::string text;     ///< for the terminal
     };
-    /// Writes the corrected profiles, and redesign.json into `folder`. @throws as pipeline::redesign and pipeline::write_redesign
+    /// Writes the corrected profiles, and redesign.json into `folder`. @throws as redesign::plan_redesign and redesign::write_profiles
     [[nodiscard]] Output write(const gap::Diagnosis& found, const std::filesystem::path& folder) const;
 
 private:

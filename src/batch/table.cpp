@@ -6,7 +6,9 @@
 
 #include "fusee/batch/batch.h"
 #include "fusee/core/text.h"
+#include "fusee/report/headline.h"
 #include "fusee/report/rule_counts.h"
+#include "fusee/report/simulation.h"
 
 namespace fusee::batch {
 
@@ -56,7 +58,8 @@ std::string made_line(const Row& row) {
 /// What the user gets, a figure a line.
 std::string head_lines(const Row& row) {
     std::string lines;
-    for (const report::HeadFigure& figure : row.result.head) lines += fmt::format("    {}  {}\n", figure.value, figure.label);
+    for (const report::HeadFigure& figure : report::head_figures(row.result.headline, row.result.file_errors))
+        lines += fmt::format("    {}  {}\n", figure.value, figure.label);
     return lines;
 }
 
@@ -95,7 +98,7 @@ std::string closing_table(const std::vector<Row>& rows) {
 
 std::string closing_table(const std::vector<SimulationRow>& rows) {
     std::string table;
-    std::vector<report::Simulation> done;
+    std::vector<pipeline::Simulation> done;
     for (const SimulationRow& row : rows) {
         table += beginning(row, rows, "simulated") + (row.simulation ? row.folder.string() + "/" : "") + "\n" + details(row, row.refusal);
         if (!row.simulation) continue;

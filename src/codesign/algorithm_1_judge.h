@@ -4,9 +4,10 @@
 #include <span>
 
 #include "fusee/actuator/actuator.h"
+#include "fusee/codesign/search_report.h"
 #include "fusee/design/algorithm_1.h"
+#include "fusee/pipeline/design.h"
 #include "fusee/profile/profile.h"
-#include "fusee/report/search.h"
 
 namespace fusee::codesign {
 
@@ -21,16 +22,15 @@ public:
     /// The profile with the law found, to be written into `folder`.
     [[nodiscard]] profile::Profile best(std::span<const double> found, const std::filesystem::path& folder) const;
     /// Variables, figures, curves, cams and remarks. @param best as above
-    [[nodiscard]] report::SearchReport report(std::span<const double> found, const profile::Profile& best) const;
+    [[nodiscard]] SearchReport report(std::span<const double> found, const profile::Profile& best) const;
 
 private:
-    [[nodiscard]] report::LawCurves curves(const spring::SpringLawPtr& law) const;
-    void compare(report::SearchReport& report, std::span<const double> found) const;
-    void judge(report::SearchReport& report, const profile::Profile& best) const;
-    void remark(report::SearchReport& report, std::span<const double> found) const;
+    void compare(SearchReport& report, std::span<const double> found) const;
+    void judge(SearchReport& report, const profile::Profile& best) const;
+    void remark(SearchReport& report, std::span<const double> found) const;
 
     const profile::Profile& profile_;
-    spring::SpringLawPtr own_;  ///< the profile's law; null: it cannot be
+    std::optional<pipeline::ResolvedDesign> own_;  ///< none: the profile's law cannot be made
     std::optional<design::Algorithm1> algorithm_;
 };
 

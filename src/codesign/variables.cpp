@@ -26,11 +26,11 @@ core::Range logarithm(double middle, double span) { return {std::log(middle / sp
 /// S/tau^2 of a profile's own law about the middle of its loads: the scale of the stiffness searched.
 double own_k(const profile::Profile& p) {
     if (const auto* law = std::get_if<spring::StictionLawOptions>(&p.law.curves)) return law->k;
-    const auto law = pipeline::design_law(p);
-    if (!law) return p.co_design.stiff / (2.0 * std::pow(p.rig.overdrive_torque, 2));
-    const core::Range loads = law->law->loads();
+    const auto own = pipeline::resolve(p);
+    if (!own) return p.co_design.stiff / (2.0 * std::pow(p.rig.overdrive_torque, 2));
+    const core::Range loads = own->law()->loads();
     const double middle = std::sqrt(loads.low * loads.high);
-    return law->law->at_load(middle).s / (middle * middle);
+    return own->law()->at_load(middle).s / (middle * middle);
 }
 
 /// The base spring is another one: what is known of the profile's wire does not hold for it.

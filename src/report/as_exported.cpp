@@ -1,8 +1,4 @@
-#include "fusee/report/as_exported.h"
-
-#include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "as_exported_page.h"
 #include "fusee/core/units.h"
@@ -43,18 +39,6 @@ std::vector<Cell> joint_row(const JointAsExported& joint) {
 }
 
 }  // namespace
-
-double AsExported::worst_change() const {
-    double worst = std::numeric_limits<double>::quiet_NaN();
-    for (const JointAsExported& joint : joints)
-        for (std::size_t i = 0; joint.binding && i < torques.size(); ++i) {
-            if (std::isnan(nominal[i])) continue;  // the law as designed does not reach there either
-            const double change = std::abs(joint.dead_band[i] / nominal[i] - 1.0);
-            if (std::isnan(change)) return change;
-            worst = std::fmax(worst, change);
-        }
-    return worst;
-}
 
 Json as_exported_json(const AsExported& exported) {
     Json joints = Json::array();

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "findings_json.h"
 #include "fusee/core/provenance.h"
@@ -14,12 +13,6 @@ namespace fusee::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// How far beyond its limit, as a share of it; what is not a number or may not be at all is farthest.
-double beyond(const core::Finding& f) {
-    if (!std::isfinite(f.measured) || f.allowed == 0.0) return INFINITY;
-    return std::abs(f.measured - f.allowed) / std::abs(f.allowed);
-}
 
 std::string binding_text(const core::Findings& findings) {
     const core::Finding* f = binding(findings);
@@ -88,26 +81,6 @@ Json process_json(const CheckedProcess& p) {
 }
 
 }  // namespace
-
-core::Findings CheckedProcess::all() const {
-    core::Findings all = about;
-    for (const CheckedPart& part : parts) core::append(all, part.findings);
-    return all;
-}
-
-bool Checked::makeable() const {
-    return std::any_of(processes.begin(), processes.end(), [](const CheckedProcess& p) { return !core::any_error(p.all()); });
-}
-
-const core::Finding* binding(const core::Findings& findings) {
-    const core::Finding* found = nullptr;
-    for (const core::Finding& f : findings) {
-        if (!core::is_broken(f)) continue;
-        const bool graver = !found || f.severity > found->severity || (f.severity == found->severity && beyond(f) > beyond(*found));
-        if (graver) found = &f;
-    }
-    return found;
-}
 
 std::string check_text(const Checked& checked) {
     const std::string head = checked.input.empty() ? "" : checked.input + "\n";

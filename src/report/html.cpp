@@ -41,7 +41,7 @@ std::string head_section(const DesignReport& design) {
     std::string out = "<header><p class=\"eyebrow\">fusee design report</p><h1>" + escape(made_by.name) + "</h1>" +
                       verdict_text(verdict(design), not_judged) + "<p class=\"stamp\">" + escape(made_by.line()) +
                       "</p><div class=\"tiles\">";
-    for (const HeadFigure& figure : head_figures(design.outlook, design.file_errors())) out += html_tile(figure.value, figure.label);
+    for (const HeadFigure& figure : head_figures(design.headline, design.file_errors())) out += html_tile(figure.value, figure.label);
     if (!design.law.samples.empty())
         out += html_tile(number(design.law.samples.front().tau, 3) + " to " + number(design.law.samples.back().tau, 3) + " Nm",
                          design.law.covers_stiction() ? "loads, all that stiction allows" : "loads, stiction not covered");

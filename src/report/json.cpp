@@ -144,7 +144,7 @@ Json part_json(const PartReport& report) {
             {"read_back", read_back_json(report.arm_errors)}};
 }
 
-Json outlook_json(const Outlook& o, double worst_file_error) {
+Json outlook_json(const Headline& o, double worst_file_error) {
     const auto width = [](const ExpectedWidth& w) {
         return Json{{"tau_Nm", w.tau}, {"exact_rad", w.nominal}, {"built_rad", range(w.built)}};
     };
@@ -172,7 +172,7 @@ std::string report_json(const DesignReport& design) {
     j["options"] = design.provenance.options;
     j["verdict"] = core::to_string(verdict(design));
     j["rules"] = rules_json(design.all_findings());
-    j["outlook"] = outlook_json(design.outlook, design.worst_arm_error());
+    j["outlook"] = outlook_json(design.headline, design.worst_arm_error());
     j["law"] = law_json(design.law);
     j["dead_band"] = Json::array();
     for (const actuator::DeadBand& d : design.dead_band) j["dead_band"].push_back(dead_band_json(d));

@@ -26,7 +26,7 @@ std::string noise_text(const std::vector<NoiseCurve>& curves) {
 }
 
 std::string figure_6_text(const Simulation& s) {
-    const actuator::DeadBand& peak = s.levels.back().dead_band;
+    const SimulatedDeadBand& peak = s.levels.back().dead_band;
     std::string text = fmt::format("gear friction holds it anywhere within {} deg at {} Nm", deg(peak.exact_width), number(peak.tau));
     if (!s.path) return text;
     return text + fmt::format("; pushed up and released it rests at {} deg, pushed down at {} deg", deg(s.path->up.back().q),
@@ -34,7 +34,7 @@ std::string figure_6_text(const Simulation& s) {
 }
 
 /// "15.4 deg at 0.12 Nm to 89.8 deg at 1 Nm": the first and the last row where the figure is known.
-std::string change(const std::vector<MeasuredRow>& rows, double actuator::DeadBand::*figure) {
+std::string change(const std::vector<MeasuredRow>& rows, double SimulatedDeadBand::*figure) {
     const auto known = [figure](const MeasuredRow& row) { return std::isfinite(row.computed.*figure); };
     const auto first = std::find_if(rows.begin(), rows.end(), known);
     if (first == rows.end()) return "nothing: the springs end before";
@@ -45,8 +45,8 @@ std::string change(const std::vector<MeasuredRow>& rows, double actuator::DeadBa
 
 std::string table_text(const PaperTable& table) {
     const std::vector<MeasuredRow>& rows = table.simulation.measured;
-    return fmt::format("condition (6) {}; exact {}; the test reads {}", to_string(condition_verdict(table.simulation)),
-                       change(rows, &actuator::DeadBand::exact_width), change(rows, &actuator::DeadBand::measured_width));
+    return fmt::format("condition (6) {}; exact {}; the test reads {}", to_string(condition_verdict(table.simulation.condition)),
+                       change(rows, &SimulatedDeadBand::exact_width), change(rows, &SimulatedDeadBand::measured_width));
 }
 
 std::string paper_rows(const PaperTable& table) {
@@ -88,23 +88,6 @@ std::string relatives_text(const std::vector<actuator::ArrangementRow>& rows) {
 }
 
 }  // namespace
-
-bool NoiseCurve::monotone() const {
-    for (std::size_t i = 0; i < c.size(); ++i)
-        if (slope[i] > 1e-9 * joint[i] / c[i]) return false;
-    return true;
-}
-
-double HillFigure::largest_difference() const {
-    double largest = 0.0;
-    for (const Row& row : rows) largest = std::max(largest, std::abs(row.series - row.parallel));
-    return largest;
-}
-
-bool PaperTable::rises() const {
-    const auto& rows = simulation.measured;
-    return std::is_sorted(rows.begin(), rows.end(), [](const MeasuredRow& a, const MeasuredRow& b) { return a.measured < b.measured; });
-}
 
 std::vector<PaperClaim> claims(const Paper& paper) {
     return {{"figure 1", "passive noise rejection grows with c; without a and b noise drives the system arbitrarily far",

@@ -78,7 +78,7 @@ std::string table_csv(const PaperTable& table) {
     const auto deg = [](double rad) { return core::deg_from_rad(rad); };
     for (std::size_t i = 0; i < table.simulation.measured.size(); ++i) {
         const MeasuredRow& row = table.simulation.measured[i];
-        const actuator::DeadBand& d = row.computed;
+        const SimulatedDeadBand& d = row.computed;
         add_row(csv, "{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}\n", row.tau, deg(row.measured), deg(d.linear),
                 deg(d.exact_width), deg(d.measured_width), deg(d.linear - row.measured), deg(d.exact_width - row.measured),
                 deg(d.measured_width - row.measured), table.parallel[i]);

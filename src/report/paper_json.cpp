@@ -42,7 +42,7 @@ Json hill_json(const HillFigure& figure) {
 Json table_json(const PaperTable& table) {
     Json j{{"profile", table.simulation.provenance.name},
            {"profile_sha256", table.simulation.provenance.profile_sha256},
-           {"condition_6", to_string(condition_verdict(table.simulation))},
+           {"condition_6", to_string(condition_verdict(table.simulation.condition))},
            {"implied_travel_rad", table.travel},
            {"rows", Json::array()}};
     for (std::size_t i = 0; i < table.simulation.measured.size(); ++i) {

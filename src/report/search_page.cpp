@@ -81,7 +81,7 @@ std::string cost_plot(const CostCurve& curve) {
     plot.curve("others at the optimum", curve.value, springs, "exact");
     if (std::any_of(none.begin(), none.end(), [](double cost) { return std::isfinite(cost); }))
         plot.curve("no springs", curve.value, none, "pe", true);
-    if (!tried.empty()) plot.points("lowest tried", curve.tried, tried, "linear");
+    if (!tried.empty()) plot.points("lowest tried", curve.candidates, tried, "linear");
     return plot.mark(curve.optimum, "optimum").svg();
 }
 

@@ -23,7 +23,7 @@ constexpr const char* kPush = "joint torque [Nm]";
 struct OverLevels {
     const Simulation& simulation;
     std::vector<double> tau = column(simulation.levels, [](const Level& l) { return l.dead_band.tau; });
-    [[nodiscard]] std::vector<double> figure(double actuator::DeadBand::*member, double unit = 1.0) const {
+    [[nodiscard]] std::vector<double> figure(double SimulatedDeadBand::*member, double unit = 1.0) const {
         return column(simulation.levels, [=](const Level& l) { return unit * (l.dead_band.*member); });
     }
 };
@@ -31,7 +31,7 @@ struct OverLevels {
 constexpr double kDegrees = 180.0 / core::kPi;
 
 std::string dead_band_chart(const Simulation& s, const OverLevels& over) {
-    using D = actuator::DeadBand;
+    using D = SimulatedDeadBand;
     Plot plot("Dead-band at the joint, edge to edge", kTau, "dead-band [deg]");
     plot.curve("linear", over.tau, over.figure(&D::linear, kDegrees), "linear", true);
     plot.curve("exact extremes", over.tau, over.figure(&D::exact_width, kDegrees), "exact");
@@ -45,8 +45,8 @@ std::string dead_band_chart(const Simulation& s, const OverLevels& over) {
 
 std::string stiffness_chart(const OverLevels& over) {
     Plot plot("Stiffness of the joint", kTau, "stiffness [Nm/rad]");
-    plot.curve("capstans held", over.tau, over.figure(&actuator::DeadBand::joint_stiffness), "se");
-    plot.curve("capstans free", over.tau, over.figure(&actuator::DeadBand::free_joint_stiffness), "sum", true);
+    plot.curve("capstans held", over.tau, over.figure(&SimulatedDeadBand::joint_stiffness), "se");
+    plot.curve("capstans free", over.tau, over.figure(&SimulatedDeadBand::free_joint_stiffness), "sum", true);
     return plot.from_zero().svg();
 }
 
@@ -55,7 +55,7 @@ std::string built_chart(const Simulation& s, const OverLevels& over) {
     Plot plot("Exact dead-band as drawn, and of 90 % of the joints that a shop builds", kTau, "dead-band [deg]");
     plot.band("5 to 95 %", over.tau, column(s.levels, [](const Level& l) { return deg_from_rad(l.built.low); }),
               column(s.levels, [](const Level& l) { return deg_from_rad(l.built.high); }), "exact");
-    plot.curve("as drawn", over.tau, over.figure(&actuator::DeadBand::exact_width, kDegrees), "exact");
+    plot.curve("as drawn", over.tau, over.figure(&SimulatedDeadBand::exact_width, kDegrees), "exact");
     return plot.from_zero().svg();
 }
 
@@ -116,7 +116,7 @@ std::string friction_chart(const std::vector<BreakAwayRow>& rows) {
 std::string frame_chart(const Simulation& s, const OverLevels& over) {
     Plot plot("Frame subsystem: dead-band with masses for motors", kTau, "dead-band [deg]");
     plot.curve("bearing only", over.tau, column(s.levels, [](const Level& l) { return deg_from_rad(l.frame); }), "se");
-    plot.curve("with gears", over.tau, over.figure(&actuator::DeadBand::measured_width, kDegrees), "sum", true);
+    plot.curve("with gears", over.tau, over.figure(&SimulatedDeadBand::measured_width, kDegrees), "sum", true);
     return plot.from_zero().svg();
 }
 
@@ -133,7 +133,7 @@ std::string noise_chart(const Simulation& s, const OverLevels& over) {
 std::string joint_charts(const Simulation& s) {
     const OverLevels over{s};
     Plot condition("Condition (6): below 0 the dead-band's cause shrinks", kTau, "d(T tau_f)/dtau [1]");
-    condition.curve("d(T tau_f)/dtau", over.tau, over.figure(&actuator::DeadBand::condition_6), "t").from_zero();
+    condition.curve("d(T tau_f)/dtau", over.tau, over.figure(&SimulatedDeadBand::condition_6), "t").from_zero();
     return dead_band_chart(s, over) + condition.svg() + stiffness_chart(over) + built_chart(s, over);
 }
 

@@ -6,29 +6,10 @@
 
 namespace fusee::report {
 
-SimulatedLevel unknown_level(double tau) {
-    SimulatedLevel level;
-    level.dead_band.tau = level.reading.tau = tau;
-    for (double* figure :
-         {&level.dead_band.linear, &level.dead_band.exact_width, &level.dead_band.measured_width, &level.dead_band.joint_stiffness,
-          &level.dead_band.free_joint_stiffness, &level.dead_band.theta, &level.dead_band.condition_6, &level.reading.push_torque,
-          &level.reading.full_push, &level.reading.covered_push, &level.reading.q_low, &level.reading.q_high})
-        *figure = kUnknown;
-    level.dead_band.covered = level.reading.inside = false;
-    level.sensitivity.setConstant(kUnknown);
-    level.noise.setConstant(kUnknown);
-    return level;
-}
-
-actuator::ArrangementRow unknown_survey() {
-    constexpr core::Range kNone{kUnknown, kUnknown};
-    return {.stiffness = kNone, .free_stiffness = kNone, .torque = kUnknown, .dead_band = kNone, .remark = ""};
-}
-
 std::string dead_band_csv(const std::vector<SimulatedLevel>& levels) {
     std::string csv = "tau_Nm,linear_rad,extreme_rad,protocol_rad,condition_6,joint_stiffness_Nm_per_rad,capstan_rad\n";
     for (const SimulatedLevel& level : levels) {
-        const actuator::DeadBand& d = level.dead_band;
+        const SimulatedDeadBand& d = level.dead_band;
         fmt::format_to(std::back_inserter(csv), "{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}\n", d.tau, d.linear, d.exact_width,
                        d.measured_width, d.condition_6, d.joint_stiffness, d.theta);
     }

@@ -85,12 +85,6 @@ std::string matrix_table(const char* title, const Eigen::Matrix3d& m) {
 
 }  // namespace
 
-core::Findings refusals(const Simulation& simulation) {
-    core::Findings all;
-    for (const EquilibriumRow& row : simulation.equilibria) core::append(all, row.refusal);
-    return all;
-}
-
 std::string equilibria_text(const Simulation& s) {
     std::string text;
     for (const EquilibriumRow& row : s.equilibria) {

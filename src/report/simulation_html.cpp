@@ -39,7 +39,7 @@ std::string verdict_tag(const actuator::ConditionSummary& condition) {
 bool is_paper(const Simulation& s) { return s.survey.arrangement == actuator::Arrangement::kPnrvsa; }
 
 std::string head(const Simulation& s) {
-    const actuator::DeadBand &first = s.levels.front().dead_band, &last = s.levels.back().dead_band;
+    const SimulatedDeadBand &first = s.levels.front().dead_band, &last = s.levels.back().dead_band;
     std::string out = "<header><p class=\"eyebrow\">fusee simulation</p><h1>" + escape(s.provenance.name) + "</h1>" +
                       (is_paper(s) ? verdict_tag(s.condition) : "") + "<p class=\"stamp\">" + escape(s.provenance.line()) +
                       "</p><div class=\"tiles\">";
@@ -62,7 +62,7 @@ std::string words(const Simulation& s) {
 std::string level_section(const Simulation& s) {
     std::vector<std::vector<Cell>> rows;
     for (const SimulatedLevel& level : s.levels) {
-        const actuator::DeadBand& d = level.dead_band;
+        const SimulatedDeadBand& d = level.dead_band;
         rows.push_back({figure(d.tau), figure(deg_from_rad(d.linear)), figure(deg_from_rad(d.exact_width)),
                         figure(deg_from_rad(d.measured_width)), figure(deg_from_rad(level.within_laws)), figure(d.condition_6, 3),
                         figure(d.joint_stiffness), figure(d.free_joint_stiffness), figure(level.reading.push_torque, 3),

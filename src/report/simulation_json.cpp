@@ -28,12 +28,12 @@ Json survey_json(const actuator::ArrangementRow& row) {
             {"remark", row.remark}};
 }
 
-Json dead_band_json(const actuator::DeadBand& d) {
+Json dead_band_json(const SimulatedDeadBand& d) {
     return {{"tau_Nm", d.tau}, {"linear_rad", d.linear}, {"extreme_rad", d.exact_width}, {"protocol_rad", d.measured_width}};
 }
 
 Json level_json(const SimulatedLevel& level) {
-    const actuator::DeadBand& d = level.dead_band;
+    const SimulatedDeadBand& d = level.dead_band;
     const actuator::ReleaseReading& r = level.reading;
     Json j = dead_band_json(d);
     j["condition_6"] = d.condition_6;
@@ -56,7 +56,7 @@ Json level_json(const SimulatedLevel& level) {
 Json condition_json(const Simulation& s) {
     Json holds = Json::array();
     for (const core::Range& part : s.condition.holds) holds.push_back(range(part));
-    return {{"verdict", to_string(condition_verdict(s))},
+    return {{"verdict", to_string(condition_verdict(s.condition))},
             {"torques_Nm", range(s.condition.torques)},
             {"holds_Nm", holds},
             {"values", range(s.condition.values)}};

@@ -13,7 +13,7 @@ namespace fusee::report {
 
 namespace {
 
-using actuator::DeadBand;
+using DeadBand = SimulatedDeadBand;
 
 std::string deg(double rad) { return number(core::deg_from_rad(rad), 3) + " deg"; }
 std::string nm(double torque) { return number(torque, 3) + " Nm"; }
@@ -118,8 +118,6 @@ std::optional<std::string> measured_text(const Simulation& s) {
 }
 
 }  // namespace
-
-ConditionVerdict condition_verdict(const Simulation& simulation) { return condition_verdict(simulation.condition); }
 
 std::vector<std::string> remarks(const Simulation& s) {
     std::vector<std::string> all;

@@ -20,7 +20,7 @@ std::string simulation_text(const Simulation& s) {
     std::string text = fmt::format("{}\n  {:>8}  {:>10}  {:>10}  {:>10}  {:>13}  {:>13}  {:>11}\n", s.provenance.line(), "tau [Nm]",
                                    "linear", "exact", "test reads", "condition (6)", "held [Nm/rad]", "capstan");
     for (const SimulatedLevel& level : s.levels) {
-        const actuator::DeadBand& d = level.dead_band;
+        const SimulatedDeadBand& d = level.dead_band;
         text +=
             fmt::format("  {:>8}  {:>10}  {:>10}  {:>10}  {:>13}  {:>13}  {:>11}\n", number(d.tau, 4), deg(d.linear), deg(d.exact_width),
                         deg(d.measured_width), number(d.condition_6, 3), number(d.joint_stiffness, 4), deg(d.theta));

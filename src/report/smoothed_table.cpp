@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "column.h"
 #include "html.h"
 #include "page.h"
@@ -10,19 +8,6 @@
 namespace fusee::report {
 
 namespace {
-
-template <class Of>
-SmoothedTable::Misfit misfit(const std::vector<TableRow>& rows, const Of& of) {
-    SmoothedTable::Misfit misfit;
-    double squares = 0.0;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        const double residual = of(rows[i]);
-        squares += residual * residual;
-        if (misfit.row == 0 || std::abs(residual) > std::abs(misfit.largest)) misfit.largest = residual, misfit.row = i + 1;
-    }
-    misfit.rms = std::sqrt(squares / static_cast<double>(rows.size()));
-    return misfit;
-}
 
 double series_residual(const TableRow& row) { return row.series_smooth - row.series; }
 double parallel_residual(const TableRow& row) { return row.parallel_smooth - row.parallel; }
@@ -35,9 +20,6 @@ std::string misfit_text(const SmoothedTable& table, const SmoothedTable::Misfit&
 }
 
 }  // namespace
-
-SmoothedTable::Misfit SmoothedTable::series() const { return misfit(rows, series_residual); }
-SmoothedTable::Misfit SmoothedTable::parallel() const { return misfit(rows, parallel_residual); }
 
 std::string table_section(const LawReport& law) {
     if (!law.table) return "";

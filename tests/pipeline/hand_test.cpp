@@ -2,9 +2,9 @@
 #include <cmath>
 #include <ostream>
 
+#include "fusee/batch/batch.h"
 #include "fusee/core/turn.h"
 #include "fusee/exchange/part_file.h"
-#include "fusee/pipeline/make.h"
 #include "fusee/readback/readback.h"
 #include "fusee/toolpath/read_back.h"
 #include "pipeline/fixture.h"
@@ -27,7 +27,7 @@ void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
 /// K_PE turns against the tension, so that psi rises with the cam's angle where torque_sign is 1 and a right-handed groove climbs with it.
 class HelixOfEitherHand : public fixtures::TempFolder, public testing::WithParamInterface<Case> {
 protected:
-    MakeResult made() const {
+    batch::MakeResult made() const {
         const auto text = fixtures::with_keys(fixtures::soft_springs(GetParam().turns, std::string("pitch_mm = 4.0\n") + GetParam().path),
                                               {{"outputs.formats", GetParam().formats},
                                                {"outputs.pair", GetParam().pair ? "true" : "false"},
@@ -35,7 +35,7 @@ protected:
                                                {"machining.k_pe", "\"wrap\""},
                                                {"k_se.target_rows", "200"},
                                                {"k_pe.target_rows", "200"}});
-        return make(profile::read_profile(write("soft.toml", text)), {.out = folder_ / "out"});
+        return batch::make(profile::read_profile(write("soft.toml", text)), {.out = folder_ / "out"});
     }
 };
 constexpr const char* kAll = R"(["stl", "step", "ngc"])";
@@ -48,7 +48,7 @@ INSTANTIATE_TEST_SUITE_P(Pipeline, HelixOfEitherHand,
 
 // Law: solid, STL, STEP and G-code of a helix carry the law whichever way it climbs, and so does its mirror image.
 TEST_P(HelixOfEitherHand, IsMadeAndReadBack) {
-    const MakeResult result = made();
+    const batch::MakeResult result = made();
     for (const core::Finding& f : result.findings) EXPECT_NE(f.severity, core::Severity::kError) << core::to_line(f);
     ASSERT_TRUE(result.made);
     const std::string formats = GetParam().formats;

@@ -1,8 +1,8 @@
 #include <ostream>
 
+#include "fusee/batch/batch.h"
 #include "fusee/core/units.h"
 #include "fusee/exchange/part_file.h"
-#include "fusee/pipeline/make.h"
 #include "fusee/readback/readback.h"
 #include "pipeline/fixture.h"
 #include "pipeline/soft_springs.h"
@@ -27,7 +27,7 @@ INSTANTIATE_TEST_SUITE_P(Pipeline, LongHelix,
 
 TEST_P(LongHelix, IsMadeAndCarriesItsLaw) {
     const profile::Profile profile = profile::read_profile(write("soft.toml", fixtures::soft_springs(GetParam().turns, GetParam().guide)));
-    const MakeResult result = make(profile, {.out = folder_ / "out"});
+    const batch::MakeResult result = batch::make(profile, {.out = folder_ / "out"});
     for (const core::Finding& f : result.findings) EXPECT_NE(f.severity, core::Severity::kError) << core::to_line(f);
     ASSERT_TRUE(result.made);
     const exchange::PartFile part = exchange::read_part_file(result.folder / "k_pe.json");

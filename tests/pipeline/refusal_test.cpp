@@ -2,7 +2,7 @@
 #include <cmath>
 #include <ostream>
 
-#include "fusee/pipeline/make.h"
+#include "fusee/batch/batch.h"
 #include "pipeline/fixture.h"
 
 // Law: an impossible design names what binds, with measured and allowed value; the change that it suggests, made, takes that finding away.
@@ -53,11 +53,11 @@ const Case kCases[] = {
 
 class Impossible : public fixtures::TempFolder, public testing::WithParamInterface<Case> {
 protected:
-    MakeResult try_to_make(const Changes& changes) const {
+    batch::MakeResult try_to_make(const Changes& changes) const {
         std::string text = core::read_file(fixtures::shipped(GetParam().profile));
         for (const Changes& some : {GetParam().changes, changes}) text = fixtures::with_keys(text, some);
         lay_tables();
-        return make(profile::read_profile(write("t.toml", text)), {.out = folder_ / "out"});
+        return batch::make(profile::read_profile(write("t.toml", text)), {.out = folder_ / "out"});
     }
 };
 INSTANTIATE_TEST_SUITE_P(Pipeline, Impossible, testing::ValuesIn(kCases), [](const auto& one) { return std::string(one.param.name); });
@@ -79,7 +79,7 @@ std::string suggested(const core::Finding& finding, const std::string& key) {
 }
 
 TEST_P(Impossible, NamesTheLimitAndItsCure) {
-    const MakeResult refused = try_to_make({});
+    const batch::MakeResult refused = try_to_make({});
     ASSERT_FALSE(refused.made);
     const core::Finding* finding = find(refused.findings, GetParam().rule);
     ASSERT_NE(finding, nullptr) << (refused.findings.empty() ? "" : core::to_line(refused.findings.front()));
@@ -96,7 +96,7 @@ TEST_P(Impossible, NamesTheLimitAndItsCure) {
             changes.emplace_back(one, value);
             at = end + 1;
         }
-        const MakeResult cured = try_to_make(changes);
+        const batch::MakeResult cured = try_to_make(changes);
         const core::Finding* still = find(cured.findings, GetParam().rule);
         EXPECT_TRUE(still == nullptr || still->where.substr(0, 4) != finding->where.substr(0, 4))
             << changes.front().first << " = " << changes.front().second << ": " << core::to_line(*still);

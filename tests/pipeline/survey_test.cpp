@@ -3,9 +3,9 @@
 #include <ostream>
 #include <set>
 
+#include "fusee/batch/batch.h"
 #include "fusee/core/units.h"
 #include "fusee/exchange/part_file.h"
-#include "fusee/pipeline/make.h"
 #include "pipeline/fixture.h"
 
 // Guides and paths together: both parts are made, every rule that demands a change is content, and each file carries the law. A few of all
@@ -73,7 +73,7 @@ INSTANTIATE_TEST_SUITE_P(Pipeline, Survey, testing::ValuesIn(cases()), [](const 
 
 TEST_P(Survey, IsMadeAndEveryFileCarriesItsLaw) {
     const profile::Profile profile = profile::read_profile(write("survey.toml", profile_of(GetParam())));
-    const MakeResult result = make(profile, {.out = folder_ / "out"});
+    const batch::MakeResult result = batch::make(profile, {.out = folder_ / "out"});
     for (const core::Finding& f : result.findings) EXPECT_NE(f.severity, core::Severity::kError) << core::to_line(f);
     ASSERT_TRUE(result.made);
     std::set<std::string> kinds;  // of both parts, each read back by `make`, which refuses what does not pass
@@ -82,8 +82,8 @@ TEST_P(Survey, IsMadeAndEveryFileCarriesItsLaw) {
             kinds.insert(name + std::filesystem::path(file.name).extension().string());
     for (const char* kind : {"k_se.json.stl", "k_pe.json.stl"}) EXPECT_TRUE(kinds.count(kind)) << kind;
     EXPECT_EQ(kinds.count("k_pe.json.dxf"), std::string(GetParam().path) == "planar" ? 1u : 0u);
-    EXPECT_GT(result.worst_arm_error, 0.0);
-    EXPECT_LT(result.worst_arm_error, 5e-4);  // chords of 0.01 mm on arms of 20 mm
+    EXPECT_GT(result.file_errors.arm, 0.0);
+    EXPECT_LT(result.file_errors.arm, 5e-4);  // chords of 0.01 mm on arms of 20 mm
 }
 
 }  // namespace

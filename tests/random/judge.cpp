@@ -21,7 +21,7 @@ std::string fault_of_made(const batch::Row& row) {
     std::size_t arms = 0;
     for (const core::Finding& f : row.result.findings) arms += f.rule == "readback.arm" ? 1 : 0;
     if (arms < 4) return fmt::format("{} arms were read back; at least those of two readers for two parts are", arms);
-    if (!(row.result.worst_arm_error <= 1e-3)) return fmt::format("an arm is off by {}", row.result.worst_arm_error);
+    if (row.result.file_errors.arm > 1e-3) return fmt::format("an arm is off by {}", row.result.file_errors.arm);
     return "";
 }
 
@@ -52,7 +52,7 @@ std::vector<batch::Row> make_some(std::uint64_t seed, int first, int count, cons
         profiles.push_back(folder / fmt::format("random_{:05}.toml", i));
         core::write_file(profiles.back(), random_profile(seed, i));
     }
-    pipeline::MakeOptions options;
+    batch::MakeOptions options;
     options.out = folder / "out";
     return batch::make_all(profiles, options, jobs);
 }

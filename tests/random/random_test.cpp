@@ -44,7 +44,7 @@ TEST(RandomProfile, IsTheSameForTheSameSeedAndNumber) {
 /// Of one part of a design: what forbids it, or nothing.
 core::Findings refused(cam::PartKind kind, const std::string& text) {
     const profile::Profile profile = profile::parse_profile(text, "random.toml");
-    const auto part = pipeline::design_part(kind, profile, pipeline::design_law(profile)->law);
+    const auto part = pipeline::design_part(kind, *pipeline::resolve(profile));
     return part ? core::Findings{} : part.refusal();
 }
 

@@ -65,13 +65,13 @@ TEST(SimulationRemarks, SayWhereTheThreeDeadBandsPart) {
 
 TEST(SimulationVerdict, FollowsTheSummary) {
     Simulation s = example();
-    EXPECT_EQ(condition_verdict(s), ConditionVerdict::kHolds);
+    EXPECT_EQ(condition_verdict(s.condition), ConditionVerdict::kHolds);
     s.condition = {.torques = {0.5, 1.0}, .holds = {}, .values = {0.1, 0.2}};
-    EXPECT_EQ(condition_verdict(s), ConditionVerdict::kFails);
+    EXPECT_EQ(condition_verdict(s.condition), ConditionVerdict::kFails);
     s.condition = {.torques = {0.5, 1.0}, .holds = {{0.7, 1.0}}, .values = {-0.1, 0.2}};
-    EXPECT_EQ(condition_verdict(s), ConditionVerdict::kMixed);
+    EXPECT_EQ(condition_verdict(s.condition), ConditionVerdict::kMixed);
     s.condition.values = {kUnknown, kUnknown};
-    EXPECT_EQ(condition_verdict(s), ConditionVerdict::kNotKnown);
+    EXPECT_EQ(condition_verdict(s.condition), ConditionVerdict::kNotKnown);
 }
 
 TEST(SimulationPage, OpensOfflineAndEscapesNames) {

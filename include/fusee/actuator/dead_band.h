@@ -1,6 +1,5 @@
 #pragma once
 #include <array>
-#include <limits>
 #include <vector>
 
 #include "fusee/actuator/actuator.h"
@@ -13,8 +12,6 @@ struct DeadBand {
     double tau = 0.0;          ///< motor torque of both sides, at the capstan [Nm]
     double linear = 0.0;       ///< 2 tau_f(tau)/(g P): paper (3)-(4) for a symmetric actuator [rad]
     double exact_width = 0.0;  ///< the widest pair of resting places with capstan loads anywhere in resting_loads(tau) [rad]
-    double measured_width =
-        std::numeric_limits<double>::quiet_NaN();  ///< what a push-and-release test reads (StickSlip); the caller fills it [rad]
     bool covered = true;                           ///< false: the springs do not cover the loads that stiction allows at this torque
     double joint_stiffness = 0.0;                  ///< dtau_q/dq with both capstans held by stiction: 2 g^2 S [Nm/rad]
     double free_joint_stiffness = 0.0;             ///< with both capstans free: 2 g^2 S P/(S+P) [Nm/rad]

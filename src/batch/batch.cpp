@@ -16,7 +16,7 @@ namespace fusee::batch {
 
 namespace {
 
-/// The rows' own results under how each ended.
+/// The rows with the outcome of each.
 template <class AnyRow>
 std::vector<AnyRow> joined(std::vector<AnyRow> rows, const std::vector<Ended>& ended) {
     for (std::size_t i = 0; i < rows.size(); ++i) static_cast<Ended&>(rows[i]) = ended[i];
@@ -30,7 +30,7 @@ void write_relatives(const std::vector<pipeline::Simulation>& done, const fs::pa
     output.commit();
 }
 
-/// A bar is worth its line when there is more than one to wait for.
+/// A progress bar for several profiles or long work.
 std::unique_ptr<core::Progress> bar(const char* title, std::size_t count, bool long_work) {
     return count > 1 || long_work ? std::make_unique<core::Progress>(title, count) : nullptr;
 }

@@ -49,13 +49,14 @@ namespace {
 std::string made_line(const Row& row) {
     const core::Findings& findings = row.result.findings;
     const std::string open = report::not_judged_text(findings);
+    const std::size_t warnings = core::count(findings, core::Severity::kWarning);
     return fmt::format(
-        "{}/  {} rules passed, {} to review{}", core::printable(row.result.folder.string()), core::count(findings, core::Severity::kPass),
-        core::count(findings, core::Severity::kWarning),
+        "{}/  {} rules passed, {} warnings{}{}", core::printable(row.result.folder.string()), core::count(findings, core::Severity::kPass),
+        warnings, warnings > 0 ? " (review and accept)" : "",
         open.empty() ? "" : fmt::format("; {} (`fusee check {}` lists what is missing)", open, core::printable(row.profile.string())));
 }
 
-/// What the user gets, a figure a line.
+/// The headline, one figure a line.
 std::string head_lines(const Row& row) {
     std::string lines;
     for (const report::HeadFigure& figure : report::head_figures(row.result.headline, row.result.file_errors))
@@ -63,7 +64,7 @@ std::string head_lines(const Row& row) {
     return lines;
 }
 
-/// What went wrong, or what binds; under a row.
+/// The error or the binding findings, under a row.
 std::string details(const Ended& row, const core::Findings& findings) {
     std::string lines;
     std::istringstream error(row.error);
@@ -75,7 +76,7 @@ std::string details(const Ended& row, const core::Findings& findings) {
     return lines;
 }
 
-/// "profiles/pnrvsa.toml  made         1.20 s  "; `done` is the word for what went well.
+/// "profiles/pnrvsa.toml  made         1.20 s  "; `done` is the word for success.
 template <class AnyRow>
 std::string beginning(const AnyRow& row, const std::vector<AnyRow>& rows, const char* done) {
     std::size_t width = 0;

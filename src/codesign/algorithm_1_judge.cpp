@@ -24,7 +24,7 @@ double proportional_friction(const profile::Profile& profile) {
     const friction::Law gear = pipeline::gear_friction(profile);
     if (!gear.is_proportional())
         throw core::InvalidInput("rig.gear_friction_constant_Nm", "friction that is not in proportion to the load",
-                                 "gear_friction alone for Algorithm 1; design.method = \"co_design\" takes any");
+                                 "gear_friction alone for Algorithm 1; design.method = \"co_design\" accepts any");
     return gear.mu();
 }
 
@@ -69,7 +69,7 @@ profile::Profile Judge::best(std::span<const double> found, const std::filesyste
     return best;
 }
 
-/// The searched numbers and Algorithm 1's terms, beside those of the profile's own law.
+/// The searched numbers and Algorithm 1's terms, compared with those of the profile's own law.
 void Judge::compare(SearchReport& report, std::span<const double> found) const {
     static constexpr const char *kNames[] = {"k", "u", "C"}, *kUnits[] = {"1/(Nm rad)", "Nm", "Nm"};
     const auto* own = std::get_if<spring::StictionLawOptions>(&profile_.law.curves);
@@ -97,7 +97,7 @@ void Judge::compare(SearchReport& report, std::span<const double> found) const {
                       {"least stiffness of both springs", "Nm/rad", terms.least_stiffness, NAN}};
 }
 
-/// The law with its lead-in, then the cams on the profile's base springs; what is refused is a finding and leaves the rest out.
+/// The law with its lead-in, then the cams on the profile's base springs; a refusal is a finding and ends the sequence.
 void Judge::judge(SearchReport& report, const profile::Profile& best) const {
     const core::Range torques = algorithm_->rig().torques;
     const auto design = pipeline::resolve(best);
@@ -123,20 +123,19 @@ void Judge::remark(SearchReport& report, std::span<const double> found) const {
                               degrees(terms.initial_dead_band), torques.low, degrees(terms.final_dead_band), torques.high,
                               degrees(terms.travel), degrees(algorithm_->options().wanted_travel)));
     if (terms.initial_dead_band == algorithm_->options().joint_range)
-        all.push_back("the first of these is as wide as the joint can turn, and counted so");
-    if (terms.cost >= 0.0)
-        all.push_back("the cost is not below 0, where what is at the border of being no springs lies: a larger W2 is due");
+        all.push_back("the first of these is limited to the range of the joint");
+    if (terms.cost >= 0.0) all.push_back("the cost is not below 0, the cost of vanishing springs: W2 must be larger");
     for (std::size_t j = 0; j < report.variables.size(); ++j) {
         const SearchedVariable& v = report.variables[j];
         const double edge = 1e-6 * v.box.width();
         const bool low = v.found - v.box.low <= edge;
         if (low || v.box.high - v.found <= edge)
-            all.push_back(fmt::format("{} stands at the edge of its box, {:.6g} {}", v.name, low ? v.box.low : v.box.high, v.unit));
+            all.push_back(fmt::format("{} is at the edge of its box, {:.6g} {}", v.name, low ? v.box.low : v.box.high, v.unit));
     }
     for (const CamCurve& cam : report.cams)
         all.push_back(cam.part ? fmt::format("{} can be cut on the profile's base spring", cam::to_string(cam.kind))
-                               : fmt::format("{} cannot be cut on the profile's base spring: see the findings; --method co_design searches "
-                                             "the base springs too",
+                               : fmt::format("{} cannot be cut on the profile's base spring: see the findings; --method co_design also "
+                                             "searches the base springs",
                                              cam::to_string(cam.kind)));
 }
 

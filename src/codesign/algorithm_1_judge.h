@@ -11,11 +11,11 @@
 
 namespace fusee::codesign {
 
-/// Algorithm 1 for one profile, and what its (k, u, C) mean there: as a profile, as springs beside the profile's own, as cams.
+/// Algorithm 1 for one profile, and its results: a profile, springs compared with the profile's own, cams.
 class Judge {
 public:
-    /// @throws InvalidInput naming the key: friction that is not in proportion to the load, another arrangement, a wanted travel that is to
-    /// be taken from a law that cannot be
+    /// @throws InvalidInput naming the key: friction that is not in proportion to the load, another arrangement, a wanted travel that
+    /// would come from a law that cannot be made
     explicit Judge(const profile::Profile& profile);
 
     [[nodiscard]] const design::Algorithm1& algorithm() const { return *algorithm_; }

@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kCurvePoints = 401, kBoxParts = 60;
 
-/// Everything that the search keeps an eye on besides its best.
+/// Observes all candidates of the search.
 class Watch {
 public:
     explicit Watch(const design::Algorithm1& algorithm) : algorithm_(algorithm), bounds_(algorithm.bounds()) {
@@ -37,18 +37,18 @@ public:
         const design::Algorithm1Terms terms = algorithm_.terms(x);
         const double gain = terms.initial_dead_band - terms.final_dead_band;
         if (!terms.feasible || !(gain > 0.0)) return;
-        const double price = terms.cost + algorithm_.options().weight_dead_band * gain;  // W1 and W3
-        least_weight_ = std::fmin(least_weight_, price / gain);
+        const double other_cost = terms.cost + algorithm_.options().weight_dead_band * gain;  // W1 and W3
+        least_weight_ = std::fmin(least_weight_, other_cost / gain);
     }
 
-    /// Middles of the parts of variable j's box and the lowest cost met in each; NaN where none was tried.
+    /// Middles of the parts of variable j's box and the lowest cost of the candidates in each; NaN where there was none.
     [[nodiscard]] std::vector<double> middles(std::size_t j) const {
         std::vector<double> all;
         for (int i = 0; i < kBoxParts; ++i) all.push_back(bounds_[j].low + bounds_[j].width() * (i + 0.5) / kBoxParts);
         return all;
     }
     [[nodiscard]] const std::vector<double>& lowest(std::size_t j) const { return lowest_[j]; }
-    /// The W2 at which the cost of some springs met is 0; NaN if none were met.
+    /// The W2 at which the cost of the best feasible candidate is 0; NaN if none was feasible.
     [[nodiscard]] double least_weight() const { return least_weight_; }
 
 private:
@@ -58,7 +58,7 @@ private:
     double least_weight_ = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// What the cost depends on, digit for digit: a checkpoint of another cost is not gone on from.
+/// All figures that the cost depends on: a checkpoint with other figures is refused.
 std::string identity(const design::Algorithm1& algorithm) {
     const design::Algorithm1Options& o = algorithm.options();
     const design::Algorithm1Rig& r = algorithm.rig();
@@ -87,7 +87,7 @@ design::EvolutionResult search(const design::Algorithm1& algorithm, const profil
     return design::evolve(algorithm, options);
 }
 
-/// No springs found: either none were met, or springs that are none cost less.
+/// No springs found: either no candidate was feasible, or vanishing springs cost less.
 core::Finding not_found(const design::Algorithm1& algorithm, const design::Algorithm1Terms& best, double least_weight) {
     const double start = algorithm.rig().torques.low, weight = algorithm.options().weight_dead_band;
     core::Finding f;
@@ -97,7 +97,7 @@ core::Finding not_found(const design::Algorithm1& algorithm, const design::Algor
     f.bound = core::Bound::kAtLeast;
     if (std::isnan(least_weight)) {
         f.rule = "design.feasible";
-        f.what = "no (k, u, C) that was tried gives both springs a stiffness above 0 at every load";
+        f.what = "no candidate (k, u, C) gives both springs a stiffness above 0 at every load";
         f.measured = best.least_stiffness;
         f.unit = "Nm/rad";
         f.suggestion = fmt::format("algorithm_1.u_Nm = [0, {:.3g}] and algorithm_1.c_Nm = [0, {:.3g}]",
@@ -105,7 +105,7 @@ core::Finding not_found(const design::Algorithm1& algorithm, const design::Algor
         return f;
     }
     f.rule = "design.weight";
-    f.what = "springs cost more than 0, and what is at the border of being none costs about 0: W2 is too small (paper, section VI.B)";
+    f.what = "springs cost more than 0, and vanishing springs cost about 0: W2 is too small (paper, section VI.B)";
     f.measured = weight;
     f.allowed = least_weight;
     f.unit = "1/rad";

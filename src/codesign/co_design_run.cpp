@@ -39,7 +39,7 @@ design::EvolutionResult search(const Problem& problem, const RunOptions& run) {
     return design::evolve([&problem](std::span<const double> x) { return cost(problem.evaluate(x)); }, options);
 }
 
-/// What a shop's scatter makes of the design found and of the profile's own.
+/// Adds the dead-bands of built joints, of the design found and of the profile's own.
 void add_bands(std::vector<ComparedFigure>& all, const Trial& trial, const design::CoDesignOptions& o,
                const core::Outcome<pipeline::ResolvedDesign>& own) {
     for (const design::RobustBand& built : trial.bands) {

@@ -21,20 +21,20 @@ namespace fusee::codesign {
 
 namespace {
 
-// Where single searches look for members to begin the front with, as shares of the travel demanded or of the contour's radius; NSGA-II
-// alone stays near the first feasible design it meets. Against travel the first is also where the front begins.
+// Single searches for first members of the front, at these shares of the travel demanded or of the contour's radius; NSGA-II
+// alone stays near the first feasible design it meets. Against travel the front begins at the first share.
 constexpr std::array kTravels{0.25, 1.0, 1.5, 2.0}, kRadii{1.0, 0.85, 0.7, 0.55};
 
 bool against_size(const Problem& problem) { return problem.options().against == design::Against::kSize; }
 
-/// Dead-band in degrees, and what is set against it so that less is better; an infeasible candidate costs its violation in both.
+/// Dead-band in degrees, and the figure against it, less is better; an infeasible candidate costs its violation in both.
 std::array<double, 2> costs_of(const Problem& problem, const Trial& trial) {
     const double figure = cost(trial);
     if (!trial.feasible()) return {figure, figure};
     return {figure, against_size(problem) ? core::mm_from_m(trial.radius) : -trial.travel};
 }
 
-/// The least dead-band for the demands of `problem`: a member to begin the front with. Half of the generations have to do.
+/// The least dead-band for the demands of `problem`: a first member of the front, with half of the generations.
 design::EvolutionResult best_of(const Problem& problem, const RunOptions& run) {
     design::EvolutionOptions options;
     options.bounds = problem.bounds();
@@ -60,7 +60,7 @@ std::string limits_text(const Trial& trial) {
     return text;
 }
 
-/// What became of the front's members: profiles that were made, and the rules that forbade the others.
+/// The front's members that were made, and the rules that forbade the others.
 struct Made {
     std::vector<ParetoPoint> points;
     std::vector<FoundProfile> profiles;

@@ -16,13 +16,12 @@ namespace fusee::fix {
 
 namespace {
 
-constexpr double kWholeRange = 10.0;  // what giving up all loads of a law would cost, beside its weight
-
-constexpr double kGivenUp = 3.0;  // a feature that is left out
+constexpr double kWholeRange = 10.0;  // cost of all loads of a law, in addition to its weight
+constexpr double kGivenUp = 3.0;      // cost of a feature that is left out
 
 bool ends_law(const std::string& key) { return key == "law.start_torque_Nm" || key == "law.end_torque_Nm"; }
 
-/// How much of a change it is: 0 is none.
+/// Size of a change; 0: none.
 double size_of(const std::string& key, const std::string& from, const std::string& to, double law_width) {
     const std::optional<double> a = number_in(from), b = number_in(to);
     if (!a || !b) return 1.0;
@@ -31,7 +30,7 @@ double size_of(const std::string& key, const std::string& from, const std::strin
     return *a > 0.0 && *b > 0.0 ? std::abs(std::log(*b / *a)) : 1.0;
 }
 
-/// A change that is made again for the same limit keeps the figure that first asked for it.
+/// A repeated change for the same limit keeps the finding that first suggested it.
 void choose(Choices& choices, const core::Change& change, Choice choice) {
     const auto before = choices.find(change.key);
     if (before != choices.end() && name_of(before->second.because) == name_of(choice.because)) choice.because = before->second.because;

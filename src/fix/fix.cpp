@@ -15,7 +15,7 @@ namespace fusee::fix {
 
 namespace {
 
-/// At peak torque; none where there is no law, or none that reaches that far.
+/// Exact dead-band at peak torque [rad]; none if no law exists or if it does not reach that far.
 std::optional<double> dead_band_of(const profile::Profile& profile) {
     const auto design = if_allowed([&] { return pipeline::resolve(profile); });
     if (!design || !*design) return std::nullopt;
@@ -30,7 +30,7 @@ std::vector<Change> changes_of(const Drafts& drafts, const Choices& choices) {
     return changes;
 }
 
-/// Loads that the law had and has no more.
+/// Loads that the law lost.
 std::vector<LostTorque> lost(const Drafts& drafts, const Nearest& nearest) {
     std::vector<LostTorque> all;
     for (const auto& [key, choice] : nearest.choices) {
@@ -50,7 +50,7 @@ Fix find_fix(const profile::Profile& profile, const std::string& toml, const Opt
     for (const std::string& key : options.keep) profile::require_key("--keep", key);
     const Drafts drafts(profile, toml, options.file, options.keep);
     Judge judge(options);
-    (void)judge.drawing(profile);  // values that are at odds with each other are the caller's mistake here, but not in a draft
+    (void)judge.drawing(profile);  // here inconsistent values are the caller's mistake; in a draft they are not
     Searched searched = Search(drafts, judge, options).run();
     Fix fix;
     fix.profile_name = profile.name;
@@ -69,7 +69,7 @@ Fix find_fix(const profile::Profile& profile, const std::string& toml, const Opt
         return fix;
     }
     fix.end = fix.changes.empty() ? Fix::End::kNothingToDo : Fix::End::kFixed;
-    fix.left = judge.reviews();
+    fix.left = judge.warnings();
     fix.not_judged = judge.not_judged();
     fix.lost = lost(drafts, nearest);
     fix.band_after = dead_band_of(*drafts.read(nearest.choices));

@@ -74,15 +74,15 @@ Verdict Judge::draw(std::span<const cam::PartKind> kinds, const profile::Profile
 
 Verdict Judge::making(const profile::Profile& profile) {
     ask_to_stop();
-    if (options_.progress) options_.progress("every file of it is made and read back");
+    if (options_.progress) options_.progress("making every file and reading it back");
     ++made_;
     const core::Findings findings = options_.make ? options_.make(profile) : pipeline::verify(profile).findings;
     Verdict verdict;
     keep(verdict, findings);
     if (!verdict.clear()) return verdict;
     not_judged_ = core::count(findings, core::Severity::kNotJudged);
-    reviews_.clear();
-    std::copy_if(findings.begin(), findings.end(), std::back_inserter(reviews_),
+    warnings_.clear();
+    std::copy_if(findings.begin(), findings.end(), std::back_inserter(warnings_),
                  [](const core::Finding& f) { return f.severity == core::Severity::kWarning; });
     return verdict;
 }

@@ -20,17 +20,16 @@ struct Verdict {
     int unseen = 0;  ///< findings that a refusal may hide: without a law all of both cams, without a cam all of its body
     [[nodiscard]] bool clear() const { return broken.empty(); }
     [[nodiscard]] int left() const { return static_cast<int>(broken.size()) + unseen; }
-    /// Of them those without which nothing can be made.
-    [[nodiscard]] int required() const { return static_cast<int>(core::count(broken, core::Severity::kError)) + unseen; }
+    /// Errors among them, and the hidden ones.
+    [[nodiscard]] int errors() const { return static_cast<int>(core::count(broken, core::Severity::kError)) + unseen; }
 };
 
-/// "cam.arm k_pe": which rule, and of what.
+/// "cam.arm k_pe": rule and part.
 [[nodiscard]] std::string name_of(const core::Finding& finding);
-/// "k_se", "k_pe"; empty for what belongs to no part.
+/// "k_se", "k_pe"; empty for a finding of no part.
 [[nodiscard]] std::string part_of(const core::Finding& finding);
 
-/// What `work` returns; none where the values of a draft are not allowed, or at odds with each other: nobody's mistake there, as an answer
-/// that a search leaves aside.
+/// The result of `work`; none if the values of a draft are not allowed or inconsistent: the search skips such a draft.
 template <class Work>
 auto if_allowed(const Work& work) -> std::optional<decltype(work())> {
     try {
@@ -42,7 +41,7 @@ auto if_allowed(const Work& work) -> std::optional<decltype(work())> {
     }
 }
 
-/// Judges profiles, cheapest first. Counts what it did and asks whether to stop.
+/// Judges profiles, cheapest step first. Counts its work and asks whether to stop.
 class Judge {
 public:
     explicit Judge(const Options& options) : options_(options) {}
@@ -51,15 +50,15 @@ public:
     [[nodiscard]] Verdict drawing(const profile::Profile& profile);
     /// The same of one part, and its law.
     [[nodiscard]] Verdict part(cam::PartKind kind, const profile::Profile& profile);
-    /// The rest: solids with every rule, then all files, read back. @throws core::Stopped
+    /// The expensive part: solids with every rule, then all files, read back. @throws core::Stopped
     [[nodiscard]] Verdict making(const profile::Profile& profile);
     [[nodiscard]] Verdict all(const profile::Profile& profile);
 
     [[nodiscard]] int judged() const { return judged_; }
     [[nodiscard]] int made() const { return made_; }
-    /// What is to be reviewed of the last profile that was made and was clear.
-    [[nodiscard]] const core::Findings& reviews() const { return reviews_; }
-    /// Rules of that profile that could not be judged.
+    /// Warnings of the last profile that was made and was clear.
+    [[nodiscard]] const core::Findings& warnings() const { return warnings_; }
+    /// Rules of that profile that were not judged.
     [[nodiscard]] std::size_t not_judged() const { return not_judged_; }
 
 private:
@@ -70,7 +69,7 @@ private:
 
     const Options& options_;
     int judged_ = 0, made_ = 0;
-    core::Findings reviews_;
+    core::Findings warnings_;
     std::size_t not_judged_ = 0;
 };
 

@@ -11,10 +11,10 @@ namespace {
 
 bool is_of_spring(const std::string& key, const std::string& part) { return key.starts_with(part + ".spring."); }
 
-/// Do a part's cam and spring not suit its law?
+/// Is the finding about a cam or spring that does not fit the law?
 bool is_of_cam(const core::Finding& f) { return (f.rule.starts_with("cam.") || f.rule.starts_with("spring.")) && !part_of(f).empty(); }
 
-/// How much of what is left belongs to the finding's part.
+/// Number of findings left of the finding's part.
 int share_of(const core::Finding& finding, const Verdict& verdict) {
     const auto of_part = [part = part_of(finding)](const core::Finding& f) { return part_of(f) == part; };
     return static_cast<int>(std::count_if(verdict.broken.begin(), verdict.broken.end(), of_part)) +

@@ -38,7 +38,7 @@ private:
         return verdict && verdict->clear();
     }
 
-    /// The weightiest first.
+    /// Highest weight first.
     void undo_needless() {
         std::vector<std::string> keys;
         for (const auto& [key, choice] : result_.choices) keys.push_back(key);
@@ -65,7 +65,7 @@ private:
         });
     }
 
-    /// The choices with those of one move gone a share of their way: even steps of the logarithm where there is one.
+    /// The choices with those of one move at a share of their way, in even steps of the logarithm if there is one.
     [[nodiscard]] Choices part_way(int move, double share) const {
         Choices choices = result_.choices;
         for (auto& [key, choice] : choices) {
@@ -87,7 +87,7 @@ private:
             if (verdict && !verdict->clear()) binding = verdict->broken.front();
         }
         const Choices nearer = part_way(move, good);
-        if (good == 1.0 || !holds(nearer)) return;  // a rule that needs the solid, or a file, stands against it
+        if (good == 1.0 || !holds(nearer)) return;  // a rule that needs the solid or a file objects
         result_.choices = nearer;
         for (const auto& [key, choice] : result_.choices)
             if (choice.move == move && !binding.rule.empty()) result_.binds[key] = binding;

@@ -6,8 +6,8 @@ namespace fusee::fix {
 
 namespace {
 
-// What is drawn weighs less than what is adjusted, that less than what is bought; the law, for which everything is made, most.
-// docs/guides/fix.md shows this table. The first row that fits holds.
+// Drawn features weigh least, then adjusted values, then bought parts; the law, the purpose of the design, weighs most.
+// docs/guides/fix.md shows this table. The first matching row holds.
 constexpr Policy kPolicies[] = {
     {"tolerances.", 0.5, "the drawing"},
     {"process.layer_mm", 0.5, "the slicer"},

@@ -3,12 +3,12 @@
 
 namespace fusee::fix {
 
-/// What a change of a key means to whoever builds the joint.
+/// The meaning of a change of a key for the builder of the joint.
 struct Policy {
     std::string_view key;  ///< without "k_se." and "k_pe."; ends in '.' for a whole table
     double weight;         ///< a change costs this and ln of its factor
     const char* asks_for;
-    bool graded = false;  ///< its suggestions come in coarse steps: the nearest value is looked for
+    bool graded = false;  ///< its suggestions come in coarse steps: the nearest value is searched
 };
 
 /// nullptr for facts: what the rig is, what a machine can do, what a material bears.

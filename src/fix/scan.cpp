@@ -18,7 +18,7 @@ constexpr double kLeastPreload = 0.05;  // [rad, mm] from which an unloaded spri
 constexpr int kBothSteps = 3;           // each way of rate and preload together
 constexpr double kBothFactor = 1.3;     // of each such step
 constexpr int kLawSteps = 24;           // from the whole law to one that ends at
-constexpr double kWorthwhile = 1.2;     // times its start: less is no law
+constexpr double kWorthwhile = 1.2;     // times its start: a shorter law is useless
 constexpr double kLeadInFactor = 0.7;   // of each step of a shorter lead-in
 constexpr int kLeadInSteps = 12;        // down to 1 %
 
@@ -56,7 +56,7 @@ Steps two_keys(const profile::Profile& draft, const std::string& rate, const std
     return steps;
 }
 
-/// The choices that law and cams depend on, as a text: a body's own change neither.
+/// The choices that law and cams depend on, as a text; changes of a body alone are left out.
 std::string seen_by_cams(const Choices& choices) {
     std::string text;
     for (const auto& [key, choice] : choices)
@@ -66,7 +66,7 @@ std::string seen_by_cams(const Choices& choices) {
     return text;
 }
 
-/// The rates alone: the rest of a spring follows when it is held to the catalogue.
+/// The rates alone: the other figures of a catalogue spring follow.
 Steps rates_of(const Steps& springs) {
     Steps steps;
     for (const core::Changes& spring : springs) steps.push_back({spring.front()});
@@ -102,17 +102,17 @@ bool Scan::walk(const Steps& steps, const Choices& choices, const Look& look, st
 
 const std::vector<Scan::Step>& Scan::springs(cam::PartKind part, const profile::Profile& draft, const Choices& choices) {
     const auto [at, is_new] = known_.try_emplace(to_string(part) + ("\n" + seen_by_cams(choices)));
-    if (is_new) at->second = try_springs(part, draft, choices);
+    if (is_new) at->second = scan_springs(part, draft, choices);
     return at->second;
 }
 
 const std::vector<Scan::Step>& Scan::laws(const profile::Profile& draft, const Choices& choices) {
     const auto [at, is_new] = known_.try_emplace("law\n" + seen_by_cams(choices));
-    if (is_new) at->second = try_laws(draft, choices);
+    if (is_new) at->second = scan_laws(draft, choices);
     return at->second;
 }
 
-std::vector<Scan::Step> Scan::try_springs(cam::PartKind part, const profile::Profile& draft, const Choices& choices) {
+std::vector<Scan::Step> Scan::scan_springs(cam::PartKind part, const profile::Profile& draft, const Choices& choices) {
     const bool torsion = part == cam::PartKind::kSeries;
     const std::string spring = std::string(to_string(part)) + ".spring.", rate = spring + (torsion ? "rate_Nm_per_rad" : "rate_N_per_m"),
                       preload = spring + (torsion ? "preload_rad" : "preload_mm");
@@ -125,7 +125,7 @@ std::vector<Scan::Step> Scan::try_springs(cam::PartKind part, const profile::Pro
     return found;
 }
 
-std::vector<Scan::Step> Scan::try_laws(const profile::Profile& draft, const Choices& choices) {
+std::vector<Scan::Step> Scan::scan_laws(const profile::Profile& draft, const Choices& choices) {
     const double start = draft.law.start_torque, end = draft.law.end_torque, shortest = kWorthwhile * start / end;
     const Look look = [&](const profile::Profile& profile) { return judge_.drawing(profile); };
     Steps ends, starts, lead_ins;

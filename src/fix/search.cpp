@@ -9,8 +9,8 @@ namespace fusee::fix {
 
 namespace {
 
-constexpr double kRequired = 1000.0;  // reviews that a required change outweighs
-constexpr double kLeft = 3.0;         // what an objection that is left is reckoned to cost: about a preload's change
+constexpr double kError = 1000.0;  // warnings that one error outweighs
+constexpr double kLeft = 3.0;      // estimated cost of a finding that is left: about that of a change of preload
 
 bool has(const core::Findings& findings, const std::string& name) {
     return std::any_of(findings.begin(), findings.end(), [&name](const core::Finding& f) { return name_of(f) == name; });
@@ -22,7 +22,7 @@ std::vector<std::string> names(const core::Findings& findings) {
     return all;
 }
 
-/// Keys that have another value than before; not those that follow others.
+/// Keys whose value differs, without those that follow others.
 std::vector<std::string> changed_keys(const Choices& now, const Choices& before) {
     std::vector<std::string> keys;
     for (const auto& [key, choice] : now)
@@ -31,7 +31,7 @@ std::vector<std::string> changed_keys(const Choices& now, const Choices& before)
     return keys;
 }
 
-/// The value of the same key, back towards the old one, that the limit which broke asks for; empty if it does not.
+/// The value of the same key, nearer to the old one, that the broken limit suggests; empty if it suggests none.
 std::string asked_back(const Conflict& conflict) {
     const std::optional<double> from = number_in(conflict.from), to = number_in(conflict.to);
     if (!from || !to) return {};
@@ -42,7 +42,7 @@ std::string asked_back(const Conflict& conflict) {
     return {};
 }
 
-/// The same for the same values.
+/// Equal for equal values.
 std::string signature(const Choices& choices) {
     std::string text;
     for (const auto& [key, choice] : choices) text += key + "=" + choice.value + "\n";
@@ -53,7 +53,7 @@ std::string signature(const Choices& choices) {
 
 void Search::push(const NodePtr& node, int left) { queue_.push({node->cost + kLeft * std::max(0, left), sequence_++, node}); }
 
-/// @param left objections hoped for
+/// @param left findings expected
 void Search::add(const NodePtr& parent, Choices choices, int left) {
     if (!seen_.insert(signature(choices)).second) return;
     const double cost = drafts_.cost(choices);
@@ -61,8 +61,8 @@ void Search::add(const NodePtr& parent, Choices choices, int left) {
 }
 
 void Search::keep_nearest(const Node& node, bool made) {
-    // What can be made comes before what has fewer objections; of equals the one that came as far as its files.
-    const double left = kRequired * node.verdict->required() + node.verdict->left() - (made ? 0.5 : 0.0);
+    // Fewer errors come first, then fewer findings, then drafts that were made with files.
+    const double left = kError * node.verdict->errors() + node.verdict->left() - (made ? 0.5 : 0.0);
     if (result_.found || node.verdict->clear() || left >= least_left_) return;
     least_left_ = left;
     result_.choices = node.choices;
@@ -71,7 +71,7 @@ void Search::keep_nearest(const Node& node, bool made) {
         options_.progress(fmt::format("{} judged; left: {}", judge_.judged(), fmt::join(names(node.verdict->broken), ", ")));
 }
 
-/// An objection that an ancestor had and the parent had no more.
+/// A finding that an ancestor had and the parent no longer had.
 void Search::note_circle(const Node& node) {
     if (!node.parent) return;
     for (const std::string& name : names(node.verdict->broken)) {
@@ -86,7 +86,7 @@ void Search::note_circle(const Node& node) {
     }
 }
 
-/// What one move, and no other, has broken.
+/// Limits that one single move has broken.
 void Search::note_conflicts(const Node& node) {
     if (!node.parent) return;
     const std::vector<std::string> changed = changed_keys(node.choices, node.parent->choices);
@@ -106,8 +106,8 @@ void Search::note_conflicts(const Node& node) {
     }
 }
 
-/// First those in which the other limit asks for the way back, or for a change that breaks the one; then what else a change for a limit
-/// that is left has broken.
+/// First the conflicts in which the other limit suggests the way back, or a change that breaks the one; then the other limits broken by a
+/// change for a limit that is left.
 void Search::keep_conflicts() {
     std::vector<Conflict> one_way;
     for (const auto& [names, conflict] : broken_by_) {
@@ -121,7 +121,7 @@ void Search::keep_conflicts() {
     result_.conflicts.insert(result_.conflicts.end(), one_way.begin(), one_way.end());
 }
 
-/// Judges a draft and puts it back where it belongs; one that no profile can be is dropped.
+/// Judges a draft and ranks it again; drops a draft that is not a valid profile.
 void Search::look(const NodePtr& node) {
     const auto profile = drafts_.read(node->choices);
     if (!profile) return;
@@ -133,7 +133,7 @@ void Search::look(const NodePtr& node) {
     push(node, node->verdict->left());
 }
 
-/// Each move against each finding, and the first against each at once.
+/// Each move against each finding, and all first moves at once.
 void Search::follow(const NodePtr& node) {
     const auto profile = drafts_.read(node->choices);
     Choices at_once = node->choices;
@@ -148,7 +148,7 @@ void Search::follow(const NodePtr& node) {
     add(node, std::move(at_once), left);
 }
 
-/// What a suggestion names is looked at before a scan's many values are.
+/// Suggestions come before the many values of a scan.
 void Search::expand(const NodePtr& node) {
     if (!node->followed) {
         follow(node);
@@ -164,7 +164,7 @@ Choices Search::moved(const Choices& from, const Move& move) {
     return drafts_.with(from, move.changes, move.because, ++moves_, move.follows);
 }
 
-/// Is it made with every file? If not, what stands against that is what stands against the draft.
+/// Makes the draft with every file; the findings of a failure become those of the draft.
 bool Search::makes(const NodePtr& node) {
     const auto profile = drafts_.read(node->choices);
     const auto verdict = if_allowed([&] { return judge_.making(*profile); });
@@ -176,7 +176,7 @@ bool Search::makes(const NodePtr& node) {
     return false;
 }
 
-/// A draft that can be made ends the search only when what is cheaper has been looked at for a while.
+/// After the first draft that can be made, the search goes on for a while among the cheaper ones.
 Searched Search::run() {
     constexpr int kGoOn = 80, kMakeOn = 2;  // judged and made beyond the first that can be made
     int most = options_.most_judged, most_made = options_.most_made;

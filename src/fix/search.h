@@ -11,18 +11,18 @@
 
 namespace fusee::fix {
 
-/// What a search for a profile that can be made came to.
+/// The result of the search for a profile that can be made.
 struct Searched {
     bool found = false;   ///< made with every file
-    Choices choices;      ///< of the profile found, or of the one that comes nearest
-    core::Findings left;  ///< what still stands against the nearest
+    Choices choices;      ///< of the profile found, or of the nearest one
+    core::Findings left;  ///< findings against the nearest
     std::set<std::string> circles;
-    std::vector<Conflict> conflicts;             ///< of what is left
+    std::vector<Conflict> conflicts;             ///< of the findings left
     std::map<std::string, std::string> refused;  ///< by key: why a suggested change was not made
 };
 
-/// Best first: the draft with the least sum of what its choices cost and what is left to do is looked at next. Drafts are judged when it
-/// is their turn, so that dear ones mostly never are. One thread, no random number: the same profile gives the same answer.
+/// Best-first search: the draft with the least cost of its choices plus the estimated cost of its findings is next. Drafts are judged when
+/// it is their turn, so that most expensive ones are never judged. One thread, no random number: the same profile gives the same result.
 class Search {
 public:
     Search(const Drafts& drafts, Judge& judge, const Options& options)
@@ -35,7 +35,7 @@ private:
         double cost = 0.0;
         std::shared_ptr<const Node> parent;
         std::optional<Verdict> verdict = {};  ///< none: not judged yet
-        bool followed = false;                ///< its suggestions were followed: what comes next is a scan
+        bool followed = false;                ///< its suggestions were followed: a scan is next
     };
     using NodePtr = std::shared_ptr<Node>;
     struct Ranked {
@@ -65,7 +65,7 @@ private:
     std::set<std::string> seen_;
     int sequence_ = 0, moves_ = 0;
     double least_left_ = std::numeric_limits<double>::infinity();
-    std::map<std::pair<std::string, std::string>, Conflict> broken_by_;  ///< by the names of what was answered and what broke
+    std::map<std::pair<std::string, std::string>, Conflict> broken_by_;  ///< by the names of the cured and the broken finding
     Searched result_;
 };
 

@@ -18,17 +18,17 @@ namespace {
 using core::m_from_mm;
 using core::mm_from_m;
 
-constexpr double kSame = 1e-9;  // relative: values that are told apart by rounding alone
+constexpr double kSame = 1e-9;  // relative: values that differ by rounding only
 
 bool below(double a, double b) { return a < b * (1.0 - kSame); }
 
-/// Rounded down to four digits: a strength is not claimed that is not there.
+/// Rounded down to four digits, so that no strength is overstated.
 std::string floor_text(double value) {
     const double step = std::pow(10.0, std::floor(std::log10(value)) - 3.0);
     return fmt::format("{:.10g}", std::floor(value / step + kSame) * step);
 }
 
-/// Torque that the cam hands on to its shaft [Nm]; none while there is no cam.
+/// Torque from the cam to its shaft [Nm]; none if there is no cam.
 std::optional<double> cam_torque(cam::PartKind kind, const profile::Profile& draft) {
     const auto largest = [&]() -> std::optional<double> {
         const auto design = pipeline::resolve(draft);
@@ -141,7 +141,7 @@ private:
         if (keyed && draft_.cable.max_pressure <= 0.0)
             return refused(key, "the pressure on its key is not judged (cable.max_pressure_MPa is not stated)"), false;
         const std::optional<double> torque = cam_torque(kind, draft_);
-        if (!torque) return refused(key, "its torque is not known while there is no cam"), false;
+        if (!torque) return refused(key, "its torque is unknown because there is no cam"), false;
         const double stress = checks::torsion_stress(*torque, m_from_mm(mm)), most = checks::shaft_shear_limit(keyed);
         if (stress > most)
             return refused(key, fmt::format("a steel shaft of {:g} mm has {:.3g} MPa of shear at {:.3g} Nm, at most {:.3g} MPa are allowed",

@@ -19,7 +19,7 @@ namespace {
 
 const pipeline::SimulateOptions kEnds{.levels = 2, .push_torque = {}};  // least and greatest co-contraction
 
-/// All that the figures are made from, read before anything long begins.
+/// The sources of all figures, read before anything long begins.
 struct Sources {
     profile::Profile first_prototype, new_springs, pnrvsa;
     std::vector<profile::Profile> relatives;
@@ -44,14 +44,14 @@ core::Provenance provenance(const Sources& sources) {
     return {"paper", core::sha256_hex(hashes + core::sha256_hex(sources.break_away)), ""};
 }
 
-/// The figures as they are made; what is refused is noted with the profile's name.
+/// Makes the figures; keeps refusals with the profile's name.
 class Maker {
 public:
     Maker(const Sources& sources, const Options& options) : sources_(sources), options_(options) {
         paper_.provenance = provenance(sources);
     }
 
-    /// False: asked to stop in between.
+    /// @return false: stopped
     bool make_all() {
         const std::pair<const char*, std::function<void()>> pieces[] = {
             {"figure 1", [this] { paper_.figure_1 = noise_figure(); }},

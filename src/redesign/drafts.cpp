@@ -21,7 +21,7 @@ bool same(const std::vector<profile::Edit>& a, const std::vector<profile::Edit>&
                       [](const profile::Edit& x, const profile::Edit& y) { return x.key == y.key && x.value == y.value; });
 }
 
-/// What may stand in a comment of a TOML file.
+/// Text that is allowed in a comment of a TOML file.
 std::string plain(std::string text) {
     std::replace_if(
         text.begin(), text.end(), [](char c) { return c < 0x20 || c > 0x7e; }, '?');
@@ -101,7 +101,7 @@ std::vector<profile::Edit> Drafter::spring_edits(int side) const {
     return edits;
 }
 
-/// What both sides share: the mean of theirs.
+/// Figures that both sides share: the mean of both.
 std::vector<profile::Edit> Drafter::shared_edits() const {
     Edits edits;
     for (std::size_t i = 0; i < figures().size(); ++i) {
@@ -119,11 +119,11 @@ std::vector<profile::Edit> Drafter::law_edits(double share) const {
     if (law == nullptr || !friction_departs() || share == 0.0 || law->c == 0.0) return {};
     const double measured = 0.5 * (pipeline::gear_friction(as_is_[0]).mu() + pipeline::gear_friction(as_is_[1]).mu());
     return {profile::number_edit(profile_, "law.c_Nm", law->c * std::pow(pipeline::gear_friction(profile_).mu() / measured, share),
-                                 "the dead-band as promised, under the friction as measured")};
+                                 "the promised dead-band, under the measured friction")};
 }
 
 std::string Drafter::head(const std::string& sides) const {
-    return fmt::format("# {} corrected for the rig as it is, by fusee diagnose of {} ({}); for the cams of {}.", profile_.name,
+    return fmt::format("# {} corrected for the measured rig by fusee diagnose of {} ({}); for the cams of {}.", profile_.name,
                        plain(bench_.name), bench_.sha256.substr(0, 12), sides == "both" ? "both sides" : "the " + sides);
 }
 
@@ -134,7 +134,7 @@ Draft Drafter::draft(const std::string& sides, const Edits& own, double share, b
     draft.report.sides = sides;
     draft.report.file = file_;
     if (of_two && sides == kSides[1]) draft.report.file.replace_filename(file_.stem().string() + "-" + sides + file_.extension().string());
-    Edits edits{profile::text_edit(profile_, "name", name, "new cams beside the old ones")};
+    Edits edits{profile::text_edit(profile_, "name", name, "new cams next to the old ones")};
     for (profile::Edit& edit : law_edits(share)) {
         edit.origin = fmt::format("for the friction measured, case {}", plain(bench_.name));
         edits.push_back(std::move(edit));
@@ -145,7 +145,7 @@ Draft Drafter::draft(const std::string& sides, const Edits& own, double share, b
             edits.push_back(std::move(edit));
         }
     for (const profile::Edit& e : edits) draft.report.changes.push_back({e.key, e.was, e.value, e.why});
-    // Judged as if it stood beside the old one: the new folder need not be there yet, and the files that it names are the same.
+    // Judged as if it were next to the old one: the new folder may not exist yet, and the files that it names are the same.
     draft.profile = profile::parse_profile(profile::with_edits(toml_, profile_, edits), profile_.file.parent_path() / file_.filename());
     const Edits files = profile::file_edits(profile_, fs::absolute(file_).parent_path());
     edits.insert(edits.end(), files.begin(), files.end());

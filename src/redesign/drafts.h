@@ -13,7 +13,7 @@
 /// Corrected profiles from a diagnosis.
 namespace fusee::redesign {
 
-/// A corrected profile on its way.
+/// A corrected profile while it is made.
 struct Draft {
     CorrectedProfile report;
     profile::Profile profile;
@@ -22,20 +22,20 @@ struct Draft {
 };
 [[nodiscard]] bool can_be_cut(const std::vector<Draft>& drafts);
 
-/// Writes drafts for the figures that a diagnosis changes. What it is made from has to outlive it.
+/// Writes drafts for the figures that a diagnosis changes. Keeps references to its arguments.
 class Drafter {
 public:
     Drafter(const pipeline::ResolvedDesign& original, const std::string& toml, const gap::Case& bench, const gap::Diagnosis& found,
             const std::filesystem::path& file);
 
-    /// The profile with each figure as it is on a side of the rig.
+    /// The profile with the measured figures of each side of the rig.
     [[nodiscard]] const std::array<profile::Profile, 2>& as_is() const { return as_is_; }
     [[nodiscard]] bool changes_anything() const { return !own_[0].empty() || !own_[1].empty() || !shared_.empty(); }
-    /// Does a side need new cams: its springs are others, or the law is made for the friction?
+    /// A side needs new cams if its springs differ or if the law depends on the friction.
     [[nodiscard]] bool needs_cams(int side) const;
-    /// Is there a C to choose under the friction as measured?
+    /// Can C be chosen for the measured friction?
     [[nodiscard]] bool has_choice() const { return !law_edits(1.0).empty(); }
-    /// One for both sides; one for each where they differ; one for the side that alone needs new cams.
+    /// One for both sides; one for each where they differ; one for the only side that needs new cams.
     /// @param share of the way to C ~ 1/mu, which keeps the transmitted stiction T tau_f = mu C + u^2/tau; 0: C stays
     /// @throws core::InvalidInput naming the key of a figure that no profile can hold
     [[nodiscard]] std::vector<Draft> drafts(double share) const;

@@ -15,7 +15,7 @@ namespace {
 using gap::BuiltRig;
 using Of = Figure::Of;
 
-constexpr double kNothing = 1e-12;  // rounding of what an effect leaves alone
+constexpr double kNothing = 1e-12;  // rounding of figures that an effect does not change
 
 #define VALUE(of) [](const BuiltRig& rig, [[maybe_unused]] int side) { return rig.of; }
 
@@ -64,7 +64,7 @@ bool touches(const Figure& figure, const BuiltRig& nominal, const gap::FoundEffe
 }
 
 /// "gear.load_friction on both sides 0.3 (95 %: 0.28 to 0.32)"
-std::string told(const gap::FoundEffect& found) {
+std::string effect_text(const gap::FoundEffect& found) {
     const std::string side = found.cause.side == "none"   ? ""
                              : found.cause.side == "both" ? " on both sides"
                                                           : " on the " + found.cause.side;
@@ -74,14 +74,14 @@ std::string told(const gap::FoundEffect& found) {
     return fmt::format("{}{} {:.4g}{}{}", found.cause.id, side, found.parameter.value, unit, interval);
 }
 
-/// What the fit of the rig's build adds, each side. The friction's is in mu, not a share of it.
-std::array<double, 2> of_build(const Figure& figure, const gap::Case& bench, const gap::Diagnosis& found, bool both_alike) {
+/// Departures by the fitted build of the rig, each side. Friction is given in mu, not relative.
+std::array<double, 2> of_build(const Figure& figure, const gap::Case& bench, const gap::Diagnosis& found, bool equal_on_both) {
     std::array<double, 2> all{};
     if (figure.build.empty()) return all;
     for (const int side : {0, 1})
         for (const auto& [name, parameter] : found.build)
             if (name == figure.build + " " + to_string(static_cast<gap::Side>(side))) all[side] = parameter.value;
-    if (both_alike) all.fill(0.5 * (all[0] + all[1]));
+    if (equal_on_both) all.fill(0.5 * (all[0] + all[1]));
     const double mu = bench.rig.gear_load_friction;
     if (figure.of == Of::kGear)
         for (double& value : all) value = mu > 0.0 ? value / mu : 0.0;
@@ -116,7 +116,7 @@ std::vector<Departure> departures(const gap::Case& bench, const gap::Diagnosis& 
     for (const Figure& figure : figures()) {
         Departure& d = all.emplace_back();
         for (const gap::FoundEffect& effect : found.effects)
-            if (touches(figure, nominal, effect)) d.why += (d.why.empty() ? "" : ", ") + told(effect);
+            if (touches(figure, nominal, effect)) d.why += (d.why.empty() ? "" : ", ") + effect_text(effect);
         if (!d.any()) continue;
         for (const int side : {0, 1}) d.on_side[side] = departure(figure, nominal, built, side);
         const std::array<double, 2> build = of_build(figure, bench, found, std::abs(d.on_side[0] - d.on_side[1]) < kNothing);

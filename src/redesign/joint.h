@@ -6,15 +6,15 @@
 #include "fusee/redesign/redesign.h"
 #include "fusee/spring/law.h"
 
-/// Cams of one profile on a rig that is another.
+/// Cams of one profile on a rig with other figures.
 namespace fusee::redesign {
 
-/// Cams as they were cut: the profile that they were cut for, and its law.
+/// Cams, the profile that they were cut for, and its law.
 struct Cams {
     const profile::Profile* profile = nullptr;
     spring::SpringLawPtr law;
 };
-/// What the spool or cam of `cams` gives on the base spring, cable and arms of `as_is` (docs/theory/springs.md, eq. 24 to 28).
+/// The spring that the spool or cam of `cams` makes of the base spring, cable and arms of `as_is` (docs/theory/springs.md, eq. 24 to 28).
 [[nodiscard]] spring::PotentialPtr series_as_built(const Cams& cams, const profile::Profile& as_is);
 [[nodiscard]] spring::PotentialPtr parallel_as_built(const Cams& cams, const profile::Profile& as_is);
 

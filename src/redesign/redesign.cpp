@@ -30,7 +30,7 @@ public:
         promised_ = widths({old_, old_}, {profile, profile});
     }
 
-    /// How much wider than promised the dead-band is with new cams, the mean over the levels; 0 where it is not known.
+    /// Relative excess of the dead-band with new cams over the promised one, mean over the levels; 0 if unknown.
     [[nodiscard]] double wider(const std::vector<Draft>& drafts) const {
         const std::vector<DeadBandWidths> fresh = widths(cams_of(drafts), as_is_);
         double sum = 0.0;
@@ -55,7 +55,7 @@ public:
     }
 
 private:
-    /// Each side has its draft's cams, else the old ones.
+    /// The cams of each side's draft, else the old ones.
     [[nodiscard]] std::array<Cams, 2> cams_of(const std::vector<Draft>& drafts) const {
         std::array<Cams, 2> cams{old_, old_};
         for (const Draft& draft : drafts)
@@ -84,13 +84,13 @@ private:
     std::vector<DeadBandWidths> promised_;
 };
 
-/// Where C went.
+/// The drafts with the chosen C.
 struct Choice {
     std::vector<Draft> drafts;
     bool refused_nearer = false;  ///< cams nearer to the promise could not be cut
 };
 
-/// C goes down until the dead-band is the one promised, as far as the cams can be cut; it never goes up.
+/// Lowers C until the dead-band is the promised one or the cams can no longer be cut; never raises it.
 Choice choose(const Drafter& drafter, const Comparison& comparison) {
     Choice choice{drafter.drafts(0.0)};
     if (!drafter.has_choice() || !can_be_cut(choice.drafts)) return choice;
@@ -115,9 +115,9 @@ Choice choose(const Drafter& drafter, const Comparison& comparison) {
 std::vector<std::string> remarks(const Redesign& redesign, const Drafter& drafter, const gap::Diagnosis& found, const Choice& choice) {
     std::vector<std::string> all;
     if (found.verdict == gap::Verdict::kAmbiguous)
-        all.emplace_back("The diagnosis is ambiguous: do its next experiment before cams are cut.");
-    if (found.verdict == gap::Verdict::kUnknown) all.emplace_back("The cause of the gap is unknown: find it before cams are cut.");
-    if (redesign.profiles.empty()) all.emplace_back("Nothing was found that a profile can hold: it stays as it is.");
+        all.emplace_back("The diagnosis is ambiguous: do the next experiment before you cut cams.");
+    if (found.verdict == gap::Verdict::kUnknown) all.emplace_back("The cause of the gap is unknown: find it before you cut cams.");
+    if (redesign.profiles.empty()) all.emplace_back("No figure of the profile changes: the profile stays.");
     if (!redesign.profiles.empty() && !redesign.new_cams_needed) all.emplace_back("Only the model changes: the cams stay.");
     const double first = pipeline::gear_friction(drafter.as_is()[0]).mu(), second = pipeline::gear_friction(drafter.as_is()[1]).mu();
     if (first != second)
@@ -126,11 +126,11 @@ std::vector<std::string> remarks(const Redesign& redesign, const Drafter& drafte
                         "sides share one law, made for the mean.",
                         first, second));
     if (redesign.profiles.size() == 1 && redesign.profiles.front().sides != "both")
-        all.push_back(fmt::format("Only the {}'s cams are cut anew; those of the other side stay.", redesign.profiles.front().sides));
+        all.push_back(fmt::format("Only the cams of the {} are cut again; those of the other side stay.", redesign.profiles.front().sides));
     if (choice.refused_nearer)
         all.emplace_back(
-            "C is as low as the cams can be cut; the dead-band stays wider than promised. fusee design finds springs for this "
-            "friction.");
+            "C is at the lowest value at which the cams can be cut; the dead-band stays wider than promised. fusee design finds "
+            "springs for this friction.");
     return all;
 }
 

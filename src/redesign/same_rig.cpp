@@ -14,14 +14,14 @@ namespace {
 
 constexpr double kRounding = 1e-3;  // of figures that a case writes with few digits
 
-/// One figure of both, in the profile's unit.
-void require_alike(const profile::Profile& profile, const std::string& key, const std::string& what, double own, double of_case,
+/// Requires equal figures, in the profile's unit.
+void require_equal(const profile::Profile& profile, const std::string& key, const std::string& what, double own, double of_case,
                    double tolerance) {
     const double allowed = std::max(kSameRig * tolerance, kRounding);
     if (std::abs(own - of_case) <= allowed * std::abs(of_case)) return;
     throw core::InvalidInput(
         profile.place_of(key), fmt::format("{}{:.5g}", what, own),
-        fmt::format("the case's {:.5g} within {:.2g} %: profile and case have to be of the same rig", of_case, 100.0 * allowed));
+        fmt::format("the case's {:.5g} within {:.2g} %: profile and case must be of the same rig", of_case, 100.0 * allowed));
 }
 
 using AtLoad = gap::NominalRig::SpringRow;
@@ -35,7 +35,7 @@ AtLoad at_load(const std::vector<gap::NominalRig::SpringRow>& rows, double load)
             std::lerp(below->pe_torque, above->pe_torque, share)};
 }
 
-/// The same springs, wherever their deflection is counted from: the share of K_SE at each load, and the travel between loads.
+/// Requires the same springs, for any origin of their deflection: the share of K_SE at each load, and the travel between loads.
 pipeline::ResolvedDesign require_same_springs(const profile::Profile& profile, const gap::Case& bench) {
     constexpr int kPlaces = 24;
     auto design = pipeline::resolve(profile);
@@ -49,10 +49,10 @@ pipeline::ResolvedDesign require_same_springs(const profile::Profile& profile, c
         const double load = std::lerp(loads.low, loads.high, static_cast<double>(i) / kPlaces);
         const spring::LawPoint own = law.at_load(load);
         const AtLoad of_case = at_load(rows, load);
-        require_alike(profile, "law.kind", fmt::format("at a load of {:.4g} Nm F_SE [Nm] = ", load), own.f_se, of_case.se_torque,
+        require_equal(profile, "law.kind", fmt::format("at a load of {:.4g} Nm F_SE [Nm] = ", load), own.f_se, of_case.se_torque,
                       bench.tolerance.spring_rate);
         if (i == kPlaces)
-            require_alike(profile, "law.kind", fmt::format("travel [rad] from {:.4g} to {:.4g} Nm = ", loads.low, load),
+            require_equal(profile, "law.kind", fmt::format("travel [rad] from {:.4g} to {:.4g} Nm = ", loads.low, load),
                           own.theta - first_angle, of_case.deflection - first_deflection, bench.tolerance.spring_rate);
     }
     return std::move(design).value();
@@ -72,11 +72,11 @@ pipeline::ResolvedDesign require_same_rig(const profile::Profile& profile, const
     if (!profile.rig.gear_friction_table.file.empty())
         throw core::InvalidInput(profile.place_of("rig.gear_friction_table"), "given",
                                  "friction in proportion to the load: a case's nominal gear has no other");
-    require_alike(profile, "rig.capstan_radius_mm", "", kMm * profile.rig.capstan_radius, kMm * rig.capstan_radius, t.radii);
-    require_alike(profile, "rig.joint_radius_mm", "", kMm * profile.rig.joint_radius, kMm * rig.joint_radius, t.radii);
-    require_alike(profile, "rig.gear_friction", "", profile.rig.rest_friction(), rig.gear_load_friction, t.gear_load_friction);
-    require_alike(profile, "k_se.spring.rate_Nm_per_rad", "", profile.k_se.spring.rate, rig.se_torsion_rate, t.spring_rate);
-    require_alike(profile, "k_pe.spring.rate_N_per_m", "", profile.k_pe.spring.rate, rig.pe_compression_rate, t.spring_rate);
+    require_equal(profile, "rig.capstan_radius_mm", "", kMm * profile.rig.capstan_radius, kMm * rig.capstan_radius, t.radii);
+    require_equal(profile, "rig.joint_radius_mm", "", kMm * profile.rig.joint_radius, kMm * rig.joint_radius, t.radii);
+    require_equal(profile, "rig.gear_friction", "", profile.rig.rest_friction(), rig.gear_load_friction, t.gear_load_friction);
+    require_equal(profile, "k_se.spring.rate_Nm_per_rad", "", profile.k_se.spring.rate, rig.se_torsion_rate, t.spring_rate);
+    require_equal(profile, "k_pe.spring.rate_N_per_m", "", profile.k_pe.spring.rate, rig.pe_compression_rate, t.spring_rate);
     return require_same_springs(profile, bench);
 }
 

@@ -124,11 +124,11 @@ TEST(ClosingTable, LeadsWithWhatTheUserGetsAndSaysWhatWasNotJudged) {
     row.result.headline.overdrive = {1.5, core::rad_from_deg(20.4)};
     row.result.findings = {core::not_judged("spring.stress", "the wire yielding", "k_se.spring.wire_mm")};
     const std::string table = closing_table({row});
-    EXPECT_NE(table.find("0 rules passed, 0 to review; 1 rule not judged: spring 1 (`fusee check a.toml` lists what is missing)"),
+    EXPECT_NE(table.find("0 rules passed, 0 warnings; 1 rule not judged: spring 1 (`fusee check a.toml` lists what is missing)"),
               std::string::npos)
         << table;
     EXPECT_NE(table.find("\n    75.5 to 20.4 deg  dead-band at the joint"), std::string::npos) << table;
-    EXPECT_EQ(table.find("rule passed, 0 to review; 0"), std::string::npos);
+    EXPECT_EQ(table.find("rule passed, 0 warnings; 0"), std::string::npos);
 }
 
 // In a process of its own: the request to stop cannot be taken back.

@@ -25,7 +25,7 @@ protected:
     }
 };
 
-/// Torque over the capstan's angle from nothing but PART.json: trapezoids, Hooke's law and the stretch that its rows state.
+/// Torque over the capstan's angle from PART.json alone: trapezoids, Hooke's law and the stretch that its rows state.
 struct Read {
     std::vector<double> theta, torque;
 };

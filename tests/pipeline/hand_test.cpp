@@ -13,7 +13,7 @@
 namespace fusee::pipeline {
 namespace {
 
-struct Case {
+struct HandedHelix {
     const char* name;
     double turns;
     const char* path;
@@ -22,10 +22,10 @@ struct Case {
     std::size_t readings;  ///< of K_PE's files; STL is read twice, G-code if rs274 is there
     bool pair;
 };
-void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
+void PrintTo(const HandedHelix& c, std::ostream* out) { *out << c.name; }
 
 /// K_PE turns against the tension, so that psi rises with the cam's angle where torque_sign is 1 and a right-handed groove climbs with it.
-class HelixOfEitherHand : public fixtures::TempFolder, public testing::WithParamInterface<Case> {
+class HelixOfEitherHand : public fixtures::TempFolder, public testing::WithParamInterface<HandedHelix> {
 protected:
     batch::MakeResult made() const {
         const auto text = fixtures::with_keys(fixtures::soft_springs(GetParam().turns, std::string("pitch_mm = 4.0\n") + GetParam().path),
@@ -40,10 +40,10 @@ protected:
 };
 constexpr const char* kAll = R"(["stl", "step", "ngc"])";
 INSTANTIATE_TEST_SUITE_P(Pipeline, HelixOfEitherHand,
-                         testing::Values(Case{"right", 3.1, "hand = \"right\"\n", 4.0, kAll, 3, false},
-                                         Case{"left", 3.1, "hand = \"left\"\n", -4.0, kAll, 3, false},
-                                         Case{"left_the_other_way", 1.5, "hand = \"left\"\n[k_pe]\ntorque_sign = -1\n", 4.0, R"(["stl"])",
-                                              2, true}),
+                         testing::Values(HandedHelix{"right", 3.1, "hand = \"right\"\n", 4.0, kAll, 3, false},
+                                         HandedHelix{"left", 3.1, "hand = \"left\"\n", -4.0, kAll, 3, false},
+                                         HandedHelix{"left_the_other_way", 1.5, "hand = \"left\"\n[k_pe]\ntorque_sign = -1\n", 4.0,
+                                                     R"(["stl"])", 2, true}),
                          [](const auto& one) { return std::string(one.param.name); });
 
 // Law: solid, STL, STEP and G-code of a helix carry the law whichever way it climbs, and so does its mirror image.

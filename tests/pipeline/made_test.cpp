@@ -34,7 +34,7 @@ protected:
         std::sort(names.begin(), names.end());
         return names;
     }
-    /// Files of a part beside its PART.json.
+    /// Files of a part, without its PART.json.
     static std::size_t files_of(const std::string& part) {
         const std::vector<std::string> names = expected();
         return static_cast<std::size_t>(std::count_if(names.begin(), names.end(), [&](const auto& name) {

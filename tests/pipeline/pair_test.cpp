@@ -50,7 +50,7 @@ void expect_mirrored(const PartFile& left, const PartFile& right) {
         EXPECT_EQ(left.files[i].name, name + "_mirrored" + right.files[i].name.substr(name.size()));
 }
 
-// Every format of the image is read back by its own PART.json alone, and the report says so beside the agonist's.
+// Every format of the image is read back by its own PART.json alone, and the report lists it after the agonist's.
 TEST_F(BothSides, HaveTheSameLawInEveryFile) {
     const batch::MakeResult result =
         made({{"outputs.formats", R"(["stl", "dxf", "step", "ngc"])"}, {"k_se.target_rows", "200"}, {"k_pe.target_rows", "200"}});

@@ -14,16 +14,16 @@ namespace fs = std::filesystem;
 using fixtures::Changes;
 
 /// A change that makes a shipped profile impossible.
-struct Case {
+struct RefusedDesign {
     const char* name;
     const char* profile;
     Changes changes;
     const char* rule;
     std::vector<const char*> suggested;  ///< keys whose suggested number has to clear the finding, each by itself ("a+b": both together)
 };
-void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
+void PrintTo(const RefusedDesign& c, std::ostream* out) { *out << c.name; }
 
-const Case kCases[] = {
+const RefusedDesign kRefusedDesigns[] = {
     {"transmission_of_1", "pnrvsa", {{"law.start_torque_Nm", "0.2"}}, "law.transmission", {"law.start_torque_Nm", "law.c_Nm"}},
     {"negative_transmission", "pnrvsa", {{"law.c_Nm", "-0.001"}, {"law.u_Nm", "0.02"}}, "law.transmission", {"law.c_Nm"}},
     {"negative_stiffness", "first_prototype", {{"law.parallel_Nm", "[0.0, 0.25, -0.09]"}}, "law.stiffness", {"law.end_torque_Nm"}},
@@ -51,7 +51,7 @@ const Case kCases[] = {
     {"coarse_mesh", "pnrvsa", {{"tolerances.chordal_error_mm", "1.0"}}, "readback.arm", {"tolerances.chordal_error_mm"}},
 };
 
-class Impossible : public fixtures::TempFolder, public testing::WithParamInterface<Case> {
+class Impossible : public fixtures::TempFolder, public testing::WithParamInterface<RefusedDesign> {
 protected:
     batch::MakeResult try_to_make(const Changes& changes) const {
         std::string text = core::read_file(fixtures::shipped(GetParam().profile));
@@ -60,7 +60,8 @@ protected:
         return batch::make(profile::read_profile(write("t.toml", text)), {.out = folder_ / "out"});
     }
 };
-INSTANTIATE_TEST_SUITE_P(Pipeline, Impossible, testing::ValuesIn(kCases), [](const auto& one) { return std::string(one.param.name); });
+INSTANTIATE_TEST_SUITE_P(Pipeline, Impossible, testing::ValuesIn(kRefusedDesigns),
+                         [](const auto& one) { return std::string(one.param.name); });
 
 const core::Finding* find(const core::Findings& findings, const std::string& rule) {
     const auto found = std::find_if(findings.begin(), findings.end(),

@@ -70,7 +70,7 @@ TEST(SimulateEquilibrium, RelativesRestToo) {
     const fs::path path = fs::path(FUSEE_SOURCE_DIR) / "profiles/relatives/series_elastic.toml";
     const EquilibriumRow row = simulated(path, {{1.0, 0.0, 0.0}}).equilibria.at(0);
     const double loop = profile::read_profile(path).rig.position_stiffness;
-    EXPECT_NEAR(row.z[0], 1.0 / loop, 1e-12) << "nothing but the position loop bears the motor";
+    EXPECT_NEAR(row.z[0], 1.0 / loop, 1e-12) << "only the position loop holds the motor";
     EXPECT_EQ(row.z[1], 0.0) << "the second motor does not exist";
 }
 

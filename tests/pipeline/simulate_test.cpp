@@ -104,7 +104,7 @@ TEST_F(Simulate, BearingFrictionAloneLeavesADeadBandThatVanishesWithLoad) {
         EXPECT_NEAR(levels[i].frame, 2.0 * 0.002 / levels[i].dead_band.free_joint_stiffness, 0.05 * levels[i].frame)
             << "capstans free to turn: 2 c over the free stiffness, which changes a little within it";
         EXPECT_TRUE(i == 0 || levels[i].frame < levels[i - 1].frame);
-        EXPECT_LT(levels[i].frame, 0.2 * levels[i].dead_band.exact_width) << "hardly noticeable beside the gears";
+        EXPECT_LT(levels[i].frame, 0.2 * levels[i].dead_band.exact_width) << "small compared with the gears";
     }
 }
 
@@ -125,7 +125,7 @@ TEST_F(Simulate, PathsStayWithinFrictionAndLoopsClose) {
         EXPECT_NEAR(loop.cycle.front().q, loop.cycle.back().q, 1e-6 * std::abs(loop.cycle.back().q));
 }
 
-/// The rate at which (k, u, C) springs take stiction from the joint is u^2/tau^2, whatever the gear: they are made for the friction at
+/// The rate at which (k, u, C) springs take stiction from the joint is u^2/tau^2 for any gear: they are made for the friction at
 /// rest.
 TEST_F(Simulate, StictionCompensationIsMadeForTheFrictionAtRest) {
     const Simulation simulation = simulated(changed("pnrvsa", {{"rig.gear_friction_rest_excess", "0.1"}}), {.levels = 3});
@@ -177,7 +177,7 @@ TEST_F(Simulate, EveryKindOfLawAndFriction) {
     };
     const double mu_alone = dead_band_at_1({}).condition_6;
     const actuator::DeadBand affine = dead_band_at_1({{"rig.gear_friction_constant_Nm", "0.01"}});
-    EXPECT_NEAR(affine.condition_6, mu_alone, 1e-9) << "-u^2/tau^2 whatever the friction: (k, u, C) is made for it";
+    EXPECT_NEAR(affine.condition_6, mu_alone, 1e-9) << "-u^2/tau^2 for any friction: (k, u, C) is made for it";
     write("gear.csv", "load_Nm,friction_Nm\n0.0,0.01\n1.0,0.29\n2.0,0.57\n4.0,1.13\n");
     std::string tabulated = pnrvsa;
     const std::string line = "gear_friction = 0.28 ";

@@ -184,7 +184,7 @@ std::string random_profile(std::uint64_t seed, int number) {
     const Rig rig = rig_and_law(dice);
     const profile::Profile law_only = profile::parse_profile(name + rig.text, std::filesystem::path("random.toml"));
     const auto design = pipeline::resolve(law_only);
-    // What no law can be made of is refused for that, whatever its springs.
+    // Without a law the design is refused for any springs.
     spring::LawPoint lowest{.f_se = 0.1, .f_pe = 0.1}, highest = lowest;
     if (design) {
         const core::Range loads = design->law()->loads();

@@ -15,7 +15,7 @@ namespace fusee::random_profiles {
 namespace {
 
 std::string fault_of_made(const batch::Row& row) {
-    if (!row.result.made || core::any_error(row.result.findings)) return "made in spite of a required change";
+    if (!row.result.made || core::any_error(row.result.findings)) return "made in spite of an error";
     for (const char* file : {"report.json", "report.html", "springs.csv", "k_se.json", "k_se.stl", "k_pe.json", "k_pe.stl"})
         if (!fs::is_regular_file(row.result.folder / file)) return fmt::format("{} is missing", file);
     std::size_t arms = 0;
@@ -32,7 +32,7 @@ bool without_number(const core::Finding& f) {
 }
 
 std::string fault_of_refused(const batch::Row& row) {
-    if (!core::any_error(row.result.findings)) return "refused without a required change";
+    if (!core::any_error(row.result.findings)) return "refused without an error";
     if (!row.result.folder.empty()) return "refused and something was written";
     for (const core::Finding& f : row.result.findings) {
         if (f.severity != core::Severity::kError) continue;

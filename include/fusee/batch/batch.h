@@ -62,9 +62,9 @@ struct SimulationRow : Ended {
     core::Findings refusal;        ///< why there is none, or why it lacks an equilibrium that was asked for
 };
 
-/// Makes every profile on its own, `jobs` at a time (0: one for each processor); one failure is one row. Rows come in the profiles' order,
-/// whatever the number of jobs. Ctrl-C lets what is begun finish and begins nothing new. Shows progress when there is more than one. Two
-/// profiles with one name would write one folder: the later one is a kBadInput row.
+/// Makes every profile, `jobs` at a time (0: one for each processor); a failure is one row. Rows have the order of the profiles for any
+/// number of jobs. Ctrl-C finishes the running profiles and starts no other. Shows progress for several profiles. Two profiles with one
+/// name would write one folder: the later one is a kBadInput row.
 [[nodiscard]] std::vector<Row> make_all(const std::vector<std::filesystem::path>& profiles, const MakeOptions& options, unsigned jobs);
 
 /// Simulates every profile in the same manner and writes its files into out/NAME; other files there stay. If one of the paper's relatives

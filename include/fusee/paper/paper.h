@@ -19,7 +19,7 @@ struct NoiseCurve {
     std::vector<double> motor, joint;  ///< variances [rad^2]
     std::vector<double> slope;         ///< d(joint)/dc: above 0 a stiffer c rejects less noise [rad^3/Nm]
     std::string refusal;               ///< why the noise has no bound, then there are no columns
-    /// The paper's claim: a stiffer c nowhere lets more noise through. A slope below a billionth of joint/c counts as 0.
+    /// The paper's claim: a stiffer c never passes more noise. A slope below a billionth of joint/c counts as 0.
     [[nodiscard]] bool monotone() const;
 };
 

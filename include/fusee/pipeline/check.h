@@ -18,7 +18,7 @@ struct CheckedPart {
 /// Parts as one process would make them.
 struct CheckedProcess {
     std::string process;   ///< "fdm"
-    std::string figures;   ///< whose limits these are, and which were left out
+    std::string figures;   ///< source of the limits, and the limits left out
     bool own = true;       ///< it is the one that the profile names
     core::Findings about;  ///< of the law, or of the design as a whole
     std::vector<CheckedPart> parts;
@@ -29,30 +29,30 @@ struct CheckedProcess {
 /// The result of `fusee check`.
 struct Checked {
     std::string name;    ///< of the design or the mesh
-    std::string sha256;  ///< of what was checked
-    std::string input;   ///< one line: the input
+    std::string sha256;  ///< of the checked file
+    std::string input;   ///< the input in one line
     std::vector<CheckedProcess> processes;
 
     /// Some process makes every part without an error.
     [[nodiscard]] bool makeable() const;
 };
 
-/// The finding that binds: of the gravest severity, the one farthest beyond its limit in proportion; nullptr where none is broken.
+/// The binding finding: of the highest severity, the one with the largest relative excess; nullptr if none is broken.
 [[nodiscard]] const core::Finding* binding(const core::Findings& findings);
 
-/// A profile as another process would make it. Its own process keeps every figure. Any other takes the process's defaults (docs/rules.md,
-/// table 3) and a build volume of 200 x 200 x 200 mm in place of [process], and leaves out those [[limits]] whose default comes from the
-/// process: they were stated for the profile's own.
+/// A profile as another process would make it. The profile's own process keeps every figure. Another one takes its defaults
+/// (docs/rules.md, table 3) and a build volume of 200 x 200 x 200 mm in place of [process], without those [[limits]] whose default depends
+/// on the process.
 struct OtherProcess {
     profile::Profile profile;
-    std::string figures;  ///< whose figures these are, and which limits were left out
+    std::string figures;  ///< source of the figures, and the limits left out
 };
 [[nodiscard]] OtherProcess by_process(const profile::Profile& profile, checks::ProcessKind kind);
 
-/// Whose figures a process has that nobody stated: "defaults of sla, build volume 200 x 200 x 200 mm".
+/// Source of the figures of a process that the profile does not state: "defaults of sla, build volume 200 x 200 x 200 mm".
 [[nodiscard]] std::string default_figures(const checks::Process& process);
 
-/// Law, cams, solids and rules for each process, no file: what `make` would find before it exports.
+/// Law, cams, solids and rules for each process, without files: the findings of `make` before it exports.
 /// @throws core::InvalidInput as make
 [[nodiscard]] Checked check(const profile::Profile& profile, std::span<const checks::ProcessKind> kinds);
 

@@ -17,8 +17,8 @@ struct Coupons {
     std::vector<FileRow> files;
 };
 /// The coupons of a profile in `out`/NAME-coupons, complete or not at all: plate, groove ladder and disc as STL and 3MF, disc.json, the
-/// empty COUPON.csv and README.md (docs/guides/calibrate.md). They are nominal whatever the profile's compensation is.
-/// A COUPON.csv that was filled in is not replaced, not even by `force`.
+/// empty COUPON.csv and README.md (docs/guides/calibrate.md). They are nominal, without the profile's compensation.
+/// A filled COUPON.csv is never replaced, even with `force`.
 /// @throws core::InvalidInput; core::IoError, also if the folder may not be written (core::OutputFolder)
 [[nodiscard]] Coupons make_coupons(const profile::Profile& profile, const std::filesystem::path& out, bool force = false);
 
@@ -32,12 +32,11 @@ struct CalibrationReport {
     coupon::Calibration calibration;
 };
 
-/// The profile with the figures that the calibration changes, and "-calibrated" at the end of its name; the rest stays as its writer has
-/// it.
+/// The profile with the figures that the calibration changes and "-calibrated" at the end of its name; the rest of the text stays.
 /// @param toml the text that `profile` was read from
-/// @param file where it is going to be written
-/// @throws core::InvalidInput if the sheet is of another cable than the profile, if the profile holds a radius allowance, in which what the
-/// coupons say would be a second time, or if it has no room for a key
+/// @param file of the new profile
+/// @throws core::InvalidInput if the sheet is of another cable than the profile, if the profile holds a radius allowance, which would count
+/// the coupons' figures twice, or if a key cannot be inserted
 [[nodiscard]] std::string calibrated_profile(const profile::Profile& profile, const std::string& toml, const coupon::Sheet& sheet,
                                              const coupon::Calibration& calibration, const std::filesystem::path& file);
 

@@ -46,10 +46,10 @@ struct ResolvedDesign {
 /// How often `resolve` was called in this process.
 [[nodiscard]] std::size_t resolve_count();
 
-/// A profile that lacks nothing that parts need (simulation needs less), and whose kerf leaves a bore.
+/// Requires all figures that parts need (a simulation needs fewer), and a kerf that leaves a bore.
 /// @throws core::InvalidInput naming the first key that is missing or inconsistent with another
 void require_parts(const profile::Profile& profile);
-/// Only a print can be sliced. @throws core::InvalidInput naming outputs.formats
+/// Requires a printed part if it is to be sliced. @throws core::InvalidInput naming outputs.formats
 void require_sliceable(const profile::Profile& profile);
 
 /// A pass if the cable reaches round its cam to the anchor; nothing if the profile does not state its length.

@@ -19,7 +19,7 @@
 #include "fusee/spring/base_spring.h"
 #include "fusee/spring/law.h"
 
-/// What is known of a design with its part files (docs/report.md).
+/// A design and its part files (docs/report.md).
 namespace fusee::pipeline {
 
 /// One row of a measured table, with the springs that were smoothed from it.
@@ -33,7 +33,7 @@ struct SmoothedTable {
     std::string file;
     std::vector<TableRow> rows;  ///< all of the file's; not empty
 
-    /// How one of the springs misses its rows: smoothed less measured.
+    /// Smoothed minus measured torques of one spring.
     struct Misfit {
         double rms = 0.0;      ///< [Nm]
         double largest = 0.0;  ///< of the largest magnitude [Nm]
@@ -48,8 +48,8 @@ struct LawReport {
     std::vector<spring::LawPoint> samples;                                   ///< by rising load, lead-in included; at least 2
     core::Range design_loads;                                                ///< loads without the lead-in [Nm]
     double lead_in_travel = 0.0;                                             ///< capstan travel of the low-load law [rad]
-    double least_feasible_start = std::numeric_limits<double>::quiet_NaN();  ///< tau_min [Nm]; NaN: the kind of law knows none
-    core::Range stiction_loads;          ///< what resting capstans may carry: actuator::Actuator::loads [Nm]
+    double least_feasible_start = std::numeric_limits<double>::quiet_NaN();  ///< tau_min [Nm]; NaN: not defined for the kind of law
+    core::Range stiction_loads;          ///< possible loads of resting capstans: actuator::Actuator::loads [Nm]
     std::optional<SmoothedTable> table;  ///< of a law of kind "table"
     /// Do the springs reach every load that stiction allows?
     [[nodiscard]] bool covers_stiction() const;

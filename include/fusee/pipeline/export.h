@@ -22,15 +22,15 @@ enum class Via {
 
 /// One part as it went into files.
 struct ExportedPart {
-    std::string name;       ///< "k_se", "k_se_mirrored": its files' names begin so
+    std::string name;       ///< "k_se", "k_se_mirrored": the beginning of its files' names
     bool mirrored = false;  ///< the antagonist's
     PartReport report;      ///< its `part` is the one exported
     solid::Mesh mesh;       ///< of the STL and 3MF files
 };
 
-/// Writes both sides of a pair in every format that the profile asks for, with PART.json beside each, and reads every file back: "k_se",
-/// then, if there is one, its mirror image "k_se_mirrored". Broken arms are errors "readback.arm".
-/// The reports share the parts with the pair. @throws core::IoError
+/// Writes both sides of a pair in every format that the profile asks for, with a PART.json for each side, and reads every file back:
+/// "k_se", then, if there is one, its mirror image "k_se_mirrored". Broken arms are errors "readback.arm". The reports share the parts with
+/// the pair. @throws core::IoError
 [[nodiscard]] std::vector<ExportedPart> export_pair(const Pair& pair, const profile::Profile& profile, const core::Provenance& provenance,
                                                     Via via, const std::filesystem::path& folder);
 

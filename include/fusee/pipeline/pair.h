@@ -8,7 +8,7 @@ namespace fusee::pipeline {
 /// The two sides of an antagonistic joint: a part and its mirror image (docs/theory/cams.md).
 struct Pair {
     std::shared_ptr<const DesignedPart> agonist;
-    std::shared_ptr<const DesignedPart> antagonist;  ///< null: none; its findings are empty: those of the rules are the agonist's
+    std::shared_ptr<const DesignedPart> antagonist;  ///< null: none; its findings are empty: they are those of the agonist
 };
 
 /// @param both false: no antagonist

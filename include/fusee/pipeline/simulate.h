@@ -29,7 +29,7 @@ struct SimulateOptions {
 /// false (paper: the frame subsystem).
 [[nodiscard]] actuator::Joint path_joint_of(const ResolvedDesign& design, bool gears = true);
 
-/// Equilibrium (1), sensitivity (2) and dead-band under any three torques, or why there is none.
+/// Equilibrium (1), sensitivity (2) and dead-band under three torques, or the refusal.
 /// @throws core::InvalidInput if a torque is not finite
 [[nodiscard]] EquilibriumRow equilibrium_at(const actuator::Joint& joint, const Eigen::Vector3d& torque);
 

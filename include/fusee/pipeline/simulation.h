@@ -64,13 +64,13 @@ struct DeflectionLoop {
     std::vector<PathPoint> cycle;
 };
 
-/// Figure 8: what a motor subsystem shows when its load is lowered or raised until it breaks away.
+/// Figure 8: loads at which a resting motor subsystem breaks away.
 struct BreakAwayRow {
     double motor_torque = 0.0;  ///< at the capstan [Nm]
     core::Range loads;          ///< least and greatest at rest [Nm]
 };
 
-/// The joint at rest under three torques (tau_1, tau_2, tau_q), in the signs of actuator::Joint. NaN where it does not rest.
+/// The joint at rest under three torques (tau_1, tau_2, tau_q), with the signs of actuator::Joint. NaN if it does not rest.
 struct EquilibriumRow {
     Eigen::Vector3d torque;                                              ///< asked for [Nm]
     Eigen::Vector3d z = Eigen::Vector3d::Constant(kUnknown);             ///< (theta_1, theta_2, q), paper (1) [rad]
@@ -112,7 +112,7 @@ struct Simulation {
     std::vector<std::string> gaps;       ///< figures that could not be computed, and why
 };
 
-/// Why equilibria that were asked for do not exist; empty if all do.
+/// Reasons why equilibria do not exist; empty if all do.
 [[nodiscard]] core::Findings refusals(const Simulation& simulation);
 
 }  // namespace fusee::pipeline

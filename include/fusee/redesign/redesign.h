@@ -22,7 +22,7 @@ struct Change {
 struct Cover {
     core::Range asked{0.0, 0.0};                             ///< least to overdrive torque [Nm]
     core::Range covered{gap::kNoFigure, gap::kNoFigure};     ///< NaN: none [Nm]
-    core::Range law_loads{gap::kNoFigure, gap::kNoFigure};   ///< of a capstan, that the springs' law has [Nm]
+    core::Range law_loads{gap::kNoFigure, gap::kNoFigure};   ///< of a capstan, of the springs' law [Nm]
     core::Range rest_loads{gap::kNoFigure, gap::kNoFigure};  ///< at which friction lets it rest over the torques asked for [Nm]
     [[nodiscard]] bool whole() const { return covered.low <= asked.low && covered.high >= asked.high; }
 };
@@ -85,9 +85,9 @@ struct Options {
 
 /// Cams for the rig as it is. The figures of the profile that the effects change become the measured ones (docs/guides/close-the-loop.md):
 /// friction of the gears (mean of both sides, since both share one law), rate and preload of each base spring, arms, cable. Under more
-/// friction the law (k, u, C) gets a lower C, until the dead-band as read is the one promised or the cams can no longer be cut. Where the
-/// sides' springs differ, each side gets a profile of its own. A build parameter inside its tolerance counts only beside an effect on
-/// the same figure. Computes, writes nothing.
+/// friction the law (k, u, C) gets a lower C, until the measured dead-band is the promised one or the cams can no longer be cut. Where the
+/// sides' springs differ, each side gets its own profile. A build parameter inside its tolerance counts only together with an effect
+/// on the same figure. Writes nothing.
 /// @param toml the text that `profile` was read from
 /// @throws core::InvalidInput as require_same_rig; if the law of `profile` itself is refused; naming the key of a measured figure that no
 /// profile can hold (a spring that starts slack)
@@ -95,7 +95,7 @@ struct Options {
                                      const gap::Diagnosis& found, const Options& options);
 
 /// Writes each corrected profile, its folder made if there is none.
-/// @throws core::IoError, before anything is written, if a profile stands there already and `force` is not set
+/// @throws core::IoError, before anything is written, if the file exists and `force` is not set
 void write_profiles(const Redesign& redesign, bool force = false);
 
 }  // namespace fusee::redesign

@@ -38,7 +38,7 @@ CheckedProcess check_process(const profile::Profile& profile, const core::Outcom
     return checked;
 }
 
-/// How far beyond its limit, as a share of it; what is not a number or may not be at all is farthest.
+/// Relative excess over the limit; infinite if the measured value is not a number or the limit is 0.
 double beyond(const core::Finding& f) {
     if (!std::isfinite(f.measured) || f.allowed == 0.0) return INFINITY;
     return std::abs(f.measured - f.allowed) / std::abs(f.allowed);

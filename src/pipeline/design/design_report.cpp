@@ -7,7 +7,7 @@ namespace fusee::pipeline {
 
 namespace {
 
-// The ends of a law come out of a root search in the angle: loads agree to better than this share.
+// The ends of a law come from a root search in the angle; their loads agree to better than this share.
 constexpr double kSameLoad = 1e-9;
 
 template <class Of>
@@ -77,7 +77,7 @@ double AsExported::worst_change() const {
     double worst = std::numeric_limits<double>::quiet_NaN();
     for (const JointAsExported& joint : joints)
         for (std::size_t i = 0; joint.binding && i < torques.size(); ++i) {
-            if (std::isnan(nominal[i])) continue;  // the law as designed does not reach there either
+            if (std::isnan(nominal[i])) continue;  // the law as designed ends earlier, too
             const double change = std::abs(joint.dead_band[i] / nominal[i] - 1.0);
             if (std::isnan(change)) return change;
             worst = std::fmax(worst, change);

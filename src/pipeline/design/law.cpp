@@ -15,7 +15,7 @@ namespace {
 
 std::atomic<std::size_t> g_resolved = 0;
 
-/// The co-contraction nearest to `wanted` whose whole dead-band lies inside the law; none if no co-contraction has that.
+/// The co-contraction nearest to `wanted` whose whole dead-band lies inside the law; none if there is no such co-contraction.
 std::optional<double> covered_torque(const actuator::Actuator& joint, double wanted) {
     constexpr int kScan = 200;
     const auto covered = [&](double tau) { return actuator::dead_band(joint, tau).covered; };
@@ -48,7 +48,7 @@ core::Finding covers(const actuator::Actuator& joint, const char* side, double t
     f.where = "law";
     f.source = "a capstan at motor torque tau rests at loads from tau/(1+mu) to tau/(1-mu) (docs/theory/dead_band.md)";
     if (!covered) {
-        f.what = fmt::format("at no co-contraction do the springs reach every resting place that stiction allows; the {} load", side);
+        f.what = fmt::format("the springs reach every resting place that stiction allows at no co-contraction; the {} load", side);
         f.measured = low ? loads.low : loads.high;
         f.allowed = low ? (1.0 - kBeyondRest) * needed.low : (1.0 + kBeyondRest) * needed.high;
         f.suggestion = fmt::format("law.{}_torque_Nm = {:.3g}", low ? "start" : "end", f.allowed);
@@ -57,7 +57,7 @@ core::Finding covers(const actuator::Actuator& joint, const char* side, double t
     f.what = fmt::format("the springs must reach every resting place that stiction allows at the {} co-contraction", side);
     f.measured = *covered;
     f.allowed = torque;
-    // How far a law has to reach grows about as the torque does.
+    // The load that a law must reach grows about as the torque.
     f.suggestion = low ? fmt::format("rig.least_torque_Nm = {:.3g}, or law.lead_in_deg larger", 1.005 * *covered)
                        : fmt::format("law.end_torque_Nm = {:.3g}, or rig.overdrive_torque_Nm = {:.3g}",
                                      1.01 * loads.high * torque / *covered, 0.995 * *covered);

@@ -58,8 +58,8 @@ void suggest_pitch(core::Finding& refusal, const cam::ArmFunction& arm, const pr
         return cam && solid::build_part(*cam, spec.solid);
     });
     refusal.suggestion = found != paths.end() ? found->change
-                                              : fmt::format("a base spring of {} whose arms differ less: even {} leaves its faces meeting",
-                                                            part, paths.back().change);
+                                              : fmt::format("a base spring of {} whose arms differ less: even with {} its faces meet", part,
+                                                            paths.back().change);
 }
 
 }  // namespace

@@ -18,25 +18,25 @@ namespace fusee::pipeline {
 
 namespace {
 
-constexpr double kToTheEnd = 1.0 - 1e-9;  // of the load there, so that its deflection is found short of the end
+constexpr double kToTheEnd = 1.0 - 1e-9;  // of the load there, so that its deflection lies inside the law
 constexpr int kPlaces = 400;              // over the capstan's travel, where torques are compared
 
-/// What one reader found in the files of one format: readings of K_SE, then of K_PE.
+/// The readings of one reader in the files of one format: of K_SE, then of K_PE.
 struct Format {
     std::string ending, reader;  ///< ".stl", "assimp"
     std::array<std::vector<const readback::ArmError*>, 2> readings;
     std::array<const PartReport*, 2> parts{};
 };
 
-/// One reading and the part that it is of.
+/// One reading and its part.
 struct Source {
     const PartReport* part;
     const readback::ArmError* reading;
-    std::string ending;  ///< what follows the part's name: files of the same ending belong to the same joint
+    std::string ending;  ///< after the part's name: files of the same ending belong to the same joint
     std::string reader;
 };
 
-/// Of a file of its own: "k_se_mirrored.ngc" read by "rs274 lower", one of the cuts of a program.
+/// Of a separate file: "k_se_mirrored.ngc" read by "rs274 lower", one of the cuts of a program.
 Source of_part(const PartReport& part, const readback::ArmError& reading) {
     const std::string name = cam::to_string(part.part->cam.kind);
     const bool cut = reading.reader.starts_with("rs274 ");
@@ -71,7 +71,7 @@ std::vector<Format> formats(const DesignReport& design) {
     return all;
 }
 
-/// The arms over the cam angle that a cable finds: of several grooves side by side the higher one's. NaN where one has none.
+/// The arms of the cable over the cam angle: those of the higher one of several adjacent grooves. NaN where one has none.
 std::vector<cam::FoundArm> found_arms(const PartReport& part, const std::vector<const readback::ArmError*>& readings) {
     std::vector<cam::FoundArm> arms;
     const auto& working = part.part->cam.working;
@@ -84,8 +84,8 @@ std::vector<cam::FoundArm> found_arms(const PartReport& part, const std::vector<
     return arms;
 }
 
-/// A spring that goes on a little beyond both ends, along the chord of the last piece as long: a design may cover its resting loads
-/// exactly, and a file that is short by its chordal error is not to lose a dead-band for that.
+/// A spring that is extended a little beyond both ends, along the chord of the last piece: a design may cover its resting loads exactly,
+/// and a file that is short by its chordal error must not lose the dead-band.
 class Continued final : public spring::Potential {
 public:
     explicit Continued(spring::PotentialPtr inner) : inner_(std::move(inner)), range_(inner_->domain()), beyond_(0.01 * range_.width()) {}
@@ -164,7 +164,7 @@ private:
         return widths;
     }
 
-    /// None, and the joint's refusal, where no cable could be laid.
+    /// None, and the joint's refusal, if no cable can be laid.
     [[nodiscard]] spring::PotentialPtr spring_of(const PartReport& part, const std::vector<const readback::ArmError*>& readings,
                                                  JointAsExported& joint) const {
         const cam::PartKind kind = part.part->cam.kind;
@@ -174,7 +174,7 @@ private:
             std::find_if(arms.begin(), arms.end(), [&](const auto& row) { return !(row.arm + spec.allowance.on_arms() > 0.0); });
         if (lost == arms.end()) return cam::spring_of_arms(kind, arms, part.spring, design_.actuator.capstan_radius, spec.allowance);
         joint.refusal =
-            fmt::format("{} gives the cable no arm at cam angle {:.1f} deg", readings.front()->file, core::deg_from_rad(lost->angle));
+            fmt::format("{} has no arm for the cable at cam angle {:.1f} deg", readings.front()->file, core::deg_from_rad(lost->angle));
         return nullptr;
     }
 

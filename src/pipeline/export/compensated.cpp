@@ -38,7 +38,7 @@ core::Findings of_file(core::Findings findings) {
     return findings;
 }
 
-/// "compensated, not nominal": first, since an STL file's header cuts what is longer than 80 bytes.
+/// "compensated, not nominal": at the front, because an STL header holds 80 bytes only.
 std::string provenance_of(const PartExport& out) {
     const solid::Compensation& c = out.profile.compensation;
     return fmt::format("compensated, not nominal: {}, shrinkage {:g} {:g} {:g} %, bore {:+g} mm", out.provenance.line(),
@@ -59,18 +59,18 @@ exchange::Compensated stated(const PartExport& out) {
 core::Finding judge_bore(const fs::path& stl, const exchange::PartFile& part) {
     core::Finding f;
     f.rule = "readback.bore";
-    f.what = fmt::format("the bore that comes out of {} is the one drawn", stl.filename().string());
+    f.what = fmt::format("the finished bore of {} must be the drawn one", stl.filename().string());
     f.measured = std::abs(readback::bore_mm(stl, part) - part.compensated->bore_mm);
     f.bound = core::Bound::kAtMost;
     f.allowed = kSameBore_mm;
     f.unit = "mm";
     f.where = part.part;
-    f.suggestion = "compensation.bore_offset_mm = 0, and report this as a fault of fusee";
-    f.source = "docs/part-file.md: the file's bore, less what the process takes";
+    f.suggestion = "compensation.bore_offset_mm = 0, and report this error of fusee";
+    f.source = "docs/part-file.md: the file's bore minus the offset of the process";
     return core::judged(f, core::Severity::kError);
 }
 
-/// Growing and rounding again must not fold what was proven valid.
+/// Scaling and rounding must not fold a valid solid.
 std::optional<core::Finding> folded(const solid::Mesh& mesh, const std::string& where) {
     const solid::Validity validity = solid::validate(mesh);
     if (validity.good()) return std::nullopt;
@@ -82,7 +82,7 @@ std::optional<core::Finding> folded(const solid::Mesh& mesh, const std::string& 
     return f;
 }
 
-/// STL and 3MF, as the profile asks for them.
+/// STL and 3MF, if the profile asks for them.
 std::vector<FileRow> write_files(const PartExport& out, const solid::Mesh& mesh) {
     std::vector<FileRow> rows;
     const fs::path stl = out.path("_compensated.stl"), three_mf = out.path("_compensated.3mf");
@@ -127,8 +127,8 @@ void write_compensated(PartExport& out) {
     for (const readback::ArmError& error : readback::read_back(json.parent_path(), read))
         out.findings.push_back(judge(error, out.part.cam));
     if (out.profile.outputs.stl) out.findings.push_back(judge_bore(out.path("_compensated.stl"), read));
-    out.beside.insert(out.beside.end(), rows.begin(), rows.end());
-    out.beside.push_back(file_row(json));
+    out.other_files.insert(out.other_files.end(), rows.begin(), rows.end());
+    out.other_files.push_back(file_row(json));
 }
 
 }  // namespace fusee::pipeline

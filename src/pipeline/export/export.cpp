@@ -21,8 +21,8 @@ namespace fusee::pipeline {
 
 namespace {
 
-/// A mesh keeps its chordal error, and no arm is off by more: the suggested one suits the least arm. Where no cable can be laid at all, the
-/// guide is in the part's way.
+/// No arm is off by more than the mesh's chordal error: the suggested error suits the least arm. If no cable can be laid at all, the guide
+/// lies within the part.
 std::string nearest_change(const readback::ArmError& error, const cam::Cam& cam) {
     double least = cam.working.front().path.h, farthest = 0.0;
     for (const cam::Contact& c : cam.working)
@@ -34,7 +34,7 @@ std::string nearest_change(const readback::ArmError& error, const cam::Cam& cam)
                        core::mm_from_m(farthest + guide.radius + 2.0 * cam.options.cable_diameter));
 }
 
-/// Every format that the profile asks for: the files that carry the law, PART.json, which names them, and those beside the law.
+/// Every format that the profile asks for: the files that carry the law, PART.json with their names, and the other files.
 fs::path write_formats(PartExport& out) {
     write_meshes(out);
     write_rendered(out);
@@ -44,10 +44,10 @@ fs::path write_formats(PartExport& out) {
     write_exact(out);
     write_programs(out);
     std::vector<exchange::FileEntry> entries;
-    for (const FileRow& row : out.stated) entries.push_back(row.entry);
+    for (const FileRow& row : out.law_files) entries.push_back(row.entry);
     const fs::path json = out.path(".json");
     exchange::write_part_file(json, exchange::describe_part(out.part, out.spring, entries, out.provenance));
-    out.beside.push_back(file_row(json));
+    out.other_files.push_back(file_row(json));
     write_kerf(out);
     write_compensated(out);
     write_sheets(out);
@@ -68,13 +68,13 @@ ExportedPart exported(PartExport& out, const std::shared_ptr<const DesignedPart>
         report.findings.push_back(error.when_broken == core::Severity::kError ? judge(error, out.part.cam) : judge_print(error, out.part));
     report.certificate = cam::certify(out.part.cam);
     if (const auto doubt = cam::doubt(report.certificate, out.part.cam.kind)) report.findings.push_back(*doubt);
-    report.files = out.stated;
-    report.files.insert(report.files.end(), out.beside.begin(), out.beside.end());
+    report.files = out.law_files;
+    report.files.insert(report.files.end(), out.other_files.begin(), out.other_files.end());
     report.quality = solid::measure_quality(out.part.mesh);
     return done;
 }
 
-/// The other side's export, its bodies taken from this side's: neither mesh nor exact solid is made twice.
+/// The other side's export. Its bodies are mirrored from this side: neither mesh nor exact solid is made twice.
 PartExport other_side(const PartExport& out, const solid::Part& part) {
     PartExport other{part, mirrored(out.spring), out.profile, out.provenance, out.via, out.path("_mirrored"), solid::mirrored(out.mesh)};
     other.provenance.options += ", mirrored";
@@ -95,7 +95,7 @@ PartExport other_side(const PartExport& out, const solid::Part& part) {
 core::Finding judge(const readback::ArmError& error, const cam::Cam& cam) {
     core::Finding f;
     f.rule = "readback.arm";
-    f.what = fmt::format("the lever arm recomputed from {} (read by {}) is the one asked for", error.file, error.reader);
+    f.what = fmt::format("the lever arm recomputed from {} (read by {}) must be the nominal one", error.file, error.reader);
     f.measured = 100.0 * error.worst_relative;
     f.bound = core::Bound::kAtMost;
     f.allowed = 100.0 * error.allowed;
@@ -119,7 +119,7 @@ std::vector<ExportedPart> export_pair(const Pair& pair, const profile::Profile& 
     const solid::Part& part = pair.agonist->part;
     PartExport out{part, spec_of(part.cam.kind, profile).spring, profile, provenance, via, folder / to_string(part.cam.kind)};
     std::vector<ExportedPart> sides{exported(out, pair.agonist)};
-    if (pair.antagonist && !core::any_error(sides.front().report.findings)) {  // else refused as it is
+    if (pair.antagonist && !core::any_error(sides.front().report.findings)) {  // else the part is refused already
         PartExport other = other_side(out, pair.antagonist->part);
         sides.push_back(exported(other, pair.antagonist));
         sides.back().mirrored = true;

@@ -11,7 +11,7 @@ namespace fs = std::filesystem;
 
 namespace fusee::pipeline {
 
-// Through OpenSCAD the mesh comes from the SCAD file by way of an STL file; what was not asked for goes again.
+// With OpenSCAD the mesh comes from the SCAD file through an STL file; files that were not asked for are removed.
 void write_meshes(PartExport& out) {
     const profile::Outputs& outputs = out.profile.outputs;
     const std::string provenance = out.provenance.line();
@@ -54,7 +54,7 @@ void write_kerf(PartExport& out) {
     if (!out.profile.outputs.dxf || kerf <= 0.0 || !out.part.cam.closed()) return;
     const fs::path dxf = out.path("_kerf.dxf");
     exchange::write_dxf(dxf, exchange::kerf_drawing(out.part, core::mm_from_m(kerf), out.provenance.line()));
-    out.beside.push_back(file_row(dxf, 0, exchange::kDrawingChord_mm));
+    out.other_files.push_back(file_row(dxf, 0, exchange::kDrawingChord_mm));
 }
 
 }  // namespace fusee::pipeline

@@ -20,7 +20,7 @@ namespace fusee::pipeline {
 
 namespace {
 
-constexpr double kSpacing_mm = 5.0;  // so that skirts and supports of neighbours stay apart (practice)
+constexpr double kSpacing_mm = 5.0;  // between skirts and supports of neighbours (practice)
 
 std::array<double, 3> build_mm(const checks::Process& process) {
     return {core::mm_from_m(process.build_x), core::mm_from_m(process.build_y), core::mm_from_m(process.build_z)};
@@ -31,19 +31,19 @@ core::Finding too_small(const std::vector<solid::Size2>& sizes, const std::array
     const double x = std::ceil(factor * build[0]), y = std::ceil(factor * build[1]);
     core::Finding f;
     f.rule = "plate.bed";
-    f.what = fmt::format("{} parts, {:g} mm apart, on one bed of {:g} x {:g} mm: plate.3mf is not written", sizes.size(), kSpacing_mm,
-                         build[0], build[1]);
+    f.what = fmt::format("{} parts, {:g} mm apart, do not fit on one bed of {:g} x {:g} mm: plate.3mf is not written", sizes.size(),
+                         kSpacing_mm, build[0], build[1]);
     f.measured = x;
     f.bound = core::Bound::kAtMost;
     f.allowed = build[0];
     f.unit = "mm";
     f.where = "bed along x";
-    f.suggestion = fmt::format("process.build_mm = [{:g}, {:g}, {:g}], or the parts one by one from their own files", x, y, build[2]);
+    f.suggestion = fmt::format("process.build_mm = [{:g}, {:g}, {:g}], or print the parts one by one from their own files", x, y, build[2]);
     f.source = "process.build_mm; quarter turns about z allowed";
     return core::judged(f, core::Severity::kWarning);
 }
 
-/// Printed parts stand the way up that needs less support. A process without a limit for overhangs takes either way.
+/// Printed parts stand on the side that needs less support; without a limit for overhangs, on either side.
 bool stands_on_top(const ExportedPart& part, const checks::Process& process) {
     const double overhang = checks::process_limits(process).overhang;
     return overhang > 0.0 && checks::prints_on_its_top(part.mesh, overhang);

@@ -13,9 +13,9 @@ struct PlateFiles {
     core::Findings findings;
 };
 
-/// Where the profile asks for 3MF and a plate: writes plate.3mf with every part as one object, arranged within process.build_mm, and
-/// plate.json, which says where each stands; then moves each object of the file back to its part's frame and recomputes its arm.
-/// Finding "plate.bed" to accept, and no files, when the bed is too small: the parts are there one by one. @throws core::IoError
+/// If the profile asks for 3MF and a plate: writes plate.3mf with every part as one object, arranged within process.build_mm, and
+/// plate.json with the place of each; then moves each object of the file back to its part's frame and recomputes its arm.
+/// If the bed is too small: warning "plate.bed" and no files. @throws core::IoError
 [[nodiscard]] PlateFiles write_plate(const std::vector<ExportedPart>& parts, const profile::Profile& profile,
                                      const core::Provenance& provenance, const std::filesystem::path& folder);
 

@@ -15,7 +15,7 @@ namespace fusee::pipeline {
 
 namespace {
 
-/// The mill that the part's programs are for: a wrapped groove turns the part under the tool.
+/// The mill that the part's programs are for: for a wrapped groove the part turns under the tool.
 checks::ProcessKind mill_of(const PartExport& out) {
     const toolpath::Settings& settings = out.profile.machining;
     const toolpath::Method method = out.part.cam.kind == cam::PartKind::kSeries ? settings.k_se : settings.k_pe;
@@ -23,7 +23,7 @@ checks::ProcessKind mill_of(const PartExport& out) {
     return wrapped ? checks::ProcessKind::kMill4 : checks::ProcessKind::kMill;
 }
 
-/// G-code of a part that was judged for another process: how many rules of the mill object.
+/// Warns if the part was judged for another process and rules of the mill object.
 core::Finding judged_for_another(const PartExport& out) {
     const checks::ProcessKind mill = mill_of(out);
     const OtherProcess other = by_process(out.profile, mill);
@@ -62,7 +62,7 @@ void write_programs(PartExport& out) {
         done_by({"readback.interpreter", "G-code is interpreted by LinuxCNC's rs274 and the arm recomputed from its moves",
                  toolpath::can_interpret(), "linuxcnc-uspace", "the programs have not been read back", "docs/theory/toolpaths.md"},
                 out.part));
-    const bool mirrored = out.name() != cam::to_string(out.part.cam.kind);  // said once, of the part itself
+    const bool mirrored = out.name() != cam::to_string(out.part.cam.kind);  // reported once, for the part itself
     if (!mirrored && !is_milled(out.profile.process)) out.findings.push_back(judged_for_another(out));
 }
 

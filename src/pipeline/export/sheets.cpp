@@ -18,7 +18,7 @@ void write_sheets(PartExport& out) {
         written.push_back(out.path("_drawing.pdf"));
         core::write_file(written.back(), drawing::pdf(sheets));
     }
-    for (const fs::path& file : written) out.beside.push_back(file_row(file, 0, out.part.chordal_error_mm));
+    for (const fs::path& file : written) out.other_files.push_back(file_row(file, 0, out.part.chordal_error_mm));
 }
 
 }  // namespace fusee::pipeline

@@ -20,10 +20,10 @@ void require_sliceable(const profile::Profile& profile) {
     if (profile.process.kind != checks::ProcessKind::kFdm)
         throw core::InvalidInput(profile.place_of("outputs.formats"),
                                  fmt::format("\"sliced\" with process.kind = \"{}\"", checks::to_string(profile.process.kind)),
-                                 "\"sliced\" with process.kind = \"fdm\" only: no other process lays beads");
+                                 "\"sliced\" with process.kind = \"fdm\" only: no other process extrudes beads");
     if (profile.k_pe.cam.family == cam::Family::kRoller)
         throw core::InvalidInput(profile.place_of("outputs.formats"), "\"sliced\" with k_pe.family = \"roller\"",
-                                 "\"sliced\" with k_pe.family = \"cable\" only: of a roller's rim no print is read back");
+                                 "\"sliced\" with k_pe.family = \"cable\" only: the print of a roller's rim is not read back");
 }
 
 void write_sliced(PartExport& out) {
@@ -47,7 +47,7 @@ core::Finding judge_print(const readback::ArmError& error, const solid::Part& pa
     for (const cam::Contact& c : part.cam.working) least = std::min(least, c.arm.arm);
     core::Finding f;
     f.rule = "readback.sliced";
-    f.what = fmt::format("the lever arm of a cable on the beads of {} is within half a layer of the one asked for", error.file);
+    f.what = fmt::format("the lever arm of a cable on the beads of {} must be within half a layer of the nominal one", error.file);
     f.measured = 100.0 * error.worst_relative;
     f.bound = core::Bound::kAtMost;
     f.allowed = 100.0 * error.allowed;

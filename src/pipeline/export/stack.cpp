@@ -31,9 +31,9 @@ void write_plates(PartExport& out) {
             rows.push_back(file_row(dxf, 0, exchange::kDrawingChord_mm));
         }
     };
-    write(exchange::stack_drawings(out.part, out.provenance.line()), "", out.stated);
+    write(exchange::stack_drawings(out.part, out.provenance.line()), "", out.law_files);
     if (const double kerf = core::mm_from_m(out.profile.outputs.kerf); kerf > 0.0)
-        write(exchange::stack_kerf_drawings(out.part, kerf, out.provenance.line()), "_kerf", out.beside);
+        write(exchange::stack_kerf_drawings(out.part, kerf, out.provenance.line()), "_kerf", out.other_files);
 }
 
 }  // namespace fusee::pipeline

@@ -4,16 +4,16 @@
 
 namespace fusee::pipeline {
 
-/// Somebody else's program that a step needs.
+/// An external program that a step needs.
 struct Tool {
-    const char* rule;     ///< of the finding that says whether the step was done
-    const char* what;     ///< the step does
+    const char* rule;     ///< of the finding about the step
+    const char* what;     ///< the step
     bool there;           ///< it is installed
-    const char* package;  ///< that holds it
-    const char* undone;   ///< what has not been done without it
+    const char* package;  ///< that contains it
+    const char* undone;   ///< the work left undone without it
     const char* source;
 };
-/// Passed, or to review where the tool is missing: a step left out is said, never silent.
+/// A pass, or a warning if the tool is missing.
 [[nodiscard]] core::Finding done_by(const Tool& tool, const solid::Part& part);
 
 }  // namespace fusee::pipeline

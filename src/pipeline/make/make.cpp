@@ -56,7 +56,7 @@ LawReport law_report(const ResolvedDesign& design) {
     return law;
 }
 
-/// Other programs take seconds a part.
+/// Announces external programs, which take seconds for each part.
 void announce(const profile::Profile& profile, const MakeOptions& options) {
     if (!options.note) return;
     if (options.via == Via::kOpenScad || profile.outputs.scad_stl) options.note(profile.name + ": OpenSCAD renders the solids");

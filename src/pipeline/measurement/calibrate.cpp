@@ -19,15 +19,15 @@ void require_same_cable(const profile::Profile& profile, const coupon::Sheet& sh
     const double own = core::mm_from_m(profile.cable.diameter), sheets = sheet.cable_diameter_mm;
     if (sheets > 0.0 && std::abs(sheets - own) > 1e-6)
         throw core::InvalidInput(profile.place_of("cable.diameter_mm"), fmt::format("{:g}", own),
-                                 fmt::format("{:g} mm as in the sheet: coupons are good for the cable that they were made for", sheets));
+                                 fmt::format("{:g} mm as in the sheet: coupons are valid only for their own cable", sheets));
 }
 
-/// A diagnosis finds arms that are too long whatever makes them so: the cable's axis and a shrinkage that was not compensated among it.
+/// A diagnosis finds arms that are too long, including the effects of the cable's axis and of uncompensated shrinkage.
 void require_no_allowance(const profile::Profile& profile) {
     for (const char* key : {"k_se.radius_allowance_mm", "k_pe.radius_allowance_mm"})
         if (const double radius = profile::number_of(profile, key); radius != 0.0)
             throw core::InvalidInput(profile.place_of(key), fmt::format("{:g}", core::mm_from_m(radius)),
-                                     "0: it holds already what the coupons measure, which would be counted twice; diagnose again "
+                                     "0: it already contains the figures that the coupons measure, which would count twice; diagnose again "
                                      "after calibrating");
 }
 
@@ -54,14 +54,14 @@ std::string calibrated_profile(const profile::Profile& profile, const std::strin
     require_no_allowance(profile);
     std::vector<profile::Edit> edits;
     if (!profile.name.ends_with(kEnding)) edits.push_back(profile::text_edit(profile, "name", profile.name + kEnding, ""));
-    for (auto f = calibration.figures.rbegin(); f != calibration.figures.rend(); ++f)  // each goes right below its table's heading
+    for (auto f = calibration.figures.rbegin(); f != calibration.figures.rend(); ++f)  // each is inserted below its table's heading
         if (f->changes()) {
             edits.push_back(profile::number_edit(profile, f->key, f->value, why(*f)));
             edits.back().origin = "measured, coupons";
         }
     for (profile::Edit& edit : profile::file_edits(profile, fs::absolute(file).parent_path())) edits.push_back(std::move(edit));
     std::string text = profile::with_edits(toml, profile, edits);
-    (void)profile::parse_profile(text, file);  // what no profile may hold is refused before it is written
+    (void)profile::parse_profile(text, file);  // refuses values that no profile may have
     return text;
 }
 

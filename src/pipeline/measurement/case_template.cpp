@@ -34,14 +34,15 @@ struct Toe {
 Toe toe_of(const char* key, double force, const spring::BaseSpring& base) {
     if (base.preload <= 0.0)
         throw core::InvalidInput(key, fmt::format("{:g}", base.preload),
-                                 "above 0: a cam that begins at a torque has a preloaded base spring");
+                                 "above 0: a cam that starts at a torque has a preloaded base spring");
     return {base.rate, base.preload, force / (base.rate * base.preload)};
 }
 
 double proportional_friction(const profile::Profile& profile) {
     const profile::Rig& rig = profile.rig;
     const auto refuse = [&profile](const char* key) {
-        throw core::InvalidInput(profile.place_of(key), "given", "friction in proportion to the load: a case's nominal gear has no other");
+        throw core::InvalidInput(profile.place_of(key), "given",
+                                 "friction in proportion to the load: the nominal gear of a case knows no other");
     };
     if (!rig.gear_friction_table.file.empty()) refuse("rig.gear_friction_table");
     if (rig.gear_friction_constant > 0.0) refuse("rig.gear_friction_constant_Nm");

@@ -57,7 +57,7 @@ core::Outcome<Bodies> bodies_of(const coupon::Options& options) {
     return Bodies{std::move(plate).value(), std::move(ladder).value(), std::move(disc).value()};
 }
 
-/// The largest body, along the axis on which it comes nearest to the bed's limit or passes it.
+/// The body and axis with the largest share of the build volume.
 core::Finding fits(const Bodies& bodies, const checks::Process& process) {
     const std::array<double, 3> room{process.build_x, process.build_y, process.build_z};
     core::Finding f;
@@ -75,7 +75,7 @@ core::Finding fits(const Bodies& bodies, const checks::Process& process) {
         }
     }
     f.rule = "coupon.build_volume";
-    f.what = "the coupon has to fit into the build volume";
+    f.what = "the coupon must fit into the build volume";
     f.bound = core::Bound::kAtMost;
     f.unit = "mm";
     f.suggestion = fmt::format("process.build_mm of a machine with {:.0f} mm there, or a smaller k_se.hub.bore_mm", std::ceil(f.measured));
@@ -108,7 +108,7 @@ public:
         exchange::write_3mf(three_mf, mesh, name, provenance_.line());
         for (const fs::path& path : {stl, three_mf}) made_.files.push_back(file_row(path, mesh.triangles.size(), chordal_error_mm));
     }
-    /// The disc says what its arm is, and is held to it.
+    /// Reads the disc back and compares its arm with the stated one.
     void disc(const coupon::Disc& disc) {
         const std::size_t before = made_.files.size();
         solid("disc", disc.part.mesh, disc.part.chordal_error_mm);

@@ -46,7 +46,7 @@ double measure(const actuator::Joint& joint, double tau, double push_torque) {
     return actuator::release_test(joint, tau, {.push_torque = push_torque, .find_full_push = false}).width();
 }
 
-/// Reasons why something is not known, each once.
+/// Reasons why figures are unknown, each once.
 class Gaps {
 public:
     void note(const std::string& what, const core::Findings& refusal) {
@@ -114,29 +114,29 @@ private:
     const actuator::Actuator& actuator_;
     actuator::Joint joint_, path_joint_, frame_;
     actuator::ReleaseTest test_;
-    std::optional<fusee::design::Drawing> drawing_;  ///< where there are parts
+    std::optional<fusee::design::Drawing> drawing_;  ///< if there are parts
     Gaps gaps_;
 };
 
-/// The paper's joint is compared over the co-contractions that its law reaches; its relatives have to reach all (survey refuses).
+/// The paper's joint is compared over the co-contractions that its law reaches; its relatives must reach all (else survey refuses).
 actuator::ArrangementRow survey_of(const actuator::ArrangementOptions& options, const profile::Rig& rig, const core::Range& loads) {
     core::Range torques{rig.least_torque, rig.overdrive_torque};
     if (options.arrangement == actuator::Arrangement::kPnrvsa) {
-        constexpr double kInside = 1e-9;  // rounding must not lead out of the law
+        constexpr double kInside = 1e-9;  // rounding must not leave the law
         torques = {std::max(torques.low, (1.0 + kInside) * loads.low), std::min(torques.high, (1.0 - kInside) * loads.high)};
         if (torques.width() < 0.0) return unknown_survey();
     }
     return actuator::survey(options, torques);
 }
 
-/// The torques that equilibria are asked for, as a stamp shows them.
+/// The torques of the equilibria asked for, for the stamp.
 std::string at_text(const std::vector<Eigen::Vector3d>& at) {
     std::string text;
     for (const Eigen::Vector3d& torque : at) text += fmt::format(", at={},{},{}", torque[0], torque[1], torque[2]);
     return text;
 }
 
-/// What the table of relatives knows of one level.
+/// The figures of one level that the comparison of relatives needs.
 SimulatedLevel surveyed_level(const actuator::ArrangementOptions& options, double tau) {
     const actuator::ArrangementRow row = actuator::survey(options, {tau, tau});
     SimulatedLevel level = unknown_level(tau);

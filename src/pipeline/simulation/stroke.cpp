@@ -8,10 +8,10 @@ namespace {
 
 using actuator::StickSlip;
 
-constexpr int kPathSteps = 80;  // of each stroke: what a picture shows
+constexpr int kPathSteps = 80;  // of each stroke, for a picture
 constexpr int kCycles = 3;      // a rate-independent path with constant torques repeats from the second cycle on
 
-/// Leads the joint's torque to `torque` and notes every step.
+/// Changes the joint's torque to `torque` in steps and records each.
 void lead(StickSlip& joint, double torque, std::vector<PathPoint>& path) {
     const Eigen::Vector3d from = joint.torque();
     const auto note = [&] {

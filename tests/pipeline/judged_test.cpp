@@ -139,5 +139,12 @@ TEST_F(Judged, ATableOfMeasuredTorquesStandsInTheReport) {
     EXPECT_NE(page.find("Residuals: smoothed less measured"), std::string::npos);
 }
 
+TEST_F(Judged, MakingResolvesTheProfileOnce) {
+    const profile::Profile profile = changed("pnrvsa", with(kCoarse, {{"outputs.formats", R"(["stl"])"}}));
+    const std::size_t before = resolve_count();
+    EXPECT_TRUE(batch::make(profile, {.out = folder_ / "out"}).made);
+    EXPECT_EQ(resolve_count(), before + 1);
+}
+
 }  // namespace
 }  // namespace fusee::pipeline

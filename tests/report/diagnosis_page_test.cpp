@@ -1,11 +1,10 @@
-#include "report/diagnosis_page.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 
+#include "diagnosis/page.h"
 #include "fusee/report/diagnosis.h"
 #include "report/diagnosis_fixture.h"
 

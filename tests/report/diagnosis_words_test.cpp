@@ -1,10 +1,9 @@
-#include "report/diagnosis_words.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "diagnosis/words.h"
 #include "fusee/report/diagnosis.h"
 #include "report/diagnosis_fixture.h"
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <regex>
 
-#include "report/cam_drawing.h"
+#include "design/cam_drawing.h"
+#include "design/markers.h"
 #include "report/fixture.h"
-#include "report/markers.h"
 
 namespace fusee::report {
 namespace {

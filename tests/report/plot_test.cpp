@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "report/svg_plot.h"
+#include "page/svg_plot.h"
 
 namespace fusee::report {
 namespace {

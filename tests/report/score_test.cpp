@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "report/score_words.h"
+#include "score/words.h"
 
 namespace fusee::report {
 namespace {

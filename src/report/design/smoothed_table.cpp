@@ -1,0 +1,63 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "design/page.h"
+#include "page/column.h"
+#include "page/html.h"
+#include "page/svg_plot.h"
+
+namespace fusee::report {
+
+namespace {
+
+template <class Of>
+SmoothedTable::Misfit misfit(const std::vector<TableRow>& rows, const Of& of) {
+    SmoothedTable::Misfit misfit;
+    double squares = 0.0;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const double residual = of(rows[i]);
+        squares += residual * residual;
+        if (misfit.row == 0 || std::abs(residual) > std::abs(misfit.largest)) misfit.largest = residual, misfit.row = i + 1;
+    }
+    misfit.rms = std::sqrt(squares / static_cast<double>(rows.size()));
+    return misfit;
+}
+
+double series_residual(const TableRow& row) { return row.series_smooth - row.series; }
+double parallel_residual(const TableRow& row) { return row.parallel_smooth - row.parallel; }
+
+constexpr double kMilli = 1e3;
+
+std::string misfit_text(const SmoothedTable& table, const SmoothedTable::Misfit& misfit) {
+    return fmt::format("rms {} mNm, largest {} mNm in row {} at {} rad", number(kMilli * misfit.rms, 3), number(kMilli * misfit.largest, 3),
+                       misfit.row, number(table.rows[misfit.row - 1].angle));
+}
+
+}  // namespace
+
+SmoothedTable::Misfit SmoothedTable::series() const { return misfit(rows, series_residual); }
+SmoothedTable::Misfit SmoothedTable::parallel() const { return misfit(rows, parallel_residual); }
+
+std::string table_section(const LawReport& law) {
+    if (!law.table) return "";
+    const SmoothedTable& table = *law.table;
+    const auto angle = column(table.rows, [](const TableRow& r) { return r.angle; });
+    const auto of = [&table](const auto& get) { return column(table.rows, get); };
+    Plot torques("Rows of the table on the smoothed springs", "capstan angle in the file [rad]", "torque [Nm]");
+    torques.points("F_SE, measured", angle, of([](const TableRow& r) { return r.series; }), "se");
+    torques.points("F_PE, measured", angle, of([](const TableRow& r) { return r.parallel; }), "pe");
+    torques.curve("F_SE, smoothed", angle, of([](const TableRow& r) { return r.series_smooth; }), "se");
+    torques.curve("F_PE, smoothed", angle, of([](const TableRow& r) { return r.parallel_smooth; }), "pe").from_zero();
+    Plot residuals("Residuals: smoothed less measured", "capstan angle in the file [rad]", "residual [mNm]");
+    residuals.points("F_SE", angle, of([](const TableRow& r) { return kMilli * series_residual(r); }), "se");
+    residuals.points("F_PE", angle, of([](const TableRow& r) { return kMilli * parallel_residual(r); }), "pe").from_zero();
+    return "<section><h2>Measured table and smoothed law</h2><div class=\"grid\">" + torques.svg() + residuals.svg() +
+           "<div class=\"card wide\">" +
+           html_facts({{"file", fmt::format("{}, {} rows", table.file, table.rows.size())},
+                       {"F_SE", misfit_text(table, table.series())},
+                       {"F_PE", misfit_text(table, table.parallel())}}) +
+           "</div></div></section>\n";
+}
+
+}  // namespace fusee::report

@@ -1,44 +1,32 @@
-#include "fusee/report/as_exported.h"
+#include "design/as_exported.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "design/as_exported.h"
-#include "fusee/core/units.h"
 #include "page/html.h"
 
 namespace fusee::report {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-Json spring_json(const ExportedSpring& spring) {
-    if (spring.file.empty()) return {{"file", nullptr}};
-    return {{"file", spring.file}, {"worst_arm_relative", spring.worst_arm}, {"worst_law_relative", spring.worst_law}};
-}
-
-std::string percent(double share) { return number(100.0 * share, 2) + " %"; }
-std::string degrees(double angle) { return number(core::deg_from_rad(angle), 5) + (std::isnan(angle) ? "" : " deg"); }
+std::string degrees_text(double angle) { return deg(angle, 5) + (std::isnan(angle) ? "" : " deg"); }
 
 /// File, worst error of the arm and of the torque.
 void add_spring(std::vector<Cell>& row, const ExportedSpring& spring) {
-    if (spring.file.empty()) {
-        row.insert(row.end(), {{"nominal", "faint"}, {"", ""}, {"", ""}});
-        return;
-    }
-    row.push_back({escape(spring.file), "code"});
-    row.push_back({percent(spring.worst_arm), "num"});
-    row.push_back({percent(spring.worst_law), "num"});
+    const auto error = [](double share) { return num(number(100.0 * share, 2) + " %"); };
+    if (spring.file.empty())
+        row.insert(row.end(), {faint("nominal"), plain(""), plain("")});
+    else
+        row.insert(row.end(), {code(spring.file), error(spring.worst_arm), error(spring.worst_law)});
 }
 
 std::vector<Cell> joint_row(const JointAsExported& joint) {
-    std::vector<Cell> row{{escape(joint.reader) + (joint.binding ? "" : ", a print"), ""}};
+    std::vector<Cell> row{plain(joint.reader + (joint.binding ? "" : ", a print"))};
     add_spring(row, joint.series);
     add_spring(row, joint.parallel);
-    for (const double width : joint.dead_band) row.push_back({degrees(width), "num"});
-    if (!joint.refusal.empty()) row.back() = {escape(joint.refusal), "faint"};
+    for (const double width : joint.dead_band) row.push_back(num(degrees_text(width)));
+    if (!joint.refusal.empty()) row.back() = faint(joint.refusal);
     return row;
 }
 
@@ -56,32 +44,23 @@ double AsExported::worst_change() const {
     return worst;
 }
 
-Json as_exported_json(const AsExported& exported) {
-    Json joints = Json::array();
-    for (const JointAsExported& joint : exported.joints)
-        joints.push_back({{"reader", joint.reader},
-                          {"k_se", spring_json(joint.series)},
-                          {"k_pe", spring_json(joint.parallel)},
-                          {"dead_band_rad", joint.dead_band},
-                          {"binding", joint.binding},
-                          {"refusal", joint.refusal}});
-    return {{"tau_Nm", exported.torques}, {"nominal_dead_band_rad", exported.nominal}, {"joints", joints}};
-}
-
 std::string as_exported_section(const AsExported& exported) {
     if (exported.joints.empty()) return "";
-    std::vector<std::string> head{"reader", "K_SE", "arm", "law", "K_PE", "arm", "law"};
-    std::vector<Cell> nominal{{"nominal", ""}, {"as designed", "faint"}, {"", ""}, {"", ""}, {"as designed", "faint"}, {"", ""}, {"", ""}};
+    std::vector<std::string> head{"reader", "K_SE", "arm error", "law error", "K_PE", "arm error", "law error"};
+    const Cell designed = faint("as designed"), none = plain("");
+    std::vector<Cell> nominal{plain("nominal"), designed, none, none, designed, none, none};
     for (std::size_t i = 0; i < exported.torques.size(); ++i) {
-        head.push_back("at " + number(exported.torques[i], 3) + " Nm");
-        nominal.push_back({degrees(exported.nominal[i]), "num"});
+        head.push_back("at " + newton_metres(exported.torques[i]));
+        nominal.push_back(num(degrees_text(exported.nominal[i])));
     }
-    std::vector<std::vector<Cell>> rows{std::move(nominal)};
+    Rows rows{std::move(nominal)};
     for (const JointAsExported& joint : exported.joints) rows.push_back(joint_row(joint));
-    return "<section><h2>The joint as exported</h2><p>From the arms found in its files each joint's springs, and from these its exact "
-           "dead-band, edge to edge, at least, peak and overdrive torque: the last columns. Arm and law: the worst departure from what was "
-           "asked for, over the working range. Where one part has no such file, its nominal law stands in.</p>" +
-           html_table(head, rows) + "</section>\n";
+    return section(
+        "The joint as exported",
+        paragraph("The last columns are the exact dead-band, edge to edge, at least, peak and overdrive torque. It is computed "
+                  "from the springs whose arms were read back from the files. Arm and law error: the largest relative error over "
+                  "the working range. A part without such a file has its nominal law.") +
+            html_table(head, rows));
 }
 
 }  // namespace fusee::report

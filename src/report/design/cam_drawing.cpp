@@ -18,7 +18,7 @@ using core::mm_from_m;
 using Point = std::array<double, 2>;
 using Line = std::vector<Point>;
 
-// Below the top face by less than any timing mark is deep, and at no height at which a mesh has vertices.
+// Below the top face, less deep than any timing mark, and at no height of mesh vertices.
 constexpr double kUnderTop_mm = 0.0137;
 
 /// SVG's y points down, the body's up.
@@ -36,11 +36,11 @@ std::string rings(const std::vector<Line>& lines) {
     return data;
 }
 
-/// The square of paper: centred on what is drawn. Text and marks grow with it, so that a small cam and a large one read alike.
+/// The square sheet around the drawing. Text and marks scale with it.
 struct Sheet {
     Point centre{};
-    double reach = 0.0;                                         ///< of what is drawn, from the centre [mm]
-    [[nodiscard]] double half() const { return 1.36 * reach; }  // room for markers and cables
+    double reach = 0.0;                                         ///< of the drawing, from the centre [mm]
+    [[nodiscard]] double half() const { return 1.36 * reach; }  // space for markers and cables
     [[nodiscard]] double unit() const { return half() / 50.0; }
 };
 
@@ -58,7 +58,7 @@ Sheet sheet_around(const std::vector<Line>& lines) {
     return sheet;
 }
 
-/// The cable where it touches at one end of the law, drawn as it leaves: the tension's torque about +z has the sign torque_sign.
+/// The cable at one end of the law, from its contact outwards: the torque of its tension about +z has the sign torque_sign.
 std::string cable(const cam::Cam& cam, const cam::Contact& contact, const Sheet& sheet, const char* css, const std::string& name) {
     const double x = mm_from_m(contact.path.x()), y = -mm_from_m(contact.path.y()), u = sheet.unit();
     const double tx = -std::sin(contact.path.psi) * cam.options.torque_sign, ty = -std::cos(contact.path.psi) * cam.options.torque_sign;
@@ -70,7 +70,7 @@ std::string cable(const cam::Cam& cam, const cam::Contact& contact, const Sheet&
         coordinate(end_x), coordinate(end_y + (ty < 0 ? -1.2 * u : 3.2 * u)), coordinate(2.6 * u), escape(name));
 }
 
-/// The roller where it touches at one end of the law.
+/// The roller at one end of the law.
 std::string roller(const cam::Cam& cam, const cam::Contact& contact, const Sheet& sheet, const char* css, const std::string& name) {
     const double radius = mm_from_m(cam.options.roller.radius), size = 2.6 * sheet.unit();
     const double x = mm_from_m(contact.path.x()) + radius * std::cos(contact.path.psi),

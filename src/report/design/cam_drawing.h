@@ -7,7 +7,7 @@
 
 namespace fusee::report {
 
-/// A finding's place on the drawing with the number that it has in the table.
+/// The place of a finding on the drawing, with its number in the table.
 struct Marker {
     int number = 0;
     core::Severity severity = core::Severity::kPass;
@@ -15,10 +15,9 @@ struct Marker {
     std::string title;
 };
 
-/// The cam seen from +z in its body frame, to scale: the drawing's unit is the millimetre, and so is the size that it asks for (the page
-/// shows it larger: hence the scale bar). Shows the saw cuts under the top face (flange, bore, holes) and through the boss, both of the
-/// exported mesh, the pitch curve with its working arc, the groove's floor, the cable at both ends of the law, and the markers. A helix
-/// shows as the spiral that it is from above.
+/// View of the cam from +z in its body frame, to scale: one drawing unit is one millimetre (the page enlarges it, so it has a scale bar).
+/// Shows sections of the exported mesh just below the top face and through the boss, the pitch curve with its working arc, the groove
+/// floor, the cable at both ends of the law, and the markers. A helix appears as a spiral.
 [[nodiscard]] std::string cam_svg(const solid::Part& part, const std::vector<Marker>& markers);
 
 }  // namespace fusee::report

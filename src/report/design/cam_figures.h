@@ -4,7 +4,7 @@
 
 namespace fusee::report {
 
-/// What a reader asks of a cam first.
+/// Key figures of a cam.
 struct CamFigures {
     double travel = 0.0;  ///< cam rotation over the law [rad]
     core::Range arms_mm;

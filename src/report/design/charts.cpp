@@ -13,11 +13,7 @@ namespace fusee::report {
 
 namespace {
 
-using core::deg_from_rad;
-
-std::string range_text(const core::Range& r, const std::string& unit, int digits = 4) {
-    return number(r.low, digits) + " to " + number(r.high, digits) + " " + unit;
-}
+const char* const kCoContraction = "co-contraction, motor torque at the capstan [Nm]";
 
 std::string law_plots(const LawReport& law) {
     using P = spring::LawPoint;
@@ -42,37 +38,36 @@ std::string law_plots(const LawReport& law) {
 }
 
 std::string law_facts(const LawReport& law) {
-    std::vector<std::pair<std::string, std::string>> facts{
-        {"loads, lead-in included", range_text({law.samples.front().tau, law.samples.back().tau}, "Nm")},
-        {"loads of the law itself", range_text(law.design_loads, "Nm")},
-        {"capstan travel",
-         fmt::format("{} rad ({} deg)", number(law.samples.back().theta), number(deg_from_rad(law.samples.back().theta)))},
-        {"lead-in", law.lead_in_travel > 0.0 ? fmt::format("{} deg of capstan, {} to {} Nm", number(deg_from_rad(law.lead_in_travel)),
-                                                           number(law.samples.front().tau), number(law.design_loads.low))
-                                             : "none"},
-        {"loads of stuck capstans", range_text(law.stiction_loads, "Nm") + (law.covers_stiction() ? ": covered" : ": not covered")}};
-    if (law.least_feasible_start == law.least_feasible_start)
-        facts.emplace_back("least feasible start", number(law.least_feasible_start) + " Nm");
+    const double travel = law.samples.back().theta;
+    const core::Range loads{law.samples.front().tau, law.samples.back().tau};
+    const core::Range lead_in{law.samples.front().tau, law.design_loads.low};
+    Facts facts{
+        {"loads, lead-in included", span(loads, 4) + " Nm"},
+        {"loads of the law", span(law.design_loads, 4) + " Nm"},
+        {"capstan travel", fmt::format("{} rad ({} deg)", number(travel), deg(travel))},
+        {"lead-in", law.lead_in_travel > 0.0 ? fmt::format("{} deg of capstan, {} Nm", deg(law.lead_in_travel), span(lead_in, 4)) : "none"},
+        {"loads of stuck capstans", span(law.stiction_loads, 4) + (law.covers_stiction() ? " Nm: covered" : " Nm: not covered")}};
+    if (std::isfinite(law.least_feasible_start)) facts.emplace_back("least feasible start", newton_metres(law.least_feasible_start, 4));
     return "<div class=\"card wide\"><h3>The law</h3>" + html_facts(facts) + "</div>\n";
 }
 
-/// Bounds are rounded outwards: what is printed is proven too.
+/// Bounds are rounded outwards, so that the printed value is proven too.
 std::string certificate_text(const cam::Certificate& c) {
     const cam::LeastRadius& least = c.least();
     const std::string bound =
-        std::isfinite(least.proven) ? fmt::format("\u2265 {:.4f} mm on all of the contour, ", std::floor(1e7 * least.proven) / 1e4) : "";
+        std::isfinite(least.proven) ? fmt::format("\u2265 {:.4f} mm on the whole contour, ", std::floor(1e7 * least.proven) / 1e4) : "";
     return fmt::format("{}convex: {}, cable unrolls in order: {} ({} boxes){}", bound, to_string(c.convex), to_string(c.ordered), c.boxes,
                        c.open.empty() ? "" : "; " + c.open);
 }
 
-/// What runs on the part, and with what force.
-std::pair<std::string, std::string> partner(const cam::Cam& cam, const CamFigures& f) {
-    if (!cam.has_roller())
-        return {"cable", fmt::format("{} mm, {}", number(core::mm_from_m(cam.options.cable_diameter)), range_text(f.tensions, "N", 3))};
+/// The cable or roller on the part, and its force.
+Facts::value_type partner(const cam::Cam& cam, const CamFigures& f) {
+    const std::string forces = span(f.tensions) + " N";
+    if (!cam.has_roller()) return {"cable", fmt::format("{} mm, {}", number(core::mm_from_m(cam.options.cable_diameter)), forces)};
     double steepest = 0.0;
     for (const cam::Contact& c : cam.working) steepest = std::max(steepest, std::abs(cam::pressure_angle(c.arm, cam.options.roller)));
     return {"roller", fmt::format("{} mm radius, {}, pressure angle up to {} deg", number(core::mm_from_m(cam.options.roller.radius)),
-                                  range_text(f.tensions, "N", 3), number(deg_from_rad(steepest), 3))};
+                                  forces, deg(steepest, 3))};
 }
 
 std::string cam_facts(const PartReport& report) {
@@ -83,49 +78,45 @@ std::string cam_facts(const PartReport& report) {
     const double scale = torsion ? 1.0 : 1e3;
     const core::Range states{f.states.low * scale, f.states.high * scale};
     const core::Range loads{f.states.low * report.spring.rate, f.states.high * report.spring.rate};
-    std::vector<std::pair<std::string, std::string>> facts{
-        {"path", part.cam.closed() ? "planar, closed" : "helix"},
-        {"lever arm", range_text(f.arms_mm, "mm")},
-        {"cam travel", fmt::format("{} deg", number(deg_from_rad(f.travel)))},
-        {"working arc", fmt::format("{} turns", number(part.cam.working_psi.width() / (2.0 * core::kPi), 3))},
-        {"least radius of curvature", number(f.least_rho_mm) + " mm"},
-        {"by interval arithmetic", certificate_text(report.certificate)},
-        partner(part.cam, f),
-        {"base spring", fmt::format("{} {}", number(report.spring.rate), torsion ? "Nm/rad" : "N/m")},
-        {torsion ? "spring winding" : "spring travel", range_text(states, torsion ? "rad" : "mm")},
-        {torsion ? "spring torque" : "spring force", range_text(loads, torsion ? "Nm" : "N")},
-        {"box", fmt::format("{} x {} x {} mm", number(box.high_mm[0] - box.low_mm[0]), number(box.high_mm[1] - box.low_mm[1]),
-                            number(box.high_mm[2] - box.low_mm[2]))},
-        {"volume", fmt::format("{} mm\u00b3", number(solid::volume_mm3(part.mesh)))},
-        {"mesh", fmt::format("{} triangles, within {} mm", part.mesh.triangles.size(), number(part.chordal_error_mm))},
-        {"smallest angle, shortest edge",
-         fmt::format("{} deg, {} mm", number(report.quality.smallest_angle_deg, 2), number(report.quality.shortest_edge_mm, 2))}};
+    Facts facts{{"path", part.cam.closed() ? "planar, closed" : "helix"},
+                {"lever arm", span(f.arms_mm, 4) + " mm"},
+                {"cam travel", deg(f.travel) + " deg"},
+                {"working arc", fmt::format("{} turns", number(part.cam.working_psi.width() / (2.0 * core::kPi), 3))},
+                {"least radius of curvature", number(f.least_rho_mm) + " mm"},
+                {"by interval arithmetic", certificate_text(report.certificate)},
+                partner(part.cam, f),
+                {"base spring", fmt::format("{} {}", number(report.spring.rate), torsion ? "Nm/rad" : "N/m")},
+                {torsion ? "spring winding" : "spring travel", span(states, 4) + (torsion ? " rad" : " mm")},
+                {torsion ? "spring torque" : "spring force", span(loads, 4) + (torsion ? " Nm" : " N")},
+                {"box", fmt::format("{} x {} x {} mm", number(box.high_mm[0] - box.low_mm[0]), number(box.high_mm[1] - box.low_mm[1]),
+                                    number(box.high_mm[2] - box.low_mm[2]))},
+                {"volume", fmt::format("{} mm\u00b3", number(solid::volume_mm3(part.mesh)))},
+                {"mesh", fmt::format("{} triangles, within {} mm", part.mesh.triangles.size(), number(part.chordal_error_mm))},
+                {"smallest angle, shortest edge",
+                 fmt::format("{} deg, {} mm", number(report.quality.smallest_angle_deg, 2), number(report.quality.shortest_edge_mm, 2))}};
     if (const cam::ArmPoint& most = part.cam.working.back().arm; most.stretch.turn != 0.0)
-        facts.emplace_back("cable's stretch, cut for", stretch_text(most));
-    return "<div class=\"card\">" + html_facts(facts) + "</div>\n";
+        facts.emplace_back("cable elongation, compensated", stretch_text(most));
+    return card(html_facts(facts));
 }
 
 }  // namespace
 
 std::string law_section(const DesignReport& design) {
-    if (design.law.samples.empty()) return "";
-    return "<section><h2>Spring law</h2><div class=\"grid\">" + law_plots(design.law) + law_facts(design.law) + "</div></section>\n";
+    return design.law.samples.empty() ? "" : section("Spring law", grid(law_plots(design.law) + law_facts(design.law)));
 }
 
 std::string dead_band_section(const DesignReport& design) {
     if (design.dead_band.empty()) return "";
     using D = actuator::DeadBand;
-    const auto tau = column(design.dead_band, [](const D& d) { return d.tau; });
-    Plot band("Dead-band at the joint, edge to edge", "co-contraction, motor torque at the capstan [Nm]", "dead-band [deg]");
+    const auto tau = column(design.dead_band, &D::tau);
+    Plot band("Dead-band at the joint, edge to edge", kCoContraction, "dead-band [deg]");
     band.curve("linear: 2 mu tau / (g P)", tau, column(design.dead_band, [](const D& d) { return deg_from_rad(d.linear); }), "linear",
                true);
-    band.curve("exact extremes", tau, column(design.dead_band, [](const D& d) { return deg_from_rad(d.exact_width); }), "exact")
-        .from_zero();
-    Plot stiffness("Stiffness of the joint", "co-contraction, motor torque at the capstan [Nm]", "stiffness [Nm/rad]");
-    stiffness.curve("capstans held", tau, column(design.dead_band, [](const D& d) { return d.joint_stiffness; }), "se");
-    stiffness.curve("capstans free", tau, column(design.dead_band, [](const D& d) { return d.free_joint_stiffness; }), "sum", true);
-    return "<section><h2>What stiction leaves at the joint</h2><div class=\"grid\">" + band.svg() + stiffness.from_zero().svg() +
-           "</div></section>\n";
+    band.curve("exact", tau, column(design.dead_band, [](const D& d) { return deg_from_rad(d.exact_width); }), "exact").from_zero();
+    Plot stiffness("Stiffness of the joint", kCoContraction, "stiffness [Nm/rad]");
+    stiffness.curve("capstans held", tau, column(design.dead_band, &D::joint_stiffness), "se");
+    stiffness.curve("capstans free", tau, column(design.dead_band, &D::free_joint_stiffness), "sum", true);
+    return section("Dead-band and stiffness of the joint", grid(band.svg() + stiffness.from_zero().svg()));
 }
 
 std::string part_section(const PartReport& report, const std::vector<Marker>& markers) {
@@ -136,15 +127,16 @@ std::string part_section(const PartReport& report, const std::vector<Marker>& ma
     arm.curve("arm", angle, column(cam.working, [](const cam::Contact& c) { return core::mm_from_m(c.arm.arm); }), series ? "se" : "pe");
     Plot height("Height of the cable on the helix", "cam angle [deg]", "z [mm]");
     height.curve("z", angle, column(cam.working, [](const cam::Contact& c) { return core::mm_from_m(c.path.z); }), "sum");
-    return fmt::format("<section><h2>{}: {}</h2><div class=\"part\"><figure class=\"card\">", cam::to_string(cam.kind),
-                       series ? "spool of the series spring" : "cam of the parallel spring") +
-           cam_svg(*report.part, markers) +
-           "<p class=\"faint\">Seen from +z at cam angle 0, to scale. Filled: the part just under its top face; coloured: the " +
-           (cam.has_roller() ? "working arc of the rim; round: the roller at the lowest and (dashed) at the highest load; "
-                             : "cable's centreline on the working arc; thin: groove floor; straight: the cable at the lowest and (dashed) "
-                               "at the highest load; ") +
-           "numbers: findings.</p></figure><div class=\"stack\">" + cam_facts(report) + arm.svg() + (cam.closed() ? "" : height.svg()) +
-           "</div></div></section>\n";
+    const std::string legend =
+        cam.has_roller() ? "coloured: working arc of the rim; circles: roller at the lowest and (dashed) highest load"
+                         : "coloured: cable centreline on the working arc; thin: groove floor; straight: cable at the lowest and (dashed) "
+                           "highest load";
+    return section(fmt::format("{}: {}", cam::to_string(cam.kind), series ? "spool of the series spring" : "cam of the parallel spring"),
+                   "<div class=\"part\"><figure class=\"card\">" + cam_svg(*report.part, markers) +
+                       faint_paragraph("View from +z at cam angle 0, to scale. Filled: section just below the top face; " + legend +
+                                       "; numbers: findings.") +
+                       "</figure><div class=\"stack\">" + cam_facts(report) + arm.svg() + (cam.closed() ? "" : height.svg()) +
+                       "</div></div>");
 }
 
 }  // namespace fusee::report

@@ -10,26 +10,22 @@ namespace fusee::report {
 
 namespace {
 
-constexpr double kSlightest = 1e-5;  // Nm of stiction for each Nm of co-contraction: a hundredth of what a file's arms may be off
-
-std::string deg(double rad) { return number(core::deg_from_rad(rad), 3); }
-std::string nm(double torque) { return number(torque, 3) + " Nm"; }
+constexpr double kSlightest = 1e-5;  // Nm of stiction per Nm of co-contraction: a hundredth of the allowed arm error of a file
 
 std::string built_text(const ExpectedWidth& width) {
-    return fmt::format("{} to {} deg at {}", deg(width.built.low), deg(width.built.high), nm(width.tau));
+    return fmt::format("{} to {} deg at {}", deg(width.built.low, 3), deg(width.built.high, 3), newton_metres(width.tau));
 }
 
 std::string width_text(const ExpectedWidth& width) {
-    return std::isfinite(width.nominal) ? deg(width.nominal) + " deg" : "not covered by the springs";
+    return std::isfinite(width.nominal) ? deg(width.nominal, 3) + " deg" : "not covered by the springs";
 }
 
 HeadFigure dead_band_figure(const Outlook& o) {
+    const std::string low = newton_metres(o.least.tau), high = newton_metres(o.overdrive.tau);
     const bool known = std::isfinite(o.least.nominal) && std::isfinite(o.overdrive.nominal);
-    const std::string value =
-        known ? fmt::format("{} to {} deg", deg(o.least.nominal), deg(o.overdrive.nominal))
-              : fmt::format("{} at {}, {} at {}", width_text(o.least), nm(o.least.tau), width_text(o.overdrive), nm(o.overdrive.tau));
-    HeadFigure figure{value,
-                      fmt::format("dead-band at the joint, exact, from {} to {} of co-contraction", nm(o.least.tau), nm(o.overdrive.tau))};
+    HeadFigure figure{known ? fmt::format("{} to {} deg", deg(o.least.nominal, 3), deg(o.overdrive.nominal, 3))
+                            : fmt::format("{} at {}, {} at {}", width_text(o.least), low, width_text(o.overdrive), high),
+                      fmt::format("exact dead-band at the joint, from {} to {} of co-contraction", low, high)};
     std::string built;
     for (const ExpectedWidth* width : {&o.least, &o.overdrive})
         if (std::isfinite(width->built.width())) built += (built.empty() ? "" : ", ") + built_text(*width);
@@ -40,13 +36,13 @@ HeadFigure dead_band_figure(const Outlook& o) {
 HeadFigure arms_figure(const Outlook& o, const FileErrors& files) {
     const auto worst = std::max_element(o.arms.begin(), o.arms.end(),
                                         [](const auto& a, const auto& b) { return a.worst_relative() < b.worst_relative(); });
-    const std::string percent = number(100.0 * worst->worst_relative(), 2);
-    HeadFigure figure{fmt::format("-{0} to +{0} %", percent), "arm error expected of the parts by " + o.process + ":"};
+    HeadFigure figure{fmt::format("-{0} to +{0} %", number(100.0 * worst->worst_relative(), 2)),
+                      "expected arm error of parts by " + o.process + ":"};
     for (const MadeArm& arm : o.arms)
-        figure.label += fmt::format("{} {} mm at the least arm of {}, {} mm", &arm == &o.arms.front() ? "" : ",",
-                                    number(arm.tolerance_mm, 2), arm.part, number(arm.least_arm_mm, 3));
-    if (std::isfinite(files.arm)) figure.label += fmt::format("; of the files {} %", number(100.0 * files.arm, 2));
-    if (std::isfinite(files.dead_band)) figure.label += fmt::format(", their dead-band within {} %", number(100.0 * files.dead_band, 2));
+        figure.label += fmt::format("{} {} mm on {}'s least arm of {} mm", &arm == &o.arms.front() ? "" : ",", number(arm.tolerance_mm, 2),
+                                    arm.part, number(arm.least_arm_mm, 3));
+    if (std::isfinite(files.arm)) figure.label += fmt::format("; arm error of the files {} %", number(100.0 * files.arm, 2));
+    if (std::isfinite(files.dead_band)) figure.label += fmt::format(", of their dead-band {} %", number(100.0 * files.dead_band, 2));
     return figure;
 }
 
@@ -61,9 +57,10 @@ std::vector<HeadFigure> head_figures(const Outlook& o, const FileErrors& files) 
     if (o.process.empty()) return all;
     all.push_back(dead_band_figure(o));
     if (!o.arms.empty()) all.push_back(arms_figure(o, files));
-    if (std::isfinite(o.joint_torque)) all.push_back({nm(o.joint_torque), "greatest joint torque that no spring leaves its law for"});
+    if (std::isfinite(o.joint_torque))
+        all.push_back({newton_metres(o.joint_torque), "greatest joint torque within the laws of the springs"});
     if (std::isfinite(o.condition.values.high))
-        all.push_back({short_condition(o.condition), "condition (6), d(T tau_f)/dtau below 0, with its least and greatest value"});
+        all.push_back({short_condition(o.condition), "condition (6), d(T tau_f)/dtau < 0; in brackets its least and greatest value"});
     return all;
 }
 
@@ -91,32 +88,32 @@ const char* to_string(ConditionVerdict verdict) {
 }
 
 std::string condition_text(const actuator::ConditionSummary& c) {
-    const auto range = [](const core::Range& r) { return fmt::format("from {} to {}", nm(r.low), nm(r.high)); };
+    const auto range = [](const core::Range& r) { return fmt::format("from {} to {}", newton_metres(r.low), newton_metres(r.high)); };
     const std::string low = number(c.values.low, 2), high = number(c.values.high, 2);
     switch (condition_verdict(c)) {
         case ConditionVerdict::kHolds:
             return fmt::format(
-                "Condition (6) holds {}: d(T tau_f)/dtau is {} to {}, so the stiction that reaches the joint falls with "
+                "Condition (6) holds {}: d(T tau_f)/dtau is {} to {}, so stiction at the joint decreases with "
                 "co-contraction.",
                 range(c.torques), low, high);
         case ConditionVerdict::kFails:
             return fmt::format(
-                "Condition (6) fails {}: d(T tau_f)/dtau is {} to {}, so the stiction that reaches the joint grows with "
+                "Condition (6) fails {}: d(T tau_f)/dtau is {} to {}, so stiction at the joint increases with "
                 "co-contraction.",
                 range(c.torques), low, high);
         case ConditionVerdict::kWithinRounding:
             return fmt::format(
-                "Condition (6) is met within rounding only {}: d(T tau_f)/dtau is {} to {}, so the stiction that reaches the "
+                "Condition (6) holds only within rounding {}: d(T tau_f)/dtau is {} to {}, so stiction at the "
                 "joint stays the same{}.",
                 range(c.torques), low, high, c.values.low < -kSlightest ? " at its weakest place" : "");
         case ConditionVerdict::kNotKnown:
-            return "Condition (6) is not known: the law covers no co-contraction in use.";
+            return "Condition (6) is unknown: the law covers no co-contraction in use.";
         case ConditionVerdict::kMixed:
             break;
     }
     std::string where;
     for (const core::Range& part : c.holds) where += (where.empty() ? "" : ", ") + range(part);
-    return fmt::format("Condition (6) holds {}, of the co-contractions {}: d(T tau_f)/dtau is {} to {}.", where, range(c.torques), low,
+    return fmt::format("Condition (6) holds {} of the co-contractions {}: d(T tau_f)/dtau is {} to {}.", where, range(c.torques), low,
                        high);
 }
 

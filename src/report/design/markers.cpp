@@ -11,27 +11,9 @@
 
 namespace fusee::report {
 
-namespace {
-
-const char* css(core::Severity severity) {
-    switch (severity) {
-        case core::Severity::kPass:
-            return "pass";
-        case core::Severity::kNotJudged:
-            return "unjudged";
-        case core::Severity::kWarning:
-            return "review";
-        case core::Severity::kError:
-            return "required";
-    }
-    return "";
-}
-
-}  // namespace
-
 std::vector<double> spread_angles(std::vector<double> wanted, double least) {
     constexpr double kTurn = 2.0 * core::kPi;
-    constexpr int kPasses = 400;  // pairs are pushed apart by half of what they lack; 20 markers settle in some dozen passes
+    constexpr int kPasses = 400;  // each pass halves what a pair lacks; 20 markers settle in some dozen passes
     const std::size_t n = wanted.size();
     if (n < 2) return wanted;
     least = std::min(least, 0.999 * kTurn / static_cast<double>(n));
@@ -59,7 +41,7 @@ std::string markers_svg(const std::vector<Marker>& markers, const std::array<dou
         const double x = centre_mm[0] + radius_mm * std::cos(angles[i]), y = centre_mm[1] + radius_mm * std::sin(angles[i]);
         out += fmt::format(
             "<g class=\"place {}\"><title>{}</title><path class=\"leader\" d=\"M{} {}L{} {}\"/><circle cx=\"{}\" cy=\"{}\" r=\"{}\"/>",
-            css(m.severity), escape(m.title), coordinate(m.x_mm), coordinate(-m.y_mm), coordinate(x), coordinate(-y), coordinate(m.x_mm),
+            css_of(m.severity), escape(m.title), coordinate(m.x_mm), coordinate(-m.y_mm), coordinate(x), coordinate(-y), coordinate(m.x_mm),
             coordinate(-m.y_mm), coordinate(0.28 * size_mm));
         out += fmt::format(
             "<circle class=\"disc\" cx=\"{}\" cy=\"{}\" r=\"{}\"/><text x=\"{}\" y=\"{}\" font-size=\"{}\" text-anchor=\"middle\">"

@@ -42,22 +42,20 @@ SmoothedTable::Misfit SmoothedTable::parallel() const { return misfit(rows, para
 std::string table_section(const LawReport& law) {
     if (!law.table) return "";
     const SmoothedTable& table = *law.table;
-    const auto angle = column(table.rows, [](const TableRow& r) { return r.angle; });
     const auto of = [&table](const auto& get) { return column(table.rows, get); };
-    Plot torques("Rows of the table on the smoothed springs", "capstan angle in the file [rad]", "torque [Nm]");
-    torques.points("F_SE, measured", angle, of([](const TableRow& r) { return r.series; }), "se");
-    torques.points("F_PE, measured", angle, of([](const TableRow& r) { return r.parallel; }), "pe");
-    torques.curve("F_SE, smoothed", angle, of([](const TableRow& r) { return r.series_smooth; }), "se");
-    torques.curve("F_PE, smoothed", angle, of([](const TableRow& r) { return r.parallel_smooth; }), "pe").from_zero();
-    Plot residuals("Residuals: smoothed less measured", "capstan angle in the file [rad]", "residual [mNm]");
+    const auto angle = of(&TableRow::angle);
+    Plot torques("Rows of the table and smoothed springs", "capstan angle in the file [rad]", "torque [Nm]");
+    torques.points("F_SE, measured", angle, of(&TableRow::series), "se").points("F_PE, measured", angle, of(&TableRow::parallel), "pe");
+    torques.curve("F_SE, smoothed", angle, of(&TableRow::series_smooth), "se");
+    torques.curve("F_PE, smoothed", angle, of(&TableRow::parallel_smooth), "pe").from_zero();
+    Plot residuals("Residuals: smoothed minus measured", "capstan angle in the file [rad]", "residual [mNm]");
     residuals.points("F_SE", angle, of([](const TableRow& r) { return kMilli * series_residual(r); }), "se");
     residuals.points("F_PE", angle, of([](const TableRow& r) { return kMilli * parallel_residual(r); }), "pe").from_zero();
-    return "<section><h2>Measured table and smoothed law</h2><div class=\"grid\">" + torques.svg() + residuals.svg() +
-           "<div class=\"card wide\">" +
-           html_facts({{"file", fmt::format("{}, {} rows", table.file, table.rows.size())},
-                       {"F_SE", misfit_text(table, table.series())},
-                       {"F_PE", misfit_text(table, table.parallel())}}) +
-           "</div></div></section>\n";
+    return section("Measured table and smoothed law", grid(torques.svg() + residuals.svg() + "<div class=\"card wide\">" +
+                                                           html_facts({{"file", fmt::format("{}, {} rows", table.file, table.rows.size())},
+                                                                       {"F_SE", misfit_text(table, table.series())},
+                                                                       {"F_PE", misfit_text(table, table.parallel())}}) +
+                                                           "</div>"));
 }
 
 }  // namespace fusee::report

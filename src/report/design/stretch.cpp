@@ -7,24 +7,13 @@
 
 namespace fusee::report {
 
-using core::deg_from_rad;
-
-nlohmann::ordered_json stretch_json(const cam::ArmPoint& at) {
-    return {{"load_Nm", at.tau},
-            {"tension_N", at.tension},
-            {"length_mm", core::mm_from_m(at.stretch.length)},
-            {"capstan_rad", at.stretch.turn},
-            {"capstan_travel_rad", at.stretch.travel},
-            {"share", at.stretch.share()}};
-}
-
 std::string stretch_text(const cam::ArmPoint& at) {
     return fmt::format("{:.3g} mm at {:.3g} N: {:.3g} of the capstan's {:.3g} deg, {:.2g} %", core::mm_from_m(at.stretch.length),
-                       at.tension, deg_from_rad(at.stretch.turn), deg_from_rad(at.stretch.travel), 100.0 * at.stretch.share());
+                       at.tension, core::deg_from_rad(at.stretch.turn), core::deg_from_rad(at.stretch.travel), 100.0 * at.stretch.share());
 }
 
 std::string stretch_remark(const Simulation& s) {
-    std::string text = "At the law's largest load the cables have stretched, which both cams are cut for: ";
+    std::string text = "Cable elongation at the law's largest load, which both cams compensate: ";
     for (const StretchSide& side : s.stretches)
         text += fmt::format("{}{} by {}", &side == &s.stretches.front() ? "" : "; ", cam::to_string(side.part), stretch_text(side.at));
     return text + ".";

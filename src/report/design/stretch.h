@@ -1,10 +1,10 @@
 #pragma once
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "fusee/cam/arm.h"
 
-/// What a cable's stretch takes at one load: the same figures in every report.
+/// The elongation of a cable at one load, with the same figures in every report.
 namespace fusee::report {
 
 /// load_Nm, tension_N, length_mm, capstan_rad, capstan_travel_rad, share.

@@ -6,6 +6,7 @@
 
 #include "diagnosis/words.h"
 #include "fusee/report/diagnosis.h"
+#include "page/html.h"
 
 namespace fusee::report {
 
@@ -19,9 +20,9 @@ std::string effect_line(const gap::FoundEffect& effect) {
                        chance(effect.probability));
 }
 
-/// @param all what there is of it; the last of `lines` says how many are not shown
-void close(std::vector<std::string>& lines, std::size_t shown, std::size_t all, const char* what) {
-    if (all > shown) lines.push_back(fmt::format("  ... and {} more {} on the page", all - shown, what));
+/// Adds how many of `all` are not shown.
+void add_rest(std::vector<std::string>& lines, std::size_t shown, std::size_t all, const char* what) {
+    if (all > shown) lines.push_back(fmt::format("  ... {} more {} on the page", all - shown, what));
 }
 
 }  // namespace
@@ -30,21 +31,21 @@ std::string diagnosis_text(const gap::Diagnosis& diagnosis) {
     std::vector<std::string> lines{diagnosis.case_name + ": " + verdict_sentence(diagnosis)};
     const std::size_t effects = std::min(kMostEffects, diagnosis.effects.size());
     for (std::size_t i = 0; i < effects; ++i) lines.push_back(effect_line(diagnosis.effects[i]));
-    close(lines, effects, diagnosis.effects.size(), "effects");
+    add_rest(lines, effects, diagnosis.effects.size(), "effects");
     for (std::size_t i = 0; i < std::min(kMostPlaces, diagnosis.where.size()); ++i)
         lines.push_back(fmt::format("  {} {} of the gap: {}", i == 0 ? "where:" : "      ", percent(diagnosis.where[i].share),
                                     place(diagnosis.where[i])));
     const gap::Gap& gap = diagnosis.gap;
-    lines.push_back(fmt::format("  gap: {} sigma, noise floor {}", change(gap.before, gap.after), known(gap.noise_floor)));
+    lines.push_back(fmt::format("  gap: {} sigma, noise floor {}", change(gap.before, gap.after), number(gap.noise_floor, 3)));
     if (std::isfinite(gap.heldout_before))
-        lines.push_back(fmt::format("  on rows kept back: {} sigma (95 %: {})", change(gap.heldout_before, gap.heldout_after),
+        lines.push_back(fmt::format("  on held-out rows: {} sigma (95 %: {})", change(gap.heldout_before, gap.heldout_after),
                                     span(gap.heldout_after_95)));
     if (!diagnosis.next_experiment.empty()) lines.push_back("  next: " + diagnosis.next_experiment);
-    const std::size_t room = static_cast<std::size_t>(kMostDiagnosisLines) - lines.size();
-    const bool fits = diagnosis.remarks.size() <= room;
-    const std::size_t remarks = fits ? diagnosis.remarks.size() : room - 1;
+    const std::size_t left = static_cast<std::size_t>(kMostDiagnosisLines) - lines.size();
+    const bool fits = diagnosis.remarks.size() <= left;
+    const std::size_t remarks = fits ? diagnosis.remarks.size() : left - 1;
     for (std::size_t i = 0; i < remarks; ++i) lines.push_back("  - " + diagnosis.remarks[i]);
-    close(lines, remarks, diagnosis.remarks.size(), "remarks");
+    add_rest(lines, remarks, diagnosis.remarks.size(), "remarks");
     return fmt::format("{}\n", fmt::join(lines, "\n"));
 }
 

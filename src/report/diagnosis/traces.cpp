@@ -18,10 +18,10 @@ using gap::Trace;
 using Values = std::vector<double>;
 
 constexpr double kSigmasOf95 = 1.959964;     // two-sided 95 % of a normal distribution
-constexpr double kAlike = 0.1;               // of sigma: predictions that repeats share
-constexpr std::size_t kMostTurns = 12;       // more bands than these over one another hide the lines
-constexpr double kScattered = 0.2;           // of the range of x: mean step of rows in no order
-constexpr double kJump = 0.5, kSteps = 3.0;  // of the range of x, and of the usual step: where a line begins anew
+constexpr double kSamePrediction = 0.1;      // of sigma: of repeats
+constexpr std::size_t kMostTurns = 12;       // more overlapping bands hide the lines
+constexpr double kScattered = 0.2;           // of the range of x: mean step of unordered rows
+constexpr double kJump = 0.5, kSteps = 3.0;  // of the range of x, and of the usual step: where a new line begins
 constexpr std::size_t kFewestPoints = 20;
 
 bool any_known(const Values& values) {
@@ -47,20 +47,20 @@ std::size_t turns(const Values& x) {
     return count;
 }
 
-/// True if rows of equal x share their prediction, and some x comes again: repeats of a curve, not the two ways of a loop.
+/// True if some x repeats and rows of equal x have equal predictions: repeats of a curve, not the two branches of a loop.
 bool is_repeats(const Trace& trace, const std::vector<std::size_t>& by_x) {
     const Values &predicted = any_known(trace.after) ? trace.after : trace.before, x = picked(trace.x, by_x), y = picked(predicted, by_x),
                  sigma = picked(trace.sigma, by_x);
     bool again = false;
     for (std::size_t i = 1; i < x.size(); ++i) {
         if (x[i] != x[i - 1]) continue;
-        if (std::abs(y[i] - y[i - 1]) > kAlike * sigma[i]) return false;
+        if (std::abs(y[i] - y[i - 1]) > kSamePrediction * sigma[i]) return false;
         again = true;
     }
     return again;
 }
 
-/// True if x goes to and fro in steps too long for a path.
+/// True if x alternates in steps too long for a path.
 bool is_scattered(const Values& x) {
     if (turns(x) <= kMostTurns) return false;
     double length = 0.0;
@@ -69,7 +69,7 @@ bool is_scattered(const Values& x) {
     return length > kScattered * (*high - *low) * static_cast<double>(x.size());
 }
 
-/// The rows to draw, in the order of their path; by rising x if they have no path.
+/// The rows to draw in the order of their path, or by rising x without a path.
 std::vector<std::size_t> drawn_rows(const Trace& trace, std::size_t most) {
     std::vector<std::size_t> rows;
     for (std::size_t i = 0; i < trace.x.size(); i += (trace.x.size() + most - 1) / most)
@@ -79,8 +79,8 @@ std::vector<std::size_t> drawn_rows(const Trace& trace, std::size_t most) {
     return is_repeats(trace, by_x) || is_scattered(picked(trace.x, rows)) ? by_x : rows;
 }
 
-/// True where the line must not go on to row i: a new sweep begins there.
-std::vector<bool> starts(const Values& x) {
+/// True where row i begins a new sweep, so that no line leads to it.
+std::vector<bool> sweep_starts(const Values& x) {
     std::vector<bool> fresh(x.size(), false);
     if (x.size() < 3) return fresh;
     Values steps;
@@ -94,7 +94,7 @@ std::vector<bool> starts(const Values& x) {
 }
 
 /// A column with a gap before each new sweep.
-Values broken(const Values& values, const std::vector<bool>& fresh) {
+Values with_gaps(const Values& values, const std::vector<bool>& fresh) {
     Values out;
     for (std::size_t i = 0; i < values.size(); ++i) {
         if (fresh[i]) out.push_back(gap::kNoFigure);
@@ -103,12 +103,12 @@ Values broken(const Values& values, const std::vector<bool>& fresh) {
     return out;
 }
 
-/// One band for each way there or back: a band that folds over itself would cancel itself out.
+/// One band for each direction: a band that folds over itself would cancel itself.
 void add_bands(Plot& plot, const Values& x, const Values& after, const Values& sigma, const std::vector<bool>& fresh) {
     Values at, low, high;
     double last = 0.0;
     const auto flush = [&] {
-        if (at.size() > 1) plot.band("95 % of what is predicted", at, low, high, "se");
+        if (at.size() > 1) plot.band("95 % of predicted measurements", at, low, high, "se");
     };
     const auto clear = [&] {
         flush();
@@ -136,15 +136,15 @@ void add_bands(Plot& plot, const Values& x, const Values& after, const Values& s
     flush();
 }
 
-std::string chart(const Trace& trace, std::size_t most) {
+std::string trace_chart(const Trace& trace, std::size_t most) {
     const std::vector<std::size_t> rows = drawn_rows(trace, most);
     const Values x = picked(trace.x, rows), after = picked(trace.after, rows), before = picked(trace.before, rows);
-    const std::vector<bool> fresh = starts(x);
+    const std::vector<bool> fresh = sweep_starts(x);
     Plot plot(trace.label, column_name(trace.x_name), column_name(trace.y_name));
     if (any_known(after) && turns(x) <= kMostTurns) add_bands(plot, x, after, picked(trace.sigma, rows), fresh);
-    if (any_known(before)) plot.curve("before", broken(x, fresh), broken(before, fresh), "pe", true);
-    if (any_known(after)) plot.curve("after", broken(x, fresh), broken(after, fresh), "se");
-    Values measured = picked(trace.measured, rows);  // more dots than these would cover the lines
+    if (any_known(before)) plot.curve("before", with_gaps(x, fresh), with_gaps(before, fresh), "pe", true);
+    if (any_known(after)) plot.curve("after", with_gaps(x, fresh), with_gaps(after, fresh), "se");
+    Values measured = picked(trace.measured, rows);  // more dots would cover the lines
     const std::size_t step = (rows.size() + kMostDotsOfATrace - 1) / kMostDotsOfATrace;
     for (std::size_t i = 0; i < measured.size(); ++i)
         if (i % step != 0) measured[i] = gap::kNoFigure;
@@ -167,16 +167,16 @@ std::string trace_section(const gap::Diagnosis& diagnosis) {
             experiments.push_back(trace.experiment);
     }
     if (experiments.empty()) return "";
-    std::string out =
-        "<p>Dots: measured. Dashed: the nominal model. Whole line: the model with what was found, and the band in which 95 % "
-        "of the measurements should then lie; where a path turns often, the band is left out.";
-    if (thinned) out += fmt::format(" Of longer tables evenly chosen rows are drawn: at most {} dots.", std::min(most, kMostDotsOfATrace));
-    out += "</p>";
+    std::string words =
+        "Dots: measured. Dashed: the nominal model. Solid: the model with the effects found, and the band that should contain 95 % of the "
+        "measurements; without a band where a path turns often.";
+    if (thinned) words += fmt::format(" Long tables show evenly chosen rows: at most {} dots.", std::min(most, kMostDotsOfATrace));
+    std::string out = paragraph(words);
     for (const std::string& experiment : experiments) {
-        out += "<h3 class=\"held\">" + escape(experiment_name(experiment)) + "</h3><div class=\"grid\">";
+        std::string charts;
         for (const Trace& trace : diagnosis.traces)
-            if (trace.experiment == experiment) out += chart(trace, most);
-        out += "</div>";
+            if (trace.experiment == experiment) charts += trace_chart(trace, most);
+        out += subheading(experiment_name(experiment)) + grid(charts);
     }
     return section("Measured against predicted", out);
 }

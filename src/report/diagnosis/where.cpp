@@ -15,20 +15,20 @@ namespace {
 
 using gap::GapCell;
 
-// Drawing units, 520 wide as the page's charts are.
-constexpr double kWidth = 520, kLeast = 110, kMost = 240, kRight = 24, kStrip = 30, kRow = 56, kTop = 6;
-constexpr double kLabelDrop = 14, kLetter = 6.0, kNameLetter = 6.6, kNameGap = 20;
-constexpr std::size_t kMostCells = 8;  // of a strip: narrower cells have no room for their figures
+// Drawing units, 520 wide like the charts of the page.
+constexpr double kMapWidth = 520, kLeast = 110, kMost = 240, kMapRight = 24, kStrip = 30, kRow = 56, kTop = 6;
+constexpr double kLabelDrop = 14, kRangeLetter = 6.0, kNameLetter = 6.6, kNameGap = 20;
+constexpr std::size_t kMostCells = 8;  // of a strip: narrower cells are too small for their figures
 
 /// The cells of one experiment over one variable, by rising range.
 struct Strip {
     std::string experiment, variable;
     std::vector<GapCell> cells;
-    double left = kLeast;  ///< where the cells begin, alike for all strips
-    [[nodiscard]] double width() const { return (kWidth - left - kRight) / static_cast<double>(cells.size()); }
+    double left = kLeast;  ///< where the cells begin, equal for all strips
+    [[nodiscard]] double width() const { return (kMapWidth - left - kMapRight) / static_cast<double>(cells.size()); }
 };
 
-/// Strips of more than kMostCells go on in further strips.
+/// Splits strips of more than kMostCells.
 std::vector<Strip> folded(const std::vector<Strip>& strips) {
     std::vector<Strip> out;
     for (const Strip& strip : strips)
@@ -58,7 +58,7 @@ std::vector<Strip> strips_of(const std::vector<GapCell>& map) {
     return folded(strips);
 }
 
-/// Ranges that follow one another without a gap are told by their edges, others each by its own.
+/// True if the ranges follow each other without a gap: their edges are labelled, else each range.
 bool is_contiguous(const Strip& strip) {
     for (std::size_t i = 1; i < strip.cells.size(); ++i) {
         const core::Range &last = strip.cells[i - 1].region, &next = strip.cells[i].region;
@@ -67,20 +67,20 @@ bool is_contiguous(const Strip& strip) {
     return true;
 }
 
-std::string note(double x, double y, const std::string& text) {
+std::string range_label(double x, double y, const std::string& text) {
     return fmt::format("<text class=\"note\" x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>", coordinate(x), coordinate(y),
                        escape(text));
 }
 
-/// Labels below a strip, as many as have room.
-std::string ranges(const Strip& strip, double top) {
+/// Labels below a strip, as many as fit.
+std::string range_labels(const Strip& strip, double top) {
     const double width = strip.width(), y = top + kStrip + kLabelDrop;
     std::string out;
     double free_from = 0.0;
     const auto add = [&](double x, const std::string& text) {
-        const double half = kLetter * static_cast<double>(text.size()) / 2;
+        const double half = kRangeLetter * static_cast<double>(text.size()) / 2;
         if (x - half < free_from) return;
-        out += note(x, y, text);
+        out += range_label(x, y, text);
         free_from = x + half;
     };
     const bool edges = is_contiguous(strip);
@@ -88,11 +88,11 @@ std::string ranges(const Strip& strip, double top) {
         const core::Range& region = strip.cells[i].region;
         const double left = strip.left + width * static_cast<double>(i);
         if (edges)
-            add(left, known(region.low));
+            add(left, number(region.low, 3));
         else
-            add(left + width / 2, region.width() > 0.0 ? known(region.low, 2) + "\u2013" + known(region.high, 2) : known(region.low));
+            add(left + width / 2, region.width() > 0.0 ? number(region.low, 2) + "\u2013" + number(region.high, 2) : number(region.low, 3));
     }
-    if (edges) add(kWidth - kRight, known(strip.cells.back().region.high));
+    if (edges) add(kMapWidth - kMapRight, number(strip.cells.back().region.high, 3));
     return out;
 }
 
@@ -103,15 +103,15 @@ std::string strip_svg(const Strip& strip, double top, double GapCell::*gap) {
     const double width = strip.width();
     for (std::size_t i = 0; i < strip.cells.size(); ++i) {
         const double value = strip.cells[i].*gap;
-        out += heat_cell({strip.left + width * static_cast<double>(i), top, width, kStrip}, value, known(value, 2), gap_scale());
+        out += heat_cell({strip.left + width * static_cast<double>(i), top, width, kStrip}, value, number(value, 2), gap_scale());
     }
-    return out + ranges(strip, top);
+    return out + range_labels(strip, top);
 }
 
 std::string map_svg(const std::vector<Strip>& strips, const std::string& title, double GapCell::*gap) {
     std::string out =
         fmt::format("<figure class=\"plot\"><figcaption>{0}</figcaption><svg viewBox=\"0 0 {1} {2}\" role=\"img\" aria-label=\"{0}\">",
-                    escape(title), kWidth, kTop + kRow * static_cast<double>(strips.size()));
+                    escape(title), kMapWidth, kTop + kRow * static_cast<double>(strips.size()));
     double top = kTop;
     for (const Strip& strip : strips) {
         out += strip_svg(strip, top, gap);
@@ -123,24 +123,22 @@ std::string map_svg(const std::vector<Strip>& strips, const std::string& title, 
 std::string gap_map(const gap::Diagnosis& diagnosis) {
     if (diagnosis.map.empty()) return "";
     const std::vector<Strip> strips = strips_of(diagnosis.map);
-    return "<h3 class=\"held\">Gap map</h3><p>Each strip is an experiment over the range named below it; each figure is the root mean "
-           "square of (measured - predicted) / sigma in that part of the range. About 1 is noise and tolerance alone.</p>"
-           "<div class=\"grid\">" +
-           map_svg(strips, "Before: the nominal model", &GapCell::before) + map_svg(strips, "After: with what was found", &GapCell::after) +
-           "<div class=\"wide\">" + heat_legend(gap_scale()) + "</div></div>";
+    return subheading("Gap map") +
+           paragraph(
+               "Each strip is an experiment over the range below it. Each figure is the root mean square of (measured - predicted) / sigma "
+               "in that part of the range; about 1 is noise and tolerance alone.") +
+           grid(map_svg(strips, "Before: the nominal model", &GapCell::before) +
+                map_svg(strips, "After: with the effects found", &GapCell::after) + "<div class=\"wide\">" + heat_legend(gap_scale()) +
+                "</div>");
 }
 
 std::string share_table(const std::vector<gap::Whereabouts>& where) {
     if (where.empty()) return "";
-    std::vector<std::vector<Cell>> rows;
-    rows.reserve(where.size());
+    Rows rows;
     for (const gap::Whereabouts& part : where)
-        rows.push_back({share_cell(part.share, percent(part.share)),
-                        {escape(experiment_name(part.experiment)), "num"},
-                        {escape(column_name(part.variable)), ""},
-                        {part.variable.empty() ? "" : span(part.region), "num"},
-                        {escape(part.component), ""}});
-    return html_table({"share of the gap", "experiment", "over", "range", "stands out"}, rows);
+        rows.push_back({share_cell(part.share, percent(part.share)), num(experiment_name(part.experiment)),
+                        plain(column_name(part.variable)), num(part.variable.empty() ? "" : span(part.region)), plain(part.component)});
+    return html_table({"share of the gap", "experiment", "over", "range", "largest in"}, rows);
 }
 
 }  // namespace

@@ -17,14 +17,14 @@ namespace {
 
 using Words = std::pair<std::string_view, std::string_view>;
 
-/// Of bench cases (docs/gap-bench.md); what acts on a joint says it in its own file.
-constexpr std::array kBenchMeanings{Words{"element.presliding", "The contact yields like a spring before it slides."},
-                                    Words{"element.backlash", "The element moves by this much before it grips in the other direction."},
-                                    Words{"element.asymmetry", "The friction differs between the two directions."},
-                                    Words{"element.viscous", "The friction grows with speed."},
-                                    Words{"element.stribeck", "The friction is greater at rest than in motion."},
-                                    Words{"element.load", "The friction follows the load on the element."},
-                                    Words{"loop.gain", "The position loop is stiffer (+) or softer (-) than its nominal gain."}};
+/// Effects of subsystem cases; those of a joint state their meaning in their own file.
+constexpr std::array kSubsystemMeanings{Words{"element.presliding", "The contact yields like a spring before it slides."},
+                                        Words{"element.backlash", "The element moves by this much before it grips in the other direction."},
+                                        Words{"element.asymmetry", "The friction differs between the two directions."},
+                                        Words{"element.viscous", "The friction grows with speed."},
+                                        Words{"element.stribeck", "The friction is greater at rest than in motion."},
+                                        Words{"element.load", "The friction follows the load on the element."},
+                                        Words{"loop.gain", "The position loop is stiffer (+) or softer (-) than its nominal gain."}};
 
 constexpr std::array kUnits{Words{"_Nms", "Nms"}, Words{"_Nm", "Nm"}, Words{"_m_s", "m/s"}, Words{"_rad", "rad"},
                             Words{"_N", "N"},     Words{"_m", "m"},   Words{"_s", "s"},     Words{"_kg", "kg"}};
@@ -47,7 +47,7 @@ Column column_of(std::string_view column) {
 
 constexpr double kWorthNaming = 0.05;
 
-/// The found effects and what could well stand in their place, each once.
+/// The effects found and their probable alternatives, each once.
 std::vector<std::string> choices(const gap::Diagnosis& diagnosis) {
     std::vector<std::string> names;
     const auto add = [&names](const std::vector<gap::Cause>& causes) {
@@ -62,15 +62,7 @@ std::vector<std::string> choices(const gap::Diagnosis& diagnosis) {
 
 }  // namespace
 
-std::string known(double value, int digits) { return std::isfinite(value) ? number(value, digits) : number(gap::kNoFigure); }
-std::string span(const core::Range& range) {
-    if (!std::isfinite(range.low) || !std::isfinite(range.high)) return known(gap::kNoFigure);
-    return known(range.low) + " to " + known(range.high);
-}
-std::string change(double before, double after) { return known(before) + " \u2192 " + known(after); }
-std::string chance(double probability) { return probability < 1e-3 ? "< 0.001" : known(probability); }
-std::string percent(double share) { return std::isfinite(share) ? fmt::format("{:.0f} %", 100.0 * share) : known(share); }
-
+std::string chance(double probability) { return probability < 1e-3 ? "< 0.001" : number(probability, 3); }
 gap::Parameter for_reading(gap::Parameter parameter) {
     if (parameter.unit == "1") parameter.unit.clear();
     if (parameter.unit != "m") return parameter;
@@ -78,7 +70,7 @@ gap::Parameter for_reading(gap::Parameter parameter) {
 }
 
 std::string amount(const gap::Parameter& parameter) {
-    return parameter.unit.empty() ? known(parameter.value) : known(parameter.value) + " " + parameter.unit;
+    return parameter.unit.empty() ? number(parameter.value, 3) : number(parameter.value, 3) + " " + parameter.unit;
 }
 
 std::string experiment_name(const std::string& id) {
@@ -103,8 +95,8 @@ std::string causes_name(const std::vector<gap::Cause>& causes, const std::string
 }
 std::string meaning(std::string_view effect_id) {
     const auto at =
-        std::find_if(kBenchMeanings.begin(), kBenchMeanings.end(), [&](const Words& words) { return words.first == effect_id; });
-    if (at != kBenchMeanings.end()) return std::string(at->second);
+        std::find_if(kSubsystemMeanings.begin(), kSubsystemMeanings.end(), [&](const Words& words) { return words.first == effect_id; });
+    if (at != kSubsystemMeanings.end()) return std::string(at->second);
     const gap::Effect* const effect = gap::effect_or_none(effect_id);
     return effect == nullptr ? "" : effect->meaning;
 }
@@ -113,7 +105,7 @@ std::string law(std::string_view effect_id) {
     const gap::Effect* const effect = gap::effect_or_none(effect_id);
     if (effect == nullptr) return "";
     if (effect->confused_with.empty()) return effect->law;
-    return fmt::format("{} Looks much like {}.", effect->law, fmt::join(effect->confused_with, ", "));
+    return fmt::format("{} Similar signature: {}.", effect->law, fmt::join(effect->confused_with, ", "));
 }
 
 std::string place(const gap::Whereabouts& where) {
@@ -134,17 +126,17 @@ std::vector<gap::Cause> found_causes(const gap::Diagnosis& diagnosis) {
 std::string verdict_sentence(const gap::Diagnosis& diagnosis) {
     switch (diagnosis.verdict) {
         case gap::Verdict::kIdentified:
-            return fmt::format("The rig has {} that the model does not: {}.",
+            return fmt::format("The rig has {} that the model lacks: {}.",
                                diagnosis.effects.size() == 1 ? "an effect" : fmt::format("{} effects", diagnosis.effects.size()),
                                causes_name(found_causes(diagnosis)));
         case gap::Verdict::kNone:
-            return "Model and rig agree within build tolerance and noise: nothing is missing from the model.";
+            return "Model and rig agree within build tolerance and noise.";
         case gap::Verdict::kAmbiguous:
-            return fmt::format("Model and rig part, and these experiments cannot tell which causes it: {}.",
+            return fmt::format("Model and rig diverge; these experiments do not distinguish the possible causes: {}.",
                                fmt::format("{}", fmt::join(choices(diagnosis), "; or ")));
         case gap::Verdict::kUnknown:
-            return "Model and rig part, and no effect of the library explains it" +
-                   (diagnosis.where.empty() ? std::string(".") : "; the gap lies in: " + place(diagnosis.where.front()) + ".");
+            return "Model and rig diverge; no effect of the library explains the gap" +
+                   (diagnosis.where.empty() ? std::string(".") : ", which lies in: " + place(diagnosis.where.front()) + ".");
     }
     return "";
 }

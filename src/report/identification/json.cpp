@@ -1,4 +1,4 @@
-#include <nlohmann/json.hpp>
+#include "json/json.h"
 
 #include "fusee/core/provenance.h"
 #include "fusee/report/identification.h"
@@ -7,21 +7,17 @@ namespace fusee::report {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-Json range(const core::Range& r) { return Json::array({r.low, r.high}); }
-
-Json line_json(const gap::FrictionLine& line) {
+Json friction_line_json(const gap::FrictionLine& line) {
     return {{"group", line.group},
             {"rows", line.rows},
             {"mu", line.mu},
-            {"mu_95", range(line.mu_95)},
+            {"mu_95", range_json(line.mu_95)},
             {"constant_Nm", line.constant},
-            {"constant_95_Nm", range(line.constant_95)},
+            {"constant_95_Nm", range_json(line.constant_95)},
             {"scatter_Nm", line.scatter},
             {"r_squared", line.r_squared},
             {"through_zero_mu", line.through_zero_mu},
-            {"through_zero_mu_95", range(line.through_zero_mu_95)},
+            {"through_zero_mu_95", range_json(line.through_zero_mu_95)},
             {"robust_mu", line.robust_mu},
             {"robust_constant_Nm", line.robust_constant},
             {"outlier_rows", line.outliers}};
@@ -41,22 +37,19 @@ Json repeat_json(const gap::FrictionReport::Repeat& r) {
 
 std::string identification_json(const Identification& identification) {
     const gap::FrictionReport& friction = identification.friction;
-    Json j;
-    j["fusee"] = core::version();
-    j["name"] = identification.name;
-    j["file_sha256"] = identification.file_sha256;
-    j["law"] = nullptr;
-    if (friction.law) j["law"] = {{"gear_friction", friction.law->mu}, {"gear_friction_constant_Nm", friction.law->constant}};
-    j["remarks"] = Json::array();
-    for (const gap::FrictionRemark& remark : friction.remarks)
-        j["remarks"].push_back({{"id", remark.id}, {"text", remark.text}, {"p", remark.p}});
-    j["scatter_growth"] = friction.scatter_growth;
-    j["lines"] = Json::array();
-    for (const gap::FrictionLine& line : friction.lines) j["lines"].push_back(line_json(line));
-    j["repeats"] = Json::array();
-    for (const gap::FrictionReport::Repeat& r : friction.repeats) j["repeats"].push_back(repeat_json(r));
-    // A broken byte in a side's name is replaced rather than losing the file.
-    return j.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    Json law;
+    if (friction.law) law = {{"gear_friction", friction.law->mu}, {"gear_friction_constant_Nm", friction.law->constant}};
+    return json_text({{"fusee", core::version()},
+                      {"name", identification.name},
+                      {"file_sha256", identification.file_sha256},
+                      {"law", std::move(law)},
+                      {"remarks", json_list(friction.remarks,
+                                            [](const gap::FrictionRemark& remark) {
+                                                return Json{{"id", remark.id}, {"text", remark.text}, {"p", remark.p}};
+                                            })},
+                      {"scatter_growth", friction.scatter_growth},
+                      {"lines", json_list(friction.lines, friction_line_json)},
+                      {"repeats", json_list(friction.repeats, repeat_json)}});
 }
 
 }  // namespace fusee::report

@@ -1,6 +1,7 @@
 #include "json/json.h"
 
 #include "fusee/core/change.h"
+#include "fusee/core/json.h"
 #include "fusee/report/rule_counts.h"
 
 namespace fusee::report {
@@ -8,46 +9,41 @@ namespace fusee::report {
 namespace {
 
 /// The alternatives of a suggestion, each by key.
-nlohmann::ordered_json changes_json(const std::string& suggestion) {
-    nlohmann::ordered_json all = nlohmann::ordered_json::array();
-    for (const core::Changes& changes : core::suggested_changes(suggestion)) {
-        nlohmann::ordered_json one;
+Json suggested_changes_json(const std::string& suggestion) {
+    return json_list(core::suggested_changes(suggestion), [](const core::Changes& changes) {
+        Json one;
         for (const core::Change& change : changes) one[change.key] = change.value;
-        all.push_back(std::move(one));
-    }
-    return all;
+        return one;
+    });
+}
+
+Json finding_json(const core::Finding& f) {
+    Json j{{"rule", f.rule},
+           {"severity", core::to_string(f.severity)},
+           {"what", f.what},
+           {"measured", f.measured},
+           {"bound", f.bound == core::Bound::kAtMost ? "at most" : "at least"},
+           {"allowed", f.allowed},
+           {"unit", f.unit},
+           {"where", f.where}};
+    if (f.place) j["place"] = {{"angle_rad", f.place->angle}, {"point_mm", f.place->point_mm}};
+    j["suggestion"] = f.suggestion;
+    j["changes"] = suggested_changes_json(f.suggestion);
+    j["source"] = f.source;
+    for (const core::OverriddenLimit& o : f.overridden)
+        j["overridden"].push_back({{"limit", o.limit}, {"value", o.value}, {"default", o.normal}, {"unit", o.unit}, {"reason", o.reason}});
+    return j;
 }
 
 }  // namespace
 
-nlohmann::ordered_json findings_json(const core::Findings& findings) {
-    using Json = nlohmann::ordered_json;
-    Json all = Json::array();
-    for (const core::Finding& f : findings) {
-        Json j{{"rule", f.rule},
-               {"severity", core::to_string(f.severity)},
-               {"what", f.what},
-               {"measured", f.measured},
-               {"bound", f.bound == core::Bound::kAtMost ? "at most" : "at least"},
-               {"allowed", f.allowed},
-               {"unit", f.unit},
-               {"where", f.where}};
-        if (f.place) j["place"] = {{"angle_rad", f.place->angle}, {"point_mm", f.place->point_mm}};
-        j["suggestion"] = f.suggestion;
-        j["changes"] = changes_json(f.suggestion);
-        j["source"] = f.source;
-        for (const core::OverriddenLimit& o : f.overridden)
-            j["overridden"].push_back(
-                {{"limit", o.limit}, {"value", o.value}, {"default", o.normal}, {"unit", o.unit}, {"reason", o.reason}});
-        all.push_back(std::move(j));
-    }
-    return all;
-}
+Json range_json(const core::Range& range) { return Json::array({range.low, range.high}); }
 
-nlohmann::ordered_json rules_json(const core::Findings& findings) {
-    using Json = nlohmann::ordered_json;
-    const auto counts = [](std::size_t passed, std::size_t not_judged, std::size_t review, std::size_t required) {
-        return Json{{"passed", passed}, {"not_judged", not_judged}, {"review", review}, {"required", required}};
+Json findings_json(const core::Findings& findings) { return json_list(findings, finding_json); }
+
+Json rules_json(const core::Findings& findings) {
+    const auto counts = [](std::size_t passed, std::size_t not_judged, std::size_t warnings, std::size_t errors) {
+        return Json{{"passed", passed}, {"not_judged", not_judged}, {"warnings", warnings}, {"errors", errors}};
     };
     Json all = counts(core::count(findings, core::Severity::kPass), core::count(findings, core::Severity::kNotJudged),
                       core::count(findings, core::Severity::kWarning), core::count(findings, core::Severity::kError));
@@ -55,6 +51,11 @@ nlohmann::ordered_json rules_json(const core::Findings& findings) {
     for (const RuleCounts& group : count_rules(findings))
         all["groups"][group.group] = counts(group.passed, group.not_judged, group.review, group.required);
     return all;
+}
+
+std::string json_text(Json json, const RenamedFields& renamed) {
+    core::keep_old_spelling(json, renamed);
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace fusee::report

@@ -5,14 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diagnosis/words.h"
 #include "page/html.h"
 
 namespace fusee::report {
 
 namespace {
 
-constexpr std::size_t kFirstDark = 6;  // from here on white figures are read better: tests/report/heat_test.cpp
+constexpr std::size_t kFirstDark = 6;  // white figures have more contrast from here on: tests/report/heat_test.cpp
 constexpr double kBaseline = 4.0;      // from the middle of a line of text to its foot
 constexpr double kKey = 76, kKeyHeight = 22;
 
@@ -30,10 +29,10 @@ const HeatScale& gap_scale() {
                                  "gap [sigma]"};
     return scale;
 }
-const HeatScale& alike_scale() {
+const HeatScale& similarity_scale() {
     static const HeatScale scale{{10.0, 30.0, 50.0, 70.0, 80.0, 90.0, 95.0},
                                  {"#f7fbff", "#deebf7", "#c6dbef", "#9ecae1", "#6baed6", "#4292c6", "#2171b5", "#084594"},
-                                 "likeness [%]"};
+                                 "similarity of signatures [%]"};
     return scale;
 }
 
@@ -46,7 +45,7 @@ std::string heat_cell(const Box& box, double value, const std::string& text, con
                     coordinate(box.width), coordinate(box.height), empty ? "none" : scale.fills[level], border);
     const std::string colour = empty ? "" : fmt::format(" style=\"fill:{}\"", HeatScale::ink(level));
     return out + fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\"{}>{}</text>", coordinate(box.x + box.width / 2),
-                             coordinate(box.y + box.height / 2 + kBaseline), colour, escape(empty ? known(value) : text));
+                             coordinate(box.y + box.height / 2 + kBaseline), colour, escape(empty ? number(value) : text));
 }
 
 std::string heat_legend(const HeatScale& scale) {

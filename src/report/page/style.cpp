@@ -1,4 +1,4 @@
-#include "design/page.h"
+#include "page/html.h"
 
 namespace fusee::report {
 
@@ -6,11 +6,11 @@ std::string style_sheet() {
     return R"css(
 :root{color-scheme:light dark;--page:#f6f6f3;--card:#fff;--line:#e2e1dc;--ink:#15151a;--soft:#5b5a57;--faint:#8b8a85;--body:#e9e8e3;
 --se:#2a78d6;--pe:#d95f27;--sum:#4b4a48;--t:#7a52c7;--exact:#7a52c7;--linear:#1a9a72;
---pass:#12804a;--review:#9a6700;--required:#c3302f;--pass-bg:#e3f4ea;--review-bg:#fdf1cf;--required-bg:#fde4e2}
+--pass:#12804a;--warning:#9a6700;--error:#c3302f;--pass-bg:#e3f4ea;--warning-bg:#fdf1cf;--error-bg:#fde4e2}
 @media (prefers-color-scheme:dark){:root{--page:#131315;--card:#1c1c1f;--line:#34343a;--ink:#f3f2ee;--soft:#b7b5ae;--faint:#8d8b85;
 --body:#2b2b30;
 --se:#5aa0f2;--pe:#f08a55;--sum:#c4c2bb;--t:#a98bf0;--exact:#a98bf0;--linear:#3fc496;
---pass:#5fd394;--review:#f2c04b;--required:#ff8a80;--pass-bg:#16301f;--review-bg:#362a0c;--required-bg:#3d1917}}
+--pass:#5fd394;--warning:#f2c04b;--error:#ff8a80;--pass-bg:#16301f;--warning-bg:#362a0c;--error-bg:#3d1917}}
 *{box-sizing:border-box}
 body{margin:0;background:var(--page);color:var(--ink);font:15px/1.5 system-ui,-apple-system,"Segoe UI",Roboto,"DejaVu Sans",sans-serif}
 main{max-width:1160px;margin:0 auto;padding:32px 24px 64px}
@@ -19,8 +19,8 @@ h3{font-size:16px;margin:0 0 8px}
 p{margin:6px 0 12px;max-width:80ch}.eyebrow,.stamp{color:var(--soft);font-size:13px;margin:8px 0 0;overflow-wrap:anywhere}
 .verdict,.tag{display:inline-block;border-radius:99px;font-weight:600;white-space:nowrap}.verdict{padding:6px 16px}
 .tag{padding:1px 10px;font-size:13px}
-.pass-tag{background:var(--pass-bg);color:var(--pass)}.review-tag{background:var(--review-bg);color:var(--review)}
-.unjudged-tag{background:var(--line);color:var(--ink)}.required-tag{background:var(--required-bg);color:var(--required)}
+.pass-tag{background:var(--pass-bg);color:var(--pass)}.warning-tag{background:var(--warning-bg);color:var(--warning)}
+.unjudged-tag{background:var(--line);color:var(--ink)}.error-tag{background:var(--error-bg);color:var(--error)}
 .tiles{display:grid;grid-template-columns:repeat(auto-fit,minmax(180px,1fr));gap:12px;margin-top:24px}
 .card,.tile{background:var(--card);border:1px solid var(--line);border-radius:12px;padding:16px 18px}
 .tile b{display:block;font-size:22px;line-height:1.3;font-weight:650}.tile span{color:var(--soft);font-size:13px}
@@ -49,9 +49,9 @@ svg.cam path,svg.cam circle{vector-effect:non-scaling-stroke}
 .cam .cable circle{fill:var(--ink)}.cam .end path{stroke-dasharray:5 3}.cam .cable text,.cam .scale text{fill:var(--ink)}
 .place .leader{stroke-width:.8;fill:none}.place text{font-weight:700}.place.pass{opacity:.75}
 .place.pass .leader{stroke:var(--pass)}.place.pass circle{fill:var(--pass)}.place.pass .disc{fill:var(--card);stroke:var(--pass)}
-.place.pass text{fill:var(--pass)}.place.review .leader{stroke:var(--review)}.place.review circle{fill:var(--review)}
-.place.required .leader{stroke:var(--required)}.place.required circle{fill:var(--required)}
-.place.review text,.place.required text{fill:var(--card)}
+.place.pass text{fill:var(--pass)}.place.warning .leader{stroke:var(--warning)}.place.warning circle{fill:var(--warning)}
+.place.error .leader{stroke:var(--error)}.place.error circle{fill:var(--error)}
+.place.warning text,.place.error text{fill:var(--card)}
 .scroll{overflow-x:auto;background:var(--card);border:1px solid var(--line);border-radius:12px}
 table{border-collapse:collapse;width:100%;font-size:14px}
 th{color:var(--soft);font-weight:600;text-align:left;font-size:13px;white-space:nowrap}

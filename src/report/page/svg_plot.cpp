@@ -16,12 +16,12 @@ constexpr double kWidth = 520, kHeight = 300, kLeft = 58, kRight = 14, kLegend =
 constexpr int kTicks = 5;
 constexpr double kNoteHeight = 14;
 constexpr double kLetter = 6.6, kLegendGap = 40;
-constexpr double kTickGap = 8, kNameWidth = 22;  // from tick labels to the axis; of the axis's name beside them
+constexpr double kTickGap = 8, kNameWidth = 22;  // between tick labels and axis; width of the axis name
 constexpr double kDot = 2.6, kCap = 3;
 
 double key_width(const std::string& label) { return kLegendGap + kLetter * static_cast<double>(label.size()); }
 
-/// The finite values' range; {0, 1} if there are none, widened if they are all alike.
+/// Range of the finite values; {0, 1} without any, widened if all are equal.
 core::Range range_of(const std::vector<const std::vector<double>*>& columns) {
     core::Range range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
     for (const std::vector<double>* column : columns)
@@ -113,7 +113,7 @@ Plot::Frame Plot::frame() const {
     if (from_zero_) f.y = {std::min(0.0, f.y.low), std::max(0.0, f.y.high)};
     const double step = round_step(f.y.width(), kTicks);
     f.y = {std::floor(f.y.low / step + 1e-9) * step, std::ceil(f.y.high / step - 1e-9) * step};
-    for (const double tick : round_ticks(f.y, kTicks))  // kLeft has room for four letters
+    for (const double tick : round_ticks(f.y, kTicks))  // kLeft fits four letters
         f.left = std::max(f.left, kNameWidth + kLetter * static_cast<double>(tick_text(tick).size()) + kTickGap);
     return f;
 }
@@ -194,7 +194,7 @@ std::string Plot::notes(const Frame& f) const {
         const double left = f.at_x(std::max(range.low, f.x.low)), right = f.at_x(std::min(range.high, f.x.high));
         out += fmt::format("<rect class=\"shade\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"><title>{}</title></rect>", coordinate(left),
                            f.top, coordinate(std::max(0.0, right - left)), kHeight - f.top - kBottom, escape(label));
-        if (right - left < kNoteHeight) continue;  // the name would cover the curves; it still shows under the pointer
+        if (right - left < kNoteHeight) continue;  // the name would cover the curves; the tooltip still shows it
         out += fmt::format("<text class=\"note\" transform=\"translate({} {}) rotate(-90)\" text-anchor=\"end\">{}</text>",
                            coordinate((left + right) / 2 + 4), f.top + 5, escape(label));
     }
@@ -208,7 +208,7 @@ std::string Plot::notes(const Frame& f) const {
     return out;
 }
 
-/// The legend's keys in lines that fit the width; none if there is only one thing to see.
+/// Keys of the legend in lines that fit the width; none for a single curve.
 std::vector<std::vector<Plot::Key>> Plot::legend_rows() const {
     std::vector<std::vector<Key>> rows;
     if (curves_.size() + points_.size() < 2) return rows;

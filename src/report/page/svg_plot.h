@@ -6,16 +6,16 @@
 
 namespace fusee::report {
 
-/// Round values inside the range, about `count` of them: steps of 1, 2 or 5 times a power of ten.
+/// About `count` round values in the range, in steps of 1, 2 or 5 times a power of ten.
 [[nodiscard]] std::vector<double> round_ticks(const core::Range& range, int count);
 
-/// Curves and dots over one axis as an inline SVG; colours come from the page's style sheet.
+/// Curves and dots over one axis as an inline SVG; the style sheet sets the colours.
 class Plot {
 public:
     /// Axis names with unit, e.g. "capstan angle [rad]".
     Plot(std::string title, std::string x_name, std::string y_name);
 
-    /// @param css colour class of the style sheet, e.g. "se"; @param dashed for a second curve of the same thing. NaN leaves a gap.
+    /// @param css colour class of the style sheet, e.g. "se"; @param dashed for a second curve of the same quantity. NaN leaves a gap.
     Plot& curve(std::string label, std::vector<double> x, std::vector<double> y, std::string css, bool dashed = false);
     /// Dots; with `deviation`, bars from y - deviation to y + deviation (none for NaN). Classes: se, pe, t, linear, sum.
     Plot& points(std::string label, std::vector<double> x, std::vector<double> y, std::string css, std::vector<double> deviation = {});
@@ -25,7 +25,7 @@ public:
     Plot& shade(const core::Range& x, std::string label);
     /// A vertical line with its name.
     Plot& mark(double x, std::string label);
-    /// Makes the y axis hold zero: begin there, or end there for values below it.
+    /// Extends the y axis to zero.
     Plot& from_zero();
 
     [[nodiscard]] std::string svg() const;
@@ -41,7 +41,7 @@ private:
         std::string label;
         std::vector<double> x, y;
         std::string css;
-        std::vector<double> low, high;  // ends of the bars; y itself without bars
+        std::vector<double> low, high;  // ends of the error bars; y without bars
     };
     struct Band {
         std::string label;

@@ -1,16 +1,13 @@
-#include <nlohmann/json.hpp>
+#include "json/json.h"
 
 #include "fusee/report/paper.h"
+#include "search/page.h"
 
 namespace fusee::report {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-Json range(const core::Range& r) { return Json::array({r.low, r.high}); }
-
-Json noise_json(const NoiseCurve& curve) {
+Json noise_curve_json(const NoiseCurve& curve) {
     Json j{{"noise", curve.name},
            {"a_Nm_per_rad", curve.path.a},
            {"b_Nm_per_rad", curve.path.b},
@@ -39,7 +36,7 @@ Json hill_json(const HillFigure& figure) {
             {"largest_difference_Nm", figure.largest_difference()}};
 }
 
-Json table_json(const PaperTable& table) {
+Json paper_table_json(const PaperTable& table) {
     Json j{{"profile", table.simulation.provenance.name},
            {"profile_sha256", table.simulation.provenance.profile_sha256},
            {"condition_6", to_string(condition_verdict(table.simulation))},
@@ -50,8 +47,8 @@ Json table_json(const PaperTable& table) {
         j["rows"].push_back({{"tau_Nm", row.tau},
                              {"paper_rad", row.measured},
                              {"linear_rad", row.computed.linear},
-                             {"extreme_rad", row.computed.exact_width},
-                             {"protocol_rad", row.computed.measured_width},
+                             {"exact_rad", row.computed.exact_width},
+                             {"measured_rad", row.computed.measured_width},
                              {"implied_parallel_Nm_per_rad", table.parallel[i]}});
     }
     return j;
@@ -65,15 +62,15 @@ Json figure_6_json(const Simulation& s) {
 Json figure_8_json(const Identification& found) {
     const gap::FrictionLine& line = found.friction.trusted();
     return {{"file", found.name},           {"file_sha256", found.file_sha256},
-            {"mu", line.through_zero_mu},   {"mu_95", range(line.through_zero_mu_95)},
-            {"constant_Nm", line.constant}, {"constant_95_Nm", range(line.constant_95)}};
+            {"mu", line.through_zero_mu},   {"mu_95", range_json(line.through_zero_mu_95)},
+            {"constant_Nm", line.constant}, {"constant_95_Nm", range_json(line.constant_95)}};
 }
 
-Json survey_json(const actuator::ArrangementRow& row) {
-    return {{"stiffness_Nm_per_rad", range(row.stiffness)},
-            {"free_stiffness_Nm_per_rad", range(row.free_stiffness)},
+Json arrangement_json(const actuator::ArrangementRow& row) {
+    return {{"stiffness_Nm_per_rad", range_json(row.stiffness)},
+            {"free_stiffness_Nm_per_rad", range_json(row.free_stiffness)},
             {"torque_Nm", row.torque},
-            {"dead_band_rad", range(row.dead_band)}};
+            {"dead_band_rad", range_json(row.dead_band)}};
 }
 
 }  // namespace
@@ -82,25 +79,23 @@ std::string paper_json(const Paper& paper) {
     Json j;
     j["fusee"] = core::version();
     j["sources_sha256"] = paper.provenance.profile_sha256;
-    j["claims"] = Json::array();
-    for (const PaperClaim& claim : claims(paper))
-        j["claims"].push_back({{"piece", claim.piece}, {"paper", claim.paper}, {"here", claim.here}});
-    j["figure_1"] = Json::array();
-    for (const NoiseCurve& curve : paper.figure_1) j["figure_1"].push_back(noise_json(curve));
+    j["claims"] = json_list(claims(paper), [](const PaperClaim& claim) {
+        return Json{{"piece", claim.piece}, {"paper", claim.paper}, {"here", claim.here}};
+    });
+    j["figure_1"] = json_list(paper.figure_1, noise_curve_json);
     j["figure_2"] = hill_json(paper.figure_2);
     j["figure_6"] = figure_6_json(paper.table_1.simulation);
     j["figure_8"] = figure_8_json(paper.figure_8);
-    j["figure_9"] = Json::parse(search_json(paper.figure_9));
-    j["table_1"] = table_json(paper.table_1);
-    j["table_2"] = table_json(paper.table_2);
+    j["figure_9"] = search_object(paper.figure_9);
+    j["table_1"] = paper_table_json(paper.table_1);
+    j["table_2"] = paper_table_json(paper.table_2);
     j["relatives"] = Json::array();
     for (std::size_t i = 0; i < paper.relatives.size(); ++i)
         j["relatives"].push_back({{"profile", paper.relatives[i].provenance.name},
                                   {"arrangement", to_string(paper.relatives[i].survey.arrangement)},
-                                  {"profiled", survey_json(paper.relatives[i].survey)},
-                                  {"torque_control", survey_json(paper.torque_control[i])}});
-    // A broken byte in a name is replaced rather than losing the file.
-    return j.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+                                  {"profiled", arrangement_json(paper.relatives[i].survey)},
+                                  {"torque_control", arrangement_json(paper.torque_control[i])}});
+    return json_text(std::move(j), {{"extreme_rad", "exact_rad"}, {"protocol_rad", "measured_rad"}});
 }
 
 }  // namespace fusee::report

@@ -6,7 +6,7 @@ namespace fusee::report {
 
 namespace {
 
-/// Mean of |width - promised|/promised over the levels at which both were read.
+/// Mean of |width - promised|/promised over the levels at which both were measured.
 double mean_off(const std::vector<RedesignLevel>& levels, DeadBandWidths RedesignLevel::*which) {
     double sum = 0.0;
     int known = 0;

@@ -1,12 +1,9 @@
-#include "diagnosis/page.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <set>
 
-#include "diagnosis/words.h"
 #include "fusee/core/provenance.h"
 #include "fusee/report/score.h"
 #include "page/html.h"
@@ -18,45 +15,45 @@ namespace fusee::report {
 namespace {
 
 using blind::Score;
-using Table = std::vector<std::vector<Cell>>;
 
-std::string paragraph(const std::string& text) { return "<p>" + escape(text) + "</p>"; }
-
-std::string head(const Score& score) {
-    std::string out = "<header><p class=\"eyebrow\">fusee blind benchmark</p><h1>" + std::to_string(score.cases) +
-                      " sealed cases</h1><p class=\"stamp\">" +
-                      escape(fmt::format("fusee {}, seal sha256:{}", core::version(), score.seal)) + "</p><div class=\"tiles\">";
+Head score_head(const Score& score) {
+    Head head{"fusee blind benchmark",
+              std::to_string(score.cases) + " sealed cases",
+              "",
+              "",
+              fmt::format("fusee {}, seal sha256:{}", core::version(), score.seal),
+              {}};
     for (const char* key : {"effect_named", "effect_and_side", "none_on_null", "both_of_two", "intervals_hold", "kept_back_halved",
                             "unknown_called_unknown", "known_called_unknown"}) {
         const blind::Figure& figure = score.figure(key);
-        out += html_tile(per_cent(figure.share.value()), figure.name);
+        head.tiles.emplace_back(per_cent(figure.share.value()), figure.name);
     }
-    return out + "</div></header>\n";
+    return head;
 }
 
-Cell met_cell(const blind::Figure& figure) {
+Cell wanted_cell(const blind::Figure& figure) {
     const std::string wanted = wanted_text(figure.wanted);
-    if (wanted.empty() || figure.share.of == 0) return {escape(wanted), "num"};
+    if (wanted.empty() || figure.share.of == 0) return num(wanted);
     const bool met = figure.wanted.holds(figure.share.value());
-    return {fmt::format("<span class=\"tag {}\">{}</span>", met ? "pass-tag" : "review-tag", escape(wanted)), "num"};
+    return {tag(met ? core::Severity::kPass : core::Severity::kWarning, wanted), "num"};
 }
+
+/// Bold, or "" for an empty text.
+Cell strong(const std::string& text) { return {text.empty() ? "" : "<b>" + escape(text) + "</b>", "num"}; }
 
 std::string figure_section(const Score& score, const std::optional<Score>& model) {
     std::vector<std::string> columns{"", "cases", "share", "95 %", "wanted", "labels shuffled", "95 % of shuffles"};
     if (model) columns.push_back("model = plant");
-    Table rows;
+    Rows rows;
     for (const blind::Figure& figure : score.figures) {
-        rows.push_back({{escape(figure.name), ""},
-                        {fmt::format("{} of {}", figure.share.hits, figure.share.of), "num"},
-                        {"<b>" + per_cent(figure.share.value()) + "</b>", "num"},
-                        {interval_text(figure.share), "num"},
-                        met_cell(figure),
-                        {per_cent(figure.shuffled), "num"},
-                        {per_cent(figure.shuffled95), "num"}});
-        if (model) rows.back().push_back({per_cent(model->figure(figure.key).share.value()), "num"});
+        rows.push_back({plain(figure.name), num(hits_text(figure.share)), strong(per_cent(figure.share.value())),
+                        num(interval_text(figure.share)), wanted_cell(figure), num(per_cent(figure.shuffled)),
+                        num(per_cent(figure.shuffled95))});
+        if (model) rows.back().push_back(num(per_cent(model->figure(figure.key).share.value())));
     }
-    std::string words = "Intervals are Wilson's. Two controls: the same answers under labels that were dealt anew score at chance";
-    words += model ? fmt::format("; the model's own cases ({}) show what the method misses where model and rig agree.", model->cases) : ".";
+    std::string words = "Intervals are Wilson's. Control: the same answers with shuffled labels score at chance level.";
+    if (model)
+        words += fmt::format(" Control: the {} cases of the model itself show what the method misses without a model error.", model->cases);
     return section("Figures", paragraph(words) + html_table(columns, rows));
 }
 
@@ -66,57 +63,51 @@ std::string confusion_section(const Score& score) {
         for (const auto& [answer, count] : said) answers.insert(answer);
     std::vector<std::string> columns{"built in \\ answered"};
     columns.insert(columns.end(), answers.begin(), answers.end());
-    Table rows;
+    Rows rows;
     for (const auto& [truth, said] : score.confusion) {
-        rows.push_back({{escape(truth), "num"}});
+        std::vector<Cell>& row = rows.emplace_back(std::vector<Cell>{num(truth)});
         for (const std::string& answer : answers) {
             const auto count = said.find(answer);
             const bool right = answer == truth || (answer == "unknown" && truth.starts_with("outside."));
             const std::string figure = count == said.end() ? "" : std::to_string(count->second);
-            rows.back().push_back({right && !figure.empty() ? "<b>" + figure + "</b>" : figure, "num"});
+            row.push_back(right ? strong(figure) : num(figure));
         }
     }
     return section("Confusion",
-                   paragraph("Cases by what was built in and what was answered; what is right stands out. Of two effects it only "
-                             "says how many were answered: the figures above say which.") +
-                       "<div class=\"dense\">" + html_table(columns, rows) + "</div>");
+                   paragraph("Cases by the effect built in and the effect answered; correct answers are bold. For two effects it "
+                             "shows only how many were answered: the figures above show which.") +
+                       dense_table(columns, rows));
 }
 
 std::string calibration_section(const Score& score) {
-    Table rows;
+    Rows rows;
     std::vector<double> stated, right, low, high;
     for (const blind::CalibrationBin& bin : score.calibration) {
-        rows.push_back({{fmt::format("{} to {}", bin.stated.low, bin.stated.high), "num"},
-                        {fmt::format("{} of {}", bin.right.hits, bin.right.of), "num"},
-                        {per_cent(bin.mean_stated), "num"},
-                        {per_cent(bin.right.value()), "num"},
-                        {interval_text(bin.right), "num"}});
+        rows.push_back({num(fmt::format("{} to {}", bin.stated.low, bin.stated.high)), num(hits_text(bin.right)),
+                        num(per_cent(bin.mean_stated)), num(per_cent(bin.right.value())), num(interval_text(bin.right))});
         if (bin.right.of == 0) continue;
         stated.push_back(bin.mean_stated);
         right.push_back(bin.right.value());
         low.push_back(bin.right.wilson95().low);
         high.push_back(bin.right.wilson95().high);
     }
-    Plot plot("Probability stated and share right", "stated", "right");
-    plot.curve("as stated", {0.0, 1.0}, {0.0, 1.0}, "sum", true)
+    Plot plot("Stated probability and correct share", "stated", "correct");
+    plot.curve("ideal", {0.0, 1.0}, {0.0, 1.0}, "sum", true)
         .points("effects", stated, right, "se")
         .band("95 %", stated, low, high, "se")
         .from_zero();
-    return section("Calibration", paragraph("Of the effects that answers name, with their side: how often they were built in.") +
-                                      html_table({"stated", "right", "mean stated", "share right", "95 %"}, rows) +
+    return section("Calibration", paragraph("How often the effects that answers name, with their side, were built in.") +
+                                      html_table({"stated", "correct", "mean stated", "correct share", "95 %"}, rows) +
                                       (stated.empty() ? "" : "<div class=\"held\">" + plot.svg() + "</div>"));
 }
 
 std::string coverage_section(const Score& score) {
-    Table rows;
+    Rows rows;
     for (const auto& [id, share] : score.coverage)
-        rows.push_back({{escape(id), "num"},
-                        {fmt::format("{} of {}", share.hits, share.of), "num"},
-                        {per_cent(share.value()), "num"},
-                        {interval_text(share), "num"}});
+        rows.push_back({num(id), num(hits_text(share)), num(per_cent(share.value())), num(interval_text(share))});
     return rows.empty() ? ""
-                        : section("Intervals", paragraph("95 % intervals of rightly named effects that hold the true size.") +
-                                                   html_table({"effect", "held", "share", "95 %"}, rows));
+                        : section("Intervals", paragraph("95 % intervals of correctly named effects that contain the true size.") +
+                                                   html_table({"effect", "contained", "share", "95 %"}, rows));
 }
 
 std::string shrink_section(const Score& score) {
@@ -128,43 +119,40 @@ std::string shrink_section(const Score& score) {
     }
     const double most = std::max(1.0, *std::max_element(claimed.begin(), claimed.end()));
     Plot plot("Gap after over gap before", "claimed by the diagnosis", "measured on heldout/");
-    plot.curve("as claimed", {0.0, most}, {0.0, most}, "sum", true).points("cases", claimed, measured, "t").from_zero();
+    plot.curve("ideal", {0.0, most}, {0.0, most}, "sum", true).points("cases", claimed, measured, "t").from_zero();
     const auto median = [](std::vector<double> values) {
         std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
-        return values[values.size() / 2];
+        return number(values[values.size() / 2], 3);
     };
-    return section("Shrink claimed and measured", html_facts({{"cases with an effect named", std::to_string(score.shrink.size())},
-                                                              {"median claimed", known(median(claimed))},
-                                                              {"median measured", known(median(measured))}}) +
-                                                      "<div class=\"held\">" + plot.svg() + "</div>");
+    return section("Claimed and measured reduction of the gap",
+                   html_facts({{"cases with a named effect", std::to_string(score.shrink.size())},
+                               {"median claimed", median(claimed)},
+                               {"median measured", median(measured)}}) +
+                       "<div class=\"held\">" + plot.svg() + "</div>");
 }
 
 std::string time_section(const Score& score) {
     if (std::isnan(score.median_seconds)) return "";
-    return section("Time", paragraph(fmt::format("A case on one thread: median {} s, worst {} s.", known(score.median_seconds),
-                                                 known(score.worst_seconds))));
+    return section("Time", paragraph(fmt::format("One case on one thread: median {} s, worst {} s.", number(score.median_seconds, 3),
+                                                 number(score.worst_seconds, 3))));
 }
 
 std::string miss_section(const Score& score) {
-    Table rows;
+    Rows rows;
     for (const blind::Miss& miss : score.misses)
-        rows.push_back({{escape(miss.truth.case_name), "num"},
-                        {escape(miss.what), ""},
-                        {escape(truth_text(miss.truth)), ""},
-                        {escape(answer_text(miss.answer)), ""},
-                        {escape(alternatives_text(miss.answer)), "faint"},
-                        {change(miss.answer.kept_before, miss.answer.kept_after), "num"}});
-    if (rows.empty()) return section("Misses", paragraph("None."));
-    return section("Misses", "<div class=\"dense\">" +
-                                 html_table({"case", "what", "built in", "answer", "alternatives", "kept-back gap [sigma]"}, rows) +
-                                 "</div>");
+        rows.push_back({num(miss.truth.case_name), plain(miss.what), plain(truth_text(miss.truth)), plain(answer_text(miss.answer)),
+                        faint(alternatives_text(miss.answer)), num(change(miss.answer.kept_before, miss.answer.kept_after))});
+    return section("Misses", rows.empty()
+                                 ? paragraph("None.")
+                                 : dense_table({"case", "what", "built in", "answer", "alternatives", "held-out gap [sigma]"}, rows));
 }
 
 }  // namespace
 
 std::string score_html(const blind::Score& score, const std::optional<blind::Score>& model) {
-    return html_page("Blind benchmark", head(score) + figure_section(score, model) + confusion_section(score) + calibration_section(score) +
-                                            coverage_section(score) + shrink_section(score) + time_section(score) + miss_section(score));
+    return html_page("Blind benchmark", score_head(score),
+                     figure_section(score, model) + confusion_section(score) + calibration_section(score) + coverage_section(score) +
+                         shrink_section(score) + time_section(score) + miss_section(score));
 }
 
 }  // namespace fusee::report

@@ -1,84 +1,53 @@
 #include "json/json.h"
 
-#include <fmt/format.h>
-
-#include <nlohmann/json.hpp>
-
-#include "fusee/report/search.h"
+#include "search/page.h"
 
 namespace fusee::report {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-Json variables_json(const std::vector<SearchedVariable>& variables) {
-    Json all = Json::array();
-    for (const SearchedVariable& v : variables)
-        all.push_back({{"name", v.name}, {"unit", v.unit}, {"box", {v.box.low, v.box.high}}, {"found", v.found}, {"own", v.own}});
-    return all;
+Json searched_levels_json(const std::vector<actuator::DeadBand>& levels) {
+    return json_list(levels, [](const actuator::DeadBand& d) {
+        return Json{{"tau_Nm", d.tau},
+                    {"linear_rad", d.linear},
+                    {"exact_rad", d.exact_width},
+                    {"condition_6", d.condition_6},
+                    {"joint_stiffness_Nm_per_rad", d.joint_stiffness}};
+    });
 }
 
-Json figures_json(const std::vector<ComparedFigure>& figures) {
-    Json all = Json::array();
-    for (const ComparedFigure& f : figures) all.push_back({{"name", f.name}, {"unit", f.unit}, {"found", f.found}, {"own", f.own}});
-    return all;
+Json variable_json(const SearchedVariable& v) {
+    return {{"name", v.name}, {"unit", v.unit}, {"box", range_json(v.box)}, {"found", v.found}, {"own", v.own}};
 }
 
-Json dead_band_json(const std::vector<actuator::DeadBand>& levels) {
-    Json all = Json::array();
-    for (const actuator::DeadBand& d : levels)
-        all.push_back({{"tau_Nm", d.tau},
-                       {"linear_rad", d.linear},
-                       {"extreme_rad", d.exact_width},
-                       {"condition_6", d.condition_6},
-                       {"joint_stiffness_Nm_per_rad", d.joint_stiffness}});
-    return all;
-}
+Json compared_figure_json(const ComparedFigure& f) { return {{"name", f.name}, {"unit", f.unit}, {"found", f.found}, {"own", f.own}}; }
 
-Json cams_json(const std::vector<CamCurve>& cams) {
-    Json all = Json::array();
-    for (const CamCurve& cam : cams)
-        all.push_back(
-            {{"part", cam::to_string(cam.kind)}, {"can_be_cut", cam.part.has_value()}, {"findings", findings_json(cam.findings)}});
-    return all;
+Json searched_cam_json(const CamCurve& cam) {
+    return {{"part", cam::to_string(cam.kind)}, {"can_be_cut", cam.part.has_value()}, {"findings", findings_json(cam.findings)}};
 }
 
 }  // namespace
 
-std::string search_json(const SearchReport& report) {
-    const Json j{{"made_by", report.provenance.line()},
-                 {"name", report.provenance.name},
-                 {"profile_sha256", report.provenance.profile_sha256},
-                 {"method", report.method},
-                 {"population", report.population},
-                 {"generations", report.generations},
-                 {"seed", report.seed},
-                 {"evaluations", report.evaluations},
-                 {"interrupted", report.interrupted},
-                 {"cost", report.cost},
-                 {"variables", variables_json(report.variables)},
-                 {"figures", figures_json(report.figures)},
-                 {"dead_band", dead_band_json(report.found.dead_band)},
-                 {"own_dead_band", dead_band_json(report.own.dead_band)},
-                 {"cams", cams_json(report.cams)},
-                 {"findings", findings_json(report.findings)},
-                 {"remarks", report.remarks}};
-    return j.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+Json search_object(const SearchReport& report) {
+    return {{"made_by", report.provenance.line()},
+            {"name", report.provenance.name},
+            {"profile_sha256", report.provenance.profile_sha256},
+            {"method", report.method},
+            {"population", report.population},
+            {"generations", report.generations},
+            {"seed", report.seed},
+            {"evaluations", report.evaluations},
+            {"interrupted", report.interrupted},
+            {"cost", report.cost},
+            {"variables", json_list(report.variables, variable_json)},
+            {"figures", json_list(report.figures, compared_figure_json)},
+            {"dead_band", searched_levels_json(report.found.dead_band)},
+            {"own_dead_band", searched_levels_json(report.own.dead_band)},
+            {"cams", json_list(report.cams, searched_cam_json)},
+            {"findings", findings_json(report.findings)},
+            {"remarks", report.remarks}};
 }
 
-std::string figure_9_csv(const std::vector<CostCurve>& costs) {
-    std::string csv = "variable,value,cost,feasible\n";
-    for (const CostCurve& curve : costs)
-        for (std::size_t i = 0; i < curve.value.size(); ++i)
-            csv += fmt::format("{},{:.17g},{:.17g},{}\n", curve.variable, curve.value[i], curve.cost[i], curve.feasible[i] ? 1 : 0);
-    return csv;
-}
-
-std::string history_csv(const std::vector<double>& history) {
-    std::string csv = "generation,best_cost\n";
-    for (std::size_t i = 0; i < history.size(); ++i) csv += fmt::format("{},{:.17g}\n", i, history[i]);
-    return csv;
-}
+std::string search_json(const SearchReport& report) { return json_text(search_object(report), {{"extreme_rad", "exact_rad"}}); }
 
 }  // namespace fusee::report

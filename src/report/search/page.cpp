@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "design/page.h"
-#include "fusee/report/search.h"
 #include "page/column.h"
 #include "page/html.h"
 #include "page/svg_plot.h"
@@ -16,9 +15,7 @@ namespace fusee::report {
 
 namespace {
 
-using core::deg_from_rad;
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kGap = std::numeric_limits<double>::quiet_NaN();  // of a curve
 
 std::string with_unit(const std::string& name, const std::string& unit) { return unit.empty() ? name : name + " [" + unit + "]"; }
 
@@ -27,42 +24,31 @@ bool can_be_cut(const SearchReport& report) {
            !core::any_error(report.findings);
 }
 
-std::string verdict_tag(const SearchReport& report) {
-    if (report.cams.empty()) return "<span class=\"verdict pass-tag\">\u2713 Springs found</span>";
-    return can_be_cut(report) ? "<span class=\"verdict pass-tag\">\u2713 Springs found, and their cams can be made</span>"
-                              : "<span class=\"verdict review-tag\">! Springs found, but not for these base springs</span>";
+std::string search_verdict(const SearchReport& report) {
+    if (report.cams.empty()) return verdict_tag(core::Severity::kPass, "Springs found");
+    return can_be_cut(report) ? verdict_tag(core::Severity::kPass, "Springs found; their cams can be made")
+                              : verdict_tag(core::Severity::kWarning, "Springs found; these base springs cannot carry them");
 }
 
-std::string head(const SearchReport& report) {
-    std::string out = "<header><p class=\"eyebrow\">fusee spring design</p><h1>" + escape(report.provenance.name) + "</h1>" +
-                      verdict_tag(report) + "<p class=\"stamp\">" + escape(report.provenance.line()) + "</p><div class=\"tiles\">";
-    for (const SearchedVariable& v : report.variables) out += html_tile(number(v.found), with_unit(v.name, v.unit));
-    out += html_tile(number(report.cost), "cost");
-    const std::string ended = report.interrupted ? ", stopped early" : "";
-    return out +
-           html_tile(fmt::format("{}", report.evaluations),
-                     fmt::format("evaluations in {} generations{}, seed {}", report.generations, ended, report.seed)) +
-           "</div></header>\n";
+Head search_head(const SearchReport& report) {
+    Head head{"fusee spring design", report.provenance.name, search_verdict(report), "", report.provenance.line(), {}};
+    for (const SearchedVariable& v : report.variables) head.tiles.emplace_back(number(v.found), with_unit(v.name, v.unit));
+    head.tiles.emplace_back(number(report.cost), "cost");
+    head.tiles.emplace_back(std::to_string(report.evaluations), fmt::format("evaluations in {} generations{}, seed {}", report.generations,
+                                                                            report.interrupted ? ", stopped early" : "", report.seed));
+    return head;
 }
 
-std::string comparison(const SearchReport& report) {
-    std::vector<std::vector<Cell>> rows;
+std::string comparison_section(const SearchReport& report) {
+    Rows rows;
     for (const SearchedVariable& v : report.variables)
-        rows.push_back({{escape(v.name), ""},
-                        {number(v.found, 5), "num"},
-                        {number(v.own, 5), "num"},
-                        {escape(v.unit), ""},
-                        {number(v.box.low) + " to " + number(v.box.high), "num"}});
+        rows.push_back({plain(v.name), num(v.found, 5), num(v.own, 5), plain(v.unit), num(span(v.box, 4))});
     for (const ComparedFigure& f : report.figures)
-        rows.push_back({{escape(f.name), ""}, {number(f.found, 5), "num"}, {number(f.own, 5), "num"}, {escape(f.unit), ""}, {"", ""}});
-    std::string out = "<section><h2>What was found</h2>" + html_table({"", "found", "profile's own", "unit", "searched"}, rows);
-    if (report.remarks.empty()) return out + "</section>\n";
-    out += "<ul>";
-    for (const std::string& remark : report.remarks) out += "<li>" + escape(remark) + "</li>";
-    return out + "</ul></section>\n";
+        rows.push_back({plain(f.name), num(f.found, 5), num(f.own, 5), plain(f.unit), plain("")});
+    return section("Result", html_table({"", "found", "profile", "unit", "searched"}, rows) + bullet_list(report.remarks));
 }
 
-/// Costs of springs that are none, or of travels without end, would flatten the valley.
+/// Costs of infeasible springs and unbounded travels would flatten the curve.
 double highest_shown(const CostCurve& curve) {
     const double least = *std::min_element(curve.cost.begin(), curve.cost.end());
     return least + std::max(0.5, std::abs(least));
@@ -70,18 +56,18 @@ double highest_shown(const CostCurve& curve) {
 
 std::string cost_plot(const CostCurve& curve) {
     const double top = highest_shown(curve);
-    const auto shown = [top](double cost) { return cost <= top ? cost : kNan; };
-    std::vector<double> springs, none, tried;
+    const auto shown = [top](double cost) { return cost <= top ? cost : kGap; };
+    std::vector<double> feasible, infeasible, lowest;
     for (std::size_t i = 0; i < curve.cost.size(); ++i) {
-        springs.push_back(curve.feasible[i] ? shown(curve.cost[i]) : kNan);
-        none.push_back(curve.feasible[i] ? kNan : shown(curve.cost[i]));
+        feasible.push_back(curve.feasible[i] ? shown(curve.cost[i]) : kGap);
+        infeasible.push_back(curve.feasible[i] ? kGap : shown(curve.cost[i]));
     }
-    for (const double cost : curve.lowest_cost) tried.push_back(shown(cost));
+    for (const double cost : curve.lowest_cost) lowest.push_back(shown(cost));
     Plot plot("Cost over " + curve.variable, with_unit(curve.variable, curve.unit), "cost");
-    plot.curve("others at the optimum", curve.value, springs, "exact");
-    if (std::any_of(none.begin(), none.end(), [](double cost) { return std::isfinite(cost); }))
-        plot.curve("no springs", curve.value, none, "pe", true);
-    if (!tried.empty()) plot.points("lowest tried", curve.tried, tried, "linear");
+    plot.curve("other variables at the optimum", curve.value, feasible, "exact");
+    if (std::any_of(infeasible.begin(), infeasible.end(), [](double cost) { return std::isfinite(cost); }))
+        plot.curve("infeasible", curve.value, infeasible, "pe", true);
+    if (!lowest.empty()) plot.points("lowest of the search", curve.tried, lowest, "linear");
     return plot.mark(curve.optimum, "optimum").svg();
 }
 
@@ -101,8 +87,8 @@ std::string arm_plot(const CamCurve& cam) {
         .svg();
 }
 
-/// What the rules say against the law found; what holds is left out.
-std::vector<NumberedFinding> broken(const SearchReport& report) {
+/// Findings about the design found, passes left out.
+std::vector<NumberedFinding> open_findings(const SearchReport& report) {
     std::vector<NumberedFinding> all;
     const auto add = [&all](const core::Findings& findings, const std::string& part) {
         for (const core::Finding& f : findings)
@@ -116,47 +102,47 @@ std::vector<NumberedFinding> broken(const SearchReport& report) {
 }  // namespace
 
 std::string costs_section(const SearchReport& report) {
-    std::string out = "<section><h2>Cost</h2><div class=\"grid\">";
-    for (const CostCurve& curve : report.costs) out += cost_plot(curve);
-    return out + history_plot(report) + "</div></section>\n";
+    std::string charts;
+    for (const CostCurve& curve : report.costs) charts += cost_plot(curve);
+    return section("Cost", grid(charts + history_plot(report)));
 }
 
 std::string springs_section(const SearchReport& report) {
     using P = spring::LawPoint;
     using D = actuator::DeadBand;
-    Plot torques("Both springs over the capstan's angle", "capstan angle [rad]", "torque [Nm]");
+    Plot torques("Both springs over the capstan angle", "capstan angle [rad]", "torque [Nm]");
     Plot band("Linear dead-band at the joint, edge to edge", "co-contraction, motor torque at the capstan [Nm]", "dead-band [deg]");
     const auto add = [&](const LawCurves& law, const std::string& whose, bool dashed) {
-        const auto theta = column(law.samples, [](const P& p) { return p.theta; });
-        torques.curve("F_SE" + whose, theta, column(law.samples, [](const P& p) { return p.f_se; }), "se", dashed);
-        torques.curve("F_PE" + whose, theta, column(law.samples, [](const P& p) { return p.f_pe; }), "pe", dashed);
-        const auto tau = column(law.dead_band, [](const D& d) { return d.tau; });
-        band.curve("found" + whose, tau, column(law.dead_band, [](const D& d) { return deg_from_rad(d.linear); }), "linear", dashed);
+        const auto theta = column(law.samples, &P::theta);
+        torques.curve("F_SE" + whose, theta, column(law.samples, &P::f_se), "se", dashed);
+        torques.curve("F_PE" + whose, theta, column(law.samples, &P::f_pe), "pe", dashed);
+        band.curve("found" + whose, column(law.dead_band, &D::tau),
+                   column(law.dead_band, [](const D& d) { return deg_from_rad(d.linear); }), "linear", dashed);
     };
     add(report.found, "", false);
-    if (!report.own.samples.empty()) add(report.own, ", own", true);
-    return "<section><h2>Springs</h2><p>Whole lines: the springs found; dashed: those of the profile.</p><div class=\"grid\">" +
-           torques.from_zero().svg() + band.from_zero().svg() + "</div></section>\n";
+    if (!report.own.samples.empty()) add(report.own, ", profile", true);
+    return section("Springs", paragraph("Solid lines: the springs found; dashed: the springs of the profile.") +
+                                  grid(torques.from_zero().svg() + band.from_zero().svg()));
 }
 
 std::string cams_section(const SearchReport& report) {
-    if (report.cams.empty()) return "<section><h2>Cams</h2><p>Not judged: the profile has no parts, or the law is refused.</p></section>\n";
-    const std::vector<NumberedFinding> findings = broken(report);
-    std::string out = "<section><h2>Cams</h2><div class=\"grid\">";
-    for (const CamCurve& cam : report.cams) out += arm_plot(cam);
+    if (report.cams.empty()) return section("Cams", paragraph("Not judged: the profile has no parts, or the law is refused."));
+    const std::vector<NumberedFinding> findings = open_findings(report);
+    std::string charts;
+    for (const CamCurve& cam : report.cams) charts += arm_plot(cam);
     for (const CamCurve& cam : report.cams) {
         const std::string name = cam::to_string(cam.kind);
-        out +=
-            "<div class=\"card\"><h3>" + name + "</h3>" +
-            (cam.part ? cam_svg(*cam.part, markers_of(findings, name)) : "<p>It cannot be cut on this base spring: see the findings.</p>") +
-            "</div>";
+        charts += card("<h3>" + name + "</h3>" +
+                       (cam.part ? cam_svg(*cam.part, markers_of(findings, name))
+                                 : paragraph("It cannot be cut for this base spring: see the findings.")));
     }
-    return out + "</div></section>\n";
+    return section("Cams", grid(charts));
 }
 
 std::string search_html(const SearchReport& report) {
-    return html_page(report.provenance.name, head(report) + comparison(report) + costs_section(report) + springs_section(report) +
-                                                 cams_section(report) + findings_section(broken(report)));
+    return html_page(report.provenance.name, search_head(report),
+                     comparison_section(report) + costs_section(report) + springs_section(report) + cams_section(report) +
+                         findings_section(open_findings(report)));
 }
 
 }  // namespace fusee::report

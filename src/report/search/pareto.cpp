@@ -10,23 +10,24 @@ namespace fusee::report {
 
 namespace {
 
-using core::deg_from_rad;
 using core::mm_from_m;
 
 double other_axis(const ParetoReport& report, const ParetoPoint& p) { return report.against_size ? mm_from_m(p.radius) : p.travel; }
 
-std::string head(const ParetoReport& report) {
-    return "<header><p class=\"eyebrow\">fusee front of designs</p><h1>" + escape(report.provenance.name) +
-           "</h1><span class=\"verdict pass-tag\">\u2713 Every design shown was made and read back</span><p class=\"stamp\">" +
-           escape(report.provenance.line()) + "</p><div class=\"tiles\">" + html_tile(fmt::format("{}", report.points.size()), "designs") +
-           html_tile(fmt::format("{}", report.dropped), "dropped: could not be made") +
-           html_tile(fmt::format("{}", report.evaluations),
-                     fmt::format("evaluations, {} generations of {}{}, seed {}", report.generations, report.population,
-                                 report.interrupted ? ", stopped early" : "", report.seed)) +
-           "</div></header>\n";
+Head front_head(const ParetoReport& report) {
+    return {
+        "fusee front of designs",
+        report.provenance.name,
+        verdict_tag(core::Severity::kPass, "Every design shown was made and read back"),
+        "",
+        report.provenance.line(),
+        {{std::to_string(report.points.size()), "designs"},
+         {std::to_string(report.dropped), "dropped: could not be made"},
+         {std::to_string(report.evaluations), fmt::format("evaluations, {} generations of {}{}, seed {}", report.generations,
+                                                          report.population, report.interrupted ? ", stopped early" : "", report.seed)}}};
 }
 
-std::string picture(const ParetoReport& report) {
+std::string front_section(const ParetoReport& report) {
     const auto figures = column(report.points, [](const ParetoPoint& p) { return deg_from_rad(p.figure); });
     const auto other = column(report.points, [&](const ParetoPoint& p) { return other_axis(report, p); });
     Plot front(report.against_size ? "Dead-band against size" : "Dead-band against capstan travel",
@@ -37,34 +38,28 @@ std::string picture(const ParetoReport& report) {
     Plot levels("Dead-band of each design", "co-contraction, motor torque at the capstan [Nm]", "exact dead-band at the joint [deg]");
     for (std::size_t i = 0; i < report.points.size(); ++i) {
         const bool first = i == 0, last = i + 1 == report.points.size();
-        if (!first && !last && i % 4 != 0) continue;  // every fourth, so that they can be told apart
+        if (!first && !last && i % 4 != 0) continue;  // every fourth, so that the curves can be distinguished
         std::vector<double> degrees;
         for (const double width : report.points[i].dead_band) degrees.push_back(deg_from_rad(width));
         levels.curve(report.points[i].file, report.torques, degrees, first ? "se" : last ? "pe" : "linear", !first && !last);
     }
-    return "<section><h2>The front</h2><div class=\"grid\">" + front.from_zero().svg() + levels.from_zero().svg() + "</div></section>\n";
+    return section("The front", grid(front.from_zero().svg() + levels.from_zero().svg()));
 }
 
-std::string table(const ParetoReport& report) {
+std::string designs_section(const ParetoReport& report) {
     std::vector<std::string> names{"profile", "dead-band [deg]"};
     for (const double torque : report.torques) names.push_back(fmt::format("at {:g} Nm", torque));
-    for (const char* name : {"travel [rad]", "stiffness [Nm/rad]", "radius [mm]", "r_c [mm]", "limited by"}) names.emplace_back(name);
-    std::vector<std::vector<Cell>> rows;
+    names.insert(names.end(), {"travel [rad]", "stiffness [Nm/rad]", "radius [mm]", "r_c [mm]", "limited by"});
+    Rows rows;
     for (const ParetoPoint& p : report.points) {
-        std::vector<Cell> row{{escape(p.file), "code"}, {number(deg_from_rad(p.figure)), "num"}};
-        for (const double width : p.dead_band) row.push_back({number(deg_from_rad(width)), "num"});
-        row.push_back({number(p.travel), "num"});
-        row.push_back({number(p.stiffness.low, 3) + " to " + number(p.stiffness.high, 3), "num"});
-        row.push_back({number(mm_from_m(p.radius)), "num"});
-        row.push_back({number(mm_from_m(p.capstan_radius)), "num"});
-        row.push_back({escape(p.limited_by), ""});
-        rows.push_back(std::move(row));
+        std::vector<Cell>& row = rows.emplace_back(std::vector<Cell>{code(p.file), num(deg(p.figure))});
+        for (const double width : p.dead_band) row.push_back(num(deg(width)));
+        row.insert(row.end(), {num(p.travel), num(span(p.stiffness)), num(mm_from_m(p.radius)), num(mm_from_m(p.capstan_radius)),
+                               plain(p.limited_by)});
     }
-    std::string out = "<section><h2>Designs</h2>" + html_table(names, rows);
-    if (report.dropped_by.empty()) return out + "</section>\n";
-    out += "<p>Dropped points were forbidden by:</p><ul>";
-    for (const std::string& rule : report.dropped_by) out += "<li>" + escape(rule) + "</li>";
-    return out + "</ul></section>\n";
+    const std::string dropped =
+        report.dropped_by.empty() ? "" : paragraph("Rules that the dropped designs break:") + bullet_list(report.dropped_by);
+    return section("Designs", html_table(names, rows) + dropped);
 }
 
 }  // namespace
@@ -83,7 +78,7 @@ std::string pareto_csv(const ParetoReport& report) {
 }
 
 std::string pareto_html(const ParetoReport& report) {
-    return html_page(report.provenance.name, head(report) + picture(report) + table(report));
+    return html_page(report.provenance.name, front_head(report), front_section(report) + designs_section(report));
 }
 
 }  // namespace fusee::report

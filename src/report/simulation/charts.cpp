@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fusee/core/units.h"
 #include "page/column.h"
 #include "page/html.h"
 #include "page/svg_plot.h"
@@ -13,11 +12,10 @@ namespace fusee::report {
 
 namespace {
 
-using core::deg_from_rad;
 using Level = SimulatedLevel;
 
-constexpr const char* kTau = "co-contraction, motor torque at the capstan [Nm]";
-constexpr const char* kPush = "joint torque [Nm]";
+constexpr const char* kTorqueAxis = "co-contraction, motor torque at the capstan [Nm]";
+constexpr const char* kPushAxis = "joint torque [Nm]";
 
 /// One figure of each level over co-contraction.
 struct OverLevels {
@@ -28,23 +26,23 @@ struct OverLevels {
     }
 };
 
-constexpr double kDegrees = 180.0 / core::kPi;
+constexpr double kDegreesPerRadian = 180.0 / core::kPi;
 
 std::string dead_band_chart(const Simulation& s, const OverLevels& over) {
     using D = actuator::DeadBand;
-    Plot plot("Dead-band at the joint, edge to edge", kTau, "dead-band [deg]");
-    plot.curve("linear", over.tau, over.figure(&D::linear, kDegrees), "linear", true);
-    plot.curve("exact extremes", over.tau, over.figure(&D::exact_width, kDegrees), "exact");
-    plot.curve("push and release", over.tau, over.figure(&D::measured_width, kDegrees), "se");
+    Plot plot("Dead-band at the joint, edge to edge", kTorqueAxis, "dead-band [deg]");
+    plot.curve("linear", over.tau, over.figure(&D::linear, kDegreesPerRadian), "linear", true);
+    plot.curve("exact", over.tau, over.figure(&D::exact_width, kDegreesPerRadian), "exact");
+    plot.curve("push and release", over.tau, over.figure(&D::measured_width, kDegreesPerRadian), "se");
     plot.curve("push within the laws", over.tau, column(s.levels, [](const Level& l) { return deg_from_rad(l.within_laws); }), "se", true);
     if (!s.measured.empty())
-        plot.points("measured", column(s.measured, [](const MeasuredRow& r) { return r.tau; }),
+        plot.points("measured", column(s.measured, &MeasuredRow::tau),
                     column(s.measured, [](const MeasuredRow& r) { return deg_from_rad(r.measured); }), "pe");
     return plot.from_zero().svg();
 }
 
 std::string stiffness_chart(const OverLevels& over) {
-    Plot plot("Stiffness of the joint", kTau, "stiffness [Nm/rad]");
+    Plot plot("Stiffness of the joint", kTorqueAxis, "stiffness [Nm/rad]");
     plot.curve("capstans held", over.tau, over.figure(&actuator::DeadBand::joint_stiffness), "se");
     plot.curve("capstans free", over.tau, over.figure(&actuator::DeadBand::free_joint_stiffness), "sum", true);
     return plot.from_zero().svg();
@@ -52,16 +50,14 @@ std::string stiffness_chart(const OverLevels& over) {
 
 std::string built_chart(const Simulation& s, const OverLevels& over) {
     if (std::none_of(s.levels.begin(), s.levels.end(), [](const Level& l) { return std::isfinite(l.built.high); })) return "";
-    Plot plot("Exact dead-band as drawn, and of 90 % of the joints that a shop builds", kTau, "dead-band [deg]");
+    Plot plot("Exact dead-band: nominal, and of 90 % of joints as built", kTorqueAxis, "dead-band [deg]");
     plot.band("5 to 95 %", over.tau, column(s.levels, [](const Level& l) { return deg_from_rad(l.built.low); }),
               column(s.levels, [](const Level& l) { return deg_from_rad(l.built.high); }), "exact");
-    plot.curve("as drawn", over.tau, over.figure(&actuator::DeadBand::exact_width, kDegrees), "exact");
+    plot.curve("nominal", over.tau, over.figure(&actuator::DeadBand::exact_width, kDegreesPerRadian), "exact");
     return plot.from_zero().svg();
 }
 
-std::vector<double> torques_of(const std::vector<PathPoint>& path) {
-    return column(path, [](const PathPoint& p) { return p.joint_torque; });
-}
+std::vector<double> torques_of(const std::vector<PathPoint>& path) { return column(path, &PathPoint::joint_torque); }
 std::vector<double> angles_of(const std::vector<PathPoint>& path) {
     return column(path, [](const PathPoint& p) { return deg_from_rad(p.q); });
 }
@@ -75,15 +71,15 @@ std::string loads_chart(const ReleasePath& path) {
     const auto level = [](double load) { return std::vector<double>{load, load}; };
     Plot plot(fmt::format("Loads of both capstans at {} Nm: push up, release, push down, release", number(path.tau)), "stroke",
               "load [Nm]");
-    plot.curve("agonist", step, column(whole, [](const PathPoint& p) { return p.load_1; }), "se");
-    plot.curve("antagonist", step, column(whole, [](const PathPoint& p) { return p.load_2; }), "pe");
+    plot.curve("agonist", step, column(whole, &PathPoint::load_1), "se");
+    plot.curve("antagonist", step, column(whole, &PathPoint::load_2), "pe");
     plot.curve("least at rest", ends, level(path.resting_loads.low), "sum", true);
     plot.curve("greatest at rest", ends, level(path.resting_loads.high), "sum", true);
     return plot.svg();
 }
 
 std::string path_chart(const ReleasePath& path) {
-    Plot plot(fmt::format("A push-and-release test at {} Nm", number(path.tau)), kPush, "joint angle [deg]");
+    Plot plot(fmt::format("A push-and-release test at {} Nm", number(path.tau)), kPushAxis, "joint angle [deg]");
     plot.curve("up and released", torques_of(path.up), angles_of(path.up), "se");
     plot.curve("down and released", torques_of(path.down), angles_of(path.down), "pe");
     return plot.svg();
@@ -91,7 +87,7 @@ std::string path_chart(const ReleasePath& path) {
 
 std::string loop_chart(const std::vector<DeflectionLoop>& loops) {
     static constexpr const char* kColours[] = {"linear", "t", "pe", "se"};
-    Plot plot("Joint torque led to and fro, motor torques held", kPush, "joint angle [deg]");
+    Plot plot("Joint torque cycled, motor torques held", kPushAxis, "joint angle [deg]");
     for (std::size_t i = 0; i < loops.size(); ++i)
         plot.curve(number(loops[i].tau, 3) + " Nm", torques_of(loops[i].cycle), angles_of(loops[i].cycle),
                    kColours[i % std::size(kColours)]);
@@ -99,7 +95,7 @@ std::string loop_chart(const std::vector<DeflectionLoop>& loops) {
 }
 
 std::string motor_chart(const std::vector<BreakAwayRow>& rows) {
-    const auto motor = column(rows, [](const BreakAwayRow& r) { return r.motor_torque; });
+    const auto motor = column(rows, &BreakAwayRow::motor_torque);
     Plot plot("Motor subsystem: loads at which the capstan breaks away", "motor torque at the capstan [Nm]", "load [Nm]");
     plot.curve("lowered", motor, column(rows, [](const BreakAwayRow& r) { return r.loads.low; }), "se");
     plot.curve("raised", motor, column(rows, [](const BreakAwayRow& r) { return r.loads.high; }), "pe");
@@ -114,14 +110,14 @@ std::string friction_chart(const std::vector<BreakAwayRow>& rows) {
 }
 
 std::string frame_chart(const Simulation& s, const OverLevels& over) {
-    Plot plot("Frame subsystem: dead-band with masses for motors", kTau, "dead-band [deg]");
+    Plot plot("Frame subsystem: dead-band with masses in place of motors", kTorqueAxis, "dead-band [deg]");
     plot.curve("bearing only", over.tau, column(s.levels, [](const Level& l) { return deg_from_rad(l.frame); }), "se");
-    plot.curve("with gears", over.tau, over.figure(&actuator::DeadBand::measured_width, kDegrees), "sum", true);
+    plot.curve("with gears", over.tau, over.figure(&actuator::DeadBand::measured_width, kDegreesPerRadian), "sum", true);
     return plot.from_zero().svg();
 }
 
-std::string noise_chart(const Simulation& s, const OverLevels& over) {
-    Plot plot("Passive noise rejection: deviation under white torque noise", kTau, "standard deviation [deg]");
+std::string deviation_chart(const Simulation& s, const OverLevels& over) {
+    Plot plot("Passive noise rejection: standard deviation under white torque noise", kTorqueAxis, "standard deviation [deg]");
     plot.curve("joint", over.tau, column(s.levels, [](const Level& l) { return deg_from_rad(l.noise[actuator::kOutput]); }), "se");
     plot.curve("capstans", over.tau, column(s.levels, [](const Level& l) { return deg_from_rad(l.noise[actuator::kAgonist]); }), "pe",
                true);
@@ -132,7 +128,7 @@ std::string noise_chart(const Simulation& s, const OverLevels& over) {
 
 std::string joint_charts(const Simulation& s) {
     const OverLevels over{s};
-    Plot condition("Condition (6): below 0 the dead-band's cause shrinks", kTau, "d(T tau_f)/dtau [1]");
+    Plot condition("Condition (6): below 0 stiction at the joint decreases", kTorqueAxis, "d(T tau_f)/dtau [1]");
     condition.curve("d(T tau_f)/dtau", over.tau, over.figure(&actuator::DeadBand::condition_6), "t").from_zero();
     return dead_band_chart(s, over) + condition.svg() + stiffness_chart(over) + built_chart(s, over);
 }
@@ -147,7 +143,7 @@ std::string subsystem_charts(const Simulation& s) {
     const OverLevels over{s};
     std::string out;
     if (!s.break_away.empty()) out += motor_chart(s.break_away) + friction_chart(s.break_away);
-    return out + frame_chart(s, over) + noise_chart(s, over);
+    return out + frame_chart(s, over) + deviation_chart(s, over);
 }
 
 }  // namespace fusee::report

@@ -4,145 +4,127 @@
 
 #include <cmath>
 
-#include "fusee/core/units.h"
 #include "page/html.h"
 
 namespace fusee::report {
 
 namespace {
 
-using core::deg_from_rad;
+bool is_pnrvsa(const Simulation& s) { return s.survey.arrangement == actuator::Arrangement::kPnrvsa; }
 
-std::string deg(double rad, int digits = 4) { return number(deg_from_rad(rad), digits); }
-std::string span(const core::Range& range, const std::string& unit) {
-    return number(range.low, 3) + " to " + number(range.high, 3) + " " + unit;
-}
-Cell figure(double value, int digits = 4) { return {number(value, digits), "num"}; }
-
-std::string verdict_tag(const actuator::ConditionSummary& condition) {
-    const std::string margin = fmt::format(" ({} to {})", number(condition.values.low, 2), number(condition.values.high, 2));
+std::string condition_tag(const actuator::ConditionSummary& condition) {
+    const std::string values = " (" + span(condition.values, 2) + ")";
     switch (condition_verdict(condition)) {
         case ConditionVerdict::kHolds:
-            return "<span class=\"verdict pass-tag\">\u2713 Condition (6) holds: less stiction with co-contraction" + margin + "</span>";
+            return verdict_tag(core::Severity::kPass, "Condition (6) holds: less stiction with co-contraction" + values);
         case ConditionVerdict::kFails:
-            return "<span class=\"verdict required-tag\">\u2715 Condition (6) fails: more stiction with co-contraction" + margin +
-                   "</span>";
+            return verdict_tag(core::Severity::kError, "Condition (6) fails: more stiction with co-contraction" + values);
         case ConditionVerdict::kMixed:
-            return "<span class=\"verdict review-tag\">! Condition (6) holds in part" + margin + "</span>";
+            return verdict_tag(core::Severity::kWarning, "Condition (6) holds in part" + values);
         case ConditionVerdict::kWithinRounding:
-            return "<span class=\"verdict review-tag\">! Condition (6) is met within rounding only" + margin + "</span>";
+            return verdict_tag(core::Severity::kWarning, "Condition (6) holds only within rounding" + values);
         case ConditionVerdict::kNotKnown:
             break;
     }
-    return "<span class=\"verdict review-tag\">! Condition (6) is not known</span>";
+    return verdict_tag(core::Severity::kWarning, "Condition (6) is unknown");
 }
 
-bool is_paper(const Simulation& s) { return s.survey.arrangement == actuator::Arrangement::kPnrvsa; }
-
-std::string head(const Simulation& s) {
+Head simulation_head(const Simulation& s) {
     const actuator::DeadBand &first = s.levels.front().dead_band, &last = s.levels.back().dead_band;
-    std::string out = "<header><p class=\"eyebrow\">fusee simulation</p><h1>" + escape(s.provenance.name) + "</h1>" +
-                      (is_paper(s) ? verdict_tag(s.condition) : "") + "<p class=\"stamp\">" + escape(s.provenance.line()) +
-                      "</p><div class=\"tiles\">";
-    const auto change = [](double from, double to) { return deg(from, 3) + " \u2192 " + deg(to, 3) + " deg"; };
-    const std::string levels = fmt::format("{} to {} Nm", number(first.tau, 3), number(last.tau, 3));
-    if (is_paper(s)) out += html_tile(change(first.measured_width, last.measured_width), "read by a push-and-release test, " + levels);
-    out += html_tile(change(first.linear, last.linear), "linear dead-band, " + levels);
-    out += html_tile(span(s.survey.stiffness, "Nm/rad"), "joint stiffness, capstans held");
-    out += html_tile(number(s.survey.torque, 3) + " Nm", "greatest joint torque within the springs' laws");
-    return out + "</div></header>\n";
-}
-
-std::string words(const Simulation& s) {
-    std::string out = "<section><h2>What it shows</h2><ul>";
-    for (const std::string& remark : remarks(s)) out += "<li>" + escape(remark) + "</li>";
-    for (const std::string& gap : s.gaps) out += "<li>Not known: " + escape(gap) + "</li>";
-    return out + "</ul></section>\n";
+    const auto change_in_degrees = [](double from, double to) { return change(deg_from_rad(from), deg_from_rad(to)) + " deg"; };
+    const std::string levels = span({first.tau, last.tau}) + " Nm";
+    Head head{"fusee simulation", s.provenance.name, is_pnrvsa(s) ? condition_tag(s.condition) : "", "", s.provenance.line(), {}};
+    if (is_pnrvsa(s))
+        head.tiles.emplace_back(change_in_degrees(first.measured_width, last.measured_width), "dead-band by push and release, " + levels);
+    head.tiles.emplace_back(change_in_degrees(first.linear, last.linear), "linear dead-band, " + levels);
+    head.tiles.emplace_back(span(s.survey.stiffness) + " Nm/rad", "joint stiffness, capstans held");
+    head.tiles.emplace_back(newton_metres(s.survey.torque), "greatest joint torque within the laws of the springs");
+    return head;
 }
 
 std::string level_section(const Simulation& s) {
-    std::vector<std::vector<Cell>> rows;
+    Rows rows;
     for (const SimulatedLevel& level : s.levels) {
         const actuator::DeadBand& d = level.dead_band;
-        rows.push_back({figure(d.tau), figure(deg_from_rad(d.linear)), figure(deg_from_rad(d.exact_width)),
-                        figure(deg_from_rad(d.measured_width)), figure(deg_from_rad(level.within_laws)), figure(d.condition_6, 3),
-                        figure(d.joint_stiffness), figure(d.free_joint_stiffness), figure(level.reading.push_torque, 3),
-                        figure(level.reading.full_push, 3)});
+        rows.push_back({num(d.tau), num(deg(d.linear)), num(deg(d.exact_width)), num(deg(d.measured_width)), num(deg(level.within_laws)),
+                        num(d.condition_6, 3), num(d.joint_stiffness), num(d.free_joint_stiffness), num(level.reading.push_torque, 3),
+                        num(level.reading.full_push, 3)});
     }
-    return "<section><h2>Levels of co-contraction</h2>" +
-           html_table({"tau [Nm]", "linear [deg]", "exact [deg]", "test reads [deg]", "within the laws [deg]", "condition (6)",
-                       "held [Nm/rad]", "free [Nm/rad]", "push [Nm]", "full push [Nm]"},
-                      rows) +
-           "</section>\n";
+    return section("Levels of co-contraction",
+                   html_table({"tau [Nm]", "linear [deg]", "exact [deg]", "push and release [deg]", "within the laws [deg]",
+                               "condition (6)", "held [Nm/rad]", "free [Nm/rad]", "push [Nm]", "full push [Nm]"},
+                              rows));
 }
 
-/// Equilibrium (1) and sensitivity (2) at equal co-contraction: the joint stays at 0, both capstans turn alike.
+/// Equilibrium (1) and sensitivity (2) at equal co-contraction: the joint stays at 0, both capstans turn equally.
 std::string equilibrium_section(const Simulation& s) {
-    std::vector<std::vector<Cell>> rows;
+    Rows rows;
     for (const SimulatedLevel& level : s.levels) {
         const auto& m = level.sensitivity;
-        rows.push_back({figure(level.dead_band.tau), figure(level.dead_band.theta), figure(m(0, 0), 3), figure(m(0, 1), 3),
-                        figure(m(0, 2), 3), figure(m(2, 0), 3), figure(m(2, 2), 3)});
+        rows.push_back({num(level.dead_band.tau), num(level.dead_band.theta), num(m(0, 0), 3), num(m(0, 1), 3), num(m(0, 2), 3),
+                        num(m(2, 0), 3), num(m(2, 2), 3)});
     }
-    return "<section><h2>Equilibrium and sensitivity</h2><p>At equal co-contraction the joint stays at 0 and both capstans stand at theta. "
-           "Sensitivities are the paper's matrix (2) in rad/Nm; what is not listed follows by symmetry.</p>" +
-           html_table(
-               {"tau [Nm]", "theta [rad]", "d theta_1/d tau_1", "d theta_1/d tau_2", "d theta_1/d tau_q", "d q/d tau_1", "d q/d tau_q"},
-               rows) +
-           "</section>\n";
+    return section(
+        "Equilibrium and sensitivity",
+        paragraph("At equal co-contraction the joint stays at 0 and both capstans at theta. Sensitivities are the paper's matrix "
+                  "(2) in rad/Nm; the other entries follow by symmetry.") +
+            html_table(
+                {"tau [Nm]", "theta [rad]", "d theta_1/d tau_1", "d theta_1/d tau_2", "d theta_1/d tau_q", "d q/d tau_1", "d q/d tau_q"},
+                rows));
 }
 
 std::string measured_section(const Simulation& s) {
     if (s.measured.empty()) return "";
-    std::vector<std::vector<Cell>> rows;
-    const auto beside = [](double computed, double measured) -> Cell {
-        const double d = deg_from_rad(computed - measured);
-        return {number(deg_from_rad(computed), 4) + (std::isnan(d) ? "" : fmt::format(" ({:+.1f})", d)), "num"};
-    };
+    Rows rows;
     for (const MeasuredRow& row : s.measured)
-        rows.push_back({figure(row.tau), figure(deg_from_rad(row.measured)), beside(row.computed.linear, row.measured),
-                        beside(row.computed.exact_width, row.measured), beside(row.computed.measured_width, row.measured)});
-    return "<section><h2>Beside what was measured</h2><p>Full widths in degrees; in brackets the difference from the measured one.</p>" +
-           html_table({"tau [Nm]", "measured", "linear", "exact", "test reads"}, rows) + "</section>\n";
+        rows.push_back({num(row.tau), num(deg(row.measured)), compared(row.computed.linear, row.measured),
+                        compared(row.computed.exact_width, row.measured), compared(row.computed.measured_width, row.measured)});
+    return section("Comparison with the measured table",
+                   paragraph("Full widths in degrees; in brackets the difference from the measured width.") +
+                       html_table({"tau [Nm]", "measured", "linear", "exact", "push and release"}, rows));
 }
 
 std::string survey_section(const Simulation& s) {
     const actuator::ArrangementRow& row = s.survey;
-    return "<section><h2>Beside its relatives</h2><div class=\"card\">" +
-           html_facts({{"arrangement", to_string(row.arrangement)},
-                       {"stiffness, capstans held", span(row.stiffness, "Nm/rad")},
-                       {"stiffness, capstans free", span(row.free_stiffness, "Nm/rad")},
-                       {"joint torque within the laws", number(row.torque, 3) + " Nm"},
-                       {"linear dead-band", span({deg_from_rad(row.dead_band.low), deg_from_rad(row.dead_band.high)}, "deg")}}) +
-           "</div></section>\n";
+    return section(
+        "Summary of the arrangement",
+        card(html_facts({{"arrangement", to_string(row.arrangement)},
+                         {"stiffness, capstans held", span(row.stiffness) + " Nm/rad"},
+                         {"stiffness, capstans free", span(row.free_stiffness) + " Nm/rad"},
+                         {"joint torque within the laws", newton_metres(row.torque)},
+                         {"linear dead-band", span({deg_from_rad(row.dead_band.low), deg_from_rad(row.dead_band.high)}) + " deg"}})));
 }
 
-std::string grid(const std::string& title, const std::string& text, const std::string& charts) {
-    return "<section><h2>" + title + "</h2><p>" + text + "</p><div class=\"grid\">" + charts + "</div></section>\n";
+std::string charts_section(const char* title, const char* text, const std::string& charts) {
+    return section(title, paragraph(text) + grid(charts));
 }
 
 }  // namespace
 
 std::string simulation_html(const Simulation& s) {
-    std::string body = head(s) + words(s);
-    body += equilibria_section(s);
-    if (!is_paper(s)) return html_page(s.provenance.name, body + survey_section(s) + level_section(s));
-    body += measured_section(s);
-    body +=
-        grid("The joint over co-contraction",
-             "Linear: paper (3)-(4). Exact: the widest pair of places at which gear friction can hold the joint. Push and release: what a "
-             "test reads, which depends on the path.",
-             joint_charts(s));
-    body += level_section(s) + equilibrium_section(s);
-    body += grid("Pushed and released", "Each capstan is a play whose limits are its friction: it stays until its load leaves them.",
-                 push_charts(s));
-    body +=
-        grid("Subsystems and noise",
-             "Motor: the gear alone. Frame: the joint with masses for motors. Noise: gears moving, so without stiction; inertia, drag and "
-             "noise as in [dynamics].",
-             subsystem_charts(s));
-    body += wrap_section(s);
-    return html_page(s.provenance.name, body + survey_section(s));
+    std::vector<std::string> words = remarks(s);
+    for (const std::string& gap : s.gaps) words.push_back("Unknown: " + gap);
+    std::string body = section("Results", bullet_list(words)) + equilibria_section(s);
+    if (is_pnrvsa(s)) {
+        body += measured_section(s);
+        body += charts_section(
+            "The joint over co-contraction",
+            "Linear: paper (3)-(4). Exact: the distance of the outermost positions in which gear friction can hold the joint. "
+            "Push and release: the width that a test measures; it depends on the path.",
+            joint_charts(s));
+        body += level_section(s) + equilibrium_section(s);
+        body +=
+            charts_section("Pushed and released",
+                           "Friction acts on each capstan as a play: the capstan stays until its load leaves the limits.", push_charts(s));
+        body += charts_section("Subsystems and noise",
+                               "Motor: the gear alone. Frame: the joint with masses in place of motors. Noise: moving gears, so without "
+                               "stiction; inertia, drag and noise as in [dynamics].",
+                               subsystem_charts(s));
+        body += wrap_section(s) + survey_section(s);
+    } else {
+        body += survey_section(s) + level_section(s);
+    }
+    return html_page(s.provenance.name, simulation_head(s), body);
 }
 
 }  // namespace fusee::report

@@ -1,24 +1,14 @@
 #include <fmt/format.h>
 
-#include "fusee/core/units.h"
 #include "fusee/report/simulation.h"
 #include "page/html.h"
 #include "simulation/page.h"
 
 namespace fusee::report {
 
-namespace {
-
-std::string deg(double rad) { return number(core::deg_from_rad(rad), 4); }
-std::string span(const core::Range& r, double unit = 1.0) { return number(unit * r.low, 3) + " to " + number(unit * r.high, 3); }
-
-constexpr double kDegrees = 180.0 / core::kPi;
-
-}  // namespace
-
 std::string simulation_text(const Simulation& s) {
     std::string text = fmt::format("{}\n  {:>8}  {:>10}  {:>10}  {:>10}  {:>13}  {:>13}  {:>11}\n", s.provenance.line(), "tau [Nm]",
-                                   "linear", "exact", "test reads", "condition (6)", "held [Nm/rad]", "capstan");
+                                   "linear", "exact", "measured", "condition (6)", "held [Nm/rad]", "capstan");
     for (const SimulatedLevel& level : s.levels) {
         const actuator::DeadBand& d = level.dead_band;
         text +=
@@ -26,11 +16,11 @@ std::string simulation_text(const Simulation& s) {
                         deg(d.measured_width), number(d.condition_6, 3), number(d.joint_stiffness, 4), deg(d.theta));
     }
     for (const MeasuredRow& row : s.measured)
-        text += fmt::format("  measured at {} Nm: {} deg; linear {}, exact {}, test reads {}\n", number(row.tau, 4), deg(row.measured),
-                            deg(row.computed.linear), deg(row.computed.exact_width), deg(row.computed.measured_width));
+        text += fmt::format("  measured on the rig at {} Nm: {} deg; linear {}, exact {}, push and release {}\n", number(row.tau, 4),
+                            deg(row.measured), deg(row.computed.linear), deg(row.computed.exact_width), deg(row.computed.measured_width));
     text += equilibria_text(s);
     for (const std::string& remark : remarks(s)) text += "  " + remark + "\n";
-    for (const std::string& gap : s.gaps) text += "  not known: " + gap + "\n";
+    for (const std::string& gap : s.gaps) text += "  unknown: " + gap + "\n";
     return text;
 }
 
@@ -40,7 +30,7 @@ std::string survey_text(const std::vector<Simulation>& simulations) {
     for (const Simulation& s : simulations)
         text += fmt::format("{:24} {:20} {:>18} {:>18} {:>12} {:>20}\n", s.provenance.name, to_string(s.survey.arrangement),
                             span(s.survey.stiffness), span(s.survey.free_stiffness), number(s.survey.torque, 3),
-                            span(s.survey.dead_band, kDegrees));
+                            span({deg_from_rad(s.survey.dead_band.low), deg_from_rad(s.survey.dead_band.high)}));
     return text;
 }
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <iterator>
 
-#include "fusee/core/units.h"
 #include "page/column.h"
 #include "page/html.h"
 #include "page/svg_plot.h"
@@ -15,9 +14,8 @@ namespace fusee::report {
 namespace {
 
 using cam::WrapRow;
-using core::deg_from_rad;
 
-const char* colour(cam::PartKind kind) { return kind == cam::PartKind::kSeries ? "se" : "pe"; }
+const char* part_colour(cam::PartKind kind) { return kind == cam::PartKind::kSeries ? "se" : "pe"; }
 
 /// Width of a loop at a load; NaN beyond its rows.
 double width_at(const cam::WrapLoop& loop, double tau) {
@@ -49,24 +47,26 @@ std::string wrap_hysteresis_csv(const std::vector<WrapSide>& wraps) {
 
 std::string wrap_section(const Simulation& s) {
     if (s.wraps.empty()) return "";
-    Plot give("What each spring gives way more than behind a rigid cable", "load at the capstan [Nm]", "give [deg]");
-    Plot width("Width of each spring's loop", "load at the capstan [Nm]", "width [deg]");
+    Plot elongation("Additional deflection of each spring from cable elongation", "load at the capstan [Nm]", "deflection [deg]");
+    Plot width("Hysteresis width of each spring", "load at the capstan [Nm]", "width [deg]");
     for (const WrapSide& side : s.wraps) {
         const std::string name = cam::to_string(side.part);
         const auto of = [&](const auto& figure) { return column(side.loop.rows, figure); };
-        const std::vector<double> tau = of([](const WrapRow& r) { return r.tau; });
-        give.curve(name + ", load rising", tau, of([](const WrapRow& r) { return deg_from_rad(r.give_loading); }), colour(side.part));
-        give.curve(name + ", falling", tau, of([](const WrapRow& r) { return deg_from_rad(r.give_unloading); }), colour(side.part), true);
-        width.curve(name, tau, of([](const WrapRow& r) { return deg_from_rad(r.width()); }), colour(side.part));
+        const std::vector<double> tau = of(&WrapRow::tau);
+        const char* css = part_colour(side.part);
+        elongation.curve(name + ", load rising", tau, of([](const WrapRow& r) { return deg_from_rad(r.give_loading); }), css);
+        elongation.curve(name + ", falling", tau, of([](const WrapRow& r) { return deg_from_rad(r.give_unloading); }), css, true);
+        width.curve(name, tau, of([](const WrapRow& r) { return deg_from_rad(r.width()); }), css);
     }
-    return "<section><h2>Loops of the cables</h2><p>A cable that creeps on its cam as its tension changes is longer on the way down. " +
-           escape(wrap_remark(s)) + "</p><div class=\"grid\">" + give.from_zero().svg() + width.from_zero().svg() + "</div></section>\n";
+    return section("Hysteresis of the cables",
+                   paragraph("A cable that creeps on its cam under changing tension is longer during unloading. " + wrap_remark(s)) +
+                       grid(elongation.from_zero().svg() + width.from_zero().svg()));
 }
 
 std::string wrap_remark(const Simulation& s) {
     std::string text;
     for (const WrapSide& side : s.wraps)
-        text += fmt::format("{}{} loses {:.3g} mJ in a cycle of its working range", text.empty() ? "" : ", ", cam::to_string(side.part),
+        text += fmt::format("{}{} dissipates {:.3g} mJ per cycle of its working range", text.empty() ? "" : ", ", cam::to_string(side.part),
                             1e3 * side.loop.dissipated);
     const SimulatedLevel* widest = nullptr;
     for (const SimulatedLevel& level : s.levels) {
@@ -76,7 +76,7 @@ std::string wrap_remark(const Simulation& s) {
     }
     if (!widest) return text + ".";
     const double width = wrap_width(s, widest->dead_band.tau);
-    return fmt::format("{}; at {:.3g} Nm both loops together are {:.3g} deg wide at the capstan, {:.2g} % of the linear dead-band.", text,
+    return fmt::format("{}; at {:.3g} Nm the hysteresis of both is {:.3g} deg wide at the capstan, {:.2g} % of the linear dead-band.", text,
                        widest->dead_band.tau, deg_from_rad(width), 100.0 * width / widest->dead_band.linear);
 }
 

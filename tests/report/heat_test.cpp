@@ -14,11 +14,11 @@ namespace {
 
 /// Relative luminance of "#rrggbb" (WCAG 2.1).
 double luminance(const std::string& colour) {
-    const auto part = [&](std::size_t at) {
+    const auto channel = [&](std::size_t at) {
         const double c = std::stoi(colour.substr(at, 2), nullptr, 16) / 255.0;
         return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
     };
-    return 0.2126 * part(1) + 0.7152 * part(3) + 0.0722 * part(5);
+    return 0.2126 * channel(1) + 0.7152 * channel(3) + 0.0722 * channel(5);
 }
 double contrast(const std::string& a, const std::string& b) {
     const auto [dark, light] = std::minmax({luminance(a), luminance(b)});
@@ -34,12 +34,12 @@ TEST(HeatScale, LevelsBeginAtTheirBounds) {
     EXPECT_EQ(gap.level(19.9), 6u);
     EXPECT_EQ(gap.level(20.0), 7u);
     EXPECT_EQ(gap.level(1e300), 7u);
-    EXPECT_EQ(alike_scale().level(94.9), 6u);
-    EXPECT_EQ(alike_scale().level(100.0), 7u);
+    EXPECT_EQ(similarity_scale().level(94.9), 6u);
+    EXPECT_EQ(similarity_scale().level(100.0), 7u);
 }
 
 TEST(HeatScale, GetsDarkerWithEveryLevelSoThatGreyPrintKeepsTheOrder) {
-    for (const HeatScale* scale : {&gap_scale(), &alike_scale()}) {
+    for (const HeatScale* scale : {&gap_scale(), &similarity_scale()}) {
         EXPECT_TRUE(std::is_sorted(scale->bounds.begin(), scale->bounds.end()));
         for (std::size_t i = 1; i < kHeatLevels; ++i)
             EXPECT_LT(luminance(scale->fills[i]), 0.95 * luminance(scale->fills[i - 1])) << scale->name << " " << i;
@@ -47,7 +47,7 @@ TEST(HeatScale, GetsDarkerWithEveryLevelSoThatGreyPrintKeepsTheOrder) {
 }
 
 TEST(HeatScale, FiguresCanBeReadOnEveryLevel) {
-    for (const HeatScale* scale : {&gap_scale(), &alike_scale()})
+    for (const HeatScale* scale : {&gap_scale(), &similarity_scale()})
         for (std::size_t i = 0; i < kHeatLevels; ++i)  // 4.5: WCAG 2.1, level AA
             EXPECT_GE(contrast(scale->fills[i], HeatScale::ink(i)), 4.5) << scale->name << " " << i;
 }
@@ -70,7 +70,7 @@ TEST(HeatCell, IsEmptyWithADashWhereNothingIsKnown) {
     }
 }
 
-TEST(HeatLegend, TellsEveryBound) {
+TEST(HeatLegend, StatesEveryBound) {
     const std::string legend = heat_legend(gap_scale());
     for (const char* text : {"gap [sigma]", ">below 1<", ">1 to 1.5<", ">5 to 10<", ">20 or more<"})
         EXPECT_NE(legend.find(text), std::string::npos) << text;

@@ -1,4 +1,4 @@
-#include "json/json.h"
+#include "data/json.h"
 
 #include "fusee/core/provenance.h"
 #include "fusee/report/calibration.h"

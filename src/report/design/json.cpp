@@ -1,4 +1,4 @@
-#include "json/json.h"
+#include "data/json.h"
 
 #include "design/as_exported.h"
 #include "design/cam_figures.h"
@@ -181,11 +181,7 @@ Json stretch_json(const cam::ArmPoint& at) {
 }
 
 std::string report_json(const DesignReport& design) {
-    Json j;
-    j["fusee"] = core::version();
-    j["name"] = design.provenance.name;
-    j["profile_sha256"] = design.provenance.profile_sha256;
-    j["options"] = design.provenance.options;
+    Json j = provenance_json(design.provenance);
     j["verdict"] = core::to_string(verdict(design));
     j["rules"] = rules_json(design.all_findings());
     j["headline"] = headline_json(design.outlook, design.worst_arm_error());

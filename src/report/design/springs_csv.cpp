@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
-#include <iterator>
-
+#include "data/csv.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/report/report.h"
@@ -17,8 +16,7 @@ void write_springs_csv(const std::filesystem::path& path, const spring::SpringLa
     if (rows < kLeastRows) throw core::InvalidInput("rows", fmt::format("{}", rows), fmt::format("at least {}", kLeastRows));
     std::string csv = kHeader;
     for (const spring::LawPoint& p : spring::sample_by_load(law, rows))
-        fmt::format_to(std::back_inserter(csv), "{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}\n", p.tau, p.theta,
-                       p.f_se, p.f_pe, p.s, p.p, p.u_se, p.u_pe, p.transmission());
+        add_csv_row(csv, p.tau, p.theta, p.f_se, p.f_pe, p.s, p.p, p.u_se, p.u_pe, p.transmission());
     core::write_file(path, csv);
 }
 

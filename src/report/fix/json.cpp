@@ -1,4 +1,4 @@
-#include "json/json.h"
+#include "data/json.h"
 
 #include "fusee/report/fix.h"
 

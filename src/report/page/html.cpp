@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace fusee::report {
@@ -11,22 +12,15 @@ namespace {
 
 std::string element(const char* name, std::string_view text) { return fmt::format("<{0}>{1}</{0}>", name, escape(text)); }
 
-const char* sign_of(core::Severity severity) {
-    switch (severity) {
-        case core::Severity::kPass:
-            return "\u2713 ";
-        case core::Severity::kNotJudged:
-            return "? ";
-        case core::Severity::kWarning:
-            return "! ";
-        case core::Severity::kError:
-            break;
-    }
-    return "\u2715 ";
-}
+struct Look {
+    const char *css, *sign;
+};
+/// In the order of core::Severity.
+constexpr std::array<Look, 4> kLooks{{{"pass", "\u2713 "}, {"unjudged", "? "}, {"warning", "! "}, {"error", "\u2715 "}}};
+const Look& look_of(core::Severity severity) { return kLooks.at(static_cast<std::size_t>(severity)); }
 
-std::string pill(const char* css, core::Severity severity, const char* sign, std::string_view text) {
-    return fmt::format("<span class=\"{} {}-tag\">{}{}</span>", css, css_of(severity), sign, escape(text));
+std::string pill(const char* css, core::Severity severity, core::Severity sign, std::string_view text) {
+    return fmt::format("<span class=\"{} {}-tag\">{}{}</span>", css, css_of(severity), look_of(sign).sign, escape(text));
 }
 
 }  // namespace
@@ -115,23 +109,11 @@ std::string section(std::string_view title, const std::string& html) {
     return html.empty() ? "" : "<section>" + element("h2", title) + html + "</section>\n";
 }
 
-const char* css_of(core::Severity severity) {
-    switch (severity) {
-        case core::Severity::kPass:
-            return "pass";
-        case core::Severity::kNotJudged:
-            return "unjudged";
-        case core::Severity::kWarning:
-            return "warning";
-        case core::Severity::kError:
-            break;
-    }
-    return "error";
-}
+const char* css_of(core::Severity severity) { return look_of(severity).css; }
 
-std::string tag(core::Severity severity, std::string_view text) { return pill("tag", severity, sign_of(severity), text); }
+std::string tag(core::Severity severity, std::string_view text) { return pill("tag", severity, severity, text); }
 std::string verdict_tag(core::Severity severity, std::string_view text) {
-    return pill("verdict", severity, sign_of(severity == core::Severity::kNotJudged ? core::Severity::kPass : severity), text);
+    return pill("verdict", severity, severity == core::Severity::kNotJudged ? core::Severity::kPass : severity, text);
 }
 
 std::string html_page(const std::string& title, const Head& head, const std::string& html) {

@@ -1,11 +1,11 @@
-#include "json/json.h"
+#include "data/json.h"
 
 #include <algorithm>
 
+#include "data/json.h"
 #include "design/stretch.h"
 #include "fusee/core/json.h"
 #include "fusee/report/simulation.h"
-#include "json/json.h"
 
 namespace fusee::report {
 
@@ -103,11 +103,7 @@ Json equilibrium_json(const EquilibriumRow& row) {
 }  // namespace
 
 std::string simulation_json(const Simulation& s) {
-    Json j;
-    j["fusee"] = core::version();
-    j["name"] = s.provenance.name;
-    j["profile_sha256"] = s.provenance.profile_sha256;
-    j["options"] = s.provenance.options;
+    Json j = provenance_json(s.provenance);
     j["survey"] = survey_json(s.survey);
     j["condition_6"] = condition_json(s);
     j["levels"] = json_list(s.levels, simulated_level_json);

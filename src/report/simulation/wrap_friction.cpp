@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "data/csv.h"
 #include "page/column.h"
 #include "page/html.h"
 #include "page/svg_plot.h"
@@ -39,9 +40,8 @@ std::string wrap_hysteresis_csv(const std::vector<WrapSide>& wraps) {
         "part,angle_rad,tau_Nm,tension_N,stretch_loading_m,stretch_unloading_m,give_loading_rad,give_unloading_rad,width_rad\n";
     for (const WrapSide& side : wraps)
         for (const WrapRow& row : side.loop.rows)
-            fmt::format_to(std::back_inserter(csv), "{},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}\n",
-                           cam::to_string(side.part), row.angle, row.tau, row.tension, row.stretch_loading, row.stretch_unloading,
-                           row.give_loading, row.give_unloading, row.width());
+            add_csv_row(csv, cam::to_string(side.part), row.angle, row.tau, row.tension, row.stretch_loading, row.stretch_unloading,
+                        row.give_loading, row.give_unloading, row.width());
     return csv;
 }
 

@@ -1,4 +1,4 @@
-#include "json/json.h"
+#include "data/json.h"
 
 #include "fusee/core/change.h"
 #include "fusee/core/json.h"
@@ -36,6 +36,10 @@ Json finding_json(const core::Finding& f) {
 }
 
 }  // namespace
+
+Json provenance_json(const core::Provenance& made_by) {
+    return {{"fusee", core::version()}, {"name", made_by.name}, {"profile_sha256", made_by.profile_sha256}, {"options", made_by.options}};
+}
 
 Json range_json(const core::Range& range) { return Json::array({range.low, range.high}); }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fusee/core/finding.h"
+#include "fusee/core/provenance.h"
 #include "fusee/core/units.h"
 
 /// What several JSON files say in the same way. A NaN is written as null.
@@ -12,6 +13,8 @@ namespace fusee::report {
 
 using Json = nlohmann::ordered_json;
 
+/// What made a file: fusee, name, profile_sha256, options.
+[[nodiscard]] Json provenance_json(const core::Provenance& made_by);
 [[nodiscard]] Json range_json(const core::Range& range);
 /// Findings as every JSON file shows them (docs/report.md).
 [[nodiscard]] Json findings_json(const core::Findings& findings);

@@ -70,7 +70,7 @@ TEST(SimulationRemarks, StateWhereTheThreeDeadBandsDiverge) {
     for (const std::string& remark : remarks(two_levels())) words += remark + "\n";
     expect_all(words, {"holds from 0.5 Nm to 1 Nm", "9.1 % less (11.5 instead of 12.6 deg at 0.5 Nm)", "at 1 Nm: at 1 Nm it is 0.3 Nm",
                        "0.4 Nm", "1 rows", "friction"});
-    EXPECT_EQ(remarks(two_levels()).size(), 6u);
+    EXPECT_EQ(remarks(two_levels()).size(), 7u);
 }
 
 TEST(SimulationVerdict, FollowsTheSummary) {

@@ -51,8 +51,8 @@ std::string level_section(const Simulation& s) {
                         num(level.reading.full_push, 3)});
     }
     return section("Levels of co-contraction",
-                   html_table({"tau [Nm]", "linear [deg]", "exact [deg]", "push and release [deg]", "within the laws [deg]",
-                               "condition (6)", "held [Nm/rad]", "free [Nm/rad]", "push [Nm]", "full push [Nm]"},
+                   html_table({"tau [Nm]", "linear [deg]", "exact [deg]", "measured [deg]", "within the laws [deg]", "condition (6)",
+                               "held [Nm/rad]", "free [Nm/rad]", "push [Nm]", "full push [Nm]"},
                               rows));
 }
 

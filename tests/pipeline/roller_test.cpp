@@ -100,7 +100,7 @@ TEST_F(RollerMade, CableWithFrictionAndStiffnessGetsItsLoop) {
     ASSERT_TRUE(simulation);
     ASSERT_EQ(simulation->wraps.size(), 2u);
     for (const WrapSide& side : simulation->wraps) EXPECT_GT(side.loop.dissipated, 0.0);
-    EXPECT_NE(report::simulation_html(*simulation).find("Loops of the cables"), std::string::npos);
+    EXPECT_NE(report::simulation_html(*simulation).find("Hysteresis of the cables"), std::string::npos);
     const std::string csv = report::wrap_hysteresis_csv(simulation->wraps);
     EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 801);
     const auto without = simulate(profile::read_profile(fixtures::shipped("pnrvsa")));

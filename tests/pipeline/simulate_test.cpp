@@ -63,9 +63,8 @@ TEST_F(Simulate, LevelsAreTheActuatorsDeadBands) {
             << "dq/dtau_q, both capstans free";
     }
     EXPECT_EQ(condition_verdict(simulation.condition), ConditionVerdict::kWithinRounding) << "u of 1.2 mNm: by 2e-6 at the most";
-    EXPECT_NE(report::simulation_text(simulation).find("The joint takes at most 0.151 Nm of torque before a spring leaves its law."),
-              std::string::npos);
-    EXPECT_NE(report::simulation_text(simulation).find("not known: hysteresis of the cables on their cams: cable.friction"),
+    EXPECT_NE(report::simulation_text(simulation).find("up to a joint torque of 0.151 Nm."), std::string::npos);
+    EXPECT_NE(report::simulation_text(simulation).find("unknown: hysteresis of the cables on their cams: cable.friction"),
               std::string::npos);
     EXPECT_LT(simulation.levels.back().noise[2], simulation.levels.front().noise[2]) << "co-contraction rejects noise";
 }
@@ -207,7 +206,7 @@ TEST_F(Simulate, WritesItsFilesAndLeavesOthersAlone) {
     for (std::size_t i = 0; i < table.size(); ++i) {
         ASSERT_EQ(table[i].size(), 7u);
         EXPECT_EQ(table[i][1], simulation.levels[i].dead_band.linear) << "17 digits give every bit back";
-        EXPECT_EQ(table[i][3], json["levels"][i]["protocol_rad"].get<double>());
+        EXPECT_EQ(table[i][3], json["levels"][i]["measured_rad"].get<double>());
     }
 }
 

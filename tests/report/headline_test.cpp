@@ -1,9 +1,8 @@
-#include <gtest/gtest.h>
-
 #include <cmath>
 
 #include "fusee/report/outlook.h"
 #include "fusee/report/rule_counts.h"
+#include "page_structure.h"
 
 namespace fusee::report {
 namespace {

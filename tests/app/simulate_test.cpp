@@ -10,7 +10,7 @@ TEST_F(Program, SimulatesAJointAndSaysSo) {
     const Ended done = run("simulate '" + fixtures::shipped("pnrvsa").string() + "' --levels 4 --out 'my joints'");
     EXPECT_EQ(done.code, 0) << done.all();
     expect_words(done.out,
-                 {"pnrvsa.toml  simulated", "my joints/pnrvsa/", "test reads",
+                 {"pnrvsa.toml  simulated", "my joints/pnrvsa/", "measured",
                   "Condition (6) holds only within rounding from 0.85 Nm to 1.5 Nm", "up to a joint torque of 0.151 Nm", "levels=4"});
     for (const char* file : {"simulation.json", "dead_band.csv", "simulation.html"})
         EXPECT_TRUE(fs::exists(folder_ / "my joints" / "pnrvsa" / file)) << file;

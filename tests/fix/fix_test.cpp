@@ -262,7 +262,7 @@ TEST_F(FixTest, CountsTheRulesThatWereNotJudged) {
                              }});
     EXPECT_EQ(fixed.end, Fix::End::kNothingToDo);
     EXPECT_EQ(fixed.not_judged, 1u);
-    EXPECT_NE(report::fix_text(fixed).find("1 rule not judged for want of data"), std::string::npos) << report::fix_text(fixed);
+    EXPECT_NE(report::fix_text(fixed).find("1 rule not judged"), std::string::npos) << report::fix_text(fixed);
 }
 
 /// Another rate is a spring of the catalogue that the profile names, with all its data.

@@ -1,10 +1,9 @@
 #include "fusee/report/headline.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 
 #include "fusee/report/rule_counts.h"
+#include "page_structure.h"
 
 namespace fusee::report {
 namespace {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "fusee/report/rule_counts.h"
+#include "page/html.h"
 
 namespace fusee::report {
 
@@ -20,10 +21,11 @@ std::string binding_text(const core::Findings& findings) {
 std::string one_process(const Checked& checked, const CheckedProcess& p) {
     const core::Findings all = p.all();
     const std::string not_judged = not_judged_text(all);
-    std::string text = fmt::format("{} by {}: {}: {} errors (must be changed), {} warnings (review and accept), {} rules passed{}{}\n",
-                                   checked.name, p.process, core::any_error(all) ? "cannot be made as it is" : "can be made",
-                                   core::count(all, core::Severity::kError), core::count(all, core::Severity::kWarning),
-                                   core::count(all, core::Severity::kPass), not_judged.empty() ? "" : ", ", not_judged);
+    std::string text = fmt::format("{} by {}: {}: {} (must be changed), {} (review and accept), {} passed{}{}\n", checked.name, p.process,
+                                   core::any_error(all) ? "cannot be made as it is" : "can be made",
+                                   counted(core::count(all, core::Severity::kError), "error"),
+                                   counted(core::count(all, core::Severity::kWarning), "warning"),
+                                   counted(core::count(all, core::Severity::kPass), "rule"), not_judged.empty() ? "" : ", ", not_judged);
     for (const core::Severity severity : {core::Severity::kError, core::Severity::kWarning, core::Severity::kNotJudged})
         for (const core::Finding& f : all)
             if (f.severity == severity) text += "    " + core::to_line(f) + "\n";

@@ -13,8 +13,6 @@ namespace fusee::report {
 
 namespace {
 
-const char* const kCoContraction = "co-contraction, motor torque at the capstan [Nm]";
-
 std::string law_plots(const LawReport& law) {
     using P = spring::LawPoint;
     const auto of = [&law](const auto& get) { return column(law.samples, get); };
@@ -109,11 +107,11 @@ std::string dead_band_section(const DesignReport& design) {
     if (design.dead_band.empty()) return "";
     using D = actuator::DeadBand;
     const auto tau = column(design.dead_band, &D::tau);
-    Plot band("Dead-band at the joint, edge to edge", kCoContraction, "dead-band [deg]");
+    Plot band("Dead-band at the joint, edge to edge", kCoContractionAxis, "dead-band [deg]");
     band.curve("linear: 2 mu tau / (g P)", tau, column(design.dead_band, [](const D& d) { return deg_from_rad(d.linear); }), "linear",
                true);
     band.curve("exact", tau, column(design.dead_band, [](const D& d) { return deg_from_rad(d.exact_width); }), "exact").from_zero();
-    Plot stiffness("Stiffness of the joint", kCoContraction, "stiffness [Nm/rad]");
+    Plot stiffness("Stiffness of the joint", kCoContractionAxis, "stiffness [Nm/rad]");
     stiffness.curve("capstans held", tau, column(design.dead_band, &D::joint_stiffness), "se");
     stiffness.curve("capstans free", tau, column(design.dead_band, &D::free_joint_stiffness), "sum", true);
     return section("Dead-band and stiffness of the joint", grid(band.svg() + stiffness.from_zero().svg()));

@@ -1,7 +1,5 @@
 #include "design/page.h"
 
-#include <fmt/format.h>
-
 #include "design/as_exported.h"
 #include "page/html.h"
 
@@ -13,8 +11,6 @@ std::string design_verdict(core::Severity severity) {
     if (severity == core::Severity::kError) return "Must be changed";
     return severity == core::Severity::kWarning ? "Can be made once the warnings are accepted" : "Can be made";
 }
-
-std::string counted(std::size_t n, const char* what) { return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s"); }
 
 Head design_head(const DesignReport& design) {
     const core::Findings findings = design.all_findings();

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "page/html.h"
+
 namespace fusee::report {
 
 namespace {
@@ -41,7 +43,7 @@ std::string not_judged_text(const core::Findings& findings) {
     std::vector<RuleCounts> groups = count_rules(findings);
     std::erase_if(groups, [](const RuleCounts& counts) { return counts.not_judged == 0; });
     std::stable_sort(groups.begin(), groups.end(), [](const auto& a, const auto& b) { return a.not_judged > b.not_judged; });
-    std::string text = fmt::format("{} {} not judged:", number, number == 1 ? "rule" : "rules");
+    std::string text = counted(number, "rule") + " not judged:";
     for (const RuleCounts& counts : groups)
         text += fmt::format("{} {} {}", &counts == &groups.front() ? "" : ",", counts.group, counts.not_judged);
     return text;

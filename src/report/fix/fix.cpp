@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "fusee/core/units.h"
+#include "page/html.h"
 
 namespace fusee::report {
 
@@ -13,8 +14,6 @@ namespace {
 using End = Fix::End;
 
 constexpr std::size_t kMostCircles = 5, kMostConflicts = 3;  // shown on a terminal
-
-std::string plural(std::size_t n, const char* what) { return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s"); }
 
 /// "rule: what: measured 3, allowed at least 4 (where)"; its suggestion was followed and is left out.
 std::string reason(core::Finding finding) {
@@ -66,7 +65,7 @@ std::string unchanged_text(const Fix& fix) {
 
 std::string not_judged_line(const Fix& fix) {
     if (fix.not_judged == 0) return {};
-    return fmt::format("  {} not judged: `fusee make` lists the missing data\n", plural(fix.not_judged, "rule"));
+    return fmt::format("  {} not judged: `fusee make` lists the missing data\n", counted(fix.not_judged, "rule"));
 }
 
 std::string cannot_text(const Fix& fix) {
@@ -86,18 +85,18 @@ std::string cannot_text(const Fix& fix) {
 
 std::string fix_text(const Fix& fix) {
     const std::string tried =
-        fmt::format("{} judged, {} made with every file", plural(static_cast<std::size_t>(fix.judged), "profile"), fix.made);
+        fmt::format("{} judged, {} made with every file", counted(static_cast<std::size_t>(fix.judged), "profile"), fix.made);
     if (fix.end == End::kNothingToDo)
         return fmt::format("{}: can be made as it is; nothing was changed ({})\n{}", fix.profile_name, tried, not_judged_line(fix));
     if (fix.end == End::kCannot)
         return fmt::format("{}: no combination of the suggested changes can be made ({})\n{}", fix.profile_name, tried, cannot_text(fix));
     const auto own = std::count_if(fix.changes.begin(), fix.changes.end(), [](const FixChange& c) { return c.follows.empty(); });
-    std::string text = fmt::format("{}: fixed by {} ({})\n", fix.profile_name, plural(static_cast<std::size_t>(own), "change"), tried);
+    std::string text = fmt::format("{}: fixed by {} ({})\n", fix.profile_name, counted(static_cast<std::size_t>(own), "change"), tried);
     for (const FixChange& change : fix.changes) text += change_text(change);
     for (const LostTorque& l : fix.lost) text += lost_text(l);
     text += unchanged_text(fix);
     text += band_line(fix);
-    if (!fix.left.empty()) text += fmt::format("  {} to review and accept: `fusee make` lists them\n", plural(fix.left.size(), "warning"));
+    if (!fix.left.empty()) text += fmt::format("  {} to review and accept: `fusee make` lists them\n", counted(fix.left.size(), "warning"));
     return text + not_judged_line(fix) + fmt::format("written: {}\n", fix.file.string());
 }
 

@@ -44,6 +44,8 @@ std::string change(double before, double after) { return number(before, 3) + " \
 
 std::string percent(double share) { return std::isfinite(share) ? fmt::format("{:.0f} %", 100.0 * share) : number(share); }
 
+std::string counted(std::size_t n, const char* what) { return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s"); }
+
 std::string bytes_text(double bytes) {
     if (bytes < 1e3) return fmt::format("{:.0f} B", bytes);
     return bytes < 1e6 ? fmt::format("{:.1f} kB", bytes / 1e3) : fmt::format("{:.2f} MB", bytes / 1e6);

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -28,6 +29,8 @@ using core::escape;
 [[nodiscard]] std::string change(double before, double after);
 /// 0.62 is "62 %".
 [[nodiscard]] std::string percent(double share);
+/// "1 error", "2 errors"
+[[nodiscard]] std::string counted(std::size_t n, const char* what);
 /// "12.3 kB"
 [[nodiscard]] std::string bytes_text(double bytes);
 

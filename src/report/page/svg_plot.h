@@ -9,6 +9,9 @@ namespace fusee::report {
 /// About `count` round values in the range, in steps of 1, 2 or 5 times a power of ten.
 [[nodiscard]] std::vector<double> round_ticks(const core::Range& range, int count);
 
+/// Name of the axis of many charts.
+inline constexpr const char* kCoContractionAxis = "co-contraction, motor torque at the capstan [Nm]";
+
 /// Curves and dots over one axis as an inline SVG; the style sheet sets the colours.
 class Plot {
 public:

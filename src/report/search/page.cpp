@@ -111,7 +111,7 @@ std::string springs_section(const SearchReport& report) {
     using P = spring::LawPoint;
     using D = actuator::DeadBand;
     Plot torques("Both springs over the capstan angle", "capstan angle [rad]", "torque [Nm]");
-    Plot band("Linear dead-band at the joint, edge to edge", "co-contraction, motor torque at the capstan [Nm]", "dead-band [deg]");
+    Plot band("Linear dead-band at the joint, edge to edge", kCoContractionAxis, "dead-band [deg]");
     const auto add = [&](const LawCurves& law, const std::string& whose, bool dashed) {
         const auto theta = column(law.samples, &P::theta);
         torques.curve("F_SE" + whose, theta, column(law.samples, &P::f_se), "se", dashed);

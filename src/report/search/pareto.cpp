@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "data/csv.h"
 #include "page/column.h"
 #include "page/html.h"
 #include "page/svg_plot.h"
@@ -35,7 +36,7 @@ std::string front_section(const ParetoReport& report) {
                                    : fmt::format("capstan travel from {:g} to {:g} Nm [rad]", report.loads.low, report.loads.high),
                "exact dead-band at the joint [deg]");
     front.points("designs", other, figures, "se");
-    Plot levels("Dead-band of each design", "co-contraction, motor torque at the capstan [Nm]", "exact dead-band at the joint [deg]");
+    Plot levels("Dead-band of each design", kCoContractionAxis, "exact dead-band at the joint [deg]");
     for (std::size_t i = 0; i < report.points.size(); ++i) {
         const bool first = i == 0, last = i + 1 == report.points.size();
         if (!first && !last && i % 4 != 0) continue;  // every fourth, so that the curves can be distinguished
@@ -71,8 +72,8 @@ std::string pareto_csv(const ParetoReport& report) {
     for (const ParetoPoint& p : report.points) {
         csv += fmt::format("{},{:.17g}", p.file, deg_from_rad(p.figure));
         for (const double width : p.dead_band) csv += fmt::format(",{:.17g}", deg_from_rad(width));
-        csv += fmt::format(",{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}\n", p.travel, p.stiffness.low, p.stiffness.high, mm_from_m(p.radius),
-                           mm_from_m(p.capstan_radius));
+        csv += ",";
+        add_csv_row(csv, p.travel, p.stiffness.low, p.stiffness.high, mm_from_m(p.radius), mm_from_m(p.capstan_radius));
     }
     return csv;
 }

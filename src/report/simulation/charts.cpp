@@ -14,7 +14,6 @@ namespace {
 
 using Level = SimulatedLevel;
 
-constexpr const char* kTorqueAxis = "co-contraction, motor torque at the capstan [Nm]";
 constexpr const char* kPushAxis = "joint torque [Nm]";
 
 /// One figure of each level over co-contraction.
@@ -30,7 +29,7 @@ constexpr double kDegreesPerRadian = 180.0 / core::kPi;
 
 std::string dead_band_chart(const Simulation& s, const OverLevels& over) {
     using D = SimulatedDeadBand;
-    Plot plot("Dead-band at the joint, edge to edge", kTorqueAxis, "dead-band [deg]");
+    Plot plot("Dead-band at the joint, edge to edge", kCoContractionAxis, "dead-band [deg]");
     plot.curve("linear", over.tau, over.figure(&D::linear, kDegreesPerRadian), "linear", true);
     plot.curve("exact", over.tau, over.figure(&D::exact_width, kDegreesPerRadian), "exact");
     plot.curve("push and release", over.tau, over.figure(&D::measured_width, kDegreesPerRadian), "se");
@@ -42,7 +41,7 @@ std::string dead_band_chart(const Simulation& s, const OverLevels& over) {
 }
 
 std::string stiffness_chart(const OverLevels& over) {
-    Plot plot("Stiffness of the joint", kTorqueAxis, "stiffness [Nm/rad]");
+    Plot plot("Stiffness of the joint", kCoContractionAxis, "stiffness [Nm/rad]");
     plot.curve("capstans held", over.tau, over.figure(&SimulatedDeadBand::joint_stiffness), "se");
     plot.curve("capstans free", over.tau, over.figure(&SimulatedDeadBand::free_joint_stiffness), "sum", true);
     return plot.from_zero().svg();
@@ -50,7 +49,7 @@ std::string stiffness_chart(const OverLevels& over) {
 
 std::string built_chart(const Simulation& s, const OverLevels& over) {
     if (std::none_of(s.levels.begin(), s.levels.end(), [](const Level& l) { return std::isfinite(l.built.high); })) return "";
-    Plot plot("Exact dead-band: nominal, and of 90 % of joints as built", kTorqueAxis, "dead-band [deg]");
+    Plot plot("Exact dead-band: nominal, and of 90 % of joints as built", kCoContractionAxis, "dead-band [deg]");
     plot.band("5 to 95 %", over.tau, column(s.levels, [](const Level& l) { return deg_from_rad(l.built.low); }),
               column(s.levels, [](const Level& l) { return deg_from_rad(l.built.high); }), "exact");
     plot.curve("nominal", over.tau, over.figure(&SimulatedDeadBand::exact_width, kDegreesPerRadian), "exact");
@@ -110,14 +109,14 @@ std::string friction_chart(const std::vector<BreakAwayRow>& rows) {
 }
 
 std::string frame_chart(const Simulation& s, const OverLevels& over) {
-    Plot plot("Frame subsystem: dead-band with masses in place of motors", kTorqueAxis, "dead-band [deg]");
+    Plot plot("Frame subsystem: dead-band with masses in place of motors", kCoContractionAxis, "dead-band [deg]");
     plot.curve("bearing only", over.tau, column(s.levels, [](const Level& l) { return deg_from_rad(l.frame); }), "se");
     plot.curve("with gears", over.tau, over.figure(&SimulatedDeadBand::measured_width, kDegreesPerRadian), "sum", true);
     return plot.from_zero().svg();
 }
 
 std::string deviation_chart(const Simulation& s, const OverLevels& over) {
-    Plot plot("Passive noise rejection: standard deviation under white torque noise", kTorqueAxis, "standard deviation [deg]");
+    Plot plot("Passive noise rejection: standard deviation under white torque noise", kCoContractionAxis, "standard deviation [deg]");
     plot.curve("joint", over.tau, column(s.levels, [](const Level& l) { return deg_from_rad(l.noise[actuator::kOutput]); }), "se");
     plot.curve("capstans", over.tau, column(s.levels, [](const Level& l) { return deg_from_rad(l.noise[actuator::kAgonist]); }), "pe",
                true);
@@ -128,7 +127,7 @@ std::string deviation_chart(const Simulation& s, const OverLevels& over) {
 
 std::string joint_charts(const Simulation& s) {
     const OverLevels over{s};
-    Plot condition("Condition (6): below 0 stiction at the joint decreases", kTorqueAxis, "d(T tau_f)/dtau [1]");
+    Plot condition("Condition (6): below 0 stiction at the joint decreases", kCoContractionAxis, "d(T tau_f)/dtau [1]");
     condition.curve("d(T tau_f)/dtau", over.tau, over.figure(&SimulatedDeadBand::condition_6), "t").from_zero();
     return dead_band_chart(s, over) + condition.svg() + stiffness_chart(over) + built_chart(s, over);
 }

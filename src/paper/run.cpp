@@ -5,7 +5,7 @@
 
 #include "fusee/codesign/algorithm_1_run.h"
 #include "fusee/core/file.h"
-#include "fusee/gap/break_away.h"
+#include "fusee/identification/break_away.h"
 #include "fusee/paper/figures.h"
 #include "fusee/pipeline/simulate.h"
 #include "fusee/profile/find_profiles.h"
@@ -33,7 +33,7 @@ Sources read_sources(const fs::path& folder) {
                     profile::read_profile(folder / "pnrvsa.toml"),
                     {},
                     csv.string(),
-                    core::read_file(csv, gap::kLargestBreakAwayFile)};
+                    core::read_file(csv, identification::kLargestBreakAwayFile)};
     for (const fs::path& path : profile::find_profiles({folder / "relatives"})) sources.relatives.push_back(profile::read_profile(path));
     return sources;
 }
@@ -87,8 +87,9 @@ private:
     }
     void identify() {
         const fs::path file = sources_.break_away_name;
-        paper_.figure_8 = {file.stem().string(), core::sha256_hex(sources_.break_away),
-                           gap::identify_friction(gap::parse_break_away(sources_.break_away, sources_.break_away_name))};
+        paper_.figure_8 = {
+            file.stem().string(), core::sha256_hex(sources_.break_away),
+            identification::identify_friction(identification::parse_break_away(sources_.break_away, sources_.break_away_name))};
     }
     void search() {
         const codesign::RunOptions run{.out = {}, .jobs = options_.jobs, .stop = options_.stop};

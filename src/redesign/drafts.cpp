@@ -64,13 +64,13 @@ bool can_be_cut(const std::vector<Draft>& drafts) {
     return std::all_of(drafts.begin(), drafts.end(), [](const Draft& d) { return d.report.can_be_cut(); });
 }
 
-Drafter::Drafter(const pipeline::ResolvedDesign& original, const std::string& toml, const gap::Case& bench, const gap::Diagnosis& found,
-                 const fs::path& file)
+Drafter::Drafter(const pipeline::ResolvedDesign& original, const std::string& toml, const gap_case::Case& gap_case,
+                 const diagnosis::Diagnosis& found, const fs::path& file)
     : profile_(original.profile),
       toml_(toml),
-      bench_(bench),
+      gap_case_(gap_case),
       file_(file),
-      departures_(departures(bench, found, rest_deflection(original, bench))) {
+      departures_(departures(gap_case, found, rest_deflection(original, gap_case))) {
     as_is_.fill(profile_);
     for (std::size_t i = 0; i < figures().size(); ++i)
         if (departures_[i].any())
@@ -124,7 +124,7 @@ std::vector<profile::Edit> Drafter::law_edits(double share) const {
 
 std::string Drafter::head(const std::string& sides) const {
     return fmt::format("# {} corrected for the measured rig by fusee diagnose of {} ({}); for the cams of {}.", profile_.name,
-                       plain(bench_.name), bench_.sha256.substr(0, 12), sides == "both" ? "both sides" : "the " + sides);
+                       plain(gap_case_.name), gap_case_.sha256.substr(0, 12), sides == "both" ? "both sides" : "the " + sides);
 }
 
 Draft Drafter::draft(const std::string& sides, const Edits& own, double share, bool of_two) const {
@@ -136,12 +136,12 @@ Draft Drafter::draft(const std::string& sides, const Edits& own, double share, b
     if (of_two && sides == kSides[1]) draft.report.file.replace_filename(file_.stem().string() + "-" + sides + file_.extension().string());
     Edits edits{profile::text_edit(profile_, "name", name, "new cams next to the old ones")};
     for (profile::Edit& edit : law_edits(share)) {
-        edit.origin = fmt::format("for the friction measured, case {}", plain(bench_.name));
+        edit.origin = fmt::format("for the friction measured, case {}", plain(gap_case_.name));
         edits.push_back(std::move(edit));
     }
     for (const Edits& more : {shared_, own})
         for (profile::Edit edit : more) {
-            edit.origin = fmt::format("measured, case {}", plain(bench_.name));
+            edit.origin = fmt::format("measured, case {}", plain(gap_case_.name));
             edits.push_back(std::move(edit));
         }
     for (const profile::Edit& e : edits) draft.report.changes.push_back({e.key, e.was, e.value, e.why});

@@ -25,8 +25,8 @@ struct Draft {
 /// Writes drafts for the figures that a diagnosis changes. Keeps references to its arguments.
 class Drafter {
 public:
-    Drafter(const pipeline::ResolvedDesign& original, const std::string& toml, const gap::Case& bench, const gap::Diagnosis& found,
-            const std::filesystem::path& file);
+    Drafter(const pipeline::ResolvedDesign& original, const std::string& toml, const gap_case::Case& gap_case,
+            const diagnosis::Diagnosis& found, const std::filesystem::path& file);
 
     /// The profile with the measured figures of each side of the rig.
     [[nodiscard]] const std::array<profile::Profile, 2>& as_is() const { return as_is_; }
@@ -51,7 +51,7 @@ private:
 
     const profile::Profile& profile_;
     const std::string& toml_;
-    const gap::Case& bench_;
+    const gap_case::Case& gap_case_;
     const std::filesystem::path& file_;
     std::vector<Departure> departures_;
     std::array<profile::Profile, 2> as_is_;

@@ -5,14 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fusee/gap/effect.h"
+#include "fusee/effects/effect.h"
 #include "fusee/profile/edit.h"
 
 namespace fusee::redesign {
 
 namespace {
 
-using gap::BuiltRig;
+using joint_model::BuiltRig;
 using Of = Figure::Of;
 
 constexpr double kNothing = 1e-12;  // rounding of figures that an effect does not change
@@ -40,15 +40,15 @@ std::vector<Figure> all_figures() {
 
 #undef VALUE
 
-void put(const gap::FoundEffect& found, BuiltRig& rig) {
-    const gap::Effect& effect = gap::find_effect(found.cause.id);
+void put(const diagnosis::FoundEffect& found, BuiltRig& rig) {
+    const effects::Effect& effect = effects::find_effect(found.cause.id);
     std::vector<double> values{found.parameter.value};
     for (std::size_t i = 1; i < effect.parameters.size(); ++i) {
         const auto given = std::find_if(found.extra.begin(), found.extra.end(),
                                         [&](const auto& named) { return named.first == effect.parameters[i].name; });
         values.push_back(given != found.extra.end() ? given->second : effect.parameters[i].at_first);
     }
-    gap::apply_effect(effect, found.cause, values, rig);
+    effects::apply_effect(effect, found.cause, values, rig);
 }
 
 double departure(const Figure& figure, const BuiltRig& nominal, const BuiltRig& built, int side) {
@@ -57,14 +57,14 @@ double departure(const Figure& figure, const BuiltRig& nominal, const BuiltRig& 
     return was == 0.0 ? 0.0 : change / was;
 }
 
-bool touches(const Figure& figure, const BuiltRig& nominal, const gap::FoundEffect& found) {
+bool touches(const Figure& figure, const BuiltRig& nominal, const diagnosis::FoundEffect& found) {
     BuiltRig alone = nominal;
     put(found, alone);
     return std::max(std::abs(departure(figure, nominal, alone, 0)), std::abs(departure(figure, nominal, alone, 1))) > kNothing;
 }
 
 /// "gear.load_friction on both sides 0.3 (95 %: 0.28 to 0.32)"
-std::string effect_text(const gap::FoundEffect& found) {
+std::string effect_text(const diagnosis::FoundEffect& found) {
     const std::string side = found.cause.side == "none"   ? ""
                              : found.cause.side == "both" ? " on both sides"
                                                           : " on the " + found.cause.side;
@@ -75,14 +75,15 @@ std::string effect_text(const gap::FoundEffect& found) {
 }
 
 /// Departures by the fitted build of the rig, each side. Friction is given in mu, not relative.
-std::array<double, 2> of_build(const Figure& figure, const gap::Case& bench, const gap::Diagnosis& found, bool equal_on_both) {
+std::array<double, 2> of_build(const Figure& figure, const gap_case::Case& gap_case, const diagnosis::Diagnosis& found,
+                               bool equal_on_both) {
     std::array<double, 2> all{};
     if (figure.build.empty()) return all;
     for (const int side : {0, 1})
         for (const auto& [name, parameter] : found.build)
-            if (name == figure.build + " " + to_string(static_cast<gap::Side>(side))) all[side] = parameter.value;
+            if (name == figure.build + " " + to_string(static_cast<gap_case::Side>(side))) all[side] = parameter.value;
     if (equal_on_both) all.fill(0.5 * (all[0] + all[1]));
-    const double mu = bench.rig.gear_load_friction;
+    const double mu = gap_case.rig.gear_load_friction;
     if (figure.of == Of::kGear)
         for (double& value : all) value = mu > 0.0 ? value / mu : 0.0;
     return all;
@@ -108,18 +109,18 @@ const std::vector<Figure>& figures() {
     return all;
 }
 
-std::vector<Departure> departures(const gap::Case& bench, const gap::Diagnosis& found, double rest_deflection) {
-    const BuiltRig nominal(bench.rig);
+std::vector<Departure> departures(const gap_case::Case& gap_case, const diagnosis::Diagnosis& found, double rest_deflection) {
+    const BuiltRig nominal(gap_case.rig);
     BuiltRig built = nominal;
-    for (const gap::FoundEffect& effect : found.effects) put(effect, built);
+    for (const diagnosis::FoundEffect& effect : found.effects) put(effect, built);
     std::vector<Departure> all;
     for (const Figure& figure : figures()) {
         Departure& d = all.emplace_back();
-        for (const gap::FoundEffect& effect : found.effects)
+        for (const diagnosis::FoundEffect& effect : found.effects)
             if (touches(figure, nominal, effect)) d.why += (d.why.empty() ? "" : ", ") + effect_text(effect);
         if (!d.any()) continue;
         for (const int side : {0, 1}) d.on_side[side] = departure(figure, nominal, built, side);
-        const std::array<double, 2> build = of_build(figure, bench, found, std::abs(d.on_side[0] - d.on_side[1]) < kNothing);
+        const std::array<double, 2> build = of_build(figure, gap_case, found, std::abs(d.on_side[0] - d.on_side[1]) < kNothing);
         for (const int side : {0, 1})
             if (std::abs(d.on_side[side]) > kNothing) d.on_side[side] += build[side];
     }
@@ -127,38 +128,17 @@ std::vector<Departure> departures(const gap::Case& bench, const gap::Diagnosis& 
     return all;
 }
 
-std::vector<gap::Cause> not_mended(const gap::Case& bench, const gap::Diagnosis& found) {
-    const BuiltRig nominal(bench.rig);
-    std::vector<gap::Cause> all;
-    for (const gap::FoundEffect& effect : found.effects)
+std::vector<effects::Cause> not_mended(const gap_case::Case& gap_case, const diagnosis::Diagnosis& found) {
+    const BuiltRig nominal(gap_case.rig);
+    std::vector<effects::Cause> all;
+    for (const diagnosis::FoundEffect& effect : found.effects)
         if (std::none_of(figures().begin(), figures().end(),
                          [&](const Figure& figure) { return figure.cut && touches(figure, nominal, effect); }))
             all.push_back(effect.cause);
     return all;
 }
 
-std::string instead_of_cams(const std::string& id) {
-    static const std::vector<std::pair<std::string, std::string>> kAdvice{
-        {"joint.coulomb", "look at the joint's bearing: alignment, preload, seals; the corrected profile has it in its model"},
-        {"cable.tension_friction", "look at the joint's pulley and bearing under load; the corrected profile has it in its model"},
-        {"joint.viscous", "look at the joint's grease and seals; the corrected profile has it in its model"},
-        {"gear.viscous", "move slower or change the grease; the corrected profile has it in its model"},
-        {"joint.stop", "find what the joint runs into and take it away"},
-        {"joint.gravity", "balance the joint, or stand it so that gravity has no lever"},
-        {"gear.asymmetry", "measure both directions by break-away tests: a profile knows one friction for winding in and paying out"},
-        {"gear.load_quadratic", "measure the friction by break-away tests and name the table in rig.gear_friction_table"},
-        {"gear.backlash", "take the play out of the gear or its coupling"},
-        {"se.hysteresis", "look at the torsion spring: coils that rub, a leg that slips"},
-        {"pe.hysteresis", "look at the compression spring: coils or guide that rub"},
-        {"pe.bottoming", "take a compression spring with more travel to solid (k_pe.spring.max_travel_mm)"},
-        {"motor.saturation", "command less torque, or take a stronger motor"},
-        {"loop.delay", "look at the controller: no spring changes it"},
-        {"sensor.torque_scale", "calibrate the motor's torque; do not cut cams for it"},
-        {"sensor.joint_offset", "set the joint encoder's zero"},
-    };
-    const auto known = std::find_if(kAdvice.begin(), kAdvice.end(), [&](const auto& row) { return row.first == id; });
-    return known != kAdvice.end() ? known->second : "no figure of a profile stands for it";
-}
+std::string instead_of_cams(const std::string& id) { return effects::find_effect(id).advice; }
 
 double as_built(const profile::Profile& profile, const Figure& figure, double departure) {
     const double was = profile::number_of(profile, figure.key);

@@ -112,11 +112,13 @@ Choice choose(const Drafter& drafter, const Comparison& comparison) {
     return choice;
 }
 
-std::vector<std::string> remarks(const Redesign& redesign, const Drafter& drafter, const gap::Diagnosis& found, const Choice& choice) {
+std::vector<std::string> remarks(const Redesign& redesign, const Drafter& drafter, const diagnosis::Diagnosis& found,
+                                 const Choice& choice) {
     std::vector<std::string> all;
-    if (found.verdict == gap::Verdict::kAmbiguous)
+    if (found.verdict == diagnosis::VerdictKind::kAmbiguous)
         all.emplace_back("The diagnosis is ambiguous: do the next experiment before you cut cams.");
-    if (found.verdict == gap::Verdict::kUnknown) all.emplace_back("The cause of the gap is unknown: find it before you cut cams.");
+    if (found.verdict == diagnosis::VerdictKind::kUnknown)
+        all.emplace_back("The cause of the gap is unknown: find it before you cut cams.");
     if (redesign.profiles.empty()) all.emplace_back("No figure of the profile changes: the profile stays.");
     if (!redesign.profiles.empty() && !redesign.new_cams_needed) all.emplace_back("Only the model changes: the cams stay.");
     const double first = pipeline::gear_friction(drafter.as_is()[0]).mu(), second = pipeline::gear_friction(drafter.as_is()[1]).mu();
@@ -144,21 +146,21 @@ double mean_off(const std::vector<Level>& levels, DeadBandWidths Level::*which) 
         sum += off;
         ++known;
     }
-    return known > 0 ? sum / known : gap::kNoFigure;
+    return known > 0 ? sum / known : diagnosis::kNoFigure;
 }
 
 }  // namespace
 
-Redesign plan_redesign(const profile::Profile& profile, const std::string& toml, const gap::Case& bench, const gap::Diagnosis& found,
-                       const Options& options) {
+Redesign plan_redesign(const profile::Profile& profile, const std::string& toml, const gap_case::Case& gap_case,
+                       const diagnosis::Diagnosis& found, const Options& options) {
     core::require_within("levels", options.levels, 2, 1000);
-    const pipeline::ResolvedDesign original = require_same_rig(profile, bench);
-    const Drafter drafter(original, toml, bench, found, options.file);
+    const pipeline::ResolvedDesign original = require_same_rig(profile, gap_case);
+    const Drafter drafter(original, toml, gap_case, found, options.file);
     Redesign result;
     result.profile_name = profile.name;
-    result.case_name = bench.name;
-    result.case_sha256 = bench.sha256;
-    for (const gap::Cause& cause : not_mended(bench, found)) result.not_mended.push_back({cause, instead_of_cams(cause.id)});
+    result.case_name = gap_case.name;
+    result.case_sha256 = gap_case.sha256;
+    for (const effects::Cause& cause : not_mended(gap_case, found)) result.not_mended.push_back({cause, instead_of_cams(cause.id)});
     Choice choice;
     if (drafter.changes_anything()) {
         const Comparison comparison(original, drafter.as_is(), options.levels);

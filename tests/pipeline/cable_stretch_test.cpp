@@ -108,16 +108,16 @@ TEST_F(Stretched, ACableShorterThanItsWrapIsRefused) {
 TEST_F(Stretched, RedesignKeepsItsCables) {
     const std::string text = example();
     const profile::Profile profile = read(text);
-    gap::Case bench;
-    bench.name = "monday";
-    bench.sha256 = std::string(64, 'a');
-    bench.rig = case_template(profile)->rig;
-    gap::Diagnosis found;
-    found.verdict = gap::Verdict::kIdentified;
+    gap_case::Case gap_case;
+    gap_case.name = "monday";
+    gap_case.sha256 = std::string(64, 'a');
+    gap_case.rig = case_template(profile)->rig;
+    diagnosis::Diagnosis found;
+    found.verdict = diagnosis::VerdictKind::kIdentified;
     for (const auto& [id, value, unit] : {std::tuple{"cable.stretch", 50.0, "Nm/rad"}, {"pe.rate", 0.08, "1"}, {"se.rate", -0.05, "1"}})
         found.effects.push_back({{id, "both"}, 0.99, {value, {0.95 * value, 1.05 * value}, unit}, {}});
     const redesign::Redesign result =
-        redesign::plan_redesign(profile, text, bench, found, {.file = folder_ / "redesign.toml", .levels = 3});
+        redesign::plan_redesign(profile, text, gap_case, found, {.file = folder_ / "redesign.toml", .levels = 3});
     ASSERT_EQ(result.profiles.size(), 1u);
     const profile::Profile fresh = profile::parse_profile(result.profiles[0].toml, result.profiles[0].file);
     EXPECT_NEAR(fresh.k_se.allowance.behind_spool(0.03), 0.02 + 0.2 / 25000.0 / 9e-4, 1e-9);

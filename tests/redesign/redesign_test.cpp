@@ -16,7 +16,7 @@
 namespace fusee::redesign {
 namespace {
 
-gap::FoundEffect effect(const std::string& id, const std::string& side, double value, const std::string& unit = "1") {
+diagnosis::FoundEffect effect(const std::string& id, const std::string& side, double value, const std::string& unit = "1") {
     return {{id, side}, 0.99, {value, {0.95 * value, 1.05 * value}, unit}, {}};
 }
 
@@ -26,23 +26,23 @@ protected:
         TempFolder::SetUp();
         toml_ = core::read_file(fixtures::shipped("pnrvsa"));
         profile_ = profile::read_profile(write("pnrvsa.toml", toml_));
-        bench_.name = "monday";
-        bench_.sha256 = std::string(64, 'a');
-        bench_.rig = pipeline::case_template(profile_)->rig;
+        gap_case_.name = "monday";
+        gap_case_.sha256 = std::string(64, 'a');
+        gap_case_.rig = pipeline::case_template(profile_)->rig;
     }
-    [[nodiscard]] Redesign redesign_for(const std::vector<gap::FoundEffect>& effects,
-                                        std::vector<std::pair<std::string, gap::Parameter>> build = {}, int levels = 3) const {
-        gap::Diagnosis found;
-        found.verdict = gap::Verdict::kIdentified;
+    [[nodiscard]] Redesign redesign_for(const std::vector<diagnosis::FoundEffect>& effects,
+                                        std::vector<std::pair<std::string, diagnosis::Parameter>> build = {}, int levels = 3) const {
+        diagnosis::Diagnosis found;
+        found.verdict = diagnosis::VerdictKind::kIdentified;
         found.effects = effects;
         found.build = std::move(build);
-        return plan_redesign(profile_, toml_, bench_, found, {.file = folder_ / "redesign.toml", .levels = levels});
+        return plan_redesign(profile_, toml_, gap_case_, found, {.file = folder_ / "redesign.toml", .levels = levels});
     }
     [[nodiscard]] static profile::Profile read(const CorrectedProfile& p) { return profile::parse_profile(p.toml, p.file); }
 
     std::string toml_;
     profile::Profile profile_;
-    gap::Case bench_;
+    gap_case::Case gap_case_;
 };
 
 /// Torque over deflection of a spool as cut, on a rig that adds `wider` to every arm, behind a cable of `compliance`: the trapezoidal
@@ -163,7 +163,7 @@ TEST_F(RedesignTest, EachSideGetsWhatItNeeds) {
 
 // A build parameter inside its tolerance counts only together with an effect on the same figure.
 TEST_F(RedesignTest, BuildParametersCountTogetherWithTheirEffect) {
-    const auto built = [](double value) { return gap::Parameter{value, {value, value}, "1"}; };
+    const auto built = [](double value) { return diagnosis::Parameter{value, {value, value}, "1"}; };
     const Redesign result =
         redesign_for({effect("se.rate", "agonist", 0.1)},
                      {{"K_SE rate agonist", built(0.01)}, {"K_SE rate antagonist", built(0.02)}, {"K_PE rate agonist", built(0.01)}});
@@ -232,10 +232,10 @@ TEST_F(RedesignTest, SpringsFromADeadBandFollowTheFriction) {
     write("gear.csv", "tau_Nm,width_deg\n1,30\n");
     toml_ = fixtures::with_key(core::read_file(fixtures::shipped("from_dead_band")), "simulate.measured", "\"gear.csv\"");
     profile_ = profile::read_profile(write("wanted.toml", toml_));
-    bench_.rig = pipeline::case_template(profile_)->rig;
-    gap::Diagnosis found;
+    gap_case_.rig = pipeline::case_template(profile_)->rig;
+    diagnosis::Diagnosis found;
     found.effects = {effect("gear.load_friction", "both", 0.1)};
-    const Redesign result = plan_redesign(profile_, toml_, bench_, found, {.file = folder_ / "deep" / "new.toml", .levels = 3});
+    const Redesign result = plan_redesign(profile_, toml_, gap_case_, found, {.file = folder_ / "deep" / "new.toml", .levels = 3});
     write_profiles(result);
     const profile::Profile fresh = profile::read_profile(folder_ / "deep" / "new.toml");
     EXPECT_EQ(fresh.simulate.measured.file, "../gear.csv");
@@ -260,9 +260,9 @@ TEST_F(RedesignTest, SpringsFromADeadBandFollowTheFriction) {
 TEST_F(RedesignTest, RefusesAProfileOfAnotherRig) {
     const auto refused = [&](const std::string& key, const std::string& value) {
         const profile::Profile other = profile::read_profile(write("other.toml", fixtures::with_key(toml_, key, value)));
-        return field_refused([&] { require_same_rig(other, bench_); });
+        return field_refused([&] { require_same_rig(other, gap_case_); });
     };
-    EXPECT_EQ(field_refused([&] { require_same_rig(profile_, bench_); }), "accepted");
+    EXPECT_EQ(field_refused([&] { require_same_rig(profile_, gap_case_); }), "accepted");
     EXPECT_EQ(refused("rig.capstan_radius_mm", "30.2"), "accepted");  // 0.7 % of 4 times 0.3 %
     for (const auto& [key, value] : fixtures::Changes{{"rig.capstan_radius_mm", "31"},
                                                       {"rig.joint_radius_mm", "22"},
@@ -273,7 +273,7 @@ TEST_F(RedesignTest, RefusesAProfileOfAnotherRig) {
     EXPECT_NE(refused("law.k_per_Nm_rad", "0.25").find("law.kind"), std::string::npos);
     EXPECT_NE(refused("law.c_Nm", "0.25").find("law.kind"), std::string::npos);
     try {
-        gap::Case other = bench_;
+        gap_case::Case other = gap_case_;
         other.rig.capstan_radius = 0.015;
         require_same_rig(profile_, other);
         FAIL() << "accepted";

@@ -20,7 +20,7 @@ std::string path_of(const std::string& page, const std::string& css) {
 }
 
 TEST(DiagnosisHtml, AnswersWhereWhichAndHowFarInThisOrder) {
-    const gap::Diagnosis d = diagnosis();
+    const diagnosis::Diagnosis d = diagnosis();
     const std::string page = diagnosis_html(d);
     expect_page(page);
     EXPECT_EQ(elements(page, "h2").size(), 8u);
@@ -36,7 +36,7 @@ TEST(DiagnosisHtml, AnswersWhereWhichAndHowFarInThisOrder) {
 }
 
 TEST(DiagnosisHtml, EscapesEveryText) {
-    gap::Diagnosis d = diagnosis();
+    diagnosis::Diagnosis d = diagnosis();
     const std::string evil = "<i>&\"";
     d.case_name = d.case_sha256 = d.next_experiment = evil;
     d.effects[0].cause = {evil, evil};
@@ -66,15 +66,15 @@ TEST(DiagnosisHtml, AnEmptyDiagnosisHasAHeadAndNothingElse) {
 }
 
 TEST(DiagnosisHtml, FiguresThatAreNotKnownAreDashes) {
-    gap::Diagnosis d = diagnosis();
-    const double unknown = gap::kNoFigure;
+    diagnosis::Diagnosis d = diagnosis();
+    const double unknown = diagnosis::kNoFigure;
     d.gap = {};
     d.effects[0].parameter = {unknown, {unknown, unknown}, "Nm"};
     d.experiments[0].gap = {};
     d.experiments[0].forecast = unknown;
-    for (gap::Hypothesis& h : d.ranking) h.log_evidence = -INFINITY, h.chi2 = h.left_out = h.probability = unknown;
+    for (diagnosis::Hypothesis& h : d.ranking) h.log_evidence = -INFINITY, h.chi2 = h.left_out = h.probability = unknown;
     d.isolability.detectable[0] = INFINITY;
-    d.isolability.alike[3][2] = unknown;
+    d.isolability.signature_similarity[3][2] = unknown;
     d.next[0].information = unknown;
     const std::string page = diagnosis_html(d);
     expect_page(page);
@@ -89,7 +89,7 @@ TEST(DiagnosisHtml, TakesAFurtherSectionAsItIs) {
 }
 
 TEST(DiagnosisHtml, ThirtyLongTracesStayBelow2MB) {
-    gap::Diagnosis d = diagnosis();
+    diagnosis::Diagnosis d = diagnosis();
     d.traces.assign(30, log_trace("log", 400));
     const std::string thirty = diagnosis_html(d);
     EXPECT_LT(thirty.size(), 2'000'000u);
@@ -99,7 +99,7 @@ TEST(DiagnosisHtml, ThirtyLongTracesStayBelow2MB) {
 }
 
 TEST(GapMap, IsAStripForEachExperimentBeforeAndAfter) {
-    gap::Diagnosis d;
+    diagnosis::Diagnosis d;
     d.map = {{"dead_band", "cocontraction_Nm", {0.3, 0.5}, 2.4, 1.1, 5}, {"dead_band", "cocontraction_Nm", {0.1, 0.3}, 27.0, 0.8, 5}};
     const std::string html = where_section(d);
     for (const char* cell : {"fill=\"#8c2d04\"", "fill=\"#fec44f\"", "fill=\"#fff7bc\"", "fill=\"#ffffe5\""})
@@ -110,7 +110,7 @@ TEST(GapMap, IsAStripForEachExperimentBeforeAndAfter) {
 }
 
 TEST(GapMap, FoldsLongStripsAndNamesRangesThatDoNotTouch) {
-    gap::Diagnosis d;
+    diagnosis::Diagnosis d;
     for (int i = 0; i < 30; ++i) d.map.push_back({"log", "t_s", {i + 0.0, i + 1.0}, 1.0, 1.0, 9});
     EXPECT_EQ(occurrences(where_section(d), ">time log</text>"), 2u * 4u);
     d.map = {{"dead_band", "cocontraction_Nm", {0.1, 0.1}, 1, 1, 3}, {"dead_band", "cocontraction_Nm", {0.5, 0.8}, 1, 1, 3}};
@@ -118,7 +118,7 @@ TEST(GapMap, FoldsLongStripsAndNamesRangesThatDoNotTouch) {
 }
 
 TEST(IsolabilityMatrix, OutlinesPairsOfAClass) {
-    gap::Diagnosis d;
+    diagnosis::Diagnosis d;
     d.isolability = isolability();
     const std::string html = isolability_section(d);
     EXPECT_EQ(occurrences(html, "stroke-width=\"2\""), 1u + 3u) << "a pair, and three pairs of three";
@@ -130,16 +130,16 @@ TEST(IsolabilityMatrix, OutlinesPairsOfAClass) {
 }
 
 TEST(IsolabilityMatrix, StaysBoundedForManyCauses) {
-    gap::Diagnosis d;
+    diagnosis::Diagnosis d;
     d.isolability.causes.assign(200, {"gear.coulomb", "agonist"});
-    d.isolability.alike.assign(200, std::vector<double>(200, 0.5));
+    d.isolability.signature_similarity.assign(200, std::vector<double>(200, 0.5));
     const std::string html = isolability_section(d);
     EXPECT_TRUE(holds(html, "72 of 200"));
     EXPECT_LT(html.size(), 600'000u);
 }
 
 TEST(TraceChart, RepeatsAreOneCurveAndALoopKeepsItsTwoBranches) {
-    gap::Diagnosis d;
+    diagnosis::Diagnosis d;
     d.traces = {repeat_trace("levels three times over")};
     const std::string repeats = trace_section(d);
     EXPECT_EQ(occurrences(repeats, "class=\"band se\""), 1u);
@@ -152,7 +152,7 @@ TEST(TraceChart, RepeatsAreOneCurveAndALoopKeepsItsTwoBranches) {
 }
 
 TEST(TraceChart, ANewSweepBeginsANewLine) {
-    gap::Trace sweeps{"breakaway", "two motors", "x", "y", {}, {}, {}, {}, {}};
+    diagnosis::Trace sweeps{"breakaway", "two motors", "x", "y", {}, {}, {}, {}, {}};
     for (const double shift : {0.0, 5.0})
         for (int i = 0; i < 10; ++i) {
             sweeps.x.push_back(i);
@@ -160,7 +160,7 @@ TEST(TraceChart, ANewSweepBeginsANewLine) {
             sweeps.after.push_back(i + shift);
             sweeps.sigma.push_back(0.1);
         }
-    gap::Diagnosis d;
+    diagnosis::Diagnosis d;
     d.traces = {sweeps};
     const std::string html = trace_section(d), after = path_of(html, "curve se");
     EXPECT_EQ(std::count(after.begin(), after.end(), 'M'), 2) << after;
@@ -169,7 +169,7 @@ TEST(TraceChart, ANewSweepBeginsANewLine) {
 }
 
 TEST(TraceChart, ManyCyclesKeepTheirPathAndScatterIsSorted) {
-    gap::Trace cycles{"force_loop", "many cycles", "x_m", "F_N", {}, {}, {}, {}, {}}, scatter = cycles;
+    diagnosis::Trace cycles{"force_loop", "many cycles", "x_m", "F_N", {}, {}, {}, {}, {}}, scatter = cycles;
     for (int i = 0; i < 400; ++i) {
         cycles.x.push_back(std::sin(0.2 * i));  // 25 turns
         cycles.after.push_back(std::cos(0.2 * i));
@@ -177,7 +177,7 @@ TEST(TraceChart, ManyCyclesKeepTheirPathAndScatterIsSorted) {
     }
     scatter.x = scatter.after = {0, 5, 1, 6, 2, 7, 3, 8, 4, 9, 0.5, 5.5, 1.5, 6.5, 2.5, 7.5, 3.5, 8.5, 4.5, 9.5};
     scatter.sigma.assign(scatter.x.size(), 0.1);
-    gap::Diagnosis d;
+    diagnosis::Diagnosis d;
     d.traces = {cycles};
     const std::string path = trace_section(d);
     EXPECT_EQ(occurrences(path, "class=\"band se\""), 0u);
@@ -196,8 +196,8 @@ TEST(TraceChart, ManyCyclesKeepTheirPathAndScatterIsSorted) {
 }
 
 TEST(TraceChart, TheBandIs95PerCentWide) {
-    gap::Trace flat{"log", "flat", "t_s", "y", {0, 1}, {0, 0}, {0, 0}, {0, 0}, {1, 1}};
-    gap::Diagnosis d;
+    diagnosis::Trace flat{"log", "flat", "t_s", "y", {0, 1}, {0, 0}, {0, 0}, {0, 0}, {1, 1}};
+    diagnosis::Diagnosis d;
     d.traces = {flat};
     // The axis goes from -2 to 2 over 220 units: 300 less 46 for the axis and 34 for the legend.
     const std::string band = path_of(trace_section(d), "band se");

@@ -12,11 +12,11 @@ namespace {
 TEST(DiagnosisWords, SmallProbabilitiesHaveABound) {
     EXPECT_EQ(chance(7e-40), "< 0.001");
     EXPECT_EQ(chance(0.12345), "0.123");
-    EXPECT_EQ(chance(gap::kNoFigure), "\u2013");
+    EXPECT_EQ(chance(diagnosis::kNoFigure), "\u2013");
 }
 
 TEST(DiagnosisWords, LengthsAreReadInMillimetres) {
-    const gap::Parameter mm = for_reading({-2.1e-4, {-2.6e-4, -1.6e-4}, "m"});
+    const diagnosis::Parameter mm = for_reading({-2.1e-4, {-2.6e-4, -1.6e-4}, "m"});
     EXPECT_EQ(mm.unit, "mm");
     EXPECT_DOUBLE_EQ(mm.value, -0.21);
     EXPECT_DOUBLE_EQ(mm.ci95.low, -0.26);
@@ -75,18 +75,18 @@ TEST(DiagnosisWords, EveryIdOfTheFormatHasAMeaning) {
 }
 
 TEST(DiagnosisWords, TheVerdictIsASentence) {
-    gap::Diagnosis d = diagnosis();
+    diagnosis::Diagnosis d = diagnosis();
     expect_all(verdict_sentence(d), {"2 effects", "gear.coulomb (agonist) and se.radius (both)"});
     EXPECT_DOUBLE_EQ(verdict_probability(d), 0.934) << "of the less certain one";
     d.effects.resize(1);
     expect_all(verdict_sentence(d), {"an effect", "gear.coulomb (agonist)."});
-    d.verdict = gap::Verdict::kAmbiguous;
+    d.verdict = diagnosis::VerdictKind::kAmbiguous;
     d.alternatives = {{{{"gear.coulomb", "agonist"}}, 0.5}, {{{"joint.coulomb", "none"}}, 0.45}, {{}, 0.001}};
     expect_all(verdict_sentence(d), {"gear.coulomb (agonist); or joint.coulomb."});
-    d.verdict = gap::Verdict::kUnknown;
+    d.verdict = diagnosis::VerdictKind::kUnknown;
     expect_all(verdict_sentence(d), {"dead-band, co-contraction 0.12 to 0.5 Nm, agonist, push up"});
     EXPECT_TRUE(std::isnan(verdict_probability(d))) << "a ranking within the library says nothing about other effects";
-    d.verdict = gap::Verdict::kNone;
+    d.verdict = diagnosis::VerdictKind::kNone;
     d.ranking = {{{}, 0.0, 0.97, 300.0, 1.0, {}}};
     EXPECT_DOUBLE_EQ(verdict_probability(d), 0.97);
 }
@@ -99,7 +99,7 @@ TEST(DiagnosisText, HoldsWhereWhichAndHowFar) {
 }
 
 TEST(DiagnosisText, StaysShort) {
-    gap::Diagnosis d = diagnosis();
+    diagnosis::Diagnosis d = diagnosis();
     d.effects.resize(9, d.effects.front());
     d.where.resize(20, d.where.front());
     d.remarks.resize(50, "one more");

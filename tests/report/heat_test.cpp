@@ -7,7 +7,7 @@
 #include <limits>
 #include <string>
 
-#include "fusee/gap/diagnosis.h"
+#include "fusee/diagnosis/diagnosis.h"
 
 namespace fusee::report {
 namespace {
@@ -62,7 +62,7 @@ TEST(HeatCell, ShowsItsFigureOnTheColourOfItsLevel) {
 }
 
 TEST(HeatCell, IsEmptyWithADashWhereNothingIsKnown) {
-    for (const double value : {gap::kNoFigure, std::numeric_limits<double>::infinity()}) {
+    for (const double value : {diagnosis::kNoFigure, std::numeric_limits<double>::infinity()}) {
         const std::string cell = heat_cell({0, 0, 10, 10}, value, "nan", gap_scale());
         EXPECT_NE(cell.find("fill=\"none\""), std::string::npos);
         EXPECT_NE(cell.find(">\u2013</text>"), std::string::npos);

@@ -61,7 +61,7 @@ TEST(Redesign, StatesTheCoverageAndWhatRefusesTheCams) {
     Redesign r = one_profile();
     r.profiles[0].cover.covered = r.profiles[0].cover.asked;
     expect_all(redesign_text(r), {"covers all co-contractions in use, 0.85 to 1.5 Nm"});
-    r.profiles[0].cover.covered = {gap::kNoFigure, gap::kNoFigure};
+    r.profiles[0].cover.covered = {diagnosis::kNoFigure, diagnosis::kNoFigure};
     expect_all(redesign_text(r), {"covers none of the co-contractions in use, 0.85 to 1.5 Nm"});
     r.profiles[0].findings = {core::error_finding("cam.arm", "an arm", 1.0, core::Bound::kAtLeast, 2.0, "mm")};
     expect_all(redesign_text(r), {"cam.arm"});

@@ -15,13 +15,13 @@ blind::Score three_cases() {
         {"case0", {{"pe.radius", "both", 2e-4, {}}}, true}, {"case1", {{"gear.coulomb", "agonist", 0.05, {}}}, true}, {"case2", {}, true}};
     std::vector<Answer> answers(3);
     for (std::size_t i = 0; i < 3; ++i) answers[i].case_name = labels[i].case_name;
-    answers[0].verdict = answers[1].verdict = gap::Verdict::kIdentified;
+    answers[0].verdict = answers[1].verdict = diagnosis::VerdictKind::kIdentified;
     answers[0].effects = {{{"pe.radius", "both"}, 0.97, {2.1e-4, {1.5e-4, 2.5e-4}, "m"}, {}}};
     answers[1].effects = {{{"<wrongly>", "both"}, 0.6, {1.0, {0.5, 1.5}, "1"}, {}}};
     answers[1].alternatives = {{{{"gear.coulomb", "agonist"}, {"se.rate", "both"}}, 0.3}, {{}, 0.1}};
     for (Answer& answer : answers) {
-        answer.claimed_before = answer.kept_before = 8.0;
-        answer.claimed_after = answer.kept_after = 1.0;
+        answer.claimed_before = answer.held_out_before = 8.0;
+        answer.claimed_after = answer.held_out_after = 1.0;
     }
     answers[2].failure = "too few rows";
     blind::Score score = score_answers(labels, answers);
@@ -31,7 +31,7 @@ blind::Score three_cases() {
 
 TEST(ScoreWords, StateTargetsTruthsAndAnswers) {
     EXPECT_EQ(per_cent(0.9512), "95.1 %");
-    EXPECT_EQ(per_cent(gap::kNoFigure), "\u2013");
+    EXPECT_EQ(per_cent(diagnosis::kNoFigure), "\u2013");
     EXPECT_EQ(per_cent(core::Range{0.1, 0.25}), "10.0 to 25.0 %");
     EXPECT_EQ(wanted_text({0.95, 1.0}), "at least 95 %");
     EXPECT_EQ(wanted_text({0.9, 0.99}), "90 to 99 %");

@@ -5,7 +5,7 @@
 #include "fusee/actuator/hill.h"
 #include "fusee/actuator/noise.h"
 #include "fusee/codesign/search_report.h"
-#include "fusee/gap/identification.h"
+#include "fusee/identification/identification.h"
 #include "fusee/pipeline/simulation.h"
 
 /// The paper's tables and figures, reproduced (docs/guides/paper.md).
@@ -55,7 +55,7 @@ struct Paper {
     HillFigure figure_2;
     PaperTable table_1;  ///< the first prototype; its path is figure 6
     PaperTable table_2;  ///< new springs
-    gap::Identification figure_8;
+    identification::Identification figure_8;
     codesign::SearchReport figure_9;
     std::vector<pipeline::Simulation> relatives;           ///< with the position loops of their profiles
     std::vector<actuator::ArrangementRow> torque_control;  ///< the same without these loops, in the same order

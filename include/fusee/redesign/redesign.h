@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "fusee/core/finding.h"
-#include "fusee/gap/case.h"
-#include "fusee/gap/diagnosis.h"
+#include "fusee/diagnosis/diagnosis.h"
+#include "fusee/gap_case/case.h"
 #include "fusee/pipeline/design.h"
 #include "fusee/profile/profile.h"
 
@@ -20,10 +20,10 @@ struct Change {
 };
 /// The co-contractions at which the springs reach every resting place that stiction allows, of those that the profile asks for.
 struct Cover {
-    core::Range asked{0.0, 0.0};                             ///< least to overdrive torque [Nm]
-    core::Range covered{gap::kNoFigure, gap::kNoFigure};     ///< NaN: none [Nm]
-    core::Range law_loads{gap::kNoFigure, gap::kNoFigure};   ///< of a capstan, of the springs' law [Nm]
-    core::Range rest_loads{gap::kNoFigure, gap::kNoFigure};  ///< at which friction lets it rest over the torques asked for [Nm]
+    core::Range asked{0.0, 0.0};                                         ///< least to overdrive torque [Nm]
+    core::Range covered{diagnosis::kNoFigure, diagnosis::kNoFigure};     ///< NaN: none [Nm]
+    core::Range law_loads{diagnosis::kNoFigure, diagnosis::kNoFigure};   ///< of a capstan, of the springs' law [Nm]
+    core::Range rest_loads{diagnosis::kNoFigure, diagnosis::kNoFigure};  ///< at which friction lets it rest over the torques asked for [Nm]
     [[nodiscard]] bool whole() const { return covered.low <= asked.low && covered.high >= asked.high; }
 };
 /// A corrected profile.
@@ -38,8 +38,8 @@ struct CorrectedProfile {
 };
 /// Full widths at the joint [rad]; NaN: the springs do not reach.
 struct DeadBandWidths {
-    double exact_width = gap::kNoFigure;     ///< between the outermost resting places
-    double measured_width = gap::kNoFigure;  ///< by a push-and-release test
+    double exact_width = diagnosis::kNoFigure;     ///< between the outermost resting places
+    double measured_width = diagnosis::kNoFigure;  ///< by a push-and-release test
 };
 struct Level {
     double tau = 0.0;         ///< co-contraction [Nm]
@@ -49,7 +49,7 @@ struct Level {
 };
 /// An effect that no cam can compensate.
 struct NotMended {
-    gap::Cause cause;
+    effects::Cause cause;
     std::string instead;  ///< the advice, one sentence
 };
 
@@ -63,7 +63,7 @@ struct Redesign {
     std::vector<Level> levels;  ///< by rising co-contraction
     Level peak;                 ///< at peak torque, where `fusee make` gives the exact width; with levels
     /// Greatest difference between a spring's torque on the rig as it is and the law its cam was cut for, over that torque.
-    double torque_error_old = gap::kNoFigure, torque_error_new = gap::kNoFigure;
+    double torque_error_old = diagnosis::kNoFigure, torque_error_new = diagnosis::kNoFigure;
     std::vector<NotMended> not_mended;
     std::vector<std::string> remarks;
 
@@ -75,7 +75,7 @@ struct Redesign {
 /// A profile and a case of the same rig: radii, friction and rates of the base springs, and the springs' torques, as a case built from the
 /// profile would have them, each within `kSameRig` build tolerances of the case.
 /// @return the profile, resolved @throws core::InvalidInput naming the profile's key, with both figures
-pipeline::ResolvedDesign require_same_rig(const profile::Profile& profile, const gap::Case& bench);
+pipeline::ResolvedDesign require_same_rig(const profile::Profile& profile, const gap_case::Case& gap_case);
 inline constexpr double kSameRig = 4.0;
 
 struct Options {
@@ -91,8 +91,8 @@ struct Options {
 /// @param toml the text that `profile` was read from
 /// @throws core::InvalidInput as require_same_rig; if the law of `profile` itself is refused; naming the key of a measured figure that no
 /// profile can hold (a spring that starts slack)
-[[nodiscard]] Redesign plan_redesign(const profile::Profile& profile, const std::string& toml, const gap::Case& bench,
-                                     const gap::Diagnosis& found, const Options& options);
+[[nodiscard]] Redesign plan_redesign(const profile::Profile& profile, const std::string& toml, const gap_case::Case& gap_case,
+                                     const diagnosis::Diagnosis& found, const Options& options);
 
 /// Writes each corrected profile, its folder made if there is none.
 /// @throws core::IoError, before anything is written, if the file exists and `force` is not set

@@ -71,12 +71,12 @@ SpringsWithoutStops springs_without_stops(const spring::SpringLaw& law, const sp
     return all;
 }
 
-core::Outcome<gap::CaseTemplate> case_template(const profile::Profile& profile, const CaseTemplateOptions& options) {
+core::Outcome<gap_case::CaseTemplate> case_template(const profile::Profile& profile, const CaseTemplateOptions& options) {
     require_parts(profile);
     const auto design = resolve(profile);
     if (!design) return design.refusal();
     SpringsWithoutStops springs = springs_without_stops(*design->law(), profile.k_se.spring, profile.k_pe.spring, options.springs_rows);
-    gap::CaseTemplate made;
+    gap_case::CaseTemplate made;
     made.name = profile.name;
     made.rig = {.capstan_radius = profile.rig.capstan_radius,
                 .joint_radius = profile.rig.joint_radius,
@@ -91,7 +91,7 @@ core::Outcome<gap::CaseTemplate> case_template(const profile::Profile& profile, 
     made.torques = {profile.rig.least_torque, profile.rig.overdrive_torque};
     made.rest_deflection = springs.rest_deflection;
     const actuator::ReleaseTest test{.push_torque = profile.simulate.push_torque};
-    made.push = [joint = path_joint_of(*design), test](double cocontraction) -> gap::Push {
+    made.push = [joint = path_joint_of(*design), test](double cocontraction) -> gap_case::Push {
         const actuator::ReleaseReading reading = actuator::release_test(joint, cocontraction, test);
         return {reading.push_torque, reading.covered_push};
     };

@@ -13,7 +13,7 @@ namespace fusee::report {
 
 namespace {
 
-using gap::Isolability;
+using diagnosis::Isolability;
 using Indices = std::vector<std::size_t>;
 
 constexpr double kCell = 25, kCauseLetter = 6.4, kFoot = 20, kMargin = 4;
@@ -39,7 +39,9 @@ bool same_class(const Isolability& isolability, std::size_t a, std::size_t b) {
 }
 
 double similarity(const Isolability& isolability, std::size_t a, std::size_t b) {
-    return a < isolability.alike.size() && b < isolability.alike[a].size() ? isolability.alike[a][b] : gap::kNoFigure;
+    return a < isolability.signature_similarity.size() && b < isolability.signature_similarity[a].size()
+               ? isolability.signature_similarity[a][b]
+               : diagnosis::kNoFigure;
 }
 
 std::string number_at(double x, double y, std::size_t n) {
@@ -75,7 +77,7 @@ std::string class_list(const Isolability& isolability) {
     if (isolability.classes.empty()) return paragraph("These experiments distinguish all of these causes.");
     std::vector<std::string> classes;
     for (const Indices& members : isolability.classes) {
-        std::vector<gap::Cause> causes;
+        std::vector<effects::Cause> causes;
         for (const std::size_t i : members)
             if (i < isolability.causes.size()) causes.push_back(isolability.causes[i]);
         classes.push_back(causes_name(causes, ", "));
@@ -101,8 +103,8 @@ std::string size_table(const Isolability& isolability, const Indices& order) {
     Rows rows;
     for (std::size_t n = 0; n < order.size(); ++n) {
         const std::size_t i = order[n], other = nearest(isolability, i);
-        const double least = i < isolability.detectable.size() ? isolability.detectable[i] : gap::kNoFigure;
-        const gap::Parameter size = for_reading({least, {}, i < isolability.units.size() ? isolability.units[i] : ""});
+        const double least = i < isolability.detectable.size() ? isolability.detectable[i] : diagnosis::kNoFigure;
+        const diagnosis::Parameter size = for_reading({least, {}, i < isolability.units.size() ? isolability.units[i] : ""});
         rows.push_back({num(std::to_string(n + 1)), plain(cause_name(isolability.causes[i])), num(size.value, 2), plain(size.unit),
                         plain(other == i ? "" : cause_name(isolability.causes[other])),
                         num(other == i ? "" : percent(similarity(isolability, i, other)))});
@@ -113,7 +115,7 @@ std::string size_table(const Isolability& isolability, const Indices& order) {
 
 }  // namespace
 
-std::string isolability_section(const gap::Diagnosis& diagnosis) {
+std::string isolability_section(const diagnosis::Diagnosis& diagnosis) {
     const Isolability& isolability = diagnosis.isolability;
     if (isolability.causes.empty()) return "";
     const Indices order = by_class(isolability);

@@ -13,18 +13,18 @@ namespace fusee::report {
 
 namespace {
 
-using gap::Diagnosis;
-using gap::Gap;
+using diagnosis::Diagnosis;
+using diagnosis::Gap;
 
-std::string diagnosis_verdict(gap::Verdict verdict) {
+std::string diagnosis_verdict(diagnosis::VerdictKind verdict) {
     switch (verdict) {
-        case gap::Verdict::kIdentified:
+        case diagnosis::VerdictKind::kIdentified:
             return verdict_tag(core::Severity::kPass, "Cause identified");
-        case gap::Verdict::kNone:
+        case diagnosis::VerdictKind::kNone:
             return verdict_tag(core::Severity::kPass, "No gap beyond tolerance and noise");
-        case gap::Verdict::kAmbiguous:
+        case diagnosis::VerdictKind::kAmbiguous:
             return verdict_tag(core::Severity::kWarning, "Cause ambiguous");
-        case gap::Verdict::kUnknown:
+        case diagnosis::VerdictKind::kUnknown:
             return verdict_tag(core::Severity::kError, "Cause unknown");
     }
     return "";
@@ -62,9 +62,9 @@ std::vector<Cell> gap_row(const Cell& name, const std::string& rows, const Gap& 
 std::string how_far_section(const Diagnosis& diagnosis) {
     if (diagnosis.experiments.empty()) return "";
     Rows rows;
-    for (const gap::ExperimentGap& e : diagnosis.experiments)
+    for (const diagnosis::ExperimentGap& e : diagnosis.experiments)
         rows.push_back(gap_row(num(experiment_name(e.experiment)), std::to_string(e.rows), e.gap, e.forecast));
-    rows.push_back(gap_row({"<b>all</b>", "num"}, "", diagnosis.gap, gap::kNoFigure));
+    rows.push_back(gap_row({"<b>all</b>", "num"}, "", diagnosis.gap, diagnosis::kNoFigure));
     return section(
         "How far the gap shrinks",
         paragraph("All in sigma. No fit uses the held-out rows; the forecast is their gap as the fit predicts it.") +
@@ -75,7 +75,7 @@ std::string how_far_section(const Diagnosis& diagnosis) {
 std::string build_section(const Diagnosis& diagnosis) {
     Rows rows;
     for (const auto& [name, raw] : diagnosis.build) {
-        const gap::Parameter p = for_reading(raw);
+        const diagnosis::Parameter p = for_reading(raw);
         rows.push_back({num(name), num(p.value, 3), num(span(p.ci95)), plain(p.unit)});
     }
     if (rows.empty()) return "";
@@ -84,7 +84,7 @@ std::string build_section(const Diagnosis& diagnosis) {
                        dense_table({"figure", "value", "95 %", "unit"}, rows));
 }
 
-std::string set_points(const gap::NextExperiment& next) {
+std::string set_points(const diagnosis::NextExperiment& next) {
     std::string out;
     for (const double value : next.set_points) out += (out.empty() ? "" : ", ") + number(value, 3);
     return out.empty() || next.variable.empty() ? out : column_name(next.variable) + ": " + out;
@@ -93,7 +93,7 @@ std::string set_points(const gap::NextExperiment& next) {
 std::string next_section(const Diagnosis& diagnosis) {
     Rows rows;
     bool listed = diagnosis.next_experiment.empty();
-    for (const gap::NextExperiment& next : diagnosis.next) {
+    for (const diagnosis::NextExperiment& next : diagnosis.next) {
         listed = listed || next.text == diagnosis.next_experiment;
         rows.push_back({plain(next.text), num(experiment_name(next.experiment)), plain(set_points(next)), num(next.information, 2),
                         num(next.cost, 2)});

@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::size_t kMostEffects = 4, kMostPlaces = 3;
 
-std::string effect_line(const gap::FoundEffect& effect) {
-    const gap::Parameter p = for_reading(effect.parameter);
+std::string effect_line(const diagnosis::FoundEffect& effect) {
+    const diagnosis::Parameter p = for_reading(effect.parameter);
     return fmt::format("  {}: {} (95 %: {}), probability {}", cause_name(effect.cause), amount(p), span(p.ci95),
                        chance(effect.probability));
 }
@@ -27,7 +27,7 @@ void add_rest(std::vector<std::string>& lines, std::size_t shown, std::size_t al
 
 }  // namespace
 
-std::string diagnosis_text(const gap::Diagnosis& diagnosis) {
+std::string diagnosis_text(const diagnosis::Diagnosis& diagnosis) {
     std::vector<std::string> lines{diagnosis.case_name + ": " + verdict_sentence(diagnosis)};
     const std::size_t effects = std::min(kMostEffects, diagnosis.effects.size());
     for (std::size_t i = 0; i < effects; ++i) lines.push_back(effect_line(diagnosis.effects[i]));
@@ -35,7 +35,7 @@ std::string diagnosis_text(const gap::Diagnosis& diagnosis) {
     for (std::size_t i = 0; i < std::min(kMostPlaces, diagnosis.where.size()); ++i)
         lines.push_back(fmt::format("  {} {} of the gap: {}", i == 0 ? "where:" : "      ", percent(diagnosis.where[i].share),
                                     place(diagnosis.where[i])));
-    const gap::Gap& gap = diagnosis.gap;
+    const diagnosis::Gap& gap = diagnosis.gap;
     lines.push_back(fmt::format("  gap: {} sigma, noise floor {}", change(gap.before, gap.after), number(gap.noise_floor, 3)));
     if (std::isfinite(gap.heldout_before))
         lines.push_back(fmt::format("  on held-out rows: {} sigma (95 %: {})", change(gap.heldout_before, gap.heldout_after),

@@ -14,7 +14,7 @@ namespace fusee::report {
 
 namespace {
 
-using gap::Trace;
+using diagnosis::Trace;
 using Values = std::vector<double>;
 
 constexpr double kSigmasOf95 = 1.959964;     // two-sided 95 % of a normal distribution
@@ -32,7 +32,7 @@ bool any_known(const Values& values) {
 Values picked(const Values& of, const std::vector<std::size_t>& rows) {
     Values out;
     out.reserve(rows.size());
-    for (const std::size_t i : rows) out.push_back(i < of.size() ? of[i] : gap::kNoFigure);
+    for (const std::size_t i : rows) out.push_back(i < of.size() ? of[i] : diagnosis::kNoFigure);
     return out;
 }
 
@@ -97,7 +97,7 @@ std::vector<bool> sweep_starts(const Values& x) {
 Values with_gaps(const Values& values, const std::vector<bool>& fresh) {
     Values out;
     for (std::size_t i = 0; i < values.size(); ++i) {
-        if (fresh[i]) out.push_back(gap::kNoFigure);
+        if (fresh[i]) out.push_back(diagnosis::kNoFigure);
         out.push_back(values[i]);
     }
     return out;
@@ -147,7 +147,7 @@ std::string trace_chart(const Trace& trace, std::size_t most) {
     Values measured = picked(trace.measured, rows);  // more dots would cover the lines
     const std::size_t step = (rows.size() + kMostDotsOfATrace - 1) / kMostDotsOfATrace;
     for (std::size_t i = 0; i < measured.size(); ++i)
-        if (i % step != 0) measured[i] = gap::kNoFigure;
+        if (i % step != 0) measured[i] = diagnosis::kNoFigure;
     return plot.points("measured", x, measured, "sum").svg();
 }
 
@@ -157,7 +157,7 @@ std::size_t drawn_points(std::size_t traces) {
     return std::clamp(kMostPoints / std::max<std::size_t>(1, traces), kFewestPoints, kMostPointsOfATrace);
 }
 
-std::string trace_section(const gap::Diagnosis& diagnosis) {
+std::string trace_section(const diagnosis::Diagnosis& diagnosis) {
     const std::size_t most = drawn_points(diagnosis.traces.size());
     std::vector<std::string> experiments;
     bool thinned = false;

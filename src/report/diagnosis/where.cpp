@@ -13,7 +13,7 @@ namespace fusee::report {
 
 namespace {
 
-using gap::GapCell;
+using diagnosis::GapCell;
 
 // Drawing units, 520 wide like the charts of the page.
 constexpr double kMapWidth = 520, kLeast = 110, kMost = 240, kMapRight = 24, kStrip = 30, kRow = 56, kTop = 6;
@@ -120,7 +120,7 @@ std::string map_svg(const std::vector<Strip>& strips, const std::string& title, 
     return out + "</svg></figure>\n";
 }
 
-std::string gap_map(const gap::Diagnosis& diagnosis) {
+std::string gap_map(const diagnosis::Diagnosis& diagnosis) {
     if (diagnosis.map.empty()) return "";
     const std::vector<Strip> strips = strips_of(diagnosis.map);
     return subheading("Gap map") +
@@ -132,10 +132,10 @@ std::string gap_map(const gap::Diagnosis& diagnosis) {
                 "</div>");
 }
 
-std::string share_table(const std::vector<gap::Whereabouts>& where) {
+std::string share_table(const std::vector<diagnosis::GapContribution>& where) {
     if (where.empty()) return "";
     Rows rows;
-    for (const gap::Whereabouts& part : where)
+    for (const diagnosis::GapContribution& part : where)
         rows.push_back({share_cell(part.share, percent(part.share)), num(experiment_name(part.experiment)),
                         plain(column_name(part.variable)), num(part.variable.empty() ? "" : span(part.region)), plain(part.component)});
     return html_table({"share of the gap", "experiment", "over", "range", "largest in"}, rows);
@@ -143,7 +143,7 @@ std::string share_table(const std::vector<gap::Whereabouts>& where) {
 
 }  // namespace
 
-std::string where_section(const gap::Diagnosis& diagnosis) {
+std::string where_section(const diagnosis::Diagnosis& diagnosis) {
     return section("Where the gap lies", share_table(diagnosis.where) + gap_map(diagnosis));
 }
 

@@ -14,17 +14,17 @@ constexpr std::size_t kMostHypotheses = 30;
 
 std::string faint_line(const std::string& text) { return text.empty() ? "" : "<br><span class=\"faint\">" + escape(text) + "</span>"; }
 
-std::string extra_text(const gap::FoundEffect& effect) {
+std::string extra_text(const diagnosis::FoundEffect& effect) {
     std::string out;
     for (const auto& [name, value] : effect.extra) out += fmt::format("{}{} = {}", out.empty() ? "" : ", ", name, number(value, 4));
     return faint_line(out);
 }
 
-std::string effect_table(const gap::Diagnosis& diagnosis) {
+std::string effect_table(const diagnosis::Diagnosis& diagnosis) {
     if (diagnosis.effects.empty()) return "";
     Rows rows;
-    for (const gap::FoundEffect& effect : diagnosis.effects) {
-        const gap::Parameter p = for_reading(effect.parameter);
+    for (const diagnosis::FoundEffect& effect : diagnosis.effects) {
+        const diagnosis::Parameter p = for_reading(effect.parameter);
         rows.push_back({{"<b>" + escape(effect.cause.id) + "</b>" + extra_text(effect), "num"},
                         plain(effect.cause.side),
                         {"<b>" + number(p.value, 3) + "</b>", "num"},
@@ -36,30 +36,30 @@ std::string effect_table(const gap::Diagnosis& diagnosis) {
     return html_table({"effect", "side", "size", "95 %", "unit", "probability", "meaning"}, rows);
 }
 
-std::string alternative_table(const std::vector<gap::Alternative>& alternatives) {
+std::string alternative_table(const std::vector<diagnosis::Alternative>& alternatives) {
     if (alternatives.empty()) return "";
     Rows rows;
-    for (const gap::Alternative& alternative : alternatives)
+    for (const diagnosis::Alternative& alternative : alternatives)
         rows.push_back({plain(causes_name(alternative.effects)), share_cell(alternative.probability, chance(alternative.probability))});
     return subheading("Alternatives") + html_table({"effects", "probability"}, rows);
 }
 
-std::string sizes_text(const gap::Hypothesis& hypothesis) {
+std::string sizes_text(const diagnosis::Hypothesis& hypothesis) {
     std::string out;
-    for (const gap::Parameter& raw : hypothesis.parameters) {
-        const gap::Parameter p = for_reading(raw);
+    for (const diagnosis::Parameter& raw : hypothesis.parameters) {
+        const diagnosis::Parameter p = for_reading(raw);
         out += fmt::format("{}{}", out.empty() ? "" : "; ", amount(p));
     }
     return out;
 }
 
-std::string ranking_table(const gap::Diagnosis& diagnosis) {
+std::string ranking_table(const diagnosis::Diagnosis& diagnosis) {
     if (diagnosis.ranking.empty()) return "";
-    const std::vector<gap::Cause> found = found_causes(diagnosis);
-    const bool decided = diagnosis.verdict == gap::Verdict::kIdentified || diagnosis.verdict == gap::Verdict::kNone;
+    const std::vector<effects::Cause> found = found_causes(diagnosis);
+    const bool decided = diagnosis.verdict == diagnosis::VerdictKind::kIdentified || diagnosis.verdict == diagnosis::VerdictKind::kNone;
     Rows rows;
     for (std::size_t i = 0; i < std::min(kMostHypotheses, diagnosis.ranking.size()); ++i) {
-        const gap::Hypothesis& h = diagnosis.ranking[i];
+        const diagnosis::Hypothesis& h = diagnosis.ranking[i];
         const bool chosen = decided && std::is_permutation(h.effects.begin(), h.effects.end(), found.begin(), found.end());
         rows.push_back({{escape(causes_name(h.effects, " + ")) + (chosen ? " <span class=\"tag pass-tag\">found</span>" : ""), ""},
                         num(sizes_text(h)),
@@ -80,7 +80,7 @@ std::string ranking_table(const gap::Diagnosis& diagnosis) {
 
 }  // namespace
 
-std::string which_section(const gap::Diagnosis& diagnosis) {
+std::string which_section(const diagnosis::Diagnosis& diagnosis) {
     return section("Which effect causes it",
                    effect_table(diagnosis) + alternative_table(diagnosis.alternatives) + ranking_table(diagnosis));
 }

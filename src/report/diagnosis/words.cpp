@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-#include "fusee/gap/effect.h"
+#include "fusee/effects/effect.h"
 #include "page/html.h"
 
 namespace fusee::report {
@@ -48,14 +48,14 @@ Column column_of(std::string_view column) {
 constexpr double kWorthNaming = 0.05;
 
 /// The effects found and their probable alternatives, each once.
-std::vector<std::string> choices(const gap::Diagnosis& diagnosis) {
+std::vector<std::string> choices(const diagnosis::Diagnosis& diagnosis) {
     std::vector<std::string> names;
-    const auto add = [&names](const std::vector<gap::Cause>& causes) {
+    const auto add = [&names](const std::vector<effects::Cause>& causes) {
         const std::string name = causes_name(causes);
         if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
     };
     if (!diagnosis.effects.empty()) add(found_causes(diagnosis));
-    for (const gap::Alternative& alternative : diagnosis.alternatives)
+    for (const diagnosis::Alternative& alternative : diagnosis.alternatives)
         if (alternative.probability >= kWorthNaming || names.size() < 2) add(alternative.effects);
     return names;
 }
@@ -63,13 +63,13 @@ std::vector<std::string> choices(const gap::Diagnosis& diagnosis) {
 }  // namespace
 
 std::string chance(double probability) { return probability < 1e-3 ? "< 0.001" : number(probability, 3); }
-gap::Parameter for_reading(gap::Parameter parameter) {
+diagnosis::Parameter for_reading(diagnosis::Parameter parameter) {
     if (parameter.unit == "1") parameter.unit.clear();
     if (parameter.unit != "m") return parameter;
     return {core::mm_from_m(parameter.value), {core::mm_from_m(parameter.ci95.low), core::mm_from_m(parameter.ci95.high)}, "mm"};
 }
 
-std::string amount(const gap::Parameter& parameter) {
+std::string amount(const diagnosis::Parameter& parameter) {
     return parameter.unit.empty() ? number(parameter.value, 3) : number(parameter.value, 3) + " " + parameter.unit;
 }
 
@@ -85,30 +85,30 @@ std::string column_name(std::string_view column) {
     return parts.unit.empty() ? parts.name : parts.name + " [" + parts.unit + "]";
 }
 
-std::string cause_name(const gap::Cause& cause) {
+std::string cause_name(const effects::Cause& cause) {
     return cause.side.empty() || cause.side == "none" ? cause.id : cause.id + " (" + cause.side + ")";
 }
-std::string causes_name(const std::vector<gap::Cause>& causes, const std::string& between) {
+std::string causes_name(const std::vector<effects::Cause>& causes, const std::string& between) {
     std::string out;
-    for (const gap::Cause& cause : causes) out += (out.empty() ? "" : between) + cause_name(cause);
+    for (const effects::Cause& cause : causes) out += (out.empty() ? "" : between) + cause_name(cause);
     return out.empty() ? "no effect" : out;
 }
 std::string meaning(std::string_view effect_id) {
     const auto at =
         std::find_if(kSubsystemMeanings.begin(), kSubsystemMeanings.end(), [&](const Words& words) { return words.first == effect_id; });
     if (at != kSubsystemMeanings.end()) return std::string(at->second);
-    const gap::Effect* const effect = gap::effect_or_none(effect_id);
+    const effects::Effect* const effect = effects::effect_or_none(effect_id);
     return effect == nullptr ? "" : effect->meaning;
 }
 
 std::string law(std::string_view effect_id) {
-    const gap::Effect* const effect = gap::effect_or_none(effect_id);
+    const effects::Effect* const effect = effects::effect_or_none(effect_id);
     if (effect == nullptr) return "";
     if (effect->confused_with.empty()) return effect->law;
     return fmt::format("{} Similar signature: {}.", effect->law, fmt::join(effect->confused_with, ", "));
 }
 
-std::string place(const gap::Whereabouts& where) {
+std::string place(const diagnosis::GapContribution& where) {
     std::string out = experiment_name(where.experiment);
     if (!where.variable.empty()) {
         const Column over = column_of(where.variable);
@@ -117,36 +117,36 @@ std::string place(const gap::Whereabouts& where) {
     return where.component.empty() ? out : out + ", " + where.component;
 }
 
-std::vector<gap::Cause> found_causes(const gap::Diagnosis& diagnosis) {
-    std::vector<gap::Cause> causes;
-    for (const gap::FoundEffect& effect : diagnosis.effects) causes.push_back(effect.cause);
+std::vector<effects::Cause> found_causes(const diagnosis::Diagnosis& diagnosis) {
+    std::vector<effects::Cause> causes;
+    for (const diagnosis::FoundEffect& effect : diagnosis.effects) causes.push_back(effect.cause);
     return causes;
 }
 
-std::string verdict_sentence(const gap::Diagnosis& diagnosis) {
+std::string verdict_sentence(const diagnosis::Diagnosis& diagnosis) {
     switch (diagnosis.verdict) {
-        case gap::Verdict::kIdentified:
+        case diagnosis::VerdictKind::kIdentified:
             return fmt::format("The rig has {} that the model lacks: {}.",
                                diagnosis.effects.size() == 1 ? "an effect" : fmt::format("{} effects", diagnosis.effects.size()),
                                causes_name(found_causes(diagnosis)));
-        case gap::Verdict::kNone:
+        case diagnosis::VerdictKind::kNone:
             return "Model and rig agree within build tolerance and noise.";
-        case gap::Verdict::kAmbiguous:
+        case diagnosis::VerdictKind::kAmbiguous:
             return fmt::format("Model and rig diverge; these experiments do not distinguish the possible causes: {}.",
                                fmt::format("{}", fmt::join(choices(diagnosis), "; or ")));
-        case gap::Verdict::kUnknown:
+        case diagnosis::VerdictKind::kUnknown:
             return "Model and rig diverge; no effect of the library explains the gap" +
                    (diagnosis.where.empty() ? std::string(".") : ", which lies in: " + place(diagnosis.where.front()) + ".");
     }
     return "";
 }
 
-double verdict_probability(const gap::Diagnosis& diagnosis) {
-    double least = gap::kNoFigure;
-    if (diagnosis.verdict == gap::Verdict::kIdentified)
-        for (const gap::FoundEffect& effect : diagnosis.effects) least = std::fmin(least, effect.probability);
-    if (diagnosis.verdict == gap::Verdict::kNone)
-        for (const gap::Hypothesis& hypothesis : diagnosis.ranking)
+double verdict_probability(const diagnosis::Diagnosis& diagnosis) {
+    double least = diagnosis::kNoFigure;
+    if (diagnosis.verdict == diagnosis::VerdictKind::kIdentified)
+        for (const diagnosis::FoundEffect& effect : diagnosis.effects) least = std::fmin(least, effect.probability);
+    if (diagnosis.verdict == diagnosis::VerdictKind::kNone)
+        for (const diagnosis::Hypothesis& hypothesis : diagnosis.ranking)
             if (hypothesis.effects.empty()) least = hypothesis.probability;
     return least;
 }

@@ -7,7 +7,7 @@ namespace fusee::report {
 
 namespace {
 
-Json friction_line_json(const gap::FrictionLine& line) {
+Json friction_line_json(const identification::FrictionLine& line) {
     return {{"group", line.group},
             {"rows", line.rows},
             {"mu", line.mu},
@@ -23,7 +23,7 @@ Json friction_line_json(const gap::FrictionLine& line) {
             {"outlier_rows", line.outliers}};
 }
 
-Json repeat_json(const gap::FrictionReport::Repeat& r) {
+Json repeat_json(const identification::FrictionReport::Repeat& r) {
     return {{"side", r.side},
             {"direction", r.backdrive ? "backdrive" : "drive"},
             {"motor_torque_Nm", r.motor_torque},
@@ -36,7 +36,7 @@ Json repeat_json(const gap::FrictionReport::Repeat& r) {
 }  // namespace
 
 std::string identification_json(const Identification& identification) {
-    const gap::FrictionReport& friction = identification.friction;
+    const identification::FrictionReport& friction = identification.friction;
     Json law;
     if (friction.law) law = {{"gear_friction", friction.law->mu}, {"gear_friction_constant_Nm", friction.law->constant}};
     return json_text({{"fusee", core::version()},
@@ -44,7 +44,7 @@ std::string identification_json(const Identification& identification) {
                       {"file_sha256", identification.file_sha256},
                       {"law", std::move(law)},
                       {"remarks", json_list(friction.remarks,
-                                            [](const gap::FrictionRemark& remark) {
+                                            [](const identification::FrictionRemark& remark) {
                                                 return Json{{"id", remark.id}, {"text", remark.text}, {"p", remark.p}};
                                             })},
                       {"scatter_growth", friction.scatter_growth},

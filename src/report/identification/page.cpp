@@ -18,8 +18,8 @@ namespace fusee::report {
 
 namespace {
 
-using gap::FrictionLine;
-using gap::FrictionReport;
+using identification::FrictionLine;
+using identification::FrictionReport;
 using Repeat = FrictionReport::Repeat;
 
 constexpr std::array<const char*, 4> kColours{"se", "pe", "t", "linear"};
@@ -86,7 +86,7 @@ Head identification_head(const Identification& identification) {
 
 std::string findings_of_data(const FrictionReport& friction) {
     std::vector<std::string> texts;
-    for (const gap::FrictionRemark& remark : friction.remarks)
+    for (const identification::FrictionRemark& remark : friction.remarks)
         texts.push_back(remark.text + (std::isnan(remark.p) ? "" : fmt::format(" (p = {:.2g})", remark.p)));
     std::string out = section("Remarks on the data", bullet_list(texts));
     if (friction.law) out += section("For a profile", card("<pre class=\"code\">" + escape(friction.profile_lines()) + "</pre>"));

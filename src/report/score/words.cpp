@@ -48,17 +48,17 @@ std::string truth_text(const blind::Label& label) {
 std::string answer_text(const blind::Answer& answer) {
     if (!answer.failure.empty()) return "failed";
     std::string effects;
-    for (const gap::FoundEffect& e : answer.effects)
+    for (const diagnosis::FoundEffect& e : answer.effects)
         append_text(effects, fmt::format("{} {} (95 %: {})", cause_name(e.cause), number(e.parameter.value, 3), span(e.parameter.ci95)),
                     ", ");
-    return gap::to_string(answer.verdict) + std::string(effects.empty() ? "" : ": ") + effects;
+    return to_string(answer.verdict) + std::string(effects.empty() ? "" : ": ") + effects;
 }
 
 std::string alternatives_text(const blind::Answer& answer) {
     std::string text;
-    for (const gap::Alternative& other : answer.alternatives) {
+    for (const diagnosis::Alternative& other : answer.alternatives) {
         std::string causes;
-        for (const gap::Cause& cause : other.effects) append_text(causes, cause_name(cause), " + ");
+        for (const effects::Cause& cause : other.effects) append_text(causes, cause_name(cause), " + ");
         append_text(text, (causes.empty() ? "none" : causes) + " " + chance(other.probability), "; ");
     }
     return text;

@@ -23,7 +23,7 @@ Head score_head(const Score& score) {
               "",
               fmt::format("fusee {}, seal sha256:{}", core::version(), score.seal),
               {}};
-    for (const char* key : {"effect_named", "effect_and_side", "none_on_null", "both_of_two", "intervals_hold", "kept_back_halved",
+    for (const char* key : {"effect_named", "effect_and_side", "none_on_null", "both_of_two", "intervals_hold", "held_out_halved",
                             "unknown_called_unknown", "known_called_unknown"}) {
         const blind::Figure& figure = score.figure(key);
         head.tiles.emplace_back(per_cent(figure.share.value()), figure.name);
@@ -141,7 +141,7 @@ std::string miss_section(const Score& score) {
     Rows rows;
     for (const blind::Miss& miss : score.misses)
         rows.push_back({num(miss.truth.case_name), plain(miss.what), plain(truth_text(miss.truth)), plain(answer_text(miss.answer)),
-                        faint(alternatives_text(miss.answer)), num(change(miss.answer.kept_before, miss.answer.kept_after))});
+                        faint(alternatives_text(miss.answer)), num(change(miss.answer.held_out_before, miss.answer.held_out_after))});
     return section("Misses", rows.empty()
                                  ? paragraph("None.")
                                  : dense_table({"case", "what", "built in", "answer", "alternatives", "held-out gap [sigma]"}, rows));

@@ -1,7 +1,6 @@
 #pragma once
 #include <gtest/gtest.h>
 
-#include <regex>
 #include <string>
 #include <vector>
 
@@ -23,28 +22,28 @@ inline void expect_none(const std::string& text, std::initializer_list<const cha
     for (const char* part : parts) EXPECT_FALSE(holds(text, part)) << part;
 }
 
-/// The contents of every element, without tags. @param name "h2", "li", ...
+/// The texts of every element. @param name "h2", "li", ...
 inline std::vector<std::string> elements(const std::string& html, const std::string& name) {
     std::vector<std::string> all;
-    const std::string close = "</" + name + ">";
     for (std::size_t at = html.find("<" + name); at != std::string::npos; at = html.find("<" + name, at + 1)) {
-        const std::size_t begin = html.find('>', at) + 1, end = html.find(close, begin);
-        all.push_back(std::regex_replace(html.substr(begin, end - begin), std::regex("<[^>]*>"), ""));
+        const std::size_t begin = html.find('>', at) + 1, end = html.find("</" + name + ">", begin);
+        std::string& text = all.emplace_back(html.substr(begin, end - begin));
+        for (std::size_t tag = text.find('<'); tag != std::string::npos; tag = text.find('<'))
+            text.erase(tag, text.find('>', tag) + 1 - tag);
     }
     return all;
 }
 
 /// The first tag that does not close the innermost open one; "" if all are balanced.
 inline std::string first_unbalanced(const std::string& html) {
-    static const std::regex kTag("<(/?)([a-zA-Z0-9]+)([^<>]*?)(/?)>");
     std::vector<std::string> open;
-    for (auto it = std::sregex_iterator(html.begin(), html.end(), kTag); it != std::sregex_iterator(); ++it) {
-        const std::string name = (*it)[2];
-        if ((*it)[4].length() > 0 || name == "meta" || name == "br") continue;
-        if ((*it)[1].length() == 0) {
+    for (std::size_t at = html.find('<'); at != std::string::npos; at = html.find('<', at + 1)) {
+        const std::string tag = html.substr(at + 1, html.find('>', at) - at - 1), name = tag.substr(0, tag.find_first_of(" /", 1));
+        if (tag.starts_with("!") || tag.ends_with("/") || name == "meta" || name == "br") continue;
+        if (!name.starts_with("/")) {
             open.push_back(name);
         } else {
-            if (open.empty() || open.back() != name) return (*it)[0];
+            if (open.empty() || "/" + open.back() != name) return tag;
             open.pop_back();
         }
     }

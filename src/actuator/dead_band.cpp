@@ -15,7 +15,6 @@ namespace fusee::actuator {
 
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 /// The resting place at the edge of the dead-band where capstan 1 carries the low load and capstan 2 the high one (eq. 5-7). The joint
 /// is balanced, so both series springs are deflected by x: theta_1 = x - g q, theta_2 = x + g q.
@@ -35,12 +34,12 @@ private:
     /// Nothing where that does not get through: the edge lies beyond the law, or nearly.
     [[nodiscard]] std::optional<double> by_newton() const {
         constexpr int kMostSteps = 12;
-        constexpr double kRounding = 1e-13, kShortOfEnd = 0.9;
+        constexpr double kBalanced = 1e-13, kShortOfEnd = 0.9;
         double x = 0.5 * (law_.at_load(loads_.low).theta + law_.at_load(loads_.high).theta), reach = 0.0;
         for (int i = 0; i < kMostSteps; ++i) {
             const spring::LawPoint se = law_.at_angle(x), low = law_.at_angle(x - reach), high = law_.at_angle(x + reach);
             const double left_low = se.f_se + low.f_pe - loads_.low, left_high = se.f_se + high.f_pe - loads_.high;
-            if (std::max(std::abs(left_low), std::abs(left_high)) <= kRounding * loads_.high) return reach;
+            if (std::max(std::abs(left_low), std::abs(left_high)) <= kBalanced * loads_.high) return reach;
             const double determinant = (se.s + low.p) * high.p + (se.s + high.p) * low.p;
             const double step = -(high.p * left_low + low.p * left_high) / determinant;
             const double wider = -((se.s + low.p) * left_high - (se.s + high.p) * left_low) / determinant;
@@ -87,7 +86,7 @@ std::optional<double> extreme_width(const Actuator& actuator, double tau) {
     const core::Range loads = actuator.gear_friction.resting_loads(tau);
     const core::Range covered = actuator.law->loads();
     if (!covered.holds(loads.low) || !covered.holds(loads.high)) return std::nullopt;
-    const std::optional<double> reach = Edge(*actuator.law, loads).reach();
+    const std::optional<double> reach = Edge(*actuator.law, loads).jacobian_row();
     if (!reach) return std::nullopt;
     return 2.0 * *reach / actuator.ratio();
 }
@@ -106,9 +105,9 @@ DeadBand dead_band(const Actuator& actuator, double tau) {
     band.tau = tau;
     const std::optional<double> extreme = extreme_width(actuator, tau);
     band.covered = extreme.has_value();
-    band.exact_width = extreme.value_or(kNan);
+    band.exact_width = extreme.value_or(core::kNan);
     if (!actuator.law->loads().holds(tau)) {
-        band.linear = band.joint_stiffness = band.free_joint_stiffness = band.theta = band.condition_6 = kNan;
+        band.linear = band.joint_stiffness = band.free_joint_stiffness = band.theta = band.condition_6 = core::kNan;
         return band;
     }
     const spring::LawPoint p = actuator.law->at_load(tau);
@@ -125,11 +124,8 @@ std::vector<DeadBand> dead_band_curve(const Actuator& actuator, std::size_t coun
     if (count < 2) throw core::InvalidInput("count", fmt::format("{}", count), "at least 2 levels");
     std::vector<DeadBand> curve;
     curve.reserve(count);
-    const double width = actuator.overdrive_torque - actuator.least_torque;
-    for (std::size_t i = 0; i < count; ++i) {
-        const double share = static_cast<double>(i) / static_cast<double>(count - 1);
-        curve.push_back(dead_band(actuator, i + 1 == count ? actuator.overdrive_torque : actuator.least_torque + share * width));
-    }
+    const core::Range torques{actuator.least_torque, actuator.overdrive_torque};
+    for (std::size_t i = 0; i < count; ++i) curve.push_back(dead_band(actuator, torques.level(i, count)));
     return curve;
 }
 
@@ -138,7 +134,7 @@ ConditionSummary summarize_condition(const Actuator& actuator) {
     const core::Range covered = actuator.law->loads();
     ConditionSummary summary;
     summary.torques = {std::max(actuator.least_torque, covered.low), std::min(actuator.overdrive_torque, covered.high)};
-    summary.values = {kNan, kNan};
+    summary.values = {core::kNan, core::kNan};
     if (summary.torques.width() < 0.0) return summary;
     const auto condition = [&](double tau) { return condition_6(actuator.law->at_load(tau), actuator.gear_friction); };
     double earlier = summary.torques.low, before = condition(earlier);

@@ -4,7 +4,6 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
-#include <Eigen/SVD>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -81,8 +80,8 @@ public:
             MatrixXd both(2 * size(), size());
             both << scaled(stiffness_) / (rate_ * rate_) - std::norm(slowest) * MatrixXd::Identity(size(), size()),
                 scaled(damping_) / rate_;
-            const Eigen::JacobiSVD<MatrixXd> svd(both, Eigen::ComputeThinU | Eigen::ComputeThinV);
-            return unbounded(names, svd.matrixV().rightCols(1), damping_, "Nms/rad", "no damper brakes a motion");
+            const Eigen::SelfAdjointEigenSolver<MatrixXd> squared(both.transpose() * both);
+            return unbounded(names, squared.eigenvectors().col(0), damping_, "Nms/rad", "no damper brakes a motion");
         }
         return std::nullopt;
     }

@@ -137,7 +137,7 @@ private:
     [[nodiscard]] double series_torque(const Eigen::Vector3d& z) const {
         const Eigen::Vector3d agonist(1.0, 0.0, held_.ratio());
         for (const JointSpring& spring : held_.springs)
-            if (spring.reach == agonist) return spring.potential->force(spring.offset + spring.reach.dot(z));
+            if (spring.jacobian_row == agonist) return spring.potential->force(spring.offset + spring.jacobian_row.dot(z));
         return 0.0;
     }
     [[nodiscard]] double dead_band(const Eigen::Vector3d& loads, const Eigen::VectorXd& follow, double free) const {

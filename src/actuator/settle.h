@@ -19,7 +19,7 @@ struct Settled {
 /// slack cable) cannot make it cycle. Frozen bodies stay at `start`.
 [[nodiscard]] Settled settle(const Joint& joint, const Eigen::Vector3d& torque, const Eigen::Vector3d& start);
 
-[[nodiscard]] inline double deflection(const JointSpring& spring, const Eigen::Vector3d& z) { return spring.offset + spring.reach.dot(z); }
+[[nodiscard]] inline double deflection(const JointSpring& spring, const Eigen::Vector3d& z) { return spring.offset + spring.jacobian_row.dot(z); }
 
 /// d2U/dz2 with frozen bodies cut out; on their diagonal stands the largest stiffness, so that they disturb no eigenvalue.
 [[nodiscard]] Eigen::Matrix3d free_stiffness(const Joint& joint, const Eigen::Vector3d& z);

@@ -16,7 +16,7 @@ namespace {
 using Eigen::Vector3d;
 
 /// What rounding leaves of a place that lies on the end of a law [rad].
-constexpr double kRounding = 1e-9;
+constexpr double kInside = 1e-9;
 /// Rounds of one step: each break-away and each change of a bearing's tension takes one.
 constexpr int kMostRounds = 60;
 /// Change of the bearing's friction that no longer counts, of its size.
@@ -28,8 +28,8 @@ double bearing_friction(const Joint& joint, const Vector3d& z) {
     if (friction.tension_share == 0.0) return friction.constant;
     double tension = 0.0;
     for (const JointSpring& spring : joint.springs) {
-        const double arm = std::abs(spring.reach[kOutput]);
-        if (arm > 0.0) tension += arm * spring.potential->force(spring.offset + spring.reach.dot(z));
+        const double arm = std::abs(spring.jacobian_row[kOutput]);
+        if (arm > 0.0) tension += arm * spring.potential->force(spring.offset + spring.jacobian_row.dot(z));
     }
     return friction.constant + friction.tension_share * std::max(tension, 0.0);
 }
@@ -57,7 +57,7 @@ PlayLimits limits_of(const Joint& joint, const Vector3d& torque, const Vector3d&
 /// A spring beyond the end of its law; a slack one, or one on its preload stop, is inside.
 bool beyond_end(const Joint& joint, const Vector3d& z) {
     return std::any_of(joint.springs.begin(), joint.springs.end(), [&](const JointSpring& spring) {
-        return spring.offset + spring.reach.dot(z) > spring.potential->domain().high + kRounding;
+        return spring.offset + spring.jacobian_row.dot(z) > spring.potential->domain().high + kInside;
     });
 }
 

@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 
 constexpr int kMostIterations = 200;     ///< Newton's steps; three are the rule
 constexpr double kTolerance = 1e-11;     ///< torque left over, of the greatest limit (1 Nm at least)
-constexpr double kRounding = 1e-15;      ///< step, of the place, that doubles can hardly take
+constexpr double kLeastStep = 1e-15;      ///< step, of the place, that doubles can hardly take
 constexpr double kFlat = 1e-9;           ///< stiffness added to the Newton step's [Nm/rad]: where all cables hang loose U has none
 constexpr double kLongestStep = 1.0;     ///< of one Newton step [rad]
 constexpr double kRunaway = 1e4;         ///< a body that has turned so far is held by no spring [rad]
@@ -37,7 +37,7 @@ public:
             if (pull.cwiseAbs().maxCoeff() <= tolerance_) return {z_, true};
             if ((z_ - from_).cwiseAbs().maxCoeff() > kRunaway) return {z_, false};
             const Vector3d step = newton_step(pull);
-            const bool lost_in_rounding = step.cwiseAbs().maxCoeff() <= kRounding * z_.cwiseAbs().maxCoeff();
+            const bool lost_in_rounding = step.cwiseAbs().maxCoeff() <= kLeastStep * z_.cwiseAbs().maxCoeff();
             if (lost_in_rounding || !advance(step)) return {z_, true};
         }
         return {z_, false};

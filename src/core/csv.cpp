@@ -16,7 +16,6 @@ namespace fusee::core {
 
 namespace {
 
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 constexpr std::size_t kShown = 60;               // characters of a wrong cell that a message repeats
 constexpr std::size_t kMostFaults = 20;          // that are told one by one
 constexpr std::size_t kLongestLine = 1'000'000;  // bytes: what has longer ones is no table
@@ -38,8 +37,7 @@ void split(std::string_view line, std::vector<Cell>& cells) {
     }
 }
 
-/// In quotes.
-std::string shown(std::string_view text) { return fmt::format("'{}'", printable(text, kShown)); }
+std::string in_quotes(std::string_view text) { return fmt::format("'{}'", printable(text, kShown)); }
 
 std::string count_of_columns(std::size_t count) {
     constexpr std::array<const char*, 10> kWords{"no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine"};
@@ -94,7 +92,7 @@ public:
 
     CsvTable finish() {
         if (!rest_.empty()) read_line(rest_);
-        if (!headed_) give_up(fault_at(table_.file_, 1, 1, "header", "(missing)", shown(names_)));
+        if (!headed_) give_up(fault_at(table_.file_, 1, 1, "header", "(missing)", in_quotes(names_)));
         faults_.throw_if_any();
         if (table_.rows() < options_.least_rows)
             throw fault(1, "rows", fmt::format("{}", table_.rows()), fmt::format("at least {}", options_.least_rows));
@@ -128,18 +126,18 @@ private:
             const auto same = [&cell](const auto& other) { return other.text == cell.text; };
             const auto end = cells_.begin() + static_cast<std::ptrdiff_t>(i);
             if (!cell.text.empty() && std::find_if(cells_.begin(), end, same) != end && !std::exchange(twice_told, true))
-                faults_.add(fault(cell.place, "header", shown(cell.text), "every column once"));
+                faults_.add(fault(cell.place, "header", in_quotes(cell.text), "every column once"));
             const auto known = std::find_if(known_.begin(), known_.end(), [&cell](const CsvColumn& c) { return c.name == cell.text; });
             if (known != known_.end()) {
                 if (known->name == options_.span_column) span_column_ = table_.columns_.size();
                 table_.columns_.push_back({*known, i, {}, {}, {}});
             }
-            if (known == known_.end() && !options_.extra_columns) faults_.add(fault(cell.place, "header", shown(cell.text), shown(names_)));
+            if (known == known_.end() && !options_.extra_columns) faults_.add(fault(cell.place, "header", in_quotes(cell.text), in_quotes(names_)));
         }
         std::string missing;
         for (const CsvColumn& column : known_)
             if (column.required && !table_.has(column.name)) missing += (missing.empty() ? "" : ",") + column.name;
-        if (!missing.empty()) faults_.add(fault(text.size() + 1, "header", shown(missing) + " (missing)", shown(names_)));
+        if (!missing.empty()) faults_.add(fault(text.size() + 1, "header", in_quotes(missing) + " (missing)", in_quotes(names_)));
         faults_.throw_if_any();  // without its columns no row can be read
         width_ = cells_.size();
     }
@@ -147,7 +145,7 @@ private:
     void read_row(std::string_view text) {
         if (table_.rows_read_ >= options_.most_rows) give_up(fault(1, "rows", "more", fmt::format("at most {}", options_.most_rows)));
         const std::size_t before = faults_.count();
-        if (cells_.size() > width_) faults_.add(fault(cells_[width_].place, "row", shown(cells_[width_].text), count_of_columns(width_)));
+        if (cells_.size() > width_) faults_.add(fault(cells_[width_].place, "row", in_quotes(cells_[width_].text), count_of_columns(width_)));
         read_cells(text);
         const bool beyond = is_beyond();
         table_.rows_beyond_ += beyond ? 1 : 0;
@@ -219,14 +217,14 @@ private:
         double value = 0.0;
         const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
         if (error != std::errc() || end != digits.data() + digits.size() || !std::isfinite(value))
-            throw fault(cell.place, name, shown(cell.text), "a finite number with a decimal point");
+            throw fault(cell.place, name, in_quotes(cell.text), "a finite number with a decimal point");
         return value;
     }
 
     void require_words(const Cell& cell, const std::string& name) const {
         if (cell.text.empty()) throw fault(cell.place, name, "(missing)", "a text in every row");
         if (cell.text.find('"') != std::string_view::npos)
-            throw fault(cell.place, name, shown(cell.text), "a text without quotation marks");
+            throw fault(cell.place, name, in_quotes(cell.text), "a text without quotation marks");
     }
 
     const std::vector<CsvColumn>& known_;

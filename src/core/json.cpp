@@ -50,7 +50,7 @@ std::string number_in(const std::string& message) {
     return end == std::string::npos || begin == std::string::npos ? "" : message.substr(begin + 1, end - begin - 1);
 }
 
-std::string shown(const Json& json) {
+std::string shortened(const Json& json) {
     const std::string all = json.dump(-1, ' ', true, Json::error_handler_t::replace);
     return all.size() <= kLongestShown ? all : all.substr(0, kLongestShown) + "...";
 }
@@ -126,7 +126,7 @@ void JsonNode::allow_keys(const std::vector<std::string>& known) const {
             throw InvalidInput(node.path(), "unknown key", fmt::format("{}", fmt::join(known, ", ")));
 }
 
-void JsonNode::refuse(const std::string& allowed) const { throw InvalidInput(path_, shown(json_), allowed); }
+void JsonNode::refuse(const std::string& allowed) const { throw InvalidInput(path_, shortened(json_), allowed); }
 
 void keep_old_spelling(nlohmann::ordered_json& json, const std::vector<std::pair<std::string, std::string>>& renamed) {
     Json names = Json::object();

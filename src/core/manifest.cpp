@@ -18,8 +18,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kLargest = 50'000'000;  // bytes
-constexpr int kDeepest = 4;
+constexpr std::size_t kLargestManifest = 50'000'000;  // bytes
+constexpr int kManifestDepth = 4;
 
 bool is_utf8(const std::string& text) {
     try {
@@ -84,8 +84,8 @@ std::optional<Manifest> read_manifest(const fs::path& folder) {
                                           "): put it back, move the folder away or choose another one; nothing was written");
     };
     if (!fs::is_regular_file(fs::symlink_status(path, error))) throw damaged("it is no file");
-    const std::string text = read_file(path, kLargest);
-    const auto shallow = [](int depth, Json::parse_event_t, const Json&) { return depth <= kDeepest; };
+    const std::string text = read_file(path, kLargestManifest);
+    const auto shallow = [](int depth, Json::parse_event_t, const Json&) { return depth <= kManifestDepth; };
     const Json json = Json::parse(text, shallow, false);
     if (!json.is_object() || !json.contains("files") || !json["files"].is_object()) throw damaged("no files");
     Manifest manifest;

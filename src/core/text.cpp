@@ -41,7 +41,7 @@ bool is_mark(char32_t code) {
     return code == 0x200E || code == 0x200F || (code >= 0x2028 && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069);
 }
 
-std::string shown(const Character& c, std::string_view bytes) {
+std::string visible(const Character& c, std::string_view bytes) {
     if (!c.valid) return fmt::format("\\x{:02x}", static_cast<unsigned>(c.code));
     if (c.code == '\n') return "\\n";
     if (c.code == '\t') return "\\t";
@@ -57,7 +57,7 @@ std::string printable(std::string_view text, std::size_t most) {
     std::size_t count = 0;
     for (std::size_t at = 0; at < text.size(); ++count) {
         const Character c = first_character(text.substr(at));
-        if (count < most) out += shown(c, text.substr(at));
+        if (count < most) out += visible(c, text.substr(at));
         at += c.bytes;
     }
     return count > most ? fmt::format("{}... ({} characters)", out, count) : out;

@@ -13,9 +13,8 @@ namespace fusee::core {
 
 namespace {
 
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
-constexpr int kDeepest = 32;  // brackets in brackets, and names in a dotted key: a file of settings has 4; the parser recurses for each
+constexpr int kDeepestToml = 32;  // brackets in brackets, and names in a dotted key: a file of settings has 4; the parser recurses for each
 
 /// Walks over comments and strings as wholes; everything else is syntax. @throws IoError with line and column
 class Scanner {
@@ -47,8 +46,8 @@ private:
         if (c == ']' || c == '}') brackets_ = std::max(0, brackets_ - 1);
         if (std::string_view("=,[]{}\n").find(c) != std::string_view::npos) dots_ = 0;  // another name or value begins
         if (c == '.') ++dots_;
-        if (brackets_ > kDeepest || dots_ >= kDeepest)
-            refuse(fmt::format("no valid TOML for fusee: more than {} {}", kDeepest,
+        if (brackets_ > kDeepestToml || dots_ >= kDeepestToml)
+            refuse(fmt::format("no valid TOML for fusee: more than {} {}", kDeepestToml,
                                dots_ > 0 ? "names in a dotted key" : "brackets within each other"));
     }
     void step() {

@@ -18,8 +18,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kFormat = "fusee evolution 1";
-constexpr int kDeepest = 4;
-constexpr std::size_t kLargest = 100'000'000;  // bytes of a checkpoint
+constexpr int kCheckpointDepth = 4;
+constexpr std::size_t kLargestCheckpoint = 100'000'000;  // bytes of a checkpoint
 
 /// What has to be the same for a search to go on as if it had never stopped. JSON's numbers are written with all digits that matter.
 Json identity(const EvolutionOptions& options) {
@@ -73,8 +73,8 @@ void require_replaceable(const EvolutionOptions& options) {
     const std::string file = options.checkpoint.string();
     core::require_writable(options.checkpoint);
     if (!std::filesystem::exists(options.checkpoint)) return;
-    const auto shallow = [](int depth, Json::parse_event_t, const Json&) { return depth <= kDeepest; };
-    const Json json = Json::parse(core::read_file(options.checkpoint, kLargest), shallow, false);
+    const auto shallow = [](int depth, Json::parse_event_t, const Json&) { return depth <= kCheckpointDepth; };
+    const Json json = Json::parse(core::read_file(options.checkpoint, kLargestCheckpoint), shallow, false);
     if (!json.is_object() || json.value("format", Json()) != kFormat)
         throw core::IoError(file, "fusee did not make this file: move it, or choose another folder");
     if (!options.force && json.value("finished", Json()) != true)
@@ -86,7 +86,7 @@ void require_replaceable(const EvolutionOptions& options) {
 std::optional<Generation> read_checkpoint(const EvolutionOptions& options) {
     if (!std::filesystem::exists(options.checkpoint)) return std::nullopt;
     const std::string file = options.checkpoint.string();
-    const Json json = parsed(core::read_file(options.checkpoint, kLargest), file);
+    const Json json = parsed(core::read_file(options.checkpoint, kLargestCheckpoint), file);
     if (!json.is_object() || json.value("format", Json()) != kFormat)
         throw core::IoError(file, "is no checkpoint of a search, or a damaged one");
     require_same(json, options);

@@ -9,19 +9,19 @@ namespace fusee::math {
 
 namespace {
 
-constexpr std::size_t kDegree = ChebyshevSeries::kPoints - 1;
+constexpr std::size_t kSeriesDegree = ChebyshevSeries::kPoints - 1;
 using Values = ChebyshevSeries::Values;
 
 /// Row k gives coefficient k from the values at the points: a cosine transform, the ends counted half.
 const std::array<Values, ChebyshevSeries::kPoints>& transform() {
     static const auto kRows = [] {
         std::array<Values, ChebyshevSeries::kPoints> rows{};
-        const auto half_at_ends = [](std::size_t i) { return i == 0 || i == kDegree ? 0.5 : 1.0; };
-        for (std::size_t k = 0; k <= kDegree; ++k)
-            for (std::size_t j = 0; j <= kDegree; ++j) {
+        const auto half_at_ends = [](std::size_t i) { return i == 0 || i == kSeriesDegree ? 0.5 : 1.0; };
+        for (std::size_t k = 0; k <= kSeriesDegree; ++k)
+            for (std::size_t j = 0; j <= kSeriesDegree; ++j) {
                 // T_k(-cos(pi j/n)) = cos(pi k (n - j)/n); the remainder keeps the argument small
-                const auto turn = static_cast<double>(k * (kDegree - j) % (2 * kDegree));
-                rows[k][j] = 2.0 / kDegree * half_at_ends(k) * half_at_ends(j) * std::cos(core::kPi * turn / kDegree);
+                const auto turn = static_cast<double>(k * (kSeriesDegree - j) % (2 * kSeriesDegree));
+                rows[k][j] = 2.0 / kSeriesDegree * half_at_ends(k) * half_at_ends(j) * std::cos(core::kPi * turn / kSeriesDegree);
             }
         return rows;
     }();
@@ -32,7 +32,7 @@ const Values& cosines() {
     static const auto kCosines = [] {
         Values values{};
         // sin of the distance to the middle: symmetric to the last bit
-        for (std::size_t j = 0; j <= kDegree; ++j) values[j] = std::sin(core::kPi * (2.0 * static_cast<double>(j) / kDegree - 1.0) / 2.0);
+        for (std::size_t j = 0; j <= kSeriesDegree; ++j) values[j] = std::sin(core::kPi * (2.0 * static_cast<double>(j) / kSeriesDegree - 1.0) / 2.0);
         return values;
     }();
     return kCosines;
@@ -43,7 +43,7 @@ const Values& cosines() {
 Values ChebyshevSeries::points(core::Range domain) {
     Values x{};
     const double middle = 0.5 * (domain.low + domain.high), half = 0.5 * domain.width();
-    for (std::size_t j = 0; j <= kDegree; ++j) x[j] = middle + half * cosines()[j];
+    for (std::size_t j = 0; j <= kSeriesDegree; ++j) x[j] = middle + half * cosines()[j];
     x.front() = domain.low;
     x.back() = domain.high;
     return x;
@@ -51,9 +51,9 @@ Values ChebyshevSeries::points(core::Range domain) {
 
 ChebyshevSeries::ChebyshevSeries(core::Range domain, const Values& values) : domain_(domain) {
     double largest = 0.0;
-    for (std::size_t k = 0; k <= kDegree; ++k) {
+    for (std::size_t k = 0; k <= kSeriesDegree; ++k) {
         double sum = 0.0;
-        for (std::size_t j = 0; j <= kDegree; ++j) sum += transform()[k][j] * values[j];
+        for (std::size_t j = 0; j <= kSeriesDegree; ++j) sum += transform()[k][j] * values[j];
         coefficients_[k] = sum;
         largest = std::max(largest, std::abs(sum));
     }
@@ -115,7 +115,7 @@ ChebyshevSeries ChebyshevSeries::integral() const {
     return result;
 }
 
-double ChebyshevSeries::tail() const { return std::max(std::abs(coefficients_[kDegree - 1]), std::abs(coefficients_[kDegree])); }
+double ChebyshevSeries::tail() const { return std::max(std::abs(coefficients_[kSeriesDegree - 1]), std::abs(coefficients_[kSeriesDegree])); }
 
 PiecewiseChebyshev::Piece::Piece(const ChebyshevSeries& series)
     : value(series), first(value.derivative()), second(first.derivative()), third(second.derivative()), integral(value.integral()) {}
@@ -139,7 +139,7 @@ bool PiecewiseChebyshev::meet(const Piece& below, const Piece& above, double tol
     constexpr double kShare = 0.02;
     const core::Range left = below.value.domain(), right = above.value.domain();
     // Markov: a derivative grows an error by at most the degree squared, in units of half the piece.
-    const double growth = static_cast<double>(kDegree * kDegree) / (0.5 * std::min(left.width(), right.width()));
+    const double growth = static_cast<double>(kSeriesDegree * kSeriesDegree) / (0.5 * std::min(left.width(), right.width()));
     double noise = tolerance * std::max(std::abs(below.value(left.high)), std::abs(above.value(right.low)));
     for (const auto order : {&Piece::first, &Piece::second}) {
         noise *= growth;

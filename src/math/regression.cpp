@@ -1,15 +1,15 @@
 #include "fusee/math/regression.h"
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
+#include <Eigen/QR>
 #include <algorithm>
-#include <boost/math/distributions/fisher_f.hpp>
-#include <boost/math/distributions/students_t.hpp>
 #include <cassert>
 #include <cmath>
 #include <limits>
 #include <string>
 
 #include "fusee/core/error.h"
+#include "fusee/math/statistics.h"
 
 namespace fusee::math {
 
@@ -70,12 +70,6 @@ Solution solve(const Whitened& w) {
 
 std::vector<double> values(const Eigen::VectorXd& v) { return {v.data(), v.data() + v.size()}; }
 
-double median(std::vector<double> v) {
-    const auto middle = v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2);
-    std::nth_element(v.begin(), middle, v.end());
-    return v.size() % 2 == 1 ? *middle : 0.5 * (*middle + *std::max_element(v.begin(), middle));
-}
-
 }  // namespace
 
 core::Range LinearFit::interval(std::size_t j, double confidence) const {
@@ -131,15 +125,6 @@ RobustFit fit_robust(const LinearModel& model) {
     fit.coefficients = values(b);
     fit.scores = values((plain.y - plain.x * b) / fit.deviation);
     return fit;
-}
-
-double student_quantile(double confidence, std::size_t freedom) {
-    return boost::math::quantile(boost::math::students_t(static_cast<double>(freedom)), 0.5 + 0.5 * confidence);
-}
-
-double f_tail(double f, std::size_t numerator_freedom, std::size_t denominator_freedom) {
-    const boost::math::fisher_f distribution(static_cast<double>(numerator_freedom), static_cast<double>(denominator_freedom));
-    return boost::math::cdf(boost::math::complement(distribution, f));
 }
 
 }  // namespace fusee::math

@@ -13,7 +13,7 @@ namespace {
 
 // Below these no figure is a measure of anything, and some vanish on the way to SI or in a square. In the key's own unit.
 constexpr double kLeastAbove0 = 1e-9;  // where 0 itself is not allowed
-constexpr double kLeast = 1e-30;       // elsewhere, of either sign
+constexpr double kLeastSize = 1e-30;       // elsewhere, of either sign
 
 /// After a fault a value of the right kind stands in for the refused one; the caller sees from the faults' count that it is none.
 class Converter {
@@ -53,7 +53,7 @@ private:
         if (!node.is_number()) return refuse(node), 0.0;
         const double value = node.is_integer() ? static_cast<double>(node.as_integer()->get()) : node.as_floating_point()->get();
         const bool high_enough = key_.limits.low_allowed ? value >= key_.limits.low : value > key_.limits.low;
-        const double least = key_.limits.low == 0.0 && !key_.limits.low_allowed ? kLeastAbove0 : kLeast;
+        const double least = key_.limits.low == 0.0 && !key_.limits.low_allowed ? kLeastAbove0 : kLeastSize;
         if (!std::isfinite(value) || !high_enough || value > key_.limits.high)
             refuse(node);
         else if (value != 0.0 && std::abs(value) < least)

@@ -14,7 +14,7 @@ namespace fusee::profile {
 
 namespace {
 
-constexpr double kMostTorque = 1e4, kMost = 1e6, kLeast = 1e-9;  // as of the keys
+constexpr double kMostLoad = 1e4, kMost = 1e6, kLeastPositive = 1e-9;  // as of the keys
 
 /// Two columns of one kind of table.
 struct Columns {
@@ -35,11 +35,11 @@ void read_rows(const std::string& csv, const std::string& file, const Columns& c
         const auto refuse = [&](const std::string& column, double value, std::string allowed) {
             faults.add(table.fault(i, column, fmt::format("{:g}", value), std::move(allowed)));
         };
-        if (x < 0.0 || x > kMostTorque) refuse(columns.x, x, fmt::format("0 to {:g}", kMostTorque));
+        if (x < 0.0 || x > kMostLoad) refuse(columns.x, x, fmt::format("0 to {:g}", kMostLoad));
         if (i > 0 && x <= rows.x[i - 1]) refuse(columns.x, x, fmt::format("above the row before, {:g}", rows.x[i - 1]));
-        if (y > kMost || y < (columns.positive ? kLeast : 0.0))
+        if (y > kMost || y < (columns.positive ? kLeastPositive : 0.0))
             refuse(columns.y, y,
-                   columns.positive ? fmt::format("above 0, {:g} to {:g}", kLeast, kMost) : fmt::format("at least 0, at most {:g}", kMost));
+                   columns.positive ? fmt::format("above 0, {:g} to {:g}", kLeastPositive, kMost) : fmt::format("at least 0, at most {:g}", kMost));
     }
     faults.throw_if_any();
     for (double& y : rows.y) y *= columns.unit;

@@ -7,6 +7,7 @@
 #include "diagnosis_page.h"
 #include "diagnosis_words.h"
 #include "fusee/core/provenance.h"
+#include "fusee/math/statistics.h"
 #include "fusee/report/score.h"
 #include "html.h"
 #include "score_words.h"
@@ -128,13 +129,9 @@ std::string shrink_section(const Score& score) {
     const double most = std::max(1.0, *std::max_element(claimed.begin(), claimed.end()));
     Plot plot("Gap after over gap before", "claimed by the diagnosis", "measured on heldout/");
     plot.curve("as claimed", {0.0, most}, {0.0, most}, "sum", true).points("cases", claimed, measured, "t").from_zero();
-    const auto median = [](std::vector<double> values) {
-        std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
-        return values[values.size() / 2];
-    };
     return section("Shrink claimed and measured", html_facts({{"cases with an effect named", std::to_string(score.shrink.size())},
-                                                              {"median claimed", known(median(claimed))},
-                                                              {"median measured", known(median(measured))}}) +
+                                                              {"median claimed", known(math::upper_median(claimed))},
+                                                              {"median measured", known(math::upper_median(measured))}}) +
                                                       "<div class=\"held\">" + plot.svg() + "</div>");
 }
 

@@ -62,8 +62,8 @@ public:
         return point<LawPoint>(load, sums);
     }
     /// By the load: every piece, divided where the stiffnesses are.
-    [[nodiscard]] std::vector<LawStretch> stretches() const override {
-        std::vector<LawStretch> result;
+    [[nodiscard]] std::vector<LawSegment> segments() const override {
+        std::vector<LawSegment> result;
         const auto self = std::make_shared<const ByLoadLaw>(*this);
         for (const Piece& piece : self->pieces_) {
             const std::vector<double> places = cuts(piece.loads, stiffnesses_.breaks());

@@ -69,9 +69,9 @@ public:
         return tail_point<LawPoint>(std::max(theta, 0.0) - travel_);
     }
     /// The lead-in by its deflection x, then the law's own.
-    [[nodiscard]] std::vector<LawStretch> stretches() const override {
-        std::vector<LawStretch> result = spring::stretches(*law_);
-        for (LawStretch& own : result) own.over = [*this, over = own.over](const math::Interval& x) { return lifted(over(x)); };
+    [[nodiscard]] std::vector<LawSegment> segments() const override {
+        std::vector<LawSegment> result = spring::segments(*law_);
+        for (LawSegment& own : result) own.over = [*this, over = own.over](const math::Interval& x) { return lifted(over(x)); };
         if (result.empty()) return {};
         result.insert(result.begin(),
                       {{-travel_, 0.0}, [*this](const math::Interval& x) { return tail_point<LawJet>(math::Jet::parameter(x)); }});

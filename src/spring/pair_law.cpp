@@ -48,7 +48,7 @@ public:
     }
     [[nodiscard]] LawPoint at_angle(double theta) const override { return point_at(x_.low + std::clamp(theta, 0.0, x_.width())); }
     /// By the potentials' deflection.
-    [[nodiscard]] std::vector<LawStretch> stretches() const override {
+    [[nodiscard]] std::vector<LawSegment> segments() const override {
         const auto* series = dynamic_cast<const EnclosedPotential*>(pair_.series.get());
         const auto* parallel = dynamic_cast<const EnclosedPotential*>(pair_.parallel.get());
         if (!series || !parallel) return {};
@@ -61,7 +61,7 @@ public:
             second.energy -= pair.parallel->energy(low);
             return joined<LawJet>(math::Jet::parameter(x) - low, first, second);
         };
-        std::vector<LawStretch> result;
+        std::vector<LawSegment> result;
         for (std::size_t i = 0; i + 1 < places.size(); ++i) result.push_back({{places[i], places[i + 1]}, over});
         return result;
     }

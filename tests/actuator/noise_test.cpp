@@ -324,7 +324,7 @@ TEST(NoiseRefusal, JointsThatDoNotRestAreRefused) {
     ASSERT_FALSE(beyond);
     EXPECT_EQ(beyond.refusal().front().rule, "equilibrium.outside");
     Joint floating = paper_joint();
-    std::erase_if(floating.springs, [](const JointSpring& spring) { return spring.reach(kOutput) == 0.0; });  // no K_PE: a = b = 0
+    std::erase_if(floating.springs, [](const JointSpring& spring) { return spring.jacobian_row(kOutput) == 0.0; });  // no K_PE: a = b = 0
     const auto free = joint_noise(floating, 0.3, options);
     ASSERT_FALSE(free);
     EXPECT_EQ(free.refusal().front().rule, "equilibrium.free");

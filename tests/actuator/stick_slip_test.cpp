@@ -121,7 +121,7 @@ TEST(StickSlip, BearingFrictionGoesWithTheTension) {
         ASSERT_NE(path.sliding()[kOutput], 0.0) << push;
         double tension = 0.0;
         for (const JointSpring& spring : joint.springs)
-            if (spring.reach[kOutput] != 0.0) tension += spring.potential->force(spring.reach.dot(path.z()));
+            if (spring.jacobian_row[kOutput] != 0.0) tension += spring.potential->force(spring.jacobian_row.dot(path.z()));
         EXPECT_NEAR(spring_torques(joint, path.z())[kOutput], push - path.sliding()[kOutput] * 0.05 * tension, 1e-10) << push;  // g = 1
     }
 }

@@ -75,11 +75,11 @@ TEST(EnclosedLaw, BoundsItsPoints) {
     std::uniform_real_distribution<double> share(0.0, 1.0);
     for (const auto& [name, law] : cases()) {
         SCOPED_TRACE(name);
-        const std::vector<LawStretch> all = stretches(*law);
+        const std::vector<LawSegment> all = segments(*law);
         ASSERT_FALSE(all.empty());
         EXPECT_NEAR(math::middle(all.front().over(Interval(all.front().parameter.low)).tau.value), law->loads().low, 1e-12);
         EXPECT_NEAR(math::middle(all.back().over(Interval(all.back().parameter.high)).tau.value), law->loads().high, 1e-12);
-        for (const LawStretch& s : all)
+        for (const LawSegment& s : all)
             for (int i = 0; i < 20; ++i) {
                 const double q = std::lerp(s.parameter.low, s.parameter.high, share(random)), reach = std::pow(10.0, -5.0 * share(random));
                 const LawJet here = s.over(Interval(q));
@@ -101,7 +101,7 @@ TEST(EnclosedLaw, BoundsItsPoints) {
 TEST(EnclosedLaw, HasSlopesThatBelongTogether) {
     for (const auto& [name, law] : cases()) {
         SCOPED_TRACE(name);
-        for (const LawStretch& s : stretches(*law)) {
+        for (const LawSegment& s : segments(*law)) {
             const LawJet at = s.over(Interval(0.5 * (s.parameter.low + s.parameter.high)));
             const double turn = math::middle(at.theta.slope);
             const auto expect = [&](const Jet& figure, const Jet& derivative) {

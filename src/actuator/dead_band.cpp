@@ -86,7 +86,7 @@ std::optional<double> extreme_width(const Actuator& actuator, double tau) {
     const core::Range loads = actuator.gear_friction.resting_loads(tau);
     const core::Range covered = actuator.law->loads();
     if (!covered.holds(loads.low) || !covered.holds(loads.high)) return std::nullopt;
-    const std::optional<double> reach = Edge(*actuator.law, loads).jacobian_row();
+    const std::optional<double> reach = Edge(*actuator.law, loads).reach();
     if (!reach) return std::nullopt;
     return 2.0 * *reach / actuator.ratio();
 }

@@ -14,18 +14,18 @@
 
 namespace fusee::core {
 
+struct CsvCell {
+    std::string_view text;
+    std::size_t place;  // of its first character, from 1
+};
+
 namespace {
 
 constexpr std::size_t kShown = 60;               // characters of a wrong cell that a message repeats
 constexpr std::size_t kMostFaults = 20;          // that are told one by one
 constexpr std::size_t kLongestLine = 1'000'000;  // bytes: what has longer ones is no table
 
-struct Cell {
-    std::string_view text;
-    std::size_t place;  // of its first character, from 1
-};
-
-void split(std::string_view line, std::vector<Cell>& cells) {
+void split(std::string_view line, std::vector<CsvCell>& cells) {
     cells.clear();
     for (std::size_t begin = 0; begin <= line.size();) {
         const std::size_t end = std::min(line.find(',', begin), line.size());
@@ -122,7 +122,7 @@ private:
     void read_header(std::string_view text) {
         bool twice_told = false;  // what is no table at all has thousands
         for (std::size_t i = 0; i < cells_.size(); ++i) {
-            const Cell& cell = cells_[i];
+            const CsvCell& cell = cells_[i];
             const auto same = [&cell](const auto& other) { return other.text == cell.text; };
             const auto end = cells_.begin() + static_cast<std::ptrdiff_t>(i);
             if (!cell.text.empty() && std::find_if(cells_.begin(), end, same) != end && !std::exchange(twice_told, true))
@@ -132,7 +132,8 @@ private:
                 if (known->name == options_.span_column) span_column_ = table_.columns_.size();
                 table_.columns_.push_back({*known, i, {}, {}, {}});
             }
-            if (known == known_.end() && !options_.extra_columns) faults_.add(fault(cell.place, "header", in_quotes(cell.text), in_quotes(names_)));
+            if (known == known_.end() && !options_.extra_columns)
+                faults_.add(fault(cell.place, "header", in_quotes(cell.text), in_quotes(names_)));
         }
         std::string missing;
         for (const CsvColumn& column : known_)
@@ -145,7 +146,8 @@ private:
     void read_row(std::string_view text) {
         if (table_.rows_read_ >= options_.most_rows) give_up(fault(1, "rows", "more", fmt::format("at most {}", options_.most_rows)));
         const std::size_t before = faults_.count();
-        if (cells_.size() > width_) faults_.add(fault(cells_[width_].place, "row", in_quotes(cells_[width_].text), count_of_columns(width_)));
+        if (cells_.size() > width_)
+            faults_.add(fault(cells_[width_].place, "row", in_quotes(cells_[width_].text), count_of_columns(width_)));
         read_cells(text);
         const bool beyond = is_beyond();
         table_.rows_beyond_ += beyond ? 1 : 0;
@@ -160,8 +162,8 @@ private:
         bool short_told = false;
         for (const CsvTable::Column& column : table_.columns_) {
             const bool lacking = column.cell >= given;
-            if (lacking) cells_.resize(std::max(cells_.size(), column.cell + 1), Cell{{}, text.size() + 1});
-            const Cell& cell = cells_[column.cell];
+            if (lacking) cells_.resize(std::max(cells_.size(), column.cell + 1), CsvCell{{}, text.size() + 1});
+            const CsvCell& cell = cells_[column.cell];
             double value = 0.0;
             if (!lacking || !short_told)
                 faults_.collect([&] {
@@ -183,7 +185,7 @@ private:
     void keep_row() {
         for (std::size_t i = 0; i < table_.columns_.size(); ++i) {
             CsvTable::Column& column = table_.columns_[i];
-            const Cell& cell = cells_[column.cell];
+            const CsvCell& cell = cells_[column.cell];
             if (column.known.kind == CsvColumn::Kind::kText)
                 column.texts.emplace_back(cell.text);
             else
@@ -208,7 +210,7 @@ private:
         table_.stride_ *= 2;
     }
 
-    [[nodiscard]] double number(const Cell& cell, const CsvColumn& column) const {
+    [[nodiscard]] double number(const CsvCell& cell, const CsvColumn& column) const {
         const std::string& name = column.name;
         if (cell.text.empty() && column.gaps) return std::numeric_limits<double>::quiet_NaN();
         if (cell.text.empty()) throw fault(cell.place, name, "(missing)", "a finite number in every row");
@@ -221,7 +223,7 @@ private:
         return value;
     }
 
-    void require_words(const Cell& cell, const std::string& name) const {
+    void require_words(const CsvCell& cell, const std::string& name) const {
         if (cell.text.empty()) throw fault(cell.place, name, "(missing)", "a text in every row");
         if (cell.text.find('"') != std::string_view::npos)
             throw fault(cell.place, name, in_quotes(cell.text), "a text without quotation marks");
@@ -232,7 +234,7 @@ private:
     CsvTable table_;
     CsvFaults faults_;
     std::string names_;  // of the known columns, as a header line
-    std::vector<Cell> cells_;
+    std::vector<CsvCell> cells_;
     std::vector<double> values_;  // of the known columns' numbers in the row, 0 for texts
     static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
     std::size_t span_column_ = kNone;  // its place among the known columns

@@ -264,26 +264,26 @@ private:
     std::set<std::string> made_, stale_;
 };
 
-/// An empty target that was not there before goes again.
-struct NewTarget {
-    explicit NewTarget(const fs::path& place) : path(place) {
-        std::error_code ignored;
-        is_new = !fs::exists(place, ignored);
-        make_folder(place);
-    }
-    ~NewTarget() {
-        std::error_code ignored;
-        if (is_new) fs::remove(path, ignored);  // fails where it holds something
-    }
-    NewTarget(const NewTarget&) = delete;
-    NewTarget& operator=(const NewTarget&) = delete;
-    fs::path path;
-    bool is_new = false;
-};
-
 }  // namespace
 
 struct OutputFolder::Staged {
+    /// An empty target that was not there before goes again.
+    struct NewTarget {
+        explicit NewTarget(const fs::path& place) : path(place) {
+            std::error_code ignored;
+            is_new = !fs::exists(place, ignored);
+            make_folder(place);
+        }
+        ~NewTarget() {
+            std::error_code ignored;
+            if (is_new) fs::remove(path, ignored);  // fails where it holds something
+        }
+        NewTarget(const NewTarget&) = delete;
+        NewTarget& operator=(const NewTarget&) = delete;
+        fs::path path;
+        bool is_new = false;
+    };
+
     explicit Staged(const fs::path& place) : target(place), folder(place, kStagingPrefix) {}
     NewTarget target;
     TemporaryFolder folder;  // goes first

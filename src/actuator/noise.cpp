@@ -21,8 +21,19 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using Names = std::vector<std::string>;
 
-/// A stiffness, or a rate of decay, that is this small beside the greatest one is rounding.
+/// A stiffness or rate of decay below this share of the greatest one is rounding.
 constexpr double kNothing = 1e-12;
+
+/// A B of small matrices; Eigen's operator * would also compile its kernels for large ones.
+template <class A, class B>
+auto product(const A& a, const B& b) {
+    return a.lazyProduct(b).eval();
+}
+/// A B A^H.
+template <class A, class B>
+auto congruent(const A& a, const B& b) {
+    return product(product(a, b), a.adjoint());
+}
 
 /// A X + X A^T + Q = 0 for a stable A: A = U T U^H turns it into a triangular system, solved from the last column on (Bartels & Stewart).
 class Lyapunov {
@@ -40,7 +51,7 @@ public:
     [[nodiscard]] MatrixXd solve(const MatrixXd& q) const {
         const Eigen::MatrixXcd& t = schur_.matrixT();
         const Eigen::MatrixXcd& u = schur_.matrixU();
-        const Eigen::MatrixXcd right = -u.adjoint() * q * u;
+        const Eigen::MatrixXcd right = product(product(-u.adjoint(), q), u);
         Eigen::MatrixXcd y = Eigen::MatrixXcd::Zero(q.rows(), q.cols());
         for (Eigen::Index j = q.cols() - 1; j >= 0; --j) {
             const Eigen::Index later = q.cols() - 1 - j;
@@ -49,7 +60,7 @@ public:
             const Eigen::VectorXcd rest = right.col(j) - y.rightCols(later) * t.row(j).tail(later).adjoint();
             y.col(j) = shifted.triangularView<Eigen::Upper>().solve(rest);
         }
-        const MatrixXd x = (u * y * u.adjoint()).real();
+        const MatrixXd x = congruent(u, y).real();
         return 0.5 * (x + x.transpose());
     }
 
@@ -80,7 +91,7 @@ public:
             MatrixXd both(2 * size(), size());
             both << scaled(stiffness_) / (rate_ * rate_) - std::norm(slowest) * MatrixXd::Identity(size(), size()),
                 scaled(damping_) / rate_;
-            const Eigen::SelfAdjointEigenSolver<MatrixXd> squared(both.transpose() * both);
+            const Eigen::SelfAdjointEigenSolver<MatrixXd> squared(product(both.transpose(), both));
             return unbounded(names, squared.eigenvectors().col(0), damping_, "Nms/rad", "no damper brakes a motion");
         }
         return std::nullopt;
@@ -93,7 +104,7 @@ public:
     [[nodiscard]] MatrixXd covariance_slope(const MatrixXd& density, const MatrixXd& stiffness_change) const {
         MatrixXd change = MatrixXd::Zero(2 * size(), 2 * size());
         change.bottomLeftCorner(size(), size()) = -scaled(stiffness_change) / (rate_ * rate_);
-        const MatrixXd moved = change * scaled_covariance(density);
+        const MatrixXd moved = product(change, scaled_covariance(density));
         return to_units(lyapunov_.solve(moved + moved.transpose()));
     }
 
@@ -106,7 +117,7 @@ private:
         return a;
     }
     [[nodiscard]] Eigen::Index size() const { return to_unit_mass_.rows(); }
-    [[nodiscard]] MatrixXd scaled(const MatrixXd& m) const { return to_unit_mass_ * m * to_unit_mass_.transpose(); }
+    [[nodiscard]] MatrixXd scaled(const MatrixXd& m) const { return congruent(to_unit_mass_, m); }
 
     [[nodiscard]] MatrixXd scaled_covariance(const MatrixXd& density) const {
         MatrixXd q = MatrixXd::Zero(2 * size(), 2 * size());
@@ -117,7 +128,7 @@ private:
         MatrixXd back = MatrixXd::Zero(2 * size(), 2 * size());
         back.topLeftCorner(size(), size()) = to_unit_mass_.transpose();
         back.bottomRightCorner(size(), size()) = rate_ * to_unit_mass_.transpose();
-        return back * y * back.transpose();
+        return congruent(back, y);
     }
 
     [[nodiscard]] core::Finding unbounded(const Names& names, const VectorXd& shape, const MatrixXd& lacking, const char* unit,

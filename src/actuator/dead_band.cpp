@@ -15,14 +15,13 @@ namespace fusee::actuator {
 
 namespace {
 
-
 /// The resting place at the edge of the dead-band where capstan 1 carries the low load and capstan 2 the high one (eq. 5-7). The joint
 /// is balanced, so both series springs are deflected by x: theta_1 = x - g q, theta_2 = x + g q.
 class Edge {
 public:
     Edge(const spring::SpringLaw& law, core::Range loads) : law_(law), loads_(loads), angles_(law.angles()) {}
 
-    /// g q [rad]; nothing if a parallel spring would have to leave the law.
+    /// g q [rad]; nothing if a parallel spring would leave the law.
     [[nodiscard]] std::optional<double> reach() const {
         if (loads_.width() == 0.0) return 0.0;
         const std::optional<double> near = by_newton();
@@ -30,8 +29,8 @@ public:
     }
 
 private:
-    /// Newton's method on (6) in (x, g q), several times as fast as the bracket; a step that would leave the law stops short of its end.
-    /// Nothing where that does not get through: the edge lies beyond the law, or nearly.
+    /// Newton's method on (6) in (x, g q), several times as fast as the bracket; a step that would leave the law stops before its end.
+    /// Nothing if it does not converge: the edge lies beyond the law, or nearly.
     [[nodiscard]] std::optional<double> by_newton() const {
         constexpr int kMostSteps = 12;
         constexpr double kBalanced = 1e-13, kShortOfEnd = 0.9;
@@ -53,7 +52,7 @@ private:
         return std::nullopt;
     }
 
-    /// eq. 7, where Newton's method does not get through.
+    /// eq. 7, if Newton's method does not converge.
     [[nodiscard]] std::optional<double> by_bracket() const {
         const double low = law_.at_load(loads_.low).theta, high = law_.at_load(loads_.high).theta;
         const auto x = math::bracketed_root([this](double at) { return excess(at); }, low, high);
@@ -67,11 +66,11 @@ private:
     [[nodiscard]] std::optional<double> low_side(double x) const {
         const double wanted = loads_.low - law_.at_angle(x).f_se;
         const auto beyond = [&](double theta) { return law_.at_angle(theta).f_pe - wanted; };
-        if (beyond(x) <= 0.0) return x;  // x is where the whole law carries the low load, but for rounding: there theta_1 = x
+        if (beyond(x) <= 0.0) return x;  // up to rounding, x is where the law carries the low load: theta_1 = x
         return math::bracketed_root(beyond, angles_.low, x);
     }
 
-    /// F_PE(theta_2) + F_SE(x) - high load: rises with x. Springs are held at the law's ends; reach() refuses a root found there.
+    /// F_PE(theta_2) + F_SE(x) - high load: rises with x. Springs are clamped to the law's ends; reach() refuses a root found there.
     [[nodiscard]] double excess(double x) const {
         const double theta_2 = 2.0 * x - low_side(x).value_or(angles_.low);
         return law_.at_angle(theta_2).f_pe + law_.at_angle(x).f_se - loads_.high;
@@ -81,7 +80,7 @@ private:
     core::Range loads_, angles_;
 };
 
-/// Full width at the joint, eq. 7; nothing where the law does not cover the loads that stiction allows.
+/// Full width at the joint, eq. 7; nothing if stiction allows loads that the law does not cover.
 std::optional<double> extreme_width(const Actuator& actuator, double tau) {
     const core::Range loads = actuator.gear_friction.resting_loads(tau);
     const core::Range covered = actuator.law->loads();

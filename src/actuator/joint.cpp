@@ -10,7 +10,7 @@ namespace fusee::actuator {
 
 namespace {
 
-/// What rounding leaves of a place that lies on the end of a law [rad].
+/// Rounding of a place at the end of a law [rad].
 constexpr double kDomainSlack = 1e-12;
 
 }  // namespace

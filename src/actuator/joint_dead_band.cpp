@@ -10,12 +10,12 @@ namespace fusee::actuator {
 
 namespace {
 
-
-/// How fast the stiffness matrix changes as the bodies move along `way`.
+/// Derivative of the stiffness matrix as the bodies move along `way`.
 Eigen::Matrix3d stiffness_slope(const Joint& joint, const Eigen::Vector3d& z, const Eigen::Vector3d& way) {
     Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
     for (const JointSpring& spring : joint.springs)
-        sum += spring.potential->slope(deflection(spring, z)) * spring.jacobian_row.dot(way) * spring.jacobian_row * spring.jacobian_row.transpose();
+        sum += spring.potential->slope(deflection(spring, z)) * spring.jacobian_row.dot(way) * spring.jacobian_row *
+               spring.jacobian_row.transpose();
     return sum;
 }
 

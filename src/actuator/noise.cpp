@@ -69,7 +69,7 @@ private:
 };
 
 /// M z'' + D z' + K z = w in coordinates y = L^T z, M = L L^T, and a time in which the fastest spring turns at 1 rad: equally scaled, the
-/// Lyapunov equation keeps its digits whatever the units.
+/// Lyapunov equation keeps its digits in any units.
 class Motion {
 public:
     /// @pre checked matrices
@@ -81,7 +81,7 @@ public:
           rate_(std::sqrt(shapes_.eigenvalues().maxCoeff())),
           lyapunov_(rate_ > 0.0 ? companion(scaled(stiffness_) / (rate_ * rate_), scaled(damping_) / rate_) : MatrixXd::Identity(1, 1)) {}
 
-    /// "noise.unbounded", if it is.
+    /// "noise.unbounded", if noise drives the motion arbitrarily far.
     [[nodiscard]] std::optional<core::Finding> refusal(const Names& names) const {
         if (!(shapes_.eigenvalues()(0) > kNothing * rate_ * rate_))
             return unbounded(names, shapes_.eigenvectors().col(0), stiffness_, "Nm/rad", "no spring to ground holds a motion");
@@ -136,7 +136,7 @@ private:
         const VectorXd z = to_unit_mass_.transpose() * shape;
         Eigen::Index most = 0;
         const double largest = z.cwiseAbs().maxCoeff(&most);
-        // Anything above 0 would do; a hundredth of what already acts on that body holds or brakes it without changing much else.
+        // Any value above 0 suffices; a hundredth of the present value at that body changes little else.
         const double present = lacking(most, most), enough = present > 0.0 ? 0.01 * present : 0.01;
         core::Finding finding = core::error_finding("noise.unbounded", fmt::format("{}: noise drives it arbitrarily far", what),
                                                     z.dot(lacking * z) / (largest * largest), core::Bound::kAtLeast, enough, unit);
@@ -221,8 +221,8 @@ core::Outcome<double> joint_variance_slope(const NoisePath& path) {
     const PathMatrices matrices(path);
     const Motion motion = matrices.motion();
     if (auto refusal = motion.refusal(PathMatrices::names())) return *std::move(refusal);
-    const Eigen::Vector2d stretch(1.0, -1.0);  // of the spring c
-    return motion.covariance_slope(matrices.density, stretch * stretch.transpose())(1, 1);
+    const Eigen::Vector2d jacobian_row(1.0, -1.0);  // of the spring c
+    return motion.covariance_slope(matrices.density, jacobian_row * jacobian_row.transpose())(1, 1);
 }
 
 core::Outcome<Eigen::Vector3d> joint_noise(const Joint& joint, double tau, const NoiseOptions& options) {

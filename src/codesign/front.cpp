@@ -1,6 +1,7 @@
 #include "front.h"
 
 #include <fmt/format.h>
+
 #include <algorithm>
 #include <memory>
 #include <pagmo/algorithm.hpp>

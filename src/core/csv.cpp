@@ -21,9 +21,9 @@ struct CsvCell {
 
 namespace {
 
-constexpr std::size_t kShown = 60;               // characters of a wrong cell that a message repeats
-constexpr std::size_t kMostFaults = 20;          // that are told one by one
-constexpr std::size_t kLongestLine = 1'000'000;  // bytes: what has longer ones is no table
+constexpr std::size_t kShown = 60;               // characters of a wrong cell in a message
+constexpr std::size_t kMostFaults = 20;          // that are reported one by one
+constexpr std::size_t kLongestLine = 1'000'000;  // bytes: a file with longer lines is not a table
 
 void split(std::string_view line, std::vector<CsvCell>& cells) {
     cells.clear();
@@ -100,7 +100,7 @@ public:
     }
 
 private:
-    /// What makes reading on pointless.
+    /// A fault after which reading cannot continue.
     [[noreturn]] void give_up(InvalidInput fault) {
         faults_.add(fault);
         faults_.throw_if_any();
@@ -120,12 +120,12 @@ private:
     }
 
     void read_header(std::string_view text) {
-        bool twice_told = false;  // what is no table at all has thousands
+        bool repeated = false;  // report once: a file that is not a table has thousands
         for (std::size_t i = 0; i < cells_.size(); ++i) {
             const CsvCell& cell = cells_[i];
             const auto same = [&cell](const auto& other) { return other.text == cell.text; };
             const auto end = cells_.begin() + static_cast<std::ptrdiff_t>(i);
-            if (!cell.text.empty() && std::find_if(cells_.begin(), end, same) != end && !std::exchange(twice_told, true))
+            if (!cell.text.empty() && std::find_if(cells_.begin(), end, same) != end && !std::exchange(repeated, true))
                 faults_.add(fault(cell.place, "header", in_quotes(cell.text), "every column once"));
             const auto known = std::find_if(known_.begin(), known_.end(), [&cell](const CsvColumn& c) { return c.name == cell.text; });
             if (known != known_.end()) {
@@ -155,22 +155,22 @@ private:
         if (table_.rows_read_++ % table_.stride_ == 0 && !beyond && faults_.count() == before) keep_row();
     }
 
-    /// The row's numbers into `values_`. Of a row that ends early only the first cell that it lacks is told.
+    /// Reads the row's numbers into `values_`. Of a short row only the first missing cell is reported.
     void read_cells(std::string_view text) {
         values_.clear();
         const std::size_t given = cells_.size();
-        bool short_told = false;
+        bool reported = false;
         for (const CsvTable::Column& column : table_.columns_) {
             const bool lacking = column.cell >= given;
             if (lacking) cells_.resize(std::max(cells_.size(), column.cell + 1), CsvCell{{}, text.size() + 1});
             const CsvCell& cell = cells_[column.cell];
             double value = 0.0;
-            if (!lacking || !short_told)
+            if (!lacking || !reported)
                 faults_.collect([&] {
                     column.known.kind == CsvColumn::Kind::kText ? require_words(cell, column.known.name)
                                                                 : void(value = number(cell, column.known));
                 });
-            short_told = short_told || (lacking && !column.known.gaps);
+            reported = reported || (lacking && !column.known.gaps);
             values_.push_back(value);
         }
     }
@@ -195,7 +195,7 @@ private:
         table_.lines_.push_back(static_cast<std::uint32_t>(line_));
     }
 
-    /// Keeps every second row of those kept so far, and will do so.
+    /// Keeps every second of the rows kept so far, and of those to come.
     void thin() {
         const auto halve = [](auto& cells) {
             for (std::size_t i = 2; i < cells.size(); i += 2) cells[i / 2] = std::move(cells[i]);
@@ -237,9 +237,9 @@ private:
     std::vector<CsvCell> cells_;
     std::vector<double> values_;  // of the known columns' numbers in the row, 0 for texts
     static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
-    std::size_t span_column_ = kNone;  // its place among the known columns
+    std::size_t span_column_ = kNone;  // its index among the known columns
     double span_start_ = 0.0;
-    std::string rest_;  // of a line that is not complete
+    std::string rest_;  // of an incomplete line
     std::size_t line_ = 0, width_ = 0;
     bool headed_ = false;
 };

@@ -24,7 +24,7 @@ InvalidInput fault(std::string_view bytes, const std::string& file, std::size_t 
     return {fmt::format("{}:{}:{}: JSON", file, line, column), std::move(value), std::move(allowed)};
 }
 
-/// Before the parser sees it: what is nested too deep may use up the stack of whoever walks through it.
+/// Runs before the parser: deep nesting may overflow the stack of recursive code.
 void require_shallow(std::string_view bytes, const std::string& file) {
     std::size_t depth = 0;
     bool inside_text = false;
@@ -55,7 +55,7 @@ std::string shortened(const Json& json) {
     return all.size() <= kLongestShown ? all : all.substr(0, kLongestShown) + "...";
 }
 
-/// Adds the old name beside the new one in `json` and all that it holds. @returns whether the new name was there
+/// Adds the old name next to the new one in `json` and its children. @returns whether the new name was found
 bool add_old_name(Json& json, const std::string& before, const std::string& now) {
     bool found = false;
     for (Json& child : json) found |= child.is_structured() && add_old_name(child, before, now);
@@ -71,7 +71,7 @@ nlohmann::ordered_json parse_json(std::string_view bytes, const std::string& fil
     try {
         return Json::parse(bytes);
     } catch (const Json::parse_error& e) {
-        throw fault(bytes, file, e.byte > 0 ? e.byte - 1 : 0, "no valid JSON", "JSON as RFC 8259 has it");
+        throw fault(bytes, file, e.byte > 0 ? e.byte - 1 : 0, "not valid JSON", "JSON by RFC 8259");
     } catch (const Json::out_of_range& e) {
         const std::string number = number_in(e.what());
         throw fault(bytes, file, bytes.find(number), number.substr(0, kLongestShown),

@@ -25,7 +25,7 @@ unsigned available_threads(unsigned wanted) {
     std::vector<std::thread> probes;
     try {
         while (probes.size() + 1 < wanted) probes.emplace_back([end] { end.wait(); });
-    } catch (const std::system_error&) {  // no more
+    } catch (const std::system_error&) {  // the limit is reached
     }
     over.set_value();
     for (std::thread& probe : probes) probe.join();

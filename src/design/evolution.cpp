@@ -57,8 +57,7 @@ std::array<int, 3> partners(const Stream& random, int population, int self) {
 /// One search: the population, and the rules that make the next one.
 class Search {
 public:
-    Search(const Cost& cost, const EvolutionOptions& options)
-        : cost_(cost), o_(options), dimension_(options.bounds.size()) {}
+    Search(const Cost& cost, const EvolutionOptions& options) : cost_(cost), o_(options), dimension_(options.bounds.size()) {}
 
     void begin() {
         state_ = {};

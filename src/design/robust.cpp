@@ -36,13 +36,13 @@ void validate(const Drawing& drawing, double tau, const ShopScatter& scatter) {
     core::require_positive("base_se.preload", drawing.base_se.preload);
     core::require_positive("base_pe.rate", drawing.base_pe.rate);
     core::require_positive("base_pe.preload", drawing.base_pe.preload);
-    core::require_within("scatter.rate_se", scatter.rate_se, 0.0, 0.3);  // three standard deviations leave a spring
+    core::require_within("scatter.rate_se", scatter.rate_se, 0.0, 0.3);  // three standard deviations below still leave a spring
     core::require_within("scatter.rate_pe", scatter.rate_pe, 0.0, 0.3);
     core::require_within("scatter.contour", scatter.contour, 0.0, 1e-2, "m");
     core::require_within("scatter.friction", scatter.friction, 0.0, 0.3);
 }
 
-/// What can be wrong on each side of an actuator.
+/// Errors on each side of an actuator.
 enum Error : std::size_t { kRateSe, kRatePe, kContourSe, kContourPe, kFriction, kErrors };
 /// The member of ShopScatter that it belongs to.
 constexpr std::array<std::size_t, kErrors> kSource{0, 1, 2, 2, 3};
@@ -59,7 +59,7 @@ double share_below(double x, double sigma) {
     return 0.5 * std::erfc(-x / (sigma * std::sqrt(2.0)));
 }
 
-/// One spring where it stands at an edge.
+/// One spring at an edge of the dead-band.
 struct LoadedSpring {
     Error rate, contour;
     std::size_t side;
@@ -88,8 +88,8 @@ std::array<LoadedSpring, 4> springs_at(const Drawing& drawing, const Vector3d& z
     return {parallel(0, {1.0, 0.0, 0.0}, first), series(0, {1.0, 0.0, g}), series(1, {0.0, 1.0, -g}), parallel(1, {0.0, 1.0, 0.0}, second)};
 }
 
-/// The edge at which capstan 1 carries its least load and capstan 2 its greatest, and how (theta_1, theta_2, q) there move for one standard
-/// deviation of each error on each side.
+/// The edge at which capstan 1 carries its least load and capstan 2 its greatest, and the motion of (theta_1, theta_2, q) there per
+/// standard deviation of each error on each side.
 struct Edge {
     Vector3d z;
     std::array<std::array<Vector3d, 2>, kErrors> moves;
@@ -122,7 +122,7 @@ Edge differentiate(const Drawing& drawing, const Vector3d& z, core::Range loads,
     return edge;
 }
 
-/// Share of the built actuators whose parallel springs reach both edges: what is left of capstan 2's law above and of capstan 1's below.
+/// Share of the built actuators whose parallel springs reach both edges: by the margins of capstan 2's law above and of capstan 1's below.
 double covered_share(const Edge& edge, core::Range angles) {
     double share = 1.0;
     for (const auto& [body, left] : {std::pair{actuator::kAgonist, edge.z(actuator::kAgonist) - angles.low},
@@ -148,7 +148,7 @@ core::Range resting_loads(const friction::Law& gear, double tau, double factor) 
     return {edge(1.0), edge(-1.0)};
 }
 
-/// Builds one actuator after another.
+/// Makes random built actuators.
 class Shop {
 public:
     Shop(const Drawing& drawing, double tau, const ShopScatter& scatter, std::uint64_t seed)
@@ -207,7 +207,11 @@ std::vector<double> widths_of(const Shop& shop, const SampleOptions& options) {
 
 RobustBand robust_dead_band(const Drawing& drawing, double tau, const ShopScatter& scatter) {
     validate(drawing, tau, scatter);
-    RobustBand band{.tau = tau, .nominal = core::kNan, .sigma = core::kNan, .band = {core::kNan, core::kNan}, .sources = {core::kNan, core::kNan, core::kNan, core::kNan}};
+    RobustBand band{.tau = tau,
+                    .nominal = core::kNan,
+                    .sigma = core::kNan,
+                    .band = {core::kNan, core::kNan},
+                    .sources = {core::kNan, core::kNan, core::kNan, core::kNan}};
     const core::Range loads = drawing.actuator.gear_friction.resting_loads(tau);
     const double width = actuator::dead_band(drawing.actuator, tau).exact_width;
     const auto z = std::isnan(width) ? std::nullopt : place_of(drawing.actuator, width, loads.low);
@@ -225,7 +229,7 @@ RobustBand robust_dead_band(const Drawing& drawing, double tau, const ShopScatte
         band.sources[i] = std::sqrt(variances[i]);
     }
     band.sigma = std::sqrt(variance);
-    // A dead-band is a product of what scatters, 2 tau_f/(g P) to first order, so that its logarithm is what spreads evenly (eq. 7).
+    // A dead-band is a product of scattered factors, 2 tau_f/(g P) to first order, so that its logarithm is symmetric (eq. 7).
     const double spread = band.sigma > 0.0 ? kPercentile * band.sigma / band.nominal : 0.0;
     band.band = {band.nominal * std::exp(-spread), band.nominal * std::exp(spread)};
     band.covered_share = covered_share(edge, drawing.actuator.law->angles());

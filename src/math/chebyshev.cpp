@@ -32,7 +32,8 @@ const Values& cosines() {
     static const auto kCosines = [] {
         Values values{};
         // sin of the distance to the middle: symmetric to the last bit
-        for (std::size_t j = 0; j <= kSeriesDegree; ++j) values[j] = std::sin(core::kPi * (2.0 * static_cast<double>(j) / kSeriesDegree - 1.0) / 2.0);
+        for (std::size_t j = 0; j <= kSeriesDegree; ++j)
+            values[j] = std::sin(core::kPi * (2.0 * static_cast<double>(j) / kSeriesDegree - 1.0) / 2.0);
         return values;
     }();
     return kCosines;
@@ -58,7 +59,7 @@ ChebyshevSeries::ChebyshevSeries(core::Range domain, const Values& values) : dom
         largest = std::max(largest, std::abs(sum));
     }
     count_ = kPoints;
-    // Rounding in the last coefficients would be the first to grow in a derivative.
+    // Rounding in the last coefficients grows most in a derivative.
     while (count_ > 1 && std::abs(coefficients_[count_ - 1]) <= 0.5 * std::numeric_limits<double>::epsilon() * largest) --count_;
 }
 
@@ -115,14 +116,16 @@ ChebyshevSeries ChebyshevSeries::integral() const {
     return result;
 }
 
-double ChebyshevSeries::tail() const { return std::max(std::abs(coefficients_[kSeriesDegree - 1]), std::abs(coefficients_[kSeriesDegree])); }
+double ChebyshevSeries::tail() const {
+    return std::max(std::abs(coefficients_[kSeriesDegree - 1]), std::abs(coefficients_[kSeriesDegree]));
+}
 
 PiecewiseChebyshev::Piece::Piece(const ChebyshevSeries& series)
     : value(series), first(value.derivative()), second(first.derivative()), third(second.derivative()), integral(value.integral()) {}
 
 PiecewiseChebyshev::PiecewiseChebyshev(const std::function<double(double)>& f, core::Range domain, const PiecewiseOptions& options) {
-    // Four pieces to begin with, so that a narrow feature is not overlooked. No cut is at a round share of the domain: a kink there would
-    // lie between two pieces, where neither sees it.
+    // Starts with four pieces, so that a narrow feature is not overlooked. No cut is at a round share of the domain: neither piece would
+    // detect a kink there.
     constexpr std::array kCuts{0.0, 0.2413, 0.4931, 0.7417, 1.0};
     for (std::size_t i = 0; i + 1 < kCuts.size(); ++i)
         divide(f, {std::lerp(domain.low, domain.high, kCuts[i]), std::lerp(domain.low, domain.high, kCuts[i + 1])}, options, 0);
@@ -159,9 +162,9 @@ void PiecewiseChebyshev::divide(const std::function<double(double)>& f, core::Ra
     for (const double value : y) largest = std::max(largest, std::abs(value));
     largest_ = std::max(largest_, largest);
     const ChebyshevSeries series(range, y);
-    // Small values beside large ones carry the rounding of the large.
+    // Small values next to large ones have the rounding of the large.
     const double allowed = std::max(options.tolerance * largest, 4.0 * std::numeric_limits<double>::epsilon() * largest_);
-    const double between = 0.5 * (x[5] + x[6]);  // a place that the interpolation has not seen
+    const double between = 0.5 * (x[5] + x[6]);  // not an interpolation point
     const bool converged = series.tail() <= allowed && std::abs(series(between) - f(between)) <= 10.0 * allowed;
     if (!converged && depth < options.deepest) {
         const double split = std::lerp(range.low, range.high, 0.4813);

@@ -17,9 +17,9 @@ namespace {
 
 constexpr double kHuber = 1.345;                            // deviations: 95 % efficiency for normal noise
 constexpr double kDeviationsOfMedian = 1.4826;              // 1/0.6745, the upper quartile of the normal distribution
-constexpr int kReweightings = 200, kDeviationSettled = 15;  // the deviation is then held: the rest is a convex problem
+constexpr int kReweightings = 200, kDeviationSettled = 15;  // then the deviation is fixed: the rest is a convex problem
 constexpr double kSettled = 1e-12;                          // change of the coefficients, relative
-constexpr double kDependent = 1e-10;                        // least pivot of columns of length 1: what rounding leaves is below
+constexpr double kDependent = 1e-10;                        // least pivot of columns of length 1: rounding is below
 
 Eigen::MatrixXd matrix(const std::vector<std::vector<double>>& columns, const Eigen::VectorXd& factors) {
     Eigen::MatrixXd m(factors.size(), static_cast<Eigen::Index>(columns.size()));
@@ -60,7 +60,7 @@ struct Solution {
 Solution solve(const Whitened& w) {
     const Eigen::HouseholderQR<Eigen::MatrixXd> qr(w.z);
     const Eigen::MatrixXd q = qr.householderQ() * Eigen::MatrixXd::Identity(w.z.rows(), w.z.cols());
-    // Columns of length 1, so that the choice of units does not look like dependence.
+    // Columns of length 1, so that units do not look like dependence.
     const Eigen::VectorXd scale = (w.x.colwise().norm().array() + std::numeric_limits<double>::min()).inverse();
     Eigen::FullPivLU<Eigen::MatrixXd> lu(q.transpose() * w.x * scale.asDiagonal());
     lu.setThreshold(kDependent);

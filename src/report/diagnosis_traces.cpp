@@ -88,8 +88,7 @@ std::vector<bool> starts(const Values& x) {
     for (std::size_t i = 1; i < x.size(); ++i) steps.push_back(std::abs(x[i] - x[i - 1]));
     const double usual = math::upper_median(steps);
     const auto [low, high] = std::minmax_element(x.begin(), x.end());
-    for (std::size_t i = 1; i < x.size(); ++i)
-        fresh[i] = steps[i - 1] > kJump * (*high - *low) && steps[i - 1] > kSteps * usual;
+    for (std::size_t i = 1; i < x.size(); ++i) fresh[i] = steps[i - 1] > kJump * (*high - *low) && steps[i - 1] > kSteps * usual;
     return fresh;
 }
 

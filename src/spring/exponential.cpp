@@ -26,7 +26,7 @@ public:
     }
 
 private:
-    // expm1 keeps the digits where rate x is small.
+    // expm1 keeps the digits if rate x is small.
     template <class T>
     [[nodiscard]] T energy_at(const T& x) const {
         using std::expm1;

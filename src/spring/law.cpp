@@ -47,7 +47,7 @@ std::optional<core::Finding> judge(const Condition& condition, const std::vector
     return finding;
 }
 
-/// Those of the stiffnesses alone come first.
+/// The conditions on stiffnesses alone come first.
 const std::vector<Condition>& conditions() {
     using core::Bound;
     static const std::vector<Condition> all = {

@@ -115,7 +115,7 @@ core::Finding out_of_range(const char* end, double torque, core::Bound bound, do
     return finding;
 }
 
-/// The highest load, on the way from `start` to deflection x, up to which both springs are stiff: more than that the load rises.
+/// The highest load between `start` and deflection x up to which both springs are stiff, which is stricter than a rising load.
 double stiff_up_to(const Pair& pair, double x, double start) {
     const double low = pair.domain().low;
     double highest = 0.0;
@@ -138,7 +138,7 @@ core::Finding falling(const Pair& pair, double x, double start) {
     return finding;
 }
 
-/// Deflections where the load first reaches `start` and, rising on, `end`.
+/// Deflections where the load first reaches `start` and then `end`.
 core::Outcome<core::Range> find_range(const Pair& pair, double start, double end) {
     using core::Bound;
     const core::Range domain = pair.domain();

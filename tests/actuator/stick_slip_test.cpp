@@ -11,13 +11,13 @@
 #include "fusee/spring/potential.h"
 #include "fusee/spring/stiction_law.h"
 #include "refused.h"
+#include "with_law.h"
 
 namespace fusee::actuator {
 namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kMu = 0.28;
 /// The search leaves 1e-11 Nm; the softest spring here has 0.1 Nm/rad.
 constexpr double kSolved = 1e-9;
 

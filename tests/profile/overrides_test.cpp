@@ -62,7 +62,7 @@ TEST_F(OverridesTest, LimitsAreFiniteNumbersOnce) {
                      {"p.toml:30:15: limits.required_mm", "a finite number in mm"});
     expect_words(refusal(with("rule = \"process.wall\"\nrequired_mm = 0.6\nreason = \"x\"\n"
                               "[[limits]]\nrule = \"process.wall\"\nrequired_mm = 0.7\nreason = \"y\"\n")),
-                 {"p.toml:33:1: limits.required_mm", "stands twice"});
+                 {"p.toml:33:1: limits.required_mm", "is repeated"});
 }
 
 TEST_F(OverridesTest, OnlyAnArrayOfTables) {

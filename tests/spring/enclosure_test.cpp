@@ -16,7 +16,7 @@ namespace {
 using math::Interval;
 using math::Jet;
 
-struct Case {
+struct NamedLaw {
     const char* name;
     SpringLawPtr law;
 };
@@ -36,7 +36,7 @@ SpringLawPtr dead_band_law(const friction::Law& friction) {
 }
 
 /// Every maker of laws.
-std::vector<Case> cases() {
+std::vector<NamedLaw> cases() {
     const StictionLawOptions paper{0.225, 0.0012, 0.265, 0.28, 0.6, 2.09};
     const auto table = friction::Law::tabulated({0.2, 0.8, 1.3, 2.2}, {0.06, 0.22, 0.37, 0.6}, 0.02);
     const std::vector<double> loads{0.6, 0.9, 1.2, 1.5, 2.0}, stiffness{0.08, 0.18, 0.33, 0.5, 0.9}, share{0.44, 0.3, 0.22, 0.18, 0.13};

@@ -7,8 +7,8 @@ namespace fusee::actuator {
 /// "series": K_SE in series with (contractile element parallel to K_PE): F = F_SE(L - l) = F_PE(l) + f. The actuator's own arrangement.
 /// "parallel": K_PE parallel to (contractile element in series with K_SE): F = F_PE(L) + f, f = F_SE(L - x).
 /// L is the stretch of the whole muscle, l and x that of the contractile element, f its active force. With linear springs the two are
-/// equivalent by the map below (McMahon, Muscles, Reflexes, and Locomotion, 1984, p. 23): equal force at every L, equal work of the contractile element.
-/// Every function: @throws InvalidInput naming the stiffness unless k_se > 0 and k_pe >= 0
+/// equivalent by the map below (McMahon, Muscles, Reflexes, and Locomotion, 1984, p. 23): equal force at every L, equal work of the
+/// contractile element. Every function: @throws InvalidInput naming the stiffness unless k_se > 0 and k_pe >= 0
 struct LinearMuscle {
     double k_se = 0.0;  ///< [N/m] or [Nm/rad], > 0
     double k_pe = 0.0;  ///< >= 0

@@ -20,7 +20,7 @@ struct JointSpring {
     std::string name;  ///< "K_PE agonist"
     spring::PotentialPtr potential;
     Eigen::Vector3d jacobian_row = Eigen::Vector3d::Zero();  ///< dx/dz
-    double offset = 0.0;  ///< [rad]
+    double offset = 0.0;                                     ///< [rad]
 };
 
 /// Friction at the output's bearing: |torque| <= constant + tension_share * (sum of the torques of the springs at the output).
@@ -36,7 +36,7 @@ struct Joint {
     double capstan_radius = 0.0;  ///< r_c [m]
     double joint_radius = 0.0;    ///< r_j [m]
     OutputFriction output_friction = {};
-    std::array<bool, 3> frozen{};  ///< fixed bodies (a series elastic joint has one motor)
+    std::array<bool, 3> frozen{};                                                 ///< fixed bodies (a series elastic joint has one motor)
     [[nodiscard]] double ratio() const { return joint_radius / capstan_radius; }  ///< g
 };
 

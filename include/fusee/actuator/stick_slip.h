@@ -40,8 +40,8 @@ private:
 /// A push-and-release test (paper, tables I and II): co-contract from rest, push the joint up, hold, release slowly, read q; then push it
 /// down from there, hold, release, read.
 struct ReleaseTest {
-    double push_torque = 0.0;  ///< at the joint [Nm]; 0: 1.05 times the full push
-    int steps = 48;            ///< of each stroke; affect the reading only through rest excess and tension (stick_slip.md)
+    double push_torque = 0.0;    ///< at the joint [Nm]; 0: 1.05 times the full push
+    int steps = 48;              ///< of each stroke; affect the reading only through rest excess and tension (stick_slip.md)
     bool find_full_push = true;  ///< false and a push given: full_push and covered_push stay NaN; takes a fifth of the time
 };
 

@@ -28,7 +28,8 @@ private:
     std::mutex mutex_;
 };
 
-/// Makes Ctrl-C (SIGINT) and SIGTERM a request to stop: finished work stays, nothing new is begun. A second signal ends the program at once.
+/// Makes Ctrl-C (SIGINT) and SIGTERM a request to stop: finished work stays, nothing new is begun. A second signal ends the program at
+/// once.
 void catch_interrupts();
 [[nodiscard]] bool interrupted();
 

@@ -10,22 +10,22 @@ namespace fusee::design {
 
 /// The settings of the paper's Algorithm 1.
 struct Algorithm1Options {
-    core::Range k{0.05, 2.0};    ///< box of k [1/(Nm rad)], low > 0
-    core::Range u{0.0, 0.3};     ///< box of u [Nm]; only u^2 enters, so that a box around 0 has every design twice
-    core::Range c{0.0, 0.5};     ///< box of C [Nm]
-    int torques = 20;            ///< levels of co-contraction, both ends included, >= 2
-    double wanted_travel = 0.0;  ///< wanted capstan angle from least to peak torque [rad], > 0
+    core::Range k{0.05, 2.0};                        ///< box of k [1/(Nm rad)], low > 0
+    core::Range u{0.0, 0.3};                         ///< box of u [Nm]; only u^2 enters, so that a box around 0 has every design twice
+    core::Range c{0.0, 0.5};                         ///< box of C [Nm]
+    int torques = 20;                                ///< levels of co-contraction, both ends included, >= 2
+    double wanted_travel = 0.0;                      ///< wanted capstan angle from least to peak torque [rad], > 0
     double joint_range = core::rad_from_deg(120.0);  ///< greatest dead-band: the joint cannot turn farther [rad]
     double weight_travel = 5.0;                      ///< W1 of |travel - wanted| [1/rad], >= 0
-    double weight_dead_band = 1.0;    ///< W2 of (final - initial dead-band) [1/rad], >= 0: rewards a falling dead-band
-    double weight_sensitivity = 0.1;  ///< W3 of the joint's final sensitivity [Nm/rad], >= 0
+    double weight_dead_band = 1.0;                   ///< W2 of (final - initial dead-band) [1/rad], >= 0: rewards a falling dead-band
+    double weight_sensitivity = 0.1;                 ///< W3 of the joint's final sensitivity [Nm/rad], >= 0
 };
 
 /// The actuator that the springs are for.
 struct Algorithm1Rig {
-    double mu = 0.0;      ///< gear friction proportional to the load, > 0
-    double ratio = 1.0;   ///< g = r_j/r_c
-    core::Range torques;  ///< least and peak co-contraction [Nm]
+    double mu = 0.0;            ///< gear friction proportional to the load, > 0
+    double ratio = 1.0;         ///< g = r_j/r_c
+    core::Range torques;        ///< least and peak co-contraction [Nm]
     double highest_load = 0.0;  ///< of the springs [Nm], at least torques.high: stiction loads a capstan beyond the motor's torque
 };
 

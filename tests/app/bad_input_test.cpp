@@ -36,7 +36,7 @@ TEST_F(BadInput, NoSuchFile) {
 
 TEST_F(BadInput, NoToml) {
     write("t.toml", "name = \"x\"\n[rig\ngear_friction = 0.2\n");
-    expect_refused("t.toml", {"t.toml:2:", "no valid TOML"});
+    expect_refused("t.toml", {"t.toml:2:", "not valid TOML"});
     write("t.toml", "name = \"\xff\xfe\"\n");
     expect_refused("t.toml", {"t.toml:1:", "utf-8"});
     write("t.toml", std::string("\xff\xfen\0a\0", 6));

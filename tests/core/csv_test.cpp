@@ -59,8 +59,9 @@ TEST(Csv, RefusesCellsAndNamesThePlace) {
     EXPECT_LT(shown.size(), 200u);
 }
 
-TEST(Csv, TellsAllBadCellsAtOnce) {
+TEST(Csv, ReportsAllBadCellsAtOnce) {
     EXPECT_EQ(csv_refusal("side,torque_Nm,length_m\na,,1\nb,2,x\nc\nd,4,4,4\n,nan,5\nf,6,6\n"),
+              "6 mistakes:\n"
               "t.csv:2:3: torque_Nm: (missing) (allowed: a finite number in every row)\n"
               "t.csv:3:5: length_m: 'x' (allowed: a finite number with a decimal point)\n"
               "t.csv:4:2: torque_Nm: (missing) (allowed: a finite number in every row)\n"
@@ -68,6 +69,7 @@ TEST(Csv, TellsAllBadCellsAtOnce) {
               "t.csv:6:1: side: (missing) (allowed: a text in every row)\n"
               "t.csv:6:2: torque_Nm: 'nan' (allowed: a finite number with a decimal point)");
     EXPECT_EQ(csv_refusal("x,x,note,note\n", {.extra_columns = false}),
+              "4 mistakes:\n"
               "t.csv:1:1: header: 'x' (allowed: 'side,torque_Nm,note,length_m')\n"
               "t.csv:1:3: header: 'x' (allowed: every column once)\n"
               "t.csv:1:3: header: 'x' (allowed: 'side,torque_Nm,note,length_m')\n"
@@ -78,7 +80,7 @@ TEST(Csv, OfManyBadCellsTheFirstTwentyAreReported) {
     std::string csv = "side,torque_Nm\n";
     for (int i = 0; i < 500; ++i) csv += "a,\n";
     const std::string all = csv_refusal(csv + "b,1\n");
-    EXPECT_EQ(std::count(all.begin(), all.end(), '\n'), 20);
+    EXPECT_EQ(std::count(all.begin(), all.end(), '\n'), 21);
     EXPECT_TRUE(
         all.ends_with("t.csv:21:3: torque_Nm: (missing) (allowed: a finite number in every row)\nt.csv: and 480 more (allowed: none)"))
         << all;

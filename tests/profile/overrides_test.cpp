@@ -40,9 +40,9 @@ TEST_F(OverridesTest, UnknownRuleNamesTheNearest) {
 }
 
 TEST_F(OverridesTest, MissingOrEmptyReason) {
-    expect_words(refusal(with("rule = \"process.wall\"\nrequired_mm = 0.6\n")), {"p.toml:27:1: limits.reason: missing", "why the limit"});
+    expect_words(refusal(with("rule = \"process.wall\"\nrequired_mm = 0.6\n")), {"p.toml:27:1: limits.reason: missing", "the reason"});
     expect_words(refusal(with("rule = \"process.wall\"\nrequired_mm = 0.6\nreason = \" \"\n")),
-                 {"p.toml:30:10: limits.reason", "why the limit"});
+                 {"p.toml:30:10: limits.reason", "the reason"});
     expect_words(refusal(with("rule = \"process.wall\"\nrequired_mm = 0.6\nreason = 5\n")), {"p.toml:30:10: limits.reason"});
 }
 

@@ -24,7 +24,7 @@ InvalidInput fault(std::string_view bytes, const std::string& file, std::size_t 
     return {fmt::format("{}:{}:{}: JSON", file, line, column), std::move(value), std::move(allowed)};
 }
 
-/// Before the parser sees it: what is nested too deep may use up the stack of whoever walks through it.
+/// Runs before the parser: deep nesting may overflow the stack of recursive code.
 void require_shallow(std::string_view bytes, const std::string& file) {
     std::size_t depth = 0;
     bool inside_text = false;
@@ -50,12 +50,12 @@ std::string number_in(const std::string& message) {
     return end == std::string::npos || begin == std::string::npos ? "" : message.substr(begin + 1, end - begin - 1);
 }
 
-std::string shown(const Json& json) {
+std::string shortened(const Json& json) {
     const std::string all = json.dump(-1, ' ', true, Json::error_handler_t::replace);
     return all.size() <= kLongestShown ? all : all.substr(0, kLongestShown) + "...";
 }
 
-/// Adds the old name beside the new one in `json` and all that it holds. @returns whether the new name was there
+/// Adds the old name next to the new one in `json` and its children. @returns whether the new name was found
 bool add_old_name(Json& json, const std::string& before, const std::string& now) {
     bool found = false;
     for (Json& child : json) found |= child.is_structured() && add_old_name(child, before, now);
@@ -71,7 +71,7 @@ nlohmann::ordered_json parse_json(std::string_view bytes, const std::string& fil
     try {
         return Json::parse(bytes);
     } catch (const Json::parse_error& e) {
-        throw fault(bytes, file, e.byte > 0 ? e.byte - 1 : 0, "no valid JSON", "JSON as RFC 8259 has it");
+        throw fault(bytes, file, e.byte > 0 ? e.byte - 1 : 0, "not valid JSON", "JSON by RFC 8259");
     } catch (const Json::out_of_range& e) {
         const std::string number = number_in(e.what());
         throw fault(bytes, file, bytes.find(number), number.substr(0, kLongestShown),
@@ -126,7 +126,7 @@ void JsonNode::allow_keys(const std::vector<std::string>& known) const {
             throw InvalidInput(node.path(), "unknown key", fmt::format("{}", fmt::join(known, ", ")));
 }
 
-void JsonNode::refuse(const std::string& allowed) const { throw InvalidInput(path_, shown(json_), allowed); }
+void JsonNode::refuse(const std::string& allowed) const { throw InvalidInput(path_, shortened(json_), allowed); }
 
 void keep_old_spelling(nlohmann::ordered_json& json, const std::vector<std::pair<std::string, std::string>>& renamed) {
     Json names = Json::object();

@@ -8,10 +8,10 @@
 
 namespace fusee::core {
 
-inline constexpr std::size_t kDeepestJson = 64;  ///< arrays and objects inside of each other
+inline constexpr std::size_t kDeepestJson = 64;  ///< nesting of arrays and objects
 
-/// Parses a JSON text by anybody. Every number is finite and nothing is nested deeper than kDeepestJson: what walks through the result
-/// may recurse.
+/// Parses a third-party JSON text. Every number is finite and nothing is nested deeper than kDeepestJson, so that code may recurse through
+/// the result.
 /// @param file the name used in messages
 /// @throws InvalidInput "file:line:column: JSON"
 [[nodiscard]] nlohmann::ordered_json parse_json(std::string_view bytes, const std::string& file);
@@ -29,13 +29,13 @@ public:
     [[nodiscard]] JsonNode operator[](const std::string& key) const;
     [[nodiscard]] std::string text() const;
     [[nodiscard]] double number() const;
-    [[nodiscard]] double number_or_null() const;  ///< NaN for null, which is what a NaN is written as
+    [[nodiscard]] double number_or_null() const;  ///< NaN for null, as NaN is written
     [[nodiscard]] double number_within(double low, double high) const;
     [[nodiscard]] std::vector<JsonNode> cells() const;                            ///< of an array
     [[nodiscard]] std::vector<std::pair<std::string, JsonNode>> members() const;  ///< of an object
-    /// @throws InvalidInput naming the first key of this object that is none of `known`
+    /// @throws InvalidInput naming the first key of this object that is not in `known`
     void allow_keys(const std::vector<std::string>& known) const;
-    /// @throws InvalidInput with what stands here, shortened, and what is allowed
+    /// @throws InvalidInput with this value, shortened, and the allowed ones
     [[noreturn]] void refuse(const std::string& allowed) const;
 
 private:

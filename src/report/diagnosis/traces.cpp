@@ -7,6 +7,7 @@
 
 #include "diagnosis/page.h"
 #include "diagnosis/words.h"
+#include "fusee/math/statistics.h"
 #include "page/html.h"
 #include "page/svg_plot.h"
 
@@ -85,11 +86,9 @@ std::vector<bool> sweep_starts(const Values& x) {
     if (x.size() < 3) return fresh;
     Values steps;
     for (std::size_t i = 1; i < x.size(); ++i) steps.push_back(std::abs(x[i] - x[i - 1]));
-    Values sorted = steps;
-    std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2), sorted.end());
+    const double usual = math::upper_median(steps);
     const auto [low, high] = std::minmax_element(x.begin(), x.end());
-    for (std::size_t i = 1; i < x.size(); ++i)
-        fresh[i] = steps[i - 1] > kJump * (*high - *low) && steps[i - 1] > kSteps * sorted[sorted.size() / 2];
+    for (std::size_t i = 1; i < x.size(); ++i) fresh[i] = steps[i - 1] > kJump * (*high - *low) && steps[i - 1] > kSteps * usual;
     return fresh;
 }
 

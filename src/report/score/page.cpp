@@ -5,6 +5,7 @@
 #include <set>
 
 #include "fusee/core/provenance.h"
+#include "fusee/math/statistics.h"
 #include "fusee/report/score.h"
 #include "page/html.h"
 #include "page/svg_plot.h"
@@ -120,14 +121,10 @@ std::string shrink_section(const Score& score) {
     const double most = std::max(1.0, *std::max_element(claimed.begin(), claimed.end()));
     Plot plot("Gap after over gap before", "claimed by the diagnosis", "measured on heldout/");
     plot.curve("ideal", {0.0, most}, {0.0, most}, "sum", true).points("cases", claimed, measured, "t").from_zero();
-    const auto median = [](std::vector<double> values) {
-        std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
-        return number(values[values.size() / 2], 3);
-    };
     return section("Claimed and measured reduction of the gap",
                    html_facts({{"cases with a named effect", std::to_string(score.shrink.size())},
-                               {"median claimed", median(claimed)},
-                               {"median measured", median(measured)}}) +
+                               {"median claimed", number(math::upper_median(claimed), 3)},
+                               {"median measured", number(math::upper_median(measured), 3)}}) +
                        "<div class=\"held\">" + plot.svg() + "</div>");
 }
 

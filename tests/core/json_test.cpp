@@ -64,6 +64,24 @@ TEST(JsonNode, NamesTheKeyOfWhatItRefuses) {
               "d.json: top.t");
 }
 
+TEST(JsonNode, ReadsSignsCountsWordsAndVectors) {
+    const nlohmann::ordered_json json = parse_json(R"({"s": -1, "n": 3, "t": "x", "v": [1, 2], "e": []})", "d.json");
+    const JsonNode root = JsonNode::of_file(json, "d.json");
+    EXPECT_EQ(root["s"].sign(), -1);
+    EXPECT_EQ(root["n"].count(), 3u);
+    EXPECT_EQ(root["n"].number_at_least(3.0), 3.0);
+    EXPECT_EQ(root["t"].one_of({"x", "y"}), "x");
+    EXPECT_EQ(root["v"].vector<2>(), (std::array{1.0, 2.0}));
+    EXPECT_TRUE(root["e"].cells().empty());
+    EXPECT_EQ(field_refused([&] { return root["n"].sign(); }), "d.json: n");
+    EXPECT_EQ(field_refused([&] { return root["s"].count(); }), "d.json: s");
+    EXPECT_EQ(field_refused([&] { return root["n"].number_at_least(4.0); }), "d.json: n");
+    EXPECT_EQ(field_refused([&] { return root["t"].one_of({"y"}); }), "d.json: t");
+    EXPECT_EQ(field_refused([&] { return root["v"].vector<3>(); }), "d.json: v");
+    EXPECT_EQ(field_refused([&] { return root["e"].cells(1); }), "d.json: e");
+    EXPECT_EQ(field_refused([&] { return root["z"]; }), "d.json: z");
+}
+
 TEST(JsonNode, ALongValueIsShortened) {
     const nlohmann::ordered_json json = nlohmann::ordered_json(std::string(100'000, 'x'));
     try {

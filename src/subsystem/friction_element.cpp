@@ -13,7 +13,7 @@ namespace fusee::subsystem {
 
 namespace {
 
-/// Spring, play and slider in series (docs/gap-bench.md, eq. 1 to 3): u is the elongation of spring and play.
+/// Spring, play and slider in series (docs/subsystem-cases.md, eq. 1 to 3): u is the elongation of spring and play.
 struct ElementParameter {
     enum : std::size_t { kCoulomb, kDeflection, kBacklash, kSeat, kAsymmetry, kViscous, kStribeck, kStribeckSpeed, kLoad, kPlaces };
 };

@@ -164,7 +164,7 @@ void MotorBreakaway::set_blocks(const Case& subsystem_case) {
     add_scheme(*this, "file", files);
 }
 
-/// L - s f(L) = k tau_m with f = c + mu (1 + s a) L + b L^2 (docs/gap-bench.md, eq. 7): the smaller root, Newton from below.
+/// L - s f(L) = k tau_m with f = c + mu (1 + s a) L + b L^2 (docs/subsystem-cases.md, eq. 7): the smaller root, Newton from below.
 void MotorBreakaway::predict(std::size_t record, const Values& values, std::vector<double>& predicted) const {
     predicted.resize(rows_[record].size());
     for (std::size_t i = 0; i < predicted.size(); ++i) {

@@ -170,7 +170,7 @@ private:
     std::size_t at_ = 0;
 };
 
-/// The pendulum in time (docs/gap-bench.md, eq. 4 to 6): implicit in speed, friction as the impulse that stops or else opposes
+/// The pendulum in time (docs/subsystem-cases.md, eq. 4 to 6): implicit in speed, friction as the impulse that stops or else opposes
 /// (J. J. Moreau's time stepping), so that sticking is exact.
 class Pendulum {
 public:

@@ -6,7 +6,8 @@
 #include "fusee/diagnosis/diagnose.h"
 #include "fusee/spring/stiction_law.h"
 
-// The paper's dead-band tables as gap cases, as they ship (docs/gap-paper.md): so few widths must not name a cause, nor acquit the model.
+// The paper's dead-band tables as gap cases, as they ship (docs/paper-case-study.md): so few widths must not name a cause, nor acquit the
+// model.
 namespace fusee::diagnosis {
 namespace {
 

@@ -228,7 +228,7 @@ TEST_F(CaseFolder, RefusesUnitsSignsAndSidesThatManyRowsContradict) {
         [](Rows& r) {
             for (auto& row : r.joint_stiffness) row.q = -row.q;
         },
-        {"joint_stiffness.csv: q_rad", "other sign"});
+        {"joint_stiffness.csv: q_rad", "wrong sign"});
     expect_refused(
         [](Rows& r) {
             for (auto& row : r.log) std::swap(row.theta_agonist, row.theta_antagonist);

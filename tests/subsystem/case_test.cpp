@@ -112,7 +112,7 @@ fs::path real_folder() {
     return real == nullptr ? fs::path{} : fs::path(real);
 }
 
-// Measured by others; the figures are those of docs/gap-bench.md.
+// Measured by others; the figures are those of docs/subsystem-cases.md.
 TEST_F(SubsystemFolder, BandBrakeHasBacklashAndIsAtTheFloor) {
     if (real_folder().empty()) GTEST_SKIP() << "FUSEE_GAP_REAL names no folder of real measurements";
     link_case(real_folder() / "force_loop_band_brake", "friction_element", "force_loop");

@@ -12,7 +12,7 @@
 #include "fusee/core/units.h"
 #include "fusee/diagnosis/diagnosis.h"
 
-/// Score of the diagnoses of a sealed benchmark after the seal is opened (docs/gap-benchmark.md).
+/// Score of the diagnoses of a sealed benchmark after the seal is opened (docs/benchmark.md).
 namespace fusee::blind {
 
 /// A share: hits of a number.
@@ -103,7 +103,7 @@ struct ScoreOptions {
 /// core::IoError; core::Stopped
 [[nodiscard]] Score score(const ScoreOptions& options);
 
-/// Keys as docs/gap-benchmark.md gives them; a NaN is null. @param model score of the cases made by the model, or none
+/// Keys as docs/benchmark.md gives them; a NaN is null. @param model score of the cases made by the model, or none
 [[nodiscard]] std::string score_json(const Score& score, const std::optional<Score>& model = {});
 
 }  // namespace fusee::blind

@@ -4,7 +4,7 @@
 
 #include "fusee/blind/score.h"
 
-/// The score of a sealed benchmark, for a person (docs/gap-benchmark.md). score.json is written by blind::score_json.
+/// The score of a sealed benchmark, for a person (docs/benchmark.md). score.json is written by blind::score_json.
 namespace fusee::report {
 
 /// One page in one file that opens offline: no script, no request. @param model score of cases that the model itself made, shown for

@@ -7,7 +7,7 @@
 #include "fusee/diagnosis/diagnose.h"
 #include "fusee/diagnosis/diagnosis.h"
 
-/// Subsystem cases: one subsystem alone (docs/gap-bench.md). A folder with case.toml, where [bench] stands in place of [rig], and CSV
+/// Subsystem cases: one subsystem alone (docs/subsystem-cases.md). A folder with case.toml, where [bench] stands in place of [rig], and CSV
 /// files. The nominal law's parameters are fitted on the case's own rows; an effect counts only if it also predicts whole files that its
 /// fit has not seen.
 namespace fusee::subsystem {

@@ -41,7 +41,7 @@ int calibrate(const CalibrateArguments& arguments) {
     }
     const std::string bytes = core::read_file(arguments.sheet, kLargestSheet);
     const coupon::Sheet sheet = coupon::parse_sheet(bytes, arguments.sheet.string());
-    const report::CalibrationReport found{
+    const pipeline::CalibrationReport found{
         arguments.sheet.stem().string(), core::sha256_hex(bytes),
         coupon::calibrate(sheet, profile ? pipeline::present_of(*profile) : coupon::Present{}, arguments.sheet.string())};
     if (!arguments.corrected.empty())

@@ -26,15 +26,15 @@ int write_template(const CaseTemplateArguments& arguments) {
     const profile::Profile profile = profile::read_profile(arguments.profile);
     core::OutputFolder output(
         arguments.out,
-        {.command = "case-template", .source = arguments.profile, .force = arguments.force, .sheets = gap::case_template_files()});
+        {.command = "case-template", .source = arguments.profile, .force = arguments.force, .sheets = gap_case::case_template_files()});
     const auto made = with_places(profile, [&] { return pipeline::case_template(profile, arguments.options); });
     if (!made) {
         for (const core::Finding& finding : made.refusal()) fmt::print(stderr, "{}\n", core::to_line(finding));
         return kRefused;
     }
-    gap::write_case_template(*made, output.path());
+    gap_case::write_case_template(*made, output.path());
     output.commit();
-    fmt::print("{}: an empty case with {} set points; begin with BENCH.md\nwritten: {}\n", made->name, gap::set_points(*made).size(),
+    fmt::print("{}: an empty case with {} set points; begin with BENCH.md\nwritten: {}\n", made->name, gap_case::set_points(*made).size(),
                (arguments.out / "").string());
     return 0;
 }

@@ -12,6 +12,7 @@
 #include "fusee/inspect/rule.h"
 #include "fusee/pipeline/check.h"
 #include "fusee/profile/limits.h"
+#include "fusee/report/check.h"
 #include "mesh_check.h"
 #include "places.h"
 
@@ -44,7 +45,7 @@ std::vector<checks::ProcessKind> kinds_of(const std::string& word) {
     return kinds;
 }
 
-report::Checked check_profile(const CheckArguments& arguments) {
+pipeline::Checked check_profile(const CheckArguments& arguments) {
     if (!arguments.out.empty() || !arguments.profile.empty() || !arguments.limits.empty())
         throw core::InvalidInput(
             "check", arguments.input.string(),

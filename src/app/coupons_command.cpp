@@ -23,7 +23,7 @@ int coupons(const CouponsArguments& arguments) {
         if (finding.severity != core::Severity::kPass) fmt::print(stderr, "{}\n", core::to_line(finding));
     if (!made.made) return 1;
     std::string names;
-    for (const report::FileRow& file : made.files) names += (names.empty() ? "" : ", ") + file.entry.name;
+    for (const pipeline::FileRow& file : made.files) names += (names.empty() ? "" : ", ") + file.entry.name;
     fmt::print("written: {}: {}\n", made.folder.string(), names);
     return 0;
 }

@@ -14,6 +14,7 @@
 #include "fusee/core/progress.h"
 #include "fusee/profile/profile.h"
 #include "fusee/report/rule_counts.h"
+#include "fusee/report/search.h"
 #include "numbers.h"
 #include "places.h"
 
@@ -78,8 +79,8 @@ codesign::RunResult watched(const profile::Profile& profile, codesign::RunOption
     return run(profile, options);
 }
 
-int say(const codesign::RunResult& result) {
-    if (!result.found) {
+int say(const codesign::RunResult& result, const std::filesystem::path& folder) {
+    if (!result.found()) {
         if (result.interrupted) fmt::print(stderr, "stopped before any springs were found\n");
         for (const core::Finding& finding : result.findings) fmt::print(stderr, "{}\n", core::to_line(finding));
         return result.interrupted ? kInterrupted : kRefused;
@@ -88,7 +89,7 @@ int say(const codesign::RunResult& result) {
     for (const core::Finding& finding : result.findings)
         if (core::is_broken(finding)) fmt::print("  {}\n", core::to_line(finding));
     if (const std::string open = report::not_judged_text(result.findings); !open.empty()) fmt::print("  {}\n", open);
-    fmt::print("{}: {}\n", result.interrupted ? "stopped early; the best so far" : "written", (result.folder / "").string());
+    fmt::print("{}: {}\n", result.interrupted ? "stopped early; the best so far" : "written", (folder / "").string());
     return result.interrupted ? kInterrupted : 0;
 }
 
@@ -96,7 +97,15 @@ int design(const DesignArguments& arguments) {
     core::catch_interrupts();
     require_thread();
     const profile::Profile profile = read(arguments);
-    return with_places(profile, [&] { return say(watched(profile, arguments.options)); });
+    return with_places(profile, [&] {
+        core::OutputFolder output(codesign::result_folder(profile, arguments.options), codesign::output_run(profile, arguments.options));
+        const codesign::RunResult result = watched(profile, arguments.options);
+        if (result.found()) {
+            report::write_search(result, output.path());
+            output.commit();
+        }
+        return say(result, output.target());
+    });
 }
 
 }  // namespace

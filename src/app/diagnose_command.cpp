@@ -10,9 +10,9 @@
 #include "fusee/core/file.h"
 #include "fusee/core/output_folder.h"
 #include "fusee/core/progress.h"
-#include "fusee/gap/bench.h"
-#include "fusee/gap/diagnose.h"
+#include "fusee/diagnosis/diagnose.h"
 #include "fusee/report/diagnosis.h"
+#include "fusee/subsystem/subsystem.h"
 #include "redesign_step.h"
 
 namespace fusee::app {
@@ -44,7 +44,7 @@ private:
 
 /// What only a whole case shows is refused without a file: the folder stands in for it.
 template <class Work>
-gap::Diagnosis with_folder(const fs::path& folder, const Work& work) {
+diagnosis::Diagnosis with_folder(const fs::path& folder, const Work& work) {
     try {
         return work();
     } catch (const core::InvalidInput& e) {
@@ -52,15 +52,15 @@ gap::Diagnosis with_folder(const fs::path& folder, const Work& work) {
     }
 }
 
-gap::Diagnosis diagnosis_of(const fs::path& folder, unsigned jobs) {
+diagnosis::Diagnosis diagnosis_of(const fs::path& folder, unsigned jobs) {
     Watched watched;
-    const gap::DiagnoseOptions options{jobs, std::ref(watched)};
-    if (gap::is_bench_case(folder)) {
-        const gap::BenchCase bench = gap::read_bench_case(folder);
-        return with_folder(folder, [&] { return gap::diagnose_bench(bench, options); });
+    const diagnosis::DiagnoseOptions options{jobs, std::ref(watched)};
+    if (gap_case::is_subsystem_case(folder)) {
+        const subsystem::Case bench = subsystem::read_case(folder);
+        return with_folder(folder, [&] { return subsystem::diagnose(bench, options); });
     }
-    const gap::Case bench = gap::read_case(folder);
-    return with_folder(folder, [&] { return gap::diagnose(bench, options); });
+    const gap_case::Case bench = gap_case::read_case(folder);
+    return with_folder(folder, [&] { return diagnosis::diagnose(bench, options); });
 }
 
 core::OutputRun run_of(const DiagnoseArguments& arguments) {
@@ -72,8 +72,8 @@ int diagnose(const DiagnoseArguments& arguments) {
     require_thread();
     const std::optional<RedesignStep> redesign = redesign_step(arguments.profile, arguments.corrected, arguments.folder, arguments.force);
     core::OutputFolder output(arguments.out, run_of(arguments));
-    const gap::Diagnosis found = diagnosis_of(arguments.folder, arguments.jobs);
-    const std::string json = gap::diagnosis_json(found), page = report::diagnosis_html(found);
+    const diagnosis::Diagnosis found = diagnosis_of(arguments.folder, arguments.jobs);
+    const std::string json = diagnosis::diagnosis_json(found), page = report::diagnosis_html(found);
     core::write_file(output.path() / "diagnosis.html", page);
     core::write_file(output.path() / "diagnosis.json", json);
     RedesignStep::Output redesigned;

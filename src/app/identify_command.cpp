@@ -6,7 +6,7 @@
 #include "commands.h"
 #include "fusee/core/file.h"
 #include "fusee/core/output_folder.h"
-#include "fusee/gap/break_away.h"
+#include "fusee/identification/break_away.h"
 #include "fusee/report/identification.h"
 
 namespace fusee::app {
@@ -24,9 +24,10 @@ int identify(const IdentifyArguments& arguments) {
                                .source = arguments.csv,
                                .force = arguments.force,
                                .files = {"identification.json", "identification.html"}});
-    const std::string bytes = core::read_file(arguments.csv, gap::kLargestBreakAwayFile);
-    const report::Identification found{arguments.csv.stem().string(), core::sha256_hex(bytes),
-                                       gap::identify_friction(gap::parse_break_away(bytes, arguments.csv.string()))};
+    const std::string bytes = core::read_file(arguments.csv, identification::kLargestBreakAwayFile);
+    const identification::Identification found{
+        arguments.csv.stem().string(), core::sha256_hex(bytes),
+        identification::identify_friction(identification::parse_break_away(bytes, arguments.csv.string()))};
     core::write_file(output.path() / "identification.json", report::identification_json(found));
     core::write_file(output.path() / "identification.html", report::identification_html(found));
     output.commit();

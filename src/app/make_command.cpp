@@ -7,6 +7,7 @@
 #include "fusee/batch/batch.h"
 #include "fusee/core/error.h"
 #include "fusee/core/progress.h"
+#include "fusee/profile/find_profiles.h"
 
 namespace fusee::app {
 
@@ -14,7 +15,7 @@ namespace {
 
 struct MakeArguments {
     std::vector<std::filesystem::path> paths;
-    pipeline::MakeOptions options;
+    batch::MakeOptions options;
     std::string via = to_string(options.via);
     unsigned jobs = 0;
 };
@@ -23,7 +24,7 @@ int make(const MakeArguments& arguments) {
     core::catch_interrupts();
     require_thread();
     if (arguments.paths.empty()) throw core::InvalidInput("make", "no profile", "at least one profile (*.toml) or folder of them");
-    const auto rows = batch::make_all(batch::find_profiles(arguments.paths), arguments.options, arguments.jobs);
+    const auto rows = batch::make_all(profile::find_profiles(arguments.paths), arguments.options, arguments.jobs);
     const int code = batch::exit_code(rows);
     fmt::print(code == 0 ? stdout : stderr, "{}", batch::closing_table(rows));
     return code;

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "fusee/checks/check.h"
-#include "fusee/report/check.h"
+#include "fusee/pipeline/check.h"
 
 namespace fusee::app {
 
@@ -17,7 +17,7 @@ struct Machine {
 
 /// A part by anybody, checked for each process.
 struct MeshCheck {
-    report::Checked checked;
+    pipeline::Checked checked;
     std::filesystem::path coloured;  ///< the 3MF that shows where; empty if none was asked for
 };
 

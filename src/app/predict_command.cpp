@@ -7,8 +7,8 @@
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/core/output_folder.h"
-#include "fusee/gap/bench.h"
-#include "fusee/gap/diagnose.h"
+#include "fusee/diagnosis/diagnose.h"
+#include "fusee/subsystem/subsystem.h"
 
 namespace fusee::app {
 
@@ -30,27 +30,27 @@ void require_other_folder(const fs::path& out, const fs::path& measured) {
         throw core::InvalidInput("--out", out.string(), "another folder than that of the measurements");
 }
 
-gap::Diagnosis effects_of(const fs::path& file) {
+diagnosis::Diagnosis effects_of(const fs::path& file) {
     if (file.empty()) return {};
-    return gap::parse_diagnosis(core::read_file(file, kLargestDiagnosis), file.string());
+    return diagnosis::parse_diagnosis(core::read_file(file, kLargestDiagnosis), file.string());
 }
 
 int predict(const PredictArguments& arguments) {
     require_other_folder(arguments.out, arguments.inputs);
     require_other_folder(arguments.out, arguments.folder);
     core::OutputFolder output(arguments.out, {.command = "predict", .source = arguments.folder, .force = arguments.force});
-    const gap::Diagnosis found = effects_of(arguments.effects);
+    const diagnosis::Diagnosis found = effects_of(arguments.effects);
     std::size_t rows = 0;
-    if (gap::is_bench_case(arguments.folder)) {
-        const gap::BenchCase bench = gap::read_bench_case(arguments.folder);
-        const gap::BenchCase predicted = gap::predict_bench(bench, found, gap::read_bench_inputs(bench, arguments.inputs));
-        gap::write_bench_rows(predicted, output.path());
-        for (const gap::BenchRecord& record : predicted.records) rows += record.rows();
+    if (gap_case::is_subsystem_case(arguments.folder)) {
+        const subsystem::Case bench = subsystem::read_case(arguments.folder);
+        const subsystem::Case predicted = subsystem::predict(bench, found, subsystem::read_inputs(bench, arguments.inputs));
+        subsystem::write_rows(predicted, output.path());
+        for (const subsystem::Record& record : predicted.records) rows += record.rows();
     } else {
-        const gap::Case bench = gap::read_case(arguments.folder);
-        gap::require_possible(bench, found, arguments.effects.string());
-        const gap::Rows predicted = gap::predict(bench, found, gap::read_inputs(bench, arguments.inputs));
-        gap::write_rows(bench, predicted, output.path());
+        const gap_case::Case bench = gap_case::read_case(arguments.folder);
+        diagnosis::require_possible(bench, found, arguments.effects.string());
+        const gap_case::Rows predicted = diagnosis::predict(bench, found, gap_case::read_inputs(bench, arguments.inputs));
+        gap_case::write_rows(bench, predicted, output.path());
         rows = predicted.size();
     }
     output.commit();

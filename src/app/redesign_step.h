@@ -3,8 +3,8 @@
 #include <optional>
 #include <string>
 
-#include "fusee/gap/case.h"
-#include "fusee/gap/diagnosis.h"
+#include "fusee/diagnosis/diagnosis.h"
+#include "fusee/gap_case/case.h"
 #include "fusee/profile/profile.h"
 
 namespace fusee::app {
@@ -21,15 +21,15 @@ public:
         std::string section;  ///< of the page
         std::string text;     ///< for the terminal
     };
-    /// Writes the corrected profiles, and redesign.json into `folder`. @throws as pipeline::redesign and pipeline::write_redesign
-    [[nodiscard]] Output write(const gap::Diagnosis& found, const std::filesystem::path& folder) const;
+    /// Writes the corrected profiles, and redesign.json into `folder`. @throws as redesign::plan_redesign and redesign::write_profiles
+    [[nodiscard]] Output write(const diagnosis::Diagnosis& found, const std::filesystem::path& folder) const;
 
 private:
     std::filesystem::path file_;
     bool force_;  ///< a profile that stands there is replaced
     std::string toml_;
     profile::Profile profile_;
-    gap::Case bench_;
+    gap_case::Case gap_case_;
 };
 
 /// None unless both options are given. @throws core::InvalidInput if one stands alone, and as RedesignStep

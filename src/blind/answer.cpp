@@ -9,8 +9,8 @@
 #include "fusee/core/json.h"
 #include "fusee/core/output_folder.h"
 #include "fusee/core/progress.h"
-#include "fusee/gap/diagnose.h"
-#include "kept_back.h"
+#include "fusee/diagnosis/diagnose.h"
+#include "held_out_gap.h"
 
 namespace fusee::blind {
 
@@ -18,16 +18,17 @@ namespace fs = std::filesystem;
 
 namespace {
 
-using json = nlohmann::ordered_json;
-constexpr const char *kDiagnosis = "diagnosis.json", *kKept = "kept_back.json";
-constexpr std::size_t kLargest = 50'000'000;  // bytes of a diagnosis
+using Json = nlohmann::ordered_json;
+constexpr const char *kDiagnosis = "diagnosis.json", *kHeldOut = "held_out.json",
+                     *kOldHeldOut = "kept_back.json";  // read for one more version
+constexpr std::size_t kLargestDiagnosis = 50'000'000;  // bytes of a diagnosis
 
 /// Why a case has no diagnosis.
 struct Failure {
     std::string why;
 };
 
-/// What goes wrong in reading or diagnosing a case is a miss of that case, a fault of ours included; the others go on.
+/// An error in reading or diagnosing a case, internal errors included, is a miss of that case; the others continue.
 template <typename Work>
 auto or_failure(const Work& work) {
     try {
@@ -39,65 +40,64 @@ auto or_failure(const Work& work) {
     }
 }
 
-double number(const json& j) { return j.is_number() ? j.get<double>() : gap::kNoFigure; }
+double number(const Json& j) { return j.is_number() ? j.get<double>() : diagnosis::kNoFigure; }
 
-/// A file that is no JSON object says nothing, and is made anew.
-json object_or_none(const fs::path& file) {
+/// A file that is not a JSON object is ignored and written again.
+Json object_or_none(const fs::path& file) {
     try {
-        json found = core::parse_json(core::read_file(file, kLargest), file.string());
-        return found.is_object() ? found : json::object();
+        Json found = core::parse_json(core::read_file(file, kLargestDiagnosis), file.string());
+        return found.is_object() ? found : Json::object();
     } catch (const core::InvalidInput&) {
-        return json::object();
+        return Json::object();
     }
 }
 
-/// What a score needs beyond the effects: alternatives, and the shrink that is claimed.
-void read_claims(const json& j, Answer& answer) {
+/// Reads alternatives and the claimed reduction of the gap.
+void read_claims(const Json& j, Answer& answer) {
     if (j.contains("alternatives"))
-        for (const json& other : j["alternatives"]) {
-            gap::Alternative alternative{{}, number(other.at("probability"))};
-            for (const json& cause : other.at("effects"))
+        for (const Json& other : j["alternatives"]) {
+            diagnosis::Alternative alternative{{}, number(other.at("probability"))};
+            for (const Json& cause : other.at("effects"))
                 alternative.effects.push_back({cause.at("id").get<std::string>(), cause.at("side").get<std::string>()});
             answer.alternatives.push_back(std::move(alternative));
         }
     if (!j.contains("gap")) return;
-    answer.claimed_before = number(j["gap"].value("heldout_before", json()));
-    answer.claimed_after = number(j["gap"].value("heldout_after", json()));
+    answer.claimed_before = number(j["gap"].value("heldout_before", Json()));
+    answer.claimed_after = number(j["gap"].value("heldout_after", Json()));
 }
 
-/// One case with its place for results.
+/// One case with its result folder.
 class Desk {
 public:
     Desk(const ScoreOptions& options, const std::string& name)
         : options_(options),
           place_(options.folder / "diagnoses" / name),
-          bench_(or_failure([&] { return gap::read_case(options.folder / name); })) {
+          gap_case_(or_failure([&] { return gap_case::read_case(options.folder / name); })) {
         answer_.case_name = name;
     }
 
     Answer answer() {
         if (options_.again || !holds_this_case()) diagnose();
-        const std::string text = core::read_file(diagnosis_file(), kLargest);
-        const gap::Diagnosis found = or_failure([&] {
+        const std::string text = core::read_file(diagnosis_file(), kLargestDiagnosis);
+        const diagnosis::Diagnosis found = or_failure([&] {
             const std::string file = diagnosis_file().string();
-            gap::Diagnosis read = gap::parse_diagnosis(text, file);
-            gap::require_possible(bench_, read, file);
+            diagnosis::Diagnosis read = diagnosis::parse_diagnosis(text, file);
+            diagnosis::require_possible(gap_case_, read, file);
             read_claims(core::parse_json(text, file), answer_);
             return read;
         });
         answer_.verdict = found.verdict;
         answer_.effects = found.effects;
-        keep_back(found, core::sha256_hex(text));
+        hold_out(found, core::sha256_hex(text));
         return answer_;
     }
 
 private:
     [[nodiscard]] fs::path diagnosis_file() const { return place_ / kDiagnosis; }
-    [[nodiscard]] fs::path kept_file() const { return place_ / kKept; }
     [[nodiscard]] bool holds_this_case() const {
         if (!fs::exists(diagnosis_file())) return false;
-        const json found = object_or_none(diagnosis_file());
-        return found.value("case_sha256", json()) == bench_.sha256;
+        const Json found = object_or_none(diagnosis_file());
+        return found.value("case_sha256", Json()) == gap_case_.sha256;
     }
 
     void diagnose() {
@@ -105,31 +105,31 @@ private:
             if (options_.stop && options_.stop()) throw core::Stopped();
         };
         const auto begin = std::chrono::steady_clock::now();
-        const std::string found = or_failure([&] { return gap::diagnosis_json(gap::diagnose(bench_, {1, asked})); });
+        const std::string found = or_failure([&] { return diagnosis::diagnosis_json(diagnosis::diagnose(gap_case_, {1, asked})); });
         answer_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         put(kDiagnosis, found);
     }
 
-    /// The gap on heldout/ of the diagnosis with this hash; time and figures stand in kept_back.json when it is met again.
-    void keep_back(const gap::Diagnosis& found, const std::string& diagnosis) {
-        if (fs::exists(kept_file())) {
-            const json kept = object_or_none(kept_file());
-            if (kept.value("diagnosis_sha256", json()) == diagnosis) {
-                answer_.kept_before = number(kept.value("before", json()));
-                answer_.kept_after = number(kept.value("after", json()));
-                answer_.seconds = number(kept.value("seconds", json()));
-                return;
-            }
+    /// The gap on heldout/ of the diagnosis with this hash. held_out.json holds the figures of an earlier run and its seconds.
+    void hold_out(const diagnosis::Diagnosis& found, const std::string& diagnosis) {
+        for (const char* name : {kHeldOut, kOldHeldOut}) {
+            const Json known = fs::exists(place_ / name) ? object_or_none(place_ / name) : Json::object();
+            if (known.value("diagnosis_sha256", Json()) != diagnosis) continue;
+            answer_.held_out_before = number(known.value("before", Json()));
+            answer_.held_out_after = number(known.value("after", Json()));
+            answer_.seconds = number(known.value("seconds", Json()));
+            return;
         }
-        const KeptBack kept = or_failure(
-            [&] { return kept_back_gap(bench_, found, gap::read_inputs(bench_, options_.folder / answer_.case_name / "heldout")); });
-        answer_.kept_before = kept.before;
-        answer_.kept_after = kept.after;
-        const json file{{"before", kept.before}, {"after", kept.after}, {"seconds", answer_.seconds}, {"diagnosis_sha256", diagnosis}};
-        put(kKept, file.dump(2) + "\n");
+        const HeldOutGap gap = or_failure([&] {
+            return held_out_gap(gap_case_, found, gap_case::read_inputs(gap_case_, options_.folder / answer_.case_name / "heldout"));
+        });
+        answer_.held_out_before = gap.before;
+        answer_.held_out_after = gap.after;
+        const Json file{{"before", gap.before}, {"after", gap.after}, {"seconds", answer_.seconds}, {"diagnosis_sha256", diagnosis}};
+        put(kHeldOut, file.dump(2) + "\n");
     }
 
-    /// One file among those that lie there; a diagnosis by anybody else is not replaced.
+    /// Writes one file next to existing ones; a third-party diagnosis is not replaced.
     void put(const char* name, const std::string& bytes) const {
         core::OutputFolder output(place_, {.command = std::string("blind score, ") + name,
                                            .source = options_.folder / answer_.case_name,
@@ -141,7 +141,7 @@ private:
 
     const ScoreOptions& options_;
     const fs::path place_;
-    const gap::Case bench_;
+    const gap_case::Case gap_case_;
     Answer answer_;
 };
 
@@ -152,7 +152,7 @@ std::vector<std::string> case_names(const fs::path& folder, std::size_t limit) {
     std::vector<std::string> names;
     for (const auto& entry : fs::directory_iterator(folder, failed))
         if (fs::exists(entry.path() / "case.toml")) names.push_back(entry.path().filename().string());
-    if (names.empty()) throw core::InvalidInput("folder", folder.string(), "a folder that fusee blind make wrote cases to");
+    if (names.empty()) throw core::InvalidInput("folder", folder.string(), "a folder with cases of `fusee blind make`");
     std::sort(names.begin(), names.end());
     if (limit != 0 && names.size() > limit) names.resize(limit);
     return names;

@@ -11,8 +11,8 @@ namespace fusee::blind {
 /// @throws core::InvalidInput "folder" if it has none
 [[nodiscard]] std::vector<std::string> case_names(const std::filesystem::path& folder, std::size_t limit);
 
-/// Diagnoses a case on one thread and measures its gap on heldout/, or reads again what FOLDER/diagnoses says of the very same case.
-/// Opens nothing but the case's own folder. A case that cannot be diagnosed is an answer too: a failure.
+/// Diagnoses a case on one thread and measures its gap on heldout/, or reads the existing result for the same case in FOLDER/diagnoses.
+/// Opens only the folder of the case. A case that cannot be diagnosed gives an answer with `failure`.
 /// @throws core::IoError if results cannot be written, core::Stopped
 [[nodiscard]] Answer answer_case(const ScoreOptions& options, const std::string& name);
 

@@ -16,7 +16,7 @@ namespace {
 enum Purpose : std::uint64_t { kOrder = 101, kEffects };
 enum class Kind { kNone, kOne, kTwo, kOutside };
 
-/// Ids in a shuffled order that begins anew, shuffled again, when all were dealt.
+/// Ids in shuffled order, shuffled again after each pass.
 class Deck {
 public:
     Deck(std::vector<std::string> ids, plant::Random& random) : ids_(std::move(ids)), random_(random) {}
@@ -70,7 +70,7 @@ std::vector<Label> draw_labels(std::uint64_t seed, std::size_t cases, const Mix&
     Deck library(plant::library_ids(), order), outside(plant::outside_ids(), order);
     std::vector<Label> labels;
     for (std::size_t i = 0; i < cases; ++i) {
-        const plant::Nominal nominal = plant::draw_bench(seed, i).nominal;
+        const plant::Nominal nominal = plant::draw_test_rig(seed, i).nominal;
         plant::Random random(seed, i, kEffects);
         Label label{fmt::format("case{:03}", i), {}, kinds[i] != Kind::kOutside};
         if (kinds[i] == Kind::kOutside) label.effects.push_back(drawn(outside.deal(), nominal, random));

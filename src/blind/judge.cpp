@@ -6,11 +6,11 @@ namespace fusee::blind {
 
 namespace {
 
-constexpr double kEnough = 0.5;  ///< of the kept-back gap may be left
+constexpr double kEnough = 0.5;  ///< of the held-out gap may be left
 
-gap::Cause cause_of(const LabelEffect& effect) { return {effect.id, effect.side}; }
-const gap::Cause& cause_of(const gap::FoundEffect& effect) { return effect.cause; }
-const gap::Cause& cause_of(const gap::Cause& cause) { return cause; }
+effects::Cause cause_of(const LabelEffect& effect) { return {effect.id, effect.side}; }
+const effects::Cause& cause_of(const diagnosis::FoundEffect& effect) { return effect.cause; }
+const effects::Cause& cause_of(const effects::Cause& cause) { return cause; }
 
 template <typename Effects>
 bool same(const Label& label, const Effects& effects, bool sides) {
@@ -26,9 +26,10 @@ std::size_t ids_in_common(const Label& label, const Answer& answer) {
 }
 
 std::string wrong_name(const Label& label, const Answer& answer) {
-    if (answer.verdict == gap::Verdict::kNone) return "not seen";
-    if (answer.verdict == gap::Verdict::kUnknown) return "called unknown";
-    if (answer.verdict == gap::Verdict::kAmbiguous) return leaves_open(answer, label) ? "left open" : "left open without the truth";
+    if (answer.verdict == diagnosis::VerdictKind::kNone) return "not seen";
+    if (answer.verdict == diagnosis::VerdictKind::kUnknown) return "called unknown";
+    if (answer.verdict == diagnosis::VerdictKind::kAmbiguous)
+        return leaves_open(answer, label) ? "left open" : "left open without the truth";
     if (names(answer, label, false)) return "another side";
     const std::size_t right = ids_in_common(label, answer);
     if (right == label.effects.size()) return "one effect too many";
@@ -36,7 +37,7 @@ std::string wrong_name(const Label& label, const Answer& answer) {
 }
 
 bool misses_a_size(const Label& label, const Answer& answer) {
-    return std::any_of(answer.effects.begin(), answer.effects.end(), [&](const gap::FoundEffect& effect) {
+    return std::any_of(answer.effects.begin(), answer.effects.end(), [&](const diagnosis::FoundEffect& effect) {
         const LabelEffect* truth = found_in(label, effect);
         return truth != nullptr && !effect.parameter.ci95.holds(truth->size);
     });
@@ -46,22 +47,22 @@ bool misses_a_size(const Label& label, const Answer& answer) {
 
 bool knows_effects(const Label& label) { return label.in_library && !label.effects.empty(); }
 
-bool has_verdict(const Answer& answer, gap::Verdict verdict) { return answer.failure.empty() && answer.verdict == verdict; }
+bool has_verdict(const Answer& answer, diagnosis::VerdictKind verdict) { return answer.failure.empty() && answer.verdict == verdict; }
 
 bool names(const Answer& answer, const Label& label, bool sides) {
-    return has_verdict(answer, gap::Verdict::kIdentified) && same(label, answer.effects, sides);
+    return has_verdict(answer, diagnosis::VerdictKind::kIdentified) && same(label, answer.effects, sides);
 }
 
 bool leaves_open(const Answer& answer, const Label& label) {
     if (names(answer, label, false)) return true;
-    return has_verdict(answer, gap::Verdict::kAmbiguous) &&
+    return has_verdict(answer, diagnosis::VerdictKind::kAmbiguous) &&
            (same(label, answer.effects, false) || std::any_of(answer.alternatives.begin(), answer.alternatives.end(),
                                                               [&](const auto& other) { return same(label, other.effects, false); }));
 }
 
-bool halves_the_gap(const Answer& answer) { return answer.kept_after <= kEnough * answer.kept_before; }
+bool halves_the_gap(const Answer& answer) { return answer.held_out_after <= kEnough * answer.held_out_before; }
 
-const LabelEffect* found_in(const Label& label, const gap::FoundEffect& effect) {
+const LabelEffect* found_in(const Label& label, const diagnosis::FoundEffect& effect) {
     const auto found =
         std::find_if(label.effects.begin(), label.effects.end(), [&](const LabelEffect& truth) { return cause_of(truth) == effect.cause; });
     return found == label.effects.end() ? nullptr : &*found;
@@ -74,8 +75,8 @@ std::string miss_of(const Label& label, const Answer& answer) {
     if (label.effects.empty()) return said == "none" ? "" : "faultless, called " + said;
     std::string what = names(answer, label, true) ? "" : wrong_name(label, answer);
     const auto add = [&](const char* more) { what += (what.empty() ? "" : ", ") + std::string(more); };
-    if (misses_a_size(label, answer)) add("interval without the true size");
-    if (!halves_the_gap(answer)) add("kept-back gap not halved");
+    if (misses_a_size(label, answer)) add("interval misses the true size");
+    if (!halves_the_gap(answer)) add("held-out gap not halved");
     return what;
 }
 

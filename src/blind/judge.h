@@ -11,11 +11,11 @@ namespace fusee::blind {
 [[nodiscard]] bool names(const Answer& answer, const Label& label, bool sides);
 /// The same, or an ambiguous answer that has these effects first or among its alternatives.
 [[nodiscard]] bool leaves_open(const Answer& answer, const Label& label);
-[[nodiscard]] bool has_verdict(const Answer& answer, gap::Verdict verdict);
+[[nodiscard]] bool has_verdict(const Answer& answer, diagnosis::VerdictKind verdict);
 [[nodiscard]] bool halves_the_gap(const Answer& answer);
 /// The label's effect that this one is, same side; nullptr: none.
-[[nodiscard]] const LabelEffect* found_in(const Label& label, const gap::FoundEffect& effect);
-/// What is wrong with it, in words; "" if nothing is.
+[[nodiscard]] const LabelEffect* found_in(const Label& label, const diagnosis::FoundEffect& effect);
+/// Description of the error; "" if the answer is right.
 [[nodiscard]] std::string miss_of(const Label& label, const Answer& answer);
 
 }  // namespace fusee::blind

@@ -13,7 +13,7 @@ namespace fusee::blind {
 
 namespace {
 
-/// A benchmark is made from nothing but these figures: two that differ are two sources.
+/// A benchmark depends only on these values.
 core::OutputRun run_of(const BenchmarkOptions& options) {
     const std::string figures =
         fmt::format("seed-{}-cases-{}{}", options.seed, options.cases, options.maker == Maker::kModel ? "-model" : "");
@@ -35,7 +35,7 @@ void write_case(const std::filesystem::path& out, const BenchmarkOptions& option
     measure_by_model(folder, options.seed, index, label);
 }
 
-/// What the model does not know cannot be measured on it.
+/// The model cannot measure effects that it does not have.
 Mix mix_of(const BenchmarkOptions& options) {
     Mix mix = options.mix;
     if (options.maker == Maker::kModel) mix.outside = 0.0;

@@ -6,8 +6,8 @@
 
 namespace fusee::blind {
 
-/// Takes a whole case and puts what the model predicts for a rig with the label's effects, with build tolerances and sensor noise, in place
-/// of its measurements, kept-back ones included. Every byte follows from the arguments and the case.
+/// Replaces the measurements of a case, held-out ones included, by predictions of the model for a rig with the label's effects, build
+/// tolerances and sensor noise. Every byte follows from the arguments and the case.
 void measure_by_model(const std::filesystem::path& folder, std::uint64_t seed, std::size_t index, const Label& label);
 
 }  // namespace fusee::blind

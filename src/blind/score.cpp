@@ -13,8 +13,8 @@ namespace fusee::blind {
 namespace {
 
 std::string told_hash(const ScoreOptions& options) {
-    constexpr std::size_t kLargest = 1000;
-    return options.hash.empty() ? core::read_file(options.folder / "seal.txt", kLargest) : options.hash;
+    constexpr std::size_t kLargestSeal = 1000;
+    return options.hash.empty() ? core::read_file(options.folder / "seal.txt", kLargestSeal) : options.hash;
 }
 
 std::vector<Answer> answer_all(const ScoreOptions& options) {

@@ -5,6 +5,7 @@
 
 #include "fusee/blind/score.h"
 #include "fusee/core/error.h"
+#include "fusee/math/statistics.h"
 #include "judge.h"
 #include "shuffle.h"
 
@@ -16,11 +17,11 @@ constexpr double kNormal95 = 1.959963984540054;
 constexpr std::uint64_t kDealPurpose = 301;  ///< a stream that no case and no label is drawn from
 constexpr std::array<double, 7> kStated{0.0, 0.5, 0.8, 0.9, 0.95, 0.99, 1.0};
 
-/// A question that is put to a case and its answer: does it apply, and if so, was it so?
+/// A question on a case and its answer: whether it applies, and whether it is true.
 struct Question {
     const char *key, *name;
     core::Range wanted;
-    bool asks_label;  ///< whether labels dealt anew say something
+    bool asks_label;  ///< whether shuffled labels are a control
     bool (*applies)(const Label&);
     bool (*so)(const Label&, const Answer&);
 };
@@ -31,7 +32,7 @@ bool none(const Label& label) { return label.effects.empty(); }
 bool outside(const Label& label) { return !label.in_library; }
 bool named(const Label& label, const Answer& answer) { return names(answer, label, false); }
 bool named_with_side(const Label& label, const Answer& answer) { return names(answer, label, true); }
-template <gap::Verdict verdict>
+template <diagnosis::VerdictKind verdict>
 bool says(const Label&, const Answer& answer) {
     return has_verdict(answer, verdict);
 }
@@ -42,18 +43,18 @@ constexpr std::array<Question, 10> kQuestions{{
     {"effect_and_side", "effect and side named", {0.90, 1.0}, true, one, named_with_side},
     {"effect_left_open", "effect named, or among those that an ambiguous answer leaves", kAny, true, one,
      [](const Label& label, const Answer& answer) { return leaves_open(answer, label); }},
-    {"none_on_null", "none on faultless rigs", {1.0, 1.0}, true, none, says<gap::Verdict::kNone>},
+    {"none_on_null", "none on faultless rigs", {1.0, 1.0}, true, none, says<diagnosis::VerdictKind::kNone>},
     {"both_of_two", "both of two effects named", {0.75, 1.0}, true, two, named},
     {"both_of_two_and_sides", "both of two effects and their sides named", kAny, true, two, named_with_side},
-    {"kept_back_halved",
-     "kept-back gap at least halved",
+    {"held_out_halved",
+     "held-out gap at least halved",
      {0.95, 1.0},
      false,
      knows_effects,
      [](const Label&, const Answer& answer) { return halves_the_gap(answer); }},
-    {"unknown_called_unknown", "unknown effects called unknown", {0.85, 1.0}, true, outside, says<gap::Verdict::kUnknown>},
-    {"known_called_unknown", "known effects called unknown", {0.0, 0.05}, true, knows_effects, says<gap::Verdict::kUnknown>},
-    {"known_not_seen", "known effects called none", kAny, true, knows_effects, says<gap::Verdict::kNone>},
+    {"unknown_called_unknown", "unknown effects called unknown", {0.85, 1.0}, true, outside, says<diagnosis::VerdictKind::kUnknown>},
+    {"known_called_unknown", "known effects called unknown", {0.0, 0.05}, true, knows_effects, says<diagnosis::VerdictKind::kUnknown>},
+    {"known_not_seen", "known effects called none", kAny, true, knows_effects, says<diagnosis::VerdictKind::kNone>},
 }};
 
 Share ask(const Question& question, const std::vector<const Label*>& labels, const std::vector<Answer>& answers) {
@@ -63,7 +64,7 @@ Share ask(const Question& question, const std::vector<const Label*>& labels, con
     return share;
 }
 
-/// The control: what the same answers score under labels dealt anew.
+/// The control: score of the same answers with shuffled labels.
 void deal_anew(std::vector<Figure>& figures, std::vector<const Label*> labels, const std::vector<Answer>& answers, std::uint64_t seed) {
     std::vector<std::vector<double>> values(kQuestions.size());
     for (std::size_t deal = 0; deal < kDeals; ++deal) {
@@ -97,10 +98,10 @@ std::vector<const Label*> labels_of(const std::vector<Label>& labels, const std:
     return found;
 }
 
-/// Effects that were stated: how sure, and how large.
+/// Stated effects: probability and interval.
 void score_statements(Score& score, const Label& label, const Answer& answer, std::vector<double>& stated, Share& intervals) {
     if (!answer.failure.empty()) return;
-    for (const gap::FoundEffect& effect : answer.effects) {
+    for (const diagnosis::FoundEffect& effect : answer.effects) {
         const LabelEffect* truth = found_in(label, effect);
         for (std::size_t b = 0; b < score.calibration.size(); ++b) {
             CalibrationBin& bin = score.calibration[b];
@@ -121,19 +122,18 @@ void time(Score& score, const std::vector<Answer>& answers) {
     for (const Answer& answer : answers)
         if (!std::isnan(answer.seconds)) seconds.push_back(answer.seconds);
     if (seconds.empty()) return;
-    std::sort(seconds.begin(), seconds.end());
-    score.median_seconds = 0.5 * (seconds[(seconds.size() - 1) / 2] + seconds[seconds.size() / 2]);
-    score.worst_seconds = seconds.back();
+    score.median_seconds = math::median(seconds);
+    score.worst_seconds = *std::max_element(seconds.begin(), seconds.end());
 }
 
 Figure intervals_figure(const Share& intervals) {
-    return {"intervals_hold", "95 % intervals that hold the true size", intervals, {0.90, 0.99},
-            gap::kNoFigure,   {gap::kNoFigure, gap::kNoFigure}};
+    return {"intervals_hold",     "95 % intervals that hold the true size",    intervals, {0.90, 0.99},
+            diagnosis::kNoFigure, {diagnosis::kNoFigure, diagnosis::kNoFigure}};
 }
 
 }  // namespace
 
-double Share::value() const { return of == 0 ? gap::kNoFigure : static_cast<double>(hits) / static_cast<double>(of); }
+double Share::value() const { return of == 0 ? diagnosis::kNoFigure : static_cast<double>(hits) / static_cast<double>(of); }
 
 core::Range Share::wilson95() const {
     if (of == 0) return {0.0, 1.0};
@@ -145,7 +145,7 @@ core::Range Share::wilson95() const {
 
 std::string answer_name(const Answer& answer) {
     if (!answer.failure.empty()) return "failed";
-    if (answer.verdict != gap::Verdict::kIdentified) return gap::to_string(answer.verdict);
+    if (answer.verdict != diagnosis::VerdictKind::kIdentified) return to_string(answer.verdict);
     if (answer.effects.empty()) return "failed";
     return answer.effects.size() == 1 ? answer.effects.front().cause.id : "two effects";
 }
@@ -166,18 +166,20 @@ Score score_answers(const std::vector<Label>& labels, const std::vector<Answer>&
     Score score;
     score.cases = answers.size();
     for (const Question& q : kQuestions)
-        score.figures.push_back({q.key, q.name, ask(q, of, answers), q.wanted, gap::kNoFigure, {gap::kNoFigure, gap::kNoFigure}});
+        score.figures.push_back(
+            {q.key, q.name, ask(q, of, answers), q.wanted, diagnosis::kNoFigure, {diagnosis::kNoFigure, diagnosis::kNoFigure}});
     deal_anew(score.figures, of, answers, seed);
-    for (std::size_t b = 0; b + 1 < kStated.size(); ++b) score.calibration.push_back({{kStated[b], kStated[b + 1]}, gap::kNoFigure, {}});
+    for (std::size_t b = 0; b + 1 < kStated.size(); ++b)
+        score.calibration.push_back({{kStated[b], kStated[b + 1]}, diagnosis::kNoFigure, {}});
     std::vector<double> stated(score.calibration.size(), 0.0);
     Share intervals;
     for (std::size_t i = 0; i < answers.size(); ++i) {
         const Answer& answer = answers[i];
         ++score.confusion[truth_name(*of[i])][answer_name(answer)];
         score_statements(score, *of[i], answer, stated, intervals);
-        if (!answer.effects.empty() && answer.claimed_before > 0.0 && answer.kept_before > 0.0)
+        if (!answer.effects.empty() && answer.claimed_before > 0.0 && answer.held_out_before > 0.0)
             score.shrink.push_back(
-                {answer.case_name, answer.claimed_after / answer.claimed_before, answer.kept_after / answer.kept_before});
+                {answer.case_name, answer.claimed_after / answer.claimed_before, answer.held_out_after / answer.held_out_before});
         if (const std::string what = miss_of(*of[i], answer); !what.empty()) score.misses.push_back({*of[i], answer, what});
     }
     for (std::size_t b = 0; b < stated.size(); ++b)

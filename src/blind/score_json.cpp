@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "fusee/blind/score.h"
+#include "fusee/core/json.h"
 #include "fusee/core/provenance.h"
 
 namespace fusee::blind {
@@ -38,9 +39,9 @@ Json calibration_json(const Score& score) {
     return all;
 }
 
-Json causes_json(const std::vector<gap::Cause>& causes) {
+Json causes_json(const std::vector<effects::Cause>& causes) {
     Json all = Json::array();
-    for (const gap::Cause& cause : causes) all.push_back({{"id", cause.id}, {"side", cause.side}});
+    for (const effects::Cause& cause : causes) all.push_back({{"id", cause.id}, {"side", cause.side}});
     return all;
 }
 
@@ -52,19 +53,19 @@ Json truth_json(const Label& label) {
 
 Json answer_json(const Answer& answer) {
     Json effects = Json::array(), alternatives = Json::array();
-    for (const gap::FoundEffect& e : answer.effects)
+    for (const diagnosis::FoundEffect& e : answer.effects)
         effects.push_back({{"id", e.cause.id},
                            {"side", e.cause.side},
                            {"probability", e.probability},
                            {"value", e.parameter.value},
                            {"ci95", range(e.parameter.ci95)}});
-    for (const gap::Alternative& other : answer.alternatives)
+    for (const diagnosis::Alternative& other : answer.alternatives)
         alternatives.push_back({{"effects", causes_json(other.effects)}, {"probability", other.probability}});
-    return {{"verdict", answer.failure.empty() ? gap::to_string(answer.verdict) : "failed"},
+    return {{"verdict", answer.failure.empty() ? to_string(answer.verdict) : "failed"},
             {"effects", std::move(effects)},
             {"alternatives", std::move(alternatives)},
-            {"kept_back_before", answer.kept_before},
-            {"kept_back_after", answer.kept_after}};
+            {"held_out_before", answer.held_out_before},
+            {"held_out_after", answer.held_out_after}};
 }
 
 Json misses_json(const Score& score) {
@@ -97,6 +98,8 @@ std::string score_json(const Score& score, const std::optional<Score>& model) {
     Json j = score_object(score);
     j["model"] = model ? score_object(*model) : Json();
     j["fusee"] = core::version();
+    core::keep_old_spelling(
+        j, {{"kept_back_halved", "held_out_halved"}, {"kept_back_before", "held_out_before"}, {"kept_back_after", "held_out_after"}});
     return j.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

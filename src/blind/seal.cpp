@@ -11,9 +11,9 @@ namespace fusee::blind {
 
 namespace {
 
-using nlohmann::json;
+using SealedJson = nlohmann::json;  // keys in order: the seal is over these bytes
 
-constexpr std::size_t kLargest = 100'000'000;
+constexpr std::size_t kLargestLabels = 100'000'000;
 constexpr std::uint64_t kSalt = 201;
 constexpr std::string_view kPrefix = "sha256:";
 constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -46,15 +46,15 @@ std::string from_base64(std::string_view text) {
     return bytes;
 }
 
-json to_json(const LabelEffect& effect) {
-    json j{{"id", effect.id}, {"side", effect.side}, {"size", effect.size}, {"extra", json::object()}};
+SealedJson to_json(const LabelEffect& effect) {
+    SealedJson j{{"id", effect.id}, {"side", effect.side}, {"size", effect.size}, {"extra", SealedJson::object()}};
     for (const auto& [name, value] : effect.extra) j["extra"][name] = value;
     return j;
 }
 
-Label label_of(const json& j) {
+Label label_of(const SealedJson& j) {
     Label label{j.at("case").get<std::string>(), {}, j.at("in_library").get<bool>()};
-    for (const json& e : j.at("effects")) {
+    for (const SealedJson& e : j.at("effects")) {
         LabelEffect effect{e.at("id").get<std::string>(), e.at("side").get<std::string>(), e.at("size").get<double>(), {}};
         for (const auto& [name, value] : e.at("extra").items()) effect.extra.emplace_back(name, value.get<double>());
         label.effects.push_back(std::move(effect));
@@ -72,9 +72,10 @@ std::string bare(std::string_view text) {
 
 std::string seal_labels(const std::vector<Label>& labels, std::uint64_t seed) {
     plant::Random random(seed, labels.size(), kSalt);
-    json file{{"salt", {random.bits(), random.bits(), random.bits(), random.bits()}}, {"seed", seed}, {"labels", json::array()}};
+    SealedJson file{
+        {"salt", {random.bits(), random.bits(), random.bits(), random.bits()}}, {"seed", seed}, {"labels", SealedJson::array()}};
     for (const Label& label : labels) {
-        json effects = json::array();
+        SealedJson effects = SealedJson::array();
         for (const LabelEffect& effect : label.effects) effects.push_back(to_json(effect));
         file["labels"].push_back({{"case", label.case_name}, {"effects", effects}, {"in_library", label.in_library}});
     }
@@ -82,10 +83,10 @@ std::string seal_labels(const std::vector<Label>& labels, std::uint64_t seed) {
 }
 
 std::string check_seal(const std::filesystem::path& folder, const std::string& hash) {
-    std::string sealed = core::read_file(folder / "labels.sealed", kLargest);
+    std::string sealed = core::read_file(folder / "labels.sealed", kLargestLabels);
     const std::string found = core::sha256_hex(sealed);
     if (found != bare(hash)) throw core::InvalidInput("seal", found, "labels.sealed as it was made, " + bare(hash));
-    const std::string written = bare(core::read_file(folder / "seal.txt", kLargest));
+    const std::string written = bare(core::read_file(folder / "seal.txt", kLargestLabels));
     if (written != found) throw core::InvalidInput("seal", "seal.txt names " + written, found);
     return sealed;
 }
@@ -94,9 +95,9 @@ std::vector<Label> open_seal(const std::filesystem::path& folder, const std::str
     const std::string sealed = check_seal(folder, hash);
     std::vector<Label> labels;
     try {
-        const json file = core::parse_json(from_base64(sealed), (folder / "labels.sealed").string());
-        for (const json& label : file.at("labels")) labels.push_back(label_of(label));
-    } catch (const json::exception& wrong) {
+        const SealedJson file = core::parse_json(from_base64(sealed), (folder / "labels.sealed").string());
+        for (const SealedJson& label : file.at("labels")) labels.push_back(label_of(label));
+    } catch (const SealedJson::exception& wrong) {
         throw core::InvalidInput("seal", wrong.what(), "labels as seal_labels writes them");
     }
     return labels;

@@ -6,7 +6,7 @@
 
 namespace fusee::blind {
 
-/// Every order at the same odds (Fisher & Yates).
+/// Uniformly random order (Fisher & Yates).
 template <class T>
 void shuffle(std::vector<T>& items, plant::Random& random) {
     for (std::size_t i = items.size(); i > 1; --i) std::swap(items[i - 1], items[random.below(i)]);

@@ -8,13 +8,13 @@ namespace fusee::plant {
 
 namespace {
 
-/// Streams of a case: rig, its tolerances, noise of the fit's and of the kept-back experiments.
+/// Streams of a case: rig, its tolerances, noise of the fit's and of the held-out experiments.
 enum Purpose : std::uint64_t { kRig = 1, kBuild, kNoise, kHeldoutNoise };
 constexpr double kHeldoutSession = 900.0;  // [s] after switching on: behind the last of the fit's experiments
-constexpr std::array<const char*, 2> kSides{"agonist", "antagonist"};
+constexpr std::array<const char*, 2> kSideNames{"agonist", "antagonist"};
 constexpr std::size_t kSpringRows = 200;
 
-std::string tables_of_sensors(const Bench& b) {
+std::string tables_of_sensors(const TestRig& b) {
     const Tolerance& t = b.tolerance;
     const Sensors& s = b.sensors;
     std::string text = fmt::format(
@@ -50,8 +50,8 @@ std::string csv(const char* header, const std::vector<Row>& rows, const Line& li
 
 }  // namespace
 
-std::string case_toml(const Bench& bench) {
-    const Nominal& n = bench.nominal;
+std::string case_toml(const TestRig& test_rig) {
+    const Nominal& n = test_rig.nominal;
     std::string text = fmt::format(
         "# nominal rig: what the model is told; 1-sigma build tolerances; sensors\n[rig]\ncapstan_radius_m = {:.6g}\n"
         "joint_radius_m = {:.6g}\ngear_load_friction = {:.6g}\nmotor_inertia_kgm2 = {:.6g}\njoint_inertia_kgm2 = {:.6g}\n"
@@ -59,13 +59,13 @@ std::string case_toml(const Bench& bench) {
         "pe_compression_rate_N_per_m = {:.8g}\nsprings = \"nominal_springs.csv\"\n",
         n.capstan_radius, n.joint_radius, n.mu, n.motor_inertia, n.joint_inertia, n.motor_viscous, n.joint_viscous, n.torsion_rate,
         n.compression_rate);
-    text += tables_of_sensors(bench) + table_of_protocol(bench.protocol) + "\n[experiments]\n";
+    text += tables_of_sensors(test_rig) + table_of_protocol(test_rig.protocol) + "\n[experiments]\n";
     for (const char* name : {"breakaway", "spring_pull", "dead_band", "joint_stiffness", "cocontraction", "log"})
         text += fmt::format("{0} = \"{0}.csv\"\n", name);
     return text;
 }
 
-/// Rows at even steps of deflection and load together, so that neither a flat nor a steep part is thin.
+/// Rows at even steps of deflection and load together, dense in flat and steep parts.
 std::string springs_csv(const Nominal& nominal) {
     const SpringCurves& s = nominal.springs;
     std::vector<double> way = load_of(s);
@@ -83,11 +83,11 @@ std::string springs_csv(const Nominal& nominal) {
 CaseFiles experiment_files(const Measured& m) {
     CaseFiles files;
     files["breakaway.csv"] = csv("side,direction,motor_torque_Nm,load_torque_Nm", m.breakaway, [](auto out, const BreakAwayRow& r) {
-        fmt::format_to(out, "{},{},{:.6g},{:.6g}\n", kSides[r.side], r.backdrive ? "backdrive" : "drive", r.motor, r.load);
+        fmt::format_to(out, "{},{},{:.6g},{:.6g}\n", kSideNames[r.side], r.backdrive ? "backdrive" : "drive", r.motor, r.load);
     });
     files["spring_pull.csv"] = csv("spring,side,phase,deflection_rad,torque_Nm", m.spring_pull, [](auto out, const PullRow& r) {
-        fmt::format_to(out, "{},{},{},{:.6g},{:.6g}\n", r.series ? "se" : "pe", kSides[r.side], r.load ? "load" : "unload", r.deflection,
-                       r.torque);
+        fmt::format_to(out, "{},{},{},{:.6g},{:.6g}\n", r.series ? "se" : "pe", kSideNames[r.side], r.load ? "load" : "unload",
+                       r.deflection, r.torque);
     });
     files["dead_band.csv"] =
         csv("cocontraction_Nm,repeat,push_torque_Nm,q_low_rad,q_high_rad", m.dead_band, [](auto out, const DeadBandRow& r) {
@@ -109,24 +109,24 @@ CaseFiles experiment_files(const Measured& m) {
     return files;
 }
 
-Bench draw_bench(std::uint64_t seed, std::uint64_t index) {
+TestRig draw_test_rig(std::uint64_t seed, std::uint64_t index) {
     Random rig(seed, index, kRig), made(seed, index, kBuild);
-    Bench bench;
-    bench.nominal = draw_nominal(rig);
-    bench.truth = build(bench.nominal, bench.tolerance, made);
-    return bench;
+    TestRig test_rig;
+    test_rig.nominal = draw_nominal(rig);
+    test_rig.truth = build(test_rig.nominal, test_rig.tolerance, made);
+    return test_rig;
 }
 
 CaseFiles make_case(std::uint64_t seed, std::uint64_t index, const std::vector<Effect>& effects) {
-    Bench bench = draw_bench(seed, index);
-    for (const Effect& effect : effects) apply(effect, bench.truth);
-    const double scale = range_of(bench.nominal).scale;
+    TestRig test_rig = draw_test_rig(seed, index);
+    for (const Effect& effect : effects) apply(effect, test_rig.truth);
+    const double scale = range_of(test_rig.nominal).scale;
     Random noise(seed, index, kNoise), heldout_noise(seed, index, kHeldoutNoise);
-    CaseFiles files = experiment_files(measure(bench, set_points(false, scale), noise));
-    for (auto& [name, bytes] : experiment_files(measure(bench, set_points(true, scale), heldout_noise, kHeldoutSession)))
+    CaseFiles files = experiment_files(measure(test_rig, set_points(false, scale), noise));
+    for (auto& [name, bytes] : experiment_files(measure(test_rig, set_points(true, scale), heldout_noise, kHeldoutSession)))
         files["heldout/" + name] = bytes;
-    files["case.toml"] = case_toml(bench);
-    files["nominal_springs.csv"] = springs_csv(bench.nominal);
+    files["case.toml"] = case_toml(test_rig);
+    files["nominal_springs.csv"] = springs_csv(test_rig.nominal);
     return files;
 }
 

@@ -10,7 +10,7 @@ namespace fusee::plant {
 
 namespace {
 
-constexpr std::array<const char*, 3> kSides{"agonist", "antagonist", "both"};
+constexpr std::array<const char*, 3> kEffectSides{"agonist", "antagonist", "both"};
 
 std::vector<std::string> ids_of(const std::vector<EffectKind>& kinds) {
     std::vector<std::string> ids;
@@ -47,7 +47,7 @@ double Effect::parameter(const std::string& name) const {
 Effect draw_effect(const std::string& id, const Nominal& nominal, Random& random) {
     const EffectKind& kind = kind_of(id);
     Effect effect{id, "none", 0.0, {}};
-    if (kind.to_side != nullptr) effect.side = kSides[random.below(kSides.size())];
+    if (kind.to_side != nullptr) effect.side = kEffectSides[random.below(kEffectSides.size())];
     kind.draw(range_of(nominal), random, effect);
     return effect;
 }
@@ -58,10 +58,10 @@ void apply(const Effect& effect, Truth& truth) {
         if (effect.side != "none") throw core::InvalidInput("effect.side", effect.side, "none for " + effect.id);
         return kind.to_joint(effect, truth.joint);
     }
-    if (std::find(kSides.begin(), kSides.end(), effect.side) == kSides.end())
+    if (std::find(kEffectSides.begin(), kEffectSides.end(), effect.side) == kEffectSides.end())
         throw core::InvalidInput("effect.side", effect.side, "agonist, antagonist or both for " + effect.id);
     for (std::size_t i = 0; i < 2; ++i)
-        if (effect.side == kSides[i] || effect.side == kSides[2]) kind.to_side(effect, truth.sides[i]);
+        if (effect.side == kEffectSides[i] || effect.side == kEffectSides[2]) kind.to_side(effect, truth.sides[i]);
 }
 
 }  // namespace fusee::plant

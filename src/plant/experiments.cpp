@@ -13,7 +13,7 @@ constexpr double kBreakAwayTime = 3.0;  // [s] of one break-away
 constexpr int kPullRows = 60, kStiffnessRows = 25, kCocontractionRows = 60;
 constexpr double kPullTime = 6.0;                        // [s] of a load or an unload
 constexpr double kHandAtRest = 0.035, kHandAtTop = 0.1;  // [Nms] at no and at the top torque of the motors
-constexpr double kPushScatter = 0.03;                    // a hand does not push alike twice
+constexpr double kPushScatter = 0.03;                    // scatter of a push by hand
 
 /// 0 to 1 with no speed at either end.
 double smooth(double s) {
@@ -47,7 +47,7 @@ SetPoints set_points(bool heldout, double scale) {
 /// The load L at which the capstan just starts: L - tau = friction at rest (backdrive) or tau - L = friction at rest (drive), linear in L.
 double Session::load_at_break_away(const SideTruth& side, double motor, bool backdrive) {
     const double theta = random_.uniform(0.0, range_.travel), warm = warmth(side, now_);
-    const double scatter = 1.0 + bench_.sensors.breakaway_scatter * random_.normal();
+    const double scatter = 1.0 + test_rig_.sensors.breakaway_scatter * random_.normal();
     const double constant = scatter * gear_friction(side, 0.0, theta, 0.0, warm);
     const double share = scatter * gear_friction(side, 1.0, theta, 0.0, warm) - constant;
     const double delivered = side.torque_scale * motor;
@@ -60,7 +60,7 @@ std::vector<BreakAwayRow> Session::break_away() {
         for (const double motor : points_.breakaway)
             for (const bool backdrive : {true, false})
                 for (int repeat = 0; repeat < kBreakAwayRepeats; ++repeat) {
-                    const double load = load_at_break_away(bench_.truth.sides[side], motor, backdrive);
+                    const double load = load_at_break_away(test_rig_.truth.sides[side], motor, backdrive);
                     rows.push_back({side, backdrive, motor, std::max(0.0, torque_sensor(load))});
                     now_ += kBreakAwayTime;
                 }
@@ -69,7 +69,7 @@ std::vector<BreakAwayRow> Session::break_away() {
 
 void Session::pull_spring(bool series, std::size_t side, std::vector<PullRow>& rows) {
     constexpr int kParts = 20;  // between two rows
-    const SideTruth& built = bench_.truth.sides[side];
+    const SideTruth& built = test_rig_.truth.sides[side];
     Spring spring = series ? Spring(springs_.se[side], built.se) : Spring(springs_.pe[side], built.pe);
     const double dt = kPullTime / (kPullRows * kParts);
     for (int i = 0; i <= 2 * kPullRows; ++i) {
@@ -91,8 +91,8 @@ std::vector<PullRow> Session::spring_pull() {
 }
 
 Machine Session::co_contracted(double torque, double hand) {
-    Machine machine(bench_.truth, springs_, now_);
-    const Protocol& p = bench_.protocol;
+    Machine machine(test_rig_.truth, springs_, now_);
+    const Protocol& p = test_rig_.protocol;
     machine.run(p.motor_ramp + p.motor_settle, [&](double t) {
         const double motor = torque * std::min(1.0, t / p.motor_ramp);
         return Command{{motor, motor}, 0.0, hand};
@@ -100,14 +100,14 @@ Machine Session::co_contracted(double torque, double hand) {
     return machine;
 }
 
-/// Damping by hand [Nms]: firmer where the joint is stiffer, so that it neither swings nor creeps back.
+/// Damping by hand [Nms]: higher for a stiffer joint, so that it neither swings nor creeps back.
 double Session::hand(double cocontraction) const {
-    return bench_.truth.hand * (kHandAtRest + kHandAtTop * cocontraction / bench_.nominal.top_torque);
+    return test_rig_.truth.hand * (kHandAtRest + kHandAtTop * cocontraction / test_rig_.nominal.top_torque);
 }
 
 /// Up within 3/4 of the push's time, held for the rest; down within 4/5 of the release's time, left to rest, read.
 double Session::pushed_and_released(Machine& machine, double cocontraction, double push) {
-    const Protocol& p = bench_.protocol;
+    const Protocol& p = test_rig_.protocol;
     const auto run = [&](double seconds, const auto& torque) {
         machine.run(seconds, [&](double t) { return Command{{cocontraction, cocontraction}, torque(t / seconds), hand(cocontraction)}; });
     };
@@ -138,7 +138,7 @@ std::vector<StiffnessRow> Session::joint_stiffness() {
     };
     constexpr std::array<Phase, 4> kPhases{{{"load+", 0.0, 1.0}, {"unload+", 1.0, 0.0}, {"load-", 0.0, -1.0}, {"unload-", -1.0, 0.0}}};
     std::vector<StiffnessRow> rows;
-    const double seconds = bench_.protocol.joint_stiffness_phase / kStiffnessRows;
+    const double seconds = test_rig_.protocol.joint_stiffness_phase / kStiffnessRows;
     for (const double c : points_.joint_stiffness) {
         Machine machine = co_contracted(c, 0.0);
         const double top = std::min(0.5 * range_.scale + 0.6 * c, range_.most_push);
@@ -155,13 +155,13 @@ std::vector<StiffnessRow> Session::joint_stiffness() {
 
 std::vector<CocontractionRow> Session::cocontraction() {
     std::vector<CocontractionRow> rows;
-    const double seconds = bench_.protocol.cocontraction_phase / kCocontractionRows;
-    Machine machine(bench_.truth, springs_, now_);
+    const double seconds = test_rig_.protocol.cocontraction_phase / kCocontractionRows;
+    Machine machine(test_rig_.truth, springs_, now_);
     for (const bool up : {true, false})
         for (int i = 0; i <= kCocontractionRows; ++i) {
             const auto torque = [&](double row) {
                 const double share = std::min(1.0, row / kCocontractionRows);
-                return bench_.nominal.top_torque * (up ? share : 1.0 - share);
+                return test_rig_.nominal.top_torque * (up ? share : 1.0 - share);
             };
             rows.push_back({up, torque(i), {read_theta(machine, 0), read_theta(machine, 1)}, read_q(machine)});
             if (i == kCocontractionRows) continue;
@@ -187,7 +187,7 @@ Command Session::log_command(double t, double knock) const {
 std::vector<LogRow> Session::log() {
     constexpr double kSeconds = 8.0;
     std::vector<LogRow> rows;
-    const double knock = random_.either_sign(points_.log_knock), rate = bench_.sensors.log_rate;
+    const double knock = random_.either_sign(points_.log_knock), rate = test_rig_.sensors.log_rate;
     Machine machine = co_contracted(points_.log_torque, 0.0);
     const long samples = std::lround(kSeconds * rate);
     for (long i = 0; i <= samples; ++i) {
@@ -199,8 +199,8 @@ std::vector<LogRow> Session::log() {
     return rows;
 }
 
-Measured measure(const Bench& bench, const SetPoints& points, Random& random, double begin) {
-    Session session(bench, points, random, begin);
+Measured measure(const TestRig& test_rig, const SetPoints& points, Random& random, double begin) {
+    Session session(test_rig, points, random, begin);
     Measured m;
     m.breakaway = session.break_away();
     m.spring_pull = session.spring_pull();

@@ -6,7 +6,7 @@ namespace fusee::plant {
 
 namespace {
 
-/// Highest mu (1 + s): above it a gear hardly gives way to its load, and no break-away test would be within its bench's range.
+/// Highest mu (1 + s): above it a load hardly drives the gear back, and a break-away test is out of range.
 constexpr double kMostFriction = 0.56;
 
 void draw_load_friction(const RigRange& range, Random& random, Effect& e) {

@@ -9,8 +9,8 @@ using R = const RigRange&;
 
 double phase(Random& random) { return random.uniform(0.0, 2.0 * core::kPi); }
 
-/// What sticks otherwise at a motor.
-std::vector<EffectKind> gear_kinds() {
+/// Other friction at a motor.
+std::vector<EffectKind> outside_gear_kinds() {
     return {
         // One bad tooth: friction rises and falls once or a few times per turn of the capstan.
         {"outside.gear_ripple",
@@ -39,7 +39,7 @@ std::vector<EffectKind> gear_kinds() {
     };
 }
 
-/// What drives, reads or holds otherwise at a motor.
+/// Other faults of drive, sensor or cable at a motor.
 std::vector<EffectKind> capstan_kinds() {
     return {
         // The other motor's current leaks into this one's command.
@@ -70,7 +70,7 @@ std::vector<EffectKind> capstan_kinds() {
     };
 }
 
-/// What a spring or its cam does otherwise.
+/// Other faults of a spring or its cam.
 std::vector<EffectKind> cam_kinds() {
     return {
         // A cracked cam: from one angle on its groove lies lower.
@@ -94,7 +94,7 @@ std::vector<EffectKind> cam_kinds() {
              s.pe.crack_at = e.parameter("capstan_rad");
          },
          nullptr},
-        // A printed spring creeps: what it bears at once relaxes by a share (standard linear solid).
+        // A printed spring creeps: its torque relaxes by a share (standard linear solid).
         {"outside.pe_creep",
          [](R, Random& random, Effect& e) {
              e.size = random.uniform(0.25, 0.45);
@@ -144,7 +144,7 @@ std::vector<EffectKind> output_kinds() {
 
 const std::vector<EffectKind>& outside_kinds() {
     static const std::vector<EffectKind> all = [] {
-        std::vector<EffectKind> kinds = gear_kinds();
+        std::vector<EffectKind> kinds = outside_gear_kinds();
         for (const auto& more : {capstan_kinds(), cam_kinds(), output_kinds()}) kinds.insert(kinds.end(), more.begin(), more.end());
         return kinds;
     }();

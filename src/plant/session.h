@@ -5,14 +5,14 @@
 
 namespace fusee::plant {
 
-/// One run of the bench through its experiments: what they share.
+/// One session of all experiments: their common state.
 class Session {
 public:
-    Session(const Bench& bench, const SetPoints& points, Random& random, double begin)
-        : bench_(bench),
+    Session(const TestRig& test_rig, const SetPoints& points, Random& random, double begin)
+        : test_rig_(test_rig),
           points_(points),
-          range_(range_of(bench.nominal)),
-          springs_(bench.nominal, bench.truth),
+          range_(range_of(test_rig.nominal)),
+          springs_(test_rig.nominal, test_rig.truth),
           random_(random),
           now_(begin) {}
 
@@ -26,22 +26,22 @@ public:
 private:
     // Sensors.
     [[nodiscard]] double encoder(double angle) {
-        const double step = bench_.sensors.encoder_step;
-        return step * std::round((angle + bench_.sensors.encoder_noise * random_.normal()) / step);
+        const double step = test_rig_.sensors.encoder_step;
+        return step * std::round((angle + test_rig_.sensors.encoder_noise * random_.normal()) / step);
     }
     [[nodiscard]] double torque_sensor(double torque) {
-        const Sensors& s = bench_.sensors;
+        const Sensors& s = test_rig_.sensors;
         return torque * (1.0 + s.torque_noise_relative * random_.normal()) + s.torque_noise * random_.normal();
     }
     [[nodiscard]] double read_theta(const Machine& machine, std::size_t side) {
-        const SideTruth& built = bench_.truth.sides[side];
+        const SideTruth& built = test_rig_.truth.sides[side];
         const double theta = machine.theta(side);
         // The disc's eccentric shift is 0 where the encoder was zeroed.
         const double shift = built.eccentricity * (std::sin(theta + built.eccentricity_phase) - std::sin(built.eccentricity_phase));
         return encoder(theta + shift);
     }
     [[nodiscard]] double read_q(const Machine& machine) {
-        const JointTruth& joint = bench_.truth.joint;
+        const JointTruth& joint = test_rig_.truth.joint;
         return encoder(joint.encoder_scale * machine.q() + joint.encoder_offset);
     }
     // Phases.
@@ -53,7 +53,7 @@ private:
     void pull_spring(bool series, std::size_t side, std::vector<PullRow>& rows);
     [[nodiscard]] Command log_command(double t, double knock) const;
 
-    const Bench& bench_;
+    const TestRig& test_rig_;
     const SetPoints& points_;
     RigRange range_;
     BuiltSprings springs_;

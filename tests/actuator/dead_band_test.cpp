@@ -56,7 +56,7 @@ TEST(DeadBand, ExactWidthAgreesWithExhaustiveSearch) {
     }
 }
 
-/// Linear springs: the edges solve S x + P (x -+ q) = loads, so 2 q = (high - low)/P whatever S.
+/// Linear springs: the edges solve S x + P (x -+ q) = loads, so 2 q = (high - low)/P for any S.
 TEST(DeadBand, LinearSpringsAreKnownByHand) {
     const double s = 0.4, p = 0.6;
     const auto law = spring::make_pair_law(spring::make_polynomial({0.0, s}), spring::make_polynomial({0.0, p}), 0.05, 20.0);

@@ -2,7 +2,7 @@
 
 #include "app/run.h"
 #include "fusee/core/file.h"
-#include "fusee/gap/case.h"
+#include "fusee/gap_case/case.h"
 
 // The sealed benchmark from the command line: `blind make`, `blind score`.
 namespace fusee::app {
@@ -14,7 +14,7 @@ protected:
     void answer_none(const std::string& name, const std::string& sha256) const {
         write("bench/diagnoses/" + name + "/diagnosis.json", R"({"verdict": "none", "effects": [], "case_sha256": ")" + sha256 + R"("})");
     }
-    [[nodiscard]] std::string sha256_of(const std::string& name) const { return gap::read_case(folder_ / "bench" / name).sha256; }
+    [[nodiscard]] std::string sha256_of(const std::string& name) const { return gap_case::read_case(folder_ / "bench" / name).sha256; }
 };
 
 TEST_F(Blind, MakesASealedBenchmarkAndScoresIt) {

@@ -25,7 +25,7 @@ TEST_F(Check, AProfileAsMakeFindsItAndNoFile) {
     const Ended checked = run("check " + pnrvsa());
     EXPECT_EQ(checked.code, 0) << checked.all();
     expect_words(checked.out,
-                 {"pnrvsa by fdm: can be made; 0 required changes", "rules passed; ", " rules not judged: spring ",
+                 {"pnrvsa by fdm: can be made: 0 errors (must be changed)", " rules passed, ", " rules not judged: spring ",
                   "not judged: spring.stress: the base spring's wire yielding (k_se); missing: k_se.spring.wire_mm and k_se.spring.coil_mm",
                   "[process] and [[limits]] of the profile"});
     EXPECT_FALSE(fs::exists(folder_ / "out"));
@@ -49,7 +49,7 @@ TEST_F(Check, AllProcessesInOneTable) {
         EXPECT_EQ(p.at("not_judged").get<int>(),
                   p.at("parts").at(0).at("not_judged").get<int>() + p.at("parts").at(1).at("not_judged").get<int>());
         for (const Json& part : p.at("parts"))
-            EXPECT_EQ(part.at("required").get<int>() > 0,
+            EXPECT_EQ(part.at("errors").get<int>() > 0,
                       part.at("binding").is_object() && part.at("binding").at("severity") == "required change");
         EXPECT_EQ(p.at("own").get<bool>(), p.at("process") == "fdm");
     }
@@ -59,7 +59,7 @@ TEST_F(Check, AllProcessesInOneTable) {
 
 TEST_F(Check, TheTableOfProcessesHasAColumnOfWhatWasNotJudged) {
     const Ended checked = run("check " + pnrvsa() + " --process all");
-    EXPECT_EQ(checked.out.rfind("process  part       required review not judged  what binds", 0), 0u) << checked.out;
+    EXPECT_EQ(checked.out.rfind("process  part       errors warnings not judged  binding rule", 0), 0u) << checked.out;
 }
 
 /// A rim has no groove that a plate could be too thin for.
@@ -152,7 +152,7 @@ TEST_F(Check, BadInputIsNamed) {
     refused("line.obj --process fdm", {"line.obj"});
     write("file", "");
     refused("a.obj --process fdm --out file", {"file: is a file, not a folder"});
-    refused("a.obj --process fdm --out file/x", {"file/x: the folder cannot be made"});
+    refused("a.obj --process fdm --out file/x", {"file/x: the folder cannot be created"});
     refused(cube("far.obj", 1e10) + " --process fdm", {"far.obj", "1e+10 mm", "1e+09 mm"});
 }
 

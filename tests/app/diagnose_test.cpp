@@ -72,7 +72,7 @@ TEST_F(Gap, RefusesBadInputAndWritesNothing) {
     write("d.json", R"({"effects": [{"id": "no.effect", "parameter": {"value": 1}}]})");
     expect_refused("predict case --effects d.json --inputs inputs --out out", {"no.effect"});
     write("d.json", "{");
-    expect_refused("predict case --effects d.json --inputs inputs --out out", {"d.json", "no valid JSON"});
+    expect_refused("predict case --effects d.json --inputs inputs --out out", {"d.json", "not valid JSON"});
     const std::pair<std::string, std::string> bad[] = {
         {R"({"effects": [{"id": "se.radius", "side": "both", "parameter": {"value": -0.02}}]})", "-0.006 to 0.006 m"},
         {R"({"effects": [{"id": "gear.coulomb", "side": "both", "parameter": {"value": 1e400}}]})", "d.json:1:"},

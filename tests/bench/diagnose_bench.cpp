@@ -10,8 +10,8 @@
 #include <map>
 
 #include "fusee/core/file.h"
-#include "fusee/gap/diagnose.h"
-#include "fusee/gap/signals.h"
+#include "fusee/diagnosis/diagnose.h"
+#include "fusee/joint_model/signals.h"
 #include "fusee/plant/case_files.h"
 
 namespace fs = std::filesystem;
@@ -19,36 +19,36 @@ using namespace fusee;
 
 namespace {
 
-gap::Case plant_case(const std::vector<plant::Effect>& effects) {
+gap_case::Case plant_case(const std::vector<plant::Effect>& effects) {
     const fs::path folder = fs::temp_directory_path() / "fusee_bench_case";
     fs::remove_all(folder);
     for (const auto& [name, bytes] : plant::make_case(7, 3, effects)) {
         fs::create_directories((folder / name).parent_path());
         core::write_file(folder / name, bytes);
     }
-    return gap::read_case(folder);
+    return gap_case::read_case(folder);
 }
 
 const plant::Effect kRadius{"pe.radius", "agonist", 1e-3, {}}, kStribeck{"gear.stribeck", "agonist", 0.8, {{"speed_rad_per_s", 0.1}}},
     kCoulomb{"gear.coulomb", "both", 0.05, {}};
 
 void BM_Predict(benchmark::State& state) {
-    const gap::Case bench = plant_case({});
-    const auto experiment = static_cast<gap::Experiment>(state.range(0));
-    gap::BuiltRig rig(bench.rig);
-    rig.assemble(gap::NominalCams(bench.rig));
-    for (auto _ : state) benchmark::DoNotOptimize(gap::predict_experiment(rig, bench.rows, bench.protocol, experiment));
+    const gap_case::Case bench = plant_case({});
+    const auto experiment = static_cast<gap_case::Experiment>(state.range(0));
+    joint_model::BuiltRig rig(bench.rig);
+    rig.assemble(joint_model::NominalCams(bench.rig));
+    for (auto _ : state) benchmark::DoNotOptimize(joint_model::predict_experiment(rig, bench.rows, bench.protocol, experiment));
     state.SetLabel(to_string(experiment));
 }
-BENCHMARK(BM_Predict)->DenseRange(0, static_cast<int>(gap::kExperiments) - 1)->Unit(benchmark::kMicrosecond);
+BENCHMARK(BM_Predict)->DenseRange(0, static_cast<int>(gap_case::kExperiments) - 1)->Unit(benchmark::kMicrosecond);
 
 void diagnose(benchmark::State& state, const std::vector<plant::Effect>& effects) {
-    const gap::Case bench = plant_case(effects);
+    const gap_case::Case bench = plant_case(effects);
     std::map<std::string, double> seconds;
     double all = 0.0;
     for (auto _ : state) {
         auto last = std::chrono::steady_clock::now();
-        gap::DiagnoseOptions options;
+        diagnosis::DiagnoseOptions options;
         options.jobs = static_cast<unsigned>(state.range(0));
         options.progress = [&](std::size_t, std::size_t, const std::string& what) {
             const auto now = std::chrono::steady_clock::now();
@@ -57,7 +57,7 @@ void diagnose(benchmark::State& state, const std::vector<plant::Effect>& effects
             all += part;
             last = now;
         };
-        benchmark::DoNotOptimize(gap::diagnose(bench, options));
+        benchmark::DoNotOptimize(diagnosis::diagnose(bench, options));
     }
     for (const auto& [what, part] : seconds) state.counters[what] = 100.0 * part / all;
     rusage usage{};

@@ -11,9 +11,9 @@
 namespace fusee::blind {
 namespace {
 
-using gap::Verdict;
+using diagnosis::VerdictKind;
 
-gap::FoundEffect found(const std::string& id, const std::string& side, double probability, double low = 0.0, double high = 1.0) {
+diagnosis::FoundEffect found(const std::string& id, const std::string& side, double probability, double low = 0.0, double high = 1.0) {
     return {{id, side}, probability, {0.5 * (low + high), {low, high}, "1"}, {}};
 }
 
@@ -22,7 +22,7 @@ struct Table {
     std::vector<Label> labels;
     std::vector<Answer> answers;
 
-    Answer& add(std::vector<LabelEffect> truth, Verdict verdict, std::vector<gap::FoundEffect> said = {}) {
+    Answer& add(std::vector<LabelEffect> truth, VerdictKind verdict, std::vector<diagnosis::FoundEffect> said = {}) {
         const std::string name = "case" + std::to_string(labels.size());
         const bool outside = !truth.empty() && truth.front().id.starts_with("outside.");
         labels.push_back({name, std::move(truth), !outside});
@@ -30,9 +30,9 @@ struct Table {
         answer.case_name = name;
         answer.verdict = verdict;
         answer.effects = std::move(said);
-        answer.claimed_before = answer.kept_before = 8.0;
+        answer.claimed_before = answer.held_out_before = 8.0;
         answer.claimed_after = 1.0;
-        answer.kept_after = 2.0;
+        answer.held_out_after = 2.0;
         answer.seconds = static_cast<double>(labels.size());
         return answers.emplace_back(std::move(answer));
     }
@@ -45,16 +45,16 @@ const LabelEffect kCoulomb{"gear.coulomb", "agonist", 0.5, {}}, kRate{"se.rate",
 /// Two of each kind of case, one of them answered well.
 Table mixed() {
     Table t;
-    t.add({kCoulomb}, Verdict::kIdentified, {found("gear.coulomb", "agonist", 0.97)});
-    t.add({kCoulomb}, Verdict::kIdentified, {found("gear.coulomb", "both", 0.97)}).kept_after = 7.0;
-    t.add({kRate}, Verdict::kIdentified, {found("se.rate", "both", 0.6, 0.6, 0.9)});
-    t.add({kRate}, Verdict::kAmbiguous, {found("se.radius", "both", 0.6)}).alternatives = {{{{"se.rate", "both"}}, 0.4}};
-    t.add({}, Verdict::kNone);
-    t.add({}, Verdict::kUnknown);
-    t.add({kCoulomb, kRate}, Verdict::kIdentified, {found("se.rate", "both", 1.0), found("gear.coulomb", "agonist", 1.0)});
-    t.add({kCoulomb, kRate}, Verdict::kIdentified, {found("gear.coulomb", "agonist", 1.0)});
-    t.add({kHarness}, Verdict::kUnknown);
-    t.add({kHarness}, Verdict::kIdentified, {found("joint.gravity", "none", 0.3)});
+    t.add({kCoulomb}, VerdictKind::kIdentified, {found("gear.coulomb", "agonist", 0.97)});
+    t.add({kCoulomb}, VerdictKind::kIdentified, {found("gear.coulomb", "both", 0.97)}).held_out_after = 7.0;
+    t.add({kRate}, VerdictKind::kIdentified, {found("se.rate", "both", 0.6, 0.6, 0.9)});
+    t.add({kRate}, VerdictKind::kAmbiguous, {found("se.radius", "both", 0.6)}).alternatives = {{{{"se.rate", "both"}}, 0.4}};
+    t.add({}, VerdictKind::kNone);
+    t.add({}, VerdictKind::kUnknown);
+    t.add({kCoulomb, kRate}, VerdictKind::kIdentified, {found("se.rate", "both", 1.0), found("gear.coulomb", "agonist", 1.0)});
+    t.add({kCoulomb, kRate}, VerdictKind::kIdentified, {found("gear.coulomb", "agonist", 1.0)});
+    t.add({kHarness}, VerdictKind::kUnknown);
+    t.add({kHarness}, VerdictKind::kIdentified, {found("joint.gravity", "none", 0.3)});
     return t;
 }
 
@@ -87,7 +87,7 @@ TEST(ScoreAnswers, CountsEachFigureOverItsCases) {
     expect_share(score, "none_on_null", 1, 2);
     expect_share(score, "both_of_two", 1, 2);
     expect_share(score, "both_of_two_and_sides", 1, 2);
-    expect_share(score, "kept_back_halved", 5, 6);
+    expect_share(score, "held_out_halved", 5, 6);
     expect_share(score, "unknown_called_unknown", 1, 2);
     expect_share(score, "known_called_unknown", 0, 6);
     expect_share(score, "known_not_seen", 0, 6);
@@ -124,8 +124,8 @@ TEST(ScoreAnswers, CalibrationCountsStatedEffects) {
 TEST(ScoreAnswers, MissesSayWhatIsWrong) {
     std::map<std::string, std::string> misses;
     for (const Miss& miss : mixed().score().misses) misses[miss.truth.case_name] = miss.what;
-    const decltype(misses) expected{{"case1", "another side, kept-back gap not halved"},
-                                    {"case2", "interval without the true size"},
+    const decltype(misses) expected{{"case1", "another side, held-out gap not halved"},
+                                    {"case2", "interval misses the true size"},
                                     {"case3", "left open"},
                                     {"case5", "faultless, called unknown"},
                                     {"case7", "one of two"},
@@ -142,12 +142,12 @@ TEST(ScoreAnswers, ShrinkIsComparedWithItsClaim) {
 
 TEST(ScoreAnswers, ACaseWithoutADiagnosisIsAMiss) {
     Table t;
-    t.add({kCoulomb}, Verdict::kUnknown).failure = "too few rows";
-    t.answers[0].kept_before = t.answers[0].kept_after = gap::kNoFigure;
+    t.add({kCoulomb}, VerdictKind::kUnknown).failure = "too few rows";
+    t.answers[0].held_out_before = t.answers[0].held_out_after = diagnosis::kNoFigure;
     const Score score = t.score();
     expect_share(score, "effect_named", 0, 1);
     expect_share(score, "known_called_unknown", 0, 1);
-    expect_share(score, "kept_back_halved", 0, 1);
+    expect_share(score, "held_out_halved", 0, 1);
     EXPECT_EQ(score.confusion.at("gear.coulomb").at("failed"), 1u);
     ASSERT_EQ(score.misses.size(), 1u);
     EXPECT_EQ(score.misses[0].what, "no diagnosis: too few rows");
@@ -157,9 +157,9 @@ TEST(ScoreAnswers, ShuffledLabelsScoreAtChance) {
     Table t;  // 10 effects on 20 cases each, 50 faultless rigs, all answered right
     for (int i = 0; i < 200; ++i) {
         const std::string id = "effect." + std::to_string(i % 10);
-        t.add({{id, "none", 0.5, {}}}, Verdict::kIdentified, {found(id, "none", 1.0)});
+        t.add({{id, "none", 0.5, {}}}, VerdictKind::kIdentified, {found(id, "none", 1.0)});
     }
-    for (int i = 0; i < 50; ++i) t.add({}, Verdict::kNone);
+    for (int i = 0; i < 50; ++i) t.add({}, VerdictKind::kNone);
     const Score score = t.score();
     const Figure& named = score.figure("effect_named");
     EXPECT_EQ(named.share.value(), 1.0);
@@ -170,7 +170,7 @@ TEST(ScoreAnswers, ShuffledLabelsScoreAtChance) {
     EXPECT_LT(named.shuffled95.high, 0.15);
     EXPECT_GT(named.shuffled95.high, named.shuffled);
     EXPECT_LT(named.shuffled95.low, named.shuffled);
-    EXPECT_TRUE(std::isnan(score.figure("kept_back_halved").shuffled)) << "labels say nothing there";
+    EXPECT_TRUE(std::isnan(score.figure("held_out_halved").shuffled)) << "labels say nothing there";
     EXPECT_EQ(t.score().figure("effect_named").shuffled, named.shuffled) << "the same seed";
     EXPECT_NE(score_answers(t.labels, t.answers, 2).figure("effect_named").shuffled, named.shuffled);
 }
@@ -195,7 +195,7 @@ TEST(ScoreJson, HoldsFiguresMissesAndTheModel) {
     EXPECT_EQ(json["seal"], "sha256:abc");
     EXPECT_EQ(json["figures"]["effect_named"]["hits"], 3);
     EXPECT_EQ(json["figures"]["effect_named"]["value"], 0.75);
-    EXPECT_TRUE(json["figures"]["kept_back_halved"]["shuffled"].is_null());
+    EXPECT_TRUE(json["figures"]["held_out_halved"]["shuffled"].is_null());
     EXPECT_EQ(json["confusion"]["se.rate"]["ambiguous"], 1);
     EXPECT_EQ(json["misses"].size(), 6u);
     EXPECT_EQ(json["misses"][2]["answer"]["alternatives"][0]["effects"][0]["id"], "se.rate");

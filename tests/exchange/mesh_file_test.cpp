@@ -5,7 +5,7 @@
 #include <cstring>
 
 #include "exchange/fixtures/disc.h"
-#include "exchange/fixtures/expect_io_error.h"
+#include "exchange/fixtures/expect_refusal.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/exchange/step.h"
@@ -103,7 +103,7 @@ TEST_F(MeshFileTest, ABrokenSurfaceIsColouredToo) {
 
 TEST_F(MeshFileTest, NamesWhatIsWrong) {
     const auto expect = [&](const std::filesystem::path& path, const std::string& word) {
-        fixtures::expect_io_error([&] { (void)read_mesh_file(path); }, {path.filename().string(), word});
+        fixtures::expect_refusal([&] { (void)read_mesh_file(path); }, {path.filename().string(), word});
     };
     expect(folder_ / "missing.stl", "cannot be opened");
     for (const char* name : {"empty.stl", "empty.obj", "empty.3mf", "empty.step"}) expect(write(name, ""), "");

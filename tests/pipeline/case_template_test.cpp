@@ -36,14 +36,14 @@ TEST_F(TemplateOfProfile, TakesTheRigAsItIsDesigned) {
 /// The cam that follows from the curve on a base spring without preload is the designed one: at each row above the stop the energy under
 /// the curve is that of the preloaded base spring, 1/2 k (state)^2.
 TEST_F(TemplateOfProfile, EnergyUnderTheCurvesIsThatOfThePreloadedSprings) {
-    const auto law = design_law(pnrvsa_);
-    ASSERT_TRUE(law);
+    const auto design = resolve(pnrvsa_);
+    ASSERT_TRUE(design);
     constexpr int kRows = 4000;  // the trapezoidal rule is off by some h^2
-    const SpringsWithoutStops springs = springs_without_stops(*law->law, pnrvsa_.k_se.spring, pnrvsa_.k_pe.spring, kRows);
+    const SpringsWithoutStops springs = springs_without_stops(*design->law(), pnrvsa_.k_se.spring, pnrvsa_.k_pe.spring, kRows);
     EXPECT_EQ(springs.rows.front().deflection, 0.0);
     EXPECT_EQ(springs.rows.front().se_torque, 0.0);
     EXPECT_EQ(springs.rows.front().pe_torque, 0.0);
-    const spring::LawPoint start = law->law->at_angle(0.0);
+    const spring::LawPoint start = design->law()->at_angle(0.0);
     double se = 0.5 * 0.0183 * 3.7 * 3.7, pe = 0.5 * 7460.0 * 0.0146 * 0.0146;  // at the stop
     const double length = springs.rest_deflection;
     EXPECT_NEAR(length, 2.0 * std::max(se / start.f_se, pe / start.f_pe), 1e-12);
@@ -61,7 +61,7 @@ TEST_F(TemplateOfProfile, EnergyUnderTheCurvesIsThatOfThePreloadedSprings) {
     // 120 rows below the stop and torques ~ x^n there, n below 12: the trapezoidal rule is off by n (n + 1)/(12 * 120^2).
     EXPECT_NEAR(below_se, 0.5 * 0.0183 * 3.7 * 3.7, 1e-3 * below_se);
     EXPECT_NEAR(below_pe, 0.5 * 7460.0 * 0.0146 * 0.0146, 1e-3 * below_pe);
-    const spring::LawPoint end = law->law->at_angle(law->law->angles().high);
+    const spring::LawPoint end = design->law()->at_angle(design->law()->angles().high);
     EXPECT_NEAR(se, 0.5 * 0.0183 * std::pow(pnrvsa_.k_se.spring.state(end.u_se), 2.0), 1e-6 * se);
     EXPECT_NEAR(pe, 0.5 * 7460.0 * std::pow(pnrvsa_.k_pe.spring.state(end.u_pe), 2.0), 1e-6 * pe);
     EXPECT_NEAR(springs.rows.back().se_torque, end.f_se, 1e-12);
@@ -70,24 +70,24 @@ TEST_F(TemplateOfProfile, EnergyUnderTheCurvesIsThatOfThePreloadedSprings) {
 TEST_F(TemplateOfProfile, IsACaseWhoseFirstEmptyCellIsNamed) {
     const auto made = case_template(pnrvsa_);
     ASSERT_TRUE(made);
-    gap::write_case_template(*made, folder_ / "case");
+    gap_case::write_case_template(*made, folder_ / "case");
     try {
-        (void)gap::read_case(folder_ / "case");
+        (void)gap_case::read_case(folder_ / "case");
         FAIL() << "a sheet without a measurement was taken";
     } catch (const core::InvalidInputs& refused) {
         const std::string field = refused.all().front().field();
         EXPECT_NE(field.find("breakaway.csv:2:"), std::string::npos) << field;
         EXPECT_NE(field.find("load_torque_Nm"), std::string::npos) << field;
     }
-    gap::Rows rows;
-    rows.breakaway = gap::set_points(*made).breakaway;
-    for (gap::BreakAway& row : rows.breakaway) row.load_torque = row.motor_torque * (row.backdrive ? 1.4 : 0.78);
-    gap::Case files;
-    files.files[gap::Experiment::kBreakAway] = {"breakaway.csv"};
-    gap::write_rows(files, rows, folder_ / "case");
+    gap_case::Rows rows;
+    rows.breakaway = gap_case::set_points(*made).breakaway;
+    for (identification::BreakAway& row : rows.breakaway) row.load_torque = row.motor_torque * (row.backdrive ? 1.4 : 0.78);
+    gap_case::Case files;
+    files.files[gap_case::Experiment::kBreakAway] = {"breakaway.csv"};
+    gap_case::write_rows(files, rows, folder_ / "case");
     const std::string toml = core::read_file(folder_ / "case" / "case.toml");
     write("case/case.toml", toml.substr(0, toml.find("[experiments]")) + "[experiments]\nbreakaway = \"breakaway.csv\"\n");
-    const gap::Case read = gap::read_case(folder_ / "case");
+    const gap_case::Case read = gap_case::read_case(folder_ / "case");
     EXPECT_EQ(read.rows.size(), 96u);
     EXPECT_EQ(read.rig.joint_radius, pnrvsa_.rig.joint_radius);
     EXPECT_EQ(read.rig.springs.size(), 320u);
@@ -110,10 +110,10 @@ TEST_F(TemplateOfProfile, RefusesWhatACaseCannotHold) {
 TEST_F(TemplateOfProfile, PushesAsHardAsTheSimulation) {
     const auto made = case_template(pnrvsa_);
     ASSERT_TRUE(made);
-    const std::vector<gap::DeadBandRow> rows = gap::set_points(*made).dead_band;
+    const std::vector<gap_case::DeadBandRow> rows = gap_case::set_points(*made).dead_band;
     const auto simulated = simulate(pnrvsa_, {.levels = 2});
     ASSERT_TRUE(simulated);
-    const auto same = [](const gap::DeadBandRow& row, const report::SimulatedLevel& level) {
+    const auto same = [](const gap_case::DeadBandRow& row, const SimulatedLevel& level) {
         EXPECT_EQ(row.cocontraction, level.dead_band.tau);
         EXPECT_NEAR(row.push_torque, level.reading.push_torque, 5e-5);  // set points have four digits
         EXPECT_GE(row.push_torque, level.reading.full_push);
@@ -121,7 +121,7 @@ TEST_F(TemplateOfProfile, PushesAsHardAsTheSimulation) {
     same(rows.front(), simulated->levels.front());
     same(rows.back(), simulated->levels.back());
     EXPECT_NEAR(rows.front().push_torque, 0.8828, 1e-4);
-    gap::write_case_template(*made, folder_ / "case");
+    gap_case::write_case_template(*made, folder_ / "case");
     const std::string sheets = core::read_file(folder_ / "case" / "BENCH.md");
     EXPECT_NE(sheets.find("The pushes are those of `fusee simulate`"), std::string::npos);
     EXPECT_NE(sheets.find("a push of at most 0.221 Nm does not"), std::string::npos) << sheets;
@@ -130,7 +130,7 @@ TEST_F(TemplateOfProfile, PushesAsHardAsTheSimulation) {
 TEST_F(TemplateOfProfile, PushesAsTheProfileSays) {
     const auto made = case_template(changed("simulate.push_torque_Nm", "0.6"));
     ASSERT_TRUE(made);
-    for (const gap::DeadBandRow& row : gap::set_points(*made).dead_band) EXPECT_EQ(row.push_torque, 0.6);
+    for (const gap_case::DeadBandRow& row : gap_case::set_points(*made).dead_band) EXPECT_EQ(row.push_torque, 0.6);
 }
 
 }  // namespace

@@ -38,9 +38,9 @@ TEST(CaseFiles, HoldTheFormatsFilesAndColumns) {
 
 TEST(CaseFiles, FollowFromSeedAndIndexAlone) {
     EXPECT_EQ(make_case(21, 5, {}), faultless());
-    const std::string rig = case_toml(draw_bench(21, 5));
-    EXPECT_NE(rig, case_toml(draw_bench(21, 6)));
-    EXPECT_NE(rig, case_toml(draw_bench(22, 5)));
+    const std::string rig = case_toml(draw_test_rig(21, 5));
+    EXPECT_NE(rig, case_toml(draw_test_rig(21, 6)));
+    EXPECT_NE(rig, case_toml(draw_test_rig(22, 5)));
 }
 
 // What the model is told does not tell what was built in.

@@ -14,13 +14,13 @@ namespace fusee::plant {
 namespace {
 
 /// The measured columns of each experiment by side and direction, at a few of its set points.
-std::map<std::string, std::vector<double>> readings(const Bench& bench, std::uint64_t stream) {
-    const double scale = range_of(bench.nominal).scale;
+std::map<std::string, std::vector<double>> readings(const TestRig& test_rig, std::uint64_t stream) {
+    const double scale = range_of(test_rig.nominal).scale;
     SetPoints points = set_points(false, scale);
     points.dead_band = {0.6 * scale};
     points.joint_stiffness = {0.8 * scale};
     Random noise(8, stream, 77);
-    const Measured m = measure(bench, points, noise);
+    const Measured m = measure(test_rig, points, noise);
     const auto side = [](std::size_t i) { return i == 0 ? " agonist" : " antagonist"; };
     std::map<std::string, std::vector<double>> all;
     for (const BreakAwayRow& r : m.breakaway) all[std::string("breakaway") + side(r.side) + (r.backdrive ? " back" : "")].push_back(r.load);
@@ -54,13 +54,13 @@ double away(const std::vector<double>& a, const std::vector<double>& b) {
 }
 
 /// What tolerances and sensors make between two rigs of one drawing, root mean square of three pairs.
-std::map<std::string, double> usual(const Bench& bench) {
-    const auto base = readings(bench, 0);
+std::map<std::string, double> usual(const TestRig& test_rig) {
+    const auto base = readings(test_rig, 0);
     std::map<std::string, double> spread;
     for (std::uint64_t i = 1; i <= 3; ++i) {
-        Bench other = bench;
+        TestRig other = test_rig;
         Random made(31, i, 5);
-        other.truth = build(bench.nominal, bench.tolerance, made);
+        other.truth = build(test_rig.nominal, test_rig.tolerance, made);
         for (const auto& [name, column] : readings(other, i)) spread[name] += std::pow(away(column, base.at(name)), 2) / 3.0;
     }
     for (auto& [name, variance] : spread) variance = std::sqrt(variance);
@@ -69,16 +69,16 @@ std::map<std::string, double> usual(const Bench& bench) {
 
 // Every effect moves at least one experiment by more than three times what two faultless rigs differ by.
 TEST(Effects, EachStandsOutSomewhere) {
-    const Bench bench = draw_bench(40, 3);
-    const auto base = readings(bench, 0);
-    const auto spread = usual(bench);
+    const TestRig test_rig = draw_test_rig(40, 3);
+    const auto base = readings(test_rig, 0);
+    const auto spread = usual(test_rig);
     std::vector<std::string> ids = library_ids();
     ids.insert(ids.end(), outside_ids().begin(), outside_ids().end());
     std::uint64_t index = 0;
     for (const std::string& id : ids) {
         Random random(8, ++index, 1);
-        const Effect effect = draw_effect(id, bench.nominal, random);
-        Bench faulty = bench;
+        const Effect effect = draw_effect(id, test_rig.nominal, random);
+        TestRig faulty = test_rig;
         apply(effect, faulty.truth);
         double most = 0.0;
         std::string where;
@@ -101,7 +101,7 @@ TEST(Effects, CoverTheFormatAndMoreThanEightOutside) {
 }
 
 TEST(Effects, SidesAreThoseOfTheirKind) {
-    const Nominal nominal = draw_bench(40, 4).nominal;
+    const Nominal nominal = draw_test_rig(40, 4).nominal;
     std::map<std::string, std::set<std::string>> sides;
     for (const std::string& id : library_ids())
         for (std::uint64_t i = 0; i < 30; ++i) {
@@ -117,21 +117,21 @@ TEST(Effects, SidesAreThoseOfTheirKind) {
 }
 
 TEST(Effects, OneSidedOnesLeaveTheOtherSideAlone) {
-    Bench bench = draw_bench(40, 5);
-    const SideTruth before = bench.truth.sides[0];
-    apply({"gear.coulomb", "antagonist", 0.05, {}}, bench.truth);
-    EXPECT_EQ(bench.truth.sides[0].coulomb, before.coulomb);
-    EXPECT_EQ(bench.truth.sides[1].coulomb, 0.05);
+    TestRig test_rig = draw_test_rig(40, 5);
+    const SideTruth before = test_rig.truth.sides[0];
+    apply({"gear.coulomb", "antagonist", 0.05, {}}, test_rig.truth);
+    EXPECT_EQ(test_rig.truth.sides[0].coulomb, before.coulomb);
+    EXPECT_EQ(test_rig.truth.sides[1].coulomb, 0.05);
 }
 
 TEST(Effects, RefusesWhatItDoesNotKnow) {
-    Bench bench = draw_bench(40, 6);
-    EXPECT_THROW(apply({"gear.magic", "both", 0.1, {}}, bench.truth), core::InvalidInput);
-    EXPECT_THROW(apply({"gear.coulomb", "none", 0.1, {}}, bench.truth), core::InvalidInput);
-    EXPECT_THROW(apply({"joint.stop", "both", 0.1, {}}, bench.truth), core::InvalidInput);
-    EXPECT_THROW(apply({"gear.stribeck", "both", 0.5, {}}, bench.truth), core::InvalidInput);  // without its speed
+    TestRig test_rig = draw_test_rig(40, 6);
+    EXPECT_THROW(apply({"gear.magic", "both", 0.1, {}}, test_rig.truth), core::InvalidInput);
+    EXPECT_THROW(apply({"gear.coulomb", "none", 0.1, {}}, test_rig.truth), core::InvalidInput);
+    EXPECT_THROW(apply({"joint.stop", "both", 0.1, {}}, test_rig.truth), core::InvalidInput);
+    EXPECT_THROW(apply({"gear.stribeck", "both", 0.5, {}}, test_rig.truth), core::InvalidInput);  // without its speed
     Random random(1, 1, 1);
-    EXPECT_THROW(static_cast<void>(draw_effect("gear.magic", bench.nominal, random)), core::InvalidInput);
+    EXPECT_THROW(static_cast<void>(draw_effect("gear.magic", test_rig.nominal, random)), core::InvalidInput);
 }
 
 }  // namespace

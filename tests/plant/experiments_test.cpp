@@ -10,9 +10,9 @@
 namespace fusee::plant {
 namespace {
 
-Measured measured(const Bench& bench, bool heldout = false) {
+Measured measured(const TestRig& test_rig, bool heldout = false) {
     Random noise(5, 1, 77);
-    return measure(bench, set_points(heldout, range_of(bench.nominal).scale), noise);
+    return measure(test_rig, set_points(heldout, range_of(test_rig.nominal).scale), noise);
 }
 
 double mean_load(const Measured& m, std::size_t side, bool backdrive, double motor) {
@@ -25,11 +25,11 @@ double mean_load(const Measured& m, std::size_t side, bool backdrive, double mot
 // Levels tau/(1 - mu) and tau/(1 + mu). Three repeats of a friction that scatters by 3 %: 4 sigma of their mean are 7 % of the friction;
 // mu itself is off by 2 %, the motor by 0.5 %.
 TEST(Experiments, BreakAwayAtTheFrictionCone) {
-    const Bench bench = draw_bench(11, 0);
-    const Measured m = measured(bench);
-    const double mu = bench.nominal.mu;
+    const TestRig test_rig = draw_test_rig(11, 0);
+    const Measured m = measured(test_rig);
+    const double mu = test_rig.nominal.mu;
     for (const std::size_t side : {0U, 1U})
-        for (const double motor : set_points(false, range_of(bench.nominal).scale).breakaway) {
+        for (const double motor : set_points(false, range_of(test_rig.nominal).scale).breakaway) {
             const double up = motor / (1.0 - mu), down = motor / (1.0 + mu);
             EXPECT_NEAR(mean_load(m, side, true, motor), up, 0.15 * (up - motor) + 0.015 * up + 4e-3) << motor;
             EXPECT_NEAR(mean_load(m, side, false, motor), down, 0.15 * (motor - down) + 0.015 * motor + 4e-3) << motor;
@@ -38,17 +38,17 @@ TEST(Experiments, BreakAwayAtTheFrictionCone) {
 
 // A faultless spring is its law inside 4 sigma of build (0.8 % of rate; 3e-5 m of arm; 5 mrad, 5e-5 m of preload) and of sensors.
 TEST(Experiments, SpringPullIsTheLaw) {
-    const Bench bench = draw_bench(11, 1);
-    const SpringCurves& law = bench.nominal.springs;
-    for (const PullRow& row : measured(bench).spring_pull) {
+    const TestRig test_rig = draw_test_rig(11, 1);
+    const SpringCurves& law = test_rig.nominal.springs;
+    for (const PullRow& row : measured(test_rig).spring_pull) {
         const double drawn = row.deflection <= 0.0 ? 0.0 : torque_at(law.deflection, row.series ? law.se : law.pe, row.deflection);
         EXPECT_NEAR(row.torque, drawn, 0.06 * drawn + 0.012) << row.series << ' ' << row.deflection;
     }
 }
 
 TEST(Experiments, FaultlessRowsAreOfTheFormatsKind) {
-    const Bench bench = draw_bench(11, 2);
-    const Measured m = measured(bench), kept = measured(bench, true);
+    const TestRig test_rig = draw_test_rig(11, 2);
+    const Measured m = measured(test_rig), kept = measured(test_rig, true);
     EXPECT_EQ(m.breakaway.size(), 96U);
     EXPECT_EQ(m.spring_pull.size(), 484U);
     EXPECT_EQ(m.dead_band.size(), 21U);
@@ -61,22 +61,22 @@ TEST(Experiments, FaultlessRowsAreOfTheFormatsKind) {
     for (const DeadBandRow& row : m.dead_band) {
         EXPECT_LT(row.q_low, 0.05);
         EXPECT_GT(row.q_high, -0.05);
-        EXPECT_LE(row.push, range_of(bench.nominal).most_push + 1e-3);
+        EXPECT_LE(row.push, range_of(test_rig.nominal).most_push + 1e-3);
     }
     for (const LogRow& row : m.log)
         for (const double theta : row.theta) EXPECT_GT(theta, -0.01);
     const CocontractionRow& top = m.cocontraction[60];
     EXPECT_TRUE(top.up);
-    EXPECT_NEAR(top.motor, bench.nominal.top_torque, 1e-12);
+    EXPECT_NEAR(top.motor, test_rig.nominal.top_torque, 1e-12);
     // Loads at the top: torque/(1 + mu).
-    const SpringCurves& law = bench.nominal.springs;
-    EXPECT_NEAR(top.theta[0], deflection_at(law.deflection, load_of(law), top.motor / (1.0 + bench.nominal.mu)), 0.06);
+    const SpringCurves& law = test_rig.nominal.springs;
+    EXPECT_NEAR(top.theta[0], deflection_at(law.deflection, load_of(law), top.motor / (1.0 + test_rig.nominal.mu)), 0.06);
 }
 
 TEST(Experiments, AngleReadingsAreWholeStepsOfTheEncoder) {
-    const Bench bench = draw_bench(11, 3);
-    for (const LogRow& row : measured(bench).log) {
-        const double steps = row.q / bench.sensors.encoder_step;
+    const TestRig test_rig = draw_test_rig(11, 3);
+    for (const LogRow& row : measured(test_rig).log) {
+        const double steps = row.q / test_rig.sensors.encoder_step;
         EXPECT_NEAR(steps, std::round(steps), 1e-9);
     }
 }

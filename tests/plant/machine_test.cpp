@@ -104,7 +104,7 @@ TEST(Machine, ACapstanStaysBetweenItsBreakAwayLoads) {
         const double load = 1.0 / (1.0 + nominal.mu);
         EXPECT_NEAR(ramp(1.0, 1.05 * load * (1.0 - nominal.mu)), load, 0.01);
         EXPECT_NEAR(ramp(1.05 * load * (1.0 - nominal.mu), 0.3), 0.3 / (1.0 - nominal.mu), 0.01);
-        EXPECT_NEAR(machine.q(), 0.0, 1e-9);  // both sides alike
+        EXPECT_NEAR(machine.q(), 0.0, 1e-9);  // both sides equal
     }
 }
 

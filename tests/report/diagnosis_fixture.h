@@ -3,13 +3,13 @@
 #include <string>
 #include <vector>
 
-#include "fusee/gap/diagnosis.h"
+#include "fusee/diagnosis/diagnosis.h"
 
 namespace fusee::report {
 
 /// A loop: load up, unload, load down, unload; what friction does to the joint's deflection.
-inline gap::Trace loop_trace(const std::string& label) {
-    gap::Trace trace{"joint_stiffness", label, "joint_torque_Nm", "q_rad", {}, {}, {}, {}, {}};
+inline diagnosis::Trace loop_trace(const std::string& label) {
+    diagnosis::Trace trace{"joint_stiffness", label, "joint_torque_Nm", "q_rad", {}, {}, {}, {}, {}};
     for (int i = 0; i <= 80; ++i) {
         const double phase = i / 20.0,
                      x = 4.0 * (phase < 1   ? phase
@@ -27,8 +27,8 @@ inline gap::Trace loop_trace(const std::string& label) {
 }
 
 /// Levels measured three times over, in this order.
-inline gap::Trace repeat_trace(const std::string& label) {
-    gap::Trace trace{"dead_band", label, "cocontraction_Nm", "q_high_rad", {}, {}, {}, {}, {}};
+inline diagnosis::Trace repeat_trace(const std::string& label) {
+    diagnosis::Trace trace{"dead_band", label, "cocontraction_Nm", "q_high_rad", {}, {}, {}, {}, {}};
     for (int repeat = 0; repeat < 3; ++repeat)
         for (const double tau : {0.1, 0.2, 0.3, 0.5, 0.8}) {
             trace.x.push_back(tau);
@@ -40,8 +40,8 @@ inline gap::Trace repeat_trace(const std::string& label) {
     return trace;
 }
 
-inline gap::Trace log_trace(const std::string& label, int points) {
-    gap::Trace trace{"log", label, "t_s", "theta_agonist_rad", {}, {}, {}, {}, {}};
+inline diagnosis::Trace log_trace(const std::string& label, int points) {
+    diagnosis::Trace trace{"log", label, "t_s", "theta_agonist_rad", {}, {}, {}, {}, {}};
     for (int i = 0; i < points; ++i) {
         const double t = i * 12.0 / points;
         trace.x.push_back(t);
@@ -53,7 +53,8 @@ inline gap::Trace log_trace(const std::string& label, int points) {
     return trace;
 }
 
-inline void add_map(gap::Diagnosis& d, const std::string& experiment, const std::string& variable, std::vector<double> edges, double gap) {
+inline void add_map(diagnosis::Diagnosis& d, const std::string& experiment, const std::string& variable, std::vector<double> edges,
+                    double gap) {
     for (std::size_t i = 0; i + 1 < edges.size(); ++i)
         d.map.push_back({experiment,
                          variable,
@@ -63,46 +64,46 @@ inline void add_map(gap::Diagnosis& d, const std::string& experiment, const std:
                          12});
 }
 
-inline gap::Isolability isolability() {
-    gap::Isolability isolability;
+inline diagnosis::Isolability isolability() {
+    diagnosis::Isolability isolability;
     for (const char* id : {"gear.load_friction", "gear.coulomb", "se.rate", "se.radius", "sensor.torque_scale"})
         for (const char* side : {"agonist", "antagonist", "both"}) isolability.causes.push_back({id, side});
     isolability.causes.push_back({"joint.coulomb", "none"});
     const std::size_t n = isolability.causes.size();
-    isolability.alike.assign(n, std::vector<double>(n, 0.0));
+    isolability.signature_similarity.assign(n, std::vector<double>(n, 0.0));
     for (std::size_t i = 0; i < n; ++i) {
         isolability.detectable.push_back(0.004 * static_cast<double>(i + 1));
         isolability.units.push_back(i / 3 == 1 || i == n - 1 ? "Nm" : i / 3 == 3 ? "m" : "relative");
         for (std::size_t j = 0; j < n; ++j)
-            isolability.alike[i][j] = std::abs(std::cos(0.9 * (static_cast<double>(i) - static_cast<double>(j))));
+            isolability.signature_similarity[i][j] = std::abs(std::cos(0.9 * (static_cast<double>(i) - static_cast<double>(j))));
     }
-    isolability.alike[0][12] = isolability.alike[12][0] = 0.984;
+    isolability.signature_similarity[0][12] = isolability.signature_similarity[12][0] = 0.984;
     isolability.classes = {{0, 12}, {6, 9, 8}};
     return isolability;
 }
 
-/// The gap of each experiment, and the map; one kept-back gap and one cell are not known.
-inline void add_gaps(gap::Diagnosis& d) {
+/// The gap of each experiment, and the map; one held-out gap and one cell are unknown.
+inline void add_gaps(diagnosis::Diagnosis& d) {
     int rows = 24;
     for (const char* name : {"breakaway", "spring_pull", "dead_band", "joint_stiffness", "cocontraction", "log"})
         d.experiments.push_back(
             {name, static_cast<std::size_t>(rows *= 2), {0.2 * rows / 6, 1.02, 1.0, 0.21 * rows / 6, 1.08, {0.9, 1.3}}, 1.05});
-    d.experiments.back().gap.heldout_before = d.experiments.back().gap.heldout_after = gap::kNoFigure;
+    d.experiments.back().gap.heldout_before = d.experiments.back().gap.heldout_after = diagnosis::kNoFigure;
     add_map(d, "breakaway", "motor_torque_Nm", {0.05, 0.3, 0.6, 0.9, 1.2}, 14.0);
     add_map(d, "spring_pull", "deflection_rad", {0.0, 0.5, 1.0, 1.5, 2.0, 2.5}, 2.4);
     add_map(d, "dead_band", "cocontraction_Nm", {0.12, 0.3, 0.5, 0.8}, 26.0);
     add_map(d, "joint_stiffness", "joint_torque_Nm", {-4, -2, 0, 2, 4}, 6.1);
     add_map(d, "log", "t_s", {0, 2, 4, 6, 8, 10, 12}, 0.5);
-    d.map.push_back({"cocontraction", "motor_torque_Nm", {0.4, 0.4}, 3.3, gap::kNoFigure, 2});
+    d.map.push_back({"cocontraction", "motor_torque_Nm", {0.4, 0.4}, 3.3, diagnosis::kNoFigure, 2});
     d.map.push_back({"cocontraction", "motor_torque_Nm", {0.9, 1.3}, 2.2, 1.1, 2});
 }
 
 /// A full case: friction in the agonist's gear and a spool cut too deep.
-inline gap::Diagnosis diagnosis() {
-    gap::Diagnosis d;
+inline diagnosis::Diagnosis diagnosis() {
+    diagnosis::Diagnosis d;
     d.case_name = "open-07";
     d.case_sha256 = "0123456789abcdef0123";
-    d.verdict = gap::Verdict::kIdentified;
+    d.verdict = diagnosis::VerdictKind::kIdentified;
     d.effects = {{{"gear.coulomb", "agonist"}, 0.981, {0.0512, {0.0473, 0.0551}, "Nm"}, {}},
                  {{"se.radius", "both"}, 0.934, {-2.1e-4, {-2.6e-4, -1.6e-4}, "m"}, {{"v_s", 0.02}}}};
     d.alternatives = {{{{"gear.load_friction", "agonist"}, {"se.radius", "both"}}, 0.041}, {{}, 0.002}};
@@ -116,13 +117,13 @@ inline gap::Diagnosis diagnosis() {
     d.build = {{"radii", {0.0011, {-0.002, 0.0042}, "relative"}}, {"se_radius agonist", {1.2e-5, {-3e-5, 5e-5}, "m"}}};
     add_gaps(d);
     double below = 0.0;
-    for (const std::vector<gap::Cause>& effects : {std::vector<gap::Cause>{{"gear.coulomb", "agonist"}, {"se.radius", "both"}},
-                                                   d.alternatives[0].effects,
-                                                   {{"gear.coulomb", "agonist"}},
-                                                   {{"joint.coulomb", "none"}},
-                                                   {}})
+    for (const std::vector<effects::Cause>& effects : {std::vector<effects::Cause>{{"gear.coulomb", "agonist"}, {"se.radius", "both"}},
+                                                       d.alternatives[0].effects,
+                                                       {{"gear.coulomb", "agonist"}},
+                                                       {{"joint.coulomb", "none"}},
+                                                       {}})
         d.ranking.push_back({effects, -(below += below + 3.0) + 3.0, 0.95 * std::exp(3.0 - below), 310.0 + 7.0 * below, 1.0 + 0.2 * below,
-                             std::vector<gap::Parameter>(effects.size(), {0.051, {0.04, 0.06}, "Nm"})});
+                             std::vector<diagnosis::Parameter>(effects.size(), {0.051, {0.04, 0.06}, "Nm"})});
     d.isolability = isolability();
     d.traces = {loop_trace("q over joint torque at 0.5 Nm"), loop_trace("q over joint torque at 1 Nm"), repeat_trace("upper edge"),
                 log_trace("agonist capstan", 400)};

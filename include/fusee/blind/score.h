@@ -10,49 +10,50 @@
 
 #include "fusee/blind/blind.h"
 #include "fusee/core/units.h"
-#include "fusee/gap/diagnosis.h"
+#include "fusee/diagnosis/diagnosis.h"
 
-/// What the diagnoses of a sealed benchmark are worth once the seal is opened (docs/gap-benchmark.md).
+/// Score of the diagnoses of a sealed benchmark after the seal is opened (docs/benchmark.md).
 namespace fusee::blind {
 
-/// How often something was so.
+/// A share: hits of a number.
 struct Share {
     std::size_t hits = 0, of = 0;
-    [[nodiscard]] double value() const;          ///< kNoFigure of none
-    [[nodiscard]] core::Range wilson95() const;  ///< 95 % score interval (Wilson 1927); 0 to 1 of none
+    [[nodiscard]] double value() const;          ///< kNoFigure if of = 0
+    [[nodiscard]] core::Range wilson95() const;  ///< 95 % score interval (Wilson 1927); 0 to 1 if of = 0
     void count(bool hit) { hits += hit, ++of; }
 };
 
-/// What was said of a case before its label was known, and how far that shrank the gap on rows kept back.
+/// Diagnosis of a case before its label was known, and its gap on held-out rows.
 struct Answer {
     std::string case_name;
-    std::string failure;  ///< why there is no diagnosis; "" if there is one
-    gap::Verdict verdict = gap::Verdict::kUnknown;
-    std::vector<gap::FoundEffect> effects;
-    std::vector<gap::Alternative> alternatives;
-    double claimed_before = gap::kNoFigure, claimed_after = gap::kNoFigure;  ///< heldout_before, heldout_after of the diagnosis [sigma]
-    double kept_before = gap::kNoFigure, kept_after = gap::kNoFigure;        ///< on the case's folder heldout/ [sigma]
-    double seconds = gap::kNoFigure;                                         ///< the diagnosis took, on one thread
+    std::string failure;  ///< reason for a missing diagnosis; "" if there is one
+    diagnosis::VerdictKind verdict = diagnosis::VerdictKind::kUnknown;
+    std::vector<diagnosis::FoundEffect> effects;
+    std::vector<diagnosis::Alternative> alternatives;
+    double claimed_before = diagnosis::kNoFigure,
+           claimed_after = diagnosis::kNoFigure;  ///< heldout_before, heldout_after of the diagnosis [sigma]
+    double held_out_before = diagnosis::kNoFigure, held_out_after = diagnosis::kNoFigure;  ///< on the case's folder heldout/ [sigma]
+    double seconds = diagnosis::kNoFigure;                                                 ///< of the diagnosis, on one thread
 };
 /// An effect named: "gear.coulomb", else "two effects", "none", "ambiguous", "unknown" or "failed".
 [[nodiscard]] std::string answer_name(const Answer& answer);
-/// What was built in: an id, "outside.NAME", "two effects" or "none".
+/// Built-in effects: an id, "outside.NAME", "two effects" or "none".
 [[nodiscard]] std::string truth_name(const Label& label);
 
-/// One figure of the benchmark with its control.
+/// One metric of the benchmark with its control.
 struct Figure {
     std::string key, name;  ///< "effect_named", "effect named"
     Share share;
-    core::Range wanted{0.0, 1.0};  ///< what the project asks of itself
-    /// The same with the labels dealt anew among the cases: mean, and 95 % of the deals. NaN where labels do not enter.
-    double shuffled = gap::kNoFigure;
-    core::Range shuffled95{gap::kNoFigure, gap::kNoFigure};
+    core::Range wanted{0.0, 1.0};  ///< target of the project
+    /// The same with shuffled labels: mean, and 95 % of the shuffles. NaN where labels do not matter.
+    double shuffled = diagnosis::kNoFigure;
+    core::Range shuffled95{diagnosis::kNoFigure, diagnosis::kNoFigure};
 };
 
-/// Effects stated with a probability in [from, to): how often they were there.
+/// Effects stated with a probability in [from, to): share of true ones.
 struct CalibrationBin {
     core::Range stated;
-    double mean_stated = gap::kNoFigure;
+    double mean_stated = diagnosis::kNoFigure;
     Share right;
 };
 struct ShrinkRow {
@@ -72,37 +73,37 @@ struct Score {
     std::map<std::string, std::map<std::string, std::size_t>> confusion;  ///< truth_name, answer_name
     std::vector<CalibrationBin> calibration;
     std::map<std::string, Share> coverage;  ///< by id: 95 % intervals that hold the true size
-    std::vector<ShrinkRow> shrink;          ///< of cases in whose diagnosis an effect is named
-    double median_seconds = gap::kNoFigure, worst_seconds = gap::kNoFigure;
+    std::vector<ShrinkRow> shrink;          ///< of cases with a named effect
+    double median_seconds = diagnosis::kNoFigure, worst_seconds = diagnosis::kNoFigure;
     std::vector<Miss> misses;
     /// @pre there is one
     [[nodiscard]] const Figure& figure(const std::string& key) const;
 };
 
-inline constexpr std::size_t kDeals = 400;  ///< of the labels, for the control
+inline constexpr std::size_t kDeals = 400;  ///< shuffles of the labels for the control
 
-/// Pure arithmetic. @param seed of the deals of the control
+/// Pure arithmetic. @param seed of the shuffles
 /// @throws core::InvalidInput "case" if a case has no label, or a label no case
 [[nodiscard]] Score score_answers(const std::vector<Label>& labels, const std::vector<Answer>& answers, std::uint64_t seed = 1);
 
 struct ScoreOptions {
-    std::filesystem::path folder;  ///< as make_benchmark left it; FOLDER/diagnoses/CASE gets diagnosis.json and kept_back.json
-    std::string hash;              ///< the seal as told when the benchmark was made; "": as seal.txt says
-    unsigned jobs = 0;             ///< cases side by side, each on one thread; 0: as many as cores; the score is the same for any
+    std::filesystem::path folder;  ///< as make_benchmark left it; FOLDER/diagnoses/CASE gets diagnosis.json and held_out.json
+    std::string hash;              ///< the seal printed when the benchmark was made; "": that of seal.txt
+    unsigned jobs = 0;             ///< cases in parallel, one thread each; 0: as many as cores; the score does not depend on it
     std::size_t limit = 0;         ///< the first cases only; 0: all
-    bool again = false;            ///< make diagnoses anew that lie there already
-    bool force = false;            ///< where files are written: as core::OutputRun has it
-    /// Told of each finished case; calls do not overlap. What it throws ends the work.
+    bool again = false;            ///< repeat existing diagnoses
+    bool force = false;            ///< as in core::OutputRun
+    /// Called after each finished case, never concurrently. An exception ends the work.
     std::function<void(std::size_t done, std::size_t of, const std::string& what)> progress;
-    /// Asked often: true ends the work with core::Stopped. Finished diagnoses stay and are not made again.
+    /// Polled: true ends the work with core::Stopped. Finished diagnoses are kept.
     std::function<bool()> stop;
 };
-/// Diagnoses every case, and only then opens the seal. A case that cannot be diagnosed is a miss.
+/// Diagnoses every case, then opens the seal. A case that cannot be diagnosed is a miss.
 /// @throws core::InvalidInput "seal" if it is broken, before any case is diagnosed and again before any is scored; "folder" without cases;
 /// core::IoError; core::Stopped
 [[nodiscard]] Score score(const ScoreOptions& options);
 
-/// Keys as docs/gap-benchmark.md gives them; a NaN is null. @param model score of the cases that the model itself made, or none
+/// Keys as docs/benchmark.md gives them; a NaN is null. @param model score of the cases made by the model, or none
 [[nodiscard]] std::string score_json(const Score& score, const std::optional<Score>& model = {});
 
 }  // namespace fusee::blind

@@ -15,7 +15,7 @@ inline constexpr const char* kReadMesh = "--read-mesh";
 [[nodiscard]] core::ChildLimits reader_limits(const std::filesystem::path& path);
 
 /// As read_mesh_file, but in a process of its own: a file on which assimp, lib3mf or OpenCASCADE crashes, loops or takes all memory ends
-/// that process only (docs/decisions/0006-readers-apart.md). Thread-safe.
+/// that process only (docs/decisions/0006-third-party-readers.md). Thread-safe.
 /// @param reader the words of a program that calls serve_mesh_file with the path that is added to them: {"/usr/bin/fusee", "--read-mesh"}
 /// @throws core::InvalidInput, core::IoError as read_mesh_file; core::IoError also if the reader crashes or reaches a limit, and if the
 ///         path is no regular file

@@ -67,7 +67,7 @@ struct PartFile {
                                      const core::Provenance& provenance);
 /// @throws IoError
 void write_part_file(const std::filesystem::path& path, const PartFile& part);
-/// @throws IoError naming the file and the key that is missing or of the wrong kind
+/// @throws core::IoError if the file cannot be read, core::InvalidInput naming file, line and key
 [[nodiscard]] PartFile read_part_file(const std::filesystem::path& path);
 
 }  // namespace fusee::exchange

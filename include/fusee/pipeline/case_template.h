@@ -1,6 +1,6 @@
 #pragma once
 #include "fusee/core/finding.h"
-#include "fusee/gap/case_template.h"
+#include "fusee/gap_case/case_template.h"
 #include "fusee/profile/profile.h"
 
 namespace fusee::pipeline {
@@ -9,12 +9,12 @@ struct CaseTemplateOptions {
     int springs_rows = 200;  ///< of nominal_springs.csv, above the springs' stops; at least 8
 };
 
-/// The empty gap case of the joint that a profile describes: its radii, friction, inertias and springs as they were designed
-/// (docs/gap.md). A case knows no preload: springs that rest on stops go on below them to no torque, as the cam on its base spring would
-/// without a stop (`springs_without_stops`); angles then count from there.
-/// Refusal: the law's. @throws core::InvalidInput naming a key that a case cannot hold: no parts, no preload behind a law that has one,
+/// The empty gap case of the joint that a profile describes: radii, friction, inertias and springs as designed (docs/gap.md). A case has no
+/// preload: springs that rest on stops continue below them to zero torque, as the cam on its base spring would without a stop
+/// (`springs_without_stops`); angles count from there.
+/// Refusal: the law's. @throws core::InvalidInput naming a key that a case cannot hold: no parts, no preload for a law that needs one,
 /// friction other than in proportion to the load
-[[nodiscard]] core::Outcome<gap::CaseTemplate> case_template(const profile::Profile& profile, const CaseTemplateOptions& options = {});
+[[nodiscard]] core::Outcome<gap_case::CaseTemplate> case_template(const profile::Profile& profile, const CaseTemplateOptions& options = {});
 
 /// A law's torques over deflection, continued below the springs' stops to (0, 0) as if the base springs could unwind there: from the state
 /// z = 0 at x = 0 to the preload z_0 at x = L, where the law begins with its torque F_0,
@@ -22,7 +22,7 @@ struct CaseTemplateOptions {
 /// Torque, energy 1/2 k z_0^2 and arm (r_c/z' of K_SE, z' of K_PE) are those of the law at L, so that the cams that follow from the curves
 /// are the designed ones above it, and every arm below is finite. Both springs see the same angle: L is the greater of z_0/s.
 struct SpringsWithoutStops {
-    std::vector<gap::NominalRig::SpringRow> rows;
+    std::vector<gap_case::NominalRig::SpringRow> rows;
     double rest_deflection = 0.0;  ///< L [rad]
 };
 /// @throws core::InvalidInput if a base spring has no preload, or fewer than 8 rows are asked for

@@ -15,7 +15,7 @@ struct SetPoints {
     double log_slow = 0.2, log_fast = 1.0;      ///< the swing's frequencies, first and last [Hz]
     double log_knock = 0.75;                    ///< torque of the knock on the joint [Nm]
 };
-/// The set points of the fit, or those kept back, for a top torque of 1.5 Nm times `scale`.
+/// The set points of the fit, or those held out, for a top torque of 1.5 Nm times `scale`.
 [[nodiscard]] SetPoints set_points(bool heldout, double scale);
 
 struct BreakAwayRow {
@@ -51,7 +51,7 @@ struct LogRow {
     std::array<double, 2> theta{};
     double q = 0.0;
 };
-/// What a bench writes down.
+/// Recorded measurements.
 struct Measured {
     std::vector<BreakAwayRow> breakaway;
     std::vector<PullRow> spring_pull;
@@ -61,8 +61,8 @@ struct Measured {
     std::vector<LogRow> log;
 };
 
-/// A rig with its sensors and its protocol on the bench.
-struct Bench {
+/// A rig with its sensors and its protocol.
+struct TestRig {
     Nominal nominal;
     Truth truth;
     Tolerance tolerance;
@@ -71,6 +71,6 @@ struct Bench {
 };
 
 /// All six, one after the other in one session that begins at `session` [s]; equal arguments give equal rows.
-[[nodiscard]] Measured measure(const Bench& bench, const SetPoints& points, Random& random, double session = 0.0);
+[[nodiscard]] Measured measure(const TestRig& test_rig, const SetPoints& points, Random& random, double session = 0.0);
 
 }  // namespace fusee::plant

@@ -7,7 +7,7 @@
 
 namespace fusee::plant {
 
-/// Friction with presliding: bristles of deflection z that bend elastically and slide where the friction in motion is exceeded,
+/// Friction with presliding: bristles of deflection z, elastic up to the friction in motion, then sliding,
 ///     f = s0 z + s1 dz/dt,   dz/dt = v (1 - a(z, v) |z| / z_ss),   z_ss = f_slide/s0
 /// a = 1 always: LuGre (Canudas de Wit, Olsson, Astrom & Lischinsky 1995), which creeps under a shaking load below the limit; a = 0 up to
 /// a break-away bend of 0.7 z_ss: the elasto-plastic model (Dupont, Hayward, Armstrong & Altpeter 2002), which does not.

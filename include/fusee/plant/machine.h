@@ -7,7 +7,7 @@
 
 namespace fusee::plant {
 
-/// What the bench applies.
+/// Applied torques.
 struct Command {
     std::array<double, 2> motor{};  ///< agonist, antagonist [Nm at the capstan]
     double joint = 0.0;             ///< [Nm]

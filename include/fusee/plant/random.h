@@ -3,7 +3,7 @@
 
 namespace fusee::plant {
 
-/// Counter-based random numbers: what a stream gives follows from (seed, index, purpose) and from how many were drawn, never from threads.
+/// Counter-based random numbers: a stream depends on (seed, index, purpose) and the number of draws, not on threads.
 /// Each number is a hash of key and counter (the finaliser of SplitMix64, Steele, Lea & Flood 2014).
 class Random {
 public:
@@ -12,7 +12,7 @@ public:
     [[nodiscard]] std::uint64_t bits();
     [[nodiscard]] double uniform(double low, double high);
     [[nodiscard]] double normal();                         ///< standard normal (Box & Muller)
-    [[nodiscard]] double either_sign(double magnitude);    ///< one or the other at even odds
+    [[nodiscard]] double either_sign(double magnitude);    ///< +magnitude or -magnitude at even odds
     [[nodiscard]] std::uint64_t below(std::uint64_t end);  ///< 0 .. end - 1. @pre end > 0 and far below 2^64
 
 private:

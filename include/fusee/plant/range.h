@@ -3,7 +3,7 @@
 
 namespace fusee::plant {
 
-/// How far the experiments take a rig: what sizes of effects and pushes are measured by.
+/// Operating range of a rig in the experiments: reference of effect and push sizes.
 struct RigRange {
     const Nominal* nominal = nullptr;
     double scale = 1.0;      ///< of every torque set point: top torque/1.5 Nm

@@ -5,7 +5,7 @@
 
 #include "fusee/plant/random.h"
 
-/// The rig that the model does not know (docs/theory/plant.md): figures as designed, and as built. Everything is SI; a capstan's angle and
+/// The simulated rig, independent of the model (docs/theory/plant.md): nominal and as built. Everything is SI; a capstan's angle and
 /// torque are positive when they wind its own cable in.
 namespace fusee::plant {
 
@@ -16,7 +16,7 @@ struct SpringCurves {
 };
 enum class LawKind { kStictionCompensating, kExponential, kCubic };
 
-/// What the model is told.
+/// The nominal rig.
 struct Nominal {
     double capstan_radius = 0.015, joint_radius = 0.022;  ///< [m]
     double mu = 0.25;                                     ///< gear friction over load
@@ -106,21 +106,21 @@ struct Truth {
     JointTruth joint;
     Presliding presliding = Presliding::kElastoPlastic;
     double bristle = 1500.0;  ///< stiffness of the gear's bristles [Nm/rad]
-    double hand = 1.0;        ///< how firmly a hand steadies the joint in the dead-band test: (0.04 s + 0.1 s torque/top torque) times this
+    double hand = 1.0;        ///< damping by hand in the dead-band test: (0.04 s + 0.1 s torque/top torque) times this
 };
 
 /// The stiction-compensating law (k, u, C) closed in the load, with a parabola from the origin to its start; an exponential or a cubic
 /// pair.
 /// @pre 0 < mu < 1, top_load > 0
 [[nodiscard]] SpringCurves draw_springs(LawKind kind, double mu, double top_load, Random& random);
-/// A rig of its own: radii, friction, law and base springs at random.
+/// A random rig: radii, friction, law and base springs.
 [[nodiscard]] Nominal draw_nominal(Random& random);
 /// Every nominal figure within its tolerance, on each side anew; friction model and bristles at random.
 [[nodiscard]] Truth build(const Nominal& nominal, const Tolerance& tolerance, Random& random);
 
 /// Torque of a spring at a deflection between its rows (straight lines). @pre inside the rows
 [[nodiscard]] double torque_at(const std::vector<double>& deflection, const std::vector<double>& torque, double x);
-/// Where the pair together, or one of them, reaches a torque; the end if it does not. @pre torque rises
+/// Deflection at which the pair, or one spring, reaches a torque; the end if it does not. @pre torque rises
 [[nodiscard]] double deflection_at(const std::vector<double>& deflection, const std::vector<double>& torque, double wanted);
 /// F_SE + F_PE row by row: the load of equal co-contraction at q = 0.
 [[nodiscard]] std::vector<double> load_of(const SpringCurves& springs);

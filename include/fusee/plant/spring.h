@@ -32,7 +32,7 @@ private:
 /// F = k (y + y0) r, far steeper once it binds.
 [[nodiscard]] TorqueTable build_parallel(const Nominal& nominal, const SideTruth& side);
 
-/// A built spring that remembers: hysteresis and creep. From rest, unloaded.
+/// A built spring with hysteresis and creep. Starts at rest, unloaded.
 class Spring {
 public:
     Spring(TorqueTable table, const SpringTruth& truth) : table_(std::move(table)), truth_(truth) {}

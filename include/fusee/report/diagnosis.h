@@ -1,18 +1,18 @@
 #pragma once
 #include <string>
 
-#include "fusee/gap/diagnosis.h"
+#include "fusee/diagnosis/diagnosis.h"
 
-/// A diagnosis of the gap between model and rig, for a person (docs/gap.md). diagnosis.json is written by gap::diagnosis_json.
+/// A diagnosis of the gap between model and rig, for a person (docs/gap.md). diagnosis.json is written by diagnosis::diagnosis_json.
 namespace fusee::report {
 
 /// One page in one file that opens offline, in the order where, which, how far: no script, no request. Figures that are not known show
 /// as a dash, and parts without content are left out. Long traces are thinned, so that the page stays below 2 MB.
 /// @param extra_section_html HTML of a further section at the page's end, taken as it is; the caller escapes its texts
-[[nodiscard]] std::string diagnosis_html(const gap::Diagnosis& diagnosis, const std::string& extra_section_html = {});
+[[nodiscard]] std::string diagnosis_html(const diagnosis::Diagnosis& diagnosis, const std::string& extra_section_html = {});
 
 inline constexpr int kMostDiagnosisLines = 15;
 /// Verdict, effects, where, gap, next experiment and remarks for a terminal: at most kMostDiagnosisLines lines.
-[[nodiscard]] std::string diagnosis_text(const gap::Diagnosis& diagnosis);
+[[nodiscard]] std::string diagnosis_text(const diagnosis::Diagnosis& diagnosis);
 
 }  // namespace fusee::report

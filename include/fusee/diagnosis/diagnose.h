@@ -1,0 +1,32 @@
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "fusee/diagnosis/diagnosis.h"
+#include "fusee/gap_case/case.h"
+
+namespace fusee::diagnosis {
+
+struct DiagnoseOptions {
+    unsigned jobs = 0;  ///< threads, 0: as many as cores; the result does not depend on it
+    /// Called after each finished part: done, total, name. May throw to stop (core::Stopped).
+    std::function<void(std::size_t, std::size_t, const std::string&)> progress;
+};
+
+/// Where model and rig differ, which unmodelled effect causes it, and how far the gap shrinks with that effect in the model (docs/gap.md).
+/// Deterministic. @throws core::InvalidInput if the case has too few rows
+[[nodiscard]] Diagnosis diagnose(const gap_case::Case& gap_case, const DiagnoseOptions& options = {});
+
+/// Checks a diagnosis from a file against the rig of a case: each effect is known, appears once per side, has a size (and further
+/// parameters) within the range of its law, and its unit; each build parameter is known.
+/// @param file the name used in messages. @throws core::InvalidInput naming the effect, its size and what is allowed
+void require_possible(const gap_case::Case& nominal, const Diagnosis& found, const std::string& file);
+
+/// Predicts the measured columns at the inputs of `inputs`, row by row: the nominal rig with `found.effects` and
+/// `found.build` (an empty Diagnosis: the nominal rig).
+/// @throws core::InvalidInput naming an effect or side that the library does not know; a value of the rig with these effects that cannot
+/// be built (friction or arm below 0); an experiment without a finite prediction
+[[nodiscard]] gap_case::Rows predict(const gap_case::Case& nominal, const Diagnosis& found, const gap_case::Rows& inputs);
+
+}  // namespace fusee::diagnosis

@@ -1,0 +1,120 @@
+#pragma once
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fusee/core/units.h"
+#include "fusee/effects/effect.h"
+
+/// The diagnosis of a gap case: location, cause and size of the gap (docs/gap.md). Written as diagnosis.json and as a page.
+namespace fusee::diagnosis {
+
+/// A missing value.
+inline constexpr double kNoFigure = std::numeric_limits<double>::quiet_NaN();
+
+enum class VerdictKind { kIdentified, kNone, kAmbiguous, kUnknown };
+[[nodiscard]] const char* to_string(VerdictKind verdict);  ///< "identified", "none", "ambiguous", "unknown"
+
+struct Parameter {
+    double value = 0.0;
+    core::Range ci95;
+    std::string unit;
+};
+struct FoundEffect {
+    effects::Cause cause;
+    double probability = 0.0;
+    Parameter parameter;
+    std::vector<std::pair<std::string, double>> extra;  ///< further parameters of its law by name, for a later prediction
+};
+struct Alternative {
+    std::vector<effects::Cause> effects;  ///< empty: no effect at all
+    double probability = 0.0;
+};
+/// Contribution of one experiment to the gap. Shares sum to 1, greatest first.
+struct GapContribution {
+    std::string experiment;
+    double share = 0.0;
+    std::string variable;  ///< "cocontraction_Nm", ...
+    core::Range region;
+    std::string component;  ///< the spring, side or direction with most of it; may be empty
+};
+/// Root mean square of (measured - predicted)/sigma; kNoFigure where there is none.
+struct Gap {
+    double before = kNoFigure, after = kNoFigure, noise_floor = kNoFigure;
+    double heldout_before = kNoFigure, heldout_after = kNoFigure;
+    core::Range heldout_after_95{kNoFigure, kNoFigure};  ///< over the held-out blocks
+};
+
+/// One row of the ranking: a hypothesis of one or two effects, or of none.
+struct Hypothesis {
+    std::vector<effects::Cause> effects;
+    double log_evidence = 0.0;  ///< relative to the best, <= 0 [nats]
+    double probability = 0.0;
+    double chi2 = 0.0;                  ///< robust misfit, at the best parameters
+    double left_out = kNoFigure;        ///< gap on experiments outside its fit [sigma]
+    std::vector<Parameter> parameters;  ///< one for each effect
+};
+/// The gap in one cell of the map.
+struct GapCell {
+    std::string experiment, variable;
+    core::Range region;
+    double before = 0.0, after = 0.0;  ///< [sigma]
+    std::size_t rows = 0;
+};
+struct ExperimentGap {
+    std::string experiment;
+    std::size_t rows = 0;
+    Gap gap;
+    double forecast = kNoFigure;  ///< expected heldout_after [sigma]
+};
+/// Measured values and predictions before and after, of one quantity over one variable.
+struct Trace {
+    std::string experiment, label;  ///< "q_high_rad over cocontraction_Nm"
+    std::string x_name, y_name;
+    std::vector<double> x, measured, before, after, sigma;
+};
+/// Which causes the experiments can distinguish. Similarity: |cosine| of two whitened signatures, nuisance parameters projected out.
+struct Isolability {
+    std::vector<effects::Cause> causes;
+    std::vector<std::vector<double>> signature_similarity;  ///< [i][j], 1 on the diagonal
+    std::vector<double> detectable;                         ///< least size detected at 3 sigma, in the unit of the parameter
+    std::vector<std::string> units;
+    std::vector<std::vector<std::size_t>> classes;  ///< causes that these experiments cannot distinguish, two or more each
+};
+/// A further measurement that distinguishes the alternatives.
+struct NextExperiment {
+    std::string text;  ///< one sentence with its set points
+    std::string experiment;
+    std::vector<double> set_points;
+    std::string variable;
+    double information = 0.0;  ///< expected [bit]
+    double cost = 0.0;         ///< [min]
+};
+
+struct Diagnosis {
+    std::string case_name, case_sha256;
+    VerdictKind verdict = VerdictKind::kNone;
+    std::vector<FoundEffect> effects;
+    std::vector<Alternative> alternatives;
+    std::vector<GapContribution> where;
+    Gap gap;
+    std::string next_experiment;
+    // The rest is for the page and for a later prediction; diagnosis.json has it under further keys.
+    std::vector<std::pair<std::string, Parameter>> build;  ///< nuisance parameters as fitted, by name
+    std::vector<ExperimentGap> experiments;
+    std::vector<GapCell> map;
+    std::vector<Hypothesis> ranking;
+    Isolability isolability;
+    std::vector<Trace> traces;
+    std::vector<NextExperiment> next;
+    std::vector<std::string> remarks;  ///< limitations, disagreeing splits, gaps at the noise floor
+};
+
+/// Keys as docs/gap.md gives them. NaN is written as null.
+[[nodiscard]] std::string diagnosis_json(const Diagnosis& diagnosis);
+/// Reads what a prediction needs: verdict, effects with extra parameters, build. Third-party files may have only `effects`.
+/// @param file the name used in messages. @throws core::InvalidInput naming the key
+[[nodiscard]] Diagnosis parse_diagnosis(std::string_view json, const std::string& file);
+
+}  // namespace fusee::diagnosis

@@ -1,0 +1,37 @@
+#pragma once
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "fusee/inference/splits.h"
+
+namespace fusee::inference {
+
+/// Every fully fitted hypothesis, best first by evidence and prior.
+struct Search {
+    std::vector<Fit> fits;
+    std::vector<Split> left_out;        ///< of each, with experiments left out: for the best four and for no effect, else empty
+    std::vector<double> log_posterior;  ///< of each, relative to the best [nats]
+    std::vector<double> probability;    ///< sums to 1
+    std::size_t null = 0;               ///< the place of the hypothesis without effects
+    [[nodiscard]] const Fit& best() const { return fits.front(); }
+};
+
+struct SearchOptions {
+    unsigned jobs = 1;
+    std::function<void(const std::string&)> progress;  ///< of each part that is finished: five
+};
+
+/// Applies the cost of a contradiction to every pair if no single effect beats none after the splits: pairs were sought for
+/// a single effect, and sizes that only compensate each other are not a pair of causes.
+/// @param effects how many each hypothesis has
+/// @param scores  of each [nats]
+void discount_unfounded(std::span<const std::size_t> effects, std::span<double> scores);
+
+/// No effect, then each effect on each side, then pairs upon the best single ones: screened in the linear model, the best fitted in full.
+/// Pairs are sought only if a single effect was found; a second one must improve on the accuracy of the first.
+/// A hypothesis that the splits contradict (interval.h) needs far more evidence.
+[[nodiscard]] Search search(const Problem& problem, const SearchOptions& options);
+
+}  // namespace fusee::inference

@@ -1,0 +1,148 @@
+#include "answer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "fusee/inference/interval.h"
+#include "fusee/inference/screen.h"
+#include "gap_map.h"
+#include "isolability.h"
+#include "next_experiment.h"
+
+namespace fusee::diagnosis {
+
+namespace {
+
+constexpr double kNormal95 = 1.959964;
+constexpr double kLeastAlternative = 1e-3;  ///< probability below which an alternative is not listed
+constexpr std::size_t kMostRivals = 4;      ///< rivals of the next experiment: each costs as much as a fit
+constexpr double kSmallLeak = 0.05;         ///< probability below which a hypothesis gets no further experiment
+
+/// 95 % interval over the folds of the gap on held-out rows.
+core::Range interval_over_folds(const inference::Problem& problem, const Eigen::VectorXd& held) {
+    const std::vector<int> fold = folds(problem);
+    double mean = 0.0, square = 0.0;
+    for (int f = 0; f < inference::kFolds; ++f) {
+        Eigen::VectorXd own = held;
+        for (int i = 0; i < own.size(); ++i)
+            if (fold[static_cast<std::size_t>(i)] != f) own[i] = 0.0;
+        const double gap = root_mean_square(problem, own) * std::sqrt(static_cast<double>(inference::kFolds));
+        mean += gap / inference::kFolds;
+        square += gap * gap / inference::kFolds;
+    }
+    const double half = inference::student95(inference::kFolds) * std::sqrt(std::max(0.0, square - mean * mean) / (inference::kFolds - 1));
+    return {std::max(0.0, mean - half), mean + half};
+}
+
+Parameter parameter_of(double value, double half, const effects::EffectParameter& law) {
+    return {value * law.scale,
+            {std::max(law.allowed.low, (value - half) * law.scale), std::min(law.allowed.high, (value + half) * law.scale)},
+            law.unit};
+}
+
+}  // namespace
+
+Answer::Answer(const inference::Problem& problem, const inference::Search& found, const Verdict& verdict)
+    : problem_(problem), found_(found), verdict_(verdict) {
+    sigma_ = tolerance_sigma(problem, found.fits[found.null].jacobian);
+    nominal_ = problem.predict({}, problem.start({}));
+    before_ = problem.residual(nominal_).cwiseQuotient(sigma_);
+    const gap_case::Case& gap_case = problem.gap_case();
+    diagnosis_.case_name = gap_case.name;
+    diagnosis_.case_sha256 = gap_case.sha256;
+    diagnosis_.verdict = verdict.verdict;
+    diagnosis_.remarks = gap_case.remarks;
+    diagnosis_.remarks.insert(diagnosis_.remarks.end(), verdict.remarks.begin(), verdict.remarks.end());
+}
+
+void Answer::compare(const inference::Split& kept) {
+    const Eigen::VectorXd after = found_.best().residual.cwiseQuotient(sigma_), held = kept.residual.cwiseQuotient(sigma_);
+    const Eigen::VectorXd floor = sigma_.cwiseInverse();
+    const auto gap = [&](const gap_case::Experiment* only) {
+        Gap g;
+        g.before = g.heldout_before = root_mean_square(problem_, before_, only);
+        g.after = root_mean_square(problem_, after, only);
+        g.noise_floor = root_mean_square(problem_, floor, only);
+        g.heldout_after = root_mean_square(problem_, held, only);
+        return g;
+    };
+    diagnosis_.gap = gap(nullptr);
+    diagnosis_.gap.heldout_after_95 = interval_over_folds(problem_, held);
+    for (const gap_case::Experiment experiment : gap_case::kAllExperiments) {
+        const std::size_t rows = problem_.gap_case().rows.size(experiment);
+        if (rows == 0) continue;
+        const Gap own = gap(&experiment);
+        diagnosis_.experiments.push_back({to_string(experiment), rows, own, own.after});
+    }
+    diagnosis_.map = gap_map(problem_, before_, after);
+    diagnosis_.where = gap_contributions(problem_, verdict_.verdict == VerdictKind::kUnknown ? after : before_);
+    build();
+    traces();
+}
+
+void Answer::build() {
+    const inference::Fit& best = found_.best();
+    for (std::size_t k = 0; k < problem_.build().size(); ++k) {
+        const joint_model::BuildParameter& build = problem_.build()[k];
+        const auto i = static_cast<Eigen::Index>(k);
+        const double value = best.x[i] * build.sigma, half = kNormal95 * std::sqrt(best.covariance(i, i)) * build.sigma;
+        diagnosis_.build.push_back({build.name, {value, {value - half, value + half}, build.unit}});
+    }
+}
+
+void Answer::rank() {
+    for (std::size_t h = 0; h < found_.fits.size(); ++h) {
+        const inference::Fit& fit = found_.fits[h];
+        const inference::Split& left_out = found_.left_out[h];
+        Hypothesis row{fit.causes, found_.log_posterior[h], found_.probability[h], fit.cost, kNoFigure, {}};
+        if (!left_out.x.empty()) row.left_out = root_mean_square(problem_, left_out.residual.cwiseQuotient(sigma_));
+        for (std::size_t c = 0; c < fit.causes.size(); ++c) {
+            const int k = problem_.size_at(fit.causes, c);
+            const effects::EffectParameter& size = effects::find_effect(fit.causes[c].id).parameters.front();
+            row.parameters.push_back(parameter_of(fit.x[k], inference::half_interval(fit, left_out, k), size));
+        }
+        diagnosis_.ranking.push_back(std::move(row));
+    }
+    found_effects();
+}
+
+void Answer::found_effects() {
+    const inference::Fit& best = found_.best();
+    const bool named = verdict_.verdict == VerdictKind::kIdentified || verdict_.verdict == VerdictKind::kAmbiguous;
+    for (std::size_t c = 0; named && c < best.causes.size(); ++c) {
+        const effects::Effect& effect = effects::find_effect(best.causes[c].id);
+        const auto k = static_cast<std::size_t>(problem_.size_at(best.causes, c));
+        FoundEffect found{best.causes[c], 0.0, diagnosis_.ranking.front().parameters[c], {}};
+        for (std::size_t h = 0; h < found_.fits.size(); ++h) {
+            const inference::Causes& others = found_.fits[h].causes;
+            if (std::find(others.begin(), others.end(), found.cause) != others.end()) found.probability += found_.probability[h];
+        }
+        for (std::size_t p = 1; p < effect.parameters.size(); ++p)
+            found.extra.emplace_back(effect.parameters[p].name, best.x[static_cast<Eigen::Index>(k + p)] * effect.parameters[p].scale);
+        diagnosis_.effects.push_back(std::move(found));
+    }
+    for (std::size_t h = named || verdict_.verdict == VerdictKind::kNone ? 1 : 0; h < found_.fits.size(); ++h)
+        if (found_.probability[h] >= kLeastAlternative || (h == 0 && verdict_.verdict == VerdictKind::kUnknown))
+            diagnosis_.alternatives.push_back({found_.fits[h].causes, found_.probability[h]});
+}
+
+void Answer::plan_next_experiment(unsigned jobs) {
+    const std::vector<effects::Cause> causes = inference::possible_causes(problem_.gap_case().rows);
+    diagnosis_.isolability = isolability(problem_, found_.fits[found_.null], causes, jobs);
+    // A refuted nominal rig is not a rival: the question is then which effect comes nearest.
+    const bool refuted = verdict_.verdict == VerdictKind::kUnknown && found_.best().causes.empty();
+    const double of_all = refuted ? 1.0 - found_.probability[found_.null] : 1.0;
+    std::vector<const inference::Fit*> rivals;
+    std::vector<double> probabilities;
+    for (std::size_t h = 0; h < found_.fits.size() && rivals.size() < kMostRivals; ++h) {
+        const double probability = found_.probability[h] / of_all;
+        if ((refuted && h == found_.null) || probability < kSmallLeak) continue;
+        rivals.push_back(&found_.fits[h]);
+        probabilities.push_back(probability);
+    }
+    if (rivals.size() > 1) diagnosis_.next = next_experiments(problem_, rivals, probabilities, jobs);
+    if (!diagnosis_.next.empty()) diagnosis_.next_experiment = diagnosis_.next.front().text;
+}
+
+}  // namespace fusee::diagnosis

@@ -1,0 +1,35 @@
+#pragma once
+#include "fusee/diagnosis/diagnosis.h"
+#include "fusee/inference/search.h"
+#include "fusee/inference/splits.h"
+#include "verdict.h"
+
+namespace fusee::diagnosis {
+
+/// Assembles a diagnosis, part by part.
+class Answer {
+public:
+    Answer(const inference::Problem& problem, const inference::Search& found, const Verdict& verdict);
+    /// Reduction of the gap, on the rows of the fit and on held-out rows.
+    void compare(const inference::Split& kept);
+    /// Ranking and intervals; experiments left out may widen the intervals.
+    void rank();
+    /// Isolability of the causes, and the next experiment that distinguishes the rivals.
+    void plan_next_experiment(unsigned jobs);
+    [[nodiscard]] Diagnosis take() { return std::move(diagnosis_); }
+
+private:
+    void found_effects();
+    void build();
+    void traces();
+
+    const inference::Problem& problem_;
+    const inference::Search& found_;
+    const Verdict& verdict_;
+    joint_model::Signals nominal_;  ///< prediction of the nominal rig
+    Eigen::VectorXd sigma_;         ///< of each row, with build tolerances
+    Eigen::VectorXd before_;        ///< (measured - nominal)/sigma
+    Diagnosis diagnosis_;
+};
+
+}  // namespace fusee::diagnosis

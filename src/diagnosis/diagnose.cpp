@@ -1,0 +1,66 @@
+#include "fusee/diagnosis/diagnose.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <future>
+#include <numeric>
+#include <system_error>
+#include <thread>
+
+#include "answer.h"
+#include "fusee/core/error.h"
+#include "fusee/inference/search.h"
+#include "fusee/inference/splits.h"
+#include "verdict.h"
+#include "workload.h"
+
+namespace fusee::diagnosis {
+
+namespace {
+
+constexpr std::size_t kLeastRows = 4;  ///< least number of rows of a diagnosis: that of the paper's table I
+
+/// Progress of a diagnosis.
+class Steps {
+public:
+    Steps(const DiagnoseOptions& options, const gap_case::Case& gap_case) : options_(options) {
+        const auto steps = motion_steps(gap_case.rows, gap_case.protocol);
+        const double usual = std::accumulate(steps.begin(), steps.end(), 0.0) / kUsualSteps;
+        if (usual > kLong) warning_ = fmt::format("; this case takes {:.2g} times as long as a usual one", usual);
+    }
+    void operator()(const std::string& what) {
+        if (options_.progress) options_.progress(++done_, kSteps, what + warning_);
+        warning_.clear();
+    }
+
+private:
+    static constexpr std::size_t kSteps = 7;  // five of the search, two below
+    static constexpr double kLong = 3.0;      // times the usual
+    const DiagnoseOptions& options_;
+    std::string warning_;
+    std::size_t done_ = 0;
+};
+
+}  // namespace
+
+Diagnosis diagnose(const gap_case::Case& gap_case, const DiagnoseOptions& options) {
+    if (gap_case.rows.size() < kLeastRows)
+        throw core::InvalidInput("experiments", std::to_string(gap_case.rows.size()) + " rows",
+                                 fmt::format("at least {} rows in all", kLeastRows));
+    require_feasible(gap_case.rows, gap_case.protocol, kMostSteps);
+    Steps progress(options, gap_case);
+    const unsigned jobs = options.jobs;
+    const inference::Problem problem(gap_case);
+    const inference::Search found = search(problem, {jobs, std::ref(progress)});
+    const Verdict verdict = judge(problem, found);
+    Answer answer(problem, found, verdict);
+    answer.compare(held_out(problem, found.best(), jobs));
+    progress("held-out rows");
+    answer.rank();
+    answer.plan_next_experiment(jobs);
+    progress("next experiment");
+    return answer.take();
+}
+
+}  // namespace fusee::diagnosis

@@ -1,0 +1,61 @@
+#include <nlohmann/json.hpp>
+
+#include "fusee/core/json.h"
+#include "fusee/diagnosis/diagnosis.h"
+
+namespace fusee::diagnosis {
+
+namespace {
+
+using core::JsonNode;
+
+constexpr double kProbabilityRounding = 1e-9;  // of a sum of probabilities
+const std::vector<std::string> kKeys{"verdict", "effects", "alternatives", "where",        "gap",           "next_experiment",
+                                     "next",    "build",   "experiments",  "map",          "ranking",       "isolability",
+                                     "remarks", "case",    "case_sha256",  "unknown_term", "renamed_fields"};
+
+Parameter parameter_of(const JsonNode& node) {
+    node.allow_keys({"value", "ci95", "unit"});
+    Parameter parameter{node["value"].number(), {kNoFigure, kNoFigure}, node.has("unit") ? node["unit"].text() : ""};
+    if (node.has("ci95")) {
+        const std::vector<JsonNode> ends = node["ci95"].cells();
+        if (ends.size() != 2) node["ci95"].refuse("two numbers, the lower first");
+        parameter.ci95 = {ends[0].number_or_null(), ends[1].number_or_null()};
+    }
+    return parameter;
+}
+
+FoundEffect effect_of(const JsonNode& node) {
+    node.allow_keys({"id", "side", "probability", "parameter", "extra"});
+    FoundEffect effect{{node["id"].text(), node.has("side") ? node["side"].text() : "none"}, 1.0, parameter_of(node["parameter"]), {}};
+    if (node.has("probability") && !node["probability"].is_null())
+        effect.probability = node["probability"].number_within(0.0, 1.0 + kProbabilityRounding);
+    if (node.has("extra"))
+        for (const auto& [name, value] : node["extra"].members()) effect.extra.emplace_back(name, value.number());
+    return effect;
+}
+
+VerdictKind verdict_of(const JsonNode& node) {
+    for (const VerdictKind verdict : {VerdictKind::kIdentified, VerdictKind::kNone, VerdictKind::kAmbiguous, VerdictKind::kUnknown})
+        if (node.text() == to_string(verdict)) return verdict;
+    node.refuse("identified, none, ambiguous or unknown");
+}
+
+}  // namespace
+
+Diagnosis parse_diagnosis(std::string_view json, const std::string& file) {
+    const nlohmann::ordered_json parsed = core::parse_json(json, file);
+    const JsonNode root(parsed, file + ": diagnosis");
+    root.allow_keys(kKeys);
+    Diagnosis diagnosis;
+    for (const JsonNode& effect : root["effects"].cells()) diagnosis.effects.push_back(effect_of(effect));
+    diagnosis.verdict = diagnosis.effects.empty() ? VerdictKind::kNone : VerdictKind::kIdentified;
+    if (root.has("verdict")) diagnosis.verdict = verdict_of(root["verdict"]);
+    if (root.has("build"))
+        for (const auto& [name, parameter] : root["build"].members()) diagnosis.build.emplace_back(name, parameter_of(parameter));
+    if (root.has("case")) diagnosis.case_name = root["case"].text();
+    if (root.has("case_sha256")) diagnosis.case_sha256 = root["case_sha256"].text();
+    return diagnosis;
+}
+
+}  // namespace fusee::diagnosis

@@ -1,0 +1,224 @@
+#include "next_experiment.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "fusee/core/parallel.h"
+#include "next_experiment_information.h"
+
+namespace fusee::diagnosis {
+
+namespace {
+
+constexpr double kDecides = 0.9;        ///< share of the entropy
+constexpr double kWorthwhile = 0.1;     ///< the same: less is no answer
+constexpr double kLargestFactor = 1e3;  ///< of a size that is asked for
+
+/// All values of all sheets of a menu as one vector.
+class Layout {
+public:
+    explicit Layout(const std::vector<joint_model::Signals>& sheets) {
+        for (const joint_model::Signals& sheet : sheets) {
+            first_.emplace_back();
+            for (std::size_t e = 0; e < gap_case::kExperiments; ++e) {
+                first_.back()[e] = size_;
+                size_ += sheet.of[e].size();
+            }
+        }
+    }
+    [[nodiscard]] Eigen::VectorXd joined(const std::vector<joint_model::Signals>& sheets) const {
+        Eigen::VectorXd all(static_cast<int>(size_));
+        int next = 0;
+        for (const joint_model::Signals& sheet : sheets)
+            for (const std::vector<double>& figures : sheet.of)
+                for (const double figure : figures) all[next++] = figure;
+        return all;
+    }
+    /// Indices of the values of a measurement.
+    [[nodiscard]] std::vector<int> places(const Menu& menu, const Measurement& m) const {
+        const std::size_t columns = joint_model::measured_columns(m.experiment, menu.sheets[m.sheet]).size();
+        std::vector<int> all;
+        for (const std::size_t row : m.rows)
+            for (std::size_t c = 0; c < columns; ++c)
+                all.push_back(static_cast<int>(first_[m.sheet][static_cast<std::size_t>(m.experiment)] + row * columns + c));
+        return all;
+    }
+
+private:
+    std::vector<std::array<std::size_t, gap_case::kExperiments>> first_;
+    std::size_t size_ = 0;
+};
+
+/// Prediction of a rival for every value: at its fit, and its change by one sigma along each column of the root of its covariance.
+struct PredictedOutcome {
+    Eigen::VectorXd mean;
+    Eigen::MatrixXd spread;
+};
+
+std::vector<joint_model::Signals> predict_sheets(const inference::Problem& problem, const Menu& menu, const inference::Causes& causes,
+                                                 const Eigen::VectorXd& x) {
+    const joint_model::BuiltRig rig = problem.rig(causes, x);
+    std::vector<joint_model::Signals> sheets;
+    for (const gap_case::Rows& rows : menu.sheets) sheets.push_back(joint_model::predict_signals(rig, rows, problem.gap_case().protocol));
+    return sheets;
+}
+
+PredictedOutcome predicted_outcome(const inference::Problem& problem, const Menu& menu, const Layout& layout, const inference::Fit& rival,
+                                   unsigned jobs) {
+    const Eigen::MatrixXd root = rival.covariance.llt().matrixL();
+    PredictedOutcome seen;
+    seen.mean = layout.joined(predict_sheets(problem, menu, rival.causes, rival.x));
+    seen.spread.resize(seen.mean.size(), root.cols());
+    core::parallel_for(static_cast<std::size_t>(root.cols()), jobs, [&](std::size_t k) {
+        const auto column = static_cast<int>(k);
+        seen.spread.col(column) = layout.joined(predict_sheets(problem, menu, rival.causes, rival.x + root.col(column))) - seen.mean;
+    });
+    return seen;
+}
+
+/// sqrt(weight)/sigma of every figure, as a fit of such rows weights it; `sheets` gives the magnitude of the values.
+Eigen::VectorXd precisions(const inference::Problem& problem, const Menu& menu, const Layout& layout,
+                           const std::vector<joint_model::Signals>& sheets) {
+    std::vector<joint_model::Signals> precision;
+    for (std::size_t s = 0; s < sheets.size(); ++s) {
+        gap_case::Case asked = problem.gap_case();
+        asked.rows = joint_model::with_measured(menu.sheets[s], sheets[s]);
+        const inference::Uncertainty known = inference::uncertainty(asked);
+        precision.push_back(known.sigma);
+        for (std::size_t e = 0; e < gap_case::kExperiments; ++e)
+            for (double& sigma : precision.back().of[e]) sigma = std::sqrt(known.weight[e]) / sigma;
+    }
+    return layout.joined(precision);
+}
+
+/// (a - b)^T (I + S)^-1 (a - b) with the mean covariance S of both, by the Woodbury identity.
+double squared_distance(const Eigen::VectorXd& difference, const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
+    Eigen::MatrixXd open(difference.size(), a.cols() + b.cols());
+    open << a, b;
+    open *= std::sqrt(0.5);
+    const Eigen::VectorXd along = open.transpose() * difference;
+    Eigen::MatrixXd normal = open.transpose() * open;
+    normal.diagonal().array() += 1.0;
+    return std::max(0.0, difference.squaredNorm() - along.dot(normal.llt().solve(along)));
+}
+
+/// Squared distances of the rivals in each measurement.
+std::vector<Eigen::MatrixXd> distances(const inference::Problem& problem, const Menu& menu,
+                                       const std::vector<const inference::Fit*>& rivals, unsigned jobs) {
+    const std::vector<joint_model::Signals> first = predict_sheets(problem, menu, rivals[0]->causes, rivals[0]->x);
+    const Layout layout(first);
+    const Eigen::VectorXd precision = precisions(problem, menu, layout, first);
+    std::vector<PredictedOutcome> predicted;
+    for (const inference::Fit* rival : rivals) predicted.push_back(predicted_outcome(problem, menu, layout, *rival, jobs));
+    const auto n = static_cast<int>(rivals.size());
+    std::vector<Eigen::MatrixXd> all(menu.measurements.size());
+    core::parallel_for(all.size(), jobs, [&](std::size_t m) {
+        const std::vector<int> places = layout.places(menu, menu.measurements[m]);
+        const Eigen::VectorXd weight = precision(places) * std::sqrt(menu.measurements[m].repeats);
+        std::vector<Eigen::VectorXd> means;
+        std::vector<Eigen::MatrixXd> spreads;
+        for (const PredictedOutcome& seen : predicted) {
+            means.emplace_back(weight.cwiseProduct(seen.mean(places)));
+            spreads.emplace_back(weight.asDiagonal() * seen.spread(places, Eigen::all));
+        }
+        all[m] = Eigen::MatrixXd::Zero(n, n);
+        for (int i = 0; i < n; ++i)
+            for (int j = 0; j < i; ++j) all[m](i, j) = all[m](j, i) = squared_distance(means[i] - means[j], spreads[i], spreads[j]);
+    });
+    return all;
+}
+
+/// True if `a` is the better proposal.
+bool serves_better(const NextExperiment& a, const NextExperiment& b, double enough) {
+    const bool a_decides = a.information >= enough, b_decides = b.information >= enough;
+    if (a_decides != b_decides) return a_decides;
+    if (a_decides) return a.cost < b.cost;
+    return a.information * b.cost > b.information * a.cost;
+}
+
+std::string sentence(const std::string& what, double bits, double minutes) {
+    return fmt::format("{}: {:.2f} bit, {:.0f} min.", what, bits, minutes);
+}
+
+NextExperiment offered(const Measurement& m, double bits) {
+    return {sentence(m.what, bits, m.cost), to_string(m.experiment), m.set_points, m.variable, bits, m.cost};
+}
+
+/// Factor by which the rivals would have to differ more to be decided; above kLargestFactor: never.
+double factor_to_decide(std::span<const double> probabilities, const Eigen::MatrixXd& distances, double enough) {
+    double low = 1.0, high = 2.0;
+    while (high < kLargestFactor && expected_information(probabilities, high * high * distances) < enough) high *= 2.0;
+    for (int i = 0; i < 20; ++i) {
+        const double middle = std::sqrt(low * high);
+        (expected_information(probabilities, middle * middle * distances) < enough ? low : high) = middle;
+    }
+    return high;
+}
+
+/// The effect size of the most probable rival times `factor`; "" without effect or beyond its range.
+std::string enlarged(const inference::Problem& problem, const std::vector<const inference::Fit*>& rivals,
+                     std::span<const double> probabilities, double factor) {
+    const inference::Fit& rival =
+        *rivals[static_cast<std::size_t>(std::max_element(probabilities.begin(), probabilities.end()) - probabilities.begin())];
+    if (rival.causes.empty()) return "";
+    const effects::Cause& cause = rival.causes.front();
+    const effects::EffectParameter& size = effects::find_effect(cause.id).parameters.front();
+    const double value = factor * size.scale * rival.x[static_cast<int>(problem.build().size())];
+    if (size.allowed.low > 0.0 || !size.allowed.holds(value)) return "";
+    return fmt::format(": {} ({}) of {:.2g} {}", cause.id, cause.side, value, size.unit);
+}
+
+NextExperiment none_tells(const inference::Problem& problem, const std::vector<const inference::Fit*>& rivals,
+                          std::span<const double> probabilities, NextExperiment best, const Eigen::MatrixXd& distances) {
+    const double factor = factor_to_decide(probabilities, distances, kDecides * entropy(probabilities));
+    const std::string size = factor < kLargestFactor ? fmt::format("Effects {:.2g} times as large as found could be distinguished{}.",
+                                                                   factor, enlarged(problem, rivals, probabilities, factor))
+                                                     : std::string("Larger effects would not change that.");
+    best.text = fmt::format("No usual measurement distinguishes these causes. {} The best one is: {}", size, best.text);
+    return best;
+}
+
+}  // namespace
+
+std::vector<double> expected_bits(const inference::Problem& problem, const Menu& menu, const std::vector<const inference::Fit*>& rivals,
+                                  std::span<const double> probabilities, unsigned jobs) {
+    std::vector<double> bits;
+    for (const Eigen::MatrixXd& d : distances(problem, menu, rivals, jobs)) bits.push_back(expected_information(probabilities, d));
+    return bits;
+}
+
+std::vector<NextExperiment> next_experiments(const inference::Problem& problem, const std::vector<const inference::Fit*>& rivals,
+                                             std::span<const double> probabilities, unsigned jobs) {
+    std::vector<double> p(probabilities.begin(), probabilities.end());
+    const double sum = std::accumulate(p.begin(), p.end(), 0.0);
+    for (double& value : p) value /= sum;
+    const double most = entropy(p);
+    if (rivals.size() < 2 || !(most > 0.0)) return {};
+    const Menu menu = measurement_menu(problem.gap_case());
+    const std::vector<Eigen::MatrixXd> squared = distances(problem, menu, rivals, jobs);
+    std::vector<NextExperiment> best;  // of each experiment
+    std::size_t tells_most = 0;
+    std::vector<NextExperiment> all;
+    for (std::size_t m = 0; m < squared.size(); ++m) {
+        all.push_back(offered(menu.measurements[m], expected_information(p, squared[m])));
+        if (all[m].information > all[tells_most].information) tells_most = m;
+        if (all[m].information < kWorthwhile * most) continue;
+        const auto same =
+            std::find_if(best.begin(), best.end(), [&](const NextExperiment& b) { return b.experiment == all[m].experiment; });
+        if (same == best.end())
+            best.push_back(all[m]);
+        else if (serves_better(all[m], *same, kDecides * most))
+            *same = all[m];
+    }
+    if (best.empty()) return {none_tells(problem, rivals, p, all[tells_most], squared[tells_most])};
+    std::stable_sort(best.begin(), best.end(), [&](const auto& a, const auto& b) { return serves_better(a, b, kDecides * most); });
+    std::stable_sort(best.begin() + 1, best.end(),
+                     [](const auto& a, const auto& b) { return a.information * b.cost > b.information * a.cost; });
+    return best;
+}
+
+}  // namespace fusee::diagnosis

@@ -1,0 +1,43 @@
+#include "fusee/effects/effect.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "effect_registry.h"
+#include "fusee/core/error.h"
+
+namespace fusee::effects {
+
+const std::vector<Effect>& effect_library() {
+    static const std::vector<Effect> library = make_effects();
+    return library;
+}
+
+const Effect* effect_or_none(std::string_view id) {
+    const std::vector<Effect>& library = effect_library();
+    const auto found = std::find_if(library.begin(), library.end(), [&](const Effect& effect) { return effect.id == id; });
+    return found == library.end() ? nullptr : &*found;
+}
+
+const Effect& find_effect(const std::string& id) {
+    if (const Effect* effect = effect_or_none(id)) return *effect;
+    std::vector<std::string> ids;
+    for (const Effect& effect : effect_library()) ids.push_back(effect.id);
+    throw core::InvalidInput("effects: id", id, fmt::format("{}", fmt::join(ids, ", ")));
+}
+
+void apply_effect(const Effect& effect, const Cause& cause, std::span<const double> values, BuiltRig& rig) {
+    if (!effect.sided) {
+        if (cause.side != "none") throw core::InvalidInput("effects: side of " + effect.id, cause.side, "none");
+        effect.apply(rig, 0, values);
+        return;
+    }
+    if (cause.side != "agonist" && cause.side != "antagonist" && cause.side != "both")
+        throw core::InvalidInput("effects: side of " + effect.id, cause.side, "agonist, antagonist or both");
+    for (const gap_case::Side side : {gap_case::Side::kAgonist, gap_case::Side::kAntagonist})
+        if (cause.side == "both" || cause.side == to_string(side)) effect.apply(rig, static_cast<int>(side), values);
+}
+
+}  // namespace fusee::effects

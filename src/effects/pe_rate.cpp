@@ -1,0 +1,18 @@
+#include "fusee/effects/effect.h"
+
+namespace fusee::effects {
+
+Effect make_pe_rate() {
+    return {.id = "pe.rate",
+            .law = "The rate of K_PE's base spring differs from the nominal one: k (1 + e).",
+            .meaning = "The base spring of K_PE is stiffer (+) or softer (-) than its nominal rate.",
+            .sided = true,
+            .parameters = {{"e", "1", 0.12, {-0.6, 1}, 0}},
+            .starts = {-1, 1},
+            .seen_by = {Experiment::kSpringPull, Experiment::kDeadBand, Experiment::kJointStiffness, Experiment::kCocontraction,
+                        Experiment::kLog},
+            .confused_with = {"pe.radius"},
+            .apply = [](BuiltRig& rig, int side, std::span<const double> values) { rig.sides[side].pe_build.rate += values[0]; }};
+}
+
+}  // namespace fusee::effects

@@ -1,0 +1,78 @@
+#include "fusee/gap_case/case_template.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "fusee/core/error.h"
+#include "fusee/core/file.h"
+#include "keys.h"
+#include "sheets.h"
+
+namespace fs = std::filesystem;
+
+namespace fusee::gap_case {
+
+namespace {
+
+const char* const kSprings = "nominal_springs.csv";
+
+std::string csv_of(Experiment experiment) { return std::string(to_string(experiment)) + ".csv"; }
+
+std::string table_text(const std::string& name, const char* comment, const std::vector<NumberKey>& keys) {
+    std::string text = fmt::format("\n[{}] # {}\n", name, comment);
+    for (const NumberKey& key : keys) {
+        if (!(*key.to >= key.low && *key.to <= key.high))
+            throw core::InvalidInput(name + "." + key.name, fmt::format("{:g}", *key.to),
+                                     fmt::format("{:g} to {:g} {}", key.low, key.high, key.unit));
+        text += fmt::format("{:<44} # {}\n", fmt::format("{} = {}", key.name, *key.to), key.meaning);
+    }
+    return text;
+}
+
+/// @param t by value: the keys point into it
+std::string case_toml(CaseTemplate t) {
+    std::string text = fmt::format(
+        "# A gap case of {}: nominal rig, and the files with the measurements (BENCH.md).\n"
+        "# SI: metres, newtons, radians, seconds, Nm; the unit stands at the end of each name.\n",
+        t.name);
+    text += table_text("rig", "the nominal rig", rig_keys(t.rig));
+    text +=
+        fmt::format("{:<44} # {}\n", fmt::format("springs = \"{}\"", kSprings), "torques at the capstan over deflection, both sides equal");
+    text += table_text("tolerance", "one sigma of build tolerances: a gap within them is not an effect", tolerance_keys(t.tolerance));
+    text += table_text("sensors", "put in those of the rig", sensor_keys(t.sensors));
+    text += table_text("protocol", "how long each phase takes [s]", protocol_keys(t.protocol));
+    text += fmt::format("{:<44} # {}\n", fmt::format("motor_ramp = \"{}\"", t.protocol.smooth_motor_ramp ? "smooth" : "straight"),
+                        "or smooth: 3 s^2 - 2 s^3");
+    text += "\n[experiments] # remove what was not measured\n";
+    for (const Experiment experiment : kAllExperiments) text += fmt::format("{0} = \"{0}.csv\"\n", to_string(experiment));
+    return text;
+}
+
+std::string springs_csv(const NominalRig& rig) {
+    std::string text = "deflection_rad,se_torque_Nm,pe_torque_Nm\n";
+    for (const NominalRig::SpringRow& row : rig.springs) text += fmt::format("{},{},{}\n", row.deflection, row.se_torque, row.pe_torque);
+    return text;
+}
+
+}  // namespace
+
+std::vector<std::string> case_template_files() {
+    std::vector<std::string> names{"case.toml", kSprings, "BENCH.md"};
+    for (const Experiment experiment : kAllExperiments) names.push_back(csv_of(experiment));
+    return names;
+}
+
+void write_case_template(const CaseTemplate& empty, const fs::path& folder) {
+    if (empty.rig.springs.empty()) throw core::InvalidInput("rig.springs", "no rows", "the springs' torques over deflection");
+    Case files;
+    for (const Experiment experiment : kAllExperiments) files.files[experiment] = {csv_of(experiment)};
+    const std::string toml = case_toml(empty);
+    const Rows rows = set_points(empty);
+    write_rows(files, rows, folder);
+    core::write_file(folder / "case.toml", toml);
+    core::write_file(folder / kSprings, springs_csv(empty.rig));
+    core::write_file(folder / "BENCH.md", experiment_sheets(empty, rows));
+}
+
+}  // namespace fusee::gap_case

@@ -1,0 +1,51 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "fusee/gap_case/case.h"
+
+/// The columns of the experiment files: one list for reading, checking, writing and the empty templates.
+namespace fusee::gap_case {
+
+/// Physical quantity of a column: decides which values are rejected as another unit.
+enum class Quantity { kWord, kCount, kTime, kDeflection, kCapstanAngle, kJointAngle, kPull, kTorque, kJointTorque };
+
+template <class Row>
+struct Field {
+    const char* column;
+    bool measured = false;  ///< else commanded: an input
+    bool required = true;   ///< the column may be missing: values keep their defaults
+    Quantity quantity = Quantity::kWord;
+    double (*get)(const Row&) = nullptr;  ///< for a word: its index in `words`
+    void (*set)(Row&, double) = nullptr;
+    std::vector<std::string> words{};
+};
+
+/// In the order of the header line.
+template <class Row>
+const std::vector<Field<Row>>& fields();
+template <>
+const std::vector<Field<identification::BreakAway>>& fields();
+template <>
+const std::vector<Field<SpringPull>>& fields();
+template <>
+const std::vector<Field<DeadBandRow>>& fields();
+template <>
+const std::vector<Field<StiffnessRow>>& fields();
+template <>
+const std::vector<Field<CocontractionRow>>& fields();
+template <>
+const std::vector<Field<LogRow>>& fields();
+
+/// Calls visit(Experiment, std::vector<Row>&) for each experiment.
+template <class AnyRows, class Visit>
+void for_each_experiment(AnyRows& rows, const Visit& visit) {
+    visit(Experiment::kBreakAway, rows.breakaway);
+    visit(Experiment::kSpringPull, rows.spring_pull);
+    visit(Experiment::kDeadBand, rows.dead_band);
+    visit(Experiment::kJointStiffness, rows.joint_stiffness);
+    visit(Experiment::kCocontraction, rows.cocontraction);
+    visit(Experiment::kLog, rows.log);
+}
+
+}  // namespace fusee::gap_case

@@ -1,0 +1,182 @@
+#include "fusee/gap_case/toml.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "fusee/core/file.h"
+#include "fusee/core/toml.h"
+
+namespace fs = std::filesystem;
+
+namespace fusee::gap_case {
+
+namespace {
+
+constexpr std::size_t kLargestToml = 1'000'000;  // bytes
+constexpr std::size_t kLongestShown = 80;        // of a refused value
+
+std::string leaf_of(const std::string& path) { return path.substr(path.rfind('.') + 1); }
+std::string table_of(const std::string& path) { return path.substr(0, path.find('.') == std::string::npos ? 0 : path.rfind('.')); }
+
+/// All cells of one type, or nothing.
+template <class T>
+std::optional<std::vector<T>> cells_of(const toml::array& array) {
+    std::vector<T> cells;
+    for (const toml::node& cell : array) {
+        const auto value = cell.value<T>();
+        if (!value) return std::nullopt;
+        cells.push_back(*value);
+    }
+    return cells;
+}
+
+std::optional<CaseToml::Value> value_of(const toml::node& node) {
+    if (const auto* text = node.as_string()) return text->get();
+    if (node.is_number()) return node.value<double>().value();
+    if (const auto* flag = node.as_boolean()) return flag->get();
+    if (const auto* array = node.as_array()) {
+        if (auto texts = cells_of<std::string>(*array)) return *texts;
+        if (auto numbers = cells_of<double>(*array)) return *numbers;
+    }
+    return std::nullopt;
+}
+
+std::string shown(const CaseToml::Value& value) {
+    struct Visitor {
+        std::string operator()(double number) const { return fmt::format("{}", number); }
+        std::string operator()(bool flag) const { return flag ? "true" : "false"; }
+        std::string operator()(const std::string& text) const { return fmt::format("\"{}\"", text.substr(0, kLongestShown)); }
+        std::string operator()(const std::vector<std::string>& texts) const { return fmt::format("an array of {} texts", texts.size()); }
+        std::string operator()(const std::vector<double>& numbers) const { return fmt::format("an array of {} numbers", numbers.size()); }
+    };
+    return std::visit(Visitor{}, value);
+}
+
+std::string allowed_text(const NumberKey& key) {
+    return fmt::format("a number{}{}, {:g} to {:g}", *key.unit == '\0' ? "" : " in ", key.unit, key.low, key.high);
+}
+
+}  // namespace
+
+/// Flattens the parsed file; keeps toml++ out of the header.
+struct CaseToml::Builder {
+    CaseToml& to;
+
+    void collect(const toml::table& table, const std::string& prefix) const {
+        for (const auto& [name, node] : table) {
+            const std::string path = prefix.empty() ? std::string(name.str()) : prefix + "." + std::string(name.str());
+            const Place place{name.source().begin.line, name.source().begin.column};
+            if (node.is_table()) {
+                to.tables_[path] = place;
+                collect(*node.as_table(), path);
+                continue;
+            }
+            const std::optional<Value> value = value_of(node);
+            to.leaves_[path] = {value.value_or(false), place};
+            if (!value) throw to.fault(path, "another kind of value", "a number, a text or an array of one of them");
+        }
+    }
+};
+
+CaseToml::CaseToml(const fs::path& folder)
+    : folder_(folder), file_((folder / "case.toml").string()), bytes_(core::read_file(folder / "case.toml", kLargestToml)) {
+    Builder{*this}.collect(core::parse_toml(bytes_, file_), "");
+}
+
+core::InvalidInput CaseToml::fault(const std::string& path, std::string value, std::string allowed) const {
+    Place place;
+    if (const auto leaf = leaves_.find(path); leaf != leaves_.end())
+        place = leaf->second.place;
+    else if (const auto table = tables_.find(tables_.contains(path) ? path : table_of(path)); table != tables_.end())
+        place = table->second;
+    return {fmt::format("{}:{}:{}: {}", file_, place.line, place.column, path), std::move(value), std::move(allowed)};
+}
+
+void CaseToml::allow_tables(const std::vector<std::string>& names) const {
+    for (const auto& [path, place] : tables_)
+        if (std::find(names.begin(), names.end(), path) == names.end())
+            throw fault(path, "unknown table", fmt::format("[{}]", fmt::join(names, "], [")));
+    for (const auto& [path, leaf] : leaves_)
+        if (path.find('.') == std::string::npos) throw fault(path, "unknown key", fmt::format("[{}]", fmt::join(names, "], [")));
+}
+
+std::vector<std::string> CaseToml::keys_of(const std::string& table) const {
+    std::vector<std::string> keys;
+    for (const auto& [path, leaf] : leaves_)
+        if (table_of(path) == table) keys.push_back(leaf_of(path));
+    return keys;
+}
+
+void CaseToml::read_number(const std::string& path, const NumberKey& key) const {
+    const Value& value = at(path);
+    const double* number = std::get_if<double>(&value);
+    // NaN fails both comparisons.
+    if (number == nullptr || !(*number >= key.low && *number <= key.high)) throw fault(path, shown(value), allowed_text(key));
+    *key.to = *number;
+}
+
+std::vector<std::string> CaseToml::read_numbers(const std::string& table, const std::vector<NumberKey>& keys,
+                                                const std::vector<std::string>& others) const {
+    std::vector<std::string> known = others, lacking;
+    for (const NumberKey& key : keys) known.push_back(key.name);
+    for (const std::string& key : keys_of(table))
+        if (std::find(known.begin(), known.end(), key) == known.end())
+            throw fault(table + "." + key, "unknown key", fmt::format("{}", fmt::join(known, ", ")));
+    for (const NumberKey& key : keys) {
+        const std::string path = table + "." + key.name;
+        has(path) ? read_number(path, key) : lacking.push_back(key.name);
+    }
+    return lacking;
+}
+
+void CaseToml::require_numbers(const std::string& table, const std::vector<NumberKey>& keys, const std::vector<std::string>& others) const {
+    const std::vector<std::string> lacking = read_numbers(table, keys, others);
+    if (lacking.empty()) return;
+    const auto key = std::find_if(keys.begin(), keys.end(), [&](const NumberKey& k) { return k.name == lacking.front(); });
+    throw fault(table + "." + lacking.front(), "missing", allowed_text(*key));
+}
+
+std::string CaseToml::text(const std::string& path, const std::string& allowed) const {
+    if (!has(path)) throw fault(path, "missing", allowed);
+    const std::string* text = std::get_if<std::string>(&at(path));
+    if (text == nullptr || text->empty()) throw fault(path, shown(at(path)), allowed);
+    return *text;
+}
+
+std::vector<std::string> CaseToml::files(const std::string& path) const {
+    static const std::string kAllowed = "the name of a CSV file in the case's folder, or an array of such names";
+    if (!has(path)) throw fault(path, "missing", kAllowed);
+    std::vector<std::string> names;
+    if (const auto* many = std::get_if<std::vector<std::string>>(&at(path)))
+        names = *many;
+    else
+        names = {text(path, kAllowed)};
+    if (names.empty()) throw fault(path, "an empty array", kAllowed);
+    for (const std::string& name : names) check_file(path, name);
+    return names;
+}
+
+void CaseToml::check_file(const std::string& path, const std::string& name) const {
+    const fs::path file(name);
+    const bool climbs = std::find(file.begin(), file.end(), "..") != file.end();
+    if (name.empty() || file.is_absolute() || climbs) throw fault(path, fmt::format("\"{}\"", name), "a file inside the case's folder");
+    std::error_code absent;
+    if (!fs::is_regular_file(folder_ / file, absent))
+        throw fault(path, fmt::format("\"{}\"", name), "a file that is there: this one is missing");
+    std::vector<std::string> same;
+    const auto compare = [&](const std::string& other) {
+        std::error_code none;
+        if (other == name || fs::equivalent(folder_ / other, folder_ / file, none)) same.push_back('"' + other + '"');
+    };
+    for (const auto& [other, leaf] : leaves_) {
+        if (const auto* text = std::get_if<std::string>(&leaf.value)) compare(*text);
+        if (const auto* texts = std::get_if<std::vector<std::string>>(&leaf.value)) std::for_each(texts->begin(), texts->end(), compare);
+    }
+    if (same.size() > 1) throw fault(path, fmt::format("{}", fmt::join(same, " and ")), "a file of its own: this one is named twice");
+}
+
+}  // namespace fusee::gap_case

@@ -1,0 +1,19 @@
+#pragma once
+#include "friction_line.h"
+
+namespace fusee::identification {
+
+/// Input of all tests.
+struct Fitted {
+    const std::vector<BreakAway>& rows;
+    const std::vector<double>& weights;
+    FrictionLine trusted;                         ///< all rows but the outliers
+    std::vector<FrictionLine> directions, sides;  ///< empty if there is only one
+    std::vector<Group> finest;                    ///< each side and direction that has a line; "all" if none has
+    std::vector<std::size_t> outliers;            ///< of the finest groups, ascending
+    Scatter scatter;
+};
+
+[[nodiscard]] std::vector<FrictionRemark> remarks_on(const Fitted& fitted);
+
+}  // namespace fusee::identification

@@ -1,0 +1,265 @@
+#include "fusee/inference/fit.h"
+
+#include <ceres/ceres.h>
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include "fusee/core/parallel.h"
+
+namespace fusee::inference {
+
+namespace {
+
+constexpr double kFair = 1.5;             ///< T up to which the prediction of an experiment is as accurate as expected
+constexpr std::size_t kPairsOfDraws = 3;  ///< of the spread
+constexpr double kBuildDraw = 0.7;        ///< size of a draw in sigmas of a build parameter
+constexpr double kEffectDraw = 0.03;      ///< in shares of an effect's size
+constexpr double kFurtherDraw = 0.2;      ///< in shares of its further parameters
+constexpr int kRounds = 2;                ///< of fits, each at the scales that the last one left
+
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// Columns `first` up to `last` of the residual's Jacobian.
+Eigen::MatrixXd columns_at(const Problem& problem, const Causes& causes, const Eigen::VectorXd& x, int first, int last, unsigned jobs) {
+    Eigen::MatrixXd columns(problem.residuals(), last - first);
+    core::parallel_for(static_cast<std::size_t>(last - first), jobs,
+                       [&](std::size_t k) { columns.col(static_cast<int>(k)) = problem.slope(causes, x, first + static_cast<int>(k)); });
+    return columns;
+}
+
+/// Weight of a residual under the loss, 1 at 0.
+double cut(double r) { return 1.0 / (1.0 + r * r / (kCauchy * kCauchy)); }
+
+/// All residuals and all priors as one block: Ceres's own loss acts on blocks, so that each row's loss is taken here, as its square root.
+/// Build tolerances act nearly linearly: their columns `held` are handed in, those of the effects are taken anew at every step.
+class Block : public ceres::CostFunction {
+public:
+    Block(const Problem& problem, const Causes& causes, const Eigen::VectorXd& spread, const Scales& scales, const Eigen::MatrixXd& held,
+          unsigned jobs)
+        : problem_(problem), causes_(causes), held_(held), mean_(problem.prior_mean(causes)), scale_(spread), jobs_(jobs) {
+        for (int i = 0; i < scale_.size(); ++i) scale_[i] *= scales[static_cast<std::size_t>(problem.experiment_of(i))];
+        size_ = problem.size(causes);
+        set_num_residuals(problem.residuals() + size_);
+        mutable_parameter_block_sizes()->push_back(size_);
+    }
+    bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override {
+        const Eigen::VectorXd x = Eigen::Map<const Eigen::VectorXd>(parameters[0], size_);
+        const Eigen::VectorXd raw = problem_.residual(causes_, x).cwiseQuotient(scale_);
+        const int rows = problem_.residuals();
+        Eigen::VectorXd slope(rows);
+        for (int i = 0; i < rows; ++i) {
+            const double root = std::sqrt(loss(raw[i])), w = problem_.root_weight()[i];
+            residuals[i] = w * std::copysign(root, raw[i]);
+            slope[i] = w / scale_[i] * (root > 1e-6 ? std::abs(raw[i]) * cut(raw[i]) / root : 1.0);
+        }
+        for (int k = 0; k < size_; ++k) residuals[rows + k] = (x[k] - mean_[k]) / problem_.prior_sigma(causes_, k);
+        if (jacobians == nullptr || jacobians[0] == nullptr) return true;
+        Eigen::Map<RowMajor> matrix(jacobians[0], rows + size_, size_);
+        const auto build = static_cast<int>(held_.cols());
+        matrix.topLeftCorner(rows, build) = slope.asDiagonal() * held_;
+        matrix.topRightCorner(rows, size_ - build) = slope.asDiagonal() * columns_at(problem_, causes_, x, build, size_, jobs_);
+        matrix.bottomRows(size_).setZero();
+        for (int k = 0; k < size_; ++k) matrix(rows + k, k) = 1.0 / problem_.prior_sigma(causes_, k);
+        return true;
+    }
+
+private:
+    const Problem& problem_;
+    const Causes& causes_;
+    const Eigen::MatrixXd& held_;
+    Eigen::VectorXd mean_, scale_;
+    unsigned jobs_;
+    int size_ = 0;
+};
+
+Eigen::VectorXd prior_precision(const Problem& problem, const Causes& causes) {
+    Eigen::VectorXd precision(problem.size(causes));
+    for (int k = 0; k < precision.size(); ++k) precision[k] = 1.0 / std::pow(problem.prior_sigma(causes, k), 2);
+    return precision;
+}
+
+/// Laplace: log Z = -cost/2 - log det(H)/2 + log det(prior)/2.
+void weigh(const Problem& problem, Fit& fit) {
+    const Eigen::LLT<Eigen::MatrixXd> root(information(problem, fit, fit.seen()));
+    fit.covariance = root.solve(Eigen::MatrixXd::Identity(fit.x.size(), fit.x.size()));
+    const double log_det = 2.0 * Eigen::MatrixXd(root.matrixL()).diagonal().array().log().sum();
+    fit.log_evidence = -0.5 * fit.cost - 0.5 * log_det + 0.5 * prior_precision(problem, fit.causes).array().log().sum();
+}
+
+/// Size of a draw.
+double reach_of(Problem::Role role, double x) {
+    if (role == Problem::Role::kBuild) return kBuildDraw;
+    return (role == Problem::Role::kSize ? kEffectDraw : kFurtherDraw) * std::abs(x);
+}
+
+/// A sign for draw `i` of parameter `k`, the same in every run: bits of a multiplicative hash.
+double sign_of(int i, int k) {
+    const auto hash = (static_cast<std::uint32_t>(i) * 40503U + static_cast<std::uint32_t>(k) + 1U) * 2654435761U;
+    return ((hash >> 17U) & 1U) != 0U ? 1.0 : -1.0;
+}
+
+}  // namespace
+
+Eigen::MatrixXd information(const Problem& problem, const Fit& fit, const Eigen::VectorXd& seen, const std::vector<bool>* kept) {
+    const Eigen::VectorXd w = robust_weights(problem, seen, kept).cwiseQuotient(fit.spread);
+    const Eigen::MatrixXd weighted = w.asDiagonal() * fit.jacobian;
+    Eigen::MatrixXd hessian = weighted.transpose() * weighted;
+    hessian.diagonal() += prior_precision(problem, fit.causes);
+    return hessian;
+}
+
+Eigen::VectorXd spread_of(const Problem& problem, const Causes& causes, const Eigen::VectorXd& x, unsigned jobs) {
+    std::vector<Eigen::VectorXd> draws(2 * kPairsOfDraws);
+    core::parallel_for(draws.size(), jobs, [&](std::size_t i) {
+        Eigen::VectorXd near = x;
+        for (int k = 0; k < near.size(); ++k) {
+            const double reach = reach_of(problem.role(causes, k), x[k]);
+            near[k] += (i % 2 == 0 ? 1.0 : -1.0) * sign_of(static_cast<int>(i / 2), k) * reach;
+        }
+        draws[i] = problem.thin_residual(causes, near);
+    });
+    const Eigen::VectorXd middle = problem.thin_residual(causes, x);
+    Eigen::VectorXd square = Eigen::VectorXd::Zero(problem.residuals());
+    for (std::size_t i = 0; i < draws.size(); i += 2)
+        square += (0.5 * (draws[i] + draws[i + 1]) - middle).cwiseAbs2() / static_cast<double>(kPairsOfDraws);
+    return (square.array() + 1.0).sqrt();
+}
+
+WorstNuisancePull worst_nuisance_pull(const Problem& problem, const Fit& fit) {
+    WorstNuisancePull most;
+    for (std::size_t k = 0; k < problem.build().size(); ++k)
+        if (const double x = fit.x[static_cast<Eigen::Index>(k)]; problem.build()[k].of_rig && std::abs(x) > std::abs(most.sigmas))
+            most = {k, x};
+    return most;
+}
+
+double loss(double r) { return kCauchy * kCauchy * std::log1p(r * r / (kCauchy * kCauchy)); }
+
+namespace {
+
+/// Of each experiment, T^2 and its number of rows.
+struct Misfit {
+    std::array<double, gap_case::kExperiments> square{}, rows{};
+};
+Misfit misfit(const Problem& problem, const Eigen::VectorXd& residual, const std::vector<bool>* kept) {
+    Misfit m;
+    for (int i = 0; i < residual.size(); ++i) {
+        if (kept != nullptr && !(*kept)[static_cast<std::size_t>(i)]) continue;
+        const auto e = static_cast<std::size_t>(problem.experiment_of(i));
+        m.square[e] += loss(residual[i]);
+        m.rows[e] += 1.0;
+    }
+    for (std::size_t e = 0; e < gap_case::kExperiments; ++e) m.square[e] /= std::max(1.0, m.rows[e]);
+    return m;
+}
+
+}  // namespace
+
+std::array<double, gap_case::kExperiments> misfits(const Problem& problem, const Eigen::VectorXd& residual) {
+    std::array<double, gap_case::kExperiments> roots = misfit(problem, residual, nullptr).square;
+    for (double& root : roots) root = std::sqrt(root);
+    return roots;
+}
+
+Scales scales_of(const Problem& problem, const Eigen::VectorXd& residual, const std::vector<bool>* kept) {
+    const Misfit m = misfit(problem, residual, kept);
+    Scales scales;
+    for (std::size_t e = 0; e < gap_case::kExperiments; ++e) scales[e] = std::max(1.0, std::sqrt(m.square[e]) / kFair);
+    return scales;
+}
+
+Eigen::VectorXd robust_weights(const Problem& problem, const Eigen::VectorXd& residual, const std::vector<bool>* kept) {
+    const Scales scales = scales_of(problem, residual, kept);
+    Eigen::VectorXd w = problem.root_weight();
+    for (int i = 0; i < w.size(); ++i) {
+        const double scale = scales[static_cast<std::size_t>(problem.experiment_of(i))], size = std::abs(residual[i]) / scale;
+        w[i] /= scale;
+        if (kept != nullptr && !(*kept)[static_cast<std::size_t>(i)]) w[i] = 0.0;
+        w[i] *= std::sqrt(cut(size));
+    }
+    return w;
+}
+
+double cost_of(const Problem& problem, const Causes& causes, const Eigen::VectorXd& residual, const Eigen::VectorXd& x,
+               const std::vector<bool>* kept) {
+    const Misfit m = misfit(problem, residual, kept);
+    double cost = 0.0;
+    for (std::size_t e = 0; e < gap_case::kExperiments; ++e) {
+        const double fair = kFair * kFair, square = m.square[e];
+        cost += problem.known().weight[e] * m.rows[e] * (square <= fair ? square : fair * (1.0 + std::log(square / fair)));
+    }
+    const Eigen::VectorXd off = x - problem.prior_mean(causes);
+    for (int k = 0; k < x.size(); ++k) cost += std::pow(off[k] / problem.prior_sigma(causes, k), 2);
+    return cost;
+}
+
+Eigen::VectorXd linear_step(const Problem& problem, const Causes& causes, const Eigen::VectorXd& x, const Eigen::VectorXd& residual,
+                            const Eigen::MatrixXd& jacobian, const std::vector<bool>* kept) {
+    const Eigen::VectorXd precision = prior_precision(problem, causes);
+    Eigen::VectorXd next = x, left = residual;
+    for (int round = 0; round < 2; ++round) {  // the second with the weights of what is then left
+        const Eigen::VectorXd w = robust_weights(problem, left, kept);
+        const Eigen::MatrixXd weighted = w.asDiagonal() * jacobian;
+        Eigen::MatrixXd hessian(x.size(), x.size());
+        hessian.setZero();
+        hessian.selfadjointView<Eigen::Lower>().rankUpdate(weighted.transpose());
+        hessian.diagonal() += precision;
+        const Eigen::VectorXd gradient =
+            weighted.transpose() * (w.asDiagonal() * residual) + precision.cwiseProduct(x - problem.prior_mean(causes));
+        next = x - hessian.selfadjointView<Eigen::Lower>().llt().solve(gradient);
+        for (int k = 0; k < next.size(); ++k) {
+            const core::Range range = problem.allowed(causes, k);
+            next[k] = std::clamp(next[k], range.low, range.high);
+        }
+        left = residual + jacobian * (next - x);
+    }
+    return next;
+}
+
+namespace {
+
+void solve(const Problem& problem, Fit& fit, const Scales& scales, const Eigen::MatrixXd& held, const FitOptions& options) {
+    ceres::Problem solver;
+    solver.AddResidualBlock(new Block(problem, fit.causes, fit.spread, scales, held, options.jobs), nullptr, fit.x.data());
+    for (int k = static_cast<int>(problem.build().size()); k < fit.x.size(); ++k) {
+        const core::Range range = problem.allowed(fit.causes, k);
+        solver.SetParameterLowerBound(fit.x.data(), k, range.low);
+        solver.SetParameterUpperBound(fit.x.data(), k, range.high);
+    }
+    ceres::Solver::Options how;
+    how.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
+    how.max_num_iterations = options.steps;
+    how.initial_trust_region_radius = 1e6;  // the problem is nearly linear: the first step is Gauss and Newton's
+    how.function_tolerance = 2e-5;          // a step that is refused by a hair ends it too
+    how.parameter_tolerance = 1e-4;
+    how.logging_type = ceres::SILENT;
+    ceres::Solver::Summary summary;
+    ceres::Solve(how, &solver, &summary);
+}
+
+}  // namespace
+
+Fit fit(const Problem& problem, const Causes& causes, const Eigen::VectorXd& start, const FitOptions& options) {
+    Fit fit;
+    fit.causes = causes;
+    fit.x = start;
+    const auto build = static_cast<int>(problem.build().size());
+    for (int round = 0;; ++round) {
+        fit.residual = problem.residual(causes, fit.x);
+        fit.spread = spread_of(problem, causes, fit.x, options.jobs);
+        if (round == kRounds) break;
+        const Eigen::MatrixXd held = columns_at(problem, causes, fit.x, 0, build, options.jobs);
+        solve(problem, fit, scales_of(problem, fit.seen()), held, options);
+    }
+    fit.jacobian = columns_at(problem, causes, fit.x, 0, static_cast<int>(fit.x.size()), options.jobs);
+    const Eigen::VectorXd weight = problem.root_weight().cwiseAbs2();
+    fit.cost = cost_of(problem, causes, fit.seen(), fit.x) + 2.0 * weight.dot(fit.spread.array().log().matrix());
+    weigh(problem, fit);
+    return fit;
+}
+
+}  // namespace fusee::inference

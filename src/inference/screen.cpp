@@ -1,0 +1,173 @@
+#include "fusee/inference/screen.h"
+
+#include <algorithm>
+
+#include "fusee/core/parallel.h"
+
+namespace fusee::inference {
+
+namespace {
+
+constexpr int kDirectRounds = 6;      ///< of steps on break-away and spring pulls
+constexpr double kDirectStep = 0.01;  ///< of their differences, in scales
+constexpr double kLike = 0.05;        ///< distance, in x, of starts that are one
+constexpr int kScreenRounds = 2;      ///< of steps with the effect's own columns
+constexpr double kStrained = 3.0;     ///< sigmas of a build parameter beyond which it may replace the effect under test
+
+/// The same starts with deviating build parameters back at 0: the effect replaces them now. Stick-slip friction
+/// gives a fit no slope in that direction.
+void add_relaxed(const Problem& problem, std::vector<Eigen::VectorXd>& starts) {
+    const auto build = static_cast<Eigen::Index>(problem.build().size());
+    Eigen::ArrayXd free = starts.front().head(build).array();
+    free = (free.abs() > kStrained).select(0.0, free);
+    if ((free == starts.front().head(build).array()).all()) return;
+    for (std::size_t i = 0, n = starts.size(); i < n; ++i) {
+        starts.push_back(starts[i]);
+        starts.back().head(build) = free;
+    }
+}
+
+/// Every start: x of the base with each start of the effect size and each try of its further parameters.
+std::vector<Eigen::VectorXd> starts_upon(const Problem& problem, const Fit& base, const Causes& causes, const effects::Effect& effect) {
+    Eigen::VectorXd first = problem.start(causes);
+    first.head(base.x.size()) = base.x;
+    std::vector<Eigen::VectorXd> all;
+    for (const double size : effect.starts) {
+        first[base.x.size()] = size;
+        all.push_back(first);
+    }
+    for (std::size_t k = 1; k < effect.parameters.size(); ++k) {
+        const effects::EffectParameter& p = effect.parameters[k];
+        if (p.tries.empty()) continue;
+        std::vector<Eigen::VectorXd> more;
+        for (const Eigen::VectorXd& x : all)
+            for (const double value : p.tries) {
+                more.push_back(x);
+                more.back()[base.x.size() + static_cast<Eigen::Index>(k)] = value / p.scale;
+            }
+        all = std::move(more);
+    }
+    add_relaxed(problem, all);
+    return all;
+}
+
+/// Columns of `jacobian` for the base, and `own` for the rest.
+Eigen::MatrixXd joined(const Eigen::MatrixXd& jacobian, const Eigen::MatrixXd& own) {
+    Eigen::MatrixXd all(jacobian.rows(), jacobian.cols() + own.cols());
+    all << jacobian, own;
+    return all;
+}
+
+/// x fitted to break-away and spring pulls, which need no motion: a far better start where they see the effect.
+Eigen::VectorXd directed(const Problem& problem, const Fit& base, const Causes& causes, Eigen::VectorXd x) {
+    const auto first = static_cast<int>(base.x.size());
+    std::vector<bool> direct(static_cast<std::size_t>(problem.residuals()));
+    for (std::size_t i = 0; i < direct.size(); ++i) {
+        const gap_case::Experiment experiment = problem.experiment_of(static_cast<int>(i));
+        direct[i] = experiment == gap_case::Experiment::kBreakAway || experiment == gap_case::Experiment::kSpringPull;
+    }
+    Eigen::VectorXd residual = problem.direct_residual(causes, x);
+    double cost = cost_of(problem, causes, residual, x, &direct);
+    for (int round = 0; round < kDirectRounds; ++round) {
+        Eigen::MatrixXd columns(residual.size(), x.size() - first);
+        for (int k = 0; k < columns.cols(); ++k) {
+            Eigen::VectorXd near = x;
+            near[first + k] += kDirectStep;
+            columns.col(k) = (problem.direct_residual(causes, near) - residual) / kDirectStep;
+        }
+        const Eigen::VectorXd next = linear_step(problem, causes, x, residual, joined(base.jacobian, columns), &direct);
+        const Eigen::VectorXd left = problem.direct_residual(causes, next);
+        const double now = cost_of(problem, causes, left, next, &direct);
+        if (now >= cost) break;
+        x = next;
+        residual = left;
+        cost = now;
+    }
+    return x;
+}
+
+/// Starts that end at the same place count once.
+void drop_like(std::vector<Eigen::VectorXd>& starts) {
+    std::vector<Eigen::VectorXd> kept;
+    for (const Eigen::VectorXd& x : starts)
+        if (std::none_of(kept.begin(), kept.end(), [&](const Eigen::VectorXd& other) { return (other - x).cwiseAbs().maxCoeff() < kLike; }))
+            kept.push_back(x);
+    starts = std::move(kept);
+}
+
+Guess best_start(const Problem& problem, const Fit& base, const Causes& causes, const effects::Effect& effect) {
+    Guess best{causes, {}, 1e300};
+    const auto own = static_cast<Eigen::Index>(problem.size(causes)) - base.x.size();
+    const Eigen::MatrixXd held =
+        joined(base.spread.cwiseInverse().asDiagonal() * base.jacobian, Eigen::MatrixXd::Zero(base.jacobian.rows(), own));
+    std::vector<Eigen::VectorXd> starts = starts_upon(problem, base, causes, effect);
+    const bool direct = std::any_of(effect.seen_by.begin(), effect.seen_by.end(), [&](gap_case::Experiment e) {
+        return (e == gap_case::Experiment::kBreakAway || e == gap_case::Experiment::kSpringPull) && problem.gap_case().rows.size(e) > 0;
+    });
+    if (direct) {
+        for (Eigen::VectorXd& x : starts) x = directed(problem, base, causes, x);
+        drop_like(starts);
+    }
+    best.x = starts.front();
+    for (const Eigen::VectorXd& x : starts) {
+        const Eigen::VectorXd residual = problem.thin_residual(causes, x).cwiseQuotient(base.spread);
+        Eigen::VectorXd next = linear_step(problem, causes, x, residual, held);
+        next.tail(own) = x.tail(own);
+        const double cost = cost_of(problem, causes, residual + held * (next - x), next);
+        if (cost < best.cost) best = {causes, next, cost};
+    }
+    return best;
+}
+
+/// Steps with the columns of the effect, taken if they lower the true cost.
+Guess improved(const Problem& problem, const Fit& base, Guess guess) {
+    const auto own = guess.x.size() - base.x.size();
+    const auto seen = [&](const Eigen::VectorXd& x) -> Eigen::VectorXd {
+        return problem.thin_residual(guess.causes, x).cwiseQuotient(base.spread);
+    };
+    const Eigen::MatrixXd held = base.spread.cwiseInverse().asDiagonal() * base.jacobian;
+    Eigen::VectorXd residual = seen(guess.x);
+    guess.cost = cost_of(problem, guess.causes, residual, guess.x);
+    for (int round = 0; round < kScreenRounds; ++round) {
+        Eigen::MatrixXd columns(residual.size(), own);
+        for (int k = 0; k < own; ++k)
+            columns.col(k) = problem.slope(guess.causes, guess.x, static_cast<int>(base.x.size()) + k).cwiseQuotient(base.spread);
+        const Eigen::VectorXd step = linear_step(problem, guess.causes, guess.x, residual, joined(held, columns)) - guess.x;
+        for (double share = 1.0; share > 0.2; share *= 0.4) {
+            const Eigen::VectorXd x = guess.x + share * step, left = seen(x);
+            const double cost = cost_of(problem, guess.causes, left, x);
+            if (cost >= guess.cost) continue;
+            guess.x = x;
+            guess.cost = cost;
+            residual = left;
+            break;
+        }
+    }
+    return guess;
+}
+
+}  // namespace
+
+std::vector<effects::Cause> possible_causes(const gap_case::Rows& rows) {
+    std::vector<effects::Cause> causes;
+    for (const effects::Effect& effect : effects::effect_library()) {
+        if (std::none_of(effect.seen_by.begin(), effect.seen_by.end(), [&](gap_case::Experiment e) { return rows.size(e) > 0; })) continue;
+        if (!effect.sided) causes.push_back({effect.id, "none"});
+        if (effect.sided)
+            for (const char* side : {"agonist", "antagonist", "both"}) causes.push_back({effect.id, side});
+    }
+    return causes;
+}
+
+std::vector<Guess> screen(const Problem& problem, const Fit& base, const std::vector<effects::Cause>& causes, unsigned jobs) {
+    std::vector<Guess> guesses(causes.size());
+    core::parallel_for(causes.size(), jobs, [&](std::size_t i) {
+        Causes all = base.causes;
+        all.push_back(causes[i]);
+        guesses[i] = improved(problem, base, best_start(problem, base, all, effects::find_effect(causes[i].id)));
+    });
+    std::stable_sort(guesses.begin(), guesses.end(), [](const Guess& a, const Guess& b) { return a.cost < b.cost; });
+    return guesses;
+}
+
+}  // namespace fusee::inference

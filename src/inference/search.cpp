@@ -1,0 +1,218 @@
+#include "fusee/inference/search.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <span>
+
+#include "fusee/core/parallel.h"
+#include "fusee/inference/interval.h"
+#include "fusee/inference/screen.h"
+
+namespace fusee::inference {
+
+namespace {
+
+constexpr double kEffectOdds = 15.0;    ///< log odds against an effect: some sixty candidates, and rigs are mostly as designed [nats]
+constexpr double kSecondOdds = 17.0;    ///< against a second one, which also tends to correct errors of the first law
+constexpr std::size_t kSingles = 5;     ///< fitted in full
+constexpr double kNearEnough = 0.5;     ///< of the way from the best back to no effect, within which a rival of what explains all is fitted
+constexpr std::size_t kPairs = 3;       ///< upon each base
+constexpr std::size_t kBases = 2;       ///< single effects upon which pairs are sought
+constexpr double kWorthAPair = 60.0;    ///< a base is left out when it is so far behind the best one [nats]
+constexpr double kNothingLeft = 1.15;   ///< T of every experiment at which no second effect is sought
+constexpr double kStretched = 3.5;      ///< sigmas of a build parameter: among 22, one time in a hundred on a faultless rig
+constexpr double kStandsOff = 3.0;      ///< sigmas from 0 that an effect's size has to stand
+constexpr std::size_t kLeftOut = 4;     ///< hypotheses of the ranking whose experiments are left out
+constexpr double kContradicted = 30.0;  ///< against a hypothesis of which the experiments disagree about a size [nats]
+constexpr double kLeastSize = 0.1;      ///< of what is usual: less is what a law leaves open, not an effect
+
+/// docs/theory/diagnosis.md, eq. 13 and 14.
+double score(const Fit& fit) {
+    return fit.log_evidence - (fit.causes.empty() ? 0.0 : kEffectOdds) - (fit.causes.size() > 1 ? kSecondOdds : 0.0);
+}
+
+void sort_by_score(std::vector<Fit>& fits) {
+    std::stable_sort(fits.begin(), fits.end(), [](const Fit& a, const Fit& b) { return score(a) > score(b); });
+}
+
+/// Full fits of all guesses, in parallel.
+std::vector<Fit> in_full(const Problem& problem, std::span<const Guess> guesses, const SearchOptions& options) {
+    std::vector<Fit> fits(guesses.size());
+    const unsigned jobs_of_one = std::max(1U, options.jobs / std::max(1U, static_cast<unsigned>(guesses.size())));
+    core::parallel_for(guesses.size(), options.jobs,
+                       [&](std::size_t i) { fits[i] = fit(problem, guesses[i].causes, guesses[i].x, {.jobs = jobs_of_one}); });
+    return fits;
+}
+
+void append(std::vector<Fit>& fits, std::vector<Fit> more) { std::move(more.begin(), more.end(), std::back_inserter(fits)); }
+
+/// Causes that may join `base`: of another effect.
+std::vector<effects::Cause> partners(const std::vector<effects::Cause>& causes, const Fit& base) {
+    std::vector<effects::Cause> others;
+    std::copy_if(causes.begin(), causes.end(), std::back_inserter(others),
+                 [&](const effects::Cause& cause) { return cause.id != base.causes.front().id; });
+    return others;
+}
+
+bool same_causes(const Causes& a, const Causes& b) { return a.size() == b.size() && std::is_permutation(a.begin(), a.end(), b.begin()); }
+
+void add_pairs(const Problem& problem, const std::vector<effects::Cause>& causes, const std::vector<Fit>& singles,
+               const SearchOptions& options, std::vector<Fit>& fits) {
+    for (std::size_t i = 0; i < std::min(kBases, singles.size()); ++i) {
+        const Fit& base = singles[i];
+        if (score(base) < score(singles.front()) - kWorthAPair) break;
+        std::vector<Guess> guesses = screen(problem, base, partners(causes, base), options.jobs);
+        std::erase_if(guesses, [&](const Guess& guess) {
+            return std::any_of(fits.begin(), fits.end(), [&](const Fit& known) { return same_causes(known.causes, guess.causes); });
+        });
+        append(fits, in_full(problem, std::span(guesses).first(std::min(kPairs, guesses.size())), options));
+    }
+}
+
+/// Nothing is left for a second effect: every experiment agrees within its accuracy, and no build parameter deviates enough to
+/// replace one.
+bool explained(const Problem& problem, const Fit& fit) {
+    if (std::abs(worst_nuisance_pull(problem, fit).sigmas) > kStretched) return false;
+    const std::array<double, gap_case::kExperiments> misfit = misfits(problem, fit.seen());
+    return std::all_of(misfit.begin(), misfit.end(), [](double t) { return t < kNothingLeft; });
+}
+
+/// The best pair without one of its effects, started at the pair: a single fit that stopped elsewhere would make its
+/// partner look necessary.
+void step_back(const Problem& problem, const SearchOptions& options, std::vector<Fit>& fits) {
+    const Fit best = *std::max_element(fits.begin(), fits.end(), [](const Fit& a, const Fit& b) { return score(a) < score(b); });
+    if (best.causes.size() < 2) return;
+    for (const effects::Cause& kept : best.causes) {
+        Fit single = fit(problem, {kept}, problem.without_others(best.causes, best.x, kept), {.jobs = options.jobs});
+        const auto known = std::find_if(fits.begin(), fits.end(), [&](const Fit& other) { return other.causes == single.causes; });
+        if (known == fits.end())
+            fits.push_back(std::move(single));
+        else if (score(single) > score(*known))
+            *known = std::move(single);
+    }
+}
+
+/// The best single effects, best first. If one explains all, only those close to it in the screening are rivals.
+std::vector<Fit> singles_of(const Problem& problem, const Fit& null, const std::vector<Guess>& guesses, const SearchOptions& options) {
+    if (guesses.empty()) return {};
+    std::vector<Fit> singles = in_full(problem, std::span(guesses).first(1), options);
+    const double enough = singles.front().cost + kNearEnough * (null.cost - singles.front().cost);
+    std::vector<Guess> rivals(guesses.begin() + 1, guesses.begin() + static_cast<std::ptrdiff_t>(std::min(kSingles, guesses.size())));
+    if (explained(problem, singles.front())) std::erase_if(rivals, [&](const Guess& guess) { return guess.cost >= enough; });
+    append(singles, in_full(problem, rivals, options));
+    sort_by_score(singles);
+    return singles;
+}
+
+/// Every effect of the hypothesis is there: its size stands off 0, or it is a limit (a stop), which has no size of 0; and no build
+/// parameter is off by what no workshop is to make room for it.
+bool stands(const Problem& problem, const Fit& fit) {
+    if (!fit.causes.empty() && std::abs(worst_nuisance_pull(problem, fit).sigmas) > kImpossible) return false;
+    for (std::size_t c = 0; c < fit.causes.size(); ++c) {
+        const int k = problem.size_at(fit.causes, c);
+        const double least = std::max(kLeastSize, kStandsOff * std::sqrt(fit.covariance(k, k)));
+        if (!effects::find_effect(fit.causes[c].id).is_limit() && std::abs(fit.x[k]) < least) return false;
+    }
+    return true;
+}
+
+/// A hypothesis before ranking.
+struct Ranked {
+    Fit fit;
+    double score = 0.0;
+    Split left_out;  ///< empty until computed
+};
+
+void sort_by_score(std::vector<Ranked>& ranking) {
+    std::stable_sort(ranking.begin(), ranking.end(), [](const Ranked& a, const Ranked& b) { return a.score > b.score; });
+}
+
+/// Applies the cost of a contradicted cause to the leading hypotheses until the leaders are all checked, no effect included.
+void ask_the_splits(const Problem& problem, std::vector<Ranked>& ranking, const SearchOptions& options) {
+    const auto first = [&] { return ranking.begin() + static_cast<std::ptrdiff_t>(std::min(kLeftOut, ranking.size())); };
+    const auto unasked = [](const Ranked& h) { return h.left_out.x.empty(); };
+    const auto ask = [&](Ranked& h) {
+        h.left_out = experiments_left_out(problem, h.fit, options.jobs);
+        if (!contradicted(problem, h.fit, h.left_out).empty()) h.score -= kContradicted;
+    };
+    ask(*std::find_if(ranking.begin(), ranking.end(), [](const Ranked& h) { return h.fit.causes.empty(); }));
+    for (auto next = std::find_if(ranking.begin(), first(), unasked); next != first();
+         next = std::find_if(ranking.begin(), first(), unasked)) {
+        ask(*next);
+        sort_by_score(ranking);
+    }
+}
+
+/// As `discount_unfounded`, then sorted again.
+void ask_for_a_single(std::vector<Ranked>& ranking) {
+    std::vector<std::size_t> effects;
+    std::vector<double> scores;
+    for (const Ranked& h : ranking) {
+        effects.push_back(h.fit.causes.size());
+        scores.push_back(h.score);
+    }
+    discount_unfounded(effects, scores);
+    for (std::size_t i = 0; i < ranking.size(); ++i) ranking[i].score = scores[i];
+    sort_by_score(ranking);
+}
+
+Search ranked(const Problem& problem, std::vector<Fit> fits, const SearchOptions& options) {
+    std::erase_if(fits, [&](const Fit& fit) { return !stands(problem, fit); });
+    sort_by_score(fits);
+    std::vector<Ranked> ranking;
+    for (Fit& fit : fits) {
+        const double of_fit = score(fit);
+        ranking.push_back({std::move(fit), of_fit, {}});
+    }
+    ask_the_splits(problem, ranking, options);
+    ask_for_a_single(ranking);
+    Search result;
+    double sum = 0.0;
+    for (Ranked& h : ranking) {
+        if (h.fit.causes.empty()) result.null = result.fits.size();
+        result.log_posterior.push_back(h.score - ranking.front().score);
+        sum += std::exp(result.log_posterior.back());
+        result.fits.push_back(std::move(h.fit));
+        result.left_out.push_back(std::move(h.left_out));
+    }
+    for (const double log_posterior : result.log_posterior) result.probability.push_back(std::exp(log_posterior) / sum);
+    return result;
+}
+
+}  // namespace
+
+void discount_unfounded(std::span<const std::size_t> effects, std::span<double> scores) {
+    double none = -std::numeric_limits<double>::infinity(), one = none;
+    for (std::size_t h = 0; h < scores.size(); ++h) {
+        if (effects[h] == 0) none = std::max(none, scores[h]);
+        if (effects[h] == 1) one = std::max(one, scores[h]);
+    }
+    for (std::size_t h = 0; h < scores.size() && one <= none; ++h)
+        if (effects[h] > 1) scores[h] -= kContradicted;
+}
+
+Search search(const Problem& problem, const SearchOptions& options) {
+    const std::vector<effects::Cause> causes = possible_causes(problem.gap_case().rows);
+    const auto tell = [&](const char* what) {
+        if (options.progress) options.progress(what);
+    };
+    std::vector<Fit> fits{fit(problem, {}, problem.start({}), {.jobs = options.jobs})};
+    tell("build tolerances");
+    const std::vector<Guess> guesses = screen(problem, fits.front(), causes, options.jobs);
+    tell("screening of single effects");
+    const std::vector<Fit> singles = singles_of(problem, fits.front(), guesses, options);
+    tell("single effects");
+    const bool found = !singles.empty() && score(singles.front()) > score(fits.front());
+    for (const Fit& single : singles) fits.push_back(single);
+    if (found && !explained(problem, singles.front())) add_pairs(problem, causes, singles, options, fits);
+    step_back(problem, options, fits);
+    tell("pairs of effects");
+    Search result = ranked(problem, std::move(fits), options);
+    tell("experiments left out");
+    return result;
+}
+
+}  // namespace fusee::inference

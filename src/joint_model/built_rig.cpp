@@ -1,0 +1,23 @@
+#include "fusee/joint_model/built_rig.h"
+
+namespace fusee::joint_model {
+
+BuiltRig::BuiltRig(const gap_case::NominalRig& nominal)
+    : ratio(nominal.ratio()),
+      motor_inertia(nominal.motor_inertia),
+      joint_inertia(nominal.joint_inertia),
+      joint_viscous(nominal.joint_viscous) {
+    for (BuiltSide& side : sides) {
+        side.gear.load_friction = nominal.gear_load_friction;
+        side.gear.viscous = nominal.motor_viscous;
+    }
+}
+
+void BuiltRig::assemble(const NominalCams& cams) {
+    for (BuiltSide& side : sides) {
+        side.se = cams.series(side.se_build);
+        side.pe = cams.parallel(side.pe_build);
+    }
+}
+
+}  // namespace fusee::joint_model

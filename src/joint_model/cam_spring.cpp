@@ -1,0 +1,94 @@
+#include "fusee/joint_model/cam_spring.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "fusee/math/curve.h"
+
+namespace fusee::joint_model {
+
+namespace {
+
+constexpr std::size_t kCells = 400;                                      ///< of a table: linear between them, 1e-5 of the greatest torque
+constexpr std::size_t kRefinement = gap_case::NominalRig::kSpringSteps;  ///< grid of the nominal cams
+constexpr double kLeastArm = 1e-5;   ///< [m], least arm: a fit that tries a shorter one sees a very stiff spring
+constexpr double kLeastTurn = 1e-9;  ///< [rad], least step of a table, which must rise
+
+}  // namespace
+
+CamSpring::CamSpring(const std::vector<double>& x, const std::vector<double>& torque)
+    : torque_(kCells + 1), per_step_(kCells / x.back()), last_(kCells - 1) {
+    assert(x.size() >= 2 && x.size() == torque.size() && x.back() > 0.0 && std::isfinite(x.back()));
+    std::size_t row = 0;
+    for (std::size_t i = 0; i <= kCells; ++i) {
+        const double place = x.back() * static_cast<double>(i) / kCells;
+        while (row + 2 < x.size() && x[row + 1] < place) ++row;
+        const double share = (place - x[row]) / (x[row + 1] - x[row]);
+        torque_[i] = std::max(0.0, torque[row] + share * (torque[row + 1] - torque[row]));
+    }
+}
+
+double CamSpring::deflection(double torque) const {
+    const auto above = std::upper_bound(torque_.begin(), torque_.end(), torque);
+    if (above == torque_.begin()) return 0.0;
+    const auto i = std::min<std::size_t>(above - torque_.begin() - 1, torque_.size() - 2);
+    const double rise = torque_[i + 1] - torque_[i];
+    return (static_cast<double>(i) + (rise > 0.0 ? (torque - torque_[i]) / rise : 0.0)) / per_step_;
+}
+
+NominalCams::NominalCams(const gap_case::NominalRig& rig)
+    : capstan_radius_(rig.capstan_radius), k_se_(rig.se_torsion_rate), k_pe_(rig.pe_compression_rate) {
+    std::vector<double> x, se, pe;
+    for (const gap_case::NominalRig::SpringRow& row : rig.springs) {
+        x.push_back(row.deflection);
+        se.push_back(row.se_torque);
+        pe.push_back(row.pe_torque);
+    }
+    rig.require_rising_springs();
+    const math::CurvePtr se_curve = math::make_interpolant(x, se), pe_curve = math::make_interpolant(x, pe);
+    double u_se = 0.0, u_pe = 0.0, last_se = 0.0, last_pe = 0.0;
+    for (std::size_t i = 0; i <= kRefinement; ++i) {
+        const double place = x.back() * static_cast<double>(i) / kRefinement, step = x.back() / kRefinement;
+        const double f_se = se_curve->value(place), f_pe = pe_curve->value(place);
+        if (i > 0) {  // Simpson's rule over the step
+            u_se += step / 6.0 * (last_se + 4.0 * se_curve->value(place - 0.5 * step) + f_se);
+            u_pe += step / 6.0 * (last_pe + 4.0 * pe_curve->value(place - 0.5 * step) + f_pe);
+        }
+        last_se = f_se;
+        last_pe = f_pe;
+        x_.push_back(place);
+        phi_.push_back(std::sqrt(2.0 * u_se / k_se_));
+        y_.push_back(std::sqrt(2.0 * u_pe / k_pe_));
+        se_arm_.push_back(i == 0 ? 0.0 : capstan_radius_ * k_se_ * phi_.back() / f_se);
+        pe_arm_.push_back(i == 0 ? 0.0 : f_pe / (k_pe_ * y_.back()));
+    }
+    // At deflection 0 both are 0/0: straight on from the next two.
+    se_arm_[0] = 2.0 * se_arm_[1] - se_arm_[2];
+    pe_arm_[0] = 2.0 * pe_arm_[1] - pe_arm_[2];
+}
+
+CamSpring NominalCams::series(const SpringBuild& build) const {
+    std::vector<double> x(x_.size()), torque(x_.size());
+    for (std::size_t i = 0; i < x_.size(); ++i) {
+        const double arm = std::max(kLeastArm, se_arm_[i] + build.radius);
+        torque[i] = std::max(0.0, capstan_radius_ * k_se_ * (1.0 + build.rate) * (phi_[i] + build.preload) / arm);
+        x[i] = x_[i] + build.radius * phi_[i] / capstan_radius_ + build.stretch * torque[i];
+        if (i > 0) x[i] = std::max(x[i], x[i - 1] + kLeastTurn);
+    }
+    return {x, torque};
+}
+
+double NominalCams::shortest_series_arm() const { return *std::min_element(se_arm_.begin(), se_arm_.end()); }
+
+CamSpring NominalCams::parallel(const SpringBuild& build) const {
+    std::vector<double> torque(x_.size());
+    for (std::size_t i = 0; i < x_.size(); ++i) {
+        const double y = y_[i] + build.radius * x_[i];
+        const double force = std::max(0.0, y + build.preload) + build.binding_rate * std::max(0.0, y - build.binds_at);
+        torque[i] = k_pe_ * (1.0 + build.rate) * force * (pe_arm_[i] + build.radius);
+    }
+    return {x_, torque};
+}
+
+}  // namespace fusee::joint_model

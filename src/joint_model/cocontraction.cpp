@@ -1,0 +1,34 @@
+#include <algorithm>
+#include <cmath>
+
+#include "experiments.h"
+#include "reading.h"
+
+namespace fusee::joint_model {
+
+namespace {
+
+/// One file from rest. The greatest torque of all files takes one phase.
+void follow(const BuiltRig& rig, std::span<const gap_case::CocontractionRow> rows, double seconds_per_torque, std::vector<double>& read) {
+    Motion motion(rig, kSlowStep);
+    Reading reading(rig);
+    double torque = 0.0;
+    for (const gap_case::CocontractionRow& row : rows) {
+        motion.lead_to({row.motor_torque, row.motor_torque, 0.0}, seconds_per_torque * std::abs(row.motor_torque - torque));
+        torque = row.motor_torque;
+        reading.append(motion, read);
+    }
+}
+
+}  // namespace
+
+std::vector<double> predict_cocontraction(const BuiltRig& rig, const gap_case::Rows& rows, const gap_case::Protocol& protocol) {
+    double most = 1e-9;
+    for (const gap_case::CocontractionRow& row : rows.cocontraction) most = std::max(most, std::abs(row.motor_torque));
+    std::vector<double> read;
+    for (const std::span<const gap_case::CocontractionRow> file : files_of(rows, gap_case::Experiment::kCocontraction, rows.cocontraction))
+        follow(rig, file, protocol.cocontraction_phase / most, read);
+    return read;
+}
+
+}  // namespace fusee::joint_model

@@ -1,0 +1,53 @@
+#include <cmath>
+
+#include "experiments.h"
+
+namespace fusee::joint_model {
+
+namespace {
+
+constexpr double kStrongPush = 1.5;  ///< of the co-contraction, times g, where no push is given
+
+/// dtau_q/dq with both capstans held [Nm/rad].
+double held_stiffness(const BuiltRig& rig, const Motion& motion) {
+    constexpr double kReach = 0.02;  // rad
+    double sum = 0.0;
+    for (const gap_case::Side side : {gap_case::Side::kAgonist, gap_case::Side::kAntagonist}) {
+        const CamSpring& spring = rig.sides[static_cast<std::size_t>(side)].se;
+        const double x = rig.capstan_scale * motion.theta(side);
+        sum += (spring.torque(x + kReach) - spring.torque(x - kReach)) / (2.0 * kReach);
+    }
+    return rig.ratio * rig.ratio * sum;
+}
+
+/// Pushes, holds, releases slowly, reads q.
+double push_and_release(Motion& motion, const Hand& hand, double cocontraction, double push, const gap_case::Protocol& protocol) {
+    motion.lead_smoothly_to({cocontraction, cocontraction, push}, hand.push_share * protocol.dead_band_push);
+    motion.hold((1.0 - hand.push_share) * protocol.dead_band_push);
+    motion.lead_smoothly_to({cocontraction, cocontraction, 0.0}, (1.0 - hand.settle_share) * protocol.dead_band_release);
+    motion.hold(hand.settle_share * protocol.dead_band_release);
+    return motion.q();
+}
+
+}  // namespace
+
+std::vector<double> predict_dead_band(const BuiltRig& rig, const gap_case::Rows& rows, const gap_case::Protocol& protocol) {
+    std::vector<double> read;
+    for (const gap_case::DeadBandRow& row : rows.dead_band) {
+        const double push = std::isfinite(row.push_torque) ? row.push_torque : kStrongPush * rig.ratio * row.cocontraction;
+        Motion motion(rig, kDeadBandStep);
+        begin_at(motion, {row.cocontraction, row.cocontraction, 0.0}, protocol);
+        motion.hand_damping = 2.0 * rig.hand.damping * std::sqrt(held_stiffness(rig, motion) * rig.joint_inertia);
+        const double high = push_and_release(motion, rig.hand, row.cocontraction, push, protocol);
+        const double low = push_and_release(motion, rig.hand, row.cocontraction, -push, protocol);
+        if (rows.dead_band_width_only) {
+            read.push_back(high - low);
+            continue;
+        }
+        read.push_back(low + rig.joint_offset);
+        read.push_back(high + rig.joint_offset);
+    }
+    return read;
+}
+
+}  // namespace fusee::joint_model

@@ -1,0 +1,45 @@
+#pragma once
+#include <span>
+#include <vector>
+
+#include "fusee/joint_model/motion.h"
+#include "fusee/joint_model/signals.h"
+
+/// One prediction per experiment, each in its file.
+namespace fusee::joint_model {
+
+/// From rest to the first torques of an experiment by the protocol, then settling.
+inline void begin_at(Motion& motion, const Motion::Torques& torques, const gap_case::Protocol& protocol) {
+    if (protocol.smooth_motor_ramp)
+        motion.lead_smoothly_to(torques, protocol.motor_ramp);
+    else
+        motion.lead_to(torques, protocol.motor_ramp);
+    motion.hold(protocol.motor_settle);
+}
+
+/// The rows of each file of an experiment: each begins from rest. Rows beyond the files are one more part.
+template <class Row>
+[[nodiscard]] std::vector<std::span<const Row>> files_of(const gap_case::Rows& rows, gap_case::Experiment experiment,
+                                                         const std::vector<Row>& all) {
+    std::vector<std::span<const Row>> files;
+    std::span<const Row> left(all);
+    const auto parts = rows.parts.find(experiment);
+    if (parts != rows.parts.end())
+        for (const std::size_t count : parts->second) {
+            if (count > 0) files.push_back(left.first(count));
+            left = left.subspan(count);
+        }
+    if (!left.empty()) files.push_back(left);
+    return files;
+}
+
+[[nodiscard]] std::vector<double> predict_break_away(const BuiltRig& rig, const std::vector<identification::BreakAway>& rows);
+[[nodiscard]] std::vector<double> predict_spring_pull(const BuiltRig& rig, const std::vector<gap_case::SpringPull>& rows);
+[[nodiscard]] std::vector<double> predict_dead_band(const BuiltRig& rig, const gap_case::Rows& rows, const gap_case::Protocol& protocol);
+[[nodiscard]] std::vector<double> predict_joint_stiffness(const BuiltRig& rig, const gap_case::Rows& rows,
+                                                          const gap_case::Protocol& protocol);
+[[nodiscard]] std::vector<double> predict_cocontraction(const BuiltRig& rig, const gap_case::Rows& rows,
+                                                        const gap_case::Protocol& protocol);
+[[nodiscard]] std::vector<double> predict_log(const BuiltRig& rig, const gap_case::Rows& rows, const gap_case::Protocol& protocol);
+
+}  // namespace fusee::joint_model

@@ -1,0 +1,57 @@
+#include <algorithm>
+#include <cmath>
+
+#include "experiments.h"
+
+namespace fusee::joint_model {
+
+namespace {
+
+/// Line through the torques of a phase: the command without the scatter of its reading.
+struct Ramp {
+    double from = 0.0, per_row = 0.0;
+};
+Ramp straight(std::span<const gap_case::StiffnessRow> rows, std::size_t first, std::size_t last) {
+    const double n = static_cast<double>(last - first), middle = 0.5 * (n - 1.0);
+    double mean = 0.0, lever = 0.0, weight = 0.0;
+    for (std::size_t i = first; i < last; ++i) {
+        const double place = static_cast<double>(i - first) - middle;
+        mean += rows[i].joint_torque / n;
+        lever += place * rows[i].joint_torque;
+        weight += place * place;
+    }
+    const double per_row = weight > 0.0 ? lever / weight : 0.0;
+    return {mean - per_row * middle, per_row};
+}
+
+/// One file: each co-contraction from rest, then its phases in order.
+void follow(const BuiltRig& rig, std::span<const gap_case::StiffnessRow> rows, const gap_case::Protocol& protocol,
+            std::vector<double>& read) {
+    Motion motion(rig, kSlowStep);
+    for (std::size_t first = 0, last = 0; first < rows.size(); first = last) {
+        const gap_case::StiffnessRow& begin = rows[first];
+        while (last < rows.size() && rows[last].cocontraction == begin.cocontraction && rows[last].phase == begin.phase) ++last;
+        const double tau = begin.cocontraction;
+        if (first == 0 || tau != rows[first - 1].cocontraction) {
+            motion = Motion(rig, kSlowStep);
+            begin_at(motion, {tau, tau, 0.0}, protocol);
+        }
+        const Ramp ramp = straight(rows, first, last);
+        for (std::size_t i = first; i < last; ++i) {
+            motion.lead_to({tau, tau, ramp.from + ramp.per_row * static_cast<double>(i - first)},
+                           protocol.joint_stiffness_phase / static_cast<double>(last - first));
+            read.push_back(motion.q() + rig.joint_offset);
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<double> predict_joint_stiffness(const BuiltRig& rig, const gap_case::Rows& rows, const gap_case::Protocol& protocol) {
+    std::vector<double> read;
+    for (const std::span<const gap_case::StiffnessRow> file : files_of(rows, gap_case::Experiment::kJointStiffness, rows.joint_stiffness))
+        follow(rig, file, protocol, read);
+    return read;
+}
+
+}  // namespace fusee::joint_model

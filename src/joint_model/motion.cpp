@@ -1,0 +1,111 @@
+#include "fusee/joint_model/motion.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fusee::joint_model {
+
+namespace {
+
+using Torques = Motion::Torques;
+
+Torques between(const Torques& from, const Torques& to, double share) {
+    return {from.agonist + share * (to.agonist - from.agonist), from.antagonist + share * (to.antagonist - from.antagonist),
+            from.joint + share * (to.joint - from.joint)};
+}
+
+/// Steps of equal length on one rig. Constants and state are local variables: this is
+/// the innermost loop of a diagnosis.
+class Stepper {
+public:
+    Stepper(const BuiltRig& rig, double hand_damping, double h) : rig_(rig), h_(h) {
+        for (std::size_t i = 0; i < 2; ++i) per_mass_[i] = 1.0 / (rig.motor_inertia + h * rig.sides[i].gear.viscous);
+        free_mass_ = rig.joint_inertia + h * (rig.joint_viscous + hand_damping);
+        per_free_mass_ = 1.0 / free_mass_;
+    }
+
+    /// Equations 1 to 4 of docs/theory/diagnosis.md.
+    void step(MotionState& s, const Torques& torques) const {
+        const std::array<double, 2> pull{turn_capstan<0>(s, torques.agonist), turn_capstan<1>(s, torques.antagonist)};
+        turn_joint(s, pull, torques.joint);
+        for (std::size_t i = 0; i < 3; ++i) s.place[i] += h_ * s.speed[i];
+        for (std::size_t i = 0; i < 2; ++i)
+            if (s.place[i] < 0.0) s.place[i] = s.speed[i] = 0.0;  // the preload stop
+    }
+
+private:
+    /// New speed of a capstan. @return torque of its K_SE [Nm of nominal capstan]
+    template <std::size_t kSide>
+    double turn_capstan(MotionState& s, double command) const {
+        const BuiltSide& side = rig_.sides[kSide];
+        const double theta = s.place[kSide], wound = rig_.capstan_scale * theta, stretch = rig_.ratio * s.place[2];
+        const double x = kSide == 0 ? wound + stretch : wound - stretch;
+        const double pull = s.memory[2 * kSide].torque(x, side.se.torque(x), side.se_build.hysteresis);
+        const double parallel = s.memory[2 * kSide + 1].torque(theta, side.pe.torque(theta), side.pe_build.hysteresis);
+        s.speed[kSide] = gear_speed(side.gear, per_mass_[kSide], s.speed[kSide], rig_.capstan_scale * pull + parallel, command);
+        return pull;
+    }
+    [[nodiscard]] double gear_speed(const Gear& gear, double per_mass, double before, double load, double command) const {
+        const double torque = std::clamp(command * (1.0 + gear.torque_scale), -gear.saturation, gear.saturation);
+        const double momentum = rig_.motor_inertia * before + h_ * (torque - load);
+        const double way = momentum < 0.0 ? -1.0 : 1.0;
+        const double sliding =
+            h_ * (gear.coulomb + gear.load_friction * std::abs(load) + gear.quadratic * load * load) * (1.0 + way * gear.asymmetry);
+        const double left = std::abs(momentum) - sliding;
+        if (left <= 0.0 || (left <= sliding * gear.stribeck && before * way <= 0.0)) return 0.0;
+        double speed = left * per_mass;
+        if (gear.stribeck > 0.0)
+            for (int i = 0; i < 3; ++i) {
+                const double share = speed / gear.stribeck_speed;
+                speed = std::max(0.0, (left - sliding * gear.stribeck * std::exp(-share * share)) * per_mass);
+            }
+        return way * speed;
+    }
+    void turn_joint(MotionState& s, const std::array<double, 2>& pull, double command) const {
+        const double q = s.place[2];
+        double drive = rig_.ratio * (pull[1] - pull[0]) + command;
+        double per_mass = per_free_mass_;
+        if (const double inside = std::abs(q) - rig_.stop; inside > 0.0) {
+            drive -= std::copysign(rig_.stop_stiffness * inside, q);
+            per_mass = 1.0 / (free_mass_ + h_ * 2.0 * rig_.stop_damping * std::sqrt(rig_.stop_stiffness * rig_.joint_inertia));
+        }
+        if (rig_.gravity != 0.0) drive -= rig_.gravity * std::sin(q);
+        const double momentum = rig_.joint_inertia * s.speed[2] + h_ * drive;
+        const double friction = h_ * (rig_.joint_coulomb + rig_.tension_friction * rig_.ratio * (pull[0] + pull[1]));
+        s.speed[2] = std::copysign(std::max(0.0, std::abs(momentum) - friction), momentum) * per_mass;
+    }
+
+    const BuiltRig& rig_;
+    double h_, free_mass_ = 1.0, per_free_mass_ = 1.0;
+    std::array<double, 2> per_mass_{};
+};
+
+}  // namespace
+
+Motion::Motion(const BuiltRig& rig, double longest_step) : rig_(&rig), longest_step_(longest_step) {}
+
+void Motion::lead_to(const Torques& torques, double seconds) {
+    if (seconds <= 0.0) {
+        torques_ = torques;
+        return;
+    }
+    const int steps = std::max(1, static_cast<int>(std::ceil(seconds / longest_step_)));
+    const bool held = torques_ == torques;
+    const Stepper stepper(*rig_, hand_damping, seconds / steps);
+    MotionState state = state_;
+    for (int i = 1; i <= steps && !(held && i > 1 && state.at_rest()); ++i)
+        stepper.step(state, between(torques_, torques, static_cast<double>(i) / steps));
+    state_ = state;
+    torques_ = torques;
+}
+
+void Motion::lead_smoothly_to(const Torques& torques, double seconds) {
+    constexpr int kPieces = 24;
+    const Torques from = torques_;
+    for (int i = 1; i <= kPieces; ++i) {
+        const double s = static_cast<double>(i) / kPieces;
+        lead_to(between(from, torques, s * s * (3.0 - 2.0 * s)), seconds / kPieces);
+    }
+}
+
+}  // namespace fusee::joint_model

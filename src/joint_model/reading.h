@@ -1,0 +1,30 @@
+#pragma once
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "fusee/joint_model/motion.h"
+
+namespace fusee::joint_model {
+
+/// Encoder readings of a rig: motors with gear backlash, joint with its offset.
+class Reading {
+public:
+    explicit Reading(const BuiltRig& rig) : rig_(rig) {}
+    /// Appends theta_agonist, theta_antagonist, q.
+    void append(const Motion& motion, std::vector<double>& read) {
+        for (const gap_case::Side side : {gap_case::Side::kAgonist, gap_case::Side::kAntagonist}) {
+            const auto i = static_cast<std::size_t>(side);
+            const double theta = motion.theta(side), half = 0.5 * rig_.sides[i].gear.backlash;
+            read_[i] = std::clamp(read_[i], theta - half, theta + half);
+            read.push_back(read_[i]);
+        }
+        read.push_back(motion.q() + rig_.joint_offset);
+    }
+
+private:
+    const BuiltRig& rig_;
+    std::array<double, 2> read_{};
+};
+
+}  // namespace fusee::joint_model

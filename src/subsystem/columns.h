@@ -1,0 +1,31 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "fusee/subsystem/subsystem.h"
+
+/// Columns and parameters of each kind of subsystem: one list for reading, checking and writing.
+namespace fusee::subsystem {
+
+struct ColumnKey {
+    const char* name;
+    bool measured, required, text;
+    double low, high;  ///< limits of a number: beyond them it is in another unit
+};
+/// A number of [bench] or of a file's '#' lines.
+struct ParameterKey {
+    const char* name;
+    double low, high;
+    const char* unit;
+};
+struct KindKeys {
+    Kind kind;
+    const char* name;
+    const char* experiment;
+    std::vector<ColumnKey> columns;
+    std::vector<ParameterKey> parameters, sensors;
+};
+[[nodiscard]] const KindKeys& keys_of(Kind kind);
+[[nodiscard]] const std::vector<KindKeys>& all_keys();
+
+}  // namespace fusee::subsystem

@@ -1,0 +1,70 @@
+#include "law.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "fusee/core/error.h"
+
+namespace fusee::subsystem {
+
+std::unique_ptr<Law> law_of(const Case& subsystem_case, bool for_inputs) {
+    switch (subsystem_case.kind) {
+        case Kind::kFrictionElement:
+            return friction_element(subsystem_case, for_inputs);
+        case Kind::kServoPendulum:
+            return servo_pendulum(subsystem_case, for_inputs);
+        case Kind::kMotorBreakaway:
+            return motor_breakaway(subsystem_case, for_inputs);
+    }
+    throw core::InvalidInput("bench.kind", "unknown", "a kind of subsystem");
+}
+
+double number_of(const Record& record, const std::vector<std::string>& names) {
+    for (const std::string& name : names)
+        if (const auto at = record.parameters.find(name); at != record.parameters.end()) return at->second;
+    throw core::InvalidInput(record.file + ": " + names.front(), "missing",
+                             "a number in [bench] or a word key=value in the file's '#' line");
+}
+
+void make_blocks(Law& law, const Case& subsystem_case) {
+    const std::size_t parts = subsystem_case.records.size() < 3 ? 3 : 1;
+    Scheme scheme{parts == 1 ? "file" : "part", {}};
+    for (std::size_t r = 0; r < subsystem_case.records.size(); ++r) {
+        const std::size_t rows = law.targets[r].measured.size();
+        for (std::size_t p = 0; p < parts; ++p) {
+            Block block{subsystem_case.records[r].file, r, {}};
+            if (parts > 1) block.name += fmt::format(" part {}", p + 1);
+            for (std::size_t i = rows * p / parts; i < rows * (p + 1) / parts; ++i)
+                if (law.targets[r].settled.empty() || law.targets[r].settled[i]) block.rows.push_back(i);
+            scheme.labels.push_back(block.name);
+            law.blocks.push_back(std::move(block));
+        }
+    }
+    law.schemes.push_back(std::move(scheme));
+}
+
+namespace {
+
+/// Labels as numbers in the order of their first blocks: equal for two schemes that split the blocks in the same way.
+std::vector<std::size_t> partition(const std::vector<std::string>& labels) {
+    std::map<std::string, std::size_t> seen;
+    std::vector<std::size_t> numbers;
+    for (const std::string& label : labels) numbers.push_back(seen.try_emplace(label, seen.size()).first->second);
+    return numbers;
+}
+
+}  // namespace
+
+void add_scheme(Law& law, const std::string& name, const std::vector<std::string>& label_of_record) {
+    Scheme scheme{name, {}};
+    for (const Block& block : law.blocks) scheme.labels.push_back(name + " " + label_of_record[block.record]);
+    const auto parts = partition(scheme.labels);
+    if (std::all_of(parts.begin(), parts.end(), [](std::size_t part) { return part == 0; })) return;
+    for (const Scheme& other : law.schemes)
+        if (partition(other.labels) == parts) return;
+    law.schemes.push_back(std::move(scheme));
+}
+
+}  // namespace fusee::subsystem

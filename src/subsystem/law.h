@@ -1,0 +1,87 @@
+#pragma once
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "fusee/subsystem/subsystem.h"
+
+/// Law of a subsystem: prediction from its inputs, with a value for each nominal parameter and for each parameter of each effect.
+namespace fusee::subsystem {
+
+struct Parameter {
+    std::string name, unit;
+    double null_value = 0.0;  ///< the value without its effect; the start of a nominal parameter
+    double low = 0.0, high = 0.0;
+    std::vector<double> starts;  ///< of an effect: starts of the fits, of which the best counts
+};
+using Values = std::vector<double>;  ///< one for each parameter
+
+/// An effect and its parameters; the first is the size in a diagnosis.
+struct LawEffect {
+    effects::Cause cause;
+    std::vector<std::size_t> parameters;
+    bool moves_setups = false;  ///< makes files of the same motion differ: the set-up floor does not refuse it
+    std::string unseen;         ///< reason why this case cannot show it; empty: it can
+};
+
+/// Which blocks are held out together, e.g. by "kp": a label for each block.
+struct Scheme {
+    std::string name;
+    std::vector<std::string> labels;
+};
+/// Rows that are always held out together: a file, a part of the only file, a motor torque.
+struct Block {
+    std::string name;
+    std::size_t record = 0;
+    std::vector<std::size_t> rows;  ///< of the record's rows in use
+};
+
+/// Data of one file for a fit.
+struct Target {
+    std::vector<double> measured, sigma;
+    std::vector<bool> settled;   ///< rows that count; empty: all
+    std::vector<double> region;  ///< variable of the gap map
+    std::string group;           ///< its name in `where`
+};
+
+class Law {
+public:
+    virtual ~Law() = default;
+    /// Of the measured column, every row in use of one record. Reentrant.
+    virtual void predict(std::size_t record, const Values& values, std::vector<double>& predicted) const = 0;
+    /// Remarks after the fit, e.g. on parameters that the case cannot distinguish.
+    [[nodiscard]] virtual std::vector<std::string> remarks() const { return {}; }
+    /// The measurement that distinguishes the remaining alternatives, and the one that shows what this case cannot.
+    [[nodiscard]] virtual diagnosis::NextExperiment next() const = 0;
+
+    std::string measured_name, region_name, unit;  ///< unit of the measured column
+    double unit_sigma = 1.0;                       ///< a typical sigma in `unit`: converts a gap in sigma
+    std::vector<Parameter> parameters;
+    std::size_t nominal = 0;  ///< the first so many parameters are the nominal law's
+    std::vector<LawEffect> effects;
+    std::size_t most_effects = 2;  ///< in one hypothesis
+    std::vector<Target> targets;   ///< one for each record
+    std::vector<Block> blocks;
+    std::vector<Scheme> schemes;  ///< the first holds out one block at a time
+    double cycle_floor = 1.0;     ///< scatter from cycle to cycle, or of the sensor [sigma]
+    double setup_floor = 1.0;     ///< from one file to the next of the same motion, at least cycle_floor [sigma]
+    std::vector<std::string> floor_remarks;
+    bool rows_independent = false;  ///< rows without autocorrelation
+};
+
+/// The law of a case; `for_inputs`: for `predict` only: measured columns may be absent.
+[[nodiscard]] std::unique_ptr<Law> law_of(const Case& subsystem_case, bool for_inputs = false);
+[[nodiscard]] std::unique_ptr<Law> friction_element(const Case& subsystem_case, bool for_inputs);
+[[nodiscard]] std::unique_ptr<Law> servo_pendulum(const Case& subsystem_case, bool for_inputs);
+[[nodiscard]] std::unique_ptr<Law> motor_breakaway(const Case& subsystem_case, bool for_inputs);
+
+/// A number of the record under one of several names. @throws core::InvalidInput naming the file and the first name if there is none
+[[nodiscard]] double number_of(const Record& record, const std::vector<std::string>& names);
+/// Blocks of whole files; of three parts in time of each if there are fewer than three files. With the scheme "file" or "part".
+void make_blocks(Law& law, const Case& subsystem_case);
+/// Adds a scheme that holds out blocks by label, if there are two labels or more and the split differs from the
+/// existing schemes.
+void add_scheme(Law& law, const std::string& name, const std::vector<std::string>& label_of_record);
+
+}  // namespace fusee::subsystem

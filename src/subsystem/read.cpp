@@ -1,0 +1,184 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "columns.h"
+#include "fusee/core/csv.h"
+#include "fusee/core/destination.h"
+#include "fusee/core/file.h"
+#include "fusee/gap_case/toml.h"
+
+namespace fs = std::filesystem;
+
+namespace fusee::subsystem {
+
+std::size_t Record::rows() const { return texts.empty() ? columns.at("t_s").size() : texts.begin()->second.size(); }
+
+namespace {
+
+constexpr std::size_t kLargestFile = 200'000'000;  // bytes
+constexpr const char* kKindKeys[] = {"kind", "type", "name"};
+
+const KindKeys& kind_of(const gap_case::CaseToml& toml) {
+    std::vector<std::string> names;
+    for (const KindKeys& keys : all_keys()) names.push_back(keys.name);
+    for (const char* key : kKindKeys) {
+        const std::string path = std::string("bench.") + key;
+        if (!toml.has(path)) continue;
+        const std::string name = toml.text(path, fmt::format("{}", fmt::join(names, ", ")));
+        for (const KindKeys& keys : all_keys())
+            if (name == keys.name) return keys;
+        throw toml.fault(path, "\"" + name + "\"", fmt::format("{}", fmt::join(names, ", ")));
+    }
+    throw toml.fault("bench.kind", "missing", fmt::format("{}", fmt::join(names, ", ")));
+}
+
+std::map<std::string, double> numbers_of(const gap_case::CaseToml& toml, const std::string& table, const std::vector<ParameterKey>& known,
+                                         const std::vector<std::string>& others) {
+    std::vector<double> values(known.size());
+    std::vector<gap_case::NumberKey> keys;
+    for (std::size_t i = 0; i < known.size(); ++i) keys.push_back({known[i].name, known[i].low, known[i].high, known[i].unit, &values[i]});
+    (void)toml.read_numbers(table, keys, others);
+    std::map<std::string, double> numbers;
+    for (std::size_t i = 0; i < known.size(); ++i)
+        if (toml.has(table + "." + known[i].name)) numbers[known[i].name] = values[i];
+    return numbers;
+}
+
+/// A word key=value of a '#' line: a known parameter within its range, or any other word.
+void take_word(std::string_view word, const KindKeys& keys, const std::string& place, Record& record) {
+    while (!word.empty() && (word.back() == ',' || word.back() == ';')) word.remove_suffix(1);
+    const std::size_t equals = word.find('=');
+    if (equals == std::string_view::npos || equals == 0 || equals + 1 == word.size()) return;
+    const std::string key(word.substr(0, equals)), text(word.substr(equals + 1));
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const bool number = error == std::errc{} && end == text.data() + text.size();
+    for (const ParameterKey& known : keys.parameters) {
+        if (key != known.name) continue;
+        if (!number || !(value >= known.low && value <= known.high))
+            throw core::InvalidInput(place + key, "'" + text + "'", fmt::format("{:g} to {:g} {}", known.low, known.high, known.unit));
+        record.parameters[key] = value;
+        return;
+    }
+    record.words[key] = text;
+}
+
+/// The '#' lines above the header.
+void take_words(std::string_view csv, const KindKeys& keys, const std::string& file, Record& record) {
+    for (std::size_t line = 1; csv.starts_with('#'); ++line) {
+        const std::size_t end = std::min(csv.find('\n'), csv.size());
+        std::string_view text = csv.substr(0, end);
+        for (std::size_t at = 0; at < text.size();) {
+            const std::size_t begin = text.find_first_not_of(" \t\r#", at);
+            if (begin == std::string_view::npos) break;
+            at = std::min(text.find_first_of(" \t\r", begin), text.size());
+            take_word(text.substr(begin, at - begin), keys, fmt::format("{}:{}:{}: ", file, line, begin + 1), record);
+        }
+        csv.remove_prefix(std::min(end + 1, csv.size()));
+    }
+}
+
+void take_column(const core::CsvTable& table, const ColumnKey& key, Record& record) {
+    if (!table.has(key.name)) return;
+    if (key.text) {
+        record.texts[key.name] = table.texts(key.name);
+        return;
+    }
+    const std::vector<double>& numbers = table.numbers(key.name);
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        if (numbers[i] < key.low || numbers[i] > key.high)
+            throw table.fault(i, key.name, fmt::format("{:g}", numbers[i]), fmt::format("{:g} to {:g}", key.low, key.high));
+        if (i > 0 && std::string_view(key.name) == "t_s" && !(numbers[i] > numbers[i - 1]))
+            throw table.fault(i, key.name, fmt::format("{:g}", numbers[i]), "a time after the row before");
+    }
+    record.columns[key.name] = numbers;
+}
+
+void require_directions(const core::CsvTable& table, const Record& record) {
+    if (!record.texts.contains("direction")) return;
+    const auto& directions = record.texts.at("direction");
+    for (std::size_t i = 0; i < directions.size(); ++i)
+        if (directions[i] != "drive" && directions[i] != "backdrive")
+            throw table.fault(i, "direction", "'" + directions[i] + "'", "drive or backdrive");
+}
+
+/// Adds the file's words and columns to `record`. @returns its bytes
+std::string take_file(const fs::path& path, const KindKeys& keys, bool inputs_only, Record& record) {
+    std::string bytes = core::read_file(path, kLargestFile);
+    take_words(bytes, keys, path.string(), record);
+    std::vector<core::CsvColumn> columns;
+    for (const ColumnKey& key : keys.columns)
+        columns.push_back({key.name, key.text ? core::CsvColumn::Kind::kText : core::CsvColumn::Kind::kNumber,
+                           key.required && !(inputs_only && key.measured)});
+    const core::CsvTable table = core::parse_csv(bytes, path.string(), columns);
+    for (const ColumnKey& key : keys.columns) take_column(table, key, record);
+    require_directions(table, record);
+    return bytes;
+}
+
+}  // namespace
+
+Case read_case(const fs::path& folder) {
+    const gap_case::CaseToml toml(folder);
+    toml.allow_tables({"bench", "sensors", "experiments", "tolerance", "protocol"});
+    const KindKeys& keys = kind_of(toml);
+    Case subsystem_case;
+    subsystem_case.name = fs::absolute(folder / "").parent_path().filename().string();
+    subsystem_case.kind = keys.kind;
+    subsystem_case.parameters = numbers_of(toml, "bench", keys.parameters, {std::begin(kKindKeys), std::end(kKindKeys)});
+    subsystem_case.sensors = numbers_of(toml, "sensors", keys.sensors, {});
+    for (const char* table : {"tolerance", "protocol"})
+        if (toml.has(table)) subsystem_case.remarks.push_back(fmt::format("[{}] is not used by a subsystem case", table));
+    for (const std::string& key : toml.keys_of("experiments"))
+        if (key != keys.experiment) throw toml.fault("experiments." + key, "unknown key", keys.experiment);
+    std::string all = toml.bytes();
+    for (const std::string& file : toml.files(std::string("experiments.") + keys.experiment)) {
+        Record record{keys.experiment, file, subsystem_case.parameters, {}, {}, {}};
+        all += take_file(folder / file, keys, false, record);
+        subsystem_case.records.push_back(std::move(record));
+    }
+    subsystem_case.sha256 = core::sha256_hex(all);
+    return subsystem_case;
+}
+
+Case read_inputs(const Case& subsystem_case, const fs::path& folder) {
+    if (!fs::is_directory(folder)) throw core::IoError(folder.string(), "is no folder");
+    const KindKeys& keys = keys_of(subsystem_case.kind);
+    std::vector<fs::path> files;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+        if (entry.is_regular_file() && entry.path().extension() == ".csv") files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    Case inputs = subsystem_case;
+    inputs.records.clear();
+    for (const fs::path& file : files) {
+        Record record{keys.experiment, file.filename().string(), subsystem_case.parameters, {}, {}, {}};
+        for (const Record& known : subsystem_case.records)
+            if (known.file == record.file) record.parameters = known.parameters, record.words = known.words;
+        (void)take_file(file, keys, true, record);
+        inputs.records.push_back(std::move(record));
+    }
+    if (inputs.records.empty()) throw core::IoError(folder.string(), "no CSV file in this folder");
+    return inputs;
+}
+
+void write_rows(const Case& rows, const fs::path& folder) {
+    for (const Record& record : rows.records) {
+        std::vector<std::string> names;
+        for (const ColumnKey& key : keys_of(rows.kind).columns)
+            if (record.columns.contains(key.name) || record.texts.contains(key.name)) names.push_back(key.name);
+        std::string out = fmt::format("{}\n", fmt::join(names, ","));
+        for (std::size_t i = 0; i < record.rows(); ++i)
+            for (std::size_t c = 0; c < names.size(); ++c)
+                out += (record.texts.contains(names[c]) ? record.texts.at(names[c])[i]
+                                                        : fmt::format("{:.9g}", record.columns.at(names[c])[i])) +
+                       (c + 1 == names.size() ? "\n" : ",");
+        core::make_folder((folder / record.file).parent_path());
+        core::write_file(folder / record.file, out);
+    }
+}
+
+}  // namespace fusee::subsystem

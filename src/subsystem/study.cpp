@@ -1,0 +1,265 @@
+#include "study.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <mutex>
+#include <numeric>
+
+#include "fusee/core/error.h"
+#include "fusee/core/parallel.h"
+#include "verdicts.h"
+
+namespace fusee::subsystem {
+
+namespace {
+
+constexpr int kRefitSteps = 15;  // a refit starts at the fit on all rows
+
+/// Every set of up to `most` of the effects that this case can show, smaller sets first.
+std::vector<std::vector<std::size_t>> sets_of(const Law& law) {
+    std::vector<std::vector<std::size_t>> sets{{}};
+    for (std::size_t begin = 0, size = 1; size <= law.most_effects; ++size) {
+        const std::size_t end = sets.size();
+        for (std::size_t s = begin; s < end; ++s)
+            for (std::size_t e = sets[s].empty() ? 0 : sets[s].back() + 1; e < law.effects.size(); ++e) {
+                if (!law.effects[e].unseen.empty()) continue;
+                sets.push_back(sets[s]);
+                sets.back().push_back(e);
+            }
+        begin = end;
+    }
+    return sets;
+}
+
+std::vector<std::size_t> all_blocks(const Law& law) {
+    std::vector<std::size_t> all(law.blocks.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    return all;
+}
+
+double sum(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
+
+/// The fit on all rows: from every start, and from the best of the sets without one of the effects.
+void fit_all(const Law& law, const Study& study, const Values& nominal, Candidate& candidate) {
+    const auto all = all_blocks(law), free = free_parameters(law, candidate.effects);
+    candidate.fit = fit_from_all_starts(law, all, free, nominal);
+    const Candidate* best = nullptr;
+    for (const std::size_t e : candidate.effects) {
+        std::vector<std::size_t> less = candidate.effects;
+        std::erase(less, e);
+        const Candidate* without = study.find(less);
+        if (without != nullptr && (best == nullptr || without->fit.cost < best->fit.cost)) best = without;
+    }
+    if (best != nullptr) {
+        Values start = best->fit.values;
+        for (const std::size_t k : free)
+            if (start[k] == law.parameters[k].null_value && !law.parameters[k].starts.empty()) start[k] = law.parameters[k].starts.front();
+        Fit other = fit(law, all, free, start);
+        if (other.cost < candidate.fit.cost) candidate.fit = std::move(other);
+    }
+    candidate.seen = misfit(law, candidate.fit.values);
+}
+
+/// If a set with one effect at its null value has a lower cost than the set without that effect, the smaller set stopped too
+/// early: it continues from there.
+void lower_subsets(const Law& law, Study& study) {
+    for (std::size_t i = study.candidates.size(); i-- > 0;)
+        for (const std::size_t e : study.candidates[i].effects) {
+            std::vector<std::size_t> less = study.candidates[i].effects;
+            std::erase(less, e);
+            Candidate& without = study.candidates[static_cast<std::size_t>(study.find(less) - study.candidates.data())];
+            Values start = study.candidates[i].fit.values;
+            for (const std::size_t k : law.effects[e].parameters) start[k] = law.parameters[k].null_value;
+            if (sum(misfit(law, start).squares) >= sum(without.seen.squares)) continue;
+            without.fit = fit(law, all_blocks(law), without.fit.free, start);
+            without.seen = misfit(law, without.fit.values);
+        }
+}
+
+/// The blocks of each label of a scheme, in the order of the labels' first blocks.
+std::vector<std::vector<std::size_t>> folds_of(const Scheme& scheme) {
+    std::map<std::string, std::size_t> place;
+    std::vector<std::vector<std::size_t>> folds;
+    for (std::size_t b = 0; b < scheme.labels.size(); ++b) {
+        const auto [at, fresh] = place.try_emplace(scheme.labels[b], folds.size());
+        if (fresh) folds.emplace_back();
+        folds[at->second].push_back(b);
+    }
+    return folds;
+}
+
+void keep_back(const Law& law, Candidate& candidate) {
+    for (const Scheme& scheme : law.schemes) {
+        Misfit unseen = candidate.seen;
+        std::vector<Values> refits;
+        for (const auto& fold : folds_of(scheme)) {
+            std::vector<std::size_t> rest;
+            const auto all = all_blocks(law);
+            std::set_difference(all.begin(), all.end(), fold.begin(), fold.end(), std::back_inserter(rest));
+            if (rest.empty()) continue;
+            const Fit refit = fit(law, rest, candidate.fit.free, candidate.fit.values, kRefitSteps);
+            const Misfit there = misfit(law, refit.values);
+            for (const std::size_t b : fold) unseen.squares[b] = there.squares[b];
+            refits.push_back(refit.values);
+        }
+        candidate.unseen.push_back(std::move(unseen));
+        candidate.refits.push_back(std::move(refits));
+    }
+}
+
+/// n/(1 + 2 sum rho_k), the sum up to the first rho below 0 (the start of C. J. Geyer's initial sequences, Statistical Science 7, 1992).
+double effective_count(const std::vector<double>& residuals) {
+    const auto n = residuals.size();
+    double square = 0.0;
+    for (const double r : residuals) square += r * r;
+    double time = 1.0;
+    for (std::size_t lag = 1; lag < n / 2 && square > 0.0; ++lag) {
+        double product = 0.0;
+        for (std::size_t i = lag; i < n; ++i) product += residuals[i] * residuals[i - lag];
+        if (product <= 0.05 * square) break;
+        time += 2.0 * product / square;
+    }
+    return std::max(1.0, static_cast<double>(n) / time);
+}
+
+std::vector<double> effective_rows(const Law& law, const Values& values) {
+    std::vector<double> counts;
+    for (const Block& block : law.blocks) {
+        const auto residuals = residuals_of(law, block.record, values);
+        std::vector<double> rows;
+        for (const std::size_t i : block.rows) rows.push_back(residuals[i]);
+        counts.push_back(law.rows_independent ? static_cast<double>(rows.size()) : effective_count(rows));
+    }
+    return counts;
+}
+
+/// -BIC/2 with the scale of the residuals fitted too, but never below the floor.
+double log_evidence(const Law& law, const Study& study, const Candidate& candidate) {
+    const double rows = sum(study.effective_rows);
+    double square = 0.0;
+    for (std::size_t b = 0; b < law.blocks.size(); ++b)
+        square += study.effective_rows[b] * candidate.seen.squares[b] / candidate.seen.rows[b] / rows;
+    const double scale = law.rows_independent ? 1.0 : std::max(square, law.cycle_floor * law.cycle_floor);
+    return -0.5 * rows * (std::log(scale) + square / scale) - 0.5 * static_cast<double>(candidate.fit.free.size()) * std::log(rows);
+}
+
+/// Sets whose evidence is above that of each set with one effect less, those sets, and the nominal law: the others are refused anyway.
+std::vector<bool> worth_refits(const Study& study) {
+    std::vector<bool> needed(study.candidates.size(), false);
+    needed[0] = true;
+    for (std::size_t i = 0; i < needed.size(); ++i) {
+        std::vector<std::size_t> less;
+        bool rises = true;
+        for (const std::size_t e : study.candidates[i].effects) {
+            std::vector<std::size_t> others = study.candidates[i].effects;
+            std::erase(others, e);
+            const Candidate* without = study.find(others);
+            less.push_back(static_cast<std::size_t>(without - study.candidates.data()));
+            rises = rises && study.candidates[i].log_evidence > without->log_evidence;
+        }
+        if (!rises) continue;
+        needed[i] = true;
+        for (const std::size_t l : less) needed[l] = true;
+    }
+    return needed;
+}
+
+/// Tries the answer with one effect more where that makes a larger set than law.most_effects: for the remarks alone.
+void try_beside_best(const Law& law, Study& study, const diagnosis::DiagnoseOptions& options) {
+    const std::vector<std::size_t> best = study.candidates[study.best].effects;
+    if (best.size() < law.most_effects) return;
+    std::vector<Candidate> more;
+    for (std::size_t e = 0; e < law.effects.size(); ++e) {
+        if (!law.effects[e].unseen.empty() || std::find(best.begin(), best.end(), e) != best.end()) continue;
+        more.emplace_back().effects = best;
+        more.back().effects.push_back(e);
+        std::sort(more.back().effects.begin(), more.back().effects.end());
+    }
+    core::parallel_for(more.size(), options.jobs, [&](std::size_t i) {
+        fit_all(law, study, study.candidates.front().fit.values, more[i]);
+        more[i].log_evidence = log_evidence(law, study, more[i]);
+        keep_back(law, more[i]);
+        more[i].refused = study.candidates[study.best].unseen_gap(0) <= law.setup_floor ? "without it the model is at the floor"
+                                                                                        : "no set has so many effects";
+    });
+    study.candidates.insert(study.candidates.end(), more.begin(), more.end());
+}
+
+double gap_of(const Misfit& misfit) { return std::sqrt(sum(misfit.squares) / sum(misfit.rows)); }
+
+void require_rows(const Law& law) {
+    std::size_t rows = 0;
+    for (const Block& block : law.blocks) rows += block.rows.size();
+    const std::size_t least = 2 * (law.nominal + 2);
+    if (rows < least)
+        throw core::InvalidInput("rows", std::to_string(rows), "at least " + std::to_string(least) + " in all files together");
+    for (const Block& block : law.blocks)
+        if (block.rows.empty()) throw core::InvalidInput(block.name, "no row to judge", "a file with more than one cycle");
+}
+
+}  // namespace
+
+double Candidate::seen_gap() const { return gap_of(seen); }
+double Candidate::unseen_gap(std::size_t scheme) const { return gap_of(unseen[scheme]); }
+double Candidate::unseen_gap() const {
+    double square = 0.0;
+    for (const Misfit& misfit : unseen) square += sum(misfit.squares) / sum(misfit.rows) / static_cast<double>(unseen.size());
+    return std::sqrt(square);
+}
+
+const Candidate* Study::find(std::vector<std::size_t> effects) const {
+    std::sort(effects.begin(), effects.end());
+    for (const Candidate& t : candidates)
+        if (t.effects == effects) return &t;
+    return nullptr;
+}
+
+double Study::probability_of(std::size_t effect) const {
+    double probability = 0.0;
+    for (const Candidate& t : candidates)
+        if (std::find(t.effects.begin(), t.effects.end(), effect) != t.effects.end()) probability += t.probability;
+    return probability;
+}
+
+Study study(const Law& law, const diagnosis::DiagnoseOptions& options) {
+    require_rows(law);
+    Study study;
+    const auto sets = sets_of(law);
+    std::size_t done = 0;
+    std::mutex mutex;
+    const auto progress = [&](const char* what) {
+        const std::lock_guard lock(mutex);
+        if (options.progress) options.progress(++done, 2 * sets.size(), what);
+    };
+    Values nominal = start_values(law);
+    for (std::size_t begin = 0; begin < sets.size();) {  // sets of one size at a time: they begin from the smaller ones
+        std::size_t end = begin;
+        while (end < sets.size() && sets[end].size() == sets[begin].size()) ++end;
+        std::vector<Candidate> fitted(end - begin);
+        core::parallel_for(fitted.size(), options.jobs, [&](std::size_t i) {
+            fitted[i].effects = sets[begin + i];
+            fit_all(law, study, nominal, fitted[i]);
+            progress("fit");
+        });
+        study.candidates.insert(study.candidates.end(), fitted.begin(), fitted.end());
+        nominal = study.candidates.front().fit.values;
+        begin = end;
+    }
+    lower_subsets(law, study);
+    const auto closest = std::min_element(study.candidates.begin(), study.candidates.end(),
+                                          [](const Candidate& a, const Candidate& b) { return a.seen_gap() < b.seen_gap(); });
+    study.effective_rows = effective_rows(law, closest->fit.values);
+    for (Candidate& candidate : study.candidates) candidate.log_evidence = log_evidence(law, study, candidate);
+    const std::vector<bool> needed = worth_refits(study);
+    core::parallel_for(study.candidates.size(), options.jobs, [&](std::size_t i) {
+        if (needed[i]) keep_back(law, study.candidates[i]);
+        progress("held-out files");
+    });
+    judge(law, study);
+    try_beside_best(law, study, options);
+    remark(law, study);
+    return study;
+}
+
+}  // namespace fusee::subsystem

@@ -1,0 +1,48 @@
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "fit.h"
+
+/// All hypotheses of a subsystem case, fitted on all rows and on the rows of each split.
+namespace fusee::subsystem {
+
+/// One hypothesis: a set of effects.
+struct Candidate {
+    std::vector<std::size_t> effects;  ///< indices into law.effects, ascending; empty: the nominal law
+    Fit fit;
+    Misfit seen;                              ///< each block, by the fit on all
+    std::vector<Misfit> unseen;               ///< for each scheme: each block, by the fit without it; empty: not refitted
+    std::vector<std::vector<Values>> refits;  ///< for each scheme: the values of each of its fits
+    double log_evidence = 0.0;                ///< -BIC/2, with the effective number of rows [nats]
+    std::string refused;                      ///< why it is excluded; empty: it is a candidate
+    double probability = 0.0;
+
+    /// Root mean square over the blocks [sigma].
+    [[nodiscard]] double seen_gap() const;
+    [[nodiscard]] double unseen_gap(std::size_t scheme) const;
+    /// Mean over all schemes.
+    [[nodiscard]] double unseen_gap() const;
+};
+
+struct Study {
+    std::vector<Candidate> candidates;   ///< the nominal law first
+    std::vector<double> effective_rows;  ///< of each block
+    std::size_t best = 0;                ///< the most probable one
+    double stability = 0.0;              ///< share of the folds whose held-out rows `best` predicts best of those not refused
+    std::vector<std::string> remarks;    ///< on effects that were refused, and on splits that disagree
+    core::Range heldout_after_95;        ///< of best's gap on held-out blocks [sigma]
+
+    [[nodiscard]] const Candidate* find(std::vector<std::size_t> effects) const;
+    /// The probability that an effect is in the answer.
+    [[nodiscard]] double probability_of(std::size_t effect) const;
+};
+
+/// Sets of up to law.most_effects effects. An effect of a set counts if, against the set without it, the evidence rises by 5 nats, the
+/// held-out gap falls in every scheme, and over the blocks it falls by more than its standard error, unless the set without it is
+/// at the floor already. The probability of the sets that are left is the mean of two: pseudo-BMA+ on the held-out blocks (Y. Yao,
+/// A. Vehtari, D. Simpson, A. Gelman, Bayesian Analysis 13, 2018) and the share of folds that each predicts best.
+[[nodiscard]] Study study(const Law& law, const diagnosis::DiagnoseOptions& options);
+
+}  // namespace fusee::subsystem

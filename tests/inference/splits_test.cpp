@@ -1,0 +1,56 @@
+#include "fusee/inference/splits.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "inference/fixture.h"
+
+namespace fusee::inference {
+namespace {
+
+using namespace fixtures;
+
+TEST(Folds, KeepSetPointsAndStretchesTogetherAndFillEveryFold) {
+    gap_case::Rows rows = pulls(1);
+    rows.breakaway = break_aways({0.2, 0.5, 0.8, 1.1}, 3, true).breakaway;
+    const gap_case::Case gap_case = measured_case(rows, {}, {}, 0.0, 1);
+    const std::vector<int> fold = folds(Problem(gap_case));
+    ASSERT_EQ(fold.size(), gap_case.rows.size());
+    std::map<double, std::set<int>> of_torque;
+    for (std::size_t i = 0; i < gap_case.rows.breakaway.size(); ++i) of_torque[gap_case.rows.breakaway[i].motor_torque].insert(fold[i]);
+    std::set<int> all;
+    for (const auto& [torque, folds] : of_torque) {
+        EXPECT_EQ(folds.size(), 1U) << torque;
+        all.insert(*folds.begin());
+    }
+    EXPECT_EQ(all.size(), static_cast<std::size_t>(kFolds));
+}
+
+TEST(Folds, OfALogWhoseSecondPartCountsTimeFromAnew) {
+    gap_case::Rows rows = short_log(2.0);
+    for (gap_case::LogRow& row : rows.log) row.time += 30.0;
+    const std::vector<gap_case::LogRow> again = short_log(2.0).log;
+    rows.log.insert(rows.log.end(), again.begin(), again.end());
+    rows.parts[gap_case::Experiment::kLog] = {again.size(), again.size()};
+    const gap_case::Case gap_case = measured_case(rows, {}, {}, 0.0, 1);
+    for (const int fold : folds(Problem(gap_case))) EXPECT_TRUE(fold >= 0 && fold < kFolds) << fold;
+}
+
+TEST(HeldOut, RowsThatNoRefitSawArePredictedAsWellAsThoseThatItSaw) {
+    gap_case::Rows rows = pulls(3);
+    rows.breakaway = break_aways({0.2, 0.5, 0.8, 1.1}, 3, true).breakaway;
+    const gap_case::Case gap_case = measured_case(rows, {{"gear.coulomb", "agonist"}}, {0.06}, 1.0, 7);
+    const Problem problem(gap_case);
+    const Fit found = best_fit(problem, {{"gear.coulomb", "agonist"}});
+    const Split split = held_out(problem, found, 1);
+    EXPECT_EQ(split.x.size(), static_cast<std::size_t>(kFolds));
+    const double seen = found.residual.norm(), unseen = split.residual.norm();
+    EXPECT_GT(unseen, seen);
+    EXPECT_LT(unseen, 1.3 * seen);  // one figure from 12 rows, three quarters of them kept
+    const Split four = held_out(problem, found, 4);
+    EXPECT_EQ(four.residual, split.residual);
+}
+
+}  // namespace
+}  // namespace fusee::inference

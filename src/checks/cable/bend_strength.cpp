@@ -9,7 +9,7 @@ namespace fusee::checks {
 
 namespace {
 
-constexpr double kStep = 0.99, kThinnest = 0.01;  // in which a thinner cable is looked for, of d
+constexpr double kStrengthStep = 0.99, kThinnest = 0.01;  // in which a thinner cable is looked for, of d
 
 core::Findings measure_cable_bend_strength(const Design& design, const Allowed& allowed) {
     if (design.part.cam.working.empty()) return {};
@@ -20,7 +20,7 @@ core::Findings measure_cable_bend_strength(const Design& design, const Allowed& 
     f.where = where(design, sharpest.psi);
     f.place = place(sharpest, 0.0);
     double thinner = d;
-    while (100.0 * strength_left((2.0 * sharpest.rho - thinner) / thinner) < f.allowed && thinner > kThinnest * d) thinner *= kStep;
+    while (100.0 * strength_left((2.0 * sharpest.rho - thinner) / thinner) < f.allowed && thinner > kThinnest * d) thinner *= kStrengthStep;
     f.suggestion = fmt::format("cable.diameter_mm = {}", down(core::mm_from_m(thinner)));
     return {f};
 }

@@ -13,7 +13,7 @@ namespace fusee::checks {
 namespace {
 
 constexpr double kPsiStep = core::kPi / 180.0;  // between surface points
-constexpr std::size_t kContacts = 60;           // working positions looked at
+constexpr std::size_t kComparedContacts = 60;           // working positions looked at
 constexpr double kSpacing = 0.25;               // of surface points along the section, in d
 
 struct SurfacePoint {
@@ -81,7 +81,7 @@ core::Findings measure_groove_neighbour_turns(const Design& design, const Allowe
     const cam::Cam& cam = design.part.cam;
     if (cam.closed() || cam.working.empty() || design.part.section.empty()) return {};
     const std::vector<SurfacePoint> points = surface(design);
-    const std::size_t stride = std::max<std::size_t>(1, cam.working.size() / kContacts);
+    const std::size_t stride = std::max<std::size_t>(1, cam.working.size() / kComparedContacts);
     Room tightest;
     for (std::size_t i = 0; i < cam.working.size(); i += stride)
         if (const Room room = room_at(design, cam.working[i], points); room.clearance < tightest.clearance) tightest = room;

@@ -14,7 +14,7 @@ constexpr double kFloor = 0.9;              // cosine of a floor's normal with z
 constexpr double kLift_mm = 0.05;           // the tool looks from this far above the floor
 constexpr double kFacing = -0.99;           // cosine between walls that face each other
 constexpr std::size_t kMostFloors = 3000;   // floor samples that are looked at
-constexpr int kWidths = 8, kHalvings = 10;  // over half a turn; of the height
+constexpr int kPocketWidths = 8, kHalvings = 10;  // over half a turn; of the height
 
 struct Pocket {
     double width_mm = NAN, depth_mm = 0.0;
@@ -40,8 +40,8 @@ public:
         pocket.floor = &floor;
         const Vec3 from = floor.at_mm + kLift_mm * Vec3{0, 0, 1};
         Vec3 across{};
-        for (int i = 0; i < kWidths; ++i) {
-            const double a = core::kPi * i / kWidths;
+        for (int i = 0; i < kPocketWidths; ++i) {
+            const double a = core::kPi * i / kPocketWidths;
             const Vec3 d{std::cos(a), std::sin(a), 0.0};
             if (const double w = width(from, d); w < pocket.width_mm || (std::isnan(pocket.width_mm) && !std::isnan(w)))
                 pocket.width_mm = w, across = d;

@@ -7,6 +7,7 @@
 
 #include "arguments.h"
 #include "commands.h"
+#include "exit_codes.h"
 #include "fusee/blind/score.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
@@ -20,8 +21,6 @@ namespace fusee::app {
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr int kInterrupted = 130;
 
 struct ScoreArguments {
     blind::ScoreOptions options;

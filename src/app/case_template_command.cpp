@@ -4,6 +4,7 @@
 
 #include "arguments.h"
 #include "commands.h"
+#include "exit_codes.h"
 #include "fusee/core/output_folder.h"
 #include "fusee/pipeline/case_template.h"
 #include "places.h"
@@ -19,8 +20,6 @@ struct CaseTemplateArguments {
     bool force = false;
     pipeline::CaseTemplateOptions options;
 };
-
-constexpr int kRefused = 1;
 
 int write_template(const CaseTemplateArguments& arguments) {
     const profile::Profile profile = profile::read_profile(arguments.profile);

@@ -7,6 +7,7 @@
 
 #include "arguments.h"
 #include "commands.h"
+#include "exit_codes.h"
 #include "fusee/codesign/algorithm_1_run.h"
 #include "fusee/codesign/co_design_run.h"
 #include "fusee/codesign/pareto_run.h"
@@ -21,8 +22,6 @@
 namespace fusee::app {
 
 namespace {
-
-constexpr int kRefused = 1, kInterrupted = 130;
 
 struct DesignArguments {
     std::filesystem::path profile;

@@ -4,6 +4,7 @@
 
 #include "arguments.h"
 #include "commands.h"
+#include "exit_codes.h"
 #include "fusee/core/file.h"
 #include "fusee/core/progress.h"
 #include "fusee/profile/edit.h"
@@ -16,8 +17,6 @@ namespace fusee::app {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr int kRefused = 1;
 
 struct FixArguments {
     fs::path profile;

@@ -4,6 +4,7 @@
 
 #include "arguments.h"
 #include "commands.h"
+#include "exit_codes.h"
 #include "fusee/core/output_folder.h"
 #include "fusee/core/progress.h"
 #include "fusee/paper/run.h"
@@ -12,8 +13,6 @@
 namespace fusee::app {
 
 namespace {
-
-constexpr int kRefused = 1, kInterrupted = 130;
 
 struct PaperArguments {
     paper::Options options;

@@ -64,7 +64,7 @@ void add_calibrate(CLI::App& app, Action& action) {
     add_force_file(*command, arguments->force);
     command->footer(
         "Example:\n  fusee calibrate profiles/examples/coupon.csv --profile profiles/pnrvsa.toml --write-profile /tmp/calibrated.toml\n\n"
-        "Exit code: 0 something was found, 1 the rows say nothing, 2 bad input (file, line and column are named), 3 a failure inside.");
+        "Exit code: 0 something was found, 1 the rows say nothing, 2 bad input (file, line and column are named), 3 internal error.");
     command->callback([arguments, &action] { action = [arguments] { return calibrate(*arguments); }; });
 }
 

@@ -110,7 +110,7 @@ int check(const CheckArguments& arguments) {
 
 void add_check(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<CheckArguments>();
-    CLI::App* command = app.add_subcommand("check", "Run every rule on a profile's cams, or on a mesh by anybody, without making files");
+    CLI::App* command = app.add_subcommand("check", "Run every rule on a profile's cams, or on a third-party mesh, without making files");
     command->add_option("input", arguments->input, "Profile (.toml), or mesh: STL, OBJ, 3MF, STEP")->required();
     command->add_option("--process", arguments->process, "How it is made, in place of the profile's; all: a table of all of them")
         ->check(CLI::IsMember(process_words()));

@@ -130,7 +130,7 @@ void add_design(CLI::App& app, Action& action) {
     command->footer(
         "Example:\n  fusee design profiles/pnrvsa.toml\n  fusee design profiles/pnrvsa.toml --generations 1000 --resume\n\n"
         "Exit code: 0 found, 1 no springs found (what binds and what to change is printed), 2 bad input (file, line and key are named),\n"
-        "3 a failure inside, 130 stopped by Ctrl-C: the best so far is written.");
+        "3 internal error, 130 stopped by Ctrl-C: the best so far is written.");
     command->callback([arguments, &action] { action = [arguments] { return design(*arguments); }; });
 }
 

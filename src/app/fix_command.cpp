@@ -71,7 +71,7 @@ void add_fix(CLI::App& app, Action& action) {
         "Example:\n  fusee fix profiles/pnrvsa.toml --out /tmp/pnrvsa.toml\n\n"
         "Exit code: 0 fixed, or nothing to do, 1 it cannot be (what binds is printed, nothing is written), 2 bad input (file, line and key "
         "are\n"
-        "named), 3 a failure inside, 130 stopped by Ctrl-C: nothing is written.");
+        "named), 3 internal error, 130 stopped by Ctrl-C: nothing is written.");
     command->callback([arguments, &action] { action = [arguments] { return run_fix(*arguments); }; });
 }
 

@@ -49,7 +49,7 @@ void add_identify(CLI::App& app, Action& action) {
     command->footer(
         "Example:\n  fusee identify profiles/examples/break_away.csv\n\n"
         "Exit code: 0 a law was found, 1 the rows are no gear's friction (what was found is written all the same),\n"
-        "2 bad input (file, line and column are named), 3 a failure inside.");
+        "2 bad input (file, line and column are named), 3 internal error.");
     command->callback([arguments, &action] { action = [arguments] { return identify(*arguments); }; });
 }
 

@@ -46,7 +46,7 @@ void add_make(CLI::App& app, Action& action) {
     command->footer(
         "Example:\n  fusee make profiles/pnrvsa.toml\n  fusee make profiles --out /tmp/cams --jobs 2\n\n"
         "Exit code: 0 all made, 1 a design cannot be made (the binding limit and the nearest feasible change are printed),\n"
-        "2 bad input (file, line and key are named), 3 a failure inside, 130 stopped by Ctrl-C. A design that was not made leaves nothing "
+        "2 bad input (file, line and key are named), 3 internal error, 130 stopped by Ctrl-C. A design that was not made leaves nothing "
         "behind.");
     command->callback([arguments, &action] {
         arguments->options.via = arguments->via == "cgal" ? pipeline::Via::kCgal : pipeline::Via::kOpenScad;

@@ -15,7 +15,7 @@ struct Machine {
     bool own = false;  ///< a profile names this process
 };
 
-/// A part by anybody, checked for each process.
+/// A third-party part, checked for each process.
 struct MeshCheck {
     pipeline::Checked checked;
     std::filesystem::path coloured;  ///< the 3MF that shows where; empty if none was asked for

@@ -58,7 +58,7 @@ void add_paper(CLI::App& app, Action& action) {
     command->footer(
         "Example:\n  fusee paper\n\n"
         "Exit code: 0 all made, 1 a law cannot be (the binding limit and the nearest feasible change are printed),\n"
-        "2 bad input (file, line and key are named), 3 a failure inside, 130 stopped by Ctrl-C: nothing is written.");
+        "2 bad input (file, line and key are named), 3 internal error, 130 stopped by Ctrl-C: nothing is written.");
     command->callback([arguments, &action] { action = [arguments] { return make_paper(*arguments); }; });
 }
 

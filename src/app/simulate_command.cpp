@@ -87,7 +87,7 @@ void add_simulate(CLI::App& app, Action& action) {
         "Example:\n  fusee simulate profiles/pnrvsa.toml\n  fusee simulate profiles/relatives --levels 5\n  fusee simulate "
         "profiles/pnrvsa.toml --at 1,0.9,0 --at 1,1,0.05\n\n"
         "Exit code: 0 all simulated, 1 a law or an equilibrium cannot be (what binds and the nearest feasible change are printed),\n"
-        "2 bad input (file, line and key are named), 3 a failure inside, 130 stopped by Ctrl-C.");
+        "2 bad input (file, line and key are named), 3 internal error, 130 stopped by Ctrl-C.");
     command->callback([arguments, &action] { action = [arguments] { return simulate(*arguments); }; });
 }
 

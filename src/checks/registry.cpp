@@ -33,7 +33,7 @@ constexpr std::array kGroups = {
     Group{"stack", "plates cut by wire or laser, stacked"},
     Group{"assembly", "putting it together"},
     Group{"collision", "rules of the trade that contradict each other"},
-    Group{"mesh", "a mesh by anybody (fusee check)"},
+    Group{"mesh", "third-party meshes (fusee check)"},
 };
 
 void validate(const Design& design) {

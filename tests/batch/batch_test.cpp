@@ -83,7 +83,7 @@ TEST_F(Batch, TwoProfilesOfOneNameDoNotShareAFolder) {
     EXPECT_NE(rows[1].error.find("name"), std::string::npos);
 }
 
-// What only a room below can tell still comes with file, line and key.
+// A mistake that only a module below finds still comes with file, line and key.
 TEST_F(Batch, BadInputFoundLateNamesItsLine) {
     const std::vector<Row> rows = make({design("wide", {{"k_se.hub.key_width_mm", "9.0"}}), design("slick", {{"rig.gear_friction", "0.0"}}),
                                         design("unpitched", {{"k_pe.path.kind", "\"helix\""}})},

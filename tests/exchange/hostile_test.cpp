@@ -29,7 +29,7 @@ protected:
     /// A STEP file of one disc.
     std::string step() const {
         const cam::Cam cam = solid::test::disc(12e-3, 3e-3, 0.8e-3);
-        write_step(folder_ / "whole.step", brep::build(solid::build_part(cam, solid::test::plain()).value()).value(), "k_se", "anybody");
+        write_step(folder_ / "whole.step", brep::build(solid::build_part(cam, solid::test::plain()).value()).value(), "k_se", "foreign");
         return core::read_file(folder_ / "whole.step");
     }
     const solid::Mesh cube_ = solid::prism({{0, 0}, {10, 0}, {10, 10}, {0, 10}}, 0.0, 10.0);
@@ -106,7 +106,7 @@ TEST_F(Hostile, DeepJsonIsNoPart) {
     for (const char bracket : {'[', '{'})
         fixtures::expect_refusal([&] { (void)read_part_file(write("a.json", std::string(100'000, bracket))); },
                                  {"a.json", "at most 64 deep"});
-    fixtures::expect_refusal([&] { (void)read_part_file(write("b.json", "{\"part\": \"[[\\\"[[\"")); }, {"b.json:1:", "no valid JSON"});
+    fixtures::expect_refusal([&] { (void)read_part_file(write("b.json", "{\"part\": \"[[\\\"[[\"")); }, {"b.json:1:", "not valid JSON"});
 }
 
 /// Readers that are no fusee: what becomes of the child is said of the file.
@@ -129,7 +129,7 @@ TEST_F(Apart, ACrashIsTheFilesFault) {
 }
 
 TEST_F(Apart, TheReaderIsGivenTheFile) {
-    write_stl(folder_ / "a b.stl", cube_, "anybody");
+    write_stl(folder_ / "a b.stl", cube_, "foreign");
     // What serve_mesh_file would send: no unit, one point, no triangle.
     const std::string script = "test -f \"$0\" && printf 'M\\0\\0\\0\\0\\0\\0\\0\\0\\1\\0\\0\\0\\0\\0\\0\\0' && head -c 32 /dev/zero";
     const MeshFile file = read_mesh_isolated(folder_ / "a b.stl", {"/bin/sh", "-c", script});

@@ -47,7 +47,7 @@ Read recomputed(const exchange::PartFile& part, double capstan) {
     return law;
 }
 
-// The files' joint has the nominal dead-band, PART.json gives the law back to anybody, and both reports state the same stretch. 400 rows:
+// The files' joint has the nominal dead-band, PART.json gives the law back, and both reports state the same stretch. 400 rows:
 // the trapezoids miss less than 0.01 %, the chords of the STL 0.03 % (docs/theory/read_back.md).
 TEST_F(Stretched, IsMadeAndCarriesItsLaw) {
     const profile::Profile profile = read(example());

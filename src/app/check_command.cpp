@@ -100,8 +100,7 @@ int check(const CheckArguments& arguments) {
     } else {
         fmt::print(good ? stdout : stderr, "{}", report::check_text(result.checked));
         if (!result.coloured.empty())
-            fmt::print(good ? stdout : stderr, "Where: {} (red: required change, orange: review)\n",
-                       core::printable(result.coloured.string()));
+            fmt::print(good ? stdout : stderr, "Where: {} (red: error, orange: warning)\n", core::printable(result.coloured.string()));
     }
     return good ? 0 : 1;
 }

@@ -22,7 +22,7 @@ struct MeshCheck {
 };
 
 /// Reads the file, runs the mesh's rules for each machine, with `limits` in the place of their own, and, where `out` is not empty, writes
-/// out/NAME_check.3mf: red where a required change is, orange where a review, grey elsewhere. @throws core::InvalidInput, core::IoError
+/// out/NAME_check.3mf: red where an error is, orange where a warning, grey elsewhere. @throws core::InvalidInput, core::IoError
 [[nodiscard]] MeshCheck check_mesh(const std::filesystem::path& file, const std::vector<Machine>& machines,
                                    const std::vector<checks::Override>& limits, const std::filesystem::path& out, bool force,
                                    unsigned jobs);

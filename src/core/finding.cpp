@@ -56,9 +56,9 @@ const char* to_string(Severity severity) {
         case Severity::kNotJudged:
             return "not judged";
         case Severity::kWarning:
-            return "review and accept";
+            return "warning";
         case Severity::kError:
-            return "required change";
+            return "error";
     }
     return "";
 }

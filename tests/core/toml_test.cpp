@@ -29,8 +29,7 @@ TEST(Toml, DepthIsBounded) {
     EXPECT_NE(toml_refusal("[" + repeated("a.", 31'000) + "a]\n").find("more than 32 names"), std::string::npos);
     EXPECT_NE(toml_refusal(repeated("\"a\" . ", 31'000) + "a = 1\n").find("more than 32 names"), std::string::npos);
     EXPECT_EQ(toml_refusal("x = " + repeated("[", 33)), "t.toml:1:37: not valid TOML for fusee: more than 32 nested brackets");
-    EXPECT_EQ(toml_refusal("x = " + repeated("{a = ", 33)),
-              "t.toml:1:165: not valid TOML for fusee: more than 32 nested brackets");
+    EXPECT_EQ(toml_refusal("x = " + repeated("{a = ", 33)), "t.toml:1:165: not valid TOML for fusee: more than 32 nested brackets");
     EXPECT_EQ(toml_refusal("x = " + repeated("[", 32) + repeated("]", 32) + "\n"), "none");
 }
 

@@ -12,7 +12,7 @@
 #include "fusee/profile/profile.h"
 
 // README.md and docs/**/*.md: every TOML block is read, every command is run from the clone's folder as a reader has it, and what is shown
-// below a command is what it prints. Blocks of TOML are whole profiles, which must be free of required changes, or stand in the profile
+// below a command is what it prints. Blocks of TOML are whole profiles, which must be free of errors, or stand in the profile
 // that their mark names: `<!-- test: with profiles/pnrvsa.toml -->`. What cannot be run says why: `<!-- test: skip, REASON -->`.
 namespace fusee::docs {
 namespace {
@@ -67,7 +67,7 @@ protected:
         return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, core::read_file(folder_ / ".output")};
     }
 
-    /// A profile as a whole: read, and without required changes.
+    /// A profile as a whole: read, and without errors.
     void check_profile(const Block& block) const {
         core::write_file(folder_ / "block.toml", block.text);
         const Ended checked = run("./fusee check block.toml");

@@ -51,7 +51,7 @@ TEST(Canonical, ArcsComeAsFineChords) {
 
 TEST(Canonical, WhatIsNotUnderstoodIsAnErrorWithItsRow) {
     fixtures::expect_refusal([] { (void)parse_canonical("1 N..... USE_LENGTH_UNITS(CANON_UNITS_INCHES)\n", "a.ngc"); },
-                              {"a.ngc", "row 1", "INCHES"});
+                             {"a.ngc", "row 1", "INCHES"});
     fixtures::expect_refusal([] { (void)parse_canonical("\n2 N..... STRAIGHT_FEED(1.0, 2.0)\n", "a.ngc"); }, {"a.ngc", "row 2"});
 }
 

@@ -66,7 +66,7 @@ Finding judged(Finding finding, Severity when_broken);
 /// A warning or an error.
 [[nodiscard]] bool is_broken(const Finding& finding);
 [[nodiscard]] const char* to_string(Severity severity);
-/// "required change: cable.bend_ratio: <what>: measured 6.1, allowed at least 8 (k_se at psi 3 deg); suggestion". As many digits as it
+/// "error: cable.bend_ratio: <what>: measured 6.1, allowed at least 8 (k_se at psi 3 deg); suggestion". As many digits as it
 /// takes to tell measured from allowed. A rule that was not judged: "not judged: spring.stress: <what> (k_se); missing: <keys>"
 [[nodiscard]] std::string to_line(const Finding& finding);
 void append(Findings& to, const Findings& more);

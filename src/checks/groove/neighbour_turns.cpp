@@ -13,7 +13,7 @@ namespace fusee::checks {
 namespace {
 
 constexpr double kPsiStep = core::kPi / 180.0;  // between surface points
-constexpr std::size_t kComparedContacts = 60;           // working positions looked at
+constexpr std::size_t kComparedContacts = 60;   // working positions looked at
 constexpr double kSpacing = 0.25;               // of surface points along the section, in d
 
 struct SurfacePoint {

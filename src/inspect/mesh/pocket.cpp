@@ -10,10 +10,10 @@ namespace fusee::inspect {
 
 namespace {
 
-constexpr double kFloor = 0.9;              // cosine of a floor's normal with z
-constexpr double kLift_mm = 0.05;           // the tool looks from this far above the floor
-constexpr double kFacing = -0.99;           // cosine between walls that face each other
-constexpr std::size_t kMostFloors = 3000;   // floor samples that are looked at
+constexpr double kFloor = 0.9;                    // cosine of a floor's normal with z
+constexpr double kLift_mm = 0.05;                 // the tool looks from this far above the floor
+constexpr double kFacing = -0.99;                 // cosine between walls that face each other
+constexpr std::size_t kMostFloors = 3000;         // floor samples that are looked at
 constexpr int kPocketWidths = 8, kHalvings = 10;  // over half a turn; of the height
 
 struct Pocket {

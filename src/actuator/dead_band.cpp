@@ -15,15 +15,13 @@ namespace fusee::actuator {
 
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-
 /// The resting place at the edge of the dead-band where capstan 1 carries the low load and capstan 2 the high one (eq. 5-7). The joint
 /// is balanced, so both series springs are deflected by x: theta_1 = x - g q, theta_2 = x + g q.
 class Edge {
 public:
     Edge(const spring::SpringLaw& law, core::Range loads) : law_(law), loads_(loads), angles_(law.angles()) {}
 
-    /// g q [rad]; nothing if a parallel spring would have to leave the law.
+    /// g q [rad]; nothing if a parallel spring would leave the law.
     [[nodiscard]] std::optional<double> reach() const {
         if (loads_.width() == 0.0) return 0.0;
         const std::optional<double> near = by_newton();
@@ -31,16 +29,16 @@ public:
     }
 
 private:
-    /// Newton's method on (6) in (x, g q), several times as fast as the bracket; a step that would leave the law stops short of its end.
-    /// Nothing where that does not get through: the edge lies beyond the law, or nearly.
+    /// Newton's method on (6) in (x, g q), several times as fast as the bracket; a step that would leave the law stops before its end.
+    /// Nothing if it does not converge: the edge lies beyond the law, or nearly.
     [[nodiscard]] std::optional<double> by_newton() const {
         constexpr int kMostSteps = 12;
-        constexpr double kRounding = 1e-13, kShortOfEnd = 0.9;
+        constexpr double kBalanced = 1e-13, kShortOfEnd = 0.9;
         double x = 0.5 * (law_.at_load(loads_.low).theta + law_.at_load(loads_.high).theta), reach = 0.0;
         for (int i = 0; i < kMostSteps; ++i) {
             const spring::LawPoint se = law_.at_angle(x), low = law_.at_angle(x - reach), high = law_.at_angle(x + reach);
             const double left_low = se.f_se + low.f_pe - loads_.low, left_high = se.f_se + high.f_pe - loads_.high;
-            if (std::max(std::abs(left_low), std::abs(left_high)) <= kRounding * loads_.high) return reach;
+            if (std::max(std::abs(left_low), std::abs(left_high)) <= kBalanced * loads_.high) return reach;
             const double determinant = (se.s + low.p) * high.p + (se.s + high.p) * low.p;
             const double step = -(high.p * left_low + low.p * left_high) / determinant;
             const double wider = -((se.s + low.p) * left_high - (se.s + high.p) * left_low) / determinant;
@@ -54,7 +52,7 @@ private:
         return std::nullopt;
     }
 
-    /// eq. 7, where Newton's method does not get through.
+    /// eq. 7, if Newton's method does not converge.
     [[nodiscard]] std::optional<double> by_bracket() const {
         const double low = law_.at_load(loads_.low).theta, high = law_.at_load(loads_.high).theta;
         const auto x = math::bracketed_root([this](double at) { return excess(at); }, low, high);
@@ -68,11 +66,11 @@ private:
     [[nodiscard]] std::optional<double> low_side(double x) const {
         const double wanted = loads_.low - law_.at_angle(x).f_se;
         const auto beyond = [&](double theta) { return law_.at_angle(theta).f_pe - wanted; };
-        if (beyond(x) <= 0.0) return x;  // x is where the whole law carries the low load, but for rounding: there theta_1 = x
+        if (beyond(x) <= 0.0) return x;  // up to rounding, x is where the law carries the low load: theta_1 = x
         return math::bracketed_root(beyond, angles_.low, x);
     }
 
-    /// F_PE(theta_2) + F_SE(x) - high load: rises with x. Springs are held at the law's ends; reach() refuses a root found there.
+    /// F_PE(theta_2) + F_SE(x) - high load: rises with x. Springs are clamped to the law's ends; reach() refuses a root found there.
     [[nodiscard]] double excess(double x) const {
         const double theta_2 = 2.0 * x - low_side(x).value_or(angles_.low);
         return law_.at_angle(theta_2).f_pe + law_.at_angle(x).f_se - loads_.high;
@@ -82,7 +80,7 @@ private:
     core::Range loads_, angles_;
 };
 
-/// Full width at the joint, eq. 7; nothing where the law does not cover the loads that stiction allows.
+/// Full width at the joint, eq. 7; nothing if stiction allows loads that the law does not cover.
 std::optional<double> extreme_width(const Actuator& actuator, double tau) {
     const core::Range loads = actuator.gear_friction.resting_loads(tau);
     const core::Range covered = actuator.law->loads();
@@ -106,9 +104,9 @@ DeadBand dead_band(const Actuator& actuator, double tau) {
     band.tau = tau;
     const std::optional<double> extreme = extreme_width(actuator, tau);
     band.covered = extreme.has_value();
-    band.exact_width = extreme.value_or(kNan);
+    band.exact_width = extreme.value_or(core::kNan);
     if (!actuator.law->loads().holds(tau)) {
-        band.linear = band.joint_stiffness = band.free_joint_stiffness = band.theta = band.condition_6 = kNan;
+        band.linear = band.joint_stiffness = band.free_joint_stiffness = band.theta = band.condition_6 = core::kNan;
         return band;
     }
     const spring::LawPoint p = actuator.law->at_load(tau);
@@ -125,11 +123,8 @@ std::vector<DeadBand> dead_band_curve(const Actuator& actuator, std::size_t coun
     if (count < 2) throw core::InvalidInput("count", fmt::format("{}", count), "at least 2 levels");
     std::vector<DeadBand> curve;
     curve.reserve(count);
-    const double width = actuator.overdrive_torque - actuator.least_torque;
-    for (std::size_t i = 0; i < count; ++i) {
-        const double share = static_cast<double>(i) / static_cast<double>(count - 1);
-        curve.push_back(dead_band(actuator, i + 1 == count ? actuator.overdrive_torque : actuator.least_torque + share * width));
-    }
+    const core::Range torques{actuator.least_torque, actuator.overdrive_torque};
+    for (std::size_t i = 0; i < count; ++i) curve.push_back(dead_band(actuator, torques.level(i, count)));
     return curve;
 }
 
@@ -138,7 +133,7 @@ ConditionSummary summarize_condition(const Actuator& actuator) {
     const core::Range covered = actuator.law->loads();
     ConditionSummary summary;
     summary.torques = {std::max(actuator.least_torque, covered.low), std::min(actuator.overdrive_torque, covered.high)};
-    summary.values = {kNan, kNan};
+    summary.values = {core::kNan, core::kNan};
     if (summary.torques.width() < 0.0) return summary;
     const auto condition = [&](double tau) { return condition_6(actuator.law->at_load(tau), actuator.gear_friction); };
     double earlier = summary.torques.low, before = condition(earlier);

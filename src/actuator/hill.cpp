@@ -18,7 +18,7 @@ void validate(const LinearMuscle& muscle) {
     core::require_within("k_pe", muscle.k_pe, 0.0, std::numeric_limits<double>::max());
 }
 
-/// No spring of a joint is stronger [Nm]: an exponential is infinite at the far end of its domain.
+/// Greatest torque of a joint's spring [Nm]: an exponential is infinite at the far end of its domain.
 constexpr double kStrongest = 1e9;
 
 /// Deflection of a rising spring at which it carries `force`.
@@ -71,7 +71,7 @@ private:
     core::Range l_, domain_;  ///< stretch of K_PE, stretch of both
 };
 
-/// Stiffness above 0 on a scan: what makes the share unique.
+/// Checks by a scan that the stiffness is above 0, which makes the share unique.
 void require_stiff(const char* field, const spring::PotentialPtr& spring) {
     if (!spring) throw core::InvalidInput(field, "none", "a spring");
     constexpr int kSteps = 200;

@@ -10,8 +10,8 @@ namespace fusee::actuator {
 
 namespace {
 
-/// What rounding leaves of a place that lies on the end of a law [rad].
-constexpr double kRounding = 1e-12;
+/// Rounding of a place at the end of a law [rad].
+constexpr double kDomainSlack = 1e-12;
 
 }  // namespace
 
@@ -50,14 +50,14 @@ double energy(const Joint& joint, const Eigen::Vector3d& z) {
 
 Eigen::Vector3d spring_torques(const Joint& joint, const Eigen::Vector3d& z) {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (const JointSpring& spring : joint.springs) sum += spring.potential->force(deflection(spring, z)) * spring.reach;
+    for (const JointSpring& spring : joint.springs) sum += spring.potential->force(deflection(spring, z)) * spring.jacobian_row;
     return sum;
 }
 
 Eigen::Matrix3d stiffness(const Joint& joint, const Eigen::Vector3d& z) {
     Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
     for (const JointSpring& spring : joint.springs)
-        sum += spring.potential->stiffness(deflection(spring, z)) * spring.reach * spring.reach.transpose();
+        sum += spring.potential->stiffness(deflection(spring, z)) * spring.jacobian_row * spring.jacobian_row.transpose();
     return sum;
 }
 
@@ -66,7 +66,7 @@ std::vector<std::string> outside(const Joint& joint, const Eigen::Vector3d& z) {
     for (const JointSpring& spring : joint.springs) {
         const core::Range domain = spring.potential->domain();
         const double x = deflection(spring, z);
-        if (!(x >= domain.low - kRounding && x <= domain.high + kRounding)) names.push_back(spring.name);
+        if (!(x >= domain.low - kDomainSlack && x <= domain.high + kDomainSlack)) names.push_back(spring.name);
     }
     return names;
 }

@@ -10,13 +10,12 @@ namespace fusee::actuator {
 
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-
-/// How fast the stiffness matrix changes as the bodies move along `way`.
+/// Derivative of the stiffness matrix as the bodies move along `way`.
 Eigen::Matrix3d stiffness_slope(const Joint& joint, const Eigen::Vector3d& z, const Eigen::Vector3d& way) {
     Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
     for (const JointSpring& spring : joint.springs)
-        sum += spring.potential->slope(deflection(spring, z)) * spring.reach.dot(way) * spring.reach * spring.reach.transpose();
+        sum += spring.potential->slope(deflection(spring, z)) * spring.jacobian_row.dot(way) * spring.jacobian_row *
+               spring.jacobian_row.transpose();
     return sum;
 }
 
@@ -33,9 +32,9 @@ double condition(const Joint& joint, const JointDeadBand& band, const Eigen::Mat
 
 JointDeadBand nowhere() {
     JointDeadBand band;
-    band.z.setConstant(kNan);
-    band.linear = band.exact_width = band.edges.low = band.edges.high = band.joint_stiffness = band.free_joint_stiffness = kNan;
-    band.condition_5 = band.condition_6 = {kNan, kNan};
+    band.z.setConstant(core::kNan);
+    band.linear = band.exact_width = band.edges.low = band.edges.high = band.joint_stiffness = band.free_joint_stiffness = core::kNan;
+    band.condition_5 = band.condition_6 = {core::kNan, core::kNan};
     band.covered = false;
     return band;
 }
@@ -48,7 +47,7 @@ double edge(const Joint& joint, const std::array<core::Range, 2>& loads, const J
         torque[i] = m(kOutput, i) * side > 0.0 ? range.high : range.low;
     }
     const auto rest = find_equilibrium(joint, torque, band.z);
-    return rest ? rest->z[kOutput] : kNan;
+    return rest ? rest->z[kOutput] : core::kNan;
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
-#include <Eigen/SVD>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -22,8 +21,19 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using Names = std::vector<std::string>;
 
-/// A stiffness, or a rate of decay, that is this small beside the greatest one is rounding.
+/// A stiffness or rate of decay below this share of the greatest one is rounding.
 constexpr double kNothing = 1e-12;
+
+/// A B of small matrices; Eigen's operator * would also compile its kernels for large ones.
+template <class A, class B>
+auto product(const A& a, const B& b) {
+    return a.lazyProduct(b).eval();
+}
+/// A B A^H.
+template <class A, class B>
+auto congruent(const A& a, const B& b) {
+    return product(product(a, b), a.adjoint());
+}
 
 /// A X + X A^T + Q = 0 for a stable A: A = U T U^H turns it into a triangular system, solved from the last column on (Bartels & Stewart).
 class Lyapunov {
@@ -41,7 +51,7 @@ public:
     [[nodiscard]] MatrixXd solve(const MatrixXd& q) const {
         const Eigen::MatrixXcd& t = schur_.matrixT();
         const Eigen::MatrixXcd& u = schur_.matrixU();
-        const Eigen::MatrixXcd right = -u.adjoint() * q * u;
+        const Eigen::MatrixXcd right = product(product(-u.adjoint(), q), u);
         Eigen::MatrixXcd y = Eigen::MatrixXcd::Zero(q.rows(), q.cols());
         for (Eigen::Index j = q.cols() - 1; j >= 0; --j) {
             const Eigen::Index later = q.cols() - 1 - j;
@@ -50,7 +60,7 @@ public:
             const Eigen::VectorXcd rest = right.col(j) - y.rightCols(later) * t.row(j).tail(later).adjoint();
             y.col(j) = shifted.triangularView<Eigen::Upper>().solve(rest);
         }
-        const MatrixXd x = (u * y * u.adjoint()).real();
+        const MatrixXd x = congruent(u, y).real();
         return 0.5 * (x + x.transpose());
     }
 
@@ -59,7 +69,7 @@ private:
 };
 
 /// M z'' + D z' + K z = w in coordinates y = L^T z, M = L L^T, and a time in which the fastest spring turns at 1 rad: equally scaled, the
-/// Lyapunov equation keeps its digits whatever the units.
+/// Lyapunov equation keeps its digits in any units.
 class Motion {
 public:
     /// @pre checked matrices
@@ -71,7 +81,7 @@ public:
           rate_(std::sqrt(shapes_.eigenvalues().maxCoeff())),
           lyapunov_(rate_ > 0.0 ? companion(scaled(stiffness_) / (rate_ * rate_), scaled(damping_) / rate_) : MatrixXd::Identity(1, 1)) {}
 
-    /// "noise.unbounded", if it is.
+    /// "noise.unbounded", if noise drives the motion arbitrarily far.
     [[nodiscard]] std::optional<core::Finding> refusal(const Names& names) const {
         if (!(shapes_.eigenvalues()(0) > kNothing * rate_ * rate_))
             return unbounded(names, shapes_.eigenvectors().col(0), stiffness_, "Nm/rad", "no spring to ground holds a motion");
@@ -81,8 +91,8 @@ public:
             MatrixXd both(2 * size(), size());
             both << scaled(stiffness_) / (rate_ * rate_) - std::norm(slowest) * MatrixXd::Identity(size(), size()),
                 scaled(damping_) / rate_;
-            const Eigen::JacobiSVD<MatrixXd> svd(both, Eigen::ComputeThinU | Eigen::ComputeThinV);
-            return unbounded(names, svd.matrixV().rightCols(1), damping_, "Nms/rad", "no damper brakes a motion");
+            const Eigen::SelfAdjointEigenSolver<MatrixXd> squared(product(both.transpose(), both));
+            return unbounded(names, squared.eigenvectors().col(0), damping_, "Nms/rad", "no damper brakes a motion");
         }
         return std::nullopt;
     }
@@ -94,7 +104,7 @@ public:
     [[nodiscard]] MatrixXd covariance_slope(const MatrixXd& density, const MatrixXd& stiffness_change) const {
         MatrixXd change = MatrixXd::Zero(2 * size(), 2 * size());
         change.bottomLeftCorner(size(), size()) = -scaled(stiffness_change) / (rate_ * rate_);
-        const MatrixXd moved = change * scaled_covariance(density);
+        const MatrixXd moved = product(change, scaled_covariance(density));
         return to_units(lyapunov_.solve(moved + moved.transpose()));
     }
 
@@ -107,7 +117,7 @@ private:
         return a;
     }
     [[nodiscard]] Eigen::Index size() const { return to_unit_mass_.rows(); }
-    [[nodiscard]] MatrixXd scaled(const MatrixXd& m) const { return to_unit_mass_ * m * to_unit_mass_.transpose(); }
+    [[nodiscard]] MatrixXd scaled(const MatrixXd& m) const { return congruent(to_unit_mass_, m); }
 
     [[nodiscard]] MatrixXd scaled_covariance(const MatrixXd& density) const {
         MatrixXd q = MatrixXd::Zero(2 * size(), 2 * size());
@@ -118,7 +128,7 @@ private:
         MatrixXd back = MatrixXd::Zero(2 * size(), 2 * size());
         back.topLeftCorner(size(), size()) = to_unit_mass_.transpose();
         back.bottomRightCorner(size(), size()) = rate_ * to_unit_mass_.transpose();
-        return back * y * back.transpose();
+        return congruent(back, y);
     }
 
     [[nodiscard]] core::Finding unbounded(const Names& names, const VectorXd& shape, const MatrixXd& lacking, const char* unit,
@@ -126,7 +136,7 @@ private:
         const VectorXd z = to_unit_mass_.transpose() * shape;
         Eigen::Index most = 0;
         const double largest = z.cwiseAbs().maxCoeff(&most);
-        // Anything above 0 would do; a hundredth of what already acts on that body holds or brakes it without changing much else.
+        // Any value above 0 suffices; a hundredth of the present value at that body changes little else.
         const double present = lacking(most, most), enough = present > 0.0 ? 0.01 * present : 0.01;
         core::Finding finding = core::error_finding("noise.unbounded", fmt::format("{}: noise drives it arbitrarily far", what),
                                                     z.dot(lacking * z) / (largest * largest), core::Bound::kAtLeast, enough, unit);
@@ -211,8 +221,8 @@ core::Outcome<double> joint_variance_slope(const NoisePath& path) {
     const PathMatrices matrices(path);
     const Motion motion = matrices.motion();
     if (auto refusal = motion.refusal(PathMatrices::names())) return *std::move(refusal);
-    const Eigen::Vector2d stretch(1.0, -1.0);  // of the spring c
-    return motion.covariance_slope(matrices.density, stretch * stretch.transpose())(1, 1);
+    const Eigen::Vector2d jacobian_row(1.0, -1.0);  // of the spring c
+    return motion.covariance_slope(matrices.density, jacobian_row * jacobian_row.transpose())(1, 1);
 }
 
 core::Outcome<Eigen::Vector3d> joint_noise(const Joint& joint, double tau, const NoiseOptions& options) {

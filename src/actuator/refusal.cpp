@@ -14,11 +14,11 @@ namespace {
 constexpr const char* kSource = "docs/theory/equilibrium.md";
 constexpr std::array<const char*, 3> kBodies{"capstan 1", "capstan 2", "output"};
 
-/// Stiffness below this share of the largest is none: some fifty roundings of the largest.
+/// Stiffness below this share of the largest counts as 0: about fifty roundings of the largest.
 constexpr double kNoStiffness = 1e-14;
 /// A torque below this share of the largest is rounding.
 constexpr double kNoTorque = 1e-12;
-/// A stiffness that would do, as a share of the largest: anything above kNoStiffness does, but a person shall understand the figure.
+/// A suggested stiffness, as a share of the largest: any value above kNoStiffness suffices; this one is readable.
 constexpr double kEnoughStiffness = 0.01;
 
 /// How far inside the ends of a law a suggested resting place lies [rad].
@@ -48,7 +48,7 @@ private:
     double stop_;  ///< [Nm/rad]
 };
 
-/// The torques that are left when hard stops at the laws' ends hold the joint and their part is taken off; empty if the laws leave no room.
+/// The torques without the share of hard stops that hold the joint at the laws' ends; empty if the laws have no common interior.
 std::string nearest_torques(const Joint& joint, const Eigen::Vector3d& torque, const Settled& settled) {
     Joint stopped = joint;
     for (JointSpring& spring : stopped.springs)
@@ -60,13 +60,13 @@ std::string nearest_torques(const Joint& joint, const Eigen::Vector3d& torque, c
     return fmt::format("tau_1 = {:.8g} Nm, tau_2 = {:.8g} Nm, tau_q = {:.8g} Nm", within[kAgonist], within[kAntagonist], within[kOutput]);
 }
 
-/// "equilibrium.convexity" for each spring that is softer than none at z.
+/// "equilibrium.convexity" for each spring with negative stiffness at z.
 core::Findings softening(const Joint& joint, const Eigen::Vector3d& z) {
     core::Findings findings;
     for (const JointSpring& spring : joint.springs) {
         const double x = deflection(spring, z), stiff = spring.potential->stiffness(x);
         if (!(stiff < 0.0)) continue;
-        core::Finding f = core::error_finding("equilibrium.convexity", "a spring that softens leaves the resting place open", stiff,
+        core::Finding f = core::error_finding("equilibrium.convexity", "a spring softens: the resting place is not unique", stiff,
                                               core::Bound::kAtLeast, 0.0, "Nm/rad");
         f.where = fmt::format("{} at {:.4g} rad", spring.name, x);
         f.suggestion = fmt::format("a spring whose stiffness is higher by {:.4g} Nm/rad", -1.001 * stiff);
@@ -76,7 +76,7 @@ core::Findings softening(const Joint& joint, const Eigen::Vector3d& z) {
     return findings;
 }
 
-/// The search ended neither at rest nor far away: with continuous torques that rise, that does not happen.
+/// The search ended neither at rest nor far away, which continuous, rising torques exclude.
 core::Findings unsettled(const Settled& settled) {
     core::Finding f = core::error_finding("equilibrium.convexity", "no resting place was found: the torque of some spring jumps or falls",
                                           settled.residual, core::Bound::kAtMost, 1e-9 * settled.scale, "Nm");
@@ -85,7 +85,7 @@ core::Findings unsettled(const Settled& settled) {
     return {f};
 }
 
-/// "equilibrium.outside" for each spring that z puts outside its law.
+/// "equilibrium.outside" for each spring that is outside its law at z.
 core::Findings beyond_laws(const Joint& joint, const Eigen::Vector3d& z) {
     core::Findings findings;
     const std::vector<std::string> names = outside(joint, z);

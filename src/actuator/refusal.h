@@ -4,10 +4,10 @@
 
 namespace fusee::actuator {
 
-/// Why a place where the joint settled is no resting place of its springs; empty if it is one.
+/// Findings if the place where the joint settled is not a resting place of its springs.
 [[nodiscard]] core::Findings refusals(const Joint& joint, const Eigen::Vector3d& torque, const Settled& settled);
 
-/// "equilibrium.free" at z, if some motion meets no stiffness; without suggestion.
+/// "equilibrium.free" if a motion at z has no stiffness; without suggestion.
 [[nodiscard]] core::Findings free_motion(const Joint& joint, const Eigen::Vector3d& z);
 
 }  // namespace fusee::actuator

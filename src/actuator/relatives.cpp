@@ -15,7 +15,7 @@ namespace fusee::actuator {
 
 namespace {
 
-/// A spring that pulls and pushes: odd in its deflection. A preload changes side along a straight line through 0.
+/// A spring that pulls and pushes: odd in its deflection. A preload changes sign along a straight line through 0.
 class BothWays final : public spring::Potential {
 public:
     explicit BothWays(spring::PotentialPtr spring)
@@ -59,7 +59,7 @@ void validate(const ArrangementOptions& options) {
     core::require_within("cross_stretch", options.cross_stretch, -kLargest, kLargest, "rad");
 }
 
-/// The networks of docs/theory/relatives.md; the agonist's series spring comes first, but for the paper's own joint.
+/// The networks of docs/theory/relatives.md; the agonist's series spring is first, except in the paper's joint.
 std::vector<JointSpring> springs_of(const ArrangementOptions& options, double g) {
     const auto cable = [](const spring::PotentialPtr& s) { return spring::behind_cable(s); };
     const auto both_ways = [](const spring::PotentialPtr& s) { return std::make_shared<BothWays>(s); };
@@ -83,7 +83,7 @@ std::vector<JointSpring> springs_of(const ArrangementOptions& options, double g)
     return springs;
 }
 
-/// Motor torques at one level; the output, held, carries what is left over.
+/// Motor torques at one level; the held output carries the difference.
 Eigen::Vector3d torques_at(Arrangement arrangement, double level) {
     switch (arrangement) {
         case Arrangement::kSeriesElastic:
@@ -103,7 +103,7 @@ struct Level {
     double dead_band = 0.0;      ///< eq. 4 [rad]
 };
 
-/// The networks seen from rest at q = 0, where no loop is needed to hold them; loops only hold departures from it.
+/// The networks at rest at q = 0, where no loop is needed to hold them; loops act only on deviations from it.
 class Survey {
 public:
     explicit Survey(const ArrangementOptions& options) : arrangement_(options.arrangement), joint_(make_arrangement(options)) {
@@ -123,7 +123,7 @@ public:
         result.series_torque = series_torque(rest->z);
         const Eigen::Matrix3d k = stiffness(joint_, rest->z);
         const Eigen::VectorXd coupling = k.col(kOutput)(motors_);
-        const Eigen::VectorXd follow = k(motors_, motors_).inverse() * coupling;  // how the motors follow -q under constant torque
+        const Eigen::VectorXd follow = k(motors_, motors_).inverse() * coupling;  // motion of the motors per -q under constant torque
         result.held = k(kOutput, kOutput);
         const double free = result.held - coupling.dot(follow);
         result.free = free > kNothing * result.held ? free : 0.0;
@@ -137,7 +137,7 @@ private:
     [[nodiscard]] double series_torque(const Eigen::Vector3d& z) const {
         const Eigen::Vector3d agonist(1.0, 0.0, held_.ratio());
         for (const JointSpring& spring : held_.springs)
-            if (spring.reach == agonist) return spring.potential->force(spring.offset + spring.reach.dot(z));
+            if (spring.jacobian_row == agonist) return spring.potential->force(spring.offset + spring.jacobian_row.dot(z));
         return 0.0;
     }
     [[nodiscard]] double dead_band(const Eigen::Vector3d& loads, const Eigen::VectorXd& follow, double free) const {
@@ -151,12 +151,12 @@ private:
     }
 
     Arrangement arrangement_;
-    Joint joint_, held_;       ///< with its loops; without them and the output held
-    std::vector<int> motors_;  ///< that can turn
+    Joint joint_, held_;       ///< with its loops; without loops and with the output held
+    std::vector<int> motors_;  ///< free to turn
 };
 
 std::string remark_of(const ArrangementOptions& options) {
-    if (options.arrangement == Arrangement::kPnrvsa) return "K_PE leads from the joint to ground: the motors' torques alone hold a place";
+    if (options.arrangement == Arrangement::kPnrvsa) return "K_PE leads from the joint to ground: the motor torques alone hold a position";
     if (options.position_stiffness == 0.0)
         return "torque control leaves no path from the joint to ground (a = b = 0): every place is neutral";
     return fmt::format("only the position loops, {:g} Nm/rad, lead to ground", options.position_stiffness);
@@ -215,13 +215,13 @@ ArrangementRow survey(const ArrangementOptions& options, core::Range cocontracti
                        .dead_band = {least.dead_band, greatest.dead_band},
                        .remark = remark_of(options)};
     const auto widen = [](core::Range& range, double value) { range = {std::min(range.low, value), std::max(range.high, value)}; };
-    constexpr int kLevels = 32;  // springs that are not progressive have their extremes on the way
+    constexpr int kLevels = 32;  // other than progressive springs have their extremes between the ends
     for (int i = 1; i <= kLevels; ++i) {
         const Level level = i == kLevels ? greatest : survey.at(cocontraction.low + cocontraction.width() * i / kLevels);
         widen(row.stiffness, level.held);
         widen(row.free_stiffness, level.free);
     }
-    // eq. 5: opposed springs subtract, a single one need not, and those of a bidirectional joint help each other.
+    // eq. 5: opposed springs subtract, a single one does not, and those of a bidirectional joint add.
     const double opposed = greatest.series_torque - least.series_torque;
     const double torque = options.arrangement == Arrangement::kSeriesElastic   ? greatest.series_torque
                           : options.arrangement == Arrangement::kBidirectional ? 2.0 * greatest.series_torque

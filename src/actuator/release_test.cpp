@@ -9,15 +9,14 @@ namespace fusee::actuator {
 
 namespace {
 
-constexpr int kSearchSteps = 6;          ///< of each stroke while a push is looked for: what is read hardly depends on them
+constexpr int kSearchSteps = 6;          ///< of each stroke during the search for a push: the reading hardly depends on them
 constexpr int kMostDoublings = 24;       ///< of the push, from kFirstPush
 constexpr double kFirstPush = 1.0 / 64;  ///< of g tau
 constexpr double kPushDigits = 1e-4;     ///< relative width of the bracket of a push
-constexpr double kSameReading = 1e-3;    ///< relative change of the width that counts as none
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kSameReading = 1e-3;    ///< relative change of the width that is ignored
 constexpr double kFullPushMargin = 1.05;
 
-/// What is read when the joint is pushed up with `push`, released, pushed down and released.
+/// Reading after the joint is pushed up with `push`, released, pushed down and released.
 struct Reading {
     double q_low = 0.0, q_high = 0.0;
     bool inside = true, held = true;
@@ -84,12 +83,12 @@ double find_full_push(const Joint& joint, double tau) {
         reading = read(joint, tau, push, kSearchSteps);
     }
     if (!reading.held) reading = read(joint, tau, push = strongest_push(before, push, held), kSearchSteps);
-    if (!reading.held || !reading.full) return kNan;
+    if (!reading.held || !reading.full) return core::kNan;
     const double same = (1.0 - kSameReading) * reading.width();
     return least_push(0.0, push, [&](double weaker) { return read(joint, tau, weaker, kSearchSteps).width() >= same; });
 }
 
-/// The push that is used where none is given: somewhat more than the full one, where the gears hold it.
+/// The default push: slightly more than the full one if the gears hold it.
 double strong_push(const Joint& joint, double tau, double full) {
     if (std::isnan(full))
         return strongest_push(0.0, joint.ratio() * tau, [&](double push) { return read(joint, tau, push, kSearchSteps).held; });
@@ -113,8 +112,8 @@ ReleaseReading release_test(const Joint& joint, double tau, const ReleaseTest& t
         result.covered_push =
             strongest_push(0.0, result.push_torque, [&](double push) { return read(joint, tau, push, kSearchSteps).inside; });
     const bool pushed = result.push_torque > 0.0;
-    result.q_low = pushed ? reading.q_low : kNan;
-    result.q_high = pushed ? reading.q_high : kNan;
+    result.q_low = pushed ? reading.q_low : core::kNan;
+    result.q_high = pushed ? reading.q_high : core::kNan;
     result.inside = reading.inside;
     return result;
 }

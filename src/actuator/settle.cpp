@@ -11,16 +11,16 @@ namespace fusee::actuator {
 
 namespace {
 
-constexpr int kMostSteps = 200;        ///< a dozen is usual
-constexpr double kLongestStep = 10.0;  ///< [rad], before it is seen that the energy falls further
-constexpr double kFarAway = 1e6;       ///< [rad]: what gets there is held by nothing
-constexpr double kRounding = 1e-14;    ///< of the torques that act on a body
-constexpr double kSettling = 1e-10;    ///< below this share a step that no longer halves the rest only stirs the rounding
-constexpr double kSteep = 1e200;       ///< stands for a torque that overflows
+constexpr int kMostSteps = 200;           ///< a dozen is usual
+constexpr double kLongestDescent = 10.0;  ///< first step [rad]; extended while the energy falls
+constexpr double kFarAway = 1e6;          ///< [rad]: no spring holds a body there
+constexpr double kSettled = 1e-14;        ///< of the torques that act on a body
+constexpr double kSettling = 1e-10;       ///< below this share a step that does not halve the residual is rounding
+constexpr double kSteep = 1e200;          ///< stands for a torque that overflows
 
 bool frozen(const Joint& joint, int body) { return joint.frozen[static_cast<std::size_t>(body)]; }
 
-/// 0 at frozen bodies: what their support bears.
+/// Remaining torque; 0 at frozen bodies, which are supported.
 Eigen::Vector3d borne_by_motion(const Joint& joint, Eigen::Vector3d torques) {
     for (int body = 0; body < 3; ++body)
         if (frozen(joint, body)) torques[body] = 0.0;
@@ -31,7 +31,7 @@ Eigen::Vector3d unbalanced(const Joint& joint, const Eigen::Vector3d& torque, co
     return borne_by_motion(joint, spring_torques(joint, z) - torque);
 }
 
-/// Newton's direction; where stiffness is missing or negative, a downhill one all the same.
+/// Newton's direction; a downhill one even if stiffness is zero or negative.
 Eigen::Vector3d direction(const Joint& joint, const Eigen::Vector3d& z, const Eigen::Vector3d& rest) {
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> modes(free_stiffness(joint, z));
     const double largest = modes.eigenvalues().cwiseAbs().maxCoeff();
@@ -39,13 +39,13 @@ Eigen::Vector3d direction(const Joint& joint, const Eigen::Vector3d& z, const Ei
     const Eigen::Vector3d stiffness = modes.eigenvalues().cwiseAbs().cwiseMax(floor);
     Eigen::Vector3d step = -(modes.eigenvectors() * (modes.eigenvectors().transpose() * rest).cwiseQuotient(stiffness));
     const double length = step.norm();
-    if (length > kLongestStep) step *= kLongestStep / length;
+    if (length > kLongestDescent) step *= kLongestDescent / length;
     return step;
 }
 
-/// How many steps to go until the energy no longer falls; 1 where that is nearly so, `longest` if it falls all the way.
+/// Length, in steps, to the least energy; 1 if the step is nearly there, `longest` if the energy falls all the way.
 /// @param slope of the energy along the way, rising; `first` < 0 is where it begins
-double stretch(const std::function<double(double)>& slope, double first, double longest) {
+double step_length(const std::function<double(double)>& slope, double first, double longest) {
     const double near_enough = 0.1 * std::abs(first);
     double low = 0.0;
     for (double high = 1.0; high < longest; high *= 2.0) {
@@ -69,7 +69,8 @@ Eigen::Vector3d finite_start(const Joint& joint, const Eigen::Vector3d& start) {
 double largest_torque(const Joint& joint, const Eigen::Vector3d& torque, const Eigen::Vector3d& z) {
     double largest = borne_by_motion(joint, torque).lpNorm<Eigen::Infinity>();
     for (const JointSpring& spring : joint.springs)
-        largest = std::max(largest, std::abs(spring.potential->force(deflection(spring, z))) * spring.reach.lpNorm<Eigen::Infinity>());
+        largest =
+            std::max(largest, std::abs(spring.potential->force(deflection(spring, z))) * spring.jacobian_row.lpNorm<Eigen::Infinity>());
     return largest;
 }
 
@@ -96,15 +97,15 @@ Settled settle(const Joint& joint, const Eigen::Vector3d& torque, const Eigen::V
         now.residual = rest.lpNorm<Eigen::Infinity>();
         now.scale = largest_torque(joint, torque, z);
     };
-    for (measure(now.z); now.steps < kMostSteps && !now.ran_away && now.residual > kRounding * now.scale; ++now.steps) {
+    for (measure(now.z); now.steps < kMostSteps && !now.ran_away && now.residual > kSettled * now.scale; ++now.steps) {
         const Eigen::Vector3d step = direction(joint, now.z, rest);
         const auto slope = [&](double t) {
             const double here = unbalanced(joint, torque, now.z + t * step).dot(step);
             return std::isnan(here) ? kSteep : std::clamp(here, -kSteep, kSteep);
         };
-        const double longest = kFarAway / step.norm(), stretched = stretch(slope, rest.dot(step), longest);
-        now.ran_away = stretched == longest;
-        const Eigen::Vector3d next = now.z + stretched * step, left = unbalanced(joint, torque, next);
+        const double longest = kFarAway / step.norm(), length_factor = step_length(slope, rest.dot(step), longest);
+        now.ran_away = length_factor == longest;
+        const Eigen::Vector3d next = now.z + length_factor * step, left = unbalanced(joint, torque, next);
         const double less = left.lpNorm<Eigen::Infinity>();
         if (now.residual <= kSettling * now.scale && !(less < 0.5 * now.residual)) break;
         now.z = next;

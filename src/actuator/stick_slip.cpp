@@ -15,26 +15,26 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// What rounding leaves of a place that lies on the end of a law [rad].
-constexpr double kRounding = 1e-9;
-/// Rounds of one step: each break-away and each change of a bearing's tension takes one.
+/// Rounding of a place at the end of a law [rad].
+constexpr double kInside = 1e-9;
+/// Iterations of one step: one for each break-away and each change of the bearing's tension.
 constexpr int kMostRounds = 60;
-/// Change of the bearing's friction that no longer counts, of its size.
+/// Relative change of the bearing's friction that is ignored.
 constexpr double kSameBearing = 1e-12;
 
-/// eq. 4: the bearing's friction under the tension that it has at z [Nm]
+/// eq. 4: the bearing's friction under its tension at z [Nm]
 double bearing_friction(const Joint& joint, const Vector3d& z) {
     const OutputFriction& friction = joint.output_friction;
     if (friction.tension_share == 0.0) return friction.constant;
     double tension = 0.0;
     for (const JointSpring& spring : joint.springs) {
-        const double arm = std::abs(spring.reach[kOutput]);
-        if (arm > 0.0) tension += arm * spring.potential->force(spring.offset + spring.reach.dot(z));
+        const double arm = std::abs(spring.jacobian_row[kOutput]);
+        if (arm > 0.0) tension += arm * spring.potential->force(spring.offset + spring.jacobian_row.dot(z));
     }
     return friction.constant + friction.tension_share * std::max(tension, 0.0);
 }
 
-/// eq. 1: what each body may carry without moving on, a sliding one in motion, a resting one at rest.
+/// eq. 1: the torque that each body carries without moving further: friction in motion if it slides, at rest otherwise.
 PlayLimits limits_of(const Joint& joint, const Vector3d& torque, const Vector3d& sliding, double bearing) {
     PlayLimits limits{torque, torque};
     for (const int i : {kAgonist, kAntagonist}) {
@@ -57,7 +57,7 @@ PlayLimits limits_of(const Joint& joint, const Vector3d& torque, const Vector3d&
 /// A spring beyond the end of its law; a slack one, or one on its preload stop, is inside.
 bool beyond_end(const Joint& joint, const Vector3d& z) {
     return std::any_of(joint.springs.begin(), joint.springs.end(), [&](const JointSpring& spring) {
-        return spring.offset + spring.reach.dot(z) > spring.potential->domain().high + kRounding;
+        return spring.offset + spring.jacobian_row.dot(z) > spring.potential->domain().high + kInside;
     });
 }
 
@@ -97,7 +97,7 @@ void StickSlip::step(const Vector3d& torque, const Vector3d& guess) {
     }
     held_ = held_ && place.held;
     inside_ = inside_ && place.held && !beyond_end(joint_, place.z);
-    if (!place.held) place.z = z_;  // something outside the model, a stop, would have to catch it
+    if (!place.held) place.z = z_;  // only a stop, which is not modelled, would catch it
     sliding_ = (place.z - z_).cwiseSign();
     z_ = place.z;
     torque_ = torque;

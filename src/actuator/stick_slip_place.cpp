@@ -14,16 +14,16 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr int kMostIterations = 200;     ///< Newton's steps; three are the rule
-constexpr double kTolerance = 1e-11;     ///< torque left over, of the greatest limit (1 Nm at least)
-constexpr double kRounding = 1e-15;      ///< step, of the place, that doubles can hardly take
-constexpr double kFlat = 1e-9;           ///< stiffness added to the Newton step's [Nm/rad]: where all cables hang loose U has none
+constexpr int kMostIterations = 200;     ///< Newton's steps; three are typical
+constexpr double kTolerance = 1e-11;     ///< remaining torque, of the greatest limit (at least 1 Nm)
+constexpr double kLeastStep = 1e-15;     ///< step relative to the place, near the resolution of doubles
+constexpr double kFlat = 1e-9;           ///< added to the stiffness of the Newton step [Nm/rad]: with all cables slack U has none
 constexpr double kLongestStep = 1.0;     ///< of one Newton step [rad]
-constexpr double kRunaway = 1e4;         ///< a body that has turned so far is held by no spring [rad]
+constexpr double kRunaway = 1e4;         ///< no spring holds a body that has turned so far [rad]
 constexpr double kEnoughDecrease = 0.5;  ///< of the slope along a step
 
-/// Least of the convex energy of eq. 3 by Newton's steps on the bodies that move. A step ends where a body comes back to the place it
-/// stood at, and otherwise where the slope along it has about vanished: no energy is evaluated, slopes of a convex function suffice.
+/// Least of the convex energy of eq. 3 by Newton's steps on the bodies that move. A step ends where a body returns to its start, and
+/// otherwise where the slope along it is about 0: no energy is evaluated, slopes of a convex function suffice.
 class Search {
 public:
     Search(const Joint& joint, const PlayLimits& limits, const Vector3d& from, const Vector3d& guess)
@@ -37,7 +37,7 @@ public:
             if (pull.cwiseAbs().maxCoeff() <= tolerance_) return {z_, true};
             if ((z_ - from_).cwiseAbs().maxCoeff() > kRunaway) return {z_, false};
             const Vector3d step = newton_step(pull);
-            const bool lost_in_rounding = step.cwiseAbs().maxCoeff() <= kRounding * z_.cwiseAbs().maxCoeff();
+            const bool lost_in_rounding = step.cwiseAbs().maxCoeff() <= kLeastStep * z_.cwiseAbs().maxCoeff();
             if (lost_in_rounding || !advance(step)) return {z_, true};
         }
         return {z_, false};
@@ -61,8 +61,8 @@ private:
         return pull;
     }
 
-    /// Newton's step of the bodies that are pulled or already on their way. One that would leave its place against its pull stays, and the
-    /// others step without it: at least one goes with its pull, since stiffness is positive.
+    /// Newton's step of the bodies that are pulled or already moving. A body that would move against its pull stays, and the others step
+    /// without it: at least one moves with its pull, because stiffness is positive.
     [[nodiscard]] Vector3d newton_step(Vector3d pull) const {
         const Matrix3d stiff = stiffness(joint_, z_);
         std::array<bool, 3> moves{};
@@ -83,17 +83,17 @@ private:
         }
     }
 
-    /// The limit against which body i works in a step: of the side on which it is, or to which it goes.
+    /// The limit of body i in a step: of the side on which it is, or to which it moves.
     [[nodiscard]] double limit(int i, double step) const {
         const double side = at_start(i) ? step : z_[i] - from_[i];
         return side > 0.0 ? limits_.low[i] : limits_.high[i];
     }
 
-    /// A step, and how far it may be gone.
+    /// A step and its greatest length.
     struct Line {
         Vector3d start, step;
-        Vector3d against = Vector3d::Zero();                       ///< the limit that each body works against on the way [Nm]
-        double longest = std::numeric_limits<double>::infinity();  ///< share of the step at which a body is back at its place
+        Vector3d against = Vector3d::Zero();                       ///< the limit of each body during the step [Nm]
+        double longest = std::numeric_limits<double>::infinity();  ///< share of the step at which a body returns to its start
         int returning = -1;                                        ///< that body
     };
     [[nodiscard]] Line line_along(const Vector3d& step) const {
@@ -109,7 +109,7 @@ private:
         return line;
     }
 
-    /// Goes to `share` of the step. @return the slope of the energy there
+    /// Moves to `share` of the step. @return the slope of the energy there
     double go(const Line& line, double share) {
         z_ = line.start + share * line.step;
         if (share == line.longest) z_[line.returning] = from_[line.returning];
@@ -126,7 +126,7 @@ private:
     double tolerance_;
 };
 
-/// Goes along `step` to about the least energy on it. False if there is none to gain.
+/// Moves along `step` to about its least energy. False if the energy does not fall.
 bool Search::advance(const Vector3d& step) {
     const Line line = line_along(step);
     const double slope = (loads_ - line.against).dot(step);
@@ -143,7 +143,7 @@ bool Search::advance(const Vector3d& step) {
             share = std::min(farthest, 2.0 * share);
             continue;
         }
-        // The secant, kept off the bracket's ends: on a steep stop behind a soft spring it alone would creep.
+        // The secant, kept away from the bracket's ends: on a steep stop behind a soft spring it converges slowly.
         const double width = high - low;
         share = std::clamp(low - low_slope * width / (high_slope - low_slope), low + 0.1 * width, high - 0.1 * width);
         if (!(share > low && share < high)) break;

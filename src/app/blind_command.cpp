@@ -7,6 +7,7 @@
 
 #include "arguments.h"
 #include "commands.h"
+#include "exit_codes.h"
 #include "fusee/blind/score.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
@@ -20,8 +21,6 @@ namespace fusee::app {
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr int kInterrupted = 130;
 
 struct ScoreArguments {
     blind::ScoreOptions options;
@@ -107,7 +106,7 @@ void add_blind_make(CLI::App& blind, Action& action) {
     add_jobs(*command, options->jobs, "Threads; 0 = one for each processor; no influence on the result");
     command->footer(
         "Example:\n  fusee blind make --seed 1 --cases 500 --out blind\n\n"
-        "Exit code: 0 made, 2 bad input, 3 a failure inside, 130 stopped by Ctrl-C: nothing is written.");
+        "Exit code: 0 made, 2 bad input, 3 internal error, 130 stopped by Ctrl-C: nothing is written.");
     command->callback([options, &action] { action = [options] { return make(*options); }; });
 }
 
@@ -127,7 +126,7 @@ void add_blind_score(CLI::App& blind, Action& action) {
     add_force(*command, options.force);
     command->footer(
         "Example:\n  fusee blind score blind --seal sha256:HASH --out blind/score\n\n"
-        "Exit code: 0 scored, whatever the score, 2 bad input or a broken seal, 3 a failure inside,\n"
+        "Exit code: 0 scored, whatever the score, 2 bad input or a broken seal, 3 internal error,\n"
         "130 stopped by Ctrl-C: finished diagnoses stay.");
     command->callback([arguments, &action] { action = [arguments] { return score(*arguments); }; });
 }

@@ -41,7 +41,7 @@ int calibrate(const CalibrateArguments& arguments) {
     }
     const std::string bytes = core::read_file(arguments.sheet, kLargestSheet);
     const coupon::Sheet sheet = coupon::parse_sheet(bytes, arguments.sheet.string());
-    const report::CalibrationReport found{
+    const pipeline::CalibrationReport found{
         arguments.sheet.stem().string(), core::sha256_hex(bytes),
         coupon::calibrate(sheet, profile ? pipeline::present_of(*profile) : coupon::Present{}, arguments.sheet.string())};
     if (!arguments.corrected.empty())
@@ -64,7 +64,7 @@ void add_calibrate(CLI::App& app, Action& action) {
     add_force_file(*command, arguments->force);
     command->footer(
         "Example:\n  fusee calibrate profiles/examples/coupon.csv --profile profiles/pnrvsa.toml --write-profile /tmp/calibrated.toml\n\n"
-        "Exit code: 0 something was found, 1 the rows say nothing, 2 bad input (file, line and column are named), 3 a failure inside.");
+        "Exit code: 0 something was found, 1 the rows say nothing, 2 bad input (file, line and column are named), 3 internal error.");
     command->callback([arguments, &action] { action = [arguments] { return calibrate(*arguments); }; });
 }
 

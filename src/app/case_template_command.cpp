@@ -4,6 +4,7 @@
 
 #include "arguments.h"
 #include "commands.h"
+#include "exit_codes.h"
 #include "fusee/core/output_folder.h"
 #include "fusee/pipeline/case_template.h"
 #include "places.h"
@@ -19,8 +20,6 @@ struct CaseTemplateArguments {
     bool force = false;
     pipeline::CaseTemplateOptions options;
 };
-
-constexpr int kRefused = 1;
 
 int write_template(const CaseTemplateArguments& arguments) {
     const profile::Profile profile = profile::read_profile(arguments.profile);
@@ -51,7 +50,7 @@ void add_case_template(CLI::App& app, Action& action) {
     command->footer(
         "Example:\n  fusee case-template profiles/pnrvsa.toml --out bench/monday\n\n"
         "Exit code: 0 written, 1 the law cannot be (the binding limit and the nearest feasible change are printed),\n"
-        "2 bad input (file, line and key are named), 3 a failure inside.");
+        "2 bad input (file, line and key are named), 3 internal error.");
     command->callback([arguments, &action] { action = [arguments] { return write_template(*arguments); }; });
 }
 

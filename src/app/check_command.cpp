@@ -12,6 +12,7 @@
 #include "fusee/inspect/rule.h"
 #include "fusee/pipeline/check.h"
 #include "fusee/profile/limits.h"
+#include "fusee/report/check.h"
 #include "mesh_check.h"
 #include "places.h"
 
@@ -44,7 +45,7 @@ std::vector<checks::ProcessKind> kinds_of(const std::string& word) {
     return kinds;
 }
 
-report::Checked check_profile(const CheckArguments& arguments) {
+pipeline::Checked check_profile(const CheckArguments& arguments) {
     if (!arguments.out.empty() || !arguments.profile.empty() || !arguments.limits.empty())
         throw core::InvalidInput(
             "check", arguments.input.string(),
@@ -99,8 +100,7 @@ int check(const CheckArguments& arguments) {
     } else {
         fmt::print(good ? stdout : stderr, "{}", report::check_text(result.checked));
         if (!result.coloured.empty())
-            fmt::print(good ? stdout : stderr, "Where: {} (red: required change, orange: review)\n",
-                       core::printable(result.coloured.string()));
+            fmt::print(good ? stdout : stderr, "Where: {} (red: error, orange: warning)\n", core::printable(result.coloured.string()));
     }
     return good ? 0 : 1;
 }
@@ -109,7 +109,7 @@ int check(const CheckArguments& arguments) {
 
 void add_check(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<CheckArguments>();
-    CLI::App* command = app.add_subcommand("check", "Run every rule on a profile's cams, or on a mesh by anybody, without making files");
+    CLI::App* command = app.add_subcommand("check", "Run every rule on a profile's cams, or on a third-party mesh, without making files");
     command->add_option("input", arguments->input, "Profile (.toml), or mesh: STL, OBJ, 3MF, STEP")->required();
     command->add_option("--process", arguments->process, "How it is made, in place of the profile's; all: a table of all of them")
         ->check(CLI::IsMember(process_words()));

@@ -23,7 +23,7 @@ int coupons(const CouponsArguments& arguments) {
         if (finding.severity != core::Severity::kPass) fmt::print(stderr, "{}\n", core::to_line(finding));
     if (!made.made) return 1;
     std::string names;
-    for (const report::FileRow& file : made.files) names += (names.empty() ? "" : ", ") + file.entry.name;
+    for (const pipeline::FileRow& file : made.files) names += (names.empty() ? "" : ", ") + file.entry.name;
     fmt::print("written: {}: {}\n", made.folder.string(), names);
     return 0;
 }
@@ -40,7 +40,7 @@ void add_coupons(CLI::App& app, Action& action) {
     add_force(*command, arguments->force);
     command->footer(
         "Example:\n  fusee coupons profiles/pnrvsa.toml\n\n"
-        "Exit code: 0 made, 1 they cannot be made (the binding limit is printed), 2 bad input, 3 a failure inside.");
+        "Exit code: 0 made, 1 they cannot be made (the binding limit is printed), 2 bad input, 3 internal error.");
     command->callback([arguments, &action] { action = [arguments] { return coupons(*arguments); }; });
 }
 

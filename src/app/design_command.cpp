@@ -7,6 +7,7 @@
 
 #include "arguments.h"
 #include "commands.h"
+#include "exit_codes.h"
 #include "fusee/codesign/algorithm_1_run.h"
 #include "fusee/codesign/co_design_run.h"
 #include "fusee/codesign/pareto_run.h"
@@ -14,14 +15,13 @@
 #include "fusee/core/progress.h"
 #include "fusee/profile/profile.h"
 #include "fusee/report/rule_counts.h"
+#include "fusee/report/search.h"
 #include "numbers.h"
 #include "places.h"
 
 namespace fusee::app {
 
 namespace {
-
-constexpr int kRefused = 1, kInterrupted = 130;
 
 struct DesignArguments {
     std::filesystem::path profile;
@@ -78,8 +78,8 @@ codesign::RunResult watched(const profile::Profile& profile, codesign::RunOption
     return run(profile, options);
 }
 
-int say(const codesign::RunResult& result) {
-    if (!result.found) {
+int say(const codesign::RunResult& result, const std::filesystem::path& folder) {
+    if (!result.found()) {
         if (result.interrupted) fmt::print(stderr, "stopped before any springs were found\n");
         for (const core::Finding& finding : result.findings) fmt::print(stderr, "{}\n", core::to_line(finding));
         return result.interrupted ? kInterrupted : kRefused;
@@ -88,7 +88,7 @@ int say(const codesign::RunResult& result) {
     for (const core::Finding& finding : result.findings)
         if (core::is_broken(finding)) fmt::print("  {}\n", core::to_line(finding));
     if (const std::string open = report::not_judged_text(result.findings); !open.empty()) fmt::print("  {}\n", open);
-    fmt::print("{}: {}\n", result.interrupted ? "stopped early; the best so far" : "written", (result.folder / "").string());
+    fmt::print("{}: {}\n", result.interrupted ? "stopped early; the best so far" : "written", (folder / "").string());
     return result.interrupted ? kInterrupted : 0;
 }
 
@@ -96,7 +96,15 @@ int design(const DesignArguments& arguments) {
     core::catch_interrupts();
     require_thread();
     const profile::Profile profile = read(arguments);
-    return with_places(profile, [&] { return say(watched(profile, arguments.options)); });
+    return with_places(profile, [&] {
+        core::OutputFolder output(codesign::result_folder(profile, arguments.options), codesign::output_run(profile, arguments.options));
+        const codesign::RunResult result = watched(profile, arguments.options);
+        if (result.found()) {
+            report::write_search(result, output.path());
+            output.commit();
+        }
+        return say(result, output.target());
+    });
 }
 
 }  // namespace
@@ -122,7 +130,7 @@ void add_design(CLI::App& app, Action& action) {
     command->footer(
         "Example:\n  fusee design profiles/pnrvsa.toml\n  fusee design profiles/pnrvsa.toml --generations 1000 --resume\n\n"
         "Exit code: 0 found, 1 no springs found (what binds and what to change is printed), 2 bad input (file, line and key are named),\n"
-        "3 a failure inside, 130 stopped by Ctrl-C: the best so far is written.");
+        "3 internal error, 130 stopped by Ctrl-C: the best so far is written.");
     command->callback([arguments, &action] { action = [arguments] { return design(*arguments); }; });
 }
 

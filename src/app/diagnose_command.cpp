@@ -106,7 +106,7 @@ void add_diagnose(CLI::App& app, Action& action) {
     command->footer(
         "Example:\n  fusee diagnose bench/monday --out bench/monday/diagnosis\n\n"
         "Exit code: 0 a verdict was reached, whichever it is: identified, none, ambiguous or unknown,\n"
-        "2 bad input (file, line and key are named), 3 a failure inside, 130 stopped by Ctrl-C: nothing is written.");
+        "2 bad input (file, line and key are named), 3 internal error, 130 stopped by Ctrl-C: nothing is written.");
     command->callback([arguments, &action] { action = [arguments] { return diagnose(*arguments); }; });
 }
 

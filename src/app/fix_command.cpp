@@ -4,10 +4,11 @@
 
 #include "arguments.h"
 #include "commands.h"
+#include "exit_codes.h"
 #include "fusee/core/file.h"
 #include "fusee/core/progress.h"
-#include "fusee/pipeline/fix.h"
 #include "fusee/profile/edit.h"
+#include "fusee/report/fix.h"
 #include "numbers.h"
 #include "places.h"
 
@@ -17,21 +18,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kRefused = 1;
-
 struct FixArguments {
     fs::path profile;
     bool json = false, force = false;
-    pipeline::FixOptions options;
+    fix::Options options;
 };
 
 /// Beside the profile: "x-fixed.toml" of "x.toml".
 fs::path beside(const fs::path& profile) { return profile.parent_path() / (profile.stem().string() + "-fixed.toml"); }
 
-int fix(const FixArguments& arguments) {
+int run_fix(const FixArguments& arguments) {
     core::catch_interrupts();
     require_thread();
-    pipeline::FixOptions options = arguments.options;
+    fix::Options options = arguments.options;
     if (options.file.empty()) options.file = beside(arguments.profile);
     options.progress = [](const std::string& step) { fmt::print(stderr, "fix: {}\n", step); };
     options.stop = core::interrupted;
@@ -39,9 +38,9 @@ int fix(const FixArguments& arguments) {
     const std::string toml = core::read_file(arguments.profile, profile::kLargestFile);
     const profile::Profile profile = profile::parse_profile(toml, arguments.profile);
     require_new_profile("--out", options.file, arguments.profile, arguments.force);
-    const report::Fix found = with_places(profile, [&] { return pipeline::fix(profile, toml, options); });
+    const fix::Fix found = with_places(profile, [&] { return fix::find_fix(profile, toml, options); });
     if (!found.file.empty()) core::write_file(found.file, found.toml);
-    const bool cannot = found.end == report::Fix::End::kCannot;
+    const bool cannot = found.end == fix::Fix::End::kCannot;
     if (arguments.json)
         fmt::print("{}", report::fix_json(found));
     else
@@ -72,8 +71,8 @@ void add_fix(CLI::App& app, Action& action) {
         "Example:\n  fusee fix profiles/pnrvsa.toml --out /tmp/pnrvsa.toml\n\n"
         "Exit code: 0 fixed, or nothing to do, 1 it cannot be (what binds is printed, nothing is written), 2 bad input (file, line and key "
         "are\n"
-        "named), 3 a failure inside, 130 stopped by Ctrl-C: nothing is written.");
-    command->callback([arguments, &action] { action = [arguments] { return fix(*arguments); }; });
+        "named), 3 internal error, 130 stopped by Ctrl-C: nothing is written.");
+    command->callback([arguments, &action] { action = [arguments] { return run_fix(*arguments); }; });
 }
 
 }  // namespace fusee::app

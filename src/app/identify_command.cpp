@@ -25,8 +25,9 @@ int identify(const IdentifyArguments& arguments) {
                                .force = arguments.force,
                                .files = {"identification.json", "identification.html"}});
     const std::string bytes = core::read_file(arguments.csv, identification::kLargestBreakAwayFile);
-    const report::Identification found{arguments.csv.stem().string(), core::sha256_hex(bytes),
-                                       identification::identify_friction(identification::parse_break_away(bytes, arguments.csv.string()))};
+    const identification::Identification found{
+        arguments.csv.stem().string(), core::sha256_hex(bytes),
+        identification::identify_friction(identification::parse_break_away(bytes, arguments.csv.string()))};
     core::write_file(output.path() / "identification.json", report::identification_json(found));
     core::write_file(output.path() / "identification.html", report::identification_html(found));
     output.commit();
@@ -48,7 +49,7 @@ void add_identify(CLI::App& app, Action& action) {
     command->footer(
         "Example:\n  fusee identify profiles/examples/break_away.csv\n\n"
         "Exit code: 0 a law was found, 1 the rows are no gear's friction (what was found is written all the same),\n"
-        "2 bad input (file, line and column are named), 3 a failure inside.");
+        "2 bad input (file, line and column are named), 3 internal error.");
     command->callback([arguments, &action] { action = [arguments] { return identify(*arguments); }; });
 }
 

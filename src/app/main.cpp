@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "commands.h"
+#include "exit_codes.h"
 #include "fusee/core/error.h"
 #include "fusee/core/progress.h"
 #include "fusee/core/provenance.h"
@@ -23,8 +24,6 @@
 namespace fusee::app {
 
 namespace {
-
-constexpr int kBadInput = 2, kFailed = 3, kInterrupted = 130;
 
 void add_commands(CLI::App& app, Action& action) {
     for (const auto& add : {add_make, add_fix, add_simulate, add_identify, add_design, add_diagnose, add_predict, add_case_template,

@@ -7,6 +7,7 @@
 #include "fusee/batch/batch.h"
 #include "fusee/core/error.h"
 #include "fusee/core/progress.h"
+#include "fusee/profile/find_profiles.h"
 
 namespace fusee::app {
 
@@ -14,7 +15,7 @@ namespace {
 
 struct MakeArguments {
     std::vector<std::filesystem::path> paths;
-    pipeline::MakeOptions options;
+    batch::MakeOptions options;
     std::string via = to_string(options.via);
     unsigned jobs = 0;
 };
@@ -23,7 +24,7 @@ int make(const MakeArguments& arguments) {
     core::catch_interrupts();
     require_thread();
     if (arguments.paths.empty()) throw core::InvalidInput("make", "no profile", "at least one profile (*.toml) or folder of them");
-    const auto rows = batch::make_all(batch::find_profiles(arguments.paths), arguments.options, arguments.jobs);
+    const auto rows = batch::make_all(profile::find_profiles(arguments.paths), arguments.options, arguments.jobs);
     const int code = batch::exit_code(rows);
     fmt::print(code == 0 ? stdout : stderr, "{}", batch::closing_table(rows));
     return code;
@@ -45,7 +46,7 @@ void add_make(CLI::App& app, Action& action) {
     command->footer(
         "Example:\n  fusee make profiles/pnrvsa.toml\n  fusee make profiles --out /tmp/cams --jobs 2\n\n"
         "Exit code: 0 all made, 1 a design cannot be made (the binding limit and the nearest feasible change are printed),\n"
-        "2 bad input (file, line and key are named), 3 a failure inside, 130 stopped by Ctrl-C. A design that was not made leaves nothing "
+        "2 bad input (file, line and key are named), 3 internal error, 130 stopped by Ctrl-C. A design that was not made leaves nothing "
         "behind.");
     command->callback([arguments, &action] {
         arguments->options.via = arguments->via == "cgal" ? pipeline::Via::kCgal : pipeline::Via::kOpenScad;

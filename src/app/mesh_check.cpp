@@ -59,7 +59,7 @@ MeshCheck check_mesh(const std::filesystem::path& path, const std::vector<Machin
     std::vector<exchange::Colour> colours(body.mesh().triangles.size(), exchange::kGrey);
     for (const Machine& machine : machines) {
         const std::vector<inspect::Marked> found = inspect::check({body, machine.process, limits}, name);
-        report::CheckedPart part{name, {}};
+        pipeline::CheckedPart part{name, {}};
         for (const inspect::Marked& marked : found) part.findings.push_back(marked.finding);
         result.checked.processes.push_back({checks::to_string(machine.process.kind), machine.figures, machine.own, {}, {std::move(part)}});
         paint(colours, found);

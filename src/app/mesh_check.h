@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "fusee/checks/check.h"
-#include "fusee/report/check.h"
+#include "fusee/pipeline/check.h"
 
 namespace fusee::app {
 
@@ -15,14 +15,14 @@ struct Machine {
     bool own = false;  ///< a profile names this process
 };
 
-/// A part by anybody, checked for each process.
+/// A third-party part, checked for each process.
 struct MeshCheck {
-    report::Checked checked;
+    pipeline::Checked checked;
     std::filesystem::path coloured;  ///< the 3MF that shows where; empty if none was asked for
 };
 
 /// Reads the file, runs the mesh's rules for each machine, with `limits` in the place of their own, and, where `out` is not empty, writes
-/// out/NAME_check.3mf: red where a required change is, orange where a review, grey elsewhere. @throws core::InvalidInput, core::IoError
+/// out/NAME_check.3mf: red where an error is, orange where a warning, grey elsewhere. @throws core::InvalidInput, core::IoError
 [[nodiscard]] MeshCheck check_mesh(const std::filesystem::path& file, const std::vector<Machine>& machines,
                                    const std::vector<checks::Override>& limits, const std::filesystem::path& out, bool force,
                                    unsigned jobs);

@@ -4,14 +4,21 @@
 
 #include "arguments.h"
 #include "commands.h"
+#include "exit_codes.h"
+#include "fusee/core/output_folder.h"
 #include "fusee/core/progress.h"
 #include "fusee/paper/run.h"
+#include "fusee/report/paper.h"
 
 namespace fusee::app {
 
 namespace {
 
-constexpr int kRefused = 1, kInterrupted = 130;
+struct PaperArguments {
+    paper::Options options;
+    std::filesystem::path out = "out";  // the result is out/paper, complete or not at all
+    bool force = false;
+};
 
 paper::Result watched(paper::Options options) {
     core::Progress progress("paper", paper::kPieces);
@@ -19,35 +26,40 @@ paper::Result watched(paper::Options options) {
     return paper::run(options);
 }
 
-int make_paper(const paper::Options& options) {
+int make_paper(const PaperArguments& arguments) {
     core::catch_interrupts();
     require_thread();
-    const paper::Result result = watched(options);
+    core::OutputFolder output(
+        arguments.out / "paper",
+        {.command = "paper", .source = arguments.options.profiles, .force = arguments.force, .files = {"paper.html", "paper.json"}});
+    const paper::Result result = watched(arguments.options);
     for (const core::Finding& finding : result.findings) fmt::print(stderr, "{}\n", core::to_line(finding));
     if (result.interrupted) {
         fmt::print(stderr, "stopped: nothing was written\n");
         return kInterrupted;
     }
-    if (!result.made) return kRefused;
-    fmt::print("{}written: {}\n", result.summary, (result.folder / "paper.html").string());
+    if (!result.paper) return kRefused;
+    report::write_paper(*result.paper, output.path());
+    output.commit();
+    fmt::print("{}written: {}\n", report::paper_text(*result.paper), (output.target() / "paper.html").string());
     return 0;
 }
 
 }  // namespace
 
 void add_paper(CLI::App& app, Action& action) {
-    const auto options = std::make_shared<paper::Options>();
+    const auto arguments = std::make_shared<PaperArguments>();
     CLI::App* command =
         app.add_subcommand("paper", "Make every table and figure of the paper anew: out/paper with paper.html and a CSV file for each");
-    command->add_option("-o,--out", options->out, "Folder that gets the folder paper")->capture_default_str();
-    command->add_option("--profiles", options->profiles, "Folder of the shipped profiles")->capture_default_str();
-    add_jobs(*command, options->jobs, "Threads; 0 = one for each processor; no influence on the result");
-    add_force(*command, options->force);
+    command->add_option("-o,--out", arguments->out, "Folder that gets the folder paper")->capture_default_str();
+    command->add_option("--profiles", arguments->options.profiles, "Folder of the shipped profiles")->capture_default_str();
+    add_jobs(*command, arguments->options.jobs, "Threads; 0 = one for each processor; no influence on the result");
+    add_force(*command, arguments->force);
     command->footer(
         "Example:\n  fusee paper\n\n"
         "Exit code: 0 all made, 1 a law cannot be (the binding limit and the nearest feasible change are printed),\n"
-        "2 bad input (file, line and key are named), 3 a failure inside, 130 stopped by Ctrl-C: nothing is written.");
-    command->callback([options, &action] { action = [options] { return make_paper(*options); }; });
+        "2 bad input (file, line and key are named), 3 internal error, 130 stopped by Ctrl-C: nothing is written.");
+    command->callback([arguments, &action] { action = [arguments] { return make_paper(*arguments); }; });
 }
 
 }  // namespace fusee::app

@@ -8,7 +8,7 @@
 
 namespace fusee::app {
 
-/// What `work` returns; a room below knows the key that it refuses, the profile its file and line.
+/// What `work` returns; a module below knows the key that it refuses, the profile its file and line.
 /// @throws core::InvalidInput with both
 template <class Work>
 auto with_places(const profile::Profile& profile, const Work& work) {

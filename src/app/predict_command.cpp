@@ -75,8 +75,8 @@ void add_predict(CLI::App& app, Action& action) {
     add_force(*command, arguments->force);
     command->footer(
         "Example:\n  fusee predict bench/monday --effects bench/monday/diagnosis/diagnosis.json --inputs bench/tuesday --out "
-        "/tmp/foretold\n\n"
-        "Exit code: 0 predicted, 2 bad input (file, line and key are named), 3 a failure inside.");
+        "/tmp/predicted\n\n"
+        "Exit code: 0 predicted, 2 bad input (file, line and key are named), 3 internal error.");
     command->callback([arguments, &action] { action = [arguments] { return predict(*arguments); }; });
 }
 

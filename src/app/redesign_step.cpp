@@ -5,7 +5,7 @@
 #include "fusee/core/destination.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
-#include "fusee/pipeline/redesign.h"
+#include "fusee/redesign/redesign.h"
 #include "fusee/report/redesign.h"
 #include "fusee/subsystem/subsystem.h"
 
@@ -19,15 +19,16 @@ RedesignStep::RedesignStep(const fs::path& profile, const fs::path& file, const 
         throw core::InvalidInput("--write-profile", file.string(), "another file than --profile, which stays as it is");
     if (std::error_code ignored; fs::exists(file, ignored)) core::require_new_file(file, force);
     if (gap_case::is_subsystem_case(case_folder))
-        throw core::InvalidInput("--write-profile", case_folder.string(), "a case with [rig]: a subsystem on the bench has no cams");
-    bench_ = gap_case::read_case(case_folder);
-    pipeline::require_same_rig(profile_, bench_);
+        throw core::InvalidInput("--write-profile", case_folder.string(), "a case with [rig]: a subsystem case has no cams");
+    gap_case_ = gap_case::read_case(case_folder);
+    (void)redesign::require_same_rig(profile_, gap_case_);
 }
 
 RedesignStep::Output RedesignStep::write(const diagnosis::Diagnosis& found, const fs::path& folder) const {
-    const report::Redesign redesign = pipeline::redesign(profile_, toml_, bench_, found, {.file = file_});
-    pipeline::write_redesign(redesign, folder, force_);
-    return {report::redesign_section(redesign), report::redesign_text(redesign)};
+    const redesign::Redesign planned = redesign::plan_redesign(profile_, toml_, gap_case_, found, {.file = file_});
+    redesign::write_profiles(planned, force_);
+    core::write_file(folder / "redesign.json", report::redesign_json(planned));
+    return {report::redesign_section(planned), report::redesign_text(planned)};
 }
 
 std::optional<RedesignStep> redesign_step(const fs::path& profile, const fs::path& file, const fs::path& case_folder, bool force) {

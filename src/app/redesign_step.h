@@ -21,7 +21,7 @@ public:
         std::string section;  ///< of the page
         std::string text;     ///< for the terminal
     };
-    /// Writes the corrected profiles, and redesign.json into `folder`. @throws as pipeline::redesign and pipeline::write_redesign
+    /// Writes the corrected profiles, and redesign.json into `folder`. @throws as redesign::plan_redesign and redesign::write_profiles
     [[nodiscard]] Output write(const diagnosis::Diagnosis& found, const std::filesystem::path& folder) const;
 
 private:
@@ -29,7 +29,7 @@ private:
     bool force_;  ///< a profile that stands there is replaced
     std::string toml_;
     profile::Profile profile_;
-    gap_case::Case bench_;
+    gap_case::Case gap_case_;
 };
 
 /// None unless both options are given. @throws core::InvalidInput if one stands alone, and as RedesignStep

@@ -10,6 +10,7 @@
 #include "fusee/batch/batch.h"
 #include "fusee/core/error.h"
 #include "fusee/core/progress.h"
+#include "fusee/profile/find_profiles.h"
 #include "numbers.h"
 
 namespace fusee::app {
@@ -22,6 +23,7 @@ struct SimulateArguments {
     pipeline::SimulateOptions options;
     std::vector<std::string> at;  ///< checked by parse_torques
     unsigned jobs = 0;
+    bool force = false;
 };
 
 constexpr double kLargestTorque = 1e4;
@@ -51,7 +53,7 @@ int simulate(const SimulateArguments& arguments) {
     if (arguments.paths.empty()) throw core::InvalidInput("simulate", "no profile", "at least one profile (*.toml) or folder of them");
     pipeline::SimulateOptions options = arguments.options;
     for (const std::string& torques : arguments.at) options.at.push_back(*parse_torques(torques));
-    const auto rows = batch::simulate_all(batch::find_profiles(arguments.paths), arguments.out, options, arguments.jobs);
+    const auto rows = batch::simulate_all(profile::find_profiles(arguments.paths), arguments.out, options, arguments.jobs, arguments.force);
     const int code = batch::exit_code(rows);
     fmt::print(code == 0 ? stdout : stderr, "{}", batch::closing_table(rows));
     return code;
@@ -79,13 +81,13 @@ void add_simulate(CLI::App& app, Action& action) {
         ->allow_extra_args(false)
         ->type_name("T1,T2,TQ")
         ->check(CLI::Validator(three_torques, ""));
-    add_force(*command, arguments->options.force);
+    add_force(*command, arguments->force);
     add_jobs(*command, arguments->jobs, "Profiles simulated at the same time; 0 = one for each processor");
     command->footer(
         "Example:\n  fusee simulate profiles/pnrvsa.toml\n  fusee simulate profiles/relatives --levels 5\n  fusee simulate "
         "profiles/pnrvsa.toml --at 1,0.9,0 --at 1,1,0.05\n\n"
         "Exit code: 0 all simulated, 1 a law or an equilibrium cannot be (what binds and the nearest feasible change are printed),\n"
-        "2 bad input (file, line and key are named), 3 a failure inside, 130 stopped by Ctrl-C.");
+        "2 bad input (file, line and key are named), 3 internal error, 130 stopped by Ctrl-C.");
     command->callback([arguments, &action] { action = [arguments] { return simulate(*arguments); }; });
 }
 

@@ -23,7 +23,7 @@ void guarded(Ended& row, const Guarded& work) {
     } catch (const core::InputError& e) {
         row.outcome = Outcome::kBadInput, row.error = e.what();
     } catch (const std::bad_alloc&) {
-        row.outcome = Outcome::kBadInput, row.error = "out of memory: this takes more than the machine or its limit (ulimit -v) gives";
+        row.outcome = Outcome::kBadInput, row.error = "out of memory: more is needed than the machine or its limit (ulimit -v) allows";
     } catch (const std::system_error& e) {  // a full disk, no more threads, a working folder that is gone
         row.outcome = Outcome::kBadInput, row.error = e.what();
     } catch (const std::exception& e) {
@@ -36,7 +36,7 @@ struct Job {
     std::optional<profile::Profile> profile;
 };
 
-/// All profiles are read before work begins on the first: what is wrong with a file is known at once, and names are compared.
+/// Reads all profiles before the work begins, so that errors of files are known at once and names can be compared.
 std::vector<Job> read_all(const std::vector<fs::path>& paths) {
     std::vector<Job> jobs;
     std::set<std::string> names;
@@ -59,7 +59,7 @@ void run(Job& job, const Work& work, std::size_t place) {
     guarded(job.row, [&] {
         try {
             job.row.outcome = work(*job.profile, place) ? Outcome::kMade : Outcome::kRefused;
-        } catch (const core::InvalidInput& e) {  // a room below knows the key, the profile its line
+        } catch (const core::InvalidInput& e) {  // a lower module knows the key, the profile its line
             throw core::InvalidInput(job.profile->place_of(e.field()), e.value(), e.allowed());
         }
     });

@@ -6,7 +6,9 @@
 
 #include "fusee/batch/batch.h"
 #include "fusee/core/text.h"
+#include "fusee/report/headline.h"
 #include "fusee/report/rule_counts.h"
+#include "fusee/report/simulation.h"
 
 namespace fusee::batch {
 
@@ -47,20 +49,22 @@ namespace {
 std::string made_line(const Row& row) {
     const core::Findings& findings = row.result.findings;
     const std::string open = report::not_judged_text(findings);
+    const std::size_t warnings = core::count(findings, core::Severity::kWarning);
     return fmt::format(
-        "{}/  {} rules passed, {} to review{}", core::printable(row.result.folder.string()), core::count(findings, core::Severity::kPass),
-        core::count(findings, core::Severity::kWarning),
+        "{}/  {} rules passed, {} warnings{}{}", core::printable(row.result.folder.string()), core::count(findings, core::Severity::kPass),
+        warnings, warnings > 0 ? " (review and accept)" : "",
         open.empty() ? "" : fmt::format("; {} (`fusee check {}` lists what is missing)", open, core::printable(row.profile.string())));
 }
 
-/// What the user gets, a figure a line.
+/// The headline, one figure a line.
 std::string head_lines(const Row& row) {
     std::string lines;
-    for (const report::HeadFigure& figure : row.result.head) lines += fmt::format("    {}  {}\n", figure.value, figure.label);
+    for (const report::HeadFigure& figure : report::head_figures(row.result.headline, row.result.file_errors))
+        lines += fmt::format("    {}  {}\n", figure.value, figure.label);
     return lines;
 }
 
-/// What went wrong, or what binds; under a row.
+/// The error or the binding findings, under a row.
 std::string details(const Ended& row, const core::Findings& findings) {
     std::string lines;
     std::istringstream error(row.error);
@@ -72,7 +76,7 @@ std::string details(const Ended& row, const core::Findings& findings) {
     return lines;
 }
 
-/// "profiles/pnrvsa.toml  made         1.20 s  "; `done` is the word for what went well.
+/// "profiles/pnrvsa.toml  made         1.20 s  "; `done` is the word for success.
 template <class AnyRow>
 std::string beginning(const AnyRow& row, const std::vector<AnyRow>& rows, const char* done) {
     std::size_t width = 0;
@@ -95,7 +99,7 @@ std::string closing_table(const std::vector<Row>& rows) {
 
 std::string closing_table(const std::vector<SimulationRow>& rows) {
     std::string table;
-    std::vector<report::Simulation> done;
+    std::vector<pipeline::Simulation> done;
     for (const SimulationRow& row : rows) {
         table += beginning(row, rows, "simulated") + (row.simulation ? row.folder.string() + "/" : "") + "\n" + details(row, row.refusal);
         if (!row.simulation) continue;

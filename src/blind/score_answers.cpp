@@ -5,6 +5,7 @@
 
 #include "fusee/blind/score.h"
 #include "fusee/core/error.h"
+#include "fusee/math/statistics.h"
 #include "judge.h"
 #include "shuffle.h"
 
@@ -121,9 +122,8 @@ void time(Score& score, const std::vector<Answer>& answers) {
     for (const Answer& answer : answers)
         if (!std::isnan(answer.seconds)) seconds.push_back(answer.seconds);
     if (seconds.empty()) return;
-    std::sort(seconds.begin(), seconds.end());
-    score.median_seconds = 0.5 * (seconds[(seconds.size() - 1) / 2] + seconds[seconds.size() / 2]);
-    score.worst_seconds = seconds.back();
+    score.median_seconds = math::median(seconds);
+    score.worst_seconds = *std::max_element(seconds.begin(), seconds.end());
 }
 
 Figure intervals_figure(const Share& intervals) {

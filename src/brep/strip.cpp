@@ -17,11 +17,11 @@ namespace fusee::brep {
 
 namespace {
 
-constexpr double kSlopeStep = 1e-4;  // of the one-sided differences at a rail's ends [rad]
-constexpr double kSame_mm = 1e-9;    // points that count as one when a spline is laid through them
-constexpr int kFirstCount = 25;      // nodes; more where they are needed
-constexpr double kLeastStep = 1e-6;  // [rad]: 0.04 um of a radius of 40 mm, where a corner would be refined for ever
-constexpr double kByLength = 0.5;    // share of the parameter that grows with the rails' length; the rest grows with psi
+constexpr double kSlopeStep = 1e-4;     // of the one-sided differences at a rail's ends [rad]
+constexpr double kSamePoint_mm = 1e-9;  // points that count as one when a spline is laid through them
+constexpr int kFirstCount = 25;         // nodes; more where they are needed
+constexpr double kLeastStep = 1e-6;     // [rad]: 0.04 um of a radius of 40 mm, where a corner would be refined for ever
+constexpr double kByLength = 0.5;       // share of the parameter that grows with the rails' length; the rest grows with psi
 
 double slope_step(const Nodes& nodes) { return std::min(kSlopeStep, 0.1 * (nodes.nodes.back().psi - nodes.nodes.front().psi)); }
 
@@ -126,7 +126,7 @@ Handle(Geom_BSplineCurve) spline(const Rail& rail, const Nodes& nodes) {
         points->SetValue(i + 1, point(rail(node.psi)));
         places->SetValue(i + 1, node.at);
     }
-    GeomAPI_Interpolate through(points, places, false, kSame_mm);
+    GeomAPI_Interpolate through(points, places, false, kSamePoint_mm);
     const double step = slope_step(nodes), begin = nodes.nodes.front().psi, end = nodes.nodes.back().psi;
     through.Load(slope(rail, begin, step) / nodes.begin_pace, slope(rail, end, -step) / nodes.end_pace, false);
     through.Perform();
@@ -187,7 +187,7 @@ TopoDS_Face face_of(const Strip& strip, const Nodes& nodes) {
     }
     const Handle(Geom_BSplineSurface) surface =
         new Geom_BSplineSurface(poles, weights, across_knots, along_knots, across_times, along_times, strip.degree, 3);
-    return BRepBuilderAPI_MakeFace(surface, kSame_mm).Face();
+    return BRepBuilderAPI_MakeFace(surface, kSamePoint_mm).Face();
 }
 
 }  // namespace fusee::brep

@@ -43,7 +43,7 @@ std::vector<ContourStretch> by_psi(const IdleArc& arc, double begin_psi, int dir
 std::vector<ContourStretch> working_stretches(const ArmFunction& arm, const CamOptions& options, const Height& height) {
     std::vector<ContourStretch> result;
     const auto heights = std::make_shared<const Height>(height);
-    for (const spring::LawStretch& law : spring::stretches(arm.law()))
+    for (const spring::LawSegment& law : spring::segments(arm.law()))
         result.push_back(
             {law.parameter, true, [arm, options, heights, law](const Interval& box) {
                  const ContactJet contact = touch(arm.kind(), arm.over(law.over(box)), options);

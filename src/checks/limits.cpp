@@ -10,7 +10,7 @@ namespace fusee::checks {
 
 namespace {
 
-constexpr std::array kCables = {
+constexpr std::array kCableTable = {
     CableLimits{"fibre", 4.0, 8.0, "The Complete Rigger's Apprentice: fibre 4-6, better 6-8"},
     CableLimits{"7x7", 28.0, 40.0, "Sava: 40; Strandcore: desired 42, critical 28"},
     CableLimits{"7x19", 18.0, 25.0, "Sava: 25; Strandcore: desired 24, critical 18"},
@@ -124,15 +124,15 @@ const char* to_string(ProcessKind kind) {
     return "";
 }
 
-std::span<const CableLimits> cable_table() { return kCables; }
+std::span<const CableLimits> cable_table() { return kCableTable; }
 std::span<const ProcessLimits> process_table() { return kProcesses; }
 std::span<const KeySize> key_table() { return kKeys; }
 
 const CableLimits& cable_limits(const std::string& construction) {
-    for (const CableLimits& row : kCables)
+    for (const CableLimits& row : kCableTable)
         if (construction == row.construction) return row;
     std::string known;
-    for (const CableLimits& row : kCables) known += (known.empty() ? "" : ", ") + std::string(row.construction);
+    for (const CableLimits& row : kCableTable) known += (known.empty() ? "" : ", ") + std::string(row.construction);
     throw core::InvalidInput("cable.construction", construction, known);
 }
 

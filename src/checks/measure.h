@@ -9,6 +9,8 @@ namespace fusee::checks {
 bool is_milled(const Design& design);   ///< on three or four axes
 bool is_stacked(const Design& design);  ///< from plates cut by wire or laser
 
+inline constexpr double kPaPerMPa = 1e6;
+
 /// "k_pe"
 std::string name(const Design& design);
 /// "k_pe at psi 12.0 deg"

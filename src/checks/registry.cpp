@@ -3,10 +3,12 @@
 #include <cassert>
 
 #include "family.h"
+#include "fusee/checks/check.h"
 #include "fusee/core/error.h"
-#include "rules.h"
 
 namespace fusee::checks {
+
+#include "rule_registry.h"
 
 namespace {
 
@@ -31,7 +33,7 @@ constexpr std::array kGroups = {
     Group{"stack", "plates cut by wire or laser, stacked"},
     Group{"assembly", "putting it together"},
     Group{"collision", "rules of the trade that contradict each other"},
-    Group{"mesh", "a mesh by anybody (fusee check)"},
+    Group{"mesh", "third-party meshes (fusee check)"},
 };
 
 void validate(const Design& design) {
@@ -55,101 +57,16 @@ core::Findings run_all(const Design& design, bool has_mesh) {
 }  // namespace
 
 std::span<const Rule> rules() {
-    static const std::array all = {cable_bend_ratio(),
-                                   cable_space_bend(),
-                                   cable_bend_strength(),
-                                   cable_breaking_load(),
-                                   cable_anchor_load(),
-                                   cable_anchor_tail(),
-                                   cable_knot(),
-                                   cable_slack(),
-                                   cable_pressure(),
-                                   cable_fleet(),
-                                   cable_fleet_side(),
-                                   cable_groove_angle(),
-                                   cable_free_path(),
-                                   cam_arm_range(),
-                                   cam_contour_radius(),
-                                   groove_depth(),
-                                   groove_lip_height(),
-                                   groove_radius(),
-                                   groove_throat(),
-                                   groove_flank_rub(),
-                                   groove_pitch(),
-                                   groove_neighbour_turns(),
-                                   spring_travel(),
-                                   spring_coil_gap(),
-                                   spring_torsion_angle(),
-                                   spring_body_growth(),
-                                   spring_unwinding(),
-                                   spring_hand(),
-                                   spring_load(),
-                                   spring_stress(),
-                                   spring_fatigue(),
-                                   spring_buckling(),
-                                   spring_index(),
-                                   spring_active_coils(),
-                                   spring_rod(),
-                                   spring_rate_scatter(),
-                                   structure_wall_to_bore(),
-                                   structure_neck(),
-                                   structure_idle_curvature(),
-                                   structure_leg_slot(),
-                                   structure_slot_floor(),
-                                   structure_anchor(),
-                                   structure_anchor_floor(),
-                                   structure_hole_edge(),
-                                   structure_flange_bending(),
-                                   structure_flange_slenderness(),
-                                   shaft_bore_fit(),
-                                   shaft_hub_length(),
-                                   shaft_hub_wall(),
-                                   shaft_key(),
-                                   shaft_key_pressure(),
-                                   shaft_screw(),
-                                   shaft_screw_torque(),
-                                   shaft_d_flat(),
-                                   roller_pressure_angle(),
-                                   roller_undercut(),
-                                   roller_contact_pressure(),
-                                   roller_rim_width(),
-                                   roller_lift_off(),
-                                   process_build_volume(),
-                                   process_wall(),
-                                   process_hole(),
-                                   process_detail(),
-                                   process_contour_error(),
-                                   fdm_support(),
-                                   fdm_bridge(),
-                                   fdm_layers(),
-                                   fdm_elephant_foot(),
-                                   sla_drain(),
-                                   sla_support(),
-                                   sls_hole_depth(),
-                                   sls_groove(),
-                                   mill_slot_width(),
-                                   mill_pocket(),
-                                   mill_inner_edge(),
-                                   mill_hole_depth(),
-                                   mill4_reach(),
-                                   mill4_swing(),
-                                   stack_wire(),
-                                   stack_kerf(),
-                                   stack_groove_width(),
-                                   stack_plate(),
-                                   stack_hole(),
-                                   stack_dowels(),
-                                   stack_boss(),
-                                   stack_climb(),
-                                   assembly_thread(),
-                                   assembly_anchor_reach(),
-                                   assembly_leg_width(),
-                                   assembly_leg_radius(),
-                                   assembly_rotation_gap(),
-                                   collision_ball_cutter(),
-                                   collision_printed_throat(),
-                                   collision_printed_land(),
-                                   collision_rim_undercut()};
+    static const std::vector<Rule> all = [] {
+        std::vector<Rule> made;
+        for (const Group& group : kGroups)
+            for (const Registered& file : kRegistered)
+                if (Rule rule = file.make(); rule.group() == group.id) {
+                    assert(rule.id == std::string_view(file.id) && "a rule's id is group.file");
+                    made.push_back(std::move(rule));
+                }
+        return made;
+    }();
     return all;
 }
 

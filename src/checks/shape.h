@@ -8,6 +8,8 @@
 
 namespace fusee::checks {
 
+inline constexpr double kRopePitch = 2.065;  ///< least pitch of a rope's groove, in floor radii (Unirope/Python: up to 2.18)
+
 using Vec2 = std::array<double, 2>;  ///< [m], body frame
 
 /// The cable's path by rising psi over the whole groove: the working positions as they are and, cheaper than solving for them again, the

@@ -11,7 +11,7 @@ namespace fusee::checks {
 
 namespace {
 
-constexpr double kRounding = 1e-9;  // relative
+constexpr double kSizeRounding = 1e-9;  // relative
 
 constexpr std::array kShafts{2.0,  2.5,  3.0,  4.0,  5.0,  6.0,  7.0,  8.0,  9.0,  10.0, 11.0, 12.0, 14.0, 15.0, 16.0,
                              17.0, 18.0, 19.0, 20.0, 22.0, 24.0, 25.0, 28.0, 30.0, 32.0, 35.0, 38.0, 40.0, 45.0, 50.0};
@@ -19,7 +19,7 @@ constexpr std::array kWires{0.2, 0.22, 0.25, 0.28, 0.3, 0.32, 0.36, 0.4,  0.45, 
                             1.1, 1.2,  1.25, 1.3,  1.4, 1.5,  1.6,  1.7,  1.8,  1.9, 2.0,  2.1, 2.25, 2.4, 2.5,  2.6, 2.8, 3.0,
                             3.2, 3.4,  3.6,  3.8,  4.0, 4.25, 4.5,  4.75, 5.0,  5.6, 6.0,  6.5, 7.0,  8.0, 9.0,  10.0};
 constexpr std::array kScrews{1.6, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 12.0, 16.0, 20.0};
-constexpr std::array kCables{0.2, 0.3, 0.4, 0.5, 0.6, 0.8, 1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0};
+constexpr std::array kCableSizes_mm{0.2, 0.3, 0.4, 0.5, 0.6, 0.8, 1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0};
 
 /// What is on sale of one construction.
 struct CableStock {
@@ -43,12 +43,12 @@ const CableStock& stock_of(const std::string& construction) {
 }  // namespace
 
 std::optional<double> StandardSizes::at_most(double limit_mm) const {
-    const auto above = std::upper_bound(mm.begin(), mm.end(), limit_mm * (1.0 + kRounding));
+    const auto above = std::upper_bound(mm.begin(), mm.end(), limit_mm * (1.0 + kSizeRounding));
     return above == mm.begin() ? std::nullopt : std::optional(*std::prev(above));
 }
 
 std::optional<double> StandardSizes::at_least(double limit_mm) const {
-    const auto from = std::lower_bound(mm.begin(), mm.end(), limit_mm * (1.0 - kRounding));
+    const auto from = std::lower_bound(mm.begin(), mm.end(), limit_mm * (1.0 - kSizeRounding));
     return from == mm.end() ? std::nullopt : std::optional(*from);
 }
 
@@ -58,8 +58,8 @@ StandardSizes screw_sizes() { return {"set screw", kScrews, "ISO 4026"}; }
 
 StandardSizes cable_sizes(const std::string& construction) {
     const CableStock& stock = stock_of(construction);
-    const auto first = std::lower_bound(kCables.begin(), kCables.end(), stock.thinnest_mm);
-    return {"cable", std::span(first, kCables.end()), stock.source};
+    const auto first = std::lower_bound(kCableSizes_mm.begin(), kCableSizes_mm.end(), stock.thinnest_mm);
+    return {"cable", std::span(first, kCableSizes_mm.end()), stock.source};
 }
 
 double strongest_cable(const std::string& construction, double d) { return stock_of(construction).strength * d * d; }

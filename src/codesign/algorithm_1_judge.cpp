@@ -24,7 +24,7 @@ double proportional_friction(const profile::Profile& profile) {
     const friction::Law gear = pipeline::gear_friction(profile);
     if (!gear.is_proportional())
         throw core::InvalidInput("rig.gear_friction_constant_Nm", "friction that is not in proportion to the load",
-                                 "gear_friction alone for Algorithm 1; design.method = \"co_design\" takes any");
+                                 "gear_friction alone for Algorithm 1; design.method = \"co_design\" accepts any");
     return gear.mu();
 }
 
@@ -47,16 +47,19 @@ design::Algorithm1 algorithm_of(const profile::Profile& profile, const spring::S
     return {options, rig};
 }
 
-spring::SpringLawPtr own_law(const profile::Profile& profile) {
-    const auto designed = pipeline::design_law(profile);
-    return designed ? designed->law : nullptr;
+std::optional<pipeline::ResolvedDesign> own_design(const profile::Profile& profile) {
+    auto design = pipeline::resolve(profile);
+    if (!design) return std::nullopt;
+    return std::move(design).value();
 }
 
 std::string degrees(double rad) { return fmt::format("{:.3g} deg", core::deg_from_rad(rad)); }
 
 }  // namespace
 
-Judge::Judge(const profile::Profile& profile) : profile_(profile), own_(own_law(profile)) { algorithm_ = algorithm_of(profile, own_); }
+Judge::Judge(const profile::Profile& profile) : profile_(profile), own_(own_design(profile)) {
+    algorithm_ = algorithm_of(profile, own_ ? own_->law() : nullptr);
+}
 
 profile::Profile Judge::best(std::span<const double> found, const std::filesystem::path& folder) const {
     profile::Profile best = renamed(moved(profile_, folder), "-best");
@@ -66,10 +69,8 @@ profile::Profile Judge::best(std::span<const double> found, const std::filesyste
     return best;
 }
 
-report::LawCurves Judge::curves(const spring::SpringLawPtr& law) const { return law_curves(profile_, law, algorithm_->rig().torques); }
-
-/// The searched numbers and Algorithm 1's terms, beside those of the profile's own law.
-void Judge::compare(report::SearchReport& report, std::span<const double> found) const {
+/// The searched numbers and Algorithm 1's terms, compared with those of the profile's own law.
+void Judge::compare(SearchReport& report, std::span<const double> found) const {
     static constexpr const char *kNames[] = {"k", "u", "C"}, *kUnits[] = {"1/(Nm rad)", "Nm", "Nm"};
     const auto* own = std::get_if<spring::StictionLawOptions>(&profile_.law.curves);
     const double values[] = {own ? own->k : NAN, own ? own->u : NAN, own ? own->c : NAN};
@@ -96,22 +97,23 @@ void Judge::compare(report::SearchReport& report, std::span<const double> found)
                       {"least stiffness of both springs", "Nm/rad", terms.least_stiffness, NAN}};
 }
 
-/// The law with its lead-in, then the cams on the profile's base springs; what is refused is a finding and leaves the rest out.
-void Judge::judge(report::SearchReport& report, const profile::Profile& best) const {
-    const auto designed = pipeline::design_law(best);
-    if (!designed) {
-        report.findings = designed.refusal();
-        report.found = curves(*spring::make_stiction_law(std::get<spring::StictionLawOptions>(best.law.curves)));
+/// The law with its lead-in, then the cams on the profile's base springs; a refusal is a finding and ends the sequence.
+void Judge::judge(SearchReport& report, const profile::Profile& best) const {
+    const core::Range torques = algorithm_->rig().torques;
+    const auto design = pipeline::resolve(best);
+    if (!design) {
+        report.findings = design.refusal();
+        const auto bare = spring::make_stiction_law(std::get<spring::StictionLawOptions>(best.law.curves));
+        report.found = law_curves(pipeline::actuator_of(best, *bare), torques);
         return;
     }
-    report.findings = designed->findings;
-    report.found = curves(designed->law);
+    report.findings = design->findings;
+    report.found = law_curves(design->actuator, torques);
     if (!profile_.has_parts) return;
-    for (const cam::PartKind kind : {cam::PartKind::kSeries, cam::PartKind::kParallel})
-        report.cams.push_back(cam_curve(kind, best, designed->law));
+    for (const cam::PartKind kind : {cam::PartKind::kSeries, cam::PartKind::kParallel}) report.cams.push_back(cam_curve(kind, *design));
 }
 
-void Judge::remark(report::SearchReport& report, std::span<const double> found) const {
+void Judge::remark(SearchReport& report, std::span<const double> found) const {
     const design::Algorithm1Terms terms = algorithm_->terms(found);
     const core::Range torques = algorithm_->rig().torques;
     std::vector<std::string>& all = report.remarks;
@@ -121,28 +123,27 @@ void Judge::remark(report::SearchReport& report, std::span<const double> found) 
                               degrees(terms.initial_dead_band), torques.low, degrees(terms.final_dead_band), torques.high,
                               degrees(terms.travel), degrees(algorithm_->options().wanted_travel)));
     if (terms.initial_dead_band == algorithm_->options().joint_range)
-        all.push_back("the first of these is as wide as the joint can turn, and counted so");
-    if (terms.cost >= 0.0)
-        all.push_back("the cost is not below 0, where what is at the border of being no springs lies: a larger W2 is due");
+        all.push_back("the first of these is limited to the range of the joint");
+    if (terms.cost >= 0.0) all.push_back("the cost is not below 0, the cost of vanishing springs: W2 must be larger");
     for (std::size_t j = 0; j < report.variables.size(); ++j) {
-        const report::SearchedVariable& v = report.variables[j];
+        const SearchedVariable& v = report.variables[j];
         const double edge = 1e-6 * v.box.width();
         const bool low = v.found - v.box.low <= edge;
         if (low || v.box.high - v.found <= edge)
-            all.push_back(fmt::format("{} stands at the edge of its box, {:.6g} {}", v.name, low ? v.box.low : v.box.high, v.unit));
+            all.push_back(fmt::format("{} is at the edge of its box, {:.6g} {}", v.name, low ? v.box.low : v.box.high, v.unit));
     }
-    for (const report::CamCurve& cam : report.cams)
+    for (const CamCurve& cam : report.cams)
         all.push_back(cam.part ? fmt::format("{} can be cut on the profile's base spring", cam::to_string(cam.kind))
-                               : fmt::format("{} cannot be cut on the profile's base spring: see the findings; --method co_design searches "
-                                             "the base springs too",
+                               : fmt::format("{} cannot be cut on the profile's base spring: see the findings; --method co_design also "
+                                             "searches the base springs",
                                              cam::to_string(cam.kind)));
 }
 
-report::SearchReport Judge::report(std::span<const double> found, const profile::Profile& best) const {
-    report::SearchReport report;
+SearchReport Judge::report(std::span<const double> found, const profile::Profile& best) const {
+    SearchReport report;
     report.provenance = {profile_.name + "-design", profile_.sha256, "method=algorithm_1"};
     report.method = "algorithm_1";
-    if (own_) report.own = curves(own_);
+    if (own_) report.own = law_curves(own_->actuator, algorithm_->rig().torques);
     compare(report, found);
     judge(report, best);
     remark(report, found);

@@ -5,55 +5,50 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 #include "algorithm_1_judge.h"
 #include "curves.h"
+#include "fusee/codesign/search_report.h"
 #include "fusee/core/destination.h"
-#include "fusee/core/file.h"
 #include "fusee/core/units.h"
 #include "fusee/design/evolution.h"
 #include "fusee/pipeline/design.h"
-#include "fusee/report/report.h"
-#include "fusee/report/search.h"
-
-namespace fs = std::filesystem;
 
 namespace fusee::codesign {
 
 namespace {
 
-constexpr int kCurvePoints = 401, kTriedParts = 60;
+constexpr int kCurvePoints = 401, kBoxParts = 60;
 
-/// Everything that the search keeps an eye on besides its best.
+/// Observes all candidates of the search.
 class Watch {
 public:
     explicit Watch(const design::Algorithm1& algorithm) : algorithm_(algorithm), bounds_(algorithm.bounds()) {
-        lowest_.assign(bounds_.size(), std::vector<double>(kTriedParts, std::numeric_limits<double>::quiet_NaN()));
+        lowest_.assign(bounds_.size(), std::vector<double>(kBoxParts, std::numeric_limits<double>::quiet_NaN()));
     }
 
     void see(std::span<const double> x, double cost) {
         for (std::size_t j = 0; j < bounds_.size(); ++j) {
             if (bounds_[j].width() == 0.0) continue;
             const double share = (x[j] - bounds_[j].low) / bounds_[j].width();
-            double& lowest = lowest_[j][static_cast<std::size_t>(std::min(share * kTriedParts, kTriedParts - 1.0))];
+            double& lowest = lowest_[j][static_cast<std::size_t>(std::min(share * kBoxParts, kBoxParts - 1.0))];
             lowest = std::fmin(lowest, cost);
         }
         const design::Algorithm1Terms terms = algorithm_.terms(x);
         const double gain = terms.initial_dead_band - terms.final_dead_band;
         if (!terms.feasible || !(gain > 0.0)) return;
-        const double price = terms.cost + algorithm_.options().weight_dead_band * gain;  // W1 and W3
-        least_weight_ = std::fmin(least_weight_, price / gain);
+        const double other_cost = terms.cost + algorithm_.options().weight_dead_band * gain;  // W1 and W3
+        least_weight_ = std::fmin(least_weight_, other_cost / gain);
     }
 
-    /// Middles of the parts of variable j's box and the lowest cost met in each; NaN where none was tried.
+    /// Middles of the parts of variable j's box and the lowest cost of the candidates in each; NaN where there was none.
     [[nodiscard]] std::vector<double> middles(std::size_t j) const {
         std::vector<double> all;
-        for (int i = 0; i < kTriedParts; ++i) all.push_back(bounds_[j].low + bounds_[j].width() * (i + 0.5) / kTriedParts);
+        for (int i = 0; i < kBoxParts; ++i) all.push_back(bounds_[j].low + bounds_[j].width() * (i + 0.5) / kBoxParts);
         return all;
     }
     [[nodiscard]] const std::vector<double>& lowest(std::size_t j) const { return lowest_[j]; }
-    /// The W2 at which the cost of some springs met is 0; NaN if none were met.
+    /// The W2 at which the cost of the best feasible candidate is 0; NaN if none was feasible.
     [[nodiscard]] double least_weight() const { return least_weight_; }
 
 private:
@@ -63,7 +58,7 @@ private:
     double least_weight_ = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// What the cost depends on, digit for digit: a checkpoint of another cost is not gone on from.
+/// All figures that the cost depends on: a checkpoint with other figures is refused.
 std::string identity(const design::Algorithm1& algorithm) {
     const design::Algorithm1Options& o = algorithm.options();
     const design::Algorithm1Rig& r = algorithm.rig();
@@ -92,7 +87,7 @@ design::EvolutionResult search(const design::Algorithm1& algorithm, const profil
     return design::evolve(algorithm, options);
 }
 
-/// No springs found: either none were met, or springs that are none cost less.
+/// No springs found: either no candidate was feasible, or vanishing springs cost less.
 core::Finding not_found(const design::Algorithm1& algorithm, const design::Algorithm1Terms& best, double least_weight) {
     const double start = algorithm.rig().torques.low, weight = algorithm.options().weight_dead_band;
     core::Finding f;
@@ -102,7 +97,7 @@ core::Finding not_found(const design::Algorithm1& algorithm, const design::Algor
     f.bound = core::Bound::kAtLeast;
     if (std::isnan(least_weight)) {
         f.rule = "design.feasible";
-        f.what = "no (k, u, C) that was tried gives both springs a stiffness above 0 at every load";
+        f.what = "no candidate (k, u, C) gives both springs a stiffness above 0 at every load";
         f.measured = best.least_stiffness;
         f.unit = "Nm/rad";
         f.suggestion = fmt::format("algorithm_1.u_Nm = [0, {:.3g}] and algorithm_1.c_Nm = [0, {:.3g}]",
@@ -110,7 +105,7 @@ core::Finding not_found(const design::Algorithm1& algorithm, const design::Algor
         return f;
     }
     f.rule = "design.weight";
-    f.what = "springs cost more than 0, and what is at the border of being none costs about 0: W2 is too small (paper, section VI.B)";
+    f.what = "springs cost more than 0, and vanishing springs cost about 0: W2 is too small (paper, section VI.B)";
     f.measured = weight;
     f.allowed = least_weight;
     f.unit = "1/rad";
@@ -118,9 +113,9 @@ core::Finding not_found(const design::Algorithm1& algorithm, const design::Algor
     return f;
 }
 
-std::vector<report::CostCurve> cost_curves(const design::Algorithm1& algorithm, const std::vector<double>& best, const Watch& watch) {
+std::vector<CostCurve> cost_curves(const design::Algorithm1& algorithm, const std::vector<double>& best, const Watch& watch) {
     static constexpr const char* kUnits[] = {"1/(Nm rad)", "Nm", "Nm"};
-    std::vector<report::CostCurve> curves;
+    std::vector<CostCurve> curves;
     auto scans = design::scan_costs(algorithm, best, kCurvePoints);
     for (std::size_t j = 0; j < scans.size(); ++j)
         curves.push_back({scans[j].variable, kUnits[j], std::move(scans[j].value), std::move(scans[j].cost), std::move(scans[j].feasible),
@@ -128,68 +123,30 @@ std::vector<report::CostCurve> cost_curves(const design::Algorithm1& algorithm, 
     return curves;
 }
 
-/// A search in memory.
-struct Found {
-    bool interrupted = false;
-    core::Findings refusal;  // why there is no report
-    std::optional<report::SearchReport> report;
-    profile::Profile best;  // to be written into result_folder()
-};
-
-Found find(const profile::Profile& profile, const RunOptions& options) {
-    const Judge judge(profile);
-    const design::Algorithm1& algorithm = judge.algorithm();
-    Watch watch(algorithm);
-    const design::EvolutionResult search_result = search(algorithm, profile, options, watch);
-
-    Found found;
-    found.interrupted = search_result.interrupted;
-    const design::Algorithm1Terms terms = algorithm.terms(search_result.best);
-    if (!terms.feasible) {
-        found.refusal = {not_found(algorithm, terms, watch.least_weight())};
-        return found;
-    }
-    found.best = judge.best(search_result.best, result_folder(profile, options));
-    report::SearchReport& report = found.report.emplace(judge.report(search_result.best, found.best));
-    note_search(report, profile, search_result);
-    report.costs = cost_curves(algorithm, search_result.best, watch);
-    return found;
-}
-
-/// Writes a file into the folder as soon as its text is known.
-void write_all(const fs::path& folder, const report::SearchReport& report, const profile::Profile& best) {
-    core::write_file(folder / (best.name + ".toml"), profile::to_toml(best));
-    core::write_file(folder / "history.csv", report::history_csv(report.history));
-    core::write_file(folder / "figure_9.csv", report::figure_9_csv(report.costs));
-    core::write_file(folder / "design.json", report::search_json(report));
-    core::write_file(folder / "design.html", report::search_html(report));
-}
-
 }  // namespace
 
 RunResult run_algorithm_1(const profile::Profile& profile, const RunOptions& options) {
-    core::OutputFolder output(result_folder(profile, options), output_run(profile, options));
+    const Judge judge(profile);
+    const design::Algorithm1& algorithm = judge.algorithm();
+    Watch watch(algorithm);
+    const design::EvolutionResult found = search(algorithm, profile, options, watch);
     RunResult result;
-    Found found = find(profile, options);
     result.interrupted = found.interrupted;
-    result.findings = std::move(found.refusal);
-    if (!found.report) return result;
-
-    write_all(output.path(), *found.report, found.best);
-    output.commit();
-    result.folder = output.target();
-    result.found = true;
-    result.summary = found.report->remarks;
-    for (const report::CamCurve& cam : found.report->cams)
+    const design::Algorithm1Terms terms = algorithm.terms(found.best);
+    if (!terms.feasible) {
+        result.findings = {not_found(algorithm, terms, watch.least_weight())};
+        return result;
+    }
+    const profile::Profile best = judge.best(found.best, result_folder(profile, options));
+    SearchReport& report = result.search.emplace(judge.report(found.best, best));
+    note_search(report, profile, found);
+    report.costs = cost_curves(algorithm, found.best, watch);
+    for (const CamCurve& cam : report.cams)
         if (!cam.part) core::append(result.findings, cam.findings);
-    core::append(result.findings, found.report->findings);
+    core::append(result.findings, report.findings);
+    result.summary = report.remarks;
+    result.profiles = {{best.name + ".toml", profile::to_toml(best)}};
     return result;
-}
-
-core::Outcome<report::SearchReport> search_algorithm_1(const profile::Profile& profile, const RunOptions& options) {
-    Found found = find(profile, options);
-    if (!found.report) return found.refusal;
-    return std::move(*found.report);
 }
 
 }  // namespace fusee::codesign

@@ -4,22 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "curves.h"
 #include "draft.h"
 #include "fusee/actuator/dead_band.h"
 #include "fusee/codesign/problem.h"
+#include "fusee/codesign/search_report.h"
 #include "fusee/core/destination.h"
-#include "fusee/core/file.h"
 #include "fusee/core/units.h"
 #include "fusee/design/evolution.h"
-#include "fusee/pipeline/design.h"
-#include "fusee/pipeline/verify.h"
-#include "fusee/report/search.h"
+#include "fusee/pipeline/make.h"
 #include "verdict.h"
-
-namespace fs = std::filesystem;
 
 namespace fusee::codesign {
 
@@ -44,24 +39,12 @@ design::EvolutionResult search(const Problem& problem, const RunOptions& run) {
     return design::evolve([&problem](std::span<const double> x) { return cost(problem.evaluate(x)); }, options);
 }
 
-/// The profile's own law, where it can be made: what the design found stands beside.
-struct Own {
-    spring::SpringLawPtr law;
-    design::Drawing drawing;
-};
-
-std::optional<Own> own_of(const profile::Profile& profile) {
-    const auto designed = pipeline::design_law(profile);
-    if (!designed) return std::nullopt;
-    return Own{designed->law, pipeline::drawing_of(profile, designed->law)};
-}
-
-/// What a shop's scatter makes of the design found and of the profile's own.
-void add_bands(std::vector<report::ComparedFigure>& all, const Trial& trial, const design::CoDesignOptions& o,
-               const std::optional<Own>& own) {
+/// Adds the dead-bands of built joints, of the design found and of the profile's own.
+void add_bands(std::vector<ComparedFigure>& all, const Trial& trial, const design::CoDesignOptions& o,
+               const core::Outcome<pipeline::ResolvedDesign>& own) {
     for (const design::RobustBand& built : trial.bands) {
         design::RobustBand before{.nominal = NAN, .band = {NAN, NAN}, .covered_share = NAN};
-        if (own) before = design::robust_dead_band(own->drawing, built.tau, o.scatter);
+        if (own) before = design::robust_dead_band(own->drawing(), built.tau, o.scatter);
         all.push_back({fmt::format("95th percentile of built joints at {:g} Nm", built.tau), "deg", deg_from_rad(built.band.high),
                        deg_from_rad(before.band.high)});
         all.push_back({fmt::format("of them with the whole dead-band on their springs at {:g} Nm", built.tau), "%",
@@ -69,16 +52,17 @@ void add_bands(std::vector<report::ComparedFigure>& all, const Trial& trial, con
     }
 }
 
-std::vector<report::ComparedFigure> figures_of(const Trial& trial, const design::CoDesignOptions& o, const std::optional<Own>& own) {
-    std::vector<report::ComparedFigure> all;
+std::vector<ComparedFigure> figures_of(const Trial& trial, const design::CoDesignOptions& o,
+                                       const core::Outcome<pipeline::ResolvedDesign>& own) {
+    std::vector<ComparedFigure> all;
     for (std::size_t i = 0; i < o.torques.size(); ++i)
         all.push_back({fmt::format("exact dead-band at {:g} Nm, full width at the joint", o.torques[i]), "deg",
                        deg_from_rad(trial.dead_band[i]),
-                       own ? deg_from_rad(actuator::dead_band(own->drawing.actuator, o.torques[i]).exact_width) : NAN});
+                       own ? deg_from_rad(actuator::dead_band(own->actuator, o.torques[i]).exact_width) : NAN});
     add_bands(all, trial, o, own);
-    const spring::LawPoint low = own ? own->law->at_load(o.loads.low) : spring::LawPoint{};
-    const spring::LawPoint high = own ? own->law->at_load(o.loads.high) : spring::LawPoint{};
-    const double twice = own ? 2.0 * std::pow(own->drawing.actuator.ratio(), 2) : NAN;
+    const spring::LawPoint low = own ? own->law()->at_load(o.loads.low) : spring::LawPoint{};
+    const spring::LawPoint high = own ? own->law()->at_load(o.loads.high) : spring::LawPoint{};
+    const double twice = own ? 2.0 * std::pow(own->actuator.ratio(), 2) : NAN;
     all.push_back({fmt::format("capstan travel from {:g} to {:g} Nm", o.loads.low, o.loads.high), "rad", trial.travel,
                    own ? high.theta - low.theta : NAN});
     all.push_back({fmt::format("joint stiffness, capstans held, at {:g} Nm", o.loads.low), "Nm/rad", trial.stiffness.low, twice * low.s});
@@ -88,7 +72,7 @@ std::vector<report::ComparedFigure> figures_of(const Trial& trial, const design:
     return all;
 }
 
-std::vector<std::string> remarks_of(const Trial& trial, const design::CoDesignOptions& o, const pipeline::MakeResult& made) {
+std::vector<std::string> remarks_of(const Trial& trial, const design::CoDesignOptions& o, double worst_arm_error) {
     std::vector<std::string> all;
     std::string line = "exact dead-band, full width at the joint:";
     for (std::size_t i = 0; i < o.torques.size(); ++i)
@@ -104,16 +88,15 @@ std::vector<std::string> remarks_of(const Trial& trial, const design::CoDesignOp
         line += fmt::format("{} {} ({:.4g} of {:.4g}{})", line.back() == ':' ? "" : ",", limit.name, limit.measured, limit.allowed,
                             limit.unit.empty() ? "" : " " + limit.unit);
     all.push_back(line.back() == ':' ? "nothing limits it but the box that was searched" : line);
-    all.push_back(fmt::format("made and read back: worst arm error {:.4f} %", 100.0 * made.worst_arm_error));
+    all.push_back(fmt::format("made and read back: worst arm error {:.4f} %", 100.0 * worst_arm_error));
     return all;
 }
 
-report::SearchReport report_of(const profile::Profile& profile, const Problem& problem, const design::EvolutionResult& found,
-                               const profile::Profile& best) {
-    const Trial trial = problem.evaluate(best);
-    const std::optional<Own> own = own_of(profile);
+SearchReport report_of(const profile::Profile& profile, const Problem& problem, const design::EvolutionResult& found,
+                       const profile::Profile& best, const Trial& trial) {
+    const auto own = pipeline::resolve(profile), design = pipeline::resolve(best);
     const core::Range torques{profile.rig.least_torque, profile.rig.overdrive_torque};
-    report::SearchReport report;
+    SearchReport report;
     report.provenance = {best.name, profile.sha256, "method=co_design"};
     report.method = "co_design";
     note_search(report, profile, found);
@@ -122,49 +105,37 @@ report::SearchReport report_of(const profile::Profile& profile, const Problem& p
         report.variables.push_back({v.name, v.unit, v.box, v.value});
     }
     report.figures = figures_of(trial, problem.options(), own);
-    const auto law = pipeline::design_law(best);
-    report.findings = law->findings;
-    report.found = law_curves(best, law->law, torques);
-    if (own) report.own = law_curves(profile, own->law, torques);
-    for (const cam::PartKind kind : {cam::PartKind::kSeries, cam::PartKind::kParallel})
-        report.cams.push_back(cam_curve(kind, best, law->law));
+    report.findings = design->findings;
+    report.found = law_curves(design->actuator, torques);
+    if (own) report.own = law_curves(own->actuator, torques);
+    for (const cam::PartKind kind : {cam::PartKind::kSeries, cam::PartKind::kParallel}) report.cams.push_back(cam_curve(kind, *design));
     return report;
-}
-
-void write_all(const fs::path& folder, const report::SearchReport& report, const profile::Profile& best) {
-    core::write_file(folder / (best.name + ".toml"), profile::to_toml(best));
-    core::write_file(folder / "history.csv", report::history_csv(report.history));
-    core::write_file(folder / "design.json", report::search_json(report));
-    core::write_file(folder / "design.html", report::search_html(report));
 }
 
 }  // namespace
 
 RunResult run_co_design(const profile::Profile& profile, const RunOptions& options) {
-    core::OutputFolder output(result_folder(profile, options), output_run(profile, options));
     const Problem problem(profile);
     core::make_folder(options.out);
     const design::EvolutionResult found = search(problem, options);
     RunResult result;
     result.interrupted = found.interrupted;
     profile::Profile best = problem.candidate(found.best);
-    if (const Trial trial = problem.evaluate(best); !trial.feasible()) {
+    const Trial trial = problem.evaluate(best);
+    if (!trial.feasible()) {
         result.findings = broken(trial);
         return result;
     }
     best = renamed(std::move(best), "-best");
-    const pipeline::MakeResult made = pipeline::make_to_verify(best);
+    const pipeline::Verification made = pipeline::verify(best);
     for (const core::Finding& f : made.findings)
         if (f.severity != core::Severity::kPass) result.findings.push_back(f);
-    if (!made.made) return result;
-    result.folder = result_folder(profile, options);
-    best = moved(std::move(best), result.folder);
-    report::SearchReport report = report_of(profile, problem, found, best);
-    report.remarks = remarks_of(problem.evaluate(best), problem.options(), made);
-    write_all(output.path(), report, best);
-    output.commit();
-    result.found = true;
+    if (!made.passed()) return result;
+    best = moved(std::move(best), result_folder(profile, options));
+    SearchReport& report = result.search.emplace(report_of(profile, problem, found, best, trial));
+    report.remarks = remarks_of(trial, problem.options(), std::isnan(made.file_errors.arm) ? 0.0 : made.file_errors.arm);
     result.summary = report.remarks;
+    result.profiles = {{best.name + ".toml", profile::to_toml(best)}};
     return result;
 }
 

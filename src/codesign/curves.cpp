@@ -12,10 +12,9 @@ constexpr std::size_t kSamples = 401, kLevels = 61;
 
 }  // namespace
 
-report::LawCurves law_curves(const profile::Profile& profile, const spring::SpringLawPtr& law, core::Range torques) {
-    report::LawCurves curves;
-    curves.samples = spring::sample_by_load(*law, kSamples);
-    const actuator::Actuator joint = pipeline::actuator_of(profile, law);
+LawCurves law_curves(const actuator::Actuator& joint, core::Range torques) {
+    LawCurves curves;
+    curves.samples = spring::sample_by_load(*joint.law, kSamples);
     for (std::size_t i = 0; i < kLevels; ++i) {
         const double share = static_cast<double>(i) / static_cast<double>(kLevels - 1);
         curves.dead_band.push_back(actuator::dead_band(joint, torques.low + share * torques.width()));
@@ -23,19 +22,18 @@ report::LawCurves law_curves(const profile::Profile& profile, const spring::Spri
     return curves;
 }
 
-report::CamCurve cam_curve(cam::PartKind kind, const profile::Profile& profile, const spring::SpringLawPtr& law) {
-    report::CamCurve curve;
+CamCurve cam_curve(cam::PartKind kind, const pipeline::ResolvedDesign& design) {
+    CamCurve curve;
     curve.kind = kind;
-    const profile::PartSpec& spec = kind == cam::PartKind::kSeries ? profile.k_se : profile.k_pe;
-    const cam::ArmFunction arm(kind, law, spec.spring, profile.rig.capstan_radius, spec.allowance);
-    for (const spring::LawPoint& p : spring::sample_by_load(*law, kSamples)) curve.arms.push_back(arm.at_load(p.tau));
-    auto designed = pipeline::design_part(kind, profile, law);
+    const cam::ArmFunction arm = design.arm(kind);
+    for (const spring::LawPoint& p : spring::sample_by_load(*design.law(), kSamples)) curve.arms.push_back(arm.at_load(p.tau));
+    auto designed = pipeline::design_part(kind, design);
     curve.findings = designed ? designed->findings : designed.refusal();
     if (designed) curve.part = std::move(designed).value().part;
     return curve;
 }
 
-void note_search(report::SearchReport& report, const profile::Profile& profile, const design::EvolutionResult& found) {
+void note_search(SearchReport& report, const profile::Profile& profile, const design::EvolutionResult& found) {
     report.population = profile.search.population;
     report.generations = found.generations;
     report.seed = profile.search.seed;

@@ -1,18 +1,19 @@
 #pragma once
+#include "fusee/codesign/search_report.h"
 #include "fusee/core/units.h"
 #include "fusee/design/evolution.h"
+#include "fusee/pipeline/design.h"
 #include "fusee/profile/profile.h"
-#include "fusee/report/search.h"
 
 namespace fusee::codesign {
 
-/// A law's springs and its dead-band over the co-contraction `torques` of the profile's joint.
-[[nodiscard]] report::LawCurves law_curves(const profile::Profile& profile, const spring::SpringLawPtr& law, core::Range torques);
+/// The springs of a joint's law, and its dead-band over the co-contraction `torques`.
+[[nodiscard]] LawCurves law_curves(const actuator::Actuator& joint, core::Range torques);
 
-/// One cam of a profile, made as a solid; what forbids it is a finding and leaves the part out.
-[[nodiscard]] report::CamCurve cam_curve(cam::PartKind kind, const profile::Profile& profile, const spring::SpringLawPtr& law);
+/// One cam of a design, made as a solid; without a part if findings forbid it.
+[[nodiscard]] CamCurve cam_curve(cam::PartKind kind, const pipeline::ResolvedDesign& design);
 
-/// How the search for a profile went, as the report tells it.
-void note_search(report::SearchReport& report, const profile::Profile& profile, const design::EvolutionResult& found);
+/// Enters the course of the search into its report.
+void note_search(SearchReport& report, const profile::Profile& profile, const design::EvolutionResult& found);
 
 }  // namespace fusee::codesign

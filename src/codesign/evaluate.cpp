@@ -11,23 +11,23 @@
 #include "fusee/pipeline/design.h"
 #include "shape.h"
 
-// What a candidate is worth (docs/theory/co_design.md).
+// The cost of a candidate (docs/theory/co_design.md).
 namespace fusee::codesign {
 
 namespace {
 
 constexpr double kLargestExcess = 10.0;
 constexpr double kUnmade = 0.05;  // a refusal counts at least this share, so that it is never mistaken for a design
-// What a candidate pays for each step that it does not reach: more than the limits of that step, so that no search settles before it.
+// Violation of a candidate for each step that it does not reach: above the limits of that step, so that no search stops before it.
 constexpr double kNoLaw = 100.0, kNoCams = 20.0;
-constexpr int kSearchRows = 200;  // working positions; the finished design has its profile's
+constexpr int kSearchRows = 200;  // working positions; the finished design has those of its profile
 
 using core::Bound;
 
 /// Measures one candidate step by step; each step needs the one before.
-class Appraisal {
+class Evaluation {
 public:
-    Appraisal(const design::CoDesignOptions& options, const profile::Profile& p)
+    Evaluation(const design::CoDesignOptions& options, const profile::Profile& p)
         : options_(options), p_(p), ratio_(p.rig.joint_radius / p.rig.capstan_radius) {}
 
     Trial judge() {
@@ -96,8 +96,8 @@ private:
         trial_.figure = figure();
     }
 
-    /// What a shop makes of the dead-band, and how many built joints have all of it on their springs: a percentile over the others would
-    /// reward springs that end early.
+    /// The dead-band of built joints, and the share of them whose springs cover all of it: a percentile over the others alone would reward
+    /// springs that end early.
     void judge_scatter() {
         const design::Drawing drawing = pipeline::drawing_of(p_, law_);
         double least = 1.0;
@@ -108,7 +108,7 @@ private:
         if (options_.covered_share > 0.0) keep({"demand.covered_share", "of built joints", least, options_.covered_share, Bound::kAtLeast});
     }
 
-    /// Where a drawing does not cover its edges, its percentiles are not known: `cover` is broken then, and the drawing's own widths do.
+    /// If a drawing does not cover its edges, its percentiles are unknown and `cover` is broken: the drawing's own widths are used.
     [[nodiscard]] double figure() const {
         std::vector<double> all = trial_.dead_band;
         if (options_.figure == design::DeadBandFigure::kWorst) return *std::max_element(all.begin(), all.end());
@@ -175,6 +175,6 @@ double cost(const Trial& trial) {
     return trial.feasible() ? core::deg_from_rad(trial.figure) : kInfeasible * (1.0 + trial.violation);
 }
 
-Trial Problem::evaluate(const profile::Profile& candidate) const { return Appraisal(options(), candidate).judge(); }
+Trial Problem::evaluate(const profile::Profile& candidate) const { return Evaluation(options(), candidate).judge(); }
 
 }  // namespace fusee::codesign

@@ -1,9 +1,6 @@
 #include "front.h"
 
 #include <fmt/format.h>
-#include <oneapi/tbb/global_control.h>
-#include <oneapi/tbb/info.h>
-#include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
 #include <memory>
@@ -129,19 +126,18 @@ Front search(const Costs& costs, const FrontOptions& o) {
 
 Front find_front(const Costs& costs, const FrontOptions& options) {
     validate(options);
-    const int processors = oneapi::tbb::info::default_concurrency();
-    const int threads = options.jobs == 0 ? processors : static_cast<int>(std::min(options.jobs, core::kMostWorkers));
-    const oneapi::tbb::global_control allowed(oneapi::tbb::global_control::max_allowed_parallelism,
-                                              static_cast<std::size_t>(std::max(threads, processors)));
-    oneapi::tbb::task_arena arena(threads);
     const Free free(options.bounds);
-    if (free.all()) return arena.execute([&] { return search(costs, options); });
+    Front front;
+    if (free.all()) {
+        core::with_threads(options.jobs, [&] { front = search(costs, options); });
+        return front;
+    }
     if (free.none()) return {.members = {free.with_fixed({})}, .evaluations = 0};
     FrontOptions of_free = options;
     of_free.bounds = free.of(options.bounds);
     for (std::vector<double>& seed : of_free.seeds) seed = free.of(seed);
     const Costs costs_of_free = [&](std::span<const double> some) { return costs(free.with_fixed(some)); };
-    Front front = arena.execute([&] { return search(costs_of_free, of_free); });
+    core::with_threads(options.jobs, [&] { front = search(costs_of_free, of_free); });
     for (std::vector<double>& member : front.members) member = free.with_fixed(member);
     return front;
 }

@@ -17,7 +17,7 @@ struct FrontOptions {
     int generations = 300;
     unsigned seed = 1;
     unsigned jobs = 0;                                               ///< threads; 0 = one for each processor; no influence on the result
-    std::vector<std::vector<double>> seeds = {};                     ///< members of the first population that are known to be good
+    std::vector<std::vector<double>> seeds = {};                     ///< good members of the first population
     std::function<void(int generation, double best)> progress = {};  ///< the least first cost
     std::function<bool()> stop = {};                                 ///< asked before each part of the generations
 };
@@ -25,7 +25,7 @@ struct FrontOptions {
 struct Front {
     std::vector<std::vector<double>> members;  ///< none dominated by another nor equal to it, by rising first cost
     std::size_t evaluations = 0;
-    int generations = 0;  ///< done
+    int generations = 0;  ///< completed
     bool interrupted = false;
 };
 

@@ -10,12 +10,9 @@
 #include "draft.h"
 #include "front.h"
 #include "fusee/codesign/problem.h"
-#include "fusee/core/destination.h"
-#include "fusee/core/file.h"
 #include "fusee/core/units.h"
 #include "fusee/design/evolution.h"
-#include "fusee/pipeline/verify.h"
-#include "fusee/report/pareto.h"
+#include "fusee/pipeline/make.h"
 #include "verdict.h"
 
 namespace fs = std::filesystem;
@@ -24,20 +21,20 @@ namespace fusee::codesign {
 
 namespace {
 
-// Where single searches look for members to begin the front with, as shares of the travel demanded or of the contour's radius; NSGA-II
-// alone stays near the first feasible design it meets. Against travel the first is also where the front begins.
+// Single searches for first members of the front, at these shares of the travel demanded or of the contour's radius; NSGA-II
+// alone stays near the first feasible design it meets. Against travel the front begins at the first share.
 constexpr std::array kTravels{0.25, 1.0, 1.5, 2.0}, kRadii{1.0, 0.85, 0.7, 0.55};
 
 bool against_size(const Problem& problem) { return problem.options().against == design::Against::kSize; }
 
-/// Dead-band in degrees, and what is set against it so that less is better; an infeasible candidate costs its violation in both.
+/// Dead-band in degrees, and the figure against it, less is better; an infeasible candidate costs its violation in both.
 std::array<double, 2> costs_of(const Problem& problem, const Trial& trial) {
     const double figure = cost(trial);
     if (!trial.feasible()) return {figure, figure};
     return {figure, against_size(problem) ? core::mm_from_m(trial.radius) : -trial.travel};
 }
 
-/// The least dead-band for the demands of `problem`: a member to begin the front with. Half of the generations have to do.
+/// The least dead-band for the demands of `problem`: a first member of the front, with half of the generations.
 design::EvolutionResult best_of(const Problem& problem, const RunOptions& run) {
     design::EvolutionOptions options;
     options.bounds = problem.bounds();
@@ -63,9 +60,10 @@ std::string limits_text(const Trial& trial) {
     return text;
 }
 
-/// What became of the front's members: profiles that were made, and the rules that forbade the others.
+/// The front's members that were made, and the rules that forbade the others.
 struct Made {
-    std::vector<std::pair<report::ParetoPoint, profile::Profile>> points;
+    std::vector<ParetoPoint> points;
+    std::vector<FoundProfile> profiles;
     std::size_t dropped = 0;
     std::set<std::string> rules;
 };
@@ -78,27 +76,28 @@ Made make_all(const Problem& problem, const Front& front, const fs::path& folder
         if (!trial.feasible()) continue;
         const std::string number = fmt::format("{:02}", made.points.size() + 1);
         profile = renamed(std::move(profile), "-" + number);
-        const pipeline::MakeResult result = pipeline::make_to_verify(profile);
-        if (!result.made) {
+        const pipeline::Verification result = pipeline::verify(profile);
+        if (!result.passed()) {
             ++made.dropped;
             for (const core::Finding& f : result.findings)
                 if (f.severity == core::Severity::kError) made.rules.insert(f.rule);
             continue;
         }
-        made.points.push_back({{"pareto/" + number + ".toml", trial.figure, trial.dead_band, trial.travel, trial.stiffness, trial.radius,
-                                profile.rig.capstan_radius, limits_text(trial)},
-                               moved(profile, folder / "pareto")});
+        const std::string file = "pareto/" + number + ".toml";
+        made.points.push_back({file, trial.figure, trial.dead_band, trial.travel, trial.stiffness, trial.radius, profile.rig.capstan_radius,
+                               limits_text(trial)});
+        made.profiles.push_back({file, profile::to_toml(moved(profile, folder / "pareto"))});
     }
     return made;
 }
 
-report::ParetoReport report_of(const profile::Profile& profile, const Problem& problem, const Front& front, const Made& made) {
-    report::ParetoReport report;
+ParetoReport report_of(const profile::Profile& profile, const Problem& problem, const Front& front, const Made& made) {
+    ParetoReport report;
     report.provenance = {profile.name + "-design", profile.sha256, "method=pareto"};
     report.against_size = against_size(problem);
     report.torques = problem.options().torques;
     report.loads = problem.options().loads;
-    for (const auto& [point, written] : made.points) report.points.push_back(point);
+    report.points = made.points;
     report.dropped = made.dropped;
     report.dropped_by = {made.rules.begin(), made.rules.end()};
     report.evaluations = front.evaluations;
@@ -132,27 +131,19 @@ Front search(const Problem& problem, const Problem& demanded, const RunOptions& 
 }  // namespace
 
 RunResult run_pareto(const profile::Profile& profile, const RunOptions& options) {
-    core::OutputFolder output(result_folder(profile, options), output_run(profile, options));
     const Problem demanded(profile);
     const Problem problem(with_share(demanded, against_size(demanded) ? kRadii.front() : kTravels.front()));
     const Front front = search(problem, demanded, options);
     RunResult result;
     result.interrupted = front.interrupted;
-    const fs::path folder = result_folder(profile, options);
-    const Made made = make_all(problem, front, folder);
+    Made made = make_all(problem, front, result_folder(profile, options));
     if (made.points.empty()) {
         result.findings = broken(problem.evaluate(front.members.front()));
         return result;
     }
-    const report::ParetoReport report = report_of(profile, problem, front, made);
-    core::make_folder(output.path() / "pareto");
-    for (const auto& [point, written] : made.points) core::write_file(output.path() / point.file, profile::to_toml(written));
-    core::write_file(output.path() / "pareto.csv", report::pareto_csv(report));
-    core::write_file(output.path() / "pareto.html", report::pareto_html(report));
-    output.commit();
-    result.found = true;
-    result.folder = folder;
-    const report::ParetoPoint &least = report.points.front(), &most = report.points.back();
+    const ParetoReport& report = result.pareto.emplace(report_of(profile, problem, front, made));
+    result.profiles = std::move(made.profiles);
+    const ParetoPoint &least = report.points.front(), &most = report.points.back();
     result.summary = {
         fmt::format("{} designs from {:.2f} deg at {:.3g} rad of travel, radius {:.3g} mm, to {:.2f} deg at {:.3g} rad, {:.3g} mm",
                     report.points.size(), core::deg_from_rad(least.figure), least.travel, core::mm_from_m(least.radius),

@@ -10,11 +10,12 @@ namespace fusee::codesign {
 
 namespace {
 
-constexpr int kLevels = 6;  // of co-contraction, where the profile names none
+constexpr int kDefaultLevels = 6;  // of co-contraction, where the profile names none
 
 std::vector<double> levels(const profile::Rig& rig) {
     std::vector<double> torques;
-    for (int i = 0; i < kLevels; ++i) torques.push_back(rig.least_torque + (rig.overdrive_torque - rig.least_torque) * i / (kLevels - 1));
+    for (int i = 0; i < kDefaultLevels; ++i)
+        torques.push_back(rig.least_torque + (rig.overdrive_torque - rig.least_torque) * i / (kDefaultLevels - 1));
     return torques;
 }
 
@@ -56,12 +57,12 @@ Problem::Problem(const profile::Profile& base) : base_(base) {
 void Problem::complete_demands() {
     design::CoDesignOptions& o = base_.co_design;
     if (o.travel > 0.0 && o.soft > 0.0 && o.stiff > 0.0) return;
-    const auto own = pipeline::design_law(base_);
+    const auto own = pipeline::resolve(base_);
     if (!own)
         throw core::InvalidInput("co_design.travel_rad", "0, and softest or stiffest too",
                                  fmt::format("values above 0: the profile's own law, from which they would be taken, cannot be made: {}",
                                              core::to_line(own.refusal().front())));
-    const spring::LawPoint low = own->law->at_load(o.loads.low), high = own->law->at_load(o.loads.high);
+    const spring::LawPoint low = own->law()->at_load(o.loads.low), high = own->law()->at_load(o.loads.high);
     const double ratio = base_.rig.joint_radius / base_.rig.capstan_radius;
     if (o.travel <= 0.0) o.travel = high.theta - low.theta;
     if (o.soft <= 0.0) o.soft = 2.0 * ratio * ratio * low.s;

@@ -5,7 +5,7 @@
 
 namespace fusee::codesign {
 
-/// What a contour's working arc would be, whether or not it can be cut: measured on contacts alone, so that a search can be led.
+/// Figures of a contour's working arc, even if it cannot be cut: measured on contacts alone, to guide a search.
 struct Shape {
     double least_rho = 0.0;  ///< radius of curvature [m]; NaN where the cable has no tangent
     double least_arm = 0.0;  ///< [m]

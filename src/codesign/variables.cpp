@@ -7,7 +7,7 @@
 #include "fusee/core/units.h"
 #include "fusee/pipeline/design.h"
 
-// Which numbers are searched, and what each does to a design (docs/theory/co_design.md, table 1).
+// The searched numbers, and the effect of each on a design (docs/theory/co_design.md, table 1).
 namespace fusee::codesign {
 
 namespace {
@@ -15,7 +15,7 @@ namespace {
 constexpr double kMilli = 1e3;                   // mm in a metre
 constexpr core::Range kStartShare{0.6, 1.0};     // of the least load that stiction allows
 constexpr core::Range kEndShare{1.0, 1.15};      // of the greatest: the edges of a dead-band lie beyond it
-constexpr core::Range kBuiltEndShare{1.0, 1.4};  // those of built joints farther out still
+constexpr core::Range kBuiltEndShare{1.0, 1.4};  // edges of built joints lie even farther out
 constexpr core::Range kStartTransmission{0.02, 0.98}, kUShare{0.0, 1.0};
 constexpr core::Range kLogit{-5.0, 3.0};  // T of the free curve: 0.7 % to 95 %
 
@@ -23,17 +23,17 @@ double natural(double logarithm) { return std::exp(logarithm); }
 double logistic(double logit) { return 1.0 / (1.0 + std::exp(-logit)); }
 core::Range logarithm(double middle, double span) { return {std::log(middle / span), std::log(middle * span)}; }
 
-/// S/tau^2 of a profile's own law about the middle of its loads: the scale of the stiffness searched.
+/// S/tau^2 of a profile's own law at the middle of its loads: the scale of the searched stiffness.
 double own_k(const profile::Profile& p) {
     if (const auto* law = std::get_if<spring::StictionLawOptions>(&p.law.curves)) return law->k;
-    const auto law = pipeline::design_law(p);
-    if (!law) return p.co_design.stiff / (2.0 * std::pow(p.rig.overdrive_torque, 2));
-    const core::Range loads = law->law->loads();
+    const auto own = pipeline::resolve(p);
+    if (!own) return p.co_design.stiff / (2.0 * std::pow(p.rig.overdrive_torque, 2));
+    const core::Range loads = own->law()->loads();
     const double middle = std::sqrt(loads.low * loads.high);
-    return law->law->at_load(middle).s / (middle * middle);
+    return own->law()->at_load(middle).s / (middle * middle);
 }
 
-/// The base spring is another one: what is known of the profile's wire does not hold for it.
+/// Another base spring: the figures of the profile's wire are not valid for it.
 void set_rate(spring::BaseSpring& spring, double rate) {
     spring.rate = rate;
     spring.wire_diameter = spring.coil_diameter = spring.active_coils = spring.free_length = spring.tensile_strength = 0.0;

@@ -9,7 +9,7 @@ namespace fusee::codesign {
 namespace {
 
 constexpr double kNear = 0.01;
-/// Rules that look at the options of groove, hub and process only, or at a radius that the closing arc always uses up.
+/// Rules that depend on groove, hub and process only, or on a radius that the closing arc always exhausts.
 constexpr std::array<std::string_view, 14> kUnmoved{"groove.",
                                                     "shaft.",
                                                     "process.hole",

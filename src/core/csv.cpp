@@ -14,19 +14,18 @@
 
 namespace fusee::core {
 
-namespace {
-
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-constexpr std::size_t kShown = 60;               // characters of a wrong cell that a message repeats
-constexpr std::size_t kMostFaults = 20;          // that are told one by one
-constexpr std::size_t kLongestLine = 1'000'000;  // bytes: what has longer ones is no table
-
-struct Cell {
+struct CsvCell {
     std::string_view text;
     std::size_t place;  // of its first character, from 1
 };
 
-void split(std::string_view line, std::vector<Cell>& cells) {
+namespace {
+
+constexpr std::size_t kShown = 60;               // characters of a wrong cell in a message
+constexpr std::size_t kMostFaults = 20;          // that are reported one by one
+constexpr std::size_t kLongestLine = 1'000'000;  // bytes: a file with longer lines is not a table
+
+void split(std::string_view line, std::vector<CsvCell>& cells) {
     cells.clear();
     for (std::size_t begin = 0; begin <= line.size();) {
         const std::size_t end = std::min(line.find(',', begin), line.size());
@@ -38,8 +37,7 @@ void split(std::string_view line, std::vector<Cell>& cells) {
     }
 }
 
-/// In quotes.
-std::string shown(std::string_view text) { return fmt::format("'{}'", printable(text, kShown)); }
+std::string in_quotes(std::string_view text) { return fmt::format("'{}'", printable(text, kShown)); }
 
 std::string count_of_columns(std::size_t count) {
     constexpr std::array<const char*, 10> kWords{"no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine"};
@@ -94,7 +92,7 @@ public:
 
     CsvTable finish() {
         if (!rest_.empty()) read_line(rest_);
-        if (!headed_) give_up(fault_at(table_.file_, 1, 1, "header", "(missing)", shown(names_)));
+        if (!headed_) give_up(fault_at(table_.file_, 1, 1, "header", "(missing)", in_quotes(names_)));
         faults_.throw_if_any();
         if (table_.rows() < options_.least_rows)
             throw fault(1, "rows", fmt::format("{}", table_.rows()), fmt::format("at least {}", options_.least_rows));
@@ -102,7 +100,7 @@ public:
     }
 
 private:
-    /// What makes reading on pointless.
+    /// A fault after which reading cannot continue.
     [[noreturn]] void give_up(InvalidInput fault) {
         faults_.add(fault);
         faults_.throw_if_any();
@@ -122,24 +120,25 @@ private:
     }
 
     void read_header(std::string_view text) {
-        bool twice_told = false;  // what is no table at all has thousands
+        bool repeated = false;  // report once: a file that is not a table has thousands
         for (std::size_t i = 0; i < cells_.size(); ++i) {
-            const Cell& cell = cells_[i];
+            const CsvCell& cell = cells_[i];
             const auto same = [&cell](const auto& other) { return other.text == cell.text; };
             const auto end = cells_.begin() + static_cast<std::ptrdiff_t>(i);
-            if (!cell.text.empty() && std::find_if(cells_.begin(), end, same) != end && !std::exchange(twice_told, true))
-                faults_.add(fault(cell.place, "header", shown(cell.text), "every column once"));
+            if (!cell.text.empty() && std::find_if(cells_.begin(), end, same) != end && !std::exchange(repeated, true))
+                faults_.add(fault(cell.place, "header", in_quotes(cell.text), "every column once"));
             const auto known = std::find_if(known_.begin(), known_.end(), [&cell](const CsvColumn& c) { return c.name == cell.text; });
             if (known != known_.end()) {
                 if (known->name == options_.span_column) span_column_ = table_.columns_.size();
                 table_.columns_.push_back({*known, i, {}, {}, {}});
             }
-            if (known == known_.end() && !options_.extra_columns) faults_.add(fault(cell.place, "header", shown(cell.text), shown(names_)));
+            if (known == known_.end() && !options_.extra_columns)
+                faults_.add(fault(cell.place, "header", in_quotes(cell.text), in_quotes(names_)));
         }
         std::string missing;
         for (const CsvColumn& column : known_)
             if (column.required && !table_.has(column.name)) missing += (missing.empty() ? "" : ",") + column.name;
-        if (!missing.empty()) faults_.add(fault(text.size() + 1, "header", shown(missing) + " (missing)", shown(names_)));
+        if (!missing.empty()) faults_.add(fault(text.size() + 1, "header", in_quotes(missing) + " (missing)", in_quotes(names_)));
         faults_.throw_if_any();  // without its columns no row can be read
         width_ = cells_.size();
     }
@@ -147,7 +146,8 @@ private:
     void read_row(std::string_view text) {
         if (table_.rows_read_ >= options_.most_rows) give_up(fault(1, "rows", "more", fmt::format("at most {}", options_.most_rows)));
         const std::size_t before = faults_.count();
-        if (cells_.size() > width_) faults_.add(fault(cells_[width_].place, "row", shown(cells_[width_].text), count_of_columns(width_)));
+        if (cells_.size() > width_)
+            faults_.add(fault(cells_[width_].place, "row", in_quotes(cells_[width_].text), count_of_columns(width_)));
         read_cells(text);
         const bool beyond = is_beyond();
         table_.rows_beyond_ += beyond ? 1 : 0;
@@ -155,22 +155,22 @@ private:
         if (table_.rows_read_++ % table_.stride_ == 0 && !beyond && faults_.count() == before) keep_row();
     }
 
-    /// The row's numbers into `values_`. Of a row that ends early only the first cell that it lacks is told.
+    /// Reads the row's numbers into `values_`. Of a short row only the first missing cell is reported.
     void read_cells(std::string_view text) {
         values_.clear();
         const std::size_t given = cells_.size();
-        bool short_told = false;
+        bool reported = false;
         for (const CsvTable::Column& column : table_.columns_) {
             const bool lacking = column.cell >= given;
-            if (lacking) cells_.resize(std::max(cells_.size(), column.cell + 1), Cell{{}, text.size() + 1});
-            const Cell& cell = cells_[column.cell];
+            if (lacking) cells_.resize(std::max(cells_.size(), column.cell + 1), CsvCell{{}, text.size() + 1});
+            const CsvCell& cell = cells_[column.cell];
             double value = 0.0;
-            if (!lacking || !short_told)
+            if (!lacking || !reported)
                 faults_.collect([&] {
                     column.known.kind == CsvColumn::Kind::kText ? require_words(cell, column.known.name)
                                                                 : void(value = number(cell, column.known));
                 });
-            short_told = short_told || (lacking && !column.known.gaps);
+            reported = reported || (lacking && !column.known.gaps);
             values_.push_back(value);
         }
     }
@@ -185,7 +185,7 @@ private:
     void keep_row() {
         for (std::size_t i = 0; i < table_.columns_.size(); ++i) {
             CsvTable::Column& column = table_.columns_[i];
-            const Cell& cell = cells_[column.cell];
+            const CsvCell& cell = cells_[column.cell];
             if (column.known.kind == CsvColumn::Kind::kText)
                 column.texts.emplace_back(cell.text);
             else
@@ -195,7 +195,7 @@ private:
         table_.lines_.push_back(static_cast<std::uint32_t>(line_));
     }
 
-    /// Keeps every second row of those kept so far, and will do so.
+    /// Keeps every second of the rows kept so far, and of those to come.
     void thin() {
         const auto halve = [](auto& cells) {
             for (std::size_t i = 2; i < cells.size(); i += 2) cells[i / 2] = std::move(cells[i]);
@@ -210,7 +210,7 @@ private:
         table_.stride_ *= 2;
     }
 
-    [[nodiscard]] double number(const Cell& cell, const CsvColumn& column) const {
+    [[nodiscard]] double number(const CsvCell& cell, const CsvColumn& column) const {
         const std::string& name = column.name;
         if (cell.text.empty() && column.gaps) return std::numeric_limits<double>::quiet_NaN();
         if (cell.text.empty()) throw fault(cell.place, name, "(missing)", "a finite number in every row");
@@ -219,14 +219,14 @@ private:
         double value = 0.0;
         const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
         if (error != std::errc() || end != digits.data() + digits.size() || !std::isfinite(value))
-            throw fault(cell.place, name, shown(cell.text), "a finite number with a decimal point");
+            throw fault(cell.place, name, in_quotes(cell.text), "a finite number with a decimal point");
         return value;
     }
 
-    void require_words(const Cell& cell, const std::string& name) const {
+    void require_words(const CsvCell& cell, const std::string& name) const {
         if (cell.text.empty()) throw fault(cell.place, name, "(missing)", "a text in every row");
         if (cell.text.find('"') != std::string_view::npos)
-            throw fault(cell.place, name, shown(cell.text), "a text without quotation marks");
+            throw fault(cell.place, name, in_quotes(cell.text), "a text without quotation marks");
     }
 
     const std::vector<CsvColumn>& known_;
@@ -234,12 +234,12 @@ private:
     CsvTable table_;
     CsvFaults faults_;
     std::string names_;  // of the known columns, as a header line
-    std::vector<Cell> cells_;
+    std::vector<CsvCell> cells_;
     std::vector<double> values_;  // of the known columns' numbers in the row, 0 for texts
     static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
-    std::size_t span_column_ = kNone;  // its place among the known columns
+    std::size_t span_column_ = kNone;  // its index among the known columns
     double span_start_ = 0.0;
-    std::string rest_;  // of a line that is not complete
+    std::string rest_;  // of an incomplete line
     std::size_t line_ = 0, width_ = 0;
     bool headed_ = false;
 };

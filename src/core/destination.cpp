@@ -20,11 +20,11 @@ namespace fusee::core {
 void make_folder(const fs::path& folder) {
     std::error_code error;
     fs::create_directories(folder, error);
-    if (error) throw IoError(folder.string(), "the folder cannot be made: " + error.message());
+    if (error) throw IoError(folder.string(), "the folder cannot be created: " + error.message());
 }
 
 namespace {
-/// What processes that are no more left when they were killed in `write_file`.
+/// Removes what killed processes left in `write_file`.
 void remove_parts(const fs::path& file) {
     const std::string prefix = "." + file.filename().string() + ".part-";
     std::error_code ignored;
@@ -56,8 +56,8 @@ void require_new_file(const fs::path& file, bool force) {
     std::error_code ignored;
     const fs::file_status found = fs::symlink_status(file, ignored);
     if (!fs::exists(found)) return;
-    if (!force) throw IoError(file.string(), "stands there already: --force replaces it, or choose another name");
-    if (!fs::is_regular_file(fs::status(file, ignored))) throw IoError(file.string(), "is no regular file");
+    if (!force) throw IoError(file.string(), "already exists: use --force to replace it, or choose another name");
+    if (!fs::is_regular_file(fs::status(file, ignored))) throw IoError(file.string(), "is not a regular file");
 }
 
 }  // namespace fusee::core

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 namespace fusee::core {
 
 namespace {
-/// The disk begins to write; many files are written side by side.
+/// Starts writing to the disk; many files are then written in parallel.
 void begin_sync(const fs::path& path) {
     const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
     if (file < 0) return;

@@ -4,8 +4,8 @@
 
 namespace fusee::core {
 
-/// Hands a file's bytes, or a folder's names, to the disk: they stand there after a loss of power. Where a file system cannot, nothing
-/// happens. @throws IoError if the disk is full or fails
+/// Flushes a file's bytes, or a folder's names, to the disk, so that they survive a loss of power. Does nothing if the file system cannot.
+/// @throws IoError if the disk is full or fails
 void sync(const std::filesystem::path& path);
 
 /// The same for all files below a folder.

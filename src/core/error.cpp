@@ -12,11 +12,11 @@ namespace fusee::core {
 
 namespace {
 
-// Characters that a message repeats. A path may have 4096; what is allowed is our own text, and lists at most some hundred names.
+// Characters repeated in a message. A path may have 4096; the allowed values are fusee's text and list at most some hundred names.
 constexpr std::size_t kMostOfValue = 200, kMostOfField = 5000, kMostOfReason = 5000;
-constexpr std::size_t kMostLines = 200;  // of mistakes; a reader that finds more says how many itself
+constexpr std::size_t kMostLines = 200;  // of mistakes; a reader that finds more counts them
 
-/// One message, its control characters visible but for the line ends.
+/// One message with visible control characters, except line ends.
 std::string printable_lines(const std::string& text) {
     std::istringstream in(text);
     std::string lines;

@@ -23,13 +23,13 @@ namespace {
 
 constexpr int kNames = 1000;  // tried for a temporary file
 
-/// A name beside `path` that no other process or thread uses.
+/// A name in the folder of `path` that no other process or thread uses.
 fs::path hidden_sibling(const fs::path& path, std::string_view purpose) {
     static std::atomic<unsigned> serial{0};
     return path.parent_path() / fmt::format(".{}.{}-{}-{}", path.filename().string(), purpose, ::getpid(), serial++);
 }
 
-/// Writes all bytes to a new file and hands them to the disk. @returns 0 or errno
+/// Writes all bytes to a new file and flushes them to the disk. @returns 0 or errno
 int write_new(const fs::path& path, std::string_view bytes, bool to_disk) {
     const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (file < 0) return errno;
@@ -50,9 +50,9 @@ int write_new(const fs::path& path, std::string_view bytes, bool to_disk) {
 }  // namespace
 
 void write_file(const fs::path& path, std::string_view bytes) {
-    const bool to_disk = !is_in_temporary_folder(path);  // an output folder hands over all of its files at once
+    const bool to_disk = !is_in_temporary_folder(path);  // an output folder flushes all its files at once
     fs::path temporary;
-    int failed = EEXIST;  // a name that a killed process left
+    int failed = EEXIST;  // the name exists: left by a killed process
     for (int i = 0; i < kNames && failed == EEXIST; ++i) failed = write_new(temporary = hidden_sibling(path, "part"), bytes, to_disk);
     std::error_code error;
     if (failed != 0) {

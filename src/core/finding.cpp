@@ -56,17 +56,17 @@ const char* to_string(Severity severity) {
         case Severity::kNotJudged:
             return "not judged";
         case Severity::kWarning:
-            return "review and accept";
+            return "warning";
         case Severity::kError:
-            return "required change";
+            return "error";
     }
     return "";
 }
 
 namespace {
 
-/// Both numbers with four digits, or with as many more as it takes to tell them apart.
-std::pair<std::string, std::string> told_apart(double measured, double allowed) {
+/// Both numbers with four digits, or with as many more as make them differ.
+std::pair<std::string, std::string> distinct_texts(double measured, double allowed) {
     for (int digits = 4; digits < std::numeric_limits<double>::max_digits10; ++digits) {
         std::string left = fmt::format("{:.{}g}", measured, digits), right = fmt::format("{:.{}g}", allowed, digits);
         if (left != right || measured == allowed) return {std::move(left), std::move(right)};
@@ -83,7 +83,7 @@ std::string unjudged_line(const Finding& f) {
 
 std::string to_line(const Finding& f) {
     if (f.severity == Severity::kNotJudged) return unjudged_line(f);
-    const auto [measured, allowed] = told_apart(f.measured, f.allowed);
+    const auto [measured, allowed] = distinct_texts(f.measured, f.allowed);
     const std::string unit = f.unit.empty() ? "" : " " + f.unit;
     return fmt::format("{}: {}: {}: measured {}{}, allowed {} {}{}{}{}", to_string(f.severity), f.rule, f.what, measured, unit,
                        f.bound == Bound::kAtMost ? "at most" : "at least", allowed, unit,

@@ -46,7 +46,7 @@ void limit(int resource, rlim_t soft, rlim_t hard) {
     ::setrlimit(static_cast<__rlimit_resource_t>(resource), &now);
 }
 
-/// A running child whose standard output can be read; killed if this goes before it has ended.
+/// A running child whose standard output can be read; the destructor kills it if it still runs.
 class Spawned {
 public:
     Spawned(const std::vector<std::string>& words, const std::string& about) {
@@ -76,7 +76,7 @@ public:
     Spawned(const Spawned&) = delete;
     Spawned& operator=(const Spawned&) = delete;
 
-    /// Reads what it prints until it closes its output. @returns why it has to be killed, or kExited
+    /// Reads its output until it is closed. @returns the reason to kill it, or kExited
     ChildResult::End collect(std::string& output, const ChildLimits& limits, Clock::time_point end) const {
         std::vector<char> buffer(1 << 20);
         while (Clock::now() < end) {
@@ -91,7 +91,7 @@ public:
         }
         return ChildResult::End::kOutOfTime;
     }
-    /// Waits for its end until `end`, also of one that has closed its output. @returns its status; nothing happened in time: -1
+    /// Waits until `end` for its end, even if it closed its output. @returns its status; -1: still running
     int wait_until(Clock::time_point end) {
         while (Clock::now() < end) {
             if (interrupted()) throw Stopped();

@@ -18,8 +18,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kLargest = 50'000'000;  // bytes
-constexpr int kDeepest = 4;
+constexpr std::size_t kLargestManifest = 50'000'000;  // bytes
+constexpr int kManifestDepth = 4;
 
 bool is_utf8(const std::string& text) {
     try {
@@ -80,18 +80,18 @@ std::optional<Manifest> read_manifest(const fs::path& folder) {
     std::error_code error;
     if (!fs::exists(fs::symlink_status(path, error))) return std::nullopt;
     const auto damaged = [&path](const std::string& why) {
-        return IoError(path.string(), "the list of what fusee made here is damaged (" + why +
-                                          "): put it back, move the folder away or choose another one; nothing was written");
+        return IoError(path.string(), "the list of files that fusee made here is damaged (" + why +
+                                          "): restore it, move the folder away or choose another one; nothing was written");
     };
-    if (!fs::is_regular_file(fs::symlink_status(path, error))) throw damaged("it is no file");
-    const std::string text = read_file(path, kLargest);
-    const auto shallow = [](int depth, Json::parse_event_t, const Json&) { return depth <= kDeepest; };
+    if (!fs::is_regular_file(fs::symlink_status(path, error))) throw damaged("it is not a file");
+    const std::string text = read_file(path, kLargestManifest);
+    const auto shallow = [](int depth, Json::parse_event_t, const Json&) { return depth <= kManifestDepth; };
     const Json json = Json::parse(text, shallow, false);
     if (!json.is_object() || !json.contains("files") || !json["files"].is_object()) throw damaged("no files");
     Manifest manifest;
     for (const auto& [name, entry] : json["files"].items()) {
         const std::string file = decoded(name);
-        if (!is_inside(file)) throw damaged("\"" + name + "\" is not inside of the folder");
+        if (!is_inside(file)) throw damaged("\"" + name + "\" is not inside the folder");
         try {
             manifest[file] = made_file(entry);
         } catch (const Json::exception&) {

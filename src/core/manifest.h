@@ -10,7 +10,7 @@ namespace fusee::core {
 struct MadeFile {
     std::string command, source;  ///< source: relative to the folder; "." the folder itself
     std::string sha256;           ///< of its bytes
-    std::string earlier;          ///< while a run moves its files: of the bytes that stand there before; else empty
+    std::string earlier;          ///< hash of the previous bytes while a run moves its files; otherwise empty
     bool sheet = false;           ///< to be filled in by the user
 
     [[nodiscard]] bool holds(const std::string& hash) const { return !hash.empty() && (hash == sha256 || hash == earlier); }
@@ -19,10 +19,10 @@ struct MadeFile {
 /// By name relative to the folder, with '/'.
 using Manifest = std::map<std::string, MadeFile>;
 
-/// None if the folder has none. @throws IoError if it is damaged or names a file outside of the folder
+/// None if the folder has none. @throws IoError if it is damaged or names a file outside the folder
 [[nodiscard]] std::optional<Manifest> read_manifest(const std::filesystem::path& folder);
 
-/// As JSON. Bytes that are no UTF-8 are written as %XX.
+/// As JSON. Bytes that are not UTF-8 are written as %XX.
 [[nodiscard]] std::string manifest_text(const Manifest& manifest);
 
 }  // namespace fusee::core

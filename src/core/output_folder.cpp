@@ -24,14 +24,14 @@ namespace fusee::core {
 
 namespace {
 
-constexpr const char* kItself = ".";  // a source: the folder that is written into
+constexpr const char* kItself = ".";  // a source: the output folder itself
 constexpr const char* kElsewhere = "move it, or choose another folder";
 
-/// The folder's place without links and dots, whether it exists or not. @throws IoError
+/// The folder's path without links and dots; it need not exist. @throws IoError
 fs::path place_of(const fs::path& target) {
     std::error_code gone;
     if (target.is_relative() && (static_cast<void>(fs::current_path(gone)), gone))
-        throw IoError(target.string(), "the working folder is gone: " + gone.message());
+        throw IoError(target.string(), "the working folder no longer exists: " + gone.message());
     if (target.empty()) throw IoError("\"\"", "the name of a folder is empty");
     try {
         const fs::path place = fs::weakly_canonical(fs::absolute(target));
@@ -45,7 +45,7 @@ std::string relative_source(const fs::path& source, const fs::path& place) {
     return source.empty() ? "" : place_of(source).lexically_relative(place).generic_string();
 }
 
-/// The first entry that is not fusee's own scratch; empty if there is none.
+/// The first entry that is not a scratch file of fusee; empty if there is none.
 std::string first_entry(const fs::path& folder) {
     std::set<std::string> names;
     std::error_code error;
@@ -55,7 +55,7 @@ std::string first_entry(const fs::path& folder) {
     return names.empty() ? "" : *names.begin();
 }
 
-/// One after the other in the same folder.
+/// Lets one run at a time into a folder.
 class Lock {
 public:
     explicit Lock(const fs::path& folder) : file_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
@@ -72,13 +72,13 @@ private:
     int file_;
 };
 
-/// What stands under a name.
+/// The present file of a name.
 struct Standing {
     bool there = false, regular = false;
     std::string hash;  ///< of a regular file
 };
 
-/// @throws IoError if a part of the name is a link or a file: what is written there would land elsewhere
+/// @throws IoError if a part of the path is a link or a file: the file would be written elsewhere
 Standing standing(const fs::path& folder, const std::string& name, const std::string& shown) {
     std::error_code ignored;
     fs::path at = folder;
@@ -86,7 +86,7 @@ Standing standing(const fs::path& folder, const std::string& name, const std::st
     for (const fs::path& part : relative.parent_path()) {
         const fs::file_status status = fs::symlink_status(at /= part, ignored);
         if (!fs::exists(status)) return {};
-        if (!fs::is_directory(status)) throw IoError(shown, fmt::format("{} is no folder; {}", part.string(), kElsewhere));
+        if (!fs::is_directory(status)) throw IoError(shown, fmt::format("{} is not a folder; {}", part.string(), kElsewhere));
     }
     const fs::file_status status = fs::symlink_status(folder / relative, ignored);
     Standing found{fs::exists(status), fs::is_regular_file(status), {}};
@@ -94,7 +94,7 @@ Standing standing(const fs::path& folder, const std::string& name, const std::st
     return found;
 }
 
-/// What a run may do to the files of a folder.
+/// Decides what a run may do to the files of a folder.
 class Judge {
 public:
     Judge(const fs::path& target, const fs::path& place, const OutputRun& run, const std::string& source)
@@ -109,12 +109,12 @@ public:
 
     [[nodiscard]] const Manifest& manifest() const { return manifest_; }
 
-    /// @param hash of the bytes that will be written; empty if not known yet @returns the hash of what stands there; empty if nothing
+    /// @param hash of the bytes that will be written; empty if not known yet @returns the hash of the present file; empty: none
     [[nodiscard]] std::string require_replaceable(const std::string& name, const std::string& hash) const {
         const std::string shown = (target_ / name).string();
         const Standing found = standing(place_, name, shown);
         if (!found.there) return "";
-        if (!found.regular) throw IoError(shown, fmt::format("is no regular file, and a file is written here; {}", kElsewhere));
+        if (!found.regular) throw IoError(shown, fmt::format("is not a regular file, and a file is written here; {}", kElsewhere));
         const auto made = manifest_.find(name);
         if (!hash.empty() && found.hash == hash) return found.hash;
         if (made == manifest_.end())
@@ -126,13 +126,13 @@ public:
         return found.hash;
     }
 
-    /// Does this run remove the file unless it makes it anew?
+    /// Does this run remove the file unless it makes it again?
     [[nodiscard]] bool is_stale(const MadeFile& made) const {
         if (made.source == source_) return made.command == run_.command;
         return run_.force && !run_.many_sources && is_foreign(made);
     }
 
-    /// May a file that is no longer made go? A sheet that was filled in stays. @throws IoError if it was changed, unless forced
+    /// May a file that is no longer made be removed? A filled-in sheet stays. @throws IoError if it was changed, unless forced
     [[nodiscard]] bool require_removable(const std::string& name, const MadeFile& made) const {
         const std::string shown = (target_ / name).string();
         const Standing found = standing(place_, name, shown);
@@ -160,7 +160,7 @@ private:
         for (const auto& [name, made] : manifest_)
             if (is_foreign(made))
                 throw IoError(target_.string(),
-                              fmt::format("holds what fusee {} made from {}; this run is of {}. Nothing was written. --force replaces "
+                              fmt::format("holds files that fusee {} made from {}; this run uses {}. Nothing was written. --force replaces "
                                           "those files, or choose another folder",
                                           made.command, named(made.source), named(source_)));
     }
@@ -172,7 +172,7 @@ private:
         if (!run_.force)
             throw IoError(shown, fmt::format("was changed since fusee {} made it: --force replaces it; or move it", made.command));
     }
-    /// Of another source; a folder that is its own source takes all, and belongs to all.
+    /// Is the file of another source? A folder that is its own source accepts all, and belongs to all.
     [[nodiscard]] bool is_foreign(const MadeFile& made) const {
         return made.source != source_ && made.source != kItself && source_ != kItself;
     }
@@ -187,7 +187,7 @@ private:
     Manifest manifest_;
 };
 
-/// Every file below a folder, by name relative to it.
+/// Every file below a folder, by its relative name.
 std::set<std::string> files_below(const fs::path& folder) {
     std::set<std::string> names;
     for (const auto& entry : fs::recursive_directory_iterator(folder))
@@ -206,11 +206,11 @@ public:
             if (judge_.require_removable(name, made))
                 stale_.insert(name);
             else
-                next_.erase(name);  // the user's from now on
+                next_.erase(name);  // now the user's
         }
     }
 
-    /// The manifest first, with old and new files: whoever finds it later knows them all.
+    /// Writes the manifest first, with old and new files: after a crash it names them all.
     void carry_out() {
         sync_tree(staging_);
         put_manifest();
@@ -249,7 +249,7 @@ private:
         fs::remove(place_ / name, error);
         if (error) throw IoError((target_ / name).string(), "cannot be removed: " + error.message());
         for (fs::path folder = (place_ / name).parent_path(); folder != place_; folder = folder.parent_path())
-            if (!fs::remove(folder, error) || error) break;  // holds more
+            if (!fs::remove(folder, error) || error) break;  // not empty
         next_.erase(name);
     }
     void sync_folders() const {
@@ -264,29 +264,29 @@ private:
     std::set<std::string> made_, stale_;
 };
 
-/// An empty target that was not there before goes again.
-struct NewTarget {
-    explicit NewTarget(const fs::path& place) : path(place) {
-        std::error_code ignored;
-        is_new = !fs::exists(place, ignored);
-        make_folder(place);
-    }
-    ~NewTarget() {
-        std::error_code ignored;
-        if (is_new) fs::remove(path, ignored);  // fails where it holds something
-    }
-    NewTarget(const NewTarget&) = delete;
-    NewTarget& operator=(const NewTarget&) = delete;
-    fs::path path;
-    bool is_new = false;
-};
-
 }  // namespace
 
 struct OutputFolder::Staged {
+    /// Removes the target again if it is new and empty.
+    struct NewTarget {
+        explicit NewTarget(const fs::path& place) : path(place) {
+            std::error_code ignored;
+            is_new = !fs::exists(place, ignored);
+            make_folder(place);
+        }
+        ~NewTarget() {
+            std::error_code ignored;
+            if (is_new) fs::remove(path, ignored);  // fails unless it is empty
+        }
+        NewTarget(const NewTarget&) = delete;
+        NewTarget& operator=(const NewTarget&) = delete;
+        fs::path path;
+        bool is_new = false;
+    };
+
     explicit Staged(const fs::path& place) : target(place), folder(place, kStagingPrefix) {}
     NewTarget target;
-    TemporaryFolder folder;  // goes first
+    TemporaryFolder folder;  // destroyed first
 };
 
 OutputFolder::OutputFolder(fs::path target, OutputRun run)

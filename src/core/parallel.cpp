@@ -15,8 +15,8 @@ namespace fusee::core {
 
 namespace {
 
-/// At most `wanted`: the number of threads, this one included, that the system gives at the same time. oneTBB ends the program where it
-/// gets no thread, so they are tried first.
+/// At most `wanted`: the number of threads, this one included, that the system allows at the same time. oneTBB ends the program if it
+/// cannot start a thread, so they are tested first.
 unsigned available_threads(unsigned wanted) {
     static std::atomic<unsigned> known{1};
     if (wanted <= known) return wanted;
@@ -25,13 +25,19 @@ unsigned available_threads(unsigned wanted) {
     std::vector<std::thread> probes;
     try {
         while (probes.size() + 1 < wanted) probes.emplace_back([end] { end.wait(); });
-    } catch (const std::system_error&) {  // no more
+    } catch (const std::system_error&) {  // the limit is reached
     }
     over.set_value();
     for (std::thread& probe : probes) probe.join();
     const auto available = static_cast<unsigned>(probes.size()) + 1;
     known = std::max(known.load(), available);
     return available;
+}
+
+template <class Work>
+void in_arena(unsigned threads, const Work& work) {
+    const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, threads);  // the default is the number of processors
+    tbb::task_arena(static_cast<int>(threads)).execute(work);
 }
 
 }  // namespace
@@ -47,9 +53,9 @@ void parallel_for(std::size_t count, unsigned jobs, const std::function<void(std
         for (std::size_t i = 0; i < count; ++i) body(i);
         return;
     }
-    const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, threads);  // oneTBB alone stops at the processors
-    tbb::task_arena arena(static_cast<int>(threads));
-    arena.execute([&] { tbb::parallel_for(std::size_t{0}, count, body, tbb::simple_partitioner()); });
+    in_arena(threads, [&] { tbb::parallel_for(std::size_t{0}, count, body, tbb::simple_partitioner()); });
 }
+
+void with_threads(unsigned jobs, const std::function<void()>& work) { in_arena(available_threads(worker_count(jobs, kMostWorkers)), work); }
 
 }  // namespace fusee::core

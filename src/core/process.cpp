@@ -29,11 +29,11 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
 
-constexpr std::size_t kTail = 600;  // characters of a program's own words that go into an error
-constexpr milliseconds kLook{10};   // how often a silent program is looked at
-constexpr int kPieces = 64;         // of output between two looks at the program
+constexpr std::size_t kTail = 600;  // characters of a program's output in an error
+constexpr milliseconds kLook{10};   // interval at which a silent program is polled
+constexpr int kPieces = 64;         // of output between two polls of the program
 
-/// Process groups that run at present; 0 is a free place.
+/// Running process groups; 0 is a free place.
 std::array<std::atomic<pid_t>, 64> g_groups;
 static_assert(std::atomic<pid_t>::is_always_lock_free, "read by a signal handler");
 
@@ -42,7 +42,7 @@ void note_group(pid_t from, pid_t to) {
         if (pid_t expected = from; place.compare_exchange_strong(expected, to)) return;
 }
 
-/// The environment with one language for all: a locale that is not installed stops some programs.
+/// The environment with one language: some programs stop if a locale is not installed.
 std::vector<std::string> plain_environment() {
     std::vector<std::string> all{"LC_ALL=C.UTF-8"};
     for (char** entry = environ; *entry != nullptr; ++entry) {
@@ -60,7 +60,7 @@ std::vector<char*> pointers(std::vector<std::string>& words) {
     return all;
 }
 
-/// A group of its own, and the signals as a program expects them.
+/// Attributes of a separate process group with default signals.
 class Attributes {
 public:
     Attributes() {
@@ -82,7 +82,7 @@ private:
     posix_spawnattr_t value_{};
 };
 
-/// Starts a program that prints into `output`. @returns 0 or errno
+/// Starts a program with `output` as its output. @returns 0 or errno
 int spawn(pid_t& pid, std::vector<std::string> words, int output) {
     std::vector<std::string> environment = plain_environment();
     const Attributes attributes;
@@ -97,7 +97,7 @@ int spawn(pid_t& pid, std::vector<std::string> words, int output) {
     return failed;
 }
 
-/// A child process whose standard output and error can be read; ended with its own children when this goes.
+/// A child process whose standard output and error can be read; the destructor ends it and its children.
 class Child {
 public:
     Child(const std::vector<std::string>& words, const std::string& about) {
@@ -121,23 +121,23 @@ public:
     Child(const Child&) = delete;
     Child& operator=(const Child&) = delete;
 
-    /// What it prints until it ends; its end counts, not that of its output. @returns false when the time is up
+    /// Collects its output until it ends, even if it closes its output. @returns false when the time is up
     bool collect(ProcessResult& result, std::size_t kept, Clock::time_point end) {
         while (true) {
-            const bool over = has_ended();  // before the last look at its output
+            const bool over = has_ended();  // before the last read of its output
             for (int i = 0; i < kPieces && take(result, kept); ++i) {
             }
             if (over) return true;
             const auto left = std::chrono::duration_cast<milliseconds>(end - Clock::now());
             if (left.count() <= 0) return false;
-            pollfd waiting{read_, POLLIN, 0};  // a negative descriptor is passed over
+            pollfd waiting{read_, POLLIN, 0};  // a negative descriptor is ignored
             (void)::poll(&waiting, 1, static_cast<int>(std::min(left, kLook).count()));
         }
     }
-    /// Ends what is left of its group. @returns its exit code, or -1 if a signal ended it
+    /// Ends the rest of its group. @returns its exit code, or -1 if a signal ended it
     int end() {
         ::kill(pid_, SIGKILL);
-        ::kill(-pid_, SIGKILL);  // its number is its own until it is waited for
+        ::kill(-pid_, SIGKILL);  // its id stays valid until waitpid
         int status = 0;
         while (::waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
         }

@@ -34,7 +34,7 @@ void Progress::note(const std::string& label) {
 }
 
 void Progress::draw(const std::string& label) const {
-    const std::string shown = printable(label);  // it may hold a file's name
+    const std::string shown = printable(label);  // it may contain a file's name
     if (!terminal_) {
         fmt::print(stderr, "{} {}/{}: {}\n", title_, done_, total_, shown);
         return;

@@ -25,7 +25,7 @@ namespace {
 
 constexpr std::size_t kRandom = 6;  // characters that mkdtemp chooses
 
-/// An open folder that is closed when this goes.
+/// An open folder, closed by the destructor.
 class Descriptor {
 public:
     explicit Descriptor(const fs::path& folder) : value_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC | O_NOFOLLOW)) {}
@@ -78,7 +78,7 @@ TemporaryFolder::TemporaryFolder(const fs::path& parent, const std::string& pref
 
 TemporaryFolder::TemporaryFolder() {
     std::error_code error;
-    const fs::path parent = fs::temp_directory_path(error);  // fails if TMPDIR is no folder
+    const fs::path parent = fs::temp_directory_path(error);  // fails if TMPDIR is not a folder
     const char* named = std::getenv("TMPDIR");
     if (error) throw IoError(fmt::format("TMPDIR={}", named == nullptr ? "" : named), "no folder for temporary files: " + error.message());
     make(parent, kTemporaryPrefix);
@@ -90,15 +90,15 @@ void TemporaryFolder::make(const fs::path& parent, const std::string& prefix) {
     for (int i = 0; i < kTries; ++i) {
         std::string pattern = (parent / (prefix + std::string(kRandom, 'X'))).string();
         if (::mkdtemp(pattern.data()) == nullptr)
-            throw IoError(parent.string(), fmt::format("no folder for temporary files can be made here: {}", std::strerror(errno)));
+            throw IoError(parent.string(), fmt::format("no folder for temporary files can be created here: {}", std::strerror(errno)));
         Descriptor open(pattern);
-        // Another process may take it for one left behind before it is locked. A file system without locks is no reason to stop.
+        // Before it is locked, another process may remove it as one left behind. A file system without locks is accepted.
         if ((!open.lock() && errno == EWOULDBLOCK) || !open.is(pattern)) continue;
         path_ = pattern;
         lock_ = open.release();
         return;
     }
-    throw IoError(parent.string(), "no folder for temporary files can be made here: others remove it");
+    throw IoError(parent.string(), "no folder for temporary files can be created here: another process removes it");
 }
 
 TemporaryFolder::~TemporaryFolder() {

@@ -8,7 +8,7 @@ namespace fusee::core {
 
 namespace {
 
-/// One character of a text: a code point of UTF-8, or a byte that is none.
+/// One character of a text: a code point of UTF-8, or an invalid byte.
 struct Character {
     std::size_t bytes = 1;
     char32_t code = 0;
@@ -22,7 +22,7 @@ Character first_character(std::string_view text) {
     const auto byte = [text](std::size_t i) { return static_cast<unsigned char>(text[i]); };
     if (byte(0) < 0x80) return {1, byte(0), true};
     const std::size_t length = byte(0) >= 0xF0 ? 4 : byte(0) >= 0xE0 ? 3 : 2;
-    constexpr std::array<char32_t, 5> kLeast{0, 0, 0x80, 0x800, 0x10000};  // shorter codes may not be written longer
+    constexpr std::array<char32_t, 5> kLeast{0, 0, 0x80, 0x800, 0x10000};  // longer encodings of shorter codes are invalid
     const Character broken{1, byte(0), false};
     if (byte(0) < 0xC0 || byte(0) >= 0xF8 || length > text.size()) return broken;
     char32_t code = byte(0) & (0xFFU >> (length + 1));
@@ -36,12 +36,12 @@ Character first_character(std::string_view text) {
 
 bool is_control(char32_t code) { return code < 0x20 || (code >= 0x7F && code < 0xA0); }
 
-/// Line and paragraph separators, and what turns the direction of writing.
+/// Line and paragraph separators, and marks of writing direction.
 bool is_mark(char32_t code) {
     return code == 0x200E || code == 0x200F || (code >= 0x2028 && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069);
 }
 
-std::string shown(const Character& c, std::string_view bytes) {
+std::string visible(const Character& c, std::string_view bytes) {
     if (!c.valid) return fmt::format("\\x{:02x}", static_cast<unsigned>(c.code));
     if (c.code == '\n') return "\\n";
     if (c.code == '\t') return "\\t";
@@ -57,7 +57,7 @@ std::string printable(std::string_view text, std::size_t most) {
     std::size_t count = 0;
     for (std::size_t at = 0; at < text.size(); ++count) {
         const Character c = first_character(text.substr(at));
-        if (count < most) out += shown(c, text.substr(at));
+        if (count < most) out += visible(c, text.substr(at));
         at += c.bytes;
     }
     return count > most ? fmt::format("{}... ({} characters)", out, count) : out;

@@ -13,11 +13,9 @@ namespace fusee::core {
 
 namespace {
 
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+constexpr int kDeepestToml = 32;  // nested brackets, and names in a dotted key: settings need 4; the parser recurses for each
 
-constexpr int kDeepest = 32;  // brackets in brackets, and names in a dotted key: a file of settings has 4; the parser recurses for each
-
-/// Walks over comments and strings as wholes; everything else is syntax. @throws IoError with line and column
+/// Skips comments and strings; everything else is syntax. @throws IoError with line and column
 class Scanner {
 public:
     Scanner(std::string_view text, const std::string& file) : text_(text), file_(file) {
@@ -27,7 +25,7 @@ public:
     void check() {
         while (at_ < text_.size()) {
             if (static_cast<unsigned char>(text_[at_]) >= 0x80)
-                refuse("a character outside ASCII; such characters may stand in comments and quoted texts only");
+                refuse("a character outside ASCII; such characters are allowed only in comments and quoted texts");
             count_depth(text_[at_]);
             if (text_[at_] == '#')
                 skip_comment();
@@ -47,9 +45,9 @@ private:
         if (c == ']' || c == '}') brackets_ = std::max(0, brackets_ - 1);
         if (std::string_view("=,[]{}\n").find(c) != std::string_view::npos) dots_ = 0;  // another name or value begins
         if (c == '.') ++dots_;
-        if (brackets_ > kDeepest || dots_ >= kDeepest)
-            refuse(fmt::format("no valid TOML for fusee: more than {} {}", kDeepest,
-                               dots_ > 0 ? "names in a dotted key" : "brackets within each other"));
+        if (brackets_ > kDeepestToml || dots_ >= kDeepestToml)
+            refuse(fmt::format("not valid TOML for fusee: more than {} {}", kDeepestToml,
+                               dots_ > 0 ? "names in a dotted key" : "nested brackets"));
     }
     void step() {
         if (text_[at_++] != '\n') return;
@@ -65,7 +63,7 @@ private:
         const std::string end = many_lines ? triple : triple.substr(0, 1);
         for (std::size_t i = 0; i < end.size(); ++i) step();
         while (at_ < text_.size() && !text_.substr(at_).starts_with(end)) {
-            if (text_[at_] == '\n' && !many_lines) return;  // an unclosed string: the parser says so
+            if (text_[at_] == '\n' && !many_lines) return;  // an unclosed string: the parser reports it
             if (quote == '"' && text_[at_] == '\\' && at_ + 1 < text_.size()) step();
             step();
         }
@@ -78,10 +76,10 @@ private:
     int brackets_ = 0, dots_ = 0;
 };
 
-/// One that begins with 0xC2 has two bytes.
+/// A control character that begins with 0xC2 has two bytes.
 std::string control_shown(const std::string& text, std::size_t at) { return printable(text.substr(at, text[at] == '\xC2' ? 2 : 1)); }
 
-/// TOML lets a text spell any character, as in "\u001b".
+/// TOML texts may contain any character, as in "\u001b".
 void require_plain_texts(const toml::node& node, const std::string& file) {
     if (const auto* table = node.as_table())
         for (const auto& [key, value] : *table) require_plain_texts(value, file);
@@ -106,7 +104,7 @@ toml::table parse_toml(std::string_view bytes, const std::string& file) {
         return table;
     } catch (const toml::parse_error& e) {
         const toml::source_position at = e.source().begin;
-        throw IoError(fmt::format("{}:{}:{}", file, at.line, at.column), fmt::format("no valid TOML: {}", e.description()));
+        throw IoError(fmt::format("{}:{}:{}", file, at.line, at.column), fmt::format("not valid TOML: {}", e.description()));
     }
 }
 

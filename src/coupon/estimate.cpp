@@ -5,6 +5,7 @@
 
 #include "fusee/coupon/calibration.h"
 #include "fusee/math/regression.h"
+#include "fusee/math/statistics.h"
 
 namespace fusee::coupon {
 

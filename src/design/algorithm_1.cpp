@@ -13,32 +13,32 @@ namespace fusee::design {
 
 namespace {
 
-constexpr double kLargest = 1e9, kLeastK = 1e-9;
+constexpr double kLargestSetting = 1e9, kLeastK = 1e-9;
 constexpr int kMostLevels = 100000;
 
 void require_box(const std::string& name, const core::Range& box, double least) {
-    if (std::isfinite(box.low) && std::isfinite(box.high) && box.low >= least && box.low <= box.high && box.high <= kLargest) return;
+    if (std::isfinite(box.low) && std::isfinite(box.high) && box.low >= least && box.low <= box.high && box.high <= kLargestSetting) return;
     throw core::InvalidInput(name, fmt::format("[{:g}, {:g}]", box.low, box.high),
-                             fmt::format("two numbers from {:g} to {:g}, the lower first", least, kLargest));
+                             fmt::format("two numbers from {:g} to {:g}, the lower first", least, kLargestSetting));
 }
 
 void validate(const Algorithm1Options& o, const Algorithm1Rig& rig) {
     require_box("algorithm_1.k_per_Nm_rad", o.k, kLeastK);
-    require_box("algorithm_1.u_Nm", o.u, -kLargest);
-    require_box("algorithm_1.c_Nm", o.c, -kLargest);
+    require_box("algorithm_1.u_Nm", o.u, -kLargestSetting);
+    require_box("algorithm_1.c_Nm", o.c, -kLargestSetting);
     core::require_within("algorithm_1.torques", o.torques, 2, kMostLevels);
     core::require_positive("algorithm_1.wanted_travel_deg", o.wanted_travel, "rad");
     core::require_positive("algorithm_1.joint_range_deg", o.joint_range, "rad");
-    core::require_within("algorithm_1.weight_travel_per_rad", o.weight_travel, 0.0, kLargest);
-    core::require_within("algorithm_1.weight_dead_band_per_rad", o.weight_dead_band, 0.0, kLargest);
-    core::require_within("algorithm_1.weight_sensitivity_Nm_per_rad", o.weight_sensitivity, 0.0, kLargest);
+    core::require_within("algorithm_1.weight_travel_per_rad", o.weight_travel, 0.0, kLargestSetting);
+    core::require_within("algorithm_1.weight_dead_band_per_rad", o.weight_dead_band, 0.0, kLargestSetting);
+    core::require_within("algorithm_1.weight_sensitivity_Nm_per_rad", o.weight_sensitivity, 0.0, kLargestSetting);
     core::require_positive("rig.gear_friction", rig.mu);
     core::require_positive("rig.ratio", rig.ratio);
     core::require_positive("torques.low", rig.torques.low, "Nm");
-    if (!(rig.torques.high > rig.torques.low && rig.torques.high < kLargest))
+    if (!(rig.torques.high > rig.torques.low && rig.torques.high < kLargestSetting))
         throw core::InvalidInput("rig.peak_torque_Nm", fmt::format("{:g}", rig.torques.high),
                                  fmt::format("above the least co-contraction, {:g} Nm", rig.torques.low));
-    core::require_within("highest_load", rig.highest_load, rig.torques.high, kLargest, "Nm");
+    core::require_within("highest_load", rig.highest_load, rig.torques.high, kLargestSetting, "Nm");
 }
 
 /// eq. 2: (1/T - 1) k tau^2 with T = (a + C tau)/tau^2

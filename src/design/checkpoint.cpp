@@ -18,10 +18,10 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kFormat = "fusee evolution 1";
-constexpr int kDeepest = 4;
-constexpr std::size_t kLargest = 100'000'000;  // bytes of a checkpoint
+constexpr int kCheckpointDepth = 4;
+constexpr std::size_t kLargestCheckpoint = 100'000'000;  // bytes of a checkpoint
 
-/// What has to be the same for a search to go on as if it had never stopped. JSON's numbers are written with all digits that matter.
+/// Options that must be equal for a search to continue as if it had never stopped. Numbers are written with all significant digits.
 Json identity(const EvolutionOptions& options) {
     Json bounds = Json::array();
     for (const core::Range& range : options.bounds) bounds.push_back({range.low, range.high});
@@ -35,7 +35,7 @@ void require_same(const Json& stored, const EvolutionOptions& options) {
         const Json found = stored.value(key, Json());
         if (found != value)
             throw core::InvalidInput(options.checkpoint.string() + ": " + key, found.dump(),
-                                     value.dump() + " as asked for now: resume with what the search began with, or begin anew");
+                                     value.dump() + " in this search: resume with the options of the stopped search, or start a new one");
     }
 }
 
@@ -73,22 +73,23 @@ void require_replaceable(const EvolutionOptions& options) {
     const std::string file = options.checkpoint.string();
     core::require_writable(options.checkpoint);
     if (!std::filesystem::exists(options.checkpoint)) return;
-    const auto shallow = [](int depth, Json::parse_event_t, const Json&) { return depth <= kDeepest; };
-    const Json json = Json::parse(core::read_file(options.checkpoint, kLargest), shallow, false);
+    const auto shallow = [](int depth, Json::parse_event_t, const Json&) { return depth <= kCheckpointDepth; };
+    const Json json = Json::parse(core::read_file(options.checkpoint, kLargestCheckpoint), shallow, false);
     if (!json.is_object() || json.value("format", Json()) != kFormat)
         throw core::IoError(file, "fusee did not make this file: move it, or choose another folder");
     if (!options.force && json.value("finished", Json()) != true)
-        throw core::IoError(file, fmt::format("holds a search that was stopped after {} generations: go on with --resume, or begin anew "
-                                              "with --force",
-                                              json.value("generation", Json()).dump()));
+        throw core::IoError(file,
+                            fmt::format("holds a search that was stopped after {} generations: continue it with --resume, or replace it "
+                                        "with --force",
+                                        json.value("generation", Json()).dump()));
 }
 
 std::optional<Generation> read_checkpoint(const EvolutionOptions& options) {
     if (!std::filesystem::exists(options.checkpoint)) return std::nullopt;
     const std::string file = options.checkpoint.string();
-    const Json json = parsed(core::read_file(options.checkpoint, kLargest), file);
+    const Json json = parsed(core::read_file(options.checkpoint, kLargestCheckpoint), file);
     if (!json.is_object() || json.value("format", Json()) != kFormat)
-        throw core::IoError(file, "is no checkpoint of a search, or a damaged one");
+        throw core::IoError(file, "is not a checkpoint of a search, or is damaged");
     require_same(json, options);
     Generation state;
     try {
@@ -100,7 +101,7 @@ std::optional<Generation> read_checkpoint(const EvolutionOptions& options) {
     } catch (const Json::exception& e) {
         throw core::IoError(file, std::string("is a damaged checkpoint: ") + e.what());
     }
-    if (!plausible(state, options)) throw core::IoError(file, "is a damaged checkpoint: its population is not of its own size or box");
+    if (!plausible(state, options)) throw core::IoError(file, "is a damaged checkpoint: its population does not match its size or box");
     return state;
 }
 

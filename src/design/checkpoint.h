@@ -6,7 +6,7 @@
 
 namespace fusee::design {
 
-/// A population after some generations: all that the next generation depends on besides the options.
+/// A population after some generations: with the options, all that the next generation depends on.
 struct Generation {
     int number = 0;               ///< generations done; 0: the first population
     std::vector<double> members;  ///< one after the other
@@ -15,15 +15,15 @@ struct Generation {
     std::vector<double> history;
 };
 
-/// @param finished nothing is lost when another search takes its place @throws core::IoError
+/// @param finished the search is complete and may be replaced by another @throws core::IoError
 void write_checkpoint(const EvolutionOptions& options, const Generation& state, bool finished);
 
-/// May a search that begins anew take the checkpoint's place? @throws core::IoError if it cannot be written, if it is no checkpoint, or if
-/// it holds a search that was stopped and options.force is not set
+/// Checks that a new search may replace the checkpoint. @throws core::IoError if it cannot be written, if the file is not a checkpoint, or
+/// if it holds a stopped search and options.force is not set
 void require_replaceable(const EvolutionOptions& options);
 
 /// Nothing if there is no such file.
-/// @throws core::InvalidInput naming what is another one in the checkpoint; core::IoError if it is damaged
+/// @throws core::InvalidInput naming the option that differs in the checkpoint; core::IoError if it is damaged
 [[nodiscard]] std::optional<Generation> read_checkpoint(const EvolutionOptions& options);
 
 }  // namespace fusee::design

@@ -8,9 +8,9 @@
 #include <limits>
 #include <optional>
 
-#include "batch.h"
 #include "checkpoint.h"
 #include "fusee/core/error.h"
+#include "fusee/core/parallel.h"
 #include "stream.h"
 
 namespace fusee::design {
@@ -34,11 +34,11 @@ void validate(const EvolutionOptions& o) {
     core::require_within("crossover", o.crossover, 0.0, 1.0);
     core::require_within("tolerance", o.tolerance, 0.0, kLargest);
     core::require_within("checkpoint_every", o.checkpoint_every, 1, kMost);
-    if (o.resume && o.checkpoint.empty()) throw core::InvalidInput("resume", "no checkpoint", "the file to go on from");
+    if (o.resume && o.checkpoint.empty()) throw core::InvalidInput("resume", "no checkpoint", "the file to continue from");
 }
 
-/// Draws of one individual: dither, the variable that always crosses over, two for each variable; the partners' come last, since it takes
-/// as many as it takes until they differ.
+/// Draws of one individual: dither, the variable that always crosses over, two for each variable; those of the partners come last, because
+/// their number is open: they are drawn until they differ.
 enum Draw : std::uint64_t { kDitherDraw = 0, kSureDraw = 1, kVariableDraw = 2, kPartnerDraw = std::uint64_t{1} << 32 };
 
 /// Three members that differ from each other and from `self`.
@@ -54,11 +54,10 @@ std::array<int, 3> partners(const Stream& random, int population, int self) {
     return others;
 }
 
-/// One search: the population, and the rules by which the next one comes of it.
+/// One search: the population, and the rules that make the next one.
 class Search {
 public:
-    Search(const Cost& cost, const EvolutionOptions& options)
-        : o_(options), evaluate_(cost, options.bounds, options.jobs), dimension_(options.bounds.size()) {}
+    Search(const Cost& cost, const EvolutionOptions& options) : cost_(cost), o_(options), dimension_(options.bounds.size()) {}
 
     void begin() {
         state_ = {};
@@ -71,7 +70,7 @@ public:
         state_.costs = evaluated(state_.members);
         note_best();
     }
-    void go_on(Generation state) { state_ = std::move(state); }
+    void resume(Generation state) { state_ = std::move(state); }
 
     void step() {
         const std::size_t best = this->best();
@@ -111,13 +110,18 @@ private:
     void note_best() { state_.history.push_back(state_.costs[best()]); }
 
     std::vector<double> evaluated(const std::vector<double>& rows) {
-        std::vector<double> costs = evaluate_(rows);
+        const auto row = [&](std::size_t i) { return std::span(rows.data() + offset(i), dimension_); };
+        std::vector<double> costs(rows.size() / dimension_);
+        core::parallel_for(costs.size(), o_.jobs, [&](std::size_t i) {
+            const double cost = cost_(row(i));
+            costs[i] = std::isfinite(cost) ? cost : std::numeric_limits<double>::max();
+        });
         state_.evaluations += costs.size();
-        for (std::size_t i = 0; o_.observe && i < costs.size(); ++i) o_.observe({rows.data() + offset(i), dimension_}, costs[i]);
+        for (std::size_t i = 0; o_.observe && i < costs.size(); ++i) o_.observe(row(i), costs[i]);
         return costs;
     }
 
-    /// v = r1 + F (best - r1) + F (r2 - r3), crossed with the member. What leaves the box lands at random between its base and the bound.
+    /// v = r1 + F (best - r1) + F (r2 - r3), crossed with the member. A value outside the box is redrawn between its base and the bound.
     void append_trial(int self, std::size_t best, std::vector<double>& trials) const {
         const Stream random(o_.seed, static_cast<std::uint64_t>(state_.number) + 1, static_cast<std::uint64_t>(self));
         const std::array<int, 3> others = partners(random, o_.population, self);
@@ -138,8 +142,8 @@ private:
         }
     }
 
+    const Cost& cost_;
     const EvolutionOptions& o_;
-    Batch evaluate_;
     std::size_t dimension_;
     Generation state_;
 };
@@ -155,7 +159,7 @@ EvolutionResult evolve(const Cost& cost, const EvolutionOptions& options) {
     else if (!options.checkpoint.empty())
         require_replaceable(options);
     if (stored)
-        search.go_on(std::move(*stored));
+        search.resume(std::move(*stored));
     else
         search.begin();
     const auto stopped = [&] { return options.stop && options.stop(); };

@@ -14,6 +14,7 @@
 #include "fusee/core/error.h"
 #include "fusee/core/parallel.h"
 #include "fusee/math/roots.h"
+#include "fusee/math/statistics.h"
 #include "fusee/spring/built_spring.h"
 #include "fusee/spring/cable.h"
 #include "fusee/spring/resampled.h"
@@ -27,7 +28,6 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kPercentile = 1.6448536269514722;  ///< 95 % of a normal distribution lie below that many standard deviations
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 void validate(const Drawing& drawing, double tau, const ShopScatter& scatter) {
     actuator::validate(drawing.actuator);
@@ -36,13 +36,13 @@ void validate(const Drawing& drawing, double tau, const ShopScatter& scatter) {
     core::require_positive("base_se.preload", drawing.base_se.preload);
     core::require_positive("base_pe.rate", drawing.base_pe.rate);
     core::require_positive("base_pe.preload", drawing.base_pe.preload);
-    core::require_within("scatter.rate_se", scatter.rate_se, 0.0, 0.3);  // three standard deviations leave a spring
+    core::require_within("scatter.rate_se", scatter.rate_se, 0.0, 0.3);  // three standard deviations below still leave a spring
     core::require_within("scatter.rate_pe", scatter.rate_pe, 0.0, 0.3);
     core::require_within("scatter.contour", scatter.contour, 0.0, 1e-2, "m");
     core::require_within("scatter.friction", scatter.friction, 0.0, 0.3);
 }
 
-/// What can be wrong on each side of an actuator.
+/// Errors on each side of an actuator.
 enum Error : std::size_t { kRateSe, kRatePe, kContourSe, kContourPe, kFriction, kErrors };
 /// The member of ShopScatter that it belongs to.
 constexpr std::array<std::size_t, kErrors> kSource{0, 1, 2, 2, 3};
@@ -59,8 +59,8 @@ double share_below(double x, double sigma) {
     return 0.5 * std::erfc(-x / (sigma * std::sqrt(2.0)));
 }
 
-/// One spring where it stands at an edge.
-struct Stretched {
+/// One spring at an edge of the dead-band.
+struct LoadedSpring {
     Error rate, contour;
     std::size_t side;
     Vector3d jacobian_row;
@@ -75,21 +75,21 @@ struct Stretched {
     }
 };
 
-std::array<Stretched, 4> stretch(const Drawing& drawing, const Vector3d& z) {
+std::array<LoadedSpring, 4> springs_at(const Drawing& drawing, const Vector3d& z) {
     const spring::SpringLaw& law = *drawing.actuator.law;
     const double g = drawing.actuator.ratio(), x = z(actuator::kAgonist) + g * z(actuator::kOutput);
     const spring::LawPoint both = law.at_angle(x), first = law.at_angle(z(0)), second = law.at_angle(z(1));
-    const auto series = [&](std::size_t side, const Vector3d& jacobian_row) -> Stretched {
+    const auto series = [&](std::size_t side, const Vector3d& jacobian_row) -> LoadedSpring {
         return {kRateSe, kContourSe, side, jacobian_row, drawing.base_se, x, both.f_se, both.s, both.u_se};
     };
-    const auto parallel = [&](std::size_t side, const Vector3d& jacobian_row, const spring::LawPoint& at) -> Stretched {
+    const auto parallel = [&](std::size_t side, const Vector3d& jacobian_row, const spring::LawPoint& at) -> LoadedSpring {
         return {kRatePe, kContourPe, side, jacobian_row, drawing.base_pe, at.theta, at.f_pe, at.p, at.u_pe};
     };
     return {parallel(0, {1.0, 0.0, 0.0}, first), series(0, {1.0, 0.0, g}), series(1, {0.0, 1.0, -g}), parallel(1, {0.0, 1.0, 0.0}, second)};
 }
 
-/// The edge at which capstan 1 carries its least load and capstan 2 its greatest, and how (theta_1, theta_2, q) there move for one standard
-/// deviation of each error on each side.
+/// The edge at which capstan 1 carries its least load and capstan 2 its greatest, and the motion of (theta_1, theta_2, q) there per
+/// standard deviation of each error on each side.
 struct Edge {
     Vector3d z;
     std::array<std::array<Vector3d, 2>, kErrors> moves;
@@ -106,12 +106,12 @@ std::optional<Vector3d> place_of(const actuator::Actuator& rig, double width, do
 
 /// eq. 2, 3
 Edge differentiate(const Drawing& drawing, const Vector3d& z, core::Range loads, const std::array<double, kErrors>& sigma) {
-    const std::array<Stretched, 4> springs = stretch(drawing, z);
+    const std::array<LoadedSpring, 4> springs = springs_at(drawing, z);
     Eigen::Matrix3d k = Eigen::Matrix3d::Zero();
-    for (const Stretched& spring : springs) k += spring.stiffness * spring.jacobian_row * spring.jacobian_row.transpose();
+    for (const LoadedSpring& spring : springs) k += spring.stiffness * spring.jacobian_row * spring.jacobian_row.transpose();
     const Eigen::Matrix3d m = k.inverse();
     Edge edge{.z = z, .moves = {}};
-    for (const Stretched& spring : springs) {
+    for (const LoadedSpring& spring : springs) {
         const Vector3d per_torque = -m * spring.jacobian_row;
         edge.moves[spring.rate][spring.side] = sigma[spring.rate] * spring.force * per_torque;
         edge.moves[spring.contour][spring.side] = sigma[spring.contour] * spring.by_radius(drawing.actuator.capstan_radius) * per_torque;
@@ -122,7 +122,7 @@ Edge differentiate(const Drawing& drawing, const Vector3d& z, core::Range loads,
     return edge;
 }
 
-/// Share of the built actuators whose parallel springs reach both edges: what is left of capstan 2's law above and of capstan 1's below.
+/// Share of the built actuators whose parallel springs reach both edges: by the margins of capstan 2's law above and of capstan 1's below.
 double covered_share(const Edge& edge, core::Range angles) {
     double share = 1.0;
     for (const auto& [body, left] : {std::pair{actuator::kAgonist, edge.z(actuator::kAgonist) - angles.low},
@@ -143,12 +143,12 @@ core::Range resting_loads(const friction::Law& gear, double tau, double factor) 
         const auto excess = [&](double load) { return load + sign * factor * gear.at_rest(load) - tau; };
         double reach = tau;
         while (sign < 0.0 && excess(reach) < 0.0 && reach < 1e3 * tau) reach *= 2.0;
-        return math::bracketed_root(excess, sign > 0.0 ? -tau : 0.0, reach).value_or(kNan);
+        return math::bracketed_root(excess, sign > 0.0 ? -tau : 0.0, reach).value_or(core::kNan);
     };
     return {edge(1.0), edge(-1.0)};
 }
 
-/// Builds one actuator after another.
+/// Makes random built actuators.
 class Shop {
 public:
     Shop(const Drawing& drawing, double tau, const ShopScatter& scatter, std::uint64_t seed)
@@ -170,14 +170,14 @@ public:
             se[side] = built(series_, drawing_.base_se, error[kRateSe], error[kContourSe]);
             pe[side] = built(parallel_, drawing_.base_pe, error[kRatePe], error[kContourPe]);
             loads[side] = resting_loads(drawing_.actuator.gear_friction, tau_, std::max(0.0, 1.0 + error[kFriction]));
-            if (std::isnan(loads[side].width())) return kNan;
+            if (std::isnan(loads[side].width())) return core::kNan;
         }
         const actuator::Actuator& rig = drawing_.actuator;
         const actuator::Joint joint =
             actuator::antagonist(pe[0], se[0], se[1], pe[1], {rig.gear_friction, rig.gear_friction}, rig.capstan_radius, rig.joint_radius);
         const auto high = actuator::find_equilibrium(joint, {loads[0].low, loads[1].high, 0.0});
         const auto low = actuator::find_equilibrium(joint, {loads[0].high, loads[1].low, 0.0});
-        return high && low ? high->z(actuator::kOutput) - low->z(actuator::kOutput) : kNan;
+        return high && low ? high->z(actuator::kOutput) - low->z(actuator::kOutput) : core::kNan;
     }
 
 private:
@@ -203,18 +203,15 @@ std::vector<double> widths_of(const Shop& shop, const SampleOptions& options) {
     return widths;
 }
 
-/// @pre sorted, not empty
-double quantile(const std::vector<double>& sorted, double share) {
-    const double at = share * static_cast<double>(sorted.size() - 1);
-    const auto below = static_cast<std::size_t>(at);
-    return std::lerp(sorted[below], sorted[std::min(below + 1, sorted.size() - 1)], at - std::floor(at));
-}
-
 }  // namespace
 
 RobustBand robust_dead_band(const Drawing& drawing, double tau, const ShopScatter& scatter) {
     validate(drawing, tau, scatter);
-    RobustBand band{.tau = tau, .nominal = kNan, .sigma = kNan, .band = {kNan, kNan}, .sources = {kNan, kNan, kNan, kNan}};
+    RobustBand band{.tau = tau,
+                    .nominal = core::kNan,
+                    .sigma = core::kNan,
+                    .band = {core::kNan, core::kNan},
+                    .sources = {core::kNan, core::kNan, core::kNan, core::kNan}};
     const core::Range loads = drawing.actuator.gear_friction.resting_loads(tau);
     const double width = actuator::dead_band(drawing.actuator, tau).exact_width;
     const auto z = std::isnan(width) ? std::nullopt : place_of(drawing.actuator, width, loads.low);
@@ -232,7 +229,7 @@ RobustBand robust_dead_band(const Drawing& drawing, double tau, const ShopScatte
         band.sources[i] = std::sqrt(variances[i]);
     }
     band.sigma = std::sqrt(variance);
-    // A dead-band is a product of what scatters, 2 tau_f/(g P) to first order, so that its logarithm is what spreads evenly (eq. 7).
+    // A dead-band is a product of scattered factors, 2 tau_f/(g P) to first order, so that its logarithm is symmetric (eq. 7).
     const double spread = band.sigma > 0.0 ? kPercentile * band.sigma / band.nominal : 0.0;
     band.band = {band.nominal * std::exp(-spread), band.nominal * std::exp(spread)};
     band.covered_share = covered_share(edge, drawing.actuator.law->angles());
@@ -248,7 +245,7 @@ SampledBand sample_dead_band(const Drawing& drawing, double tau, const ShopScatt
     if (options.count < 20) throw core::InvalidInput("count", fmt::format("{}", options.count), "at least 20 actuators");
     std::vector<double> widths = widths_of(Shop(drawing, tau, scatter, options.seed), options);
     std::erase_if(widths, [](double width) { return std::isnan(width); });
-    SampledBand band{.tau = tau, .mean = kNan, .sigma = kNan, .band = {kNan, kNan}};
+    SampledBand band{.tau = tau, .mean = core::kNan, .sigma = core::kNan, .band = {core::kNan, core::kNan}};
     band.covered_share = static_cast<double>(widths.size()) / options.count;
     if (widths.size() < 2) return band;
     std::sort(widths.begin(), widths.end());
@@ -258,7 +255,7 @@ SampledBand sample_dead_band(const Drawing& drawing, double tau, const ShopScatt
     double squares = 0.0;
     for (const double width : widths) squares += (width - band.mean) * (width - band.mean);
     band.sigma = std::sqrt(squares / (count - 1.0));
-    band.band = {quantile(widths, 0.05), quantile(widths, 0.95)};
+    band.band = {math::quantile(widths, 0.05), math::quantile(widths, 0.95)};
     return band;
 }
 

@@ -3,8 +3,8 @@
 
 namespace fusee::design {
 
-/// Random numbers by counting: draw `i` of a stream is a hash of (seed, generation, individual, i), so that nobody has to draw in any
-/// order. The hash is the finaliser of SplitMix64 (Steele, Lea & Flood 2014), applied once for each number of the key.
+/// Random numbers by counting: draw `i` of a stream is a hash of (seed, generation, individual, i), independent of the order of
+/// draws. The hash is the finaliser of SplitMix64 (Steele, Lea & Flood 2014), applied once for each number of the key.
 class Stream {
 public:
     Stream(std::uint64_t seed, std::uint64_t generation, std::uint64_t individual)

@@ -17,10 +17,10 @@ namespace {
 
 using core::mm_from_m;
 
-constexpr double kColumn = 46.0;  // of callouts
-constexpr double kAside = 12.0;   // the dimension of the lips' width
-constexpr double kBelow = 13.0;   // the dimension of the depth
-constexpr double kHeading = 8.0;
+constexpr double kCalloutColumn = 46.0;   // of callouts
+constexpr double kLipDimension = 12.0;    // the dimension of the lips' width
+constexpr double kDepthDimension = 13.0;  // the dimension of the depth
+constexpr double kGrooveHeading = 8.0;
 
 /// Material beside the groove as a polygon, (distance from the cable's centreline, height) [mm], and the end where it is broken off.
 struct Profile {
@@ -68,10 +68,11 @@ void draw_groove(Sheet& sheet, const Subject& subject, const Box& room) {
     if (part.cam.has_roller()) return;
     const Profile profile = profile_of(part);
     const Box mm = extent({profile.line});
-    const double room_width = room.high[0] - room.low[0] - kColumn - kAside, room_height = room.high[1] - room.low[1] - kHeading - kBelow;
+    const double room_width = room.high[0] - room.low[0] - kCalloutColumn - kLipDimension,
+                 room_height = room.high[1] - room.low[1] - kGrooveHeading - kDepthDimension;
     const double scale =
         largest_scale([&](double s) { return s * (mm.high[0] - mm.low[0]) <= room_width && s * (mm.high[1] - mm.low[1]) <= room_height; });
-    const double middle = room.low[1] + kHeading + 0.5 * room_height;
+    const double middle = room.low[1] + kGrooveHeading + 0.5 * room_height;
     const View view{{room.low[0] - scale * mm.low[0], middle + 0.5 * scale * (mm.low[1] + mm.high[1])}, scale};
     sheet.texts.push_back({fmt::format("groove ({})", scale_text(scale)), {room.low[0], room.low[1] + 4.0}, Align::kLeft, Text::kTitle});
 
@@ -84,8 +85,8 @@ void draw_groove(Sheet& sheet, const Subject& subject, const Box& room) {
     const solid::SectionPoint &low = part.section.front(), &high = part.section.back();
     const double bottom = extent({line}).high[1], right = extent({line}).high[0];
     dimension_across(sheet, view.at(floor, 0.0), view.at(low.offset_mm, low.z_mm), bottom + 8.0, decimals(low.offset_mm - floor));
-    write_callouts(sheet, groove_callouts(subject, view), Align::kLeft, right + kAside + 4.0,
-                   {room.low[1] + kHeading, room.high[1] - kBelow});
+    write_callouts(sheet, groove_callouts(subject, view), Align::kLeft, right + kLipDimension + 4.0,
+                   {room.low[1] + kGrooveHeading, room.high[1] - kDepthDimension});
     dimension_up(sheet, view.at(low.offset_mm, low.z_mm), view.at(high.offset_mm, high.z_mm), right + 8.0, decimals(high.z_mm - low.z_mm));
 }
 

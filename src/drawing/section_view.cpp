@@ -13,7 +13,7 @@ namespace {
 
 using core::mm_from_m;
 
-constexpr double kDimension = 9.0;  // of the overall height from the section
+constexpr double kHeightDimension = 9.0;  // of the overall height from the section
 constexpr double kAxisBeyond = 4.0;
 
 double boss_mm(const solid::Part& part) { return mm_from_m(part.options.hub.boss_height); }
@@ -132,7 +132,7 @@ void draw_section(Sheet& sheet, const Subject& subject, const std::vector<Line>&
     const SectionCallouts callouts = section_callouts(subject, cut, view);
     write_callouts(sheet, callouts.left, Align::kRight, columns.left, columns.height);
     write_callouts(sheet, callouts.right, Align::kLeft, columns.right, columns.height);
-    const double at_foot = span_at(cut, low).low, at_top = span_at(cut, high).low, x = view.at(left, 0.0)[0] - kDimension;
+    const double at_foot = span_at(cut, low).low, at_top = span_at(cut, high).low, x = view.at(left, 0.0)[0] - kHeightDimension;
     dimension_up(sheet, view.at(at_foot, low), view.at(at_top, high), x, decimals(high - low, 2));
 }
 

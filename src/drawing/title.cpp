@@ -14,7 +14,7 @@ namespace fusee::drawing {
 namespace {
 
 constexpr double kLabel = 2.4;  // size of a field's name
-constexpr double kPad = 1.5;
+constexpr double kFieldPad = 1.5;
 
 const char* process_words(checks::ProcessKind kind) {
     switch (kind) {
@@ -49,9 +49,9 @@ std::string part_words(const Subject& subject) {
 /// A field of the title block: its name small above, its value below, as large as it may be and fits.
 void field(Sheet& sheet, const Box& box, const std::string& name, const std::string& value, double size = Text::kBody) {
     sheet.strokes.push_back({Pen::kThin, {box.low, {box.high[0], box.low[1]}, box.high, {box.low[0], box.high[1]}}, true});
-    sheet.texts.push_back({name, {box.low[0] + kPad, box.low[1] + 3.0}, Align::kLeft, kLabel});
-    const double room = box.high[0] - box.low[0] - 2.0 * kPad, width = width_of(value, size);
-    sheet.texts.push_back({value, {box.low[0] + kPad, box.high[1] - 2.2}, Align::kLeft, width > room ? size * room / width : size});
+    sheet.texts.push_back({name, {box.low[0] + kFieldPad, box.low[1] + 3.0}, Align::kLeft, kLabel});
+    const double room = box.high[0] - box.low[0] - 2.0 * kFieldPad, width = width_of(value, size);
+    sheet.texts.push_back({value, {box.low[0] + kFieldPad, box.high[1] - 2.2}, Align::kLeft, width > room ? size * room / width : size});
 }
 
 /// A cone's stump seen from its side and, to the right, from its small end.

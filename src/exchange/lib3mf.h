@@ -8,7 +8,7 @@
 
 #include "fusee/solid/mesh.h"
 
-/// lib3mf's C interface with owners and errors, for the files of this room that write and read 3MF.
+/// lib3mf's C interface with owners and errors, for the files of this module that write and read 3MF.
 namespace fusee::exchange {
 
 /// lib3mf promises nothing about threads; one at a time costs little beside the work around it.

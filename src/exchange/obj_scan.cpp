@@ -22,9 +22,9 @@ std::string_view next_word(std::string_view& line) {
     return word;
 }
 
-class Scan {
+class ObjScan {
 public:
-    explicit Scan(const std::filesystem::path& path) : path_(path) {}
+    explicit ObjScan(const std::filesystem::path& path) : path_(path) {}
 
     void statement(std::string_view line, std::size_t number) {
         line_ = number;
@@ -70,7 +70,7 @@ private:
 }  // namespace
 
 void require_sound_obj(const std::string& bytes, const std::filesystem::path& path) {
-    Scan scan(path);
+    ObjScan scan(path);
     std::string_view rest = bytes;
     std::string joined;  // of lines that end in a backslash
     for (std::size_t number = 1; !rest.empty(); ++number) {

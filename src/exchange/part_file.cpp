@@ -9,7 +9,6 @@
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/core/units.h"
-#include "json_node.h"
 
 namespace fusee::exchange {
 
@@ -32,44 +31,44 @@ Json guide_json(const PartGuide& g) {
     return json;
 }
 
-PartGuide read_guide(const Node& node) {
+PartGuide read_guide(const JsonNode& node) {
     PartGuide guide;
-    guide.kind = node.at("kind").one_of({"parallel", "point", "idler", "roller"});
+    guide.kind = node["kind"].one_of({"parallel", "point", "idler", "roller"});
     if (guide.kind == "roller") {
-        guide.offset_mm = node.at("offset_mm").number();
-        guide.radius_mm = node.at("radius_mm").number(0.0);
-        guide.start_mm = node.at("start_mm").number(0.0);
+        guide.offset_mm = node["offset_mm"].number();
+        guide.radius_mm = node["radius_mm"].number_at_least(0.0);
+        guide.start_mm = node["start_mm"].number_at_least(0.0);
     }
     if (guide.kind == "parallel" || guide.kind == "roller") {
-        guide.direction = node.at("direction").vector<2>();
+        guide.direction = node["direction"].vector<2>();
         const double length = std::hypot(guide.direction[0], guide.direction[1]);
-        if (std::abs(length - 1.0) > 1e-9) node.at("direction").fail("must have length 1");
+        if (std::abs(length - 1.0) > 1e-9) node["direction"].refuse("a vector of length 1");
         return guide;
     }
-    guide.position_mm = node.at("position_mm").vector<2>();
-    guide.z_mm = node.at("z_mm").number();
+    guide.position_mm = node["position_mm"].vector<2>();
+    guide.z_mm = node["z_mm"].number();
     if (guide.kind == "idler") {
-        guide.radius_mm = node.at("radius_mm").number(0.0);
-        guide.sense = node.at("sense").sign();
+        guide.radius_mm = node["radius_mm"].number_at_least(0.0);
+        guide.sense = node["sense"].sign();
     }
     return guide;
 }
 
-TargetRow read_row(const Node& node, bool roller) {
-    return {node.at("angle_rad").number(),
-            node.at("arm_mm").number(),
-            node.at("load").number(),
-            node.at("contact_mm").vector<3>(),
-            roller ? node.at("lift_mm").number() : 0.0,
-            node.has("stretch_mm") ? node.at("stretch_mm").number() : 0.0};
+TargetRow read_row(const JsonNode& node, bool roller) {
+    return {node["angle_rad"].number(),
+            node["arm_mm"].number(),
+            node["load"].number(),
+            node["contact_mm"].vector<3>(),
+            roller ? node["lift_mm"].number() : 0.0,
+            node.has("stretch_mm") ? node["stretch_mm"].number() : 0.0};
 }
 
 Json compensated_json(const Compensated& c) {
     return {{"shrink_percent", c.shrink_percent}, {"bore_offset_mm", c.bore_offset_mm}, {"bore_mm", c.bore_mm}};
 }
 
-Compensated read_compensated(const Node& node) {
-    return {node.at("shrink_percent").vector<3>(), node.at("bore_offset_mm").number(), node.at("bore_mm").number(0.0)};
+Compensated read_compensated(const JsonNode& node) {
+    return {node["shrink_percent"].vector<3>(), node["bore_offset_mm"].number(), node["bore_mm"].number_at_least(0.0)};
 }
 
 PartGuide describe_guide(const cam::Guide& guide) {
@@ -92,7 +91,7 @@ double bend_mm(const std::vector<TargetRow>& rows, std::size_t i) {
 
 /// A roller's arm is the slope of its lift: the trapezoids under the arms have to give it. A trapezoid misses a twelfth of its width times
 /// the second difference, which is much where a spring that is hardly preloaded begins; twice that is allowed.
-void require_lift(const std::vector<TargetRow>& rows, const Node& target) {
+void require_lift(const std::vector<TargetRow>& rows, const JsonNode& target) {
     constexpr double kTrapezoids = 2e-4;  // of the whole lift: what 200 rows miss of an arm that bends as strongly as any law's
     double lift = 0.0, missed = kTrapezoids * std::abs(rows.back().lift_mm);
     for (std::size_t i = 1; i < rows.size(); ++i) {
@@ -100,7 +99,7 @@ void require_lift(const std::vector<TargetRow>& rows, const Node& target) {
         lift += 0.5 * (rows[i].arm_mm + rows[i - 1].arm_mm) * width;
         missed += std::abs(width) * std::max(bend_mm(rows, i - 1), bend_mm(rows, i)) / 6.0;
         if (!(std::abs(rows[i].lift_mm - rows[0].lift_mm - lift) <= missed))
-            target.fail(fmt::format("has at row {} a lift that its arms do not give: {} mm, not {} mm", i, rows[i].lift_mm, lift));
+            target.cells()[i]["lift_mm"].refuse(fmt::format("{} mm, the integral of arm_mm over angle_rad", lift));
     }
 }
 
@@ -163,24 +162,24 @@ void write_part_file(const std::filesystem::path& path, const PartFile& part) {
 }
 
 PartFile read_part_file(const std::filesystem::path& path) {
-    const Json json = read_json(path);
-    const Node root(path, "", json);
+    const Json json = core::read_json(path);
+    const JsonNode root = JsonNode::of_file(json, path.string());
     PartFile part;
-    part.part = root.at("part").one_of({"k_se", "k_pe"});
-    part.cable_diameter_mm = root.at("cable_diameter_mm").number(0.0);
-    part.rotation_sign = root.at("rotation_sign").sign();
-    part.torque_sign = root.at("torque_sign").sign();
-    part.guide = read_guide(root.at("guide"));
-    const Node spring = root.at("spring");
-    part.spring_kind = spring.at("kind").one_of({"torsion", "compression"});
+    part.part = root["part"].one_of({"k_se", "k_pe"});
+    part.cable_diameter_mm = root["cable_diameter_mm"].number_at_least(0.0);
+    part.rotation_sign = root["rotation_sign"].sign();
+    part.torque_sign = root["torque_sign"].sign();
+    part.guide = read_guide(root["guide"]);
+    const JsonNode spring = root["spring"];
+    part.spring_kind = spring["kind"].one_of({"torsion", "compression"});
     const SpringKeys keys = spring_keys(part.spring_kind);
-    part.spring_rate = spring.at(keys.rate).number(0.0);
-    part.spring_preload = spring.at(keys.preload).number(0.0);
-    for (const Node& row : root.at("target").rows(false)) part.target.push_back(read_row(row, part.guide.kind == "roller"));
-    if (part.guide.kind == "roller") require_lift(part.target, root.at("target"));
-    for (const Node& entry : root.at("files").rows(true)) part.files.push_back(read_entry(entry));
-    if (json.contains("provenance")) part.provenance = root.at("provenance").text();
-    if (json.contains("compensated")) part.compensated = read_compensated(root.at("compensated"));
+    part.spring_rate = spring[keys.rate].number_at_least(0.0);
+    part.spring_preload = spring[keys.preload].number_at_least(0.0);
+    for (const JsonNode& row : root["target"].cells(1)) part.target.push_back(read_row(row, part.guide.kind == "roller"));
+    if (part.guide.kind == "roller") require_lift(part.target, root["target"]);
+    for (const JsonNode& entry : root["files"].cells()) part.files.push_back(read_entry(entry));
+    if (root.has("provenance")) part.provenance = root["provenance"].text();
+    if (root.has("compensated")) part.compensated = read_compensated(root["compensated"]);
     return part;
 }
 

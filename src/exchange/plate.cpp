@@ -2,7 +2,6 @@
 
 #include "file_entry.h"
 #include "fusee/core/file.h"
-#include "json_node.h"
 
 namespace fusee::exchange {
 
@@ -40,19 +39,19 @@ void write_plate_file(const std::filesystem::path& path, const Plate& plate) {
 }
 
 Plate read_plate_file(const std::filesystem::path& path) {
-    const Json json = read_json(path);
-    const Node root(path, "", json);
+    const Json json = core::read_json(path);
+    const JsonNode root = JsonNode::of_file(json, path.string());
     Plate plate;
-    plate.provenance = root.at("provenance").text();
-    plate.build_mm = root.at("build_mm").vector<3>();
-    plate.spacing_mm = root.at("spacing_mm").number(0.0);
-    plate.file = read_entry(root.at("file"));
-    for (const Node& object : root.at("objects").rows(false)) {
-        const Node turned = object.at("turned_deg"), flipped = object.at("flipped_deg");
-        if (turned.number() != 0.0 && turned.number() != 90.0) turned.fail("must be 0 or 90");
-        if (flipped.number() != 0.0 && flipped.number() != 180.0) flipped.fail("must be 0 or 180");
+    plate.provenance = root["provenance"].text();
+    plate.build_mm = root["build_mm"].vector<3>();
+    plate.spacing_mm = root["spacing_mm"].number_at_least(0.0);
+    plate.file = read_entry(root["file"]);
+    for (const JsonNode& object : root["objects"].cells(1)) {
+        const JsonNode turned = object["turned_deg"], flipped = object["flipped_deg"];
+        if (turned.number() != 0.0 && turned.number() != 90.0) turned.refuse("0 or 90");
+        if (flipped.number() != 0.0 && flipped.number() != 180.0) flipped.refuse("0 or 180");
         plate.objects.push_back(
-            {object.at("name").text(), turned.number() == 90.0, object.at("moved_mm").vector<3>(), flipped.number() == 180.0});
+            {object["name"].text(), turned.number() == 90.0, object["moved_mm"].vector<3>(), flipped.number() == 180.0});
     }
     return plate;
 }

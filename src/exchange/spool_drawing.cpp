@@ -13,7 +13,7 @@ namespace fusee::exchange {
 
 namespace {
 
-constexpr double kMarkFrom = 0.7;  // of the rim, as the part's own mark
+constexpr double kSpoolMarkFrom = 0.7;  // of the rim, as the part's own mark
 
 /// Offset of the upper flange from the cable's centreline [mm].
 double upper_flange(const solid::Part& part) { return part.section.front().offset_mm + solid::flanges_of(part.options).upper_height_mm; }
@@ -45,7 +45,7 @@ DxfDrawing spool_drawing(const solid::Part& part, const std::string& provenance)
     drawing.layers.push_back({"FLOOR_SPLINE", {}, {}, brep::outline_splines(part, -half_cable)});
     if (part.cam.closed()) drawing.layers.push_back({"FLANGE_SPLINE", {}, {}, brep::outline_splines(part, upper_flange(part))});
     const double rim = part.cam.closed() ? solid::crossing_at_zero(flange.points_mm) : solid::helix_radius_mm(part);
-    drawing.layers.push_back({"MARK", {{{{kMarkFrom * rim, 0.0}, {rim, 0.0}}, false}}, {}});
+    drawing.layers.push_back({"MARK", {{{{kSpoolMarkFrom * rim, 0.0}, {rim, 0.0}}, false}}, {}});
     return drawing;
 }
 

@@ -28,9 +28,9 @@ struct Entity {
 };
 bool operator<(const Entity& a, const Entity& b) { return a.number != b.number ? a.number < b.number : a.line < b.line; }
 
-class Scan {
+class StepScan {
 public:
-    Scan(std::string_view bytes, const std::filesystem::path& path) : bytes_(bytes), path_(path) {}
+    StepScan(std::string_view bytes, const std::filesystem::path& path) : bytes_(bytes), path_(path) {}
 
     void run() {
         while (at_ < bytes_.size()) token();
@@ -138,7 +138,7 @@ void require_sound_step(std::string_view bytes, const std::filesystem::path& pat
         throw core::IoError(path.string(), fmt::format("is not a STEP file: {} is missing", kBegin));
     const std::size_t end = bytes.rfind(kEnd);
     if (end == std::string_view::npos) throw core::IoError(path.string(), fmt::format("is a STEP file without its end ({})", kEnd));
-    Scan(bytes.substr(0, end), path).run();
+    StepScan(bytes.substr(0, end), path).run();
 }
 
 }  // namespace fusee::exchange

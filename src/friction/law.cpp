@@ -15,7 +15,7 @@ namespace fusee::friction {
 
 namespace {
 
-/// A gear whose friction grows as fast as its load can never be driven back.
+/// A gear whose friction grows as fast as its load cannot be driven back.
 constexpr double kSteepest = 0.95;
 constexpr double kLargest = 1e6;
 
@@ -48,11 +48,11 @@ std::vector<double> monotone_slopes(const std::vector<double>& x, const std::vec
 
 /// Greatest |slope| of a cubic between two rows: its slope is a parabola, steepest at an end or at the vertex.
 double steepest_between(double left, double right, double secant) {
-    const double bend = left + right - 2.0 * secant;  // slope(t) = left + 2 (3 secant - 2 left - right) t + 3 bend t^2
-    const double vertex = bend == 0.0 ? 0.0 : (2.0 * left + right - 3.0 * secant) / (3.0 * bend);
+    const double second = left + right - 2.0 * secant;  // slope(t) = left + 2 (3 secant - 2 left - right) t + 3 second t^2
+    const double vertex = second == 0.0 ? 0.0 : (2.0 * left + right - 3.0 * secant) / (3.0 * second);
     const double steepest = std::max(std::abs(left), std::abs(right));
     if (!(vertex > 0.0 && vertex < 1.0)) return steepest;
-    return std::max(steepest, std::abs(left - 3.0 * bend * vertex * vertex));
+    return std::max(steepest, std::abs(left - 3.0 * second * vertex * vertex));
 }
 
 /// The load at which load + sign * tau_f(load) is the motor's torque; it rises with the load, since tau_f is flatter than 1.
@@ -136,7 +136,7 @@ double Law::slope(double load) const {
 
 math::Jet Law::at_rest(const math::Jet& load) const {
     const math::Jet in_motion = loads_.empty() ? constant_ + mu_ * load : interpolate(load, math::middle(load.value)).value;
-    if (!(in_motion.value.lower() > 0.0)) return math::Jet::anything();  // where it is cut off it has a kink
+    if (!(in_motion.value.lower() > 0.0)) return math::Jet::anything();  // it has a kink where it is cut off
     return (1.0 + rest_excess_) * in_motion;
 }
 

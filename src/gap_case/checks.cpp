@@ -9,6 +9,7 @@
 
 #include "fields.h"
 #include "fusee/core/error.h"
+#include "fusee/math/statistics.h"
 
 namespace fs = std::filesystem;
 
@@ -275,8 +276,7 @@ private:
         if (rows.size() < 3) return;
         std::vector<double> steps;
         for (std::size_t i = 1; i < rows.size(); ++i) steps.push_back(rows[i].time - rows[i - 1].time);
-        std::nth_element(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2), steps.end());
-        const double step = steps[steps.size() / 2], ratio = step * gap_case_.sensors.log_rate;
+        const double step = math::upper_median(std::move(steps)), ratio = step * gap_case_.sensors.log_rate;
         if (std::abs(ratio / kMilli - 1.0) < kNear)
             throw fault(Experiment::kLog, "t_s", fmt::format("a row every {:g} s", step),
                         fmt::format("seconds: {:g} Hz in [sensors] would be {:g} s; are these milliseconds?", gap_case_.sensors.log_rate,

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <set>
 
+#include "fusee/math/statistics.h"
+
 namespace fusee::identification {
 
 namespace {

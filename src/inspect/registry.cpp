@@ -1,36 +1,24 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <cassert>
 #include <cmath>
 
-#include "rules.h"
+#include "measure.h"
 
 namespace fusee::inspect {
 
+#include "rule_registry.h"
+
 std::span<const Rule> rules() {
-    static const std::array all = {mesh_closed(),
-                                   mesh_manifold(),
-                                   mesh_orientation(),
-                                   mesh_flat_triangles(),
-                                   mesh_self_intersection(),
-                                   mesh_samples(),
-                                   mesh_bodies(),
-                                   mesh_cavity(),
-                                   mesh_unit(),
-                                   mesh_build_volume(),
-                                   mesh_wall(),
-                                   mesh_feather_edge(),
-                                   mesh_pin(),
-                                   mesh_rib(),
-                                   mesh_gap(),
-                                   mesh_overhang(),
-                                   mesh_hole(),
-                                   mesh_hole_depth(),
-                                   mesh_inner_edge(),
-                                   mesh_pocket(),
-                                   mesh_undercut(),
-                                   mesh_plates()};
+    static const std::vector<Rule> all = [] {
+        std::vector<Rule> made;
+        for (const Registered& file : kRegistered) {
+            made.push_back(file.make());
+            assert(made.back().id == std::string_view(file.id) && "a rule's id is group.file");
+        }
+        return made;
+    }();
     return all;
 }
 

@@ -1,19 +1,18 @@
 #pragma once
 #include <cmath>
 
+#include "fusee/core/vector.h"
 #include "fusee/solid/mesh.h"
 
 namespace fusee::inspect {
 
+using core::cross;
+using core::dot;
 using solid::Vec3;
 
 inline Vec3 operator+(const Vec3& a, const Vec3& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
-inline Vec3 operator-(const Vec3& a, const Vec3& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+inline Vec3 operator-(const Vec3& a, const Vec3& b) { return core::minus(a, b); }
 inline Vec3 operator*(double s, const Vec3& a) { return {s * a[0], s * a[1], s * a[2]}; }
-inline double dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-inline Vec3 cross(const Vec3& a, const Vec3& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 inline double length(const Vec3& a) { return std::sqrt(dot(a, a)); }
 /// The zero vector stays what it is.
 inline Vec3 unit(const Vec3& a) {

@@ -29,7 +29,7 @@ public:
     /// Row k of R: columns k to k + kWidth - 1.
     [[nodiscard]] const Band& row(std::size_t k) const { return r_[k]; }
     [[nodiscard]] double right(std::size_t k) const { return right_[k]; }
-    /// Sum of squares that no coefficients can take away.
+    /// Sum of squares that remains for any coefficients.
     [[nodiscard]] double residual() const { return residual_; }
 
     /// @pre no 0 on the diagonal
@@ -41,7 +41,7 @@ public:
         }
         return c;
     }
-    /// |R'^-1 b|^2 of a row b: what it weighs in the fit. @pre as solve
+    /// |R'^-1 b|^2 of a row b: its leverage in the fit. @pre as solve
     [[nodiscard]] double leverage(std::size_t first, const Band& b) const {
         std::vector<double> u(r_.size() + kWidth, 0.0);
         std::copy(b.begin(), b.end(), u.begin() + static_cast<std::ptrdiff_t>(first));
@@ -88,7 +88,7 @@ public:
     }
 
     [[nodiscard]] Result solve(double lambda) const override {
-        // Where no row lies nothing but the penalty holds the coefficients: a trace of it always stays.
+        // Where there are no rows, only the penalty determines the coefficients: a trace of it always remains.
         const double weight = std::sqrt(std::max(lambda, kLeastShare * scale_));
         BandedQr both(count_);
         for (std::size_t i = 0; i < count_; ++i) {

@@ -9,19 +9,19 @@ namespace fusee::math {
 
 namespace {
 
-constexpr std::size_t kDegree = ChebyshevSeries::kPoints - 1;
+constexpr std::size_t kSeriesDegree = ChebyshevSeries::kPoints - 1;
 using Values = ChebyshevSeries::Values;
 
 /// Row k gives coefficient k from the values at the points: a cosine transform, the ends counted half.
 const std::array<Values, ChebyshevSeries::kPoints>& transform() {
     static const auto kRows = [] {
         std::array<Values, ChebyshevSeries::kPoints> rows{};
-        const auto half_at_ends = [](std::size_t i) { return i == 0 || i == kDegree ? 0.5 : 1.0; };
-        for (std::size_t k = 0; k <= kDegree; ++k)
-            for (std::size_t j = 0; j <= kDegree; ++j) {
+        const auto half_at_ends = [](std::size_t i) { return i == 0 || i == kSeriesDegree ? 0.5 : 1.0; };
+        for (std::size_t k = 0; k <= kSeriesDegree; ++k)
+            for (std::size_t j = 0; j <= kSeriesDegree; ++j) {
                 // T_k(-cos(pi j/n)) = cos(pi k (n - j)/n); the remainder keeps the argument small
-                const auto turn = static_cast<double>(k * (kDegree - j) % (2 * kDegree));
-                rows[k][j] = 2.0 / kDegree * half_at_ends(k) * half_at_ends(j) * std::cos(core::kPi * turn / kDegree);
+                const auto turn = static_cast<double>(k * (kSeriesDegree - j) % (2 * kSeriesDegree));
+                rows[k][j] = 2.0 / kSeriesDegree * half_at_ends(k) * half_at_ends(j) * std::cos(core::kPi * turn / kSeriesDegree);
             }
         return rows;
     }();
@@ -32,7 +32,8 @@ const Values& cosines() {
     static const auto kCosines = [] {
         Values values{};
         // sin of the distance to the middle: symmetric to the last bit
-        for (std::size_t j = 0; j <= kDegree; ++j) values[j] = std::sin(core::kPi * (2.0 * static_cast<double>(j) / kDegree - 1.0) / 2.0);
+        for (std::size_t j = 0; j <= kSeriesDegree; ++j)
+            values[j] = std::sin(core::kPi * (2.0 * static_cast<double>(j) / kSeriesDegree - 1.0) / 2.0);
         return values;
     }();
     return kCosines;
@@ -43,7 +44,7 @@ const Values& cosines() {
 Values ChebyshevSeries::points(core::Range domain) {
     Values x{};
     const double middle = 0.5 * (domain.low + domain.high), half = 0.5 * domain.width();
-    for (std::size_t j = 0; j <= kDegree; ++j) x[j] = middle + half * cosines()[j];
+    for (std::size_t j = 0; j <= kSeriesDegree; ++j) x[j] = middle + half * cosines()[j];
     x.front() = domain.low;
     x.back() = domain.high;
     return x;
@@ -51,14 +52,14 @@ Values ChebyshevSeries::points(core::Range domain) {
 
 ChebyshevSeries::ChebyshevSeries(core::Range domain, const Values& values) : domain_(domain) {
     double largest = 0.0;
-    for (std::size_t k = 0; k <= kDegree; ++k) {
+    for (std::size_t k = 0; k <= kSeriesDegree; ++k) {
         double sum = 0.0;
-        for (std::size_t j = 0; j <= kDegree; ++j) sum += transform()[k][j] * values[j];
+        for (std::size_t j = 0; j <= kSeriesDegree; ++j) sum += transform()[k][j] * values[j];
         coefficients_[k] = sum;
         largest = std::max(largest, std::abs(sum));
     }
     count_ = kPoints;
-    // Rounding in the last coefficients would be the first to grow in a derivative.
+    // Rounding in the last coefficients grows most in a derivative.
     while (count_ > 1 && std::abs(coefficients_[count_ - 1]) <= 0.5 * std::numeric_limits<double>::epsilon() * largest) --count_;
 }
 
@@ -115,14 +116,16 @@ ChebyshevSeries ChebyshevSeries::integral() const {
     return result;
 }
 
-double ChebyshevSeries::tail() const { return std::max(std::abs(coefficients_[kDegree - 1]), std::abs(coefficients_[kDegree])); }
+double ChebyshevSeries::tail() const {
+    return std::max(std::abs(coefficients_[kSeriesDegree - 1]), std::abs(coefficients_[kSeriesDegree]));
+}
 
 PiecewiseChebyshev::Piece::Piece(const ChebyshevSeries& series)
     : value(series), first(value.derivative()), second(first.derivative()), third(second.derivative()), integral(value.integral()) {}
 
 PiecewiseChebyshev::PiecewiseChebyshev(const std::function<double(double)>& f, core::Range domain, const PiecewiseOptions& options) {
-    // Four pieces to begin with, so that a narrow feature is not overlooked. No cut is at a round share of the domain: a kink there would
-    // lie between two pieces, where neither sees it.
+    // Starts with four pieces, so that a narrow feature is not overlooked. No cut is at a round share of the domain: neither piece would
+    // detect a kink there.
     constexpr std::array kCuts{0.0, 0.2413, 0.4931, 0.7417, 1.0};
     for (std::size_t i = 0; i + 1 < kCuts.size(); ++i)
         divide(f, {std::lerp(domain.low, domain.high, kCuts[i]), std::lerp(domain.low, domain.high, kCuts[i + 1])}, options, 0);
@@ -139,7 +142,7 @@ bool PiecewiseChebyshev::meet(const Piece& below, const Piece& above, double tol
     constexpr double kShare = 0.02;
     const core::Range left = below.value.domain(), right = above.value.domain();
     // Markov: a derivative grows an error by at most the degree squared, in units of half the piece.
-    const double growth = static_cast<double>(kDegree * kDegree) / (0.5 * std::min(left.width(), right.width()));
+    const double growth = static_cast<double>(kSeriesDegree * kSeriesDegree) / (0.5 * std::min(left.width(), right.width()));
     double noise = tolerance * std::max(std::abs(below.value(left.high)), std::abs(above.value(right.low)));
     for (const auto order : {&Piece::first, &Piece::second}) {
         noise *= growth;
@@ -159,9 +162,9 @@ void PiecewiseChebyshev::divide(const std::function<double(double)>& f, core::Ra
     for (const double value : y) largest = std::max(largest, std::abs(value));
     largest_ = std::max(largest_, largest);
     const ChebyshevSeries series(range, y);
-    // Small values beside large ones carry the rounding of the large.
+    // Small values next to large ones have the rounding of the large.
     const double allowed = std::max(options.tolerance * largest, 4.0 * std::numeric_limits<double>::epsilon() * largest_);
-    const double between = 0.5 * (x[5] + x[6]);  // a place that the interpolation has not seen
+    const double between = 0.5 * (x[5] + x[6]);  // not an interpolation point
     const bool converged = series.tail() <= allowed && std::abs(series(between) - f(between)) <= 10.0 * allowed;
     if (!converged && depth < options.deepest) {
         const double split = std::lerp(range.low, range.high, 0.4813);

@@ -1,4 +1,4 @@
-#include <Eigen/Dense>
+#include <Eigen/QR>
 #include <cmath>
 
 #include "fusee/math/penalised_fit.h"
@@ -21,7 +21,7 @@ public:
         stacked << design_, std::sqrt(lambda) * penalty_;
         Eigen::VectorXd right = Eigen::VectorXd::Zero(all);
         right.head(rows) = y_;
-        // Rank-revealing: without a penalty, knots between which no row lies leave coefficients free; the least ones are taken.
+        // Rank-revealing: without a penalty, knots without rows between them leave coefficients free; the least ones are chosen.
         const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> factors(stacked);
         const Eigen::VectorXd coefficients = factors.solve(right);
         Result result;

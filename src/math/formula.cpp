@@ -12,7 +12,7 @@ namespace fusee::math {
 
 namespace {
 
-/// muParser with one variable. Evaluation writes into it, so it never leaves the thread that parses.
+/// muParser with one variable. Evaluation writes into it, so it stays in the thread that parses.
 class Formula {
 public:
     Formula(const std::string& field, const std::string& formula, const std::string& variable)

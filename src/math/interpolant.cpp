@@ -9,16 +9,16 @@ namespace fusee::math {
 
 namespace {
 
-constexpr std::size_t kDegree = 5;
+constexpr std::size_t kQuintic = 5;
 
 /// B-splines of one degree on knots of any spacing (de Boor, A Practical Guide to Splines, 2001, chapters IX to XIII).
 class Basis {
 public:
-    /// Not-a-knot: of the rows' places the first and last, as often as the degree needs, and those at least (degree + 1)/2 rows inside.
-    explicit Basis(const std::vector<double>& x) : count_(x.size()), degree_(std::min(kDegree, x.size() - 1)) {
+    /// Not-a-knot: the first and last row, as often as the degree needs, and the rows at least (degree + 1)/2 rows inside.
+    explicit Basis(const std::vector<double>& x) : count_(x.size()), degree_(std::min(kQuintic, x.size() - 1)) {
         const std::size_t inner = count_ - degree_ - 1;
         knots_.assign(degree_ + 1, x.front());
-        const auto first = x.begin() + (kDegree + 1) / 2;
+        const auto first = x.begin() + (kQuintic + 1) / 2;
         if (inner > 0) knots_.insert(knots_.end(), first, first + static_cast<std::ptrdiff_t>(inner));
         knots_.insert(knots_.end(), degree_ + 1, x.back());
     }
@@ -32,8 +32,8 @@ public:
         return static_cast<std::size_t>(std::upper_bound(begin, end, x) - knots_.begin()) - 1;
     }
     /// The splines of `degree` that differ from 0 in a span: numbers span - degree to span (Cox-de Boor).
-    [[nodiscard]] std::array<double, kDegree + 1> at(double x, std::size_t span, std::size_t degree) const {
-        std::array<double, kDegree + 1> values{1.0};
+    [[nodiscard]] std::array<double, kQuintic + 1> at(double x, std::size_t span, std::size_t degree) const {
+        std::array<double, kQuintic + 1> values{1.0};
         for (std::size_t j = 1; j <= degree; ++j) {
             double saved = 0.0;
             for (std::size_t r = 0; r < j; ++r) {
@@ -46,7 +46,7 @@ public:
         }
         return values;
     }
-    /// Coefficients of the derivative of a spline of `degree`, number i by backward difference; number 0 falls away.
+    /// Coefficients of the derivative of a spline of `degree`, number i by backward difference, without number 0.
     [[nodiscard]] std::vector<double> derived(const std::vector<double>& coefficients, std::size_t degree) const {
         std::vector<double> result(count_, 0.0);
         for (std::size_t i = 1; i < count_; ++i) {
@@ -57,7 +57,7 @@ public:
     }
     /// Coefficients of the spline through the rows. The matrix is banded and totally positive: elimination needs no pivots (chapter XIII).
     [[nodiscard]] std::vector<double> through(const std::vector<double>& x, std::vector<double> y) const {
-        const std::size_t width = 2 * degree_ + 1;  // column j of row i stands at j - i + degree
+        const std::size_t width = 2 * degree_ + 1;  // column j of row i is at j - i + degree
         std::vector<double> band(count_ * width, 0.0);
         const auto entry = [&](std::size_t i, std::size_t j) -> double& { return band[i * width + j + degree_ - i]; };
         for (std::size_t i = 0; i < count_; ++i) {
@@ -85,7 +85,7 @@ private:
     std::vector<double> knots_;
 };
 
-/// The spline as polynomials in x - knot, one a span.
+/// The spline as polynomials in x - knot, one per span.
 class Interpolant final : public Curve, public EnclosedCurve {
 public:
     Interpolant(const std::vector<double>& x, const std::vector<double>& y) {
@@ -127,13 +127,13 @@ public:
     }
 
 private:
-    using Piece = std::array<double, kDegree + 1>;
+    using Piece = std::array<double, kQuintic + 1>;
 
     /// The derivative of that order at t, by Horner's rule.
     template <class T>
     [[nodiscard]] static T polynomial(const Piece& piece, int order, const T& t) {
         T sum = 0.0;
-        for (std::size_t k = kDegree + 1; k-- > static_cast<std::size_t>(order);) {
+        for (std::size_t k = kQuintic + 1; k-- > static_cast<std::size_t>(order);) {
             double coefficient = piece[k];
             for (int j = 0; j < order; ++j) coefficient *= static_cast<double>(k) - j;
             sum = sum * t + coefficient;

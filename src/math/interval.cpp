@@ -10,7 +10,7 @@ using Rounding = OutwardRounding;
 
 }  // namespace
 
-// Not Boost's intersect, which answers with an empty interval where rounding left a last bit between the two.
+// Boost's intersect returns an empty interval if rounding leaves a last bit between the two.
 Interval common(const Interval& a, const Interval& b) {
     const double low = std::max(a.lower(), b.lower()), high = std::min(a.upper(), b.upper());
     return low <= high ? Interval(low, high) : a;
@@ -23,7 +23,7 @@ Interval log1p(const Interval& x) {
     return {Rounding::well_below(std::log1p(x.lower())), Rounding::well_above(std::log1p(x.upper()))};
 }
 
-// Where a box leaves a function's domain, nothing is known: Boost would quietly cut it off.
+// Nothing is known where a box leaves a function's domain; Boost would silently cut it off.
 Jet sqrt(const Jet& x) {
     if (!(x.value.lower() > 0.0)) return Jet::anything();
     const Interval root = boost::numeric::sqrt(x.value);

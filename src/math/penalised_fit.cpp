@@ -14,10 +14,10 @@ double PenalisedFit::Result::score(double rows) const {
 double PenalisedFit::choose_lambda() const {
     constexpr double kLow = -9.0, kHigh = 9.0, kStep = 0.5;  // decades around the weight that balances data and penalty
     const auto score = [this](double decade) { return solve(scale_ * std::pow(10.0, decade)).score(rows_); };
-    double best = kHigh, least = score(kHigh);  // ties and hopeless rows: the smoothest
+    double best = kHigh, least = score(kHigh);  // ties and useless rows: the smoothest
     for (double decade = kHigh - kStep; decade >= kLow; decade -= kStep)
         if (const double now = score(decade); now < least) least = now, best = decade;
-    constexpr int kBits = 12;  // a thousandth of a decade is far more than the score can tell
+    constexpr int kBits = 12;  // a thousandth of a decade is finer than the score resolves
     const auto refined = boost::math::tools::brent_find_minima(score, best - kStep, best + kStep, kBits);
     return scale_ * std::pow(10.0, refined.second < least ? refined.first : best);
 }

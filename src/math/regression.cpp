@@ -1,15 +1,15 @@
 #include "fusee/math/regression.h"
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
+#include <Eigen/QR>
 #include <algorithm>
-#include <boost/math/distributions/fisher_f.hpp>
-#include <boost/math/distributions/students_t.hpp>
 #include <cassert>
 #include <cmath>
 #include <limits>
 #include <string>
 
 #include "fusee/core/error.h"
+#include "fusee/math/statistics.h"
 
 namespace fusee::math {
 
@@ -17,9 +17,9 @@ namespace {
 
 constexpr double kHuber = 1.345;                            // deviations: 95 % efficiency for normal noise
 constexpr double kDeviationsOfMedian = 1.4826;              // 1/0.6745, the upper quartile of the normal distribution
-constexpr int kReweightings = 200, kDeviationSettled = 15;  // the deviation is then held: the rest is a convex problem
+constexpr int kReweightings = 200, kDeviationSettled = 15;  // then the deviation is fixed: the rest is a convex problem
 constexpr double kSettled = 1e-12;                          // change of the coefficients, relative
-constexpr double kDependent = 1e-10;                        // least pivot of columns of length 1: what rounding leaves is below
+constexpr double kDependent = 1e-10;                        // least pivot of columns of length 1: rounding is below
 
 Eigen::MatrixXd matrix(const std::vector<std::vector<double>>& columns, const Eigen::VectorXd& factors) {
     Eigen::MatrixXd m(factors.size(), static_cast<Eigen::Index>(columns.size()));
@@ -60,7 +60,7 @@ struct Solution {
 Solution solve(const Whitened& w) {
     const Eigen::HouseholderQR<Eigen::MatrixXd> qr(w.z);
     const Eigen::MatrixXd q = qr.householderQ() * Eigen::MatrixXd::Identity(w.z.rows(), w.z.cols());
-    // Columns of length 1, so that the choice of units does not look like dependence.
+    // Columns of length 1, so that units do not look like dependence.
     const Eigen::VectorXd scale = (w.x.colwise().norm().array() + std::numeric_limits<double>::min()).inverse();
     Eigen::FullPivLU<Eigen::MatrixXd> lu(q.transpose() * w.x * scale.asDiagonal());
     lu.setThreshold(kDependent);
@@ -69,12 +69,6 @@ Solution solve(const Whitened& w) {
 }
 
 std::vector<double> values(const Eigen::VectorXd& v) { return {v.data(), v.data() + v.size()}; }
-
-double median(std::vector<double> v) {
-    const auto middle = v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2);
-    std::nth_element(v.begin(), middle, v.end());
-    return v.size() % 2 == 1 ? *middle : 0.5 * (*middle + *std::max_element(v.begin(), middle));
-}
 
 }  // namespace
 
@@ -131,15 +125,6 @@ RobustFit fit_robust(const LinearModel& model) {
     fit.coefficients = values(b);
     fit.scores = values((plain.y - plain.x * b) / fit.deviation);
     return fit;
-}
-
-double student_quantile(double confidence, std::size_t freedom) {
-    return boost::math::quantile(boost::math::students_t(static_cast<double>(freedom)), 0.5 + 0.5 * confidence);
-}
-
-double f_tail(double f, std::size_t numerator_freedom, std::size_t denominator_freedom) {
-    const boost::math::fisher_f distribution(static_cast<double>(numerator_freedom), static_cast<double>(denominator_freedom));
-    return boost::math::cdf(boost::math::complement(distribution, f));
 }
 
 }  // namespace fusee::math

@@ -13,7 +13,7 @@ std::optional<double> bracketed_root(const std::function<double(double)>& f, dou
     if (f_low == 0.0) return low;
     if (f_high == 0.0) return high;
     if (!(low < high) || std::isnan(f_low) || std::isnan(f_high) || (f_low < 0.0) == (f_high < 0.0)) return std::nullopt;
-    // 200 halvings take the widest bracket of doubles apart; TOMS 748 needs about ten evaluations.
+    // 200 halvings resolve the widest bracket of doubles; TOMS 748 needs about ten evaluations.
     std::uintmax_t evaluations = 200;
     const boost::math::tools::eps_tolerance<double> tight(std::numeric_limits<double>::digits - 1);
     const auto [left, right] = boost::math::tools::toms748_solve(f, low, high, f_low, f_high, tight, evaluations);
@@ -21,7 +21,7 @@ std::optional<double> bracketed_root(const std::function<double(double)>& f, dou
 }
 
 double rising_root(const std::function<Tangent(double)>& f, double low, double high, double start) {
-    constexpr int kMostSteps = 200;  // halvings alone take the widest bracket of doubles apart
+    constexpr int kMostSteps = 200;  // enough halvings for the widest bracket of doubles
     double x = std::clamp(start, low, high);
     for (int step = 0; step < kMostSteps; ++step) {
         const Tangent at = f(x);

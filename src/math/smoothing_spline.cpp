@@ -103,11 +103,11 @@ Jet SmoothingSpline::over(const Interval& x, int order) const {
     const int interval = locate(middle(x), domain_, step_, static_cast<int>(c.size()) - degree).interval;
     const Interval share = (x - domain_.low) / step_ - static_cast<double>(interval);
     const auto at = [&](int j) { return c[static_cast<std::size_t>(interval + j)]; };
-    // B-splines are positive and sum to 1: counted from a value amid the coefficients, the sum hardly widens.
-    const double amid = at(degree / 2);
+    // B-splines are positive and sum to 1: counted from a middle coefficient, the sum hardly widens.
+    const double central = at(degree / 2);
     const auto values = basis(degree, share), slopes = basis(degree - 1, share);
-    Jet sum(amid);
-    for (int j = 0; j <= degree; ++j) sum.value += (Interval(at(j)) - amid) * values[static_cast<std::size_t>(j)];
+    Jet sum(central);
+    for (int j = 0; j <= degree; ++j) sum.value += (Interval(at(j)) - central) * values[static_cast<std::size_t>(j)];
     for (int j = 0; j < degree; ++j) sum.slope += (Interval(at(j + 1)) - at(j)) / step_ * slopes[static_cast<std::size_t>(j)];
     return sum;
 }

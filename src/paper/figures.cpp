@@ -15,9 +15,9 @@ namespace {
 
 constexpr int kPoints = 81;
 
-report::NoiseCurve noise_curve(const std::string& name, const actuator::NoisePath& path) {
+NoiseCurve noise_curve(const std::string& name, const actuator::NoisePath& path) {
     constexpr double kSoftest = 0.01, kDecades = 4.0;
-    report::NoiseCurve curve;
+    NoiseCurve curve;
     curve.name = name;
     curve.path = path;
     for (int i = 0; i < kPoints; ++i) {
@@ -38,9 +38,9 @@ report::NoiseCurve noise_curve(const std::string& name, const actuator::NoisePat
 }
 
 /// Both arrangements of one linear muscle over its stretch, for three active forces up to `strongest`.
-std::vector<report::HillFigure::Row> muscle_rows(const report::HillFigure& figure, double longest, double strongest) {
+std::vector<HillFigure::Row> muscle_rows(const HillFigure& figure, double longest, double strongest) {
     constexpr int kForces = 3, kLengths = 41;
-    std::vector<report::HillFigure::Row> rows;
+    std::vector<HillFigure::Row> rows;
     for (int i = 0; i < kForces; ++i)
         for (int j = 0; j < kLengths; ++j) {
             const double active = strongest * i / (kForces - 1), length = longest * j / (kLengths - 1);
@@ -51,8 +51,8 @@ std::vector<report::HillFigure::Row> muscle_rows(const report::HillFigure& figur
     return rows;
 }
 
-std::vector<report::HillFigure::Passive> passive_curve(const spring::Potential& tension) {
-    std::vector<report::HillFigure::Passive> curve;
+std::vector<HillFigure::Passive> passive_curve(const spring::Potential& tension) {
+    std::vector<HillFigure::Passive> curve;
     const core::Range domain = tension.domain();
     for (int i = 0; i < kPoints; ++i) {
         const double length = domain.low + domain.width() * i / (kPoints - 1);
@@ -63,7 +63,7 @@ std::vector<report::HillFigure::Passive> passive_curve(const spring::Potential& 
 
 /// Capstan travel over the measured rows: dtheta/dtau = 1/(S + P), about 1/P where T is small. Between two rows tau/P, in proportion to
 /// the width for tau_f = mu tau, is taken as a + b tau.
-double implied_travel(const std::vector<report::MeasuredRow>& rows, const std::vector<double>& parallel) {
+double implied_travel(const std::vector<pipeline::MeasuredRow>& rows, const std::vector<double>& parallel) {
     double travel = 0.0;
     for (std::size_t i = 1; i < rows.size(); ++i) {
         const double from = rows[i - 1].tau, to = rows[i].tau;
@@ -75,7 +75,7 @@ double implied_travel(const std::vector<report::MeasuredRow>& rows, const std::v
 
 }  // namespace
 
-std::vector<report::NoiseCurve> noise_figure() {
+std::vector<NoiseCurve> noise_figure() {
     const actuator::NoisePath both{
         .a = 1, .b = 1, .d = 0.5, .e = 0.5, .motor_inertia = 1, .joint_inertia = 1, .motor_noise = 1, .joint_noise = 1};
     actuator::NoisePath motor = both, joint = both, hanging = both, floating = both;
@@ -87,29 +87,29 @@ std::vector<report::NoiseCurve> noise_figure() {
             noise_curve("both bodies with a = 0", hanging), noise_curve("both bodies with a = b = 0", floating)};
 }
 
-core::Outcome<report::HillFigure> hill_figure(const profile::Profile& profile) {
-    const auto designed = pipeline::design_law(profile);
-    if (!designed) return designed.refusal();
-    const spring::LawPoint peak = designed->law->at_load(profile.rig.peak_torque);
-    report::HillFigure figure;
+core::Outcome<HillFigure> hill_figure(const profile::Profile& profile) {
+    const auto design = pipeline::resolve(profile);
+    if (!design) return design.refusal();
+    const spring::LawPoint peak = design->law()->at_load(profile.rig.peak_torque);
+    HillFigure figure;
     figure.series = {.k_se = peak.s, .k_pe = peak.p};
     figure.parallel = actuator::parallel_from_series(figure.series);
     figure.rows = muscle_rows(figure, peak.theta, peak.tau);
     figure.passive =
-        passive_curve(*actuator::passive_tension(spring::series_spring(designed->law), spring::parallel_spring(designed->law)));
+        passive_curve(*actuator::passive_tension(spring::series_spring(design->law()), spring::parallel_spring(design->law())));
     return figure;
 }
 
-core::Outcome<report::PaperTable> replay_table(const profile::Profile& profile) {
+core::Outcome<PaperTable> replay_table(const profile::Profile& profile) {
     if (profile.simulate.measured.x.empty())
         throw core::InvalidInput(profile.place_of("simulate.measured"), "none", "the rows of the paper's table");
     auto simulation = pipeline::simulate(profile);
     if (!simulation) return simulation.refusal();
-    report::PaperTable table;
+    PaperTable table;
     table.simulation = std::move(simulation).value();
     const friction::Law gear = pipeline::gear_friction(profile);
     const double ratio = profile.rig.joint_radius / profile.rig.capstan_radius;
-    for (const report::MeasuredRow& row : table.simulation.measured)
+    for (const pipeline::MeasuredRow& row : table.simulation.measured)
         table.parallel.push_back(2.0 * gear.at_rest(row.tau) / (ratio * row.measured));  // docs/theory/dead_band.md, eq. 2
     table.travel = implied_travel(table.simulation.measured, table.parallel);
     return table;

@@ -3,13 +3,12 @@
 #include <utility>
 #include <vector>
 
-#include "fusee/batch/batch.h"
 #include "fusee/codesign/algorithm_1_run.h"
 #include "fusee/core/file.h"
-#include "fusee/core/output_folder.h"
 #include "fusee/identification/break_away.h"
 #include "fusee/paper/figures.h"
 #include "fusee/pipeline/simulate.h"
+#include "fusee/profile/find_profiles.h"
 #include "fusee/profile/profile.h"
 
 namespace fs = std::filesystem;
@@ -20,7 +19,7 @@ namespace {
 
 const pipeline::SimulateOptions kEnds{.levels = 2, .push_torque = {}};  // least and greatest co-contraction
 
-/// All that the figures are made from, read before anything long begins.
+/// The sources of all figures, read before anything long begins.
 struct Sources {
     profile::Profile first_prototype, new_springs, pnrvsa;
     std::vector<profile::Profile> relatives;
@@ -35,7 +34,7 @@ Sources read_sources(const fs::path& folder) {
                     {},
                     csv.string(),
                     core::read_file(csv, identification::kLargestBreakAwayFile)};
-    for (const fs::path& path : batch::find_profiles({folder / "relatives"})) sources.relatives.push_back(profile::read_profile(path));
+    for (const fs::path& path : profile::find_profiles({folder / "relatives"})) sources.relatives.push_back(profile::read_profile(path));
     return sources;
 }
 
@@ -45,14 +44,14 @@ core::Provenance provenance(const Sources& sources) {
     return {"paper", core::sha256_hex(hashes + core::sha256_hex(sources.break_away)), ""};
 }
 
-/// The figures as they are made; what is refused is noted with the profile's name.
+/// Makes the figures; keeps refusals with the profile's name.
 class Maker {
 public:
     Maker(const Sources& sources, const Options& options) : sources_(sources), options_(options) {
         paper_.provenance = provenance(sources);
     }
 
-    /// False: asked to stop in between.
+    /// @return false: stopped
     bool make_all() {
         const std::pair<const char*, std::function<void()>> pieces[] = {
             {"figure 1", [this] { paper_.figure_1 = noise_figure(); }},
@@ -71,7 +70,7 @@ public:
         return !options_.stop();
     }
 
-    [[nodiscard]] const report::Paper& paper() const { return paper_; }
+    [[nodiscard]] Paper paper() && { return std::move(paper_); }
     [[nodiscard]] const core::Findings& refusals() const { return refusals_; }
 
 private:
@@ -94,13 +93,15 @@ private:
     }
     void search() {
         const codesign::RunOptions run{.out = {}, .jobs = options_.jobs, .stop = options_.stop};
-        keep(sources_.pnrvsa, codesign::search_algorithm_1(sources_.pnrvsa, run), paper_.figure_9);
+        codesign::RunResult found = codesign::run_algorithm_1(sources_.pnrvsa, run);
+        using Search = core::Outcome<codesign::SearchReport>;
+        keep(sources_.pnrvsa, found.search ? Search(std::move(*found.search)) : Search(std::move(found.findings)), paper_.figure_9);
     }
     void survey() {
         for (profile::Profile relative : sources_.relatives) {
             keep(relative, pipeline::simulate(relative, kEnds), paper_.relatives.emplace_back());
             relative.rig.position_stiffness = 0.0;
-            report::Simulation alone;
+            pipeline::Simulation alone;
             keep(relative, pipeline::simulate(relative, kEnds), alone);
             paper_.torque_control.push_back(alone.survey);
         }
@@ -108,44 +109,19 @@ private:
 
     const Sources& sources_;
     const Options& options_;
-    report::Paper paper_;
+    Paper paper_;
     core::Findings refusals_;
 };
-
-void write_all(const report::Paper& paper, const fs::path& folder) {
-    const auto write = [&folder](const char* name, const std::string& bytes) { core::write_file(folder / name, bytes); };
-    write("figure_1.csv", report::figure_1_csv(paper.figure_1));
-    write("figure_2.csv", report::figure_2_csv(paper.figure_2));
-    write("figure_2_passive.csv", report::figure_2_passive_csv(paper.figure_2));
-    if (paper.table_1.simulation.path) write("figure_6.csv", report::figure_6_csv(*paper.table_1.simulation.path));
-    write("figure_8.csv", report::figure_8_csv(paper.figure_8));
-    write("figure_9.csv", report::figure_9_csv(paper.figure_9.costs));
-    write("figure_9_springs.csv", report::figure_9_springs_csv(paper.figure_9.found));
-    write("figure_9_arms.csv", report::figure_9_arms_csv(paper.figure_9.cams));
-    write("table_1.csv", report::table_csv(paper.table_1));
-    write("table_2.csv", report::table_csv(paper.table_2));
-    write("relatives.csv", report::relatives_csv(paper.relatives));
-    write("paper.json", report::paper_json(paper));
-    write("paper.html", report::paper_html(paper));
-}
 
 }  // namespace
 
 Result run(const Options& options) {
-    core::OutputFolder output(
-        options.out / "paper",
-        {.command = "paper", .source = options.profiles, .force = options.force, .files = {"paper.html", "paper.json"}});
     const Sources sources = read_sources(options.profiles);
     Maker maker(sources, options);
     Result result;
     result.interrupted = !maker.make_all();
     result.findings = maker.refusals();
-    if (result.interrupted || !result.findings.empty()) return result;
-    write_all(maker.paper(), output.path());
-    output.commit();
-    result.folder = output.target();
-    result.made = true;
-    result.summary = report::paper_text(maker.paper());
+    if (!result.interrupted && result.findings.empty()) result.paper = std::move(maker).paper();
     return result;
 }
 

@@ -10,7 +10,7 @@ namespace {
 std::vector<Key> wishes() {
     const Limits torque = within(0, 1e4);
     return {
-        choice("co_design.law", {"stiction_compensating", "free_curve"}, "which law is searched together with springs, radius and lead-in",
+        choice("co_design.law", {"stiction_compensating", "free_curve"}, "law that is searched together with springs, radius and lead-in",
                OF(law)),
         when("co_design.law", {"free_curve"},
              integer("co_design.knots", within(4, 12), "of the free curve, evenly spaced in ln(load)", OF(knots))),
@@ -19,51 +19,52 @@ std::vector<Key> wishes() {
                OF(figure)),
         numbers("co_design.torques_Nm", kNm, torque, 0, 40, "co-contraction at which the dead-band counts; none: 6 from least to overdrive",
                 OF(torques)),
-        range("co_design.loads_Nm", kNm, torque, "between these loads travel, at them stiffness is demanded; 0, 0: least to overdrive",
+        range("co_design.loads_Nm", kNm, torque, "travel is demanded between these loads, stiffness at them; 0, 0: least to overdrive",
               OF(loads)),
-        number("co_design.travel_rad", kRad, within(0, 100), "least capstan travel between them; 0: that of the profile's own law",
-               OF(travel)),
+        number("co_design.travel_rad", kRad, within(0, 100), "least capstan travel between them; 0: that of the profile's law", OF(travel)),
         number("co_design.soft_Nm_per_rad", kNmPerRad, within(0, 1e6),
-               "joint stiffness, capstans held, at the lower load: at most this; 0: as the profile's own law", OF(soft)),
-        number("co_design.stiff_Nm_per_rad", kNmPerRad, within(0, 1e6), "at the upper load: at least this; 0: as the profile's own law",
-               OF(stiff)),
-        choice("co_design.against", {"travel", "size"}, "what a Pareto front sets against the dead-band", OF(against)),
+               "largest joint stiffness, capstans held, at the lower load; 0: that of the profile's law", OF(soft)),
+        number("co_design.stiff_Nm_per_rad", kNmPerRad, within(0, 1e6),
+               "least joint stiffness at the upper load; 0: that of the profile's law", OF(stiff)),
+        choice("co_design.against", {"travel", "size"}, "second objective of a Pareto front", OF(against)),
     };
 }
 
-/// Only what is minimised over a shop's scatter knows of it.
+/// Only the objective over a shop's scatter uses it.
 Key of_scatter(Key key) { return when("co_design.figure", {"percentile_95"}, std::move(key)); }
 
 std::vector<Key> scatter() {
     const Limits share = within(0, 0.3);
     return {
         of_scatter(number("co_design.scatter_rate_se", kPure, share,
-                          "of K_SE's base springs, one standard deviation over the rate: a promised +-10 % is two of them",
+                          "of K_SE's base springs, one standard deviation over the rate: a stated +-10 % is two of them",
                           OF(scatter.rate_se))),
         of_scatter(number("co_design.scatter_rate_pe", kPure, share, "of K_PE's base springs", OF(scatter.rate_pe))),
-        of_scatter(number("co_design.scatter_contour_mm", kMm, within(0, 10),
-                          "of what a cam's arms are too long by, one standard deviation", OF(scatter.contour))),
+        of_scatter(number("co_design.scatter_contour_mm", kMm, within(0, 10), "excess of a cam's arms, one standard deviation",
+                          OF(scatter.contour))),
         of_scatter(number("co_design.scatter_friction", kPure, share,
                           "of each gear, one standard deviation over its friction: +-20 % is two of them", OF(scatter.friction))),
         of_scatter(number("co_design.covered_share", kPure, within(0, 1),
-                          "least share of built joints whose springs reach both edges, at each of co_design.torques_Nm; 0: not asked for",
+                          "least share of built joints whose springs reach both edges, at each of co_design.torques_Nm; 0: no demand",
                           OF(covered_share))),
     };
 }
 
 std::vector<Key> limits() {
     return {
-        number("co_design.contour_radius_mm", kMm, above(0, 1000), "of both cams' working arcs at most; idle arcs go a few mm beyond",
-               OF(contour_radius)),
+        number("co_design.contour_radius_mm", kMm, above(0, 1000),
+               "greatest, of both cams' working arcs; idle arcs extend a few mm further", OF(contour_radius)),
         number("co_design.least_rho_se_mm", kMm, within(0, 1000), "least radius of curvature of K_SE's working arc", OF(least_rho_se)),
         number("co_design.least_rho_pe_mm", kMm, within(0, 1000), "least radius of curvature of K_PE's working arc", OF(least_rho_pe)),
-        choice("co_design.reviews", {"avoid", "accept"}, "what the rules would have a person review", OF(reviews)),
+        choice("co_design.reviews", {"avoid", "accept"}, "whether the search avoids warnings of the rules (review and accept)",
+               OF(reviews)),
         range("co_design.capstan_radius_mm", kMm, within(0, 1000), "r_c searched; 0, 0: the profile's. r_j/r_c stays", OF(capstan_radius)),
         range("co_design.lead_in_deg", kDeg, within(0, 720), "lead-in searched", OF(lead_in)),
         range("co_design.winding_rad", kRad, within(0, 1e3), "preload of the torsion spring searched", OF(winding)),
         range("co_design.compression_mm", kMm, within(0, 1e3), "preload of the compression spring searched", OF(compression)),
         number("co_design.span", kPure, above(1, 1e3), "rates and k are searched from 1/span to span times the profile's", OF(span)),
-        file("co_design.catalogue", "CSV of springs beside the profile that both are taken from; left out: any rate", OF(catalogue_file)),
+        file("co_design.catalogue", "CSV of springs in the profile's folder, from which both are chosen; missing: any rate",
+             OF(catalogue_file)),
     };
 }
 

@@ -6,7 +6,7 @@ namespace fusee::profile {
 
 namespace {
 
-/// Of one part.
+/// All companions of one part.
 std::vector<Companions> asked_of(const std::string& part) {
     const std::string hub = part + ".hub.", path = part + ".path.";
     return {{hub + "kind", "overhung", {hub + "boss_mm", hub + "boss_height_mm"}},

@@ -6,13 +6,13 @@
 
 namespace fusee::profile {
 
-/// A key whose value asks for others above 0: an overhung hub for its boss.
+/// A key whose value needs other keys above 0: an overhung hub needs its boss.
 struct Companions {
     std::string key, value;
     std::vector<std::string> needs;
 };
 
-/// What the profile's choices ask for and do not have, in the order of the keys; `needs` holds only what is missing.
+/// The missing companions of the profile's choices, in the order of the keys; `needs` has only the missing keys.
 [[nodiscard]] std::vector<Companions> missing_companions(const Profile& profile);
 
 }  // namespace fusee::profile

@@ -11,11 +11,11 @@ namespace fusee::profile {
 
 namespace {
 
-// Below these no figure is a measure of anything, and some vanish on the way to SI or in a square. In the key's own unit.
+// Smaller numbers measure nothing, and some underflow in SI or when squared. In the key's unit.
 constexpr double kLeastAbove0 = 1e-9;  // where 0 itself is not allowed
-constexpr double kLeast = 1e-30;       // elsewhere, of either sign
+constexpr double kLeastSize = 1e-30;   // elsewhere, of either sign
 
-/// After a fault a value of the right kind stands in for the refused one; the caller sees from the faults' count that it is none.
+/// After a fault a value of the right kind replaces the refused one; the caller detects it by the count of faults.
 class Converter {
 public:
     Converter(const Key& key, Faults& faults) : key_(key), faults_(faults) {}
@@ -53,11 +53,11 @@ private:
         if (!node.is_number()) return refuse(node), 0.0;
         const double value = node.is_integer() ? static_cast<double>(node.as_integer()->get()) : node.as_floating_point()->get();
         const bool high_enough = key_.limits.low_allowed ? value >= key_.limits.low : value > key_.limits.low;
-        const double least = key_.limits.low == 0.0 && !key_.limits.low_allowed ? kLeastAbove0 : kLeast;
+        const double least = key_.limits.low == 0.0 && !key_.limits.low_allowed ? kLeastAbove0 : kLeastSize;
         if (!std::isfinite(value) || !high_enough || value > key_.limits.high)
             refuse(node);
         else if (value != 0.0 && std::abs(value) < least)
-            refuse(node, fmt::format("; none so close to 0: {:g} or more in size", least));
+            refuse(node, fmt::format("; not so close to 0: at least {:g} in magnitude", least));
         return value;
     }
     [[nodiscard]] int integer(const toml::node& node) const {
@@ -79,7 +79,7 @@ private:
         if (!node.is_string() || node.as_string()->get().empty()) return refuse(node), "";
         return node.as_string()->get();
     }
-    /// What may be left out may also be empty.
+    /// Optional values may be empty.
     [[nodiscard]] std::string name_or_formula(const toml::node& node) const {
         const bool left_out = !key_.required && node.is_string() && node.as_string()->get().empty();
         return left_out ? "" : text(node);
@@ -99,7 +99,7 @@ private:
         if (!value.empty() && std::find(key_.choices.begin(), key_.choices.end(), value) == key_.choices.end()) refuse(node);
         return value;
     }
-    /// Its cells; none where it is refused as a whole.
+    /// Its cells; none if the array is refused.
     [[nodiscard]] const toml::array& array(const toml::node& node) const {
         static const toml::array kNone;
         const auto* array = node.as_array();

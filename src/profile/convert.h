@@ -8,8 +8,8 @@
 
 namespace fusee::profile {
 
-/// The node as the key's kind of value in SI; none, and a fault for each number or text, on a wrong type, NaN or a value that is not
-/// allowed.
+/// The node as the key's kind of value in SI. A wrong type, a NaN or a value that is not allowed gives none, and a fault for each number or
+/// text.
 [[nodiscard]] std::optional<Value> convert(const Key& key, const toml::node& node, Faults& faults);
 
 }  // namespace fusee::profile

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "fusee/core/error.h"
+#include "fusee/core/text.h"
 #include "key.h"
 
 namespace fs = std::filesystem;
@@ -15,20 +16,18 @@ namespace fusee::profile {
 
 namespace {
 
-constexpr std::string_view kMark = "\xEF\xBB\xBF";  // UTF-8's byte order mark
-
 std::string line_end(const std::string& toml) { return toml.find("\r\n") != std::string::npos ? "\r\n" : "\n"; }
 
 /// First byte of a line, counted from 1; the text's end if there are fewer.
 std::size_t line_begin(const std::string& toml, std::size_t line) {
-    std::size_t at = toml.starts_with(kMark) ? kMark.size() : 0;
+    std::size_t at = toml.starts_with(core::kByteOrderMark) ? core::kByteOrderMark.size() : 0;
     for (; line > 1 && at < toml.size(); --line) at = std::min(toml.find('\n', at), toml.size() - 1) + 1;
     return at;
 }
 
 std::size_t place_of(const std::string& toml, const toml::source_position& at) { return line_begin(toml, at.line) + at.column - 1; }
 
-/// One past the end of the number, one-line text or array of numbers or texts without brackets that begins at `begin`.
+/// One past the end of the number, one-line text or flat array that begins at `begin`.
 std::size_t value_end(const std::string& toml, std::size_t begin) {
     const char quote = toml[begin];
     if (quote == '[') return std::min(toml.find(']', begin), toml.size() - 1) + 1;
@@ -42,7 +41,7 @@ std::string comment(const Key& key, const Edit& edit, const std::string& end) {
     return edit.why.empty() ? "" : fmt::format("# {} was {}: {}{}", key.leaf(), edit.was, edit.why, end);
 }
 
-/// The comment behind a value spoke of the old one. What follows the value in a table of one line stays.
+/// Replaces the comment behind the old value. What follows the value in an inline table stays.
 void replace_comment(std::string& toml, std::size_t value_end, const std::string& origin) {
     const std::size_t at = toml.find_first_not_of(" \t", value_end);
     if (at == std::string::npos || toml[at] != '#') return;
@@ -80,14 +79,14 @@ void make(std::string& toml, const Key& key, const Edit& edit) {
     toml.insert(line_begin(toml, at.line), comment(key, edit, line_end(toml)));
 }
 
-/// The edits' value of a key of text; none if they leave it as it is.
+/// The edits' value of a text key; none if they do not change it.
 std::optional<std::string> chosen(const std::string& key, const std::vector<Edit>& edits) {
     for (const Edit& edit : edits)
         if (edit.key == key && edit.value.size() >= 2 && edit.value.front() == '"') return edit.value.substr(1, edit.value.size() - 2);
     return std::nullopt;
 }
 
-/// Keys of the file that have no meaning any more once the edits are made, with the condition that they miss.
+/// Keys of the file that no longer apply after the edits, with their failed condition.
 std::vector<std::pair<const Key*, Condition>> without_meaning(const Profile& profile, const std::vector<Edit>& edits) {
     std::vector<std::pair<const Key*, Condition>> all;
     for (const Key& key : keys()) {
@@ -102,19 +101,19 @@ std::vector<std::pair<const Key*, Condition>> without_meaning(const Profile& pro
     return all;
 }
 
-/// Makes the key's line a comment. @throws InvalidInput if the line holds more than the key
+/// Makes the key's line a comment. @throws InvalidInput if the line has other keys
 void comment_out(std::string& toml, const Profile& profile, const Key& key, const Condition& when) {
     const toml::table parsed = toml::parse(toml);
     const toml::node_view<const toml::node> node = parsed.at_path(key.path);
     if (!node) return;
     const std::size_t begin = line_begin(toml, node.node()->source().begin.line), leaf = toml.find_first_not_of(" \t", begin);
     if (!toml.substr(leaf).starts_with(key.leaf()))
-        throw core::InvalidInput(profile.place_of(key.path), "stands in a line with other keys",
-                                 fmt::format("a line of its own, which can be left out: {}", when.text("", "\"")));
+        throw core::InvalidInput(profile.place_of(key.path), "is in a line with other keys",
+                                 fmt::format("a separate line, which can be removed: {}", when.text("", "\"")));
     toml.insert(begin, fmt::format("# {}: ", when.text("", "\"")));
 }
 
-/// Does the text now hold the new value, and only there?
+/// Is the new value the only change of the text?
 bool holds(const std::string& toml, const Key& key, const Edit& edit) {
     try {
         const toml::table parsed = toml::parse(toml), wanted = toml::parse("value = " + edit.value);
@@ -175,8 +174,8 @@ std::string with_edits(std::string toml, const Profile& profile, const std::vect
         make(toml, key, edit);
         if (!holds(toml, key, edit))
             throw core::InvalidInput(
-                profile.place_of(edit.key), "its table stands in one line or in dotted keys",
-                fmt::format("a heading [{}] with one key a line, so that {} can be put below it", key.table(), key.leaf()));
+                profile.place_of(edit.key), "its table is inline or uses dotted keys",
+                fmt::format("a heading [{}] with one key per line, so that {} can be added below it", key.table(), key.leaf()));
     }
     for (const auto& [key, when] : without_meaning(profile, edits)) comment_out(toml, profile, *key, when);
     return toml.insert(line_begin(toml, 1), head.empty() ? "" : head + line_end(toml));

@@ -9,10 +9,10 @@
 
 namespace fusee::profile {
 
-/// "pnrvsa.toml:12:5: rig.gear_friction", the way in which every mistake is named.
+/// "pnrvsa.toml:12:5: rig.gear_friction", the place of a mistake.
 [[nodiscard]] std::string place(const std::string& file, const toml::source_region& at, std::string_view path);
 
-/// The mistakes of one TOML file. Reading goes on after each, so that all are told at once; of thousands the first hundred are kept.
+/// The mistakes of one TOML file. Reading continues after each, so that all are reported at once; of thousands the first hundred are kept.
 class Faults {
 public:
     explicit Faults(std::string file) : file_(std::move(file)) {}
@@ -25,11 +25,11 @@ public:
     }
 
     [[nodiscard]] const std::string& file() const { return file_; }
-    /// At least one for each call that found a mistake: whether a step went well is seen by comparing.
+    /// At least one for each call that found a mistake: a step failed if it has risen.
     [[nodiscard]] std::size_t count() const { return count_; }
-    /// Are there so many that no more are kept? Then a search for what was meant is not worth its time.
+    /// Are there so many that no more are kept? Then suggestions are not worth their time.
     [[nodiscard]] bool full() const;
-    /// In the order of the file's lines; those of other files follow. @throws core::InvalidInput or, of several, core::InvalidInputs
+    /// In the order of the file's lines, then those of other files. @throws core::InvalidInput or, of several, core::InvalidInputs
     void throw_if_any();
 
 private:

@@ -14,7 +14,7 @@ namespace fusee::profile {
 
 namespace {
 
-constexpr double kMostTorque = 1e4, kMost = 1e6, kLeast = 1e-9;  // as of the keys
+constexpr double kMostLoad = 1e4, kMost = 1e6, kLeastPositive = 1e-9;  // as of the keys
 
 /// Two columns of one kind of table.
 struct Columns {
@@ -35,22 +35,23 @@ void read_rows(const std::string& csv, const std::string& file, const Columns& c
         const auto refuse = [&](const std::string& column, double value, std::string allowed) {
             faults.add(table.fault(i, column, fmt::format("{:g}", value), std::move(allowed)));
         };
-        if (x < 0.0 || x > kMostTorque) refuse(columns.x, x, fmt::format("0 to {:g}", kMostTorque));
+        if (x < 0.0 || x > kMostLoad) refuse(columns.x, x, fmt::format("0 to {:g}", kMostLoad));
         if (i > 0 && x <= rows.x[i - 1]) refuse(columns.x, x, fmt::format("above the row before, {:g}", rows.x[i - 1]));
-        if (y > kMost || y < (columns.positive ? kLeast : 0.0))
+        if (y > kMost || y < (columns.positive ? kLeastPositive : 0.0))
             refuse(columns.y, y,
-                   columns.positive ? fmt::format("above 0, {:g} to {:g}", kLeast, kMost) : fmt::format("at least 0, at most {:g}", kMost));
+                   columns.positive ? fmt::format("above 0, {:g} to {:g}", kLeastPositive, kMost)
+                                    : fmt::format("at least 0, at most {:g}", kMost));
     }
     faults.throw_if_any();
     for (double& y : rows.y) y *= columns.unit;
 }
 
-/// Reads files beside the profile and keeps their bytes for its hash.
+/// Reads the profile's CSV files and keeps their bytes for its hash.
 class Folder {
 public:
     Folder(const Profile& profile, Faults& faults) : profile_(profile), faults_(faults) {}
 
-    /// Hands the bytes and the name of the file that `key` names to `parse`; no name: no file.
+    /// Passes the bytes and the name of the file of `key` to `parse`, if it names one.
     template <class Parse>
     void read(const char* key, const fs::path& file, const Parse& parse) {
         if (file.empty()) return;
@@ -71,7 +72,7 @@ private:
         try {
             return core::read_file(path, kLargestFile);
         } catch (const core::IoError& e) {
-            throw core::InvalidInput(profile_.place_of(key), quoted(file.string()), fmt::format("a file that can be read; {}", e.what()));
+            throw core::InvalidInput(profile_.place_of(key), quoted(file.string()), fmt::format("a readable file; {}", e.what()));
         }
     }
 

@@ -11,7 +11,7 @@
 #include "fusee/profile/limits.h"
 #include "fusee/profile/profile.h"
 
-/// The list of keys: the one place that knows what may stand in a profile. Reading, refusing, writing and documenting all walk it.
+/// The list of keys: the only schema of a profile. Reading, refusing, writing, `fusee keys` and docs/profile.md all use it.
 namespace fusee::profile {
 
 /// SI = value * numerator / denominator: with integers of one digit or ten's powers, "0.8 mm" becomes the double nearest to 8e-4.
@@ -25,7 +25,7 @@ inline constexpr Unit kPure{""}, kNm{"Nm"}, kNewton{"N"}, kRad{"rad"}, kPerRad{"
     kRadPerNm{"rad/Nm"}, kNPerM{"N/m"}, kKgm2{"kg m^2"}, kNms{"Nm s"}, kNm2s{"(Nm)^2 s"}, kMm{"mm", 1.0, 1e3},
     kDeg{"deg", core::kPi, 180.0}, kMPa{"MPa", 1e6, 1.0}, kPercent{"percent", 1.0, 100.0}, kMmPerMin{"mm/min", 1.0, 60e3}, kPerMin{"1/min"};
 
-/// Allowed numbers, in the key's own unit; always finite.
+/// Allowed numbers, in the key's unit; always finite.
 struct Limits {
     double low = 0.0, high = 0.0;
     bool low_allowed = true;
@@ -38,12 +38,11 @@ enum class Kind { kNumber, kInteger, kName, kFile, kFormula, kChoice, kSign, kSw
 /// Numbers in SI.
 using Value = std::variant<double, int, bool, std::string, std::vector<double>, std::vector<std::string>>;
 
-/// The key has a meaning only while another one, further up in the list, has one of these values; "" among them: while that one is left
-/// out.
+/// The key applies only if another one, earlier in the list, has one of these values; "" among them: if that one is missing.
 struct Condition {
     std::string key;
     std::vector<std::string> values;
-    /// "only with law.kind = "table"", "only without law.file"; the quotes stand around the key and around each value.
+    /// "only with law.kind = "table"", "only without law.file"; with the given quotes around the key and each value.
     [[nodiscard]] std::string text(std::string_view key_quote, std::string_view value_quote) const;
 };
 
@@ -62,19 +61,19 @@ struct Key {
 
     [[nodiscard]] std::string table() const;  ///< "k_se.guide"; "" at the top
     [[nodiscard]] std::string leaf() const;   ///< "direction_deg"
-    [[nodiscard]] bool of_part() const;       ///< of the tables that only making parts needs: a profile has all of them or none
+    [[nodiscard]] bool of_part() const;       ///< in the tables that only make needs: a profile has all of them or none
 };
 
 [[nodiscard]] const std::vector<Key>& keys();
 /// nullptr if there is none.
 [[nodiscard]] const Key* find_key(std::string_view path);
 [[nodiscard]] bool is_table(std::string_view path);
-/// The known key that the writer of `path` most likely meant.
+/// The known key that is most similar to `path`.
 [[nodiscard]] const Key& nearest_key(std::string_view path);
 [[nodiscard]] std::string nearest_table(std::string_view path);
 [[nodiscard]] const checks::RuleInfo& nearest_rule(std::string_view id, const RuleInfos& rules);
 
-/// Does the key have a meaning in this profile, as far as it is read?
+/// Does the key apply in this profile, as far as it is read?
 [[nodiscard]] bool applies(const Key& key, const Profile& profile);
 /// "a number above 0, at most 95", "\"planar\" or \"helix\"".
 [[nodiscard]] std::string allowed_text(const Key& key);
@@ -83,7 +82,7 @@ struct Key {
 /// The key's value as TOML, numbers in the key's unit with the fewest digits that give the same SI number.
 [[nodiscard]] std::string toml_text(const Key& key, const Profile& profile);
 
-/// The tables' shares of the list, each in its file.
+/// The keys of each table, in its file.
 [[nodiscard]] std::vector<Key> rig_keys();
 [[nodiscard]] std::vector<Key> law_keys();
 [[nodiscard]] std::vector<Key> simulation_keys();
@@ -93,7 +92,7 @@ struct Key {
 [[nodiscard]] std::vector<Key> compensation_keys();
 [[nodiscard]] std::vector<Key> part_keys(const std::string& part, PartSpec Profile::*member);
 
-// How a row of the list is made: `at` is a generic lambda from a (const) Profile& to the member.
+// Makers of keys: `at` is a generic lambda from a (const) Profile& to the member.
 template <class T, class At>
 Key plain_key(std::string path, Kind kind, std::string meaning, At at) {
     Key key;
@@ -105,7 +104,7 @@ Key plain_key(std::string path, Kind kind, std::string meaning, At at) {
     return key;
 }
 
-/// Left out or "": none.
+/// Missing or "": none.
 template <class At>
 Key file(std::string path, std::string meaning, At at) {
     return plain_key<std::string>(std::move(path), Kind::kFile, std::move(meaning), at);
@@ -151,7 +150,7 @@ Key numbers(std::string path, Unit unit, Limits limits, std::size_t least, std::
     return key;
 }
 
-/// A core::Range: two numbers, the lower first (the room that uses it refuses another order).
+/// A core::Range: two numbers, the lower first (the module that uses it refuses another order).
 template <class At>
 Key range(std::string path, Unit unit, Limits limits, std::string meaning, At at) {
     Key key;
@@ -169,7 +168,7 @@ Key range(std::string path, Unit unit, Limits limits, std::string meaning, At at
     return key;
 }
 
-/// A text out of a list; for an enum the list names its values in order.
+/// A text from a list; for an enum the list names its values in order.
 template <class At>
 Key choice(std::string path, std::vector<std::string> names, std::string meaning, At at) {
     using Member = std::remove_cvref_t<decltype(at(std::declval<Profile&>()))>;

@@ -10,11 +10,11 @@ namespace {
 std::vector<Key> cable_keys() {
     return {
         required(number("cable.diameter_mm", kMm, within(0.05, 20), "d, of the cable under load", FIELD(cable.diameter))),
-        choice("cable.construction", {"fibre", "7x7", "7x19", "7x49"}, "gives the default bend ratio", FIELD(cable.construction)),
+        choice("cable.construction", {"fibre", "7x7", "7x19", "7x49"}, "sets the default bend ratio", FIELD(cable.construction)),
         number("cable.min_bend_ratio", kPure, within(0, 200), "least D/d, D = diameter of the groove's floor; 0 = by construction",
                FIELD(cable.min_bend_ratio)),
         number("cable.breaking_load_N", kNewton, within(0, 1e6), "0 = not checked", FIELD(cable.breaking_load)),
-        number("cable.max_pressure_MPa", kMPa, within(0, 1e4), "bearing pressure 2T/(D d) that the part's material takes; 0 = not checked",
+        number("cable.max_pressure_MPa", kMPa, within(0, 1e4), "allowed bearing pressure 2T/(D d) of the part's material; 0 = not checked",
                FIELD(cable.max_pressure)),
         number("cable.max_fleet_deg", kDeg, within(0, 20), "angle between the free cable and the groove's plane; 0 = 2 deg, grooved",
                FIELD(cable.max_fleet)),
@@ -27,7 +27,7 @@ std::vector<Key> cable_keys() {
         number("groove.depth_ratio", kPure, within(0.1, 10), "height of the lips above the floor, in d",
                FIELD(k_se.solid.groove.depth_ratio)),
         number("groove.throat_deg", kDeg, within(0, 150), "full angle between the flanks", FIELD(k_se.solid.groove.throat)),
-        number("groove.rib_mm", kMm, within(0.1, 100), "flange beside the groove (planar), least land between turns (helix)",
+        number("groove.rib_mm", kMm, within(0.1, 100), "flange next to the groove (planar), least land between turns (helix)",
                FIELD(k_se.solid.groove.rib)),
         number("groove.plate_mm", kMm, within(0, 100),
                "stack of plates: thickness of the middle one, the groove's width; 0 = two floor radii", FIELD(k_se.solid.groove.plate)),
@@ -55,14 +55,14 @@ Key build_volume() {
 std::vector<Key> process_keys() {
     return {
         required(choice("process.kind", {"fdm", "sla", "sls", "mill", "mill4", "edm", "laser"},
-                        "gives the defaults of the limits below; mill4: a fourth axis; edm, laser: plates, stacked", FIELD(process.kind))),
+                        "sets the defaults of the limits below; mill4: a fourth axis; edm, laser: stacked plates", FIELD(process.kind))),
         build_volume(),
         number("process.min_wall_mm", kMm, within(0, 100), "0 = by process", FIELD(process.min_wall)),
         number("process.min_hole_mm", kMm, within(0, 100), "diameter; 0 = by process", FIELD(process.min_hole)),
-        number("process.max_overhang_deg", kDeg, within(0, 90), "of a face that looks down, from the vertical; 0 = by process",
+        number("process.max_overhang_deg", kDeg, within(0, 90), "of a downward face, from the vertical; 0 = by process",
                FIELD(process.max_overhang)),
         number("process.cutter_radius_mm", kMm, within(0, 100),
-               "smallest ball or end mill at hand; edm: wire radius and gap; laser: half the kerf; 0 = by process",
+               "smallest available ball or end mill; edm: wire radius and gap; laser: half the kerf; 0 = by process",
                FIELD(process.cutter_radius)),
         number("process.layer_mm", kMm, within(0, 10), "height of a printed layer; 0 = by process", FIELD(process.layer)),
         number("process.tolerance_mm", kMm, within(0, 10), "of a contour, one side; 0 = by process", FIELD(process.tolerance)),
@@ -110,8 +110,8 @@ std::vector<Key> all_keys() {
     add(cable_keys());
     add(process_keys());
     add({formats(), yes_or_no("outputs.pair", "both sides of the joint: the antagonist's parts are mirror images", FIELD(outputs.pair)),
-         yes_or_no("outputs.plate", "with 3mf: plate.3mf too, every part on one plate within process.build_mm", FIELD(outputs.plate)),
-         number("outputs.kerf_mm", kMm, within(0, 10), "of a beam or wire; above 0: k_xx_kerf.dxf too, outlines moved by half of it",
+         yes_or_no("outputs.plate", "with 3mf: also plate.3mf, every part on one plate within process.build_mm", FIELD(outputs.plate)),
+         number("outputs.kerf_mm", kMm, within(0, 10), "of a beam or wire; above 0: also k_xx_kerf.dxf, outlines moved by half of it",
                 FIELD(outputs.kerf)),
          integer("outputs.springs_rows", within(200, 100000), "rows of springs.csv", FIELD(outputs.springs_rows))});
     add(machining_keys());

@@ -10,12 +10,12 @@ constexpr const char *kStiction = "stiction_compensating", *kPolynomial = "polyn
 constexpr const char *kDeadBandFile = "law.dead_band_file", *kSeriesFile = "law.series_stiffness_file",
                      *kSeriesFormula = "law.series_stiffness_Nm_per_rad";
 
-/// Chooses the alternative of LawSpec::curves; the names stand in the variant's order.
+/// Chooses the alternative of LawSpec::curves; the names are in the variant's order.
 Key law_kind() {
     Key key;
     key.path = kKindKey;
     key.kind = Kind::kChoice;
-    key.meaning = "how the pair of springs is given; brings its own keys below";
+    key.meaning = "kind of the pair of springs; selects the keys below";
     key.choices = {kStiction, kPolynomial, kExponential, kTable, kFromDeadBand, kFreeCurve};
     key.required = true;
     key.get = [names = key.choices](const Profile& p) { return Value(names.at(p.law.curves.index())); };
@@ -55,26 +55,26 @@ std::vector<Key> curve_keys() {
         exponential(number("law.parallel_scale_Nm", kNm, torque, "K_PE: a", OF(ExponentialPair, parallel.scale))),
         exponential(number("law.parallel_rate_per_rad", kPerRad, within(-1e3, 1e3), "K_PE: b", OF(ExponentialPair, parallel.rate))),
         exponential(number("law.parallel_offset_Nm", kNm, torque, "K_PE: c", OF(ExponentialPair, parallel.offset))),
-        table(required(file("law.file", "CSV beside the profile: angle_rad,series_Nm,parallel_Nm", OF(TablePair, file)))),
+        table(required(file("law.file", "CSV in the profile's folder: angle_rad,series_Nm,parallel_Nm", OF(TablePair, file)))),
         table(integer("law.knots", within(4, 400), "intervals of the smoothing spline", OF(TablePair, smoothing.knots))),
         table(number("law.smoothing", kPure, within(-1, 1e9), "weight of the roughness penalty; below 0: by cross-validation",
                      OF(TablePair, smoothing.smoothing))),
     };
 }
 
-/// Springs given by what they shall do: the dead-band they leave, or stiffness and transmission over the load.
+/// Springs given by a wanted result: their dead-band, or stiffness and transmission over the load.
 std::vector<Key> wish_keys() {
     const auto wanted = [](Key key) { return when(kKindKey, {kFromDeadBand}, std::move(key)); };
     const auto curve = [](Key key) { return when(kKindKey, {kFreeCurve}, required(std::move(key))); };
     const auto no_file = [](const char* other, Key key) { return when(other, {""}, std::move(key)); };
     using Free = spring::FreeCurveOptions;
     return {
-        wanted(file(kDeadBandFile, "the dead-band wanted: CSV beside the profile with tau_Nm,dead_band_deg",
+        wanted(file(kDeadBandFile, "wanted dead-band: CSV in the profile's folder with tau_Nm,dead_band_deg",
                     OF(DeadBandSpec, dead_band.rows.file))),
         wanted(no_file(kDeadBandFile,
                        required(formula("law.dead_band_deg", "the same as a formula in tau [Nm]: full width at the joint, linear",
                                         OF(DeadBandSpec, dead_band.formula))))),
-        wanted(file(kSeriesFile, "S, stiffness of K_SE: CSV beside the profile with tau_Nm,stiffness_Nm_per_rad",
+        wanted(file(kSeriesFile, "S, stiffness of K_SE: CSV in the profile's folder with tau_Nm,stiffness_Nm_per_rad",
                     OF(DeadBandSpec, series_stiffness.rows.file))),
         wanted(no_file(kSeriesFile, formula(kSeriesFormula, "S as a formula in tau [Nm]; neither: chosen, S = k tau^2",
                                             OF(DeadBandSpec, series_stiffness.formula)))),
@@ -99,10 +99,10 @@ std::vector<Key> law_keys() {
         return when(kKindKey, {kStiction, kPolynomial, kExponential, kTable, kFromDeadBand}, required(std::move(key)));
     };
     all.push_back(with_ends(number(
-        "law.start_torque_Nm", kNm, above(0, 1e4), "lowest load of the law, lead-in not counted",
+        "law.start_torque_Nm", kNm, above(0, 1e4), "lowest load of the law without lead-in",
         [](auto& p) -> auto& { return p.law.start_torque; })));
     all.push_back(with_ends(number(
-        "law.end_torque_Nm", kNm, above(0, 1e4), "highest load; to cover stiction: somewhat more than overdrive torque / (1 - mu)",
+        "law.end_torque_Nm", kNm, above(0, 1e4), "highest load; above overdrive torque / (1 - mu) to cover stiction",
         [](auto& p) -> auto& { return p.law.end_torque; })));
     all.push_back(number(
         "law.lead_in_deg", kDeg, within(0, 720), "capstan travel of the low-load law below the start",

@@ -10,7 +10,7 @@ std::vector<Key> machining_keys() {
     const std::vector<std::string> methods{"stack", "wrap"};
     const Limits feed = above(0, 1e5), rpm = above(0, 1e6), length = above(0, 100);
     return {
-        choice(t + "controller", {"linuxcnc"}, "who reads the G-code", FIELD(controller)),
+        choice(t + "controller", {"linuxcnc"}, "reader of the G-code", FIELD(controller)),
         choice(t + "k_se", methods, "groove of a planar K_SE: two half plates on three axes, or one piece on a rotary axis", FIELD(k_se)),
         choice(t + "k_pe", methods, "the same of K_PE; a helix is always wrapped", FIELD(k_pe)),
         number(t + "tool_diameter_mm", kMm, length, "flat end mill for outlines, bores and half plates", FIELD(tool_diameter)),
@@ -23,7 +23,7 @@ std::vector<Key> machining_keys() {
         number(t + "wrap_rpm", kPerMin, rpm, "with the groove's cutter", FIELD(wrap_rpm)),
         number(t + "wrap_depth_mm", kMm, length, "of one pass of the groove's cutter", FIELD(wrap_depth)),
         number(t + "safe_height_mm", kMm, above(0, 1000), "above the stock: rapids stay there", FIELD(safe_height)),
-        number(t + "breakthrough_mm", kMm, within(0, 100), "below the stock, into the board that it lies on", FIELD(breakthrough)),
+        number(t + "breakthrough_mm", kMm, within(0, 100), "below the stock, into the board under it", FIELD(breakthrough)),
         number(t + "tolerance_mm", kMm, within(1e-4, 0.1), "largest distance between contour and G-code", FIELD(tolerance)),
         sign(t + "rotary_sign", "1: a positive A turns the part by the right-hand rule about +X; -1: the other way", FIELD(rotary_sign)),
     };

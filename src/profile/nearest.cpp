@@ -7,7 +7,7 @@ namespace fusee::profile {
 
 namespace {
 
-constexpr std::size_t kLongestCompared = 100;  // letters: no known path has half as many
+constexpr std::size_t kLongestCompared = 100;  // letters: known paths have less than half as many
 
 /// Least number of letters to insert, delete, replace or swap with the next one (optimal string alignment).
 std::size_t edit_distance(std::string_view a, std::string_view b) {
@@ -23,7 +23,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
     return d.back().back();
 }
 
-/// The name without its unit, so that "lead_in_rad" finds "lead_in_deg" before anything that is merely spelled alike.
+/// The name without its unit, so that "lead_in_rad" finds "lead_in_deg" before any name with similar spelling.
 std::string_view stem(std::string_view name) {
     static constexpr std::array kUnits{"m",   "cm",  "mm",  "um",      "in",   "inch", "deg",  "rad",    "Nm",  "nm",
                                        "mNm", "Ncm", "kN",  "N",       "Pa",   "kPa",  "MPa",  "GPa",    "per", "J",
@@ -36,9 +36,9 @@ std::string_view stem(std::string_view name) {
     }
 }
 
-/// Between two names without their units; what one has beyond the other counts as one letter: "shrink" finds "shrink_x".
+/// Distance of two names without their units; a name that extends the other counts as one letter: "shrink" finds "shrink_x".
 std::size_t stem_distance(std::string_view asked, std::string_view known) {
-    constexpr std::size_t kLeast = 4;  // letters that say something
+    constexpr std::size_t kLeast = 4;  // letters that identify a name
     const std::string_view a = stem(asked), b = stem(known);
     const bool begins = std::min(a.size(), b.size()) >= kLeast && (a.starts_with(b) || b.starts_with(a));
     return begins && a != b ? 1 : edit_distance(a, b);

@@ -29,8 +29,8 @@ public:
 
     void read(std::vector<checks::Override>& into) const {
         const checks::RuleInfo* rule = this->rule();
-        const std::string reason = text("reason", "why the limit may be another one, as text");
-        if (rule == nullptr) return;  // nothing is known of its limits
+        const std::string reason = text("reason", "the reason for another limit, as text");
+        if (rule == nullptr) return;  // its limits are unknown
         std::size_t named = 0;
         for (const auto& [key, node] : table_) {
             if (key.str() == "rule" || key.str() == "reason") continue;
@@ -55,11 +55,11 @@ private:
             return other.rule == place.rule.id && other.limit == place.limit.key();
         });
         if (twice)
-            refuse(key.str(), key.source(), "stands twice", "one value");
+            refuse(key.str(), key.source(), "is repeated", "one value");
         else
             into.push_back({place.rule.id, place.limit.key(), number(key.str(), node, place.limit), place.reason});
     }
-    /// "" for what is refused.
+    /// "" if it is refused.
     [[nodiscard]] std::string text(const char* key, const std::string& allowed) const {
         const toml::node* node = table_.get(key);
         if (node == nullptr) return refuse(key, table_.source(), "missing", allowed), "";
@@ -67,7 +67,7 @@ private:
             return refuse(key, node->source(), core::shown(*node), allowed), "";
         return node->as_string()->get();
     }
-    /// nullptr for one that is not known.
+    /// nullptr if it is unknown.
     [[nodiscard]] const checks::RuleInfo* rule() const {
         const std::string id = text("rule", "the id of a rule (docs/rules.md)");
         if (id.empty()) return nullptr;
@@ -77,7 +77,7 @@ private:
         refuse("rule", table_.get("rule")->source(), fmt::format("unknown rule \"{}\"", id), "nearest known one: " + near);
         return nullptr;
     }
-    /// nullptr for one that the rule does not have.
+    /// nullptr if the rule does not have it.
     [[nodiscard]] const checks::Limit* limit_of(const checks::RuleInfo& rule, const toml::key& key) const {
         if (const checks::Limit* limit = rule.limit(key.str())) return limit;
         const bool named = std::any_of(rule.limits.begin(), rule.limits.end(),
@@ -111,7 +111,7 @@ std::vector<checks::Override> read_overrides(const toml::node& node, const RuleI
     if (node.is_array_of_tables())
         for (const toml::node& entry : *node.as_array()) Entry(*entry.as_table(), rules, faults).read(limits);
     else
-        faults.add(node.source(), "limits", "no array of tables", kShape);
+        faults.add(node.source(), "limits", "not an array of tables", kShape);
     return limits;
 }
 
@@ -138,10 +138,10 @@ std::string overrides_toml(const std::vector<checks::Override>& limits) {
 std::string overrides_reference() {
     return "### `[[limits]]`\n\n"
            "| key | allowed | default | meaning |\n|---|---|---|---|\n"
-           "| `rule` | the id of a rule (docs/rules.md) | required | the rule whose limits are others here |\n"
+           "| `rule` | the id of a rule (docs/rules.md) | required | the rule whose limits change |\n"
            "| a limit of the rule | a finite number in the unit that ends its name | at least one | "
-           "holds in the rule's place, for both parts; `required_...` forbids, `review_...` asks for a review |\n"
-           "| `reason` | a text | required | stands beside every finding that the limit decides |\n\n";
+           "replaces the rule's limit for both parts; beyond `required_...` is an error, beyond `review_...` a warning |\n"
+           "| `reason` | a text | required | is shown with every finding of the limit |\n\n";
 }
 
 }  // namespace fusee::profile

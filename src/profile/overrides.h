@@ -8,20 +8,20 @@
 #include "fusee/checks/check.h"
 #include "fusee/profile/limits.h"
 
-/// The tables [[limits]]: what a profile puts in the place of the rules' own limits.
+/// The tables [[limits]]: limits of a profile instead of the rules' defaults.
 namespace fusee::profile {
 
-/// @param node what stands under "limits" in the file
-/// @param faults gets each mistake: no array of tables; a rule that is not known; a limit that the rule does not have, one in another unit,
-/// one that is no finite number or stands twice; no limit or no reason
+/// @param node the value of "limits" in the file
+/// @param faults gets each mistake: not an array of tables; an unknown rule; a limit that the rule does not have, is in another unit, is
+/// not finite or is repeated; no limit or no reason
 [[nodiscard]] std::vector<checks::Override> read_overrides(const toml::node& node, const RuleInfos& rules, Faults& faults);
-/// Those that a profile may name.
+/// The rules that a profile may name.
 [[nodiscard]] RuleInfos design_rules();
 
-/// The same as TOML.
+/// The limits as TOML.
 [[nodiscard]] std::string overrides_toml(const std::vector<checks::Override>& limits);
 
-/// Their part of docs/profile.md.
+/// Their section of docs/profile.md.
 [[nodiscard]] std::string overrides_reference();
 
 }  // namespace fusee::profile

@@ -11,17 +11,16 @@ std::vector<Key> body_keys(const std::string& part, PartSpec Profile::*member) {
     std::vector<Key> all{
         sign(part + ".torque_sign", "sign of the tension's torque about +z", OF(cam.torque_sign)),
         integer(part + ".target_rows", within(200, 10000), "working positions in PART.json", OF(cam.target_rows)),
-        number(part + ".flange_height_mm", kMm, within(0, 100), "how far the flanges stand above the groove's lips",
-               OF(solid.flange_height)),
+        number(part + ".flange_height_mm", kMm, within(0, 100), "height of the flanges above the groove's lips", OF(solid.flange_height)),
         number(part + ".radius_allowance_mm", kMm, within(-100, 100),
-               "what the rig adds to every arm (cable, overcut): the cam is cut with arms smaller by it", OF(allowance.radius)),
+               "excess of every arm on the rig (cable, overcut): the cam is cut with arms smaller by it", OF(allowance.radius)),
         number(part + ".cable_length_mm", kMm, within(0, 1e5),
                "unloaded, from the anchor on the cam to what it pulls; the cam is cut for its stretch; 0 = rigid", OF(cable_length)),
     };
     if (part == "k_se")
         all.push_back(number("k_se.cable_compliance_rad_per_Nm", kRadPerNm, within(0, 1e3),
-                             "behind the spool, at the capstan, beyond what k_se.cable_length_mm says: as a diagnosis finds it; in all "
-                             "below 1/S of the law",
+                             "additional to that of k_se.cable_length_mm, behind the spool, at the capstan, for example from a diagnosis; "
+                             "the sum is below 1/S of the law",
                              OF(allowance.series_compliance)));
     else
         all.insert(all.begin(),
@@ -49,7 +48,7 @@ std::vector<Key> spring_keys(const std::string& part, PartSpec Profile::*member)
     all.push_back(number(t + "coil_mm", kMm, within(0, 1000), "mean coil diameter; 0 = unknown", OF(spring.coil_diameter)));
     all.push_back(number(t + "active_coils", kPure, within(0, 1000), "0 = unknown", OF(spring.active_coils)));
     all.push_back(number(t + "free_length_mm", kMm, within(0, 1e4),
-                         part == "k_se" ? "room for the body along its axis; 0 = unknown" : "0 = unknown, buckling not checked",
+                         part == "k_se" ? "axial space for the body; 0 = unknown" : "0 = unknown, buckling not checked",
                          OF(spring.free_length)));
     all.push_back(number(t + "tensile_strength_MPa", kMPa, within(0, 1e4), "of the wire; 0 = unknown", OF(spring.tensile_strength)));
     all.push_back(
@@ -57,7 +56,7 @@ std::vector<Key> spring_keys(const std::string& part, PartSpec Profile::*member)
     all.push_back(choice(t + "hand", {"unknown", "right", "left"}, "of the coil; right: like a common screw", OF(spring.hand)));
     all.push_back(
         number(t + "rod_mm", kMm, within(0, 1000), "diameter of the arbor or rod inside the coils; 0 = unknown", OF(spring.rod_diameter)));
-    all.push_back(number(t + "cycles", kPure, within(0, 1e12), "loadings wanted, from nothing to the largest; 0 = fatigue not checked",
+    all.push_back(number(t + "cycles", kPure, within(0, 1e12), "wanted load cycles from zero to the largest state; 0 = fatigue not checked",
                          OF(spring.cycles)));
     return all;
 }
@@ -72,36 +71,35 @@ std::vector<Key> guide_keys(const std::string& part, PartSpec Profile::*member) 
              required(number(t + "distance_mm", kMm, above(0, 1e4), "cam axis to the guide's centre", OF(cam.guide.distance)))),
         when(kind, {"idler"}, required(number(t + "radius_mm", kMm, above(0, 1000), "pitch radius of the idler", OF(cam.guide.radius)))),
         when(kind, {"idler"}, sign(t + "sense", "side on which the cable passes the idler's centre", OF(cam.guide.sense))),
-        number(t + "z_mm", kMm, within(-1e4, 1e4), "height of the guide: the cable leans towards it, and a path may aim at it",
-               OF(cam.guide.z)),
+        number(t + "z_mm", kMm, within(-1e4, 1e4),
+               "height of the guide: the fleet angle of the cable depends on it, and a path may aim at it", OF(cam.guide.z)),
     };
 }
 
 std::vector<Key> path_keys(const std::string& part, PartSpec Profile::*member) {
     const std::string t = part + ".path.", kind = t + "kind";
     return {
-        choice(kind, {"planar", "helix"}, "one closed turn, or a groove that climbs for as many turns as the law needs", OF(cam.path.kind)),
+        choice(kind, {"planar", "helix"}, "one closed turn, or a rising groove of as many turns as the law needs", OF(cam.path.kind)),
         when(kind, {"helix"},
-             choice(t + "lead", {"constant_pitch", "aimed"}, "aimed: climbs so that the cable always points at the guide",
+             choice(t + "lead", {"constant_pitch", "aimed"}, "aimed: rises so that the cable always points at the guide",
                     OF(cam.path.lead))),
         when(kind, {"helix"},
              number(t + "pitch_mm", kMm, within(0, 1000), "height gained per turn; above 0 for a constant pitch", OF(cam.path.pitch))),
         when(kind, {"helix"},
-             when(t + "lead", {"constant_pitch"},
-                  choice(t + "hand", {"right", "left"}, "right climbs like a common screw", OF(cam.path.hand)))),
+             when(t + "lead", {"constant_pitch"}, choice(t + "hand", {"right", "left"}, "right: like a common screw", OF(cam.path.hand)))),
         number(t + "margin_deg", kDeg, within(3, 170), "groove beyond the working arc, to the anchor", OF(cam.path.margin)),
         number(t + "min_idle_radius_mm", kMm, above(0, 1000), "least radius of curvature on the idle arc that closes a planar path",
                OF(cam.path.min_idle_curvature_radius)),
     };
 }
 
-/// What K_PE works on. A roller's keys have no meaning beside a cable, nor a cable's beside a roller.
+/// The keys of K_PE's roller, which do not apply to a cable.
 std::vector<Key> roller_keys(const std::string& part, PartSpec Profile::*member) {
     if (part != "k_pe") return {};
     const std::string t = part + ".roller.";
     std::vector<Key> all{
         number(t + "radius_mm", kMm, above(0, 1000), "of the roller", OF(cam.roller.radius)),
-        number(t + "base_radius_mm", kMm, above(0, 1000), "axis to the roller's centre at the law's lowest load, less the roller's radius",
+        number(t + "base_radius_mm", kMm, above(0, 1000), "axis to the roller's centre at the law's lowest load, minus the roller's radius",
                OF(cam.roller.base_radius)),
         number(t + "offset_mm", kMm, within(-1000, 1000), "of the follower's line from the axis; above 0 eases the rise",
                OF(cam.roller.offset)),
@@ -111,14 +109,14 @@ std::vector<Key> roller_keys(const std::string& part, PartSpec Profile::*member)
         number(t + "rim_width_mm", kMm, above(0, 1000), "thickness of the cam's plate, two ribs included", OF(solid.rim_width)),
         number(t + "contact_modulus_MPa", kMPa, within(0, 1e6), "E* of cam and roller: 1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2",
                OF(cam.roller.contact_modulus)),
-        number(t + "max_pressure_MPa", kMPa, within(0, 1e5), "that cam and roller take where they touch; 0 = not checked",
+        number(t + "max_pressure_MPa", kMPa, within(0, 1e5), "allowed contact pressure of cam and roller; 0 = not checked",
                OF(cam.roller.max_pressure)),
     };
     for (Key& key : all) key = when(part + ".family", {"roller"}, std::move(key));
     return all;
 }
 
-/// Does the key speak of the cable that a roller cam has not?
+/// Does the key belong to the cable, which a roller cam does not have?
 bool of_cable(const Key& key, const std::string& part) {
     for (const char* leaf :
          {".flange_height_mm", ".radius_allowance_mm", ".cable_length_mm", ".path.margin_deg", ".features.anchor_hole_mm"})

@@ -17,7 +17,7 @@ namespace fusee::profile {
 
 namespace {
 
-/// One pair of keys that must stand in order.
+/// Two keys whose values must be in order.
 struct Order {
     const char *low, *high;
     bool may_be_equal;
@@ -26,11 +26,11 @@ constexpr Order kOrders[] = {{"rig.least_torque_Nm", "rig.peak_torque_Nm", false
                              {"rig.peak_torque_Nm", "rig.overdrive_torque_Nm", true},
                              {"law.start_torque_Nm", "law.end_torque_Nm", false}};
 
-/// Keys whose 0 would leave no curve.
+/// Keys that must not be 0: there would be no curve.
 constexpr const char* kFactors[] = {"law.series_scale_Nm", "law.series_rate_per_rad", "law.parallel_scale_Nm", "law.parallel_rate_per_rad"};
 
-/// Collects the file's values under their paths, then sets them key by key. A mistake is noted and reading goes on; what follows from it
-/// alone (keys of a table that could not be read, of a kind that is not known) is not told.
+/// Collects the file's values under their paths, then sets them key by key. A mistake is noted and reading continues; consequences of it
+/// (keys of an unreadable table, of an unknown kind) are not reported.
 class Reader {
 public:
     Reader(const toml::table& table, Faults& faults) : faults_(faults) { collect(table, ""); }
@@ -38,7 +38,7 @@ public:
     void assign(Profile& profile) {
         profile.has_parts = limits_ != nullptr ||
                             std::any_of(nodes_.begin(), nodes_.end(), [](const auto& node) { return find_key(node.first)->of_part(); });
-        bool of_others = false;  // parts that cannot be made
+        bool of_others = false;  // parts of arrangements that cannot be made
         for (const Key& key : keys()) {
             if (key.of_part() && !of_others) of_others = refuse_parts_of_others(profile);
             if (of_others) break;
@@ -54,12 +54,12 @@ public:
     }
 
 private:
-    /// Notes every leaf under its path, and what the list of keys does not know as a mistake.
+    /// Notes every leaf under its path, and every unknown key as a mistake.
     void collect(const toml::table& table, const std::string& prefix) {
         regions_[prefix] = table.source();
         for (const auto& [name, node] : table) {
             const std::string path = prefix.empty() ? std::string(name.str()) : prefix + "." + std::string(name.str());
-            if (name.str().find('.') != std::string_view::npos) {  // "a.b" in quotes is no a.b
+            if (name.str().find('.') != std::string_view::npos) {  // "a.b" in quotes is not a.b
                 refuse_unknown(path, name.source(), false);
             } else if (path == "limits") {
                 limits_ = &node;
@@ -89,10 +89,10 @@ private:
         }
     }
 
-    /// Does the value that the profile holds for the key say what the file means?
+    /// Does the profile hold the file's value for the key?
     [[nodiscard]] bool is_known(const std::string& path) const { return !unknown_.contains(path); }
 
-    /// Is the key, or a table that it belongs to, what the writer of a misspelt one probably meant?
+    /// Was a misspelt key or table probably meant to be this key or its table?
     [[nodiscard]] bool is_misread(std::string path) const {
         while (!misread_.contains(path)) {
             const auto dot = path.rfind('.');
@@ -119,7 +119,7 @@ private:
         }
     }
 
-    /// The table of a key that is left out, or the one around it.
+    /// The table of a missing key, or its parent.
     [[nodiscard]] const toml::source_region& nearest_region(const Key& key) const {
         std::string table = key.table();
         while (!regions_.contains(table)) table = table.substr(0, table.find('.') == std::string::npos ? 0 : table.rfind('.'));
@@ -142,7 +142,7 @@ private:
         refuse(path, std::move(value), std::move(allowed), *nodes_.at(path));
     }
 
-    /// Cams are known for the paper's arrangement only; told once. @returns whether it was told
+    /// Only the paper's arrangement has cams; reported once. @returns whether it was reported
     [[nodiscard]] bool refuse_parts_of_others(const Profile& profile) {
         if (!profile.has_parts || !is_known("rig.arrangement") || profile.rig.arrangement == actuator::Arrangement::kPnrvsa) return false;
         const auto part = std::find_if(nodes_.begin(), nodes_.end(), [](const auto& node) { return find_key(node.first)->of_part(); });
@@ -166,7 +166,7 @@ private:
             if (is_known(path) && knots->size() != loads.size())
                 refuse(path, fmt::format("{} numbers", knots->size()), fmt::format("as many as law.loads_Nm, {}", loads.size()));
     }
-    /// A fault at the key that asks for others, or at its table where it is left out.
+    /// A fault at the key that needs others, or at its table if it is missing.
     void check_companions(const Profile& profile) {
         for (const Companions& missing : missing_companions(profile)) {
             const auto unread = [this](const std::string& key) { return !is_known(key) || is_misread(key); };
@@ -177,7 +177,7 @@ private:
                         fmt::format("above 0 mm, with {} = \"{}\"", missing.key, missing.value));
         }
     }
-    /// A length alone says nothing of how far a cable stretches.
+    /// A length without stiffness does not determine a cable's compliance.
     void check_cable(const PartSpec& part, const Profile& profile) {
         if (part.cable_length <= 0.0 || profile.wrap.stiffness > 0.0 || !is_known("cable.stiffness_N")) return;
         refuse(&part == &profile.k_se ? "k_se.cable_length_mm" : "k_pe.cable_length_mm", "a length without stiffness",
@@ -196,11 +196,11 @@ private:
     std::map<std::string, const toml::node*> nodes_;
     const toml::node* limits_ = nullptr;  ///< [[limits]]
     std::map<std::string, toml::source_region> regions_;
-    std::set<std::string> misread_;  ///< keys and tables that a misspelt one was probably meant for
-    std::set<std::string> unknown_;  ///< keys whose value is not known: refused, missing, or of a kind that is not known
+    std::set<std::string> misread_;  ///< keys and tables that were probably misspelt
+    std::set<std::string> unknown_;  ///< keys without a value: refused, missing, or of an unknown kind
 };
 
-/// What stands once in the file and in several rooms' options.
+/// Copies values that appear once in the file to the options of several modules.
 void distribute(Profile& p) {
     p.k_pe.solid.groove = p.k_se.solid.groove;
     const bool stacked = p.process.kind == checks::ProcessKind::kEdm || p.process.kind == checks::ProcessKind::kLaser;

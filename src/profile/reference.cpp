@@ -13,7 +13,7 @@ struct Section {
     std::string titles, body, first_table;
 };
 
-/// The default is whatever a room's options hold untouched, so it is asked from there.
+/// The default is read from the modules' options.
 std::string default_text(const Key& key) {
     if (key.required) return "required";
     Profile untouched;
@@ -25,7 +25,7 @@ std::string default_text(const Key& key) {
 std::string row(const Key& key) {
     std::string only;
     for (Condition when : key.when) {
-        if (when.key == "k_pe.family" && when.values.front() == "cable") continue;  // said beside the family, in its own table's words
+        if (when.key == "k_pe.family" && when.values.front() == "cable") continue;  // stated at the family's key
         when.key = find_key(when.key)->leaf();
         only += fmt::format("{} {}", only.empty() ? "" : ",", when.text("`", "`"));
     }

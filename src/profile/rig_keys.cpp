@@ -14,12 +14,12 @@ const char* const kFrictionTable = "rig.gear_friction_table";
 std::vector<Key> friction_keys() {
     const auto straight = [](Key key) { return when(kFrictionTable, {""}, std::move(key)); };
     return {
-        file(kFrictionTable, "gear friction as measured: CSV beside the profile with load_Nm,friction_Nm",
+        file(kFrictionTable, "measured gear friction: CSV in the profile's folder with load_Nm,friction_Nm",
              FIELD(rig.gear_friction_table.file)),
         straight(required(number("rig.gear_friction", kPure, within(0, 0.95),
                                  "mu: a resting capstan at motor torque tau carries loads from tau/(1+mu) to tau/(1-mu)",
                                  FIELD(rig.gear_friction)))),
-        straight(number("rig.gear_friction_constant_Nm", kNm, within(0, 1e3), "part of the gear friction that no load changes",
+        straight(number("rig.gear_friction_constant_Nm", kNm, within(0, 1e3), "part of the gear friction that does not depend on the load",
                         FIELD(rig.gear_friction_constant))),
         number("rig.gear_friction_rest_excess", kPure, within(0, 10), "s: at rest the gear friction is 1 + s times that in motion",
                FIELD(rig.gear_friction_rest_excess)),
@@ -36,13 +36,13 @@ std::vector<Key> rig_keys() {
     std::vector<Key> all{
         required(plain_key<std::string>("name", Kind::kName, "the design's name and that of its folder under out/", FIELD(name))),
         choice(kArrangement, {"pnrvsa", "series_elastic", "simple_antagonist", "quasi_antagonist", "bidirectional", "cross_coupled"},
-               "which springs stand where; the others than the paper's can be simulated, not made", FIELD(rig.arrangement)),
+               "arrangement of the springs; all but the paper's can only be simulated", FIELD(rig.arrangement)),
         when(kArrangement, {"series_elastic", "simple_antagonist", "quasi_antagonist", "bidirectional", "cross_coupled"},
              number("rig.position_stiffness_Nm_per_rad", kNmPerRad, within(0, 1e6), "of a position loop at each motor; 0 = torque control",
                     FIELD(rig.position_stiffness))),
         when(kArrangement, {"cross_coupled"},
-             number("rig.cross_stretch_rad", kRad, within(-100, 100), "of the spring between the motors, here K_PE, before they turn",
-                    FIELD(rig.cross_stretch))),
+             number("rig.cross_stretch_rad", kRad, within(-100, 100),
+                    "stretch of the spring between the motors, here K_PE, before they turn", FIELD(rig.cross_stretch))),
         required(number("rig.capstan_radius_mm", kMm, above(0, 1000), "r_c, radius at which the capstan takes the joint's cable",
                         FIELD(rig.capstan_radius))),
         required(number("rig.joint_radius_mm", kMm, above(0, 1000), "r_j, radius of the joint's pulley", FIELD(rig.joint_radius))),

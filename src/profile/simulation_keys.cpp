@@ -10,7 +10,7 @@ std::vector<Key> simulation_keys() {
     return {
         number("dynamics.motor_inertia_kgm2", kKgm2, inertia, "of motor and gear at the capstan; default assumed",
                FIELD(dynamics.motor_inertia)),
-        number("dynamics.joint_inertia_kgm2", kKgm2, inertia, "of what the joint moves; default assumed", FIELD(dynamics.joint_inertia)),
+        number("dynamics.joint_inertia_kgm2", kKgm2, inertia, "of the moved link; default assumed", FIELD(dynamics.joint_inertia)),
         number("dynamics.motor_viscous_Nms", kNms, viscous, "drag per rad/s at the capstan; default assumed",
                FIELD(dynamics.motor_viscous)),
         number("dynamics.joint_viscous_Nms", kNms, viscous, "drag per rad/s at the joint; default assumed", FIELD(dynamics.joint_viscous)),
@@ -20,7 +20,7 @@ std::vector<Key> simulation_keys() {
         integer("simulate.levels", within(2, 1000), "levels of co-contraction, from least to overdrive torque", FIELD(simulate.levels)),
         number("simulate.push_torque_Nm", kNm, within(0, 1e4), "of the push-and-release test, at the joint; 0 = strong enough",
                FIELD(simulate.push_torque)),
-        file("simulate.measured", "dead-band as measured: CSV beside the profile with tau_Nm,width_deg (full width at the joint)",
+        file("simulate.measured", "measured dead-band: CSV in the profile's folder with tau_Nm,width_deg (full width at the joint)",
              FIELD(simulate.measured.file)),
     };
 }

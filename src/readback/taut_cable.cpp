@@ -5,12 +5,13 @@
 #include <limits>
 
 #include "fusee/core/units.h"
+#include "fusee/core/vector.h"
 
 namespace fusee::readback {
 
 namespace {
 
-double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1]; }
+using core::dot;
 
 Point turned(const Point& p, double angle) {
     const double c = std::cos(angle), s = std::sin(angle);

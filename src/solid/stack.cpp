@@ -36,9 +36,9 @@ double distance(const Ring& ring, const Point2& q) {
 }
 
 /// What a dowel keeps away from.
-class Room {
+class BossRoom {
 public:
-    explicit Room(const Part& part) {
+    explicit BossRoom(const Part& part) {
         const double half_cable = mm_from_m(0.5 * part.cam.options.cable_diameter);
         constexpr int kNormals = 360;
         for (int i = 0; i < kNormals; ++i) {
@@ -86,7 +86,7 @@ private:
 }  // namespace
 
 Dowels place_dowels(const Part& part) {
-    const Room room(part);
+    const BossRoom room(part);
     Dowels best;
     best.room_mm = -std::numeric_limits<double>::infinity();
     for (int i = 0; i < kDirections; ++i) {

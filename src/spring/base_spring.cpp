@@ -10,8 +10,8 @@ namespace fusee::spring {
 double BaseSpring::state(double energy) const { return std::sqrt(preload * preload + 2.0 * energy / rate); }
 math::Jet BaseSpring::state(const math::Jet& energy) const { return sqrt(preload * preload + 2.0 * energy / rate); }
 
-BaseSpring in_series_with_cable(BaseSpring base, double give) {
-    const double longer = 1.0 + base.rate * give;  // 1 without give, to the bit
+BaseSpring in_series_with_cable(BaseSpring base, double compliance) {
+    const double longer = 1.0 + base.rate * compliance;  // exactly 1 for compliance 0
     base.rate /= longer;
     base.preload *= longer;
     return base;

@@ -18,13 +18,13 @@ struct Jet {
     double value = 0.0, first = 0.0, second = 0.0, third = 0.0;
 };
 
-/// The cam that the nominal law and base spring ask for.
+/// The cam of the nominal law and base spring.
 class NominalCam {
 public:
     NominalCam(PotentialPtr law, const BaseSpring& base) : law_(std::move(law)), base_(base) {}
 
     [[nodiscard]] core::Range domain() const { return law_->domain(); }
-    /// Deflection of the base spring beyond its preload and how it grows: energy and force of both agree (eq. 24).
+    /// Deflection of the base spring beyond its preload, and its derivatives: energy and force of both agree (eq. 24).
     [[nodiscard]] Jet deflection(double x) const {
         const double state = base_.state(law_->energy(x)), load = base_.rate * state;
         Jet c;
@@ -45,8 +45,8 @@ private:
     BaseSpring base_;
 };
 
-/// The nominal angle x names the point of the cam. Built deflection of the capstan X = x + wider c(x), built state of the base spring
-/// s = c(x) + longer (x - x_low) + preload (eq. 25): a larger arm lengthens the cable that a spool gives or that a cam draws.
+/// The nominal angle x identifies the point of the cam. Built deflection of the capstan X = x + wider c(x), built state of the base spring
+/// s = c(x) + longer (x - x_low) + preload (eq. 25): a larger arm lengthens the cable that a spool pays out or a cam winds in.
 class BuiltSpring final : public Potential {
 public:
     BuiltSpring(NominalCam cam, double rate, double preload, double wider, double longer)
@@ -82,7 +82,7 @@ private:
         return math::rising_root(excess, nominal_.low, nominal_.high, std::lerp(nominal_.low, nominal_.high, share));
     }
 
-    /// Derivatives of the energy by X: each is the one before by x over dX/dx (eq. 26, 27). The value is left out.
+    /// Derivatives of the energy by X: each is the derivative of the previous one by x over dX/dx (eq. 26, 27). The value is left out.
     [[nodiscard]] Jet at(double built) const {
         const double x = nominal_angle(built);
         const Jet c = cam_.deflection(x);

@@ -18,14 +18,14 @@ namespace {
 using math::ChebyshevSeries;
 using Values = ChebyshevSeries::Values;
 
-/// What has been summed up to a load.
+/// The sums up to a load.
 template <class T>
 struct BasicSums {
     T theta = 0.0, f_se = 0.0, u_se = 0.0, u_pe = 0.0;
 };
 using Sums = BasicSums<double>;
 
-/// A range of loads over which everything is one series.
+/// A range of loads over which every figure is one series.
 struct Piece {
     core::Range loads;
     Sums start;
@@ -62,8 +62,8 @@ public:
         return point<LawPoint>(load, sums);
     }
     /// By the load: every piece, divided where the stiffnesses are.
-    [[nodiscard]] std::vector<LawStretch> stretches() const override {
-        std::vector<LawStretch> result;
+    [[nodiscard]] std::vector<LawSegment> segments() const override {
+        std::vector<LawSegment> result;
         const auto self = std::make_shared<const ByLoadLaw>(*this);
         for (const Piece& piece : self->pieces_) {
             const std::vector<double> places = cuts(piece.loads, stiffnesses_.breaks());
@@ -76,13 +76,13 @@ public:
     }
 
 private:
-    /// The last piece that is not above, the first one at least.
+    /// The last piece that does not begin above, or the first one.
     template <class Above>
     [[nodiscard]] const Piece& piece_where(Above above) const {
         return *std::prev(std::partition_point(pieces_.begin() + 1, pieces_.end(), [&](const Piece& p) { return !above(p); }));
     }
 
-    /// The load at which the piece has turned by `theta`.
+    /// The load at which the piece's angle is `theta`.
     [[nodiscard]] static double load_in(const Piece& piece, double theta) {
         const double guess = std::lerp(piece.loads.low, piece.loads.high, theta / piece.theta(piece.loads.high));
         const auto excess = [&](double load) { return math::Tangent{piece.theta(load) - theta, piece.compliance(load)}; };
@@ -117,7 +117,7 @@ class Quadrature {
 public:
     explicit Quadrature(const StiffnessesAt& stiffnesses) : stiffnesses_(stiffnesses) {}
 
-    /// The pieces between the edges; empty if the stiffnesses are no pair of springs somewhere.
+    /// The pieces between the edges; empty if the stiffnesses are not a pair of springs somewhere.
     [[nodiscard]] std::vector<Piece> over(const std::vector<double>& edges) {
         const Stiffnesses first = stiffnesses_(edges.front());
         sums_.f_se = first.s / (first.s + first.p) * edges.front();  // F_0 = T tau: torques begin in the ratio of their stiffnesses
@@ -125,7 +125,7 @@ public:
             if (!add({edges[i], edges[i + 1]}, 0)) return {};
         return std::move(pieces_);
     }
-    /// The load where `over` met no pair of springs.
+    /// The load at which `over` found no pair of springs.
     [[nodiscard]] double broken_at() const { return broken_at_; }
 
 private:
@@ -163,8 +163,7 @@ private:
         return true;
     }
 
-    /// What the series leaves out counts for nothing in what has been summed. Smooth stiffnesses end well below; beside a kink only
-    /// shorter pieces help.
+    /// Is the truncation of the series negligible in the sums? It is for smooth stiffnesses; near a kink only shorter pieces help.
     static bool fine(const ChebyshevSeries& series, core::Range range, double sum) {
         constexpr double kShare = 5e-14;
         return series.tail() * range.width() <= kShare * sum;

@@ -7,7 +7,7 @@
 #include "fusee/math/enclosure.h"
 #include "fusee/spring/law.h"
 
-// Laws given over the load itself (docs/theory/springs.md, eq. 16 to 18): every maker below says what the stiffnesses are at a load.
+// Laws given over the load itself (docs/theory/springs.md, eq. 16 to 18): each of them defines the stiffnesses at a load.
 namespace fusee::spring {
 
 /// Both stiffnesses at one load and their slopes by the load; of numbers, or of boxes.
@@ -18,10 +18,10 @@ struct BasicStiffnesses {
 };
 using Stiffnesses = BasicStiffnesses<double>;
 
-/// One formula, asked at loads and over boxes of them.
+/// One formula, evaluated at loads and over boxes of loads.
 class StiffnessesAt {
 public:
-    /// @param formula takes a double or a math::Jet and gives BasicStiffnesses of it; curves in it by `math::derivative`
+    /// @param formula takes a double or a math::Jet and returns its BasicStiffnesses; curves in it by `math::derivative`
     /// @param breaks  loads between which it is smooth: `math::breaks` of its curves, rows of its friction
     template <class Formula>
     StiffnessesAt(const Formula& formula, std::vector<double> breaks) : at_(formula), over_(formula), breaks_(std::move(breaks)) {}
@@ -36,7 +36,7 @@ private:
     std::vector<double> breaks_;
 };
 
-/// @throws InvalidInput naming `field` unless the curve is given over all loads
+/// @throws InvalidInput naming `field` unless the curve covers all loads
 void require_reach(const char* field, const math::Curve& curve, core::Range loads);
 /// @throws InvalidInput unless there is stiction at both ends of the loads
 void require_friction(const friction::Law& friction, core::Range loads);
@@ -49,8 +49,9 @@ template <class T>
 }
 
 /// The law by quadrature on Chebyshev pieces, relative accuracy 1e-12; refused as `check_stiffnesses` does.
-/// @param edges ascending loads: the law's ends, and between them the places where the stiffnesses are less smooth, as far as known
-/// @param looked_over the stiffnesses are positive by construction: spares looking over the whole range (not the points of the quadrature)
+/// @param edges ascending loads: the law's ends, and between them the known places where the stiffnesses are less smooth
+/// @param looked_over the stiffnesses are positive by construction: the scan of the range is skipped (the points of the quadrature are
+/// still checked)
 [[nodiscard]] core::Outcome<SpringLawPtr> integrate_by_load(StiffnessesAt stiffnesses, const std::vector<double>& edges,
                                                             bool looked_over = false);
 

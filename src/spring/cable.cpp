@@ -27,7 +27,7 @@ private:
     Member energy_, force_, stiffness_, slope_;
 };
 
-/// A spring with its stop below and its straight continuation above. Energies go on where the spring's begin and end.
+/// A spring with its stop below and its straight continuation above. The energy is continuous.
 class BehindCable final : public Potential {
 public:
     BehindCable(PotentialPtr spring, double stop_travel)
@@ -65,7 +65,7 @@ public:
 private:
     PotentialPtr spring_;
     core::Range domain_;
-    double slack_;    ///< deflection below which the cable hangs loose [rad]
+    double slack_;    ///< deflection below which the cable is slack [rad]
     double preload_;  ///< torque at the stop [Nm]
     double stop_stiffness_, slack_energy_;
     double end_energy_, end_force_, end_stiffness_;

@@ -91,7 +91,7 @@ Catalogue parse_catalogue(std::string_view bytes, const std::string& file) {
     const auto take = [&](const Row& row) {
         CatalogueSpring entry{row.text("name"), spring_of(row)};
         if (table.has("stress_share")) entry.spring.stress_share = stress_share(row);
-        if (!names.insert(entry.name).second) throw row.fault("name", entry.name, "a name that stands once");
+        if (!names.insert(entry.name).second) throw row.fault("name", entry.name, "a unique name");
         (entry.spring.kind == BaseKind::kTorsion ? catalogue.torsion : catalogue.compression).push_back(std::move(entry));
     };
     for (std::size_t i = 0; i < table.rows(); ++i) faults.collect([&] { take(Row(table, i)); });

@@ -20,7 +20,7 @@ public:
     }
 
     [[nodiscard]] core::Range domain() const override { return domain_; }
-    /// The spring's energy and the cable's beyond what it holds at the lower end.
+    /// The energy of spring and cable above that at the lower end.
     [[nodiscard]] double energy(double deflection) const override {
         const double x = own_deflection(deflection), force = spring_->force(x);
         return spring_->energy(x) + 0.5 * compliance_ * (force * force - least_ * least_);

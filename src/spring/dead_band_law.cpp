@@ -12,7 +12,7 @@ namespace fusee::spring {
 
 namespace {
 
-/// The stiffest K_PE that a dead-band may ask for, in series stiffnesses: T = 1/1001.
+/// The stiffest K_PE allowed, in units of S: T = 1/1001.
 constexpr double kStiffestRatio = 1000.0;
 
 /// P = 2 tau_f/(g DB) and its slope by the load; S as given or chosen.
@@ -39,7 +39,7 @@ public:
         return all;
     }
     [[nodiscard]] double dead_band(double tau) const { return options_.dead_band->value(tau); }
-    /// The least dead-band that a K_PE of kStiffestRatio times S gives.
+    /// The dead-band of a K_PE of kStiffestRatio times S.
     [[nodiscard]] double least(double tau) const {
         return 2.0 * options_.friction.at_rest(tau) / (options_.ratio * kStiffestRatio * (*this)(tau).s);
     }
@@ -66,10 +66,10 @@ void validate(const DeadBandLawOptions& options) {
     core::require_within("law.start_transmission", options.start_transmission, 1.0 / (1.0 + kStiffestRatio), 0.999);
 }
 
-/// Where the dead-band is narrower than any K_PE makes it.
+/// The finding if the dead-band is narrower than the stiffest K_PE allows.
 std::optional<core::Finding> find_too_narrow(const Wanted& wanted, core::Range range) {
     const std::vector<double> loads = scan_loads(range);
-    // A series stiffness that fails is for another finding to say.
+    // An invalid series stiffness is another finding.
     const bool stiff = std::all_of(loads.begin(), loads.end(), [&](double tau) { return wanted(tau).s > 0.0; });
     std::vector<LawPoint> points;
     std::vector<double> margins;

@@ -4,9 +4,9 @@
 
 namespace fusee::spring {
 
-std::vector<LawStretch> stretches(const SpringLaw& law) {
+std::vector<LawSegment> segments(const SpringLaw& law) {
     const auto* enclosed = dynamic_cast<const EnclosedLaw*>(&law);
-    return enclosed ? enclosed->stretches() : std::vector<LawStretch>{};
+    return enclosed ? enclosed->segments() : std::vector<LawSegment>{};
 }
 
 std::vector<double> cuts(core::Range range, const std::vector<double>& places) {

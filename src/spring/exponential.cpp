@@ -26,7 +26,7 @@ public:
     }
 
 private:
-    // expm1 keeps the digits where rate x is small.
+    // expm1 keeps the digits if rate x is small.
     template <class T>
     [[nodiscard]] T energy_at(const T& x) const {
         using std::expm1;
@@ -46,7 +46,7 @@ private:
     double scale_, rate_, offset_;
 };
 
-void require_finite(const char* field, double value, bool may_be_zero) {
+void require_number(const char* field, double value, bool may_be_zero) {
     if (!std::isfinite(value) || (value == 0.0 && !may_be_zero))
         throw core::InvalidInput(field, fmt::format("{:g}", value), may_be_zero ? "a finite number" : "a finite number other than 0");
 }
@@ -54,9 +54,9 @@ void require_finite(const char* field, double value, bool may_be_zero) {
 }  // namespace
 
 PotentialPtr make_exponential(double scale, double rate, double offset) {
-    require_finite("scale", scale, false);
-    require_finite("rate", rate, false);
-    require_finite("offset", offset, true);
+    require_number("scale", scale, false);
+    require_number("rate", rate, false);
+    require_number("offset", offset, true);
     return std::make_shared<Exponential>(scale, rate, offset);
 }
 

@@ -37,7 +37,7 @@ core::Outcome<SpringLawPtr> make_free_curve(const FreeCurveOptions& options) {
         const T s_growth = derivative(*s_curve, tau, 1);
         return BasicStiffnesses<T>{s, p, s * s_growth, p * (s_growth - derivative(*ratio_curve, tau, 1))};
     };
-    constexpr bool kPositive = true;  // whatever the knots
+    constexpr bool kPositive = true;  // for any knots
     return integrate_by_load({at, options.loads}, options.loads, kPositive);
 }
 

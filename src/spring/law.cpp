@@ -16,12 +16,6 @@ namespace {
 
 constexpr std::size_t kScanPoints = 801;
 
-/// Load `i` of `count` evenly spaced ones, both ends included.
-double even_load(core::Range loads, std::size_t i, std::size_t count) {
-    const double share = static_cast<double>(i) / static_cast<double>(count - 1);
-    return i + 1 == count ? loads.high : loads.low + share * loads.width();
-}
-
 /// One condition "margin above 0" on every point of a law.
 struct Condition {
     const char* rule;
@@ -53,7 +47,7 @@ std::optional<core::Finding> judge(const Condition& condition, const std::vector
     return finding;
 }
 
-/// Those of the stiffnesses alone come first.
+/// The conditions on stiffnesses alone come first.
 const std::vector<Condition>& conditions() {
     using core::Bound;
     static const std::vector<Condition> all = {
@@ -82,7 +76,7 @@ std::vector<LawPoint> sample_by_load(const SpringLaw& law, std::size_t count) {
     const core::Range loads = law.loads();
     std::vector<LawPoint> points;
     points.reserve(count);
-    for (std::size_t i = 0; i < count; ++i) points.push_back(law.at_load(even_load(loads, i, count)));
+    for (std::size_t i = 0; i < count; ++i) points.push_back(law.at_load(loads.level(i, count)));
     return points;
 }
 
@@ -108,7 +102,7 @@ std::string nearest_feasible(const std::vector<LawPoint>& points, std::size_t fi
 
 std::vector<double> scan_loads(core::Range loads) {
     std::vector<double> result;
-    for (std::size_t i = 0; i < kScanPoints; ++i) result.push_back(even_load(loads, i, kScanPoints));
+    for (std::size_t i = 0; i < kScanPoints; ++i) result.push_back(loads.level(i, kScanPoints));
     return result;
 }
 

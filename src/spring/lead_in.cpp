@@ -59,7 +59,7 @@ public:
         if (tau >= start_) return lifted(law_->at_load(tau));
         const double load = std::max(tau, load_at(-travel_));
         const auto x = math::bracketed_root([&](double at) { return load_at(at) - load; }, -travel_, 0.0);
-        LawPoint point = tail_point<LawPoint>(x.value_or(0.0));  // nothing only when rounding puts `load` above the junction
+        LawPoint point = tail_point<LawPoint>(x.value_or(0.0));  // no root only if rounding puts `load` above the junction
         point.tau = load;
         return point;
     }
@@ -68,10 +68,10 @@ public:
         if (theta >= travel_) return lifted(law_->at_angle(theta - travel_));
         return tail_point<LawPoint>(std::max(theta, 0.0) - travel_);
     }
-    /// The lead-in by its deflection x, then the law's own.
-    [[nodiscard]] std::vector<LawStretch> stretches() const override {
-        std::vector<LawStretch> result = spring::stretches(*law_);
-        for (LawStretch& own : result) own.over = [*this, over = own.over](const math::Interval& x) { return lifted(over(x)); };
+    /// The lead-in by its deflection x, then the segments of the law.
+    [[nodiscard]] std::vector<LawSegment> segments() const override {
+        std::vector<LawSegment> result = spring::segments(*law_);
+        for (LawSegment& own : result) own.over = [*this, over = own.over](const math::Interval& x) { return lifted(over(x)); };
         if (result.empty()) return {};
         result.insert(result.begin(),
                       {{-travel_, 0.0}, [*this](const math::Interval& x) { return tail_point<LawJet>(math::Jet::parameter(x)); }});
@@ -84,7 +84,7 @@ private:
         return series_.force(x) + parallel_.force(x);
     }
 
-    /// A point of the law itself, counted from the lead-in's lower end.
+    /// A point of the law, counted from the lead-in's lower end.
     template <class Point>
     [[nodiscard]] Point lifted(Point point) const {
         point.theta += travel_;

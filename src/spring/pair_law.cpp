@@ -48,7 +48,7 @@ public:
     }
     [[nodiscard]] LawPoint at_angle(double theta) const override { return point_at(x_.low + std::clamp(theta, 0.0, x_.width())); }
     /// By the potentials' deflection.
-    [[nodiscard]] std::vector<LawStretch> stretches() const override {
+    [[nodiscard]] std::vector<LawSegment> segments() const override {
         const auto* series = dynamic_cast<const EnclosedPotential*>(pair_.series.get());
         const auto* parallel = dynamic_cast<const EnclosedPotential*>(pair_.parallel.get());
         if (!series || !parallel) return {};
@@ -61,7 +61,7 @@ public:
             second.energy -= pair.parallel->energy(low);
             return joined<LawJet>(math::Jet::parameter(x) - low, first, second);
         };
-        std::vector<LawStretch> result;
+        std::vector<LawSegment> result;
         for (std::size_t i = 0; i + 1 < places.size(); ++i) result.push_back({{places[i], places[i + 1]}, over});
         return result;
     }
@@ -115,7 +115,7 @@ core::Finding out_of_range(const char* end, double torque, core::Bound bound, do
     return finding;
 }
 
-/// The highest load, on the way from `start` to deflection x, up to which both springs are stiff: more than that the load rises.
+/// The highest load between `start` and deflection x up to which both springs are stiff, which is stricter than a rising load.
 double stiff_up_to(const Pair& pair, double x, double start) {
     const double low = pair.domain().low;
     double highest = 0.0;
@@ -138,7 +138,7 @@ core::Finding falling(const Pair& pair, double x, double start) {
     return finding;
 }
 
-/// Deflections where the load first reaches `start` and, rising on, `end`.
+/// Deflections where the load first reaches `start` and then `end`.
 core::Outcome<core::Range> find_range(const Pair& pair, double start, double end) {
     using core::Bound;
     const core::Range domain = pair.domain();

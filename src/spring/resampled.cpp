@@ -24,7 +24,7 @@ private:
 }  // namespace
 
 PotentialPtr resampled(PotentialPtr spring) {
-    // Near an asymptote the angle hardly knows the load, and the force carries that rounding: then fewer digits have to do.
+    // Near an asymptote the load is ill-conditioned in the angle, and the force has that rounding: then fewer digits must suffice.
     for (const double tolerance : {1e-13, 1e-11, 1e-9}) {
         math::PiecewiseChebyshev force([&](double x) { return spring->force(x); }, spring->domain(), {.tolerance = tolerance});
         if (!force.rough()) return std::make_shared<Resampled>(std::move(force), spring->energy(spring->domain().low));

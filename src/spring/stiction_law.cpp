@@ -46,7 +46,7 @@ public:
         return point<LawPoint>(load_at(angle), angle);
     }
     /// By the load, in one piece.
-    [[nodiscard]] std::vector<LawStretch> stretches() const override {
+    [[nodiscard]] std::vector<LawSegment> segments() const override {
         return {{loads(), [*this](const math::Interval& box) {
                      const math::Jet tau = math::Jet::parameter(box);
                      return point<LawJet>(tau, theta(log1p((tau - start_) / start_)));

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "fusee/math/statistics.h"
+
 namespace fusee::subsystem {
 
 namespace {
@@ -33,17 +35,12 @@ struct Span {
     double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
 };
 
-double median(std::vector<double> values) {
-    std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
-    return values[values.size() / 2];
-}
-
 /// The spans with the usual duration and range: an input that begins from rest or decays has none.
 std::vector<Span> usual_spans(std::vector<Span> spans) {
     if (spans.empty()) return spans;
     std::vector<double> lengths, ranges;
     for (const Span& s : spans) lengths.push_back(s.end - s.begin), ranges.push_back(s.high - s.low);
-    const double length = median(std::move(lengths)), range = median(std::move(ranges));
+    const double length = math::upper_median(std::move(lengths)), range = math::upper_median(std::move(ranges));
     std::erase_if(spans, [&](const Span& s) {
         return std::abs(s.end - s.begin - length) > kLikePeriods * length || std::abs(s.high - s.low - range) > kLikeAmplitudes * range;
     });
@@ -53,7 +50,7 @@ std::vector<Span> usual_spans(std::vector<Span> spans) {
 double median_length(const std::vector<Span>& spans) {
     std::vector<double> lengths;
     for (const Span& s : spans) lengths.push_back(s.end - s.begin);
-    return median(std::move(lengths));
+    return math::upper_median(std::move(lengths));
 }
 
 /// The measured column at `steps` even phases of one cycle, straight between rows.

@@ -7,7 +7,7 @@
 #include <map>
 
 #include "fusee/core/error.h"
-#include "fusee/math/regression.h"
+#include "fusee/math/statistics.h"
 #include "study.h"
 #include "verdicts.h"
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fusee/math/statistics.h"
+
 namespace fusee::subsystem {
 
 namespace {
@@ -49,9 +51,7 @@ private:
 double robust_deviation(const VectorXd& residuals) {
     std::vector<double> sizes(static_cast<std::size_t>(residuals.size()));
     for (std::size_t i = 0; i < sizes.size(); ++i) sizes[i] = std::abs(residuals[static_cast<Eigen::Index>(i)]);
-    const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-    std::nth_element(sizes.begin(), middle, sizes.end());
-    return std::max(kLeastDeviation, 1.4826 * *middle);
+    return std::max(kLeastDeviation, 1.4826 * math::upper_median(std::move(sizes)));
 }
 
 double huber_cost(const VectorXd& residuals, double limit) {

@@ -4,12 +4,16 @@
 #include <cmath>
 
 #include "fusee/core/turn.h"
+#include "fusee/core/vector.h"
 
 namespace fusee::toolpath {
 
 namespace {
 
+using core::cross;
+using core::dot;
 using core::kTurn;
+using core::minus;
 using solid::Arc;
 using solid::Point2;
 
@@ -18,9 +22,6 @@ constexpr int kDeepest = 12;      // halvings of a piece: 64 microradians, far b
 constexpr int kProbes = 4;        // normals at which each of the two arcs is compared with the outline
 
 Point2 normal(double psi) { return {std::cos(psi), std::sin(psi)}; }
-double dot(const Point2& a, const Point2& b) { return a[0] * b[0] + a[1] * b[1]; }
-double cross(const Point2& a, const Point2& b) { return a[0] * b[1] - a[1] * b[0]; }
-Point2 difference(const Point2& a, const Point2& b) { return {a[0] - b[0], a[1] - b[1]}; }
 
 /// The arc through `from` where its normal has the direction `begin`.
 Arc arc_from(const Point2& from, double radius, double begin, double end) {
@@ -31,8 +32,8 @@ Arc arc_from(const Point2& from, double radius, double begin, double end) {
 /// Eq. 1: r1 (n(m) - n(a)) + r2 (n(b) - n(m)) = Q - P.
 std::array<Arc, 2> biarc(const ConvexOutline& outline, double a, double b) {
     const double m = 0.5 * (a + b);
-    const Point2 P = outline(a), Q = outline(b), u = difference(normal(m), normal(a)), v = difference(normal(b), normal(m));
-    const Point2 way = difference(Q, P);
+    const Point2 P = outline(a), Q = outline(b), u = minus(normal(m), normal(a)), v = minus(normal(b), normal(m));
+    const Point2 way = minus(Q, P);
     const double area = cross(u, v);
     const Arc first = arc_from(P, cross(way, v) / area, a, m);
     return {first, arc_from(first.at(m), cross(u, way) / area, m, b)};
@@ -42,7 +43,7 @@ double support_error(const ConvexOutline& outline, const Arc& arc) {
     double worst = arc.radius_mm > 0.0 ? 0.0 : 1e9;
     for (int i = 1; i <= kProbes; ++i) {
         const double psi = arc.begin + (arc.end - arc.begin) * i / kProbes;
-        worst = std::max(worst, std::abs(dot(normal(psi), difference(outline(psi), arc.at(psi)))));
+        worst = std::max(worst, std::abs(dot(normal(psi), minus(outline(psi), arc.at(psi)))));
     }
     return worst;
 }

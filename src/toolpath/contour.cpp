@@ -15,9 +15,9 @@ namespace {
 using core::mm_from_m;
 using solid::Arc;
 
-constexpr double kStepover = 0.6;    // of rings that clear what is wider than the cutter, in cutter diameters
-constexpr double kSpare_mm = 1.0;    // of stock beyond the cutter's way
-constexpr double kLooseBore = 1.05;  // bore over cutter at least, so that a helix is left to go down
+constexpr double kContourStepover = 0.6;  // of rings that clear what is wider than the cutter, in cutter diameters
+constexpr double kSpare_mm = 1.0;         // of stock beyond the cutter's way
+constexpr double kLooseBore = 1.05;       // bore over cutter at least, so that a helix is left to go down
 
 double reach_of(const std::vector<Arc>& ring) {
     double reach = 0.0;
@@ -57,10 +57,10 @@ void mill_plate(Gcode& code, const Cutting& cutting, const Plate& plate, double 
         const double bottom = wall.bottom + (wall.bottom >= plate.thickness ? cutting.breakthrough : 0.0);
         const double room = room_between(wall.ring, plate.walls.back().ring);
         const int passes = std::max(1, static_cast<int>(std::ceil((bottom - top) / cutting.depth_per_pass - 1e-9)));
-        const int outer = std::max(0, static_cast<int>(std::ceil((room - cutting.cutter) / (kStepover * cutting.cutter))));
+        const int outer = std::max(0, static_cast<int>(std::ceil((room - cutting.cutter) / (kContourStepover * cutting.cutter))));
         for (int pass = 1; pass <= passes; ++pass)
             for (int k = outer; k >= 0; --k)  // the full slot first, the wall last
-                mill_ring(code, cutting, shifted(parallel(wall.ring, k * kStepover * cutting.cutter), x),
+                mill_ring(code, cutting, shifted(parallel(wall.ring, k * kContourStepover * cutting.cutter), x),
                           top + (bottom - top) * pass / passes);
         top = bottom;
     }

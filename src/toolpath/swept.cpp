@@ -5,6 +5,7 @@
 #include <queue>
 
 #include "fusee/core/turn.h"
+#include "fusee/core/vector.h"
 
 namespace fusee::toolpath {
 
@@ -15,8 +16,8 @@ constexpr double kSame_mm = 1e-6;  // a hundredth of what the interpreter prints
 using core::kTurn;
 
 using Vec = std::array<double, 3>;
-double dot(const Vec& a, const Vec& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Vec minus(const Vec& a, const Vec& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+using core::dot;
+using core::minus;
 
 void widen(std::optional<SweptInterval>& stretch, double low, double high) {
     if (!stretch)

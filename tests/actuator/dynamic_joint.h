@@ -11,7 +11,7 @@ struct DynamicRig {
     double joint_inertia = 0.0006;        ///< [kg m^2]
     double motor_viscous = 0.004;         ///< [Nms/rad]
     double hand_damping = 0.02;           ///< at the joint, all the time [Nms/rad]
-    double bristle_stiffness = 4000.0;    ///< [Nm/rad]: a capstan gives tau_f/4000, up to 1e-4 rad, before it slides
+    double bristle_stiffness = 4000.0;    ///< [Nm/rad]: a capstan deflects by tau_f/4000, up to 1e-4 rad, before it slides
     double bristle_damping = 0.5;         ///< [Nms/rad]: a third of critical with the motor's inertia
     double step = 2e-4;                   ///< of the integrator (semi-implicit Euler) [s]: 1/7 of the bristle's period
     double ramp_s = 6.0, hold_s = 2.0;    ///< of co-contraction and push
@@ -20,7 +20,7 @@ struct DynamicRig {
 
 struct DynamicReading {
     double q_low = 0.0, q_high = 0.0;  ///< [rad]
-    double presliding = 0.0;           ///< the most that a capstan gives before it slides, tau_f/bristle_stiffness, at the joint [rad]
+    double presliding = 0.0;           ///< greatest deflection of a capstan before it slides, tau_f/bristle_stiffness, at the joint [rad]
     [[nodiscard]] double width() const { return q_high - q_low; }
 };
 

@@ -7,11 +7,11 @@
 #include "fusee/actuator/stick_slip.h"
 #include "fusee/spring/potential.h"
 #include "fusee/spring/stiction_law.h"
+#include "with_law.h"
 
 namespace fusee::actuator {
 namespace {
 
-constexpr double kMu = 0.28;
 constexpr double kRadius = 0.03;
 
 Actuator with_springs(const core::Outcome<spring::SpringLawPtr>& law, const friction::Law& gear, double capstan_radius = kRadius) {
@@ -64,7 +64,7 @@ struct DynamicCase {
 class DynamicTest : public testing::TestWithParam<DynamicCase> {};
 
 /// The path is the limit of slow motion. What separates the two: inertia and the hand's damping (halving the speed halves it), and the
-/// capstan's give before it slides, 2e-4 of the narrowest width's share and 1e-3 at most.
+/// capstan's deflection before it slides, 2e-4 of the narrowest width's share and 1e-3 at most.
 TEST_P(DynamicTest, ProtocolAgreesAndLinearDoesNot) {
     const DynamicCase& given = GetParam();
     const Actuator actuator = given.make();

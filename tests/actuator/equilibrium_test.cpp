@@ -46,7 +46,7 @@ TEST(Equilibrium, LinearSpringsAreKnownByHand) {
     EXPECT_NEAR(pushed->z[0], (1.0 - s * g * pushed->z[2]) / (p + s), 1e-14);
 }
 
-/// Footnote 2: where stiffness is >= 0 there is one resting place, whatever the start.
+/// Footnote 2: where stiffness is >= 0 there is one resting place for any start.
 TEST(Equilibrium, IsFoundFromAnyStartOnTenThousandActuators) {
     RandomJoint random(31);
     for (int i = 0; i < 10000; ++i) {
@@ -161,7 +161,7 @@ TEST(EquilibriumRefusal, ASofteningSpringIsNamedAndStiffeningItWorks) {
     EXPECT_TRUE(find_equilibrium(joint(higher), {2.2, 2.2, 0.0}));
 }
 
-/// A stop without any give: its torque jumps from 0.1 to 1.1 Nm at 1 rad.
+/// A rigid stop: its torque jumps from 0.1 to 1.1 Nm at 1 rad.
 class Jump final : public spring::Potential {
 public:
     [[nodiscard]] core::Range domain() const override { return {0.0, 10.0}; }
@@ -217,7 +217,7 @@ TEST(Sensitivity, IsTheSlopeOfTheEquilibriumOnAThousandActuators) {
     }
 }
 
-/// Hats on: stiffness along the cable is U''/r_c^2, and the inverse of the paper's matrix stands in closed form.
+/// Hats on: stiffness along the cable is U''/r_c^2, and the inverse of the paper's matrix has a closed form.
 TEST(Sensitivity, IsThePapersClosedForm) {
     RandomJoint random(34);
     for (int i = 0; i < 1000; ++i) {
@@ -242,7 +242,7 @@ TEST(Sensitivity, CapstanEntryIsP13AndP14IsExactAtEqualCoContraction) {
     EXPECT_NEAR(m(1, 1), (u1 * u2 + u1 * u3 + u2 * u3) / (u1 * u2 * u3 + u1 * u2 * u4 + u1 * u3 * u4 + u2 * u3 * u4), 1e-16);
     // An infinitely stiff agonist, as the paper argues ...
     EXPECT_NEAR(closed_sensitivity(1e12, 1e12, u3, u4)(1, 1), 1.0 / (u3 + u4), 1e-12);
-    // ... but no approximation is needed: both torques raised alike leave the joint where it is.
+    // ... but no approximation is needed: both torques raised equally leave the joint where it is.
     const Matrix3d even = closed_sensitivity(u4, u3, u3, u4);
     EXPECT_NEAR(even(1, 0) + even(1, 1), 1.0 / (u3 + u4), 1e-16);
     EXPECT_NEAR(even(2, 0) + even(2, 1), 0.0, 1e-16);

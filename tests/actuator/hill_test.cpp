@@ -50,7 +50,7 @@ TEST(Hill, BothArrangementsAreOneMuscle) {
     }
 }
 
-// The contractile element does the same work in both: nothing about the muscle tells them apart from outside.
+// The contractile element does the same work in both: they cannot be distinguished from outside.
 TEST(Hill, ContractileElementsDoTheSameWork) {
     Muscles muscles;
     for (int i = 0; i < 100; ++i) {
@@ -144,7 +144,7 @@ TEST(PassiveTension, SharesTheStretchAtLeastEnergy) {
     }
 }
 
-// Below the greater preload one spring rests on its stop: the domain begins where both give.
+// Below the greater preload one spring rests on its stop: the domain begins where both deflect.
 TEST(PassiveTension, BeginsWhereBothSpringsGive) {
     const auto tension = passive_tension(spring::make_polynomial({0.3, 0.1}), spring::make_polynomial({0.0, 0.2}));
     EXPECT_NEAR(tension->domain().low, 1.5, 1e-14);

@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-Actuator symmetric(friction::Law friction, double ratio = 1.5) {
+Actuator symmetric_with(friction::Law friction, double ratio = 1.5) {
     return {.law = *spring::make_stiction_law({.k = 0.225, .u = 0.0012, .c = 0.265, .mu = 0.28, .start_torque = 0.6, .end_torque = 2.4}),
             .capstan_radius = 0.03,
             .joint_radius = 0.03 * ratio,
@@ -25,7 +25,7 @@ Actuator symmetric(friction::Law friction, double ratio = 1.5) {
 TEST(JointDeadBand, IsTheSymmetricOneAtEqualTorques) {
     for (const friction::Law& friction : {friction::Law::proportional(0.28), friction::Law::affine(0.02, 0.2, 0.1),
                                           friction::Law::tabulated({0.0, 0.5, 1.0, 2.0}, {0.02, 0.1, 0.25, 0.4})}) {
-        const Actuator actuator = symmetric(friction);
+        const Actuator actuator = symmetric_with(friction);
         const Joint joint = joint_of(actuator);
         for (const double tau : {1.0, 1.2, 1.5}) {
             const DeadBand one = dead_band(actuator, tau);
@@ -139,14 +139,14 @@ TEST(JointDeadBand, NoLoadsInsideReachBeyondItsEdges) {
 
 /// The frame subsystem: masses for motors, no gears. Nothing is left of the dead-band.
 TEST(JointDeadBand, VanishesWithoutGears) {
-    const JointDeadBand band = joint_dead_band(joint_of(symmetric(friction::Law::proportional(0.28)), false), 1.0, 1.0);
+    const JointDeadBand band = joint_dead_band(joint_of(symmetric_with(friction::Law::proportional(0.28)), false), 1.0, 1.0);
     EXPECT_EQ(band.linear, 0.0);
     EXPECT_NEAR(band.exact_width, 0.0, 1e-13);
     EXPECT_TRUE(band.covered);
 }
 
 TEST(JointDeadBand, SaysWhereTheLawsEnd) {
-    const Joint joint = joint_of(symmetric(friction::Law::proportional(0.28)));
+    const Joint joint = joint_of(symmetric_with(friction::Law::proportional(0.28)));
     const JointDeadBand edge = joint_dead_band(joint, 1.9, 1.9);  // rests inside, but 2.64 Nm lies beyond the law
     EXPECT_FALSE(edge.covered);
     EXPECT_TRUE(std::isnan(edge.exact_width));

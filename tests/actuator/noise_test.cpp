@@ -92,7 +92,7 @@ TEST(StationaryCovariance, SolvesTheLyapunovEquation) {
     }
 }
 
-// Noise in proportion to damping is heat: every spring then holds T/2 whatever the masses (equipartition), covariance T K^-1.
+// Noise in proportion to damping is heat: every spring then holds T/2 for any masses (equipartition), covariance T K^-1.
 TEST(StationaryCovariance, AtOneTemperatureItIsTheCompliance) {
     Random random(2);
     for (Eigen::Index n = 1; n <= 5; ++n) {
@@ -189,7 +189,7 @@ TEST(PassiveNoise, UnboundedWithoutAPathToGround) {
     const core::Finding& finding = refused.refusal().front();
     EXPECT_EQ(finding.rule, "noise.unbounded");
     EXPECT_EQ(finding.where, "motion: motor 1, joint 1");
-    EXPECT_EQ(finding.allowed, 0.01) << "a stiffness that a person understands: the one suggested";
+    EXPECT_EQ(finding.allowed, 0.01) << "the suggested stiffness";
     EXPECT_LT(finding.measured, 1e-12);
     EXPECT_NE(finding.suggestion.find("0.01 Nm/rad between"), std::string::npos) << finding.suggestion;
     path.b = 0.01;
@@ -270,13 +270,13 @@ TEST(PassiveNoise, AgreesWithATimeSimulation) {
     }
 }
 
-spring::SpringLawPtr paper_law() {
+spring::SpringLawPtr law_to_2_4() {
     return *spring::make_stiction_law({.k = 0.225, .u = 0.0012, .c = 0.265, .mu = 0.28, .start_torque = 0.6, .end_torque = 2.4});
 }
 
-Joint paper_joint() {
+Joint joint_without_friction() {
     Actuator rig;
-    rig.law = paper_law();
+    rig.law = law_to_2_4();
     rig.capstan_radius = 0.03;
     rig.joint_radius = 0.045;
     rig.least_torque = rig.peak_torque = rig.overdrive_torque = 1.0;
@@ -284,7 +284,7 @@ Joint paper_joint() {
 }
 
 TEST(JointNoise, FallsWithCocontraction) {
-    const Joint joint = paper_joint();
+    const Joint joint = joint_without_friction();
     const NoiseOptions options{.motor_inertia = 2e-3,
                                .joint_inertia = 5e-3,
                                .motor_viscous = 0.02,
@@ -303,7 +303,7 @@ TEST(JointNoise, FallsWithCocontraction) {
 
 // At one temperature the output's variance is T over the stiffness that free capstans leave, 2 g^2 S P/(S + P).
 TEST(JointNoise, AtOneTemperatureIsTheFreeCompliance) {
-    const Joint joint = paper_joint();
+    const Joint joint = joint_without_friction();
     const double temperature = 1e-4, motor = 0.02, output = 0.005, g = 1.5;
     const NoiseOptions options{.motor_inertia = 2e-3,
                                .joint_inertia = 5e-3,
@@ -312,7 +312,7 @@ TEST(JointNoise, AtOneTemperatureIsTheFreeCompliance) {
                                .motor_noise = 2.0 * temperature * motor,
                                .joint_noise = 2.0 * temperature * output};
     for (const double tau : {0.8, 1.4, 2.0}) {
-        const spring::LawPoint at = paper_law()->at_load(tau);
+        const spring::LawPoint at = law_to_2_4()->at_load(tau);
         const double s = at.s, p = at.p, deviation = (*joint_noise(joint, tau, options))(kOutput);
         EXPECT_NEAR(deviation * deviation, temperature * (s + p) / (2.0 * g * g * s * p), 1e-10 * deviation * deviation);
     }
@@ -320,17 +320,17 @@ TEST(JointNoise, AtOneTemperatureIsTheFreeCompliance) {
 
 TEST(NoiseRefusal, JointsThatDoNotRestAreRefused) {
     const NoiseOptions options{.motor_inertia = 2e-3, .joint_inertia = 5e-3, .motor_viscous = 0.02, .joint_viscous = 0.01};
-    const auto beyond = joint_noise(paper_joint(), 5.0, options);  // the law ends at 2.4 Nm
+    const auto beyond = joint_noise(joint_without_friction(), 5.0, options);  // the law ends at 2.4 Nm
     ASSERT_FALSE(beyond);
     EXPECT_EQ(beyond.refusal().front().rule, "equilibrium.outside");
-    Joint floating = paper_joint();
-    std::erase_if(floating.springs, [](const JointSpring& spring) { return spring.reach(kOutput) == 0.0; });  // no K_PE: a = b = 0
+    Joint floating = joint_without_friction();
+    std::erase_if(floating.springs, [](const JointSpring& spring) { return spring.jacobian_row(kOutput) == 0.0; });  // no K_PE: a = b = 0
     const auto free = joint_noise(floating, 0.3, options);
     ASSERT_FALSE(free);
     EXPECT_EQ(free.refusal().front().rule, "equilibrium.free");
     NoiseOptions undamped = options;
     undamped.motor_viscous = undamped.joint_viscous = 0.0;
-    const auto ringing = joint_noise(paper_joint(), 1.0, undamped);
+    const auto ringing = joint_noise(joint_without_friction(), 1.0, undamped);
     ASSERT_FALSE(ringing);
     EXPECT_EQ(ringing.refusal().front().rule, "noise.unbounded");
 }
@@ -358,7 +358,7 @@ TEST(NoiseRefusal, BadInputIsNamed) {
     path = Random(8).path();
     path.joint_inertia = 0.0;
     EXPECT_EQ(field([&] { (void)passive_noise(path); }), "joint_inertia");
-    EXPECT_EQ(field([&] { (void)joint_noise(paper_joint(), 1.0, {}); }), "motor_inertia");
+    EXPECT_EQ(field([&] { (void)joint_noise(joint_without_friction(), 1.0, {}); }), "motor_inertia");
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 
 namespace fusee::actuator {
 
-/// Antagonists whose springs all stiffen, each of the four of its own kind and size; radii and ratio at random.
+/// Antagonists whose springs all stiffen, each of the four with a random kind and size; random radii and ratio.
 class RandomJoint {
 public:
     explicit RandomJoint(unsigned seed) : random_(seed) {}

@@ -9,11 +9,11 @@
 #include "fusee/spring/cable.h"
 #include "fusee/spring/stiction_law.h"
 #include "refused.h"
+#include "with_law.h"
 
 namespace fusee::actuator {
 namespace {
 
-constexpr double kMu = 0.28;
 constexpr double kG = 1.5;
 constexpr core::Range kLevels{0.4, 1.6};
 

@@ -20,7 +20,7 @@ spring::SpringLawPtr paper_law() {
 }
 
 /// The first prototype's, up to load `end`.
-spring::SpringLawPtr prototype_law(double end) {
+spring::SpringLawPtr prototype_law_to(double end) {
     return *spring::make_pair_law(spring::make_polynomial({0.0, 0.10, 0.02}), spring::make_polynomial({0.0, 0.25, 0.03}), 0.06, end);
 }
 
@@ -72,7 +72,7 @@ TEST(ReleaseTest, ALooseCableKeepsTheReadingInsideTheExtreme) {
 TEST(ReleaseTest, AFullPushReadsTheSameWhereverTheLawsEnd) {
     int left = 0, kept = 0;
     for (double end = 1.1; end < 1.6; end += 0.005) {
-        const Actuator actuator = with_law(prototype_law(end));
+        const Actuator actuator = with_law(prototype_law_to(end));
         const ReleaseReading reading = release_test(joint_of(actuator), 0.5);
         EXPECT_TRUE(reading.strong_enough()) << end;
         EXPECT_NEAR(reading.width(), loose_cable_width(actuator, 0.5), 1.1e-3 * reading.width()) << end;
@@ -83,7 +83,7 @@ TEST(ReleaseTest, AFullPushReadsTheSameWhereverTheLawsEnd) {
     EXPECT_GT(kept, 0);
 }
 
-/// Two ways to the same joint: whatever the springs, gears and pushes, what is read is one of the places where the joint can rest.
+/// For any springs, gears and pushes the reading is a place where the joint can rest.
 TEST(ReleaseTest, ReadsWithinTheExactExtreme) {
     RandomJoint random(5);
     int covered = 0, wide = 0;
@@ -134,7 +134,7 @@ TEST(ReleaseTest, AWeakPushIsKnownForLinearSprings) {
     EXPECT_FALSE(reading.strong_enough());
 }
 
-/// The paper's springs end before a push is full: what the laws themselves bear is told beside it.
+/// The paper's springs end before a push is full: the push that the laws cover is reported too.
 TEST(ReleaseTest, SpringsThatEndFirstTellWhatTheyBear) {
     const Joint joint = joint_of(with_law(paper_law()));
     for (const double tau : {0.8, 1.0, 1.5}) {
@@ -187,7 +187,7 @@ TEST(ReleaseTest, FrameSubsystemHasNoDeadBandButItsBearings) {
 
 /// The first prototype's dead-band grows with co-contraction, the new springs' shrinks: in the reading as in the exact width.
 TEST(ReleaseTest, FirstPrototypeGrowsAndNewSpringsShrink) {
-    const Joint old_joint = joint_of(with_law(prototype_law(1.65))), new_joint = joint_of(with_law(paper_law()));
+    const Joint old_joint = joint_of(with_law(prototype_law_to(1.65))), new_joint = joint_of(with_law(paper_law()));
     const auto width = [](const Joint& joint, double tau, double push) { return release_test(joint, tau, {.push_torque = push}).width(); };
     EXPECT_GT(width(old_joint, 0.5, 0.65), 1.5 * width(old_joint, 0.25, 0.33));
     EXPECT_GT(width(old_joint, 1.0, 1.3), 1.5 * width(old_joint, 0.5, 0.65));

@@ -11,13 +11,13 @@
 #include "fusee/spring/potential.h"
 #include "fusee/spring/stiction_law.h"
 #include "refused.h"
+#include "with_law.h"
 
 namespace fusee::actuator {
 namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kMu = 0.28;
 /// The search leaves 1e-11 Nm; the softest spring here has 0.1 Nm/rad.
 constexpr double kSolved = 1e-9;
 
@@ -121,7 +121,7 @@ TEST(StickSlip, BearingFrictionGoesWithTheTension) {
         ASSERT_NE(path.sliding()[kOutput], 0.0) << push;
         double tension = 0.0;
         for (const JointSpring& spring : joint.springs)
-            if (spring.reach[kOutput] != 0.0) tension += spring.potential->force(spring.reach.dot(path.z()));
+            if (spring.jacobian_row[kOutput] != 0.0) tension += spring.potential->force(spring.jacobian_row.dot(path.z()));
         EXPECT_NEAR(spring_torques(joint, path.z())[kOutput], push - path.sliding()[kOutput] * 0.05 * tension, 1e-10) << push;  // g = 1
     }
 }

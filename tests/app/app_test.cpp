@@ -63,8 +63,8 @@ TEST_F(Program, AnImpossibleDesignEndsWith1AndWritesNothing) {
     const Ended refused = run("make t.toml");
     EXPECT_EQ(refused.code, 1);
     EXPECT_EQ(refused.out, "");
-    expect_words(refused.err, {"t.toml  refused", "required change: law.transmission", "measured 0.2 Nm, allowed at least 0.265",
-                               "law.start_torque_Nm = 0.2"});
+    expect_words(refused.err,
+                 {"t.toml  refused", "error: law.transmission", "measured 0.2 Nm, allowed at least 0.265", "law.start_torque_Nm = 0.2"});
     EXPECT_FALSE(fs::exists(folder_ / "out"));
 }
 

@@ -36,7 +36,7 @@ TEST_F(BadInput, NoSuchFile) {
 
 TEST_F(BadInput, NoToml) {
     write("t.toml", "name = \"x\"\n[rig\ngear_friction = 0.2\n");
-    expect_refused("t.toml", {"t.toml:2:", "no valid TOML"});
+    expect_refused("t.toml", {"t.toml:2:", "not valid TOML"});
     write("t.toml", "name = \"\xff\xfe\"\n");
     expect_refused("t.toml", {"t.toml:1:", "utf-8"});
     write("t.toml", std::string("\xff\xfen\0a\0", 6));
@@ -171,7 +171,7 @@ TEST_F(BadInput, AnOutFolderThatCannotBe) {
     write("out.txt", "a file");
     const Ended refused = run("make '" + fixtures::shipped("pnrvsa").string() + "' --out out.txt");
     EXPECT_EQ(refused.code, 2) << refused.all();
-    expect_words(refused.err, {"out.txt/pnrvsa", "cannot be made"});
+    expect_words(refused.err, {"out.txt/pnrvsa", "cannot be created"});
     EXPECT_EQ(core::read_file(folder_ / "out.txt"), "a file");
 }
 

@@ -25,7 +25,7 @@ TEST_F(Check, AProfileAsMakeFindsItAndNoFile) {
     const Ended checked = run("check " + pnrvsa());
     EXPECT_EQ(checked.code, 0) << checked.all();
     expect_words(checked.out,
-                 {"pnrvsa by fdm: can be made; 0 required changes", "rules passed; ", " rules not judged: spring ",
+                 {"pnrvsa by fdm: can be made: 0 errors (must be changed)", " rules passed, ", " rules not judged: spring ",
                   "not judged: spring.stress: the base spring's wire yielding (k_se); missing: k_se.spring.wire_mm and k_se.spring.coil_mm",
                   "[process] and [[limits]] of the profile"});
     EXPECT_FALSE(fs::exists(folder_ / "out"));
@@ -34,8 +34,7 @@ TEST_F(Check, AProfileAsMakeFindsItAndNoFile) {
 TEST_F(Check, ARequiredChangeEndsWith1) {
     const Ended checked = run("check " + pnrvsa() + " --process laser");
     EXPECT_EQ(checked.code, 1);
-    expect_words(checked.err,
-                 {"pnrvsa by laser: cannot be made as it is", "required change: stack.boss", "nearest feasible", "defaults of laser"});
+    expect_words(checked.err, {"pnrvsa by laser: cannot be made as it is", "error: stack.boss", "nearest feasible", "defaults of laser"});
 }
 
 TEST_F(Check, AllProcessesInOneTable) {
@@ -49,8 +48,7 @@ TEST_F(Check, AllProcessesInOneTable) {
         EXPECT_EQ(p.at("not_judged").get<int>(),
                   p.at("parts").at(0).at("not_judged").get<int>() + p.at("parts").at(1).at("not_judged").get<int>());
         for (const Json& part : p.at("parts"))
-            EXPECT_EQ(part.at("required").get<int>() > 0,
-                      part.at("binding").is_object() && part.at("binding").at("severity") == "required change");
+            EXPECT_EQ(part.at("errors").get<int>() > 0, part.at("binding").is_object() && part.at("binding").at("severity") == "error");
         EXPECT_EQ(p.at("own").get<bool>(), p.at("process") == "fdm");
     }
     const Ended one = run("check " + pnrvsa() + " --json");
@@ -59,7 +57,7 @@ TEST_F(Check, AllProcessesInOneTable) {
 
 TEST_F(Check, TheTableOfProcessesHasAColumnOfWhatWasNotJudged) {
     const Ended checked = run("check " + pnrvsa() + " --process all");
-    EXPECT_EQ(checked.out.rfind("process  part       required review not judged  what binds", 0), 0u) << checked.out;
+    EXPECT_EQ(checked.out.rfind("process  part       errors warnings not judged  binding rule", 0), 0u) << checked.out;
 }
 
 /// A rim has no groove that a plate could be too thin for.
@@ -84,7 +82,7 @@ TEST_F(Check, AMeshAndWhereInColours) {
     expect_words(good.out, {"good by fdm: can be made", "12 triangles, 10.00 x 10.00 x 10.00 mm"});
     const Ended thin = run("check " + cube("thin.obj", 0.5) + " --process fdm --out shown");
     EXPECT_EQ(thin.code, 1) << thin.all();
-    expect_words(thin.err, {"required change: mesh.wall", "measured 0.5 mm, allowed at least 0.8 mm", "thin_check.3mf"});
+    expect_words(thin.err, {"error: mesh.wall", "measured 0.5 mm, allowed at least 0.8 mm", "thin_check.3mf"});
     EXPECT_TRUE(fs::exists(folder_ / "shown" / "thin_check.3mf"));
     const Json j = Json::parse(run("check thin.obj --process all --json").out);
     EXPECT_EQ(j.at("processes").size(), 7u);
@@ -106,8 +104,7 @@ TEST_F(Check, AMeshByLimitsOfItsOwn) {
     write("ours.toml", "[[limits]]\nrule = \"mesh.wall\"\nrequired_mm = 0.4\nreview_mm = 0.6\nreason = \"coupon\"\n");
     const Ended ours = run("check thin.obj --process fdm --limits ours.toml");
     EXPECT_EQ(ours.code, 0) << ours.all();
-    expect_words(ours.out,
-                 {"review and accept: mesh.wall", "allowed at least 0.6 mm", "instead of 0.8 mm: coupon", "[[limits]] of ours.toml"});
+    expect_words(ours.out, {"warning: mesh.wall", "allowed at least 0.6 mm", "instead of 0.8 mm: coupon", "[[limits]] of ours.toml"});
     const Json j = Json::parse(run("check thin.obj --process fdm --limits ours.toml --json").out);
     const Json& findings = j.at("processes").at(0).at("parts").at(0).at("findings");
     const auto wall = std::find_if(findings.begin(), findings.end(), [](const Json& f) { return f.at("rule") == "mesh.wall"; });
@@ -152,7 +149,7 @@ TEST_F(Check, BadInputIsNamed) {
     refused("line.obj --process fdm", {"line.obj"});
     write("file", "");
     refused("a.obj --process fdm --out file", {"file: is a file, not a folder"});
-    refused("a.obj --process fdm --out file/x", {"file/x: the folder cannot be made"});
+    refused("a.obj --process fdm --out file/x", {"file/x: the folder cannot be created"});
     refused(cube("far.obj", 1e10) + " --process fdm", {"far.obj", "1e+10 mm", "1e+09 mm"});
 }
 

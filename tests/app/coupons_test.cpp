@@ -52,7 +52,7 @@ TEST_F(Program, CalibrateNamesThePlaceOfWhatIsWrong) {
     write("one.csv", "item,given,given_unit,measured,unit\nlength_x,60,mm,59.8,mm\n");
     const Ended little = run("calibrate one.csv");
     EXPECT_EQ(little.code, 1) << little.all();
-    expect_words(little.out, {"not known: shrink_x: needs 3 rows length_x of 2 lengths that differ"});
+    expect_words(little.out, {"unknown: shrink_x: needs 3 rows length_x of 2 lengths that differ"});
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ TEST_F(Program, DesignWithoutSpringsEndsWith1) {
     const Ended none = run("design t.toml --generations 20");
     EXPECT_EQ(none.code, 1);
     EXPECT_EQ(none.out, "");
-    expect_words(none.err, {"required change: design.feasible", "algorithm_1.u_Nm = [0, "});
+    expect_words(none.err, {"error: design.feasible", "algorithm_1.u_Nm = [0, "});
     EXPECT_FALSE(fs::exists(folder_ / "out" / "pnrvsa-design"));
 }
 

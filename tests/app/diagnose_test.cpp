@@ -50,8 +50,8 @@ TEST_F(Gap, DiagnosesACaseAndPredictsOtherInputs) {
     const Ended nominal = run("predict case --inputs inputs --out nominal");
     ASSERT_EQ(nominal.code, 0) << nominal.all();
     expect_words(nominal.out, {"96 rows predicted by the nominal model", "written: nominal/"});
-    EXPECT_EQ(run("predict case --effects again/diagnosis.json --inputs inputs --out foretold").code, 0);
-    EXPECT_EQ(fixtures::contents(folder_ / "foretold").size(), 1u);
+    EXPECT_EQ(run("predict case --effects again/diagnosis.json --inputs inputs --out predicted").code, 0);
+    EXPECT_EQ(fixtures::contents(folder_ / "predicted").size(), 1u);
     const std::string rows = core::read_file(folder_ / "nominal" / "breakaway.csv");
     EXPECT_EQ(std::count(rows.begin(), rows.end(), '\n'), 97);
     EXPECT_EQ(rows.find(",\n"), std::string::npos) << "an empty cell";
@@ -72,7 +72,7 @@ TEST_F(Gap, RefusesBadInputAndWritesNothing) {
     write("d.json", R"({"effects": [{"id": "no.effect", "parameter": {"value": 1}}]})");
     expect_refused("predict case --effects d.json --inputs inputs --out out", {"no.effect"});
     write("d.json", "{");
-    expect_refused("predict case --effects d.json --inputs inputs --out out", {"d.json", "no valid JSON"});
+    expect_refused("predict case --effects d.json --inputs inputs --out out", {"d.json", "not valid JSON"});
     const std::pair<std::string, std::string> bad[] = {
         {R"({"effects": [{"id": "se.radius", "side": "both", "parameter": {"value": -0.02}}]})", "-0.006 to 0.006 m"},
         {R"({"effects": [{"id": "gear.coulomb", "side": "both", "parameter": {"value": 1e400}}]})", "d.json:1:"},

@@ -18,7 +18,7 @@ TEST_F(Program, FixesAProfileBesideTheOld) {
     write("t.toml", spoiled());
     const Ended fixed = run("fix t.toml");
     ASSERT_EQ(fixed.code, 0) << fixed.all();
-    expect_words(fixed.out, {"fixed by 2 changes", "groove.depth_ratio = 0.375 (was 0.3)", "groove.depth", "the law is the same",
+    expect_words(fixed.out, {"fixed by 2 changes", "groove.depth_ratio = 0.375 (was 0.3)", "groove.depth", "the law is unchanged",
                              "written: t-fixed.toml"});
     EXPECT_EQ(core::read_file(folder_ / "t.toml"), spoiled()) << "the old profile stays as it is";
     expect_words(core::read_file(folder_ / "t-fixed.toml"),

@@ -25,7 +25,7 @@ TEST_F(Program, RowsThatAreNoGearEndWith1) {
     write("t.csv", std::string(kHead) + "a,backdrive,0.2,0.1\na,backdrive,0.5,0.25\na,backdrive,1,0.5\n");
     const Ended none = run("identify t.csv");
     EXPECT_EQ(none.code, 1) << none.all();
-    expect_words(none.out, {"no friction of a gear", "wrong side of the motor torque", "line 2, line 3, line 4"});
+    expect_words(none.out, {"is outside the range of a gear", "wrong side of the motor torque", "line 2, line 3, line 4"});
     EXPECT_TRUE(fs::exists(folder_ / "out" / "identify-t" / "identification.json"));
 }
 

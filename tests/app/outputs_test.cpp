@@ -89,8 +89,8 @@ TEST_F(Outputs, FilesThatTheUserNamesAreReplacedByForceOnly) {
     const std::string sheet = "'" + (fs::path(FUSEE_SOURCE_DIR) / "profiles/examples/coupon.csv").string() + "'";
     const std::string profile = "'" + fixtures::shipped("pnrvsa").string() + "'";
     const std::string calibrate = "calibrate " + sheet + " --profile " + profile + " --write-profile b.toml";
-    expect_refused("fix a.toml --out b.toml", {"b.toml: stands there already", "--force"});
-    expect_refused(calibrate, {"b.toml: stands there already", "--force"});
+    expect_refused("fix a.toml --out b.toml", {"b.toml: already exists", "--force"});
+    expect_refused(calibrate, {"b.toml: already exists", "--force"});
     EXPECT_EQ(core::read_file(folder_ / "b.toml"), "mine");
     EXPECT_EQ(run(calibrate + " --force").code, 0);
     EXPECT_NE(core::read_file(folder_ / "b.toml"), "mine");
@@ -130,7 +130,7 @@ TEST_F(Outputs, WhatTheEnvironmentLacksIsNamed) {
     expect_refused("make a.toml --jobs 100000", {"--jobs", "1024"});
     const Ended gone = shell("mkdir gone && cd gone && rmdir ../gone && $FUSEE make '" + (folder_ / "a.toml").string() + "' --out x");
     EXPECT_EQ(gone.code, 2) << gone.all();
-    expect_words(gone.err, {"the working folder is gone"});
+    expect_words(gone.err, {"the working folder no longer exists"});
     if (shell("command -v rs274").code != 0) GTEST_SKIP() << "rs274 is not installed";
     const Ended tmp = shell("TMPDIR=/missing/folder $FUSEE make a.toml");
     EXPECT_EQ(tmp.code, 2) << tmp.all();

@@ -28,7 +28,7 @@ TEST_F(Program, APaperOfImpossibleSpringsEndsWith1) {
     write("profiles/pnrvsa.toml", fixtures::with_key(core::read_file(fixtures::shipped("pnrvsa")), "algorithm_1.c_Nm", "[0.7, 0.8]"));
     const Ended refused = run("paper");
     EXPECT_EQ(refused.code, 1) << refused.all();
-    expect_words(refused.err, {"required change: design.feasible", "pnrvsa"});
+    expect_words(refused.err, {"error: design.feasible", "pnrvsa"});
     EXPECT_FALSE(fs::exists(folder_ / "out"));
 }
 

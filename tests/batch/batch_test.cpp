@@ -6,6 +6,8 @@
 
 #include "fusee/core/error.h"
 #include "fusee/core/progress.h"
+#include "fusee/core/units.h"
+#include "fusee/profile/find_profiles.h"
 #include "pipeline/fixture.h"
 
 namespace fusee::batch {
@@ -37,11 +39,11 @@ TEST_F(Batch, FolderStandsForItsProfilesByName) {
     write("p/notes.txt", "");
     write("p/deeper/c.toml", "");
     fs::create_directories(folder_ / "p" / "d.toml");
-    EXPECT_EQ(find_profiles({other, folder_ / "p"}), (std::vector<fs::path>{other, a, b}));
-    EXPECT_EQ(find_profiles({folder_ / "missing.toml"}), (std::vector<fs::path>{folder_ / "missing.toml"}))
+    EXPECT_EQ(profile::find_profiles({other, folder_ / "p"}), (std::vector<fs::path>{other, a, b}));
+    EXPECT_EQ(profile::find_profiles({folder_ / "missing.toml"}), (std::vector<fs::path>{folder_ / "missing.toml"}))
         << "its row says that it is missing";
-    EXPECT_THROW((void)find_profiles({folder_ / "p" / "deeper" / ".." / "d.toml"}), core::IoError) << "a folder without profiles";
-    EXPECT_EQ(find_profiles({std::string(5000, 'a')}).size(), 1u) << "no name that a file system takes";
+    EXPECT_THROW((void)profile::find_profiles({folder_ / "p" / "deeper" / ".." / "d.toml"}), core::IoError) << "a folder without profiles";
+    EXPECT_EQ(profile::find_profiles({std::string(5000, 'a')}).size(), 1u) << "no name that a file system takes";
 }
 
 TEST_F(Batch, OneFailureIsOneRowAndTheRestGoesOn) {
@@ -81,7 +83,7 @@ TEST_F(Batch, TwoProfilesOfOneNameDoNotShareAFolder) {
     EXPECT_NE(rows[1].error.find("name"), std::string::npos);
 }
 
-// What only a room below can tell still comes with file, line and key.
+// A mistake that only a module below finds still comes with file, line and key.
 TEST_F(Batch, BadInputFoundLateNamesItsLine) {
     const std::vector<Row> rows = make({design("wide", {{"k_se.hub.key_width_mm", "9.0"}}), design("slick", {{"rig.gear_friction", "0.0"}}),
                                         design("unpitched", {{"k_pe.path.kind", "\"helix\""}})},
@@ -117,14 +119,16 @@ TEST(ClosingTable, LeadsWithWhatTheUserGetsAndSaysWhatWasNotJudged) {
     Row row;
     row.outcome = Outcome::kMade;
     row.profile = "a.toml";
-    row.result.head = {{"75.5 to 20.4 deg", "dead-band at the joint"}};
+    row.result.headline.process = "fdm";
+    row.result.headline.least = {0.85, core::rad_from_deg(75.5)};
+    row.result.headline.overdrive = {1.5, core::rad_from_deg(20.4)};
     row.result.findings = {core::not_judged("spring.stress", "the wire yielding", "k_se.spring.wire_mm")};
     const std::string table = closing_table({row});
-    EXPECT_NE(table.find("0 rules passed, 0 to review; 1 rule not judged: spring 1 (`fusee check a.toml` lists what is missing)"),
+    EXPECT_NE(table.find("0 rules passed, 0 warnings; 1 rule not judged: spring 1 (`fusee check a.toml` lists what is missing)"),
               std::string::npos)
         << table;
-    EXPECT_NE(table.find("\n    75.5 to 20.4 deg  dead-band at the joint\n"), std::string::npos) << table;
-    EXPECT_EQ(table.find("rule passed, 0 to review; 0"), std::string::npos);
+    EXPECT_NE(table.find("\n    75.5 to 20.4 deg  "), std::string::npos) << table;
+    EXPECT_EQ(table.find("rule passed, 0 warnings; 0"), std::string::npos);
 }
 
 // In a process of its own: the request to stop cannot be taken back.

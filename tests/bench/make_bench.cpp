@@ -8,10 +8,10 @@
 
 #include <filesystem>
 
+#include "fusee/batch/batch.h"
 #include "fusee/core/file.h"
 #include "fusee/exchange/openscad.h"
 #include "fusee/pipeline/design.h"
-#include "fusee/pipeline/make.h"
 #include "fusee/profile/profile.h"
 
 namespace fs = std::filesystem;
@@ -40,7 +40,7 @@ profile::Profile with_formats(const char* formats) {
 void BM_Make(benchmark::State& state, const char* formats) {
     const profile::Profile profile = with_formats(formats);
     for (auto _ : state) {
-        const auto made = pipeline::make(profile, {out_folder(), pipeline::Via::kCgal});
+        const auto made = batch::make(profile, {out_folder(), pipeline::Via::kCgal});
         if (!made.made) state.SkipWithError("the profile was refused");
     }
     count_peak(state);
@@ -57,7 +57,7 @@ FORMATS(stl_step, "'stl', 'step'");
 FORMATS(all, "'stl', '3mf', 'scad', 'dxf', 'drawing', 'ngc', 'step'");
 
 void BM_OpenScad(benchmark::State& state) {
-    const auto made = pipeline::make(paper_profile(), {out_folder(), pipeline::Via::kCgal});
+    const auto made = batch::make(paper_profile(), {out_folder(), pipeline::Via::kCgal});
     for (auto _ : state)
         for (const char* part : {"k_se", "k_pe"})
             exchange::render_scad(made.folder / (std::string(part) + ".scad"), out_folder() / (std::string(part) + "_openscad.stl"));
@@ -67,16 +67,15 @@ BENCHMARK(BM_OpenScad)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations
 // Where the time of `make` goes: law and one part's design; the rest is files, read-back and reports.
 void BM_DesignLaw(benchmark::State& state) {
     const profile::Profile profile = paper_profile();
-    for (auto _ : state) benchmark::DoNotOptimize(pipeline::design_law(profile));
+    for (auto _ : state) benchmark::DoNotOptimize(pipeline::resolve(profile));
 }
 BENCHMARK(BM_DesignLaw)->Unit(benchmark::kMillisecond);
 
 void BM_DesignPart(benchmark::State& state) {
     const profile::Profile profile = paper_profile();
-    const auto law = pipeline::design_law(profile);
+    const auto design = pipeline::resolve(profile);
     for (auto _ : state)
-        benchmark::DoNotOptimize(
-            pipeline::design_part(state.range(0) == 0 ? cam::PartKind::kSeries : cam::PartKind::kParallel, profile, law->law));
+        benchmark::DoNotOptimize(pipeline::design_part(state.range(0) == 0 ? cam::PartKind::kSeries : cam::PartKind::kParallel, *design));
 }
 BENCHMARK(BM_DesignPart)->Arg(0)->Arg(1)->ArgName("k_pe")->Unit(benchmark::kMillisecond);
 

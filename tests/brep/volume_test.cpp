@@ -38,10 +38,10 @@ INSTANTIATE_TEST_SUITE_P(Brep, Shipped, testing::Values("pnrvsa", "first_prototy
 
 TEST_P(Shipped, VolumesAreReadRightByDefault) {
     const profile::Profile profile = profile::read_profile(fs::path(FUSEE_SOURCE_DIR) / "profiles" / (std::string(GetParam()) + ".toml"));
-    const auto law = pipeline::design_law(profile);
+    const auto design = pipeline::resolve(profile);
     for (const cam::PartKind kind : {cam::PartKind::kSeries, cam::PartKind::kParallel}) {
         SCOPED_TRACE(to_string(kind));
-        const auto designed = pipeline::design_part(kind, profile, law->law);
+        const auto designed = pipeline::design_part(kind, *design);
         ASSERT_TRUE(designed);
         const auto solid = build(designed->part);
         ASSERT_TRUE(solid) << core::to_line(solid.refusal().front());

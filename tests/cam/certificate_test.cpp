@@ -19,11 +19,11 @@ using namespace test;
 using math::Interval;
 using math::Jet;
 
-constexpr double kTurn = 2.0 * core::kPi;
+constexpr double kCertifiedTurn = 2.0 * core::kPi;
 
 /// A contour by hand: one working stretch over a whole turn, psi its own parameter.
 template <class Rho>
-std::vector<ContourStretch> contour(const Rho& rho, core::Range psi = {0.0, kTurn}) {
+std::vector<ContourStretch> contour(const Rho& rho, core::Range psi = {0.0, kCertifiedTurn}) {
     return {{psi, true, [rho](const Interval& box) {
                  ContourJet at;
                  at.psi = at.angle = Jet::parameter(box);
@@ -51,7 +51,7 @@ TEST(Certificate, OfAnEllipseEnclosesItsLeastRadius) {
         const Jet h = sqrt(b * b + (a * a - b * b) * cosine(psi) * cosine(psi));
         return a * a * b * b / cube(h);
     };
-    const Certificate c = certify(contour(ellipse, {-1.0, kTurn - 1.0}), false);
+    const Certificate c = certify(contour(ellipse, {-1.0, kCertifiedTurn - 1.0}), false);
     EXPECT_EQ(c.convex, Proof::kProven);
     EXPECT_LE(c.working.proven, truth);
     EXPECT_GE(c.working.found, truth);
@@ -124,7 +124,7 @@ TEST(Certificate, ProvesNothingFromPointsAlone) {
     }
 }
 
-struct Case {
+struct CertifiedCam {
     const char* name;
     ArmFunction arm;
     CamOptions options;
@@ -140,7 +140,7 @@ CamOptions towards(GuideKind kind, PathKind path = PathKind::kPlanar, Lead lead 
 }
 
 /// Every kind of law, guide and path.
-std::vector<Case> cases() {
+std::vector<CertifiedCam> cases() {
     const auto led_in = spring::with_lead_in(stiction_law(), 0.05).value();
     const auto wanted = spring::make_dead_band_law({.dead_band = math::make_formula("dead_band", "0.838*tau^-2.2", "tau", {0.6, 2.09}),
                                                     .series_stiffness = math::make_formula("s", "0.22*tau^2", "tau", {0.6, 2.09}),
@@ -175,7 +175,7 @@ std::vector<Case> cases() {
 TEST(Certificate, BoundsThePathItself) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> share(0.0, 1.0);
-    for (const Case& item : cases()) {
+    for (const CertifiedCam& item : cases()) {
         SCOPED_TRACE(item.name);
         const auto made = synthesize_cam(item.arm, item.options);
         ASSERT_TRUE(made) << made.refusal().front().what << made.refusal().front().suggestion;
@@ -198,7 +198,7 @@ TEST(Certificate, BoundsThePathItself) {
 }
 
 TEST(Certificate, IsTightForEveryKindOfLawAndPath) {
-    for (const Case& item : cases()) {
+    for (const CertifiedCam& item : cases()) {
         SCOPED_TRACE(item.name);
         const Cam cam = synthesize_cam(item.arm, item.options).value();
         const Certificate c = certify(cam);

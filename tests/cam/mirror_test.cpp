@@ -21,7 +21,7 @@ struct Place {
 };
 void PrintTo(const Place& place, std::ostream* out) { *out << place.name; }
 
-CamOptions helix(double pitch, Hand hand = Hand::kRight) {
+CamOptions helix_of_pitch(double pitch, Hand hand = Hand::kRight) {
     CamOptions o;
     o.path.kind = PathKind::kHelix;
     o.path.pitch = pitch;
@@ -104,7 +104,7 @@ TEST_P(Mirrored, IsCertifiedAlike) {
 }
 
 TEST(Mirrored, OfAHelixHasTheOtherHand) {
-    const Cam right = synthesize_cam(long_parallel_arm(), helix(4e-3)).value(), left = mirrored(right);
+    const Cam right = synthesize_cam(long_parallel_arm(), helix_of_pitch(4e-3)).value(), left = mirrored(right);
     EXPECT_FALSE(left_handed(right));
     EXPECT_TRUE(left_handed(left));
     EXPECT_EQ(left.options.path.hand, Hand::kLeft);
@@ -115,7 +115,7 @@ TEST(Mirrored, OfAHelixHasTheOtherHand) {
 // An aimed groove climbs to its guide on either side: its image is what is synthesized for the mirrored options.
 TEST(Mirrored, OfAnAimedHelixStillPointsAtItsGuide) {
     for (const double z : {0.02, -0.02}) {
-        CamOptions o = helix(0.0);
+        CamOptions o = helix_of_pitch(0.0);
         o.path.lead = Lead::kAimedAtGuide;
         o.guide = {GuideKind::kPoint, core::kPi / 2.0, 0.15, 0.0, 1, z};
         const Cam cam = synthesize_cam(long_parallel_arm(), o).value(), other = mirrored(cam);
@@ -130,7 +130,7 @@ TEST(Mirrored, OfAnAimedHelixStillPointsAtItsGuide) {
 // Known: the hand changes heights alone. Right-handed z = p (psi - low)/turn, left-handed z = p (high - psi)/turn.
 TEST(LeftHand, ChangesHeightsAlone) {
     for (const int torque_sign : {1, -1}) {
-        CamOptions o = helix(4e-3), other = helix(4e-3, Hand::kLeft);
+        CamOptions o = helix_of_pitch(4e-3), other = helix_of_pitch(4e-3, Hand::kLeft);
         o.torque_sign = other.torque_sign = torque_sign;
         const Cam right = synthesize_cam(long_parallel_arm(), o).value(), left = synthesize_cam(long_parallel_arm(), other).value();
         EXPECT_EQ(left.options.torque_sign, torque_sign);
@@ -150,7 +150,7 @@ TEST(LeftHand, ChangesHeightsAlone) {
 }
 
 TEST(LeftHand, IsNothingThatAnAimedGrooveCanChoose) {
-    CamOptions o = helix(0.0, Hand::kLeft);
+    CamOptions o = helix_of_pitch(0.0, Hand::kLeft);
     o.path.lead = Lead::kAimedAtGuide;
     o.guide = {GuideKind::kPoint, core::kPi / 2.0, 0.15, 0.0, 1, 0.02};
     EXPECT_EQ(field_refused([&] { return synthesize_cam(long_parallel_arm(), o); }), "k_pe.path.hand");

@@ -34,21 +34,21 @@ const Along kPaths[] = {{"planar", PathKind::kPlanar, Lead::kConstantPitch},
                         {"pitch", PathKind::kHelix, Lead::kConstantPitch},
                         {"aimed", PathKind::kHelix, Lead::kAimedAtGuide}};
 
-struct Case {
+struct SurveyedCam {
     Towards towards;
     Along along;
     PartKind part;
     double turns;
     int torque_sign;
 };
-std::string name_of(const Case& c) {
+std::string name_of(const SurveyedCam& c) {
     return std::string(to_string(c.part)) + "_" + c.towards.name + "_" + c.along.name + "_" +
            std::to_string(static_cast<int>(10 * c.turns)) + (c.torque_sign < 0 ? "_back" : "");
 }
-void PrintTo(const Case& c, std::ostream* out) { *out << name_of(c); }
+void PrintTo(const SurveyedCam& c, std::ostream* out) { *out << name_of(c); }
 
-std::vector<Case> all_cases() {
-    std::vector<Case> all;
+std::vector<SurveyedCam> all_cases() {
+    std::vector<SurveyedCam> all;
     for (const Towards& towards : kGuides)
         for (const Along& along : kPaths)
             for (const PartKind part : {PartKind::kSeries, PartKind::kParallel})
@@ -91,11 +91,11 @@ double taut_arm(const Cam& cam, const Contact& contact) {
     return best;
 }
 
-class Survey : public testing::TestWithParam<Case> {};
+class Survey : public testing::TestWithParam<SurveyedCam> {};
 INSTANTIATE_TEST_SUITE_P(Cam, Survey, testing::ValuesIn(all_cases()), [](const auto& one) { return name_of(one.param); });
 
 TEST_P(Survey, IsMadeConvexAndHasItsArm) {
-    const Case& c = GetParam();
+    const SurveyedCam& c = GetParam();
     CamOptions o;
     o.guide = c.towards.guide;
     o.torque_sign = c.torque_sign;

@@ -69,7 +69,7 @@ TEST_F(CoDesignProblem, TheProfilesOwnDesignIsJudgedByWhatTheSearchIsHeldTo) {
     double excess = 0.0;
     for (const Limit& limit : trial.limits) excess += std::max(0.0, limit.excess());
     EXPECT_NEAR(trial.violation, excess + 20.0, 1e-9) << "cams and rules, which are not asked any more, count besides";
-    EXPECT_NEAR(trial.dead_band[0], actuator::dead_band(pipeline::actuator_of(own, pipeline::design_law(own)->law), 1.0).exact_width, 1e-9);
+    EXPECT_NEAR(trial.dead_band[0], actuator::dead_band(pipeline::resolve(own)->actuator, 1.0).exact_width, 1e-9);
 }
 
 TEST_F(CoDesignProblem, TheDesignThatWasFoundKeepsEveryLimitAndTheIssuesFigures) {

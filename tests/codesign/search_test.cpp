@@ -12,6 +12,7 @@
 #include "fusee/pipeline/design.h"
 #include "fusee/pipeline/make.h"
 #include "pipeline/fixture.h"
+#include "written.h"
 
 namespace fusee::codesign {
 namespace {
@@ -57,17 +58,15 @@ protected:
 };
 
 TEST_F(CoDesignRun, FindsADesignThatMakeAcceptsAndSaysWhatLimitsIt) {
-    const RunResult result = run_co_design(read(), into("out"));
-    ASSERT_TRUE(result.found);
+    const Written result = written(run_co_design, read(), into("out"));
+    ASSERT_TRUE(result.found());
     const auto files = files_in(result.folder);
     ASSERT_TRUE(files.contains("small-best.toml") && files.contains("design.json") && files.contains("design.html"));
     const profile::Profile best = profile::read_profile(result.folder / "small-best.toml");
-    const pipeline::MakeResult made = pipeline::make(best, {.out = folder_ / "made"});
-    EXPECT_TRUE(made.made);
-    EXPECT_FALSE(core::any_error(made.findings));
+    const pipeline::Verification made = pipeline::verify(best);
+    EXPECT_TRUE(made.passed());
 
-    const auto law = pipeline::design_law(best);
-    const double width = actuator::dead_band(pipeline::actuator_of(best, law->law), 1.0).exact_width;
+    const double width = actuator::dead_band(pipeline::resolve(best)->actuator, 1.0).exact_width;
     const auto json = nlohmann::json::parse(files.at("design.json"));
     EXPECT_EQ(json["method"], "co_design");
     EXPECT_NEAR(json["figures"][0]["found"].get<double>(), core::deg_from_rad(width), 1e-6);
@@ -76,8 +75,8 @@ TEST_F(CoDesignRun, FindsADesignThatMakeAcceptsAndSaysWhatLimitsIt) {
 
 TEST_F(CoDesignRun, SameBytesOnAnyNumberOfThreadsAndWhenResumed) {
     const profile::Profile profile = read();
-    ASSERT_TRUE(run_co_design(profile, into("one", 1)).found);
-    ASSERT_TRUE(run_co_design(profile, into("three", 3)).found);
+    ASSERT_TRUE(written(run_co_design, profile, into("one", 1)).found());
+    ASSERT_TRUE(written(run_co_design, profile, into("three", 3)).found());
     EXPECT_EQ(files_in(folder_ / "one/small-design"), files_in(folder_ / "three/small-design"));
 
     RunOptions stopped = into("parts");
@@ -86,20 +85,21 @@ TEST_F(CoDesignRun, SameBytesOnAnyNumberOfThreadsAndWhenResumed) {
     EXPECT_TRUE(run_co_design(profile, stopped).interrupted);
     RunOptions resumed = into("parts");
     resumed.resume = true;
-    ASSERT_TRUE(run_co_design(profile, resumed).found);
+    ASSERT_TRUE(written(run_co_design, profile, resumed).found());
     EXPECT_EQ(files_in(folder_ / "one/small-design"), files_in(folder_ / "parts/small-design"));
 }
 
 TEST_F(CoDesignRun, MinimisedOverAShopsScatterItsCostIsWhatBuiltJointsHaveAndTheirSpringsReach) {
     const auto robust = [](const profile::Profile& best, double torque) {
-        const design::Drawing drawing{pipeline::actuator_of(best, pipeline::design_law(best)->law), best.k_se.spring, best.k_pe.spring};
+        const design::Drawing drawing{pipeline::resolve(best)->actuator, best.k_se.spring, best.k_pe.spring};
         return design::robust_dead_band(drawing, torque, {.rate_se = 0.05, .rate_pe = 0.05, .contour = 0.05e-3, .friction = 0.05});
     };
-    const RunResult built = run_co_design(
-        read({{"design.generations", "30"}, {"co_design.figure", "\"percentile_95\""}, {"co_design.scatter_friction", "0.05"}}),
-        into("built"));
-    const RunResult drawn = run_co_design(read(), into("drawn"));
-    ASSERT_TRUE(built.found && drawn.found);
+    const Written built =
+        written(run_co_design,
+                read({{"design.generations", "30"}, {"co_design.figure", "\"percentile_95\""}, {"co_design.scatter_friction", "0.05"}}),
+                into("built"));
+    const Written drawn = written(run_co_design, read(), into("drawn"));
+    ASSERT_TRUE(built.found() && drawn.found());
     const profile::Profile best = profile::read_profile(built.folder / "small-best.toml");
     const auto json = nlohmann::json::parse(core::read_file(built.folder / "design.json"));
     const double mean = 0.5 * (robust(best, 1.0).band.high + robust(best, 1.5).band.high);
@@ -110,8 +110,8 @@ TEST_F(CoDesignRun, MinimisedOverAShopsScatterItsCostIsWhatBuiltJointsHaveAndThe
 }
 
 TEST_F(CoDesignRun, WhatCannotBeNamesTheLimitsAndWritesNothing) {
-    const RunResult result = run_co_design(read({{"design.generations", "3"}, {"co_design.contour_radius_mm", "5.0"}}), into("out"));
-    EXPECT_FALSE(result.found);
+    const Written result = written(run_co_design, read({{"design.generations", "3"}, {"co_design.contour_radius_mm", "5.0"}}), into("out"));
+    EXPECT_FALSE(result.found());
     EXPECT_FALSE(fs::exists(folder_ / "out/small-design"));
     ASSERT_FALSE(result.findings.empty());
     EXPECT_TRUE(std::any_of(result.findings.begin(), result.findings.end(),
@@ -120,12 +120,12 @@ TEST_F(CoDesignRun, WhatCannotBeNamesTheLimitsAndWritesNothing) {
 }
 
 TEST_F(CoDesignRun, EachPointOfAFrontIsAProfileThatMakeAccepts) {
-    const RunResult result = run_pareto(read({{"design.population", "8"}}), into("out"));
-    ASSERT_TRUE(result.found);
+    const Written result = written(run_pareto, read({{"design.population", "8"}}), into("out"));
+    ASSERT_TRUE(result.found());
     const auto files = files_in(result.folder);
     ASSERT_TRUE(files.contains("pareto.csv") && files.contains("pareto.html") && files.contains("pareto/01.toml"));
     const profile::Profile first = profile::read_profile(result.folder / "pareto/01.toml");
-    EXPECT_TRUE(pipeline::make(first, {.out = folder_ / "made"}).made);
+    EXPECT_TRUE(pipeline::verify(first).passed());
     // as many rows as profiles; a wider dead-band buys more travel
     const core::CsvTable table = core::read_csv(result.folder / "pareto.csv", {{"figure_deg"}, {"travel_rad"}});
     EXPECT_EQ(table.rows() + 3, files.size());  // and the CSV, the page and the manifest
@@ -136,8 +136,8 @@ TEST_F(CoDesignRun, EachPointOfAFrontIsAProfileThatMakeAccepts) {
 }
 
 TEST_F(CoDesignRun, AFrontAgainstSizeTradesOneForTheOther) {
-    const RunResult result = run_pareto(read({{"design.population", "8"}, {"co_design.against", "\"size\""}}), into("out"));
-    ASSERT_TRUE(result.found);
+    const Written result = written(run_pareto, read({{"design.population", "8"}, {"co_design.against", "\"size\""}}), into("out"));
+    ASSERT_TRUE(result.found());
     const core::CsvTable table = core::read_csv(result.folder / "pareto.csv", {{"figure_deg"}, {"radius_mm"}});
     for (std::size_t i = 1; i < table.rows(); ++i) {
         EXPECT_GE(table.numbers("figure_deg")[i], table.numbers("figure_deg")[i - 1]);

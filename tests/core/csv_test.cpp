@@ -16,7 +16,7 @@ const std::vector<CsvColumn> kColumns{{"side", CsvColumn::Kind::kText},
                                       {"note", CsvColumn::Kind::kText, false},
                                       {"length_m", CsvColumn::Kind::kNumber, false}};
 
-std::string refusal(const std::string& bytes, const CsvOptions& options = {}) {
+std::string csv_refusal(const std::string& bytes, const CsvOptions& options = {}) {
     try {
         (void)parse_csv(bytes, "t.csv", kColumns, options);
     } catch (const InputError& e) {
@@ -45,40 +45,42 @@ TEST(Csv, PassesOverMarkCommentsBlankLinesSpacesAndForeignLineEnds) {
 
 TEST(Csv, RefusesCellsAndNamesThePlace) {
     const std::string head = "side,torque_Nm,length_m\n";
-    EXPECT_EQ(refusal(head + "a,,1\n"), "t.csv:2:3: torque_Nm: (missing) (allowed: a finite number in every row)");
-    EXPECT_EQ(refusal(head + "a\n"), "t.csv:2:2: torque_Nm: (missing) (allowed: a finite number in every row)");
-    EXPECT_EQ(refusal(head + "a,1\n"), "t.csv:2:4: length_m: (missing) (allowed: a finite number in every row)");
-    EXPECT_EQ(refusal(head + "a,1,1\n , 1,1\n"), "t.csv:3:2: side: (missing) (allowed: a text in every row)");
-    EXPECT_EQ(refusal(head + "\"a\",1,1\n"), "t.csv:2:1: side: '\"a\"' (allowed: a text without quotation marks)");
+    EXPECT_EQ(csv_refusal(head + "a,,1\n"), "t.csv:2:3: torque_Nm: (missing) (allowed: a finite number in every row)");
+    EXPECT_EQ(csv_refusal(head + "a\n"), "t.csv:2:2: torque_Nm: (missing) (allowed: a finite number in every row)");
+    EXPECT_EQ(csv_refusal(head + "a,1\n"), "t.csv:2:4: length_m: (missing) (allowed: a finite number in every row)");
+    EXPECT_EQ(csv_refusal(head + "a,1,1\n , 1,1\n"), "t.csv:3:2: side: (missing) (allowed: a text in every row)");
+    EXPECT_EQ(csv_refusal(head + "\"a\",1,1\n"), "t.csv:2:1: side: '\"a\"' (allowed: a text without quotation marks)");
     for (const std::string wrong : {"nan", "inf", "-inf", "1e999", "1 Nm", "0x10", "+-1", "1,5e", "one", "--1", "1.0.0"})
-        EXPECT_NE(refusal(head + "a," + wrong + ",1\n").find("t.csv:2:"), std::string::npos) << wrong;
-    EXPECT_EQ(refusal(head + "a,1,1,2\n"), "t.csv:2:7: row: '2' (allowed: three columns)");
-    EXPECT_EQ(refusal(head + "a,\x1B[2J,1\n"), "t.csv:2:3: torque_Nm: '\\x1b[2J' (allowed: a finite number with a decimal point)");
-    const std::string shown = refusal(head + "a," + std::string(100'000, 'x') + ",1\n");
+        EXPECT_NE(csv_refusal(head + "a," + wrong + ",1\n").find("t.csv:2:"), std::string::npos) << wrong;
+    EXPECT_EQ(csv_refusal(head + "a,1,1,2\n"), "t.csv:2:7: row: '2' (allowed: three columns)");
+    EXPECT_EQ(csv_refusal(head + "a,\x1B[2J,1\n"), "t.csv:2:3: torque_Nm: '\\x1b[2J' (allowed: a finite number with a decimal point)");
+    const std::string shown = csv_refusal(head + "a," + std::string(100'000, 'x') + ",1\n");
     EXPECT_NE(shown.find("xxx... (100000 characters)'"), std::string::npos);
     EXPECT_LT(shown.size(), 200u);
 }
 
-TEST(Csv, TellsAllBadCellsAtOnce) {
-    EXPECT_EQ(refusal("side,torque_Nm,length_m\na,,1\nb,2,x\nc\nd,4,4,4\n,nan,5\nf,6,6\n"),
+TEST(Csv, ReportsAllBadCellsAtOnce) {
+    EXPECT_EQ(csv_refusal("side,torque_Nm,length_m\na,,1\nb,2,x\nc\nd,4,4,4\n,nan,5\nf,6,6\n"),
+              "6 mistakes:\n"
               "t.csv:2:3: torque_Nm: (missing) (allowed: a finite number in every row)\n"
               "t.csv:3:5: length_m: 'x' (allowed: a finite number with a decimal point)\n"
               "t.csv:4:2: torque_Nm: (missing) (allowed: a finite number in every row)\n"
               "t.csv:5:7: row: '4' (allowed: three columns)\n"
               "t.csv:6:1: side: (missing) (allowed: a text in every row)\n"
               "t.csv:6:2: torque_Nm: 'nan' (allowed: a finite number with a decimal point)");
-    EXPECT_EQ(refusal("x,x,note,note\n", {.extra_columns = false}),
+    EXPECT_EQ(csv_refusal("x,x,note,note\n", {.extra_columns = false}),
+              "4 mistakes:\n"
               "t.csv:1:1: header: 'x' (allowed: 'side,torque_Nm,note,length_m')\n"
               "t.csv:1:3: header: 'x' (allowed: every column once)\n"
               "t.csv:1:3: header: 'x' (allowed: 'side,torque_Nm,note,length_m')\n"
               "t.csv:1:14: header: 'side,torque_Nm' (missing) (allowed: 'side,torque_Nm,note,length_m')");
 }
 
-TEST(Csv, OfManyBadCellsTheFirstTwentyAreTold) {
+TEST(Csv, OfManyBadCellsTheFirstTwentyAreReported) {
     std::string csv = "side,torque_Nm\n";
     for (int i = 0; i < 500; ++i) csv += "a,\n";
-    const std::string all = refusal(csv + "b,1\n");
-    EXPECT_EQ(std::count(all.begin(), all.end(), '\n'), 20);
+    const std::string all = csv_refusal(csv + "b,1\n");
+    EXPECT_EQ(std::count(all.begin(), all.end(), '\n'), 21);
     EXPECT_TRUE(
         all.ends_with("t.csv:21:3: torque_Nm: (missing) (allowed: a finite number in every row)\nt.csv: and 480 more (allowed: none)"))
         << all;
@@ -94,7 +96,7 @@ TEST(Csv, ThinsByAConstantStrideAndChecksWhatItLeavesOut) {
     EXPECT_EQ(t.numbers("torque_Nm"), (std::vector<double>{0, 4, 8, 12, 16, 20}));
     EXPECT_EQ(t.texts("side"), (std::vector<std::string>{"a0", "a4", "a8", "a12", "a16", "a20"}));
     EXPECT_EQ(t.line(1), 6u);
-    EXPECT_EQ(refusal(csv + "a,x\n", few), "t.csv:23:3: torque_Nm: 'x' (allowed: a finite number with a decimal point)");
+    EXPECT_EQ(csv_refusal(csv + "a,x\n", few), "t.csv:23:3: torque_Nm: 'x' (allowed: a finite number with a decimal point)");
     EXPECT_EQ(parse_csv(csv, "t.csv", kColumns, {.most_kept = 21}).stride(), 1u);
 }
 
@@ -105,7 +107,7 @@ TEST(Csv, RowsBeyondASpanAreCheckedOnly) {
     EXPECT_EQ(t.numbers("torque_Nm"), (std::vector<double>{5, 6, 7, 7}));
     EXPECT_EQ(t.rows_beyond_span(), 1u);
     EXPECT_EQ(t.rows_read(), 5u);
-    EXPECT_EQ(refusal(csv + "f,9\ng,\n", span), "t.csv:8:3: torque_Nm: (missing) (allowed: a finite number in every row)");
+    EXPECT_EQ(csv_refusal(csv + "f,9\ng,\n", span), "t.csv:8:3: torque_Nm: (missing) (allowed: a finite number in every row)");
 }
 
 TEST(Csv, AnEmptyCellMayBeAllowed) {
@@ -116,19 +118,19 @@ TEST(Csv, AnEmptyCellMayBeAllowed) {
 }
 
 TEST(Csv, RefusesHeaders) {
-    EXPECT_EQ(refusal(""), "t.csv:1:1: header: (missing) (allowed: 'side,torque_Nm,note,length_m')");
-    EXPECT_EQ(refusal("# nothing\n\n"), "t.csv:1:1: header: (missing) (allowed: 'side,torque_Nm,note,length_m')");
-    EXPECT_EQ(refusal("torque_Nm,x\n1,2\n"), "t.csv:1:12: header: 'side' (missing) (allowed: 'side,torque_Nm,note,length_m')");
-    EXPECT_EQ(refusal("side,torque_Nm,side\n"), "t.csv:1:16: header: 'side' (allowed: every column once)");
-    EXPECT_EQ(refusal("side,x,torque_Nm\na,1,1\n", {.extra_columns = false}),
+    EXPECT_EQ(csv_refusal(""), "t.csv:1:1: header: (missing) (allowed: 'side,torque_Nm,note,length_m')");
+    EXPECT_EQ(csv_refusal("# nothing\n\n"), "t.csv:1:1: header: (missing) (allowed: 'side,torque_Nm,note,length_m')");
+    EXPECT_EQ(csv_refusal("torque_Nm,x\n1,2\n"), "t.csv:1:12: header: 'side' (missing) (allowed: 'side,torque_Nm,note,length_m')");
+    EXPECT_EQ(csv_refusal("side,torque_Nm,side\n"), "t.csv:1:16: header: 'side' (allowed: every column once)");
+    EXPECT_EQ(csv_refusal("side,x,torque_Nm\na,1,1\n", {.extra_columns = false}),
               "t.csv:1:6: header: 'x' (allowed: 'side,torque_Nm,note,length_m')");
 }
 
 TEST(Csv, RefusesTooFewAndTooManyRows) {
-    EXPECT_EQ(refusal("side,torque_Nm\n"), "t.csv:1:1: rows: 0 (allowed: at least 1)");
-    EXPECT_EQ(refusal("side,torque_Nm\na,1\n", {.least_rows = 2}), "t.csv:2:1: rows: 1 (allowed: at least 2)");
-    EXPECT_EQ(refusal("side,torque_Nm\na,1\na,2\na,3\n", {.most_rows = 2}), "t.csv:4:1: rows: more (allowed: at most 2)");
-    EXPECT_EQ(refusal("side,torque_Nm\na,1\na,2\n", {.most_rows = 2}), "none");
+    EXPECT_EQ(csv_refusal("side,torque_Nm\n"), "t.csv:1:1: rows: 0 (allowed: at least 1)");
+    EXPECT_EQ(csv_refusal("side,torque_Nm\na,1\n", {.least_rows = 2}), "t.csv:2:1: rows: 1 (allowed: at least 2)");
+    EXPECT_EQ(csv_refusal("side,torque_Nm\na,1\na,2\na,3\n", {.most_rows = 2}), "t.csv:4:1: rows: more (allowed: at most 2)");
+    EXPECT_EQ(csv_refusal("side,torque_Nm\na,1\na,2\n", {.most_rows = 2}), "none");
 }
 
 TEST(Csv, ReadsAFileUpToItsLimit) {
@@ -155,7 +157,7 @@ TEST(Csv, PiecesOfAFileGiveWhatTheWholeGives) {
     EXPECT_EQ(read.line(30'000), 30'002u);
     EXPECT_EQ(hash.hex(), sha256_hex(csv));
     std::filesystem::remove(path);
-    EXPECT_EQ(refusal("side,torque_Nm\n" + std::string(2'000'000, 'x')), "t.csv:2:1: line: longer (allowed: at most 1000000 bytes)");
+    EXPECT_EQ(csv_refusal("side,torque_Nm\n" + std::string(2'000'000, 'x')), "t.csv:2:1: line: longer (allowed: at most 1000000 bytes)");
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ TEST(Finding, BrokenOrNotANumberGetsTheSeverity) {
 
 TEST(Finding, LineNamesRuleMeasuredAllowedAndChange) {
     const std::string line = to_line(judged(bend(6.0), Severity::kError));
-    for (const char* word : {"required change", "cable.bend_ratio", "6", "at least 8", "a thinner cable"})
+    for (const char* word : {"error: ", "cable.bend_ratio", "6", "at least 8", "a thinner cable"})
         EXPECT_NE(line.find(word), std::string::npos) << word << " in " << line;
 }
 

@@ -6,11 +6,11 @@
 
 #include "refused.h"
 
-// JSON by anybody: what cannot be read is refused with its place.
+// Third-party JSON: errors name their place.
 namespace fusee::core {
 namespace {
 
-std::string refusal(const std::string& json) {
+std::string json_refusal(const std::string& json) {
     try {
         (void)parse_json(json, "d.json");
     } catch (const InvalidInput& e) {
@@ -27,21 +27,21 @@ TEST(ParseJson, GivesWhatStandsThere) {
 }
 
 TEST(ParseJson, RefusalsNameTheLineAndTheColumn) {
-    EXPECT_EQ(refusal("{\n \"a\": ]\n}"), "d.json:2:7: JSON: no valid JSON (allowed: JSON as RFC 8259 has it)");
-    EXPECT_NE(refusal("").find("d.json:1:1: JSON: no valid JSON"), std::string::npos);
-    EXPECT_NE(refusal("{").find("d.json:1:2"), std::string::npos);
-    EXPECT_EQ(refusal("{\"a\": 1,\n \"b\": 1e400}"), "d.json:2:7: JSON: 1e400 (allowed: a number of at most 1.798e+308)");
-    EXPECT_NE(refusal("[-1e999]").find("d.json:1:2: JSON: -1e999"), std::string::npos);
-    EXPECT_NE(refusal("[NaN]").find("no valid JSON"), std::string::npos);
+    EXPECT_EQ(json_refusal("{\n \"a\": ]\n}"), "d.json:2:7: JSON: not valid JSON (allowed: JSON by RFC 8259)");
+    EXPECT_NE(json_refusal("").find("d.json:1:1: JSON: not valid JSON"), std::string::npos);
+    EXPECT_NE(json_refusal("{").find("d.json:1:2"), std::string::npos);
+    EXPECT_EQ(json_refusal("{\"a\": 1,\n \"b\": 1e400}"), "d.json:2:7: JSON: 1e400 (allowed: a number of at most 1.798e+308)");
+    EXPECT_NE(json_refusal("[-1e999]").find("d.json:1:2: JSON: -1e999"), std::string::npos);
+    EXPECT_NE(json_refusal("[NaN]").find("not valid JSON"), std::string::npos);
 }
 
 TEST(ParseJson, DepthIsBounded) {
     const auto nested = [](std::size_t depth) { return std::string(depth, '[') + std::string(depth, ']'); };
-    EXPECT_EQ(refusal(nested(kDeepestJson)), "accepted");
-    EXPECT_EQ(refusal(nested(kDeepestJson + 1)), "d.json:1:65: JSON: nested 65 deep or more (allowed: at most 64 deep)");
-    EXPECT_NE(refusal(nested(100'000)).find("nested"), std::string::npos);
-    EXPECT_NE(refusal(std::string(100'000, '[')).find("nested"), std::string::npos);
-    EXPECT_EQ(refusal("\"" + std::string(1000, '[') + "\\\"" + std::string(1000, '{') + "\""), "accepted");
+    EXPECT_EQ(json_refusal(nested(kDeepestJson)), "accepted");
+    EXPECT_EQ(json_refusal(nested(kDeepestJson + 1)), "d.json:1:65: JSON: nested 65 deep or more (allowed: at most 64 deep)");
+    EXPECT_NE(json_refusal(nested(100'000)).find("nested"), std::string::npos);
+    EXPECT_NE(json_refusal(std::string(100'000, '[')).find("nested"), std::string::npos);
+    EXPECT_EQ(json_refusal("\"" + std::string(1000, '[') + "\\\"" + std::string(1000, '{') + "\""), "accepted");
 }
 
 TEST(JsonNode, NamesTheKeyOfWhatItRefuses) {
@@ -62,6 +62,24 @@ TEST(JsonNode, NamesTheKeyOfWhatItRefuses) {
                   return 0;
               }),
               "d.json: top.t");
+}
+
+TEST(JsonNode, ReadsSignsCountsWordsAndVectors) {
+    const nlohmann::ordered_json json = parse_json(R"({"s": -1, "n": 3, "t": "x", "v": [1, 2], "e": []})", "d.json");
+    const JsonNode root = JsonNode::of_file(json, "d.json");
+    EXPECT_EQ(root["s"].sign(), -1);
+    EXPECT_EQ(root["n"].count(), 3u);
+    EXPECT_EQ(root["n"].number_at_least(3.0), 3.0);
+    EXPECT_EQ(root["t"].one_of({"x", "y"}), "x");
+    EXPECT_EQ(root["v"].vector<2>(), (std::array{1.0, 2.0}));
+    EXPECT_TRUE(root["e"].cells().empty());
+    EXPECT_EQ(field_refused([&] { return root["n"].sign(); }), "d.json: n");
+    EXPECT_EQ(field_refused([&] { return root["s"].count(); }), "d.json: s");
+    EXPECT_EQ(field_refused([&] { return root["n"].number_at_least(4.0); }), "d.json: n");
+    EXPECT_EQ(field_refused([&] { return root["t"].one_of({"y"}); }), "d.json: t");
+    EXPECT_EQ(field_refused([&] { return root["v"].vector<3>(); }), "d.json: v");
+    EXPECT_EQ(field_refused([&] { return root["e"].cells(1); }), "d.json: e");
+    EXPECT_EQ(field_refused([&] { return root["z"]; }), "d.json: z");
 }
 
 TEST(JsonNode, ALongValueIsShortened) {

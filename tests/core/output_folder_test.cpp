@@ -146,11 +146,11 @@ TEST_F(OutputFolderTest, AFileThatFuseeDidNotMakeIsNeverReplaced) {
     EXPECT_THROW(OutputFolder(out_, forced), IoError) << "known before the work";
     fs::remove(out_ / "k_se.step");
     fs::create_directory(out_ / "k_se.step");
-    expect_refused({{"k_se.step", "2"}}, run(), {"out/k_se.step", "no regular file"});
+    expect_refused({{"k_se.step", "2"}}, run(), {"out/k_se.step", "not a regular file"});
     fs::remove(out_ / "k_se.step");
     write_file(folder_ / "elsewhere", "mine");
     fs::create_symlink(folder_ / "elsewhere", out_ / "k_se.step");
-    expect_refused({{"k_se.step", "2"}}, run(), {"no regular file"});
+    expect_refused({{"k_se.step", "2"}}, run(), {"not a regular file"});
     EXPECT_EQ(read_file(folder_ / "elsewhere"), "mine");
 }
 
@@ -178,7 +178,7 @@ TEST_F(OutputFolderTest, FoldersInsideComeAndGo) {
     fs::remove_all(out_ / "case_1");
     fs::create_directories(folder_ / "elsewhere");
     fs::create_directory_symlink(folder_ / "elsewhere", out_ / "case_1");
-    expect_refused({{"case_1/case.toml", "3"}}, run(), {"case_1", "is no folder"});
+    expect_refused({{"case_1/case.toml", "3"}}, run(), {"case_1", "is not a folder"});
     EXPECT_TRUE(fs::is_empty(folder_ / "elsewhere"));
 }
 
@@ -251,7 +251,7 @@ TEST_F(OutputFolderTest, RunsAtTheSameTimeAllEndWell) {
     EXPECT_EQ(end.at("a"), end.at("b"));
 }
 
-/// Runs `work` in a process of its own and kills it after so many microseconds.
+/// Runs `work` in a separate process and kills it after so many microseconds.
 void killed_after(useconds_t delay, const std::function<void()>& work) {
     const pid_t child = ::fork();
     if (child == 0) {

@@ -165,7 +165,7 @@ private:
     }
     [[nodiscard]] double output_sensitivity(const NumericSprings& springs, double tau) const { return sensitivity(springs, tau, 2); }
 
-    /// P(3): each side's stiction moves the joint both ways by dq/dtau tau_f; both sides are alike, so that the full width is four times
+    /// P(3): each side's stiction moves the joint both ways by dq/dtau tau_f; both sides are equal, so that the full width is four times
     /// that of one side's one way.
     [[nodiscard]] double dead_band(const NumericSprings& springs, double tau) const {
         const double width = 4.0 * std::abs(sensitivity(springs, tau, 0)) * rig_.mu * tau;

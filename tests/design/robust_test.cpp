@@ -121,7 +121,7 @@ TEST(Robust, DerivativesAreThoseOfBuiltActuators) {
                                             {.rate = -pe.rate, .radius = -pe.radius, .preload = 0.0}, kMu * (1.0 - mu));
             return 0.5 * (more - less);
         };
-        // By symmetry each side moves the width alike, so a source's sigma is sqrt(2) times one side's.
+        // By symmetry each side moves the width equally, so a source's sigma is sqrt(2) times one side's.
         const auto near = [&](double source, double difference, double step) {
             EXPECT_NEAR(source, std::sqrt(2.0) * std::abs(difference) / step, 1e-5 * source) << tau;
         };

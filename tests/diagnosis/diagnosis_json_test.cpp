@@ -99,7 +99,7 @@ TEST(DiagnosisJson, RefusalsNameTheKey) {
     const auto expect = [&](const std::string& json, const std::string& words) {
         EXPECT_NE(refusal(json).find(words), std::string::npos) << refusal(json);
     };
-    expect("{", "d.json:1:2: JSON: no valid JSON");
+    expect("{", "d.json:1:2: JSON: not valid JSON");
     expect("[]", "d.json: diagnosis: [] (allowed: an object)");
     expect(R"({"effects": [{"id": "a", "parameter": {"value": 1e400}}]})", "d.json:1:49: JSON: 1e400 (allowed: a number of at most");
     expect(std::string(100'000, '['), "d.json:1:65: JSON: nested 65 deep or more");

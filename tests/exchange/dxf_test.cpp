@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "exchange/fixtures/disc.h"
-#include "exchange/fixtures/expect_io_error.h"
+#include "exchange/fixtures/expect_refusal.h"
 #include "fusee/core/file.h"
 
 namespace fusee::exchange {
@@ -69,7 +69,7 @@ TEST_F(DxfTest, RefusesBrokenFilesByName) {
     core::write_file(folder_ / "fewer.dxf", fewer);
     core::write_file(folder_ / "empty.dxf", "");
     for (const char* name : {"cut.dxf", "inches.dxf", "fewer.dxf", "empty.dxf", "missing.dxf"})
-        fixtures::expect_io_error([&] { (void)read_dxf(folder_ / name); }, {name});
+        fixtures::expect_refusal([&] { (void)read_dxf(folder_ / name); }, {name});
 }
 
 TEST_F(DxfTest, OutlinesOfADiscStayWithinAMicrometre) {
@@ -109,7 +109,7 @@ TEST_F(DxfTest, SplinesComeBackExactlyAndBrokenOnesAreRefused) {
     std::string bytes = core::read_file(folder_ / "a.dxf");
     bytes.erase(bytes.find(" 40\n", bytes.find("SPLINE\n  5")), std::string(" 40\n0\n").size());
     core::write_file(folder_ / "fewer.dxf", bytes);
-    fixtures::expect_io_error([&] { (void)read_dxf(folder_ / "fewer.dxf"); }, {"fewer.dxf", "SPLINE"});
+    fixtures::expect_refusal([&] { (void)read_dxf(folder_ / "fewer.dxf"); }, {"fewer.dxf", "SPLINE"});
 }
 
 // Law: half the kerf outwards on the flange, inwards on every side of the bore and its key.

@@ -2,7 +2,7 @@
 #include <sys/stat.h>
 
 #include "exchange/fixtures/disc.h"
-#include "exchange/fixtures/expect_io_error.h"
+#include "exchange/fixtures/expect_refusal.h"
 #include "exchange/fixtures/zip.h"
 #include "fusee/core/file.h"
 #include "fusee/exchange/mesh_isolated.h"
@@ -24,12 +24,12 @@ protected:
         return folder_ / name;
     }
     static void expect(const std::filesystem::path& path, std::initializer_list<std::string> words) {
-        fixtures::expect_io_error([&] { (void)read_mesh_file(path); }, words);
+        fixtures::expect_refusal([&] { (void)read_mesh_file(path); }, words);
     }
     /// A STEP file of one disc.
     std::string step() const {
         const cam::Cam cam = solid::test::disc(12e-3, 3e-3, 0.8e-3);
-        write_step(folder_ / "whole.step", brep::build(solid::build_part(cam, solid::test::plain()).value()).value(), "k_se", "anybody");
+        write_step(folder_ / "whole.step", brep::build(solid::build_part(cam, solid::test::plain()).value()).value(), "k_se", "foreign");
         return core::read_file(folder_ / "whole.step");
     }
     const solid::Mesh cube_ = solid::prism({{0, 0}, {10, 0}, {10, 10}, {0, 10}}, 0.0, 10.0);
@@ -42,7 +42,7 @@ TEST_F(Hostile, StepReferencesAreResolvedFirst) {
     const std::string number = whole.substr(begin, whole.find(' ', begin) - begin);
     const auto path = write("point.step", whole.substr(0, begin) + whole.substr(end + 1));
     expect(path, {"point.step", "line ", number + " is referred to, but the file does not hold it"});
-    fixtures::expect_io_error([&] { (void)StepFile(path); }, {"point.step", number});
+    fixtures::expect_refusal([&] { (void)StepFile(path); }, {"point.step", number});
     expect(write("twice.step", whole.substr(0, end + 1) + whole.substr(begin)), {number + " is defined twice"});
 }
 
@@ -104,8 +104,9 @@ TEST_F(Hostile, NamesWithMarkupComeBack) {
 
 TEST_F(Hostile, DeepJsonIsNoPart) {
     for (const char bracket : {'[', '{'})
-        fixtures::expect_io_error([&] { (void)read_part_file(write("a.json", std::string(100'000, bracket))); }, {"a.json", "100 deep"});
-    fixtures::expect_io_error([&] { (void)read_part_file(write("b.json", "{\"part\": \"[[\\\"[[\"")); }, {"b.json", "is not JSON"});
+        fixtures::expect_refusal([&] { (void)read_part_file(write("a.json", std::string(100'000, bracket))); },
+                                 {"a.json", "at most 64 deep"});
+    fixtures::expect_refusal([&] { (void)read_part_file(write("b.json", "{\"part\": \"[[\\\"[[\"")); }, {"b.json:1:", "not valid JSON"});
 }
 
 /// Readers that are no fusee: what becomes of the child is said of the file.
@@ -113,7 +114,7 @@ class Apart : public Hostile {
 protected:
     void expect_of(const std::string& script, std::initializer_list<std::string> words) const {
         const auto path = write("a.step", "ISO-10303-21;");
-        fixtures::expect_io_error([&] { (void)read_mesh_isolated(path, {"/bin/sh", "-c", script}); }, words);
+        fixtures::expect_refusal([&] { (void)read_mesh_isolated(path, {"/bin/sh", "-c", script}); }, words);
     }
 };
 
@@ -128,7 +129,7 @@ TEST_F(Apart, ACrashIsTheFilesFault) {
 }
 
 TEST_F(Apart, TheReaderIsGivenTheFile) {
-    write_stl(folder_ / "a b.stl", cube_, "anybody");
+    write_stl(folder_ / "a b.stl", cube_, "foreign");
     // What serve_mesh_file would send: no unit, one point, no triangle.
     const std::string script = "test -f \"$0\" && printf 'M\\0\\0\\0\\0\\0\\0\\0\\0\\1\\0\\0\\0\\0\\0\\0\\0' && head -c 32 /dev/zero";
     const MeshFile file = read_mesh_isolated(folder_ / "a b.stl", {"/bin/sh", "-c", script});

@@ -5,7 +5,7 @@
 #include <cstring>
 
 #include "exchange/fixtures/disc.h"
-#include "exchange/fixtures/expect_io_error.h"
+#include "exchange/fixtures/expect_refusal.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/exchange/step.h"
@@ -16,7 +16,7 @@
 #include "fusee/solid/validity.h"
 #include "solid/fixture.h"
 
-// Files by anybody: every format comes in as it is, and what is broken is named.
+// Third-party files: every format comes in as it is, and what is broken is named.
 namespace fusee::exchange {
 namespace {
 
@@ -30,14 +30,14 @@ protected:
     }
     /// @param corners of each triangle, as "x y z"
     std::string text_stl(const solid::Mesh& mesh) const {
-        std::string text = "solid anybody\n";
+        std::string text = "solid foreign\n";
         for (const solid::Triangle& t : mesh.triangles) {
             text += "facet normal 0 0 0\nouter loop\n";
             for (const std::uint32_t p : t)
                 text += fmt::format("vertex {} {} {}\n", mesh.points_mm[p][0], mesh.points_mm[p][1], mesh.points_mm[p][2]);
             text += "endloop\nendfacet\n";
         }
-        return text + "endsolid anybody\n";
+        return text + "endsolid foreign\n";
     }
     static void expect_cube(const MeshFile& file, double side = 10.0) {
         EXPECT_EQ(file.mesh.points_mm.size(), 8u);
@@ -47,7 +47,7 @@ protected:
 };
 
 TEST_F(MeshFileTest, ReadsStlOfBothKinds) {
-    write_stl(folder_ / "a.STL", cube_, "anybody");
+    write_stl(folder_ / "a.STL", cube_, "foreign");
     expect_cube(read_mesh_file(folder_ / "a.STL"));
     expect_cube(read_mesh_file(write("b.stl", text_stl(cube_))));
 }
@@ -64,7 +64,7 @@ TEST_F(MeshFileTest, ReadsObjWithFacesOfFourCorners) {
 TEST_F(MeshFileTest, ReadsEveryItemOf3mf) {
     solid::Mesh other = cube_;
     for (solid::Vec3& p : other.points_mm) p[0] += 20.0;
-    write_3mf(folder_ / "a.3mf", {{"one", cube_}, {"two", other}}, "anybody");
+    write_3mf(folder_ / "a.3mf", {{"one", cube_}, {"two", other}}, "foreign");
     const MeshFile file = read_mesh_file(folder_ / "a.3mf");
     EXPECT_EQ(file.mesh.triangles.size(), 24u);
     EXPECT_NEAR(solid::volume_mm3(file.mesh), 2000.0, 1e-3);
@@ -74,7 +74,7 @@ TEST_F(MeshFileTest, ReadsEveryItemOf3mf) {
 TEST_F(MeshFileTest, TessellatesStep) {
     const cam::Cam cam = solid::test::disc(12e-3, 3e-3, 0.8e-3);
     const brep::Brep brep = brep::build(solid::build_part(cam, solid::test::plain()).value()).value();
-    write_step(folder_ / "a.stp", brep, "k_se", "anybody");
+    write_step(folder_ / "a.stp", brep, "k_se", "foreign");
     const MeshFile file = read_mesh_file(folder_ / "a.stp");
     EXPECT_TRUE(solid::validate(file.mesh).good()) << solid::validate(file.mesh).line();
     // chords within 0.01 mm of a surface of about 1500 mm^2
@@ -86,31 +86,31 @@ TEST_F(MeshFileTest, ColoursOf3mfComeBack) {
     std::vector<Colour> colours(12, kGrey);
     colours[3] = {215, 25, 28};
     colours[7] = {253, 174, 97};
-    write_coloured_3mf(folder_ / "a.3mf", cube_, colours, "cube", "anybody");
+    write_coloured_3mf(folder_ / "a.3mf", cube_, colours, "cube", "foreign");
     EXPECT_EQ(read_3mf_colours(folder_ / "a.3mf"), colours);
     expect_cube(read_mesh_file(folder_ / "a.3mf"));
-    write_coloured_3mf(folder_ / "b.3mf", cube_, colours, "cube", "anybody");
+    write_coloured_3mf(folder_ / "b.3mf", cube_, colours, "cube", "foreign");
     EXPECT_EQ(core::read_file(folder_ / "a.3mf"), core::read_file(folder_ / "b.3mf"));
 }
 
 TEST_F(MeshFileTest, ABrokenSurfaceIsColouredToo) {
     solid::Mesh open = cube_;
     open.triangles.pop_back();
-    write_coloured_3mf(folder_ / "a.3mf", open, std::vector<Colour>(11, Colour{215, 25, 28}), "open", "anybody");
+    write_coloured_3mf(folder_ / "a.3mf", open, std::vector<Colour>(11, Colour{215, 25, 28}), "open", "foreign");
     EXPECT_EQ(read_3mf_colours(folder_ / "a.3mf").size(), 11u);
-    EXPECT_THROW(write_coloured_3mf(folder_ / "b.3mf", open, {}, "open", "anybody"), core::InvalidInput);
+    EXPECT_THROW(write_coloured_3mf(folder_ / "b.3mf", open, {}, "open", "foreign"), core::InvalidInput);
 }
 
 TEST_F(MeshFileTest, NamesWhatIsWrong) {
     const auto expect = [&](const std::filesystem::path& path, const std::string& word) {
-        fixtures::expect_io_error([&] { (void)read_mesh_file(path); }, {path.filename().string(), word});
+        fixtures::expect_refusal([&] { (void)read_mesh_file(path); }, {path.filename().string(), word});
     };
     expect(folder_ / "missing.stl", "cannot be opened");
     for (const char* name : {"empty.stl", "empty.obj", "empty.3mf", "empty.step"}) expect(write(name, ""), "");
     const std::string text = text_stl(cube_);
     expect(write("cut.stl", text.substr(0, text.size() / 2)), "endsolid");
     expect(write("none.stl", "solid none\nendsolid none\n"), "holds no triangles");
-    write_stl(folder_ / "b.stl", cube_, "anybody");
+    write_stl(folder_ / "b.stl", cube_, "foreign");
     std::string bytes = core::read_file(folder_ / "b.stl");
     expect(write("short.stl", bytes.substr(0, bytes.size() - 10)), "bytes for 12 triangles");
     const float nan = std::numeric_limits<float>::quiet_NaN();

@@ -1,7 +1,7 @@
 #include "fusee/exchange/part_file.h"
 
 #include "exchange/fixtures/disc.h"
-#include "exchange/fixtures/expect_io_error.h"
+#include "exchange/fixtures/expect_refusal.h"
 #include "fusee/core/file.h"
 
 namespace fusee::exchange {
@@ -87,12 +87,12 @@ struct Broken {
 TEST_F(PartFileTest, RefusesBrokenFilesByFileAndKey) {
     write_part_file(folder_ / "whole.json", sample("idler"));
     const std::string bytes = core::read_file(folder_ / "whole.json");
-    const std::vector<Broken> cases{{R"("rotation_sign": -1,)", "", "rotation_sign is missing"},
-                                    {R"("torque_sign": 1)", R"("torque_sign": 2)", "torque_sign must be 1 or -1"},
+    const std::vector<Broken> cases{{R"("rotation_sign": -1,)", "", "rotation_sign: missing"},
+                                    {R"("torque_sign": 1)", R"("torque_sign": 2)", "torque_sign: 2 (allowed: 1 or -1)"},
                                     {R"("kind": "idler")", R"("kind": "belt")", "guide.kind"},
-                                    {R"("radius_mm": 6.0)", R"("radius_mm": "6")", "guide.radius_mm must be a number"},
+                                    {R"("radius_mm": 6.0)", R"("radius_mm": "6")", "guide.radius_mm: \"6\" (allowed: a number)"},
                                     {R"("preload_rad": 4.0)", R"("preload_rad": null)", "spring.preload_rad"},
-                                    {R"("angle_rad": 0.0)", R"("angle_red": 0.0)", "target[0].angle_rad is missing"},
+                                    {R"("angle_rad": 0.0)", R"("angle_red": 0.0)", "target[0].angle_rad: missing"},
                                     {R"("name": "k_pe.stl")", R"("name": "../k_pe.stl")", "files[0].name"},
                                     {R"("triangles": 40000)", R"("triangles": -1)", "files[0].triangles"}};
     for (const Broken& c : cases) {
@@ -101,11 +101,11 @@ TEST_F(PartFileTest, RefusesBrokenFilesByFileAndKey) {
         ASSERT_NE(at, std::string::npos) << c.pattern;
         text.replace(at, std::string(c.pattern).size(), c.replacement);
         core::write_file(folder_ / "broken.json", text);
-        fixtures::expect_io_error([&] { (void)read_part_file(folder_ / "broken.json"); }, {"broken.json", c.key});
+        fixtures::expect_refusal([&] { (void)read_part_file(folder_ / "broken.json"); }, {"broken.json", c.key});
     }
     core::write_file(folder_ / "cut.json", bytes.substr(0, bytes.size() / 2));
-    fixtures::expect_io_error([&] { (void)read_part_file(folder_ / "cut.json"); }, {"cut.json"});
-    fixtures::expect_io_error([&] { (void)read_part_file(folder_ / "missing.json"); }, {"missing.json"});
+    fixtures::expect_refusal([&] { (void)read_part_file(folder_ / "cut.json"); }, {"cut.json"});
+    fixtures::expect_refusal([&] { (void)read_part_file(folder_ / "missing.json"); }, {"missing.json"});
 }
 
 }  // namespace

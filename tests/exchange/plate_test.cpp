@@ -1,7 +1,7 @@
 #include "fusee/exchange/plate.h"
 
 #include "exchange/fixtures/disc.h"
-#include "exchange/fixtures/expect_io_error.h"
+#include "exchange/fixtures/expect_refusal.h"
 #include "fusee/core/file.h"
 #include "fusee/exchange/three_mf.h"
 
@@ -67,7 +67,7 @@ TEST_F(PlateTest, ThreeMfHoldsEveryObjectByName) {
         for (std::size_t k = 0; k < 3; ++k)  // printed to 1e-6 mm, from single precision (2^-18 mm at 85 mm)
             EXPECT_NEAR(solid::bounding_box(back[i].mesh).low_mm[k], solid::bounding_box(objects[i].mesh).low_mm[k], 6e-6);
     }
-    fixtures::expect_io_error([&] { (void)read_3mf(folder_ / "plate.3mf"); }, {"plate.3mf", "more than one"});
+    fixtures::expect_refusal([&] { (void)read_3mf(folder_ / "plate.3mf"); }, {"plate.3mf", "more than one"});
     write_3mf(folder_ / "again.3mf", objects, "fusee test");
     EXPECT_EQ(core::read_file(folder_ / "again.3mf"), core::read_file(folder_ / "plate.3mf"));
 }
@@ -80,10 +80,10 @@ TEST_F(PlateTest, RefusesBrokenFilesByNameAndKey) {
         core::write_file(folder_ / "plate.json", text);
         return [this] { (void)read_plate_file(folder_ / "plate.json"); };
     };
-    fixtures::expect_io_error(with("\"turned_deg\": 90", "\"turned_deg\": 45"), {"plate.json", "objects[1].turned_deg", "0 or 90"});
-    fixtures::expect_io_error(with("\"flipped_deg\": 180", "\"flipped_deg\": 90"), {"plate.json", "objects[1].flipped_deg", "0 or 180"});
-    fixtures::expect_io_error(with("\"spacing_mm\"", "\"space_mm\""), {"plate.json", "spacing_mm is missing"});
-    fixtures::expect_io_error(with("plate.3mf", "../plate.3mf"), {"plate.json", "file.name"});
+    fixtures::expect_refusal(with("\"turned_deg\": 90", "\"turned_deg\": 45"), {"plate.json", "objects[1].turned_deg", "0 or 90"});
+    fixtures::expect_refusal(with("\"flipped_deg\": 180", "\"flipped_deg\": 90"), {"plate.json", "objects[1].flipped_deg", "0 or 180"});
+    fixtures::expect_refusal(with("\"spacing_mm\"", "\"space_mm\""), {"plate.json", "spacing_mm: missing"});
+    fixtures::expect_refusal(with("plate.3mf", "../plate.3mf"), {"plate.json", "file.name"});
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 
 #include "exchange/fixtures/disc.h"
 #include "exchange/fixtures/distance.h"
-#include "exchange/fixtures/expect_io_error.h"
+#include "exchange/fixtures/expect_refusal.h"
 #include "exchange/fixtures/parts.h"
 #include "fusee/core/file.h"
 #include "fusee/exchange/openscad.h"
@@ -95,13 +95,13 @@ TEST_F(ScadTest, RefusesAnUnknownPlaceholder) {
     }
     std::filesystem::remove(folder_ / "k_se.scad");
     core::write_file(folder_ / "library.scad", "");
-    fixtures::expect_io_error([&] { write_scad(folder_ / "a.scad", build(part_cases().front()), "", folder_); }, {"k_se.scad"});
+    fixtures::expect_refusal([&] { write_scad(folder_ / "a.scad", build(part_cases().front()), "", folder_); }, {"k_se.scad"});
 }
 
 TEST_F(ScadTest, RenderFailuresSayWhatOpenScadSaid) {
     const auto fails = [&](const char* text, std::chrono::seconds timeout, const char* word) {
         core::write_file(folder_ / "bad.scad", text);
-        fixtures::expect_io_error([&] { render_scad(folder_ / "bad.scad", folder_ / "bad.stl", timeout); }, {"bad.scad", word});
+        fixtures::expect_refusal([&] { render_scad(folder_ / "bad.scad", folder_ / "bad.stl", timeout); }, {"bad.scad", word});
         EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_), {}), 1);  // no STL, no leftovers
     };
     fails("cube(", std::chrono::seconds(60), "syntax error");

@@ -4,7 +4,7 @@
 #include <thread>
 
 #include "exchange/fixtures/disc.h"
-#include "exchange/fixtures/expect_io_error.h"
+#include "exchange/fixtures/expect_refusal.h"
 #include "fusee/brep/mirror.h"
 #include "fusee/core/file.h"
 #include "solid/fixture.h"
@@ -92,7 +92,7 @@ TEST_F(StepTest, RefusesBrokenFilesByName) {
     core::write_file(folder_ / "text.step", "not STEP");
     core::write_file(folder_ / "empty.step", "");
     for (const char* name : {"cut.step", "text.step", "empty.step", "missing.step"})
-        fixtures::expect_io_error([&] { (void)StepFile(folder_ / name); }, {name});
+        fixtures::expect_refusal([&] { (void)StepFile(folder_ / name); }, {name});
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "exchange/fixtures/disc.h"
-#include "exchange/fixtures/expect_io_error.h"
+#include "exchange/fixtures/expect_refusal.h"
 #include "fusee/core/file.h"
 
 namespace fusee::exchange {
@@ -63,7 +63,7 @@ TEST_F(StlTest, RefusesBrokenFilesByName) {
     core::write_file(folder_ / "short.stl", "fusee");
     for (const Read read : readers_)
         for (const char* name : {"cut.stl", "long.stl", "nan.stl", "none.stl", "short.stl", "missing.stl"})
-            fixtures::expect_io_error([&] { (void)read(folder_ / name); }, {name});
+            fixtures::expect_refusal([&] { (void)read(folder_ / name); }, {name});
 }
 
 TEST_F(StlTest, OpenMeshRefusesWhatIsNotManifold) {
@@ -72,7 +72,7 @@ TEST_F(StlTest, OpenMeshRefusesWhatIsNotManifold) {
     const solid::Triangle t = fin.triangles.back();
     fin.triangles.push_back({t[0], t[1], static_cast<std::uint32_t>(fin.points_mm.size() - 1)});
     write_stl(folder_ / "fin.stl", fin, "fusee test");
-    fixtures::expect_io_error([&] { (void)read_stl_openmesh(folder_ / "fin.stl"); }, {"fin.stl", "not manifold"});
+    fixtures::expect_refusal([&] { (void)read_stl_openmesh(folder_ / "fin.stl"); }, {"fin.stl", "not manifold"});
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include <thread>
 
 #include "exchange/fixtures/disc.h"
-#include "exchange/fixtures/expect_io_error.h"
+#include "exchange/fixtures/expect_refusal.h"
 #include "fusee/core/file.h"
 
 namespace fusee::exchange {
@@ -54,7 +54,7 @@ TEST_F(ThreeMfTest, RefusesBrokenFilesByName) {
     core::write_file(folder_ / "text.3mf", "not a zip");
     core::write_file(folder_ / "empty.3mf", "");
     for (const char* name : {"cut.3mf", "text.3mf", "empty.3mf", "missing.3mf"})
-        fixtures::expect_io_error([&] { (void)read_3mf(folder_ / name); }, {name});
+        fixtures::expect_refusal([&] { (void)read_3mf(folder_ / name); }, {name});
 }
 
 }  // namespace

@@ -11,8 +11,8 @@
 #include "bad_profiles.h"
 #include "fusee/checks/check.h"
 #include "fusee/core/file.h"
+#include "fusee/fix/fix.h"
 #include "fusee/pipeline/check.h"
-#include "fusee/pipeline/fix.h"
 
 namespace fs = std::filesystem;
 using namespace fusee;
@@ -28,18 +28,18 @@ core::Severity objection(const profile::Profile& profile, const std::string& rul
     return gravest;
 }
 
-std::string names(const report::Fix& fixed) {
+std::string names(const fix::Fix& fixed) {
     std::set<std::string> all;
-    if (fixed.end == report::Fix::End::kCannot)
+    if (fixed.end == fix::Fix::End::kCannot)
         for (const core::Finding& f : fixed.left) all.insert("`" + f.rule + "`");
     else
-        for (const report::FixChange& change : fixed.changes) all.insert(fmt::format("`{}` {} -> {}", change.key, change.from, change.to));
+        for (const fix::Change& change : fixed.changes) all.insert(fmt::format("`{}` {} -> {}", change.key, change.from, change.to));
     return fmt::format("{}", fmt::join(all, ", "));
 }
 
 /// The columns "ends" and "how" of the table; counts the ends.
-std::string ended(const report::Fix& fixed, const pipeline::FixOptions& options, std::map<std::string, int>& ends) {
-    const bool cannot = fixed.end == report::Fix::End::kCannot;
+std::string ended(const fix::Fix& fixed, const fix::Options& options, std::map<std::string, int>& ends) {
+    const bool cannot = fixed.end == fix::Fix::End::kCannot;
     const bool gave_up = cannot && (fixed.judged >= options.most_judged || fixed.made >= options.most_made);
     const char* end = gave_up ? "gives up" : cannot ? "names the limit" : "fixed";
     ++ends[end];
@@ -47,16 +47,16 @@ std::string ended(const report::Fix& fixed, const pipeline::FixOptions& options,
 }
 
 /// Breaks the rule and fixes it. @returns what is wrong; empty: nothing
-std::string try_one(const fix_each_rule::BadProfile& bad, const fs::path& folder, std::map<std::string, int>& ends) {
+std::string fix_one(const fix_each_rule::BadProfile& bad, const fs::path& folder, std::map<std::string, int>& ends) {
     core::write_file(folder / (bad.rule + ".toml"), bad.toml);
     const profile::Profile profile = profile::parse_profile(bad.toml, folder / (bad.rule + ".toml"));
     const core::Severity severity = objection(profile, bad.rule);
     if (severity < core::Severity::kWarning) return "is not broken";
-    const pipeline::FixOptions options{.file = folder / (bad.rule + "-fixed.toml"), .reviews = severity == core::Severity::kWarning};
-    const report::Fix fixed = pipeline::fix(profile, bad.toml, options);
-    const char* word = options.reviews ? "review" : "required";
+    const fix::Options options{.file = folder / (bad.rule + "-fixed.toml"), .reviews = severity == core::Severity::kWarning};
+    const fix::Fix fixed = fix::find_fix(profile, bad.toml, options);
+    const char* word = options.reviews ? "warning" : "error";
     fmt::print("| `{}` | {} | {} |\n", bad.rule, word, ended(fixed, options, ends));
-    if (fixed.end == report::Fix::End::kCannot) return fixed.left.empty() ? "cannot be met, and nothing says why" : "";
+    if (fixed.end == fix::Fix::End::kCannot) return fixed.left.empty() ? "cannot be met, and nothing says why" : "";
     if (objection(profile::parse_profile(fixed.toml, options.file), bad.rule) >= severity) return "objects to what is called fixed";
     return "";
 }
@@ -74,18 +74,18 @@ int main(int argc, char** argv) {
                   fs::copy_options::overwrite_existing);
     const std::set<std::string> only(argv + 2, argv + argc);
     std::map<std::string, int> ends;
-    std::set<std::string> tried;
+    std::set<std::string> attempted;
     int wrong = 0;
     fmt::print("| rule | objection | ends | changes, or what binds | judged |\n|---|---|---|---|---|\n");
     for (const fix_each_rule::BadProfile& bad : fix_each_rule::bad_profiles()) {
         if (!only.empty() && !only.contains(bad.rule)) continue;
-        tried.insert(bad.rule);
-        const std::string fault = try_one(bad, folder, ends);
+        attempted.insert(bad.rule);
+        const std::string fault = fix_one(bad, folder, ends);
         if (!fault.empty()) fmt::print("{}: {}\n", bad.rule, fault), ++wrong;
     }
     fmt::print("\n");
     for (const auto& [end, count] : ends) fmt::print("{}: {}\n", end, count);
     for (const checks::Rule& rule : checks::rules())
-        if (only.empty() && !tried.contains(rule.id)) fmt::print("no profile: {}\n", rule.id);
+        if (only.empty() && !attempted.contains(rule.id)) fmt::print("no profile: {}\n", rule.id);
     return wrong > 0 ? 1 : 0;
 }

@@ -88,7 +88,7 @@ TEST(FrictionLaw, ARestingCapstanIsHeldWithinItsLoadsAndNowhereElse) {
     }
 }
 
-/// Friction opposes: a load moved round a closed path at the limits in motion takes energy from the motor, never gives any.
+/// Friction opposes: a load moved round a closed path at the limits in motion takes energy from the motor and never returns any.
 TEST(FrictionLaw, NeverGivesEnergy) {
     for (const auto& [name, law] : kLaws) {
         SCOPED_TRACE(name);
@@ -99,7 +99,7 @@ TEST(FrictionLaw, NeverGivesEnergy) {
         double low = -1e9, high = -1e9;
         for (double motor = -2.5; motor <= 2.5; motor += 0.05) {
             const core::Range moving = law.moving_loads(motor);
-            EXPECT_LE(moving.low, motor + 1e-15);  // winding in, the load gets less than the motor gives
+            EXPECT_LE(moving.low, motor + 1e-15);  // winding in, the load gets less than the motor's torque
             EXPECT_GE(moving.high, motor - 1e-15);
             EXPECT_GT(moving.low, low);  // more torque, more load
             EXPECT_GT(moving.high, high);

@@ -178,7 +178,7 @@ const Broken kBroken[] = {
     {"text_for_number", "case.toml", "joint_radius_m = 0.03", "joint_radius_m = \"0.03\"", {"rig.joint_radius_m: \"0.03\"", "a number"}},
     {"nan", "case.toml", "joint_radius_m = 0.03", "joint_radius_m = nan", {"rig.joint_radius_m: nan"}},
     {"no_noise", "case.toml", "torque_noise_Nm = 0.0015", "torque_noise_Nm = 0", {"sensors.torque_noise_Nm", "scatter"}},
-    {"no_toml", "case.toml", "[sensors]", "[sensors", {"no valid TOML"}},
+    {"no_toml", "case.toml", "[sensors]", "[sensors", {"not valid TOML"}},
     {"missing_file", "case.toml", "\"log.csv\"", "\"log2.csv\"", {"experiments.log: \"log2.csv\"", "missing"}},
     {"climbs", "case.toml", "\"log.csv\"", "\"../log.csv\"", {"experiments.log", "inside the case's folder"}},
     {"twice", "case.toml", "\"log.csv\"", "\"cocontraction.csv\"", {"\"cocontraction.csv\"", "named twice"}},

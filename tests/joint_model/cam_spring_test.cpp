@@ -41,7 +41,7 @@ struct Fault {
 };
 void PrintTo(const Fault& fault, std::ostream* out) { *out << fault.name; }
 
-/// Against the exact spring of room `spring`, whose base spring has to be preloaded: its law begins at kFrom, where the base spring of a
+/// Against the exact spring of module `spring`, whose base spring has to be preloaded: its law begins at kFrom, where the base spring of a
 /// case has the state z. What a longer arm adds up to there is put in by hand.
 class BuiltCam : public ::testing::TestWithParam<Fault> {};
 

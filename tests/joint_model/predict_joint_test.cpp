@@ -68,7 +68,8 @@ TEST(PredictDeadBand, APushThatIsNotGivenIsAStrongOne) {
     gap_case::Rows given = some_of(gap_case::Experiment::kDeadBand), unknown = given;
     for (gap_case::DeadBandRow& row : unknown.dead_band) row.push_torque = gap_case::DeadBandRow::kNotGiven;
     for (gap_case::DeadBandRow& row : given.dead_band) row.push_torque = 1.5 * kRig.ratio() * row.cocontraction;
-    EXPECT_EQ(read(faultless(kRig), given, gap_case::Experiment::kDeadBand), read(faultless(kRig), unknown, gap_case::Experiment::kDeadBand));
+    EXPECT_EQ(read(faultless(kRig), given, gap_case::Experiment::kDeadBand),
+              read(faultless(kRig), unknown, gap_case::Experiment::kDeadBand));
 }
 
 TEST(PredictJoint, AnOffsetMovesQByItselfAndNothingElse) {

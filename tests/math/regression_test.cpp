@@ -7,6 +7,7 @@
 #include <random>
 
 #include "fusee/core/error.h"
+#include "fusee/math/statistics.h"
 
 namespace fusee::math {
 namespace {

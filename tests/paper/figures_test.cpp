@@ -4,6 +4,7 @@
 
 #include "fusee/core/error.h"
 #include "fusee/core/units.h"
+#include "fusee/pipeline/headline.h"
 #include "pipeline/fixture.h"
 
 namespace fusee::paper {
@@ -13,8 +14,8 @@ using namespace fixtures;
 
 class Figures : public TempFolder {};
 
-const report::NoiseCurve& find(const std::vector<report::NoiseCurve>& curves, const std::string& name) {
-    for (const report::NoiseCurve& curve : curves)
+const NoiseCurve& find(const std::vector<NoiseCurve>& curves, const std::string& name) {
+    for (const NoiseCurve& curve : curves)
         if (curve.name == name) return curve;
     throw std::out_of_range(name);
 }
@@ -23,7 +24,7 @@ const report::NoiseCurve& find(const std::vector<report::NoiseCurve>& curves, co
 // eq. 4), without the motor's spring 1/b. 1e-9: what the Lyapunov equation is solved to.
 TEST(NoiseFigure, IsKnownByHandAtOneTemperature) {
     const auto curves = noise_figure();
-    const report::NoiseCurve &both = find(curves, "both bodies"), &hanging = find(curves, "both bodies with a = 0");
+    const NoiseCurve &both = find(curves, "both bodies"), &hanging = find(curves, "both bodies with a = 0");
     ASSERT_GT(both.c.size(), 40u);
     for (std::size_t i = 0; i < both.c.size(); ++i) {
         EXPECT_NEAR(both.joint[i], (1 + both.c[i]) / (1 + 2 * both.c[i]), 1e-9);
@@ -37,7 +38,7 @@ TEST(NoiseFigure, RefutesThePaperForANoisyMotorAndRefusesAFloatingJoint) {
     const auto curves = noise_figure();
     EXPECT_FALSE(find(curves, "the motor alone").monotone());
     EXPECT_TRUE(find(curves, "the joint alone").monotone());
-    const report::NoiseCurve& floating = find(curves, "both bodies with a = b = 0");
+    const NoiseCurve& floating = find(curves, "both bodies with a = b = 0");
     EXPECT_TRUE(floating.c.empty());
     EXPECT_NE(floating.refusal.find("noise.unbounded"), std::string::npos);
 }
@@ -71,7 +72,7 @@ TEST(ReplayTable, TableIRisesAndItsSpringsFailCondition6) {
     const auto table = replay_table(profile::read_profile(shipped("first_prototype")));
     ASSERT_TRUE(table);
     EXPECT_TRUE(table->rises());
-    EXPECT_EQ(condition_verdict(table->simulation), report::ConditionVerdict::kFails);
+    EXPECT_EQ(pipeline::condition_verdict(table->simulation.condition), pipeline::ConditionVerdict::kFails);
     ASSERT_EQ(table->parallel.size(), 4u);
     EXPECT_NEAR(table->parallel[0], 2 * 0.28 * 0.12 / core::rad_from_deg(3.5), 1e-12);
 }
@@ -81,7 +82,7 @@ TEST(ReplayTable, TableIIFallsAndImpliesTheTravelOfSoftSprings) {
     const auto table = replay_table(profile::read_profile(shipped("paper/new_springs")));
     ASSERT_TRUE(table);
     EXPECT_FALSE(table->rises());
-    EXPECT_EQ(condition_verdict(table->simulation), report::ConditionVerdict::kHolds);
+    EXPECT_EQ(pipeline::condition_verdict(table->simulation.condition), pipeline::ConditionVerdict::kHolds);
     ASSERT_EQ(table->parallel.size(), 5u);
     EXPECT_NEAR(table->parallel.back(), 0.97, 0.005);
     EXPECT_NEAR(table->travel, 6.76, 0.01) << "by hand: DB as a broken line over tau, divided by 2 mu tau and integrated";

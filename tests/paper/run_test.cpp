@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "fusee/core/error.h"
+#include "fusee/report/paper.h"
 #include "pipeline/fixture.h"
 
 namespace fusee::paper {
@@ -10,14 +11,19 @@ namespace {
 
 using namespace fixtures;
 
-class Paper : public TempFolder {
+class PaperRun : public TempFolder {
 protected:
-    [[nodiscard]] Options options(const std::string& out, unsigned jobs = 2) const {
+    [[nodiscard]] static Options options(unsigned jobs = 2) {
         Options options;
         options.profiles = fs::path(FUSEE_SOURCE_DIR) / "profiles";
-        options.out = folder_ / out;
         options.jobs = jobs;
         return options;
+    }
+    /// The files of a paper, by name.
+    [[nodiscard]] std::map<std::string, std::string> written(const Result& result, const std::string& out) const {
+        fs::create_directories(folder_ / out);
+        report::write_paper(result.paper.value(), folder_ / out);
+        return contents(folder_ / out);
     }
     /// The shipped profiles in the test's folder, to be changed.
     [[nodiscard]] fs::path copied() const {
@@ -26,16 +32,16 @@ protected:
     }
 };
 
-TEST_F(Paper, MakesEveryTableAndFigureAnewWithEqualBytesOnAnyNumberOfThreads) {
-    Options watched = options("one", 1);
+TEST_F(PaperRun, ReproducesEveryTableAndFigureWithEqualBytesOnAnyNumberOfThreads) {
+    Options watched = options(1);
     std::vector<std::string> pieces;
     watched.note = [&](const std::string& piece) { pieces.push_back(piece); };
     const Result made = run(watched);
-    ASSERT_TRUE(made.made);
+    ASSERT_TRUE(made.paper);
     EXPECT_EQ(pieces.size(), kPieces);
-    EXPECT_NE(made.summary.find("table II"), std::string::npos);
+    EXPECT_NE(report::paper_text(*made.paper).find("table II"), std::string::npos);
 
-    const auto files = contents(made.folder);
+    const auto files = written(made, "one");
     for (const char* name : {"figure_1.csv", "figure_2.csv", "figure_2_passive.csv", "figure_8.csv", "figure_9.csv", "figure_9_springs.csv",
                              "figure_9_arms.csv", "table_1.csv", "table_2.csv", "relatives.csv", "paper.json", "paper.html"})
         EXPECT_TRUE(files.contains(name)) << name;
@@ -49,35 +55,32 @@ TEST_F(Paper, MakesEveryTableAndFigureAnewWithEqualBytesOnAnyNumberOfThreads) {
     for (const char* never : {"http", "<script", ">nan", "\"nan"})
         EXPECT_EQ(files.at("paper.html").find(never), std::string::npos) << never;
 
-    ASSERT_TRUE(run(options("three", 3)).made);
-    EXPECT_EQ(contents(folder_ / "three" / "paper"), files);
+    EXPECT_EQ(written(run(options(3)), "three"), files);
 }
 
-TEST_F(Paper, StoppedInBetweenWritesNothing) {
-    Options stopped = options("out");
+TEST_F(PaperRun, StoppedInBetweenGivesNoPaper) {
+    Options stopped = options();
     int asked = 0;
     stopped.stop = [&] { return ++asked > 2; };
     const Result result = run(stopped);
     EXPECT_TRUE(result.interrupted);
-    EXPECT_FALSE(result.made);
-    EXPECT_FALSE(fs::exists(folder_ / "out"));
+    EXPECT_FALSE(result.paper);
 }
 
-TEST_F(Paper, ALawThatCannotBeIsNamedWithItsProfileAndNothingIsWritten) {
-    Options changed = options("out");
+TEST_F(PaperRun, ALawThatCannotExistIsNamedWithItsProfile) {
+    Options changed = options();
     changed.profiles = copied();
     const fs::path springs = changed.profiles / "paper" / "new_springs.toml";
     core::write_file(springs, with_key(core::read_file(springs), "law.start_torque_Nm", "0.01"));
     const Result result = run(changed);
-    EXPECT_FALSE(result.made);
+    EXPECT_FALSE(result.paper);
     ASSERT_FALSE(result.findings.empty());
     EXPECT_EQ(result.findings.front().rule, "law.transmission");
     EXPECT_EQ(result.findings.front().where.rfind("new_springs", 0), 0u) << result.findings.front().where;
-    EXPECT_FALSE(fs::exists(folder_ / "out"));
 }
 
-TEST_F(Paper, MissingSourcesAreNamed) {
-    Options missing = options("out");
+TEST_F(PaperRun, MissingSourcesAreNamed) {
+    Options missing = options();
     missing.profiles = copied();
     fs::remove(missing.profiles / "examples" / "break_away.csv");
     EXPECT_THROW((void)run(missing), core::IoError);

@@ -3,13 +3,13 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "fusee/batch/batch.h"
 #include "fusee/cam/arm.h"
 #include "fusee/core/error.h"
 #include "fusee/core/process.h"
 #include "fusee/core/units.h"
 #include "fusee/exchange/prusa_slicer.h"
 #include "fusee/pipeline/design.h"
-#include "fusee/pipeline/make.h"
 #include "fusee/spring/potential.h"
 #include "pipeline/fixture.h"
 
@@ -18,26 +18,24 @@ namespace {
 
 /// Both cams of a profile on a law, and files that carry any share of their arms.
 struct Joint {
-    Joint(profile::Profile p, spring::SpringLawPtr its_law) : profile(std::move(p)), law(std::move(its_law)) {
+    Joint(const profile::Profile& p, const spring::SpringLawPtr& law) : resolved{p, actuator_of(p, law), law->loads(), {}} {
         constexpr int kRows = 400;
-        for (const std::size_t i : {0, 1}) {
-            const profile::PartSpec& spec = i == 0 ? profile.k_se : profile.k_pe;
-            cams[i].cam.kind = i == 0 ? cam::PartKind::kSeries : cam::PartKind::kParallel;
-            const cam::ArmFunction arm(cams[i].cam.kind, law, spec.spring, profile.rig.capstan_radius, spec.allowance);
+        for (const cam::PartKind kind : {cam::PartKind::kSeries, cam::PartKind::kParallel}) {
+            const auto part = std::make_shared<solid::Part>();
+            part->cam.kind = kind;
+            const cam::ArmFunction arm = resolved.arm(kind);
             const double travel = law->angles().high;
             for (int row = 0; row < kRows; ++row)
-                cams[i].cam.working.push_back({arm.at_load(law->at_angle(travel * row / (kRows - 1)).tau), {}, 0.0, 0.0});
-            report::PartReport report;
-            report.part = &cams[i];
-            report.spring = spec.spring;
+                part->cam.working.push_back({arm.at_load(law->at_angle(travel * row / (kRows - 1)).tau), {}, 0.0, 0.0});
+            PartReport report;
+            report.part = part;
+            report.spring = resolved.spec(kind).spring;
             design.parts.push_back(report);
         }
     }
-    Joint(const Joint&) = delete;
-    Joint& operator=(const Joint&) = delete;
 
     readback::ArmError& add(std::size_t part, const std::string& ending, const std::string& reader, double share = 1.0) {
-        design.parts[part].arm_errors.push_back(found(part, cam::to_string(cams[part].cam.kind) + ending, reader, share));
+        design.parts[part].arm_errors.push_back(found(part, cam::to_string(cam_of(part).kind) + ending, reader, share));
         return design.parts[part].arm_errors.back();
     }
     [[nodiscard]] readback::ArmError found(std::size_t part, const std::string& file, const std::string& reader, double share) const {
@@ -45,15 +43,15 @@ struct Joint {
         reading.file = file;
         reading.reader = reader;
         reading.worst_relative = std::abs(share - 1.0);
-        for (const cam::Contact& c : cams[part].cam.working) reading.arms_mm.push_back(share * core::mm_from_m(c.arm.arm));
+        for (const cam::Contact& c : cam_of(part).working) reading.arms_mm.push_back(share * core::mm_from_m(c.arm.arm));
         return reading;
     }
-    [[nodiscard]] report::AsExported compare() const { return as_exported(profile, law, design); }
+    [[nodiscard]] AsExported compare() const { return as_exported(resolved, design); }
 
-    profile::Profile profile;
-    spring::SpringLawPtr law;
-    std::array<solid::Part, 2> cams;
-    report::DesignReport design;
+    [[nodiscard]] const cam::Cam& cam_of(std::size_t part) const { return design.parts[part].part->cam; }
+
+    ResolvedDesign resolved;
+    DesignReport design;
 };
 
 /// Linear springs, each unloaded at deflection 0 of its potential: round cams.
@@ -85,9 +83,9 @@ TEST(AsExported, ArmsOnePercentTooLargeGiveTheDeadBandKnownByHand) {
     joint.add(0, ".stl", "assimp");
     joint.add(1, ".stl", "assimp", 1.01);
     joint.add(0, ".dxf", "dxflib", 1.01);
-    const report::AsExported exported = joint.compare();
+    const AsExported exported = joint.compare();
     ASSERT_EQ(exported.joints.size(), 2u);
-    const report::JointAsExported &stl = exported.joints[0], &dxf = exported.joints[1];
+    const JointAsExported &stl = exported.joints[0], &dxf = exported.joints[1];
     ASSERT_EQ(exported.torques, (std::vector<double>{0.4, 0.8, 1.2}));
     for (std::size_t i = 0; i < 3; ++i) {
         EXPECT_NEAR(exported.nominal[i], by_hand(exported.torques[i], kParallelRate), 1e-9);
@@ -111,10 +109,10 @@ INSTANTIATE_TEST_SUITE_P(AsExported, OfProfile, testing::Values("pnrvsa", "first
 // Roundtrip: the law's own arms give the law's own dead-band. 400 rows; the third derivative's jump where the lead-in ends costs the most.
 TEST_P(OfProfile, OwnArmsGiveTheNominalDeadBand) {
     const profile::Profile p = profile::read_profile(fixtures::shipped(GetParam()));
-    Joint joint(p, design_law(p)->law);
+    Joint joint(p, resolve(p)->law());
     joint.add(0, ".step", "opencascade");
     joint.add(1, ".step", "opencascade");
-    const report::AsExported exported = joint.compare();
+    const AsExported exported = joint.compare();
     ASSERT_EQ(exported.joints.size(), 1u);
     for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(exported.joints[0].dead_band[i], exported.nominal[i], 1e-6 * exported.nominal[i]) << i;
     EXPECT_LT(exported.joints[0].series.worst_law, 1e-6);
@@ -132,7 +130,7 @@ TEST(AsExported, AHairBeyondTheEndTheLawGoesOn) {
                        .value());
     joint.add(1, ".stl", "assimp", 1.0 - 1e-4);
     joint.add(1, ".3mf", "lib3mf", 0.9);
-    const report::AsExported exported = joint.compare();
+    const AsExported exported = joint.compare();
     const double short_of = 1.0 - 1e-4;
     EXPECT_NEAR(exported.nominal[2], by_hand(1.2, kParallelRate), 1e-9);
     EXPECT_NEAR(exported.joints[0].dead_band[2], by_hand(1.2, short_of * short_of * kParallelRate), 1e-8);
@@ -143,7 +141,7 @@ TEST(AsExported, OfTwoHalfPlatesTheHigherOneCarriesTheCable) {
     Joint joint(linear_profile(), linear_law());
     joint.add(1, ".ngc", "rs274 lower", 0.99);
     joint.add(1, ".ngc", "rs274 upper", 1.01);
-    const report::AsExported exported = joint.compare();
+    const AsExported exported = joint.compare();
     ASSERT_EQ(exported.joints.size(), 1u);
     EXPECT_EQ(exported.joints[0].reader, "rs274");
     EXPECT_NEAR(exported.joints[0].dead_band[1], by_hand(0.8, 1.01 * 1.01 * kParallelRate), 1e-9);
@@ -153,7 +151,7 @@ TEST(AsExported, EveryPartIsFoundOnThePlate) {
     Joint joint(linear_profile(), linear_law());
     joint.design.plate_errors = {joint.found(0, "plate.3mf", "lib3mf k_se", 1.0), joint.found(1, "plate.3mf", "lib3mf k_pe", 1.01),
                                  joint.found(1, "plate.3mf", "lib3mf k_pe_mirrored", 0.99)};
-    const report::AsExported exported = joint.compare();
+    const AsExported exported = joint.compare();
     ASSERT_EQ(exported.joints.size(), 2u) << "agonist's, antagonist's";
     EXPECT_EQ(exported.joints[0].reader, "lib3mf");
     EXPECT_EQ(exported.joints[0].series.file, "plate.3mf");
@@ -165,7 +163,7 @@ TEST(AsExported, APrintDoesNotCountAndALostArmIsNamed) {
     Joint joint(linear_profile(), linear_law());
     joint.add(1, ".stl", "assimp", 1.0 + 1e-4);
     joint.add(1, ".gcode", "perimeters", 1.03).when_broken = core::Severity::kWarning;
-    report::AsExported exported = joint.compare();
+    AsExported exported = joint.compare();
     EXPECT_FALSE(exported.joints[1].binding);
     EXPECT_NEAR(exported.joints[1].dead_band[0], by_hand(0.4, 1.03 * 1.03 * kParallelRate), 1e-9);
     EXPECT_NEAR(exported.worst_change(), 2e-4, 1e-6);
@@ -183,7 +181,7 @@ protected:
         auto text = fixtures::with_key(core::read_file(fixtures::shipped("measured_table")), "outputs.formats", formats);
         text = fixtures::with_keys(fixtures::with_key(text, "outputs.pair", "false"), changes);
         lay_tables();
-        const MakeResult result = make(profile::read_profile(write("p.toml", text)), {.out = folder_ / "out"});
+        const batch::MakeResult result = batch::make(profile::read_profile(write("p.toml", text)), {.out = folder_ / "out"});
         EXPECT_TRUE(result.made);
         return nlohmann::json::parse(core::read_file(result.folder / "report.json"));
     }

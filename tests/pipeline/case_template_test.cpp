@@ -36,14 +36,14 @@ TEST_F(TemplateOfProfile, TakesTheRigAsItIsDesigned) {
 /// The cam that follows from the curve on a base spring without preload is the designed one: at each row above the stop the energy under
 /// the curve is that of the preloaded base spring, 1/2 k (state)^2.
 TEST_F(TemplateOfProfile, EnergyUnderTheCurvesIsThatOfThePreloadedSprings) {
-    const auto law = design_law(pnrvsa_);
-    ASSERT_TRUE(law);
+    const auto design = resolve(pnrvsa_);
+    ASSERT_TRUE(design);
     constexpr int kRows = 4000;  // the trapezoidal rule is off by some h^2
-    const SpringsWithoutStops springs = springs_without_stops(*law->law, pnrvsa_.k_se.spring, pnrvsa_.k_pe.spring, kRows);
+    const SpringsWithoutStops springs = springs_without_stops(*design->law(), pnrvsa_.k_se.spring, pnrvsa_.k_pe.spring, kRows);
     EXPECT_EQ(springs.rows.front().deflection, 0.0);
     EXPECT_EQ(springs.rows.front().se_torque, 0.0);
     EXPECT_EQ(springs.rows.front().pe_torque, 0.0);
-    const spring::LawPoint start = law->law->at_angle(0.0);
+    const spring::LawPoint start = design->law()->at_angle(0.0);
     double se = 0.5 * 0.0183 * 3.7 * 3.7, pe = 0.5 * 7460.0 * 0.0146 * 0.0146;  // at the stop
     const double length = springs.rest_deflection;
     EXPECT_NEAR(length, 2.0 * std::max(se / start.f_se, pe / start.f_pe), 1e-12);
@@ -61,7 +61,7 @@ TEST_F(TemplateOfProfile, EnergyUnderTheCurvesIsThatOfThePreloadedSprings) {
     // 120 rows below the stop and torques ~ x^n there, n below 12: the trapezoidal rule is off by n (n + 1)/(12 * 120^2).
     EXPECT_NEAR(below_se, 0.5 * 0.0183 * 3.7 * 3.7, 1e-3 * below_se);
     EXPECT_NEAR(below_pe, 0.5 * 7460.0 * 0.0146 * 0.0146, 1e-3 * below_pe);
-    const spring::LawPoint end = law->law->at_angle(law->law->angles().high);
+    const spring::LawPoint end = design->law()->at_angle(design->law()->angles().high);
     EXPECT_NEAR(se, 0.5 * 0.0183 * std::pow(pnrvsa_.k_se.spring.state(end.u_se), 2.0), 1e-6 * se);
     EXPECT_NEAR(pe, 0.5 * 7460.0 * std::pow(pnrvsa_.k_pe.spring.state(end.u_pe), 2.0), 1e-6 * pe);
     EXPECT_NEAR(springs.rows.back().se_torque, end.f_se, 1e-12);
@@ -113,7 +113,7 @@ TEST_F(TemplateOfProfile, PushesAsHardAsTheSimulation) {
     const std::vector<gap_case::DeadBandRow> rows = gap_case::set_points(*made).dead_band;
     const auto simulated = simulate(pnrvsa_, {.levels = 2});
     ASSERT_TRUE(simulated);
-    const auto same = [](const gap_case::DeadBandRow& row, const report::SimulatedLevel& level) {
+    const auto same = [](const gap_case::DeadBandRow& row, const SimulatedLevel& level) {
         EXPECT_EQ(row.cocontraction, level.dead_band.tau);
         EXPECT_NEAR(row.push_torque, level.reading.push_torque, 5e-5);  // set points have four digits
         EXPECT_GE(row.push_torque, level.reading.full_push);

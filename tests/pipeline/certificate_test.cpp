@@ -14,12 +14,10 @@ class ShippedProfile : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(ShippedProfile, HasBothContoursProven) {
     const profile::Profile profile = profile::read_profile(fixtures::shipped(GetParam()));
-    const auto designed = design_law(profile);
-    ASSERT_TRUE(designed);
+    const auto design = resolve(profile);
+    ASSERT_TRUE(design);
     for (const cam::PartKind kind : {cam::PartKind::kSeries, cam::PartKind::kParallel}) {
-        const profile::PartSpec& spec = kind == cam::PartKind::kSeries ? profile.k_se : profile.k_pe;
-        const cam::ArmFunction arm(kind, designed->law, spec.spring, profile.rig.capstan_radius, spec.allowance);
-        const auto cam = cam::synthesize_cam(arm, spec.cam);
+        const auto cam = design_cam(kind, *design);
         ASSERT_TRUE(cam);
         const cam::Certificate c = cam::certify(*cam);
         EXPECT_EQ(c.convex, cam::Proof::kProven);
@@ -35,7 +33,7 @@ TEST_P(ShippedProfile, HasBothContoursProven) {
         EXPECT_NEAR(there, c.working.proven, 1e-3 * there);
         EXPECT_NEAR(sampled, c.working.proven, 0.02 * sampled);
         ASSERT_TRUE(c.idle);
-        EXPECT_GE(c.idle->found, (1.0 - 1e-4) * std::min(spec.cam.path.min_idle_curvature_radius, sampled));
+        EXPECT_GE(c.idle->found, (1.0 - 1e-4) * std::min(design->spec(kind).cam.path.min_idle_curvature_radius, sampled));
     }
 }
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fusee/batch/batch.h"
 #include "fusee/exchange/stl.h"
 #include "fusee/exchange/three_mf.h"
 #include "fusee/pipeline/design.h"
-#include "fusee/pipeline/make.h"
 #include "fusee/readback/bore.h"
 #include "fusee/solid/validity.h"
 #include "pipeline/fixture.h"
@@ -67,8 +67,8 @@ TEST_F(CouponsTest, AMachineTooSmallIsTheBindingLimit) {
 }
 
 TEST_F(CouponsTest, CompensatedFilesComeOutNominal) {
-    const MakeResult plain = make(pnrvsa(), {.out = folder_ / "plain"});
-    const MakeResult result = make(pnrvsa(kCompensated), {.out = folder_ / "out"});
+    const batch::MakeResult plain = batch::make(pnrvsa(), {.out = folder_ / "plain"});
+    const batch::MakeResult result = batch::make(pnrvsa(kCompensated), {.out = folder_ / "out"});
     ASSERT_TRUE(plain.made && result.made);
     for (const std::string part : {"k_se", "k_pe"}) {
         const exchange::PartFile file = exchange::read_part_file(result.folder / (part + "_compensated.json"));
@@ -98,7 +98,7 @@ TEST_F(CouponsTest, CompensatedFilesComeOutNominal) {
 TEST_F(CouponsTest, ACompensatedBoreThatBreaksAWallIsFound) {
     const auto k_pe = [&](const char* offset) {
         const profile::Profile profile = pnrvsa({{"k_pe.hub.boss_mm", "11.2"}, {"compensation.bore_offset_mm", offset}});
-        return design_part(cam::PartKind::kParallel, profile, design_law(profile)->law);
+        return design_part(cam::PartKind::kParallel, *resolve(profile));
     };
     // A boss of 11.2 mm round a bore of 6.2 mm with a key of 1 mm leaves 1.5 mm; 2 mm more bore leave 0.5 mm.
     ASSERT_TRUE(k_pe("0.0")) << "the nominal wall is thick enough";
@@ -116,9 +116,11 @@ TEST_F(CouponsTest, ACompensatedBoreThatBreaksAWallIsFound) {
 TEST_F(CouponsTest, TheCablesAxisShortensEveryArmByItself) {
     const profile::Profile plain = pnrvsa(), shorter = pnrvsa({{"compensation.cable_axis_mm", "0.05"}});
     EXPECT_TRUE(shorter.compensation.none()) << "nothing to compensate in the files";
-    const auto law = design_law(plain)->law;
+    const ResolvedDesign design = *resolve(plain);
+    ResolvedDesign with_shorter = design;
+    with_shorter.profile = shorter;
     for (const auto kind : {cam::PartKind::kSeries, cam::PartKind::kParallel}) {
-        const auto a = design_cam(kind, plain, law), b = design_cam(kind, shorter, law);
+        const auto a = design_cam(kind, design), b = design_cam(kind, with_shorter);
         ASSERT_TRUE(a && b);
         ASSERT_EQ(a->working.size(), b->working.size());
         for (std::size_t i = 0; i < a->working.size(); ++i) EXPECT_NEAR(a->working[i].arm.arm - b->working[i].arm.arm, 0.05e-3, 1e-12);

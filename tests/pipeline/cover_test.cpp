@@ -14,9 +14,9 @@ protected:
     core::Finding finding(const std::string& rule, double start, double end) const {
         const auto changed = with_keys(core::read_file(shipped("pnrvsa")),
                                        {{"law.start_torque_Nm", std::to_string(start)}, {"law.end_torque_Nm", std::to_string(end)}});
-        const auto law = design_law(profile::read_profile(write("p.toml", changed)));
-        EXPECT_TRUE(law);
-        for (const core::Finding& f : law->findings)
+        const auto design = resolve(profile::read_profile(write("p.toml", changed)));
+        EXPECT_TRUE(design);
+        for (const core::Finding& f : design->findings)
             if (f.rule == rule) return f;
         ADD_FAILURE() << rule << " was not reported";
         return {};

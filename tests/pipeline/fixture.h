@@ -29,7 +29,7 @@ protected:
         core::write_file(folder_ / file, text);
         return folder_ / file;
     }
-    /// The tables that shipped profiles name, beside the profiles that a test writes.
+    /// Copies the tables that shipped profiles name next to the profiles that a test writes.
     void lay_tables() const {
         fs::create_directories(folder_ / "paper");
         for (const char* table : {"measured_table.csv", "paper/table_1.csv"})

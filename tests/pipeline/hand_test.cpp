@@ -2,9 +2,9 @@
 #include <cmath>
 #include <ostream>
 
+#include "fusee/batch/batch.h"
 #include "fusee/core/turn.h"
 #include "fusee/exchange/part_file.h"
-#include "fusee/pipeline/make.h"
 #include "fusee/readback/readback.h"
 #include "fusee/toolpath/read_back.h"
 #include "pipeline/fixture.h"
@@ -13,7 +13,7 @@
 namespace fusee::pipeline {
 namespace {
 
-struct Case {
+struct HandedHelix {
     const char* name;
     double turns;
     const char* path;
@@ -22,12 +22,12 @@ struct Case {
     std::size_t readings;  ///< of K_PE's files; STL is read twice, G-code if rs274 is there
     bool pair;
 };
-void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
+void PrintTo(const HandedHelix& c, std::ostream* out) { *out << c.name; }
 
 /// K_PE turns against the tension, so that psi rises with the cam's angle where torque_sign is 1 and a right-handed groove climbs with it.
-class HelixOfEitherHand : public fixtures::TempFolder, public testing::WithParamInterface<Case> {
+class HelixOfEitherHand : public fixtures::TempFolder, public testing::WithParamInterface<HandedHelix> {
 protected:
-    MakeResult made() const {
+    batch::MakeResult made() const {
         const auto text = fixtures::with_keys(fixtures::soft_springs(GetParam().turns, std::string("pitch_mm = 4.0\n") + GetParam().path),
                                               {{"outputs.formats", GetParam().formats},
                                                {"outputs.pair", GetParam().pair ? "true" : "false"},
@@ -35,20 +35,20 @@ protected:
                                                {"machining.k_pe", "\"wrap\""},
                                                {"k_se.target_rows", "200"},
                                                {"k_pe.target_rows", "200"}});
-        return make(profile::read_profile(write("soft.toml", text)), {.out = folder_ / "out"});
+        return batch::make(profile::read_profile(write("soft.toml", text)), {.out = folder_ / "out"});
     }
 };
 constexpr const char* kAll = R"(["stl", "step", "ngc"])";
 INSTANTIATE_TEST_SUITE_P(Pipeline, HelixOfEitherHand,
-                         testing::Values(Case{"right", 3.1, "hand = \"right\"\n", 4.0, kAll, 3, false},
-                                         Case{"left", 3.1, "hand = \"left\"\n", -4.0, kAll, 3, false},
-                                         Case{"left_the_other_way", 1.5, "hand = \"left\"\n[k_pe]\ntorque_sign = -1\n", 4.0, R"(["stl"])",
-                                              2, true}),
+                         testing::Values(HandedHelix{"right", 3.1, "hand = \"right\"\n", 4.0, kAll, 3, false},
+                                         HandedHelix{"left", 3.1, "hand = \"left\"\n", -4.0, kAll, 3, false},
+                                         HandedHelix{"left_the_other_way", 1.5, "hand = \"left\"\n[k_pe]\ntorque_sign = -1\n", 4.0,
+                                                     R"(["stl"])", 2, true}),
                          [](const auto& one) { return std::string(one.param.name); });
 
 // Law: solid, STL, STEP and G-code of a helix carry the law whichever way it climbs, and so does its mirror image.
 TEST_P(HelixOfEitherHand, IsMadeAndReadBack) {
-    const MakeResult result = made();
+    const batch::MakeResult result = made();
     for (const core::Finding& f : result.findings) EXPECT_NE(f.severity, core::Severity::kError) << core::to_line(f);
     ASSERT_TRUE(result.made);
     const std::string formats = GetParam().formats;

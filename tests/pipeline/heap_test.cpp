@@ -27,7 +27,7 @@ TEST(HeapTest, TheSameMeshWhereverItsMemoryLies) {
     const profile::Profile profile =
         profile::parse_profile(fixtures::with_key(core::read_file(fixtures::shipped("pnrvsa")), "tolerances.chordal_error_mm", "0.003"),
                                fixtures::shipped("pnrvsa"));
-    const auto designed = design_part(cam::PartKind::kSeries, profile, design_law(profile)->law);
+    const auto designed = design_part(cam::PartKind::kSeries, *resolve(profile));
     ASSERT_TRUE(designed);
     for (unsigned seed = 0; seed < 8; ++seed)
         std::thread([&] {

@@ -1,8 +1,8 @@
 #include <ostream>
 
+#include "fusee/batch/batch.h"
 #include "fusee/core/units.h"
 #include "fusee/exchange/part_file.h"
-#include "fusee/pipeline/make.h"
 #include "fusee/readback/readback.h"
 #include "pipeline/fixture.h"
 #include "pipeline/soft_springs.h"
@@ -10,24 +10,24 @@
 namespace fusee::pipeline {
 namespace {
 
-struct Case {
+struct HelixCase {
     const char* name;
     double turns;
     const char* guide;
 };
-void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
+void PrintTo(const HelixCase& c, std::ostream* out) { *out << c.name; }
 
-class LongHelix : public fixtures::TempFolder, public testing::WithParamInterface<Case> {};
+class LongHelix : public fixtures::TempFolder, public testing::WithParamInterface<HelixCase> {};
 INSTANTIATE_TEST_SUITE_P(Pipeline, LongHelix,
-                         testing::Values(Case{"paper", 1.4324, "pitch_mm = 4.0\n"},  // the paper's 9 rad
-                                         Case{"one_and_a_half", 1.5,
-                                              "pitch_mm = 4.0\n[k_pe.guide]\nkind = \"point\"\ndistance_mm = 400.0\nz_mm = 3.0\n"},
-                                         Case{"two_and_a_half", 2.5, "pitch_mm = 4.0\n"}),
+                         testing::Values(HelixCase{"paper", 1.4324, "pitch_mm = 4.0\n"},  // the paper's 9 rad
+                                         HelixCase{"one_and_a_half", 1.5,
+                                                   "pitch_mm = 4.0\n[k_pe.guide]\nkind = \"point\"\ndistance_mm = 400.0\nz_mm = 3.0\n"},
+                                         HelixCase{"two_and_a_half", 2.5, "pitch_mm = 4.0\n"}),
                          [](const auto& one) { return std::string(one.param.name); });
 
 TEST_P(LongHelix, IsMadeAndCarriesItsLaw) {
     const profile::Profile profile = profile::read_profile(write("soft.toml", fixtures::soft_springs(GetParam().turns, GetParam().guide)));
-    const MakeResult result = make(profile, {.out = folder_ / "out"});
+    const batch::MakeResult result = batch::make(profile, {.out = folder_ / "out"});
     for (const core::Finding& f : result.findings) EXPECT_NE(f.severity, core::Severity::kError) << core::to_line(f);
     ASSERT_TRUE(result.made);
     const exchange::PartFile part = exchange::read_part_file(result.folder / "k_pe.json");

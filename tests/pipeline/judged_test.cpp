@@ -3,8 +3,9 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "fusee/batch/batch.h"
 #include "fusee/pipeline/check.h"
-#include "fusee/pipeline/make.h"
+#include "fusee/report/headline.h"
 #include "pipeline/fixture.h"
 
 // What was not judged is said, what was judged for another process too; a summary leads with what the user gets.
@@ -78,44 +79,47 @@ fixtures::Changes with(fixtures::Changes all, const fixtures::Changes& more) {
 
 TEST_F(Judged, GCodeOfAPrintedProfileIsToReviewWithTheNumberOfRulesOfTheMill) {
     const profile::Profile profile = changed("pnrvsa", with(kCoarse, {{"outputs.formats", R"(["ngc"])"}}));
-    const MakeResult result = make(profile, {.out = folder_ / "out"});
+    const batch::MakeResult result = batch::make(profile, {.out = folder_ / "out"});
     ASSERT_TRUE(result.made);
     for (const auto& [part, mill] : {std::pair{"k_se", checks::ProcessKind::kMill}, std::pair{"k_pe", checks::ProcessKind::kMill4}}) {
         const core::Finding* f = find(result.findings, "toolpath.process", part);
         ASSERT_NE(f, nullptr) << part;
         EXPECT_EQ(f->severity, core::Severity::kWarning) << core::to_line(*f);
         EXPECT_NE(f->suggestion.find(std::string("--process ") + checks::to_string(mill) + " "), std::string::npos) << f->suggestion;
-        const std::vector<report::CheckedPart> parts = check(profile, std::array{mill}).processes.front().parts;
+        const std::vector<CheckedPart> parts = check(profile, std::array{mill}).processes.front().parts;
         const core::Findings& of_mill = parts[part == std::string("k_se") ? 0 : 1].findings;
         EXPECT_EQ(f->measured, static_cast<double>(std::count_if(of_mill.begin(), of_mill.end(), core::is_broken)));
     }
-    const MakeResult no_code = make(changed("pnrvsa", with(kCoarse, {{"outputs.formats", R"(["stl"])"}})), {.out = folder_ / "stl"});
+    const batch::MakeResult no_code =
+        batch::make(changed("pnrvsa", with(kCoarse, {{"outputs.formats", R"(["stl"])"}})), {.out = folder_ / "stl"});
     EXPECT_EQ(find(no_code.findings, "toolpath.process", ""), nullptr);
 }
 
 TEST_F(Judged, GCodeOfAMilledProfileIsNoMatter) {
-    const MakeResult milled =
-        make(changed("pnrvsa", with(kCoarse, {{"outputs.formats", R"(["ngc"])"}, {"process.kind", "\"mill\""}})), {.out = folder_ / "out"});
+    const batch::MakeResult milled = batch::make(
+        changed("pnrvsa", with(kCoarse, {{"outputs.formats", R"(["ngc"])"}, {"process.kind", "\"mill\""}})), {.out = folder_ / "out"});
     ASSERT_TRUE(milled.made);
     EXPECT_EQ(find(milled.findings, "toolpath.process", ""), nullptr);
 }
 
 TEST_F(Judged, TheSummaryLeadsWithRangesOfWhatIsBuilt) {
-    const MakeResult result = make(changed("pnrvsa", with(kCoarse, {{"outputs.formats", R"(["stl"])"}})), {.out = folder_ / "out"});
+    const batch::MakeResult result =
+        batch::make(changed("pnrvsa", with(kCoarse, {{"outputs.formats", R"(["stl"])"}})), {.out = folder_ / "out"});
     ASSERT_TRUE(result.made);
-    ASSERT_EQ(result.head.size(), 4u);
-    EXPECT_EQ(result.head[0].value, "75.5 to 20.4 deg");
-    EXPECT_NE(result.head[0].label.find("from 0.85 Nm to 1.5 Nm"), std::string::npos) << result.head[0].label;
-    EXPECT_NE(result.head[0].label.find("64.7 to 88.2 deg at 0.85 Nm"), std::string::npos) << result.head[0].label;
-    EXPECT_EQ(result.head[1].value, "-9.9 to +9.9 %");
-    EXPECT_NE(result.head[1].label.find("0.3 mm at the least arm of k_pe, 3.03 mm"), std::string::npos) << result.head[1].label;
-    EXPECT_EQ(result.head[2].value, "0.151 Nm");
-    EXPECT_EQ(result.head[3].value, "within rounding (-2e-06 to -6.4e-07)");
+    const auto head = report::head_figures(result.headline, result.file_errors);
+    ASSERT_EQ(head.size(), 4u);
+    EXPECT_EQ(head[0].value, "75.5 to 20.4 deg");
+    EXPECT_NE(head[0].label.find("from 0.85 Nm to 1.5 Nm"), std::string::npos) << head[0].label;
+    EXPECT_NE(head[0].label.find("64.7 to 88.2 deg at 0.85 Nm"), std::string::npos) << head[0].label;
+    EXPECT_EQ(head[1].value, "-9.9 to +9.9 %");
+    EXPECT_NE(head[1].label.find("0.3 mm on k_pe's least arm of 3.03 mm"), std::string::npos) << head[1].label;
+    EXPECT_EQ(head[2].value, "0.151 Nm");
+    EXPECT_EQ(head[3].value, "within rounding (-2e-06 to -6.4e-07)");
 }
 
 TEST_F(Judged, ATableOfMeasuredTorquesStandsInTheReport) {
     const profile::Profile profile = changed("measured_table", with(kCoarse, {{"outputs.formats", R"(["stl"])"}}));
-    const MakeResult result = make(profile, {.out = folder_ / "out"});
+    const batch::MakeResult result = batch::make(profile, {.out = folder_ / "out"});
     ASSERT_TRUE(result.made);
     const auto table = nlohmann::json::parse(core::read_file(result.folder / "report.json"))["law"]["table"];
     const auto& pair = std::get<profile::TablePair>(profile.law.curves);
@@ -132,7 +136,14 @@ TEST_F(Judged, ATableOfMeasuredTorquesStandsInTheReport) {
     EXPECT_GT(rms, 1e-3);
     EXPECT_LT(rms, 3e-3);
     const std::string page = core::read_file(result.folder / "report.html");
-    EXPECT_NE(page.find("Residuals: smoothed less measured"), std::string::npos);
+    EXPECT_NE(page.find("residual [mNm]"), std::string::npos);
+}
+
+TEST_F(Judged, MakingResolvesTheProfileOnce) {
+    const profile::Profile profile = changed("pnrvsa", with(kCoarse, {{"outputs.formats", R"(["stl"])"}}));
+    const std::size_t before = resolve_count();
+    EXPECT_TRUE(batch::make(profile, {.out = folder_ / "out"}).made);
+    EXPECT_EQ(resolve_count(), before + 1);
 }
 
 }  // namespace

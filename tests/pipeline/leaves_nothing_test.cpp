@@ -1,6 +1,6 @@
+#include "fusee/batch/batch.h"
 #include "fusee/core/error.h"
 #include "fusee/exchange/part_file.h"
-#include "fusee/pipeline/make.h"
 #include "fusee/readback/readback.h"
 #include "pipeline/fixture.h"
 
@@ -11,9 +11,9 @@ namespace fs = std::filesystem;
 
 class LeavesNothing : public fixtures::TempFolder {
 protected:
-    MakeResult make_with(const fixtures::Changes& changes) const {
+    batch::MakeResult make_with(const fixtures::Changes& changes) const {
         const std::string text = fixtures::with_keys(core::read_file(fixtures::shipped("pnrvsa")), changes);
-        return make(profile::read_profile(write("t.toml", text)), {.out = folder_ / "out"});
+        return batch::make(profile::read_profile(write("t.toml", text)), {.out = folder_ / "out"});
     }
 };
 
@@ -43,7 +43,7 @@ TEST_F(LeavesNothing, WhereNoFolderCanStand) {
 
 // A part that was changed after it was made, its entry with it: what is stated still has to be in the file.
 TEST_F(LeavesNothing, ADamagedPartDoesNotPass) {
-    const MakeResult result = make_with({{"outputs.formats", "[\"stl\"]"}});
+    const batch::MakeResult result = make_with({{"outputs.formats", "[\"stl\"]"}});
     ASSERT_TRUE(result.made);
     exchange::PartFile part = exchange::read_part_file(result.folder / "k_se.json");
     std::string bytes = core::read_file(result.folder / "k_se.stl");

@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "fusee/batch/batch.h"
 #include "fusee/exchange/part_file.h"
-#include "fusee/pipeline/make.h"
 #include "pipeline/fixture.h"
 
 namespace fusee::pipeline {
@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 class Shipped : public fixtures::TempFolder, public testing::WithParamInterface<const char*> {
 protected:
-    MakeResult made() const { return make(profile::read_profile(fixtures::shipped(GetParam())), {.out = folder_ / "out"}); }
+    batch::MakeResult made() const { return batch::make(profile::read_profile(fixtures::shipped(GetParam())), {.out = folder_ / "out"}); }
     /// The names of all files, sorted: every format of both parts on both sides of the joint, DXF of the planar ones, G-code and PDF where
     /// they are asked for, and the plate.
     static std::vector<std::string> expected() {
@@ -34,7 +34,7 @@ protected:
         std::sort(names.begin(), names.end());
         return names;
     }
-    /// Files of a part beside its PART.json.
+    /// Files of a part, without its PART.json.
     static std::size_t files_of(const std::string& part) {
         const std::vector<std::string> names = expected();
         return static_cast<std::size_t>(std::count_if(names.begin(), names.end(), [&](const auto& name) {
@@ -53,7 +53,7 @@ std::vector<std::string> lines_of(const std::string& text) {
 }
 
 TEST_P(Shipped, LeavesEveryFileAndEachIsTheOneStated) {
-    const MakeResult result = made();
+    const batch::MakeResult result = made();
     ASSERT_TRUE(result.made);
     EXPECT_EQ(result.folder, folder_ / "out" / GetParam());
     const auto files = fixtures::contents(folder_ / "out");
@@ -72,9 +72,9 @@ TEST_P(Shipped, LeavesEveryFileAndEachIsTheOneStated) {
 
 // What was asked is what the files hold, by every reader.
 TEST_P(Shipped, EveryFileCarriesTheLaw) {
-    const MakeResult result = made();
-    EXPECT_GT(result.worst_arm_error, 0.0);
-    EXPECT_LE(result.worst_arm_error, 1e-3);
+    const batch::MakeResult result = made();
+    EXPECT_GT(result.file_errors.arm, 0.0);
+    EXPECT_LE(result.file_errors.arm, 1e-3);
     EXPECT_FALSE(core::any_error(result.findings));
     const auto readings =
         std::count_if(result.findings.begin(), result.findings.end(), [](const core::Finding& f) { return f.rule == "readback.arm"; });
@@ -85,7 +85,7 @@ TEST_P(Shipped, EveryFileCarriesTheLaw) {
 }
 
 TEST_P(Shipped, SpringsAreATable) {
-    const MakeResult result = made();
+    const batch::MakeResult result = made();
     const auto lines = lines_of(core::read_file(result.folder / "springs.csv"));
     ASSERT_GE(lines.size(), 201u);
     EXPECT_EQ(lines.front(), "tau_Nm,theta_rad,f_se_Nm,f_pe_Nm,s_Nm_per_rad,p_Nm_per_rad,u_se_J,u_pe_J,t");
@@ -100,7 +100,7 @@ TEST_P(Shipped, SpringsAreATable) {
 }
 
 TEST_P(Shipped, ReportsTellTheSame) {
-    const MakeResult result = made();
+    const batch::MakeResult result = made();
     const auto report = nlohmann::json::parse(core::read_file(result.folder / "report.json"));
     EXPECT_EQ(report["name"], GetParam());
     EXPECT_EQ(report["parts"].size(), 2u);
@@ -114,7 +114,7 @@ TEST_P(Shipped, ReportsTellTheSame) {
     for (const auto* sides : {&report["parts"], &report["mirrored"]})
         for (const auto& part : *sides) look_at(part["read_back"]);
     look_at(report["plate"]);
-    EXPECT_DOUBLE_EQ(worst, result.worst_arm_error);
+    EXPECT_DOUBLE_EQ(worst, result.file_errors.arm);
     const std::string page = core::read_file(result.folder / "report.html");
     EXPECT_EQ(page.rfind("<!", 0), 0u);
     EXPECT_EQ(page.find("<script"), std::string::npos);
@@ -133,7 +133,7 @@ using FromDeadBand = fixtures::TempFolder;
 
 /// Wanted in the profile, cut into cams, and simulated from them: the same dead-band.
 TEST_F(FromDeadBand, TheDeadBandAskedForIsTheOneThatTheJointHas) {
-    const MakeResult result = make(profile::read_profile(fixtures::shipped("from_dead_band")), {.out = folder_});
+    const batch::MakeResult result = batch::make(profile::read_profile(fixtures::shipped("from_dead_band")), {.out = folder_});
     ASSERT_TRUE(result.made);
     const auto lines = lines_of(core::read_file(result.folder / "dead_band.csv"));
     ASSERT_GE(lines.size(), 3u);

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "fusee/pipeline/make.h"
+#include "fusee/batch/batch.h"
 #include "fusee/toolpath/read_back.h"
 #include "pipeline/fixture.h"
 
@@ -9,13 +9,13 @@ namespace {
 
 class GCode : public fixtures::TempFolder {
 protected:
-    [[nodiscard]] MakeResult made(const fixtures::Changes& changes) {
+    [[nodiscard]] batch::MakeResult made(const fixtures::Changes& changes) {
         const auto text = fixtures::with_keys(core::read_file(fixtures::shipped("pnrvsa")),
                                               {{"outputs.formats", "[\"ngc\"]"}, {"outputs.pair", "false"}});
-        return make(profile::read_profile(write("pnrvsa.toml", fixtures::with_keys(text, changes))), {.out = folder_ / "out"});
+        return batch::make(profile::read_profile(write("pnrvsa.toml", fixtures::with_keys(text, changes))), {.out = folder_ / "out"});
     }
     /// What was read back, as the findings name it.
-    [[nodiscard]] static std::vector<std::string> read(const MakeResult& result) {
+    [[nodiscard]] static std::vector<std::string> read(const batch::MakeResult& result) {
         std::vector<std::string> readings;
         for (const core::Finding& f : result.findings) {
             if (f.rule != "readback.arm") continue;
@@ -31,7 +31,7 @@ TEST_F(GCode, OfEveryMethodCarriesTheLaw) {
     if (!toolpath::can_interpret()) GTEST_SKIP() << "rs274 (package linuxcnc-uspace) is not installed";
     for (const fixtures::Changes& changes :
          {fixtures::Changes{}, fixtures::Changes{{"machining.k_se", "\"wrap\""}, {"machining.k_pe", "\"stack\""}}}) {
-        const MakeResult result = made(changes);
+        const batch::MakeResult result = made(changes);
         ASSERT_TRUE(result.made);
         EXPECT_EQ(read(result), changes.empty()
                                     ? (std::vector<std::string>{"k_se.ngc (read by rs274 lower", "k_se.ngc (read by rs274 upper",
@@ -44,7 +44,7 @@ TEST_F(GCode, OfEveryMethodCarriesTheLaw) {
 // 20 um on an arm of 3 mm is 0.7 %: the programs are written, and refused for what was read back from them.
 TEST_F(GCode, TooCoarseAToleranceIsSeenAndNotMade) {
     if (!toolpath::can_interpret()) GTEST_SKIP() << "rs274 (package linuxcnc-uspace) is not installed";
-    const MakeResult result = made({{"machining.tolerance_mm", "0.02"}});
+    const batch::MakeResult result = made({{"machining.tolerance_mm", "0.02"}});
     EXPECT_FALSE(result.made);
     EXPECT_TRUE(std::any_of(result.findings.begin(), result.findings.end(), [](const core::Finding& f) {
         return f.rule == "readback.arm" && f.severity == core::Severity::kError && f.what.find("k_pe.ngc") != std::string::npos;
@@ -52,7 +52,7 @@ TEST_F(GCode, TooCoarseAToleranceIsSeenAndNotMade) {
 }
 
 TEST_F(GCode, OfATooWideCutterIsRefused) {
-    const MakeResult result = made({{"machining.tool_diameter_mm", "6.2"}});
+    const batch::MakeResult result = made({{"machining.tool_diameter_mm", "6.2"}});
     EXPECT_FALSE(result.made);
     EXPECT_TRUE(
         std::any_of(result.findings.begin(), result.findings.end(), [](const core::Finding& f) { return f.rule == "toolpath.bore"; }));

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "fusee/batch/batch.h"
 #include "fusee/checks/check.h"
 #include "fusee/exchange/part_file.h"
-#include "fusee/pipeline/make.h"
 #include "fusee/readback/readback.h"
 #include "pipeline/fixture.h"
 
@@ -18,11 +18,11 @@ using exchange::PartFile;
 /// The two sides of the shipped joint.
 class BothSides : public fixtures::TempFolder {
 protected:
-    [[nodiscard]] MakeResult made(const fixtures::Changes& changes) const {
+    [[nodiscard]] batch::MakeResult made(const fixtures::Changes& changes) const {
         const auto text = fixtures::with_keys(core::read_file(fixtures::shipped("pnrvsa")), changes);
-        return make(profile::read_profile(write("pnrvsa.toml", text)), {.out = folder_ / "out"});
+        return batch::make(profile::read_profile(write("pnrvsa.toml", text)), {.out = folder_ / "out"});
     }
-    [[nodiscard]] static PartFile part(const MakeResult& result, const std::string& name) {
+    [[nodiscard]] static PartFile part(const batch::MakeResult& result, const std::string& name) {
         return exchange::read_part_file(result.folder / (name + ".json"));
     }
 };
@@ -50,9 +50,9 @@ void expect_mirrored(const PartFile& left, const PartFile& right) {
         EXPECT_EQ(left.files[i].name, name + "_mirrored" + right.files[i].name.substr(name.size()));
 }
 
-// Every format of the image is read back by its own PART.json alone, and the report says so beside the agonist's.
+// Every format of the image is read back by its own PART.json alone, and the report lists it after the agonist's.
 TEST_F(BothSides, HaveTheSameLawInEveryFile) {
-    const MakeResult result =
+    const batch::MakeResult result =
         made({{"outputs.formats", R"(["stl", "dxf", "step", "ngc"])"}, {"k_se.target_rows", "200"}, {"k_pe.target_rows", "200"}});
     ASSERT_TRUE(result.made);
     for (const std::string name : {"k_se", "k_pe"}) expect_mirrored(part(result, name + "_mirrored"), part(result, name));
@@ -74,7 +74,7 @@ TEST_F(BothSides, HaveTheSameLawInEveryFile) {
 
 // A part that is not mirrored does not carry its image's law: else the read-back would see nothing.
 TEST_F(BothSides, IsNotTakenForTheOtherSide) {
-    const MakeResult result = made({{"outputs.formats", R"(["stl"])"}});
+    const batch::MakeResult result = made({{"outputs.formats", R"(["stl"])"}});
     ASSERT_TRUE(result.made);
     PartFile left = part(result, "k_se_mirrored");
     left.files = part(result, "k_se").files;
@@ -82,7 +82,7 @@ TEST_F(BothSides, IsNotTakenForTheOtherSide) {
 }
 
 TEST_F(BothSides, IsLeftOutWhereTheProfileWantsOneSide) {
-    const MakeResult result = made({{"outputs.formats", R"(["stl"])"}, {"outputs.pair", "false"}});
+    const batch::MakeResult result = made({{"outputs.formats", R"(["stl"])"}, {"outputs.pair", "false"}});
     ASSERT_TRUE(result.made);
     for (const auto& [name, bytes] : fixtures::contents(result.folder)) EXPECT_EQ(name.find("mirrored"), std::string::npos) << name;
 }
@@ -94,14 +94,14 @@ INSTANTIATE_TEST_SUITE_P(Pipeline, EveryRule, testing::Values("pnrvsa", "first_p
 
 TEST_P(EveryRule, SaysTheSameOfTheMirrorImage) {
     const profile::Profile profile = profile::read_profile(fixtures::shipped(GetParam()));
-    const auto law = design_law(profile);
-    ASSERT_TRUE(law);
+    const auto design = resolve(profile);
+    ASSERT_TRUE(design);
     for (const cam::PartKind kind : {cam::PartKind::kSeries, cam::PartKind::kParallel}) {
-        const Pair pair = pair_of(design_part(kind, profile, law->law).value(), true);
+        const Pair pair = pair_of(design_part(kind, *design).value(), true);
         const profile::PartSpec& spec = kind == cam::PartKind::kSeries ? profile.k_se : profile.k_pe;
         const spring::BaseSpring spring = mirrored(spec.spring);
         const core::Findings image = checks::check({pair.antagonist->part, spring, profile.cable, profile.process, profile.limits});
-        const core::Findings& known = pair.agonist.findings;
+        const core::Findings& known = pair.agonist->findings;
         ASSERT_EQ(image.size(), known.size());
         for (std::size_t i = 0; i < known.size(); ++i) {
             EXPECT_EQ(image[i].rule, known[i].rule);

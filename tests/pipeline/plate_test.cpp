@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "fusee/batch/batch.h"
 #include "fusee/exchange/three_mf.h"
-#include "fusee/pipeline/make.h"
 #include "fusee/readback/plate.h"
 #include "pipeline/fixture.h"
 
@@ -13,13 +13,13 @@ namespace {
 
 class OnePlate : public fixtures::TempFolder {
 protected:
-    [[nodiscard]] MakeResult made(const fixtures::Changes& changes) const {
+    [[nodiscard]] batch::MakeResult made(const fixtures::Changes& changes) const {
         auto text = fixtures::with_key(core::read_file(fixtures::shipped("pnrvsa")), "outputs.formats", R"(["3mf"])");
         text = fixtures::with_keys(text,
                                    {{"k_se.target_rows", "200"}, {"k_pe.target_rows", "200"}, {"tolerances.chordal_error_mm", "0.0025"}});
-        return make(profile::read_profile(write("pnrvsa.toml", fixtures::with_keys(text, changes))), {.out = folder_ / "out"});
+        return batch::make(profile::read_profile(write("pnrvsa.toml", fixtures::with_keys(text, changes))), {.out = folder_ / "out"});
     }
-    [[nodiscard]] static const core::Finding* bed(const MakeResult& result) {
+    [[nodiscard]] static const core::Finding* bed(const batch::MakeResult& result) {
         const auto found =
             std::find_if(result.findings.begin(), result.findings.end(), [](const auto& f) { return f.rule == "plate.bed"; });
         return found == result.findings.end() ? nullptr : &*found;
@@ -27,7 +27,7 @@ protected:
 };
 
 TEST_F(OnePlate, HoldsEveryPartApartAndEachCarriesItsLaw) {
-    const MakeResult result = made({});
+    const batch::MakeResult result = made({});
     ASSERT_TRUE(result.made);
     const exchange::Plate plate = exchange::read_plate_file(result.folder / "plate.json");
     const auto objects = exchange::read_3mf_objects(result.folder / "plate.3mf");
@@ -73,7 +73,7 @@ std::pair<double, double> flat_areas(const solid::Mesh& mesh) {
 
 // K_PE is overhung on its boss: upright it would stand on the boss alone, and its whole flange would need support.
 TEST_F(OnePlate, PartsStandTheWayUpThatNeedsLessSupport) {
-    const MakeResult result = made({});
+    const batch::MakeResult result = made({});
     ASSERT_TRUE(result.made);
     const exchange::Plate plate = exchange::read_plate_file(result.folder / "plate.json");
     const auto objects = exchange::read_3mf_objects(result.folder / "plate.3mf");
@@ -90,7 +90,7 @@ TEST_F(OnePlate, PartsStandTheWayUpThatNeedsLessSupport) {
 
 // What the suggestion names holds them.
 TEST_F(OnePlate, TooSmallABedIsToReviewWithTheOneThatHolds) {
-    const MakeResult result = made({{"process.build_mm", "[60.0, 60.0, 60.0]"}});
+    const batch::MakeResult result = made({{"process.build_mm", "[60.0, 60.0, 60.0]"}});
     ASSERT_TRUE(result.made) << "each part fits alone";
     EXPECT_FALSE(std::filesystem::exists(result.folder / "plate.3mf"));
     ASSERT_NE(bed(result), nullptr);
@@ -102,11 +102,11 @@ TEST_F(OnePlate, TooSmallABedIsToReviewWithTheOneThatHolds) {
 
 TEST_F(OnePlate, IsLeftOutWithoutItsKeyOrItsFormat) {
     for (const auto& change : {std::pair<std::string, std::string>{"outputs.plate", "false"}, {"outputs.formats", R"(["stl"])"}}) {
-        const MakeResult result = made({change});
+        const batch::MakeResult result = made({change});
         ASSERT_TRUE(result.made);
         EXPECT_FALSE(std::filesystem::exists(result.folder / "plate.3mf")) << change.first;
     }
-    const MakeResult one_side = made({{"outputs.pair", "false"}});
+    const batch::MakeResult one_side = made({{"outputs.pair", "false"}});
     EXPECT_EQ(exchange::read_3mf_objects(one_side.folder / "plate.3mf").size(), 2u);
 }
 

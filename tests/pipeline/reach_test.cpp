@@ -30,11 +30,11 @@ using ReachTest = fixtures::TempFolder;
 
 /// The rules that measure something on one of both parts. @param solids meshes too
 void reached_by(const profile::Profile& p, bool solids, std::set<std::string>& ids) {
-    const auto law = design_law(p);
-    ASSERT_TRUE(law);
+    const auto design = resolve(p);
+    ASSERT_TRUE(design);
     for (const cam::PartKind kind : {cam::PartKind::kSeries, cam::PartKind::kParallel}) {
         const profile::PartSpec& spec = kind == cam::PartKind::kSeries ? p.k_se : p.k_pe;
-        const auto cam = design_cam(kind, p, law->law);
+        const auto cam = design_cam(kind, *design);
         ASSERT_TRUE(cam) << core::to_line(cam.refusal().front());
         const auto part = solids ? solid::build_part(*cam, spec.solid) : solid::outline_part(*cam, spec.solid);
         ASSERT_TRUE(part) << core::to_line(part.refusal().front());
@@ -55,7 +55,7 @@ TEST_F(ReachTest, AnOverrideDecidesWhetherADesignIsMade) {
     const std::string strict = core::read_file(fixtures::shipped("pnrvsa")) +
                                "\n[[limits]]\nrule = \"cable.bend_ratio\"\nrequired = 7\nreason = \"a stiff cable\"\n";
     const profile::Profile p = profile::read_profile(write("p.toml", strict));
-    const auto refused = design_part(cam::PartKind::kParallel, p, design_law(p)->law);
+    const auto refused = design_part(cam::PartKind::kParallel, *resolve(p));
     ASSERT_FALSE(refused);
     for (const core::Finding& f : refused.refusal()) {
         if (f.severity != core::Severity::kError) continue;

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <ostream>
 
-#include "fusee/pipeline/make.h"
+#include "fusee/batch/batch.h"
 #include "pipeline/fixture.h"
 
 // Law: an impossible design names what binds, with measured and allowed value; the change that it suggests, made, takes that finding away.
@@ -14,16 +14,16 @@ namespace fs = std::filesystem;
 using fixtures::Changes;
 
 /// A change that makes a shipped profile impossible.
-struct Case {
+struct RefusedDesign {
     const char* name;
     const char* profile;
     Changes changes;
     const char* rule;
     std::vector<const char*> suggested;  ///< keys whose suggested number has to clear the finding, each by itself ("a+b": both together)
 };
-void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
+void PrintTo(const RefusedDesign& c, std::ostream* out) { *out << c.name; }
 
-const Case kCases[] = {
+const RefusedDesign kRefusedDesigns[] = {
     {"transmission_of_1", "pnrvsa", {{"law.start_torque_Nm", "0.2"}}, "law.transmission", {"law.start_torque_Nm", "law.c_Nm"}},
     {"negative_transmission", "pnrvsa", {{"law.c_Nm", "-0.001"}, {"law.u_Nm", "0.02"}}, "law.transmission", {"law.c_Nm"}},
     {"negative_stiffness", "first_prototype", {{"law.parallel_Nm", "[0.0, 0.25, -0.09]"}}, "law.stiffness", {"law.end_torque_Nm"}},
@@ -51,16 +51,17 @@ const Case kCases[] = {
     {"coarse_mesh", "pnrvsa", {{"tolerances.chordal_error_mm", "1.0"}}, "readback.arm", {"tolerances.chordal_error_mm"}},
 };
 
-class Impossible : public fixtures::TempFolder, public testing::WithParamInterface<Case> {
+class Impossible : public fixtures::TempFolder, public testing::WithParamInterface<RefusedDesign> {
 protected:
-    MakeResult try_to_make(const Changes& changes) const {
+    batch::MakeResult try_to_make(const Changes& changes) const {
         std::string text = core::read_file(fixtures::shipped(GetParam().profile));
         for (const Changes& some : {GetParam().changes, changes}) text = fixtures::with_keys(text, some);
         lay_tables();
-        return make(profile::read_profile(write("t.toml", text)), {.out = folder_ / "out"});
+        return batch::make(profile::read_profile(write("t.toml", text)), {.out = folder_ / "out"});
     }
 };
-INSTANTIATE_TEST_SUITE_P(Pipeline, Impossible, testing::ValuesIn(kCases), [](const auto& one) { return std::string(one.param.name); });
+INSTANTIATE_TEST_SUITE_P(Pipeline, Impossible, testing::ValuesIn(kRefusedDesigns),
+                         [](const auto& one) { return std::string(one.param.name); });
 
 const core::Finding* find(const core::Findings& findings, const std::string& rule) {
     const auto found = std::find_if(findings.begin(), findings.end(),
@@ -79,7 +80,7 @@ std::string suggested(const core::Finding& finding, const std::string& key) {
 }
 
 TEST_P(Impossible, NamesTheLimitAndItsCure) {
-    const MakeResult refused = try_to_make({});
+    const batch::MakeResult refused = try_to_make({});
     ASSERT_FALSE(refused.made);
     const core::Finding* finding = find(refused.findings, GetParam().rule);
     ASSERT_NE(finding, nullptr) << (refused.findings.empty() ? "" : core::to_line(refused.findings.front()));
@@ -96,7 +97,7 @@ TEST_P(Impossible, NamesTheLimitAndItsCure) {
             changes.emplace_back(one, value);
             at = end + 1;
         }
-        const MakeResult cured = try_to_make(changes);
+        const batch::MakeResult cured = try_to_make(changes);
         const core::Finding* still = find(cured.findings, GetParam().rule);
         EXPECT_TRUE(still == nullptr || still->where.substr(0, 4) != finding->where.substr(0, 4))
             << changes.front().first << " = " << changes.front().second << ": " << core::to_line(*still);

@@ -1,11 +1,12 @@
 #include <algorithm>
 #include <set>
 
+#include "fusee/batch/batch.h"
 #include "fusee/core/error.h"
 #include "fusee/exchange/part_file.h"
-#include "fusee/pipeline/make.h"
 #include "fusee/pipeline/simulate.h"
 #include "fusee/readback/readback.h"
+#include "fusee/report/simulation.h"
 #include "pipeline/fixture.h"
 
 // The shipped roller cam as a user makes it, and the same profile broken.
@@ -21,7 +22,7 @@ protected:
 };
 
 TEST_F(RollerMade, CarriesItsLawInEveryFile) {
-    const MakeResult result = make(profile::read_profile(write("roller.toml", example())), {.out = folder_ / "out"});
+    const batch::MakeResult result = batch::make(profile::read_profile(write("roller.toml", example())), {.out = folder_ / "out"});
     for (const core::Finding& f : result.findings)  // its G-code is for another process than it is printed by
         EXPECT_EQ(core::is_broken(f), f.rule == "toolpath.process") << core::to_line(f);
     ASSERT_TRUE(result.made);
@@ -52,13 +53,13 @@ TEST_F(RollerMade, WithASpringThatIsHardlyPreloaded) {
                                                               {"k_pe.roller.radius_mm", "4"},
                                                               {"k_pe.roller.base_radius_mm", "200"},
                                                               {"process.build_mm", "[600.0, 600.0, 200.0]"}});
-    const MakeResult result = make(profile::read_profile(write("roller.toml", steep)), {.out = folder_ / "out"});
+    const batch::MakeResult result = batch::make(profile::read_profile(write("roller.toml", steep)), {.out = folder_ / "out"});
     EXPECT_TRUE(result.made);
-    EXPECT_LT(result.worst_arm_error, 1e-3);
+    EXPECT_LT(result.file_errors.arm, 1e-3);
 }
 
 /// What the rules hold against K_PE, required or for review.
-std::set<std::string> objections(const MakeResult& result) {
+std::set<std::string> objections(const batch::MakeResult& result) {
     std::set<std::string> ids;
     for (const core::Finding& f : result.findings)
         if (core::is_broken(f)) ids.insert(f.rule);
@@ -66,7 +67,7 @@ std::set<std::string> objections(const MakeResult& result) {
 }
 
 TEST_F(RollerMade, ABaseTooSmallIsRefusedWithALargerOne) {
-    const MakeResult result = make(changed("k_pe.roller.base_radius_mm", "0.5"), {.out = folder_ / "out"});
+    const batch::MakeResult result = batch::make(changed("k_pe.roller.base_radius_mm", "0.5"), {.out = folder_ / "out"});
     EXPECT_FALSE(result.made);
     bool named = false;
     for (const core::Finding& f : result.findings) named |= f.suggestion.find("k_pe.roller.base_radius_mm = ") != std::string::npos;
@@ -75,7 +76,7 @@ TEST_F(RollerMade, ABaseTooSmallIsRefusedWithALargerOne) {
 }
 
 TEST_F(RollerMade, ARollerWiderThanItsRimIsRefused) {
-    const MakeResult result = make(changed("k_pe.roller.width_mm", "7.0"), {.out = folder_ / "out"});
+    const batch::MakeResult result = batch::make(changed("k_pe.roller.width_mm", "7.0"), {.out = folder_ / "out"});
     EXPECT_FALSE(result.made);
     EXPECT_TRUE(objections(result).contains("roller.rim_width"));
 }
@@ -98,8 +99,8 @@ TEST_F(RollerMade, CableWithFrictionAndStiffnessGetsItsLoop) {
     const auto simulation = simulate(profile::read_profile(write("loop.toml", text)));
     ASSERT_TRUE(simulation);
     ASSERT_EQ(simulation->wraps.size(), 2u);
-    for (const report::WrapSide& side : simulation->wraps) EXPECT_GT(side.loop.dissipated, 0.0);
-    EXPECT_NE(report::simulation_html(*simulation).find("Loops of the cables"), std::string::npos);
+    for (const WrapSide& side : simulation->wraps) EXPECT_GT(side.loop.dissipated, 0.0);
+    EXPECT_NE(report::simulation_html(*simulation).find("Hysteresis of the cables"), std::string::npos);
     const std::string csv = report::wrap_hysteresis_csv(simulation->wraps);
     EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 801);
     const auto without = simulate(profile::read_profile(fixtures::shipped("pnrvsa")));

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
+#include "fusee/batch/batch.h"
 #include "fusee/exchange/part_file.h"
-#include "fusee/pipeline/make.h"
 #include "pipeline/fixture.h"
 
 namespace fusee::pipeline {
@@ -9,15 +9,15 @@ namespace {
 
 class Sheets : public fixtures::TempFolder {
 protected:
-    [[nodiscard]] MakeResult made(const std::string& formats, const std::string& out) const {
+    [[nodiscard]] batch::MakeResult made(const std::string& formats, const std::string& out) const {
         const std::string text = fixtures::with_keys(core::read_file(fixtures::shipped("pnrvsa")),
                                                      {{"outputs.formats", formats}, {"outputs.pair", "false"}, {"outputs.plate", "false"}});
-        return make(profile::read_profile(write("pnrvsa.toml", text)), {.out = folder_ / out});
+        return batch::make(profile::read_profile(write("pnrvsa.toml", text)), {.out = folder_ / out});
     }
 };
 
 TEST_F(Sheets, ShowTheNumbersOfThePartFile) {
-    const MakeResult result = made(R"(["stl", "drawing", "pdf"])", "out");
+    const batch::MakeResult result = made(R"(["stl", "drawing", "pdf"])", "out");
     ASSERT_TRUE(result.made);
     for (const char* name : {"k_se", "k_pe"}) {
         const exchange::PartFile part = exchange::read_part_file(result.folder / (std::string(name) + ".json"));
@@ -33,8 +33,8 @@ TEST_F(Sheets, ShowTheNumbersOfThePartFile) {
 }
 
 TEST_F(Sheets, AreTheSameFromRunToRunAndOnlyWhereAskedFor) {
-    const MakeResult first = made(R"(["drawing", "pdf"])", "first"), second = made(R"(["drawing", "pdf"])", "second"),
-                     none = made(R"(["stl"])", "none");
+    const batch::MakeResult first = made(R"(["drawing", "pdf"])", "first"), second = made(R"(["drawing", "pdf"])", "second"),
+                            none = made(R"(["stl"])", "none");
     ASSERT_TRUE(first.made && second.made && none.made);
     for (const char* name : {"k_se_drawing.svg", "k_se_drawing.pdf", "k_pe_drawing.svg", "k_pe_drawing.pdf"}) {
         EXPECT_EQ(core::read_file(first.folder / name), core::read_file(second.folder / name)) << name;

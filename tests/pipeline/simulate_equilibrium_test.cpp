@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-report::Simulation simulated(const fs::path& path, const std::vector<Eigen::Vector3d>& at) {
+Simulation simulated(const fs::path& path, const std::vector<Eigen::Vector3d>& at) {
     auto simulation = simulate(profile::read_profile(path), {.levels = 2, .at = at});
     if (!simulation) throw std::runtime_error(core::to_line(simulation.refusal().front()));
     return std::move(simulation).value();
@@ -19,10 +19,10 @@ report::Simulation simulated(const fs::path& path, const std::vector<Eigen::Vect
 
 TEST(SimulateEquilibrium, EqualTorquesStandWhereTheLawSays) {
     const profile::Profile profile = profile::read_profile(fixtures::shipped("first_prototype"));
-    const actuator::Actuator actuator = actuator_of(profile, design_law(profile)->law);
+    const actuator::Actuator actuator = resolve(profile)->actuator;
     const double tau = 0.7;
-    const report::Simulation simulation = simulated(fixtures::shipped("first_prototype"), {{tau, tau, 0.0}});
-    const report::EquilibriumRow& row = simulation.equilibria.at(0);
+    const Simulation simulation = simulated(fixtures::shipped("first_prototype"), {{tau, tau, 0.0}});
+    const EquilibriumRow& row = simulation.equilibria.at(0);
     const actuator::DeadBand d = actuator::dead_band(actuator, tau);
     // The search ends where 1e-14 of the torques is left over; the softest motion yields about 6 rad/Nm.
     EXPECT_NEAR(row.z[0], d.theta, 1e-12);
@@ -56,10 +56,10 @@ TEST(SimulateEquilibrium, SensitivityIsHowTheRestingPlaceMoves) {
 }
 
 TEST(SimulateEquilibrium, TorquesBeyondTheLawsAreRefusedWithTheNearest) {
-    const report::Simulation simulation = simulated(fixtures::shipped("pnrvsa"), {{1.0, 1.0, 0.0}, {5.0, 1.0, 0.0}});
+    const Simulation simulation = simulated(fixtures::shipped("pnrvsa"), {{1.0, 1.0, 0.0}, {5.0, 1.0, 0.0}});
     EXPECT_TRUE(simulation.equilibria[0].refusal.empty());
     EXPECT_TRUE(std::isnan(simulation.equilibria[1].z[0]));
-    const core::Findings refusals = report::refusals(simulation);
+    const core::Findings refusals = pipeline::refusals(simulation);
     ASSERT_FALSE(refusals.empty());
     EXPECT_EQ(refusals.front().rule, "equilibrium.outside");
     EXPECT_NE(refusals.front().where.find("at 5, 1, 0 Nm"), std::string::npos);
@@ -68,9 +68,9 @@ TEST(SimulateEquilibrium, TorquesBeyondTheLawsAreRefusedWithTheNearest) {
 
 TEST(SimulateEquilibrium, RelativesRestToo) {
     const fs::path path = fs::path(FUSEE_SOURCE_DIR) / "profiles/relatives/series_elastic.toml";
-    const report::EquilibriumRow row = simulated(path, {{1.0, 0.0, 0.0}}).equilibria.at(0);
+    const EquilibriumRow row = simulated(path, {{1.0, 0.0, 0.0}}).equilibria.at(0);
     const double loop = profile::read_profile(path).rig.position_stiffness;
-    EXPECT_NEAR(row.z[0], 1.0 / loop, 1e-12) << "nothing but the position loop bears the motor";
+    EXPECT_NEAR(row.z[0], 1.0 / loop, 1e-12) << "only the position loop holds the motor";
     EXPECT_EQ(row.z[1], 0.0) << "the second motor does not exist";
 }
 

@@ -7,6 +7,8 @@
 #include "fusee/actuator/dead_band.h"
 #include "fusee/core/error.h"
 #include "fusee/core/units.h"
+#include "fusee/pipeline/headline.h"
+#include "fusee/report/simulation.h"
 #include "pipeline/fixture.h"
 
 namespace fusee::pipeline {
@@ -20,7 +22,7 @@ protected:
         lay_tables();
         return profile::read_profile(write("t.toml", fixtures::with_keys(core::read_file(fixtures::shipped(name)), changes)));
     }
-    static report::Simulation simulated(const profile::Profile& profile, const SimulateOptions& options = {}) {
+    static Simulation simulated(const profile::Profile& profile, const SimulateOptions& options = {}) {
         auto simulation = simulate(profile, options);
         if (!simulation) throw std::runtime_error(core::to_line(simulation.refusal().front()));
         return std::move(simulation).value();
@@ -42,12 +44,12 @@ std::vector<std::vector<double>> rows_of(const std::string& csv) {
 
 TEST_F(Simulate, LevelsAreTheActuatorsDeadBands) {
     const profile::Profile profile = profile::read_profile(fixtures::shipped("pnrvsa"));
-    const report::Simulation simulation = simulated(profile, {.levels = 5});
+    const Simulation simulation = simulated(profile, {.levels = 5});
     ASSERT_EQ(simulation.levels.size(), 5u);
     EXPECT_EQ(simulation.levels.front().dead_band.tau, 0.85);
     EXPECT_EQ(simulation.levels.back().dead_band.tau, 1.5);
-    const actuator::Actuator joint = actuator_of(profile, design_law(profile)->law);
-    for (const report::SimulatedLevel& level : simulation.levels) {
+    const actuator::Actuator joint = resolve(profile)->actuator;
+    for (const SimulatedLevel& level : simulation.levels) {
         const actuator::DeadBand d = actuator::dead_band(joint, level.dead_band.tau);
         EXPECT_EQ(level.dead_band.linear, d.linear);
         EXPECT_EQ(level.dead_band.exact_width, d.exact_width);
@@ -60,17 +62,16 @@ TEST_F(Simulate, LevelsAreTheActuatorsDeadBands) {
         EXPECT_NEAR(level.sensitivity(2, 2), 1.0 / d.free_joint_stiffness, 1e-6 / d.free_joint_stiffness)
             << "dq/dtau_q, both capstans free";
     }
-    EXPECT_EQ(report::condition_verdict(simulation), report::ConditionVerdict::kWithinRounding) << "u of 1.2 mNm: by 2e-6 at the most";
-    EXPECT_NE(report::simulation_text(simulation).find("The joint takes at most 0.151 Nm of torque before a spring leaves its law."),
-              std::string::npos);
-    EXPECT_NE(report::simulation_text(simulation).find("not known: hysteresis of the cables on their cams: cable.friction"),
+    EXPECT_EQ(condition_verdict(simulation.condition), ConditionVerdict::kWithinRounding) << "u of 1.2 mNm: by 2e-6 at the most";
+    EXPECT_NE(report::simulation_text(simulation).find("up to a joint torque of 0.151 Nm."), std::string::npos);
+    EXPECT_NE(report::simulation_text(simulation).find("unknown: hysteresis of the cables on their cams: cable.friction"),
               std::string::npos);
     EXPECT_LT(simulation.levels.back().noise[2], simulation.levels.front().noise[2]) << "co-contraction rejects noise";
 }
 
 TEST_F(Simulate, TheFirstPrototypeFailsTheConditionAndGrowsAsTableI) {
-    const report::Simulation simulation = simulated(profile::read_profile(fixtures::shipped("first_prototype")), {.levels = 4});
-    EXPECT_EQ(report::condition_verdict(simulation), report::ConditionVerdict::kFails);
+    const Simulation simulation = simulated(profile::read_profile(fixtures::shipped("first_prototype")), {.levels = 4});
+    EXPECT_EQ(condition_verdict(simulation.condition), ConditionVerdict::kFails);
     ASSERT_EQ(simulation.measured.size(), 4u);
     for (std::size_t i = 1; i < simulation.measured.size(); ++i) {
         EXPECT_GT(simulation.measured[i].measured, simulation.measured[i - 1].measured);
@@ -84,34 +85,34 @@ TEST_F(Simulate, TheNewSpringsFallAsTableII) {
     const auto of = [](const char* name) {
         return simulated(profile::read_profile(fs::path(FUSEE_SOURCE_DIR) / "profiles" / "paper" / name), {.levels = 3});
     };
-    const report::Simulation designed = of("new_springs.toml"), wanted = of("as_measured.toml");
-    EXPECT_EQ(report::condition_verdict(designed), report::ConditionVerdict::kHolds);
-    for (const report::Simulation* s : {&designed, &wanted}) {
+    const Simulation designed = of("new_springs.toml"), wanted = of("as_measured.toml");
+    EXPECT_EQ(condition_verdict(designed.condition), ConditionVerdict::kHolds);
+    for (const Simulation* s : {&designed, &wanted}) {
         ASSERT_EQ(s->measured.size(), 5u);
         for (std::size_t i = 1; i < s->measured.size(); ++i) EXPECT_LT(s->measured[i].computed.linear, s->measured[i - 1].computed.linear);
     }
-    for (const report::MeasuredRow& row : wanted.measured)  // springs made from the dead-band leave it
+    for (const MeasuredRow& row : wanted.measured)  // springs made from the dead-band leave it
         EXPECT_NEAR(row.computed.linear, row.measured, 1e-8 * row.measured);
 }
 
 TEST_F(Simulate, BearingFrictionAloneLeavesADeadBandThatVanishesWithLoad) {
-    const report::Simulation simulation = simulated(changed("first_prototype", {{"rig.joint_friction_Nm", "0.002"}}), {.levels = 3});
+    const Simulation simulation = simulated(changed("first_prototype", {{"rig.joint_friction_Nm", "0.002"}}), {.levels = 3});
     const auto& levels = simulation.levels;
     for (std::size_t i = 0; i < levels.size(); ++i) {
         EXPECT_GT(levels[i].frame, 0.0);
         EXPECT_NEAR(levels[i].frame, 2.0 * 0.002 / levels[i].dead_band.free_joint_stiffness, 0.05 * levels[i].frame)
             << "capstans free to turn: 2 c over the free stiffness, which changes a little within it";
         EXPECT_TRUE(i == 0 || levels[i].frame < levels[i - 1].frame);
-        EXPECT_LT(levels[i].frame, 0.2 * levels[i].dead_band.exact_width) << "hardly noticeable beside the gears";
+        EXPECT_LT(levels[i].frame, 0.2 * levels[i].dead_band.exact_width) << "small compared with the gears";
     }
 }
 
 TEST_F(Simulate, PathsStayWithinFrictionAndLoopsClose) {
-    const report::Simulation simulation = simulated(profile::read_profile(fixtures::shipped("first_prototype")), {.levels = 2});
+    const Simulation simulation = simulated(profile::read_profile(fixtures::shipped("first_prototype")), {.levels = 2});
     ASSERT_TRUE(simulation.path);
-    const report::ReleasePath& path = *simulation.path;
+    const ReleasePath& path = *simulation.path;
     for (const auto* half : {&path.up, &path.down})
-        for (const report::PathPoint& p : *half)
+        for (const PathPoint& p : *half)
             for (const double load : {p.load_1, p.load_2}) {
                 EXPECT_GE(load, path.resting_loads.low * (1.0 - 1e-6));
                 EXPECT_LE(load, path.resting_loads.high * (1.0 + 1e-6));
@@ -119,16 +120,16 @@ TEST_F(Simulate, PathsStayWithinFrictionAndLoopsClose) {
     EXPECT_EQ(path.up.back().joint_torque, 0.0);
     EXPECT_GT(path.up.back().q, path.down.back().q);
     ASSERT_EQ(simulation.loops.size(), 2u) << "the least, the middle and the greatest level, each once";
-    for (const report::DeflectionLoop& loop : simulation.loops)
+    for (const DeflectionLoop& loop : simulation.loops)
         EXPECT_NEAR(loop.cycle.front().q, loop.cycle.back().q, 1e-6 * std::abs(loop.cycle.back().q));
 }
 
-/// The rate at which (k, u, C) springs take stiction from the joint is u^2/tau^2, whatever the gear: they are made for the friction at
+/// The rate at which (k, u, C) springs take stiction from the joint is u^2/tau^2 for any gear: they are made for the friction at
 /// rest.
 TEST_F(Simulate, StictionCompensationIsMadeForTheFrictionAtRest) {
-    const report::Simulation simulation = simulated(changed("pnrvsa", {{"rig.gear_friction_rest_excess", "0.1"}}), {.levels = 3});
+    const Simulation simulation = simulated(changed("pnrvsa", {{"rig.gear_friction_rest_excess", "0.1"}}), {.levels = 3});
     ASSERT_EQ(simulation.levels.size(), 3u);
-    for (const report::SimulatedLevel& level : simulation.levels) {
+    for (const SimulatedLevel& level : simulation.levels) {
         const double tau = level.dead_band.tau, wanted = -0.0012 * 0.0012 / (tau * tau);
         EXPECT_NEAR(level.dead_band.condition_6, wanted, 1e-6 * -wanted) << tau;  // T + tau T' leaves 1e-9 of 0.07
     }
@@ -136,11 +137,10 @@ TEST_F(Simulate, StictionCompensationIsMadeForTheFrictionAtRest) {
 
 TEST_F(Simulate, PathsAreThoseOfTheExactSprings) {
     for (const char* name : {"pnrvsa", "first_prototype"}) {
-        const profile::Profile profile = profile::read_profile(fixtures::shipped(name));
-        const spring::SpringLawPtr law = design_law(profile)->law;
+        const auto design = resolve(profile::read_profile(fixtures::shipped(name)));
         const actuator::ReleaseTest test{.push_torque = 0.3, .find_full_push = false};
-        const auto exact = actuator::release_test(joint_of(profile, law), 1.0, test);
-        const auto tabulated = actuator::release_test(path_joint_of(profile, law), 1.0, test);
+        const auto exact = actuator::release_test(joint_of(*design), 1.0, test);
+        const auto tabulated = actuator::release_test(path_joint_of(*design), 1.0, test);
         ASSERT_GT(exact.width(), 0.0);
         // Torques that are tabulated to 1e-12 move a place by that over the stiffness; the search itself leaves 1e-11 Nm.
         EXPECT_NEAR(tabulated.q_high, exact.q_high, 1e-9) << name;
@@ -149,9 +149,9 @@ TEST_F(Simulate, PathsAreThoseOfTheExactSprings) {
 }
 
 TEST_F(Simulate, MotorSubsystemIsTheGearsFriction) {
-    const report::Simulation simulation =
+    const Simulation simulation =
         simulated(changed("first_prototype", {{"rig.gear_friction_constant_Nm", "0.01"}, {"rig.gear_friction", "0.2"}}), {.levels = 2});
-    for (const report::BreakAwayRow& row : simulation.break_away) {
+    for (const BreakAwayRow& row : simulation.break_away) {
         EXPECT_NEAR(row.loads.high - row.motor_torque, 0.01 + 0.2 * row.loads.high, 1e-12);
         EXPECT_NEAR(row.motor_torque - row.loads.low, 0.01 + 0.2 * std::abs(row.loads.low), 1e-12);
     }
@@ -159,7 +159,7 @@ TEST_F(Simulate, MotorSubsystemIsTheGearsFriction) {
 
 TEST_F(Simulate, AWeakPushReadsLessAndSaysSo) {
     const profile::Profile profile = profile::read_profile(fixtures::shipped("first_prototype"));
-    const report::Simulation strong = simulated(profile, {.levels = 2}), weak = simulated(profile, {.levels = 2, .push_torque = 0.05});
+    const Simulation strong = simulated(profile, {.levels = 2}), weak = simulated(profile, {.levels = 2, .push_torque = 0.05});
     EXPECT_LT(weak.levels.front().dead_band.measured_width, 0.9 * strong.levels.front().dead_band.measured_width);
     std::string words;
     for (const std::string& remark : report::remarks(weak)) words += remark + "\n";
@@ -170,33 +170,33 @@ TEST_F(Simulate, EveryKindOfLawAndFriction) {
     const std::string pnrvsa = core::read_file(fixtures::shipped("pnrvsa"));
     const auto dead_band_at_1 = [&](const fixtures::Changes& changes) {
         const profile::Profile profile = profile::read_profile(write("k.toml", fixtures::with_keys(pnrvsa, changes)));
-        const auto law = design_law(profile);
-        EXPECT_TRUE(law) << core::to_line(law.refusal().front());
-        return actuator::dead_band(actuator_of(profile, law->law), 1.0);
+        const auto design = resolve(profile);
+        EXPECT_TRUE(design) << core::to_line(design.refusal().front());
+        return actuator::dead_band(design->actuator, 1.0);
     };
     const double mu_alone = dead_band_at_1({}).condition_6;
     const actuator::DeadBand affine = dead_band_at_1({{"rig.gear_friction_constant_Nm", "0.01"}});
-    EXPECT_NEAR(affine.condition_6, mu_alone, 1e-9) << "-u^2/tau^2 whatever the friction: (k, u, C) is made for it";
+    EXPECT_NEAR(affine.condition_6, mu_alone, 1e-9) << "-u^2/tau^2 for any friction: (k, u, C) is made for it";
     write("gear.csv", "load_Nm,friction_Nm\n0.0,0.01\n1.0,0.29\n2.0,0.57\n4.0,1.13\n");
     std::string tabulated = pnrvsa;
     const std::string line = "gear_friction = 0.28 ";
     tabulated.replace(tabulated.find(line), line.size(), "gear_friction_table = \"gear.csv\" ");
     const profile::Profile table = profile::read_profile(write("t.toml", tabulated));
-    EXPECT_NEAR(actuator::dead_band(actuator_of(table, design_law(table)->law), 1.0).linear, affine.linear, 2e-2 * affine.linear)
+    EXPECT_NEAR(actuator::dead_band(resolve(table)->actuator, 1.0).linear, affine.linear, 2e-2 * affine.linear)
         << "the same friction; only C counts with the friction at 1 Nm instead of mu";
 }
 
 TEST_F(Simulate, WritesItsFilesAndLeavesOthersAlone) {
     const fs::path folder = folder_ / "out" / "pnrvsa";
     write("out/pnrvsa/k_se.stl", "a solid");
-    const report::Simulation simulation = simulated(profile::read_profile(fixtures::shipped("pnrvsa")), {.levels = 4});
-    const auto rows = write_simulation(simulation, folder);
+    const Simulation simulation = simulated(profile::read_profile(fixtures::shipped("pnrvsa")), {.levels = 4});
+    const auto rows = report::write_simulation(simulation, folder);
     ASSERT_EQ(rows.size(), 3u);
-    for (const report::FileRow& row : rows) EXPECT_EQ(core::sha256_hex(core::read_file(folder / row.entry.name)), row.entry.sha256);
+    for (const FileRow& row : rows) EXPECT_EQ(core::sha256_hex(core::read_file(folder / row.entry.name)), row.entry.sha256);
     const auto first = fixtures::contents(folder);
     EXPECT_EQ(first.size(), 4u);
     EXPECT_EQ(first.at("k_se.stl"), "a solid");
-    (void)write_simulation(simulated(profile::read_profile(fixtures::shipped("pnrvsa")), {.levels = 4}), folder);
+    (void)report::write_simulation(simulated(profile::read_profile(fixtures::shipped("pnrvsa")), {.levels = 4}), folder);
     EXPECT_TRUE(fixtures::contents(folder) == first) << "equal input, equal bytes";
     const std::string& csv = first.at("dead_band.csv");
     EXPECT_TRUE(csv.starts_with("tau_Nm,linear_rad,extreme_rad,protocol_rad,condition_6,joint_stiffness_Nm_per_rad,capstan_rad\n"));
@@ -206,13 +206,13 @@ TEST_F(Simulate, WritesItsFilesAndLeavesOthersAlone) {
     for (std::size_t i = 0; i < table.size(); ++i) {
         ASSERT_EQ(table[i].size(), 7u);
         EXPECT_EQ(table[i][1], simulation.levels[i].dead_band.linear) << "17 digits give every bit back";
-        EXPECT_EQ(table[i][3], json["levels"][i]["protocol_rad"].get<double>());
+        EXPECT_EQ(table[i][3], json["levels"][i]["measured_rad"].get<double>());
     }
 }
 
 TEST_F(Simulate, RelativesAreComparedAndNotMade) {
     const profile::Profile bidirectional = profile::read_profile(fs::path(FUSEE_SOURCE_DIR) / "profiles/relatives/bidirectional.toml");
-    const report::Simulation simulation = simulated(bidirectional);
+    const Simulation simulation = simulated(bidirectional);
     EXPECT_EQ(simulation.survey.arrangement, actuator::Arrangement::kBidirectional);
     EXPECT_NEAR(simulation.levels.back().dead_band.linear, simulation.survey.dead_band.high, 1e-12);
     EXPECT_TRUE(std::isnan(simulation.levels.back().dead_band.exact_width));

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <set>
 
+#include "fusee/batch/batch.h"
 #include "fusee/core/error.h"
 #include "fusee/exchange/part_file.h"
-#include "fusee/pipeline/make.h"
 #include "fusee/readback/readback.h"
 #include "pipeline/fixture.h"
 
@@ -29,7 +29,7 @@ std::set<std::string> readers_of(const std::string& file, const std::vector<read
 }
 
 TEST_F(StackTest, OfTheExampleIsMadeAndItsCoreCarriesTheLaw) {
-    const MakeResult result = make(profile::read_profile(write("p.toml", example())), {.out = folder_ / "out"});
+    const batch::MakeResult result = batch::make(profile::read_profile(write("p.toml", example())), {.out = folder_ / "out"});
     for (const core::Finding& f : result.findings) EXPECT_NE(f.severity, core::Severity::kError) << core::to_line(f);
     ASSERT_TRUE(result.made);
     for (const std::string part : {"k_se", "k_pe"}) {
@@ -50,7 +50,7 @@ TEST_F(StackTest, OfTheExampleIsMadeAndItsCoreCarriesTheLaw) {
 
 TEST_F(StackTest, ACompensatedCoreIsNotTakenForTheNominalOne) {
     const std::string toml = fixtures::with_key(example(), "outputs.formats", "[\"plates\"]");
-    const MakeResult result = make(profile::read_profile(write("p.toml", toml)), {.out = folder_ / "out"});
+    const batch::MakeResult result = batch::make(profile::read_profile(write("p.toml", toml)), {.out = folder_ / "out"});
     ASSERT_TRUE(result.made);
     exchange::PartFile part = exchange::read_part_file(result.folder / "k_se.json");
     std::erase_if(part.files, [](const exchange::FileEntry& f) { return f.name != "k_se_plate_2.dxf"; });
@@ -70,7 +70,7 @@ TEST_F(StackTest, IsWrittenForPlatesOnlyUnlessAskedFor) {
 // A boss is no plate: said, and nothing drawn that lacks it.
 TEST_F(StackTest, OfAPartWithABossIsForReview) {
     const std::string toml = fixtures::with_key(core::read_file(fixtures::shipped("pnrvsa")), "outputs.formats", "[\"plates\"]");
-    const MakeResult result = make(profile::read_profile(write("p.toml", toml)), {.out = folder_ / "out"});
+    const batch::MakeResult result = batch::make(profile::read_profile(write("p.toml", toml)), {.out = folder_ / "out"});
     ASSERT_TRUE(result.made);
     EXPECT_TRUE(fs::exists(result.folder / "k_se_plate_1.dxf"));
     EXPECT_FALSE(fs::exists(result.folder / "k_pe_plate_1.dxf"));

@@ -2,15 +2,16 @@
 
 #include "profile/fixture.h"
 
-// All mistakes of a profile are told in one run, in the order of its lines; what only follows from another one is not.
+// All mistakes of a profile are reported in one run, in the order of its lines; consequences of others are not.
 namespace fusee::profile {
 namespace {
 
 class AllMistakesTest : public ProfileTest {
 protected:
-    /// Mistakes told; 0 if there are none.
+    /// Number of reported mistakes: one line each, below a heading if there are several.
     static std::size_t count(const std::string& text) {
-        return text.empty() ? 0 : 1 + static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+        const auto ends = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+        return text.empty() ? 0 : std::max<std::size_t>(ends, 1);
     }
     static std::string without(std::string text, std::initializer_list<const char*> lines) {
         for (const std::string line : lines) {
@@ -45,8 +46,8 @@ TEST_F(AllMistakesTest, OfEveryKindInTheOrderOfTheLines) {
     change("preload_rad = 3.6\n", "");
     text +=
         "[outputs]\nformats = [\"stl\", \"stl\", \"dwg\"]\n[[limits]]\nrule = \"process.wall\"\nrequired_m = 1\n[[limits]]\nrule = \"x\"\n";
-    const std::string told = refusal(text);
-    EXPECT_EQ(count(told), 13u) << told;
+    const std::string message = refusal(text);
+    EXPECT_EQ(count(message), 13u) << message;
     std::size_t before = 0;
     for (const char* words :
          {"p.toml:3:21: rig.capstan_radius_mm: -30", "p.toml:4:19: rig.joint_radius_mm: '25'", "p.toml:8:23: rig.overdrive_torque_Nm: 0.9",
@@ -54,14 +55,14 @@ TEST_F(AllMistakesTest, OfEveryKindInTheOrderOfTheLines) {
           "p.toml:22:1: k_se.spring.preload_rad: missing", "p.toml:28:19: outputs.formats: 'stl'", "p.toml:28:26: outputs.formats: 'dwg'",
           "p.toml:29:1: limits.reason: missing", "p.toml:31:1: limits.required_m: not the unit", "p.toml:32:1: limits.reason: missing",
           "p.toml:33:8: limits.rule: unknown rule"}) {
-        const std::size_t at = told.find(words);
-        EXPECT_NE(at, std::string::npos) << words << " in\n" << told;
+        const std::size_t at = message.find(words);
+        EXPECT_NE(at, std::string::npos) << words << " in\n" << message;
         EXPECT_GE(at, before) << words;
         before = at;
     }
 }
 
-TEST_F(AllMistakesTest, WhatFollowsFromAnotherIsNotTold) {
+TEST_F(AllMistakesTest, ConsequencesOfAnotherAreNotReported) {
     expect_words(refusal(edited("kind = \"stiction_compensating\"", "kind = \"stiction\"")), {"p.toml:10:8: law.kind"});
     EXPECT_EQ(count(refusal(edited("kind = \"stiction_compensating\"", "kind = \"stiction\""))), 1u)
         << "the keys of a kind that is not known";
@@ -75,27 +76,27 @@ TEST_F(AllMistakesTest, WhatFollowsFromAnotherIsNotTold) {
 
 TEST_F(AllMistakesTest, OfTheFilesThatItNames) {
     core::write_file(folder_ / "measured.csv", "tau_Nm,width_deg\n0.5,-3\n0.4,\n");
-    const std::string told = refusal(edited("gear_friction = 0.28", "gear_friction_table = \"none.csv\"") +
-                                     "[simulate]\nmeasured = \"measured.csv\"\nlevels = 1\n");
-    expect_words(told, {"p.toml:29:10: simulate.levels: 1", "p.toml:5:23: rig.gear_friction_table: \"none.csv\"", "cannot be opened",
-                        "measured.csv:3:5: width_deg: (missing)"});
+    const std::string message = refusal(edited("gear_friction = 0.28", "gear_friction_table = \"none.csv\"") +
+                                        "[simulate]\nmeasured = \"measured.csv\"\nlevels = 1\n");
+    expect_words(message, {"p.toml:29:10: simulate.levels: 1", "p.toml:5:23: rig.gear_friction_table: \"none.csv\"", "cannot be opened",
+                           "measured.csv:3:5: width_deg: (missing)"});
 }
 
 TEST_F(AllMistakesTest, ThousandsAreCounted) {
     std::string text = kShort;
     for (int i = 0; i < 100'000; ++i) text += "x" + std::to_string(i) + " = 1\n";
-    const std::string told = refusal(text);
-    EXPECT_EQ(count(told), 101u);
-    EXPECT_TRUE(told.ends_with("p.toml: 99900 more mistakes (allowed: none)")) << told.substr(told.size() - 100);
+    const std::string message = refusal(text);
+    EXPECT_EQ(count(message), 101u);
+    EXPECT_TRUE(message.ends_with("p.toml: 99900 more mistakes (allowed: none)")) << message.substr(message.size() - 100);
     EXPECT_LT(refusal(std::string(kShort) + std::string(9'000'000, 'k') + " = 1\n").size(), 1000u);
 }
 
 TEST_F(AllMistakesTest, NoFigureSoSmallThatItVanishes) {
     expect_words(
         refusal(edited("joint_radius_mm = 25", "joint_radius_mm = 5e-324")),
-        {"p.toml:4:19: rig.joint_radius_mm: 5e-324 (allowed: a number, above 0, at most 1000 mm; none so close to 0: 1e-09 or more"});
-    expect_words(refusal(edited("u_Nm = 0.0012", "u_Nm = 1e-310")), {"law.u_Nm: 1e-310", "1e-30 or more"});
-    expect_words(refusal(edited("c_Nm = 0.265", "c_Nm = -1e-310")), {"law.c_Nm: -1e-310", "1e-30 or more"});
+        {"p.toml:4:19: rig.joint_radius_mm: 5e-324 (allowed: a number, above 0, at most 1000 mm; not so close to 0: at least 1e-09"});
+    expect_words(refusal(edited("u_Nm = 0.0012", "u_Nm = 1e-310")), {"law.u_Nm: 1e-310", "at least 1e-30"});
+    expect_words(refusal(edited("c_Nm = 0.265", "c_Nm = -1e-310")), {"law.c_Nm: -1e-310", "at least 1e-30"});
     EXPECT_EQ(refusal(edited("u_Nm = 0.0012", "u_Nm = 0")), "");
     const Profile least = read(edited("joint_radius_mm = 25", "joint_radius_mm = 1e-9"));
     EXPECT_EQ(to_toml(read(to_toml(least))), to_toml(least));

@@ -23,7 +23,7 @@ TEST_F(ProfileEdit, ReplacesTheValueAndNothingElse) {
     EXPECT_EQ(made(toml, {rate(0.0201)}), expected);
 }
 
-/// The comment behind a value speaks of that value; one on a line of its own stays.
+/// The comment behind a value belongs to that value; one on a separate line stays.
 TEST_F(ProfileEdit, ReplacesTheCommentThatSpokeOfTheOldValue) {
     const std::string toml = edited("rate_Nm_per_rad = 0.0183\n", "# torsion spring\nrate_Nm_per_rad = 0.0183   # as bought\n");
     Edit measured = rate(0.0201);
@@ -69,7 +69,7 @@ TEST_F(ProfileEdit, AddsWhatIsLeftOutBelowItsHeadingOrWithItsTable) {
     const Profile p = read(kShort);
     const std::string below = made(kShort, {number_edit(p, "rig.joint_friction_Nm", 0.0125, "bearing")});
     expect_words(below, {"[rig]\n# joint_friction_Nm was 0: bearing\njoint_friction_Nm = 0.0125\ncapstan_radius_mm = 30"});
-    // [k_se.spring] alone stands in the file; its heading is not that of [k_se].
+    // [k_se.spring] is in the file without [k_se].
     const std::string text = made(kShort, {number_edit(p, "k_se.radius_allowance_mm", 3e-4, "cable")});
     EXPECT_TRUE(text.ends_with("\n\n[k_se]\n# radius_allowance_mm was 0: cable\nradius_allowance_mm = 0.3\n")) << text;
     EXPECT_EQ(read(text).k_se.allowance.radius, 3e-4);

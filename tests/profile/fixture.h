@@ -57,7 +57,7 @@ protected:
     std::filesystem::path folder_;
 };
 
-/// Every word stands in the text.
+/// Every word is in the text.
 inline void expect_words(const std::string& text, std::initializer_list<const char*> words) {
     for (const char* word : words) EXPECT_NE(text.find(word), std::string::npos) << '\'' << word << "' in: " << text;
 }

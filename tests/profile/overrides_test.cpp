@@ -40,9 +40,9 @@ TEST_F(OverridesTest, UnknownRuleNamesTheNearest) {
 }
 
 TEST_F(OverridesTest, MissingOrEmptyReason) {
-    expect_words(refusal(with("rule = \"process.wall\"\nrequired_mm = 0.6\n")), {"p.toml:27:1: limits.reason: missing", "why the limit"});
+    expect_words(refusal(with("rule = \"process.wall\"\nrequired_mm = 0.6\n")), {"p.toml:27:1: limits.reason: missing", "the reason"});
     expect_words(refusal(with("rule = \"process.wall\"\nrequired_mm = 0.6\nreason = \" \"\n")),
-                 {"p.toml:30:10: limits.reason", "why the limit"});
+                 {"p.toml:30:10: limits.reason", "the reason"});
     expect_words(refusal(with("rule = \"process.wall\"\nrequired_mm = 0.6\nreason = 5\n")), {"p.toml:30:10: limits.reason"});
 }
 
@@ -62,7 +62,7 @@ TEST_F(OverridesTest, LimitsAreFiniteNumbersOnce) {
                      {"p.toml:30:15: limits.required_mm", "a finite number in mm"});
     expect_words(refusal(with("rule = \"process.wall\"\nrequired_mm = 0.6\nreason = \"x\"\n"
                               "[[limits]]\nrule = \"process.wall\"\nrequired_mm = 0.7\nreason = \"y\"\n")),
-                 {"p.toml:33:1: limits.required_mm", "stands twice"});
+                 {"p.toml:33:1: limits.required_mm", "is repeated"});
 }
 
 TEST_F(OverridesTest, OnlyAnArrayOfTables) {

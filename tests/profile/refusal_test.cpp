@@ -67,8 +67,8 @@ TEST_F(RefusalTest, FiguresOutOfOrder) {
 }
 
 TEST_F(RefusalTest, BadTomlNamesLineAndColumn) {
-    expect_words(refusal(edited("gear_friction = 0.28", "gear_friction = = 0.28")), {"p.toml:5:17", "no valid TOML"});
-    expect_words(refusal(edited("c_Nm = 0.265", "c_Nm = 0.265\nc_Nm = 0.3")), {"p.toml:14:", "no valid TOML"});
+    expect_words(refusal(edited("gear_friction = 0.28", "gear_friction = = 0.28")), {"p.toml:5:17", "not valid TOML"});
+    expect_words(refusal(edited("c_Nm = 0.265", "c_Nm = 0.265\nc_Nm = 0.3")), {"p.toml:14:", "not valid TOML"});
 }
 
 TEST_F(RefusalTest, ForeignCharactersOutsideOfTextsAreFoundBeforeTheParserMeetsThem) {

@@ -6,7 +6,7 @@
 #include "fusee/core/file.h"
 #include "fusee/profile/edit.h"
 
-// Law: a change that a rule suggests can be written into a profile as it is: the reader accepts it, no key is missing beside it.
+// Law: a change that a rule suggests can be written into a profile as it is: the reader accepts it, and no other key is missing.
 namespace fusee::profile {
 namespace {
 

@@ -183,13 +183,13 @@ std::string random_profile(std::uint64_t seed, int number) {
     const std::string name = fmt::format("name = \"random_{:05}\"\n\n", number);
     const Rig rig = rig_and_law(dice);
     const profile::Profile law_only = profile::parse_profile(name + rig.text, std::filesystem::path("random.toml"));
-    const auto law = pipeline::design_law(law_only);
-    // What no law can be made of is refused for that, whatever its springs.
+    const auto design = pipeline::resolve(law_only);
+    // Without a law the design is refused for any springs.
     spring::LawPoint lowest{.f_se = 0.1, .f_pe = 0.1}, highest = lowest;
-    if (law) {
-        const core::Range loads = law->law->loads();
-        lowest = law->law->at_load(loads.low);
-        highest = law->law->at_load(loads.high);
+    if (design) {
+        const core::Range loads = design->law()->loads();
+        lowest = design->law()->at_load(loads.low);
+        highest = design->law()->at_load(loads.high);
     }
     const double cable_mm = dice.one_of(std::array{0.5, 0.6, 0.8, 1.0});
     const std::string series = part(dice, "k_se", series_spring(dice, rig.capstan_radius_mm, lowest, highest));

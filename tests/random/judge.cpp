@@ -15,13 +15,13 @@ namespace fusee::random_profiles {
 namespace {
 
 std::string fault_of_made(const batch::Row& row) {
-    if (!row.result.made || core::any_error(row.result.findings)) return "made in spite of a required change";
+    if (!row.result.made || core::any_error(row.result.findings)) return "made in spite of an error";
     for (const char* file : {"report.json", "report.html", "springs.csv", "k_se.json", "k_se.stl", "k_pe.json", "k_pe.stl"})
         if (!fs::is_regular_file(row.result.folder / file)) return fmt::format("{} is missing", file);
     std::size_t arms = 0;
     for (const core::Finding& f : row.result.findings) arms += f.rule == "readback.arm" ? 1 : 0;
     if (arms < 4) return fmt::format("{} arms were read back; at least those of two readers for two parts are", arms);
-    if (!(row.result.worst_arm_error <= 1e-3)) return fmt::format("an arm is off by {}", row.result.worst_arm_error);
+    if (row.result.file_errors.arm > 1e-3) return fmt::format("an arm is off by {}", row.result.file_errors.arm);
     return "";
 }
 
@@ -32,7 +32,7 @@ bool without_number(const core::Finding& f) {
 }
 
 std::string fault_of_refused(const batch::Row& row) {
-    if (!core::any_error(row.result.findings)) return "refused without a required change";
+    if (!core::any_error(row.result.findings)) return "refused without an error";
     if (!row.result.folder.empty()) return "refused and something was written";
     for (const core::Finding& f : row.result.findings) {
         if (f.severity != core::Severity::kError) continue;
@@ -52,7 +52,7 @@ std::vector<batch::Row> make_some(std::uint64_t seed, int first, int count, cons
         profiles.push_back(folder / fmt::format("random_{:05}.toml", i));
         core::write_file(profiles.back(), random_profile(seed, i));
     }
-    pipeline::MakeOptions options;
+    batch::MakeOptions options;
     options.out = folder / "out";
     return batch::make_all(profiles, options, jobs);
 }

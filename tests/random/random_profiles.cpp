@@ -37,7 +37,7 @@ struct Tally {
             return;
         }
         row.outcome == batch::Outcome::kMade ? ++made : ++refused;
-        if (row.outcome == batch::Outcome::kMade) worst_arm_error = std::max(worst_arm_error, row.result.worst_arm_error);
+        if (row.outcome == batch::Outcome::kMade) worst_arm_error = std::fmax(worst_arm_error, row.result.file_errors.arm);
         std::set<std::string> rules;
         for (const core::Finding& f : row.result.findings)
             if (f.severity == core::Severity::kError) rules.insert(f.rule);

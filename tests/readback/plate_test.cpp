@@ -1,7 +1,7 @@
 #include "fusee/readback/plate.h"
 
 #include "exchange/fixtures/disc.h"
-#include "exchange/fixtures/expect_io_error.h"
+#include "exchange/fixtures/expect_refusal.h"
 #include "fusee/core/file.h"
 #include "fusee/exchange/three_mf.h"
 
@@ -59,16 +59,16 @@ TEST_F(PlateReadBack, RefusesWhatIsNotArrangedOrNotStated) {
     const auto read = [this](const exchange::Plate& plate) { return [this, plate] { (void)read_back_plate(folder_, plate); }; };
     auto near = places_;
     near[1].moved_mm = {76.0, 50.0, 2.0};
-    fixtures::expect_io_error(read(written(near)), {"plate.3mf", "k_se and k_pe", "nearer than 5 mm"});
+    fixtures::expect_refusal(read(written(near)), {"plate.3mf", "k_se and k_pe", "nearer than 5 mm"});
     auto out = places_;
     out[1].moved_mm[1] = 195.0;
-    fixtures::expect_io_error(read(written(out)), {"plate.3mf", "k_pe", "out of the build volume along y"});
+    fixtures::expect_refusal(read(written(out)), {"plate.3mf", "k_pe", "out of the build volume along y"});
     auto other = places_;
     other[1].name = "k_pe_mirrored";
-    fixtures::expect_io_error(read(written(places_, other)), {"plate.3mf", "are stated"});
+    fixtures::expect_refusal(read(written(places_, other)), {"plate.3mf", "are stated"});
     exchange::Plate plate = written(places_);
     plate.file.sha256 = "0";
-    fixtures::expect_io_error(read(plate), {"plate.3mf", "are stated"});
+    fixtures::expect_refusal(read(plate), {"plate.3mf", "are stated"});
 }
 
 }  // namespace

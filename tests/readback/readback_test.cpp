@@ -1,7 +1,7 @@
 #include "fusee/readback/readback.h"
 
 #include "exchange/fixtures/disc.h"
-#include "exchange/fixtures/expect_io_error.h"
+#include "exchange/fixtures/expect_refusal.h"
 #include "exchange/fixtures/parts.h"
 #include "fusee/core/file.h"
 #include "fusee/exchange/dxf.h"
@@ -234,19 +234,19 @@ TEST_F(ReadBackTest, RefusesFilesThatAreNotTheOnesStated) {
     const solid::Mesh mesh = fixtures::disc_mesh({});
     write_mesh(part, mesh);
     part.files[0].triangles -= 1;
-    fixtures::expect_io_error([&] { (void)read_back(folder_, part); }, {"a.stl", "triangles"});
+    fixtures::expect_refusal([&] { (void)read_back(folder_, part); }, {"a.stl", "triangles"});
     std::string bytes = core::read_file(file("a.stl"));
     bytes[100] = static_cast<char>(bytes[100] ^ 1);
     core::write_file(file("a.stl"), bytes);
-    fixtures::expect_io_error([&] { (void)read_back(folder_, part); }, {"a.stl", "SHA-256"});
+    fixtures::expect_refusal([&] { (void)read_back(folder_, part); }, {"a.stl", "SHA-256"});
     part.files[0].name = "missing.stl";
-    fixtures::expect_io_error([&] { (void)read_back(folder_, part); }, {"missing.stl"});
+    fixtures::expect_refusal([&] { (void)read_back(folder_, part); }, {"missing.stl"});
     core::write_file(file("a.step"), "ISO-10303-21;");
     part.files = {entry("a.step", 0)};
-    fixtures::expect_io_error([&] { (void)read_back(folder_, part); }, {"a.step"});
+    fixtures::expect_refusal([&] { (void)read_back(folder_, part); }, {"a.step"});
     exchange::write_dxf(file("a.dxf"), {{{"PITCH", {}, {}}}, ""});
     part.files = {entry("a.dxf", 0)};
-    fixtures::expect_io_error([&] { (void)read_back(folder_, part); }, {"a.dxf", "FLOOR"});
+    fixtures::expect_refusal([&] { (void)read_back(folder_, part); }, {"a.dxf", "FLOOR"});
 }
 
 }  // namespace

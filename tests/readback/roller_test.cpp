@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "exchange/fixtures/disc.h"
-#include "exchange/fixtures/expect_io_error.h"
+#include "exchange/fixtures/expect_refusal.h"
 #include "fusee/core/file.h"
 #include "fusee/exchange/stl.h"
 #include "fusee/readback/readback.h"
@@ -88,7 +88,7 @@ TEST_F(RollerReadBack, ALumpOnTheRimIsFound) {
 TEST_F(RollerReadBack, ALiftThatItsArmsDoNotGiveIsRefused) {
     PartFile part = follower_part({}, 0.0, 1);
     part.target[300].lift_mm += 0.01;
-    fixtures::expect_io_error([&] { (void)errors_of(part, fixtures::disc_mesh({})); }, {"target"});
+    fixtures::expect_refusal([&] { (void)errors_of(part, fixtures::disc_mesh({})); }, {"target"});
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "exchange/fixtures/disc.h"
-#include "exchange/fixtures/expect_io_error.h"
+#include "exchange/fixtures/expect_refusal.h"
 #include "fusee/core/file.h"
 #include "fusee/readback/readback.h"
 
@@ -124,7 +124,7 @@ TEST_F(SlicedTest, RefusesWhatItDoesNotUnderstand) {
         std::string text = good;
         ASSERT_NE(text.find(from), std::string::npos) << from;
         text.replace(text.find(from), from.size(), to);
-        fixtures::expect_io_error([&] { (void)read(text, disc()); }, words);
+        fixtures::expect_refusal([&] { (void)read(text, disc()); }, words);
     };
     refused("; fusee: z", "; z", {"a.gcode", "where the part stands"});
     refused(";TYPE:External perimeter", ";TYPE:Perimeter", {"a.gcode", "no external perimeter"});

@@ -82,7 +82,7 @@ inline diagnosis::Isolability isolability() {
     return isolability;
 }
 
-/// The gap of each experiment, and the map; one kept-back gap and one cell are not known.
+/// The gap of each experiment, and the map; one held-out gap and one cell are unknown.
 inline void add_gaps(diagnosis::Diagnosis& d) {
     int rows = 24;
     for (const char* name : {"breakaway", "spring_pull", "dead_band", "joint_stiffness", "cocontraction", "log"})

@@ -1,24 +1,15 @@
-#include "report/diagnosis_page.h"
-
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <string>
 
+#include "diagnosis/page.h"
 #include "fusee/report/diagnosis.h"
+#include "page/html.h"
+#include "page_structure.h"
 #include "report/diagnosis_fixture.h"
 
 namespace fusee::report {
 namespace {
-
-std::size_t count(const std::string& text, const std::string& what) {
-    std::size_t n = 0;
-    for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++n;
-    return n;
-}
-
-bool holds(const std::string& text, const std::string& what) { return text.find(what) != std::string::npos; }
 
 /// The data of the first path of a class.
 std::string path_of(const std::string& page, const std::string& css) {
@@ -29,21 +20,19 @@ std::string path_of(const std::string& page, const std::string& css) {
 }
 
 TEST(DiagnosisHtml, AnswersWhereWhichAndHowFarInThisOrder) {
-    const std::string page = diagnosis_html(diagnosis());
+    const diagnosis::Diagnosis d = diagnosis();
+    const std::string page = diagnosis_html(d);
+    expect_page(page);
+    EXPECT_EQ(elements(page, "h2").size(), 8u);
     std::size_t last = 0;
-    for (const char* title :
-         {"Where the gap lies", "Which effect causes it", "What these experiments can tell apart", "How far the gap shrinks",
-          "Measured against predicted", "How this rig was built", "Next experiment", "Remarks"}) {
-        const auto at = page.find("<h2>" + std::string(title) + "</h2>");
-        ASSERT_NE(at, std::string::npos) << title;
-        EXPECT_GT(at, last) << title;
-        last = at;
+    for (const std::string& html : {where_section(d), which_section(d), isolability_section(d), trace_section(d)}) {
+        EXPECT_GT(page.find(html), last);
+        last = page.find(html);
+        ASSERT_NE(last, std::string::npos);
     }
-    for (const char* part : {"Cause identified", "9.12 \u2192 1.04 sigma", "9.31 \u2192 1.06 sigma", "after: 0.97 to 1.17", "0.0512",
-                             "0.0473 to 0.0551", "-0.21", "The gear rubs even without load", "62 %", "agonist, push up", ">found<",
-                             "motor torque [Nm]: 0.02, 0.05, 0.1", "Leaving out the time log"})
-        EXPECT_TRUE(holds(page, part)) << part;
-    for (const char* never : {">nan", "nan<", ">inf", "-inf", "http", "<script", "src="}) EXPECT_FALSE(holds(page, never)) << never;
+    expect_all(page,
+               {"verdict pass-tag", "9.12 \u2192 1.04 sigma", "9.31 \u2192 1.06 sigma", "after: 0.97 to 1.17", "0.0512", "0.0473 to 0.0551",
+                "-0.21", "62 %", "agonist, push up", ">found<", "motor torque [Nm]: 0.02, 0.05, 0.1", "Leaving out the time log"});
 }
 
 TEST(DiagnosisHtml, EscapesEveryText) {
@@ -64,16 +53,16 @@ TEST(DiagnosisHtml, EscapesEveryText) {
     const std::string page = diagnosis_html(d);
     EXPECT_FALSE(holds(page, "<i>"));
     EXPECT_FALSE(holds(page, "&\""));
-    EXPECT_GT(count(page, "&lt;i&gt;&amp;&quot;"), 20u);
+    EXPECT_GT(occurrences(page, "&lt;i&gt;&amp;&quot;"), 20u);
 }
 
 TEST(DiagnosisHtml, AnEmptyDiagnosisHasAHeadAndNothingElse) {
     const std::string page = diagnosis_html({});
-    EXPECT_TRUE(holds(page, "No gap beyond tolerance and noise"));
+    EXPECT_TRUE(holds(page, "verdict pass-tag"));
     EXPECT_TRUE(holds(page, "<b>\u2013 \u2192 \u2013 sigma</b>"));
-    EXPECT_EQ(count(page, "<section"), 0u);
-    EXPECT_EQ(count(page, "<table"), 0u);
-    EXPECT_FALSE(holds(page, ">nan"));
+    EXPECT_EQ(occurrences(page, "<section"), 0u);
+    EXPECT_EQ(occurrences(page, "<table"), 0u);
+    expect_page(page);
 }
 
 TEST(DiagnosisHtml, FiguresThatAreNotKnownAreDashes) {
@@ -88,14 +77,14 @@ TEST(DiagnosisHtml, FiguresThatAreNotKnownAreDashes) {
     d.isolability.signature_similarity[3][2] = unknown;
     d.next[0].information = unknown;
     const std::string page = diagnosis_html(d);
-    for (const char* never : {">nan", "nan<", "nan to", ">inf", "-inf", "\"nan", "nan\""}) EXPECT_FALSE(holds(page, never)) << never;
-    EXPECT_GT(count(page, "\u2013"), 20u);
+    expect_page(page);
+    EXPECT_GT(occurrences(page, "\u2013"), 20u);
 }
 
 TEST(DiagnosisHtml, TakesAFurtherSectionAsItIs) {
     const std::string extra = section("The loop closed", "<p>dead-band</p>");
     const std::string page = diagnosis_html(diagnosis(), extra);
-    EXPECT_GT(page.find(extra), page.find("<h2>Remarks</h2>"));
+    EXPECT_EQ(elements(page, "h2").back(), "The loop closed");
     EXPECT_TRUE(holds(page, extra));
 }
 
@@ -107,7 +96,6 @@ TEST(DiagnosisHtml, ThirtyLongTracesStayBelow2MB) {
     d.traces.assign(90, log_trace("log", 100'000));
     const std::string ninety = diagnosis_html(d);
     EXPECT_LT(ninety.size(), 2'000'000u);
-    EXPECT_TRUE(holds(ninety, "evenly chosen rows are drawn"));
 }
 
 TEST(GapMap, IsAStripForEachExperimentBeforeAndAfter) {
@@ -115,30 +103,30 @@ TEST(GapMap, IsAStripForEachExperimentBeforeAndAfter) {
     d.map = {{"dead_band", "cocontraction_Nm", {0.3, 0.5}, 2.4, 1.1, 5}, {"dead_band", "cocontraction_Nm", {0.1, 0.3}, 27.0, 0.8, 5}};
     const std::string html = where_section(d);
     for (const char* cell : {"fill=\"#8c2d04\"", "fill=\"#fec44f\"", "fill=\"#fff7bc\"", "fill=\"#ffffe5\""})
-        EXPECT_EQ(count(html, cell), 2u) << cell << ": one cell, one key of the legend";
+        EXPECT_EQ(occurrences(html, cell), 2u) << cell << ": one cell, one key of the legend";
     EXPECT_LT(html.find(">27<"), html.find(">2.4<")) << "by rising range";
-    EXPECT_EQ(count(html, ">0.3</text>"), 2u) << "an edge that two cells share is told once in each map";
-    EXPECT_EQ(count(html, ">dead-band</text>"), 2u);
+    EXPECT_EQ(occurrences(html, ">0.3</text>"), 2u) << "an edge that two cells share is shown once in each map";
+    EXPECT_EQ(occurrences(html, ">dead-band</text>"), 2u);
 }
 
 TEST(GapMap, FoldsLongStripsAndNamesRangesThatDoNotTouch) {
     diagnosis::Diagnosis d;
     for (int i = 0; i < 30; ++i) d.map.push_back({"log", "t_s", {i + 0.0, i + 1.0}, 1.0, 1.0, 9});
-    EXPECT_EQ(count(where_section(d), ">time log</text>"), 2u * 4u);
+    EXPECT_EQ(occurrences(where_section(d), ">time log</text>"), 2u * 4u);
     d.map = {{"dead_band", "cocontraction_Nm", {0.1, 0.1}, 1, 1, 3}, {"dead_band", "cocontraction_Nm", {0.5, 0.8}, 1, 1, 3}};
-    EXPECT_EQ(count(where_section(d), ">0.5\u20130.8</text>"), 2u);
+    EXPECT_EQ(occurrences(where_section(d), ">0.5\u20130.8</text>"), 2u);
 }
 
 TEST(IsolabilityMatrix, OutlinesPairsOfAClass) {
     diagnosis::Diagnosis d;
     d.isolability = isolability();
     const std::string html = isolability_section(d);
-    EXPECT_EQ(count(html, "stroke-width=\"2\""), 1u + 3u) << "a pair, and three pairs of three";
-    EXPECT_EQ(count(html, "<rect"), 16u * 15u / 2u + 8u) << "the lower triangle and the legend";
+    EXPECT_EQ(occurrences(html, "stroke-width=\"2\""), 1u + 3u) << "a pair, and three pairs of three";
+    EXPECT_EQ(occurrences(html, "<rect"), 16u * 15u / 2u + 8u) << "the lower triangle and the legend";
     EXPECT_TRUE(holds(html, "<li>gear.load_friction (agonist), sensor.torque_scale (agonist)</li>"));
     EXPECT_TRUE(holds(html, ">98</text>"));
     d.isolability.classes.clear();
-    EXPECT_TRUE(holds(isolability_section(d), "can tell all of these causes apart"));
+    EXPECT_EQ(occurrences(isolability_section(d), "<li>"), 0u);
 }
 
 TEST(IsolabilityMatrix, StaysBoundedForManyCauses) {
@@ -146,18 +134,18 @@ TEST(IsolabilityMatrix, StaysBoundedForManyCauses) {
     d.isolability.causes.assign(200, {"gear.coulomb", "agonist"});
     d.isolability.signature_similarity.assign(200, std::vector<double>(200, 0.5));
     const std::string html = isolability_section(d);
-    EXPECT_TRUE(holds(html, "The first 72 of 200 causes"));
+    EXPECT_TRUE(holds(html, "72 of 200"));
     EXPECT_LT(html.size(), 600'000u);
 }
 
-TEST(TraceChart, RepeatsAreOneCurveAndALoopKeepsItsTwoWays) {
+TEST(TraceChart, RepeatsAreOneCurveAndALoopKeepsItsTwoBranches) {
     diagnosis::Diagnosis d;
     d.traces = {repeat_trace("levels three times over")};
     const std::string repeats = trace_section(d);
-    EXPECT_EQ(count(repeats, "class=\"band se\""), 1u);
+    EXPECT_EQ(occurrences(repeats, "class=\"band se\""), 1u);
     d.traces = {loop_trace("there and back")};
     const std::string loop = trace_section(d);
-    EXPECT_EQ(count(loop, "class=\"band se\""), 3u) << "up, down over zero, up to zero";
+    EXPECT_EQ(occurrences(loop, "class=\"band se\""), 3u) << "up, down over zero, up to zero";
     const std::string after = path_of(loop, "curve se");
     EXPECT_EQ(std::count(after.begin(), after.end(), 'M'), 1);
     EXPECT_EQ(std::count(after.begin(), after.end(), 'L'), 80);
@@ -176,7 +164,7 @@ TEST(TraceChart, ANewSweepBeginsANewLine) {
     d.traces = {sweeps};
     const std::string html = trace_section(d), after = path_of(html, "curve se");
     EXPECT_EQ(std::count(after.begin(), after.end(), 'M'), 2) << after;
-    EXPECT_EQ(count(html, "class=\"band se\""), 2u);
+    EXPECT_EQ(occurrences(html, "class=\"band se\""), 2u);
     EXPECT_EQ(path_of(html, "curve pe dashed"), "") << "no prediction before, no line";
 }
 
@@ -192,11 +180,11 @@ TEST(TraceChart, ManyCyclesKeepTheirPathAndScatterIsSorted) {
     diagnosis::Diagnosis d;
     d.traces = {cycles};
     const std::string path = trace_section(d);
-    EXPECT_EQ(count(path, "class=\"band se\""), 0u);
-    EXPECT_GT(count(path_of(path, "curve se"), "L"), 390u);
+    EXPECT_EQ(occurrences(path, "class=\"band se\""), 0u);
+    EXPECT_GT(occurrences(path_of(path, "curve se"), "L"), 390u);
     d.traces = {scatter};
     const std::string sorted = trace_section(d);
-    EXPECT_EQ(count(sorted, "class=\"band se\""), 1u);
+    EXPECT_EQ(occurrences(sorted, "class=\"band se\""), 1u);
     // From the lowest left to the highest right: never back down, so drawn heights only fall.
     const std::string line = path_of(sorted, "curve se");
     double last = 1e9;

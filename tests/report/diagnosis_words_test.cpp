@@ -1,28 +1,18 @@
-#include "report/diagnosis_words.h"
-
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "diagnosis/words.h"
 #include "fusee/report/diagnosis.h"
+#include "page_structure.h"
 #include "report/diagnosis_fixture.h"
 
 namespace fusee::report {
 namespace {
 
-using diagnosis::kNoFigure;
-
-TEST(DiagnosisWords, FiguresThatAreNotKnownAreDashes) {
-    EXPECT_EQ(known(kNoFigure), "\u2013");
-    EXPECT_EQ(known(-INFINITY), "\u2013");
-    EXPECT_EQ(span({kNoFigure, 1.0}), "\u2013");
-    EXPECT_EQ(span({0.12, 0.5}), "0.12 to 0.5");
-    EXPECT_EQ(change(9.1, kNoFigure), "9.1 \u2192 \u2013");
-    EXPECT_EQ(percent(0.623), "62 %");
-    EXPECT_EQ(percent(kNoFigure), "\u2013");
+TEST(DiagnosisWords, SmallProbabilitiesHaveABound) {
     EXPECT_EQ(chance(7e-40), "< 0.001");
-    EXPECT_EQ(chance(kNoFigure), "\u2013");
+    EXPECT_EQ(chance(0.12345), "0.123");
+    EXPECT_EQ(chance(diagnosis::kNoFigure), "\u2013");
 }
 
 TEST(DiagnosisWords, LengthsAreReadInMillimetres) {
@@ -80,36 +70,32 @@ TEST(DiagnosisWords, EveryIdOfTheFormatHasAMeaning) {
                            "element.load"})
         EXPECT_FALSE(meaning(id).empty()) << id;
     EXPECT_EQ(meaning("gear.moonlight"), "");
-    EXPECT_EQ(law("gear.stribeck"),
-              "Friction at rest is (1 + s) times that in motion; it falls as s exp(-(v/v_s)^2). Looks much like gear.load_friction.");
-    EXPECT_EQ(law("loop.gain"), "") << "of bench cases";
+    expect_all(law("gear.stribeck"), {"exp(-(v/v_s)^2)", "gear.load_friction"});
+    EXPECT_EQ(law("loop.gain"), "") << "of subsystem cases";
 }
 
 TEST(DiagnosisWords, TheVerdictIsASentence) {
     diagnosis::Diagnosis d = diagnosis();
-    EXPECT_EQ(verdict_sentence(d), "The rig has 2 effects that the model does not: gear.coulomb (agonist) and se.radius (both).");
+    expect_all(verdict_sentence(d), {"2 effects", "gear.coulomb (agonist) and se.radius (both)"});
     EXPECT_DOUBLE_EQ(verdict_probability(d), 0.934) << "of the less certain one";
     d.effects.resize(1);
-    EXPECT_EQ(verdict_sentence(d), "The rig has an effect that the model does not: gear.coulomb (agonist).");
+    expect_all(verdict_sentence(d), {"an effect", "gear.coulomb (agonist)."});
     d.verdict = diagnosis::VerdictKind::kAmbiguous;
     d.alternatives = {{{{"gear.coulomb", "agonist"}}, 0.5}, {{{"joint.coulomb", "none"}}, 0.45}, {{}, 0.001}};
-    EXPECT_EQ(verdict_sentence(d),
-              "Model and rig part, and these experiments cannot tell which causes it: gear.coulomb (agonist); or joint.coulomb.");
+    expect_all(verdict_sentence(d), {"gear.coulomb (agonist); or joint.coulomb."});
     d.verdict = diagnosis::VerdictKind::kUnknown;
-    EXPECT_NE(verdict_sentence(d).find("dead-band, co-contraction 0.12 to 0.5 Nm, agonist, push up"), std::string::npos);
-    EXPECT_TRUE(std::isnan(verdict_probability(d))) << "a ranking within the library says nothing of what is outside it";
+    expect_all(verdict_sentence(d), {"dead-band, co-contraction 0.12 to 0.5 Nm, agonist, push up"});
+    EXPECT_TRUE(std::isnan(verdict_probability(d))) << "a ranking within the library says nothing about other effects";
     d.verdict = diagnosis::VerdictKind::kNone;
     d.ranking = {{{}, 0.0, 0.97, 300.0, 1.0, {}}};
     EXPECT_DOUBLE_EQ(verdict_probability(d), 0.97);
 }
 
 TEST(DiagnosisText, HoldsWhereWhichAndHowFar) {
-    const std::string text = diagnosis_text(diagnosis());
-    for (const char* part :
-         {"open-07: The rig has 2 effects", "gear.coulomb (agonist): 0.0512 Nm (95 %: 0.0473 to 0.0551), probability 0.981",
-          "se.radius (both): -0.21 mm", "62 % of the gap: dead-band", "9.12 \u2192 1.04 sigma, noise floor 1",
-          "9.31 \u2192 1.06 sigma (95 %: 0.97 to 1.17)", "next: Hold the agonist's motor", "- Leaving out the time log"})
-        EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+    expect_all(diagnosis_text(diagnosis()),
+               {"open-07: ", "gear.coulomb (agonist): 0.0512 Nm (95 %: 0.0473 to 0.0551), probability 0.981", "se.radius (both): -0.21 mm",
+                "62 %", "9.12 \u2192 1.04 sigma, noise floor 1", "9.31 \u2192 1.06 sigma (95 %: 0.97 to 1.17)",
+                "next: Hold the agonist's motor", "- Leaving out the time log"});
 }
 
 TEST(DiagnosisText, StaysShort) {
@@ -119,9 +105,8 @@ TEST(DiagnosisText, StaysShort) {
     d.remarks.resize(50, "one more");
     const std::string text = diagnosis_text(d);
     EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), kMostDiagnosisLines);
-    EXPECT_NE(text.find("and 5 more effects"), std::string::npos);
-    EXPECT_NE(text.find("more remarks"), std::string::npos);
-    EXPECT_EQ(text.find("nan"), std::string::npos);
+    expect_all(text, {"5 more effects", "more remarks"});
+    EXPECT_FALSE(holds(text, "nan"));
 }
 
 TEST(DiagnosisText, AnEmptyDiagnosisIsTwoLines) {

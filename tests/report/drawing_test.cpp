@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <regex>
 
-#include "report/cam_drawing.h"
+#include "design/cam_drawing.h"
+#include "design/markers.h"
 #include "report/fixture.h"
-#include "report/markers.h"
 
 namespace fusee::report {
 namespace {
@@ -40,7 +40,7 @@ TEST(CamDrawing, ADiscOfRadius10mmIsDrawn20mmWide) {
     EXPECT_NEAR(path_width(svg, "floor") * mm_per_unit, 19.0, 1e-3);  // half a cable of 1 mm on each side
 }
 
-TEST(CamDrawing, TheScaleBarIsAsLongAsItSays) {
+TEST(CamDrawing, TheScaleBarHasTheStatedLength) {
     const std::string svg = cam_svg(disc(cam::PartKind::kSeries), {});
     EXPECT_EQ(attribute(svg, "class=\"scale\"><path d=\"M[-0-9.]+ [-0-9.]+v[-0-9.]+h([0-9.]+)v"), attribute(svg, ">([0-9.]+) mm</text>"));
 }
@@ -54,7 +54,7 @@ TEST(CamDrawing, TheWorkingArcAndTheCableStandWhereTheyTouch) {
 
 TEST(CamDrawing, EveryMarkerIsDrawnWithItsNumberAndPlace) {
     const std::string svg = cam_svg(disc(cam::PartKind::kSeries), {{7, core::Severity::kError, 3.0, 4.0, "a<b"}});
-    EXPECT_NE(svg.find("class=\"place required\"><title>a&lt;b</title><path class=\"leader\" d=\"M3 -4L"), std::string::npos);
+    EXPECT_NE(svg.find("class=\"place error\"><title>a&lt;b</title><path class=\"leader\" d=\"M3 -4L"), std::string::npos);
     EXPECT_NE(svg.find(">7</text>"), std::string::npos);
 }
 

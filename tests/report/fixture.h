@@ -96,7 +96,7 @@ struct Fixture {
         design.findings = {finding("law.transmission", core::Severity::kPass, 0.0)};
         for (const solid::Part* part : {&spool, &helix}) {
             PartReport report;
-            report.part = part;
+            report.part = {std::shared_ptr<void>(), part};  // lives in the fixture
             report.spring.kind = part == &spool ? spring::BaseKind::kTorsion : spring::BaseKind::kCompression;
             report.spring.rate = 0.02;
             const std::string stem = cam::to_string(part->cam.kind);

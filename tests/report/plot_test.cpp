@@ -1,9 +1,8 @@
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <limits>
 
-#include "report/svg_plot.h"
+#include "page/svg_plot.h"
+#include "page_structure.h"
 
 namespace fusee::report {
 namespace {
@@ -43,12 +42,7 @@ TEST(Plot, NothingToShowIsStillAPicture) {
 TEST(Plot, DotsCarryBarsWhereADeviationIsKnown) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const std::string svg = Plot("t", "x", "y").points("p", {0, 1, 2, nan}, {1, 2, 3, 4}, "se", {0.5, nan, 1.0, 1.0}).svg();
-    const auto count = [&svg](const std::string& what) {
-        std::size_t n = 0;
-        for (std::size_t at = svg.find(what); at != std::string::npos; at = svg.find(what, at + 1)) ++n;
-        return n;
-    };
-    EXPECT_EQ(count("<circle"), 3u);
+    EXPECT_EQ(occurrences(svg, "<circle"), 3u);
     const auto at = svg.find("bar\" d=\"");
     ASSERT_NE(at, std::string::npos);
     const std::string bars = svg.substr(at, svg.find("\"/", at) - at);

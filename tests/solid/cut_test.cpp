@@ -9,10 +9,10 @@
 namespace fusee::solid {
 namespace {
 
-const Ring kSquare{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
+const Ring kCutSquare{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
 
 TEST(Cut, TakesAwayEveryTool) {
-    const Mesh body = prism(kSquare, 0.0, 2.0);
+    const Mesh body = prism(kCutSquare, 0.0, 2.0);
     const Mesh through = prism(ring_of(circle(0.5, {1.0, 1.0}), 1e-3), -1.0, 3.0),
                pocket = prism(ring_of(circle(0.5, {3.0, 3.0}), 1e-3), 1.0, 3.0);
     const auto result = cut(body, {through, pocket});
@@ -22,12 +22,12 @@ TEST(Cut, TakesAwayEveryTool) {
 }
 
 TEST(Cut, WithoutToolsIsTheBodyItself) {
-    const Mesh body = prism(kSquare, 0.0, 2.0);
+    const Mesh body = prism(kCutSquare, 0.0, 2.0);
     EXPECT_EQ(cut(body, {})->triangles, body.triangles);
 }
 
 TEST(Cut, GivesNothingForABodyThatIsNoManifold) {
-    Mesh broken = prism(kSquare, 0.0, 2.0);
+    Mesh broken = prism(kCutSquare, 0.0, 2.0);
     broken.triangles.push_back(broken.triangles.front());
     EXPECT_FALSE(cut(broken, {prism(ring_of(circle(0.5, {1.0, 1.0}), 1e-3), -1.0, 3.0)}));
 }

@@ -10,7 +10,7 @@
 namespace fusee::solid {
 namespace {
 
-const Ring kSquare{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
+const Ring kSliverSquare{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
 
 // Known: a corner split by 5e-5 mm, top and bottom, is one corner again; 0.1 mm is a feature and stays.
 TEST(Slivers, OfAnotherKernelCollapse) {
@@ -40,7 +40,7 @@ Mesh with_cap(Mesh mesh) {
 }
 
 TEST(Slivers, TrianglesWithoutAnAreaAreFlippedAway) {
-    const Mesh folded = with_cap(prism(kSquare, 0.0, 2.0));
+    const Mesh folded = with_cap(prism(kSliverSquare, 0.0, 2.0));
     EXPECT_FALSE(validate(folded).good());
     EXPECT_FALSE(validate(without_slivers(folded).value()).good()) << "none of its edges is short";
     const auto cured = without_folds(folded, 1e-3);

@@ -18,17 +18,17 @@ constexpr double kCapstan = 0.03;  // [m]
 const BaseSpring kTorsion{.kind = BaseKind::kTorsion, .rate = 0.0183, .preload = 4.0};
 const BaseSpring kCompression{.kind = BaseKind::kCompression, .rate = 7460.0, .preload = 0.0148};
 
-SpringLawPtr paper_law(double lead_in = 0.0) {
+SpringLawPtr law_with_lead_in(double lead_in = 0.0) {
     const auto law = make_stiction_law({.k = 0.225, .u = 0.0012, .c = 0.265, .mu = 0.28, .start_torque = 0.6, .end_torque = 2.1});
     return *with_lead_in(*law, lead_in);
 }
 
-struct Case {
+struct NominalSpring {
     PotentialPtr nominal;
     BaseSpring base;
 };
-std::vector<Case> both(double lead_in = 0.0) {
-    const SpringLawPtr law = paper_law(lead_in);
+std::vector<NominalSpring> both(double lead_in = 0.0) {
+    const SpringLawPtr law = law_with_lead_in(lead_in);
     return {{series_spring(law), kTorsion}, {parallel_spring(law), kCompression}};
 }
 
@@ -74,7 +74,7 @@ TEST(BuiltSpring, AWiderSpoolIsKnownByHand) {
     const double radius = 0.02, wider = 0.0015;
     const PotentialPtr built = make_built_spring(constant_spool(radius), kTorsion, kCapstan, {.radius = wider});
     const PotentialPtr expected = constant_spool(radius + wider);
-    EXPECT_NEAR(built->domain().high, kLongestDeflection * (radius + wider) / radius, 1e-10);  // the same arc gives more cable
+    EXPECT_NEAR(built->domain().high, kLongestDeflection * (radius + wider) / radius, 1e-10);  // the same arc pays out more cable
     for (const double x : {0.0, 0.3, 2.0, 40.0}) {
         EXPECT_NEAR(built->force(x), expected->force(x), 1e-13 * expected->force(x));
         EXPECT_NEAR(built->stiffness(x), expected->stiffness(x), 1e-12 * expected->stiffness(x));
@@ -132,7 +132,7 @@ TEST(BuiltSpring, IsConsistentWithAllErrorsAtOnce) {
 /// An independent way to the same spring: walk along the nominal cam in small steps and sum cable and state.
 TEST(BuiltSpring, AgreesWithAWalkAlongTheCam) {
     const BuildError error{.rate = 0.06, .radius = 0.0005, .preload = 0.0};
-    for (const Case& each : both()) {
+    for (const NominalSpring& each : both()) {
         const PotentialPtr& nominal = each.nominal;
         const BaseSpring& base = each.base;
         const PotentialPtr built = make_built_spring(nominal, base, kCapstan, error);

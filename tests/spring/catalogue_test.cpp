@@ -11,14 +11,14 @@ namespace {
 
 const std::string kHeader = "kind,name,rate,wire_mm,coil_mm,active_coils,free_length_mm,max_deflection,max_load,tensile_strength_MPa\n";
 const std::string kStiff = "compression,D2,7500,1.8,14,8,50,25,180,1900\n", kSoft = "compression,D1,5000,1.6,14,8,55,28,140,1950\n",
-                  kTorsion = "torsion,T1,0.02,0.8,10,30,0,12,0.3,2100\n";
+                  kTorsionRow = "torsion,T1,0.02,0.8,10,30,0,12,0.3,2100\n";
 
 std::string field_of(const std::string& rows) {
     return field_refused([&] { return parse_catalogue(kHeader + rows, "springs.csv"); });
 }
 
 TEST(Catalogue, SpringsComeInSiAndByRisingRate) {
-    const Catalogue c = parse_catalogue(kHeader + kStiff + kTorsion + kSoft, "springs.csv");
+    const Catalogue c = parse_catalogue(kHeader + kStiff + kTorsionRow + kSoft, "springs.csv");
     ASSERT_EQ(c.compression.size(), 2u);
     ASSERT_EQ(c.torsion.size(), 1u);
     EXPECT_EQ(c.of(BaseKind::kCompression).front().name, "D1");

@@ -60,7 +60,7 @@ TEST(DeadBandLaw, GivesTheDeadBandAskedFor) {
                     const double width = linear_dead_band(p, friction, 1.5);
                     EXPECT_NEAR(width, curve->value(p.tau), 1e-13 * width) << p.tau;
                     EXPECT_NEAR(linear_dead_band((*law)->at_angle(p.theta), friction, 1.5), width, 1e-11 * width) << p.tau;
-                    // The clean rows: 60 intervals, sixth power. The smoothing spline has 16 intervals of its own.
+                    // The clean rows: 60 intervals, sixth power. The smoothing spline has 16 intervals.
                     EXPECT_NEAR(width, wanted(p.tau), (curve == curves[2] ? 1e-5 : 1e-8) * width) << p.tau;
                     EXPECT_NEAR(p.s, s ? 0.4 + 0.3 * p.tau * p.tau : p.s, 1e-12);
                 }

@@ -16,7 +16,7 @@ namespace {
 using math::Interval;
 using math::Jet;
 
-struct Case {
+struct NamedLaw {
     const char* name;
     SpringLawPtr law;
 };
@@ -36,7 +36,7 @@ SpringLawPtr dead_band_law(const friction::Law& friction) {
 }
 
 /// Every maker of laws.
-std::vector<Case> cases() {
+std::vector<NamedLaw> cases() {
     const StictionLawOptions paper{0.225, 0.0012, 0.265, 0.28, 0.6, 2.09};
     const auto table = friction::Law::tabulated({0.2, 0.8, 1.3, 2.2}, {0.06, 0.22, 0.37, 0.6}, 0.02);
     const std::vector<double> loads{0.6, 0.9, 1.2, 1.5, 2.0}, stiffness{0.08, 0.18, 0.33, 0.5, 0.9}, share{0.44, 0.3, 0.22, 0.18, 0.13};
@@ -75,11 +75,11 @@ TEST(EnclosedLaw, BoundsItsPoints) {
     std::uniform_real_distribution<double> share(0.0, 1.0);
     for (const auto& [name, law] : cases()) {
         SCOPED_TRACE(name);
-        const std::vector<LawStretch> all = stretches(*law);
+        const std::vector<LawSegment> all = segments(*law);
         ASSERT_FALSE(all.empty());
         EXPECT_NEAR(math::middle(all.front().over(Interval(all.front().parameter.low)).tau.value), law->loads().low, 1e-12);
         EXPECT_NEAR(math::middle(all.back().over(Interval(all.back().parameter.high)).tau.value), law->loads().high, 1e-12);
-        for (const LawStretch& s : all)
+        for (const LawSegment& s : all)
             for (int i = 0; i < 20; ++i) {
                 const double q = std::lerp(s.parameter.low, s.parameter.high, share(random)), reach = std::pow(10.0, -5.0 * share(random));
                 const LawJet here = s.over(Interval(q));
@@ -101,7 +101,7 @@ TEST(EnclosedLaw, BoundsItsPoints) {
 TEST(EnclosedLaw, HasSlopesThatBelongTogether) {
     for (const auto& [name, law] : cases()) {
         SCOPED_TRACE(name);
-        for (const LawStretch& s : stretches(*law)) {
+        for (const LawSegment& s : segments(*law)) {
             const LawJet at = s.over(Interval(0.5 * (s.parameter.low + s.parameter.high)));
             const double turn = math::middle(at.theta.slope);
             const auto expect = [&](const Jet& figure, const Jet& derivative) {

@@ -50,7 +50,7 @@ inline void expect_lawful(const SpringLaw& law, double relative) {
     const core::Range angles = law.angles();
     ASSERT_EQ(angles.low, 0.0);
     const LawPoint start = law.at_angle(0.0), end = law.at_angle(angles.high);
-    // The inverse's last digit of the start load, which weighs the more the narrower the law is: 5 % of its start gives 3e-14.
+    // The inverse's last digit of the start load, which matters more for narrow laws: with a width of 5 % of its start, 3e-14.
     EXPECT_NEAR(start.u_se, 0.0, 1e-12 * end.u_se);
     EXPECT_NEAR(start.u_pe, 0.0, 1e-12 * end.u_pe);
     EXPECT_NEAR(start.tau, law.loads().low, 1e-13 * end.tau);

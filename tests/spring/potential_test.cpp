@@ -100,7 +100,7 @@ TEST(Tabulated, WithoutSmoothingACubicIsReproduced) {
         EXPECT_NEAR(spring->force(x), truth->force(x), 1e-12);
         EXPECT_NEAR(spring->energy(x), truth->energy(x), 1e-12);
         EXPECT_NEAR(spring->stiffness(x), truth->stiffness(x), 1e-11);
-        EXPECT_NEAR(spring->slope(x), truth->slope(x), 1e-9);  // two differences over knots 0.37 apart
+        EXPECT_NEAR(spring->slope(x), truth->slope(x), 1e-9);  // two differences over knots at a distance of 0.37
     }
 }
 

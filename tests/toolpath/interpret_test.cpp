@@ -1,6 +1,6 @@
 #include <cstdlib>
 
-#include "exchange/fixtures/expect_io_error.h"
+#include "exchange/fixtures/expect_refusal.h"
 #include "fusee/core/units.h"
 #include "toolpath/fixture.h"
 
@@ -50,9 +50,9 @@ TEST(Canonical, ArcsComeAsFineChords) {
 }
 
 TEST(Canonical, WhatIsNotUnderstoodIsAnErrorWithItsRow) {
-    fixtures::expect_io_error([] { (void)parse_canonical("1 N..... USE_LENGTH_UNITS(CANON_UNITS_INCHES)\n", "a.ngc"); },
-                              {"a.ngc", "row 1", "INCHES"});
-    fixtures::expect_io_error([] { (void)parse_canonical("\n2 N..... STRAIGHT_FEED(1.0, 2.0)\n", "a.ngc"); }, {"a.ngc", "row 2"});
+    fixtures::expect_refusal([] { (void)parse_canonical("1 N..... USE_LENGTH_UNITS(CANON_UNITS_INCHES)\n", "a.ngc"); },
+                             {"a.ngc", "row 1", "INCHES"});
+    fixtures::expect_refusal([] { (void)parse_canonical("\n2 N..... STRAIGHT_FEED(1.0, 2.0)\n", "a.ngc"); }, {"a.ngc", "row 2"});
 }
 
 TEST(Faults, RapidInStockNoFeedAndNoStockAreNamed) {
@@ -82,7 +82,7 @@ TEST(Faults, RoundStockIsHeldByItsRadius) {
 using Controller = InterpreterTest;
 
 TEST_F(Controller, RefusesInItsOwnWords) {
-    fixtures::expect_io_error([this] { (void)run("G21\nG1 X1\nM2\n"); }, {"program.ngc", "rs274 ended with 1", "zero feed rate"});
+    fixtures::expect_refusal([this] { (void)run("G21\nG1 X1\nM2\n"); }, {"program.ngc", "rs274 ended with 1", "zero feed rate"});
 }
 
 TEST_F(Controller, ReadsArcsAndTheRotaryAxis) {

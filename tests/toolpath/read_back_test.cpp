@@ -1,4 +1,4 @@
-#include "exchange/fixtures/expect_io_error.h"
+#include "exchange/fixtures/expect_refusal.h"
 #include "fusee/core/units.h"
 #include "toolpath/fixture.h"
 
@@ -86,7 +86,7 @@ TEST_F(ReadBack, ARapidInStockIsSeenWhenTheSafeHeightIsSpoiled) {
 
 TEST(ReadBackWords, AProgramOfSomebodyElseIsAnError) {
     const Interpreted foreign = parse_canonical("1 N..... STRAIGHT_TRAVERSE(1.0, 0.0, 5.0, 0.0, 0.0, 0.0)\n", "foreign.ngc");
-    fixtures::expect_io_error([&] { (void)cut_floors(foreign); }, {"foreign.ngc", "cuts"});
+    fixtures::expect_refusal([&] { (void)cut_floors(foreign); }, {"foreign.ngc", "cuts"});
 }
 
 }  // namespace

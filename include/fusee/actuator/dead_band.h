@@ -1,6 +1,5 @@
 #pragma once
 #include <array>
-#include <limits>
 #include <vector>
 
 #include "fusee/actuator/actuator.h"
@@ -10,16 +9,14 @@ namespace fusee::actuator {
 
 /// The dead-band at one level of equal co-contraction: full width (edge to edge) at the joint. Figures outside the law are NaN.
 struct DeadBand {
-    double tau = 0.0;          ///< motor torque of both sides, at the capstan [Nm]
-    double linear = 0.0;       ///< 2 tau_f(tau)/(g P): paper (3)-(4) for a symmetric actuator [rad]
-    double exact_width = 0.0;  ///< the widest pair of resting places with capstan loads anywhere in resting_loads(tau) [rad]
-    double measured_width =
-        std::numeric_limits<double>::quiet_NaN();  ///< what a push-and-release test reads (StickSlip); the caller fills it [rad]
-    bool covered = true;                           ///< false: the springs do not cover the loads that stiction allows at this torque
-    double joint_stiffness = 0.0;                  ///< dtau_q/dq with both capstans held by stiction: 2 g^2 S [Nm/rad]
-    double free_joint_stiffness = 0.0;             ///< with both capstans free: 2 g^2 S P/(S+P) [Nm/rad]
-    double theta = 0.0;                            ///< capstan angle [rad]
-    double condition_6 = 0.0;  ///< d(T tau_f)/dtau; below 0: co-contraction shrinks the transmitted stiction (paper (6))
+    double tau = 0.0;                   ///< motor torque of both sides, at the capstan [Nm]
+    double linear = 0.0;                ///< 2 tau_f(tau)/(g P): paper (3)-(4) for a symmetric actuator [rad]
+    double exact_width = 0.0;           ///< the widest pair of resting places with capstan loads anywhere in resting_loads(tau) [rad]
+    bool covered = true;                ///< false: the springs do not cover the loads that stiction allows at this torque
+    double joint_stiffness = 0.0;       ///< dtau_q/dq with both capstans held by stiction: 2 g^2 S [Nm/rad]
+    double free_joint_stiffness = 0.0;  ///< with both capstans free: 2 g^2 S P/(S+P) [Nm/rad]
+    double theta = 0.0;                 ///< capstan angle [rad]
+    double condition_6 = 0.0;           ///< d(T tau_f)/dtau; below 0: co-contraction shrinks the transmitted stiction (paper (6))
 };
 
 /// @param tau motor torque [Nm]. The linear figure needs tau inside the law's loads (NaN outside).
@@ -29,9 +26,9 @@ struct DeadBand {
 
 /// Where the paper's condition (6) holds, among the co-contractions from least to overdrive torque that the law covers.
 struct ConditionSummary {
-    core::Range torques;             ///< looked at [Nm]; width below 0: the law covers none of them
-    std::vector<core::Range> holds;  ///< the parts, ascending, where d(T tau_f)/dtau < 0 [Nm]
-    core::Range values;              ///< least and greatest d(T tau_f)/dtau met; NaN if none was
+    core::Range torques;             ///< examined [Nm]; width below 0: the law covers none of them
+    std::vector<core::Range> holds;  ///< the ranges, ascending, where d(T tau_f)/dtau < 0 [Nm]
+    core::Range values;              ///< least and greatest d(T tau_f)/dtau found; NaN: none
     [[nodiscard]] bool everywhere() const { return values.high < 0.0; }
     [[nodiscard]] bool nowhere() const { return holds.empty(); }
 };
@@ -39,17 +36,17 @@ struct ConditionSummary {
 
 /// The dead-band of any joint at any two motor torques, as DeadBand: full width at the output. Figures outside the laws are NaN.
 struct JointDeadBand {
-    Eigen::Vector3d z = Eigen::Vector3d::Zero();  ///< where the joint would rest without friction [rad]
+    Eigen::Vector3d z = Eigen::Vector3d::Zero();  ///< resting place without friction [rad]
     double linear = 0.0;                          ///< paper (3)-(4), edge to edge: sum of |dq/dtau_i| 2 tau_f,i(tau_i) [rad]
     double exact_width = 0.0;                     ///< between `edges` [rad]
     core::Range edges;                            ///< least and greatest q with capstan loads anywhere in their resting_loads [rad]
     bool covered = true;                          ///< false: no resting place, or an edge, lies within the springs' laws
-    std::array<double, 2> condition_5{};          ///< d(T_i tau_f,i)/dtau_i, one torque raised: what the paper's (5) means
-    std::array<double, 2> condition_6{};          ///< d(T_i tau_f,i)/dtau, both torques raised alike
+    std::array<double, 2> condition_5{};          ///< d(T_i tau_f,i)/dtau_i, one torque raised: the paper's (5)
+    std::array<double, 2> condition_6{};          ///< d(T_i tau_f,i)/dtau, both torques raised equally
     double joint_stiffness = 0.0;                 ///< both capstans held [Nm/rad]
     double free_joint_stiffness = 0.0;            ///< both capstans free [Nm/rad]
 };
-/// q falls with the load of capstan 1 and rises with that of capstan 2 (for other networks: as the sensitivity at z says), so that its
+/// q falls with the load of capstan 1 and rises with that of capstan 2 (in other networks: by the sensitivity at z), so that its
 /// extremes lie at corners of the loads.
 /// @throws InvalidInput if a torque is not finite
 [[nodiscard]] JointDeadBand joint_dead_band(const Joint& joint, double tau_1, double tau_2);

@@ -8,13 +8,13 @@ namespace fusee::actuator {
 
 struct Equilibrium {
     Eigen::Vector3d z = Eigen::Vector3d::Zero();  ///< (theta_1, theta_2, q) [rad]
-    double residual = 0.0;                        ///< largest torque left over [Nm]
+    double residual = 0.0;                        ///< largest remaining torque [Nm]
     int steps = 0;
 };
 
-/// Where the frictionless joint rests under `torque`: paper (1), dU/dz = torque, any potentials, any three torques. U is convex where every
-/// stiffness is >= 0, so the resting place is unique (footnote 2) and damped Newton finds it from any start.
-/// Refusals: "equilibrium.free" (no spring holds some motion: a = b = 0 of figure 1, or a slack cable), "equilibrium.outside" (it rests
+/// Resting place of the frictionless joint under `torque`: paper (1), dU/dz = torque, any potentials, any three torques. U is convex where
+/// every stiffness is >= 0, so the resting place is unique (footnote 2) and damped Newton finds it from any start.
+/// Refusals: "equilibrium.free" (no spring holds a motion: a = b = 0 of figure 1, or a slack cable), "equilibrium.outside" (it rests
 /// outside a spring's law; the nearest torques that keep it inside are suggested), "equilibrium.convexity" (a spring softens to below 0, or
 /// its torque jumps).
 /// @throws InvalidInput if a torque or the start is not finite

@@ -10,20 +10,20 @@
 
 namespace fusee::actuator {
 
-/// Places in every vector and matrix of a joint: capstan 1 (agonist), capstan 2 (antagonist), output.
-/// Angles z = (theta_1, theta_2, q) [rad], torques (tau_1, tau_2, tau_q) [Nm]. Capstan angles and torques are positive when they wind the
-/// own cable in (the paper counts the agonist's negative); q and tau_q are positive when the agonist's cable is stretched.
+/// Indices in every vector and matrix of a joint: capstan 1 (agonist), capstan 2 (antagonist), output.
+/// Angles z = (theta_1, theta_2, q) [rad], torques (tau_1, tau_2, tau_q) [Nm]. Capstan angles and torques are positive when they wind their
+/// cable in (the paper counts the agonist's negative); q and tau_q are positive when the agonist's cable is stretched.
 enum Body : int { kAgonist = 0, kAntagonist = 1, kOutput = 2 };
 
-/// One spring of a joint, deflected by x = offset + reach . z.
+/// One spring of a joint, deflected by x = offset + jacobian_row . z.
 struct JointSpring {
     std::string name;  ///< "K_PE agonist"
     spring::PotentialPtr potential;
-    Eigen::Vector3d reach = Eigen::Vector3d::Zero();
-    double offset = 0.0;  ///< [rad]
+    Eigen::Vector3d jacobian_row = Eigen::Vector3d::Zero();  ///< dx/dz
+    double offset = 0.0;                                     ///< [rad]
 };
 
-/// Friction at the output's bearing: |torque| <= constant + tension_share * (sum of the torques of the springs that reach the output).
+/// Friction at the output's bearing: |torque| <= constant + tension_share * (sum of the torques of the springs at the output).
 struct OutputFriction {
     double constant = 0.0;       ///< [Nm]
     double tension_share = 0.0;  ///< c, no unit
@@ -36,12 +36,12 @@ struct Joint {
     double capstan_radius = 0.0;  ///< r_c [m]
     double joint_radius = 0.0;    ///< r_j [m]
     OutputFriction output_friction = {};
-    std::array<bool, 3> frozen{};  ///< bodies that cannot turn (a series elastic joint has one motor)
+    std::array<bool, 3> frozen{};                                                 ///< fixed bodies (a series elastic joint has one motor)
     [[nodiscard]] double ratio() const { return joint_radius / capstan_radius; }  ///< g
 };
 
 /// The paper's antagonist (figure 3): U_1 (K_PE) and U_2 (K_SE) of the agonist, U_3 (K_SE) and U_4 (K_PE) of the antagonist, in that order:
-/// U = U_1(theta_1) + U_2(theta_1 + g q) + U_3(theta_2 - g q) + U_4(theta_2). The potentials are put behind cables.
+/// U = U_1(theta_1) + U_2(theta_1 + g q) + U_3(theta_2 - g q) + U_4(theta_2). The potentials are placed behind cables.
 /// @throws InvalidInput naming the member
 [[nodiscard]] Joint antagonist(spring::PotentialPtr u1, spring::PotentialPtr u2, spring::PotentialPtr u3, spring::PotentialPtr u4,
                                const std::array<friction::Law, 2>& gear_friction, double capstan_radius, double joint_radius);
@@ -49,10 +49,10 @@ struct Joint {
 [[nodiscard]] Joint joint_of(const Actuator& actuator, bool gears = true);
 
 [[nodiscard]] double energy(const Joint& joint, const Eigen::Vector3d& z);  ///< U [J]
-[[nodiscard]] Eigen::Vector3d spring_torques(const Joint& joint,
-                                             const Eigen::Vector3d& z);                 ///< dU/dz [Nm]: what motors and load must exert
+/// dU/dz [Nm]: the torques that motors and load must exert.
+[[nodiscard]] Eigen::Vector3d spring_torques(const Joint& joint, const Eigen::Vector3d& z);
 [[nodiscard]] Eigen::Matrix3d stiffness(const Joint& joint, const Eigen::Vector3d& z);  ///< d2U/dz2 [Nm/rad], symmetric
-/// The springs that stand outside the domain of their law at z: slack, on their stop, or beyond their end. Empty: all inside.
+/// The springs outside the domain of their law at z: slack, on their stop, or beyond their end.
 [[nodiscard]] std::vector<std::string> outside(const Joint& joint, const Eigen::Vector3d& z);
 
 }  // namespace fusee::actuator

@@ -8,8 +8,8 @@
 namespace fusee::actuator {
 
 /// M z'' + D z' + K z = w, w white force noise of two-sided spectral density N (E[w w^T] = N delta): the stationary covariance of (z, z').
-/// Solves the Lyapunov equation A X + X A^T + Q = 0 by Schur's form (Bartels & Stewart 1972). Refusal: "noise.unbounded" when a motion has
-/// no spring to ground or no damping (a = b = 0 of figure 1: noise drives the system arbitrarily far), naming the motion.
+/// Solves the Lyapunov equation A X + X A^T + Q = 0 by Schur's form (Bartels & Stewart 1972). Refusal: "noise.unbounded" if a motion has no
+/// spring to ground or no damping (a = b = 0 of figure 1: noise drives the system arbitrarily far), naming the motion.
 /// @throws InvalidInput naming the matrix unless M is symmetric positive definite and D, K, N are symmetric positive semidefinite
 [[nodiscard]] core::Outcome<Eigen::MatrixXd> stationary_covariance(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& damping,
                                                                    const Eigen::MatrixXd& stiffness, const Eigen::MatrixXd& density);
@@ -29,7 +29,7 @@ struct NoiseResponse {
 };
 /// Refusal: "noise.unbounded". @throws InvalidInput naming the member
 [[nodiscard]] core::Outcome<NoiseResponse> passive_noise(const NoisePath& path);
-/// d(joint_variance)/dc [rad^3/Nm]: below 0 where a stiffer c rejects more noise, which is not everywhere (docs/theory/noise.md).
+/// d(joint_variance)/dc [rad^3/Nm]: below 0 where a stiffer c rejects more noise (not everywhere, docs/theory/noise.md).
 [[nodiscard]] core::Outcome<double> joint_variance_slope(const NoisePath& path);
 
 /// Inertia, damping and noise of a whole joint.

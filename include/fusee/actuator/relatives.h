@@ -8,7 +8,7 @@
 namespace fusee::actuator {
 
 /// The joints that the paper names (introduction and section II), all as springs between two motors, output and ground
-/// (docs/theory/relatives.md gives each network and its source).
+/// (networks and sources: docs/theory/relatives.md).
 enum class Arrangement {
     kPnrvsa,            ///< the paper's: K_SE to the joint, K_PE to ground, both sides
     kSeriesElastic,     ///< one motor, one spring (Pratt 2002)
@@ -26,16 +26,15 @@ struct ArrangementOptions {
     friction::Law gear_friction = friction::Law::proportional(0.28);
     double capstan_radius = 0.0, joint_radius = 0.0;  ///< [m]
     double position_stiffness = 0.0;  ///< of a position loop at each motor, a spring to ground [Nm/rad]; 0: torque control, as in the paper
-    double cross_stretch = 1.0;       ///< of the cross spring at z = 0, before the motors pay it out: the belt's pretension [rad]
+    double cross_stretch = 1.0;       ///< stretch of the cross spring at z = 0: the belt's pretension [rad]
 };
-/// The springs that can only pull stand behind cables; those that pull and push are odd in their deflection.
-/// A position loop is one more spring, which counts as load of its gear wherever the joint is moved with friction; `survey` does not count
-/// it.
+/// Springs that can only pull are behind cables; those that pull and push are odd in their deflection.
+/// A position loop is another spring; it counts as load of its gear when the joint is moved with friction, but not in `survey`.
 /// @throws InvalidInput naming the member
 [[nodiscard]] Joint make_arrangement(const ArrangementOptions& options);
 
-/// One row of the table that compares them, over what stiffens the joint: the torque of both motors (of the one motor of a series elastic
-/// joint, balanced at the output; of the second motor of a quasi-antagonist).
+/// One row of the table that compares them. The level is the torque that stiffens the joint: of both motors (of the one motor of a series
+/// elastic joint, balanced at the output; of the second motor of a quasi-antagonist).
 struct ArrangementRow {
     Arrangement arrangement = Arrangement::kPnrvsa;
     core::Range stiffness;       ///< passive joint stiffness, motors' gears held, least and greatest [Nm/rad]

@@ -6,25 +6,26 @@
 
 namespace fusee::actuator {
 
-/// A joint moved so slowly that inertia plays no part, with all its friction: each capstan is a play whose limits are the loads of its
-/// friction law at the motor torque, the output one whose limits are its bearing's friction. Each step solves for the place nearest to
-/// the last one (bodies that need not move stay) at which no body is pushed beyond its friction:
+/// A joint moved so slowly that inertia does not matter, with all its friction. Each capstan is a play with the loads of its friction law
+/// at the motor torque as limits; the output is one with its bearing's friction as limits. Each step finds the place nearest to the last
+/// one (bodies that need not move stay) at which no body is pushed beyond its friction:
 ///     load_i in resting_loads(tau_i) where capstan i stayed, load_i at the limit in motion where it slid (docs/theory/stick_slip.md)
 /// Rate-independent: only the path of the torques counts.
 class StickSlip {
 public:
-    /// Begins at rest at `z`, under no torque.
+    /// Begins at rest at `z` without torque.
     explicit StickSlip(Joint joint, const Eigen::Vector3d& z = Eigen::Vector3d::Zero());
 
-    /// Leads the torques straight to `torque` in `steps` equal steps.
+    /// Moves the torques straight to `torque` in `steps` equal steps.
     /// @throws InvalidInput if a torque is not finite or steps < 1
     void lead_to(const Eigen::Vector3d& torque, int steps = 32);
 
     [[nodiscard]] const Eigen::Vector3d& z() const { return z_; }              ///< (theta_1, theta_2, q) [rad]
     [[nodiscard]] const Eigen::Vector3d& torque() const { return torque_; }    ///< now applied [Nm]
     [[nodiscard]] const Eigen::Vector3d& sliding() const { return sliding_; }  ///< +1, -1: slid that way in the last step; 0: stayed
-    /// False once a spring has gone beyond the end of its law (slack counts as inside) or a body ran away, since no spring stopped it.
-    [[nodiscard]] bool held() const { return held_; }  ///< false once the joint has run away from a push that its gears do not hold
+    /// False once the joint has run away from a push that its gears do not hold.
+    [[nodiscard]] bool held() const { return held_; }
+    /// False once a spring went beyond the end of its law (slack counts as inside) or a body ran away because no spring stopped it.
     [[nodiscard]] bool inside() const { return inside_; }
     [[nodiscard]] const Joint& joint() const { return joint_; }
 
@@ -39,22 +40,21 @@ private:
 /// A push-and-release test (paper, tables I and II): co-contract from rest, push the joint up, hold, release slowly, read q; then push it
 /// down from there, hold, release, read.
 struct ReleaseTest {
-    double push_torque = 0.0;  ///< at the joint [Nm]; 0: 1.05 times the full push
-    int steps = 48;            ///< of each stroke; the reading depends on them only through rest excess and tension (stick_slip.md)
-    bool find_full_push =
-        true;  ///< false: where a push is given, full_push and covered_push stay NaN, and the test takes a fifth of the time
+    double push_torque = 0.0;    ///< at the joint [Nm]; 0: 1.05 times the full push
+    int steps = 48;              ///< of each stroke; affect the reading only through rest excess and tension (stick_slip.md)
+    bool find_full_push = true;  ///< false and a push given: full_push and covered_push stay NaN; takes a fifth of the time
 };
 
 struct ReleaseReading {
     double tau = 0.0;          ///< co-contraction [Nm]
-    double push_torque = 0.0;  ///< as used [Nm]; 0: the springs' laws do not even cover the co-contraction, and nothing is read
-    /// Least push after which a stronger one reads the same (to 0.1 %) [Nm]; NaN if the joint runs away before that.
+    double push_torque = 0.0;  ///< as used [Nm]; 0: the springs' laws do not cover the co-contraction, and nothing is read
+    /// Least push above which the reading stays the same (to 0.1 %) [Nm]; NaN if the joint runs away before.
     double full_push = std::numeric_limits<double>::quiet_NaN();
-    /// Strongest push on whose way no spring goes beyond the end of its law [Nm]; not searched beyond the push that was used.
+    /// Strongest push at which no spring goes beyond the end of its law [Nm]; not searched beyond the used push.
     double covered_push = std::numeric_limits<double>::quiet_NaN();
     double q_low = 0.0;   ///< read after the push to -q [rad]
     double q_high = 0.0;  ///< read after the push to +q [rad]
-    bool inside = true;   ///< no spring went beyond its law's end on the way (if so, it was continued straight), and nothing ran away
+    bool inside = true;   ///< no spring went beyond its law's end on the way (beyond, it continues straight), and no body ran away
     [[nodiscard]] double width() const { return q_high - q_low; }
     [[nodiscard]] bool strong_enough() const { return push_torque >= full_push; }
 };

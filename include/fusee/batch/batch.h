@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,13 +14,13 @@ namespace fusee::batch {
 enum class Outcome {
     kMade,
     kRefused,      ///< an impossible design: `result.findings` name the binding limits
-    kBadInput,     ///< `error` says what, where and what is allowed
-    kFailed,       ///< anything else that went wrong inside: `error`
-    kInterrupted,  ///< not begun: the user asked to stop
+    kBadInput,     ///< `error` names the value, its place and the values allowed
+    kFailed,       ///< internal error: `error`
+    kInterrupted,  ///< not begun: stopped by the user
 };
 [[nodiscard]] const char* to_string(Outcome outcome);
 
-/// How one profile ended.
+/// The outcome for one profile.
 struct Ended {
     std::filesystem::path profile;
     Outcome outcome = Outcome::kInterrupted;
@@ -27,35 +28,52 @@ struct Ended {
     double seconds = 0.0;
 };
 
+struct MakeOptions {
+    std::filesystem::path out = "out";  ///< the design is written to out/NAME, complete or not at all
+    pipeline::Via via = pipeline::Via::kCgal;
+    std::function<void(const std::string&)> note = {};  ///< called when something long begins, on the caller's thread; may be empty
+    bool force = false;  ///< also replace another profile's files in out/NAME, and files changed since (core::OutputRun)
+};
+
+/// The outcome of `make` for one profile.
+struct MakeResult {
+    std::string name;
+    bool made = false;             ///< out/NAME is complete, and every file carries the law
+    std::filesystem::path folder;  ///< empty when nothing was written
+    core::Findings findings;       ///< all of them, passes too; a refusal holds the binding limits
+    pipeline::Headline headline;
+    pipeline::FileErrors file_errors;
+    double dead_band_peak_deg = 0.0;  ///< exact, full width at the joint, at peak torque
+};
+
+/// One profile in, out/NAME out: part files, simulation and reports. A design that cannot be made writes nothing.
+/// @throws core::InvalidInput; core::IoError, also if out/NAME may not be written (core::OutputFolder)
+[[nodiscard]] MakeResult make(const profile::Profile& profile, const MakeOptions& options = {});
+
 /// One row of the closing table of `make`.
 struct Row : Ended {
-    pipeline::MakeResult result;
+    MakeResult result;
 };
 
 /// One profile simulated.
 struct SimulationRow : Ended {
-    std::optional<report::Simulation> simulation;
+    std::optional<pipeline::Simulation> simulation;
     std::filesystem::path folder;  ///< where its files are
     core::Findings refusal;        ///< why there is none, or why it lacks an equilibrium that was asked for
 };
 
-/// Files as given, whether they exist or not (a missing one becomes a row); a folder stands for its *.toml files, by name.
-/// @throws IoError if a folder holds none or cannot be read
-[[nodiscard]] std::vector<std::filesystem::path> find_profiles(const std::vector<std::filesystem::path>& paths);
+/// Makes every profile, `jobs` at a time (0: one for each processor); a failure is one row. Rows have the order of the profiles for any
+/// number of jobs. Ctrl-C finishes the running profiles and starts no other. Shows progress for several profiles. Two profiles with one
+/// name would write one folder: the later one is a kBadInput row.
+[[nodiscard]] std::vector<Row> make_all(const std::vector<std::filesystem::path>& profiles, const MakeOptions& options, unsigned jobs);
 
-/// Makes every profile on its own, `jobs` at a time (0: one for each processor); one failure is one row. Rows come in the profiles' order,
-/// whatever the number of jobs. Ctrl-C lets what is begun finish and begins nothing new. Shows progress when there is more than one. Two
-/// profiles with one name would write one folder: the later one is a kBadInput row.
-[[nodiscard]] std::vector<Row> make_all(const std::vector<std::filesystem::path>& profiles, const pipeline::MakeOptions& options,
-                                        unsigned jobs);
-
-/// Simulates every profile in the same manner and writes its files into out/NAME; what else lies there stays. With one of the paper's
-/// relatives among them, also their comparison, out/relatives.csv.
+/// Simulates every profile in the same manner and writes its files into out/NAME; other files there stay. If one of the paper's relatives
+/// is among them, also writes their comparison, out/relatives.csv. @param force as MakeOptions::force
 /// @throws core::IoError if the comparison cannot be written
 [[nodiscard]] std::vector<SimulationRow> simulate_all(const std::vector<std::filesystem::path>& profiles, const std::filesystem::path& out,
-                                                      const pipeline::SimulateOptions& options, unsigned jobs);
+                                                      const pipeline::SimulateOptions& options, unsigned jobs, bool force = false);
 
-/// 0 made, 1 refused, 2 bad input, 3 a failure inside, 130 interrupted.
+/// 0 made, 1 refused, 2 bad input, 3 internal error, 130 interrupted.
 [[nodiscard]] int exit_code(Outcome outcome);
 /// The gravest of all rows counts.
 template <class AnyRow>
@@ -65,9 +83,9 @@ template <class AnyRow>
     return gravest;
 }
 
-/// The closing table, one line a row, and under it what binds each design that was not made.
+/// The closing table, one line a row, and below it the binding findings of each design that was not made.
 [[nodiscard]] std::string closing_table(const std::vector<Row>& rows);
-/// Each simulation in short; what binds those that were refused; with more than one a table that compares them.
+/// Each simulation in short; the binding findings of those that were refused; a table that compares several.
 [[nodiscard]] std::string closing_table(const std::vector<SimulationRow>& rows);
 
 }  // namespace fusee::batch

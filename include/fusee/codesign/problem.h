@@ -12,7 +12,7 @@
 
 namespace fusee::codesign {
 
-/// One thing that a design has to keep, as measured: a demand, a limit of the search, a rule, or a refusal of law and cam.
+/// One limit of a design, as measured: a demand, a limit of the search, a rule, or a refusal of law and cam.
 struct Limit {
     std::string name;  ///< "demand.travel", "limit.rho k_se" or the rule's id with its part
     std::string unit;
@@ -22,7 +22,7 @@ struct Limit {
     [[nodiscard]] double excess() const;
 };
 
-/// What is known of one candidate without making its solids.
+/// The figures of one candidate without its solids.
 struct Trial {
     double violation = 0.0;                 ///< sum of the broken limits' excesses; 0: feasible
     std::vector<Limit> limits;              ///< all that could be measured
@@ -35,20 +35,20 @@ struct Trial {
     [[nodiscard]] bool feasible() const { return violation == 0.0; }
 };
 
-/// What a minimiser compares: the figure in degrees, or, where a limit is broken, 1000 (1 + violation), so that the search is led to what
-/// is feasible and anything feasible beats anything that is not.
+/// The cost that is minimised: the figure in degrees, or, if a limit is broken, 1000 (1 + violation), so that every feasible candidate is
+/// better than every infeasible one.
 [[nodiscard]] double cost(const Trial& trial);
 
-/// A design on its way from the searched numbers to a profile.
+/// A design between the searched numbers and a profile.
 struct Draft;
 
-/// The co-design of one profile: which numbers are searched, which profile they make, and what becomes of it. Immutable and reentrant.
+/// The co-design of one profile: the searched numbers, the profile of a candidate, and its evaluation. Immutable and reentrant.
 class Problem {
 public:
     /// Demands left at 0 are taken from the profile's own law.
-    /// @throws InvalidInput naming the key; also where a demand is to be taken from a law that cannot be made
+    /// @throws InvalidInput naming the key; also if a demand would come from a law that cannot be made
     explicit Problem(const profile::Profile& base);
-    Problem(const Problem&) = delete;  // the variables know where the catalogue's rows stand
+    Problem(const Problem&) = delete;  // the variables refer to the catalogue's rows
     Problem& operator=(const Problem&) = delete;
 
     [[nodiscard]] std::size_t size() const { return variables_.size(); }
@@ -64,7 +64,7 @@ public:
     [[nodiscard]] const design::CoDesignOptions& options() const { return base_.co_design; }
     [[nodiscard]] const profile::Profile& base() const { return base_; }
 
-    /// The profile that the numbers stand for, each rounded to 6 digits, so that what is judged is what is written. @pre x has size()
+    /// The profile that the numbers stand for, each rounded to 6 digits, so that the judged profile is the written one. @pre x has size()
     [[nodiscard]] profile::Profile candidate(std::span<const double> x) const;
     /// Law, dead-band, contours; then, if nothing is broken so far, cams and every rule that needs no mesh.
     [[nodiscard]] Trial evaluate(std::span<const double> x) const { return evaluate(candidate(x)); }

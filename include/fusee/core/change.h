@@ -5,15 +5,15 @@
 
 namespace fusee::core {
 
-/// A key of a profile with another value, both as TOML has them: {"k_se.hub.bore_mm", "5.2"}.
+/// A profile key and its new value, both as TOML: {"k_se.hub.bore_mm", "5.2"}.
 struct Change {
     std::string key, value;
 };
-/// What is changed together.
+/// Changes that are made together.
 using Changes = std::vector<Change>;
 
-/// The alternatives that a finding's suggestion names, in its order. A suggestion is a sentence for a person in which every `key = value`
-/// is a change; what follows ", or " or " (or " is another alternative; what else stands between two changes joins them:
+/// The alternatives that a finding's suggestion names, in its order. A suggestion is a sentence for a person. Every `key = value` in it is
+/// a change; ", or " and " (or " begin another alternative; any other text between two changes joins them:
 ///     k_pe.hub.bore_mm = 5.2, or k_pe.spring.rate_N_per_m = 9e3 with k_pe.spring.preload_mm = 4.1 (every arm x 0.9)
 /// has two alternatives, the second of two changes. Values are numbers, texts in quotes, or arrays in one line. Advice without a key ("a
 /// guide rod") is left out.

@@ -18,18 +18,18 @@ struct CsvColumn {
     enum class Kind { kNumber, kText };
     std::string name;  ///< as in the header line
     Kind kind = Kind::kNumber;
-    bool required = true;  ///< an optional column may be absent as a whole; where it stands, every row fills it
+    bool required = true;  ///< an optional column may be absent as a whole; if present, every row fills it
     bool gaps = false;     ///< of numbers: an empty cell is NaN
 };
 
 struct CsvOptions {
-    bool extra_columns = true;                ///< columns that the reader does not know are passed over; else refused
+    bool extra_columns = true;                ///< unknown columns are ignored; else refused
     std::size_t least_rows = 1;               ///< rows below the header
     std::size_t most_rows = 1'000'000;        ///< about 12 bytes of memory for each number
     std::size_t largest_bytes = 200'000'000;  ///< of the file
-    /// Of more rows, only every 2nd, 4th, 8th, ... is kept, from the first on; the others are checked all the same.
+    /// If there are more rows, only every 2nd, 4th, 8th, ... is kept, from the first on; the others are checked too.
     std::size_t most_kept = std::numeric_limits<std::size_t>::max();
-    /// A column of numbers; rows that lie more than `longest_span` above its first row are not kept, but checked. "": none.
+    /// A column of numbers; rows more than `longest_span` above its first row are checked, but not kept. "": none.
     std::string span_column = {};
     double longest_span = std::numeric_limits<double>::infinity();
 };
@@ -38,7 +38,7 @@ struct CsvOptions {
 class CsvTable {
 public:
     [[nodiscard]] std::size_t rows() const { return lines_.size(); }
-    /// Of the file, also those not kept; and 1, or which are kept: every stride-th.
+    /// Rows of the file, kept or not. Every stride()-th is kept.
     [[nodiscard]] std::size_t rows_read() const { return rows_read_; }
     [[nodiscard]] std::size_t rows_beyond_span() const { return rows_beyond_; }
     [[nodiscard]] std::size_t stride() const { return stride_; }
@@ -46,16 +46,16 @@ public:
     /// @pre has(column), and it is of that kind
     [[nodiscard]] const std::vector<double>& numbers(std::string_view column) const;
     [[nodiscard]] const std::vector<std::string>& texts(std::string_view column) const;
-    /// Where the row stands in the file, from 1.
+    /// The row's line in the file, from 1.
     [[nodiscard]] std::size_t line(std::size_t row) const { return lines_.at(row); }
-    /// For what only the caller can judge: an error "file:line:column: name" to throw. @pre has(column), row < rows()
+    /// An error "file:line:column: name" to throw, for rules that only the caller knows. @pre has(column), row < rows()
     [[nodiscard]] InvalidInput fault(std::size_t row, std::string_view column, std::string value, std::string allowed) const;
 
 private:
     friend class CsvParser;
     struct Column {
         CsvColumn known;
-        std::size_t cell = 0;  // its place in the header line
+        std::size_t cell = 0;  // its index in the header line
         std::vector<double> numbers;
         std::vector<std::string> texts;
         std::vector<std::uint32_t> places;  // where its cell begins in each line, from 1
@@ -68,7 +68,7 @@ private:
     std::vector<Column> columns_;
 };
 
-/// The faults of one table. Reading goes on after each, so that all are told at once; the first 20 are kept, the others counted.
+/// The faults of one table. Reading continues after each, so that all are reported at once; the first 20 are kept, the others counted.
 class CsvFaults {
 public:
     explicit CsvFaults(std::string file) : file_(std::move(file)) {}
@@ -92,17 +92,17 @@ private:
     std::size_t count_ = 0;
 };
 
-/// Reads a header line with the columns' names in any order, then one row a line, cells parted by commas. A byte order mark, CR LF, spaces
-/// around cells, blank lines and lines that begin with '#' are passed over. Numbers are finite, with a decimal point; texts are not empty
-/// and hold no quotation marks. Nothing else is guessed at.
+/// Reads a header line with the columns' names in any order, then one row per line, cells separated by commas. A byte order mark, CR LF,
+/// spaces around cells, blank lines and lines that begin with '#' are ignored. Numbers are finite, with a decimal point; texts are not
+/// empty and hold no quotation marks. Nothing is guessed.
 /// @param file the name used in messages
-/// @throws InvalidInput, of several InvalidInputs: "file:line:column: name" for a gap, a text in place of a number, a NaN; "...: header"
+/// @throws InvalidInput, of several InvalidInputs: "file:line:column: name" for a gap, a text instead of a number, a NaN; "...: header"
 /// for a header that lacks a required column, has one twice or, where extra columns are refused, an unknown one; "...: row", "...: rows"
 /// for too many cells, too few or too many rows; "...: line" for one of more than a million bytes
 [[nodiscard]] CsvTable parse_csv(std::string_view bytes, const std::string& file, const std::vector<CsvColumn>& columns,
                                  const CsvOptions& options = {});
-/// The same from a file, of which a piece at a time is in memory.
-/// @param seen is told of every byte, in order: for a hash
+/// The same from a file, which is read in pieces.
+/// @param seen gets every byte, in order: for a hash
 /// @throws IoError, also when the file is larger than options.largest_bytes
 [[nodiscard]] CsvTable read_csv(
     const std::filesystem::path& path, const std::vector<CsvColumn>& columns, const CsvOptions& options = {},

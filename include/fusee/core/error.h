@@ -15,7 +15,7 @@ public:
 /// One wrong value: names the field, the value found and what is allowed.
 class InvalidInput : public InputError {
 public:
-    /// @param field where the value stands, e.g. "rig.gear_friction" or "springs.csv:12: torque_Nm"
+    /// @param field place of the value, e.g. "rig.gear_friction" or "springs.csv:12: torque_Nm"
     InvalidInput(std::string field, std::string value, std::string allowed);
 
     [[nodiscard]] const std::string& field() const { return field_; }
@@ -26,7 +26,7 @@ private:
     std::string field_, value_, allowed_;
 };
 
-/// Several wrong values, found in one reading. `what()` has their number and one line each.
+/// Several wrong values from one reading. `what()` has their number and one line each.
 class InvalidInputs : public InputError {
 public:
     /// @pre at least one
@@ -40,7 +40,7 @@ private:
 /// Collects the mistakes of one reading, so that a user sees all of them at once.
 class Mistakes {
 public:
-    /// Runs `read`; what it throws as InvalidInput or InvalidInputs is kept. @returns whether it threw neither
+    /// Runs `read` and keeps the InvalidInput or InvalidInputs that it throws. @returns whether it threw neither
     template <class Read>
     bool collect(const Read& read) {
         try {

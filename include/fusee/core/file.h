@@ -9,14 +9,14 @@
 
 namespace fusee::core {
 
-/// Writes to a temporary name beside `path` and renames it, so that a reader never sees half a file.
+/// Writes to a temporary name in the same folder and renames it, so that a reader never sees half a file.
 /// @throws IoError
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 
-/// @throws IoError, also when it is no regular file or has more than `largest` bytes
+/// @throws IoError, also if it is not a regular file or has more than `largest` bytes
 [[nodiscard]] std::string read_file(const std::filesystem::path& path, std::size_t largest = std::numeric_limits<std::size_t>::max());
 
-/// Hands the bytes to `take` a piece at a time, in order: for what is too large to be kept. @throws IoError as read_file
+/// Passes the bytes to `take` in pieces, in order: for files too large to keep in memory. @throws IoError as read_file
 void read_pieces(const std::filesystem::path& path, std::size_t largest, const std::function<void(std::string_view)>& take);
 
 /// Lower-case hex SHA-256 of the bytes.

@@ -6,10 +6,10 @@
 
 namespace fusee::core {
 
-/// What a child process may take.
+/// Limits of a child process.
 struct ChildLimits {
-    std::chrono::seconds time{60};                     ///< of the processor
-    std::chrono::seconds clock{600};                   ///< by the clock: the machine may have other work
+    std::chrono::seconds time{60};                     ///< CPU time
+    std::chrono::seconds clock{600};                   ///< wall-clock time: the machine may have other work
     std::size_t memory_bytes = std::size_t{4} << 30;   ///< address space; not limited in builds with a sanitizer
     std::size_t output_bytes = std::size_t{64} << 20;  ///< standard output
 };
@@ -19,7 +19,7 @@ struct ChildResult {
     enum class End {
         kExited,         ///< `code` is its exit code
         kSignalled,      ///< `code` is the signal
-        kOutOfTime,      ///< of the processor or by the clock
+        kOutOfTime,      ///< CPU or wall-clock time
         kTooMuchOutput,  ///< more than `output_bytes`
     };
     End end = End::kExited;
@@ -27,13 +27,13 @@ struct ChildResult {
     std::string output;  ///< its standard output, complete if it exited
 };
 
-/// Applies `limits` to the process that calls it, which is a child started by `run_child`: address space, processor time, no core file,
-/// and it is killed when the thread that started it ends. For the first line of the child's work.
+/// Applies `limits` to the calling process, a child started by `run_child`: address space, CPU time, no core file; it is killed when the
+/// thread that started it ends. The child calls this first.
 void limit_this_process(const ChildLimits& limits);
 
-/// Runs a program, without a shell, whose work may crash, loop or take all memory: only the child ends then, and the result says how.
-/// Its input is empty, its standard error is discarded (kept in builds with a sanitizer, which report there). Thread-safe: nothing is
-/// forked from this process's memory (posix_spawn). The limits of memory and processor time are for the child to apply.
+/// Runs a program, without a shell, that may crash, loop or take all memory: only the child ends then, and the result says how.
+/// Its input is empty, its standard error is discarded (kept in builds with a sanitizer, which report there). Thread-safe: posix_spawn
+/// instead of fork. The child itself applies the limits of memory and CPU time.
 /// @param words the program's path and its arguments
 /// @param about the file that an error names
 /// @throws IoError if it cannot be started; Stopped if `interrupted()` while it runs

@@ -6,7 +6,7 @@
 
 namespace fusee::core {
 
-/// Shows how far long work has come on stderr: a bar on a terminal, plain lines otherwise. Thread-safe.
+/// Shows the progress of long work on stderr: a bar on a terminal, plain lines otherwise. Thread-safe.
 class Progress {
 public:
     Progress(std::string title, std::size_t total);
@@ -14,9 +14,9 @@ public:
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    /// One more item is finished; `label` names it.
+    /// Counts one finished item; `label` names it.
     void advance(const std::string& label);
-    /// Something that takes long has begun: shown behind the bar, or as a line.
+    /// Announces a long step: shown behind the bar, or as a line.
     void note(const std::string& label);
 
 private:
@@ -28,12 +28,12 @@ private:
     std::mutex mutex_;
 };
 
-/// Makes Ctrl-C (SIGINT) and SIGTERM a request to stop instead of an end: what is finished stays, nothing new is begun.
-/// Asked a second time, the program ends at once.
+/// Makes Ctrl-C (SIGINT) and SIGTERM a request to stop: finished work stays, nothing new is begun. A second signal ends the program at
+/// once.
 void catch_interrupts();
 [[nodiscard]] bool interrupted();
 
-/// Thrown by a caller's progress function to leave long work that cannot be left otherwise; the app ends with exit code 130.
+/// Thrown by a caller's progress function to leave long work that has no other way out; the app ends with exit code 130.
 struct Stopped final : std::exception {
     [[nodiscard]] const char* what() const noexcept override { return "stopped"; }
 };

@@ -6,7 +6,7 @@ namespace fusee::core {
 /// The released version, e.g. "0.1.0".
 [[nodiscard]] const char* version();
 
-/// Stamped into every output: which program and which profile made it. Holds no time, so that equal input gives equal bytes.
+/// Stamp of every output: the program and the profile that made it. It has no time, so that equal input gives equal bytes.
 struct Provenance {
     std::string name;            ///< the design's name
     std::string profile_sha256;  ///< of the profile as read, with the CSV files it names

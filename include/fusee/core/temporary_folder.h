@@ -4,12 +4,11 @@
 
 namespace fusee::core {
 
-/// A new folder PARENT/PREFIXxxxxxx (six random characters), removed with all that it holds when this object goes.
-/// It is locked (flock) as long as its process lives: the next one with the same parent and prefix removes those that a killed process
-/// left.
+/// A new folder PARENT/PREFIXxxxxxx (six random characters), removed with its contents by the destructor.
+/// It is locked (flock) while its process lives: the next one with the same parent and prefix removes those of killed processes.
 class TemporaryFolder {
 public:
-    /// @pre `prefix` is used for nothing else @throws IoError naming the parent
+    /// @pre `prefix` has no other use @throws IoError naming the parent
     TemporaryFolder(const std::filesystem::path& parent, const std::string& prefix);
     /// In the folder for temporary files: $TMPDIR, else /tmp. @throws IoError naming TMPDIR
     TemporaryFolder();
@@ -26,13 +25,13 @@ private:
     int lock_ = -1;  ///< descriptor of the folder
 };
 
-/// Removes the temporary folders of this parent and prefix whose process is gone.
+/// Removes the temporary folders of this parent and prefix whose process has ended.
 void remove_left_behind(const std::filesystem::path& parent, const std::string& prefix);
 
-/// Is this the name of a temporary folder with that prefix?
+/// Is this a name of a temporary folder with that prefix?
 [[nodiscard]] bool is_temporary_name(const std::string& name, const std::string& prefix);
 
-/// Is it inside of a temporary folder or of an output folder's staging folder?
+/// Is it inside a temporary folder or an output folder's staging folder?
 [[nodiscard]] bool is_in_temporary_folder(const std::filesystem::path& path);
 
 /// The prefixes of both.

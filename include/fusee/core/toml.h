@@ -6,12 +6,12 @@
 
 namespace fusee::core {
 
-/// Parses TOML 1.0. Outside of strings and comments it demands ASCII: bare keys are ASCII, and toml++ 3.3 runs into undefined behaviour on
-/// some others (its issue 295). At most 32 brackets within each other and 32 names in a dotted key; texts hold no control characters but
-/// tab and line end. `file` is for the message. @throws IoError with line and column
+/// Parses TOML 1.0. Text outside strings and comments must be ASCII: bare keys are ASCII, and toml++ 3.3 has undefined behaviour on some
+/// others (its issue 295). At most 32 nested brackets and 32 names in a dotted key; texts hold no control characters except tab and line
+/// end. `file` is for the message. @throws IoError with line and column
 [[nodiscard]] toml::table parse_toml(std::string_view bytes, const std::string& file);
 
-/// A refused value for a message, as TOML but for its length: at most 80 characters of it.
+/// A refused value for a message: as TOML, at most 80 characters.
 [[nodiscard]] std::string shown(const toml::node& node);
 
 }  // namespace fusee::core

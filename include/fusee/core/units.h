@@ -1,9 +1,13 @@
 #pragma once
-/// Everything inside fusee is SI and radians; these are used only where a file or a person wants something else.
+#include <cstddef>
+#include <limits>
+
+/// Everything inside fusee is SI and radians; these are used only where a file or a person needs other units.
 
 namespace fusee::core {
 
 inline constexpr double kPi = 3.14159265358979323846;
+inline constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 constexpr double deg_from_rad(double rad) { return rad * 180.0 / kPi; }
 constexpr double rad_from_deg(double deg) { return deg * kPi / 180.0; }
@@ -16,6 +20,10 @@ struct Range {
     double high = 0.0;
     [[nodiscard]] constexpr double width() const { return high - low; }
     [[nodiscard]] constexpr bool holds(double x) const { return x >= low && x <= high; }
+    /// Number `i` of `count` evenly spaced values, both ends included. @pre i < count, count >= 2
+    [[nodiscard]] constexpr double level(std::size_t i, std::size_t count) const {
+        return i + 1 == count ? high : low + static_cast<double>(i) / static_cast<double>(count - 1) * width();
+    }
 };
 
 }  // namespace fusee::core

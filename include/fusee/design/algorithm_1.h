@@ -8,31 +8,30 @@
 
 namespace fusee::design {
 
-/// What Algorithm 1 of the paper is told by hand.
+/// The settings of the paper's Algorithm 1.
 struct Algorithm1Options {
-    core::Range k{0.05, 2.0};    ///< box of k [1/(Nm rad)], low > 0
-    core::Range u{0.0, 0.3};     ///< box of u [Nm]; only u^2 enters, so that a box on both sides of 0 holds every design twice
-    core::Range c{0.0, 0.5};     ///< box of C [Nm]
-    int torques = 20;            ///< levels of co-contraction, both ends included, >= 2
-    double wanted_travel = 0.0;  ///< capstan angle from least to peak torque that suits the hardware [rad], > 0
-    double joint_range = core::rad_from_deg(120.0);  ///< no dead-band is wider than the joint can turn [rad]
+    core::Range k{0.05, 2.0};                        ///< box of k [1/(Nm rad)], low > 0
+    core::Range u{0.0, 0.3};                         ///< box of u [Nm]; only u^2 enters, so that a box around 0 has every design twice
+    core::Range c{0.0, 0.5};                         ///< box of C [Nm]
+    int torques = 20;                                ///< levels of co-contraction, both ends included, >= 2
+    double wanted_travel = 0.0;                      ///< wanted capstan angle from least to peak torque [rad], > 0
+    double joint_range = core::rad_from_deg(120.0);  ///< greatest dead-band: the joint cannot turn farther [rad]
     double weight_travel = 5.0;                      ///< W1 of |travel - wanted| [1/rad], >= 0
-    double weight_dead_band = 1.0;    ///< W2 of (final - initial dead-band) [1/rad], >= 0: a dead-band that falls is rewarded
-    double weight_sensitivity = 0.1;  ///< W3 of the joint's final sensitivity [Nm/rad], >= 0
+    double weight_dead_band = 1.0;                   ///< W2 of (final - initial dead-band) [1/rad], >= 0: rewards a falling dead-band
+    double weight_sensitivity = 0.1;                 ///< W3 of the joint's final sensitivity [Nm/rad], >= 0
 };
 
 /// The actuator that the springs are for.
 struct Algorithm1Rig {
-    double mu = 0.0;      ///< gear friction in proportion to the load, above 0
-    double ratio = 1.0;   ///< g = r_j/r_c
-    core::Range torques;  ///< least and peak co-contraction [Nm]
-    double highest_load =
-        0.0;  ///< up to which the springs must exist, at least torques.high: stiction loads a capstan beyond the motor's torque
+    double mu = 0.0;            ///< gear friction proportional to the load, > 0
+    double ratio = 1.0;         ///< g = r_j/r_c
+    core::Range torques;        ///< least and peak co-contraction [Nm]
+    double highest_load = 0.0;  ///< of the springs [Nm], at least torques.high: stiction loads a capstan beyond the motor's torque
 };
 
-/// Everything that Algorithm 1 measures of one (k, u, C).
+/// The figures of one (k, u, C) in Algorithm 1.
 struct Algorithm1Terms {
-    bool feasible = false;             ///< both stiffnesses above 0 at every load: the second stage counts
+    bool feasible = false;             ///< both stiffnesses above 0 at every load: the second stage applies
     double least_stiffness = 0.0;      ///< min of U3'', U4'' over the levels and the highest load [Nm/rad]; -infinity where T = 0
     double travel = kNone;             ///< capstan angle from least to peak torque [rad]; this and what follows NaN if not feasible
     double initial_dead_band = kNone;  ///< linear, full width at the joint, at the least torque [rad], at most the joint's range
@@ -43,7 +42,7 @@ struct Algorithm1Terms {
 };
 
 /// The cost of Algorithm 1 in closed form (docs/theory/algorithm_1.md). Immutable and reentrant.
-///     stage 1, a stiffness is not above 0:  |min(U3'', U4'')|
+///     stage 1, if a stiffness is not above 0:  |min(U3'', U4'')|
 ///     stage 2:  W1 |travel - wanted| + W2 (final - initial dead-band) + W3 sensitivity
 class Algorithm1 {
 public:
@@ -75,13 +74,13 @@ private:
     double i3_ = 0.0, i4_ = 0.0;  ///< integrals of tau^-3 and tau^-4 over the torques
 };
 
-/// One picture of the paper's figure 9: the cost over one variable, the other two at the optimum.
+/// One plot of the paper's figure 9: the cost over one variable, the other two at the optimum.
 struct CostScan {
     const char* variable = "";  ///< "k", "u" or "C"
     std::vector<double> value, cost;
     std::vector<bool> feasible;
 };
-/// Scans over k, u and C; that over u reaches to both sides of 0. @throws InvalidInput if count < 2
+/// Scans over k, u and C; the one over u has both signs. @throws InvalidInput if count < 2
 [[nodiscard]] std::array<CostScan, 3> scan_costs(const Algorithm1& algorithm, std::span<const double> optimum, int count);
 
 }  // namespace fusee::design

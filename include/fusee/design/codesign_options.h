@@ -14,38 +14,38 @@ enum class SearchedLaw {
     kFreeCurve,  ///< S and T through knots: spring::make_free_curve
 };
 
-/// How the dead-bands at several torques become one figure.
+/// The objective over the dead-bands at several torques.
 enum class DeadBandFigure {
     kMean,
     kWorst,
     kPercentile95,  ///< mean of the 95th percentiles over the shop's scatter (robust.h)
 };
 
-/// What a Pareto front sets against the dead-band.
+/// Second objective of a Pareto front, next to the dead-band.
 enum class Against {
     kTravel,  ///< capstan travel, more is better
     kSize,    ///< largest contour radius of both cams, less is better
 };
 
-/// What a rule's "review and accept" means to the search.
+/// Whether the search avoids designs with warnings (review and accept).
 enum class Reviews { kAvoid, kAccept };
 
-/// What `fusee design --method co_design` and `pareto` search and hold to (docs/theory/co_design.md). A demand that is 0 is taken from the
-/// profile's own law: without travel and stiffness demanded, the least dead-band is that of a rigid joint.
+/// Variables and constraints of `fusee design --method co_design` and `pareto` (docs/theory/co_design.md). A demand of 0 is replaced by
+/// the figure of the profile's law: without demands on travel and stiffness, the least dead-band is that of a rigid joint.
 struct CoDesignOptions {
     SearchedLaw law = SearchedLaw::kStiction;
     int knots = 6;  ///< of the free curve, evenly spaced in ln(load), 4 to 12
 
     DeadBandFigure figure = DeadBandFigure::kMean;
     ShopScatter scatter = {};          ///< of kPercentile95
-    double covered_share = 0.95;       ///< of kPercentile95: least RobustBand::covered_share at each of `torques`; 0: not asked for
+    double covered_share = 0.95;       ///< of kPercentile95: least RobustBand::covered_share at each of `torques`; 0: no constraint
     std::vector<double> torques = {};  ///< co-contraction at which the exact dead-band counts [Nm]; empty: 6 from least to overdrive
-    core::Range loads = {};            ///< between these loads travel is measured, at them stiffness [Nm]; 0 0: least to overdrive torque
+    core::Range loads = {};            ///< travel is measured between these loads, stiffness at them [Nm]; 0 0: least to overdrive torque
     double travel = 0.0;               ///< least capstan travel between them [rad]
     double soft = 0.0;                 ///< joint stiffness with held capstans at the lower one: at most this [Nm/rad]
     double stiff = 0.0;                ///< and at the upper one: at least this [Nm/rad]
 
-    // docs/theory/co_design.md tells where the limits come from; the rules' own hold besides.
+    // Sources of these limits: docs/theory/co_design.md. The limits of the rules also apply.
     double contour_radius = 40e-3;  ///< of both cams' working arcs at most, cable centreline [m]
     double least_rho_se = 5e-3;     ///< least radius of curvature of K_SE's working arc [m]
     double least_rho_pe = 4e-3;     ///< of K_PE's [m]

@@ -11,8 +11,8 @@
 
 namespace fusee::design {
 
-/// A cost to be minimised over a box. Called from several threads; the same argument gives the same value; an infinite or NaN cost counts
-/// as the worst.
+/// A cost to be minimised over a box. Called from several threads; equal arguments give equal values; an infinite or NaN cost counts as the
+/// worst.
 using Cost = std::function<double(std::span<const double>)>;
 
 struct EvolutionOptions {
@@ -26,8 +26,8 @@ struct EvolutionOptions {
     unsigned jobs = 0;                      ///< threads; 0 = one for each processor; no influence on the result
     std::filesystem::path checkpoint = {};  ///< written after every `checkpoint_every` generations and at the end; empty: none
     int checkpoint_every = 10;
-    bool resume = false;       ///< go on from the checkpoint if it is there; refused if it is of another problem, box, seed or population
-    bool force = false;        ///< begin anew although the checkpoint holds a search that was stopped
+    bool resume = false;       ///< continue from the checkpoint if it exists; refused if its problem, box, seed or population differs
+    bool force = false;        ///< replace the checkpoint of a stopped search
     std::string problem = "";  ///< identifies the cost in the checkpoint
     std::function<void(int generation, double best)> progress = {};          ///< after each generation, on the caller's thread
     std::function<void(std::span<const double>, double cost)> observe = {};  ///< every evaluation, in order, on the caller's thread
@@ -39,15 +39,15 @@ struct EvolutionResult {
     double cost = 0.0;
     std::size_t evaluations = 0;
     int generations = 0;          ///< done
-    bool interrupted = false;     ///< `stop` said so: the best so far
+    bool interrupted = false;     ///< ended by `stop`: the best so far
     std::vector<double> history;  ///< best cost of the first population and after each generation: generations + 1 values
 };
 
 /// Differential Evolution (Storn & Price 1997) by generations: every trial vector of a generation is drawn from the counter-based stream
-/// of (seed, generation, individual), so that any number of threads, and any stop and resume, gives the same bits. A generation is
-/// evaluated by pagmo's batch evaluator (docs/decisions/0005-de-by-generations.md).
-/// @throws InvalidInput naming the option, or what differs in the checkpoint; IoError if the checkpoint cannot be read or written, or if it
-/// is none, or holds a search that was stopped, and neither `resume` nor `force` is set
+/// of (seed, generation, individual), so that any number of threads, and any stop and resume, gives the same bits
+/// (docs/decisions/0005-de-by-generations.md).
+/// @throws InvalidInput naming the option, or the difference to the checkpoint; IoError if the checkpoint cannot be read or written, if the
+/// file is not a checkpoint, or if it holds a stopped search and neither `resume` nor `force` is set
 [[nodiscard]] EvolutionResult evolve(const Cost& cost, const EvolutionOptions& options);
 
 }  // namespace fusee::design

@@ -7,22 +7,22 @@
 
 namespace fusee::design {
 
-/// How built actuators differ from the drawing and from each other: standard deviations. Each of the four springs and of the two gears has
-/// an error of its own. The defaults take a shop's "+-10 %" (springs) and "+-20 %" (friction) as two of them.
+/// Standard deviations of built actuators from the drawing. Each of the four springs and of the two gears has an independent error. The
+/// defaults take a shop's "+-10 %" (springs) and "+-20 %" (friction) as two deviations.
 struct ShopScatter {
     double rate_se = 0.05;     ///< of a K_SE base spring's rate, relative
     double rate_pe = 0.05;     ///< of a K_PE base spring's rate, relative
-    double contour = 0.05e-3;  ///< of what a cam's arms are too long by [m]: one value all along a cam
+    double contour = 0.05e-3;  ///< of the excess of a cam's arms [m]: one value along the whole cam
     double friction = 0.10;    ///< of a gear's friction, relative
 };
 
-/// A drawing: the actuator and the base springs that its cams are cut for (their preloads at the law's lowest load, lead-in included).
+/// A drawing: the actuator and the base springs of its cams (their preloads at the law's lowest load, lead-in included).
 struct Drawing {
     actuator::Actuator actuator;
     spring::BaseSpring base_se, base_pe;
 };
 
-/// The exact dead-band (`DeadBand::exact_width`, full width at the joint) of the actuators that a shop builds, by first-order propagation.
+/// The exact dead-band (`DeadBand::exact_width`, full width at the joint) of built actuators, by first-order propagation.
 struct RobustBand {
     double tau = 0.0;                 ///< co-contraction [Nm]
     double nominal = 0.0;             ///< as drawn [rad]; NaN, like all that follows, if the drawing's springs do not cover it
@@ -31,9 +31,8 @@ struct RobustBand {
     std::array<double, 4> sources{};  ///< the sigma that each member of ShopScatter alone would give, in their order [rad]
     double covered_share = 0.0;       ///< estimated share of built actuators whose springs reach both edges; 0 if the drawing's do not
 };
-/// The edge's place is differentiated at the drawing (implicit function theorem, docs/theory/robust.md): one equilibrium, no differences,
-/// so that it can stand in an optimiser's objective. Built springs that end before the edge are not seen by the band: `covered_share`
-/// tells.
+/// The edge is differentiated at the drawing (implicit function theorem, docs/theory/robust.md): one equilibrium, no finite differences,
+/// smooth enough for an optimiser's objective. The band ignores built springs that end before the edge: see `covered_share`.
 /// @throws InvalidInput naming the member
 [[nodiscard]] RobustBand robust_dead_band(const Drawing& drawing, double tau, const ShopScatter& scatter = {});
 /// robust_dead_band().band.high [rad]
@@ -44,15 +43,15 @@ struct SampleOptions {
     std::uint64_t seed = 1;  ///< of the counter-based streams, one for each actuator
     unsigned jobs = 0;       ///< threads; 0 = one for each processor; no influence on the result
 };
-/// The same by building actuators (Monte Carlo): every spring by make_built_spring, both edges solved.
+/// The same by Monte Carlo over built actuators: every spring by make_built_spring, both edges solved.
 struct SampledBand {
     double tau = 0.0;            ///< [Nm]
-    double mean = 0.0;           ///< of the actuators whose springs reach both edges, as the rest; NaN if there are fewer than 2 [rad]
+    double mean = 0.0;           ///< of the actuators whose springs reach both edges [rad], like sigma and band; NaN: fewer than 2
     double sigma = 0.0;          ///< [rad]
     core::Range band;            ///< 5th and 95th percentile [rad]
     double covered_share = 0.0;  ///< of all
 };
-/// @throws InvalidInput naming the member, or the arm that an error of the contour uses up
+/// @throws InvalidInput naming the member, or the arm that a contour error would make negative
 [[nodiscard]] SampledBand sample_dead_band(const Drawing& drawing, double tau, const ShopScatter& scatter = {},
                                            const SampleOptions& options = {});
 

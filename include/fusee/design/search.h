@@ -3,14 +3,14 @@
 
 namespace fusee::design {
 
-/// How `fusee design` looks for springs.
+/// Search methods of `fusee design`.
 enum class Method {
     kAlgorithm1,  ///< the paper's (k, u, C) by its Algorithm 1, springs alone
     kCoDesign,    ///< a law together with base springs, radius and lead-in, inside what can be made
     kPareto,      ///< the same for two objectives: a front of designs
 };
 
-/// What every method is told.
+/// Settings of every method.
 struct SearchOptions {
     Method method = Method::kAlgorithm1;
     int population = 60;    ///< >= 8; of a Pareto front, a multiple of 4

@@ -7,7 +7,7 @@
 
 namespace fusee::exchange {
 
-/// A part by anybody, as its file has it: nothing is repaired.
+/// A third-party part, as its file has it: nothing is repaired.
 struct MeshFile {
     solid::Mesh mesh;  ///< in millimetres; may be open, inside out, several bodies
     std::string unit;  ///< what the file says of it: "none, taken as millimetres", "inch", "millimetre (STEP)"
@@ -24,7 +24,7 @@ inline constexpr double kTessellation_mm = 0.01, kTessellation_rad = 0.2;
 /// Reads STL (binary or text) and OBJ by assimp, 3MF by lib3mf, STEP by OpenCASCADE, told apart by the file's ending. Corners with the same
 /// coordinates (single precision) become one point, but for 3MF, which says itself which corners are one. All build items of a 3MF with
 /// their components and transforms, all solids and shells of a STEP file. Thread-safe. The libraries trust files more than they should: for
-/// a file by anybody use read_mesh_isolated.
+/// a third-party file use read_mesh_isolated.
 /// @throws core::InvalidInput naming the ending; core::IoError naming the file, and the line where it is text: missing, no regular file,
 ///         larger than 1 GB, cut short, not of its format, without triangles or with more than kMostTriangles, a coordinate that is not
 ///         finite, a face that is no polygon, a reference to what the file does not hold

@@ -47,7 +47,7 @@ struct Compensated {
     double bore_mm = 0.0;                    ///< diameter that has to come out
 };
 
-/// PART.json: what anybody needs to recompute the law from an exported part (docs/part-file.md). The cam's axis is +z through the origin,
+/// PART.json: the data to recompute the law from an exported part (docs/part-file.md). The cam's axis is +z through the origin,
 /// lengths in mm; body and world agree at cam angle 0; at cam angle a the body is turned by rotation_sign * a about +z.
 struct PartFile {
     std::string part;  ///< "k_se" or "k_pe"
@@ -67,7 +67,7 @@ struct PartFile {
                                      const core::Provenance& provenance);
 /// @throws IoError
 void write_part_file(const std::filesystem::path& path, const PartFile& part);
-/// @throws IoError naming the file and the key that is missing or of the wrong kind
+/// @throws core::IoError if the file cannot be read, core::InvalidInput naming file, line and key
 [[nodiscard]] PartFile read_part_file(const std::filesystem::path& path);
 
 }  // namespace fusee::exchange

@@ -32,7 +32,7 @@ struct Plate {
 
 /// @throws IoError
 void write_plate_file(const std::filesystem::path& path, const Plate& plate);
-/// @throws IoError naming the file and the key that is missing or of the wrong kind
+/// @throws core::IoError if the file cannot be read, core::InvalidInput naming file, line and key
 [[nodiscard]] Plate read_plate_file(const std::filesystem::path& path);
 
 }  // namespace fusee::exchange

@@ -9,10 +9,10 @@
 #include "fusee/checks/check.h"
 #include "fusee/inspect/body.h"
 
-/// Parts by anybody, of which only a mesh is known, judged by what a process can make (docs/guides/check.md).
+/// Third-party parts, known by their mesh only, judged by the limits of a process (docs/guides/check.md).
 namespace fusee::inspect {
 
-/// All that a rule may look at: a part by anybody, and how it is to be made.
+/// All that a rule may look at: a third-party part, and how it is to be made.
 struct Foreign {
     const Body& body;
     const checks::Process& process;

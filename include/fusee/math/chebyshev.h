@@ -9,8 +9,8 @@
 
 namespace fusee::math {
 
-/// A polynomial on one interval as a Chebyshev series: the interpolant through Chebyshev-Lobatto points, which is as good as a polynomial
-/// of its degree can be up to a small factor, and its exact derivative and integral (Trefethen, Approximation Theory and Approximation
+/// A polynomial on one interval as a Chebyshev series: the interpolant through Chebyshev-Lobatto points, within a small factor of the best
+/// polynomial of its degree, and its exact derivative and integral (Trefethen, Approximation Theory and Approximation
 /// Practice, 2013). Immutable value.
 class ChebyshevSeries {
 public:
@@ -24,14 +24,14 @@ public:
 
     /// @pre x in domain() (a little beyond is extrapolation)
     [[nodiscard]] double operator()(double x) const;
-    /// Value and derivative over a box: each term by the monotone stretches of its cosine. @pre the box lies in domain()
+    /// Value and derivative over a box: each term by the monotone pieces of its cosine. @pre the box lies in domain()
     [[nodiscard]] Jet over(const Interval& x) const;
     [[nodiscard]] ChebyshevSeries derivative() const;
     /// Integral from the lower end of the domain.
     [[nodiscard]] ChebyshevSeries integral() const;
 
     [[nodiscard]] core::Range domain() const { return domain_; }
-    /// The size of the last two coefficients of an interpolant: what a higher degree would still change.
+    /// The size of the last two coefficients of an interpolant: the change that a higher degree would still make.
     [[nodiscard]] double tail() const;
 
 private:
@@ -44,7 +44,7 @@ private:
 
 struct PiecewiseOptions {
     double tolerance = 1e-13;  ///< of an interpolant, relative to the largest value in its piece
-    int deepest = 10;          ///< times that a piece is divided at most
+    int deepest = 10;          ///< greatest number of times that a piece is divided
 };
 
 /// A function as Chebyshev series on as many pieces as it needs. Pieces are divided until the series has converged; a function with a
@@ -60,11 +60,11 @@ public:
     [[nodiscard]] double value(double x) const { return derivative(x, 0); }
     /// Integral from the lower end of the domain to x.
     [[nodiscard]] double integral(double x) const;
-    /// A place where the deepest division did not converge, if any: f is rough there.
+    /// A place where the deepest division did not converge, if any: f is not smooth there.
     [[nodiscard]] std::optional<double> rough() const { return rough_; }
     [[nodiscard]] std::size_t pieces() const { return pieces_.size(); }
 
-    /// Where the pieces meet, both ends of the domain included.
+    /// Boundaries of the pieces, both ends of the domain included.
     [[nodiscard]] std::vector<double> breaks() const;
     /// Derivative (order 0 to 2) over a box, and the one after it. @pre the box lies between two neighbouring breaks
     [[nodiscard]] Jet over(const Interval& x, int order) const;
@@ -80,7 +80,7 @@ private:
     [[nodiscard]] const Piece& piece(double x) const;
 
     std::vector<Piece> pieces_;
-    double largest_ = 0.0;  ///< value met so far
+    double largest_ = 0.0;  ///< largest value so far
     std::optional<double> rough_;
 };
 

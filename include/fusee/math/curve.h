@@ -19,24 +19,24 @@ public:
 };
 using CurvePtr = std::shared_ptr<const Curve>;
 
-/// Quintic spline (C4) through the rows. The two rows next to each end are no knots ("not-a-knot"), so that a quintic is reproduced and
-/// the error falls with the sixth power of the rows' distance up to the ends; 4 to 6 rows give their polynomial.
+/// Quintic spline (C4) through the rows. The two rows next to each end are not knots ("not-a-knot"): a quintic is reproduced, and the
+/// error falls with the sixth power of the rows' spacing up to the ends; 4 to 6 rows give their polynomial.
 /// @pre x ascending, at least 4 rows, finite. @throws InvalidInput naming the row
 [[nodiscard]] CurvePtr make_interpolant(const std::vector<double>& x, const std::vector<double>& y);
 /// Smoothing spline through noisy rows (SmoothingSpline as a Curve). @pre at least 8 rows. @throws InvalidInput naming the row
 [[nodiscard]] CurvePtr make_smoothed(const std::vector<double>& x, const std::vector<double>& y);
-/// A formula in `variable` ("0.9*exp(-tau)", muParser's functions) over `domain`. It is parsed and evaluated here only: what is returned
-/// is its piecewise Chebyshev interpolant, relative accuracy 1e-12 down to a thousandth of its largest value, of its first two derivatives
-/// 1e-9, of the third 1e-7.
-/// @throws InvalidInput naming `field`: what the formula has wrong and at which character; where it is not a finite number; where it is
-/// not smooth (a step or kink; the first two derivatives must be continuous)
+/// A formula in `variable` ("0.9*exp(-tau)", muParser's functions) over `domain`. Returns its piecewise
+/// Chebyshev interpolant, relative accuracy 1e-12 down to a thousandth of its largest value, of its first two derivatives 1e-9, of the
+/// third 1e-7.
+/// @throws InvalidInput naming `field` and the place: a syntax error (its character), a value that is not finite, a step or kink (the first
+/// two derivatives must be continuous)
 [[nodiscard]] CurvePtr make_formula(const std::string& field, const std::string& formula, const std::string& variable, core::Range domain);
-/// The curve, its values multiplied by `factor`: another unit.
+/// The curve with its values multiplied by `factor`: another unit.
 [[nodiscard]] CurvePtr make_scaled(CurvePtr curve, double factor);
 /// Any callable with its derivatives (order 0 to 3).
 [[nodiscard]] CurvePtr make_curve(std::function<double(double, int)> f, core::Range domain);
 
-/// A table that a curve is laid through: as many y as x, at least `least` rows, all finite, x ascending.
+/// Checks a table for a curve: as many y as x, at least `least` rows, all finite, x ascending.
 /// @throws InvalidInput naming the column, `x_name` or `y_name`, and the row as in "x[3]"
 void require_table(const std::vector<double>& x, const std::vector<double>& y, std::size_t least, const std::string& x_name = "x",
                    const std::string& y_name = "y");

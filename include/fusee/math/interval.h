@@ -7,17 +7,16 @@
 
 namespace fusee::math {
 
-/// How the bounds of an interval are rounded. The machine rounds to nearest, as everywhere else, and the bound is then moved outwards: by
-/// one double for + - * / and the square root, which IEEE 754 rounds correctly; by `kUlps` for the elementary functions, for which the C
-/// library promises 1 ulp (glibc manual, "Known Maximum Errors in Math Functions"; 2 elsewhere). No rounding mode is switched, so nothing
-/// depends on what the compiler moves across such a switch, and threads do not touch each other.
+/// Outward rounding of interval bounds. The machine rounds to nearest, and the bound is then moved outwards: by one double for + - * / and
+/// the square root, which IEEE 754 rounds correctly; by `kUlps` for the elementary functions, for which the C library promises 1 ulp (glibc
+/// manual, "Known Maximum Errors in Math Functions"; 2 elsewhere). No rounding mode is switched, so that neither code motion by the
+/// compiler nor threads matter.
 struct OutwardRounding : boost::numeric::interval_lib::rounded_arith_exact<double> {
     using unprotected_rounding = OutwardRounding;
     static constexpr int kUlps = 4;
 
-    /// |x| times 2^-52 is a unit in x's last place or more, exactly but where it underflows; there the least double is enough.
-    /// (std::nextafter would do the same, and take half of a proof's time.) An infinite bound on the wrong side becomes no number: it
-    /// proves nothing.
+    /// |x| times 2^-52 is at least a unit in x's last place, exact unless it underflows; there the least double is enough. (std::nextafter
+    /// would take half of a proof's time.) An infinite bound on the wrong side becomes NaN: it proves nothing.
     static double step(double x, int ulps) {
         return ulps * std::numeric_limits<double>::epsilon() * std::abs(x) + std::numeric_limits<double>::denorm_min();
     }
@@ -44,8 +43,8 @@ struct OutwardRounding : boost::numeric::interval_lib::rounded_arith_exact<doubl
     double acos_up(double x) const { return well_above(std::acos(x)); }
 };
 
-/// All numbers between two bounds. What is computed with intervals encloses what the same formula gives for any numbers inside them.
-/// An operation that has no value (0/0) gives bounds that are not numbers: they satisfy no comparison, so they prove nothing.
+/// All numbers between two bounds. The result of a formula on intervals encloses its result for any numbers inside them.
+/// An operation without a value (0/0) gives NaN bounds: they satisfy no comparison, so they prove nothing.
 using Interval =
     boost::numeric::interval<double,
                              boost::numeric::interval_lib::policies<OutwardRounding, boost::numeric::interval_lib::checking_base<double>>>;
@@ -53,13 +52,13 @@ using Interval =
 [[nodiscard]] inline Interval whole_line() { return Interval::whole(); }
 [[nodiscard]] inline core::Range range_of(const Interval& x) { return {x.lower(), x.upper()}; }
 [[nodiscard]] inline double middle(const Interval& x) { return 0.5 * (x.lower() + x.upper()); }
-/// What lies in both; @pre both enclose the same number, so they meet
+/// The intersection. @pre both enclose the same number, so they meet
 [[nodiscard]] Interval common(const Interval& a, const Interval& b);
 [[nodiscard]] Interval expm1(const Interval& x);
 [[nodiscard]] Interval log1p(const Interval& x);
 
-/// A function of one parameter over a box of it: value and first derivative, both enclosed. A formula written for any number type gives
-/// them when it is fed Jet::parameter(box): differentiation by the chain rule.
+/// A function of one parameter over a box: value and first derivative, both enclosed. A formula written for any number type computes them
+/// from Jet::parameter(box): differentiation by the chain rule.
 struct Jet {
     Interval value, slope;
 

@@ -6,17 +6,17 @@
 
 namespace fusee::math {
 
-/// y = sum_j b_j x_j + noise, all columns of one length.
+/// y = sum_j b_j x_j + noise, all columns of equal length.
 struct LinearModel {
-    std::vector<std::vector<double>> x;  ///< a column for each coefficient; a constant is a column of ones
+    std::vector<std::vector<double>> x;  ///< one column per coefficient; a constant is a column of ones
     std::vector<double> y;
-    /// Columns that go with x but not with the noise, as many as x; empty: x itself. Needed where x is measured with the same noise as y:
-    /// least squares would then be biased (docs/theory/identification.md).
+    /// Columns correlated with x but not with the noise, as many as x; empty: x itself. Needed if x is measured with the same noise as y:
+    /// least squares would be biased (docs/theory/identification.md).
     std::vector<std::vector<double>> instruments;
-    std::vector<double> weights;  ///< inverse variances up to a common factor, > 0; empty: all alike
+    std::vector<double> weights;  ///< inverse variances up to a common factor, > 0; empty: all equal
 };
 
-/// Estimates with what is needed to judge them.
+/// Estimates and their uncertainty.
 struct LinearFit {
     std::vector<double> coefficients;             ///< b_j
     std::vector<std::vector<double>> covariance;  ///< of the coefficients
@@ -26,7 +26,7 @@ struct LinearFit {
 
     /// Student's t interval of b_j.
     [[nodiscard]] core::Range interval(std::size_t j, double confidence = 0.95) const;
-    /// The same for sum_j b_j at_j: a point of a line's band.
+    /// Student's t interval of sum_j b_j at_j: a point of a line's band.
     [[nodiscard]] core::Range interval_at(const std::vector<double>& at, double confidence = 0.95) const;
 };
 
@@ -34,19 +34,14 @@ struct LinearFit {
 /// @throws core::InvalidInput if there are no more rows than coefficients, or the columns depend on each other
 [[nodiscard]] LinearFit fit_linear(const LinearModel& model);
 
-/// Huber's fit (P. J. Huber, Ann. Math. Statist. 35, 1964): residuals beyond 1.345 deviations count in proportion, not as squares;
+/// Huber's fit (P. J. Huber, Ann. Math. Statist. 35, 1964): residuals beyond 1.345 deviations count linearly, not as squares;
 /// 95 % efficient for normal noise. Solved by reweighting.
 struct RobustFit {
     std::vector<double> coefficients;
-    std::vector<double> scores;  ///< residuals sqrt(weight) / deviation: which rows lie far off
+    std::vector<double> scores;  ///< residuals sqrt(weight) / deviation: large for outliers
     double deviation = 0.0;      ///< 1.4826 times the median of |residuals| sqrt(weight)
 };
 /// @throws core::InvalidInput as fit_linear
 [[nodiscard]] RobustFit fit_robust(const LinearModel& model);
-
-/// t with P(|T| <= t) = confidence. @pre 0 < confidence < 1, freedom >= 1
-[[nodiscard]] double student_quantile(double confidence, std::size_t freedom);
-/// P(F > f) of the F distribution. @pre f >= 0
-[[nodiscard]] double f_tail(double f, std::size_t numerator_freedom, std::size_t denominator_freedom);
 
 }  // namespace fusee::math

@@ -13,12 +13,12 @@ struct SmoothingOptions {
 };
 
 /// Quintic smoothing spline (C4) through noisy rows: least squares on uniform B-splines with a penalty on the third differences of their
-/// coefficients, lambda sum (d^3 c)^2 (Eilers & Marx 1996), so that a large lambda leaves the best parabola. lambda minimises the robust
-/// score n RSS/(n - 1.4 edf)^2: plain cross-validation undersmooths now and then (Kim & Gu 2004). Immutable and reentrant; x is clamped to
+/// coefficients, lambda sum (d^3 c)^2 (Eilers & Marx 1996), so that a large lambda gives the best parabola. lambda minimises the robust
+/// score n RSS/(n - 1.4 edf)^2: plain cross-validation sometimes undersmooths (Kim & Gu 2004). Immutable and reentrant; x is clamped to
 /// the domain.
 class SmoothingSpline {
 public:
-    /// @pre x ascending and finite, y finite, as many as x, at least 3 rows (asserted: callers name their own rows)
+    /// @pre x ascending and finite, y finite, as many as x, at least 3 rows (asserted: callers report their rows)
     SmoothingSpline(const std::vector<double>& x, const std::vector<double>& y, const SmoothingOptions& options = {});
 
     [[nodiscard]] core::Range domain() const { return domain_; }
@@ -36,7 +36,7 @@ public:
     [[nodiscard]] double lambda() const { return lambda_; }
     /// Effective number of parameters, the trace of the smoother: 3 (a parabola) to intervals + 5.
     [[nodiscard]] double effective_parameters() const { return effective_parameters_; }
-    /// Estimated standard deviation of the rows' noise, sqrt(RSS/(n - edf)); 0 where no row is left over.
+    /// Estimated standard deviation of the rows' noise, sqrt(RSS/(n - edf)); 0 if n - edf <= 0.5.
     [[nodiscard]] double noise() const { return noise_; }
 
 private:

@@ -9,10 +9,10 @@ struct CaseTemplateOptions {
     int springs_rows = 200;  ///< of nominal_springs.csv, above the springs' stops; at least 8
 };
 
-/// The empty gap case of the joint that a profile describes: its radii, friction, inertias and springs as they were designed
-/// (docs/gap.md). A case knows no preload: springs that rest on stops go on below them to no torque, as the cam on its base spring would
-/// without a stop (`springs_without_stops`); angles then count from there.
-/// Refusal: the law's. @throws core::InvalidInput naming a key that a case cannot hold: no parts, no preload behind a law that has one,
+/// The empty gap case of the joint that a profile describes: radii, friction, inertias and springs as designed (docs/gap.md). A case has no
+/// preload: springs that rest on stops continue below them to zero torque, as the cam on its base spring would without a stop
+/// (`springs_without_stops`); angles count from there.
+/// Refusal: the law's. @throws core::InvalidInput naming a key that a case cannot hold: no parts, no preload for a law that needs one,
 /// friction other than in proportion to the load
 [[nodiscard]] core::Outcome<gap_case::CaseTemplate> case_template(const profile::Profile& profile, const CaseTemplateOptions& options = {});
 

@@ -5,8 +5,8 @@
 
 #include "fusee/core/finding.h"
 #include "fusee/coupon/calibration.h"
+#include "fusee/pipeline/design_report.h"
 #include "fusee/profile/profile.h"
-#include "fusee/report/report.h"
 
 namespace fusee::pipeline {
 
@@ -14,23 +14,29 @@ struct Coupons {
     bool made = false;
     std::filesystem::path folder;  ///< empty when nothing was written
     core::Findings findings;       ///< passes too; a refusal holds the binding limits
-    std::vector<report::FileRow> files;
+    std::vector<FileRow> files;
 };
 /// The coupons of a profile in `out`/NAME-coupons, complete or not at all: plate, groove ladder and disc as STL and 3MF, disc.json, the
-/// empty COUPON.csv and README.md (docs/guides/calibrate.md). They are nominal whatever the profile's compensation is.
-/// A COUPON.csv that was filled in is not replaced, not even by `force`.
+/// empty COUPON.csv and README.md (docs/guides/calibrate.md). They are nominal, without the profile's compensation.
+/// A filled COUPON.csv is never replaced, even with `force`.
 /// @throws core::InvalidInput; core::IoError, also if the folder may not be written (core::OutputFolder)
 [[nodiscard]] Coupons make_coupons(const profile::Profile& profile, const std::filesystem::path& out, bool force = false);
 
-/// What the profile says of the figures that coupons measure.
+/// The profile's figures that coupons measure.
 [[nodiscard]] coupon::Present present_of(const profile::Profile& profile);
 
-/// The profile with the figures that the calibration changes, and "-calibrated" at the end of its name; the rest stays as its writer has
-/// it.
+/// The calibration that a sheet of coupons gives.
+struct CalibrationReport {
+    std::string name;         ///< of the sheet
+    std::string file_sha256;  ///< of its bytes
+    coupon::Calibration calibration;
+};
+
+/// The profile with the figures that the calibration changes and "-calibrated" at the end of its name; the rest of the text stays.
 /// @param toml the text that `profile` was read from
-/// @param file where it is going to be written
-/// @throws core::InvalidInput if the sheet is of another cable than the profile, if the profile holds a radius allowance, in which what the
-/// coupons say would be a second time, or if it has no room for a key
+/// @param file of the new profile
+/// @throws core::InvalidInput if the sheet is of another cable than the profile, if the profile holds a radius allowance, which would count
+/// the coupons' figures twice, or if a key cannot be inserted
 [[nodiscard]] std::string calibrated_profile(const profile::Profile& profile, const std::string& toml, const coupon::Sheet& sheet,
                                              const coupon::Calibration& calibration, const std::filesystem::path& file);
 

@@ -4,9 +4,9 @@
 
 #include "fusee/core/finding.h"
 #include "fusee/core/provenance.h"
+#include "fusee/pipeline/design_report.h"
 #include "fusee/pipeline/pair.h"
 #include "fusee/readback/readback.h"
-#include "fusee/report/report.h"
 
 namespace fusee::pipeline {
 
@@ -18,19 +18,19 @@ enum class Via {
 [[nodiscard]] const char* to_string(Via via);
 
 /// A file as written: name, SHA-256 and size of its bytes. @throws core::IoError
-[[nodiscard]] report::FileRow file_row(const std::filesystem::path& path, std::size_t triangles = 0, double chordal_error_mm = 0.0);
+[[nodiscard]] FileRow file_row(const std::filesystem::path& path, std::size_t triangles = 0, double chordal_error_mm = 0.0);
 
 /// One part as it went into files.
 struct ExportedPart {
-    std::string name;           ///< "k_se", "k_se_mirrored": its files' names begin so
-    bool mirrored = false;      ///< the antagonist's
-    report::PartReport report;  ///< its `part` is the one exported
-    solid::Mesh mesh;           ///< of the STL and 3MF files
+    std::string name;       ///< "k_se", "k_se_mirrored": the beginning of its files' names
+    bool mirrored = false;  ///< the antagonist's
+    PartReport report;      ///< its `part` is the one exported
+    solid::Mesh mesh;       ///< of the STL and 3MF files
 };
 
-/// Writes both sides of a pair in every format that the profile asks for, with PART.json beside each, and reads every file back: "k_se",
-/// then, if there is one, its mirror image "k_se_mirrored". Broken arms come back as required findings "readback.arm".
-/// The reports point at the pair's parts. @throws core::IoError
+/// Writes both sides of a pair in every format that the profile asks for, with a PART.json for each side, and reads every file back:
+/// "k_se", then, if there is one, its mirror image "k_se_mirrored". Broken arms are errors "readback.arm". The reports share the parts with
+/// the pair. @throws core::IoError
 [[nodiscard]] std::vector<ExportedPart> export_pair(const Pair& pair, const profile::Profile& profile, const core::Provenance& provenance,
                                                     Via via, const std::filesystem::path& folder);
 

@@ -1,36 +1,41 @@
 #pragma once
-#include <filesystem>
 #include <functional>
 #include <string>
 
 #include "fusee/core/finding.h"
+#include "fusee/core/output_folder.h"
+#include "fusee/pipeline/design.h"
+#include "fusee/pipeline/design_report.h"
 #include "fusee/pipeline/export.h"
-#include "fusee/profile/profile.h"
-#include "fusee/report/outlook.h"
+#include "fusee/pipeline/simulation.h"
 
 namespace fusee::pipeline {
 
 struct MakeOptions {
-    std::filesystem::path out = "out";  ///< the design lands in out/NAME, complete or not at all
     Via via = Via::kCgal;
-    std::function<void(const std::string&)> note = {};  ///< told when something long begins; may be empty; called on the caller's thread
-    bool force = false;  ///< also replace another profile's files in out/NAME, and files changed since (core::OutputRun)
+    std::function<void(const std::string&)> note = {};  ///< called when something long begins, on the caller's thread; may be empty
 };
 
-/// What became of one profile.
-struct MakeResult {
-    std::string name;
-    bool made = false;                          ///< out/NAME is complete, and every file carries the law
-    std::filesystem::path folder;               ///< empty when nothing was written
-    core::Findings findings;                    ///< all of them, passes too; a refusal holds the binding limits
-    std::vector<report::HeadFigure> head = {};  ///< what the user gets, with its range
-    double worst_arm_error = 0.0;               ///< relative, over all files
-    double dead_band_peak_deg = 0.0;            ///< exact, full width at the joint, at peak torque
-    double worst_dead_band_change = 0.0;        ///< relative, of the joint as its files carry it: report::AsExported::worst_change
+/// A design with its part files, and all that its reports show.
+struct MadeDesign {
+    ResolvedDesign resolved;
+    Simulation simulation;
+    DesignReport report;
 };
 
-/// One profile in, two cams out: law, arms, contours, solids, rules, files, read-back, report (README, "How it works").
-/// An impossible design writes nothing. @throws core::InvalidInput; core::IoError, also if out/NAME may not be written (core::OutputFolder)
-[[nodiscard]] MakeResult make(const profile::Profile& profile, const MakeOptions& options = {});
+/// One profile in, two cams out: law, arms, contours, solids, rules, files, read-back (README, "How it works"). Writes the part files into
+/// `output` and does not commit it. An error among `report.all_findings()` says that a file does not carry the law.
+/// Refusal: the findings, binding limits and passes; nothing is written then. @throws core::InvalidInput; core::IoError
+[[nodiscard]] core::Outcome<MadeDesign> make_parts(const profile::Profile& profile, core::OutputFolder& output,
+                                                   const MakeOptions& options = {});
+
+/// Whether every file of a design carries its law.
+struct Verification {
+    core::Findings findings;  ///< all of them, passes too
+    FileErrors file_errors;
+    [[nodiscard]] bool passed() const { return !core::any_error(findings); }
+};
+/// `make_parts` in a temporary folder. @throws as make_parts
+[[nodiscard]] Verification verify(const profile::Profile& profile);
 
 }  // namespace fusee::pipeline

@@ -1,5 +1,5 @@
 #pragma once
-#include <optional>
+#include <memory>
 
 #include "fusee/pipeline/design.h"
 
@@ -7,8 +7,8 @@ namespace fusee::pipeline {
 
 /// The two sides of an antagonistic joint: a part and its mirror image (docs/theory/cams.md).
 struct Pair {
-    DesignedPart agonist;
-    std::optional<DesignedPart> antagonist;  ///< its findings are empty: those of the rules are the agonist's, mirrored
+    std::shared_ptr<const DesignedPart> agonist;
+    std::shared_ptr<const DesignedPart> antagonist;  ///< null: none; its findings are empty: they are those of the agonist
 };
 
 /// @param both false: no antagonist

@@ -6,16 +6,16 @@
 
 #include "fusee/profile/profile.h"
 
-/// Changes to a profile's text that leave everything else as its writer has it: comments, order, spacing.
+/// Changes to a profile's text that keep everything else: comments, order, spacing.
 namespace fusee::profile {
 
 /// One key with its new value.
 struct Edit {
     std::string key;          ///< "k_se.spring.rate_Nm_per_rad"
     std::string value;        ///< as TOML, in the key's unit
-    std::string was;          ///< as TOML; of a key that the file leaves out, its default
+    std::string was;          ///< as TOML; the default of a key that is not in the file
     std::string why;          ///< one line; empty: the change is not commented
-    std::string origin = {};  ///< "measured, case bench_3": takes the place of the comment behind the old value; empty: that comment stays
+    std::string origin = {};  ///< "measured, case bench_3": replaces the comment behind the old value; empty: that comment stays
 };
 
 /// @throws InvalidInput naming `field` and the nearest key unless `key` is a key or a table of a profile
@@ -24,21 +24,20 @@ void require_key(const std::string& field, const std::string& key);
 [[nodiscard]] double number_of(const Profile& profile, const std::string& key);
 /// The key's value as TOML; none if there is no such key, or it has no meaning in this profile.
 [[nodiscard]] std::optional<std::string> value_text(const Profile& profile, const std::string& key);
-/// @pre as number_of; the value is not judged until the profile is read again
+/// @pre as number_of; the value is checked only when the profile is read again
 void set_number(Profile& profile, const std::string& key, double value);
 /// `value` [SI] as the key's new value, in the key's unit with 6 significant digits. @pre as number_of
 [[nodiscard]] Edit number_edit(const Profile& profile, const std::string& key, double value, std::string why);
 /// @pre `key` is a key of text
 [[nodiscard]] Edit text_edit(const Profile& profile, const std::string& key, const std::string& value, std::string why);
-/// The CSV files that the profile names, named from another folder.
+/// The CSV files of the profile, with paths relative to another folder.
 [[nodiscard]] std::vector<Edit> file_edits(const Profile& profile, const std::filesystem::path& folder);
 
-/// `toml` with each edit made: the value alone is replaced; a key that is left out is added below its table's heading, or with its table at
-/// the end. Above each a comment says what it was and why; the comment behind the old value, which spoke of it, gives way to the edit's
-/// `origin`. A key that loses its meaning by an edit (a pitch, of a path that becomes planar) becomes a comment. `head`, a line of comment,
-/// goes before everything.
+/// `toml` with each edit made: only the value is replaced; a missing key is added below its table's heading, or with its table at the end.
+/// A comment above each states the old value and the reason; the edit's `origin` replaces the comment behind the old value. A key that no
+/// longer applies after an edit (the pitch of a path that becomes planar) becomes a comment. `head`, a comment line, goes first.
 /// @param toml the text that `profile` was read from
-/// @throws core::InvalidInput naming a key that cannot be added or left out: its table stands in one line, or in dotted keys
+/// @throws core::InvalidInput naming a key that cannot be added or removed: its table is inline, or uses dotted keys
 [[nodiscard]] std::string with_edits(std::string toml, const Profile& profile, const std::vector<Edit>& edits,
                                      const std::string& head = {});
 

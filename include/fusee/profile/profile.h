@@ -21,10 +21,10 @@
 #include "fusee/spring/transmission_law.h"
 #include "fusee/toolpath/settings.h"
 
-/// One TOML file to the options of the rooms, and back. Each room owns its options and their defaults; this room only translates.
+/// One TOML file to the options of the modules, and back. Each module owns its options and their defaults; this one only translates.
 namespace fusee::profile {
 
-/// Two columns of a CSV file, the first ascending, in SI; no file: none.
+/// Two columns of a CSV file, the first ascending, in SI; empty without a file.
 struct Rows {
     std::filesystem::path file;  ///< as written in the profile, relative to the profile's folder
     std::vector<double> x, y;
@@ -39,10 +39,10 @@ struct Rig {
     double joint_radius = 0.0;               ///< r_j [m]
     double gear_friction = 0.0;              ///< mu
     double gear_friction_constant = 0.0;     ///< [Nm]
-    double gear_friction_rest_excess = 0.0;  ///< friction at rest over friction in motion, less 1
-    /// mu of a gear that rests: what the (k, u, C) law is made for.
+    double gear_friction_rest_excess = 0.0;  ///< friction at rest over friction in motion, minus 1
+    /// mu of a resting gear, for the (k, u, C) law.
     [[nodiscard]] double rest_friction() const { return (1.0 + gear_friction_rest_excess) * gear_friction; }
-    Rows gear_friction_table;  ///< friction over load [Nm]; in place of mu and constant
+    Rows gear_friction_table;  ///< friction over load [Nm]; instead of mu and constant
     actuator::OutputFriction joint_friction;
     double least_torque = 0.0;      ///< [Nm]
     double peak_torque = 0.0;       ///< [Nm]
@@ -72,23 +72,23 @@ struct TablePair {
     spring::TableOptions smoothing;
 };
 
-/// A curve over the torque tau [Nm]: a formula, or rows; neither: left to be chosen.
+/// A curve over the torque tau [Nm]: a formula, or rows; neither: chosen by the program.
 struct TorqueCurve {
     std::string formula;
     Rows rows;
 };
 
-/// Springs from the dead-band wanted: what spring::DeadBandLawOptions are made from.
+/// Springs from the wanted dead-band: source of spring::DeadBandLawOptions.
 struct DeadBandSpec {
     TorqueCurve dead_band;            ///< full width at the joint [rad]; its formula gives degrees
     TorqueCurve series_stiffness;     ///< S [Nm/rad]; neither: S = k tau^2
     double start_transmission = 0.5;  ///< T at the start torque, when S is chosen
 };
 
-/// The spring law asked for. StictionLawOptions come complete: mu is the rig's, the torques are this law's; so do FreeCurveOptions.
+/// The wanted spring law. StictionLawOptions are complete: mu of the rig, torques of this law; so are FreeCurveOptions.
 struct LawSpec {
     std::variant<spring::StictionLawOptions, PolynomialPair, ExponentialPair, TablePair, DeadBandSpec, spring::FreeCurveOptions> curves;
-    double start_torque = 0.0;    ///< lowest load [Nm], lead-in not counted; of a free curve its first
+    double start_torque = 0.0;    ///< lowest load [Nm] without lead-in; of a free curve its first
     double end_torque = 0.0;      ///< highest load [Nm]
     double lead_in_travel = 0.0;  ///< argument of spring::with_lead_in [rad]
 };
@@ -97,38 +97,38 @@ struct LawSpec {
 struct PartSpec {
     spring::BaseSpring spring;
     cam::Allowance allowance;
-    double cable_length = 0.0;  ///< unloaded, anchor on the cam to what the cable pulls, wound part included [m]; 0: does not stretch
+    double cable_length = 0.0;  ///< unloaded, anchor on the cam to what the cable pulls, wound part included [m]; 0: rigid
     cam::CamOptions cam;
     solid::PartOptions solid;
 };
 
-/// Files to write beside springs.csv, the reports and PART.json.
+/// Files to write in addition to springs.csv, the reports and PART.json.
 struct Outputs {
     bool stl = true, scad = true, dxf = true, three_mf = true, step = true, ngc = false;
-    bool scad_stl = false;   ///< OpenSCAD's rendering of the SCAD file too
+    bool scad_stl = false;   ///< also OpenSCAD's rendering of the SCAD file
     bool sliced = false;     ///< PrusaSlicer's G-code of a printed part
-    bool plates = false;     ///< DXF of each plate of a stack; on for edm and laser unless the profile names its formats
+    bool plates = false;     ///< DXF of each plate of a stack; default for edm and laser
     bool drawing = true;     ///< shop drawing as SVG
     bool pdf = false;        ///< the same as PDF
-    bool pair = true;        ///< the antagonist's parts too, mirror images of the agonist's
+    bool pair = true;        ///< also the antagonist's parts, mirror images of the agonist's
     bool plate = true;       ///< with 3MF: all parts on one plate
     double kerf = 0.0;       ///< of a beam or wire [m]; above 0: a second DXF, moved by half of it
     int springs_rows = 400;  ///< rows of springs.csv, >= 200
 };
 
-/// What `fusee simulate` is asked for.
+/// Settings of `fusee simulate`.
 struct Simulation {
     int levels = 15;           ///< of co-contraction, least to overdrive torque
     double push_torque = 0.0;  ///< at the joint [Nm]; 0: strong enough
     Rows measured;             ///< dead-band [rad], full width at the joint, over co-contraction [Nm]
 };
 
-/// All that a design is made from. Cable diameter, groove and chordal error stand once in the file and in both parts here.
+/// All input of a design. Cable diameter, groove and chordal error appear once in the file, and here in both parts.
 struct Profile {
     Profile();
 
     std::string name;            ///< letters, digits, '.', '_', '-': also the name of the design's folder
-    std::filesystem::path file;  ///< where it was read from
+    std::filesystem::path file;  ///< the file that was read
     std::string sha256;          ///< of the TOML's bytes followed by those of the CSV files it names: `cat a.toml a.csv | sha256sum`
     Rig rig;
     LawSpec law;
@@ -137,29 +137,29 @@ struct Profile {
     design::SearchOptions search;
     design::Algorithm1Options algorithm_1;
     design::CoDesignOptions co_design;
-    bool has_parts = true;  ///< false: the file holds none of the tables below, so that it can be simulated but not made
+    bool has_parts = true;  ///< false: the file has none of the tables below; it can be simulated but not made
     PartSpec k_se, k_pe;
     checks::Cable cable;
     cam::WrapFriction wrap;  ///< of that cable on its cams
     checks::Process process;
-    std::vector<checks::Override> limits;  ///< in the place of the rules' own, in the file's order
+    std::vector<checks::Override> limits;  ///< instead of the rules' defaults, in the file's order
     toolpath::Settings machining;
     Outputs outputs;
-    solid::Compensation compensation;           ///< as coupons measured it; the cable's axis stands in both parts' allowance
-    std::map<std::string, std::string> places;  ///< of the keys that stand in the file: "file:line:column: key"
+    solid::Compensation compensation;           ///< from measured coupons; the cable's axis is in both parts' allowance
+    std::map<std::string, std::string> places;  ///< of the keys in the file: "file:line:column: key"
 
-    /// Where a key stands; of one that is left out, file and key.
+    /// Place of a key; file and key if it is not in the file.
     [[nodiscard]] std::string place_of(const std::string& key) const;
 };
 
-/// No profile and no table is longer [bytes].
+/// Largest profile or table [bytes].
 inline constexpr std::size_t kLargestFile = 10'000'000;
 
 /// Reads a profile and the CSV files that it names (docs/profile.md lists every key).
-/// @throws core::IoError if the file is missing, too large or no TOML (line and column)
+/// @throws core::IoError if the file is missing, too large or not TOML (line and column)
 /// @throws core::InvalidInput, of several core::InvalidInputs: "file:line:column: key": unknown key, wrong type, NaN, out of range, missing
 [[nodiscard]] Profile read_profile(const std::filesystem::path& path);
-/// The same from the text that `path` holds or is going to hold. @throws as read_profile
+/// The same from the text of `path`, which need not exist yet. @throws as read_profile
 [[nodiscard]] Profile parse_profile(std::string toml, const std::filesystem::path& path);
 
 /// The profile as TOML with every key that applies. Read from the same folder it gives the same numbers, bit for bit.

@@ -9,7 +9,7 @@
 
 namespace fusee::readback {
 
-/// What an exported file says of the law. Nothing here knows how the part was made: this room uses `core`, `exchange` and the
+/// What an exported file says of the law. Nothing here knows how the part was made: this module uses `core`, `exchange` and the
 /// reader of programs in `toolpath` only.
 struct ArmError {
     std::string file;

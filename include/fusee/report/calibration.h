@@ -1,20 +1,15 @@
 #pragma once
 #include <string>
 
-#include "fusee/coupon/calibration.h"
+#include "fusee/pipeline/coupons.h"
 
 namespace fusee::report {
 
-/// What a sheet of coupons said.
-struct CalibrationReport {
-    std::string name;         ///< of the sheet
-    std::string file_sha256;  ///< of its bytes
-    coupon::Calibration calibration;
-};
+using pipeline::CalibrationReport;
 
 /// Keys as docs/guides/calibrate.md gives them; SI, a NaN is null.
 [[nodiscard]] std::string calibration_json(const CalibrationReport& report);
-/// A table, what cannot be known, and the lines of a profile.
+/// A table, the figures that cannot be known, and the lines of a profile.
 [[nodiscard]] std::string calibration_text(const CalibrationReport& report);
 
 }  // namespace fusee::report

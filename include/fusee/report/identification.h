@@ -1,17 +1,12 @@
 #pragma once
 #include <string>
 
-#include "fusee/identification/break_away.h"
+#include "fusee/identification/identification.h"
 
-/// A gear's friction as identified, to files that a program (JSON) or a person (HTML, text) reads (docs/guides/identify-friction.md).
+/// A gear's friction as files for programs (JSON) and people (HTML, text) (docs/guides/identify-friction.md).
 namespace fusee::report {
 
-/// What the figures come from.
-struct Identification {
-    std::string name;         ///< of the file, without its ending
-    std::string file_sha256;  ///< of the CSV as read
-    identification::FrictionReport friction;
-};
+using identification::Identification;
 
 /// The keys of docs/guides/identify-friction.md, in that order; a NaN is null.
 [[nodiscard]] std::string identification_json(const Identification& identification);

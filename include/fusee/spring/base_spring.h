@@ -12,10 +12,10 @@ enum class BaseKind {
     kCompression,  ///< linear compression spring behind a K_PE cam: state in m, load in N
 };
 
-/// Hand of a coil: right like a common screw, whose coils rise counter-clockwise.
+/// Hand of a coil: right like a common screw: its coils rise counter-clockwise.
 enum class Hand { kUnknown, kRight, kLeft };
 
-/// The linear spring that a cam turns into a nonlinear one. The wire data are optional (0 = unknown) and only feed the checks.
+/// The linear spring that a cam turns into a nonlinear one. The wire data are optional (0 = unknown) and used only by the checks.
 struct BaseSpring {
     BaseKind kind = BaseKind::kTorsion;
     double rate = 0.0;           ///< k_t [Nm/rad] or k [N/m]
@@ -30,7 +30,7 @@ struct BaseSpring {
     double stress_share = 0.8;      ///< allowed share of UTS: 0.8 music wire, 0.6 stainless 302 (katyspring)
     Hand hand = Hand::kUnknown;
     double rod_diameter = 0.0;  ///< of the arbor or guide rod inside its coils [m]; 0 = unknown
-    double cycles = 0.0;        ///< how often it is to be loaded from nothing to the largest state; 0 = fatigue not checked
+    double cycles = 0.0;        ///< wanted number of load cycles from zero to the largest state; 0 = fatigue not checked
 
     /// phi + phi0 or y + y0 after `energy` [J] was added to the preloaded spring: sqrt(preload^2 + 2 energy / rate).
     [[nodiscard]] double state(double energy) const;
@@ -39,10 +39,10 @@ struct BaseSpring {
     [[nodiscard]] double load(double energy) const { return rate * state(energy); }
 };
 
-/// A base spring and a cable that gives way by `give` for a unit of its load [m/N], as the one linear spring that the cam pulls: both have
-/// the load, their deflections add (docs/theory/cams.md, eq. 21). At its own preload it holds the load that the base spring has at its:
-///     1/rate = 1/k + give,  preload = y0 (1 + k give)
-/// No give returns the spring. Its limits and its wire stay the base spring's: they know nothing of the cable. @pre give >= 0
-[[nodiscard]] BaseSpring in_series_with_cable(BaseSpring base, double give);
+/// A base spring in series with a cable of that compliance [m/N], as the one linear spring that the cam pulls: both carry the load, their
+/// deflections add (docs/theory/cams.md, eq. 21). At its preload it holds the same load as the base spring at its preload:
+///     1/rate = 1/k + compliance,  preload = y0 (1 + k compliance)
+/// Compliance 0 returns the spring. Limits and wire stay those of the base spring without cable. @pre compliance >= 0
+[[nodiscard]] BaseSpring in_series_with_cable(BaseSpring base, double compliance);
 
 }  // namespace fusee::spring

@@ -6,7 +6,7 @@
 #include "fusee/spring/law.h"
 #include "fusee/spring/potential.h"
 
-/// Bounds of laws over whole ranges, by the same formulas that give their points: what `cam::certify` proves with.
+/// Bounds of laws over whole ranges, by the same formulas as their points; `cam::certify` proves with them.
 namespace fusee::spring {
 
 /// Every figure of a `LawPoint` over a box of some parameter, with its derivative by that parameter.
@@ -14,39 +14,39 @@ struct LawJet {
     math::Jet tau, theta, f_se, f_pe, s, p, s_slope, p_slope, u_se, u_pe;
 };
 
-/// A stretch of a law over which it is one smooth formula of one parameter: the load [Nm] or a deflection [rad], whichever names its points
-/// without solving for them. Both rise together.
-struct LawStretch {
+/// A segment of a law that is one smooth formula of one parameter: the load [Nm] or a deflection [rad], whichever gives its points without
+/// solving an equation. Both rise together.
+struct LawSegment {
     core::Range parameter;
     std::function<LawJet(const math::Interval&)> over;  ///< @pre the box lies in `parameter`; thread-safe
 };
 
-/// What a law adds to `SpringLaw` that can say its bounds.
+/// A `SpringLaw` with bounds.
 class EnclosedLaw {
 public:
     virtual ~EnclosedLaw() = default;
-    /// By rising load, each beginning where the one before ends; empty if something that the law is made of cannot say its bounds.
-    [[nodiscard]] virtual std::vector<LawStretch> stretches() const = 0;
+    /// By rising load, each beginning at the end of the previous one; empty if a part of the law has no bounds.
+    [[nodiscard]] virtual std::vector<LawSegment> segments() const = 0;
 };
-/// Empty if the law cannot say its bounds.
-[[nodiscard]] std::vector<LawStretch> stretches(const SpringLaw& law);
+/// Empty if the law has no bounds.
+[[nodiscard]] std::vector<LawSegment> segments(const SpringLaw& law);
 
 /// A potential's figures over a box of deflections; the last slope is U''''.
 struct PotentialJet {
     math::Jet energy, force, stiffness, slope;
 };
 
-/// What a potential adds to `Potential` that can say its bounds.
+/// A `Potential` with bounds.
 class EnclosedPotential {
 public:
     virtual ~EnclosedPotential() = default;
-    /// Deflections where its formulas meet, ascending, the ends of the domain included.
+    /// Boundaries of its formulas [rad], ascending, the ends of the domain included.
     [[nodiscard]] virtual std::vector<double> breaks() const = 0;
     /// @pre the box lies between two neighbouring breaks
     [[nodiscard]] virtual PotentialJet over(const math::Interval& x) const = 0;
 };
 
-/// Ascending places, each once: those of `range`'s ends and of `places` that lie inside.
+/// The ends of `range` and those of `places` inside it, ascending, each once.
 [[nodiscard]] std::vector<double> cuts(core::Range range, const std::vector<double>& places);
 
 }  // namespace fusee::spring

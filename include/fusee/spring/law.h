@@ -7,8 +7,8 @@
 
 namespace fusee::spring {
 
-/// The pair of springs at one capstan, at one level of equal co-contraction (joint at rest, so both springs see the capstan's angle).
-/// Magnitudes: every torque is positive and rises with theta. theta is 0 at the lowest load that the law covers.
+/// The pair of springs at one capstan, at one level of equal co-contraction (joint at rest, so both springs have the capstan's angle).
+/// Magnitudes: every torque is positive and rises with theta. theta is 0 at the lowest load of the law.
 struct LawPoint {
     double tau = 0.0;      ///< capstan load F_SE + F_PE [Nm]
     double theta = 0.0;    ///< capstan angle [rad]
@@ -24,7 +24,7 @@ struct LawPoint {
     [[nodiscard]] double transmission() const { return s / (s + p); }
 };
 
-/// A pair of spring laws, immutable and reentrant. Load and angle are two names of the same point: both rise together.
+/// A pair of spring laws, immutable and reentrant. Load and angle identify the same point: both rise together.
 class SpringLaw {
 public:
     virtual ~SpringLaw() = default;
@@ -42,8 +42,8 @@ using SpringLawPtr = std::shared_ptr<const SpringLaw>;
 /// `count` points, evenly spaced in load, both ends included. @throws InvalidInput if count < 2
 [[nodiscard]] std::vector<LawPoint> sample_by_load(const SpringLaw& law, std::size_t count);
 
-/// Is the law a pair of springs at all: S > 0, P > 0 (so 0 < T < 1) and F_SE > 0, F_PE > 0 over the whole range?
-/// Broken: findings "law.transmission", "law.stiffness", "law.torque" (required) with the load where it breaks first.
+/// Is the law a pair of springs: S > 0, P > 0 (so 0 < T < 1) and F_SE > 0, F_PE > 0 over the whole range?
+/// Broken: findings "law.transmission", "law.stiffness", "law.torque" (errors) with the load where it first fails.
 [[nodiscard]] core::Findings check_law(const SpringLaw& law);
 
 }  // namespace fusee::spring

@@ -38,7 +38,7 @@ struct TableOptions {
 [[nodiscard]] PotentialPtr make_tabulated(const std::vector<double>& x, const std::vector<double>& force, const TableOptions& options = {});
 
 /// Two potentials over the same capstan angle, as a law whose range is given by loads [Nm].
-/// Refusal: "law.range" when a load is not reached inside the potentials' domains, "law.stiffness" when load does not rise with the angle.
+/// Refusal: "law.range" if a load is not reached inside the potentials' domains, "law.stiffness" if the load does not rise with the angle.
 [[nodiscard]] core::Outcome<SpringLawPtr> make_pair_law(PotentialPtr series, PotentialPtr parallel, double start_torque, double end_torque);
 
 }  // namespace fusee::spring

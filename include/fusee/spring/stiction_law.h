@@ -15,7 +15,7 @@ struct StictionLawOptions {
 };
 
 /// Closed in tau (docs/theory/springs.md): theta, torques, stiffnesses and energies are elementary; F_SE(start) = T(start) start.
-/// Refusal: "law.transmission" where T leaves (0, 1), with the least feasible start torque tau_min = (C + sqrt(C^2 + 4 u^2/mu))/2
+/// Refusal: "law.transmission" if T leaves (0, 1), with the least feasible start torque tau_min = (C + sqrt(C^2 + 4 u^2/mu))/2
 /// (and for C < 0 the highest feasible end torque u^2/(mu |C|)).
 /// @throws InvalidInput naming the option (k > 0, mu > 0, 0 < start < end, u and c finite and not both 0)
 [[nodiscard]] core::Outcome<SpringLawPtr> make_stiction_law(const StictionLawOptions& options);
@@ -24,7 +24,7 @@ struct StictionLawOptions {
 [[nodiscard]] double least_feasible_load(const StictionLawOptions& options);
 
 /// The paper's (19) at the capstan angle theta of the law (0 at its start): has the cubic between angle and load one real root? Reported,
-/// not a filter: where it has three, the law is as valid, and one of them is its load.
+/// not a filter: with three roots the law is as valid, and one of them is its load.
 /// @pre theta below the law's asymptote
 [[nodiscard]] bool single_real_root(const StictionLawOptions& options, double theta);
 

@@ -11,13 +11,13 @@ namespace fusee::spring {
 /// A pair of springs given over the load itself: series stiffness S(tau) and transmission T(tau). Then, by quadrature,
 ///     P = (1/T - 1) S,   theta = integral T/S dtau,   F_SE = F_0 + integral T dtau,   F_PE = tau - F_SE,   F_0 = T(start) start.
 /// Relative accuracy of the quadrature 1e-12 (docs/theory/springs.md, eq. 16 to 18). Only values and first derivatives of the curves are
-/// asked for; where these are continuous, the springs' energies are C3. Refusals: "law.transmission" where T leaves (0, 1),
-/// "law.stiffness" where S is not above 0.
+/// used; where these are continuous, the springs' energies are C3. Refusals: "law.transmission" if T leaves (0, 1), "law.stiffness" if S
+/// is not above 0.
 /// @throws InvalidInput if 0 < start < end does not hold or the curves do not reach over it
 [[nodiscard]] core::Outcome<SpringLawPtr> make_transmission_law(math::CurvePtr series_stiffness, math::CurvePtr transmission,
                                                                 double start_torque, double end_torque);
 
-/// Springs from the dead-band one wants: P = 2 tau_f(tau)/(g DB(tau)), T = S/(S + P).
+/// Springs from a wanted dead-band: P = 2 tau_f(tau)/(g DB(tau)), T = S/(S + P).
 struct DeadBandLawOptions {
     math::CurvePtr dead_band;              ///< DB(tau), linear full width at the joint [rad], > 0
     math::CurvePtr series_stiffness = {};  ///< S(tau) [Nm/rad]; empty: chosen, S = k tau^2 (paper (16)) with `start_transmission`
@@ -27,9 +27,9 @@ struct DeadBandLawOptions {
     double start_torque = 0.0;  ///< [Nm]
     double end_torque = 0.0;    ///< [Nm]
 };
-/// The linear dead-band of these springs, 2 tau_f/(g P), is the one asked for to rounding (docs/theory/springs.md, eq. 19 and 20).
-/// Refusals: "law.dead_band" where DB is narrower than a parallel stiffness of 1000 times S makes it (a vanishing dead-band needs an
-/// infinitely stiff K_PE), with that least DB and the nearest torques; and those of make_transmission_law.
+/// The linear dead-band of these springs, 2 tau_f/(g P), is the wanted one to rounding (docs/theory/springs.md, eq. 19 and 20).
+/// Refusals: "law.dead_band" if DB is narrower than that of a parallel stiffness of 1000 times S (a vanishing dead-band needs an infinitely
+/// stiff K_PE), with that least DB and the nearest torques; and those of make_transmission_law.
 /// @throws InvalidInput if a curve does not reach over the torques, the friction is 0 at one of them, or an option is out of its range
 [[nodiscard]] core::Outcome<SpringLawPtr> make_dead_band_law(const DeadBandLawOptions& options);
 
@@ -44,8 +44,8 @@ struct GeneralStictionOptions {
 [[nodiscard]] core::Outcome<SpringLawPtr> make_general_stiction_law(const GeneralStictionOptions& options);
 
 /// A free pair of curves: S and T through knots over the load, ln S and ln(T/(1-T)) interpolated (C4, `math::make_interpolant`), so that
-/// every choice of knots is a pair of springs. What co-design searches when it is not held to (k, u, C). Refused only where values swing
-/// out of what numbers hold, which takes wildly different neighbours.
+/// every choice of knots is a pair of springs. Co-design searches it unless it is limited to (k, u, C). Refused only if values overflow,
+/// which takes extremely different neighbours.
 struct FreeCurveOptions {
     std::vector<double> loads;             ///< ascending, at least 4 [Nm]; first and last are the law's ends
     std::vector<double> series_stiffness;  ///< S at the knots [Nm/rad], > 0

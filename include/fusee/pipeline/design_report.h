@@ -1,0 +1,102 @@
+#pragma once
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fusee/actuator/dead_band.h"
+#include "fusee/cam/certificate.h"
+#include "fusee/core/finding.h"
+#include "fusee/core/provenance.h"
+#include "fusee/exchange/part_file.h"
+#include "fusee/pipeline/as_exported.h"
+#include "fusee/pipeline/headline.h"
+#include "fusee/readback/readback.h"
+#include "fusee/solid/part.h"
+#include "fusee/solid/quality.h"
+#include "fusee/spring/base_spring.h"
+#include "fusee/spring/law.h"
+
+/// A design and its part files (docs/report.md).
+namespace fusee::pipeline {
+
+/// One row of a measured table, with the springs that were smoothed from it.
+struct TableRow {
+    double angle = 0.0;                                 ///< of the capstan, as in the file [rad]
+    double series = 0.0, parallel = 0.0;                ///< as in the file [Nm]
+    double series_smooth = 0.0, parallel_smooth = 0.0;  ///< of the smoothed springs there [Nm]
+};
+/// A measured table, and the law that was smoothed from it.
+struct SmoothedTable {
+    std::string file;
+    std::vector<TableRow> rows;  ///< all of the file's; not empty
+
+    /// Smoothed minus measured torques of one spring.
+    struct Misfit {
+        double rms = 0.0;      ///< [Nm]
+        double largest = 0.0;  ///< of the largest magnitude [Nm]
+        std::size_t row = 0;   ///< where: data row of the file, the first is 1
+    };
+    [[nodiscard]] Misfit series() const;
+    [[nodiscard]] Misfit parallel() const;
+};
+
+/// The pair of spring laws as designed.
+struct LawReport {
+    std::vector<spring::LawPoint> samples;                                   ///< by rising load, lead-in included; at least 2
+    core::Range design_loads;                                                ///< loads without the lead-in [Nm]
+    double lead_in_travel = 0.0;                                             ///< capstan travel of the low-load law [rad]
+    double least_feasible_start = std::numeric_limits<double>::quiet_NaN();  ///< tau_min [Nm]; NaN: not defined for the kind of law
+    core::Range stiction_loads;          ///< possible loads of resting capstans: actuator::Actuator::loads [Nm]
+    std::optional<SmoothedTable> table;  ///< of a law of kind "table"
+    /// Do the springs reach every load that stiction allows?
+    [[nodiscard]] bool covers_stiction() const;
+};
+
+/// One file written.
+struct FileRow {
+    exchange::FileEntry entry;
+    std::uintmax_t bytes = 0;
+};
+
+/// One part with its files.
+struct PartReport {
+    std::shared_ptr<const solid::Part> part;  ///< never null
+    spring::BaseSpring spring;
+    core::Findings findings;
+    std::vector<FileRow> files;
+    std::vector<readback::ArmError> arm_errors;
+    solid::Quality quality;        ///< of part->mesh
+    cam::Certificate certificate;  ///< of part->cam
+};
+
+/// A design with all of its files.
+struct DesignReport {
+    core::Provenance provenance;
+    LawReport law;
+    std::vector<actuator::DeadBand> dead_band;  ///< by rising co-contraction
+    core::Findings findings;                    ///< of the law and of the design as a whole
+    std::vector<PartReport> parts;
+    std::vector<PartReport> mirrored;              ///< their mirror images, for the antagonist; none if the profile asks for none
+    std::vector<FileRow> files;                    ///< that belong to no part: springs.csv, plate.3mf
+    std::vector<readback::ArmError> plate_errors;  ///< of each part as it stands in plate.3mf
+    AsExported as_exported;
+    Headline headline;
+    /// `parts`, then `mirrored`.
+    [[nodiscard]] std::vector<const PartReport*> sides() const;
+    /// Of every file: the sides', then the plate's.
+    [[nodiscard]] std::vector<const readback::ArmError*> arm_errors() const;
+    /// Of the law, the design and every part.
+    [[nodiscard]] core::Findings all_findings() const;
+    /// Largest relative arm error of the files, prints left out; NaN if none was read back.
+    [[nodiscard]] double worst_arm_error() const;
+    [[nodiscard]] FileErrors file_errors() const { return {worst_arm_error(), as_exported.worst_change()}; }
+};
+
+/// kPass: can be made; kNotJudged: can be made as far as its rules could be judged; kWarning: a person must accept something; kError:
+/// cannot be made, or a file does not carry the law.
+[[nodiscard]] core::Severity verdict(const DesignReport& design);
+
+}  // namespace fusee::pipeline

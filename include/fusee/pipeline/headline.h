@@ -1,0 +1,56 @@
+#pragma once
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "fusee/actuator/dead_band.h"
+#include "fusee/core/units.h"
+
+namespace fusee::pipeline {
+
+struct ResolvedDesign;
+struct PartReport;
+struct Simulation;
+
+/// The arms of one part as its process makes it.
+struct MadeArm {
+    std::string part;           ///< "k_pe"
+    double tolerance_mm = 0.0;  ///< of the process's contour, one side
+    double least_arm_mm = 0.0;  ///< over the working range
+    /// Largest relative error of an arm: the tolerance at the least arm.
+    [[nodiscard]] double worst_relative() const { return tolerance_mm / least_arm_mm; }
+};
+
+/// The dead-band at one co-contraction: full width at the joint.
+struct ExpectedWidth {
+    double tau = 0.0;                                           ///< [Nm]
+    double nominal = std::numeric_limits<double>::quiet_NaN();  ///< exact, of the law as designed [rad]; NaN: not covered
+    core::Range built{nominal, nominal};                        ///< 5 to 95 % of joints as a shop builds them [rad]
+};
+
+/// The figures that a summary of a design begins with.
+struct Headline {
+    std::string process;                                             ///< "fdm"; empty: nothing is known
+    std::vector<MadeArm> arms;                                       ///< of K_SE, of K_PE
+    ExpectedWidth least, overdrive;                                  ///< dead-band at the ends of the co-contractions in use
+    double joint_torque = std::numeric_limits<double>::quiet_NaN();  ///< greatest at which every spring stays inside its law [Nm]
+    actuator::ConditionSummary condition;                            ///< the paper's (6)
+};
+
+/// @param simulation of the same design @param parts K_SE's and K_PE's
+[[nodiscard]] Headline headline_of(const ResolvedDesign& design, const Simulation& simulation, const std::vector<PartReport>& parts);
+
+/// How far the exported files are from the law; NaN: none was read back.
+struct FileErrors {
+    double arm = std::numeric_limits<double>::quiet_NaN();        ///< largest relative error of an arm
+    double dead_band = std::numeric_limits<double>::quiet_NaN();  ///< largest relative change of a dead-band
+};
+
+/// Slopes d(T tau_f)/dtau within +-this are too small to be built, a hundredth of the arm error allowed in a file: stiction stays the same.
+inline constexpr double kSlightestSlope = 1e-5;
+/// Verdict on condition (6), d(T tau_f)/dtau < 0.
+enum class ConditionVerdict { kHolds, kFails, kMixed, kWithinRounding, kNotKnown };
+[[nodiscard]] ConditionVerdict condition_verdict(const actuator::ConditionSummary& condition);
+[[nodiscard]] const char* to_string(ConditionVerdict verdict);  ///< "holds", "fails", "holds in part", "within rounding", "not known"
+
+}  // namespace fusee::pipeline

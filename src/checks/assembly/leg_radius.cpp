@@ -1,0 +1,41 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "coil.h"
+#include "fusee/core/units.h"
+#include "measure.h"
+#include "needs.h"
+#include "shape.h"
+
+namespace fusee::checks {
+
+namespace {
+
+core::Findings measure_assembly_leg_radius(const Design& design, const Allowed& allowed) {
+    const solid::FeatureOptions& features = design.part.options.features;
+    const spring::BaseSpring& s = design.spring;
+    const double aside = std::abs(features.leg_slot_radius - 0.5 * s.coil_diameter) + 0.5 * (s.wire_diameter - features.leg_slot_length);
+    core::Finding f = judge(core::mm_from_m(std::max(0.0, aside)), {allowed("review")});
+    f.what = fmt::format("how far an axial leg {:.2f} mm from the axis stands out of its slot", core::mm_from_m(0.5 * s.coil_diameter));
+    f.where = fmt::format("{} at body angle {:.1f} deg", name(design), core::deg_from_rad(features.leg_slot_angle));
+    f.suggestion = fmt::format("{}.features.leg_slot_radius_mm = {:.4g}", name(design), core::mm_from_m(0.5 * s.coil_diameter));
+    return {f};
+}
+
+}  // namespace
+
+Rule assembly_leg_radius() {
+    return {"assembly.leg_radius",
+            "a slot that misses the spring's leg",
+            "how far the leg, at the coil's radius, stands out of its slot",
+            "geometry: an axial leg stands at D/2",
+            {review(kAtMost, "mm", 0.0)},
+            measure_assembly_leg_radius,
+            false,
+            {need::kWire, need::kCoil},
+            has_leg_slot};
+}
+
+}  // namespace fusee::checks

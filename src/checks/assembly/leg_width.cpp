@@ -1,0 +1,36 @@
+#include <fmt/format.h>
+
+#include "fusee/core/units.h"
+#include "measure.h"
+#include "needs.h"
+#include "shape.h"
+
+namespace fusee::checks {
+
+namespace {
+
+core::Findings measure_assembly_leg_width(const Design& design, const Allowed& allowed) {
+    const solid::FeatureOptions& features = design.part.options.features;
+    const double wire = design.spring.wire_diameter;
+    core::Finding f = judge(core::mm_from_m(features.leg_slot_width - wire), {allowed("required"), allowed("review")});
+    f.what = fmt::format("play of the spring's leg of {:g} mm in its slot", core::mm_from_m(wire));
+    f.where = fmt::format("{} at body angle {:.1f} deg", name(design), core::deg_from_rad(features.leg_slot_angle));
+    f.suggestion = fmt::format("{}.features.leg_slot_width_mm = {:.4g}", name(design), core::mm_from_m(wire) + f.allowed);
+    return {f};
+}
+
+}  // namespace
+
+Rule assembly_leg_width() {
+    return {"assembly.leg_width",
+            "a slot that the spring's leg does not enter, or rattles in",
+            "width of the spring leg's slot less the wire",
+            "0 to 0.5 mm (practice)",
+            {required(kAtLeast, "mm", 0.0), review(kAtMost, "mm", 0.5)},
+            measure_assembly_leg_width,
+            false,
+            {need::kWire},
+            has_leg_slot};
+}
+
+}  // namespace fusee::checks

@@ -1,0 +1,31 @@
+#include <fmt/format.h>
+
+#include "fusee/core/units.h"
+#include "measure.h"
+
+namespace fusee::checks {
+
+namespace {
+
+core::Findings measure_assembly_thread(const Design& design, const Allowed& allowed) {
+    const double hole = design.part.options.features.anchor_hole_diameter, d = design.cable.diameter;
+    if (hole <= 0.0) return {};
+    core::Finding f = judge(hole / d, {allowed("required"), allowed("review")});
+    f.what = "diameter of the anchor hole, through which the cable is threaded";
+    f.where = where(design, design.part.cam.anchor_psi);
+    f.suggestion = fmt::format("{}.features.anchor_hole_mm = {}", name(design), up(core::mm_from_m(f.allowed * d)));
+    return {f};
+}
+
+}  // namespace
+
+Rule assembly_thread() {
+    return {"assembly.thread",
+            "a cable that does not go through its hole",
+            "anchor hole over the cable",
+            "1.2 d, at least d (practice)",
+            {required(kAtLeast, "d", 1.0), review(kAtLeast, "d", 1.2)},
+            measure_assembly_thread};
+}
+
+}  // namespace fusee::checks

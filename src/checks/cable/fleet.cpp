@@ -1,0 +1,49 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "fusee/core/units.h"
+#include "measure.h"
+#include "shape.h"
+
+namespace fusee::checks {
+
+namespace {
+
+constexpr double kMost = 4.0;  // [deg]
+
+core::Findings measure_cable_fleet(const Design& design, const Allowed& allowed) {
+    const cam::Cam& cam = design.part.cam;
+    if (cam.working.empty()) return {};
+    const cam::Contact& worst = worst_contact(cam, [](const cam::Contact& c) { return std::abs(c.fleet); });
+    const bool own = design.cable.max_fleet > 0.0;
+    const double fleet = core::deg_from_rad(std::abs(worst.fleet));
+    core::Finding f = own ? judge(fleet, {allowed("required", core::deg_from_rad(design.cable.max_fleet))})
+                          : judge(fleet, {allowed("required", kMost), allowed("review")});
+    f.what = fmt::format("largest fleet angle; the arm in the plane is cut longer by 1/{:.5f}", std::cos(worst.fleet));
+    f.where = where(design, worst.path.psi);
+    f.place = place(worst.path, 0.0);
+    const double tangent = std::tan(core::rad_from_deg(f.allowed)), farther = std::abs(std::tan(worst.fleet)) / tangent;
+    f.suggestion = fmt::format("a free cable of {} mm there ({}.guide.distance_mm = {})", up(core::mm_from_m(worst.span * farther)),
+                               name(design), up(core::mm_from_m(cam.options.guide.distance + worst.span * (farther - 1.0))));
+    if (!cam.closed() && cam.options.path.lead == cam::Lead::kConstantPitch && cam.working.size() > 1) {
+        const double middle = 0.5 * (cam.working.front().path.z + cam.working.back().path.z);
+        if (std::abs(cam.options.guide.z - middle) > 0.5 * cam.options.path.pitch)
+            f.suggestion += fmt::format(", or the guide at half height ({}.guide.z_mm = {:.3g})", name(design), core::mm_from_m(middle));
+    }
+    if (own) f.source = "cable.max_fleet_deg";
+    return {f};
+}
+
+}  // namespace
+
+Rule cable_fleet() {
+    return {"cable.fleet",
+            "the cable leaving the groove's plane at an angle",
+            "largest angle between free cable and the contact's plane",
+            "wirerope.net: 2 deg grooved; 4 deg (practice)",
+            {required(kAtMost, "deg", "4 deg, or cable.max_fleet_deg"), review(kAtMost, "deg", 2.0)},
+            measure_cable_fleet};
+}
+
+}  // namespace fusee::checks

@@ -1,0 +1,42 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "fusee/core/units.h"
+#include "measure.h"
+#include "shape.h"
+
+namespace fusee::checks {
+
+namespace {
+
+core::Findings measure_cable_fleet_side(const Design& design, const Allowed& allowed) {
+    const cam::Cam& cam = design.part.cam;
+    if (cam.working.empty()) return {};
+    const cam::Contact& high = worst_contact(cam, [](const cam::Contact& c) { return c.fleet; });
+    const cam::Contact& low = worst_contact(cam, [](const cam::Contact& c) { return -c.fleet; });
+    const double above = std::max(0.0, high.fleet), below = std::max(0.0, -low.fleet);
+    const cam::Contact& worst = above > below ? high : low;
+    core::Finding f = judge(core::deg_from_rad(std::abs(above - below)), {allowed("review")});
+    f.what = fmt::format("fleet angle {:.2f} deg upwards, {:.2f} deg downwards: the guide is off the middle of the groove",
+                         core::deg_from_rad(above), core::deg_from_rad(below));
+    f.where = where(design, worst.path.psi);
+    f.place = place(worst.path, 0.0);
+    f.suggestion = fmt::format("{}.guide.z_mm = {:.3g}", name(design),
+                               core::mm_from_m(cam.options.guide.z - worst.span * std::tan(0.5 * (high.fleet + low.fleet))));
+    return {f};
+}
+
+}  // namespace
+
+Rule cable_fleet_side() {
+    return {"cable.fleet_side",
+            "a guide off the middle, so that one flank bears all the rubbing",
+            "largest fleet angle to one side less the largest to the other",
+            "wirerope.net: 1.5 deg on a smooth drum",
+            {review(kAtMost, "deg", 1.5)},
+            measure_cable_fleet_side};
+}
+
+}  // namespace fusee::checks

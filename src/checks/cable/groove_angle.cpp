@@ -1,0 +1,55 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "fusee/core/units.h"
+#include "measure.h"
+#include "shape.h"
+
+namespace fusee::checks {
+
+namespace {
+
+constexpr double kGuide_mm = 200.0;  // where a guide may stand that had no place
+
+/// A parallel guide has no point to aim at.
+std::string aimed_change(const Design& design) {
+    const std::string aimed = fmt::format("{}.path.lead = \"aimed\"", name(design));
+    if (design.part.cam.options.guide.kind != cam::GuideKind::kParallel) return aimed;
+    return fmt::format("{0} with {1}.guide.kind = \"point\" with {1}.guide.distance_mm = {2:g}", aimed, name(design), kGuide_mm);
+}
+
+core::Findings measure_cable_groove_angle(const Design& design, const Allowed& allowed) {
+    const cam::Cam& cam = design.part.cam;
+    if (cam.closed() || cam.working.size() < 2) return {};
+    const auto angle = [&cam](const cam::Contact& c) { return std::abs(std::atan(groove_slope(cam, c)) - c.fleet); };
+    const cam::Contact& worst = worst_contact(cam, angle);
+    core::Finding f = judge(core::deg_from_rad(angle(worst)), {allowed("review")});
+    f.what = fmt::format(
+        "angle between the free cable and the groove that it leaves: it rubs on a flank, where {:.2g} % of the torque may be lost or won",
+        100.0 * (1.0 - std::cos(angle(worst))) * worst.path.rho / worst.path.h);
+    f.where = where(design, worst.path.psi);
+    f.place = place(worst.path, 0.0);
+    if (cam.options.path.lead == cam::Lead::kConstantPitch)
+        f.suggestion =
+            fmt::format("{}.path.pitch_mm = {}, or {}", name(design),
+                        down(core::mm_from_m(cam.options.path.pitch) * std::tan(core::rad_from_deg(f.allowed)) / std::tan(angle(worst))),
+                        aimed_change(design));
+    else
+        f.suggestion = fmt::format("{}.guide.z_mm = {:.3g}: half height", name(design),
+                                   core::mm_from_m(0.5 * (cam.working.front().path.z + cam.working.back().path.z)));
+    return {f};
+}
+
+}  // namespace
+
+Rule cable_groove_angle() {
+    return {"cable.groove_angle",
+            "the cable leaving a climbing groove across its flank",
+            "helix: largest angle between free cable and groove",
+            "US7677540B1: a focused groove points at the guide; 4 deg (practice)",
+            {review(kAtMost, "deg", 4.0)},
+            measure_cable_groove_angle};
+}
+
+}  // namespace fusee::checks

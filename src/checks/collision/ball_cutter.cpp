@@ -1,0 +1,32 @@
+#include <fmt/format.h>
+
+#include "fusee/checks/limits.h"
+#include "fusee/core/units.h"
+#include "measure.h"
+
+namespace fusee::checks {
+
+namespace {
+
+core::Findings measure_collision_ball_cutter(const Design& design, const Allowed& allowed) {
+    const double cutter = core::mm_from_m(process_limits(design.process).cutter_radius);
+    if (!is_milled(design) || cutter <= 0.0) return {};
+    const double ratio = design.part.options.groove.radius_ratio;
+    core::Finding f = judge(core::mm_from_m(ratio * design.cable.diameter), {allowed("required", cutter)});
+    f.what = "radius of the groove's floor, which the ball cutter must fit";
+    f.suggestion = fmt::format("process.cutter_radius_mm = {}, or cable.diameter_mm = {}", down(f.measured), up(f.allowed / ratio));
+    return {f};
+}
+
+}  // namespace
+
+Rule collision_ball_cutter() {
+    return {"collision.ball_cutter",
+            "a thin cable's groove that no ball cutter at hand fits into",
+            "milled: radius of the groove's floor",
+            "geometry: 0.8 mm of cable want a ball under 0.86 mm",
+            {required(kAtLeast, "mm", "process.cutter_radius_mm, 0.25 mm by default")},
+            measure_collision_ball_cutter};
+}
+
+}  // namespace fusee::checks

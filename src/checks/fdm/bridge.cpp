@@ -1,0 +1,31 @@
+#include <fmt/format.h>
+
+#include "fusee/core/units.h"
+#include "measure.h"
+#include "shape.h"
+
+namespace fusee::checks {
+
+namespace {
+
+core::Findings measure_fdm_bridge(const Design& design, const Allowed& allowed) {
+    const solid::HubOptions& hub = design.part.options.hub;
+    if (design.process.kind != ProcessKind::kFdm || hub.kind != solid::HubKind::kOverhung) return {};
+    core::Finding f = judge(core::mm_from_m(2.0 * bore_radius(hub)), {allowed("review")});
+    f.what = "span of the ceiling over the blind bore, printed with its boss on the bed";
+    f.suggestion = fmt::format("{}.hub.bore_mm = {}", name(design), down(f.allowed - core::mm_from_m(hub.bore_clearance)));
+    return {f};
+}
+
+}  // namespace
+
+Rule fdm_bridge() {
+    return {"fdm.bridge",
+            "a blind bore whose ceiling sags",
+            "FDM, overhung: span of the ceiling over the blind bore",
+            "FDM bridge 5-10 mm: 3dservicesusa, cifproto, arti90, layerx3d",
+            {review(kAtMost, "mm", 10.0)},
+            measure_fdm_bridge};
+}
+
+}  // namespace fusee::checks

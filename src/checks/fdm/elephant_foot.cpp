@@ -1,0 +1,30 @@
+#include <fmt/format.h>
+
+#include "fusee/core/units.h"
+#include "measure.h"
+
+namespace fusee::checks {
+
+namespace {
+
+core::Findings measure_fdm_elephant_foot(const Design& design, const Allowed& allowed) {
+    if (design.process.kind != ProcessKind::kFdm) return {};
+    core::Finding f = judge(core::mm_from_m(design.part.options.hub.bore_clearance), {allowed("review")});
+    f.what = "clearance of the bore, of which the squeezed first layer takes its part";
+    f.where = name(design) + " at the bore's mouth";
+    f.suggestion = fmt::format("{}.hub.clearance_mm = {:g}, or a chamfer there", name(design), f.allowed);
+    return {f};
+}
+
+}  // namespace
+
+Rule fdm_elephant_foot() {
+    return {"fdm.elephant_foot",
+            "a bore narrowed by the squeezed first layer",
+            "FDM: clearance of the bore, which opens on the bed",
+            "0.1 mm a side (practice)",
+            {review(kAtLeast, "mm", 0.2)},
+            measure_fdm_elephant_foot};
+}
+
+}  // namespace fusee::checks

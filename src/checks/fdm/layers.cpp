@@ -1,0 +1,34 @@
+#include <fmt/format.h>
+
+#include "fusee/checks/limits.h"
+#include "fusee/core/units.h"
+#include "measure.h"
+
+namespace fusee::checks {
+
+namespace {
+
+core::Findings measure_fdm_layers(const Design& design, const Allowed& allowed) {
+    const double layer = process_limits(design.process).layer;
+    if (design.process.kind != ProcessKind::kFdm || layer <= 0.0) return {};
+    const double radius = design.part.options.groove.radius_ratio * design.cable.diameter;
+    core::Finding f = judge(radius / layer, {allowed("review")});
+    f.what =
+        fmt::format("layers of {:g} mm in the radius of the groove's floor, {:.3f} mm", core::mm_from_m(layer), core::mm_from_m(radius));
+    f.where = name(design) + " all along the groove";
+    f.suggestion = fmt::format("process.layer_mm = {}", down(core::mm_from_m(radius / f.allowed)));
+    return {f};
+}
+
+}  // namespace
+
+Rule fdm_layers() {
+    return {"fdm.layers",
+            "a groove's floor printed as steps",
+            "FDM: layers in the radius of the groove's floor",
+            "two layers (practice)",
+            {review(kAtLeast, "layers", 2.0)},
+            measure_fdm_layers};
+}
+
+}  // namespace fusee::checks

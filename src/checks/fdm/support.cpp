@@ -1,0 +1,39 @@
+#include "fusee/checks/support.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "fusee/checks/limits.h"
+#include "fusee/core/units.h"
+#include "measure.h"
+
+namespace fusee::checks {
+
+namespace {
+
+core::Findings measure_fdm_support(const Design& design, const Allowed& allowed) {
+    const double limit = process_limits(design.process).overhang;
+    const solid::Mesh& mesh = design.part.mesh;
+    if (design.process.kind != ProcessKind::kFdm || limit <= 0.0 || mesh.triangles.empty()) return {};
+    const double upright = unsupported_mm2(mesh, limit, false), flipped = unsupported_mm2(mesh, limit, true);
+    core::Finding f = judge(std::min(upright, flipped), {allowed("review")});
+    f.what = fmt::format("faces that look down by more than {:g} deg, printed with the {} on the bed (the other way up: {:.0f} mm^2)",
+                         core::deg_from_rad(limit), upright <= flipped ? "bottom" : "top", std::max(upright, flipped));
+    f.suggestion = fmt::format("support material under {} mm^2", up(f.measured));
+    return {f};
+}
+
+}  // namespace
+
+Rule fdm_support() {
+    return {"fdm.support",
+            "ceilings that a printer cannot bridge",
+            "area looking down beyond the overhang + 1 deg, the better way up",
+            "FDM bridge 5-10 mm: 3dservicesusa, cifproto, arti90, layerx3d; a square of 5 mm",
+            {review(kAtMost, "mm^2", 25.0)},
+            measure_fdm_support,
+            true};
+}
+
+}  // namespace fusee::checks

@@ -1,0 +1,61 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "fusee/core/units.h"
+#include "fusee/solid/stack.h"
+#include "measure.h"
+#include "shape.h"
+
+namespace fusee::checks {
+
+namespace {
+
+constexpr double kWidest = 150.0;  // [deg] throat of a groove
+
+/// Half the groove's width between the lips, were its throat another (docs/theory/cams.md, eq. 11) [m].
+double half_width(const Design& design, double throat) {
+    const solid::GrooveOptions& groove = design.part.options.groove;
+    const double radius = groove.radius_ratio * design.cable.diameter, half = 0.5 * throat;
+    const double flank = groove.depth_ratio * design.cable.diameter - radius * (1.0 - std::sin(half));
+    return radius * std::cos(half) + flank * std::tan(half);
+}
+
+core::Findings measure_groove_flank_rub(const Design& design, const Allowed& allowed) {
+    const cam::Cam& cam = design.part.cam;
+    if (cam.working.size() < 2 || design.part.section.empty()) return {};
+    const bool stacked = is_stacked(design) && cam.closed();  // else stack.climb
+    const double half = 0.5 * (stacked ? solid::core_thickness(design.part) : groove_width(design.part)), lip = lip_offset(design.part),
+                 radius = 0.5 * design.cable.diameter;
+    // On a floor of radius rho the cable passes the lips sqrt((rho + lip)^2 - rho^2) behind its contact.
+    const auto aside = [&](const cam::Contact& c) {
+        const double slope = cam.closed() ? 0.0 : groove_slope(cam, c), past = std::sqrt(std::max(0.0, lip) * (2.0 * c.path.rho + lip));
+        return past * std::tan(std::abs(std::atan(slope) - c.fleet));
+    };
+    const cam::Contact& worst = worst_contact(cam, aside);
+    core::Finding f = judge(core::mm_from_m(half - radius - aside(worst)), {allowed("review")});
+    f.what = fmt::format("room between a lip and the cable, which has moved {:.3f} mm aside there", core::mm_from_m(aside(worst)));
+    f.where = where(design, worst.path.psi);
+    f.place = place(worst.path, lip);
+    const double needed = half + core::m_from_mm(f.allowed - f.measured);
+    f.suggestion = fmt::format("groove.plate_mm = {}", up(core::mm_from_m(2.0 * needed)));
+    if (stacked) return {f};
+    double throat = core::deg_from_rad(design.part.options.groove.throat);
+    while (throat < kWidest && half_width(design, core::rad_from_deg(throat)) < needed) throat += 1.0;
+    f.suggestion = fmt::format("groove.throat_deg = {:.0f}", std::min(std::ceil(throat), kWidest));
+    return {f};
+}
+
+}  // namespace
+
+Rule groove_flank_rub() {
+    return {"groove.flank_rub",
+            "the leaving cable rubbing on a lip",
+            "least room between the lips and the free cable that passes them at its angle to the groove",
+            "geometry: cable against the lips",
+            {review(kAtLeast, "mm", 0.0)},
+            measure_groove_flank_rub};
+}
+
+}  // namespace fusee::checks

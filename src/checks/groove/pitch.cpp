@@ -1,0 +1,46 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "fusee/checks/limits.h"
+#include "fusee/core/units.h"
+#include "measure.h"
+#include "shape.h"
+
+namespace fusee::checks {
+
+namespace {
+
+core::Findings measure_groove_pitch(const Design& design, const Allowed& allowed) {
+    const Pitch pitch = least_pitch(design.part.cam);
+    if (!pitch.turns || design.part.section.empty()) return {};
+    const solid::GrooveOptions& groove = design.part.options.groove;
+    const double width = groove_width(design.part), wall = process_limits(design.process).wall;
+    const double rope = kRopePitch * groove.radius_ratio * design.cable.diameter;
+    core::Finding f = judge(core::mm_from_m(pitch.least), {allowed("required", core::mm_from_m(std::max(rope, width + wall))),
+                                                           allowed("review", core::mm_from_m(width + groove.rib))});
+    f.what = fmt::format("height from one turn to the next; the groove is {:.3f} mm wide and a land of {:.2f} mm stands between turns",
+                         core::mm_from_m(width), core::mm_from_m(std::max(wall, groove.rib)));
+    f.where = where(design, pitch.at.psi);
+    f.place = place(pitch.at, 0.0);
+    f.suggestion = fmt::format("{}.path.pitch_mm = {}", name(design),
+                               up(core::mm_from_m(design.part.cam.options.path.pitch) + f.allowed - f.measured));
+    if (design.part.cam.options.path.lead == cam::Lead::kAimedAtGuide)
+        f.suggestion = fmt::format("{}.guide.z_mm = {}: the groove then climbs {} mm a turn", name(design),
+                                   up(core::mm_from_m(design.part.cam.options.guide.z) * f.allowed / f.measured), up(f.allowed));
+    return {f};
+}
+
+}  // namespace
+
+Rule groove_pitch() {
+    return {"groove.pitch",
+            "turns that run into each other",
+            "helix: least height from turn to turn",
+            "groove width and the process's wall; Unirope/Python: at least 2.065 groove radii",
+            {required(kAtLeast, "mm", "groove width + the process's wall, at least 2.065 floor radii"),
+             review(kAtLeast, "mm", "groove width + groove.rib_mm")},
+            measure_groove_pitch};
+}
+
+}  // namespace fusee::checks

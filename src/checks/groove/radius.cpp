@@ -1,0 +1,35 @@
+#include <fmt/format.h>
+
+#include "fusee/core/units.h"
+#include "measure.h"
+
+namespace fusee::checks {
+
+namespace {
+
+constexpr double kGood = 0.53;  // [d]
+
+core::Findings measure_groove_radius(const Design& design, const Allowed& allowed) {
+    if (is_stacked(design)) return {};  // a plate's edge is flat: stack.groove_width
+    const double ratio = design.part.options.groove.radius_ratio;
+    core::Finding f = judge(ratio, {allowed("required"), allowed("low_review"), allowed("high_review")});
+    f.what =
+        "radius of the groove's floor: " + std::string(f.bound == core::Bound::kAtLeast ? "pinches the cable" : "lets the cable flatten");
+    if (f.severity == core::Severity::kPass) f.what = "radius of the groove's floor";
+    f.suggestion = fmt::format("groove.radius_ratio = {:.2f} ({:.3f} mm)", f.severity == core::Severity::kError ? kGood : f.allowed,
+                               core::mm_from_m((f.severity == core::Severity::kError ? kGood : f.allowed) * design.cable.diameter));
+    return {f};
+}
+
+}  // namespace
+
+Rule groove_radius() {
+    return {"groove.radius",
+            "a groove that pinches the cable or lets it flatten",
+            "floor radius",
+            "Unirope/Python: 0.53-0.55 d",
+            {required(kAtLeast, "d", 0.5), review(kAtLeast, "d", kGood, "low_review"), review(kAtMost, "d", 0.55, "high_review")},
+            measure_groove_radius};
+}
+
+}  // namespace fusee::checks

@@ -1,0 +1,33 @@
+#include <fmt/format.h>
+
+#include "fusee/solid/companions.h"
+#include "measure.h"
+
+namespace fusee::checks {
+
+namespace {
+
+core::Findings measure_mill_inner_edge(const Design& design, const Allowed& allowed) {
+    const solid::HubLock lock = design.part.options.hub.lock;
+    if (!is_milled(design)) return {};
+    const bool sharp = lock == solid::HubLock::kKeyway || lock == solid::HubLock::kDFlat;
+    if (!sharp) return {};
+    core::Finding f = judge(0.0, {allowed("review")});
+    f.what = fmt::format("radius in the corners of the {}, drawn sharp", lock == solid::HubLock::kKeyway ? "keyway" : "D-flat");
+    f.suggestion = fmt::format("{}, or the bore broached, or corners of {:g} mm accepted",
+                               solid::set_screw_change(name(design), design.part.options.hub), f.allowed);
+    return {f};
+}
+
+}  // namespace
+
+Rule mill_inner_edge() {
+    return {"mill.inner_edge",
+            "a sharp inner edge that no mill leaves",
+            "milled: radius in the corners of keyway or D-flat",
+            "inner edge R >= 0.25 mm feasible: zekes3d, Xometry",
+            {review(kAtLeast, "mm", 0.25)},
+            measure_mill_inner_edge};
+}
+
+}  // namespace fusee::checks

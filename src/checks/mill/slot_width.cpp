@@ -1,0 +1,33 @@
+#include <fmt/format.h>
+
+#include "fusee/checks/limits.h"
+#include "fusee/core/units.h"
+#include "measure.h"
+#include "shape.h"
+
+namespace fusee::checks {
+
+namespace {
+
+core::Findings measure_mill_slot_width(const Design& design, const Allowed& allowed) {
+    const solid::FeatureOptions& features = design.part.options.features;
+    const double cutter = process_limits(design.process).cutter_radius;
+    if (!is_milled(design) || !has_slot(features) || cutter <= 0.0) return {};
+    core::Finding f = judge(core::mm_from_m(features.leg_slot_width), {allowed("required", core::mm_from_m(2.0 * cutter))});
+    f.what = "width of the spring leg's slot, which the cutter must enter";
+    f.suggestion = fmt::format("{}.features.leg_slot_width_mm = {}", name(design), up(f.allowed));
+    return {f};
+}
+
+}  // namespace
+
+Rule mill_slot_width() {
+    return {"mill.slot_width",
+            "a slot that no cutter at hand enters",
+            "milled: width of the spring leg's slot",
+            "process.cutter_radius_mm; 0.25 mm feasible: zekes3d, Xometry",
+            {required(kAtLeast, "mm", "twice process.cutter_radius_mm, 0.25 mm by default")},
+            measure_mill_slot_width};
+}
+
+}  // namespace fusee::checks

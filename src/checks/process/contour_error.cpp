@@ -1,0 +1,38 @@
+#include <fmt/format.h>
+
+#include "fusee/checks/limits.h"
+#include "fusee/core/units.h"
+#include "measure.h"
+#include "shape.h"
+
+namespace fusee::checks {
+
+namespace {
+
+core::Findings measure_process_contour_error(const Design& design, const Allowed& allowed) {
+    const cam::Cam& cam = design.part.cam;
+    const double tolerance = process_limits(design.process).tolerance;
+    if (cam.working.empty() || tolerance <= 0.0) return {};
+    const cam::Contact& least = worst_contact(cam, [](const cam::Contact& c) { return -c.arm.arm; });
+    core::Finding f = judge(100.0 * tolerance / least.arm.arm, {allowed("review")});
+    f.what = fmt::format("torque error at the least arm, {:.2f} mm, from a contour that is {:g} mm off", core::mm_from_m(least.arm.arm),
+                         core::mm_from_m(tolerance));
+    f.where = where(design, least.path.psi);
+    f.place = place(least.path, -0.5 * design.cable.diameter);
+    f.suggestion = fmt::format("process.tolerance_mm = {}: a groove coupon measured and compensated",
+                               down(core::mm_from_m(least.arm.arm) * f.allowed / 100.0));
+    return {f};
+}
+
+}  // namespace
+
+Rule process_contour_error() {
+    return {"process.contour_error",
+            "a process too coarse for the arms",
+            "the process's tolerance over the least arm",
+            "EN 15800: rates of bought springs scatter by 10 %, and no contour need be better",
+            {review(kAtMost, "%", 10.0)},
+            measure_process_contour_error};
+}
+
+}  // namespace fusee::checks

@@ -1,0 +1,35 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "fusee/checks/limits.h"
+#include "fusee/core/units.h"
+#include "measure.h"
+#include "shape.h"
+
+namespace fusee::checks {
+
+namespace {
+
+core::Findings measure_process_hole(const Design& design, const Allowed& allowed) {
+    const std::vector<Hole> all = holes(design.part);
+    const Hole least = *std::min_element(all.begin(), all.end(), [](const Hole& a, const Hole& b) { return a.diameter < b.diameter; });
+    core::Finding f = judge(core::mm_from_m(least.diameter), {allowed("required", core::mm_from_m(process_limits(design.process).hole))});
+    f.what = fmt::format("diameter of the smallest hole: {}", least.what);
+    f.suggestion = fmt::format("{}.{} = {}", name(design), least.key, up(f.allowed));
+    return {f};
+}
+
+}  // namespace
+
+Rule process_hole() {
+    return {"process.hole",
+            "a hole too small to make",
+            "diameter of the smallest of bore, anchor hole and screw hole",
+            "the process's least hole",
+            {required(kAtLeast, "mm", "the process's hole")},
+            measure_process_hole};
+}
+
+}  // namespace fusee::checks

@@ -1,0 +1,41 @@
+#include <fmt/format.h>
+
+#include "fusee/core/units.h"
+#include "measure.h"
+#include "needs.h"
+#include "shape.h"
+
+namespace fusee::checks {
+
+namespace {
+
+core::Findings measure_roller_contact_pressure(const Design& design, const Allowed& allowed) {
+    const cam::Cam& cam = design.part.cam;
+    const cam::Roller& roller = cam.options.roller;
+    const auto most = allowed.stated("required", roller.max_pressure / kPaPerMPa);
+    const auto pressure = [&](const cam::Contact& c) { return cam::contact_pressure(c.arm, roller); };
+    const cam::Contact& worst = worst_contact(cam, pressure);
+    core::Finding f = judge(pressure(worst) / kPaPerMPa, {*most});
+    f.what = fmt::format("largest pressure between rim and roller, under {:.1f} N of spring", worst.arm.tension);
+    f.where = where(design, worst.path.psi);
+    f.place = place(worst.path, 0.0);
+    const double ratio = f.measured / f.allowed;
+    f.suggestion = fmt::format("k_pe.roller.width_mm = {}", up(core::mm_from_m(roller.width * ratio * ratio)));
+    return {f};
+}
+
+}  // namespace
+
+Rule roller_contact_pressure() {
+    return {"roller.contact_pressure",
+            "a rim that wears or dents under its roller",
+            "largest pressure of two cylinders along one line, over the working arc",
+            "Hertz: sqrt(N E*/(pi width) (1/R_r + 1/rho)), K. L. Johnson, Contact Mechanics, 1985",
+            {required(kAtMost, "MPa", "k_pe.roller.max_pressure_MPa; not judged without it and contact_modulus_MPa")},
+            measure_roller_contact_pressure,
+            false,
+            {need::kRollerPressure, need::kContactModulus},
+            works};
+}
+
+}  // namespace fusee::checks

@@ -1,0 +1,47 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "fusee/core/units.h"
+#include "measure.h"
+#include "shape.h"
+
+namespace fusee::checks {
+
+namespace {
+
+/// The base radius with which the normal at this arm leans by `angle` only [m].
+double base_for(const cam::ArmPoint& arm, const cam::Roller& roller, double angle) {
+    const double start = std::abs(arm.arm - roller.offset) / std::tan(angle) - arm.travel;
+    return std::hypot(start, roller.offset) - roller.radius;
+}
+
+core::Findings measure_roller_pressure_angle(const Design& design, const Allowed& allowed) {
+    const cam::Cam& cam = design.part.cam;
+    if (cam.working.empty()) return {};
+    const cam::Roller& roller = cam.options.roller;
+    const auto lean = [&](const cam::Contact& c) { return std::abs(cam::pressure_angle(c.arm, roller)); };
+    const cam::Contact& worst = worst_contact(cam, lean);
+    const double angle = lean(worst);
+    core::Finding f = judge(core::deg_from_rad(angle), {allowed("required"), allowed("review")});
+    f.what =
+        fmt::format("largest pressure angle; the rim pushes the follower aside with {:.1f} N then", worst.arm.tension * std::tan(angle));
+    f.where = where(design, worst.path.psi);
+    f.place = place(worst.path, 0.0);
+    f.suggestion =
+        fmt::format("k_pe.roller.base_radius_mm = {}", up(core::mm_from_m(base_for(worst.arm, roller, core::rad_from_deg(f.allowed)))));
+    return {f};
+}
+
+}  // namespace
+
+Rule roller_pressure_angle() {
+    return {"roller.pressure_angle",
+            "a follower that jams in its guide",
+            "largest angle between the rim's normal and the follower's line on the working arc",
+            "R. L. Norton, Cam Design and Manufacturing Handbook: 30 deg for a translating follower, 45 at most",
+            {required(kAtMost, "deg", 45.0), review(kAtMost, "deg", 30.0)},
+            measure_roller_pressure_angle};
+}
+
+}  // namespace fusee::checks

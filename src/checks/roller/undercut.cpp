@@ -1,0 +1,37 @@
+#include <fmt/format.h>
+
+#include "fusee/core/units.h"
+#include "measure.h"
+#include "shape.h"
+
+namespace fusee::checks {
+
+namespace {
+
+core::Findings measure_roller_undercut(const Design& design, const Allowed& allowed) {
+    const cam::Cam& cam = design.part.cam;
+    if (cam.working.empty()) return {};
+    const cam::Roller& roller = cam.options.roller;
+    const cam::Contact& sharpest = worst_contact(cam, [](const cam::Contact& c) { return -c.path.rho; });
+    const double pitch = sharpest.path.rho + roller.radius;
+    core::Finding f = judge(pitch / roller.radius, {allowed("required"), allowed("review")});
+    f.what = fmt::format("least radius of curvature of the roller centre's curve, {:.2f} mm, over the roller's", core::mm_from_m(pitch));
+    f.where = where(design, sharpest.path.psi);
+    f.place = place(sharpest.path, 0.0);
+    f.suggestion = fmt::format("k_pe.roller.radius_mm = {}, or k_pe.roller.base_radius_mm = {}", down(core::mm_from_m(pitch) / f.allowed),
+                               up(core::mm_from_m(roller.base_radius + f.allowed * roller.radius - pitch)));
+    return {f};
+}
+
+}  // namespace
+
+Rule roller_undercut() {
+    return {"roller.undercut",
+            "a rim that runs to a point under its roller",
+            "least radius of curvature of the roller centre's curve on the working arc, in roller radii",
+            "R. L. Norton, Cam Design and Manufacturing Handbook: 1.5 to 3; at 1 the rim is a cusp",
+            {required(kAtLeast, "roller radii", 1.1), review(kAtLeast, "roller radii", 1.5)},
+            measure_roller_undercut};
+}
+
+}  // namespace fusee::checks

@@ -1,0 +1,33 @@
+#include <fmt/format.h>
+
+#include "fusee/checks/limits.h"
+#include "fusee/core/units.h"
+#include "measure.h"
+
+namespace fusee::checks {
+
+namespace {
+
+core::Findings measure_shaft_bore_fit(const Design& design, const Allowed& allowed) {
+    const solid::HubOptions& hub = design.part.options.hub;
+    const core::Range fit = process_limits(design.process).fit;
+    core::Finding f = judge(core::mm_from_m(hub.bore_clearance),
+                            {allowed("low_review", core::mm_from_m(fit.low)), allowed("high_review", core::mm_from_m(fit.high))});
+    f.what = fmt::format("clearance of the bore on a shaft of {:g} mm", core::mm_from_m(hub.bore_diameter));
+    f.suggestion = fmt::format("{}.hub.clearance_mm = {:g}", name(design), f.allowed);
+    return {f};
+}
+
+}  // namespace
+
+Rule shaft_bore_fit() {
+    return {"shaft.bore_fit",
+            "a bore that does not go on its shaft, or rattles on it",
+            "what the bore is larger than the shaft, in diameter",
+            "clearances of printing: 3dservicesusa, cifproto, arti90, layerx3d; the others (practice)",
+            {review(kAtLeast, "mm", "the process's least fit", "low_review"),
+             review(kAtMost, "mm", "the process's largest fit", "high_review")},
+            measure_shaft_bore_fit};
+}
+
+}  // namespace fusee::checks

@@ -1,0 +1,33 @@
+#include <fmt/format.h>
+
+#include "fusee/core/units.h"
+#include "measure.h"
+#include "shape.h"
+
+namespace fusee::checks {
+
+namespace {
+
+core::Findings measure_sla_drain(const Design& design, const Allowed& allowed) {
+    const solid::HubOptions& hub = design.part.options.hub;
+    if (design.process.kind != ProcessKind::kSla || hub.kind != solid::HubKind::kOverhung) return {};
+    const double bore = 2.0 * bore_radius(hub);
+    core::Finding f = judge(bore_length(design.part) / bore, {allowed("review")});
+    f.what = "depth of the blind bore over its diameter: resin stays in it";
+    f.suggestion = fmt::format("a drain hole at its end, or {}.hub.boss_height_mm = {}", name(design),
+                               down(core::mm_from_m(hub.boss_height) - (f.measured - f.allowed) * core::mm_from_m(bore)));
+    return {f};
+}
+
+}  // namespace
+
+Rule sla_drain() {
+    return {"sla.drain",
+            "a blind bore that keeps its resin",
+            "SLA, overhung: depth of the blind bore, in its diameters",
+            "one diameter (practice)",
+            {review(kAtMost, "diameters", 1.0)},
+            measure_sla_drain};
+}
+
+}  // namespace fusee::checks

@@ -1,0 +1,32 @@
+#include <fmt/format.h>
+
+#include "fusee/core/units.h"
+#include "measure.h"
+#include "shape.h"
+
+namespace fusee::checks {
+
+namespace {
+
+core::Findings measure_sls_groove(const Design& design, const Allowed& allowed) {
+    if (design.process.kind != ProcessKind::kSls || design.part.section.size() < 2) return {};
+    const double width = 2.0 * half_width_at_cable(design.part);
+    core::Finding f = judge(core::mm_from_m(width), {allowed("review")});
+    f.what = "width of the groove at the height of the cable's centreline";
+    f.where = name(design) + " all along the groove";
+    f.suggestion = fmt::format("cable.diameter_mm = {}", up(core::mm_from_m(design.cable.diameter) * f.allowed / f.measured));
+    return {f};
+}
+
+}  // namespace
+
+Rule sls_groove() {
+    return {"sls.groove",
+            "a groove that the powder sinters shut",
+            "SLS: width of the groove at the cable's height",
+            "clearance 0.2-0.5 mm: 3dservicesusa, cifproto, arti90, layerx3d",
+            {review(kAtLeast, "mm", 0.5)},
+            measure_sls_groove};
+}
+
+}  // namespace fusee::checks

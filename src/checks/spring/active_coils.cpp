@@ -1,0 +1,24 @@
+#include <fmt/format.h>
+
+#include "measure.h"
+#include "needs.h"
+
+namespace fusee::checks {
+
+namespace {
+
+core::Findings measure_spring_active_coils(const Design& design, const Allowed& allowed) {
+    core::Finding f = judge(design.spring.active_coils, {allowed("review")});
+    f.what = "active coils of the base spring";
+    f.suggestion = fmt::format("{}.spring.active_coils = {}", name(design), up(f.allowed));
+    return {f};
+}
+
+}  // namespace
+
+Rule spring_active_coils() {
+    return {"spring.active_coils",       "a spring whose ends decide its rate", "active coils", "3 (practice; EN 13906)",
+            {review(kAtLeast, "", 3.0)}, measure_spring_active_coils,           false,          {need::kActiveCoils}};
+}
+
+}  // namespace fusee::checks

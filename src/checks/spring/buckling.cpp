@@ -1,0 +1,57 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "fusee/core/units.h"
+#include "measure.h"
+#include "needs.h"
+#include "spring_change.h"
+
+namespace fusee::checks {
+
+namespace {
+
+constexpr double kYoung = 207e9, kShear = 79.3e9;  // spring steel [Pa]
+constexpr double kEnds = 0.5;                      // alpha: both ends on flat parallel plates
+constexpr double kC1 = kYoung / (2.0 * (kYoung - kShear));
+constexpr double kC2 = 2.0 * core::kPi * core::kPi * (kYoung - kShear) / (2.0 * kShear + kYoung);
+
+/// Free length below which the spring is stable at every compression: lambda^2 = C2, that is 5.25 D.
+double stable_length(const spring::BaseSpring& s) { return std::sqrt(kC2) * s.coil_diameter / kEnds; }
+
+/// y_cr = L0 C1 (1 - sqrt(1 - C2/lambda^2)), lambda = alpha L0/D. @pre longer than stable_length
+double critical_compression(const spring::BaseSpring& s) {
+    const double slenderness = kEnds * s.free_length / s.coil_diameter;
+    return s.free_length * kC1 * (1.0 - std::sqrt(1.0 - kC2 / (slenderness * slenderness)));
+}
+
+core::Findings measure_spring_buckling(const Design& design, const Allowed& allowed) {
+    const spring::BaseSpring& s = design.spring;
+    core::Finding f;
+    if (s.free_length <= stable_length(s)) {
+        f = judge(core::mm_from_m(s.free_length), {allowed("length_review", core::mm_from_m(stable_length(s)))});
+        f.what = "free length of the base spring: stable at every compression";
+        return {f};
+    }
+    f = judge(core::mm_from_m(largest_state(design)), {allowed("review", core::mm_from_m(critical_compression(s)))});
+    f.what = "largest compression of the slender base spring, against the one at which it buckles between flat plates";
+    f.suggestion = fmt::format("{}.spring.free_length_mm = {}, or a guide rod", name(design), down(core::mm_from_m(stable_length(s))));
+    return {f};
+}
+
+}  // namespace
+
+Rule spring_buckling() {
+    return {
+        "spring.buckling",
+        "the compression spring buckling",
+        "free length, or largest compression if longer than 5.25 D",
+        "roymech, machinecalcs: stable below 5.25 D on flat plates",
+        {review(kAtMost, "mm", "5.25 D", "length_review"), review(kAtMost, "mm", "L0 C1 (1 - sqrt(1 - C2/lambda^2)), lambda = L0/(2 D)")},
+        measure_spring_buckling,
+        false,
+        {need::kFreeLength, need::kCoil},
+        is_compression};
+}
+
+}  // namespace fusee::checks

@@ -1,0 +1,42 @@
+#include <fmt/format.h>
+
+#include "coil.h"
+#include "fusee/core/units.h"
+#include "measure.h"
+#include "needs.h"
+#include "spring_change.h"
+
+namespace fusee::checks {
+
+namespace {
+
+constexpr double kCoil = 0.0015, kWire = 0.1;  // of the standard's formula
+
+core::Findings measure_spring_coil_gap(const Design& design, const Allowed& allowed) {
+    const spring::BaseSpring& s = design.spring;
+    const auto solid = travel_to_solid(s);
+    const double wire = core::mm_from_m(s.wire_diameter), coil = core::mm_from_m(s.coil_diameter);
+    const double gaps = s.active_coils * (kCoil * coil * coil / wire + kWire * wire);
+    core::Finding f = judge(core::mm_from_m(*solid - largest_state(design)), {allowed("review", gaps)});
+    f.what = "travel left between the coils of the base spring at its largest compression";
+    f.suggestion =
+        fmt::format("{}.spring.free_length_mm = {}, or {}", name(design), up(core::mm_from_m(s.free_length) + f.allowed - f.measured),
+                    limit_state(design, *solid - core::m_from_mm(f.allowed)));
+    return {f};
+}
+
+}  // namespace
+
+Rule spring_coil_gap() {
+    return {"spring.coil_gap",
+            "coils that clash before the spring is solid",
+            "travel that is left to solid length at the largest compression",
+            "EN 13906-1: n (0.0015 D^2/w + 0.1 w)",
+            {review(kAtLeast, "mm", "n (0.0015 D^2/w + 0.1 w), lengths in mm")},
+            measure_spring_coil_gap,
+            false,
+            {need::kWire, need::kCoil, need::kActiveCoils, need::kFreeLength},
+            is_compression};
+}
+
+}  // namespace fusee::checks

@@ -1,0 +1,36 @@
+#include <fmt/format.h>
+
+#include "measure.h"
+#include "needs.h"
+#include "shape.h"
+
+namespace fusee::checks {
+
+namespace {
+
+core::Findings measure_spring_hand(const Design& design, const Allowed& allowed) {
+    const spring::BaseSpring& s = design.spring;
+    const bool left = s.hand == spring::Hand::kLeft;
+    core::Finding f = judge((left ? 1 : -1) * design.part.cam.rotation_sign, {allowed("required")});
+    f.what =
+        fmt::format("a {}-hand spring over the top face, {} by the part", left ? "left" : "right", f.measured > 0.0 ? "wound" : "unwound");
+    f.suggestion = fmt::format("{0}.spring.hand = \"{1}\", or {0}.torque_sign = {2}", name(design), left ? "right" : "left",
+                               -design.part.cam.options.torque_sign);
+    return {f};
+}
+
+}  // namespace
+
+Rule spring_hand() {
+    return {"spring.hand",
+            "a torsion spring of the wrong hand",
+            "sense in which the part turns the spring over its top face: 1 winds, -1 unwinds it",
+            "geometry: a left-hand coil winds where its lower end turns counter-clockwise",
+            {required(kAtLeast, "", 0.0)},
+            measure_spring_hand,
+            false,
+            {need::kHand},
+            has_torsion_leg_slot};
+}
+
+}  // namespace fusee::checks

@@ -1,0 +1,33 @@
+#include <fmt/format.h>
+
+#include "coil.h"
+#include "fusee/core/units.h"
+#include "measure.h"
+#include "needs.h"
+
+namespace fusee::checks {
+
+namespace {
+
+core::Findings measure_spring_index(const Design& design, const Allowed& allowed) {
+    const spring::BaseSpring& s = design.spring;
+    core::Finding f = judge(spring_index(s), {allowed("low_review"), allowed("high_review")});
+    f.what = "index of the base spring: mean coil diameter over wire";
+    f.suggestion = fmt::format("{}.spring.coil_mm = {:.4g}", name(design), core::mm_from_m(f.allowed * s.wire_diameter));
+    return {f};
+}
+
+}  // namespace
+
+Rule spring_index() {
+    return {"spring.index",
+            "a coil too tight or too slack to wind",
+            "spring index D/w",
+            "4 to 16 (practice; EN 13906)",
+            {review(kAtLeast, "", 4.0, "low_review"), review(kAtMost, "", 16.0, "high_review")},
+            measure_spring_index,
+            false,
+            {need::kWire, need::kCoil}};
+}
+
+}  // namespace fusee::checks

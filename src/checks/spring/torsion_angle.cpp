@@ -1,0 +1,31 @@
+#include "measure.h"
+#include "needs.h"
+#include "spring_change.h"
+
+namespace fusee::checks {
+
+namespace {
+
+core::Findings measure_spring_torsion_angle(const Design& design, const Allowed& allowed) {
+    const auto most = allowed.stated("required", design.spring.max_state);
+    core::Finding f = judge(largest_state(design), {*most});
+    f.what = "largest winding of the base spring, preload counted";
+    f.suggestion = limit_state(design, f.allowed);
+    return {f};
+}
+
+}  // namespace
+
+Rule spring_torsion_angle() {
+    return {"spring.torsion_angle",
+            "the torsion spring wound too far",
+            "largest winding, preload counted",
+            "spring.max_angle_rad",
+            {required(kAtMost, "rad", "spring.max_angle_rad; not judged without it")},
+            measure_spring_torsion_angle,
+            false,
+            {need::kMaxAngle},
+            is_torsion};
+}
+
+}  // namespace fusee::checks

@@ -1,0 +1,30 @@
+#include <fmt/format.h>
+
+#include "fusee/core/units.h"
+#include "measure.h"
+
+namespace fusee::checks {
+
+namespace {
+
+core::Findings measure_stack_boss(const Design& design, const Allowed& allowed) {
+    if (!is_stacked(design)) return {};
+    const solid::HubOptions& hub = design.part.options.hub;
+    core::Finding f = judge(core::mm_from_m(hub.boss_height), {allowed("required")});
+    f.what = "height of the boss below the plates";
+    f.suggestion = fmt::format("{0}.hub.boss_height_mm = {1:g} and {0}.hub.kind = \"through\"", name(design), f.allowed);
+    return {f};
+}
+
+}  // namespace
+
+Rule stack_boss() {
+    return {"stack.boss",
+            "a boss that a stack of plates has none of",
+            "plates: height of the boss",
+            "geometry: plates are cut through",
+            {required(kAtMost, "mm", 0.0)},
+            measure_stack_boss};
+}
+
+}  // namespace fusee::checks

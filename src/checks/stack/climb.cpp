@@ -1,0 +1,35 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "fusee/core/units.h"
+#include "measure.h"
+#include "shape.h"
+
+namespace fusee::checks {
+
+namespace {
+
+core::Findings measure_stack_climb(const Design& design, const Allowed& allowed) {
+    const std::vector<cam::PathPoint> path = contour(design.part.cam);
+    if (!is_stacked(design) || path.empty()) return {};
+    const auto [low, high] = std::minmax_element(path.begin(), path.end(), [](const auto& a, const auto& b) { return a.z < b.z; });
+    core::Finding f = judge(core::mm_from_m(high->z - low->z), {allowed("required")});
+    f.what = "height that the groove gains from end to end";
+    f.suggestion = fmt::format("{}.path.kind = \"planar\" without lead, pitch_mm and hand: {:g} mm", name(design), f.allowed);
+    return {f};
+}
+
+}  // namespace
+
+Rule stack_climb() {
+    return {"stack.climb",
+            "a climbing groove that flat plates cannot hold",
+            "plates: height that the groove gains",
+            "geometry: plates are flat",
+            {required(kAtMost, "mm", 0.0)},
+            measure_stack_climb};
+}
+
+}  // namespace fusee::checks

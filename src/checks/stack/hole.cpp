@@ -1,0 +1,39 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "fusee/core/units.h"
+#include "fusee/solid/stack.h"
+#include "measure.h"
+#include "shape.h"
+
+namespace fusee::checks {
+
+namespace {
+
+core::Findings measure_stack_hole(const Design& design, const Allowed& allowed) {
+    if (!is_stacked(design)) return {};
+    const std::vector<Hole> all = holes(design.part);
+    const Hole least = *std::min_element(all.begin(), all.end(), [](const Hole& a, const Hole& b) { return a.diameter < b.diameter; });
+    const double thickest = std::max(design.part.options.groove.rib, solid::core_thickness(design.part));
+    core::Finding f = judge(least.diameter / thickest, {allowed("review")});
+    f.what = fmt::format("diameter of the smallest hole over the thickest plate, {:.2f} mm: {}", core::mm_from_m(thickest), least.what);
+    f.suggestion = fmt::format("{}.{} = {}", name(design), least.key, up(core::mm_from_m(f.allowed * thickest)));
+    if (thickest > solid::core_thickness(design.part))
+        f.suggestion += fmt::format(", or groove.rib_mm = {}", down(core::mm_from_m(least.diameter / f.allowed)));
+    return {f};
+}
+
+}  // namespace
+
+Rule stack_hole() {
+    return {"stack.hole",
+            "a hole smaller than its plate is thick",
+            "plates: smallest hole over the thickest plate",
+            "one thickness (practice)",
+            {review(kAtLeast, "thicknesses", 1.0)},
+            measure_stack_hole};
+}
+
+}  // namespace fusee::checks

@@ -1,0 +1,31 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "fusee/core/units.h"
+#include "fusee/solid/stack.h"
+#include "measure.h"
+
+namespace fusee::checks {
+
+namespace {
+
+core::Findings measure_stack_plate(const Design& design, const Allowed& allowed) {
+    if (!is_stacked(design)) return {};
+    const double flange = design.part.options.groove.rib, middle = solid::core_thickness(design.part);
+    core::Finding f = judge(core::mm_from_m(std::min(flange, middle)), {allowed("review")});
+    f.what = fmt::format("thinnest plate: {}", flange < middle ? "flange" : "the groove's");
+    f.suggestion = flange < middle ? fmt::format("groove.rib_mm = {}", up(f.allowed))
+                                   : fmt::format("groove.plate_mm = {}, or cable.diameter_mm = {}", up(f.allowed),
+                                                 up(core::mm_from_m(design.cable.diameter) * f.allowed / f.measured));
+    return {f};
+}
+
+}  // namespace
+
+Rule stack_plate() {
+    return {"stack.plate",       "a plate too thin to cut and handle", "plates: thinnest of the flanges' and the groove's",
+            "0.5 mm (practice)", {review(kAtLeast, "mm", 0.5)},        measure_stack_plate};
+}
+
+}  // namespace fusee::checks

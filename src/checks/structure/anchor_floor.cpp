@@ -1,0 +1,68 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+#include "fusee/core/units.h"
+#include "measure.h"
+#include "shape.h"
+
+namespace fusee::checks {
+
+namespace {
+
+constexpr double kMarginStep = 5.0;    // [deg] in which a larger margin is looked for
+constexpr double kMostMargin = 170.0;  // [deg] as far as a profile may put the anchor
+
+struct Clearance {
+    double gap = 0.0;  ///< from the hole's edge to the floor of the working arc [m]
+    cam::PathPoint at;
+};
+
+/// How far an anchor hole at `psi` stays from the floor on which the arm is made. Other turns of a helix are for `structure.anchor`.
+Clearance clearance(const cam::Cam& cam, double psi, double radius) {
+    const cam::PathPoint anchor = cam.path(psi);
+    const core::Place hole = place(anchor, -radius);  // it touches the pitch curve from inside
+    Clearance least{std::numeric_limits<double>::infinity(), anchor};
+    for (const cam::Contact& c : cam.working) {
+        if (!cam.closed() && std::abs(c.path.psi - psi) > core::kPi) continue;
+        const core::Place floor = place(c.path, -0.5 * cam.options.cable_diameter);
+        const double apart =
+            core::m_from_mm(std::hypot(floor.point_mm[0] - hole.point_mm[0], floor.point_mm[1] - hole.point_mm[1])) - radius;
+        if (apart < least.gap) least = {apart, c.path};
+    }
+    return least;
+}
+
+core::Findings measure_structure_anchor_floor(const Design& design, const Allowed& allowed) {
+    const cam::Cam& cam = design.part.cam;
+    const double radius = 0.5 * design.part.options.features.anchor_hole_diameter;
+    if (radius <= 0.0 || !cam.path || cam.working.empty()) return {};
+    const Clearance found = clearance(cam, cam.anchor_psi, radius);
+    core::Finding f = judge(core::mm_from_m(found.gap), {allowed("required", core::mm_from_m(0.5 * design.cable.diameter))});
+    f.what = "the anchor hole must leave the floor on which the cable works: half a cable from the hole to it";
+    f.where = where(design, found.at.psi);
+    f.place = place(found.at, -0.5 * cam.options.cable_diameter);
+    f.suggestion = fmt::format("{}.features.anchor_hole_mm = 0 and a knot or clamp outside the part", name(design));
+    for (double margin = core::deg_from_rad(cam.options.path.margin) + kMarginStep; margin < kMostMargin; margin += kMarginStep) {
+        const double wound = cam.options.torque_sign > 0 ? cam.working_psi.low : cam.working_psi.high;
+        if (clearance(cam, wound - cam.options.torque_sign * core::rad_from_deg(margin), radius).gap < 0.55 * design.cable.diameter)
+            continue;
+        f.suggestion = fmt::format("{}.path.margin_deg = {:.0f}", name(design), margin);
+        break;
+    }
+    return {f};
+}
+
+}  // namespace
+
+Rule structure_anchor_floor() {
+    return {"structure.anchor_floor",
+            "the anchor hole taking away the groove's floor where the cable works",
+            "least distance from the hole to the working floor",
+            "geometry: the arm is made by the floor",
+            {required(kAtLeast, "mm", "half a cable")},
+            measure_structure_anchor_floor};
+}
+
+}  // namespace fusee::checks

@@ -1,0 +1,47 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "fusee/checks/limits.h"
+#include "fusee/core/units.h"
+#include "measure.h"
+#include "shape.h"
+
+namespace fusee::checks {
+
+namespace {
+
+constexpr double kLeastFleet = core::rad_from_deg(2.0);
+
+core::Findings measure_structure_flange_bending(const Design& design, const Allowed& allowed) {
+    const cam::Cam& cam = design.part.cam;
+    if (cam.working.empty() || design.part.section.empty()) return {};
+    const double rib = design.part.options.groove.rib, lever = 0.5 * design.cable.diameter;
+    const double thickness = rib + 0.5 * groove_width(design.part) - half_width_at_cable(design.part);
+    const auto stress = [&](const cam::Contact& c) {
+        const double aside = c.arm.tension / c.path.rho * std::tan(std::max(std::abs(c.fleet), kLeastFleet));
+        return 6.0 * aside * lever / (thickness * thickness);
+    };
+    const cam::Contact& worst = worst_contact(cam, stress);
+    core::Finding f = judge(stress(worst) / kPaPerMPa, {allowed("review", process_limits(design.process).strength / kPaPerMPa)});
+    f.what = fmt::format("bending stress of the flange beside the cable at {:.1f} N", worst.arm.tension);
+    f.where = where(design, worst.path.psi);
+    f.place = place(worst.path, 0.0);
+    const double thicker = thickness * std::sqrt(f.measured / f.allowed) - thickness;
+    f.suggestion = fmt::format("groove.rib_mm = {}", up(core::mm_from_m(rib + thicker)));
+    return {f};
+}
+
+}  // namespace
+
+Rule structure_flange_bending() {
+    return {"structure.flange_bending",
+            "a flange bent off by the cable",
+            "bending stress of the flange, on which the cable leans with T/rho tan(fleet, at least 2 deg) at its own height",
+            "cantilever of the flange's thickness there; strength of the process's usual material (practice)",
+            {review(kAtMost, "MPa", "the process's strength")},
+            measure_structure_flange_bending};
+}
+
+}  // namespace fusee::checks

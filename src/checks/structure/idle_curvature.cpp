@@ -1,0 +1,53 @@
+#include <fmt/format.h>
+
+#include "fusee/core/turn.h"
+#include "fusee/core/units.h"
+#include "measure.h"
+#include "shape.h"
+
+namespace fusee::checks {
+
+namespace {
+
+constexpr double kSampled = 1e-6;  // the closing arc meets its least radius between samples
+
+/// The ends of the working arc belong to it, whichever turn they are counted in: else a part and its mirror image would differ.
+bool is_idle(const cam::Cam& cam, double psi) {
+    constexpr double kRounding = 1e-9;  // [rad]
+    const core::Range working = cam.working_psi;
+    if (cam.closed() && psi > working.low + core::kTurn - kRounding) return false;
+    return psi < working.low - kRounding || psi > working.high + kRounding;
+}
+
+core::Findings measure_structure_idle_curvature(const Design& design, const Allowed& allowed) {
+    const cam::Cam& cam = design.part.cam;
+    const cam::PathPoint* sharpest = nullptr;
+    const std::vector<cam::PathPoint> path = contour(cam);
+    for (const cam::PathPoint& p : path)
+        if (is_idle(cam, p.psi) && (!sharpest || !(p.rho >= sharpest->rho))) sharpest = &p;
+    if (!sharpest) return {};
+    const double cusp = core::mm_from_m(0.5 * design.cable.diameter), wanted = core::mm_from_m(cam.options.path.min_idle_curvature_radius);
+    core::Finding f = judge(core::mm_from_m(sharpest->rho) * (1.0 + kSampled), {allowed("required", cusp), allowed("review", wanted)});
+    f.what = "least radius of curvature outside the working arc; the groove's floor has a cusp below half a cable";
+    f.where = where(design, sharpest->psi);
+    f.place = place(*sharpest, -0.5 * design.cable.diameter);
+    const double margin = core::deg_from_rad(cam.options.path.margin);
+    // An arc that keeps to its least radius where it can is as sharp as the working arc's ends, which it continues: the wish has to give.
+    const std::string radius = f.severity == core::Severity::kWarning ? down(f.measured) : up(f.allowed);
+    f.suggestion = cam.closed() ? fmt::format("{}.path.min_idle_radius_mm = {}", name(design), radius)
+                                : fmt::format("{}.path.margin_deg = {}: a longer run-out bends less", name(design), up(1.5 * margin));
+    return {f};
+}
+
+}  // namespace
+
+Rule structure_idle_curvature() {
+    return {"structure.idle_curvature",
+            "a contour too sharp to cut outside its working arc",
+            "least rho outside the working arc",
+            "geometry: rho > d/2; path.min_idle_radius_mm",
+            {required(kAtLeast, "mm", "d/2"), review(kAtLeast, "mm", "path.min_idle_radius_mm")},
+            measure_structure_idle_curvature};
+}
+
+}  // namespace fusee::checks

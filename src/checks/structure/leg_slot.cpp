@@ -1,0 +1,91 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "fusee/checks/limits.h"
+#include "fusee/core/units.h"
+#include "measure.h"
+#include "shape.h"
+
+namespace fusee::checks {
+
+namespace {
+
+constexpr int kAlong = 8;  // points along the slot
+
+struct Walls {
+    double inner = 0.0, outer = 0.0;  ///< to the bore, to groove floor or rim [m]
+    bool bored = false;
+};
+
+/// Above the groove the slot may reach the rim; beside the groove only its floor.
+double outer_offset(const Design& design) {
+    const solid::Part& part = design.part;
+    if (part.section.empty()) return -0.5 * design.cable.diameter;
+    double top = part.cam.working.empty() ? 0.0 : part.cam.working.front().path.z;
+    for (const cam::Contact& c : part.cam.working) top = std::max(top, c.path.z);
+    const bool above = part.options.features.leg_slot_depth <= part.z_high - top - 0.5 * groove_width(part);
+    return above ? lip_offset(part) : -0.5 * design.cable.diameter;
+}
+
+Walls walls(const Design& design) {
+    const Slot slot = leg_slot(design.part.options.features);
+    const solid::HubOptions& hub = design.part.options.hub;
+    const std::vector<cam::PathPoint> path = contour(design.part.cam);
+    const double offset = outer_offset(design);
+    Walls w;
+    w.bored = hub.kind == solid::HubKind::kThrough;
+    for (int i = 0; i <= kAlong; ++i) {
+        const double share = static_cast<double>(i) / kAlong;
+        const Vec2 q{slot.inner[0] + share * (slot.outer[0] - slot.inner[0]), slot.inner[1] + share * (slot.outer[1] - slot.inner[1])};
+        const double inner = distance_to_bore(hub, q) - slot.radius, outer = distance_inside(path, offset, q).distance - slot.radius;
+        w.inner = i == 0 ? inner : std::min(w.inner, inner);
+        w.outer = i == 0 ? outer : std::min(w.outer, outer);
+    }
+    return w;
+}
+
+constexpr double kShortest = 1.05;  // length of a slot over its width, at least
+
+core::Findings measure_structure_leg_slot(const Design& design, const Allowed& allowed) {
+    const solid::FeatureOptions& features = design.part.options.features;
+    if (!has_slot(features) || design.part.cam.working.empty()) return {};
+    const Walls w = walls(design);
+    const ProcessLimits process = process_limits(design.process);
+    const bool inwards = w.bored && w.inner < w.outer;
+    core::Finding f = judge(core::mm_from_m(inwards ? w.inner : w.outer),
+                            {allowed("required", core::mm_from_m(process.wall)), allowed("review", core::mm_from_m(process.loaded_wall))});
+    f.what = fmt::format("wall between the spring leg's slot and the {}", inwards ? "bore" : "groove");
+    f.where = fmt::format("{} at body angle {:.1f} deg", name(design), core::deg_from_rad(features.leg_slot_angle));
+    f.place = core::Place{
+        features.leg_slot_angle,
+        {core::mm_from_m(leg_slot(features).outer[0]), core::mm_from_m(leg_slot(features).outer[1]), core::mm_from_m(design.part.z_high)}};
+    const double lacking = core::m_from_mm(f.allowed - f.measured),
+                 room = w.bored ? w.inner + w.outer - 2.0 * core::m_from_mm(f.allowed) : lacking;
+    // Move it if the other side has the room, else shorten it by what both sides lack; a slot shorter than it is wide is none.
+    const double shorter = features.leg_slot_length + room;
+    if (shorter < kShortest * features.leg_slot_width) {
+        f.suggestion = fmt::format("{}.features.leg_slot_width_mm = 0 and the leg held outside the part: {} mm are missing for the slot",
+                                   name(design), up(core::mm_from_m(kShortest * features.leg_slot_width - shorter)));
+        return {f};
+    }
+    f.suggestion =
+        room >= 0.0 ? fmt::format("{}.features.leg_slot_radius_mm = {:.3f}", name(design),
+                                  core::mm_from_m(features.leg_slot_radius + (inwards ? lacking : -lacking)))
+                    : fmt::format("{0}.features.leg_slot_length_mm = {1:.3f} with {0}.features.leg_slot_radius_mm = {2:.3f}", name(design),
+                                  core::mm_from_m(shorter), core::mm_from_m(features.leg_slot_radius + 0.5 * (w.outer - w.inner)));
+    return {f};
+}
+
+}  // namespace
+
+Rule structure_leg_slot() {
+    return {"structure.leg_slot",
+            "the spring leg's slot breaking into bore or groove",
+            "least wall from the slot to bore and groove floor (to the rim if it lies above the groove)",
+            "the process's walls: at least thin, better loaded",
+            {required(kAtLeast, "mm", "the process's wall"), review(kAtLeast, "mm", "the process's loaded wall")},
+            measure_structure_leg_slot};
+}
+
+}  // namespace fusee::checks

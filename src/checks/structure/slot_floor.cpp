@@ -1,0 +1,37 @@
+#include <fmt/format.h>
+
+#include "fusee/checks/limits.h"
+#include "fusee/core/units.h"
+#include "measure.h"
+#include "shape.h"
+
+namespace fusee::checks {
+
+namespace {
+
+core::Findings measure_structure_slot_floor(const Design& design, const Allowed& allowed) {
+    const solid::FeatureOptions& features = design.part.options.features;
+    if (!has_slot(features)) return {};
+    const ProcessLimits process = process_limits(design.process);
+    const double left = design.part.z_high - design.part.z_low - features.leg_slot_depth;
+    core::Finding f = judge(core::mm_from_m(left),
+                            {allowed("required", core::mm_from_m(process.wall)), allowed("review", core::mm_from_m(process.loaded_wall))});
+    f.what = "material under the spring leg's slot";
+    f.where = fmt::format("{} at body angle {:.1f} deg", name(design), core::deg_from_rad(features.leg_slot_angle));
+    f.suggestion = fmt::format("{}.features.leg_slot_depth_mm = {}", name(design),
+                               down(core::mm_from_m(features.leg_slot_depth) + f.measured - f.allowed));
+    return {f};
+}
+
+}  // namespace
+
+Rule structure_slot_floor() {
+    return {"structure.slot_floor",
+            "the spring leg's slot breaking through the part",
+            "material under the slot",
+            "the process's walls: at least thin, better loaded",
+            {required(kAtLeast, "mm", "the process's wall"), review(kAtLeast, "mm", "the process's loaded wall")},
+            measure_structure_slot_floor};
+}
+
+}  // namespace fusee::checks

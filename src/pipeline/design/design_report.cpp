@@ -1,0 +1,88 @@
+#include "fusee/pipeline/design_report.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fusee::pipeline {
+
+namespace {
+
+// The ends of a law come from a root search in the angle; their loads agree to better than this share.
+constexpr double kSameLoad = 1e-9;
+
+template <class Of>
+SmoothedTable::Misfit misfit(const std::vector<TableRow>& rows, const Of& of) {
+    SmoothedTable::Misfit misfit;
+    double squares = 0.0;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const double residual = of(rows[i]);
+        squares += residual * residual;
+        if (misfit.row == 0 || std::abs(residual) > std::abs(misfit.largest)) misfit.largest = residual, misfit.row = i + 1;
+    }
+    misfit.rms = std::sqrt(squares / static_cast<double>(rows.size()));
+    return misfit;
+}
+
+}  // namespace
+
+SmoothedTable::Misfit SmoothedTable::series() const {
+    return misfit(rows, [](const TableRow& row) { return row.series_smooth - row.series; });
+}
+SmoothedTable::Misfit SmoothedTable::parallel() const {
+    return misfit(rows, [](const TableRow& row) { return row.parallel_smooth - row.parallel; });
+}
+
+bool LawReport::covers_stiction() const {
+    if (samples.empty()) return false;
+    return samples.front().tau <= stiction_loads.low * (1.0 + kSameLoad) && samples.back().tau >= stiction_loads.high * (1.0 - kSameLoad);
+}
+
+std::vector<const PartReport*> DesignReport::sides() const {
+    std::vector<const PartReport*> all;
+    for (const auto* list : {&parts, &mirrored})
+        for (const PartReport& part : *list) all.push_back(&part);
+    return all;
+}
+
+std::vector<const readback::ArmError*> DesignReport::arm_errors() const {
+    std::vector<const readback::ArmError*> all;
+    for (const PartReport* part : sides())
+        for (const readback::ArmError& error : part->arm_errors) all.push_back(&error);
+    for (const readback::ArmError& error : plate_errors) all.push_back(&error);
+    return all;
+}
+
+core::Findings DesignReport::all_findings() const {
+    core::Findings all = findings;
+    for (const PartReport* part : sides()) core::append(all, part->findings);
+    return all;
+}
+
+double DesignReport::worst_arm_error() const {
+    double worst = std::numeric_limits<double>::quiet_NaN();
+    for (const readback::ArmError* error : arm_errors())
+        if (error->when_broken == core::Severity::kError) worst = std::fmax(worst, error->worst_relative);
+    return worst;
+}
+
+core::Severity verdict(const DesignReport& design) {
+    core::Severity worst = core::Severity::kPass;
+    for (const core::Finding& finding : design.all_findings()) worst = std::max(worst, finding.severity);
+    for (const readback::ArmError* error : design.arm_errors())
+        if (!error->passed()) worst = std::max(worst, error->when_broken);
+    return worst;
+}
+
+double AsExported::worst_change() const {
+    double worst = std::numeric_limits<double>::quiet_NaN();
+    for (const JointAsExported& joint : joints)
+        for (std::size_t i = 0; joint.binding && i < torques.size(); ++i) {
+            if (std::isnan(nominal[i])) continue;  // the law as designed ends earlier, too
+            const double change = std::abs(joint.dead_band[i] / nominal[i] - 1.0);
+            if (std::isnan(change)) return change;
+            worst = std::fmax(worst, change);
+        }
+    return worst;
+}
+
+}  // namespace fusee::pipeline

@@ -1,0 +1,70 @@
+#include "fusee/pipeline/headline.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fusee/actuator/dead_band.h"
+#include "fusee/checks/limits.h"
+#include "fusee/design/robust.h"
+#include "fusee/pipeline/design.h"
+#include "fusee/pipeline/design_report.h"
+#include "fusee/pipeline/simulation.h"
+
+namespace fusee::pipeline {
+
+namespace {
+
+ExpectedWidth width_at(const design::Drawing& drawing, double tau) {
+    ExpectedWidth width;
+    width.tau = tau;
+    width.nominal = actuator::dead_band(drawing.actuator, tau).exact_width;
+    width.built = design::robust_dead_band(drawing, tau).band;
+    return width;
+}
+
+MadeArm made_arm(const PartReport& report, double tolerance_mm) {
+    const std::vector<cam::Contact>& working = report.part->cam.working;
+    const auto least = std::min_element(working.begin(), working.end(), [](const auto& a, const auto& b) { return a.arm.arm < b.arm.arm; });
+    return {cam::to_string(report.part->cam.kind), tolerance_mm, core::mm_from_m(least->arm.arm)};
+}
+
+}  // namespace
+
+Headline headline_of(const ResolvedDesign& design, const Simulation& simulation, const std::vector<PartReport>& parts) {
+    const profile::Profile& profile = design.profile;
+    const fusee::design::Drawing drawing = design.drawing();
+    Headline headline;
+    headline.process = checks::to_string(profile.process.kind);
+    for (const PartReport& part : parts)
+        headline.arms.push_back(made_arm(part, core::mm_from_m(checks::process_limits(profile.process).tolerance)));
+    headline.least = width_at(drawing, profile.rig.least_torque);
+    headline.overdrive = width_at(drawing, profile.rig.overdrive_torque);
+    headline.joint_torque = simulation.survey.torque;
+    headline.condition = simulation.condition;
+    return headline;
+}
+
+ConditionVerdict condition_verdict(const actuator::ConditionSummary& c) {
+    if (std::isnan(c.values.high)) return ConditionVerdict::kNotKnown;
+    if (c.everywhere()) return c.values.high <= -kSlightestSlope ? ConditionVerdict::kHolds : ConditionVerdict::kWithinRounding;
+    if (std::max(std::abs(c.values.low), std::abs(c.values.high)) < kSlightestSlope) return ConditionVerdict::kWithinRounding;
+    return c.nowhere() ? ConditionVerdict::kFails : ConditionVerdict::kMixed;
+}
+
+const char* to_string(ConditionVerdict verdict) {
+    switch (verdict) {
+        case ConditionVerdict::kHolds:
+            return "holds";
+        case ConditionVerdict::kFails:
+            return "fails";
+        case ConditionVerdict::kMixed:
+            return "holds in part";
+        case ConditionVerdict::kWithinRounding:
+            return "within rounding";
+        case ConditionVerdict::kNotKnown:
+            return "not known";
+    }
+    return "";
+}
+
+}  // namespace fusee::pipeline

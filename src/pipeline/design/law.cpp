@@ -1,0 +1,113 @@
+#include <fmt/format.h>
+
+#include <atomic>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "fusee/actuator/dead_band.h"
+#include "fusee/pipeline/design.h"
+#include "fusee/spring/lead_in.h"
+
+namespace fusee::pipeline {
+
+namespace {
+
+std::atomic<std::size_t> g_resolved = 0;
+
+/// The co-contraction nearest to `wanted` whose whole dead-band lies inside the law; none if there is no such co-contraction.
+std::optional<double> covered_torque(const actuator::Actuator& joint, double wanted) {
+    constexpr int kScan = 200;
+    const auto covered = [&](double tau) { return actuator::dead_band(joint, tau).covered; };
+    if (covered(wanted)) return wanted;
+    const core::Range loads = joint.law->loads();
+    // The motor torques at which a resting capstan's least and greatest load are the law's ends.
+    const core::Range torques{loads.low + joint.gear_friction.at_rest(loads.low), loads.high - joint.gear_friction.at_rest(loads.high)};
+    std::optional<double> nearest;
+    for (int i = 0; i <= kScan; ++i) {
+        const double tau = torques.low + torques.width() * i / kScan;
+        if (covered(tau) && (!nearest || std::abs(tau - wanted) < std::abs(*nearest - wanted))) nearest = tau;
+    }
+    if (!nearest) return std::nullopt;
+    double inside = *nearest, outside = wanted;
+    for (int i = 0; i < 40; ++i) (covered(0.5 * (inside + outside)) ? inside : outside) = 0.5 * (inside + outside);
+    return inside;
+}
+
+/// The edge of a dead-band lies about this share beyond the load at rest (docs/theory/dead_band.md).
+constexpr double kBeyondRest = 0.06;
+
+core::Finding covers(const actuator::Actuator& joint, const char* side, double torque, core::Bound bound) {
+    const bool low = bound == core::Bound::kAtMost;
+    const core::Range loads = joint.law->loads(), needed = joint.loads();
+    const std::optional<double> covered = covered_torque(joint, torque);
+    core::Finding f;
+    f.rule = low ? "law.covers_least" : "law.covers_greatest";
+    f.bound = bound;
+    f.unit = "Nm";
+    f.where = "law";
+    f.source = "a capstan at motor torque tau rests at loads from tau/(1+mu) to tau/(1-mu) (docs/theory/dead_band.md)";
+    if (!covered) {
+        f.what = fmt::format("the springs reach every resting place that stiction allows at no co-contraction; the {} load", side);
+        f.measured = low ? loads.low : loads.high;
+        f.allowed = low ? (1.0 - kBeyondRest) * needed.low : (1.0 + kBeyondRest) * needed.high;
+        f.suggestion = fmt::format("law.{}_torque_Nm = {:.3g}", low ? "start" : "end", f.allowed);
+        return core::judged(f, core::Severity::kWarning);
+    }
+    f.what = fmt::format("the springs must reach every resting place that stiction allows at the {} co-contraction", side);
+    f.measured = *covered;
+    f.allowed = torque;
+    // The load that a law must reach grows about as the torque.
+    f.suggestion = low ? fmt::format("rig.least_torque_Nm = {:.3g}, or law.lead_in_deg larger", 1.005 * *covered)
+                       : fmt::format("law.end_torque_Nm = {:.3g}, or rig.overdrive_torque_Nm = {:.3g}",
+                                     1.01 * loads.high * torque / *covered, 0.995 * *covered);
+    return core::judged(f, core::Severity::kWarning);
+}
+
+}  // namespace
+
+actuator::Actuator actuator_of(const profile::Profile& profile, const spring::SpringLawPtr& law) {
+    const profile::Rig& rig = profile.rig;
+    actuator::Actuator joint{
+        law, rig.capstan_radius, rig.joint_radius, gear_friction(profile), rig.least_torque, rig.peak_torque, rig.overdrive_torque};
+    actuator::validate(joint);
+    return joint;
+}
+
+core::Outcome<ResolvedDesign> resolve(profile::Profile profile) {
+    ++g_resolved;
+    const auto bare = spring_law(profile);
+    if (!bare) return bare.refusal();
+    if (core::Findings broken = spring::check_law(**bare); core::any_error(broken)) return broken;
+    const auto law = spring::with_lead_in(*bare, profile.law.lead_in_travel);
+    if (!law) return law.refusal();
+    if (core::Findings broken = spring::check_law(**law); core::any_error(broken)) return broken;
+
+    actuator::Actuator joint = actuator_of(profile, *law);
+    core::Findings findings{covers(joint, "least", joint.least_torque, core::Bound::kAtMost),
+                            covers(joint, "greatest", joint.overdrive_torque, core::Bound::kAtLeast)};
+    return ResolvedDesign{std::move(profile), std::move(joint), (*bare)->loads(), std::move(findings)};
+}
+
+std::size_t resolve_count() { return g_resolved; }
+
+const profile::PartSpec& spec_of(cam::PartKind kind, const profile::Profile& profile) {
+    return kind == cam::PartKind::kSeries ? profile.k_se : profile.k_pe;
+}
+
+spring::BaseSpring pulled_spring(const profile::PartSpec& spec) {
+    if (spec.spring.kind == spring::BaseKind::kTorsion) return spec.spring;
+    return spring::in_series_with_cable(spec.spring, spec.allowance.cable_compliance);
+}
+
+design::Drawing drawing_of(const profile::Profile& profile, const spring::SpringLawPtr& law) {
+    return {actuator_of(profile, law), profile.k_se.spring, pulled_spring(profile.k_pe)};
+}
+
+cam::ArmFunction ResolvedDesign::arm(cam::PartKind kind) const {
+    return {kind, law(), spec(kind).spring, profile.rig.capstan_radius, spec(kind).allowance};
+}
+
+design::Drawing ResolvedDesign::drawing() const { return {actuator, profile.k_se.spring, pulled_spring(profile.k_pe)}; }
+
+}  // namespace fusee::pipeline

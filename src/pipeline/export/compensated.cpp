@@ -1,0 +1,134 @@
+#include "compensated.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "fusee/checks/check.h"
+#include "fusee/core/units.h"
+#include "fusee/exchange/stl.h"
+#include "fusee/exchange/three_mf.h"
+#include "fusee/readback/bore.h"
+#include "fusee/solid/compensation.h"
+#include "fusee/solid/validity.h"
+
+namespace fs = std::filesystem;
+
+namespace fusee::pipeline {
+
+namespace {
+
+constexpr double kSameBore_mm = 0.005;
+
+/// Rules that compare the bore with its shaft and key.
+bool judges_fit(const std::string& rule) { return rule.starts_with("shaft.") && rule != "shaft.hub_wall"; }
+
+core::Severity worst(const core::Findings& findings, const std::string& rule) {
+    core::Severity severity = core::Severity::kPass;
+    for (const core::Finding& f : findings)
+        if (f.rule == rule) severity = std::max(severity, f.severity);
+    return severity;
+}
+
+core::Findings of_file(core::Findings findings) {
+    for (core::Finding& f : findings) f.where += ", in the compensated file";
+    return findings;
+}
+
+/// "compensated, not nominal": at the front, because an STL header holds 80 bytes only.
+std::string provenance_of(const PartExport& out) {
+    const solid::Compensation& c = out.profile.compensation;
+    return fmt::format("compensated, not nominal: {}, shrinkage {:g} {:g} {:g} %, bore {:+g} mm", out.provenance.line(),
+                       100.0 * c.shrink[0], 100.0 * c.shrink[1], 100.0 * c.shrink[2], core::mm_from_m(c.bore_offset));
+}
+
+exchange::Compensated stated(const PartExport& out) {
+    const solid::Compensation& c = out.profile.compensation;
+    const solid::HubOptions& hub = out.part.options.hub;
+    exchange::Compensated all;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        all.shrink_percent[axis] = std::round(1e11 * c.shrink[axis]) / 1e9;  // 0.46, not 0.45999999999999996
+    all.bore_offset_mm = core::mm_from_m(c.bore_offset);
+    all.bore_mm = core::mm_from_m(hub.bore_diameter + hub.bore_clearance);
+    return all;
+}
+
+core::Finding judge_bore(const fs::path& stl, const exchange::PartFile& part) {
+    core::Finding f;
+    f.rule = "readback.bore";
+    f.what = fmt::format("the finished bore of {} must be the drawn one", stl.filename().string());
+    f.measured = std::abs(readback::bore_mm(stl, part) - part.compensated->bore_mm);
+    f.bound = core::Bound::kAtMost;
+    f.allowed = kSameBore_mm;
+    f.unit = "mm";
+    f.where = part.part;
+    f.suggestion = "compensation.bore_offset_mm = 0, and report this error of fusee";
+    f.source = "docs/part-file.md: the file's bore minus the offset of the process";
+    return core::judged(f, core::Severity::kError);
+}
+
+/// Scaling and rounding must not fold a valid solid.
+std::optional<core::Finding> folded(const solid::Mesh& mesh, const std::string& where) {
+    const solid::Validity validity = solid::validate(mesh);
+    if (validity.good()) return std::nullopt;
+    core::Finding f = core::error_finding("solid.validity", "the compensated solid is not valid: " + validity.line(), 0.0,
+                                          core::Bound::kAtLeast, 1.0, "");
+    f.where = where;
+    f.suggestion = "compensation.shrink_x_percent and the others rounded to 0.1";
+    f.source = "CGAL: closed, oriented, one component, no self-intersection";
+    return f;
+}
+
+/// STL and 3MF, if the profile asks for them.
+std::vector<FileRow> write_files(const PartExport& out, const solid::Mesh& mesh) {
+    std::vector<FileRow> rows;
+    const fs::path stl = out.path("_compensated.stl"), three_mf = out.path("_compensated.3mf");
+    const std::string provenance = provenance_of(out);
+    const auto state = [&](const fs::path& path) { rows.push_back(file_row(path, mesh.triangles.size(), out.part.chordal_error_mm)); };
+    if (out.profile.outputs.stl) exchange::write_stl(stl, mesh, provenance);
+    if (out.profile.outputs.stl) state(stl);
+    if (out.profile.outputs.three_mf) exchange::write_3mf(three_mf, mesh, three_mf.stem().string(), provenance);
+    if (out.profile.outputs.three_mf) state(three_mf);
+    return rows;
+}
+
+}  // namespace
+
+core::Findings check_compensated(const solid::Part& part, const profile::Profile& profile, const core::Findings& nominal) {
+    if (profile.compensation.bore_offset == 0.0) return {};
+    const auto wider = solid::with_wider_bore(part, profile.compensation.bore_offset);
+    if (!wider) return of_file(wider.refusal());
+    const profile::PartSpec& spec = spec_of(part.cam.kind, profile);
+    core::Findings worse;
+    for (const core::Finding& f : checks::check({*wider, spec.spring, profile.cable, profile.process, profile.limits}))
+        if (!judges_fit(f.rule) && core::is_broken(f) && f.severity > worst(nominal, f.rule)) worse.push_back(f);
+    return of_file(worse);
+}
+
+void write_compensated(PartExport& out) {
+    const solid::Compensation& c = out.profile.compensation;
+    if (c.none() || !(out.profile.outputs.stl || out.profile.outputs.three_mf)) return;
+    const auto part = c.bore_offset == 0.0 ? core::Outcome<solid::Part>(out.part) : solid::with_wider_bore(out.part, c.bore_offset);
+    if (!part) return core::append(out.findings, of_file(part.refusal()));
+    const solid::Mesh mesh = solid::grown(part->mesh, c.shrink);
+    if (const auto fault = folded(mesh, out.name())) return out.findings.push_back(*fault);
+    const std::vector<FileRow> rows = write_files(out, mesh);
+
+    exchange::PartFile file = exchange::describe_part(out.part, out.spring, {}, out.provenance);
+    for (const FileRow& row : rows) file.files.push_back(row.entry);
+    file.compensated = stated(out);
+    file.provenance = provenance_of(out);
+    const fs::path json = out.path("_compensated.json");
+    exchange::write_part_file(json, file);
+    const exchange::PartFile read = exchange::read_part_file(json);
+    for (const readback::ArmError& error : readback::read_back(json.parent_path(), read))
+        out.findings.push_back(judge(error, out.part.cam));
+    if (out.profile.outputs.stl) out.findings.push_back(judge_bore(out.path("_compensated.stl"), read));
+    out.other_files.insert(out.other_files.end(), rows.begin(), rows.end());
+    out.other_files.push_back(file_row(json));
+}
+
+}  // namespace fusee::pipeline

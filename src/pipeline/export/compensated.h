@@ -1,0 +1,17 @@
+#pragma once
+#include "fusee/core/finding.h"
+#include "fusee/pipeline/design.h"
+#include "part_export.h"
+
+namespace fusee::pipeline {
+
+/// Findings for the part with the bore of its compensated file, if worse than those of the nominal part: a wall that a slicer would not
+/// fill. Empty without a compensated bore. Rules of the fit on the shaft judge the finished, nominal bore.
+/// @param nominal findings of the part itself
+[[nodiscard]] core::Findings check_compensated(const solid::Part& part, const profile::Profile& profile, const core::Findings& nominal);
+
+/// Writes k_xx_compensated.stl, .3mf and .json if the profile holds a compensation, and reads them back as the finished part. These files
+/// do not carry the law. Always compensates the nominal part, so that nothing is compensated twice.
+void write_compensated(PartExport& out);
+
+}  // namespace fusee::pipeline

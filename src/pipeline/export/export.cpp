@@ -1,0 +1,130 @@
+#include "fusee/pipeline/export.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "compensated.h"
+#include "fusee/brep/mirror.h"
+#include "fusee/cam/certificate.h"
+#include "fusee/core/file.h"
+#include "fusee/core/units.h"
+#include "fusee/exchange/part_file.h"
+#include "fusee/solid/mirror.h"
+#include "part_export.h"
+
+namespace fs = std::filesystem;
+
+namespace fusee::pipeline {
+
+namespace {
+
+/// No arm is off by more than the mesh's chordal error: the suggested error suits the least arm. If no cable can be laid at all, the guide
+/// lies within the part.
+std::string nearest_change(const readback::ArmError& error, const cam::Cam& cam) {
+    double least = cam.working.front().path.h, farthest = 0.0;
+    for (const cam::Contact& c : cam.working)
+        least = std::min(least, c.path.h), farthest = std::max(farthest, std::hypot(c.path.h, c.path.slope));
+    if (std::isfinite(error.worst_relative))
+        return fmt::format("tolerances.chordal_error_mm = {:.2g}", 0.8 * error.allowed * core::mm_from_m(least));
+    const cam::Guide& guide = cam.options.guide;
+    return fmt::format("{}.guide.distance_mm = {:.1f}: the guide lies within the part", to_string(cam.kind),
+                       core::mm_from_m(farthest + guide.radius + 2.0 * cam.options.cable_diameter));
+}
+
+/// Every format that the profile asks for: the files that carry the law, PART.json with their names, and the other files.
+fs::path write_formats(PartExport& out) {
+    write_meshes(out);
+    write_rendered(out);
+    write_sliced(out);
+    write_drawing(out);
+    write_plates(out);
+    write_exact(out);
+    write_programs(out);
+    std::vector<exchange::FileEntry> entries;
+    for (const FileRow& row : out.law_files) entries.push_back(row.entry);
+    const fs::path json = out.path(".json");
+    exchange::write_part_file(json, exchange::describe_part(out.part, out.spring, entries, out.provenance));
+    out.other_files.push_back(file_row(json));
+    write_kerf(out);
+    write_compensated(out);
+    write_sheets(out);
+    return json;
+}
+
+/// @param designed the part of `out`
+ExportedPart exported(PartExport& out, const std::shared_ptr<const DesignedPart>& designed) {
+    const fs::path json = write_formats(out);
+    ExportedPart done{out.name(), false, {}, out.mesh};
+    PartReport& report = done.report;
+    report.part = {designed, &designed->part};
+    report.spring = out.spring;
+    report.findings = designed->findings;
+    core::append(report.findings, out.findings);
+    report.arm_errors = readback::read_back(json.parent_path(), exchange::read_part_file(json));
+    for (const readback::ArmError& error : report.arm_errors)
+        report.findings.push_back(error.when_broken == core::Severity::kError ? judge(error, out.part.cam) : judge_print(error, out.part));
+    report.certificate = cam::certify(out.part.cam);
+    if (const auto doubt = cam::doubt(report.certificate, out.part.cam.kind)) report.findings.push_back(*doubt);
+    report.files = out.law_files;
+    report.files.insert(report.files.end(), out.other_files.begin(), out.other_files.end());
+    report.quality = solid::measure_quality(out.part.mesh);
+    return done;
+}
+
+/// The other side's export. Its bodies are mirrored from this side: neither mesh nor exact solid is made twice.
+PartExport other_side(const PartExport& out, const solid::Part& part) {
+    PartExport other{part, mirrored(out.spring), out.profile, out.provenance, out.via, out.path("_mirrored"), solid::mirrored(out.mesh)};
+    other.provenance.options += ", mirrored";
+    if (!out.exact) return other;
+    const auto solid = brep::mirrored(*out.exact);
+    if (solid)
+        other.exact = *solid;
+    else
+        for (core::Finding f : solid.refusal()) {
+            f.where = other.name();
+            other.findings.push_back(std::move(f));
+        }
+    return other;
+}
+
+}  // namespace
+
+core::Finding judge(const readback::ArmError& error, const cam::Cam& cam) {
+    core::Finding f;
+    f.rule = "readback.arm";
+    f.what = fmt::format("the lever arm recomputed from {} (read by {}) must be the nominal one", error.file, error.reader);
+    f.measured = 100.0 * error.worst_relative;
+    f.bound = core::Bound::kAtMost;
+    f.allowed = 100.0 * error.allowed;
+    f.unit = "%";
+    f.where = fmt::format("{} at cam angle {:.1f} deg, worst of {} positions", to_string(cam.kind),
+                          core::deg_from_rad(error.worst_angle_rad), error.rows);
+    f.suggestion = nearest_change(error, cam);
+    f.source = "docs/part-file.md: turn the part, lay a taut cable over the groove's floor";
+    return core::judged(f, core::Severity::kError);
+}
+
+const char* to_string(Via via) { return via == Via::kCgal ? "cgal" : "openscad"; }
+
+FileRow file_row(const fs::path& path, std::size_t triangles, double chordal_error_mm) {
+    const std::string bytes = core::read_file(path);
+    return {{path.filename().string(), core::sha256_hex(bytes), triangles, chordal_error_mm}, bytes.size()};
+}
+
+std::vector<ExportedPart> export_pair(const Pair& pair, const profile::Profile& profile, const core::Provenance& provenance, Via via,
+                                      const fs::path& folder) {
+    const solid::Part& part = pair.agonist->part;
+    PartExport out{part, spec_of(part.cam.kind, profile).spring, profile, provenance, via, folder / to_string(part.cam.kind)};
+    std::vector<ExportedPart> sides{exported(out, pair.agonist)};
+    if (pair.antagonist && !core::any_error(sides.front().report.findings)) {  // else the part is refused already
+        PartExport other = other_side(out, pair.antagonist->part);
+        sides.push_back(exported(other, pair.antagonist));
+        sides.back().mirrored = true;
+    }
+    return sides;
+}
+
+}  // namespace fusee::pipeline

@@ -1,0 +1,69 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "fusee/checks/check.h"
+#include "fusee/core/file.h"
+#include "fusee/core/units.h"
+#include "fusee/pipeline/check.h"
+#include "fusee/toolpath/program.h"
+#include "fusee/toolpath/read_back.h"
+#include "part_export.h"
+#include "tool.h"
+
+namespace fusee::pipeline {
+
+namespace {
+
+/// The mill that the part's programs are for: for a wrapped groove the part turns under the tool.
+checks::ProcessKind mill_of(const PartExport& out) {
+    const toolpath::Settings& settings = out.profile.machining;
+    const toolpath::Method method = out.part.cam.kind == cam::PartKind::kSeries ? settings.k_se : settings.k_pe;
+    const bool wrapped = method == toolpath::Method::kWrap || !out.part.cam.closed();
+    return wrapped ? checks::ProcessKind::kMill4 : checks::ProcessKind::kMill;
+}
+
+/// Warns if the part was judged for another process and rules of the mill object.
+core::Finding judged_for_another(const PartExport& out) {
+    const checks::ProcessKind mill = mill_of(out);
+    const OtherProcess other = by_process(out.profile, mill);
+    const core::Findings findings = checks::check({out.part, out.spring, other.profile.cable, other.profile.process, other.profile.limits});
+    core::Finding f;
+    f.rule = "toolpath.process";
+    f.what = fmt::format("G-code is for a mill, but the part was judged for {}: rules of {} that object",
+                         checks::to_string(out.profile.process.kind), checks::to_string(mill));
+    f.measured = static_cast<double>(std::count_if(findings.begin(), findings.end(), core::is_broken));
+    f.bound = core::Bound::kAtMost;
+    f.allowed = 0.0;
+    f.unit = "rules";
+    f.where = out.name();
+    f.suggestion = fmt::format("fusee check PROFILE --process {} lists them; or outputs.formats without \"ngc\"", checks::to_string(mill));
+    f.source = "docs/theory/toolpaths.md; limits: " + other.figures;
+    return core::judged(f, core::Severity::kWarning);
+}
+
+bool is_milled(const checks::Process& process) {
+    return process.kind == checks::ProcessKind::kMill || process.kind == checks::ProcessKind::kMill4;
+}
+
+}  // namespace
+
+void write_programs(PartExport& out) {
+    if (!out.profile.outputs.ngc) return;
+    const toolpath::Settings& settings = out.profile.machining;
+    const auto programs = toolpath::part_programs(out.part, settings, out.provenance.line());
+    if (!programs) return core::append(out.findings, programs.refusal());
+    for (const toolpath::Program& program : *programs) {
+        const std::filesystem::path path = out.path(program.suffix + ".ngc");
+        core::write_file(path, program.text);
+        out.state(path, 0, core::mm_from_m(settings.tolerance));
+    }
+    out.findings.push_back(
+        done_by({"readback.interpreter", "G-code is interpreted by LinuxCNC's rs274 and the arm recomputed from its moves",
+                 toolpath::can_interpret(), "linuxcnc-uspace", "the programs have not been read back", "docs/theory/toolpaths.md"},
+                out.part));
+    const bool mirrored = out.name() != cam::to_string(out.part.cam.kind);  // reported once, for the part itself
+    if (!mirrored && !is_milled(out.profile.process)) out.findings.push_back(judged_for_another(out));
+}
+
+}  // namespace fusee::pipeline

@@ -1,0 +1,65 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "fusee/checks/limits.h"
+#include "fusee/core/error.h"
+#include "fusee/core/units.h"
+#include "fusee/exchange/prusa_slicer.h"
+#include "fusee/exchange/stl.h"
+#include "fusee/pipeline/design.h"
+#include "part_export.h"
+#include "tool.h"
+
+namespace fs = std::filesystem;
+
+namespace fusee::pipeline {
+
+void require_sliceable(const profile::Profile& profile) {
+    if (!profile.outputs.sliced) return;
+    if (profile.process.kind != checks::ProcessKind::kFdm)
+        throw core::InvalidInput(profile.place_of("outputs.formats"),
+                                 fmt::format("\"sliced\" with process.kind = \"{}\"", checks::to_string(profile.process.kind)),
+                                 "\"sliced\" with process.kind = \"fdm\" only: no other process extrudes beads");
+    if (profile.k_pe.cam.family == cam::Family::kRoller)
+        throw core::InvalidInput(profile.place_of("outputs.formats"), "\"sliced\" with k_pe.family = \"roller\"",
+                                 "\"sliced\" with k_pe.family = \"cable\" only: the print of a roller's rim is not read back");
+}
+
+void write_sliced(PartExport& out) {
+    if (!out.profile.outputs.sliced) return;
+    const bool there = exchange::can_slice();
+    out.findings.push_back(done_by({"readback.slicer", "the part is sliced by PrusaSlicer and the arm recomputed from its perimeters",
+                                    there, "prusa-slicer", "the part has not been sliced", "docs/theory/read_back.md"},
+                                   out.part));
+    if (!there) return;
+    const double layer_mm = core::mm_from_m(checks::process_limits(out.profile.process).layer);
+    const fs::path stl = out.path("_to_slice.stl"), gcode = out.path(".gcode");
+    const std::string provenance = out.provenance.line();
+    exchange::write_stl(stl, out.mesh, provenance);
+    exchange::slice_stl(stl, gcode, {.layer_mm = layer_mm, .lowest_mm = solid::bounding_box(out.mesh).low_mm[2]}, provenance);
+    fs::remove(stl);
+    out.state(gcode, 0, layer_mm);
+}
+
+core::Finding judge_print(const readback::ArmError& error, const solid::Part& part) {
+    double least = part.cam.working.front().arm.arm;
+    for (const cam::Contact& c : part.cam.working) least = std::min(least, c.arm.arm);
+    core::Finding f;
+    f.rule = "readback.sliced";
+    f.what = fmt::format("the lever arm of a cable on the beads of {} must be within half a layer of the nominal one", error.file);
+    f.measured = 100.0 * error.worst_relative;
+    f.bound = core::Bound::kAtMost;
+    f.allowed = 100.0 * error.allowed;
+    f.unit = "%";
+    f.where = fmt::format("{} at cam angle {:.1f} deg, worst of {} positions", to_string(part.cam.kind),
+                          core::deg_from_rad(error.worst_angle_rad), error.rows);
+    constexpr double kWidest = core::kPi / 3.0;
+    f.suggestion = part.options.groove.throat < kWidest
+                       ? "groove.throat_deg = 60: on steeper flanks beads stand out by more than half a layer"
+                       : fmt::format("process.layer_mm = {:.2g}", core::mm_from_m(error.allowed * least));
+    f.source = "docs/theory/read_back.md, eq. 6";
+    return core::judged(f, error.when_broken);
+}
+
+}  // namespace fusee::pipeline

@@ -1,0 +1,39 @@
+#include <fmt/format.h>
+
+#include "fusee/core/units.h"
+#include "fusee/exchange/stack_drawings.h"
+#include "part_export.h"
+
+namespace fusee::pipeline {
+
+namespace {
+
+/// Plates are flat and cut through: a helix is not, and a boss is no plate of the groove's outline.
+core::Finding not_flat(const solid::Part& part) {
+    const double boss = part.options.hub.boss_height;
+    core::Finding f = core::error_finding("stack.boss", "height of the boss below the plates: no plates were drawn", core::mm_from_m(boss),
+                                          core::Bound::kAtMost, 0.0, "mm");
+    f.where = to_string(part.cam.kind);
+    f.suggestion = fmt::format("{0}.hub.boss_height_mm = 0 and {0}.hub.kind = \"through\", or outputs.formats without \"plates\"", f.where);
+    f.source = "geometry: plates are cut through";
+    return core::judged(f, core::Severity::kWarning);
+}
+
+}  // namespace
+
+void write_plates(PartExport& out) {
+    if (!out.profile.outputs.plates || !out.part.cam.closed() || out.part.cam.has_roller()) return;
+    if (out.part.options.hub.boss_height > 0.0) return out.findings.push_back(not_flat(out.part));
+    const auto write = [&](const std::vector<exchange::DxfDrawing>& drawings, const char* ending, std::vector<FileRow>& rows) {
+        for (std::size_t i = 0; i < drawings.size(); ++i) {
+            const std::filesystem::path dxf = out.path(fmt::format("_plate_{}{}.dxf", i + 1, ending));
+            exchange::write_dxf(dxf, drawings[i]);
+            rows.push_back(file_row(dxf, 0, exchange::kDrawingChord_mm));
+        }
+    };
+    write(exchange::stack_drawings(out.part, out.provenance.line()), "", out.law_files);
+    if (const double kerf = core::mm_from_m(out.profile.outputs.kerf); kerf > 0.0)
+        write(exchange::stack_kerf_drawings(out.part, kerf, out.provenance.line()), "_kerf", out.other_files);
+}
+
+}  // namespace fusee::pipeline

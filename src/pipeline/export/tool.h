@@ -1,0 +1,19 @@
+#pragma once
+#include "fusee/core/finding.h"
+#include "fusee/solid/part.h"
+
+namespace fusee::pipeline {
+
+/// An external program that a step needs.
+struct Tool {
+    const char* rule;     ///< of the finding about the step
+    const char* what;     ///< the step
+    bool there;           ///< it is installed
+    const char* package;  ///< that contains it
+    const char* undone;   ///< the work left undone without it
+    const char* source;
+};
+/// A pass, or a warning if the tool is missing.
+[[nodiscard]] core::Finding done_by(const Tool& tool, const solid::Part& part);
+
+}  // namespace fusee::pipeline

@@ -1,0 +1,127 @@
+#include "fusee/pipeline/make.h"
+
+#include <algorithm>
+#include <future>
+#include <iterator>
+
+#include "export/plate.h"
+#include "fusee/actuator/dead_band.h"
+#include "fusee/core/output_folder.h"
+#include "fusee/core/temporary_folder.h"
+#include "fusee/pipeline/as_exported.h"
+#include "fusee/pipeline/pair.h"
+#include "fusee/pipeline/simulate.h"
+#include "fusee/spring/potential.h"
+
+namespace fs = std::filesystem;
+
+namespace fusee::pipeline {
+
+namespace {
+
+constexpr std::size_t kDeadBandLevels = 41;
+constexpr std::size_t kLawSamples = 401;
+
+/// The two parts share only the resolved design: each is made on its own thread.
+template <class Work>
+auto both_parts(const Work& work) {
+    auto series = std::async(std::launch::async | std::launch::deferred, [&] { return work(cam::PartKind::kSeries); });
+    auto parallel = work(cam::PartKind::kParallel);
+    return std::pair{series.get(), std::move(parallel)};
+}
+
+/// The table's rows with the springs smoothed from them; none for other kinds of law.
+std::optional<SmoothedTable> smoothed_table(const profile::LawSpec& law) {
+    const auto* pair = std::get_if<profile::TablePair>(&law.curves);
+    if (pair == nullptr) return std::nullopt;
+    const auto series = spring::make_tabulated(pair->angle, pair->series, pair->smoothing);
+    const auto parallel = spring::make_tabulated(pair->angle, pair->parallel, pair->smoothing);
+    SmoothedTable table{pair->file.string(), {}};
+    for (std::size_t i = 0; i < pair->angle.size(); ++i)
+        table.rows.push_back(
+            {pair->angle[i], pair->series[i], pair->parallel[i], series->force(pair->angle[i]), parallel->force(pair->angle[i])});
+    return table;
+}
+
+LawReport law_report(const ResolvedDesign& design) {
+    const profile::LawSpec& spec = design.profile.law;
+    LawReport law;
+    law.samples = spring::sample_by_load(*design.law(), kLawSamples);
+    law.design_loads = design.design_loads;
+    law.lead_in_travel = spec.lead_in_travel;
+    law.stiction_loads = design.actuator.loads();
+    law.table = smoothed_table(spec);
+    if (const auto* options = std::get_if<spring::StictionLawOptions>(&spec.curves))
+        law.least_feasible_start = spring::least_feasible_load(*options);
+    return law;
+}
+
+/// Announces external programs, which take seconds for each part.
+void announce(const profile::Profile& profile, const MakeOptions& options) {
+    if (!options.note) return;
+    if (options.via == Via::kOpenScad || profile.outputs.scad_stl) options.note(profile.name + ": OpenSCAD renders the solids");
+    if (profile.outputs.sliced) options.note(profile.name + ": PrusaSlicer slices the parts");
+}
+
+struct Parts {
+    Pair series, parallel;
+};
+
+/// Refusal: the law's findings and those of both parts.
+core::Outcome<Parts> design_parts(const ResolvedDesign& design) {
+    auto [k_se, k_pe] = both_parts([&](cam::PartKind kind) { return design_part(kind, design); });
+    const bool both_sides = design.profile.outputs.pair;
+    if (k_se && k_pe) return Parts{pair_of(std::move(k_se).value(), both_sides), pair_of(std::move(k_pe).value(), both_sides)};
+    core::Findings findings = design.findings;
+    for (const auto* part : {&k_se, &k_pe}) core::append(findings, *part ? (*part)->findings : part->refusal());
+    return findings;
+}
+
+/// Both sides of both parts, each part on its thread, and all on one plate.
+void export_parts(DesignReport& report, const Parts& parts, const profile::Profile& profile, Via via, const fs::path& folder) {
+    auto [all, more] = both_parts([&](cam::PartKind kind) {
+        return export_pair(kind == cam::PartKind::kSeries ? parts.series : parts.parallel, profile, report.provenance, via, folder);
+    });
+    std::move(more.begin(), more.end(), std::back_inserter(all));
+    PlateFiles plate = write_plate(all, profile, report.provenance, folder);
+    for (ExportedPart& one : all) (one.mirrored ? report.mirrored : report.parts).push_back(std::move(one.report));
+    core::append(report.findings, plate.findings);
+    report.files = std::move(plate.files);
+    report.plate_errors = std::move(plate.arm_errors);
+}
+
+}  // namespace
+
+core::Outcome<MadeDesign> make_parts(const profile::Profile& profile, core::OutputFolder& output, const MakeOptions& options) {
+    require_parts(profile);
+    require_sliceable(profile);
+    auto resolved = resolve(profile);
+    if (!resolved) return resolved.refusal();
+    MadeDesign made{std::move(resolved).value(), {}, {}};
+    const ResolvedDesign& design = made.resolved;
+    auto simulation = std::async(std::launch::async | std::launch::deferred, [&design] { return simulate(design); });  // needs no part
+    const auto parts = design_parts(design);
+    if (!parts) return parts.refusal();
+
+    DesignReport& report = made.report;
+    report.provenance = {profile.name, profile.sha256, std::string("via=") + to_string(options.via)};
+    report.law = law_report(design);
+    report.dead_band = actuator::dead_band_curve(design.actuator, kDeadBandLevels);
+    report.findings = design.findings;
+    announce(profile, options);
+    export_parts(report, *parts, profile, options.via, output.path());
+    report.as_exported = as_exported(design, report);
+    made.simulation = simulation.get();
+    report.headline = headline_of(design, made.simulation, report.parts);
+    return made;
+}
+
+Verification verify(const profile::Profile& profile) {
+    const core::TemporaryFolder folder;
+    core::OutputFolder output(folder.path() / "parts", {.command = "make", .source = profile.file});  // never committed
+    const auto made = make_parts(profile, output);
+    if (!made) return {made.refusal(), {}};
+    return {made->report.all_findings(), made->report.file_errors()};
+}
+
+}  // namespace fusee::pipeline

@@ -1,0 +1,68 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "fusee/core/error.h"
+#include "fusee/core/units.h"
+#include "fusee/pipeline/coupons.h"
+#include "fusee/profile/edit.h"
+
+namespace fs = std::filesystem;
+
+namespace fusee::pipeline {
+
+namespace {
+
+constexpr const char* kEnding = "-calibrated";
+
+void require_same_cable(const profile::Profile& profile, const coupon::Sheet& sheet) {
+    const double own = core::mm_from_m(profile.cable.diameter), sheets = sheet.cable_diameter_mm;
+    if (sheets > 0.0 && std::abs(sheets - own) > 1e-6)
+        throw core::InvalidInput(profile.place_of("cable.diameter_mm"), fmt::format("{:g}", own),
+                                 fmt::format("{:g} mm as in the sheet: coupons are valid only for their own cable", sheets));
+}
+
+/// A diagnosis finds arms that are too long, including the effects of the cable's axis and of uncompensated shrinkage.
+void require_no_allowance(const profile::Profile& profile) {
+    for (const char* key : {"k_se.radius_allowance_mm", "k_pe.radius_allowance_mm"})
+        if (const double radius = profile::number_of(profile, key); radius != 0.0)
+            throw core::InvalidInput(profile.place_of(key), fmt::format("{:g}", core::mm_from_m(radius)),
+                                     "0: it already contains the figures that the coupons measure, which would count twice; diagnose again "
+                                     "after calibrating");
+}
+
+std::string why(const coupon::Figure& figure) {
+    const auto shown = [&figure](double value) { return fmt::format("{:.4g}", value * figure.per_unit); };
+    return fmt::format("coupons, {} rows ({}: {} to {}{}{})", figure.rows, figure.ladder ? "ladder" : "95 %", shown(figure.range.low),
+                       shown(figure.range.high), figure.unit.empty() ? "" : " ", figure.unit);
+}
+
+}  // namespace
+
+coupon::Present present_of(const profile::Profile& profile) {
+    coupon::Present present;
+    for (const char* key : coupon::kShrinkKeys) present[key] = profile::number_of(profile, key);
+    for (const char* key :
+         {coupon::kBoreOffsetKey, coupon::kCableAxisKey, coupon::kGrooveRatioKey, coupon::kSeriesRateKey, coupon::kParallelRateKey})
+        present[key] = profile::number_of(profile, key);
+    return present;
+}
+
+std::string calibrated_profile(const profile::Profile& profile, const std::string& toml, const coupon::Sheet& sheet,
+                               const coupon::Calibration& calibration, const fs::path& file) {
+    require_same_cable(profile, sheet);
+    require_no_allowance(profile);
+    std::vector<profile::Edit> edits;
+    if (!profile.name.ends_with(kEnding)) edits.push_back(profile::text_edit(profile, "name", profile.name + kEnding, ""));
+    for (auto f = calibration.figures.rbegin(); f != calibration.figures.rend(); ++f)  // each is inserted below its table's heading
+        if (f->changes()) {
+            edits.push_back(profile::number_edit(profile, f->key, f->value, why(*f)));
+            edits.back().origin = "measured, coupons";
+        }
+    for (profile::Edit& edit : profile::file_edits(profile, fs::absolute(file).parent_path())) edits.push_back(std::move(edit));
+    std::string text = profile::with_edits(toml, profile, edits);
+    (void)profile::parse_profile(text, file);  // refuses values that no profile may have
+    return text;
+}
+
+}  // namespace fusee::pipeline

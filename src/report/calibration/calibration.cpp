@@ -1,0 +1,32 @@
+#include "fusee/report/calibration.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace fusee::report {
+
+namespace {
+
+std::string in_unit(const coupon::Figure& f, double si) { return std::isnan(si) ? "unknown" : fmt::format("{:.4g}", si * f.per_unit); }
+
+std::string figure_line(const coupon::Figure& f) {
+    const std::string range = fmt::format("{} to {}", in_unit(f, f.range.low), in_unit(f, f.range.high));
+    const std::string verdict = f.key.empty() ? "" : f.changes() ? "-> " + f.key : "keeps the profile's " + in_unit(f, f.present);
+    return fmt::format("{:<15}{:>10} {:<7}{:>24}{:>6}  {}\n", f.id, in_unit(f, f.value), f.unit, range, f.rows,
+                       verdict.empty() ? f.what : verdict);
+}
+
+}  // namespace
+
+std::string calibration_text(const CalibrationReport& report) {
+    std::string text;
+    if (!report.calibration.figures.empty())
+        text = fmt::format("{:<15}{:>10} {:<7}{:>24}{:>6}\n", "figure", "value", "unit", "95 %, or ladder", "rows");
+    for (const coupon::Figure& f : report.calibration.figures) text += figure_line(f);
+    for (const coupon::Unknown& u : report.calibration.unknown) text += fmt::format("unknown: {}: {}\n", u.id, u.why);
+    for (const std::string& remark : report.calibration.remarks) text += "- " + remark + "\n";
+    return text;
+}
+
+}  // namespace fusee::report

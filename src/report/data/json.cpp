@@ -1,0 +1,65 @@
+#include "data/json.h"
+
+#include "fusee/core/change.h"
+#include "fusee/core/json.h"
+#include "fusee/report/rule_counts.h"
+
+namespace fusee::report {
+
+namespace {
+
+/// The alternatives of a suggestion, each by key.
+Json suggested_changes_json(const std::string& suggestion) {
+    return json_list(core::suggested_changes(suggestion), [](const core::Changes& changes) {
+        Json one;
+        for (const core::Change& change : changes) one[change.key] = change.value;
+        return one;
+    });
+}
+
+Json finding_json(const core::Finding& f) {
+    Json j{{"rule", f.rule},
+           {"severity", core::to_string(f.severity)},
+           {"what", f.what},
+           {"measured", f.measured},
+           {"bound", f.bound == core::Bound::kAtMost ? "at most" : "at least"},
+           {"allowed", f.allowed},
+           {"unit", f.unit},
+           {"where", f.where}};
+    if (f.place) j["place"] = {{"angle_rad", f.place->angle}, {"point_mm", f.place->point_mm}};
+    j["suggestion"] = f.suggestion;
+    j["changes"] = suggested_changes_json(f.suggestion);
+    j["source"] = f.source;
+    for (const core::OverriddenLimit& o : f.overridden)
+        j["overridden"].push_back({{"limit", o.limit}, {"value", o.value}, {"default", o.normal}, {"unit", o.unit}, {"reason", o.reason}});
+    return j;
+}
+
+}  // namespace
+
+Json provenance_json(const core::Provenance& made_by) {
+    return {{"fusee", core::version()}, {"name", made_by.name}, {"profile_sha256", made_by.profile_sha256}, {"options", made_by.options}};
+}
+
+Json range_json(const core::Range& range) { return Json::array({range.low, range.high}); }
+
+Json findings_json(const core::Findings& findings) { return json_list(findings, finding_json); }
+
+Json rules_json(const core::Findings& findings) {
+    const auto counts = [](std::size_t passed, std::size_t not_judged, std::size_t warnings, std::size_t errors) {
+        return Json{{"passed", passed}, {"not_judged", not_judged}, {"warnings", warnings}, {"errors", errors}};
+    };
+    Json all = counts(core::count(findings, core::Severity::kPass), core::count(findings, core::Severity::kNotJudged),
+                      core::count(findings, core::Severity::kWarning), core::count(findings, core::Severity::kError));
+    all["groups"] = Json::object();
+    for (const RuleCounts& group : count_rules(findings))
+        all["groups"][group.group] = counts(group.passed, group.not_judged, group.review, group.required);
+    return all;
+}
+
+std::string json_text(Json json, const RenamedFields& renamed) {
+    core::keep_old_spelling(json, renamed);
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace fusee::report

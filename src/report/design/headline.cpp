@@ -1,0 +1,96 @@
+#include "fusee/report/headline.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "page/html.h"
+
+namespace fusee::report {
+
+namespace {
+
+std::string built_text(const ExpectedWidth& width) {
+    return fmt::format("{} to {} deg at {}", deg(width.built.low, 3), deg(width.built.high, 3), newton_metres(width.tau));
+}
+
+std::string width_text(const ExpectedWidth& width) {
+    return std::isfinite(width.nominal) ? deg(width.nominal, 3) + " deg" : "not covered by the springs";
+}
+
+HeadFigure dead_band_figure(const Headline& o) {
+    const std::string low = newton_metres(o.least.tau), high = newton_metres(o.overdrive.tau);
+    const bool known = std::isfinite(o.least.nominal) && std::isfinite(o.overdrive.nominal);
+    HeadFigure figure{known ? fmt::format("{} to {} deg", deg(o.least.nominal, 3), deg(o.overdrive.nominal, 3))
+                            : fmt::format("{} at {}, {} at {}", width_text(o.least), low, width_text(o.overdrive), high),
+                      fmt::format("exact dead-band at the joint, from {} to {} of co-contraction", low, high)};
+    std::string built;
+    for (const ExpectedWidth* width : {&o.least, &o.overdrive})
+        if (std::isfinite(width->built.width())) built += (built.empty() ? "" : ", ") + built_text(*width);
+    if (!built.empty()) figure.label += "; 5 to 95 % of joints as built: " + built;
+    return figure;
+}
+
+HeadFigure arms_figure(const Headline& o, const FileErrors& files) {
+    const auto worst = std::max_element(o.arms.begin(), o.arms.end(),
+                                        [](const auto& a, const auto& b) { return a.worst_relative() < b.worst_relative(); });
+    HeadFigure figure{fmt::format("-{0} to +{0} %", number(100.0 * worst->worst_relative(), 2)),
+                      "expected arm error of parts by " + o.process + ":"};
+    for (const MadeArm& arm : o.arms)
+        figure.label += fmt::format("{} {} mm on {}'s least arm of {} mm", &arm == &o.arms.front() ? "" : ",", number(arm.tolerance_mm, 2),
+                                    arm.part, number(arm.least_arm_mm, 3));
+    if (std::isfinite(files.arm)) figure.label += fmt::format("; arm error of the files {} %", number(100.0 * files.arm, 2));
+    if (std::isfinite(files.dead_band)) figure.label += fmt::format(", of their dead-band {} %", number(100.0 * files.dead_band, 2));
+    return figure;
+}
+
+std::string short_condition(const actuator::ConditionSummary& c) {
+    return fmt::format("{} ({} to {})", to_string(condition_verdict(c)), number(c.values.low, 2), number(c.values.high, 2));
+}
+
+}  // namespace
+
+std::vector<HeadFigure> head_figures(const Headline& o, const FileErrors& files) {
+    std::vector<HeadFigure> all;
+    if (o.process.empty()) return all;
+    all.push_back(dead_band_figure(o));
+    if (!o.arms.empty()) all.push_back(arms_figure(o, files));
+    if (std::isfinite(o.joint_torque))
+        all.push_back({newton_metres(o.joint_torque), "greatest joint torque within the laws of the springs"});
+    if (std::isfinite(o.condition.values.high))
+        all.push_back({short_condition(o.condition), "condition (6), d(T tau_f)/dtau < 0; in brackets its least and greatest value"});
+    return all;
+}
+
+std::string condition_text(const actuator::ConditionSummary& c) {
+    const auto range = [](const core::Range& r) { return fmt::format("from {} to {}", newton_metres(r.low), newton_metres(r.high)); };
+    const std::string low = number(c.values.low, 2), high = number(c.values.high, 2);
+    switch (condition_verdict(c)) {
+        case ConditionVerdict::kHolds:
+            return fmt::format(
+                "Condition (6) holds {}: d(T tau_f)/dtau is {} to {}, so stiction at the joint decreases with "
+                "co-contraction.",
+                range(c.torques), low, high);
+        case ConditionVerdict::kFails:
+            return fmt::format(
+                "Condition (6) fails {}: d(T tau_f)/dtau is {} to {}, so stiction at the joint increases with "
+                "co-contraction.",
+                range(c.torques), low, high);
+        case ConditionVerdict::kWithinRounding:
+            return fmt::format(
+                "Condition (6) holds only within rounding {}: d(T tau_f)/dtau is {} to {}, so stiction at the "
+                "joint stays the same{}.",
+                range(c.torques), low, high, c.values.low < -pipeline::kSlightestSlope ? " at its weakest place" : "");
+        case ConditionVerdict::kNotKnown:
+            return "Condition (6) is unknown: the law covers no co-contraction in use.";
+        case ConditionVerdict::kMixed:
+            break;
+    }
+    std::string where;
+    for (const core::Range& part : c.holds) where += (where.empty() ? "" : ", ") + range(part);
+    return fmt::format("Condition (6) holds {} of the co-contractions {}: d(T tau_f)/dtau is {} to {}.", where, range(c.torques), low,
+                       high);
+}
+
+}  // namespace fusee::report

@@ -1,0 +1,201 @@
+#include "data/json.h"
+
+#include "design/as_exported.h"
+#include "design/cam_figures.h"
+#include "design/stretch.h"
+#include "fusee/report/report.h"
+
+namespace fusee::report {
+
+namespace {
+
+Json misfit_json(const SmoothedTable::Misfit& misfit) {
+    return {{"rms_Nm", misfit.rms}, {"largest_Nm", misfit.largest}, {"largest_in_row", misfit.row}};
+}
+
+Json smoothed_table_json(const SmoothedTable& table) {
+    return {{"file", table.file},
+            {"series", misfit_json(table.series())},
+            {"parallel", misfit_json(table.parallel())},
+            {"columns", {"angle_rad", "series_Nm", "series_smoothed_Nm", "parallel_Nm", "parallel_smoothed_Nm"}},
+            {"rows", json_list(table.rows, [](const TableRow& r) {
+                 return Json{r.angle, r.series, r.series_smooth, r.parallel, r.parallel_smooth};
+             })}};
+}
+
+Json law_json(const LawReport& law) {
+    Json j;
+    if (!law.samples.empty()) {
+        j["loads_Nm"] = {law.samples.front().tau, law.samples.back().tau};
+        j["angles_rad"] = {law.samples.front().theta, law.samples.back().theta};
+    }
+    j["design_loads_Nm"] = range_json(law.design_loads);
+    j["lead_in_travel_rad"] = law.lead_in_travel;
+    j["least_feasible_start_Nm"] = law.least_feasible_start;
+    j["stiction_loads_Nm"] = range_json(law.stiction_loads);
+    j["covers_stiction"] = law.covers_stiction();
+    if (law.table) j["table"] = smoothed_table_json(*law.table);
+    return j;
+}
+
+Json level_of_design_json(const actuator::DeadBand& d) {
+    return {{"tau_Nm", d.tau},
+            {"theta_rad", d.theta},
+            {"linear_rad", d.linear},
+            {"exact_rad", d.exact_width},
+            {"covered", d.covered},
+            {"joint_stiffness_Nm_per_rad", d.joint_stiffness},
+            {"free_joint_stiffness_Nm_per_rad", d.free_joint_stiffness},
+            {"condition_6", d.condition_6}};
+}
+
+Json file_json(const FileRow& file) {
+    return {{"name", file.entry.name},
+            {"bytes", file.bytes},
+            {"sha256", file.entry.sha256},
+            {"triangles", file.entry.triangles},
+            {"chordal_error_mm", file.entry.chordal_error_mm}};
+}
+
+Json arm_error_json(const readback::ArmError& e) {
+    return {{"file", e.file},
+            {"reader", e.reader},
+            {"rows", e.rows},
+            {"worst_relative", e.worst_relative},
+            {"worst_angle_rad", e.worst_angle_rad},
+            {"allowed", e.allowed},
+            {"passed", e.passed()}};
+}
+
+Json base_spring_json(const spring::BaseSpring& s, const CamFigures& cam) {
+    const bool torsion = s.kind == spring::BaseKind::kTorsion;
+    return {{"kind", torsion ? "torsion" : "compression"},
+            {torsion ? "rate_Nm_per_rad" : "rate_N_per_m", s.rate},
+            {torsion ? "preload_rad" : "preload_m", s.preload},
+            {torsion ? "states_rad" : "states_m", range_json(cam.states)},
+            {torsion ? "torques_Nm" : "forces_N", {s.rate * cam.states.low, s.rate * cam.states.high}}};
+}
+
+Json cam_json(const solid::Part& part, const CamFigures& cam) {
+    Json j{{"family", cam::to_string(part.cam.options.family)},
+           {"path", part.cam.closed() ? "planar" : "helix"},
+           {"cable_diameter_mm", core::mm_from_m(part.cam.options.cable_diameter)},
+           {"torque_sign", part.cam.options.torque_sign},
+           {"rotation_sign", part.cam.rotation_sign},
+           {"travel_rad", cam.travel},
+           {"working_psi_rad", range_json(part.cam.working_psi)},
+           {"arms_mm", range_json(cam.arms_mm)},
+           {"least_curvature_radius_mm", cam.least_rho_mm},
+           {"tensions_N", range_json(cam.tensions)}};
+    if (const cam::ArmPoint& most = part.cam.working.back().arm; most.stretch.turn != 0.0) j["stretch"] = stretch_json(most);
+    return j;
+}
+
+Json least_radius_json(const std::optional<cam::LeastRadius>& r) {
+    if (!r) return nullptr;
+    return {{"proven_mm", core::mm_from_m(r->proven)}, {"found_mm", core::mm_from_m(r->found)}, {"psi_rad", range_json(r->psi)}};
+}
+
+Json certificate_json(const cam::Certificate& c) {
+    return {{"convex", cam::to_string(c.convex)},
+            {"ordered", cam::to_string(c.ordered)},
+            {"working_arc", least_radius_json(c.working)},
+            {"idle_arc", least_radius_json(c.idle)},
+            {"floor_in_space", least_radius_json(c.floor)},
+            {"idle_floor_in_space", least_radius_json(c.idle_floor)},
+            {"seam_mm", core::mm_from_m(c.seam)},
+            {"boxes", c.boxes},
+            {"open", c.open},
+            {"assumed", cam::certificate_assumptions()}};
+}
+
+Json mesh_json(const PartReport& report) {
+    const solid::Box box = solid::bounding_box(report.part->mesh);
+    return {{"triangles", report.part->mesh.triangles.size()},
+            {"volume_mm3", solid::volume_mm3(report.part->mesh)},
+            {"box_mm", {box.low_mm, box.high_mm}},
+            {"chordal_error_mm", report.part->chordal_error_mm},
+            {"boundary_edges", report.quality.boundary_edges},
+            {"euler", report.quality.euler},
+            {"shortest_edge_mm", report.quality.shortest_edge_mm},
+            {"smallest_angle_deg", report.quality.smallest_angle_deg}};
+}
+
+Json made_part_json(const PartReport& report) {
+    const CamFigures cam = measure(report.part->cam);
+    return {{"part", cam::to_string(report.part->cam.kind)},
+            {"spring", base_spring_json(report.spring, cam)},
+            {"cam", cam_json(*report.part, cam)},
+            {"certificate", certificate_json(report.certificate)},
+            {"mesh", mesh_json(report)},
+            {"findings", findings_json(report.findings)},
+            {"files", json_list(report.files, file_json)},
+            {"read_back", json_list(report.arm_errors, arm_error_json)}};
+}
+
+Json headline_json(const Headline& o, double worst_file_error) {
+    const auto width = [](const ExpectedWidth& w) {
+        return Json{{"tau_Nm", w.tau}, {"exact_rad", w.nominal}, {"built_rad", range_json(w.built)}};
+    };
+    return {{"process", o.process},
+            {"dead_band", Json::array({width(o.least), width(o.overdrive)})},
+            {"arms", json_list(o.arms,
+                               [](const MadeArm& arm) {
+                                   return Json{{"part", arm.part},
+                                               {"tolerance_mm", arm.tolerance_mm},
+                                               {"least_arm_mm", arm.least_arm_mm},
+                                               {"worst_relative", arm.worst_relative()}};
+                               })},
+            {"worst_file_arm_error", worst_file_error},
+            {"joint_torque_Nm", o.joint_torque},
+            {"condition_6", {{"verdict", to_string(condition_verdict(o.condition))}, {"values", range_json(o.condition.values)}}}};
+}
+
+Json exported_spring_json(const ExportedSpring& spring) {
+    if (spring.file.empty()) return {{"file", nullptr}};
+    return {{"file", spring.file}, {"worst_arm_relative", spring.worst_arm}, {"worst_law_relative", spring.worst_law}};
+}
+
+}  // namespace
+
+Json as_exported_json(const AsExported& exported) {
+    return {{"tau_Nm", exported.torques},
+            {"nominal_dead_band_rad", exported.nominal},
+            {"joints", json_list(exported.joints, [](const JointAsExported& joint) {
+                 return Json{{"reader", joint.reader},
+                             {"k_se", exported_spring_json(joint.series)},
+                             {"k_pe", exported_spring_json(joint.parallel)},
+                             {"dead_band_rad", joint.dead_band},
+                             {"binding", joint.binding},
+                             {"refusal", joint.refusal}};
+             })}};
+}
+
+Json stretch_json(const cam::ArmPoint& at) {
+    return {{"load_Nm", at.tau},
+            {"tension_N", at.tension},
+            {"length_mm", core::mm_from_m(at.stretch.length)},
+            {"capstan_rad", at.stretch.turn},
+            {"capstan_travel_rad", at.stretch.travel},
+            {"share", at.stretch.share()}};
+}
+
+std::string report_json(const DesignReport& design) {
+    Json j = provenance_json(design.provenance);
+    j["verdict"] = core::to_string(verdict(design));
+    j["rules"] = rules_json(design.all_findings());
+    j["headline"] = headline_json(design.headline, design.worst_arm_error());
+    j["law"] = law_json(design.law);
+    j["dead_band"] = json_list(design.dead_band, level_of_design_json);
+    j["as_exported"] = as_exported_json(design.as_exported);
+    j["findings"] = findings_json(design.findings);
+    j["parts"] = json_list(design.parts, made_part_json);
+    j["mirrored"] = json_list(design.mirrored, made_part_json);
+    j["plate"] = json_list(design.plate_errors, arm_error_json);
+    j["files"] = json_list(design.files, file_json);
+    RenamedFields renamed = kRenamedCounts;
+    renamed.emplace_back("outlook", "headline");
+    return json_text(std::move(j), renamed);
+}
+
+}  // namespace fusee::report

@@ -1,0 +1,52 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "diagnosis/words.h"
+#include "fusee/report/diagnosis.h"
+#include "page/html.h"
+
+namespace fusee::report {
+
+namespace {
+
+constexpr std::size_t kMostEffects = 4, kMostPlaces = 3;
+
+std::string effect_line(const diagnosis::FoundEffect& effect) {
+    const diagnosis::Parameter p = for_reading(effect.parameter);
+    return fmt::format("  {}: {} (95 %: {}), probability {}", cause_name(effect.cause), amount(p), span(p.ci95),
+                       chance(effect.probability));
+}
+
+/// Adds how many of `all` are not shown.
+void add_rest(std::vector<std::string>& lines, std::size_t shown, std::size_t all, const char* what) {
+    if (all > shown) lines.push_back(fmt::format("  ... {} more {} on the page", all - shown, what));
+}
+
+}  // namespace
+
+std::string diagnosis_text(const diagnosis::Diagnosis& diagnosis) {
+    std::vector<std::string> lines{diagnosis.case_name + ": " + verdict_sentence(diagnosis)};
+    const std::size_t effects = std::min(kMostEffects, diagnosis.effects.size());
+    for (std::size_t i = 0; i < effects; ++i) lines.push_back(effect_line(diagnosis.effects[i]));
+    add_rest(lines, effects, diagnosis.effects.size(), "effects");
+    for (std::size_t i = 0; i < std::min(kMostPlaces, diagnosis.where.size()); ++i)
+        lines.push_back(fmt::format("  {} {} of the gap: {}", i == 0 ? "where:" : "      ", percent(diagnosis.where[i].share),
+                                    place(diagnosis.where[i])));
+    const diagnosis::Gap& gap = diagnosis.gap;
+    lines.push_back(fmt::format("  gap: {} sigma, noise floor {}", change(gap.before, gap.after), number(gap.noise_floor, 3)));
+    if (std::isfinite(gap.heldout_before))
+        lines.push_back(fmt::format("  on held-out rows: {} sigma (95 %: {})", change(gap.heldout_before, gap.heldout_after),
+                                    span(gap.heldout_after_95)));
+    if (!diagnosis.next_experiment.empty()) lines.push_back("  next: " + diagnosis.next_experiment);
+    const std::size_t left = static_cast<std::size_t>(kMostDiagnosisLines) - lines.size();
+    const bool fits = diagnosis.remarks.size() <= left;
+    const std::size_t remarks = fits ? diagnosis.remarks.size() : left - 1;
+    for (std::size_t i = 0; i < remarks; ++i) lines.push_back("  - " + diagnosis.remarks[i]);
+    add_rest(lines, remarks, diagnosis.remarks.size(), "remarks");
+    return fmt::format("{}\n", fmt::join(lines, "\n"));
+}
+
+}  // namespace fusee::report

@@ -1,0 +1,154 @@
+#include "diagnosis/words.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "fusee/effects/effect.h"
+#include "page/html.h"
+
+namespace fusee::report {
+
+namespace {
+
+using Words = std::pair<std::string_view, std::string_view>;
+
+/// Effects of subsystem cases; those of a joint state their meaning in their own file.
+constexpr std::array kSubsystemMeanings{Words{"element.presliding", "The contact yields like a spring before it slides."},
+                                        Words{"element.backlash", "The element moves by this much before it grips in the other direction."},
+                                        Words{"element.asymmetry", "The friction differs between the two directions."},
+                                        Words{"element.viscous", "The friction grows with speed."},
+                                        Words{"element.stribeck", "The friction is greater at rest than in motion."},
+                                        Words{"element.load", "The friction follows the load on the element."},
+                                        Words{"loop.gain", "The position loop is stiffer (+) or softer (-) than its nominal gain."}};
+
+constexpr std::array kUnits{Words{"_Nms", "Nms"}, Words{"_Nm", "Nm"}, Words{"_m_s", "m/s"}, Words{"_rad", "rad"},
+                            Words{"_N", "N"},     Words{"_m", "m"},   Words{"_s", "s"},     Words{"_kg", "kg"}};
+
+std::string spaced(std::string_view id) {
+    std::string out(id);
+    std::replace(out.begin(), out.end(), '_', ' ');
+    return out;
+}
+
+struct Column {
+    std::string name, unit;
+};
+Column column_of(std::string_view column) {
+    for (const auto& [ending, unit] : kUnits)
+        if (column.ends_with(ending) && column.size() > ending.size())
+            return {experiment_name(std::string(column.substr(0, column.size() - ending.size()))), std::string(unit)};
+    return {spaced(column), ""};
+}
+
+constexpr double kWorthNaming = 0.05;
+
+/// The effects found and their probable alternatives, each once.
+std::vector<std::string> choices(const diagnosis::Diagnosis& diagnosis) {
+    std::vector<std::string> names;
+    const auto add = [&names](const std::vector<effects::Cause>& causes) {
+        const std::string name = causes_name(causes);
+        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    };
+    if (!diagnosis.effects.empty()) add(found_causes(diagnosis));
+    for (const diagnosis::Alternative& alternative : diagnosis.alternatives)
+        if (alternative.probability >= kWorthNaming || names.size() < 2) add(alternative.effects);
+    return names;
+}
+
+}  // namespace
+
+std::string chance(double probability) { return probability < 1e-3 ? "< 0.001" : number(probability, 3); }
+diagnosis::Parameter for_reading(diagnosis::Parameter parameter) {
+    if (parameter.unit == "1") parameter.unit.clear();
+    if (parameter.unit != "m") return parameter;
+    return {core::mm_from_m(parameter.value), {core::mm_from_m(parameter.ci95.low), core::mm_from_m(parameter.ci95.high)}, "mm"};
+}
+
+std::string amount(const diagnosis::Parameter& parameter) {
+    return parameter.unit.empty() ? number(parameter.value, 3) : number(parameter.value, 3) + " " + parameter.unit;
+}
+
+std::string experiment_name(const std::string& id) {
+    if (id == "breakaway") return "break-away";
+    if (id == "dead_band") return "dead-band";
+    if (id == "cocontraction") return "co-contraction";
+    return id == "log" ? "time log" : spaced(id);
+}
+
+std::string column_name(std::string_view column) {
+    const Column parts = column_of(column);
+    return parts.unit.empty() ? parts.name : parts.name + " [" + parts.unit + "]";
+}
+
+std::string cause_name(const effects::Cause& cause) {
+    return cause.side.empty() || cause.side == "none" ? cause.id : cause.id + " (" + cause.side + ")";
+}
+std::string causes_name(const std::vector<effects::Cause>& causes, const std::string& between) {
+    std::string out;
+    for (const effects::Cause& cause : causes) out += (out.empty() ? "" : between) + cause_name(cause);
+    return out.empty() ? "no effect" : out;
+}
+std::string meaning(std::string_view effect_id) {
+    const auto at =
+        std::find_if(kSubsystemMeanings.begin(), kSubsystemMeanings.end(), [&](const Words& words) { return words.first == effect_id; });
+    if (at != kSubsystemMeanings.end()) return std::string(at->second);
+    const effects::Effect* const effect = effects::effect_or_none(effect_id);
+    return effect == nullptr ? "" : effect->meaning;
+}
+
+std::string law(std::string_view effect_id) {
+    const effects::Effect* const effect = effects::effect_or_none(effect_id);
+    if (effect == nullptr) return "";
+    if (effect->confused_with.empty()) return effect->law;
+    return fmt::format("{} Similar signature: {}.", effect->law, fmt::join(effect->confused_with, ", "));
+}
+
+std::string place(const diagnosis::GapContribution& where) {
+    std::string out = experiment_name(where.experiment);
+    if (!where.variable.empty()) {
+        const Column over = column_of(where.variable);
+        out += ", " + over.name + " " + span(where.region) + (over.unit.empty() ? "" : " " + over.unit);
+    }
+    return where.component.empty() ? out : out + ", " + where.component;
+}
+
+std::vector<effects::Cause> found_causes(const diagnosis::Diagnosis& diagnosis) {
+    std::vector<effects::Cause> causes;
+    for (const diagnosis::FoundEffect& effect : diagnosis.effects) causes.push_back(effect.cause);
+    return causes;
+}
+
+std::string verdict_sentence(const diagnosis::Diagnosis& diagnosis) {
+    switch (diagnosis.verdict) {
+        case diagnosis::VerdictKind::kIdentified:
+            return fmt::format("The rig has {} that the model lacks: {}.",
+                               diagnosis.effects.size() == 1 ? "an effect" : fmt::format("{} effects", diagnosis.effects.size()),
+                               causes_name(found_causes(diagnosis)));
+        case diagnosis::VerdictKind::kNone:
+            return "Model and rig agree within build tolerance and noise.";
+        case diagnosis::VerdictKind::kAmbiguous:
+            return fmt::format("Model and rig diverge; these experiments do not distinguish the possible causes: {}.",
+                               fmt::format("{}", fmt::join(choices(diagnosis), "; or ")));
+        case diagnosis::VerdictKind::kUnknown:
+            return "Model and rig diverge; no effect of the library explains the gap" +
+                   (diagnosis.where.empty() ? std::string(".") : ", which lies in: " + place(diagnosis.where.front()) + ".");
+    }
+    return "";
+}
+
+double verdict_probability(const diagnosis::Diagnosis& diagnosis) {
+    double least = diagnosis::kNoFigure;
+    if (diagnosis.verdict == diagnosis::VerdictKind::kIdentified)
+        for (const diagnosis::FoundEffect& effect : diagnosis.effects) least = std::fmin(least, effect.probability);
+    if (diagnosis.verdict == diagnosis::VerdictKind::kNone)
+        for (const diagnosis::Hypothesis& hypothesis : diagnosis.ranking)
+            if (hypothesis.effects.empty()) least = hypothesis.probability;
+    return least;
+}
+
+}  // namespace fusee::report

@@ -1,0 +1,55 @@
+#include "data/json.h"
+
+#include "fusee/core/provenance.h"
+#include "fusee/report/identification.h"
+
+namespace fusee::report {
+
+namespace {
+
+Json friction_line_json(const identification::FrictionLine& line) {
+    return {{"group", line.group},
+            {"rows", line.rows},
+            {"mu", line.mu},
+            {"mu_95", range_json(line.mu_95)},
+            {"constant_Nm", line.constant},
+            {"constant_95_Nm", range_json(line.constant_95)},
+            {"scatter_Nm", line.scatter},
+            {"r_squared", line.r_squared},
+            {"through_zero_mu", line.through_zero_mu},
+            {"through_zero_mu_95", range_json(line.through_zero_mu_95)},
+            {"robust_mu", line.robust_mu},
+            {"robust_constant_Nm", line.robust_constant},
+            {"outlier_rows", line.outliers}};
+}
+
+Json repeat_json(const identification::FrictionReport::Repeat& r) {
+    return {{"side", r.side},
+            {"direction", r.backdrive ? "backdrive" : "drive"},
+            {"motor_torque_Nm", r.motor_torque},
+            {"rows", r.rows},
+            {"mean_load_Nm", r.mean_load},
+            {"mean_friction_Nm", r.mean_friction},
+            {"deviation_Nm", r.deviation}};
+}
+
+}  // namespace
+
+std::string identification_json(const Identification& identification) {
+    const identification::FrictionReport& friction = identification.friction;
+    Json law;
+    if (friction.law) law = {{"gear_friction", friction.law->mu}, {"gear_friction_constant_Nm", friction.law->constant}};
+    return json_text({{"fusee", core::version()},
+                      {"name", identification.name},
+                      {"file_sha256", identification.file_sha256},
+                      {"law", std::move(law)},
+                      {"remarks", json_list(friction.remarks,
+                                            [](const identification::FrictionRemark& remark) {
+                                                return Json{{"id", remark.id}, {"text", remark.text}, {"p", remark.p}};
+                                            })},
+                      {"scatter_growth", friction.scatter_growth},
+                      {"lines", json_list(friction.lines, friction_line_json)},
+                      {"repeats", json_list(friction.repeats, repeat_json)}});
+}
+
+}  // namespace fusee::report

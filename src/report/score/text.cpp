@@ -1,0 +1,27 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "fusee/report/score.h"
+#include "page/html.h"
+#include "score/words.h"
+
+namespace fusee::report {
+
+std::string score_text(const blind::Score& score, const std::optional<blind::Score>& model) {
+    static constexpr auto kLine = "{:<60} {:>9} {:>8}   {:<16} {:<14} {:>8}{}\n";
+    const auto model_column = [&](const std::string& text) { return model ? fmt::format(" {:>8}", text) : ""; };
+    std::string out = fmt::format("{} cases, seal sha256:{}\n", score.cases, score.seal);
+    out += fmt::format(kLine, "", "cases", "share", "95 %", "wanted", "shuffled", model_column("model"));
+    for (const blind::Figure& figure : score.figures)
+        out += fmt::format(kLine, figure.name, fmt::format("{}/{}", figure.share.hits, figure.share.of), per_cent(figure.share.value()),
+                           interval_text(figure.share), wanted_text(figure.wanted),
+                           std::isnan(figure.shuffled) ? "" : per_cent(figure.shuffled),
+                           model_column(model ? per_cent(model->figure(figure.key).share.value()) : ""));
+    if (!std::isnan(score.median_seconds))
+        out += fmt::format("one case on one thread: median {} s, worst {} s\n", number(score.median_seconds, 3),
+                           number(score.worst_seconds, 3));
+    return out + fmt::format("{} misses; the page and score.json list each\n", score.misses.size());
+}
+
+}  // namespace fusee::report

@@ -1,0 +1,83 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "data/csv.h"
+#include "page/column.h"
+#include "page/html.h"
+#include "page/svg_plot.h"
+#include "simulation/page.h"
+
+namespace fusee::report {
+
+namespace {
+
+using cam::WrapRow;
+
+const char* part_colour(cam::PartKind kind) { return kind == cam::PartKind::kSeries ? "se" : "pe"; }
+
+/// Width of a loop at a load; NaN beyond its rows.
+double width_at(const cam::WrapLoop& loop, double tau) {
+    const auto after = std::lower_bound(loop.rows.begin(), loop.rows.end(), tau, [](const WrapRow& row, double t) { return row.tau < t; });
+    if (after == loop.rows.end() || (after == loop.rows.begin() && after->tau != tau)) return kUnknown;
+    if (after->tau == tau) return after->width();
+    const WrapRow &a = *std::prev(after), &b = *after;
+    return a.width() + (b.width() - a.width()) * (tau - a.tau) / (b.tau - a.tau);
+}
+
+}  // namespace
+
+double wrap_width(const Simulation& s, double tau) {
+    double sum = 0.0;
+    for (const WrapSide& side : s.wraps) sum += width_at(side.loop, tau);
+    return sum;
+}
+
+std::string wrap_hysteresis_csv(const std::vector<WrapSide>& wraps) {
+    std::string csv =
+        "part,angle_rad,tau_Nm,tension_N,stretch_loading_m,stretch_unloading_m,give_loading_rad,give_unloading_rad,width_rad\n";
+    for (const WrapSide& side : wraps)
+        for (const WrapRow& row : side.loop.rows)
+            add_csv_row(csv, cam::to_string(side.part), row.angle, row.tau, row.tension, row.stretch_loading, row.stretch_unloading,
+                        row.give_loading, row.give_unloading, row.width());
+    return csv;
+}
+
+std::string wrap_section(const Simulation& s) {
+    if (s.wraps.empty()) return "";
+    Plot elongation("Additional deflection of each spring from cable elongation", "load at the capstan [Nm]", "deflection [deg]");
+    Plot width("Hysteresis width of each spring", "load at the capstan [Nm]", "width [deg]");
+    for (const WrapSide& side : s.wraps) {
+        const std::string name = cam::to_string(side.part);
+        const auto of = [&](const auto& figure) { return column(side.loop.rows, figure); };
+        const std::vector<double> tau = of(&WrapRow::tau);
+        const char* css = part_colour(side.part);
+        elongation.curve(name + ", load rising", tau, of([](const WrapRow& r) { return deg_from_rad(r.give_loading); }), css);
+        elongation.curve(name + ", falling", tau, of([](const WrapRow& r) { return deg_from_rad(r.give_unloading); }), css, true);
+        width.curve(name, tau, of([](const WrapRow& r) { return deg_from_rad(r.width()); }), css);
+    }
+    return section("Hysteresis of the cables",
+                   paragraph("A cable that creeps on its cam under changing tension is longer during unloading. " + wrap_remark(s)) +
+                       grid(elongation.from_zero().svg() + width.from_zero().svg()));
+}
+
+std::string wrap_remark(const Simulation& s) {
+    std::string text;
+    for (const WrapSide& side : s.wraps)
+        text += fmt::format("{}{} dissipates {:.3g} mJ per cycle of its working range", text.empty() ? "" : ", ", cam::to_string(side.part),
+                            1e3 * side.loop.dissipated);
+    const SimulatedLevel* widest = nullptr;
+    for (const SimulatedLevel& level : s.levels) {
+        const double width = wrap_width(s, level.dead_band.tau);
+        if (std::isfinite(width) && std::isfinite(level.dead_band.linear) && (!widest || width > wrap_width(s, widest->dead_band.tau)))
+            widest = &level;
+    }
+    if (!widest) return text + ".";
+    const double width = wrap_width(s, widest->dead_band.tau);
+    return fmt::format("{}; at {:.3g} Nm the hysteresis of both is {:.3g} deg wide at the capstan, {:.2g} % of the linear dead-band.", text,
+                       widest->dead_band.tau, deg_from_rad(width), 100.0 * width / widest->dead_band.linear);
+}
+
+}  // namespace fusee::report

@@ -6,12 +6,12 @@ namespace fusee::checks {
 
 namespace {
 
-/// "required change: `required_mm` at least the process's wall; review: `review_mm` at least 1.2 mm"
+/// "error: `required_mm` at least the process's wall; warning: `review_mm` at least 1.2 mm"
 std::string limits_text(const RuleInfo& rule) {
     std::string text;
     for (const Limit& limit : rule.limits)
-        text += fmt::format("{}{}: `{}` {}", text.empty() ? "" : "; ",
-                            limit.severity == core::Severity::kError ? "required change" : "review", limit.key(), limit.text());
+        text += fmt::format("{}{}: `{}` {}", text.empty() ? "" : "; ", limit.severity == core::Severity::kError ? "error" : "warning",
+                            limit.key(), limit.text());
     return text;
 }
 

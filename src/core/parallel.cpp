@@ -1,12 +1,14 @@
 #include "fusee/core/parallel.h"
 
 #include <tbb/global_control.h>
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <atomic>
 #include <future>
+#include <optional>
 #include <system_error>
 #include <thread>
 #include <vector>
@@ -36,7 +38,11 @@ unsigned available_threads(unsigned wanted) {
 
 template <class Work>
 void in_arena(unsigned threads, const Work& work) {
-    const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, threads);  // the default is the number of processors
+    // oneTBB allows as many threads as processors; of several limits the least holds, so a small loop must not set one for the loop around
+    // it.
+    std::optional<tbb::global_control> allowed;
+    if (threads > static_cast<unsigned>(tbb::info::default_concurrency()))
+        allowed.emplace(tbb::global_control::max_allowed_parallelism, threads);
     tbb::task_arena(static_cast<int>(threads)).execute(work);
 }
 

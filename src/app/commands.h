@@ -9,6 +9,8 @@ using Action = std::function<int()>;
 
 /// Each adds its subcommand(s) to `app` and sets `action` when the user calls one.
 void add_make(CLI::App& app, Action& action);
+void add_batch(CLI::App& app, Action& action);
+void add_query(CLI::App& app, Action& action);
 void add_fix(CLI::App& app, Action& action);
 void add_simulate(CLI::App& app, Action& action);
 void add_identify(CLI::App& app, Action& action);

@@ -1,35 +1,18 @@
 #include "run_each.h"
 
 #include <chrono>
-#include <new>
 #include <optional>
 #include <set>
-#include <system_error>
 
 #include "fusee/core/error.h"
 #include "fusee/core/parallel.h"
+#include "guarded.h"
 
 namespace fs = std::filesystem;
 
 namespace fusee::batch {
 
 namespace {
-
-/// Runs `work` and turns what it throws into a row's outcome and error.
-template <class Guarded>
-void guarded(Ended& row, const Guarded& work) {
-    try {
-        work();
-    } catch (const core::InputError& e) {
-        row.outcome = Outcome::kBadInput, row.error = e.what();
-    } catch (const std::bad_alloc&) {
-        row.outcome = Outcome::kBadInput, row.error = "out of memory: more is needed than the machine or its limit (ulimit -v) allows";
-    } catch (const std::system_error& e) {  // a full disk, no more threads, a working folder that is gone
-        row.outcome = Outcome::kBadInput, row.error = e.what();
-    } catch (const std::exception& e) {
-        row.outcome = Outcome::kFailed, row.error = e.what();
-    }
-}
 
 struct Job {
     Ended row;

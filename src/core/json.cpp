@@ -96,6 +96,7 @@ std::string JsonNode::path_to(const std::string& key) const { return path_ + (fi
 
 bool JsonNode::has(const std::string& key) const { return json_.is_object() && json_.contains(key); }
 bool JsonNode::is_null() const { return json_.is_null(); }
+bool JsonNode::is_text() const { return json_.is_string(); }
 
 JsonNode JsonNode::operator[](const std::string& key) const {
     if (!json_.is_object()) refuse("an object");

@@ -32,6 +32,7 @@ public:
     [[nodiscard]] const std::string& path() const { return path_; }
     [[nodiscard]] bool has(const std::string& key) const;
     [[nodiscard]] bool is_null() const;
+    [[nodiscard]] bool is_text() const;
     /// @throws InvalidInput if it is no object or lacks the key
     [[nodiscard]] JsonNode operator[](const std::string& key) const;
     [[nodiscard]] std::string text() const;

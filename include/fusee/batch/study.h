@@ -1,0 +1,53 @@
+#pragma once
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "fusee/core/error.h"
+#include "fusee/study/plan.h"
+
+namespace fusee::batch {
+
+/// The share of one process: the designs number - 1, number - 1 + count, number - 1 + 2 count, ...
+struct Shard {
+    std::size_t number = 1, count = 1;
+};
+/// "3/8". @throws core::InvalidInput naming --shard
+[[nodiscard]] Shard parse_shard(const std::string& text);
+
+struct StudyOptions {
+    std::filesystem::path out = "out";  ///< the study is written to out/NAME
+    unsigned jobs = 0;                  ///< designs made at the same time; 0: one for each processor
+    Shard shard;                        ///< with more than one the index is written by `write_index`
+    bool force = false;                 ///< also replace files of another study in out/NAME, and files changed since
+};
+
+/// What became of the designs of a study, or of a shard of it.
+struct StudyResult {
+    std::filesystem::path folder;  ///< out/NAME
+    std::size_t planned = 0;
+    std::size_t excluded = 0;  ///< by a constraint
+    std::size_t earlier = 0;   ///< finished by an earlier run
+    std::size_t made = 0, refused = 0;
+    std::size_t bad_input = 0;  ///< made again by the next run
+    std::size_t failed = 0;     ///< internal errors; made again by the next run
+    std::size_t indexed = 0;    ///< designs in the index; 0: it was not written
+    bool interrupted = false;
+    std::vector<std::string> reasons;  ///< of the first designs with bad input or an internal error: "NAME: reason"
+};
+
+/// Makes the designs that have no row yet, one row for each (study::RowLog); a design that fails is one row, the others go on. Ctrl-C
+/// finishes the designs that are being made. Then writes the index, unless the study is sharded. Every file is the same for any number of
+/// jobs and shards, and after any number of killed runs. Shows progress.
+/// @throws core::IoError if out/NAME cannot be written
+[[nodiscard]] StudyResult run_study(const study::Plan& plan, const StudyOptions& options);
+
+/// Writes index.csv, index.sqlite and index.html of the rows that exist. @returns the number of designs in it
+/// @throws core::IoError
+std::size_t write_index(const study::Plan& plan, const std::filesystem::path& out, bool force);
+
+/// 0 if every design was made or refused or excluded, 2 bad input, 3 internal error, 130 interrupted.
+[[nodiscard]] int exit_code(const StudyResult& result);
+
+}  // namespace fusee::batch

@@ -1,0 +1,72 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+/// Many designs from one file: a base profile whose keys vary, or a list of profiles (docs/guides/batch.md).
+namespace fusee::study {
+
+/// How the values of the keys are chosen.
+enum class Method {
+    kGrid,            ///< every combination of the values; the last key changes fastest
+    kRandom,          ///< independent uniform values
+    kLatinHypercube,  ///< each key takes each of `count` equal intervals once
+    kSobol,           ///< Joe and Kuo's low-discrepancy sequence, without its first point
+    kCsv,             ///< one row of a table for each design
+};
+
+/// What each design leaves on disk.
+enum class Outputs {
+    kFigures,  ///< its row of the index
+    kMeshes,   ///< also STL, SCAD, DXF and PART.json
+    kAll,      ///< every file that `fusee make` writes
+};
+[[nodiscard]] const char* to_string(Outputs outputs);  ///< "figures", "meshes", "all"
+
+/// A key of the base profile that varies, in the key's unit: over a list of values, or over a range.
+struct Variation {
+    std::string key;                  ///< "cable.diameter_mm"
+    std::vector<std::string> values;  ///< as TOML; empty: a range
+    double from = 0.0, to = 0.0;      ///< ends of the range, both included
+    bool logarithmic = false;         ///< equal steps of the logarithm
+    std::size_t steps = 0;            ///< values in a range; 0: continuous, not for a grid
+    bool whole = false;               ///< whole numbers only
+};
+
+/// A condition between keys, e.g. "k_se.hub.outer_mm > k_se.hub.bore_mm + 4": a design for which it is 0 (false) is left out.
+struct Constraint {
+    std::string name;
+    std::string formula;  ///< keys of numbers in their units, and muParser's operators and functions
+};
+
+/// A study as its file states it.
+struct Study {
+    std::string name;                             ///< of its folder out/NAME
+    std::filesystem::path file;                   ///< the study's file; empty: a list of profiles
+    std::vector<std::filesystem::path> profiles;  ///< the base profile alone, or the list
+    Method method = Method::kGrid;
+    std::size_t count = 0;  ///< designs of a random, Latin-hypercube or Sobol study
+    std::uint64_t seed = 1;
+    Outputs outputs = Outputs::kAll;
+    std::vector<double> torques;  ///< co-contractions at which the index has the dead-band [Nm]; empty: least, peak and overdrive torque
+    std::vector<Variation> vary;
+    std::vector<Constraint> constraints;
+    std::vector<std::vector<std::string>> rows;  ///< of a CSV study: one value for each of `vary`
+    std::vector<std::string> row_names;          ///< of a CSV study with a column "name"; else empty
+
+    [[nodiscard]] bool varies() const { return !file.empty(); }
+};
+
+/// The most designs of one study.
+inline constexpr std::size_t kMostDesigns = 10'000'000;
+
+/// Is this TOML file a study, that is, has it a table [study]? @throws core::IoError if it cannot be read or is not TOML
+[[nodiscard]] bool is_study(const std::filesystem::path& file);
+/// @throws core::IoError; core::InvalidInput(s) naming file, line and key
+[[nodiscard]] Study read_study(const std::filesystem::path& file);
+/// A list of profiles. @throws core::InvalidInput if it is empty
+[[nodiscard]] Study study_of(std::vector<std::filesystem::path> profiles, std::string name);
+
+}  // namespace fusee::study

@@ -1,0 +1,24 @@
+#pragma once
+#include <utility>
+#include <vector>
+
+#include "fusee/core/finding.h"
+#include "fusee/pipeline/make.h"
+#include "fusee/study/index.h"
+#include "fusee/study/plan.h"
+
+namespace fusee::batch {
+
+using Figures = std::vector<std::pair<std::string, study::Figure>>;
+
+/// The columns of a study's index, in order.
+[[nodiscard]] std::vector<study::Column> index_columns(const study::Plan& plan);
+
+/// The values of the keys that vary.
+[[nodiscard]] Figures varied_figures(const study::Plan& plan, const study::Planned& planned);
+/// The figures of merit of a design. @param torques of the dead-bands [Nm]; empty: least, peak and overdrive torque
+[[nodiscard]] Figures design_figures(const pipeline::MadeDesign& made, const std::vector<double>& torques);
+/// What a design that cannot be made says: the worst finding.
+[[nodiscard]] Figures finding_figures(const core::Findings& findings);
+
+}  // namespace fusee::batch

@@ -1,0 +1,217 @@
+#include "fusee/batch/study.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <chrono>
+#include <mutex>
+
+#include "figures.h"
+#include "fusee/core/file.h"
+#include "fusee/core/output_folder.h"
+#include "fusee/core/parallel.h"
+#include "fusee/core/progress.h"
+#include "fusee/core/provenance.h"
+#include "fusee/core/temporary_folder.h"
+#include "fusee/report/report.h"
+#include "fusee/report/study.h"
+#include "fusee/study/index.h"
+#include "fusee/study/store.h"
+#include "guarded.h"
+
+namespace fs = std::filesystem;
+
+namespace fusee::batch {
+
+namespace {
+
+constexpr std::size_t kMostReasons = 20;
+
+core::OutputFolder study_folder(const study::Plan& plan, const fs::path& out, bool force) {
+    const study::Study& study = plan.study();
+    return {out / study.name,
+            {.command = "batch",
+             .source = study.varies() ? study.file : study.profiles.front(),
+             .force = force,
+             .files = {"index.csv", "index.sqlite", "index.html"}}};
+}
+
+/// What determines a design's result: two designs with one key have the same row.
+std::string key_of(const study::Plan& plan, const study::Planned& planned, const std::string& profile_sha256) {
+    const study::Study& study = plan.study();
+    std::string all = fmt::format("fusee {}\n{}\n{}\n{}\n", core::version(), to_string(study.outputs), profile_sha256, planned.name);
+    for (const std::string& value : planned.values) all += value + "\n";
+    for (const double torque : study.torques) all += fmt::format("{}\n", torque);
+    return core::sha256_hex(all);
+}
+
+/// The formats that a study asks for.
+void choose_outputs(profile::Outputs& outputs, study::Outputs chosen) {
+    if (chosen == study::Outputs::kAll) return;
+    const profile::Outputs asked = outputs;
+    outputs = {};
+    const bool meshes = chosen == study::Outputs::kMeshes;
+    outputs.stl = outputs.scad = outputs.dxf = outputs.pair = meshes;
+    outputs.three_mf = outputs.step = outputs.drawing = outputs.plate = false;
+    outputs.springs_rows = asked.springs_rows;
+}
+
+/// The shipped rule: no file of a design is seen before all of them are written.
+Figures make_design(const profile::Profile& profile, const study::Study& study, const fs::path& folder, bool force, Outcome& outcome) {
+    profile::Profile asked = profile;
+    choose_outputs(asked.outputs, study.outputs);
+    pipeline::require_parts(asked);
+    std::optional<core::TemporaryFolder> scratch;
+    if (study.outputs == study::Outputs::kFigures) scratch.emplace();
+    core::OutputFolder output(scratch ? scratch->path() / asked.name : folder / "designs" / asked.name,
+                              {.command = "make", .source = asked.file, .force = force});
+    const auto made = pipeline::make_parts(asked, output);
+    const core::Findings findings = made ? made->report.all_findings() : made.refusal();
+    outcome = made && !core::any_error(findings) ? Outcome::kMade : Outcome::kRefused;
+    if (outcome == Outcome::kRefused) return finding_figures(findings);
+    if (study.outputs == study::Outputs::kAll) report::write_design(*made, output.path());
+    if (!scratch) output.commit();
+    return design_figures(*made, study.torques);
+}
+
+/// One run over a study: shares the counters between its threads.
+class Run {
+public:
+    Run(const study::Plan& plan, const StudyOptions& options, const fs::path& folder)
+        : plan_(plan),
+          options_(options),
+          folder_(folder),
+          earlier_(folder),
+          log_(folder, fmt::format("{}-of-{}", options.shard.number, options.shard.count)) {
+        if (plan.study().varies()) base_sha256_ = plan.base_sha256();
+    }
+
+    void make_all(core::Progress& progress) {
+        const std::size_t mine = (plan_.size() + options_.shard.count - options_.shard.number) / options_.shard.count;
+        core::parallel_for(mine, options_.jobs, [&](std::size_t i) {
+            if (core::interrupted()) return;
+            const study::Planned planned = plan_.at(options_.shard.number - 1 + i * options_.shard.count);
+            progress.advance(planned.name + ": " + make_one(planned));
+        });
+    }
+    [[nodiscard]] StudyResult result() && { return std::move(result_); }
+
+private:
+    /// @returns the outcome in words
+    std::string make_one(const study::Planned& planned) {
+        if (!planned.excluded_by.empty()) return count(result_.excluded, "left out: " + planned.excluded_by);
+        const auto begin = std::chrono::steady_clock::now();
+        Ended ended;
+        study::Row row{{}, planned.index, planned.name, {}, 0.0};
+        bool known = false;
+        guarded(ended, [&] {
+            const auto profile = base_sha256_.empty() ? std::optional(plan_.profile(planned)) : std::nullopt;
+            row.key = key_of(plan_, planned, profile ? profile->sha256 : base_sha256_);
+            if ((known = earlier_.has(row.key))) return;
+            const Figures figures =
+                make_design(profile ? *profile : plan_.profile(planned), plan_.study(), folder_, options_.force, ended.outcome);
+            row.figures = varied_figures(plan_, planned);
+            row.figures.insert(row.figures.begin(), {"outcome", std::string(to_string(ended.outcome))});
+            row.figures.insert(row.figures.end(), figures.begin(), figures.end());
+            row.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+            log_.append(row);
+        });
+        if (known) return count(result_.earlier, "made earlier");
+        return note(planned.name, ended);
+    }
+    std::string count(std::size_t& counter, std::string words) {
+        const std::lock_guard lock(mutex_);
+        ++counter;
+        return words;
+    }
+    std::string note(const std::string& name, const Ended& ended) {
+        const std::lock_guard lock(mutex_);
+        switch (ended.outcome) {
+            case Outcome::kMade:
+                ++result_.made;
+                break;
+            case Outcome::kRefused:
+                ++result_.refused;
+                break;
+            case Outcome::kBadInput:
+                ++result_.bad_input;
+                break;
+            default:
+                ++result_.failed;
+        }
+        if (!ended.error.empty() && result_.reasons.size() < kMostReasons) result_.reasons.push_back(name + ": " + ended.error);
+        return to_string(ended.outcome);
+    }
+
+    const study::Plan& plan_;
+    const StudyOptions& options_;
+    fs::path folder_;
+    study::RowIndex earlier_;
+    study::RowLog log_;
+    std::string base_sha256_;
+    std::mutex mutex_;
+    StudyResult result_;
+};
+
+/// The rows of the plan's designs, in order.
+void each_row(const study::Plan& plan, const study::RowIndex& rows, const std::function<void(const study::Row&)>& take) {
+    const std::string base = plan.study().varies() ? plan.base_sha256() : "";
+    for (std::size_t i = 0; i < plan.size(); ++i) {
+        const study::Planned planned = plan.at(i);
+        if (!planned.excluded_by.empty()) continue;
+        const std::string key = key_of(plan, planned, base.empty() ? plan.profile(planned).sha256 : base);
+        if (rows.has(key)) take(rows.read(key));
+    }
+}
+
+}  // namespace
+
+Shard parse_shard(const std::string& text) {
+    Shard shard;
+    const char* end = text.data() + text.size();
+    const auto first = std::from_chars(text.data(), end, shard.number);
+    const bool slash = first.ec == std::errc() && first.ptr != end && *first.ptr == '/';
+    const auto second = slash ? std::from_chars(first.ptr + 1, end, shard.count) : first;
+    if (!slash || second.ec != std::errc() || second.ptr != end || shard.number < 1 || shard.number > shard.count)
+        throw core::InvalidInput("--shard", text, "NUMBER/COUNT with 1 <= NUMBER <= COUNT, e.g. 3/8");
+    return shard;
+}
+
+StudyResult run_study(const study::Plan& plan, const StudyOptions& options) {
+    core::OutputFolder claim = study_folder(plan, options.out, options.force);
+    const fs::path folder = claim.target();
+    core::Progress progress("batch", (plan.size() + options.shard.count - options.shard.number) / options.shard.count);
+    fs::create_directories(folder);
+    Run run(plan, options, folder);
+    run.make_all(progress);
+    StudyResult result = std::move(run).result();
+    result.folder = folder;
+    result.planned = plan.size();
+    result.interrupted = core::interrupted();
+    if (options.shard.count == 1) result.indexed = write_index(plan, options.out, options.force);
+    return result;
+}
+
+std::size_t write_index(const study::Plan& plan, const fs::path& out, bool force) {
+    core::OutputFolder output = study_folder(plan, out, force);
+    const study::RowIndex rows(output.target());
+    const std::vector<study::Column> columns = index_columns(plan);
+    std::size_t count = 0;
+    const study::EachRow each = [&](const auto& take) {
+        count = 0;
+        each_row(plan, rows, [&](const study::Row& row) { ++count, take(row); });
+    };
+    study::write_csv(output.path() / "index.csv", columns, each);
+    study::write_sqlite(output.path() / "index.sqlite", columns, each);
+    report::write_study_page(output.path() / "index.html", plan.study(), columns, each);
+    output.commit();
+    return count;
+}
+
+int exit_code(const StudyResult& result) {
+    if (result.interrupted) return 130;
+    if (result.failed > 0) return 3;
+    return result.bad_input > 0 ? 2 : 0;
+}
+
+}  // namespace fusee::batch

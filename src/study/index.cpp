@@ -1,0 +1,116 @@
+#include "fusee/study/index.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <map>
+
+#include "fusee/core/error.h"
+#include "sqlite.h"
+
+namespace fs = std::filesystem;
+
+namespace fusee::study {
+
+namespace {
+
+std::string csv_cell(const Figure& figure) {
+    if (const auto* number = std::get_if<double>(&figure)) return std::isfinite(*number) ? fmt::format("{}", *number) : "";
+    std::string text = std::get<std::string>(figure);
+    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+    std::string cell = "\"";
+    for (const char c : text) cell += c == '"' ? "\"\"" : std::string(1, c);
+    return cell + '"';
+}
+
+/// The row's figures in the order of the columns; nullptr: not known.
+std::vector<const Figure*> in_columns(const Row& row, const std::vector<Column>& columns) {
+    std::map<std::string_view, const Figure*> known;
+    for (const auto& [name, figure] : row.figures) known[name] = &figure;
+    std::vector<const Figure*> figures;
+    for (const Column& column : columns) {
+        const auto found = known.find(column.name);
+        figures.push_back(found != known.end() ? found->second : nullptr);
+    }
+    return figures;
+}
+
+std::string quoted(const std::string& name) { return '"' + name + '"'; }
+
+}  // namespace
+
+std::string column_name(const std::string& key) {
+    std::string name = key;
+    std::replace(name.begin(), name.end(), '.', '_');
+    return name;
+}
+
+void write_csv(const fs::path& file, const std::vector<Column>& columns, const EachRow& rows) {
+    std::ofstream out(file, std::ios::binary);
+    out << "number,name";
+    for (const Column& column : columns) out << ',' << column.name;
+    out << '\n';
+    rows([&](const Row& row) {
+        out << row.index << ',' << row.name;
+        for (const Figure* figure : in_columns(row, columns)) out << ',' << (figure != nullptr ? csv_cell(*figure) : "");
+        out << '\n';
+    });
+    out.close();
+    if (!out) throw core::IoError(file.string(), std::strerror(errno));
+}
+
+void write_sqlite(const fs::path& file, const std::vector<Column>& columns, const EachRow& rows) {
+    fs::remove(file);
+    Database database(file, false);
+    database.run("PRAGMA journal_mode = OFF; PRAGMA synchronous = OFF; BEGIN");  // a new file: a killed run leaves none
+    std::string table = "CREATE TABLE designs (number INTEGER PRIMARY KEY, name TEXT NOT NULL", places = "?, ?";
+    for (const Column& column : columns) {
+        table += ", " + quoted(column.name) + (column.is_text ? " TEXT" : " REAL");
+        places += ", ?";
+    }
+    database.run(table + ")");
+    database.run("CREATE TABLE columns (name TEXT PRIMARY KEY, meaning TEXT NOT NULL)");
+    Statement column_row = database.prepare("INSERT INTO columns VALUES (?, ?)");
+    for (const Column& column : columns) {
+        column_row.reset();
+        column_row.bind(1, column.name);
+        column_row.bind(2, column.meaning);
+        column_row.step();
+    }
+    Statement insert = database.prepare("INSERT INTO designs VALUES (" + places + ")");
+    rows([&](const Row& row) {
+        insert.reset();
+        insert.bind(1, static_cast<double>(row.index));
+        insert.bind(2, row.name);
+        int place = 3;
+        for (const Figure* figure : in_columns(row, columns)) {
+            if (figure == nullptr)
+                insert.bind(place++, std::nan(""));
+            else
+                std::visit([&](const auto& value) { insert.bind(place++, value); }, *figure);
+        }
+        insert.step();
+    });
+    insert.reset();
+    column_row.reset();
+    database.run("COMMIT");
+}
+
+void query(const fs::path& file, const std::string& sql, const std::function<void(const std::vector<std::string>&)>& take) {
+    Database database(file, true);
+    Statement statement = database.prepare(sql);
+    if (statement.writes()) throw core::InvalidInput("SQL", sql, "a statement that only reads");
+    std::vector<std::string> cells;
+    for (int i = 0; i < statement.columns(); ++i) cells.push_back(statement.name(i));
+    take(cells);
+    while (statement.step()) {
+        for (int i = 0; i < statement.columns(); ++i) cells[static_cast<std::size_t>(i)] = statement.text(i);
+        take(cells);
+    }
+}
+
+}  // namespace fusee::study

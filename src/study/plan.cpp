@@ -1,0 +1,201 @@
+#include "fusee/study/plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "constraint.h"
+#include "fusee/core/error.h"
+#include "fusee/core/file.h"
+#include "fusee/profile/edit.h"
+#include "sample.h"
+
+namespace fs = std::filesystem;
+
+namespace fusee::study {
+
+namespace {
+
+constexpr std::size_t kMostKeysInName = 3;
+constexpr std::size_t kLongestName = 80;
+
+/// The fields of a study's messages.
+std::string field_of(const Study& study, const std::string& key) { return study.file.string() + ": " + key; }
+
+std::string number_text(double value, bool whole) { return whole ? fmt::format("{:.0f}", value) : fmt::format("{:.6g}", value); }
+
+/// @param u place in the variation, 0 to 1
+std::string value_at(const Variation& v, double u) {
+    if (!v.values.empty())
+        return v.values[std::min(static_cast<std::size_t>(u * static_cast<double>(v.values.size())), v.values.size() - 1)];
+    double share = u;
+    if (v.steps == 1) share = 0.0;
+    if (v.steps > 1) {
+        const auto steps = static_cast<double>(v.steps);
+        share = std::min(std::floor(u * steps), steps - 1.0) / (steps - 1.0);
+    }
+    const double value = v.logarithmic ? v.from * std::pow(v.to / v.from, share) : v.from + share * (v.to - v.from);
+    return number_text(value, v.whole);
+}
+
+std::size_t levels(const Variation& v) { return v.values.empty() ? v.steps : v.values.size(); }
+
+double number_in(const std::string& toml) {
+    double value = std::nan("");
+    std::from_chars(toml.data(), toml.data() + toml.size(), value);
+    return value;
+}
+
+/// The value as it stands in a name: letters, digits, '.', '_' and '-'.
+std::string name_part(const std::string& toml) {
+    std::string part;
+    for (const char c : toml)
+        if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '_' || c == '-') part += c;
+    return part;
+}
+
+std::string leaf_of(const std::string& key) { return key.substr(key.rfind('.') + 1); }
+
+/// The last word of each key, or the whole key where two end alike.
+std::vector<std::string> short_keys(const std::vector<Variation>& vary) {
+    std::map<std::string, int> uses;
+    for (const Variation& v : vary) ++uses[leaf_of(v.key)];
+    std::vector<std::string> names;
+    for (const Variation& v : vary) names.push_back(uses[leaf_of(v.key)] == 1 ? leaf_of(v.key) : v.key);
+    return names;
+}
+
+}  // namespace
+
+struct Plan::Parts {
+    Study study;
+    std::size_t size = 0;
+    std::string base_text;
+    std::optional<profile::Profile> base;
+    std::unique_ptr<Sample> sample;
+    std::vector<std::string> name_keys;
+    std::map<std::string, double> base_numbers;  ///< of the keys that the constraints name
+    int digits = 1;                              ///< of the greatest index
+
+    void read_base();
+    void check_constraints();
+    [[nodiscard]] std::vector<std::string> values_at(std::size_t index) const;
+    [[nodiscard]] std::string name_of(std::size_t index, const std::vector<std::string>& values) const;
+    [[nodiscard]] std::string excluded_by(const std::vector<std::string>& values) const;
+};
+
+void Plan::Parts::read_base() {
+    base_text = core::read_file(study.profiles.front(), profile::kLargestFile);
+    base = profile::parse_profile(base_text, study.profiles.front());
+    for (const Variation& v : study.vary) {
+        profile::require_key(field_of(study, "vary"), v.key);
+        if (!profile::value_text(*base, v.key))
+            throw core::InvalidInput(field_of(study, "vary." + v.key), "has no meaning in " + study.profiles.front().string(),
+                                     "a key of numbers or text that applies to the base profile");
+    }
+    name_keys = short_keys(study.vary);
+}
+
+void Plan::Parts::check_constraints() {
+    for (const Constraint& constraint : study.constraints) {
+        const std::string field = field_of(study, "constraints." + constraint.name);
+        for (const std::string& key : keys_in(field, constraint.formula)) {
+            profile::require_key(field, key);
+            const auto text = profile::value_text(*base, key);
+            const double value = text ? number_in(*text) : std::nan("");
+            if (std::isnan(value)) throw core::InvalidInput(field, key, "keys of numbers that apply to the base profile");
+            base_numbers[key] = value;
+        }
+    }
+}
+
+std::vector<std::string> Plan::Parts::values_at(std::size_t index) const {
+    if (study.method == Method::kCsv) return study.rows.at(index);
+    std::vector<std::string> values(study.vary.size());
+    if (study.method == Method::kGrid) {
+        for (std::size_t key = values.size(); key-- > 0;) {
+            const std::size_t count = levels(study.vary[key]), level = index % count;
+            values[key] = value_at(study.vary[key], (static_cast<double>(level) + 0.5) / static_cast<double>(count));
+            index /= count;
+        }
+        return values;
+    }
+    const std::vector<double> point = sample->point(index);
+    for (std::size_t key = 0; key < values.size(); ++key) {
+        const Variation& v = study.vary[key];
+        values[key] = value_at(v, point[key]);
+    }
+    return values;
+}
+
+std::string Plan::Parts::name_of(std::size_t index, const std::vector<std::string>& values) const {
+    if (!study.row_names.empty()) return study.row_names.at(index);
+    std::string name = base->name;
+    if (study.method == Method::kGrid && values.size() <= kMostKeysInName)
+        for (std::size_t key = 0; key < values.size(); ++key) name += "-" + name_keys[key] + "-" + name_part(values[key]);
+    else
+        name += fmt::format("-{:0{}}", index, digits);
+    return name.size() <= kLongestName ? name : fmt::format("{}-{:0{}}", base->name, index, digits);
+}
+
+std::string Plan::Parts::excluded_by(const std::vector<std::string>& values) const {
+    const auto number = [&](const std::string& key) {
+        for (std::size_t i = 0; i < values.size(); ++i)
+            if (study.vary[i].key == key) return number_in(values[i]);
+        return base_numbers.at(key);
+    };
+    for (const Constraint& constraint : study.constraints)
+        if (evaluate(field_of(study, "constraints." + constraint.name), constraint.formula, number) == 0.0) return constraint.name;
+    return "";
+}
+
+Plan::Plan(Study study) : parts_(std::make_unique<Parts>()) {
+    Parts& p = *parts_;
+    p.study = std::move(study);
+    const Study& s = p.study;
+    if (!s.varies()) {
+        p.size = s.profiles.size();
+        return;
+    }
+    p.read_base();
+    p.check_constraints();
+    p.size = s.count;
+    if (s.method == Method::kCsv) p.size = s.rows.size();
+    if (s.method == Method::kGrid) {
+        p.size = 1;
+        for (const Variation& v : s.vary) p.size *= levels(v);
+    } else if (s.method != Method::kCsv) {
+        p.sample = make_sample(s.method, s.vary.size(), s.count, s.seed);
+    }
+    p.digits = static_cast<int>(std::to_string(p.size - 1).size());
+}
+
+Plan::~Plan() = default;
+
+const Study& Plan::study() const { return parts_->study; }
+std::size_t Plan::size() const { return parts_->size; }
+
+const std::string& Plan::base_sha256() const { return parts_->base->sha256; }
+
+Planned Plan::at(std::size_t index) const {
+    if (!parts_->study.varies()) return {index, parts_->study.profiles.at(index).stem().string(), {}, {}};
+    Planned planned{index, {}, parts_->values_at(index), {}};
+    planned.name = parts_->name_of(index, planned.values);
+    planned.excluded_by = parts_->excluded_by(planned.values);
+    return planned;
+}
+
+profile::Profile Plan::profile(const Planned& planned) const {
+    const Parts& p = *parts_;
+    if (!p.study.varies()) return profile::read_profile(p.study.profiles.at(planned.index));
+    std::vector<profile::Edit> edits{{"name", '"' + planned.name + '"', {}, {}}};
+    for (std::size_t key = 0; key < planned.values.size(); ++key) edits.push_back({p.study.vary[key].key, planned.values[key], {}, {}});
+    return profile::parse_profile(profile::with_edits(p.base_text, *p.base, edits), p.study.profiles.front());
+}
+
+}  // namespace fusee::study

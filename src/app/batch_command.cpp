@@ -6,6 +6,7 @@
 
 #include "arguments.h"
 #include "commands.h"
+#include "fusee/batch/slurm.h"
 #include "fusee/batch/study.h"
 #include "fusee/core/error.h"
 #include "fusee/core/progress.h"
@@ -21,7 +22,8 @@ struct BatchArguments {
     std::vector<std::filesystem::path> paths;
     std::string name = "batch";
     std::string shard;
-    bool dry_run = false, merge = false;
+    bool dry_run = false, merge = false, slurm = false;
+    batch::SlurmOptions cluster;
     batch::StudyOptions options;
 };
 
@@ -79,12 +81,23 @@ void print(const batch::StudyResult& result) {
             core::printable(result.folder.string()));
 }
 
+int submit(const study::Plan& plan, BatchArguments& arguments) {
+    batch::SlurmOptions& options = arguments.cluster;
+    options.paths = arguments.paths, options.name = arguments.name;
+    options.out = arguments.options.out, options.force = arguments.options.force;
+    const batch::SlurmJobs jobs = batch::submit_slurm(plan, options);
+    fmt::print("submitted: job {} with {} tasks ({}), job {} for the index ({})\n", jobs.array_job, jobs.tasks,
+               core::printable(jobs.array_script.string()), jobs.merge_job, core::printable(jobs.merge_script.string()));
+    return 0;
+}
+
 int run_batch(BatchArguments arguments) {
     core::catch_interrupts();
     require_thread();
     if (!arguments.shard.empty()) arguments.options.shard = batch::parse_shard(arguments.shard);
     const study::Plan plan(study_of(arguments));
     if (arguments.dry_run) return list_designs(plan);
+    if (arguments.slurm) return submit(plan, arguments);
     if (arguments.merge) {
         const std::size_t count = batch::write_index(plan, arguments.options.out, arguments.options.force);
         fmt::print("index of {} designs\n", count);
@@ -121,6 +134,10 @@ void add_batch(CLI::App& app, Action& action) {
     command->add_flag("--dry-run", arguments->dry_run, "List the designs and the size on disk; make nothing");
     command->add_option("--shard", arguments->shard, "NUMBER/COUNT: make only this share of the designs, without the index");
     command->add_flag("--merge", arguments->merge, "Make no design; write the index of those that are finished");
+    command->add_flag("--slurm", arguments->slurm, "Submit the study to Slurm: a job array, and a job that writes the index");
+    command->add_option("--slurm-tasks", arguments->cluster.tasks, "Tasks of the array; 0 = about an hour for each")->capture_default_str();
+    command->add_option("--slurm-options", arguments->cluster.sbatch,
+                        "Further options of sbatch, e.g. \"--partition=long --cpus-per-task=8\"");
     add_force(*command, arguments->options.force);
     add_jobs(*command, arguments->options.jobs, "Designs made at the same time; 0 = one for each processor");
     command->footer(

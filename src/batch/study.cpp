@@ -18,6 +18,7 @@
 #include "fusee/study/index.h"
 #include "fusee/study/store.h"
 #include "guarded.h"
+#include "study_folder.h"
 
 namespace fs = std::filesystem;
 
@@ -26,15 +27,6 @@ namespace fusee::batch {
 namespace {
 
 constexpr std::size_t kMostReasons = 20;
-
-core::OutputFolder study_folder(const study::Plan& plan, const fs::path& out, bool force) {
-    const study::Study& study = plan.study();
-    return {out / study.name,
-            {.command = "batch",
-             .source = study.varies() ? study.file : study.profiles.front(),
-             .force = force,
-             .files = {"index.csv", "index.sqlite", "index.html"}}};
-}
 
 /// What determines a design's result: two designs with one key have the same row.
 std::string key_of(const study::Plan& plan, const study::Planned& planned, const std::string& profile_sha256) {
@@ -178,10 +170,8 @@ Shard parse_shard(const std::string& text) {
 }
 
 StudyResult run_study(const study::Plan& plan, const StudyOptions& options) {
-    core::OutputFolder claim = study_folder(plan, options.out, options.force);
-    const fs::path folder = claim.target();
+    const fs::path folder = claim_study_folder(plan, options.out, options.force);
     core::Progress progress("batch", (plan.size() + options.shard.count - options.shard.number) / options.shard.count);
-    fs::create_directories(folder);
     Run run(plan, options, folder);
     run.make_all(progress);
     StudyResult result = std::move(run).result();
@@ -201,6 +191,7 @@ std::size_t write_index(const study::Plan& plan, const fs::path& out, bool force
         count = 0;
         each_row(plan, rows, [&](const study::Row& row) { ++count, take(row); });
     };
+    write_study_file(plan, output.path());
     study::write_csv(output.path() / "index.csv", columns, each);
     study::write_sqlite(output.path() / "index.sqlite", columns, each);
     report::write_study_page(output.path() / "index.html", plan.study(), columns, each);

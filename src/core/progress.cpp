@@ -13,6 +13,16 @@ namespace fusee::core {
 namespace {
 volatile std::sig_atomic_t g_interrupted = 0;
 constexpr std::size_t kBarWidth = 30;
+constexpr std::size_t kLeastRated = 20;  ///< items from which on a rate says more than the items themselves
+
+/// " 8.3/s, 2:10 left"; nothing for few items.
+std::string rate_text(std::size_t done, std::size_t total, double seconds) {
+    if (total < kLeastRated || done == 0 || seconds <= 0.0) return "";
+    const double rate = static_cast<double>(done) / seconds;
+    const auto left = static_cast<long>(static_cast<double>(total - done) / rate + 0.5);
+    const std::string hours = left >= 3600 ? fmt::format("{}:{:02}", left / 3600, left / 60 % 60) : fmt::format("{}", left / 60);
+    return fmt::format(" {:.3g}/s, {}:{:02} left", rate, hours, left % 60);
+}
 }  // namespace
 
 Progress::Progress(std::string title, std::size_t total)
@@ -40,8 +50,9 @@ void Progress::draw(const std::string& label) const {
         return;
     }
     const std::size_t filled = total_ == 0 ? kBarWidth : kBarWidth * done_ / total_;
-    fmt::print(stderr, "\r\x1b[K{} [{}{}] {}/{} {}", title_, std::string(filled, '#'), std::string(kBarWidth - filled, '.'), done_, total_,
-               shown);
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+    fmt::print(stderr, "\r\x1b[K{} [{}{}] {}/{}{} {}", title_, std::string(filled, '#'), std::string(kBarWidth - filled, '.'), done_,
+               total_, rate_text(done_, total_, seconds), shown);
     std::fflush(stderr);
 }
 

@@ -58,14 +58,19 @@ Row parse_row(const std::string& line, const std::string& file) {
     return row;
 }
 
-RowLog::RowLog(const fs::path& study, const std::string& shard) : path_(study / "rows" / (shard + ".jsonl")) {
+RowLog::RowLog(const fs::path& study, const std::string& shard) {
+    const fs::path folder = study / "rows";
     std::error_code error;
-    fs::create_directories(path_.parent_path(), error);
-    if (error) throw core::IoError(path_.parent_path().string(), error.message());
-    file_ = ::open(path_.c_str(), O_RDWR | O_APPEND | O_CREAT | O_CLOEXEC, 0666);
-    if (file_ < 0) throw_io(path_);
-    while (::flock(file_, LOCK_EX) != 0)
-        if (errno != EINTR) throw_io(path_);
+    fs::create_directories(folder, error);
+    if (error) throw core::IoError(folder.string(), error.message());
+    for (int number = 1; file_ < 0; ++number) {
+        path_ = folder / (number == 1 ? shard + ".jsonl" : fmt::format("{}.{}.jsonl", shard, number));
+        file_ = ::open(path_.c_str(), O_RDWR | O_APPEND | O_CREAT | O_CLOEXEC, 0666);
+        if (file_ < 0) throw_io(path_);
+        if (::flock(file_, LOCK_EX | LOCK_NB) == 0) break;
+        if (errno != EWOULDBLOCK && errno != EINTR) throw_io(path_);
+        ::close(std::exchange(file_, -1));
+    }
     // A killed process may have left half a line: it ends here.
     char last = '\n';
     const off_t end = ::lseek(file_, 0, SEEK_END);

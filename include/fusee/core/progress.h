@@ -1,4 +1,5 @@
 #pragma once
+#include <chrono>
 #include <cstddef>
 #include <exception>
 #include <mutex>
@@ -25,6 +26,7 @@ private:
     std::string title_;
     std::size_t total_, done_ = 0;
     bool terminal_;
+    std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
     std::mutex mutex_;
 };
 

@@ -36,7 +36,8 @@ struct Row {
 /// flushed to the disk; of a file whose process was killed, an unfinished last line is ignored.
 class RowLog {
 public:
-    /// Opens the log of one process; waits while another one holds the same log. @param shard "1-of-4"
+    /// Opens the log of one process; a further one if another process holds it, e.g. a task that a cluster has given up but that still
+    /// runs. @param shard "1-of-4"
     /// @throws core::IoError
     RowLog(const std::filesystem::path& study, const std::string& shard);
     ~RowLog();

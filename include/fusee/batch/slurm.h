@@ -1,0 +1,35 @@
+#pragma once
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "fusee/study/plan.h"
+
+/// A study on a cluster with Slurm (docs/cluster.md).
+namespace fusee::batch {
+
+struct SlurmOptions {
+    std::vector<std::filesystem::path> paths;  ///< of the study, as on the command line
+    std::string name;                          ///< of a list of profiles
+    std::filesystem::path out = "out";
+    std::size_t tasks = 0;  ///< of the job array; 0: about an hour for each
+    std::string sbatch;     ///< further options of sbatch, e.g. "--partition=long --cpus-per-task=8"
+    bool force = false;
+};
+
+/// The scripts of the two jobs, in out/NAME/slurm, and their numbers.
+struct SlurmJobs {
+    std::filesystem::path array_script, merge_script;
+    std::size_t tasks = 0;
+    std::string array_job, merge_job;  ///< numbers
+};
+
+/// Tasks of about an hour for one processor, at most 1,000.
+[[nodiscard]] std::size_t usual_tasks(const study::Plan& plan);
+
+/// Writes the scripts and submits them: an array of one task for each shard, and a job that writes the index when all tasks have ended.
+/// @throws core::IoError, also if sbatch is not there or refuses
+[[nodiscard]] SlurmJobs submit_slurm(const study::Plan& plan, const SlurmOptions& options);
+
+}  // namespace fusee::batch

@@ -151,8 +151,13 @@ void each_row(const study::Plan& plan, const study::RowIndex& rows, const std::f
     for (std::size_t i = 0; i < plan.size(); ++i) {
         const study::Planned planned = plan.at(i);
         if (!planned.excluded_by.empty()) continue;
-        const std::string key = key_of(plan, planned, base.empty() ? plan.profile(planned).sha256 : base);
-        if (rows.has(key)) take(rows.read(key));
+        try {
+            const std::string key = key_of(plan, planned, base.empty() ? plan.profile(planned).sha256 : base);
+            if (rows.has(key)) take(rows.read(key));
+        } catch (const core::InvalidInput&) {  // a profile of a list that cannot be read has no row
+        } catch (const core::InvalidInputs&) {
+        } catch (const core::IoError&) {
+        }
     }
 }
 

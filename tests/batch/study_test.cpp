@@ -1,0 +1,109 @@
+#include "fusee/batch/study.h"
+
+#include <algorithm>
+#include <map>
+
+#include "fusee/core/error.h"
+#include "fusee/core/file.h"
+#include "fusee/study/index.h"
+#include "pipeline/fixture.h"
+#include "refused.h"
+
+namespace fusee::batch {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Studies : public fixtures::TempFolder {
+protected:
+    /// Four designs of the shipped joint with a coarse mesh; one of them is refused: a bore that leaves no wall.
+    study::Plan plan(const std::string& outputs = "figures") const {
+        std::string base = fixtures::with_keys(core::read_file(fixtures::shipped("pnrvsa")),
+                                               {{"tolerances.chordal_error_mm", "0.02"}, {"outputs.springs_rows", "200"}});
+        write("base.toml", base);
+        const fs::path file = write("four.toml", "[study]\nbase = \"base.toml\"\noutputs = \"" + outputs +
+                                                     "\"\n[vary]\nk_se.hub.bore_mm = [5.0, 6.0, 60.0]\ncable.diameter_mm = [0.8, 0.9]\n"
+                                                     "[constraints]\nfew = \"k_se.hub.bore_mm < 50 || cable.diameter_mm < 0.85\"\n");
+        return study::Plan(study::read_study(file));
+    }
+    StudyResult run(const study::Plan& plan, const std::string& out, Shard shard = {}, unsigned jobs = 2) const {
+        return run_study(plan, {.out = folder_ / out, .jobs = jobs, .shard = shard});
+    }
+    /// Every file of a study but the log of its rows, which has times.
+    std::map<std::string, std::string> bytes(const std::string& out) const {
+        std::map<std::string, std::string> all;
+        const fs::path root = folder_ / out / "four";
+        for (const auto& entry : fs::recursive_directory_iterator(root)) {
+            const std::string name = fs::relative(entry.path(), root).generic_string();
+            if (entry.is_regular_file() && !name.starts_with("rows/")) all[name] = core::sha256_hex(core::read_file(entry.path()));
+        }
+        return all;
+    }
+};
+
+TEST_F(Studies, EachDesignIsARowAndARefusalOneWithItsReason) {
+    const StudyResult result = run(plan(), "out");
+    EXPECT_EQ(result.planned, 6U);
+    EXPECT_EQ(result.excluded, 1U);
+    EXPECT_EQ(result.made, 4U);
+    EXPECT_EQ(result.refused, 1U);
+    EXPECT_EQ(result.indexed, 5U);
+    EXPECT_EQ(exit_code(result), 0);
+    std::vector<std::string> lines;
+    study::query(folder_ / "out/four/index.sqlite", "SELECT outcome, worst_rule, k_se_hub_bore_mm FROM designs WHERE outcome <> 'made'",
+                 [&](const auto& cells) { lines.push_back(cells[0] + " " + cells[1] + " " + cells[2]); });
+    ASSERT_EQ(lines.size(), 2U);
+    EXPECT_TRUE(lines[1].starts_with("refused ") && lines[1].ends_with(" 60.0")) << lines[1];
+}
+
+TEST_F(Studies, BytesAreTheSameForAnyJobsAndShards) {
+    const study::Plan four = plan("meshes");
+    (void)run(four, "one", {}, 1);
+    (void)run(four, "two", {}, 2);
+    EXPECT_EQ(bytes("one"), bytes("two"));
+    for (const std::size_t number : {2U, 3U, 1U}) EXPECT_EQ(run(four, "sharded", {number, 3}).indexed, 0U);
+    EXPECT_EQ(write_index(four, folder_ / "sharded", false), 5U);
+    EXPECT_EQ(bytes("one"), bytes("sharded"));
+}
+
+TEST_F(Studies, WhatIsFinishedIsNotMadeAgain) {
+    const study::Plan four = plan();
+    (void)run(four, "out", {1, 2});
+    const auto before = run(four, "out");
+    EXPECT_EQ(before.earlier, 3U);
+    EXPECT_EQ(before.made + before.refused, 2U);
+    const auto all = bytes("out");
+    const auto after = run(four, "out");
+    EXPECT_EQ(after.earlier, 5U);
+    EXPECT_EQ(after.made + after.refused, 0U);
+    EXPECT_EQ(bytes("out"), all);
+}
+
+TEST_F(Studies, AProfileThatIsGoneIsOneFaultAndTheRestGoesOn) {
+    const fs::path good = write("good.toml", core::read_file(fixtures::shipped("pnrvsa")));
+    const study::Plan two(study::study_of({folder_ / "gone.toml", good}, "four"));
+    const StudyResult result = run(two, "out");
+    EXPECT_EQ(result.made, 1U);
+    EXPECT_EQ(result.bad_input, 1U);
+    ASSERT_EQ(result.reasons.size(), 1U);
+    EXPECT_NE(result.reasons[0].find("gone.toml"), std::string::npos);
+    EXPECT_EQ(exit_code(result), 2);
+    EXPECT_EQ(result.indexed, 1U);
+}
+
+TEST_F(Studies, AFolderOfTheUsersIsNotTouched) {
+    write("out/four/thesis.txt", "mine");
+    EXPECT_THROW((void)run(plan(), "out"), core::IoError);
+    EXPECT_EQ(core::read_file(folder_ / "out/four/thesis.txt"), "mine");
+    EXPECT_FALSE(fs::exists(folder_ / "out/four/rows"));
+}
+
+TEST(Shards, AreReadAndRefused) {
+    EXPECT_EQ(parse_shard("3/8").number, 3U);
+    EXPECT_EQ(parse_shard("3/8").count, 8U);
+    for (const char* wrong : {"", "3", "0/8", "9/8", "a/b", "1/2/3", "1/", "-1/2"})
+        EXPECT_EQ(field_refused([&] { return parse_shard(wrong); }), "--shard") << wrong;
+}
+
+}  // namespace
+}  // namespace fusee::batch

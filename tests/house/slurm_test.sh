@@ -1,0 +1,46 @@
+#!/bin/bash
+# A study of 200 designs as a job array on two nodes, one of which is lost half way, ends with the index of one process.
+# slurm_test.sh PROGRAM SOURCE
+. "$(dirname -- "$0")/lib.sh"
+. "$(dirname -- "$0")/slurm_cluster.sh"
+program=$1 source=$2
+[ "$(id -u)" = 0 ] || skip 'starting Slurm needs root'
+for tool in $cluster_programs; do command -v "$tool" >/dev/null || skip "$tool is not installed"; done
+
+cat >"$work/study.toml" <<END
+[study]
+base = "$source/profiles/pnrvsa.toml"
+method = "latin_hypercube"
+count = 200
+outputs = "figures"
+[vary]
+rig.peak_torque_Nm = {from = 0.9, to = 1.2}
+k_se.hub.bore_mm = {from = 5.0, to = 60.0}
+END
+cd "$work"
+trap 'cluster_stop; rm -rf "$work"' EXIT
+cluster_start "$work/cluster" || {
+    tail -n 5 "$work"/cluster/log/*.log >&2
+    skip 'the daemons of Slurm cannot start here'
+}
+"$program" batch study.toml --out array --slurm --slurm-tasks 8 >"$work/submitted"
+index_job=$(sed -n 's/.* job \([0-9]*\) for the index.*/\1/p' "$work/submitted")
+[ -n "$index_job" ] || fail "no job for the index: $(cat "$work/submitted")"
+"$program" batch study.toml --out one --jobs 1 >"$work/log" 2>&1 & # at the same time, in another folder
+
+for _ in $(seq 300); do # half way: 60 rows
+    if [ "$(cat array/study/rows/*.jsonl 2>/dev/null | wc -l)" -ge 60 ]; then break; fi
+    sleep 0.2
+done
+cluster_crash n2
+wait $! || fail "one process: $(cat "$work/log")"
+for _ in $(seq 600); do
+    [ -n "$(squeue -h -j "$index_job" 2>/dev/null)" ] || break
+    sleep 0.3
+done
+[ -z "$(squeue -h -j "$index_job" 2>/dev/null)" ] || fail "the array does not end: $(squeue)"
+for file in index.csv index.sqlite index.html; do
+    cmp "one/study/$file" "array/study/$file" || fail "$file differs from that of one process"
+done
+again=$(grep -c NODE_FAIL "$work/cluster/log/jobcomp.txt" || true)
+printf '200 designs in 8 tasks, %s ended by the lost node and run again, index as of one process\n' "$again"

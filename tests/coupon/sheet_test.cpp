@@ -45,7 +45,7 @@ TEST(SheetFile, NamesLineAndColumnOfWhatIsWrong) {
         {"disc_floor,15,mm,14.9,-", "c.csv:3:18: measured"},   {"disc_floor,15,mm,,-\ndisc_floor,16,mm,,-", "c.csv:4:12: given"},
         {"length_x,66,mm,65,mm,once more", "c.csv:3:22: row"},
     };
-    for (const auto& [row, place] : wrong) EXPECT_EQ(field_refused([row] { return parse_sheet(sheet(row), "c.csv"); }), place) << row;
+    for (const auto& [row, place] : wrong) EXPECT_EQ(field_refused([text = row] { return parse_sheet(sheet(text), "c.csv"); }), place) << row;
     EXPECT_EQ(field_refused([] { return parse_sheet("item,given\n", "c.csv"); }), "c.csv:1:11: header");
 }
 

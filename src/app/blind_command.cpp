@@ -98,16 +98,20 @@ void add_blind_make(CLI::App& blind, Action& action) {
         ->required()
         ->check(number_within(std::uint64_t{0}, std::numeric_limits<std::uint64_t>::max()));
     command->add_option("--cases", options->cases, "How many cases")->required()->check(number_within(1, 10000));
-    command->add_option("-o,--out", options->out, "Folder that gets them")->required();
+    command->add_option("-o,--out", options->out, "Folder that gets them")->type_name("FOLDER")->required();
     add_force(*command, options->force);
-    command->add_option("--plant", options->maker, "Who makes the measurements: plant, or as a control the model itself")
-        ->transform(
-            CLI::CheckedTransformer(std::map<std::string, blind::Maker>{{"plant", blind::Maker::kPlant}, {"model", blind::Maker::kModel}}));
+    const auto maker = std::make_shared<std::string>("plant");
+    command->add_option("--plant", *maker, "Who makes the measurements: plant, or as a control the model itself")
+        ->check(CLI::IsMember({"plant", "model"}))
+        ->capture_default_str();
     add_jobs(*command, options->jobs, "Threads; 0 = one for each processor; no influence on the result");
     command->footer(
         "Example:\n  fusee blind make --seed 1 --cases 500 --out blind\n\n"
         "Exit code: 0 made, 2 bad input, 3 internal error, 130 stopped by Ctrl-C: nothing is written.");
-    command->callback([options, &action] { action = [options] { return make(*options); }; });
+    command->callback([options, maker, &action] {
+        options->maker = *maker == "plant" ? blind::Maker::kPlant : blind::Maker::kModel;
+        action = [options] { return make(*options); };
+    });
 }
 
 void add_blind_score(CLI::App& blind, Action& action) {
@@ -116,13 +120,14 @@ void add_blind_score(CLI::App& blind, Action& action) {
     CLI::App* command = blind.add_subcommand("score", "Diagnose every case, then open the seal and say how many were right");
     command
         ->add_option("folder", options.folder, "Folder of the benchmark; its folder diagnoses gets the diagnoses, which are not made again")
+        ->type_name("FOLDER")
         ->required();
     command->add_option("--seal", options.hash, "The hash that fusee blind make printed; left out: as seal.txt says");
-    command->add_option("--model", arguments->model, "A benchmark made with --plant model: its score is shown beside");
+    command->add_option("--model", arguments->model, "A benchmark made with --plant model: its score is shown beside")->type_name("FOLDER");
     command->add_option("--limit", options.limit, "The first cases only; 0 = all")->capture_default_str();
     command->add_flag("--again", options.again, "Make diagnoses anew that are there already");
     add_jobs(*command, options.jobs, "Cases side by side; 0 = one for each processor; no influence on the score");
-    command->add_option("-o,--out", arguments->out, "Folder that gets score.json and score.html")->required();
+    command->add_option("-o,--out", arguments->out, "Folder that gets score.json and score.html")->type_name("FOLDER")->required();
     add_force(*command, options.force);
     command->footer(
         "Example:\n  fusee blind score blind --seal sha256:HASH --out blind/score\n\n"

@@ -57,9 +57,11 @@ void add_calibrate(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<CalibrateArguments>();
     CLI::App* command = app.add_subcommand(
         "calibrate", "Turn measured coupons into a profile's compensation: shrinkage, bore offset, the cable's neutral axis, spring rates");
-    command->add_option("sheet", arguments->sheet, "COUPON.csv as fusee coupons leaves it, filled")->required();
-    command->add_option("--profile", arguments->profile, "Profile that the coupons were made from: what it says already is compared");
-    command->add_option("--write-profile", arguments->corrected, "File that gets the profile with what was found; with --profile");
+    command->add_option("sheet", arguments->sheet, "COUPON.csv as fusee coupons leaves it, filled")->type_name("FILE.csv")->required();
+    command->add_option("--profile", arguments->profile, "Profile that the coupons were made from: what it says already is compared")
+        ->type_name("FILE.toml");
+    command->add_option("--write-profile", arguments->corrected, "File that gets the profile with what was found; with --profile")
+        ->type_name("FILE.toml");
     command->add_flag("--json", arguments->json, "Print JSON");
     add_force_file(*command, arguments->force);
     command->footer(

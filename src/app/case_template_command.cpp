@@ -44,8 +44,10 @@ void add_case_template(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<CaseTemplateArguments>();
     CLI::App* command = app.add_subcommand(
         "case-template", "Write an empty gap case for a profile's joint: nominal rig, set points and the sheets to fill in at the bench");
-    command->add_option("profile", arguments->profile, "Profile (*.toml) with the parts' base springs")->required();
-    command->add_option("-o,--out", arguments->out, "Folder of the case; sheets that were filled in are never replaced")->required();
+    command->add_option("profile", arguments->profile, "Profile (*.toml) with the parts' base springs")->type_name("FILE.toml")->required();
+    command->add_option("-o,--out", arguments->out, "Folder of the case; sheets that were filled in are never replaced")
+        ->type_name("FOLDER")
+        ->required();
     add_force(*command, arguments->force);
     command->footer(
         "Example:\n  fusee case-template profiles/pnrvsa.toml --out bench/monday\n\n"

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <memory>
 #include <vector>
@@ -37,6 +38,13 @@ std::vector<std::string> process_words() {
     return words;
 }
 
+/// "FILE.toml|stl|...", for the help and the completion.
+std::string input_type() {
+    std::string type = "FILE.toml";
+    for (const std::string& ending : exchange::mesh_endings()) type += "|" + ending.substr(1);
+    return type;
+}
+
 /// @pre `word` is one of process_words
 std::vector<checks::ProcessKind> kinds_of(const std::string& word) {
     std::vector<checks::ProcessKind> kinds;
@@ -71,7 +79,8 @@ std::vector<Machine> machines_for(const CheckArguments& arguments) {
         return machines;
     }
     if (arguments.process.empty())
-        throw core::InvalidInput("check --process", "missing", "how the mesh is to be made: fdm, sla, sls, mill, mill4, edm, laser, all");
+        throw core::InvalidInput("check --process", "missing",
+                                 fmt::format("how the mesh is to be made: {}", fmt::join(process_words(), ", ")));
     for (const checks::ProcessKind kind : kinds_of(arguments.process)) {
         checks::Process process;
         process.kind = kind;
@@ -83,7 +92,8 @@ std::vector<Machine> machines_for(const CheckArguments& arguments) {
 MeshCheck checked(const CheckArguments& arguments) {
     if (arguments.input.extension() == ".toml") return {check_profile(arguments), {}};
     if (!exchange::is_mesh_file(arguments.input))
-        throw core::InvalidInput("check", arguments.input.string(), "a profile (.toml) or a mesh (.stl, .obj, .3mf, .step, .stp)");
+        throw core::InvalidInput("check", arguments.input.string(),
+                                 fmt::format("a profile (.toml) or a mesh ({})", fmt::join(exchange::mesh_endings(), ", ")));
     const auto limits =
         arguments.limits.empty() ? std::vector<checks::Override>{} : profile::read_limits(arguments.limits, inspect::rule_infos());
     std::vector<Machine> machines = machines_for(arguments);
@@ -110,13 +120,15 @@ int check(const CheckArguments& arguments) {
 void add_check(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<CheckArguments>();
     CLI::App* command = app.add_subcommand("check", "Run every rule on a profile's cams, or on a third-party mesh, without making files");
-    command->add_option("input", arguments->input, "Profile (.toml), or mesh: STL, OBJ, 3MF, STEP")->required();
+    command->add_option("input", arguments->input, "Profile (.toml), or mesh: STL, OBJ, 3MF, STEP")->type_name(input_type())->required();
     command->add_option("--process", arguments->process, "How it is made, in place of the profile's; all: a table of all of them")
         ->check(CLI::IsMember(process_words()));
-    command->add_option("--profile", arguments->profile, "Of a mesh: profile whose [process] states machine and limits");
-    command->add_option("--limits", arguments->limits,
-                        "Of a mesh: file of [[limits]] in the place of the rules' own, each with its reason");
-    command->add_option("-o,--out", arguments->out, "Of a mesh: folder for NAME_check.3mf, which shows in colours where");
+    command->add_option("--profile", arguments->profile, "Of a mesh: profile whose [process] states machine and limits")
+        ->type_name("FILE.toml");
+    command->add_option("--limits", arguments->limits, "Of a mesh: file of [[limits]] in the place of the rules' own, each with its reason")
+        ->type_name("FILE.toml");
+    command->add_option("-o,--out", arguments->out, "Of a mesh: folder for NAME_check.3mf, which shows in colours where")
+        ->type_name("FOLDER");
     command->add_flag("--json", arguments->json, "As JSON");
     add_jobs(*command, arguments->jobs, "Threads for a mesh; 0 = one for each processor");
     add_force(*command, arguments->force);

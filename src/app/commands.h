@@ -22,6 +22,7 @@ void add_coupons(CLI::App& app, Action& action);
 void add_calibrate(CLI::App& app, Action& action);
 void add_check(CLI::App& app, Action& action);
 void add_rules(CLI::App& app, Action& action);
-void add_lists(CLI::App& app, Action& action);
+void add_keys(CLI::App& app, Action& action);
+void add_usage(CLI::App& app, Action& action);
 
 }  // namespace fusee::app

@@ -35,8 +35,8 @@ void add_coupons(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand(
         "coupons",
         "Make test pieces for a profile's machine and cable: out/NAME-coupons with plate, groove ladder, disc and the sheet to fill");
-    command->add_option("profile", arguments->profile, "Profile (*.toml)")->required();
-    command->add_option("-o,--out", arguments->out, "Folder that gets NAME-coupons")->capture_default_str();
+    command->add_option("profile", arguments->profile, "Profile (*.toml)")->type_name("FILE.toml")->required();
+    command->add_option("-o,--out", arguments->out, "Folder that gets NAME-coupons")->type_name("FOLDER")->capture_default_str();
     add_force(*command, arguments->force);
     command->footer(
         "Example:\n  fusee coupons profiles/pnrvsa.toml\n\n"

@@ -114,10 +114,12 @@ void add_design(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<DesignArguments>();
     CLI::App* command = app.add_subcommand("design", "Find springs for a profile's joint: out/NAME-design with the law found as a profile");
     command->add_option("profile", arguments->profile, "Profile (*.toml); [design] and the method's own table say what to look for")
+        ->type_name("FILE.toml")
         ->required();
     command->add_option("--method", arguments->method, "In place of the profile's: algorithm_1, co_design or pareto")
         ->check(CLI::IsMember({"algorithm_1", "co_design", "pareto"}));
     command->add_option("-o,--out", arguments->options.out, "Folder that gets NAME-design and NAME-design.checkpoint")
+        ->type_name("FOLDER")
         ->capture_default_str();
     command->add_option("--population", arguments->population, "Members of a generation, in place of the profile's")
         ->check(number_within(8, 100000));

@@ -96,11 +96,16 @@ void add_diagnose(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<DiagnoseArguments>();
     CLI::App* command = app.add_subcommand(
         "diagnose", "Say where a built joint and its model part, which effect causes it and how far the gap shrinks with it in the model");
-    command->add_option("case", arguments->folder, "Folder of a gap case: case.toml and one CSV file for each experiment")->required();
-    command->add_option("-o,--out", arguments->out, "Folder that gets diagnosis.json and diagnosis.html")->required();
-    command->add_option("--profile", arguments->profile, "Profile that the rig was made from; with --write-profile");
-    command->add_option("--write-profile", arguments->corrected,
-                        "File that gets the profile corrected for the rig as it is, to cut new cams from by fusee make");
+    command->add_option("case", arguments->folder, "Folder of a gap case: case.toml and one CSV file for each experiment")
+        ->type_name("FOLDER")
+        ->required();
+    command->add_option("-o,--out", arguments->out, "Folder that gets diagnosis.json and diagnosis.html")->type_name("FOLDER")->required();
+    command->add_option("--profile", arguments->profile, "Profile that the rig was made from; with --write-profile")
+        ->type_name("FILE.toml");
+    command
+        ->add_option("--write-profile", arguments->corrected,
+                     "File that gets the profile corrected for the rig as it is, to cut new cams from by fusee make")
+        ->type_name("FILE.toml");
     add_jobs(*command, arguments->jobs, "Threads; 0 = one for each processor; no influence on the result");
     add_force(*command, arguments->force);
     command->footer(

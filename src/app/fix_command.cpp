@@ -54,8 +54,11 @@ void add_fix(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<FixArguments>();
     CLI::App* command =
         app.add_subcommand("fix", "Change what the findings suggest until a profile can be made: a new profile with the reasons");
-    command->add_option("profile", arguments->profile, "Profile (*.toml) that cannot be made; it stays as it is")->required();
-    command->add_option("-o,--out", arguments->options.file, "File that gets the new profile; left out: PROFILE-fixed.toml beside it");
+    command->add_option("profile", arguments->profile, "Profile (*.toml) that cannot be made; it stays as it is")
+        ->type_name("FILE.toml")
+        ->required();
+    command->add_option("-o,--out", arguments->options.file, "File that gets the new profile; left out: PROFILE-fixed.toml beside it")
+        ->type_name("FILE.toml");
     command->add_flag("--reviews", arguments->options.reviews, "Take away what is to be reviewed and accepted, too");
     command
         ->add_option("--keep", arguments->options.keep, "Key or table that is not changed, as k_pe.hub.bore_mm or cable; may be repeated")

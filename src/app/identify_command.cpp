@@ -43,8 +43,9 @@ void add_identify(CLI::App& app, Action& action) {
         "identify",
         "Find a gear's friction from break-away tests: out/identify-FILE with identification.json and a page as the paper's figure 8");
     command->add_option("csv", arguments->csv, "Rows of side,direction,motor_torque_Nm,load_torque_Nm; direction is drive or backdrive")
+        ->type_name("FILE.csv")
         ->required();
-    command->add_option("-o,--out", arguments->out, "Folder that gets one folder per file")->capture_default_str();
+    command->add_option("-o,--out", arguments->out, "Folder that gets one folder per file")->type_name("FOLDER")->capture_default_str();
     add_force(*command, arguments->force);
     command->footer(
         "Example:\n  fusee identify profiles/examples/break_away.csv\n\n"

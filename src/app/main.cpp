@@ -27,13 +27,14 @@ namespace {
 
 void add_commands(CLI::App& app, Action& action) {
     for (const auto& add : {add_make, add_fix, add_simulate, add_identify, add_design, add_diagnose, add_predict, add_case_template,
-                            add_blind, add_paper, add_coupons, add_calibrate, add_check, add_rules, add_lists})
+                            add_blind, add_paper, add_coupons, add_calibrate, add_check, add_rules, add_keys, add_usage})
         add(app, action);
 }
 
 int refuse_without_command(const CLI::App& app) {
     std::vector<std::string> commands;
-    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) commands.push_back(command->get_name());
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App* command) { return !command->get_group().empty(); }))
+        commands.push_back(command->get_name());
     fmt::print(stderr, "A command is required: {}\nRun with --help for more information.\n", fmt::join(commands, ", "));
     return kBadInput;
 }
@@ -88,7 +89,9 @@ int main(int argc, char** argv) {
     CLI::App app("fusee turns the spring energies of a variable-stiffness joint into cams that a shop can print or machine", "fusee");
     app.set_version_flag("--version", core::version());
     app.require_subcommand(0, 1);  // none is refused below: CLI11 would pass over a wrong word
-    app.footer("Example:\n  fusee make profiles/pnrvsa.toml\n\nHelp on a command: fusee COMMAND --help");
+    app.footer(
+        "Example:\n  fusee make profiles/pnrvsa.toml\n\nHelp on a command: fusee COMMAND --help\nCompletion in a shell: source <(fusee "
+        "completion bash)");
     app::Action action;
     app::add_commands(app, action);
     try {

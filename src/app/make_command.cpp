@@ -36,8 +36,10 @@ void add_make(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<MakeArguments>();
     CLI::App* command =
         app.add_subcommand("make", "Turn profiles into checked cams: out/NAME with STL, 3MF, DXF, SCAD, PART.json and a report");
-    command->add_option("profiles", arguments->paths, "Profiles (*.toml), or folders of them: at least one");
-    command->add_option("-o,--out", arguments->options.out, "Folder that gets one folder per design")->capture_default_str();
+    command->add_option("profiles", arguments->paths, "Profiles (*.toml), or folders of them: at least one")->type_name("FILE.toml");
+    command->add_option("-o,--out", arguments->options.out, "Folder that gets one folder per design")
+        ->type_name("FOLDER")
+        ->capture_default_str();
     command->add_option("--via", arguments->via, "Kernel that makes the STL: cgal (direct, fast) or openscad (second, independent kernel)")
         ->check(CLI::IsMember({"cgal", "openscad"}))
         ->capture_default_str();

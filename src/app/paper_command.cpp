@@ -51,8 +51,10 @@ void add_paper(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<PaperArguments>();
     CLI::App* command =
         app.add_subcommand("paper", "Make every table and figure of the paper anew: out/paper with paper.html and a CSV file for each");
-    command->add_option("-o,--out", arguments->out, "Folder that gets the folder paper")->capture_default_str();
-    command->add_option("--profiles", arguments->options.profiles, "Folder of the shipped profiles")->capture_default_str();
+    command->add_option("-o,--out", arguments->out, "Folder that gets the folder paper")->type_name("FOLDER")->capture_default_str();
+    command->add_option("--profiles", arguments->options.profiles, "Folder of the shipped profiles")
+        ->type_name("FOLDER")
+        ->capture_default_str();
     add_jobs(*command, arguments->options.jobs, "Threads; 0 = one for each processor; no influence on the result");
     add_force(*command, arguments->force);
     command->footer(

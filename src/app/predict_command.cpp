@@ -67,11 +67,15 @@ void add_predict(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<PredictArguments>();
     CLI::App* command = app.add_subcommand(
         "predict", "Say what the model of a gap case, with or without the effects of a diagnosis, foretells for other inputs");
-    command->add_option("case", arguments->folder, "Folder of the gap case that tells the nominal rig")->required();
-    command->add_option("--effects", arguments->effects, "A diagnosis.json; without one the nominal model predicts");
+    command->add_option("case", arguments->folder, "Folder of the gap case that tells the nominal rig")->type_name("FOLDER")->required();
+    command->add_option("--effects", arguments->effects, "A diagnosis.json; without one the nominal model predicts")
+        ->type_name("FILE.json");
     command->add_option("--inputs", arguments->inputs, "Folder with CSV files named as the case's: their input columns are read")
+        ->type_name("FOLDER")
         ->required();
-    command->add_option("-o,--out", arguments->out, "Folder that gets the same files, measured columns replaced row by row")->required();
+    command->add_option("-o,--out", arguments->out, "Folder that gets the same files, measured columns replaced row by row")
+        ->type_name("FOLDER")
+        ->required();
     add_force(*command, arguments->force);
     command->footer(
         "Example:\n  fusee predict bench/monday --effects bench/monday/diagnosis/diagnosis.json --inputs bench/tuesday --out "

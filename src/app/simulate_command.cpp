@@ -66,8 +66,9 @@ void add_simulate(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<SimulateArguments>();
     CLI::App* command = app.add_subcommand(
         "simulate", "Say what the joints of profiles do: out/NAME with dead_band.csv, simulation.json and a page of pictures");
-    command->add_option("profiles", arguments->paths, "Profiles (*.toml), or folders of them: at least one");
+    command->add_option("profiles", arguments->paths, "Profiles (*.toml), or folders of them: at least one")->type_name("FILE.toml");
     command->add_option("-o,--out", arguments->out, "Folder that gets one folder per profile; what lies there already stays")
+        ->type_name("FOLDER")
         ->capture_default_str();
     command->add_option("--levels", arguments->options.levels, "Levels of co-contraction in place of the profile's")
         ->check(number_within(2, kMostLevels));

@@ -1,6 +1,7 @@
 #include "fusee/exchange/mesh_file.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -37,10 +38,17 @@ const Format* format_of(const std::filesystem::path& path) {
 
 bool is_mesh_file(const std::filesystem::path& path) { return format_of(path) != nullptr; }
 
+std::vector<std::string> mesh_endings() {
+    std::vector<std::string> endings;
+    for (const Format& format : kFormats) endings.emplace_back(format.ending);
+    return endings;
+}
+
 std::string reader_of(const std::filesystem::path& path) { return format_of(path)->library; }
 
 void require_mesh_file(const std::filesystem::path& path) {
-    if (!is_mesh_file(path)) throw core::InvalidInput("mesh", path.string(), "a file that ends in .stl, .obj, .3mf, .step or .stp");
+    if (!is_mesh_file(path))
+        throw core::InvalidInput("mesh", path.string(), fmt::format("a file that ends in {}", fmt::join(mesh_endings(), ", ")));
     std::error_code error;
     const auto status = std::filesystem::status(path, error);
     if (!std::filesystem::exists(status)) throw core::IoError(path.string(), "cannot be opened for reading: it does not exist");

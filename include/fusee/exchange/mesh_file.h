@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "fusee/solid/mesh.h"
 
@@ -32,5 +33,7 @@ inline constexpr double kTessellation_mm = 0.01, kTessellation_rad = 0.2;
 
 /// Has `path` an ending that read_mesh_file knows?
 [[nodiscard]] bool is_mesh_file(const std::filesystem::path& path);
+/// ".stl" and the others.
+[[nodiscard]] std::vector<std::string> mesh_endings();
 
 }  // namespace fusee::exchange

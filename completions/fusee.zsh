@@ -16,20 +16,20 @@ _fusee() {
         '(- *)'--version'[Display program version information and exit]' \
         '1:command:->command' '*::argument:->argument'
     local -a menu=(
-        'make:Turn profiles into checked cams'
-        'fix:Change what the findings suggest until a profile can be made'
-        'simulate:Say what the joints of profiles do'
-        'identify:Find a gear'\''s friction from break-away tests'
-        'design:Find springs for a profile'\''s joint'
-        'diagnose:Say where a built joint and its model part, which effect causes it and how far the gap shrinks with it in the model'
-        'predict:Say what the model of a gap case, with or without the effects of a diagnosis, foretells for other inputs'
-        'case-template:Write an empty gap case for a profile'\''s joint'
+        'make:Make checked cams from profiles'
+        'fix:Change a profile until it can be made'
+        'simulate:Simulate the joints of profiles'
+        'identify:Identify the friction of a gear from break-away tests'
+        'design:Find springs for the joint of a profile'
+        'diagnose:Diagnose a built joint'
+        'predict:Predict the measurements of a gap case for other inputs, with or without the effects of a diagnosis'
+        'case-template:Write an empty gap case for the joint of a profile'
         'blind:Benchmark the diagnosis on sealed cases'
-        'paper:Make every table and figure of the paper anew'
-        'coupons:Make test pieces for a profile'\''s machine and cable'
-        'calibrate:Turn measured coupons into a profile'\''s compensation'
-        'check:Run every rule on a profile'\''s cams, or on a third-party mesh, without making files'
-        'rules:List every manufacturability rule with its limits and sources'
+        'paper:Reproduce every table and figure of the paper'
+        'coupons:Make test pieces for the machine and the cable of a profile'
+        'calibrate:Compute the compensation of a profile from measured coupons'
+        'check:Check the cams of a profile, or a third-party mesh, against every rule'
+        'rules:List every rule with its limits and sources'
         'keys:List every key of a profile with unit, allowed values and default'
     )
     case $state in
@@ -41,77 +41,77 @@ _fusee() {
 _fusee_make() {
     _arguments -s \
         '(- *)'{-h,--help}'[Print this help message and exit]' \
-        '(-o --out)'{-o+,--out=}'[Folder that gets one folder per design]'':folder:_files -/' \
+        '(-o --out)'{-o+,--out=}'[Folder of the results]'':folder:_files -/' \
         '(--via)'--via='[Kernel that makes the STL]'':choice:(cgal openscad)' \
-        '(--force)'--force'[Also replace files that were made from another source or changed since]' \
-        '(-j --jobs)'{-j+,--jobs=}'[Designs made at the same time]'':0 to 1024: ' \
+        '(--force)'--force'[Also replace files of another source and changed files]' \
+        '(-j --jobs)'{-j+,--jobs=}'[Number of designs made at the same time]'':0 to 1024: ' \
         '*'':file:_files -g "*.(toml)(-.)"'
 }
 
 _fusee_fix() {
     _arguments -s \
         '(- *)'{-h,--help}'[Print this help message and exit]' \
-        '(-o --out)'{-o+,--out=}'[File that gets the new profile]'':file:_files -g "*.(toml)(-.)"' \
-        '(--reviews)'--reviews'[Take away what is to be reviewed and accepted, too]' \
-        '*'--keep='[Key or table that is not changed, as k_pe.hub.bore_mm or cable]'':key:__fusee_keys' \
-        '(--most)'--most='[Profiles judged before the search gives up]'':1 to 1000000: ' \
+        '(-o --out)'{-o+,--out=}'[File of the new profile]'':file:_files -g "*.(toml)(-.)"' \
+        '(--reviews)'--reviews'[Also remove the warnings]' \
+        '*'--keep='[Key or table that stays unchanged, such as k_pe.hub.bore_mm or cable]'':key:__fusee_keys' \
+        '(--most)'--most='[Largest number of profiles that the search judges]'':1 to 1000000: ' \
         '(--json)'--json'[Print the changes as JSON instead of text]' \
-        '(--force)'--force'[Replace the file if it stands there already]' \
+        '(--force)'--force'[Replace the file if it exists]' \
         '1'':file:_files -g "*.(toml)(-.)"'
 }
 
 _fusee_simulate() {
     _arguments -s \
         '(- *)'{-h,--help}'[Print this help message and exit]' \
-        '(-o --out)'{-o+,--out=}'[Folder that gets one folder per profile]'':folder:_files -/' \
-        '(--levels)'--levels='[Levels of co-contraction in place of the profile'\''s]'':2 to 1000: ' \
+        '(-o --out)'{-o+,--out=}'[Folder of the results]'':folder:_files -/' \
+        '(--levels)'--levels='[Number of levels of co-contraction]'':2 to 1000: ' \
         '(--push-torque)'--push-torque='[Joint torque of the push-and-release test \[Nm\]]'':0 to 10000: ' \
-        '*'--at='[Torques of agonist, antagonist and joint \[Nm\] at which equilibrium, sensitivity and dead-band are asked for, such as 1,0.8,0]'':T1,T2,TQ: ' \
-        '(--force)'--force'[Also replace files that were made from another source or changed since]' \
-        '(-j --jobs)'{-j+,--jobs=}'[Profiles simulated at the same time]'':0 to 1024: ' \
+        '*'--at='[Torques of agonist, antagonist and joint \[Nm\], such as 1,0.8,0]'':T1,T2,TQ: ' \
+        '(--force)'--force'[Also replace files of another source and changed files]' \
+        '(-j --jobs)'{-j+,--jobs=}'[Number of profiles simulated at the same time]'':0 to 1024: ' \
         '*'':file:_files -g "*.(toml)(-.)"'
 }
 
 _fusee_identify() {
     _arguments -s \
         '(- *)'{-h,--help}'[Print this help message and exit]' \
-        '(-o --out)'{-o+,--out=}'[Folder that gets one folder per file]'':folder:_files -/' \
-        '(--force)'--force'[Also replace files that were made from another source or changed since]' \
+        '(-o --out)'{-o+,--out=}'[Folder of the results]'':folder:_files -/' \
+        '(--force)'--force'[Also replace files of another source and changed files]' \
         '1'':file:_files -g "*.(csv)(-.)"'
 }
 
 _fusee_design() {
     _arguments -s \
         '(- *)'{-h,--help}'[Print this help message and exit]' \
-        '(--method)'--method='[In place of the profile'\''s]'':choice:(algorithm_1 co_design pareto)' \
-        '(-o --out)'{-o+,--out=}'[Folder that gets NAME-design and NAME-design.checkpoint]'':folder:_files -/' \
-        '(--population)'--population='[Members of a generation, in place of the profile'\''s]'':8 to 100000: ' \
-        '(--generations)'--generations='[Generations, in place of the profile'\''s]'':1 to 1000000: ' \
-        '(--seed)'--seed='[Seed, in place of the profile'\''s]'':0 to 1000000000: ' \
-        '(-j --jobs)'{-j+,--jobs=}'[Threads]'':0 to 1024: ' \
-        '(--resume)'--resume'[Go on from the checkpoint of a search that was stopped]' \
-        '(--force)'--force'[Also replace files that were made from another source or changed since]' \
+        '(--method)'--method='[Method of the search]'':choice:(algorithm_1 co_design pareto)' \
+        '(-o --out)'{-o+,--out=}'[Folder of NAME-design and NAME-design.checkpoint]'':folder:_files -/' \
+        '(--population)'--population='[Size of a generation]'':8 to 100000: ' \
+        '(--generations)'--generations='[Number of generations]'':1 to 1000000: ' \
+        '(--seed)'--seed='[Seed]'':0 to 1000000000: ' \
+        '(-j --jobs)'{-j+,--jobs=}'[Number of threads]'':0 to 1024: ' \
+        '(--resume)'--resume'[Continue a stopped search from its checkpoint]' \
+        '(--force)'--force'[Also replace files of another source and changed files]' \
         '1'':file:_files -g "*.(toml)(-.)"'
 }
 
 _fusee_diagnose() {
     _arguments -s \
         '(- *)'{-h,--help}'[Print this help message and exit]' \
-        '(-o --out)'{-o+,--out=}'[Folder that gets diagnosis.json and diagnosis.html]'':folder:_files -/' \
-        '(--profile)'--profile='[Profile that the rig was made from]'':file:_files -g "*.(toml)(-.)"' \
-        '(--write-profile)'--write-profile='[File that gets the profile corrected for the rig as it is, to cut new cams from by fusee make]'':file:_files -g "*.(toml)(-.)"' \
-        '(-j --jobs)'{-j+,--jobs=}'[Threads]'':0 to 1024: ' \
-        '(--force)'--force'[Also replace files that were made from another source or changed since]' \
+        '(-o --out)'{-o+,--out=}'[Folder of diagnosis.json and diagnosis.html]'':folder:_files -/' \
+        '(--profile)'--profile='[Profile of the rig]'':file:_files -g "*.(toml)(-.)"' \
+        '(--write-profile)'--write-profile='[File of the profile that suits the rig as diagnosed]'':file:_files -g "*.(toml)(-.)"' \
+        '(-j --jobs)'{-j+,--jobs=}'[Number of threads]'':0 to 1024: ' \
+        '(--force)'--force'[Also replace files of another source and changed files]' \
         '1'':folder:_files -/'
 }
 
 _fusee_predict() {
     _arguments -s \
         '(- *)'{-h,--help}'[Print this help message and exit]' \
-        '(--effects)'--effects='[A diagnosis.json]'':file:_files -g "*.(json)(-.)"' \
-        '(--inputs)'--inputs='[Folder with CSV files named as the case'\''s]'':folder:_files -/' \
-        '(-o --out)'{-o+,--out=}'[Folder that gets the same files, measured columns replaced row by row]'':folder:_files -/' \
-        '(--force)'--force'[Also replace files that were made from another source or changed since]' \
+        '(--effects)'--effects='[diagnosis.json with the effects]'':file:_files -g "*.(json)(-.)"' \
+        '(--inputs)'--inputs='[Folder of CSV files with the same names as in the case]'':folder:_files -/' \
+        '(-o --out)'{-o+,--out=}'[Folder of the same files with predicted values in the measured columns]'':folder:_files -/' \
+        '(--force)'--force'[Also replace files of another source and changed files]' \
         '1'':folder:_files -/'
 }
 
@@ -119,7 +119,7 @@ _fusee_case-template() {
     _arguments -s \
         '(- *)'{-h,--help}'[Print this help message and exit]' \
         '(-o --out)'{-o+,--out=}'[Folder of the case]'':folder:_files -/' \
-        '(--force)'--force'[Also replace files that were made from another source or changed since]' \
+        '(--force)'--force'[Also replace files of another source and changed files]' \
         '1'':file:_files -g "*.(toml)(-.)"'
 }
 
@@ -130,8 +130,8 @@ _fusee_blind() {
         '(- *)'{-h,--help}'[Print this help message and exit]' \
         '1:command:->command' '*::argument:->argument'
     local -a menu=(
-        'make:Write cases of rigs that the model does not know, and a sealed file of what is wrong with them'
-        'score:Diagnose every case, then open the seal and say how many were right'
+        'make:Make gap cases of simulated rigs, and a sealed file with their faults'
+        'score:Diagnose every case, then open the seal and count the correct diagnoses'
     )
     case $state in
         command) _describe command menu ;;
@@ -142,71 +142,71 @@ _fusee_blind() {
 _fusee_blind_make() {
     _arguments -s \
         '(- *)'{-h,--help}'[Print this help message and exit]' \
-        '(--seed)'--seed='[The same seed gives the same benchmark]'':0 to 18446744073709551615: ' \
-        '(--cases)'--cases='[How many cases]'':1 to 10000: ' \
-        '(-o --out)'{-o+,--out=}'[Folder that gets them]'':folder:_files -/' \
-        '(--force)'--force'[Also replace files that were made from another source or changed since]' \
-        '(--plant)'--plant='[Who makes the measurements]'':choice:(plant model)' \
-        '(-j --jobs)'{-j+,--jobs=}'[Threads]'':0 to 1024: '
+        '(--seed)'--seed='[Seed]'':0 to 18446744073709551615: ' \
+        '(--cases)'--cases='[Number of cases]'':1 to 10000: ' \
+        '(-o --out)'{-o+,--out=}'[Folder of the benchmark]'':folder:_files -/' \
+        '(--force)'--force'[Also replace files of another source and changed files]' \
+        '(--plant)'--plant='[Source of the measurements]'':choice:(plant model)' \
+        '(-j --jobs)'{-j+,--jobs=}'[Number of threads]'':0 to 1024: '
 }
 
 _fusee_blind_score() {
     _arguments -s \
         '(- *)'{-h,--help}'[Print this help message and exit]' \
-        '(--seal)'--seal='[The hash that fusee blind make printed]'':TEXT: ' \
-        '(--model)'--model='[A benchmark made with --plant model]'':folder:_files -/' \
-        '(--limit)'--limit='[The first cases only]'':UINT: ' \
-        '(--again)'--again'[Make diagnoses anew that are there already]' \
-        '(-j --jobs)'{-j+,--jobs=}'[Cases side by side]'':0 to 1024: ' \
-        '(-o --out)'{-o+,--out=}'[Folder that gets score.json and score.html]'':folder:_files -/' \
-        '(--force)'--force'[Also replace files that were made from another source or changed since]' \
+        '(--seal)'--seal='[Hash that fusee blind make printed]'':TEXT: ' \
+        '(--model)'--model='[Benchmark made with --plant model]'':folder:_files -/' \
+        '(--limit)'--limit='[Number of cases, from the first]'':UINT: ' \
+        '(--again)'--again'[Repeat existing diagnoses]' \
+        '(-j --jobs)'{-j+,--jobs=}'[Number of cases diagnosed at the same time]'':0 to 1024: ' \
+        '(-o --out)'{-o+,--out=}'[Folder of score.json and score.html]'':folder:_files -/' \
+        '(--force)'--force'[Also replace files of another source and changed files]' \
         '1'':folder:_files -/'
 }
 
 _fusee_paper() {
     _arguments -s \
         '(- *)'{-h,--help}'[Print this help message and exit]' \
-        '(-o --out)'{-o+,--out=}'[Folder that gets the folder paper]'':folder:_files -/' \
+        '(-o --out)'{-o+,--out=}'[Folder that contains the result, the folder paper]'':folder:_files -/' \
         '(--profiles)'--profiles='[Folder of the shipped profiles]'':folder:_files -/' \
-        '(-j --jobs)'{-j+,--jobs=}'[Threads]'':0 to 1024: ' \
-        '(--force)'--force'[Also replace files that were made from another source or changed since]'
+        '(-j --jobs)'{-j+,--jobs=}'[Number of threads]'':0 to 1024: ' \
+        '(--force)'--force'[Also replace files of another source and changed files]'
 }
 
 _fusee_coupons() {
     _arguments -s \
         '(- *)'{-h,--help}'[Print this help message and exit]' \
-        '(-o --out)'{-o+,--out=}'[Folder that gets NAME-coupons]'':folder:_files -/' \
-        '(--force)'--force'[Also replace files that were made from another source or changed since]' \
+        '(-o --out)'{-o+,--out=}'[Folder that contains the result, the folder NAME-coupons]'':folder:_files -/' \
+        '(--force)'--force'[Also replace files of another source and changed files]' \
         '1'':file:_files -g "*.(toml)(-.)"'
 }
 
 _fusee_calibrate() {
     _arguments -s \
         '(- *)'{-h,--help}'[Print this help message and exit]' \
-        '(--profile)'--profile='[Profile that the coupons were made from]'':file:_files -g "*.(toml)(-.)"' \
-        '(--write-profile)'--write-profile='[File that gets the profile with what was found]'':file:_files -g "*.(toml)(-.)"' \
+        '(--profile)'--profile='[Profile of the coupons]'':file:_files -g "*.(toml)(-.)"' \
+        '(--write-profile)'--write-profile='[File of the calibrated profile]'':file:_files -g "*.(toml)(-.)"' \
         '(--json)'--json'[Print JSON]' \
-        '(--force)'--force'[Replace the file if it stands there already]' \
+        '(--force)'--force'[Replace the file if it exists]' \
         '1'':file:_files -g "*.(csv)(-.)"'
 }
 
 _fusee_check() {
     _arguments -s \
         '(- *)'{-h,--help}'[Print this help message and exit]' \
-        '(--process)'--process='[How it is made, in place of the profile'\''s]'':choice:(fdm sla sls mill mill4 edm laser all)' \
-        '(--profile)'--profile='[Of a mesh]'':file:_files -g "*.(toml)(-.)"' \
-        '(--limits)'--limits='[Of a mesh]'':file:_files -g "*.(toml)(-.)"' \
-        '(-o --out)'{-o+,--out=}'[Of a mesh]'':folder:_files -/' \
-        '(--json)'--json'[As JSON]' \
-        '(-j --jobs)'{-j+,--jobs=}'[Threads for a mesh]'':0 to 1024: ' \
-        '(--force)'--force'[Also replace files that were made from another source or changed since]' \
+        '(--process)'--process='[Process]'':choice:(fdm sla sls mill mill4 edm laser all)' \
+        '(--profile)'--profile='[Profile whose \[process\] states machine and limits]'':file:_files -g "*.(toml)(-.)"' \
+        '(--limits)'--limits='[File of \[\[limits\]\], each with its reason]'':file:_files -g "*.(toml)(-.)"' \
+        '(-o --out)'{-o+,--out=}'[Folder of NAME_check.3mf, which shows the findings in colours]'':folder:_files -/' \
+        '(--json)'--json'[Print JSON]' \
+        '(-j --jobs)'{-j+,--jobs=}'[Number of threads for a mesh]'':0 to 1024: ' \
+        '(--force)'--force'[Also replace files of another source and changed files]' \
         '1'':file:_files -g "*.(toml|stl|obj|3mf|step|stp)(-.)"'
 }
 
 _fusee_rules() {
     _arguments -s \
         '(- *)'{-h,--help}'[Print this help message and exit]' \
-        '(--json)'--json'[As JSON]'
+        '(--json)'--json'[Print JSON]'
 }
 
 _fusee_keys() {

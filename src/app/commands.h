@@ -4,7 +4,7 @@
 
 namespace fusee::app {
 
-/// What a parsed command line asks for: returns the exit code.
+/// The work of a parsed command line; returns the exit code.
 using Action = std::function<int()>;
 
 /// Each adds its subcommand(s) to `app` and sets `action` when the user calls one.

@@ -77,6 +77,6 @@ std::vector<const Command*> all_commands(const Command& command) {
     return all;
 }
 
-std::string headline(const std::string& text) { return text.substr(0, std::min(text.find(": "), text.find("; "))); }
+std::string headline(const std::string& text) { return text.substr(0, std::min({text.find(": "), text.find("; "), text.find(". ")})); }
 
 }  // namespace fusee::app

@@ -45,7 +45,7 @@ struct Command {
 [[nodiscard]] Command read_command_tree(const CLI::App& program);
 /// The command and all below it, each before its subcommands.
 [[nodiscard]] std::vector<const Command*> all_commands(const Command& command);
-/// The text up to the first ": " or "; ": one line of a menu.
+/// The text up to the first ": ", "; " or ". ": one line of a menu.
 [[nodiscard]] std::string headline(const std::string& text);
 
 }  // namespace fusee::app

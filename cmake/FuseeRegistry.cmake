@@ -1,14 +1,16 @@
-# fusee_registry(Rule a/b.cpp ...): a file registers by its place alone: cable/bend_ratio.cpp defines `Rule cable_bend_ratio()`, found under
-# the id "cable.bend_ratio". Writes rule_registry.h with `kRegistered`, the ids and functions by id, to be included inside the module's namespace.
+# fusee_registry(Rule [PREFIX make_] a/b.cpp ...): a file registers by its place alone: cable/bend_ratio.cpp defines `Rule cable_bend_ratio()`,
+# found under the id "cable.bend_ratio"; with PREFIX make_ it is `make_cable_bend_ratio()`. Writes rule_registry.h with `kRegistered`, the ids
+# and functions by id, to be included inside the module's namespace.
 function(fusee_registry type)
+  cmake_parse_arguments(R "" "PREFIX" "" ${ARGN})
   set(declared "")
   set(listed "")
-  list(SORT ARGN)
-  foreach(file IN LISTS ARGN)
+  list(SORT R_UNPARSED_ARGUMENTS)
+  foreach(file IN LISTS R_UNPARSED_ARGUMENTS)
     file(RELATIVE_PATH id "${CMAKE_CURRENT_SOURCE_DIR}" "${file}")
     string(REGEX REPLACE "\\.cpp$" "" id "${id}")
     string(REPLACE "/" "." id "${id}")
-    string(REPLACE "." "_" function "${id}")
+    string(REPLACE "." "_" function "${R_PREFIX}${id}")
     string(APPEND declared "${type} ${function}();\n")
     string(APPEND listed "    {\"${id}\", ${function}},\n")
   endforeach()

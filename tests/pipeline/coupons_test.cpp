@@ -6,6 +6,7 @@
 #include "fusee/batch/batch.h"
 #include "fusee/exchange/stl.h"
 #include "fusee/exchange/three_mf.h"
+#include "fusee/formats/format.h"
 #include "fusee/pipeline/design.h"
 #include "fusee/readback/bore.h"
 #include "fusee/solid/validity.h"

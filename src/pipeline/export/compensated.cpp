@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 
 #include "fusee/checks/check.h"
 #include "fusee/core/units.h"
@@ -66,18 +65,6 @@ core::Finding judge_bore(const fs::path& stl, const exchange::PartFile& part) {
     return core::judged(f, core::Severity::kError);
 }
 
-/// Scaling and rounding must not fold a valid solid.
-std::optional<core::Finding> folded(const solid::Mesh& mesh, const std::string& where) {
-    const solid::Validity validity = solid::validate(mesh);
-    if (validity.good()) return std::nullopt;
-    core::Finding f = core::error_finding("solid.validity", "the compensated solid is not valid: " + validity.line(), 0.0,
-                                          core::Bound::kAtLeast, 1.0, "");
-    f.where = where;
-    f.suggestion = "compensation.shrink_x_percent and the others rounded to 0.1";
-    f.source = "CGAL: closed, oriented, one component, no self-intersection";
-    return f;
-}
-
 /// The mesh formats that the profile asks for.
 std::vector<formats::Format> mesh_formats(const profile::Profile& profile) {
     std::vector<formats::Format> found;
@@ -106,7 +93,9 @@ void write_compensated(PartExport& out, const profile::Profile& profile) {
     const auto part = c.bore_offset == 0.0 ? core::Outcome<solid::Part>(out.part) : solid::with_wider_bore(out.part, c.bore_offset);
     if (!part) return core::append(out.findings, of_file(part.refusal()));
     const solid::Mesh mesh = solid::grown(part->mesh, c.shrink);
-    if (const auto fault = folded(mesh, out.name())) return out.findings.push_back(*fault);
+    if (const solid::Validity validity = solid::validate(mesh); !validity.good())  // scaled and rounded, faces may meet
+        return out.findings.push_back(solid::invalid_solid(validity, "the compensated solid", out.name(),
+                                                           "compensation.shrink_x_percent and the others rounded to 0.1"));
     exchange::PartFile file = exchange::describe_part(out.part, out.spring, {}, out.provenance);
     file.compensated = stated(out, c);
     file.provenance = provenance_of(out, c);

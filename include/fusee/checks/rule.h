@@ -46,7 +46,7 @@ struct RuleInfo {
     std::vector<Limit> limits;  ///< all that it holds something against
 
     [[nodiscard]] std::string_view group() const;                  ///< the id before its point
-    [[nodiscard]] core::Severity severity() const;                 ///< the gravest that it can find
+    [[nodiscard]] core::Severity severity() const;                 ///< the most severe that it can find
     [[nodiscard]] const Limit* limit(std::string_view key) const;  ///< nullptr if it has no such limit
 };
 /// The Markdown tables of docs/rules.md, one for each group in turn.

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <optional>
 
 #include "family.h"
 #include "fusee/checks/check.h"
@@ -15,24 +16,25 @@ namespace {
 struct Group {
     std::string_view id;
     const char* title;
+    std::optional<cam::Family> family = {};  ///< of its rules; none: any, but for the rules that name theirs
 };
 constexpr std::array kGroups = {
-    Group{"cable", "the cable on its way"},
+    Group{"cable", "the cable on its way", cam::Family::kCable},
     Group{"cam", "arms and the room that the cam turns in"},
-    Group{"groove", "the groove's section"},
+    Group{"groove", "the groove's section", cam::Family::kCable},
     Group{"spring", "the base spring"},
     Group{"structure", "walls, flanges and the anchor"},
     Group{"shaft", "shaft and hub"},
-    Group{"roller", "a follower's roller on the rim"},
+    Group{"roller", "a follower's roller on the rim", cam::Family::kRoller},
     Group{"process", "any process"},
     Group{"fdm", "printing filament"},
     Group{"sla", "printing resin"},
     Group{"sls", "printing powder"},
     Group{"mill", "milling, three or four axes"},
-    Group{"mill4", "milling with a fourth axis"},
+    Group{"mill4", "milling with a fourth axis", cam::Family::kCable},
     Group{"stack", "plates cut by wire or laser, stacked"},
     Group{"assembly", "putting it together"},
-    Group{"collision", "rules of the trade that contradict each other"},
+    Group{"collision", "rules of the trade that contradict each other", cam::Family::kCable},
     Group{"mesh", "third-party meshes (fusee check)"},
 };
 
@@ -63,6 +65,7 @@ std::span<const Rule> rules() {
             for (const Registered& file : kRegistered)
                 if (Rule rule = file.make(); rule.group() == group.id) {
                     assert(rule.id == std::string_view(file.id) && "a rule's id is group.file");
+                    if (!rule.family) rule.family = group.family;
                     made.push_back(std::move(rule));
                 }
         return made;

@@ -42,9 +42,9 @@ std::string_view RuleInfo::group() const {
 }
 
 core::Severity RuleInfo::severity() const {
-    core::Severity gravest = core::Severity::kPass;
-    for (const Limit& l : limits) gravest = std::max(gravest, l.severity);
-    return gravest;
+    core::Severity most_severe = core::Severity::kPass;
+    for (const Limit& l : limits) most_severe = std::max(most_severe, l.severity);
+    return most_severe;
 }
 
 const Limit* RuleInfo::limit(std::string_view key) const {

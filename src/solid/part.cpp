@@ -92,15 +92,8 @@ void validate_options(const std::string& part, const PartOptions& o) {
 }
 
 core::Finding invalid(const cam::Cam& cam, const Validity& validity) {
-    core::Finding f = refusal("solid.validity", "the solid is not valid: " + validity.line(), validity.good() ? 1.0 : 0.0, 1.0,
-                              to_string(cam.kind), "a wider rib or pitch, or a shallower groove, so that no face meets another");
-    f.unit = "";
-    if (const auto& at = validity.meeting_mm) {
-        f.where = fmt::format("{}, its faces meet at x {:.2f}, y {:.2f}, z {:.2f} mm", to_string(cam.kind), (*at)[0], (*at)[1], (*at)[2]);
-        f.place = core::Place{std::atan2((*at)[1], (*at)[0]), *at};
-    }
-    f.source = "CGAL: closed, oriented, one component, no self-intersection";
-    return f;
+    return invalid_solid(validity, "the solid", to_string(cam.kind),
+                         "a wider rib or pitch, or a shallower groove, so that no face meets another");
 }
 
 /// Rounds to the file's digits. Where a cut passes within a micrometre of an edge of the body, slivers that `cut` leaves can fold over with

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
 #include <vector>
@@ -47,6 +48,19 @@ Validity validate(const Mesh& mesh) {
     validity.outward =
         validity.closed && !validity.self_intersecting && pmp::does_bound_a_volume(surface) && pmp::is_outward_oriented(surface);
     return validity;
+}
+
+core::Finding invalid_solid(const Validity& validity, const std::string& solid, const std::string& part, std::string suggestion) {
+    core::Finding f = core::error_finding("solid.validity", solid + " is not valid: " + validity.line(), validity.good() ? 1.0 : 0.0,
+                                          core::Bound::kAtLeast, 1.0, "");
+    f.where = part;
+    if (const auto& at = validity.meeting_mm) {
+        f.where += fmt::format(", its faces meet at x {:.2f}, y {:.2f}, z {:.2f} mm", (*at)[0], (*at)[1], (*at)[2]);
+        f.place = core::Place{std::atan2((*at)[1], (*at)[0]), *at};
+    }
+    f.suggestion = std::move(suggestion);
+    f.source = "CGAL: closed, oriented, one component, no self-intersection";
+    return f;
 }
 
 }  // namespace fusee::solid

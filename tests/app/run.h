@@ -18,7 +18,7 @@ struct Ended {
 
 class Program : public fixtures::TempFolder {
 protected:
-    /// Runs `fusee ARGUMENTS` in the test's folder; the arguments go through the shell. More than 20 s is a hang: exit code 124.
+    /// Runs `fusee ARGUMENTS` in the test's folder; the arguments go through the shell. More than 120 s is a hang: exit code 124.
     Ended run(const std::string& arguments) const {
         const std::string out = (folder_ / ".stdout").string(), err = (folder_ / ".stderr").string();
         const std::string command =

@@ -3,7 +3,7 @@
 #include "exchange/fixtures/disc.h"
 #include "exchange/fixtures/expect_refusal.h"
 #include "fusee/core/file.h"
-#include "fusee/readback/readback.h"
+#include "fusee/formats/format.h"
 
 namespace fusee::readback {
 namespace {
@@ -45,7 +45,7 @@ protected:
     [[nodiscard]] ArmError read(const std::string& text, PartFile part) const {
         core::write_file(folder_ / "a.gcode", text);
         part.files = {{"a.gcode", core::sha256_hex(text), 0, 0.2}};
-        const std::vector<ArmError> errors = read_back(folder_, part);
+        const std::vector<ArmError> errors = formats::read_back(folder_, part);
         EXPECT_EQ(errors.size(), 1u);
         return errors.front();
     }

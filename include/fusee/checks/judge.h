@@ -39,9 +39,9 @@ private:
     std::span<const Override> overrides_;
 };
 
-/// A judged finding without words: against the first bar that is broken, else against the last. A value that misses its limit only by
-/// rounding (1e-9 relative) is on it. @pre at least one bar
-core::Finding judge(double measured, std::initializer_list<EffectiveLimit> bars);
+/// A judged finding without words: against the first limit that is broken, else against the last. A value that misses its limit only by
+/// rounding (1e-9 relative) is on it. @pre at least one limit, the most severe first
+core::Finding judge(double measured, std::initializer_list<EffectiveLimit> limits);
 
 /// Fills in what all findings of a rule have in common: id, source, no suggestion where nothing is wrong, whose limit it is and why.
 /// @param where for findings that name no place

@@ -1,11 +1,13 @@
 #pragma once
 #include <array>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "fusee/cam/roller.h"
 #include "fusee/core/finding.h"
 
 namespace fusee::checks {
@@ -44,7 +46,7 @@ struct RuleInfo {
     std::vector<Limit> limits;  ///< all that it holds something against
 
     [[nodiscard]] std::string_view group() const;                  ///< the id before its point
-    [[nodiscard]] core::Severity severity() const;                 ///< the gravest that it can find
+    [[nodiscard]] core::Severity severity() const;                 ///< the most severe that it can find
     [[nodiscard]] const Limit* limit(std::string_view key) const;  ///< nullptr if it has no such limit
 };
 /// The Markdown tables of docs/rules.md, one for each group in turn.
@@ -73,6 +75,7 @@ struct Rule : RuleInfo {
     bool needs_mesh = false;                   ///< looks at the solid, not only at cam, options and springs
     std::vector<Need> needs = {};              ///< without one of them the rule is not judged
     bool (*applies)(const Design&) = nullptr;  ///< to which designs; nullptr: `measure` sees to it, or to all
+    std::optional<cam::Family> family = {};    ///< of the parts that it is about; none: that of its group
 
     /// The rule on one part, with the design's overrides in place of its own limits. Where it applies and the profile leaves open what it
     /// needs: one finding that was not judged and names the missing keys.

@@ -2,6 +2,7 @@
 #include <optional>
 #include <string>
 
+#include "fusee/core/finding.h"
 #include "fusee/solid/mesh.h"
 
 namespace fusee::solid {
@@ -18,5 +19,9 @@ struct Validity {
     [[nodiscard]] std::string line() const;
 };
 [[nodiscard]] Validity validate(const Mesh& mesh);
+
+/// Finding "solid.validity". @param solid "the solid" @param part "k_se"
+[[nodiscard]] core::Finding invalid_solid(const Validity& validity, const std::string& solid, const std::string& part,
+                                          std::string suggestion);
 
 }  // namespace fusee::solid

@@ -36,12 +36,12 @@ core::Findings measure_cam_arm_range(const Design& design, const Allowed& allowe
 }  // namespace
 
 Rule cam_arm_range() {
-    return {"cam.arm_range",
-            "an arm too short to hold bore, wall and cable",
-            "least arm",
-            "geometry: r >= bore + wall + d/2",
-            {required(kAtLeast, "mm", "bore + wall + d/2; overhung: d/2")},
-            measure_cam_arm_range};
+    return on_cable({"cam.arm_range",
+                     "an arm too short to hold bore, wall and cable",
+                     "least arm",
+                     "geometry: r >= bore + wall + d/2",
+                     {required(kAtLeast, "mm", "bore + wall + d/2; overhung: d/2")},
+                     measure_cam_arm_range});
 }
 
 }  // namespace fusee::checks

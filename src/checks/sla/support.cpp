@@ -20,12 +20,12 @@ core::Findings measure_sla_support(const Design& design, const Allowed& allowed)
 }  // namespace
 
 Rule sla_support() {
-    return {"sla.support",
-            "supports that scar the groove",
-            "SLA, axis upright: lean of the groove's upper flank from the vertical",
-            "19 deg from the horizontal carry themselves (practice)",
-            {review(kAtMost, "deg", 71.0)},
-            measure_sla_support};
+    return on_cable({"sla.support",
+                     "supports that scar the groove",
+                     "SLA, axis upright: lean of the groove's upper flank from the vertical",
+                     "19 deg from the horizontal carry themselves (practice)",
+                     {review(kAtMost, "deg", 71.0)},
+                     measure_sla_support});
 }
 
 }  // namespace fusee::checks

@@ -12,8 +12,8 @@ namespace {
 
 constexpr double kReview = 0.80, kMost = 0.85;  // of the travel to solid; beyond, coils touch and the rate rises
 
-core::Finding against(const Design& design, std::initializer_list<EffectiveLimit> bars, const std::string& what) {
-    core::Finding f = judge(core::mm_from_m(largest_state(design)), bars);
+core::Finding against(const Design& design, std::initializer_list<EffectiveLimit> limits, const std::string& what) {
+    core::Finding f = judge(core::mm_from_m(largest_state(design)), limits);
     f.what = what;
     f.suggestion = limit_state(design, core::m_from_mm(f.allowed));
     return f;

@@ -24,12 +24,12 @@ core::Findings measure_stack_climb(const Design& design, const Allowed& allowed)
 }  // namespace
 
 Rule stack_climb() {
-    return {"stack.climb",
-            "a climbing groove that flat plates cannot hold",
-            "plates: height that the groove gains",
-            "geometry: plates are flat",
-            {required(kAtMost, "mm", 0.0)},
-            measure_stack_climb};
+    return on_cable({"stack.climb",
+                     "a climbing groove that flat plates cannot hold",
+                     "plates: height that the groove gains",
+                     "geometry: plates are flat",
+                     {required(kAtMost, "mm", 0.0)},
+                     measure_stack_climb});
 }
 
 }  // namespace fusee::checks

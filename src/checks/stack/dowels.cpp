@@ -28,12 +28,12 @@ core::Findings measure_stack_dowels(const Design& design, const Allowed& allowed
 }  // namespace
 
 Rule stack_dowels() {
-    return {"stack.dowels",
-            "plates that cannot be aligned",
-            "plates: diameter of the largest circles about two opposite dowels that meet nothing",
-            "two dowels of 2 mm, a wall on both sides (practice)",
-            {required(kAtLeast, "mm", "2 mm + 2 walls of the process")},
-            measure_stack_dowels};
+    return on_cable({"stack.dowels",
+                     "plates that cannot be aligned",
+                     "plates: diameter of the largest circles about two opposite dowels that meet nothing",
+                     "two dowels of 2 mm, a wall on both sides (practice)",
+                     {required(kAtLeast, "mm", "2 mm + 2 walls of the process")},
+                     measure_stack_dowels});
 }
 
 }  // namespace fusee::checks

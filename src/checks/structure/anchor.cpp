@@ -60,12 +60,12 @@ core::Findings measure_structure_anchor(const Design& design, const Allowed& all
 }  // namespace
 
 Rule structure_anchor() {
-    return {"structure.anchor",
-            "the anchor hole breaking into bore, slot or another turn",
-            "least wall from the hole to bore, slot and the turns above",
-            "the process's thinnest wall",
-            {required(kAtLeast, "mm", "the process's wall")},
-            measure_structure_anchor};
+    return on_cable({"structure.anchor",
+                     "the anchor hole breaking into bore, slot or another turn",
+                     "least wall from the hole to bore, slot and the turns above",
+                     "the process's thinnest wall",
+                     {required(kAtLeast, "mm", "the process's wall")},
+                     measure_structure_anchor});
 }
 
 }  // namespace fusee::checks

@@ -57,12 +57,12 @@ core::Findings measure_structure_anchor_floor(const Design& design, const Allowe
 }  // namespace
 
 Rule structure_anchor_floor() {
-    return {"structure.anchor_floor",
-            "the anchor hole taking away the groove's floor where the cable works",
-            "least distance from the hole to the working floor",
-            "geometry: the arm is made by the floor",
-            {required(kAtLeast, "mm", "half a cable")},
-            measure_structure_anchor_floor};
+    return on_cable({"structure.anchor_floor",
+                     "the anchor hole taking away the groove's floor where the cable works",
+                     "least distance from the hole to the working floor",
+                     "geometry: the arm is made by the floor",
+                     {required(kAtLeast, "mm", "half a cable")},
+                     measure_structure_anchor_floor});
 }
 
 }  // namespace fusee::checks

@@ -72,7 +72,7 @@ void require_parts(const profile::Profile& profile) {
         throw core::InvalidInput(
             "k_se.spring.rate_Nm_per_rad", "missing",
             "[cable], [process], [k_se.spring] and [k_pe.spring] to make parts; without them a profile can be simulated");
-    if (profile.outputs.dxf && profile.outputs.kerf > 0.0)
+    if (profile.outputs.has("dxf") && profile.outputs.kerf > 0.0)
         for (const profile::PartSpec* spec : {&profile.k_se, &profile.k_pe})
             exchange::require_kerf(core::mm_from_m(profile.outputs.kerf), spec->solid.hub);
 }

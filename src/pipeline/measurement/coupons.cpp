@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "export/part_export.h"
+#include "export/judge.h"
 #include "fusee/checks/limits.h"
 #include "fusee/core/file.h"
 #include "fusee/core/output_folder.h"
@@ -116,7 +116,7 @@ public:
         for (std::size_t i = before; i < made_.files.size(); ++i) entries.push_back(made_.files[i].entry);
         const fs::path json = folder_ / "disc.json";
         exchange::write_part_file(json, exchange::describe_part(disc.part, disc.spring, entries, provenance_));
-        for (const readback::ArmError& error : readback::read_back(folder_, exchange::read_part_file(json)))
+        for (const readback::ArmError& error : formats::read_back(folder_, exchange::read_part_file(json)))
             made_.findings.push_back(judge(error, disc.part.cam));
         made_.files.push_back(file_row(json));
     }

@@ -23,7 +23,7 @@ std::string Validity::line() const {
 
 namespace {
 
-/// Of the triangles that meet others the first: which pair is found first is no property of the mesh.
+/// The first of all intersecting triangles. The order in which pairs are found is not a property of the mesh.
 std::optional<Vec3> meeting(const Mesh& mesh, const SurfaceMesh& surface) {
     std::vector<std::pair<SurfaceMesh::Face_index, SurfaceMesh::Face_index>> pairs;
     pmp::self_intersections<CGAL::Sequential_tag>(surface, std::back_inserter(pairs));

@@ -17,8 +17,8 @@ struct Group {
     const char* title;
 };
 constexpr std::array kGroups = {
-    Group{"cable", "the cable on its way"},
-    Group{"cam", "arms and the room that the cam turns in"},
+    Group{"cable", "the cable and its path"},
+    Group{"cam", "arms and swept circle"},
     Group{"groove", "the groove's section"},
     Group{"spring", "the base spring"},
     Group{"structure", "walls, flanges and the anchor"},
@@ -32,7 +32,7 @@ constexpr std::array kGroups = {
     Group{"mill4", "milling with a fourth axis"},
     Group{"stack", "plates cut by wire or laser, stacked"},
     Group{"assembly", "putting it together"},
-    Group{"collision", "rules of the trade that contradict each other"},
+    Group{"collision", "conflicts between rope practice and manufacturing practice"},
     Group{"mesh", "third-party meshes (fusee check)"},
 };
 
@@ -77,7 +77,7 @@ const Rule* find_rule(std::string_view id) {
 
 const char* group_title(std::string_view group) {
     const auto found = std::find_if(kGroups.begin(), kGroups.end(), [group](const Group& g) { return g.id == group; });
-    assert(found != kGroups.end() && "every group of rules has its title here");
+    assert(found != kGroups.end() && "every group of rules has a title");
     return found->title;
 }
 

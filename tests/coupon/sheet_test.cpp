@@ -15,7 +15,7 @@ std::string sheet(const std::string& row) { return "item,given,given_unit,measur
 TEST(SheetFile, IsReadRowByRow) {
     const Sheet read = parse_sheet(sheet("disc_floor,15,mm,,-\nshaft_enters,6.2,mm,1,1=yes 0=no\nlength_y,66,mm,,mm"), "c.csv");
     EXPECT_EQ(read.disc_floor_mm, 15.0);
-    ASSERT_EQ(read.rows.size(), 2u) << "what is drawn and what was left empty is no row";
+    ASSERT_EQ(read.rows.size(), 2u) << "nominal values and empty cells are not rows";
     EXPECT_EQ(read.rows[0].item, Item::kLengthX);
     EXPECT_EQ(read.rows[0].measured, 65.8);
     EXPECT_EQ(read.of(Item::kShaftEnters).size(), 1u);
@@ -35,7 +35,7 @@ TEST(SheetFile, AnEmptyOneIsReadAsEveryRowWantsIt) {
     for (const ItemKind& kind : item_kinds()) EXPECT_NE(page.find(kind.how), std::string::npos) << kind.name;
 }
 
-/// What is wrong, and the place that the message names.
+/// The error, and the place in its message.
 TEST(SheetFile, NamesLineAndColumnOfWhatIsWrong) {
     const std::pair<const char*, const char*> wrong[] = {
         {"lenght_x,66,mm,65,mm", "c.csv:3:1: item"},           {"length_x,66,cm,65,mm", "c.csv:3:13: given_unit"},

@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kSplineAllowed = 1e-4;  // of an arm: splines are ten times as near as a mesh's chords
+constexpr double kSplineAllowed = 1e-4;  // of an arm: splines are ten times as exact as a mesh's chords
 
 void require_entry(const fs::path& path, const exchange::FileEntry& entry) {
     const std::string found = core::sha256_hex(core::read_file(path));
@@ -51,7 +51,7 @@ bool is_flange(const exchange::DxfDrawing& drawing) {
     return drawing.layer("FLANGE") && !drawing.layer("FLOOR") && !drawing.layer("PITCH");
 }
 
-/// The controller's own reading of a program, held to what a machine needs; one error for each groove that it cuts.
+/// A program as its controller interprets it, with the checks of its moves; one error for each groove that it cuts.
 std::vector<ArmError> compare_program(const fs::path& path, const exchange::PartFile& part) {
     const toolpath::Interpreted program = toolpath::interpret(path);
     if (const auto faults = toolpath::faults(program); !faults.empty()) throw core::IoError(path.string(), faults.front());
@@ -64,7 +64,7 @@ std::vector<ArmError> compare_program(const fs::path& path, const exchange::Part
     return errors;
 }
 
-/// What a printer lays: off by the steps of its layers, which a person has to accept (docs/theory/read_back.md, eq. 6).
+/// A print: its layers cause steps, which are a warning (docs/theory/read_back.md, eq. 6).
 ArmError compare_print(const fs::path& path, const exchange::PartFile& part) {
     const Sliced print = read_sliced(path);
     ArmError error = compare(path, "perimeters", sliced_floor(print, part), part);
@@ -86,7 +86,7 @@ ArmError compare(const fs::path& path, const std::string& reader, const Floor& f
     const std::vector<double>& arms = error.arms_mm;
     for (std::size_t i = 0; i < arms.size(); ++i) {
         const double relative = std::abs(arms[i] / part.target[i].arm_mm - 1.0);
-        if (relative <= error.worst_relative) continue;  // NaN is not: it becomes the worst and stays
+        if (relative <= error.worst_relative) continue;  // false for NaN, which becomes and stays the worst
         error.worst_relative = relative;
         error.worst_angle_rad = part.target[i].angle_rad;
         if (std::isnan(relative)) break;
@@ -119,7 +119,7 @@ std::vector<ArmError> read_back(const fs::path& folder, const exchange::PartFile
         } else if (extension == ".gcode") {
             errors.push_back(compare_print(path, part));
         } else if (extension != ".scad") {
-            throw core::IoError(path.string(), "is of a kind that cannot be read back");
+            throw core::IoError(path.string(), "is a kind of file that cannot be read back");
         }
     }
     return errors;

@@ -31,7 +31,7 @@ std::vector<Case> spring_cases() {
          6.0, 7.744},
         {"spring.torsion_angle", "own limit", spool, [](Fixture& b) { b.spring.max_state = 8.0; }, kRequired, 10.0, 8.0},
         // 1.2 (10 + 1 + 10/(2 pi))
-        {"spring.body_growth", "short room", spool, [](Fixture& b) { b.spring.active_coils = 10, b.spring.free_length = 14 * kMm; },
+        {"spring.body_growth", "short space", spool, [](Fixture& b) { b.spring.active_coils = 10, b.spring.free_length = 14 * kMm; },
          kRequired, 15.109859, 14.0},
         {"spring.unwinding", "hardly preloaded", spool, [](Fixture& b) { preload(b, 0.05); }, kReview, 0.05, 0.1},
         {"spring.hand", "right hand", spool, [](Fixture& b) { b.spring.hand = spring::Hand::kRight; }, kRequired, -1.0, 0.0},

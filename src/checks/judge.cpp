@@ -11,13 +11,13 @@ namespace {
 
 constexpr double kRounding = 1e-9;
 
-core::Finding compare(double measured, const EffectiveLimit& limit) {
+core::Finding compare(double measured, const EffectiveLimit& effective) {
     core::Finding f;
-    f.allowed = limit.value();
+    f.allowed = effective.value();
     f.measured = std::abs(measured - f.allowed) <= kRounding * std::abs(f.allowed) ? f.allowed : measured;
-    f.bound = limit.limit->bound;
-    f.unit = limit.limit->unit;
-    return core::judged(std::move(f), limit.limit->severity);
+    f.bound = effective.limit->bound;
+    f.unit = effective.limit->unit;
+    return core::judged(std::move(f), effective.limit->severity);
 }
 
 std::string three_digits(double value, double (*round)(double), double slack) {
@@ -47,7 +47,7 @@ EffectiveLimit Allowed::operator()(std::string_view name, double normal) const {
     EffectiveLimit effective;
     for (const Limit& limit : rule_.limits)
         if (limit.name == name) effective.limit = &limit;
-    assert(effective.limit && "a rule declares the limits that it uses");
+    assert(effective.limit && "a rule declares its limits");
     effective.normal = std::isnan(effective.limit->value) ? normal : effective.limit->value;
     for (const Override& o : overrides_)
         if (o.rule == rule_.id && o.limit == effective.limit->key()) effective.by = &o;
@@ -55,8 +55,8 @@ EffectiveLimit Allowed::operator()(std::string_view name, double normal) const {
 }
 
 std::optional<EffectiveLimit> Allowed::stated(std::string_view name, double normal) const {
-    const EffectiveLimit limit = (*this)(name, normal > 0.0 ? normal : kByDesign);
-    return limit.by || normal > 0.0 ? std::optional(limit) : std::nullopt;
+    const EffectiveLimit effective = (*this)(name, normal > 0.0 ? normal : kByDesign);
+    return effective.by || normal > 0.0 ? std::optional(effective) : std::nullopt;
 }
 
 core::Finding judge(double measured, std::initializer_list<EffectiveLimit> limits) {

@@ -19,8 +19,8 @@ struct Group {
     std::optional<cam::Family> family = {};  ///< of its rules; none: any, but for the rules that name theirs
 };
 constexpr std::array kGroups = {
-    Group{"cable", "the cable on its way", cam::Family::kCable},
-    Group{"cam", "arms and the room that the cam turns in"},
+    Group{"cable", "the cable and its path", cam::Family::kCable},
+    Group{"cam", "arms and swept circle"},
     Group{"groove", "the groove's section", cam::Family::kCable},
     Group{"spring", "the base spring"},
     Group{"structure", "walls, flanges and the anchor"},
@@ -34,7 +34,7 @@ constexpr std::array kGroups = {
     Group{"mill4", "milling with a fourth axis", cam::Family::kCable},
     Group{"stack", "plates cut by wire or laser, stacked"},
     Group{"assembly", "putting it together"},
-    Group{"collision", "rules of the trade that contradict each other", cam::Family::kCable},
+    Group{"collision", "conflicts between rope practice and manufacturing practice", cam::Family::kCable},
     Group{"mesh", "third-party meshes (fusee check)"},
 };
 
@@ -80,7 +80,7 @@ const Rule* find_rule(std::string_view id) {
 
 const char* group_title(std::string_view group) {
     const auto found = std::find_if(kGroups.begin(), kGroups.end(), [group](const Group& g) { return g.id == group; });
-    assert(found != kGroups.end() && "every group of rules has its title here");
+    assert(found != kGroups.end() && "every group of rules has a title");
     return found->title;
 }
 

@@ -133,7 +133,7 @@ PartFile describe_part(const solid::Part& part, const spring::BaseSpring& spring
                               c.arm.tension,
                               {core::mm_from_m(c.path.x()), core::mm_from_m(c.path.y()), core::mm_from_m(c.path.z)},
                               core::mm_from_m(c.arm.travel),
-                              core::mm_from_m(c.arm.stretch.length)});
+                              core::mm_from_m(c.arm.elongation.length)});
     out.files = std::move(files);
     out.provenance = provenance.line();
     return out;

@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kSplineAllowed = 1e-4;  // of an arm: splines are ten times as near as a mesh's chords
+constexpr double kSplineAllowed = 1e-4;  // of an arm: splines are ten times as exact as a mesh's chords
 
 /// A flange of a stack of plates: no cable touches its outline.
 bool is_flange(const exchange::DxfDrawing& drawing) {
@@ -40,7 +40,7 @@ ArmError compare(const fs::path& path, const std::string& reader, const Floor& f
     const std::vector<double>& arms = error.arms_mm;
     for (std::size_t i = 0; i < arms.size(); ++i) {
         const double relative = std::abs(arms[i] / part.target[i].arm_mm - 1.0);
-        if (relative <= error.worst_relative) continue;  // NaN is not: it becomes the worst and stays
+        if (relative <= error.worst_relative) continue;  // false for NaN, which becomes and stays the worst
         error.worst_relative = relative;
         error.worst_angle_rad = part.target[i].angle_rad;
         if (std::isnan(relative)) break;

@@ -29,7 +29,7 @@ void constrain(Triangulation& cdt, const Mesh& mesh, const VertexRing& ring) {
     for (std::size_t i = 0; i < handles.size(); ++i) cdt.insert_constraint(handles[i], handles[(i + 1) % handles.size()]);
 }
 
-/// Depth of nesting for every face: even = outside, odd = material. Depth grows at each constrained edge, from outside in.
+/// Nesting depth of every face: even = outside, odd = material. It grows at each constrained edge, from outside inwards.
 void mark_depth(Triangulation& cdt) {
     for (auto f : cdt.all_face_handles()) f->info() = kUnseen;
     std::deque<std::pair<Triangulation::Face_handle, int>> next{{cdt.infinite_face(), 0}};

@@ -66,8 +66,8 @@ TEST_F(ReadBackTest, DiscHasTheArmKnownByHandForEveryGuide) {
     }
 }
 
-// A guide above the groove's plane: the torque is the arm's in the plane times the cosine of the free cable's lean, whose length follows
-// from the disc's centre alone. 5 mm over about 55 mm cost 0.4 %.
+// A guide above the groove's plane: the torque is the arm's in the plane times the cosine of the free cable's fleet angle; its length
+// follows from the disc's centre alone. 5 mm over about 55 mm cost 0.4 %.
 TEST_F(ReadBackTest, ALeaningCableHasTheCosineOfItsArm) {
     const Disc disc;
     const solid::Mesh mesh = fixtures::disc_mesh(disc);
@@ -76,8 +76,7 @@ TEST_F(ReadBackTest, ALeaningCableHasTheCosineOfItsArm) {
         PartFile part = fixtures::disc_part(disc, c.guide, c.torque_sign, c.rotation_sign);
         part.guide.z_mm = 5.0;
         write_mesh(part, mesh);
-        for (const ArmError& e : formats::read_back(folder_, part))
-            EXPECT_FALSE(e.passed()) << c.name << ": arms asked as if the cable were level";
+        for (const ArmError& e : formats::read_back(folder_, part)) EXPECT_FALSE(e.passed()) << c.name << ": arms for a cable in the plane";
         const double side = disc.radius_mm - c.torque_sign * c.guide.sense * (c.guide.kind == "idler" ? c.guide.radius_mm : 0.0);
         for (exchange::TargetRow& row : part.target) {
             const double turned = c.rotation_sign * row.angle_rad, x = disc.offset_mm * std::cos(turned),
@@ -116,7 +115,7 @@ TEST_F(ReadBackTest, ThreeMfAndDrawingAgreeWithTheStl) {
     for (const ArmError& e : errors) EXPECT_LT(e.worst_relative, kPolygon) << e.reader;
 }
 
-/// A ribbon: the floor and flanks of a groove that climbs 2 mm a turn over 1.6 turns of h = R + g psi, so h' = g, rho = h.
+/// A ribbon: the floor and flanks of a groove that rises 2 mm per turn over 1.6 turns of h = R + g psi, so h' = g, rho = h.
 solid::Mesh helix_ribbon(double radius, double growth, double pitch, double margin, double travel) {
     const auto section = fixtures::disc_section({});
     const auto rails = static_cast<std::uint32_t>(section.size() - 2);

@@ -9,18 +9,18 @@
 
 namespace fusee::readback {
 
-/// What an exported file says of the law. Nothing here knows how the part was made: this module uses `core`, `exchange` and the
-/// reader of programs in `toolpath` only.
+/// The law as recomputed from an exported file. This module does not know how the part was made: it uses only `core`, `exchange` and
+/// the reader of programs in `toolpath`.
 struct ArmError {
     std::string file;
     /// "assimp", "openmesh", "lib3mf", "dxflib", "dxflib, spline", "opencascade", "rs274 lower", "rs274 upper", "rs274 wrap", "perimeters"
     std::string reader;
     std::size_t rows = 0;         ///< working positions compared
-    double worst_relative = 0.0;  ///< largest |arm found / arm asked - 1| over the working range
+    double worst_relative = 0.0;  ///< largest |found arm / requested arm - 1| over the working range
     double worst_angle_rad = 0.0;
-    double allowed = 1e-3;                                ///< 1e-4 for splines: STEP, and those of DXF; of a print half a layer
-    core::Severity when_broken = core::Severity::kError;  ///< kWarning of a print, which no exported file can answer for
-    std::vector<double> arms_mm = {};                     ///< as found, one for each row of the target
+    double allowed = 1e-3;                                ///< 1e-4 for splines: STEP, and those of DXF; for a print half a layer
+    core::Severity when_broken = core::Severity::kError;  ///< kWarning for a print
+    std::vector<double> arms_mm = {};                     ///< found arms, one for each row of the target
     [[nodiscard]] bool passed() const { return worst_relative <= allowed; }  ///< false for NaN
 };
 

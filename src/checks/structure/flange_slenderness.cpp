@@ -23,8 +23,8 @@ core::Findings measure_structure_flange_slenderness(const Design& design, const 
 
 Rule structure_flange_slenderness() {
     return on_cable({"structure.flange_slenderness",
-                     "a flange that warps or is bent by handling",
-                     "how far the flange stands over the groove's floor, over its thickness",
+                     "a flange that warps or bends when handled",
+                     "height of the flange over the groove's floor, over its thickness",
                      "5 (practice)",
                      {review(kAtMost, "", 5.0)},
                      measure_structure_flange_slenderness});

@@ -59,14 +59,14 @@ core::Outcome<Bodies> bodies_of(const coupon::Options& options) {
 
 /// The body and axis with the largest share of the build volume.
 core::Finding fits(const Bodies& bodies, const checks::Process& process) {
-    const std::array<double, 3> room{process.build_x, process.build_y, process.build_z};
+    const std::array<double, 3> space{process.build_x, process.build_y, process.build_z};
     core::Finding f;
     double fullest = 0.0;
     for (const auto& [name, mesh] :
          {std::pair{"bores_and_lengths", &bodies.plate.mesh}, {"groove_ladder", &bodies.ladder.mesh}, {"disc", &bodies.disc.part.mesh}}) {
         const solid::Box box = solid::bounding_box(*mesh);
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            const double size = box.high_mm[axis] - box.low_mm[axis], allowed = core::mm_from_m(room[axis]);
+            const double size = box.high_mm[axis] - box.low_mm[axis], allowed = core::mm_from_m(space[axis]);
             if (size / allowed <= fullest) continue;
             fullest = size / allowed;
             f.measured = size;

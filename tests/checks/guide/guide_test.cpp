@@ -25,7 +25,7 @@ std::vector<Case> assembly_cases() { return {}; }
 
 TEST(Guide, TheRuleIsRegisteredByItsFile) {
     ASSERT_NE(find_rule("shaft.boss_height"), nullptr);
-    const Bench high = bad(shaft_cases().front());
+    const Fixture high = bad(shaft_cases().front());
     std::size_t found = 0;
     for (const core::Finding& f : check(high.design())) found += f.rule == "shaft.boss_height";
     EXPECT_EQ(found, 1u);

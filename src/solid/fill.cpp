@@ -12,10 +12,10 @@ namespace fusee::solid {
 
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, Kernel>;
-using FaceBase = CGAL::Constrained_triangulation_face_base_2<Kernel, CGAL::Triangulation_face_base_with_info_2<int, Kernel>>;
-using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>>;
+using FlatKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, FlatKernel>;
+using FaceBase = CGAL::Constrained_triangulation_face_base_2<FlatKernel, CGAL::Triangulation_face_base_with_info_2<int, FlatKernel>>;
+using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<FlatKernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>>;
 
 constexpr int kUnseen = -1;
 

@@ -1,4 +1,4 @@
-# cmake --install, beside the program and the modules: templates, profiles, shell completions and find_package(fusee).
+# cmake --install, beside the program and the modules: templates, profiles, shell completions, the manual page and find_package(fusee).
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 
@@ -14,3 +14,4 @@ install(DIRECTORY templates profiles DESTINATION "${CMAKE_INSTALL_DATADIR}/fusee
 install(FILES completions/fusee.bash DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions" RENAME fusee)
 install(FILES completions/fusee.zsh DESTINATION "${CMAKE_INSTALL_DATADIR}/zsh/site-functions" RENAME _fusee)
 install(FILES completions/fusee.fish DESTINATION "${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d")
+install(FILES docs/fusee.1 DESTINATION "${CMAKE_INSTALL_MANDIR}/man1")

@@ -1,14 +1,10 @@
-# bash completion for fusee; `source <(fusee completion bash)`
+# bash completion for fusee, printed by `fusee completion bash`
+# shellcheck shell=bash disable=SC2207  # one word per line, whatever spaces it holds
 
-# Files with one of some endings (toml, csv) and folders that may hold some.
-_fusee_files() {
-    local IFS=$'\n' word=$1 ending
+_fusee_words() {
+    local word=$1
     shift
-    compopt -o filenames 2>/dev/null
-    # shellcheck disable=SC2207  # one word per line, whatever spaces it holds
-    for ending; do COMPREPLY+=($(compgen -f -X "!*.$ending" -- "$word")); done
-    # shellcheck disable=SC2207
-    COMPREPLY+=($(compgen -d -- "$word"))
+    mapfile -t COMPREPLY < <(compgen -W "$*" -- "$word")
 }
 
 _fusee_folders() {
@@ -16,100 +12,164 @@ _fusee_folders() {
     mapfile -t COMPREPLY < <(compgen -d -- "$1")
 }
 
+# Folders, and files with one of these endings.
+_fusee_files() {
+    local IFS=$'\n' word=$1 ending
+    _fusee_folders "$word"
+    shift
+    for ending; do COMPREPLY+=($(compgen -f -X "!*.$ending" -- "$word")); done
+}
+
+# The keys of a profile; the program prints them.
+_fusee_keys() {
+    compopt -o nospace 2>/dev/null
+    _fusee_words "$1" "$("${COMP_WORDS[0]}" keys --names 2>/dev/null)"
+}
+
 _fusee() {
     local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]} command='' i
     COMPREPLY=()
+    # --out=FOLDER arrives as three words.
+    [ "$before" = = ] && before=${COMP_WORDS[COMP_CWORD - 2]}
+    [ "$word" = = ] && word=''
     for ((i = 1; i < COMP_CWORD; ++i)); do
-        case ${COMP_WORDS[i]} in
-            make | fix | simulate | design | identify | coupons | calibrate | diagnose | predict | case-template | blind | paper | check | keys | rules | completion) command=${COMP_WORDS[i]} && break ;;
+        case "$command ${COMP_WORDS[i]}" in
+            ' make' | ' fix' | ' simulate' | ' identify' | ' design' | ' diagnose' | ' predict' | ' case-template' | ' blind' | ' blind make' | ' blind score' | ' paper' | ' coupons' | ' calibrate' | ' check' | ' rules' | ' keys') command+=" ${COMP_WORDS[i]}" ;;
         esac
     done
-    local choices='' step=''
-    [ "$command" = blind ] && ((COMP_CWORD > i + 1)) && step=${COMP_WORDS[i + 1]}
-    case $command:$before in
-        make:--out | make:-o | simulate:--out | simulate:-o | design:--out | design:-o | identify:--out | identify:-o | coupons:--out | coupons:-o | diagnose:--out | diagnose:-o | predict:--out | predict:-o | predict:--inputs | case-template:--out | case-template:-o | blind:--out | blind:-o | blind:--model | paper:--out | paper:-o | paper:--profiles)
-            _fusee_folders "$word"
-            return ;;
-        make:--via) choices='cgal openscad' ;;
-        blind:--plant) choices='plant model' ;;
-        check:--out | check:-o) _fusee_folders "$word"; return ;;
-        check:--process) choices='fdm sla sls mill mill4 edm laser all' ;;
-        check:--profile | check:--limits) _fusee_files "$word" toml; return ;;
-        check:--jobs | check:-j) return ;;
-        design:--method) choices='algorithm_1 co_design pareto' ;;
-        make:--jobs | make:-j | simulate:--jobs | simulate:-j | simulate:--levels | simulate:--push-torque | simulate:--at | design:--jobs | design:-j | paper:--jobs | paper:-j | diagnose:--jobs | diagnose:-j | fix:--most | fix:--keep | blind:--seed | blind:--cases | blind:--seal | blind:--limit | blind:--jobs | blind:-j | design:--population | design:--generations | design:--seed) return ;;
-        fix:--out | fix:-o) _fusee_files "$word" toml; return ;;
-        predict:--effects) _fusee_files "$word" json; return ;;
-        diagnose:--profile | diagnose:--write-profile | calibrate:--profile | calibrate:--write-profile) _fusee_files "$word" toml; return ;;
-        make:*)
-            case $word in
-                -*) choices='--out --via --jobs --force --help' ;;
-                *) _fusee_files "$word" toml; return ;;
+    case $command in
+        '')
+            case $word:$before in
+                *) _fusee_words "$word" make fix simulate identify design diagnose predict case-template blind paper coupons calibrate check rules keys --help --version ;;
             esac ;;
-        fix:*)
-            case $word in
-                -*) choices='--out --keep --most --reviews --json --force --help' ;;
-                *) _fusee_files "$word" toml; return ;;
+        ' make')
+            case $word:$before in
+                *:-o | *:--out) _fusee_folders "$word" ;;
+                *:--via) _fusee_words "$word" cgal openscad ;;
+                *:-j | *:--jobs) ;;
+                -*) _fusee_words "$word" --help --out --via --force --jobs ;;
+                *) _fusee_files "$word" toml ;;
             esac ;;
-        simulate:*)
-            case $word in
-                -*) choices='--out --levels --push-torque --at --jobs --force --help' ;;
-                *) _fusee_files "$word" toml; return ;;
+        ' fix')
+            case $word:$before in
+                *:-o | *:--out) _fusee_files "$word" toml ;;
+                *:--keep) _fusee_keys "$word" ;;
+                *:--most) ;;
+                -*) _fusee_words "$word" --help --out --reviews --keep --most --json --force ;;
+                *) _fusee_files "$word" toml ;;
             esac ;;
-        design:*)
-            case $word in
-                -*) choices='--method --out --population --generations --seed --jobs --resume --force --help' ;;
-                *) _fusee_files "$word" toml; return ;;
+        ' simulate')
+            case $word:$before in
+                *:-o | *:--out) _fusee_folders "$word" ;;
+                *:--levels) ;;
+                *:--push-torque) ;;
+                *:--at) ;;
+                *:-j | *:--jobs) ;;
+                -*) _fusee_words "$word" --help --out --levels --push-torque --at --force --jobs ;;
+                *) _fusee_files "$word" toml ;;
             esac ;;
-        identify:*)
-            case $word in
-                -*) choices='--out --force --help' ;;
-                *) _fusee_files "$word" csv; return ;;
+        ' identify')
+            case $word:$before in
+                *:-o | *:--out) _fusee_folders "$word" ;;
+                -*) _fusee_words "$word" --help --out --force ;;
+                *) _fusee_files "$word" csv ;;
             esac ;;
-        coupons:*)
-            case $word in
-                -*) choices='--out --force --help' ;;
-                *) _fusee_files "$word" toml; return ;;
+        ' design')
+            case $word:$before in
+                *:--method) _fusee_words "$word" algorithm_1 co_design pareto ;;
+                *:-o | *:--out) _fusee_folders "$word" ;;
+                *:--population) ;;
+                *:--generations) ;;
+                *:--seed) ;;
+                *:-j | *:--jobs) ;;
+                -*) _fusee_words "$word" --help --method --out --population --generations --seed --jobs --resume --force ;;
+                *) _fusee_files "$word" toml ;;
             esac ;;
-        calibrate:*)
-            case $word in
-                -*) choices='--profile --write-profile --json --force --help' ;;
-                *) _fusee_files "$word" csv; return ;;
+        ' diagnose')
+            case $word:$before in
+                *:-o | *:--out) _fusee_folders "$word" ;;
+                *:--profile) _fusee_files "$word" toml ;;
+                *:--write-profile) _fusee_files "$word" toml ;;
+                *:-j | *:--jobs) ;;
+                -*) _fusee_words "$word" --help --out --profile --write-profile --jobs --force ;;
+                *) _fusee_folders "$word" ;;
             esac ;;
-        diagnose:*)
-            case $word in
-                -*) choices='--out --profile --write-profile --jobs --force --help' ;;
-                *) _fusee_folders "$word"; return ;;
+        ' predict')
+            case $word:$before in
+                *:--effects) _fusee_files "$word" json ;;
+                *:--inputs) _fusee_folders "$word" ;;
+                *:-o | *:--out) _fusee_folders "$word" ;;
+                -*) _fusee_words "$word" --help --effects --inputs --out --force ;;
+                *) _fusee_folders "$word" ;;
             esac ;;
-        predict:*)
-            case $word in
-                -*) choices='--effects --inputs --out --force --help' ;;
-                *) _fusee_folders "$word"; return ;;
+        ' case-template')
+            case $word:$before in
+                *:-o | *:--out) _fusee_folders "$word" ;;
+                -*) _fusee_words "$word" --help --out --force ;;
+                *) _fusee_files "$word" toml ;;
             esac ;;
-        case-template:*)
-            case $word in
-                -*) choices='--out --force --help' ;;
-                *) _fusee_files "$word" toml; return ;;
+        ' blind')
+            case $word:$before in
+                *) _fusee_words "$word" make score --help ;;
             esac ;;
-        blind:*)
-            case $step:$word in
-                make:*) choices='--seed --cases --plant --jobs --out --force --help' ;;
-                score:-*) choices='--seal --model --limit --again --jobs --out --force --help' ;;
-                score:*) _fusee_folders "$word"; return ;;
-                *) choices='make score --help' ;;
+        ' blind make')
+            case $word:$before in
+                *:--seed) ;;
+                *:--cases) ;;
+                *:-o | *:--out) _fusee_folders "$word" ;;
+                *:--plant) _fusee_words "$word" plant model ;;
+                *:-j | *:--jobs) ;;
+                *) _fusee_words "$word" --help --seed --cases --out --force --plant --jobs ;;
             esac ;;
-        paper:*) choices='--out --profiles --jobs --force --help' ;;
-        check:*)
-            case $word in
-                -*) choices='--process --profile --limits --out --json --jobs --force --help' ;;
-                *) _fusee_files "$word" toml stl obj 3mf step stp; return ;;
+        ' blind score')
+            case $word:$before in
+                *:--seal) ;;
+                *:--model) _fusee_folders "$word" ;;
+                *:--limit) ;;
+                *:-j | *:--jobs) ;;
+                *:-o | *:--out) _fusee_folders "$word" ;;
+                -*) _fusee_words "$word" --help --seal --model --limit --again --jobs --out --force ;;
+                *) _fusee_folders "$word" ;;
             esac ;;
-        rules:*) choices='--json --help' ;;
-        completion:completion) choices='bash zsh fish' ;;
-        :*) choices='make fix simulate design identify coupons calibrate diagnose predict case-template blind paper check keys rules completion --help --version' ;;
-        *) choices='--help' ;;
+        ' paper')
+            case $word:$before in
+                *:-o | *:--out) _fusee_folders "$word" ;;
+                *:--profiles) _fusee_folders "$word" ;;
+                *:-j | *:--jobs) ;;
+                *) _fusee_words "$word" --help --out --profiles --jobs --force ;;
+            esac ;;
+        ' coupons')
+            case $word:$before in
+                *:-o | *:--out) _fusee_folders "$word" ;;
+                -*) _fusee_words "$word" --help --out --force ;;
+                *) _fusee_files "$word" toml ;;
+            esac ;;
+        ' calibrate')
+            case $word:$before in
+                *:--profile) _fusee_files "$word" toml ;;
+                *:--write-profile) _fusee_files "$word" toml ;;
+                -*) _fusee_words "$word" --help --profile --write-profile --json --force ;;
+                *) _fusee_files "$word" csv ;;
+            esac ;;
+        ' check')
+            case $word:$before in
+                *:--process) _fusee_words "$word" fdm sla sls mill mill4 edm laser all ;;
+                *:--profile) _fusee_files "$word" toml ;;
+                *:--limits) _fusee_files "$word" toml ;;
+                *:-o | *:--out) _fusee_folders "$word" ;;
+                *:-j | *:--jobs) ;;
+                -*) _fusee_words "$word" --help --process --profile --limits --out --json --jobs --force ;;
+                *) _fusee_files "$word" toml stl obj 3mf step stp ;;
+            esac ;;
+        ' rules')
+            case $word:$before in
+                *) _fusee_words "$word" --help --json ;;
+            esac ;;
+        ' keys')
+            case $word:$before in
+                *) _fusee_words "$word" --help --names ;;
+            esac ;;
     esac
-    mapfile -t COMPREPLY < <(compgen -W "$choices" -- "$word")
 }
 
 complete -F _fusee fusee

@@ -1,168 +1,218 @@
 #compdef fusee
-# zsh completion for fusee; `source <(fusee completion zsh)`, or as _fusee in a folder of $fpath
+# zsh completion for fusee, printed by `fusee completion zsh`; as _fusee in a folder of $fpath, or sourced
+
+# The keys of a profile; the program prints them.
+__fusee_keys() {
+    local -a keys=(${(f)"$(_call_program keys $program keys --names 2>/dev/null)"})
+    compadd -S '' -a keys
+}
 
 _fusee() {
-    local context state state_descr line
+    local program=$words[1]
+    local context state state_descr line curcontext=$curcontext
     typeset -A opt_args
-    local -a commands=(
-        'make:turn profiles into checked, exported cams'
-        'fix:change a profile until it can be made'
-        'simulate:say what the joints of profiles do'
-        "design:find springs for a profile's joint"
-        "identify:find a gear's friction from break-away tests"
-        'coupons:make test pieces for a machine and a cable'
-        'calibrate:turn measured coupons into compensation'
-        'diagnose:say where a built joint and its model part, and why'
-        'predict:say what the model of a gap case foretells'
-        'case-template:write an empty gap case for a profile'
-        'blind:benchmark the diagnosis on sealed cases'
-        "paper:make the paper's tables and figures anew"
-        "check:run every rule on a profile's cams, or on a mesh"
-        'keys:list every key of a profile'
-        'rules:list the rules that a part is checked by'
-        'completion:print the completion script of a shell'
+    _arguments -s -C \
+        '(- *)'{-h,--help}'[Print this help message and exit]' \
+        '(- *)'--version'[Display program version information and exit]' \
+        '1:command:->command' '*::argument:->argument'
+    local -a menu=(
+        'make:Make checked cams from profiles'
+        'fix:Change a profile until it can be made'
+        'simulate:Simulate the joints of profiles'
+        'identify:Identify the friction of a gear from break-away tests'
+        'design:Find springs for the joint of a profile'
+        'diagnose:Diagnose a built joint'
+        'predict:Predict the measurements of a gap case for other inputs, with or without the effects of a diagnosis'
+        'case-template:Write an empty gap case for the joint of a profile'
+        'blind:Benchmark the diagnosis on sealed cases'
+        'paper:Reproduce every table and figure of the paper'
+        'coupons:Make test pieces for the machine and the cable of a profile'
+        'calibrate:Compute the compensation of a profile from measured coupons'
+        'check:Check the cams of a profile, or a third-party mesh, against every rule'
+        'rules:List every rule with its limits and sources'
+        'keys:List every key of a profile with unit, allowed values and default'
     )
-    _arguments -C \
-        '(- *)--help[say how to use fusee]' \
-        '(- *)--version[say which version this is]' \
-        '1:command:->command' \
-        '*::argument:->argument'
     case $state in
-        command) _describe 'command' commands ;;
-        argument)
-            case $words[1] in
-                make)
-                    _arguments \
-                        '(-o --out)'{-o,--out}'[folder for the results]:folder:_files -/' \
-                        '--via[kernel that makes the solids]:kernel:(cgal openscad)' \
-                        '(-j --jobs)'{-j,--jobs}'[designs made at once]:number:' \
-                        '--force[replace files of another source, and changed ones]' \
-                        '(- *)--help[say how to use make]' \
-                        '*:profile:_files -g "*.toml"' ;;
-                fix)
-                    _arguments \
-                        '(-o --out)'{-o,--out}'[file for the new profile]:profile:_files -g "*.toml"' \
-                        '--reviews[take away what is to be reviewed, too]' \
-                        '*--keep[key or table that is not changed]:key:' \
-                        '--most[profiles judged before the search gives up]:number:' \
-                        '--json[as JSON]' \
-                        '--force[replace the file if it stands there]' \
-                        '(- *)--help[say how to use fix]' \
-                        '1:profile:_files -g "*.toml"' ;;
-                simulate)
-                    _arguments \
-                        '(-o --out)'{-o,--out}'[folder for the results]:folder:_files -/' \
-                        '--levels[levels of co-contraction]:number:' \
-                        '--push-torque[joint torque of the push-and-release test]:torque:' \
-                        '*--at[torques T1,T2,TQ of an equilibrium]:torques:' \
-                        '(-j --jobs)'{-j,--jobs}'[profiles simulated at once]:number:' \
-                        '--force[replace files of another source, and changed ones]' \
-                        '(- *)--help[say how to use simulate]' \
-                        '*:profile:_files -g "*.toml"' ;;
-                design)
-                    _arguments \
-                        '--method[how springs are looked for]:method:(algorithm_1 co_design pareto)' \
-                        '(-o --out)'{-o,--out}'[folder for the results]:folder:_files -/' \
-                        '--population[members of a generation]:number:' \
-                        '--generations[generations]:number:' \
-                        '--seed[seed of the search]:number:' \
-                        '(-j --jobs)'{-j,--jobs}'[threads]:number:' \
-                        '--resume[go on from the checkpoint]' \
-                        '--force[replace files of another source, and changed ones]' \
-                        '(- *)--help[say how to use design]' \
-                        '1:profile:_files -g "*.toml"' ;;
-                identify)
-                    _arguments \
-                        '(-o --out)'{-o,--out}'[folder for the results]:folder:_files -/' \
-                        '--force[replace files of another source, and changed ones]' \
-                        '(- *)--help[say how to use identify]' \
-                        '1:rows:_files -g "*.csv"' ;;
-                coupons)
-                    _arguments \
-                        '(-o --out)'{-o,--out}'[folder for the results]:folder:_files -/' \
-                        '--force[replace files of another source, and changed ones]' \
-                        '(- *)--help[say how to use coupons]' \
-                        '1:profile:_files -g "*.toml"' ;;
-                calibrate)
-                    _arguments \
-                        '--profile[profile of the coupons]:profile:_files -g "*.toml"' \
-                        '--write-profile[calibrated profile to write]:profile:_files -g "*.toml"' \
-                        '--json[as JSON]' \
-                        '--force[replace the file if it stands there]' \
-                        '(- *)--help[say how to use calibrate]' \
-                        '1:sheet:_files -g "*.csv"' ;;
-                diagnose)
-                    _arguments \
-                        '(-o --out)'{-o,--out}'[folder for the results]:folder:_files -/' \
-                        '--profile[profile of the rig]:profile:_files -g "*.toml"' \
-                        '--write-profile[corrected profile to write]:profile:_files -g "*.toml"' \
-                        '(-j --jobs)'{-j,--jobs}'[threads]:number:' \
-                        '--force[replace files of another source, and changed ones]' \
-                        '(- *)--help[say how to use diagnose]' \
-                        '1:case:_files -/' ;;
-                predict)
-                    _arguments \
-                        '--effects[diagnosis to predict with]:diagnosis:_files -g "*.json"' \
-                        '--inputs[folder of other inputs]:folder:_files -/' \
-                        '(-o --out)'{-o,--out}'[folder for the results]:folder:_files -/' \
-                        '--force[replace files of another source, and changed ones]' \
-                        '(- *)--help[say how to use predict]' \
-                        '1:case:_files -/' ;;
-                case-template)
-                    _arguments \
-                        '(-o --out)'{-o,--out}'[folder of the case]:folder:_files -/' \
-                        '--force[replace files of another source, and changed ones]' \
-                        '(- *)--help[say how to use case-template]' \
-                        '1:profile:_files -g "*.toml"' ;;
-                blind)
-                    case $words[2] in
-                        make)
-                            _arguments \
-                                '1:step:(make score)' \
-                                '--seed[seed of the benchmark]:number:' \
-                                '--cases[how many cases]:number:' \
-                                '--plant[who makes the measurements]:maker:(plant model)' \
-                                '(-o --out)'{-o,--out}'[folder of the benchmark]:folder:_files -/' \
-                                '(-j --jobs)'{-j,--jobs}'[threads]:number:' \
-                                '--force[replace files of another source, and changed ones]' \
-                                '(- *)--help[say how to use blind make]' ;;
-                        score)
-                            _arguments \
-                                '1:step:(make score)' \
-                                '--seal[hash that blind make printed]:hash:' \
-                                '--model[benchmark made by the model]:folder:_files -/' \
-                                '--limit[the first cases only]:number:' \
-                                '--again[make diagnoses anew]' \
-                                '(-o --out)'{-o,--out}'[folder for the results]:folder:_files -/' \
-                                '(-j --jobs)'{-j,--jobs}'[cases side by side]:number:' \
-                                '--force[replace files of another source, and changed ones]' \
-                                '(- *)--help[say how to use blind score]' \
-                                '2:benchmark:_files -/' ;;
-                        *) _arguments '(- *)--help[say how to use blind]' '1:step:(make score)' ;;
-                    esac ;;
-                paper)
-                    _arguments \
-                        '(-o --out)'{-o,--out}'[folder for the results]:folder:_files -/' \
-                        '--profiles[folder of the shipped profiles]:folder:_files -/' \
-                        '(-j --jobs)'{-j,--jobs}'[threads]:number:' \
-                        '--force[replace files of another source, and changed ones]' \
-                        '(- *)--help[say how to use paper]' ;;
-                check)
-                    _arguments \
-                        '--process[how it is made]:process:(fdm sla sls mill mill4 edm laser all)' \
-                        '--profile[profile of the machine]:profile:_files -g "*.toml"' \
-                        '--limits[file of limits of your own]:limits:_files -g "*.toml"' \
-                        '(-o --out)'{-o,--out}'[folder for the coloured mesh]:folder:_files -/' \
-                        '--json[as JSON]' \
-                        '(-j --jobs)'{-j,--jobs}'[threads]:number:' \
-                        '--force[replace files of another source, and changed ones]' \
-                        '(- *)--help[say how to use check]' \
-                        '1:profile or mesh:_files -g "*.(toml|stl|obj|3mf|step|stp)"' ;;
-                rules) _arguments '--json[as JSON]' '(- *)--help[say how to use rules]' ;;
-                completion) _arguments '(- *)--help[say how to use completion]' '1:shell:(bash zsh fish)' ;;
-                *) _arguments '(- *)--help[say how to use it]' ;;
-            esac ;;
+        command) _describe command menu ;;
+        argument) (($+functions[_fusee_$words[1]])) && _fusee_$words[1] ;;
     esac
+}
+
+_fusee_make() {
+    _arguments -s \
+        '(- *)'{-h,--help}'[Print this help message and exit]' \
+        '(-o --out)'{-o+,--out=}'[Folder of the results]'':folder:_files -/' \
+        '(--via)'--via='[Kernel that makes the STL]'':choice:(cgal openscad)' \
+        '(--force)'--force'[Also replace files of another source and changed files]' \
+        '(-j --jobs)'{-j+,--jobs=}'[Number of designs made at the same time]'':0 to 1024: ' \
+        '*'':file:_files -g "*.(toml)(-.)"'
+}
+
+_fusee_fix() {
+    _arguments -s \
+        '(- *)'{-h,--help}'[Print this help message and exit]' \
+        '(-o --out)'{-o+,--out=}'[File of the new profile]'':file:_files -g "*.(toml)(-.)"' \
+        '(--reviews)'--reviews'[Also remove the warnings]' \
+        '*'--keep='[Key or table that stays unchanged, such as k_pe.hub.bore_mm or cable]'':key:__fusee_keys' \
+        '(--most)'--most='[Largest number of profiles that the search judges]'':1 to 1000000: ' \
+        '(--json)'--json'[Print the changes as JSON instead of text]' \
+        '(--force)'--force'[Replace the file if it exists]' \
+        '1'':file:_files -g "*.(toml)(-.)"'
+}
+
+_fusee_simulate() {
+    _arguments -s \
+        '(- *)'{-h,--help}'[Print this help message and exit]' \
+        '(-o --out)'{-o+,--out=}'[Folder of the results]'':folder:_files -/' \
+        '(--levels)'--levels='[Number of levels of co-contraction]'':2 to 1000: ' \
+        '(--push-torque)'--push-torque='[Joint torque of the push-and-release test \[Nm\]]'':0 to 10000: ' \
+        '*'--at='[Torques of agonist, antagonist and joint \[Nm\], such as 1,0.8,0]'':T1,T2,TQ: ' \
+        '(--force)'--force'[Also replace files of another source and changed files]' \
+        '(-j --jobs)'{-j+,--jobs=}'[Number of profiles simulated at the same time]'':0 to 1024: ' \
+        '*'':file:_files -g "*.(toml)(-.)"'
+}
+
+_fusee_identify() {
+    _arguments -s \
+        '(- *)'{-h,--help}'[Print this help message and exit]' \
+        '(-o --out)'{-o+,--out=}'[Folder of the results]'':folder:_files -/' \
+        '(--force)'--force'[Also replace files of another source and changed files]' \
+        '1'':file:_files -g "*.(csv)(-.)"'
+}
+
+_fusee_design() {
+    _arguments -s \
+        '(- *)'{-h,--help}'[Print this help message and exit]' \
+        '(--method)'--method='[Method of the search]'':choice:(algorithm_1 co_design pareto)' \
+        '(-o --out)'{-o+,--out=}'[Folder of NAME-design and NAME-design.checkpoint]'':folder:_files -/' \
+        '(--population)'--population='[Size of a generation]'':8 to 100000: ' \
+        '(--generations)'--generations='[Number of generations]'':1 to 1000000: ' \
+        '(--seed)'--seed='[Seed]'':0 to 1000000000: ' \
+        '(-j --jobs)'{-j+,--jobs=}'[Number of threads]'':0 to 1024: ' \
+        '(--resume)'--resume'[Continue a stopped search from its checkpoint]' \
+        '(--force)'--force'[Also replace files of another source and changed files]' \
+        '1'':file:_files -g "*.(toml)(-.)"'
+}
+
+_fusee_diagnose() {
+    _arguments -s \
+        '(- *)'{-h,--help}'[Print this help message and exit]' \
+        '(-o --out)'{-o+,--out=}'[Folder of diagnosis.json and diagnosis.html]'':folder:_files -/' \
+        '(--profile)'--profile='[Profile of the rig]'':file:_files -g "*.(toml)(-.)"' \
+        '(--write-profile)'--write-profile='[File of the profile that suits the rig as diagnosed]'':file:_files -g "*.(toml)(-.)"' \
+        '(-j --jobs)'{-j+,--jobs=}'[Number of threads]'':0 to 1024: ' \
+        '(--force)'--force'[Also replace files of another source and changed files]' \
+        '1'':folder:_files -/'
+}
+
+_fusee_predict() {
+    _arguments -s \
+        '(- *)'{-h,--help}'[Print this help message and exit]' \
+        '(--effects)'--effects='[diagnosis.json with the effects]'':file:_files -g "*.(json)(-.)"' \
+        '(--inputs)'--inputs='[Folder of CSV files with the same names as in the case]'':folder:_files -/' \
+        '(-o --out)'{-o+,--out=}'[Folder of the same files with predicted values in the measured columns]'':folder:_files -/' \
+        '(--force)'--force'[Also replace files of another source and changed files]' \
+        '1'':folder:_files -/'
+}
+
+_fusee_case-template() {
+    _arguments -s \
+        '(- *)'{-h,--help}'[Print this help message and exit]' \
+        '(-o --out)'{-o+,--out=}'[Folder of the case]'':folder:_files -/' \
+        '(--force)'--force'[Also replace files of another source and changed files]' \
+        '1'':file:_files -g "*.(toml)(-.)"'
+}
+
+_fusee_blind() {
+    local context state state_descr line curcontext=$curcontext
+    typeset -A opt_args
+    _arguments -s -C \
+        '(- *)'{-h,--help}'[Print this help message and exit]' \
+        '1:command:->command' '*::argument:->argument'
+    local -a menu=(
+        'make:Make gap cases of simulated rigs, and a sealed file with their faults'
+        'score:Diagnose every case, then open the seal and count the correct diagnoses'
+    )
+    case $state in
+        command) _describe command menu ;;
+        argument) (($+functions[_fusee_blind_$words[1]])) && _fusee_blind_$words[1] ;;
+    esac
+}
+
+_fusee_blind_make() {
+    _arguments -s \
+        '(- *)'{-h,--help}'[Print this help message and exit]' \
+        '(--seed)'--seed='[Seed]'':0 to 18446744073709551615: ' \
+        '(--cases)'--cases='[Number of cases]'':1 to 10000: ' \
+        '(-o --out)'{-o+,--out=}'[Folder of the benchmark]'':folder:_files -/' \
+        '(--force)'--force'[Also replace files of another source and changed files]' \
+        '(--plant)'--plant='[Source of the measurements]'':choice:(plant model)' \
+        '(-j --jobs)'{-j+,--jobs=}'[Number of threads]'':0 to 1024: '
+}
+
+_fusee_blind_score() {
+    _arguments -s \
+        '(- *)'{-h,--help}'[Print this help message and exit]' \
+        '(--seal)'--seal='[Hash that fusee blind make printed]'':TEXT: ' \
+        '(--model)'--model='[Benchmark made with --plant model]'':folder:_files -/' \
+        '(--limit)'--limit='[Number of cases, from the first]'':UINT: ' \
+        '(--again)'--again'[Repeat existing diagnoses]' \
+        '(-j --jobs)'{-j+,--jobs=}'[Number of cases diagnosed at the same time]'':0 to 1024: ' \
+        '(-o --out)'{-o+,--out=}'[Folder of score.json and score.html]'':folder:_files -/' \
+        '(--force)'--force'[Also replace files of another source and changed files]' \
+        '1'':folder:_files -/'
+}
+
+_fusee_paper() {
+    _arguments -s \
+        '(- *)'{-h,--help}'[Print this help message and exit]' \
+        '(-o --out)'{-o+,--out=}'[Folder that contains the result, the folder paper]'':folder:_files -/' \
+        '(--profiles)'--profiles='[Folder of the shipped profiles]'':folder:_files -/' \
+        '(-j --jobs)'{-j+,--jobs=}'[Number of threads]'':0 to 1024: ' \
+        '(--force)'--force'[Also replace files of another source and changed files]'
+}
+
+_fusee_coupons() {
+    _arguments -s \
+        '(- *)'{-h,--help}'[Print this help message and exit]' \
+        '(-o --out)'{-o+,--out=}'[Folder that contains the result, the folder NAME-coupons]'':folder:_files -/' \
+        '(--force)'--force'[Also replace files of another source and changed files]' \
+        '1'':file:_files -g "*.(toml)(-.)"'
+}
+
+_fusee_calibrate() {
+    _arguments -s \
+        '(- *)'{-h,--help}'[Print this help message and exit]' \
+        '(--profile)'--profile='[Profile of the coupons]'':file:_files -g "*.(toml)(-.)"' \
+        '(--write-profile)'--write-profile='[File of the calibrated profile]'':file:_files -g "*.(toml)(-.)"' \
+        '(--json)'--json'[Print JSON]' \
+        '(--force)'--force'[Replace the file if it exists]' \
+        '1'':file:_files -g "*.(csv)(-.)"'
+}
+
+_fusee_check() {
+    _arguments -s \
+        '(- *)'{-h,--help}'[Print this help message and exit]' \
+        '(--process)'--process='[Process]'':choice:(fdm sla sls mill mill4 edm laser all)' \
+        '(--profile)'--profile='[Profile whose \[process\] states machine and limits]'':file:_files -g "*.(toml)(-.)"' \
+        '(--limits)'--limits='[File of \[\[limits\]\], each with its reason]'':file:_files -g "*.(toml)(-.)"' \
+        '(-o --out)'{-o+,--out=}'[Folder of NAME_check.3mf, which shows the findings in colours]'':folder:_files -/' \
+        '(--json)'--json'[Print JSON]' \
+        '(-j --jobs)'{-j+,--jobs=}'[Number of threads for a mesh]'':0 to 1024: ' \
+        '(--force)'--force'[Also replace files of another source and changed files]' \
+        '1'':file:_files -g "*.(toml|stl|obj|3mf|step|stp)(-.)"'
+}
+
+_fusee_rules() {
+    _arguments -s \
+        '(- *)'{-h,--help}'[Print this help message and exit]' \
+        '(--json)'--json'[Print JSON]'
+}
+
+_fusee_keys() {
+    _arguments -s \
+        '(- *)'{-h,--help}'[Print this help message and exit]' \
+        '(--names)'--names'[Print only the names, one per line]'
 }
 
 if [[ $funcstack[1] == _fusee ]]; then

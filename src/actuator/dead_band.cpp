@@ -81,7 +81,7 @@ private:
 };
 
 /// Full width at the joint, eq. 7; nothing if stiction allows loads that the law does not cover.
-std::optional<double> extreme_width(const Actuator& actuator, double tau) {
+std::optional<double> exact_width_at(const Actuator& actuator, double tau) {
     const core::Range loads = actuator.gear_friction.resting_loads(tau);
     const core::Range covered = actuator.law->loads();
     if (!covered.holds(loads.low) || !covered.holds(loads.high)) return std::nullopt;
@@ -102,9 +102,9 @@ double condition_6(const spring::LawPoint& p, const friction::Law& friction) {
 DeadBand dead_band(const Actuator& actuator, double tau) {
     DeadBand band;
     band.tau = tau;
-    const std::optional<double> extreme = extreme_width(actuator, tau);
-    band.covered = extreme.has_value();
-    band.exact_width = extreme.value_or(core::kNan);
+    const std::optional<double> exact = exact_width_at(actuator, tau);
+    band.covered = exact.has_value();
+    band.exact_width = exact.value_or(core::kNan);
     if (!actuator.law->loads().holds(tau)) {
         band.linear = band.joint_stiffness = band.free_joint_stiffness = band.theta = band.condition_6 = core::kNan;
         return band;

@@ -10,7 +10,7 @@
 
 namespace fusee::app {
 
-/// Libraries end the program where they get no thread: told before. @throws core::IoError
+/// Some libraries abort if no thread can be started; this function reports it first. @throws core::IoError
 inline void require_thread() {
     try {
         const std::jthread one([] {});
@@ -26,13 +26,10 @@ inline void add_jobs(CLI::App& command, unsigned& jobs, const std::string& meani
 
 /// --force of a command that writes into a folder (docs/outputs.md).
 inline void add_force(CLI::App& command, bool& force) {
-    command.add_flag("--force", force,
-                     "Also replace files that were made from another source or changed since; never those that fusee did not make");
+    command.add_flag("--force", force, "Also replace files of another source and changed files. Files that fusee did not make always stay");
 }
 
 /// --force of a command that writes a file that the user names.
-inline void add_force_file(CLI::App& command, bool& force) {
-    command.add_flag("--force", force, "Replace the file if it stands there already");
-}
+inline void add_force_file(CLI::App& command, bool& force) { command.add_flag("--force", force, "Replace the file if it exists"); }
 
 }  // namespace fusee::app

@@ -128,8 +128,12 @@ void add_batch(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<BatchArguments>();
     CLI::App* command =
         app.add_subcommand("batch", "Make every design of a study, with an index of their figures; goes on where it was stopped");
-    command->add_option("study", arguments->paths, "A study (*.toml with a table [study]), or profiles and folders of them")->required();
-    command->add_option("-o,--out", arguments->options.out, "Folder that gets the study's folder")->capture_default_str();
+    command->add_option("study", arguments->paths, "A study (*.toml with a table [study]), or profiles and folders of them")
+        ->type_name("FILE.toml")
+        ->required();
+    command->add_option("-o,--out", arguments->options.out, "Folder that gets the folder of the study")
+        ->type_name("FOLDER")
+        ->capture_default_str();
     command->add_option("--name", arguments->name, "Name of the folder for a list of profiles")->capture_default_str();
     command->add_flag("--dry-run", arguments->dry_run, "List the designs and the size on disk; make nothing");
     command->add_option("--shard", arguments->shard, "NUMBER/COUNT: make only this share of the designs, without the index");
@@ -150,7 +154,7 @@ void add_batch(CLI::App& app, Action& action) {
 void add_query(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<QueryArguments>();
     CLI::App* command = app.add_subcommand("query", "Ask the index of a study in SQL, read-only; prints columns separated by tabs");
-    command->add_option("study", arguments->study, "Folder of a study, out/NAME")->required();
+    command->add_option("study", arguments->study, "Folder of a study, out/NAME")->type_name("FOLDER")->required();
     command->add_option("sql", arguments->sql, "A SELECT on the tables designs and columns")->required();
     command->footer(
         "Example:\n  fusee query out/pnrvsa \"SELECT name, mass_g FROM designs ORDER BY mass_g LIMIT 5\"\n\n"

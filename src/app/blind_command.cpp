@@ -27,7 +27,7 @@ struct ScoreArguments {
     fs::path model, out;
 };
 
-/// The seal first, before any case is there.
+/// The seal is printed before the first case is written.
 int make(blind::BenchmarkOptions options) {
     core::catch_interrupts();
     require_thread();
@@ -84,7 +84,7 @@ int score(const ScoreArguments& arguments) {
     try {
         return write_score(arguments);
     } catch (const core::Stopped&) {
-        fmt::print(stderr, "stopped: finished diagnoses stay in {} and are not made again\n",
+        fmt::print(stderr, "stopped: the finished diagnoses stay in {} and are used next time\n",
                    (arguments.options.folder / "diagnoses").string());
         return kInterrupted;
     }
@@ -92,51 +92,55 @@ int score(const ScoreArguments& arguments) {
 
 void add_blind_make(CLI::App& blind, Action& action) {
     const auto options = std::make_shared<blind::BenchmarkOptions>();
-    CLI::App* command =
-        blind.add_subcommand("make", "Write cases of rigs that the model does not know, and a sealed file of what is wrong with them");
-    command->add_option("--seed", options->seed, "The same seed gives the same benchmark")
+    CLI::App* command = blind.add_subcommand("make", "Make gap cases of simulated rigs, and a sealed file with their faults");
+    command->add_option("--seed", options->seed, "Seed; the same seed gives the same benchmark")
         ->required()
         ->check(number_within(std::uint64_t{0}, std::numeric_limits<std::uint64_t>::max()));
-    command->add_option("--cases", options->cases, "How many cases")->required()->check(number_within(1, 10000));
-    command->add_option("-o,--out", options->out, "Folder that gets them")->required();
+    command->add_option("--cases", options->cases, "Number of cases")->required()->check(number_within(1, 10000));
+    command->add_option("-o,--out", options->out, "Folder of the benchmark")->type_name("FOLDER")->required();
     add_force(*command, options->force);
-    command->add_option("--plant", options->maker, "Who makes the measurements: plant, or as a control the model itself")
-        ->transform(
-            CLI::CheckedTransformer(std::map<std::string, blind::Maker>{{"plant", blind::Maker::kPlant}, {"model", blind::Maker::kModel}}));
-    add_jobs(*command, options->jobs, "Threads; 0 = one for each processor; no influence on the result");
+    const auto maker = std::make_shared<std::string>("plant");
+    command->add_option("--plant", *maker, "Source of the measurements: plant, or the model as a control")
+        ->check(CLI::IsMember({"plant", "model"}))
+        ->capture_default_str();
+    add_jobs(*command, options->jobs, "Number of threads; 0: one per processor. The result does not depend on it");
     command->footer(
         "Example:\n  fusee blind make --seed 1 --cases 500 --out blind\n\n"
-        "Exit code: 0 made, 2 bad input, 3 internal error, 130 stopped by Ctrl-C: nothing is written.");
-    command->callback([options, &action] { action = [options] { return make(*options); }; });
+        "Exit code: 0 the benchmark is made, 2 bad input, 3 internal error, 130 stopped by Ctrl-C: nothing is written.");
+    command->callback([options, maker, &action] {
+        options->maker = *maker == "plant" ? blind::Maker::kPlant : blind::Maker::kModel;
+        action = [options] { return make(*options); };
+    });
 }
 
 void add_blind_score(CLI::App& blind, Action& action) {
     const auto arguments = std::make_shared<ScoreArguments>();
     blind::ScoreOptions& options = arguments->options;
-    CLI::App* command = blind.add_subcommand("score", "Diagnose every case, then open the seal and say how many were right");
-    command
-        ->add_option("folder", options.folder, "Folder of the benchmark; its folder diagnoses gets the diagnoses, which are not made again")
+    CLI::App* command = blind.add_subcommand("score", "Diagnose every case, then open the seal and count the correct diagnoses");
+    command->add_option("folder", options.folder, "Folder of the benchmark; its folder diagnoses keeps the diagnoses for the next run")
+        ->type_name("FOLDER")
         ->required();
-    command->add_option("--seal", options.hash, "The hash that fusee blind make printed; left out: as seal.txt says");
-    command->add_option("--model", arguments->model, "A benchmark made with --plant model: its score is shown beside");
-    command->add_option("--limit", options.limit, "The first cases only; 0 = all")->capture_default_str();
-    command->add_flag("--again", options.again, "Make diagnoses anew that are there already");
-    add_jobs(*command, options.jobs, "Cases side by side; 0 = one for each processor; no influence on the score");
-    command->add_option("-o,--out", arguments->out, "Folder that gets score.json and score.html")->required();
+    command->add_option("--seal", options.hash, "Hash that fusee blind make printed; default: the hash in seal.txt");
+    command->add_option("--model", arguments->model, "Benchmark made with --plant model; its score is shown for comparison")
+        ->type_name("FOLDER");
+    command->add_option("--limit", options.limit, "Number of cases, from the first; 0: all")->capture_default_str();
+    command->add_flag("--again", options.again, "Repeat existing diagnoses");
+    add_jobs(*command, options.jobs, "Number of cases diagnosed at the same time; 0: one per processor. The score does not depend on it");
+    command->add_option("-o,--out", arguments->out, "Folder of score.json and score.html")->type_name("FOLDER")->required();
     add_force(*command, options.force);
     command->footer(
         "Example:\n  fusee blind score blind --seal sha256:HASH --out blind/score\n\n"
-        "Exit code: 0 scored, whatever the score, 2 bad input or a broken seal, 3 internal error,\n"
-        "130 stopped by Ctrl-C: finished diagnoses stay.");
+        "Exit code: 0 the score is written, 2 bad input or a broken seal, 3 internal error,\n"
+        "130 stopped by Ctrl-C: the finished diagnoses stay.");
     command->callback([arguments, &action] { action = [arguments] { return score(*arguments); }; });
 }
 
 }  // namespace
 
 void add_blind(CLI::App& app, Action& action) {
-    CLI::App* command = app.add_subcommand("blind", "Benchmark the diagnosis on sealed cases: make them, score them");
+    CLI::App* command = app.add_subcommand("blind", "Benchmark the diagnosis on sealed cases");
     command->require_subcommand(1);
-    command->footer("Help on a step: fusee blind make --help, fusee blind score --help");
+    command->footer("Help of the steps: fusee blind make --help, fusee blind score --help");
     add_blind_make(*command, action);
     add_blind_score(*command, action);
 }

@@ -26,7 +26,8 @@ struct CalibrateArguments {
 
 void require_pair(const CalibrateArguments& arguments) {
     if (arguments.corrected.empty()) return;
-    if (arguments.profile.empty()) throw core::InvalidInput("--profile", "missing", "the profile of the coupons, beside --write-profile");
+    if (arguments.profile.empty())
+        throw core::InvalidInput("--profile", "missing", "the profile of the coupons, together with --write-profile");
     require_new_profile("--write-profile", arguments.corrected, arguments.profile, arguments.force);
 }
 
@@ -56,15 +57,17 @@ int calibrate(const CalibrateArguments& arguments) {
 void add_calibrate(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<CalibrateArguments>();
     CLI::App* command = app.add_subcommand(
-        "calibrate", "Turn measured coupons into a profile's compensation: shrinkage, bore offset, the cable's neutral axis, spring rates");
-    command->add_option("sheet", arguments->sheet, "COUPON.csv as fusee coupons leaves it, filled")->required();
-    command->add_option("--profile", arguments->profile, "Profile that the coupons were made from: what it says already is compared");
-    command->add_option("--write-profile", arguments->corrected, "File that gets the profile with what was found; with --profile");
+        "calibrate",
+        "Compute the compensation of a profile from measured coupons: shrinkage, bore offset, neutral axis of the cable, spring rates");
+    command->add_option("sheet", arguments->sheet, "COUPON.csv of fusee coupons, filled in")->type_name("FILE.csv")->required();
+    command->add_option("--profile", arguments->profile, "Profile of the coupons; its present values are compared with the measured ones")
+        ->type_name("FILE.toml");
+    command->add_option("--write-profile", arguments->corrected, "File of the calibrated profile; needs --profile")->type_name("FILE.toml");
     command->add_flag("--json", arguments->json, "Print JSON");
     add_force_file(*command, arguments->force);
     command->footer(
         "Example:\n  fusee calibrate profiles/examples/coupon.csv --profile profiles/pnrvsa.toml --write-profile /tmp/calibrated.toml\n\n"
-        "Exit code: 0 something was found, 1 the rows say nothing, 2 bad input (file, line and column are named), 3 internal error.");
+        "Exit code: 0 at least one value is found, 1 no value is found, 2 bad input (file, line and column are named), 3 internal error.");
     command->callback([arguments, &action] { action = [arguments] { return calibrate(*arguments); }; });
 }
 

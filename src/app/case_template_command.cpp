@@ -43,13 +43,18 @@ int write_template(const CaseTemplateArguments& arguments) {
 void add_case_template(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<CaseTemplateArguments>();
     CLI::App* command = app.add_subcommand(
-        "case-template", "Write an empty gap case for a profile's joint: nominal rig, set points and the sheets to fill in at the bench");
-    command->add_option("profile", arguments->profile, "Profile (*.toml) with the parts' base springs")->required();
-    command->add_option("-o,--out", arguments->out, "Folder of the case; sheets that were filled in are never replaced")->required();
+        "case-template",
+        "Write an empty gap case for the joint of a profile: nominal rig, set points and sheets to fill in during the tests");
+    command->add_option("profile", arguments->profile, "Profile (*.toml) with the base springs of the parts")
+        ->type_name("FILE.toml")
+        ->required();
+    command->add_option("-o,--out", arguments->out, "Folder of the case; filled-in sheets are never replaced")
+        ->type_name("FOLDER")
+        ->required();
     add_force(*command, arguments->force);
     command->footer(
         "Example:\n  fusee case-template profiles/pnrvsa.toml --out bench/monday\n\n"
-        "Exit code: 0 written, 1 the law cannot be (the binding limit and the nearest feasible change are printed),\n"
+        "Exit code: 0 the case is written, 1 the law is not possible (the binding limit and the nearest feasible change are printed),\n"
         "2 bad input (file, line and key are named), 3 internal error.");
     command->callback([arguments, &action] { action = [arguments] { return write_template(*arguments); }; });
 }

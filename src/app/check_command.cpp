@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <memory>
 #include <vector>
@@ -37,6 +38,13 @@ std::vector<std::string> process_words() {
     return words;
 }
 
+/// "FILE.toml|stl|...", for the help and the completion.
+std::string input_type() {
+    std::string type = "FILE.toml";
+    for (const std::string& ending : exchange::mesh_endings()) type += "|" + ending.substr(1);
+    return type;
+}
+
 /// @pre `word` is one of process_words
 std::vector<checks::ProcessKind> kinds_of(const std::string& word) {
     std::vector<checks::ProcessKind> kinds;
@@ -49,19 +57,18 @@ pipeline::Checked check_profile(const CheckArguments& arguments) {
     if (!arguments.out.empty() || !arguments.profile.empty() || !arguments.limits.empty())
         throw core::InvalidInput(
             "check", arguments.input.string(),
-            "a mesh with --out, --profile and --limits; of a profile no file is written, and it has its own [[limits]]");
+            "a mesh, if --out, --profile or --limits is given; a profile has its own [[limits]], and its check writes no file");
     const profile::Profile profile = profile::read_profile(arguments.input);
     const auto kinds = arguments.process.empty() ? std::vector{profile.process.kind} : kinds_of(arguments.process);
     return with_places(profile, [&] { return pipeline::check(profile, kinds); });
 }
 
-/// How a mesh is to be made: by the profile's figures where they are for that process, else by the process's defaults.
+/// The processes that make a mesh. The profile's figures apply to its own process, default figures to the others.
 std::vector<Machine> machines_for(const CheckArguments& arguments) {
     std::vector<Machine> machines;
     if (!arguments.profile.empty()) {
         const profile::Profile profile = profile::read_profile(arguments.profile);
-        if (!profile.has_parts)
-            throw core::InvalidInput("--profile", arguments.profile.string(), "a profile with [process], the machine that makes the mesh");
+        if (!profile.has_parts) throw core::InvalidInput("--profile", arguments.profile.string(), "a profile with [process] for the mesh");
         const auto kinds = arguments.process.empty() ? std::vector{profile.process.kind} : kinds_of(arguments.process);
         for (const checks::ProcessKind kind : kinds) {
             const bool own = kind == profile.process.kind;
@@ -71,7 +78,8 @@ std::vector<Machine> machines_for(const CheckArguments& arguments) {
         return machines;
     }
     if (arguments.process.empty())
-        throw core::InvalidInput("check --process", "missing", "how the mesh is to be made: fdm, sla, sls, mill, mill4, edm, laser, all");
+        throw core::InvalidInput("check --process", "missing",
+                                 fmt::format("the process that makes the mesh: {}", fmt::join(process_words(), ", ")));
     for (const checks::ProcessKind kind : kinds_of(arguments.process)) {
         checks::Process process;
         process.kind = kind;
@@ -83,7 +91,8 @@ std::vector<Machine> machines_for(const CheckArguments& arguments) {
 MeshCheck checked(const CheckArguments& arguments) {
     if (arguments.input.extension() == ".toml") return {check_profile(arguments), {}};
     if (!exchange::is_mesh_file(arguments.input))
-        throw core::InvalidInput("check", arguments.input.string(), "a profile (.toml) or a mesh (.stl, .obj, .3mf, .step, .stp)");
+        throw core::InvalidInput("check", arguments.input.string(),
+                                 fmt::format("a profile (.toml) or a mesh ({})", fmt::join(exchange::mesh_endings(), ", ")));
     const auto limits =
         arguments.limits.empty() ? std::vector<checks::Override>{} : profile::read_limits(arguments.limits, inspect::rule_infos());
     std::vector<Machine> machines = machines_for(arguments);
@@ -100,7 +109,7 @@ int check(const CheckArguments& arguments) {
     } else {
         fmt::print(good ? stdout : stderr, "{}", report::check_text(result.checked));
         if (!result.coloured.empty())
-            fmt::print(good ? stdout : stderr, "Where: {} (red: error, orange: warning)\n", core::printable(result.coloured.string()));
+            fmt::print(good ? stdout : stderr, "Marked in: {} (red: error, orange: warning)\n", core::printable(result.coloured.string()));
     }
     return good ? 0 : 1;
 }
@@ -109,24 +118,23 @@ int check(const CheckArguments& arguments) {
 
 void add_check(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<CheckArguments>();
-    CLI::App* command = app.add_subcommand("check", "Run every rule on a profile's cams, or on a third-party mesh, without making files");
-    command->add_option("input", arguments->input, "Profile (.toml), or mesh: STL, OBJ, 3MF, STEP")->required();
-    command->add_option("--process", arguments->process, "How it is made, in place of the profile's; all: a table of all of them")
+    CLI::App* command =
+        app.add_subcommand("check", "Check the cams of a profile, or a third-party mesh, against every rule; without exported files");
+    command->add_option("input", arguments->input, "Profile (.toml), or mesh (STL, OBJ, 3MF, STEP)")->type_name(input_type())->required();
+    command->add_option("--process", arguments->process, "Process; replaces that of the profile. all: one table of all processes")
         ->check(CLI::IsMember(process_words()));
-    command->add_option("--profile", arguments->profile, "Of a mesh: profile whose [process] states machine and limits");
-    command->add_option("--limits", arguments->limits,
-                        "Of a mesh: file of [[limits]] in the place of the rules' own, each with its reason");
-    command->add_option("-o,--out", arguments->out, "Of a mesh: folder for NAME_check.3mf, which shows in colours where");
-    command->add_flag("--json", arguments->json, "As JSON");
-    add_jobs(*command, arguments->jobs, "Threads for a mesh; 0 = one for each processor");
+    command->add_option("--profile", arguments->profile, "Profile whose [process] states machine and limits; for a mesh")
+        ->type_name("FILE.toml");
+    command->add_option("--limits", arguments->limits, "File of [[limits]], each with its reason; for a mesh")->type_name("FILE.toml");
+    command->add_option("-o,--out", arguments->out, "Folder of NAME_check.3mf, which shows the findings in colours; for a mesh")
+        ->type_name("FOLDER");
+    command->add_flag("--json", arguments->json, "Print JSON");
+    add_jobs(*command, arguments->jobs, "Number of threads for a mesh; 0: one per processor");
     add_force(*command, arguments->force);
     command->footer(
-        "Example:\n  fusee check profiles/pnrvsa.toml\n  fusee check profiles/pnrvsa.toml --process all\n  fusee check bracket.stl "
-        "--process "
-        "fdm --out /tmp/bracket\n\n"
-        "Exit code: 0 nothing that has to be changed (of several processes: for one of them), 1 a required change, 2 bad input, 3 a "
-        "failure "
-        "inside.");
+        "Example:\n  fusee check profiles/pnrvsa.toml\n  fusee check profiles/pnrvsa.toml --process all\n"
+        "  fusee check bracket.stl --process fdm --out /tmp/bracket\n\n"
+        "Exit code: 0 no error (of several processes: for at least one), 1 an error, 2 bad input, 3 internal error.");
     command->callback([arguments, &action] { action = [arguments] { return check(*arguments); }; });
 }
 

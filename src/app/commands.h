@@ -4,7 +4,7 @@
 
 namespace fusee::app {
 
-/// What a parsed command line asks for: returns the exit code.
+/// The work of a parsed command line; returns the exit code.
 using Action = std::function<int()>;
 
 /// Each adds its subcommand(s) to `app` and sets `action` when the user calls one.
@@ -24,6 +24,7 @@ void add_coupons(CLI::App& app, Action& action);
 void add_calibrate(CLI::App& app, Action& action);
 void add_check(CLI::App& app, Action& action);
 void add_rules(CLI::App& app, Action& action);
-void add_lists(CLI::App& app, Action& action);
+void add_keys(CLI::App& app, Action& action);
+void add_usage(CLI::App& app, Action& action);
 
 }  // namespace fusee::app

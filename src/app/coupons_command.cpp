@@ -32,15 +32,17 @@ int coupons(const CouponsArguments& arguments) {
 
 void add_coupons(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<CouponsArguments>();
-    CLI::App* command = app.add_subcommand(
-        "coupons",
-        "Make test pieces for a profile's machine and cable: out/NAME-coupons with plate, groove ladder, disc and the sheet to fill");
-    command->add_option("profile", arguments->profile, "Profile (*.toml)")->required();
-    command->add_option("-o,--out", arguments->out, "Folder that gets NAME-coupons")->capture_default_str();
+    CLI::App* command = app.add_subcommand("coupons",
+                                           "Make test pieces for the machine and the cable of a profile: out/NAME-coupons with plate, "
+                                           "groove ladder, disc and a sheet to fill in");
+    command->add_option("profile", arguments->profile, "Profile (*.toml)")->type_name("FILE.toml")->required();
+    command->add_option("-o,--out", arguments->out, "Folder that contains the result, the folder NAME-coupons")
+        ->type_name("FOLDER")
+        ->capture_default_str();
     add_force(*command, arguments->force);
     command->footer(
         "Example:\n  fusee coupons profiles/pnrvsa.toml\n\n"
-        "Exit code: 0 made, 1 they cannot be made (the binding limit is printed), 2 bad input, 3 internal error.");
+        "Exit code: 0 the coupons are made, 1 they cannot be made (the binding limit is printed), 2 bad input, 3 internal error.");
     command->callback([arguments, &action] { action = [arguments] { return coupons(*arguments); }; });
 }
 

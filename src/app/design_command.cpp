@@ -25,7 +25,7 @@ namespace {
 
 struct DesignArguments {
     std::filesystem::path profile;
-    std::string method;  // empty: the profile's
+    std::string method;  // empty: that of the profile
     std::optional<int> population, generations, seed;
     codesign::RunOptions options;
 };
@@ -33,7 +33,7 @@ struct DesignArguments {
 const std::map<std::string, design::Method> kMethods{
     {"algorithm_1", design::Method::kAlgorithm1}, {"co_design", design::Method::kCoDesign}, {"pareto", design::Method::kPareto}};
 
-/// The profile with what the command line says instead.
+/// The profile with the values of the command line.
 profile::Profile read(const DesignArguments& arguments) {
     profile::Profile profile = profile::read_profile(arguments.profile);
     design::SearchOptions& search = profile.search;
@@ -56,7 +56,7 @@ codesign::RunResult run(const profile::Profile& profile, const codesign::RunOpti
     return codesign::run_pareto(profile, options);
 }
 
-/// A bar of at most so many steps: off a terminal each is a line.
+/// A progress bar of at most 25 steps; without a terminal each step is a line.
 class Steps {
 public:
     explicit Steps(int generations)
@@ -80,7 +80,7 @@ codesign::RunResult watched(const profile::Profile& profile, codesign::RunOption
 
 int say(const codesign::RunResult& result, const std::filesystem::path& folder) {
     if (!result.found()) {
-        if (result.interrupted) fmt::print(stderr, "stopped before any springs were found\n");
+        if (result.interrupted) fmt::print(stderr, "stopped; no springs were found so far\n");
         for (const core::Finding& finding : result.findings) fmt::print(stderr, "{}\n", core::to_line(finding));
         return result.interrupted ? kInterrupted : kRefused;
     }
@@ -88,7 +88,7 @@ int say(const codesign::RunResult& result, const std::filesystem::path& folder) 
     for (const core::Finding& finding : result.findings)
         if (core::is_broken(finding)) fmt::print("  {}\n", core::to_line(finding));
     if (const std::string open = report::not_judged_text(result.findings); !open.empty()) fmt::print("  {}\n", open);
-    fmt::print("{}: {}\n", result.interrupted ? "stopped early; the best so far" : "written", (folder / "").string());
+    fmt::print("{}: {}\n", result.interrupted ? "stopped; the best springs so far" : "written", (folder / "").string());
     return result.interrupted ? kInterrupted : 0;
 }
 
@@ -112,25 +112,30 @@ int design(const DesignArguments& arguments) {
 void add_design(CLI::App& app, Action& action) {
     constexpr int kMost = 1'000'000;
     const auto arguments = std::make_shared<DesignArguments>();
-    CLI::App* command = app.add_subcommand("design", "Find springs for a profile's joint: out/NAME-design with the law found as a profile");
-    command->add_option("profile", arguments->profile, "Profile (*.toml); [design] and the method's own table say what to look for")
+    CLI::App* command =
+        app.add_subcommand("design", "Find springs for the joint of a profile: out/NAME-design with the new law as a profile");
+    command->add_option("profile", arguments->profile, "Profile (*.toml); [design] and the table of the method state the goal")
+        ->type_name("FILE.toml")
         ->required();
-    command->add_option("--method", arguments->method, "In place of the profile's: algorithm_1, co_design or pareto")
+    command->add_option("--method", arguments->method, "Method of the search; replaces that of the profile")
         ->check(CLI::IsMember({"algorithm_1", "co_design", "pareto"}));
-    command->add_option("-o,--out", arguments->options.out, "Folder that gets NAME-design and NAME-design.checkpoint")
+    command->add_option("-o,--out", arguments->options.out, "Folder of NAME-design and NAME-design.checkpoint")
+        ->type_name("FOLDER")
         ->capture_default_str();
-    command->add_option("--population", arguments->population, "Members of a generation, in place of the profile's")
+    command->add_option("--population", arguments->population, "Size of a generation; replaces that of the profile")
         ->check(number_within(8, 100000));
-    command->add_option("--generations", arguments->generations, "Generations, in place of the profile's")->check(number_within(1, kMost));
-    command->add_option("--seed", arguments->seed, "Seed, in place of the profile's: the same one gives the same result")
+    command->add_option("--generations", arguments->generations, "Number of generations; replaces that of the profile")
+        ->check(number_within(1, kMost));
+    command->add_option("--seed", arguments->seed, "Seed; replaces that of the profile. The same seed gives the same result")
         ->check(number_within(0, 1'000'000'000));
-    add_jobs(*command, arguments->options.jobs, "Threads; 0 = one for each processor; no influence on the result");
-    command->add_flag("--resume", arguments->options.resume, "Go on from the checkpoint of a search that was stopped");
+    add_jobs(*command, arguments->options.jobs, "Number of threads; 0: one per processor. The result does not depend on it");
+    command->add_flag("--resume", arguments->options.resume, "Continue a stopped search from its checkpoint");
     add_force(*command, arguments->options.force);
     command->footer(
         "Example:\n  fusee design profiles/pnrvsa.toml\n  fusee design profiles/pnrvsa.toml --generations 1000 --resume\n\n"
-        "Exit code: 0 found, 1 no springs found (what binds and what to change is printed), 2 bad input (file, line and key are named),\n"
-        "3 internal error, 130 stopped by Ctrl-C: the best so far is written.");
+        "Exit code: 0 springs are found, 1 no springs are found (the binding limit and a change are printed), 2 bad input (file, line and "
+        "key are named),\n"
+        "3 internal error, 130 stopped by Ctrl-C: the best springs so far are written.");
     command->callback([arguments, &action] { action = [arguments] { return design(*arguments); }; });
 }
 

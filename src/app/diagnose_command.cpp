@@ -27,7 +27,7 @@ struct DiagnoseArguments {
     unsigned jobs = 0;
 };
 
-/// A bar whose length is known when the first part is done; Ctrl-C ends the work there.
+/// A progress bar whose length is known after the first step; Ctrl-C stops the work between two steps.
 class Watched {
 public:
     void operator()(std::size_t, std::size_t total, const std::string& what) {
@@ -42,7 +42,7 @@ private:
     std::optional<core::Progress> progress_;
 };
 
-/// What only a whole case shows is refused without a file: the folder stands in for it.
+/// An error about the whole case names no file; this function names its folder.
 template <class Work>
 diagnosis::Diagnosis with_folder(const fs::path& folder, const Work& work) {
     try {
@@ -80,7 +80,7 @@ int diagnose(const DiagnoseArguments& arguments) {
     if (redesign) try {
             redesigned = redesign->write(found, output.path());
             core::write_file(output.path() / "diagnosis.html", report::diagnosis_html(found, redesigned.section));
-        } catch (const core::InvalidInput&) {  // a figure that no profile can hold ends here, with the diagnosis written
+        } catch (const core::InvalidInput&) {  // a value that no profile can hold: the diagnosis is written nevertheless
             output.commit();
             throw;
         }
@@ -95,17 +95,21 @@ int diagnose(const DiagnoseArguments& arguments) {
 void add_diagnose(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<DiagnoseArguments>();
     CLI::App* command = app.add_subcommand(
-        "diagnose", "Say where a built joint and its model part, which effect causes it and how far the gap shrinks with it in the model");
-    command->add_option("case", arguments->folder, "Folder of a gap case: case.toml and one CSV file for each experiment")->required();
-    command->add_option("-o,--out", arguments->out, "Folder that gets diagnosis.json and diagnosis.html")->required();
-    command->add_option("--profile", arguments->profile, "Profile that the rig was made from; with --write-profile");
-    command->add_option("--write-profile", arguments->corrected,
-                        "File that gets the profile corrected for the rig as it is, to cut new cams from by fusee make");
-    add_jobs(*command, arguments->jobs, "Threads; 0 = one for each processor; no influence on the result");
+        "diagnose", "Diagnose a built joint: where it and its model diverge, which effect causes it, and how much of the gap remains");
+    command->add_option("case", arguments->folder, "Folder of a gap case: case.toml and one CSV file per experiment")
+        ->type_name("FOLDER")
+        ->required();
+    command->add_option("-o,--out", arguments->out, "Folder of diagnosis.json and diagnosis.html")->type_name("FOLDER")->required();
+    command->add_option("--profile", arguments->profile, "Profile of the rig; needs --write-profile")->type_name("FILE.toml");
+    command
+        ->add_option("--write-profile", arguments->corrected,
+                     "File of the profile that suits the rig as diagnosed; fusee make turns it into new cams")
+        ->type_name("FILE.toml");
+    add_jobs(*command, arguments->jobs, "Number of threads; 0: one per processor. The result does not depend on it");
     add_force(*command, arguments->force);
     command->footer(
         "Example:\n  fusee diagnose bench/monday --out bench/monday/diagnosis\n\n"
-        "Exit code: 0 a verdict was reached, whichever it is: identified, none, ambiguous or unknown,\n"
+        "Exit code: 0 a verdict is reached: identified, none, ambiguous or unknown,\n"
         "2 bad input (file, line and key are named), 3 internal error, 130 stopped by Ctrl-C: nothing is written.");
     command->callback([arguments, &action] { action = [arguments] { return diagnose(*arguments); }; });
 }

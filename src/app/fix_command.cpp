@@ -24,7 +24,7 @@ struct FixArguments {
     fix::Options options;
 };
 
-/// Beside the profile: "x-fixed.toml" of "x.toml".
+/// In the folder of the profile: "x-fixed.toml" for "x.toml".
 fs::path beside(const fs::path& profile) { return profile.parent_path() / (profile.stem().string() + "-fixed.toml"); }
 
 int run_fix(const FixArguments& arguments) {
@@ -53,25 +53,28 @@ int run_fix(const FixArguments& arguments) {
 void add_fix(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<FixArguments>();
     CLI::App* command =
-        app.add_subcommand("fix", "Change what the findings suggest until a profile can be made: a new profile with the reasons");
-    command->add_option("profile", arguments->profile, "Profile (*.toml) that cannot be made; it stays as it is")->required();
-    command->add_option("-o,--out", arguments->options.file, "File that gets the new profile; left out: PROFILE-fixed.toml beside it");
-    command->add_flag("--reviews", arguments->options.reviews, "Take away what is to be reviewed and accepted, too");
+        app.add_subcommand("fix", "Change a profile until it can be made: a new profile that states each change and its reason");
+    command->add_option("profile", arguments->profile, "Profile (*.toml) that cannot be made; it is not changed")
+        ->type_name("FILE.toml")
+        ->required();
+    command->add_option("-o,--out", arguments->options.file, "File of the new profile; default: PROFILE-fixed.toml in the same folder")
+        ->type_name("FILE.toml");
+    command->add_flag("--reviews", arguments->options.reviews, "Also remove the warnings");
     command
-        ->add_option("--keep", arguments->options.keep, "Key or table that is not changed, as k_pe.hub.bore_mm or cable; may be repeated")
+        ->add_option("--keep", arguments->options.keep,
+                     "Key or table that stays unchanged, such as k_pe.hub.bore_mm or cable; may be repeated")
         ->type_name("KEY")
         ->expected(1)
         ->take_all();
-    command->add_option("--most", arguments->options.most_judged, "Profiles judged before the search gives up")
+    command->add_option("--most", arguments->options.most_judged, "Largest number of profiles that the search judges")
         ->check(number_within(1, 1000000))
         ->capture_default_str();
     command->add_flag("--json", arguments->json, "Print the changes as JSON instead of text");
     add_force_file(*command, arguments->force);
     command->footer(
         "Example:\n  fusee fix profiles/pnrvsa.toml --out /tmp/pnrvsa.toml\n\n"
-        "Exit code: 0 fixed, or nothing to do, 1 it cannot be (what binds is printed, nothing is written), 2 bad input (file, line and key "
-        "are\n"
-        "named), 3 internal error, 130 stopped by Ctrl-C: nothing is written.");
+        "Exit code: 0 the profile is fixed or needs no change, 1 it cannot be fixed (the binding limit is printed, nothing is written),\n"
+        "2 bad input (file, line and key are named), 3 internal error, 130 stopped by Ctrl-C: nothing is written.");
     command->callback([arguments, &action] { action = [arguments] { return run_fix(*arguments); }; });
 }
 

@@ -39,16 +39,21 @@ int identify(const IdentifyArguments& arguments) {
 
 void add_identify(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<IdentifyArguments>();
-    CLI::App* command = app.add_subcommand(
-        "identify",
-        "Find a gear's friction from break-away tests: out/identify-FILE with identification.json and a page as the paper's figure 8");
-    command->add_option("csv", arguments->csv, "Rows of side,direction,motor_torque_Nm,load_torque_Nm; direction is drive or backdrive")
+    CLI::App* command = app.add_subcommand("identify",
+                                           "Identify the friction of a gear from break-away tests: out/identify-FILE with "
+                                           "identification.json and a page like figure 8 of the paper");
+    command
+        ->add_option("csv", arguments->csv,
+                     "CSV file with the columns side,direction,motor_torque_Nm,load_torque_Nm; direction is drive or backdrive")
+        ->type_name("FILE.csv")
         ->required();
-    command->add_option("-o,--out", arguments->out, "Folder that gets one folder per file")->capture_default_str();
+    command->add_option("-o,--out", arguments->out, "Folder of the results; each file gets a folder in it")
+        ->type_name("FOLDER")
+        ->capture_default_str();
     add_force(*command, arguments->force);
     command->footer(
         "Example:\n  fusee identify profiles/examples/break_away.csv\n\n"
-        "Exit code: 0 a law was found, 1 the rows are no gear's friction (what was found is written all the same),\n"
+        "Exit code: 0 a friction law is found, 1 no friction law fits the rows (the result is written nevertheless),\n"
         "2 bad input (file, line and column are named), 3 internal error.");
     command->callback([arguments, &action] { action = [arguments] { return identify(*arguments); }; });
 }

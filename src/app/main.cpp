@@ -26,14 +26,15 @@ namespace fusee::app {
 namespace {
 
 void add_commands(CLI::App& app, Action& action) {
-    for (const auto& add : {add_make, add_batch, add_query, add_fix, add_simulate, add_identify, add_design, add_diagnose, add_predict, add_case_template,
-                            add_blind, add_paper, add_coupons, add_calibrate, add_check, add_rules, add_lists})
+    for (const auto& add : {add_make, add_batch, add_query, add_fix, add_simulate, add_identify, add_design, add_diagnose, add_predict,
+                            add_case_template, add_blind, add_paper, add_coupons, add_calibrate, add_check, add_rules, add_keys, add_usage})
         add(app, action);
 }
 
 int refuse_without_command(const CLI::App& app) {
     std::vector<std::string> commands;
-    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) commands.push_back(command->get_name());
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App* command) { return !command->get_group().empty(); }))
+        commands.push_back(command->get_name());
     fmt::print(stderr, "A command is required: {}\nRun with --help for more information.\n", fmt::join(commands, ", "));
     return kBadInput;
 }
@@ -43,7 +44,7 @@ int refuse(const std::exception& e) {
     return kBadInput;
 }
 
-/// What is left of standard output goes out now: a table that is lost is told.
+/// Flushes standard output; reports a table that could not be written.
 int with_output(int code) {
     std::cout.flush();
     const bool lost = std::fflush(stdout) != 0 || std::ferror(stdout) != 0 || !std::cout;
@@ -52,10 +53,10 @@ int with_output(int code) {
     return std::max(code, kBadInput);
 }
 
-/// A closed standard output would let the next file that is opened take its place, and get what is printed.
+/// Opens closed standard files: otherwise the next opened file would take their number and receive the output.
 void keep_standard_files() {
     for (const int file : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
-        if (::fcntl(file, F_GETFD) < 0) (void)::open("/dev/null", O_RDONLY);  // the lowest free number; writing to it fails
+        if (::fcntl(file, F_GETFD) < 0) (void)::open("/dev/null", O_RDONLY);  // takes the lowest free number; writing to it fails
 }
 
 int run(const Action& action) {
@@ -66,7 +67,7 @@ int run(const Action& action) {
     } catch (const std::system_error& e) {  // a full disk, a folder that is a file, no more threads
         return refuse(e);
     } catch (const std::bad_alloc&) {
-        fmt::print(stderr, "fusee: out of memory: this takes more than the machine or its limit (ulimit -v) gives\n");
+        fmt::print(stderr, "fusee: out of memory: the machine or its limit (ulimit -v) has less than this needs\n");
         return kBadInput;
     } catch (const core::Stopped&) {
         fmt::print(stderr, "stopped: nothing was written\n");
@@ -85,10 +86,14 @@ int main(int argc, char** argv) {
     using namespace fusee;
     app::keep_standard_files();
     if (argc == 3 && std::string_view(argv[1]) == exchange::kReadMesh) return exchange::serve_mesh_file(argv[2]);  // for mesh_check.cpp
-    CLI::App app("fusee turns the spring energies of a variable-stiffness joint into cams that a shop can print or machine", "fusee");
+    CLI::App app("Turn the spring energies of a variable-stiffness joint into cams, check and export them, and diagnose the built joint",
+                 "fusee");
     app.set_version_flag("--version", core::version());
-    app.require_subcommand(0, 1);  // none is refused below: CLI11 would pass over a wrong word
-    app.footer("Example:\n  fusee make profiles/pnrvsa.toml\n\nHelp on a command: fusee COMMAND --help");
+    app.require_subcommand(0, 1);  // a missing command is refused below: CLI11 would not name a wrong word
+    app.footer(
+        "Example:\n  fusee make profiles/pnrvsa.toml\n\n"
+        "Exit code: 0 done, 1 a design cannot be made, 2 bad input, 3 internal error, 130 stopped by Ctrl-C.\n\n"
+        "Help of a command:\n  fusee COMMAND --help\nCompletion in bash (also zsh, fish):\n  source <(fusee completion bash)");
     app::Action action;
     app::add_commands(app, action);
     try {

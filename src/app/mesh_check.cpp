@@ -26,7 +26,7 @@ std::string input_line(const exchange::MeshFile& file, const inspect::Body& body
                        box.high_mm[2] - box.low_mm[2], solid::volume_mm3(body.mesh()), body.samples().size());
 }
 
-/// The gravest finding of each triangle, of all processes.
+/// Each triangle gets the colour of its most severe finding in all processes.
 void paint(std::vector<exchange::Colour>& colours, const std::vector<inspect::Marked>& found) {
     for (const core::Severity severity : {core::Severity::kWarning, core::Severity::kError})
         for (const inspect::Marked& marked : found)
@@ -35,7 +35,7 @@ void paint(std::vector<exchange::Colour>& colours, const std::vector<inspect::Ma
                     if (colours[t] != kRed) colours[t] = severity == core::Severity::kError ? kRed : kOrange;
 }
 
-/// @throws core::IoError naming the file: what is wrong with its triangles is the file's fault
+/// @throws core::IoError naming the file if its triangles are invalid
 inspect::Body body_of(const solid::Mesh& mesh, const std::filesystem::path& file, unsigned jobs) {
     try {
         return inspect::Body(mesh, kSamples, jobs);

@@ -8,7 +8,7 @@
 
 namespace fusee::app {
 
-/// How a mesh is to be made, and whose figures these are.
+/// The process that makes a mesh, and the source of its figures.
 struct Machine {
     checks::Process process;
     std::string figures;
@@ -18,11 +18,11 @@ struct Machine {
 /// A third-party part, checked for each process.
 struct MeshCheck {
     pipeline::Checked checked;
-    std::filesystem::path coloured;  ///< the 3MF that shows where; empty if none was asked for
+    std::filesystem::path coloured;  ///< the 3MF that shows the findings; empty without --out
 };
 
-/// Reads the file, runs the mesh's rules for each machine, with `limits` in the place of their own, and, where `out` is not empty, writes
-/// out/NAME_check.3mf: red where an error is, orange where a warning, grey elsewhere. @throws core::InvalidInput, core::IoError
+/// Reads the file and runs the rules of meshes for each machine; `limits` replace the rules' limits. If `out` is not empty, it writes
+/// out/NAME_check.3mf: errors are red, warnings orange, all else grey. @throws core::InvalidInput, core::IoError
 [[nodiscard]] MeshCheck check_mesh(const std::filesystem::path& file, const std::vector<Machine>& machines,
                                    const std::vector<checks::Override>& limits, const std::filesystem::path& out, bool force,
                                    unsigned jobs);

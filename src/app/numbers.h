@@ -9,13 +9,14 @@
 
 namespace fusee::app {
 
-/// Checks an argument: a number in decimal digits from `low` to `high`. CLI11 alone takes nan, 0x10 as 16, 010 as 8 and -1 as 2^64 - 1.
+/// Checks an argument: a number in decimal digits from `low` to `high`. CLI11 alone accepts nan, and reads 0x10 as 16, 010 as 8 and -1 as
+/// 2^64 - 1.
 template <class Number>
 CLI::Validator number_within(Number low, Number high) {
     const auto check = [low, high](const std::string& text) -> std::string {
         Number value{};
         const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-        bool good = error == std::errc() && end == text.data() + text.size() && value >= low && value <= high;  // NaN is neither
+        bool good = error == std::errc() && end == text.data() + text.size() && value >= low && value <= high;  // false for NaN
         if constexpr (std::is_integral_v<Number>) good = good && (text.size() == 1 || (text[0] != '0' && !text.starts_with("-0")));
         constexpr const char* kKind = std::is_integral_v<Number> ? "a whole number" : "a number with a decimal point";
         return good ? "" : fmt::format("{} (allowed: {}, {} to {})", text, kKind, low, high);

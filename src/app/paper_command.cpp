@@ -16,7 +16,7 @@ namespace {
 
 struct PaperArguments {
     paper::Options options;
-    std::filesystem::path out = "out";  // the result is out/paper, complete or not at all
+    std::filesystem::path out = "out";  // the result is out/paper, complete or absent
     bool force = false;
 };
 
@@ -50,14 +50,18 @@ int make_paper(const PaperArguments& arguments) {
 void add_paper(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<PaperArguments>();
     CLI::App* command =
-        app.add_subcommand("paper", "Make every table and figure of the paper anew: out/paper with paper.html and a CSV file for each");
-    command->add_option("-o,--out", arguments->out, "Folder that gets the folder paper")->capture_default_str();
-    command->add_option("--profiles", arguments->options.profiles, "Folder of the shipped profiles")->capture_default_str();
-    add_jobs(*command, arguments->options.jobs, "Threads; 0 = one for each processor; no influence on the result");
+        app.add_subcommand("paper", "Reproduce every table and figure of the paper: out/paper with paper.html and a CSV file for each");
+    command->add_option("-o,--out", arguments->out, "Folder that contains the result, the folder paper")
+        ->type_name("FOLDER")
+        ->capture_default_str();
+    command->add_option("--profiles", arguments->options.profiles, "Folder of the shipped profiles")
+        ->type_name("FOLDER")
+        ->capture_default_str();
+    add_jobs(*command, arguments->options.jobs, "Number of threads; 0: one per processor. The result does not depend on it");
     add_force(*command, arguments->force);
     command->footer(
         "Example:\n  fusee paper\n\n"
-        "Exit code: 0 all made, 1 a law cannot be (the binding limit and the nearest feasible change are printed),\n"
+        "Exit code: 0 all is reproduced, 1 a law is not possible (the binding limit and the nearest feasible change are printed),\n"
         "2 bad input (file, line and key are named), 3 internal error, 130 stopped by Ctrl-C: nothing is written.");
     command->callback([arguments, &action] { action = [arguments] { return make_paper(*arguments); }; });
 }

@@ -8,8 +8,8 @@
 
 namespace fusee::app {
 
-/// What `work` returns; a module below knows the key that it refuses, the profile its file and line.
-/// @throws core::InvalidInput with both
+/// Returns what `work` returns. An error of a module names the key; this function adds its file and line.
+/// @throws core::InvalidInput with all three
 template <class Work>
 auto with_places(const profile::Profile& profile, const Work& work) {
     try {
@@ -19,14 +19,13 @@ auto with_places(const profile::Profile& profile, const Work& work) {
     }
 }
 
-/// May a new profile be written to `file`? It takes the place of no old one unless forced, and of no CSV
-/// file that was named by mistake.
+/// Refuses to write a profile over an old one unless forced, or to a file that is not a .toml file.
 /// @throws core::InvalidInput naming the option; core::IoError
 inline void require_new_profile(const std::string& option, const std::filesystem::path& file, const std::filesystem::path& old,
                                 bool force) {
-    if (file.extension() != ".toml") throw core::InvalidInput(option, file.string(), "a name that ends in .toml, for a profile");
+    if (file.extension() != ".toml") throw core::InvalidInput(option, file.string(), "a file name that ends in .toml");
     if (std::filesystem::weakly_canonical(file) == std::filesystem::weakly_canonical(old))
-        throw core::InvalidInput(option, file.string(), "another file than the profile, which stays as it is");
+        throw core::InvalidInput(option, file.string(), "a file other than the profile, which is not changed");
     core::require_new_file(file, force);
 }
 

@@ -23,11 +23,11 @@ struct PredictArguments {
 
 constexpr std::size_t kLargestDiagnosis = 50'000'000;  // bytes
 
-/// Predictions take the places of measurements under the same names: not where those lie.
+/// Predictions have the file names of the measurements: they go to another folder.
 void require_other_folder(const fs::path& out, const fs::path& measured) {
     std::error_code error;
     if (fs::equivalent(out, measured, error))
-        throw core::InvalidInput("--out", out.string(), "another folder than that of the measurements");
+        throw core::InvalidInput("--out", out.string(), "a folder other than that of the measurements");
 }
 
 diagnosis::Diagnosis effects_of(const fs::path& file) {
@@ -66,17 +66,23 @@ int predict(const PredictArguments& arguments) {
 void add_predict(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<PredictArguments>();
     CLI::App* command = app.add_subcommand(
-        "predict", "Say what the model of a gap case, with or without the effects of a diagnosis, foretells for other inputs");
-    command->add_option("case", arguments->folder, "Folder of the gap case that tells the nominal rig")->required();
-    command->add_option("--effects", arguments->effects, "A diagnosis.json; without one the nominal model predicts");
-    command->add_option("--inputs", arguments->inputs, "Folder with CSV files named as the case's: their input columns are read")
+        "predict", "Predict the measurements of a gap case for other inputs, with or without the effects of a diagnosis");
+    command->add_option("case", arguments->folder, "Folder of the gap case with the nominal rig")->type_name("FOLDER")->required();
+    command->add_option("--effects", arguments->effects, "diagnosis.json with the effects; default: the nominal model")
+        ->type_name("FILE.json");
+    command
+        ->add_option("--inputs", arguments->inputs,
+                     "Folder of CSV files with the same names as in the case; only their input columns are read")
+        ->type_name("FOLDER")
         ->required();
-    command->add_option("-o,--out", arguments->out, "Folder that gets the same files, measured columns replaced row by row")->required();
+    command->add_option("-o,--out", arguments->out, "Folder of the same files with predicted values in the measured columns")
+        ->type_name("FOLDER")
+        ->required();
     add_force(*command, arguments->force);
     command->footer(
         "Example:\n  fusee predict bench/monday --effects bench/monday/diagnosis/diagnosis.json --inputs bench/tuesday --out "
         "/tmp/predicted\n\n"
-        "Exit code: 0 predicted, 2 bad input (file, line and key are named), 3 internal error.");
+        "Exit code: 0 the predictions are written, 2 bad input (file, line and key are named), 3 internal error.");
     command->callback([arguments, &action] { action = [arguments] { return predict(*arguments); }; });
 }
 

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 RedesignStep::RedesignStep(const fs::path& profile, const fs::path& file, const fs::path& case_folder, bool force)
     : file_(file), force_(force), toml_(core::read_file(profile, profile::kLargestFile)), profile_(profile::parse_profile(toml_, profile)) {
     if (fs::weakly_canonical(file) == fs::weakly_canonical(profile))
-        throw core::InvalidInput("--write-profile", file.string(), "another file than --profile, which stays as it is");
+        throw core::InvalidInput("--write-profile", file.string(), "a file other than --profile, which is not changed");
     if (std::error_code ignored; fs::exists(file, ignored)) core::require_new_file(file, force);
     if (gap_case::is_subsystem_case(case_folder))
         throw core::InvalidInput("--write-profile", case_folder.string(), "a case with [rig]: a subsystem case has no cams");
@@ -33,8 +33,8 @@ RedesignStep::Output RedesignStep::write(const diagnosis::Diagnosis& found, cons
 
 std::optional<RedesignStep> redesign_step(const fs::path& profile, const fs::path& file, const fs::path& case_folder, bool force) {
     if (profile.empty() && file.empty()) return std::nullopt;
-    if (profile.empty()) throw core::InvalidInput("--profile", "missing", "the profile that the rig was made from, beside --write-profile");
-    if (file.empty()) throw core::InvalidInput("--write-profile", "missing", "the file that gets the corrected profile, beside --profile");
+    if (profile.empty()) throw core::InvalidInput("--profile", "missing", "the profile of the rig, together with --write-profile");
+    if (file.empty()) throw core::InvalidInput("--write-profile", "missing", "the file for the corrected profile, together with --profile");
     return RedesignStep(profile, file, case_folder, force);
 }
 

@@ -9,10 +9,10 @@
 
 namespace fusee::app {
 
-/// `fusee diagnose --profile PROFILE --write-profile FILE`: from the diagnosis to cams for the rig as it is.
+/// `fusee diagnose --profile PROFILE --write-profile FILE`: from the diagnosis to a profile for the rig as it is.
 class RedesignStep {
 public:
-    /// Reads profile and case, so that what does not belong together is refused before the diagnosis begins.
+    /// Reads profile and case; refuses a pair that does not match before the diagnosis begins.
     /// @throws core::InvalidInput, core::IoError
     RedesignStep(const std::filesystem::path& profile, const std::filesystem::path& file, const std::filesystem::path& case_folder,
                  bool force);
@@ -26,13 +26,13 @@ public:
 
 private:
     std::filesystem::path file_;
-    bool force_;  ///< a profile that stands there is replaced
+    bool force_;  ///< replaces an existing profile
     std::string toml_;
     profile::Profile profile_;
     gap_case::Case gap_case_;
 };
 
-/// None unless both options are given. @throws core::InvalidInput if one stands alone, and as RedesignStep
+/// None if neither option is given. @throws core::InvalidInput if only one is given, and as RedesignStep
 [[nodiscard]] std::optional<RedesignStep> redesign_step(const std::filesystem::path& profile, const std::filesystem::path& file,
                                                         const std::filesystem::path& case_folder, bool force);
 

@@ -49,7 +49,7 @@ void print_json() {
     fmt::print("{}\n", all.dump(2));
 }
 
-/// The rules of a design, then those of a mesh.
+/// The rules of designs, then the rules of meshes.
 std::vector<const checks::RuleInfo*> all_rules() {
     std::vector<const checks::RuleInfo*> infos;
     for (const checks::Rule& rule : checks::rules()) infos.push_back(&rule);
@@ -79,11 +79,11 @@ void print_text() {
 
 void add_rules(CLI::App& app, Action& action) {
     const auto json = std::make_shared<bool>(false);
-    CLI::App* command = app.add_subcommand("rules", "List every manufacturability rule with its limits and sources");
-    command->add_flag("--json", *json, "As JSON");
+    CLI::App* command = app.add_subcommand("rules", "List every rule with its limits and sources");
+    command->add_flag("--json", *json, "Print JSON");
     command->footer(
         "Example:\n  fusee rules | less\n  fusee rules --json > rules.json\n\n"
-        "A limit is put in its place by the profile: [[limits]] with rule, the limit's name = a number, and reason.");
+        "A profile replaces a limit in [[limits]]: rule, the name of the limit = a number, and reason.");
     command->callback([json, &action] { action = [json] { return *json ? print_json() : print_text(), 0; }; });
 }
 

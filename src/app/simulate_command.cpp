@@ -28,7 +28,7 @@ struct SimulateArguments {
 
 constexpr double kLargestTorque = 1e4;
 
-/// "1,0.8,0" as (tau_1, tau_2, tau_q) [Nm]; nothing if these are not three torques.
+/// "1,0.8,0" as (tau_1, tau_2, tau_q) [Nm]; nothing if the text is not three torques.
 std::optional<Eigen::Vector3d> parse_torques(const std::string& text) {
     Eigen::Vector3d torques;
     const char* next = text.data();
@@ -44,13 +44,13 @@ std::optional<Eigen::Vector3d> parse_torques(const std::string& text) {
 
 std::string three_torques(const std::string& text) {
     if (parse_torques(text)) return "";
-    return fmt::format("{}; allowed are three torques in Nm parted by commas, each from {:g} to {:g}, such as 1,0.8,0", text,
+    return fmt::format("{}; allowed: three torques in Nm with commas between them, each from {:g} to {:g}, such as 1,0.8,0", text,
                        -kLargestTorque, kLargestTorque);
 }
 
 int simulate(const SimulateArguments& arguments) {
     core::catch_interrupts();
-    if (arguments.paths.empty()) throw core::InvalidInput("simulate", "no profile", "at least one profile (*.toml) or folder of them");
+    if (arguments.paths.empty()) throw core::InvalidInput("simulate", "no profile", "at least one profile (*.toml) or folder of profiles");
     pipeline::SimulateOptions options = arguments.options;
     for (const std::string& torques : arguments.at) options.at.push_back(*parse_torques(torques));
     const auto rows = batch::simulate_all(profile::find_profiles(arguments.paths), arguments.out, options, arguments.jobs, arguments.force);
@@ -65,28 +65,32 @@ void add_simulate(CLI::App& app, Action& action) {
     constexpr int kMostLevels = 1000;
     const auto arguments = std::make_shared<SimulateArguments>();
     CLI::App* command = app.add_subcommand(
-        "simulate", "Say what the joints of profiles do: out/NAME with dead_band.csv, simulation.json and a page of pictures");
-    command->add_option("profiles", arguments->paths, "Profiles (*.toml), or folders of them: at least one");
-    command->add_option("-o,--out", arguments->out, "Folder that gets one folder per profile; what lies there already stays")
+        "simulate", "Simulate the joints of profiles: out/NAME with dead_band.csv, simulation.json and a page of figures");
+    command->add_option("profiles", arguments->paths, "One or more profiles (*.toml) or folders of profiles")->type_name("FILE.toml");
+    command->add_option("-o,--out", arguments->out, "Folder of the results; each profile gets a folder in it. Other files there stay")
+        ->type_name("FOLDER")
         ->capture_default_str();
-    command->add_option("--levels", arguments->options.levels, "Levels of co-contraction in place of the profile's")
+    command->add_option("--levels", arguments->options.levels, "Number of levels of co-contraction; replaces that of the profile")
         ->check(number_within(2, kMostLevels));
     command
-        ->add_option("--push-torque", arguments->options.push_torque, "Joint torque of the push-and-release test [Nm]; 0 = strong enough")
+        ->add_option("--push-torque", arguments->options.push_torque,
+                     "Joint torque of the push-and-release test [Nm]; 0: large enough to move the joint")
         ->check(number_within(0.0, kLargestTorque));
     command
-        ->add_option("--at", arguments->at,
-                     "Torques of agonist, antagonist and joint [Nm] at which equilibrium, sensitivity and dead-band are asked for, such as "
-                     "1,0.8,0; may be given again")
+        ->add_option(
+            "--at", arguments->at,
+            "Torques of agonist, antagonist and joint [Nm], such as 1,0.8,0: computes equilibrium, sensitivity and dead-band; may be "
+            "repeated")
         ->allow_extra_args(false)
         ->type_name("T1,T2,TQ")
         ->check(CLI::Validator(three_torques, ""));
     add_force(*command, arguments->force);
-    add_jobs(*command, arguments->jobs, "Profiles simulated at the same time; 0 = one for each processor");
+    add_jobs(*command, arguments->jobs, "Number of profiles simulated at the same time; 0: one per processor");
     command->footer(
         "Example:\n  fusee simulate profiles/pnrvsa.toml\n  fusee simulate profiles/relatives --levels 5\n  fusee simulate "
         "profiles/pnrvsa.toml --at 1,0.9,0 --at 1,1,0.05\n\n"
-        "Exit code: 0 all simulated, 1 a law or an equilibrium cannot be (what binds and the nearest feasible change are printed),\n"
+        "Exit code: 0 all profiles are simulated, 1 a law or an equilibrium is not possible (the binding limit and the nearest feasible\n"
+        "change are printed),\n"
         "2 bad input (file, line and key are named), 3 internal error, 130 stopped by Ctrl-C.");
     command->callback([arguments, &action] { action = [arguments] { return simulate(*arguments); }; });
 }

@@ -37,18 +37,17 @@ std::string key_of(const study::Plan& plan, const study::Planned& planned, const
     return core::sha256_hex(all);
 }
 
-/// The formats that a study asks for.
+/// The files that a study asks for.
 void choose_outputs(profile::Outputs& outputs, study::Outputs chosen) {
     if (chosen == study::Outputs::kAll) return;
-    const profile::Outputs asked = outputs;
-    outputs = {};
     const bool meshes = chosen == study::Outputs::kMeshes;
-    outputs.stl = outputs.scad = outputs.dxf = outputs.pair = meshes;
-    outputs.three_mf = outputs.step = outputs.drawing = outputs.plate = false;
-    outputs.springs_rows = asked.springs_rows;
+    outputs.formats = meshes ? std::vector<std::string>{"stl", "scad", "dxf"} : std::vector<std::string>{};
+    outputs.pair = meshes;
+    outputs.plate = false;
+    outputs.kerf = 0.0;
 }
 
-/// The shipped rule: no file of a design is seen before all of them are written.
+/// Makes one design; its files appear together or not at all.
 Figures make_design(const profile::Profile& profile, const study::Study& study, const fs::path& folder, bool force, Outcome& outcome) {
     profile::Profile asked = profile;
     choose_outputs(asked.outputs, study.outputs);

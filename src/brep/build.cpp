@@ -24,13 +24,13 @@ namespace fusee::brep {
 
 namespace {
 
-constexpr double kSewing_mm = 1e-3;            // edges of neighbouring faces are at most twice their splines' deviation apart
-constexpr double kVolume = 5e-4;               // by which volume may differ from the mesh's, relative
-constexpr double kGoodVolume = 2e-4;           // of two parts, below which three are not tried: facets alone make 1e-4
-constexpr int kIdleParts[] = {2, 3, 4, 5, 6};  // tried in turn: more faces, on which default integrals come nearer
+constexpr double kSewing_mm = 1e-3;             // edges of neighbouring faces are apart by at most twice their splines' deviation
+constexpr double kVolume = 5e-4;                // allowed relative difference from the mesh's volume
+constexpr double kGoodVolume = 2e-4;            // with two pieces, below which three are not evaluated: facets alone cause 1e-4
+constexpr int kIdlePieces[] = {2, 3, 4, 5, 6};  // evaluated in turn: default integrals are more exact on more faces
 constexpr std::size_t kMostFaces = 50;
-constexpr double kFuzzy_mm[] = {0.0, 1e-5, 1e-4};        // tried in turn: OpenCASCADE's Booleans fail silently at some positions
-constexpr double kShorterChords[] = {0.5, 0.25, 0.125};  // tried in turn for a suggestion
+constexpr double kFuzzy_mm[] = {0.0, 1e-5, 1e-4};        // in turn: OpenCASCADE's Booleans fail silently at some positions
+constexpr double kShorterChords[] = {0.5, 0.25, 0.125};  // in turn, for a suggestion
 
 TopoDS_Shape sewn(const Side& side, const solid::HubOptions& hub) {
     BRepBuilderAPI_Sewing sewing(kSewing_mm);
@@ -60,7 +60,7 @@ TopoDS_Shape without(const TopoDS_Shape& body, const std::vector<solid::Cutter>&
 
 double misfit(const Brep& solid, double expected_mm3) { return std::abs(solid.volume_mm3 / expected_mm3 - 1.0); }
 
-/// Of those that OpenCASCADE calls valid the first with the expected volume, else the last; empty if there is none.
+/// The first valid solid with the expected volume, otherwise the last valid one; empty if OpenCASCADE finds none valid.
 Brep closed_by(const Side& side, const solid::Part& part, double expected_mm3) {
     const TopoDS_Shape body = sewn(side, part.options.hub);
     const std::vector<solid::Cutter> cutters = solid::make_cutters(part);
@@ -83,12 +83,12 @@ core::Finding refusal(const solid::Part& part, std::string what, double measured
 }
 
 core::Finding no_solid(const solid::Part& part) {
-    core::Finding f = refusal(part, "OpenCASCADE makes no valid solid of this part", 0.0, core::Bound::kAtLeast, 1.0, "solids");
+    core::Finding f = refusal(part, "OpenCASCADE builds no valid solid of this part", 0.0, core::Bound::kAtLeast, 1.0, "solids");
     f.suggestion = "the anchor hole, the leg slot or the mark elsewhere, or outputs.formats without \"step\"";
     return f;
 }
 
-/// The exact body stays what it is: a finer mesh comes nearer to it.
+/// The exact body is fixed; a finer mesh approaches it.
 core::Finding another_volume(const solid::Part& part, const Brep& exact) {
     core::Finding f = refusal(part, "the exact solid's volume by OpenCASCADE is not that of the mesh",
                               100.0 * misfit(exact, solid::volume_mm3(part.mesh)), core::Bound::kAtMost, 100.0 * kVolume, "%");
@@ -100,18 +100,18 @@ core::Finding another_volume(const solid::Part& part, const Brep& exact) {
         f.suggestion = fmt::format("tolerances.chordal_error_mm = {:.3g}", core::mm_from_m(options.chordal_error));
         return f;
     }
-    f.suggestion = "outputs.formats without \"step\": finer meshes, to an eighth of the chordal error, come no nearer";
+    f.suggestion = "outputs.formats without \"step\": finer meshes, down to an eighth of the chordal error, do not agree either";
     return f;
 }
 
-/// Of several ways to divide the idle arcs the one whose volume comes nearest to the mesh's.
+/// The division of the idle arcs with the volume nearest to the mesh's.
 Brep nearest_by_volume(const solid::Part& part, double expected) {
     Brep best;
-    for (const int idle_parts : kIdleParts) {
-        Brep next = closed_by(side_of(part, idle_parts), part, expected);
-        if (idle_parts > kIdleParts[0] && next.faces > kMostFaces) break;
+    for (const int idle_pieces : kIdlePieces) {
+        Brep next = closed_by(side_of(part, idle_pieces), part, expected);
+        if (idle_pieces > kIdlePieces[0] && next.faces > kMostFaces) break;
         if (misfit(next, expected) < misfit(best, expected)) best = std::move(next);
-        if (misfit(best, expected) <= (idle_parts == kIdleParts[0] ? kGoodVolume : kVolume) || !part.cam.closed()) break;
+        if (misfit(best, expected) <= (idle_pieces == kIdlePieces[0] ? kGoodVolume : kVolume) || !part.cam.closed()) break;
     }
     return best;
 }
@@ -119,7 +119,7 @@ Brep nearest_by_volume(const solid::Part& part, double expected) {
 }  // namespace
 
 core::Outcome<Brep> build(const solid::Part& part) {
-    if (cam::left_handed(part.cam)) {  // its strips run from the low end of psi upwards
+    if (cam::left_handed(part.cam)) {  // strips run from the low end of psi upwards
         const auto right = build(solid::mirrored(part));
         return right ? mirrored(*right) : right;
     }

@@ -19,7 +19,7 @@ namespace {
 
 using core::mm_from_m;
 
-constexpr double kSame_mm = 1e-9;  // an arc that ends where the next piece begins needs no line between
+constexpr double kSame_mm = 1e-9;  // an arc that ends at the start of the next one needs no line between them
 
 gp_Pnt raised(const solid::Point2& p, double z_mm) { return {p[0], p[1], z_mm}; }
 
@@ -40,7 +40,7 @@ TopoDS_Wire wire_of(const solid::Outline& outline, double z_mm) {
     return wire.Wire();
 }
 
-/// A flat face at the wire's height with holes; sewing and orienting the solid turn it the right way.
+/// A flat face at the wire's height with holes; sewing and orienting the solid correct its direction.
 TopoDS_Face flat(const TopoDS_Wire& outer, double z_mm, const std::vector<TopoDS_Wire>& holes = {}) {
     BRepBuilderAPI_MakeFace face(gp_Pln(gp_Pnt(0.0, 0.0, z_mm), gp_Dir(0.0, 0.0, 1.0)), outer);
     for (const TopoDS_Wire& hole : holes) face.Add(TopoDS::Wire(hole.Reversed()));

@@ -7,7 +7,7 @@
 
 namespace fusee::brep {
 
-/// The flat faces, the boss and the bore that close a part's side.
+/// The flat faces, the boss and the bore, which close a part's side.
 [[nodiscard]] std::vector<TopoDS_Shape> closing_faces(const Side& side, const solid::HubOptions& hub);
 /// A cutter with true arcs.
 [[nodiscard]] TopoDS_Shape prism(const solid::Cutter& cutter);

@@ -28,7 +28,7 @@ Brep reflected(const Brep& solid) {
 core::Outcome<Brep> mirrored(const Brep& solid) {
     constexpr double kSameVolume = 1e-5;  // relative: each volume is integrated to 1e-6
     Brep other;
-    std::string what = "OpenCASCADE makes no valid solid of the mirror image with the same volume";
+    std::string what = "OpenCASCADE builds no valid solid with the same volume for the mirror image";
     try {
         guard([&] { other = reflected(solid); });
     } catch (const Failure& failure) {
@@ -37,7 +37,7 @@ core::Outcome<Brep> mirrored(const Brep& solid) {
     if (other.shape && std::abs(other.volume_mm3 / solid.volume_mm3 - 1.0) <= kSameVolume) return other;
     core::Finding f =
         core::error_finding("brep.validity", what, other.volume_mm3, core::Bound::kAtLeast, solid.volume_mm3 * (1.0 - kSameVolume), "mm^3");
-    f.suggestion = "outputs.pair = false, or leave STEP out of outputs.formats";
+    f.suggestion = "outputs.pair = false, or outputs.formats without \"step\"";
     f.source = "OpenCASCADE: one valid solid; docs/theory/cams.md";
     return f;
 }

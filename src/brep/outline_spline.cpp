@@ -24,7 +24,7 @@ std::vector<PlaneSpline> outline_splines(const solid::Part& part, double offset_
         return solid::Vec3{p[0], p[1], 0.0};
     };
     std::vector<PlaneSpline> splines;
-    for (const core::Range& psi : smooth_parts(part.cam)) splines.push_back(flattened(spline(rail, nodes_for({rail}, psi, kAllowed_mm))));
+    for (const core::Range& psi : smooth_pieces(part.cam)) splines.push_back(flattened(spline(rail, nodes_for({rail}, psi, kAllowed_mm))));
     return splines;
 }
 

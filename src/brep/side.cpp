@@ -30,13 +30,13 @@ public:
         const solid::GrooveOptions& groove = part.options.groove;
         half_cable_ = 0.5 * mm_from_m(cam_.options.cable_diameter);
         radius_ = 2.0 * half_cable_ * groove.radius_ratio;
-        sweep_ = 0.5 * (core::kPi - groove.throat);  // the arc's half angle: it meets the flanks tangentially
+        sweep_ = 0.5 * (core::kPi - groove.throat);  // half angle of the arc, which meets the flanks tangentially
     }
     [[nodiscard]] Rail lower_lip() const { return at(lip_.offset_mm, -lip_.z_mm); }
     [[nodiscard]] Rail upper_lip() const { return at(lip_.offset_mm, lip_.z_mm); }
     [[nodiscard]] bool flat() const { return flat_; }  ///< a rim for a roller, without a groove
     [[nodiscard]] double half_arc() const { return sweep_ / kArcs; }
-    /// Ends of the arcs and, between them, the corners of their tangents.
+    /// Ends of the arcs, and between them the corners of their tangents.
     [[nodiscard]] std::vector<Rail> floor() const {
         std::vector<Rail> rails;
         for (int i = 0; i <= 2 * kArcs; ++i) {
@@ -83,7 +83,7 @@ std::vector<Rail> flange_rails(const solid::ColumnMaker& maker, bool upper) {
     return rails;
 }
 
-/// Faces of strips over one range of psi, on nodes that all of their rails share.
+/// Faces of strips over one range of psi, with common nodes for all their rails.
 Nodes add_faces(Side& side, const std::vector<Strip>& strips, core::Range psi) {
     std::vector<Rail> rails;
     for (const Strip& strip : strips) rails.insert(rails.end(), strip.rails.begin(), strip.rails.end());
@@ -94,7 +94,7 @@ Nodes add_faces(Side& side, const std::vector<Strip>& strips, core::Range psi) {
     return nodes;
 }
 
-Side planar_side(const solid::Part& part, const solid::ColumnMaker& maker, int idle_parts) {
+Side planar_side(const solid::Part& part, const solid::ColumnMaker& maker, int idle_pieces) {
     const Section section(part);
     std::vector<Rail> lower = flange_rails(maker, false), upper = flange_rails(maker, true);
     lower.push_back(section.lower_lip());
@@ -105,7 +105,7 @@ Side planar_side(const solid::Part& part, const solid::ColumnMaker& maker, int i
     add_ruled(strips, upper);
     Side side;
     BRepBuilderAPI_MakeWire low, high;
-    for (const core::Range& psi : smooth_parts(part.cam, idle_parts)) {
+    for (const core::Range& psi : smooth_pieces(part.cam, idle_pieces)) {
         const Nodes nodes = add_faces(side, strips, psi);
         low.Add(BRepBuilderAPI_MakeEdge(spline(lower.front(), nodes)));
         high.Add(BRepBuilderAPI_MakeEdge(spline(upper.back(), nodes)));
@@ -115,7 +115,7 @@ Side planar_side(const solid::Part& part, const solid::ColumnMaker& maker, int i
     return side;
 }
 
-/// The lips of a helix along its groove and, beyond it, on their way into the flanges' edges.
+/// The lips of a helix along its groove and, beyond it, along the run-out to the flanges' edges.
 Rail lip_of(const solid::Part& part, const solid::ColumnMaker& maker, bool upper) {
     return [&part, &maker, upper](double psi) {
         if (part.cam.groove_psi.holds(psi)) {
@@ -144,7 +144,7 @@ TopoDS_Face groove_end(const Section& section, double psi) {
     return BRepBuilderAPI_MakeFace(wire.Wire(), true).Face();
 }
 
-/// Edges that meet others half-way are parted by the sewing. A strip begins and ends in a point where a lip leaves its flange.
+/// Sewing divides edges that meet others half-way. A strip begins and ends in a point where a lip leaves its flange.
 Side helix_side(const solid::Part& part, const solid::ColumnMaker& maker) {
     const core::Range reach = maker.reach(), groove = part.cam.groove_psi;
     const Section section(part);
@@ -153,7 +153,7 @@ Side helix_side(const solid::Part& part, const solid::ColumnMaker& maker) {
     Side side;
     const double turn_on = reach.low + kTurn, turn_back = reach.high - kTurn;
     const auto add_land = [&](const Rail& from, const Rail& to, core::Range psi, double high_corner) {
-        for (const core::Range& piece : parted(psi, {groove.low, high_corner})) add_faces(side, {ruled(from, to)}, piece);
+        for (const core::Range& piece : divided(psi, {groove.low, high_corner})) add_faces(side, {ruled(from, to)}, piece);
     };  // lips have corners where the groove ends
     add_land(low.back(), lower, {reach.low, std::min(turn_on, reach.high)}, groove.high);
     add_land(upper, high.front(), {std::max(reach.low, turn_back), reach.high}, groove.high);
@@ -175,10 +175,10 @@ Side helix_side(const solid::Part& part, const solid::ColumnMaker& maker) {
 
 }  // namespace
 
-Side side_of(const solid::Part& part, int idle_parts) {
+Side side_of(const solid::Part& part, int idle_pieces) {
     const solid::Flanges flanges = solid::flanges_of(part.options);
     const solid::ColumnMaker maker(part.cam, part.section, flanges);
-    Side side = part.cam.closed() ? planar_side(part, maker, idle_parts) : helix_side(part, maker);
+    Side side = part.cam.closed() ? planar_side(part, maker, idle_pieces) : helix_side(part, maker);
     side.z_low_mm = maker.z_low_mm();
     side.z_high_mm = maker.z_high_mm();
     side.lower_lip_mm = side.z_low_mm + flanges.rib_mm;

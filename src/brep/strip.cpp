@@ -18,9 +18,9 @@ namespace fusee::brep {
 namespace {
 
 constexpr double kSlopeStep = 1e-4;     // of the one-sided differences at a rail's ends [rad]
-constexpr double kSamePoint_mm = 1e-9;  // points that count as one when a spline is laid through them
+constexpr double kSamePoint_mm = 1e-9;  // distance of points that count as one in a spline
 constexpr int kFirstCount = 25;         // nodes; more where they are needed
-constexpr double kLeastStep = 1e-6;     // [rad]: 0.04 um of a radius of 40 mm, where a corner would be refined for ever
+constexpr double kLeastStep = 1e-6;     // [rad]: 0.04 um of a radius of 40 mm, limit of the refinement at a corner
 constexpr double kByLength = 0.5;       // share of the parameter that grows with the rails' length; the rest grows with psi
 
 double slope_step(const Nodes& nodes) { return std::min(kSlopeStep, 0.1 * (nodes.nodes.back().psi - nodes.nodes.front().psi)); }
@@ -31,12 +31,12 @@ gp_Vec slope(const Rail& rail, double psi, double step) {
     return (gp_Vec(a, b) * 4.0 - gp_Vec(a, c)) / (2.0 * step);
 }
 
-/// What the parameter of splines through these rails gains over psi [mm].
+/// Growth of the parameter of splines through these rails over psi [mm].
 class Pace {
 public:
     Pace(const std::vector<Rail>& rails, core::Range psi) : rails_(rails) {
         double length_mm = 0.0;
-        for (const core::Range& part : equal_parts(psi, kFirstCount - 1)) length_mm += length(part.low, part.high);
+        for (const core::Range& part : equal_pieces(psi, kFirstCount - 1)) length_mm += length(part.low, part.high);
         even_ = length_mm / psi.width();
     }
     [[nodiscard]] double operator()(double from, double to) const {
@@ -76,7 +76,7 @@ Nodes placed(const std::vector<double>& psi, const Pace& pace) {
 
 }  // namespace
 
-std::vector<core::Range> parted(core::Range psi, const std::vector<double>& places) {
+std::vector<core::Range> divided(core::Range psi, const std::vector<double>& places) {
     constexpr double kSame = 1e-6;  // [rad]
     std::vector<double> borders{psi.low, psi.high};
     for (const double place : places)
@@ -87,7 +87,7 @@ std::vector<core::Range> parted(core::Range psi, const std::vector<double>& plac
     return parts;
 }
 
-std::vector<core::Range> equal_parts(core::Range psi, int count) {
+std::vector<core::Range> equal_pieces(core::Range psi, int count) {
     std::vector<core::Range> parts;
     double low = psi.low;
     for (int i = 1; i <= count; ++i) {
@@ -98,13 +98,13 @@ std::vector<core::Range> equal_parts(core::Range psi, int count) {
     return parts;
 }
 
-std::vector<core::Range> smooth_parts(const cam::Cam& cam, int idle_parts) {
+std::vector<core::Range> smooth_pieces(const cam::Cam& cam, int idle_pieces) {
     const core::Range groove = cam.groove_psi, working = cam.working_psi;
-    if (!cam.closed()) return parted(groove, {working.low, working.high});
+    if (!cam.closed()) return divided(groove, {working.low, working.high});
     std::vector<double> borders{core::within_turn(working.low, groove.low)};
-    for (const core::Range& idle : equal_parts({working.high, working.low + core::kTurn}, idle_parts))
+    for (const core::Range& idle : equal_pieces({working.high, working.low + core::kTurn}, idle_pieces))
         borders.push_back(core::within_turn(idle.low, groove.low));
-    return parted({groove.low, groove.low + core::kTurn}, borders);
+    return divided({groove.low, groove.low + core::kTurn}, borders);
 }
 
 gp_Pnt point(const solid::Vec3& p) { return {p[0], p[1], p[2]}; }
@@ -143,7 +143,7 @@ std::vector<double> deviations_mm(const Rail& rail, const Nodes& nodes) {
 Nodes nodes_for(const std::vector<Rail>& rails, core::Range psi, double allowed_mm) {
     const Pace pace(rails, psi);
     std::vector<double> directions{psi.low};
-    for (const core::Range& part : equal_parts(psi, kFirstCount - 1)) directions.push_back(part.high);
+    for (const core::Range& part : equal_pieces(psi, kFirstCount - 1)) directions.push_back(part.high);
     while (true) {
         Nodes nodes = placed(directions, pace);
         std::vector<double> worst(nodes.middles.size());

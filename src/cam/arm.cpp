@@ -11,7 +11,7 @@ namespace fusee::cam {
 
 namespace {
 
-/// 1/S has to stay above the compliance, or the spool would have to be stiffer than rigid.
+/// 1/S must be above the compliance; otherwise the spool would have to be stiffer than rigid.
 void require_softer(const spring::SpringLaw& law, double compliance, const char* key) {
     constexpr int kPlaces = 200;
     if (compliance == 0.0) return;
@@ -20,7 +20,7 @@ void require_softer(const spring::SpringLaw& law, double compliance, const char*
     for (int i = 0; i <= kPlaces; ++i) stiffest = std::max(stiffest, law.at_load(loads.low + loads.width() * i / kPlaces).s);
     if (compliance * stiffest >= 1.0)
         throw core::InvalidInput(key, fmt::format("{:.4g} rad/Nm at the capstan", compliance),
-                                 fmt::format("below {:.4g} rad/Nm = 1/S of the law's stiffest place: a stiffer or shorter cable, or a "
+                                 fmt::format("below {:.4g} rad/Nm = 1/S at the law's stiffest point: a stiffer or shorter cable, or a "
                                              "softer law",
                                              1.0 / stiffest));
 }
@@ -52,12 +52,12 @@ ArmFunction::ArmFunction(PartKind kind, spring::SpringLawPtr law, spring::BaseSp
 
 ArmFunction ArmFunction::on(const spring::BaseSpring& base) const { return {kind_, law_, base, capstan_radius_, allowance_}; }
 
-/// The law's point with the cable's share taken off K_SE: same torque, the spool's own stiffness and energy.
+/// The law's point without the cable's share of K_SE: same torque, with the spool's own stiffness and energy.
 template <class Point>
 Point ArmFunction::behind_cable(Point p) const {
     const double c = behind_spool_;
     if (c == 0.0) return p;
-    const auto share = 1.0 - c * p.s;  // of the deflection that is left to the spool
+    const auto share = 1.0 - c * p.s;  // the spool's share of the deflection
     p.u_se -= 0.5 * c * (p.f_se * p.f_se - least_series_torque_ * least_series_torque_);
     p.s_slope /= share * share * share;
     p.s /= share;
@@ -81,7 +81,7 @@ Arm ArmFunction::arm_of(const Point& law) const {
         a.second_derivative = -a.arm * (rise * a.arm * a.arm + 3.0 * rate * a.slope) / force;
         a.tension = force;
     } else {
-        const auto drawn = pulled_.state(p.u_pe);  // y + y0 and the cable's stretch
+        const auto drawn = pulled_.state(p.u_pe);  // y + y0 and the cable elongation
         a.state = allowance_.cable_compliance == 0.0 ? drawn : pulled_.rate * drawn / base_.rate;
         a.angle = p.theta;
         a.tension = pulled_.rate * drawn;
@@ -101,8 +101,8 @@ ArmFunction ArmFunction::corrected_for_fleet_angle(const FleetAngleCorrection& c
     return other;
 }
 
-// docs/theory/cams.md, eq. 22. K_PE: every piece of cable that the cam draws is shared out the same way between spring and cable.
-CableStretch ArmFunction::stretch(const spring::LawPoint& law, double tension) const {
+// docs/theory/cams.md, eq. 22. K_PE: spring and cable share each piece of drawn cable in the same proportion.
+CableElongation ArmFunction::elongation(const spring::LawPoint& law, double tension) const {
     if (kind_ == PartKind::kSeries) {
         const double turn = behind_spool_ * (law.f_se - least_series_torque_);
         return {capstan_radius_ * turn, turn, law.theta};
@@ -115,7 +115,7 @@ ArmPoint ArmFunction::at_load(double tau) const {
     const spring::LawPoint law = law_->at_load(tau);
     ArmPoint a = arm_of<ArmPoint>(law);
     a.tau = tau;
-    a.stretch = stretch(law, a.tension);
+    a.elongation = elongation(law, a.tension);
     return a;
 }
 

@@ -24,7 +24,7 @@ namespace fusee::cam {
 namespace {
 
 constexpr std::size_t kScan = 801;     // loads at which contacts are checked and bracketed
-constexpr double kIdleDistance = 0.9;  // of the least arm: the idle arc leaves a bore nearly as much room as the working arc does
+constexpr double kIdleDistance = 0.9;  // of the least arm: the idle arc leaves nearly as much space for a bore as the working arc
 
 void validate(const ArmFunction& arm, const CamOptions& o) {
     const std::string part = to_string(arm.kind());
@@ -41,19 +41,19 @@ void validate(const ArmFunction& arm, const CamOptions& o) {
     if (o.path.kind == PathKind::kPlanar) return;
     if (o.path.lead == Lead::kConstantPitch) core::require_positive(part + ".path.pitch_mm", core::mm_from_m(o.path.pitch), "mm");
     if (o.path.lead == Lead::kAimedAtGuide && o.guide.kind == GuideKind::kParallel)
-        throw core::InvalidInput(part + ".path.lead", "aimed", "constant_pitch with a parallel guide: there is no point to aim at");
+        throw core::InvalidInput(part + ".path.lead", "aimed", "constant_pitch with a parallel guide, which has no point to aim at");
     if (o.path.lead == Lead::kAimedAtGuide && o.path.hand == Hand::kLeft)
-        throw core::InvalidInput(part + ".path.hand", "left", "right with lead aimed: the groove climbs to its guide, up or down");
+        throw core::InvalidInput(part + ".path.hand", "left", "right with lead aimed: the groove leads to its guide, up or down");
 }
 
-/// What a cam of these arms is made from, or the first thing wrong with its contacts.
+/// The contacts of a cam with these arms, or their first error.
 core::Outcome<std::vector<Contact>> sound_contacts(const ArmFunction& arm, const CamOptions& options) {
     std::vector<Contact> contacts = scan_contacts(arm, options, kScan);
     if (core::Findings findings = check_contacts(arm, options, contacts); !findings.empty()) return findings;
     return contacts;
 }
 
-/// Working positions evenly spaced in cam angle: what is asked, and where the cable touches for it. @param flat the arms in the plane
+/// Working positions evenly spaced in cam angle: needed arms and contacts. @param flat the arms in the plane
 std::vector<Contact> working_rows(const ArmFunction& asked, const ArmFunction& flat, const CamOptions& options,
                                   const std::vector<Contact>& scanned, const Height& height) {
     std::vector<Contact> rows;
@@ -70,7 +70,7 @@ std::vector<Contact> working_rows(const ArmFunction& asked, const ArmFunction& f
 
 SupportState state_of(const PathPoint& p) { return {p.h, p.slope, p.rho}; }
 
-/// An idle arc does not know whose it is.
+/// Adds the part's name to findings of an idle arc.
 core::Findings named(core::Findings findings, PartKind kind) {
     for (core::Finding& f : findings) {
         f.where = fmt::format("{}: {}", to_string(kind), f.where);
@@ -88,7 +88,7 @@ core::Outcome<IdleArc> idle_arc(const ArmFunction& arm, const WorkingArc& arc, c
     core::Findings findings = named(idle.refusal(), arm.kind());
     if (options.family != Family::kRoller) return findings;
     const std::string wider = wider_base(arm, options);
-    findings.front().suggestion = wider.empty() ? "a law that ends sooner (law.end_torque_Nm): no base radius closes this rim" : wider;
+    findings.front().suggestion = wider.empty() ? "a lower law.end_torque_Nm: no base radius closes this rim" : wider;
     return findings;
 }
 
@@ -108,7 +108,7 @@ std::function<PathPoint(double)> closed_path(const std::shared_ptr<const Working
     };
 }
 
-/// The working arc, the margin to the anchor and some groove beyond it. Never close to whole turns: begin and end of the groove would make
+/// The working arc, the margin to the anchor and some groove beyond it. Never close to whole turns: start and end of the groove would form
 /// slivers.
 core::Range open_groove(const core::Range& working, double margin) {
     constexpr double kBeyondAnchor = 1.6, kApart = 0.05;
@@ -118,13 +118,13 @@ core::Range open_groove(const core::Range& working, double margin) {
     return groove;
 }
 
-std::vector<ContourStretch> joined(std::vector<ContourStretch> working, const std::vector<std::vector<ContourStretch>>& others) {
+std::vector<ContourPiece> joined(std::vector<ContourPiece> working, const std::vector<std::vector<ContourPiece>>& others) {
     for (const auto& other : others) working.insert(working.end(), other.begin(), other.end());
     return working;
 }
 
 /// Helix: the working arc and a run-out at both ends of the groove.
-void lay_open(Cam& cam, const ArmFunction& arm, const std::shared_ptr<const WorkingArc>& arc, const Height& height) {
+void make_open(Cam& cam, const ArmFunction& arm, const std::shared_ptr<const WorkingArc>& arc, const Height& height) {
     const core::Range psi = arc->psi(), groove = cam.groove_psi;
     const Lead lead = cam.options.path.lead;
     const auto working = [arc, height](double angle) {
@@ -137,12 +137,12 @@ void lay_open(Cam& cam, const ArmFunction& arm, const std::shared_ptr<const Work
     cam.path = [working, psi, below, above](double angle) {
         return angle < psi.low ? below.at(angle) : angle > psi.high ? above.at(angle) : working(angle);
     };
-    cam.stretches = [arm, options = cam.options, height, below, above] {
-        return joined(working_stretches(arm, options, height), {run_out_stretches(below), run_out_stretches(above)});
+    cam.pieces = [arm, options = cam.options, height, below, above] {
+        return joined(working_pieces(arm, options, height), {run_out_pieces(below), run_out_pieces(above)});
     };
 }
 
-/// Planar: the working arc and the idle arc that closes it. Refusal: none does.
+/// Planar: the working arc and the idle arc that closes it. Refusal: no idle arc closes it.
 core::Outcome<Cam> closed(Cam cam, const ArmFunction& arm, const std::shared_ptr<const WorkingArc>& arc, const Height& height,
                           const std::vector<Contact>& scanned) {
     const auto least =
@@ -150,8 +150,8 @@ core::Outcome<Cam> closed(Cam cam, const ArmFunction& arm, const std::shared_ptr
     const auto idle = idle_arc(arm, *arc, cam.options, least->path.h);
     if (!idle) return idle.refusal();
     cam.path = closed_path(arc, *idle);
-    cam.stretches = [arm, options = cam.options, height, closing = *idle, begin = cam.working_psi.high] {
-        return joined(working_stretches(arm, options, height), {idle_stretches(closing, begin)});
+    cam.pieces = [arm, options = cam.options, height, closing = *idle, begin = cam.working_psi.high] {
+        return joined(working_pieces(arm, options, height), {idle_pieces(closing, begin)});
     };
     cam.groove_psi = {cam.working_psi.low, cam.working_psi.low + core::kTurn};
     if (cam.anchor_psi < cam.groove_psi.low) cam.anchor_psi += core::kTurn;
@@ -165,17 +165,17 @@ double PathPoint::y() const { return h * std::sin(psi) + slope * std::cos(psi); 
 
 core::Outcome<Cam> synthesize_cam(const ArmFunction& asked, const CamOptions& options) {
     validate(asked, options);
-    if (options.path.kind == PathKind::kHelix && options.path.hand == Hand::kLeft) {  // every formula climbs with psi
+    if (options.path.kind == PathKind::kHelix && options.path.hand == Hand::kLeft) {  // every formula rises with psi
         const auto right = synthesize_cam(asked, mirrored(options));
         return right ? core::Outcome<Cam>(mirrored(*right)) : right;
     }
     const auto upright = sound_contacts(asked, options);
     if (!upright) return upright.refusal();
     const std::optional<ArmFunction> flat = in_plane(asked, options, *upright);
-    const auto leaning = flat ? sound_contacts(*flat, options) : upright;
-    if (!leaning) return leaning.refusal();
+    const auto corrected = flat ? sound_contacts(*flat, options) : upright;
+    if (!corrected) return corrected.refusal();
     const ArmFunction& arm = flat ? *flat : asked;
-    const std::vector<Contact>& scanned = *leaning;
+    const std::vector<Contact>& scanned = *corrected;
     const auto arc = std::make_shared<const WorkingArc>(arm, options, scanned);
     const Height height(options, scanned);
     Cam cam;
@@ -189,7 +189,7 @@ core::Outcome<Cam> synthesize_cam(const ArmFunction& asked, const CamOptions& op
     cam.anchor_psi = wound - options.torque_sign * margin;
     if (!cam.closed()) {
         cam.groove_psi = open_groove(cam.working_psi, margin);
-        lay_open(cam, arm, arc, height);
+        make_open(cam, arm, arc, height);
         return cam;
     }
     return closed(std::move(cam), arm, arc, height, scanned);

@@ -18,13 +18,13 @@ using math::Interval;
 using math::Jet;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kWiderInSpace = 10.0;  // gap: d2rho/dpsi2 is not known, so the bounds close in only as fast as the boxes shrink
+constexpr double kWiderInSpace = 10.0;  // gap: d2rho/dpsi2 is unknown, so the bounds converge only as fast as the boxes shrink
 
-/// Bounds that are not numbers bound nothing.
+/// NaN as a bound means no bound.
 double lower(const Interval& x) { return std::isnan(x.lower()) ? -kInfinity : x.lower(); }
 double upper(const Interval& x) { return std::isnan(x.upper()) ? kInfinity : x.upper(); }
 
-/// A radius that is searched for its least; a slope that is not known is the whole line.
+/// A radius whose least value is searched; an unknown slope is the whole line.
 using Radius = std::function<Jet(const ContourJet&)>;
 
 /// eq. 14 for the curve `depth` inside the centreline.
@@ -36,12 +36,12 @@ Jet radius_in_space(const ContourJet& at, double depth) {
     return {rho * turn * sqrt(turn) / sqrt(turn + square(twist)), math::whole_line()};
 }
 
-/// A piece of a stretch with what is known of it.
+/// A box of a piece with its bounds.
 struct Box {
-    const ContourStretch* stretch;
+    const ContourPiece* piece;
     Interval parameter;
     double lower;
-    int number;  ///< ties are broken by it, so that the search has one order
+    int number;  ///< breaks ties, so that the order of the search is unique
     [[nodiscard]] bool operator<(const Box& other) const {
         return lower != other.lower ? lower > other.lower : number > other.number;  // std::priority_queue's top is the greatest
     }
@@ -67,35 +67,35 @@ bool divisible(const Interval& x) {
     return x.lower() < middle && middle < x.upper();
 }
 
-/// Branch and bound: the box with the lowest bound is halved until the bound is within the gap of a radius that was found.
+/// Branch and bound: the box with the lowest bound is halved until the bound is within the gap of a known radius.
 class LeastSearch {
 public:
     LeastSearch(const Radius& radius, double gap, Budget budget) : radius_(radius), gap_(gap), budget_(budget) {}
 
-    [[nodiscard]] LeastRadius over(const std::vector<const ContourStretch*>& stretches) {
-        for (const ContourStretch* s : stretches) add(*s, {s->parameter.low, s->parameter.high});
+    [[nodiscard]] LeastRadius over(const std::vector<const ContourPiece*>& pieces) {
+        for (const ContourPiece* s : pieces) add(*s, {s->parameter.low, s->parameter.high});
         while (!queue_.empty()) {
             const Box top = queue_.top();
             const bool good = found_ - top.lower <= gap_ * std::abs(found_);
             if (good || budget_.spent() || !divisible(top.parameter))
-                return {top.lower, found_, math::range_of(top.stretch->over(top.parameter).psi.value)};
+                return {top.lower, found_, math::range_of(top.piece->over(top.parameter).psi.value)};
             queue_.pop();
             const double middle = math::middle(top.parameter);
-            add(*top.stretch, {top.parameter.lower(), middle});
-            add(*top.stretch, {middle, top.parameter.upper()});
+            add(*top.piece, {top.parameter.lower(), middle});
+            add(*top.piece, {middle, top.parameter.upper()});
         }
         return {-kInfinity, kInfinity, {}};
     }
 
 private:
-    /// The formula over the box, and its mean-value form about the middle: each encloses, so both together do.
-    void add(const ContourStretch& stretch, const Interval& parameter) {
+    /// The formula over the box, and its mean-value form about the middle: each encloses the values, so their intersection does too.
+    void add(const ContourPiece& piece, const Interval& parameter) {
         const double middle = math::middle(parameter);
-        const Jet radius = radius_(stretch.over(parameter));
-        const Interval here = radius_(stretch.over(Interval(middle))).value;
+        const Jet radius = radius_(piece.over(parameter));
+        const Interval here = radius_(piece.over(Interval(middle))).value;
         const Interval bounds = math::common(radius.value, here + radius.slope * (parameter - middle));
         found_ = std::min(found_, upper(here));
-        queue_.push({&stretch, parameter, lower(bounds), budget_.take()});
+        queue_.push({&piece, parameter, lower(bounds), budget_.take()});
     }
 
     const Radius& radius_;
@@ -105,16 +105,16 @@ private:
     double found_ = kInfinity;
 };
 
-/// Does psi run strictly one way as the cam turns on? The boxes in doubt are halved.
+/// Is psi strictly monotone as the cam turns? Undecided boxes are halved.
 struct OrderProof {
     Proof proof = Proof::kProven;
-    core::Range psi;  ///< where it stopped
+    core::Range psi;  ///< the last undecided or failing box
 };
-OrderProof prove_order(const std::vector<const ContourStretch*>& stretches, const CertifyOptions& options, int& boxes) {
+OrderProof prove_order(const std::vector<const ContourPiece*>& pieces, const CertifyOptions& options, int& boxes) {
     Budget budget(options.most_boxes, boxes);
     std::optional<bool> rising;
-    for (const ContourStretch* s : stretches) {
-        std::deque<Interval> open{{s->parameter.low, s->parameter.high}};  // in turn, so that a place that fails is met early
+    for (const ContourPiece* s : pieces) {
+        std::deque<Interval> open{{s->parameter.low, s->parameter.high}};  // in turn, so that a failing place is found early
         while (!open.empty()) {
             const Interval box = open.front();
             open.pop_front();
@@ -135,7 +135,7 @@ OrderProof prove_order(const std::vector<const ContourStretch*>& stretches, cons
     return {};
 }
 
-/// One place that fails refutes, however good the bounds are elsewhere.
+/// One failing place refutes the claim, for any bounds elsewhere.
 Proof judge(const Certificate& c) {
     const double found = std::min(c.working.found, c.idle ? c.idle->found : kInfinity);
     return c.least().proven > 0.0 ? Proof::kProven : found <= 0.0 ? Proof::kRefuted : Proof::kNotProven;
@@ -143,7 +143,7 @@ Proof judge(const Certificate& c) {
 
 std::string place(const core::Range& psi) { return fmt::format("psi {:.6g} to {:.6g} rad", psi.low, psi.high); }
 
-/// What a reader has to know that is not a plain "proven".
+/// Remarks for every claim that is not "proven".
 std::string remarks(const Certificate& c, const OrderProof& order, double gap) {
     std::string text;
     const auto say = [&](const std::string& line) { text += (text.empty() ? "" : "; ") + line; };
@@ -154,9 +154,9 @@ std::string remarks(const Certificate& c, const OrderProof& order, double gap) {
             say(fmt::format("the search for the least radius of {} stopped at {}", what, place(r->psi)));
     };
     judge_gap("the working arc", c.working, gap);
-    judge_gap("the arc beside it", c.idle, gap);
+    judge_gap("the idle arc or run-outs", c.idle, gap);
     judge_gap("the floor in space", c.floor, kWiderInSpace * gap);
-    judge_gap("the floor in space beside the working arc", c.idle_floor, kWiderInSpace * gap);
+    judge_gap("the floor in space of the run-outs", c.idle_floor, kWiderInSpace * gap);
     return text;
 }
 
@@ -170,40 +170,39 @@ std::optional<core::Finding> doubt(const Certificate& certificate, PartKind kind
     const bool refuted = certificate.convex == Proof::kRefuted || certificate.ordered == Proof::kRefuted;
     if (!refuted && certificate.convex == Proof::kProven && certificate.ordered == Proof::kProven) return std::nullopt;
     const LeastRadius& least = certificate.least();
-    core::Finding f = core::error_finding("cam.certificate", "the contour is convex and the cable unrolls in order, proven, not sampled",
+    core::Finding f = core::error_finding("cam.certificate", "proof that the contour is convex and the cable unrolls in order",
                                           core::mm_from_m(refuted ? least.found : least.proven), core::Bound::kAtLeast, 0.0, "mm");
     f.severity = refuted ? core::Severity::kError : core::Severity::kWarning;
     f.where = fmt::format("{}: {}", to_string(kind), certificate.open);
-    f.suggestion =
-        refuted ? "another base spring or law: see cam.convexity" : "a law of formulas, tables or knots: those can say their bounds";
+    f.suggestion = refuted ? "another base spring or law: see cam.convexity" : "a law of formulas, tables or knots, which have bounds";
     f.source = "docs/theory/cams.md, certificate: interval arithmetic";
     return f;
 }
 
 const std::vector<std::string>& certificate_assumptions() {
     static const std::vector<std::string> kAll = {
-        "the constants of law, springs and guide are the doubles that the geometry is computed with",
-        "the C library's exp, expm1, log1p, cos and acos err by at most 4 ulp (it promises 1)",
+        "the constants of law, springs and guide are the doubles of the geometry",
+        "the C library's exp, expm1, log1p, cos and acos have errors of at most 4 ulp (the library promises 1)",
         "the geometry itself evaluates the same formulas in double precision; its rounding is not part of the proof",
     };
     return kAll;
 }
 
-Certificate certify(const std::vector<ContourStretch>& contour, bool helix, const CertifyOptions& options) {
+Certificate certify(const std::vector<ContourPiece>& contour, bool helix, const CertifyOptions& options) {
     core::require_positive("certify.gap", options.gap);
     core::require_within("certify.most_boxes", options.most_boxes, 1, 100000000);
-    std::vector<const ContourStretch*> working, idle;
-    for (const ContourStretch& s : contour) (s.working ? working : idle).push_back(&s);
+    std::vector<const ContourPiece*> working, idle;
+    for (const ContourPiece& s : contour) (s.working ? working : idle).push_back(&s);
     Certificate c;
     const double depth = options.floor_depth;
     const Radius plane = [](const ContourJet& at) { return at.rho; };
     const Radius floor = [depth](const ContourJet& at) { return radius_in_space(at, depth); };
-    const auto in_plane = [&](const std::vector<const ContourStretch*>& stretches) {
-        return LeastSearch(plane, options.gap, {options.most_boxes, c.boxes}).over(stretches);
+    const auto in_plane = [&](const std::vector<const ContourPiece*>& pieces) {
+        return LeastSearch(plane, options.gap, {options.most_boxes, c.boxes}).over(pieces);
     };
-    const auto in_space = [&](const std::vector<const ContourStretch*>& stretches, const LeastRadius& flat) -> std::optional<LeastRadius> {
+    const auto in_space = [&](const std::vector<const ContourPiece*>& pieces, const LeastRadius& flat) -> std::optional<LeastRadius> {
         if (!helix || !(flat.proven > depth)) return std::nullopt;  // a floor with a cusp has no least radius
-        return LeastSearch(floor, kWiderInSpace * options.gap, {options.most_boxes, c.boxes}).over(stretches);
+        return LeastSearch(floor, kWiderInSpace * options.gap, {options.most_boxes, c.boxes}).over(pieces);
     };
     c.working = in_plane(working);
     c.floor = in_space(working, c.working);
@@ -214,16 +213,16 @@ Certificate certify(const std::vector<ContourStretch>& contour, bool helix, cons
     c.convex = judge(c);
     const OrderProof order = working.empty() ? OrderProof{Proof::kNotProven, {}} : prove_order(working, options, c.boxes);
     c.ordered = order.proof;
-    c.open = working.empty() ? "the law cannot say its bounds over a range, only its values at points" : remarks(c, order, options.gap);
+    c.open = working.empty() ? "the law has no bounds over a range, only values at points" : remarks(c, order, options.gap);
     return c;
 }
 
 Certificate certify(const Cam& cam, const CertifyOptions& options) {
     CertifyOptions floor = options;
     floor.floor_depth = 0.5 * cam.options.cable_diameter;
-    Certificate c = certify(cam.stretches ? cam.stretches() : std::vector<ContourStretch>{}, !cam.closed(), floor);
+    Certificate c = certify(cam.pieces ? cam.pieces() : std::vector<ContourPiece>{}, !cam.closed(), floor);
     if (!cam.closed() || !cam.path) return c;
-    constexpr double kBefore = 1e-7;  // of a turn's end: the idle arc, continued to there along its own derivatives
+    constexpr double kBefore = 1e-7;  // before the turn's end: the idle arc, extrapolated from there by its derivatives
     const double begin = cam.working_psi.low;
     const PathPoint first = cam.path(begin), last = cam.path(begin + 2.0 * core::kPi - kBefore);
     c.seam =

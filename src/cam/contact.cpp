@@ -12,7 +12,7 @@ namespace fusee::cam {
 namespace {
 
 /// Distance of the cable's line from the axis when the idler's centre is put on the line: c = r + sR. The centre lies on the cam's side of
-/// the cable (s = -1) when the cable turns idler and cam the same way.
+/// the cable (s = -1) if the cable turns idler and cam in the same sense.
 template <class T>
 T offset_arm(const T& arm, const CamOptions& options) {
     const Guide& guide = options.guide;
@@ -38,7 +38,7 @@ Touch touched(PartKind kind, const Arm& arm, const CamOptions& options) {
     }
     const double distance = options.guide.distance;
     const T c = offset_arm(arm.arm, options);
-    const T span = sqrt(distance * distance - c * c);  // NaN where the guide is nearer than the arm
+    const T span = sqrt(distance * distance - c * c);  // NaN if the guide is nearer than the arm
     const T w = 1.0 + sigma * arm.slope / span;
     path.psi = options.guide.direction - ts * acos(c / distance) - turned;
     path.slope = sigma * ts * arm.slope / w;
@@ -53,7 +53,7 @@ int winding_sign(PartKind kind) { return kind == PartKind::kParallel ? 1 : -1; }
 
 int rotation_sign(PartKind kind, int torque_sign) { return kind == PartKind::kSeries ? torque_sign : -torque_sign; }
 
-double guide_reach(PartKind kind, const ArmPoint& arm, const CamOptions& options) {
+double guide_margin(PartKind kind, const ArmPoint& arm, const CamOptions& options) {
     if (options.family == Family::kRoller || options.guide.kind == GuideKind::kParallel) return std::numeric_limits<double>::infinity();
     const double c = offset_arm(arm.arm, options), distance = options.guide.distance;
     if (std::abs(c) >= distance) return distance - std::abs(c);
@@ -63,11 +63,11 @@ double guide_reach(PartKind kind, const ArmPoint& arm, const CamOptions& options
 Contact touch(PartKind kind, const ArmPoint& arm, const CamOptions& options) {
     if (options.family == Family::kRoller) return rolled<Contact>(arm, options);
     Contact contact = touched<Contact>(kind, arm, options);
-    if (guide_reach(kind, arm, options) <= 0.0) contact.path.rho = std::numeric_limits<double>::quiet_NaN();
+    if (guide_margin(kind, arm, options) <= 0.0) contact.path.rho = std::numeric_limits<double>::quiet_NaN();
     return contact;
 }
 
-// Boxes that reach beyond the guide have already lost their bounds to the square root.
+// For boxes beyond the guide the square root has already removed the bounds.
 ContactJet touch(PartKind kind, const ArmJet& arm, const CamOptions& options) {
     if (options.family == Family::kRoller) return rolled<ContactJet>(arm, options);
     ContactJet contact = touched<ContactJet>(kind, arm, options);

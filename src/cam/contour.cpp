@@ -12,17 +12,17 @@ namespace {
 using math::Interval;
 using math::Jet;
 
-/// rho between two knots of an arc that begins at `begin_psi` and runs in `direction`, as a function of psi.
+/// rho between two knots of an arc that starts at `begin_psi` in `direction`, as a function of psi.
 Jet rho_between(const IdleArc::Knot& from, const IdleArc::Knot& to, const Jet& psi, double begin_psi, int direction) {
     const Jet gone = static_cast<double>(direction) * (psi - begin_psi) - from.x;
     const Interval rate = (Interval(to.state.rho) - from.state.rho) / (Interval(to.x) - from.x);
     return from.state.rho + Jet(rate, Interval(0.0)) * gone;
 }
 
-/// One stretch for each pair of knots, by psi. @param finish adds what the arc's height does
+/// One piece for each pair of knots, by psi. @param finish adds the arc's height
 template <class Finish>
-std::vector<ContourStretch> by_psi(const IdleArc& arc, double begin_psi, int direction, const Finish& finish) {
-    std::vector<ContourStretch> result;
+std::vector<ContourPiece> by_psi(const IdleArc& arc, double begin_psi, int direction, const Finish& finish) {
+    std::vector<ContourPiece> result;
     const auto& knots = arc.knots();
     for (std::size_t i = 1; i < knots.size(); ++i) {
         const IdleArc::Knot from = knots[i - 1], to = knots[i];
@@ -40,8 +40,8 @@ std::vector<ContourStretch> by_psi(const IdleArc& arc, double begin_psi, int dir
 
 }  // namespace
 
-std::vector<ContourStretch> working_stretches(const ArmFunction& arm, const CamOptions& options, const Height& height) {
-    std::vector<ContourStretch> result;
+std::vector<ContourPiece> working_pieces(const ArmFunction& arm, const CamOptions& options, const Height& height) {
+    std::vector<ContourPiece> result;
     const auto heights = std::make_shared<const Height>(height);
     for (const spring::LawSegment& law : spring::segments(arm.law()))
         result.push_back(
@@ -53,11 +53,11 @@ std::vector<ContourStretch> working_stretches(const ArmFunction& arm, const CamO
     return result;
 }
 
-std::vector<ContourStretch> idle_stretches(const IdleArc& arc, double begin_psi) {
+std::vector<ContourPiece> idle_pieces(const IdleArc& arc, double begin_psi) {
     return by_psi(arc, begin_psi, +1, [](ContourJet&) {});
 }
 
-std::vector<ContourStretch> run_out_stretches(const RunOut& run_out) {
+std::vector<ContourPiece> run_out_pieces(const RunOut& run_out) {
     return by_psi(run_out.arc(), run_out.end().psi, run_out.direction(), [run_out](ContourJet& at) {
         const Height::AxialSlope axial_slope = run_out.over(at.rho);
         at.axial_slope = axial_slope.first;

@@ -12,7 +12,7 @@ namespace fusee::cam {
 
 namespace {
 
-constexpr int kRounds = 2;  // a round divides what is left by about 1/(1 - cos(fleet)), above 400 at 4 degrees
+constexpr int kRounds = 2;  // a round divides the error by about 1/(1 - cos(fleet)), above 400 at 4 degrees
 
 double at(const math::ChebyshevSeries& series, double angle) { return series(angle); }
 math::Jet at(const math::ChebyshevSeries& series, const math::Jet& angle) {

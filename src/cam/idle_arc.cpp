@@ -14,11 +14,11 @@ namespace fusee::cam {
 
 namespace {
 
-constexpr int kInterior = 48;     // knots between the two ends: finer changes the outline by less than a micrometre
-constexpr double kRunOut = 1e-3;  // arc length [m] over which a working end's radius gives way to the idle one
-constexpr std::array kEvenness = {0.05, 0.2, 0.8, 3.2, 12.8};  // weights of rho'^2 beside rho^2, tried in turn: small outlines first
+constexpr int kInterior = 48;     // knots between the two ends: more change the outline by less than a micrometre
+constexpr double kRunOut = 1e-3;  // arc length [m] of the change from the working arc's radius to the idle one
+constexpr std::array kEvenness = {0.05, 0.2, 0.8, 3.2, 12.8};  // weights of rho'^2 beside rho^2, evaluated in turn: small outlines first
 
-/// (h, h') after going `step` along a piece whose rho runs linearly from rho0 to rho1.
+/// (h, h') after `step` along a piece whose rho is linear from rho0 to rho1.
 SupportState advance(const SupportState& from, double rho1, double step, double width) {
     const double a = from.rho, b = (rho1 - from.rho) / width;
     const double cosine = from.h - a, sine = from.slope - b;
@@ -26,7 +26,7 @@ SupportState advance(const SupportState& from, double rho1, double step, double 
             a + b * step};
 }
 
-/// Angle over which a working end's radius gives way, at most 0.05 rad.
+/// Angle of the change from the working arc's radius, at most 0.05 rad.
 double run_out_angle(double rho, double width) { return std::min({0.1 * width, 2.0 * kRunOut / rho, 0.05}); }
 
 std::vector<double> knot_places(double begin_rho, double end_rho, double width) {
@@ -77,7 +77,7 @@ Eigen::MatrixXd cost_of(const std::vector<double>& x, double evenness) {
     return cost;
 }
 
-/// min rho' cost rho with influence rho = target and rho >= least, by an active set that pins the lowest offenders and never lets go.
+/// min rho' cost rho with influence rho = target and rho >= least, by an active set: the lowest violations are fixed and never released.
 std::optional<Eigen::VectorXd> evenest(const Eigen::MatrixXd& cost, const Closing& closing, const Eigen::Vector2d& target, double least) {
     std::vector<bool> pinned(kInterior, false);
     for (int round = 0; round < kInterior; ++round) {
@@ -104,7 +104,7 @@ std::optional<Eigen::VectorXd> evenest(const Eigen::MatrixXd& cost, const Closin
 }
 
 core::Finding refusal(double width, double least_rho, double possible) {
-    core::Finding f = core::error_finding("cam.idle_arc", "the arc without cable cannot close the contour convexly with the least radius",
+    core::Finding f = core::error_finding("cam.idle_arc", "no convex idle arc with the least radius closes the contour",
                                           core::mm_from_m(possible), core::Bound::kAtLeast, core::mm_from_m(least_rho), "mm");
     f.where = fmt::format("idle arc of {:.1f} deg", core::deg_from_rad(width));
     f.suggestion = possible > 0.0 ? fmt::format("path.min_idle_radius_mm = {:.2f}", 0.95 * core::mm_from_m(possible))

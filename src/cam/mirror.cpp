@@ -15,14 +15,14 @@ PathPoint mirrored(const PathPoint& p) { return {-p.psi, p.h, -p.slope, p.rho, p
 
 ContourJet mirrored(ContourJet at) {
     at.psi = -at.psi;
-    at.axial_slope = -at.axial_slope;  // dz/dpsi; d2z/dpsi2 and, by the stretch's own parameter, rho stay
+    at.axial_slope = -at.axial_slope;  // dz/dpsi; d2z/dpsi2 and, by the piece's own parameter, rho stay
     return at;
 }
 
-std::vector<ContourStretch> mirrored(std::vector<ContourStretch> stretches) {
-    for (ContourStretch& stretch : stretches)
-        stretch.over = [over = std::move(stretch.over)](const math::Interval& box) { return mirrored(over(box)); };
-    return stretches;
+std::vector<ContourPiece> mirrored(std::vector<ContourPiece> pieces) {
+    for (ContourPiece& piece : pieces)
+        piece.over = [over = std::move(piece.over)](const math::Interval& box) { return mirrored(over(box)); };
+    return pieces;
 }
 
 }  // namespace
@@ -47,12 +47,12 @@ Cam mirrored(const Cam& cam) {
     other.working_psi = mirrored(cam.working_psi);
     other.groove_psi = mirrored(cam.groove_psi);
     other.anchor_psi = -cam.anchor_psi;
-    if (cam.closed()) {  // as synthesized: the turn begins where the working arc does
+    if (cam.closed()) {  // as synthesized: the turn starts with the working arc
         other.groove_psi = {other.working_psi.low, other.working_psi.low + core::kTurn};
         other.anchor_psi = core::within_turn(other.anchor_psi, other.groove_psi.low);
     }
     other.path = [path = cam.path](double psi) { return mirrored(path(-psi)); };
-    if (cam.stretches) other.stretches = [stretches = cam.stretches] { return mirrored(stretches()); };
+    if (cam.pieces) other.pieces = [pieces = cam.pieces] { return mirrored(pieces()); };
     return other;
 }
 

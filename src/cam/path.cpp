@@ -35,7 +35,7 @@ Height::Height(const CamOptions& options, const std::vector<Contact>& contacts) 
         for (const Contact& c : rising) entries_.push_back({c.path.psi, slope * (c.path.psi - low), slope});
         return;
     }
-    // Along the leaving cable psi moves with the torque's sign; from the wound end on, z_guide - z decays with the integral of rho/span.
+    // Along the free cable psi moves with the torque's sign; from the wound end on, z_guide - z decays with the integral of rho/span.
     if (options.torque_sign < 0) std::reverse(rising.begin(), rising.end());
     const double guide_z = options.guide.z;
     double decay = 0.0, earlier = 0.0;
@@ -63,8 +63,8 @@ double Height::slope_at(bool high_end) const { return entries_.empty() ? 0.0 : h
 
 namespace {
 
-/// Over the share s of one piece of a cubic whose slopes are known at both ends: its derivative is a parabola, by Bernstein's form (each
-/// term positive, the hull of the coefficients a bound as well), and the second derivative runs linearly.
+/// One piece of a cubic with known slopes at both ends, over its share s. Its derivative is a parabola in Bernstein's form (each term is
+/// positive, and the hull of the coefficients is a bound too); the second derivative is linear.
 Height::AxialSlope axial_slope_between(const math::Interval& rise, const math::Interval& from, const math::Interval& to,
                                        const math::Interval& width, const math::Interval& s) {
     using boost::numeric::hull;
@@ -94,9 +94,9 @@ Height::AxialSlope Height::over(const math::Interval& psi) const {
 
 namespace {
 
-constexpr double kMostTwist = 0.35;  // of a run-out's groove: leaves 1/sqrt(1 + 0.35^2) = 94 % of its least radius in the plane
+constexpr double kMostTwist = 0.35;  // of a run-out's groove: keeps 1/sqrt(1 + 0.35^2) = 94 % of its least radius in the plane
 
-/// Angle over which a constant pitch lets the radius run out: it turns the groove's direction by dz/dpsi rho'/rho^2 a radian of arc.
+/// Angle over which the radius of a constant pitch changes: the groove's direction turns by dz/dpsi rho'/rho^2 per radian of arc.
 double easing(const PathPoint& end, double axial_slope, Lead lead) {
     if (lead == Lead::kAimedAtGuide) return 0.0;
     const double least = std::min(end.rho, end.h);
@@ -105,7 +105,7 @@ double easing(const PathPoint& end, double axial_slope, Lead lead) {
 
 }  // namespace
 
-// Below the low end the arc is walked backwards: with -psi for psi, h' changes its sign.
+// Below the low end the arc runs backwards: with -psi for psi, h' changes its sign.
 RunOut::RunOut(const PathPoint& end, int direction, double width, double axial_slope, Lead lead)
     : end_(end),
       direction_(direction),

@@ -16,19 +16,19 @@ namespace fusee::cam {
 
 namespace {
 
-constexpr core::Range kArms{1e-4, 1.0};  // [m] arms, and how far from the axis the cable touches: beyond is a mistake in the profile
+constexpr core::Range kArms{1e-4, 1.0};  // [m] arms and distances of contacts from the axis; other values are an error in the profile
 constexpr double kLongestHelix = 20.0 * 2.0 * core::kPi;  // [rad] more turns than any cable drum of this kind has
-constexpr double kWorthwhile = 1.2;                       // a law that ends sooner, as a ratio of its loads, is none
+constexpr double kWorthwhile = 1.2;                       // least ratio of a law's highest to its lowest load in a suggestion
 constexpr double kPitch = 6.0;                            // of a helix, in cable diameters: groove and land
-constexpr double kInside = 1e-3;                          // share by which a suggested value lies inside its limit
+constexpr double kInside = 1e-3;                          // distance of a suggested value from its limit, relative
 
 using Test = std::function<bool(const Contact&)>;
 
-/// A contact's share in a cam: in the order in which what is broken first hides the rest.
-bool sane_arm(const Contact& c) { return kArms.holds(c.arm.arm) && !(std::hypot(c.path.h, c.path.slope) > kArms.high); }
+/// Conditions of a contact, in the order of the refusals: the first broken one hides the others.
+bool possible_arm(const Contact& c) { return kArms.holds(c.arm.arm) && !(std::hypot(c.path.h, c.path.slope) > kArms.high); }
 bool convex(const Contact& c) { return c.path.rho > 0.0; }
-Test within_reach(const ArmFunction& arm, const CamOptions& options) {
-    return [&](const Contact& c) { return guide_reach(arm.kind(), c.arm, options) > 0.0; };
+Test guide_far_enough(const ArmFunction& arm, const CamOptions& options) {
+    return [&](const Contact& c) { return guide_margin(arm.kind(), c.arm, options) > 0.0; };
 }
 
 core::Finding broken(const ArmFunction& arm, const char* rule, const char* what, const Contact& at, double measured_mm, double allowed_mm) {
@@ -50,19 +50,19 @@ std::string rate_text(const ArmFunction& arm) {
                        arm.base().rate);
 }
 
-/// Can a cam be made of every contact?
+/// Is every contact possible?
 bool sound(const ArmFunction& arm, const CamOptions& options) {
     constexpr int kContacts = 200;
     const core::Range loads = arm.law().loads();
-    const Test reached = within_reach(arm, options);
+    const Test reached = guide_far_enough(arm, options);
     for (int i = 0; i <= kContacts; ++i) {
         const Contact c = touch(arm.kind(), arm.at_load(loads.low + loads.width() * i / kContacts), options);
-        if (!sane_arm(c) || !reached(c) || !convex(c)) return false;
+        if (!possible_arm(c) || !reached(c) || !convex(c)) return false;
     }
     return true;
 }
 
-/// The preload, or else the rate, nearest to the given one in proportion with which all contacts are sound.
+/// The preload, or otherwise the rate, nearest to the given one as a ratio, with which all contacts are sound.
 std::string other_spring(const ArmFunction& arm, const CamOptions& options) {
     constexpr double kPreloadStep = 1.1, kRateStep = 1.25, kFromNothing = 0.01;  // no preload: first 1 % of the final state
     constexpr int kPreloadSteps = 60, kRateSteps = 160;                          // a factor of 300, of 3e15
@@ -82,7 +82,7 @@ std::string other_spring(const ArmFunction& arm, const CamOptions& options) {
     return {};
 }
 
-/// Where the law has to end so that `good` holds up to there: between the last good contact and the first bad one after the start.
+/// The end of the law up to which `good` holds: between the last good contact and the first bad one after the start.
 std::string earlier_end(const ArmFunction& arm, const CamOptions& options, const std::vector<Contact>& contacts, const Test& good) {
     const auto bad = std::find_if_not(contacts.begin(), contacts.end(), good);
     if (bad == contacts.begin() || bad == contacts.end()) return {};
@@ -96,15 +96,15 @@ std::string earlier_end(const ArmFunction& arm, const CamOptions& options, const
 }
 
 std::string joined(const std::string& a, const std::string& b) {
-    if (a.empty() && b.empty()) return "another base spring or law: neither preload nor rate alone makes all of it sound";
+    if (a.empty() && b.empty()) return "another base spring or law: neither preload nor rate alone makes every contact possible";
     return a.empty() || b.empty() ? a + b : a + ", or " + b;
 }
 
-/// Where no cable pulls, the arm has no number: the pull has.
-void tell_by_pull(core::Finding& f, const ArmFunction& arm, const Contact& at) {
+/// Without cable tension the arm is infinite. The finding then states the tension.
+void state_tension(core::Finding& f, const ArmFunction& arm, const Contact& at) {
     const bool spool = arm.kind() == PartKind::kSeries;
-    const double torque = spool ? arm.base().rate * at.arm.state : arm.law().at_load(at.arm.tau).f_pe;  // that the cam has to pass on
-    f.what = "no cam has such a lever arm: the cable does not pull there, and the arm would have to be endless";
+    const double torque = spool ? arm.base().rate * at.arm.state : arm.law().at_load(at.arm.tau).f_pe;  // that the cam has to transmit
+    f.what = "no cam has such a lever arm: the cable has no tension there, and the arm would be infinite";
     f.measured = std::isfinite(at.arm.tension) ? at.arm.tension : 0.0;
     f.bound = core::Bound::kAtLeast;
     f.allowed = torque / kArms.high;
@@ -113,35 +113,36 @@ void tell_by_pull(core::Finding& f, const ArmFunction& arm, const Contact& at) {
 
 core::Finding arm_beyond(const ArmFunction& arm, const CamOptions& options, const std::vector<Contact>& contacts, const Contact& at) {
     const bool shorter = at.arm.arm < kArms.low, far_out = kArms.holds(at.arm.arm);
-    const char* what = far_out ? "the cable would touch farther from the axis than any cam reaches" : "no cam has such a lever arm";
+    const char* what =
+        far_out ? "the contact of the cable would be farther from the axis than any cam extends" : "no cam has such a lever arm";
     const double measured = far_out ? std::hypot(at.path.h, at.path.slope) : at.arm.arm;
     core::Finding f = broken(arm, "cam.arm", what, at, core::mm_from_m(measured), core::mm_from_m(shorter ? kArms.low : kArms.high));
     f.bound = shorter ? core::Bound::kAtLeast : core::Bound::kAtMost;
-    if (!std::isfinite(f.measured)) tell_by_pull(f, arm, at);
-    f.source = "docs/theory/cams.md, table 1: springs and law of one size";
-    f.suggestion = joined(earlier_end(arm, options, contacts, sane_arm), other_spring(arm, options));
+    if (!std::isfinite(f.measured)) state_tension(f, arm, at);
+    f.source = "docs/theory/cams.md, table 1: springs and law of matching size";
+    f.suggestion = joined(earlier_end(arm, options, contacts, possible_arm), other_spring(arm, options));
     return f;
 }
 
 }  // namespace
 
 core::Findings check_contacts(const ArmFunction& arm, const CamOptions& options, const std::vector<Contact>& contacts) {
-    // How far beyond the sane arms, in proportion; infinite arms are the worst.
+    // Ratio to the range of possible arms; infinite arms are the worst.
     const auto misfit = [](const Contact& c) {
-        if (sane_arm(c)) return 0.0;
+        if (possible_arm(c)) return 0.0;
         if (!std::isfinite(c.arm.arm) || c.arm.arm <= 0.0) return std::numeric_limits<double>::infinity();
         return std::max({c.arm.arm / kArms.high, std::hypot(c.path.h, c.path.slope) / kArms.high, kArms.low / c.arm.arm});
     };
     const Contact *oddest = &contacts.front(), *nearest = oddest, *sharpest = oddest;
     for (const Contact& c : contacts) {
         if (misfit(c) > misfit(*oddest)) oddest = &c;
-        if (!(guide_reach(arm.kind(), c.arm, options) >= guide_reach(arm.kind(), nearest->arm, options))) nearest = &c;
+        if (!(guide_margin(arm.kind(), c.arm, options) >= guide_margin(arm.kind(), nearest->arm, options))) nearest = &c;
         if (!(c.path.rho >= sharpest->path.rho)) sharpest = &c;
     }
-    if (!sane_arm(*oddest)) return {arm_beyond(arm, options, contacts, *oddest)};
-    const double reach_mm = core::mm_from_m(guide_reach(arm.kind(), nearest->arm, options));
+    if (!possible_arm(*oddest)) return {arm_beyond(arm, options, contacts, *oddest)};
+    const double reach_mm = core::mm_from_m(guide_margin(arm.kind(), nearest->arm, options));
     if (!(reach_mm > 0.0)) {
-        core::Finding f = broken(arm, "cam.guide", "the guide is too near: no straight cable from cam to guide has the arm asked for",
+        core::Finding f = broken(arm, "cam.guide", "the guide is too near: no straight cable from cam to guide has the required arm",
                                  *nearest, reach_mm, 0.0);
         f.suggestion = fmt::format("{}.guide.distance_mm = {:.1f}", to_string(arm.kind()),
                                    core::mm_from_m(options.guide.distance) + 1.1 * std::abs(reach_mm) + 0.1);
@@ -160,10 +161,10 @@ core::Findings check_wrap(const ArmFunction& arm, const Cam& cam, double travel)
     if (wrap <= allowed) return {};
     core::Finding f = core::error_finding(
         "cam.wrap",
-        cam.closed() ? "a planar groove cannot hold this wrap: it would run over itself" : "more turns of groove than a cam can have",
+        cam.closed() ? "a planar groove cannot have this wrap: it would overlap itself" : "more turns of the groove than a cam can have",
         core::deg_from_rad(wrap), core::Bound::kAtMost, core::deg_from_rad(allowed), "deg");
     f.where = to_string(arm.kind());
-    // Contacts wander a little against the cam's angle as the arm changes; what is left of it is for the next run to find.
+    // Contacts move a little against the cam's angle as the arm changes. The next run finds the remainder.
     const double angle = 0.97 * travel * allowed / wrap;
     const core::Range loads = arm.law().loads();
     const double end = solve_between([&](double tau) { return arm.at_load(tau).angle - angle; }, loads.low, loads.high);
@@ -171,7 +172,7 @@ core::Findings check_wrap(const ArmFunction& arm, const Cam& cam, double travel)
     if (cam.closed() && !cam.has_roller())
         f.suggestion = fmt::format("{0}.path.kind = \"helix\" with {0}.path.pitch_mm = {1:.3g}, or {2}", to_string(arm.kind()),
                                    kPitch * core::mm_from_m(cam.options.cable_diameter), f.suggestion);
-    f.source = cam.closed() ? "geometry: one turn less the idle arc" : "docs/theory/cams.md: arms and law of one size";
+    f.source = cam.closed() ? "geometry: one turn less the idle arc" : "docs/theory/cams.md: arms and law of matching size";
     return {f};
 }
 

@@ -5,7 +5,7 @@
 
 namespace fusee::cam {
 
-/// The follower at one cam angle: what eq. 1 to 4 have in common. For numbers and for boxes.
+/// The follower at one cam angle: the common terms of eq. 1 to 4. For numbers and for boxes.
 template <class T>
 struct Follower {
     T s;        ///< roller centre along the follower's line [m]
@@ -33,7 +33,7 @@ T rolled_pitch_radius(const Follower<T>& f, const Arm& arm) {
     return f.length * f.squared / (f.squared + f.across * arm.arm - arm.slope * f.s);
 }
 
-/// Where a roller touches its cam: docs/theory/roller.md, eq. 2 to 4.
+/// The contact of a roller with its cam: docs/theory/roller.md, eq. 2 to 4.
 template <class Touch, class Arm>
 Touch rolled(const Arm& arm, const CamOptions& options) {
     using std::acos;

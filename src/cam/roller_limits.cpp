@@ -48,13 +48,13 @@ void validate_roller(PartKind kind, const CamOptions& options) {
 }
 
 std::string wider_base(const ArmFunction& arm, const CamOptions& options) {
-    constexpr double kStep = 1.02, kInside = 1.002;
+    constexpr double kGrowth = 1.02, kReserve = 1.002;
     constexpr int kSteps = 233;  // a factor of 100
     CamOptions wider = options;
     for (int i = 1; i <= kSteps; ++i) {
-        wider.roller.base_radius = options.roller.base_radius * std::pow(kStep, i);
+        wider.roller.base_radius = options.roller.base_radius * std::pow(kGrowth, i);
         if (!closes(arm, wider)) continue;
-        const double tenths = std::ceil(mm_from_m(kInside * wider.roller.base_radius) * 10.0);
+        const double tenths = std::ceil(mm_from_m(kReserve * wider.roller.base_radius) * 10.0);
         return fmt::format("k_pe.roller.base_radius_mm = {:g}", tenths / 10.0);
     }
     return {};

@@ -3,14 +3,14 @@
 
 #include "fusee/cam/cam.h"
 
-/// What stands in the way of a roller cam, and the least change of the roller that clears it.
+/// Refusals of a roller cam, with the least change of the roller.
 namespace fusee::cam {
 
-/// @throws InvalidInput naming the key: a roller on K_SE, a helix, a cable's diameter, or sizes that make no follower
+/// @throws InvalidInput naming the key: a roller on K_SE, a helix, a cable's diameter, or impossible sizes of the follower
 void validate_roller(PartKind kind, const CamOptions& options);
 
 /// "k_pe.roller.base_radius_mm = ...": the least base radius, on steps of a tenth, with which all contacts are convex and the rim closes;
-/// "" where none up to 100 times the given one does.
+/// "" if none up to 100 times the given one does.
 [[nodiscard]] std::string wider_base(const ArmFunction& arm, const CamOptions& options);
 
 }  // namespace fusee::cam

@@ -16,8 +16,8 @@ namespace fusee::cam {
 /// Angle between the free cable and the contact's plane, above 0 upwards [rad]; 0 for a parallel exit. @pre contact.path.z is known
 [[nodiscard]] double fleet_of(const Contact& contact, const Guide& guide);
 
-/// The arms in the plane with which a cable that leans out of it has the torque of `arm`: arm/cos(fleet) (docs/theory/cams.md, eq. 8a);
-/// none where no cable leans. @param contacts scanned from `arm`, sound
+/// The arms in the plane with which a cable at its fleet angle has the torque of `arm`: arm/cos(fleet) (docs/theory/cams.md, eq. 8a); none
+/// if all fleet angles are 0. @param contacts scanned from `arm`, sound
 [[nodiscard]] std::optional<ArmFunction> in_plane(const ArmFunction& arm, const CamOptions& options, std::vector<Contact> contacts);
 
 }  // namespace fusee::cam

@@ -5,7 +5,7 @@
 
 namespace fusee::cam {
 
-/// The root of a monotone f between two samples; where rounding leaves no change of sign, the end that is nearer to it.
+/// The root of a monotone f between two samples; if rounding removes the change of sign, the end with the smaller value.
 template <class F>
 double solve_between(const F& f, double low, double high) {
     if (const auto root = math::bracketed_root(f, low, high)) return *root;

@@ -67,7 +67,7 @@ spring::PotentialPtr spring_of_arms(PartKind kind, std::span<const FoundArm> arm
             throw core::InvalidInput(fmt::format("arms[{}]", arm.size() - 1), fmt::format("{:g} m", row.arm), "above 0");
     }
     math::require_table(angle, arm, 4, "angle", "arms");
-    const Through cable(angle, arm);  // its integral is the cable that the cam has moved
+    const Through cable(angle, arm);  // its integral is the length of moved cable
     const spring::BaseSpring pulled = spring::in_series_with_cable(base, allowance.cable_compliance);
     const double behind_spool = allowance.behind_spool(capstan_radius);
     for (std::size_t i = 0; i < arm.size(); ++i) {

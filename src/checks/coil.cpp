@@ -8,7 +8,7 @@ namespace fusee::checks {
 
 namespace {
 
-constexpr double kDeadCoils = 2.0;  // ground ends: one coil each that does not work
+constexpr double kDeadCoils = 2.0;  // ground ends: one inactive coil each
 
 /// At the inside of a torsion spring's coil: 32 M K_B/(pi w^3), K_B = (4C^2 - C - 1)/(4C(C - 1)).
 double bending_stress(const spring::BaseSpring& s, double torque) {
@@ -39,7 +39,7 @@ std::optional<double> travel_to_solid(const spring::BaseSpring& s) {
 
 double inside_diameter(const spring::BaseSpring& s, double state) {
     if (s.kind == spring::BaseKind::kCompression) return s.coil_diameter - s.wire_diameter;
-    const double turns = state / (2.0 * core::kPi);  // wire keeps its length: more turns, smaller coils
+    const double turns = state / (2.0 * core::kPi);  // the wire keeps its length: more turns mean smaller coils
     return s.coil_diameter * s.active_coils / (s.active_coils + turns) - s.wire_diameter;
 }
 

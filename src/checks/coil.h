@@ -3,7 +3,7 @@
 
 #include "fusee/spring/base_spring.h"
 
-/// What follows from the wire of a base spring, as far as its data are known.
+/// Quantities of a base spring that follow from its wire. Its data may be unknown.
 namespace fusee::checks {
 
 /// Are wire and mean coil diameter known?
@@ -14,8 +14,7 @@ double spring_index(const spring::BaseSpring& spring);
 double wire_stress(const spring::BaseSpring& spring, double load);
 /// Compression spring with ground ends: travel until all coils touch [m]; none where free length, coils or wire are not known.
 std::optional<double> travel_to_solid(const spring::BaseSpring& spring);
-/// Inside diameter of the coils [m]; a torsion spring's as it is when wound by `state` [rad]. @pre coil_known, active coils known if
-/// torsion
+/// Inside diameter of the coils [m]; of a torsion spring: wound by `state` [rad]. @pre coil_known, active coils known if torsion
 double inside_diameter(const spring::BaseSpring& spring, double state);
 
 }  // namespace fusee::checks

@@ -3,7 +3,7 @@
 
 namespace fusee::checks {
 
-/// Is the rule about what the design has? Those of cable and groove say nothing of a roller's rim, and the other way round.
+/// Is the rule about parts of the design's family? Rules of cable and groove do not apply to a roller's rim, and the other way round.
 [[nodiscard]] bool suits(const Rule& rule, const Design& design);
 
 /// The cable that rules measure from: on a roller's rim none, so that what they take for the groove's floor is the rim itself.

@@ -11,13 +11,13 @@ namespace {
 
 constexpr double kRounding = 1e-9;
 
-core::Finding compare(double measured, const EffectiveLimit& bar) {
+core::Finding compare(double measured, const EffectiveLimit& effective) {
     core::Finding f;
-    f.allowed = bar.value();
+    f.allowed = effective.value();
     f.measured = std::abs(measured - f.allowed) <= kRounding * std::abs(f.allowed) ? f.allowed : measured;
-    f.bound = bar.limit->bound;
-    f.unit = bar.limit->unit;
-    return core::judged(std::move(f), bar.limit->severity);
+    f.bound = effective.limit->bound;
+    f.unit = effective.limit->unit;
+    return core::judged(std::move(f), effective.limit->severity);
 }
 
 std::string three_digits(double value, double (*round)(double), double slack) {
@@ -44,28 +44,28 @@ Limit review(core::Bound bound, const char* unit, const char* by, const char* na
 }
 
 EffectiveLimit Allowed::operator()(std::string_view name, double normal) const {
-    EffectiveLimit bar;
+    EffectiveLimit effective;
     for (const Limit& limit : rule_.limits)
-        if (limit.name == name) bar.limit = &limit;
-    assert(bar.limit && "a rule declares what it asks for");
-    bar.normal = std::isnan(bar.limit->value) ? normal : bar.limit->value;
+        if (limit.name == name) effective.limit = &limit;
+    assert(effective.limit && "a rule declares its limits");
+    effective.normal = std::isnan(effective.limit->value) ? normal : effective.limit->value;
     for (const Override& o : overrides_)
-        if (o.rule == rule_.id && o.limit == bar.limit->key()) bar.by = &o;
-    return bar;
+        if (o.rule == rule_.id && o.limit == effective.limit->key()) effective.by = &o;
+    return effective;
 }
 
 std::optional<EffectiveLimit> Allowed::stated(std::string_view name, double normal) const {
-    const EffectiveLimit bar = (*this)(name, normal > 0.0 ? normal : kByDesign);
-    return bar.by || normal > 0.0 ? std::optional(bar) : std::nullopt;
+    const EffectiveLimit effective = (*this)(name, normal > 0.0 ? normal : kByDesign);
+    return effective.by || normal > 0.0 ? std::optional(effective) : std::nullopt;
 }
 
-core::Finding judge(double measured, std::initializer_list<EffectiveLimit> bars) {
-    assert(bars.size() > 0);
+core::Finding judge(double measured, std::initializer_list<EffectiveLimit> limits) {
+    assert(limits.size() > 0);
     core::Finding f;
-    for (const EffectiveLimit& bar : bars)
-        if (f.severity == core::Severity::kPass) f = compare(measured, bar);
-    for (const EffectiveLimit& bar : bars)
-        if (bar.by) f.overridden.push_back({bar.by->limit, bar.by->value, bar.normal, bar.limit->unit, bar.by->reason});
+    for (const EffectiveLimit& limit : limits)
+        if (f.severity == core::Severity::kPass) f = compare(measured, limit);
+    for (const EffectiveLimit& limit : limits)
+        if (limit.by) f.overridden.push_back({limit.by->limit, limit.by->value, limit.normal, limit.limit->unit, limit.by->reason});
     return f;
 }
 

@@ -11,6 +11,11 @@ namespace fusee::checks {
 bool is_milled(const Design& design) { return design.process.kind == ProcessKind::kMill || design.process.kind == ProcessKind::kMill4; }
 bool is_stacked(const Design& design) { return design.process.kind == ProcessKind::kEdm || design.process.kind == ProcessKind::kLaser; }
 
+Rule on_cable(Rule rule) {
+    rule.family = cam::Family::kCable;
+    return rule;
+}
+
 std::string name(const Design& design) { return cam::to_string(design.part.cam.kind); }
 
 std::string where(const Design& design, double psi) { return fmt::format("{} at psi {:.1f} deg", name(design), core::deg_from_rad(psi)); }

@@ -11,6 +11,8 @@ bool is_stacked(const Design& design);  ///< from plates cut by wire or laser
 
 inline constexpr double kPaPerMPa = 1e6;
 
+/// The rule for parts of a cable only, in a group that has rules for rollers too.
+Rule on_cable(Rule rule);
 /// "k_pe"
 std::string name(const Design& design);
 /// "k_pe at psi 12.0 deg"

@@ -3,7 +3,7 @@
 #include "fusee/checks/check.h"
 #include "shape.h"
 
-/// What rules take from the profile beyond what every profile states, and the designs that such rules are about.
+/// Optional values of the profile that rules need, and the designs to which these rules apply.
 namespace fusee::checks {
 
 inline bool is_torsion(const Design& d) { return d.spring.kind == spring::BaseKind::kTorsion; }
@@ -15,7 +15,7 @@ inline bool has_torsion_anchor(const Design& d) { return is_torsion(d) && anchor
 
 namespace need {
 
-/// Is a number of the base spring stated? It is 0 when it is not.
+/// Is a number of the base spring stated? 0 means that it is not.
 template <auto Number>
 bool of_spring(const Design& d) {
     return d.spring.*Number > 0.0;
@@ -33,9 +33,9 @@ inline constexpr Need kBreakingLoad{"cable.breaking_load_N", [](const Design& d)
 inline constexpr Need kContactModulus{"roller.contact_modulus_MPa",
                                       [](const Design& d) { return d.part.cam.options.roller.contact_modulus > 0.0; }};
 
-/// Active coils, which only a torsion spring's inside diameter depends on.
+/// Active coils. Only the inside diameter of a torsion spring depends on them.
 inline constexpr Need kWoundCoils{"spring.active_coils", [](const Design& d) { return is_compression(d) || d.spring.active_coils > 0.0; }};
-/// Travel to solid length, as the maker states it or as it follows from the coils.
+/// Travel to solid length, stated by the maker or computed from the coils.
 inline constexpr Need kTravel{"spring.max_travel_mm",
                               [](const Design& d) { return d.spring.max_state > 0.0 || travel_to_solid(d.spring).has_value(); },
                               "rated_required",
@@ -43,7 +43,7 @@ inline constexpr Need kTravel{"spring.max_travel_mm",
 
 // Limits that the profile states: by their own key, or as an override of the rule's limit.
 inline constexpr Need kMaxAngle{"spring.max_angle_rad", of_spring<&spring::BaseSpring::max_state>, "required"};
-inline constexpr Need kRoom{"spring.free_length_mm", of_spring<&spring::BaseSpring::free_length>, "required"};
+inline constexpr Need kAxialSpace{"spring.free_length_mm", of_spring<&spring::BaseSpring::free_length>, "required"};
 inline constexpr Need kMaxTorque{"spring.max_torque_Nm", [](const Design& d) { return !is_torsion(d) || d.spring.max_load > 0.0; },
                                  "torque_required"};
 inline constexpr Need kMaxForce{"spring.max_force_N", [](const Design& d) { return is_torsion(d) || d.spring.max_load > 0.0; },
@@ -54,7 +54,7 @@ inline constexpr Need kScatterTravel{"spring.max_travel_mm", [](const Design& d)
                                      "travel_review"};
 inline constexpr Need kRollerPressure{"roller.max_pressure_MPa",
                                       [](const Design& d) { return d.part.cam.options.roller.max_pressure > 0.0; }, "required"};
-/// What the part's material bears. @param limit of the rule
+/// Allowed pressure of the part's material. @param limit of the rule
 constexpr Need material_pressure(const char* limit) {
     return {"cable.max_pressure_MPa", [](const Design& d) { return d.cable.max_pressure > 0.0; }, limit};
 }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <optional>
 
 #include "family.h"
 #include "fusee/checks/check.h"
@@ -15,24 +16,25 @@ namespace {
 struct Group {
     std::string_view id;
     const char* title;
+    std::optional<cam::Family> family = {};  ///< of its rules; none: any, but for the rules that name theirs
 };
 constexpr std::array kGroups = {
-    Group{"cable", "the cable on its way"},
-    Group{"cam", "arms and the room that the cam turns in"},
-    Group{"groove", "the groove's section"},
+    Group{"cable", "the cable and its path", cam::Family::kCable},
+    Group{"cam", "arms and swept circle"},
+    Group{"groove", "the groove's section", cam::Family::kCable},
     Group{"spring", "the base spring"},
     Group{"structure", "walls, flanges and the anchor"},
     Group{"shaft", "shaft and hub"},
-    Group{"roller", "a follower's roller on the rim"},
+    Group{"roller", "a follower's roller on the rim", cam::Family::kRoller},
     Group{"process", "any process"},
     Group{"fdm", "printing filament"},
     Group{"sla", "printing resin"},
     Group{"sls", "printing powder"},
     Group{"mill", "milling, three or four axes"},
-    Group{"mill4", "milling with a fourth axis"},
+    Group{"mill4", "milling with a fourth axis", cam::Family::kCable},
     Group{"stack", "plates cut by wire or laser, stacked"},
     Group{"assembly", "putting it together"},
-    Group{"collision", "rules of the trade that contradict each other"},
+    Group{"collision", "conflicts between rope practice and manufacturing practice", cam::Family::kCable},
     Group{"mesh", "third-party meshes (fusee check)"},
 };
 
@@ -63,6 +65,7 @@ std::span<const Rule> rules() {
             for (const Registered& file : kRegistered)
                 if (Rule rule = file.make(); rule.group() == group.id) {
                     assert(rule.id == std::string_view(file.id) && "a rule's id is group.file");
+                    if (!rule.family) rule.family = group.family;
                     made.push_back(std::move(rule));
                 }
         return made;
@@ -77,7 +80,7 @@ const Rule* find_rule(std::string_view id) {
 
 const char* group_title(std::string_view group) {
     const auto found = std::find_if(kGroups.begin(), kGroups.end(), [group](const Group& g) { return g.id == group; });
-    assert(found != kGroups.end() && "every group of rules has its title here");
+    assert(found != kGroups.end() && "every group of rules has a title");
     return found->title;
 }
 

@@ -22,8 +22,8 @@ std::string in_key(const std::string& unit) {
 
 std::string with_unit(double value, const std::string& unit) { return fmt::format("{:g}{}{}", value, unit.empty() ? "" : " ", unit); }
 
-/// A reader of the report sees whose limit it is, and why.
-std::string said(const core::OverriddenLimit& o) {
+/// States in the report that the profile sets the limit, and why.
+std::string override_text(const core::OverriddenLimit& o) {
     const std::string instead = std::isnan(o.normal) ? "where the rule has none" : "instead of " + with_unit(o.normal, o.unit);
     return fmt::format("; the profile's {} = {} {}: {}", o.limit, with_unit(o.value, o.unit), instead, o.reason);
 }
@@ -42,9 +42,9 @@ std::string_view RuleInfo::group() const {
 }
 
 core::Severity RuleInfo::severity() const {
-    core::Severity gravest = core::Severity::kPass;
-    for (const Limit& l : limits) gravest = std::max(gravest, l.severity);
-    return gravest;
+    core::Severity highest = core::Severity::kPass;
+    for (const Limit& l : limits) highest = std::max(highest, l.severity);
+    return highest;
 }
 
 const Limit* RuleInfo::limit(std::string_view key) const {
@@ -57,7 +57,7 @@ void complete(core::Finding& f, const RuleInfo& rule, const std::string& where) 
     if (f.where.empty()) f.where = where;
     if (f.source.empty()) f.source = rule.source;
     if (f.severity == core::Severity::kPass) f.suggestion.clear();
-    for (const core::OverriddenLimit& o : f.overridden) f.what += said(o);
+    for (const core::OverriddenLimit& o : f.overridden) f.what += override_text(o);
 }
 
 std::string Need::in_profile(const char* key, const std::string& part) {
@@ -74,7 +74,7 @@ std::string Need::text(const std::string& part) const {
 
 namespace {
 
-/// The keys that the rule lacks, in the words of the profile; empty: it can be judged.
+/// The missing keys, as in the profile; empty: the rule can be judged.
 std::string missing(const Rule& rule, const Design& design, const Allowed& allowed) {
     std::string keys;
     for (const Need& need : rule.needs) {

@@ -9,7 +9,7 @@ namespace fusee::checks {
 
 namespace {
 
-constexpr double kShortest = 1e-3;           // [mm]: shorter faces of the section are roundings
+constexpr double kShortest = 1e-3;           // [mm]: shorter faces of the section are rounding errors
 constexpr double kStep = core::kPi / 180.0;  // [rad] between samples where no cable works
 
 void sample(const cam::Cam& cam, double low, double high, std::vector<cam::PathPoint>& to) {
@@ -66,7 +66,7 @@ std::vector<Vec2> key_corners(const solid::HubOptions& hub) {
     return {{top, 0.5 * hub.key_width}, {top, -0.5 * hub.key_width}};
 }
 
-double hub_reach(const solid::HubOptions& hub) {
+double hub_radius(const solid::HubOptions& hub) {
     double reach = bore_radius(hub);
     for (const Vec2& corner : key_corners(hub)) reach = std::max(reach, std::hypot(corner[0], corner[1]));
     return reach;
@@ -138,7 +138,7 @@ std::optional<AnchorHole> anchor_hole(const solid::Part& part) {
 
 double wound_angle(const cam::Cam& cam, const cam::Contact& contact) {
     const double sign = cam.options.torque_sign, end = sign > 0 ? cam.working_psi.low : cam.working_psi.high;
-    const double beyond = std::fmod(sign * (end - cam.anchor_psi) + 4.0 * core::kPi, 2.0 * core::kPi);  // a planar anchor is a turn off
+    const double beyond = std::fmod(sign * (end - cam.anchor_psi) + 4.0 * core::kPi, 2.0 * core::kPi);  // a planar anchor is one turn away
     return beyond + sign * (contact.path.psi - end);
 }
 
@@ -153,14 +153,14 @@ double largest_torque(const cam::Cam& cam) {
     return most.arm.tension * most.arm.arm;
 }
 
-double steepest_lean(const solid::Part& part) {
-    double lean = 0.0;
+double largest_overhang(const solid::Part& part) {
+    double largest = 0.0;
     for (std::size_t i = 1; i < part.section.size(); ++i) {  // from the lower to the upper lip
         const solid::SectionPoint &a = part.section[i - 1], &b = part.section[i];
         const double out = b.offset_mm - a.offset_mm, rise = b.z_mm - a.z_mm;
-        if (out > 0.0 && std::hypot(out, rise) > kShortest) lean = std::max(lean, std::atan2(out, rise));
+        if (out > 0.0 && std::hypot(out, rise) > kShortest) largest = std::max(largest, std::atan2(out, rise));
     }
-    return lean;
+    return largest;
 }
 
 double half_width_at_cable(const solid::Part& part) {

@@ -12,11 +12,10 @@ inline constexpr double kRopePitch = 2.065;  ///< least pitch of a rope's groove
 
 using Vec2 = std::array<double, 2>;  ///< [m], body frame
 
-/// The cable's path by rising psi over the whole groove: the working positions as they are and, cheaper than solving for them again, the
-/// path's own points where no cable works.
+/// The cable's path over the whole groove, by ascending psi: the working positions, and points of the path outside the working arc.
 std::vector<cam::PathPoint> contour(const cam::Cam& cam);
 
-/// The working position at which `badness` is largest; not a number is worse than any. @pre some position works
+/// The working position at which `badness` is largest; NaN is the worst. @pre some position works
 const cam::Contact& worst_contact(const cam::Cam& cam, const std::function<double(const cam::Contact&)>& badness);
 
 /// A distance [m] and the contour's point where it is found.
@@ -27,20 +26,20 @@ struct Nearest {
 /// Least distance from `q`, inside, to the convex curve at `offset` from the path: min over psi of h + offset - q.n. Below 0: q is outside.
 Nearest distance_inside(const std::vector<cam::PathPoint>& path, double offset, Vec2 q);
 
-/// The bore as cut, clearance included.
+/// Radius of the bore as cut, clearance included.
 double bore_radius(const solid::HubOptions& hub);
 /// The keyway's outer corners, towards +x; empty without one.
 std::vector<Vec2> key_corners(const solid::HubOptions& hub);
-/// From the axis to the farthest point of bore and keyway.
-double hub_reach(const solid::HubOptions& hub);
-/// From `q`, outside, to the edge of bore or keyway.
+/// Distance from the axis to the farthest point of bore and keyway.
+double hub_radius(const solid::HubOptions& hub);
+/// Distance from `q`, outside, to the edge of bore or keyway.
 double distance_to_bore(const solid::HubOptions& hub, Vec2 q);
 
 /// The spring-leg slot: all points within `radius` of a radial segment.
 struct Slot {
     Vec2 inner, outer;  ///< the segment's ends
     double radius;      ///< half the slot's width
-    /// From `q` to the slot's edge; below 0 inside.
+    /// Distance from `q` to the slot's edge; below 0 inside.
     [[nodiscard]] double distance(Vec2 q) const;
 };
 bool has_slot(const solid::FeatureOptions& features);
@@ -52,9 +51,9 @@ struct Hole {
     const char* what;
     const char* key;  ///< of its diameter in the profile, without the part's name
 };
-/// Bore, anchor hole and set screw's hole, as far as they are there.
+/// Bore, anchor hole and set screw's hole, as far as the part has them.
 std::vector<Hole> holes(const solid::Part& part);
-/// The hole that is deepest for its diameter.
+/// The hole with the largest depth over diameter.
 Hole slenderest_hole(const solid::Part& part);
 /// Length over which the bore holds the shaft [m].
 double bore_length(const solid::Part& part);
@@ -72,20 +71,21 @@ struct AnchorHole {
 };
 std::optional<AnchorHole> anchor_hole(const solid::Part& part);
 
-/// Direction through which the cable stays wound from its anchor to this contact [rad].
+/// Wound angle from the cable's anchor to this contact [rad].
 double wound_angle(const cam::Cam& cam, const cam::Contact& contact);
 /// Slope of the groove, dz/ds, in the direction in which the cable leaves (with the tension's torque, along torque_sign t). @pre of working
 double groove_slope(const cam::Cam& cam, const cam::Contact& contact);
-/// Largest tension times arm over the working range: the torque that the hub hands on [Nm]. @pre some position works
+/// Largest tension times arm over the working range: the torque that the hub transmits [Nm]. @pre some position works
 double largest_torque(const cam::Cam& cam);
 
-/// Steepest lean from the vertical among the faces of the groove's upper half, which look down when the axis stands upright [rad]. A flank
-/// of throat T lies at T/2 from the horizontal, so it leans 90 deg - T/2. @pre part.section holds at least two points
-double steepest_lean(const solid::Part& part);
-/// Half the groove's width at the height of the cable's centreline [m]. @pre as steepest_lean
+/// Largest angle from the vertical of the faces of the groove's upper half, which face down when the axis is upright [rad]. A flank of
+/// throat T has 90 deg - T/2. @pre part.section holds at least two points
+double largest_overhang(const solid::Part& part);
+/// Half the groove's width at the height of the cable's centreline [m]. @pre as largest_overhang
 double half_width_at_cable(const solid::Part& part);
 
-/// From the circle swept by lips and flanges to the guide that has a place, less half a cable [m]; below 0 they strike.
+/// Gap between the circle swept by lips and flanges and the guide, less half a cable [m]; below 0: collision; nothing for a guide without a
+/// place.
 std::optional<double> guide_gap(const solid::Part& part);
 
 /// The groove's section [m]: width between the lips, height of the lips above the floor, lips from the cable's centreline.

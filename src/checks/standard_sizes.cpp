@@ -21,7 +21,7 @@ constexpr std::array kWires{0.2, 0.22, 0.25, 0.28, 0.3, 0.32, 0.36, 0.4,  0.45, 
 constexpr std::array kScrews{1.6, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 12.0, 16.0, 20.0};
 constexpr std::array kCableSizes_mm{0.2, 0.3, 0.4, 0.5, 0.6, 0.8, 1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0};
 
-/// What is on sale of one construction.
+/// The available cables of one construction.
 struct CableStock {
     const char* construction;
     double thinnest_mm;
@@ -36,7 +36,7 @@ constexpr std::array kStock{
 };
 
 const CableStock& stock_of(const std::string& construction) {
-    const std::string known = cable_limits(construction).construction;  // refuses what is not known
+    const std::string known = cable_limits(construction).construction;  // refuses an unknown one
     return *std::find_if(kStock.begin(), kStock.end(), [&known](const CableStock& stock) { return known == stock.construction; });
 }
 

@@ -9,8 +9,8 @@ namespace fusee::checks {
 
 namespace {
 
-constexpr double kSlack = core::rad_from_deg(1.0);  // facets lean a little more or less than the surface
-constexpr double kFirstLayer = 0.05;                // [mm]: what lies on the bed needs no support
+constexpr double kSlack = core::rad_from_deg(1.0);  // the angle of a facet differs a little from that of the surface
+constexpr double kFirstLayer = 0.05;                // [mm]: a face on the bed needs no support
 
 }  // namespace
 

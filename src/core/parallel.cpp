@@ -7,9 +7,10 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstdlib>
+#include <exception>
 #include <future>
 #include <optional>
-#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -18,20 +19,28 @@ namespace fusee::core {
 namespace {
 
 /// At most `wanted`: the number of threads, this one included, that the system allows at the same time. oneTBB ends the program if it
-/// cannot start a thread, so they are tested first.
+/// cannot start a thread, so they are tested first. Where the limit is reached, half of it stays free: the threads also need memory.
 unsigned available_threads(unsigned wanted) {
     static std::atomic<unsigned> known{1};
     if (wanted <= known) return wanted;
     std::promise<void> over;
     const std::shared_future<void> end = over.get_future().share();
     std::vector<std::thread> probes;
+    std::size_t usable = wanted - 1;
     try {
-        while (probes.size() + 1 < wanted) probes.emplace_back([end] { end.wait(); });
-    } catch (const std::system_error&) {  // the limit is reached
+        while (probes.size() < usable) {
+            probes.emplace_back([end] {
+                void* volatile first = std::malloc(64);  // the first allocation of a thread reserves address space for all later ones
+                end.wait();
+                std::free(first);
+            });
+        }
+    } catch (const std::exception&) {  // std::system_error or std::bad_alloc: the limit is reached
+        usable = probes.size() / 2;
     }
     over.set_value();
     for (std::thread& probe : probes) probe.join();
-    const auto available = static_cast<unsigned>(probes.size()) + 1;
+    const auto available = static_cast<unsigned>(usable) + 1;
     known = std::max(known.load(), available);
     return available;
 }

@@ -16,8 +16,8 @@ namespace {
 
 using core::m_from_mm;
 
-constexpr double kGauge_mm = 0.01, kTape_mm = 0.1, kScale = 0.0;  // digits of a caliper, of a ruler; of an instrument that is not known
-constexpr double kMostShrinkage = 0.1;                            // what shrinks more was measured in another unit
+constexpr double kGauge_mm = 0.01, kTape_mm = 0.1, kScale = 0.0;  // resolution of a caliper, a ruler and an unknown instrument
+constexpr double kMostShrinkage = 0.1;                            // a larger shrinkage means another unit
 constexpr std::size_t kLeastOfLine = 3, kLeastOfMean = 2;
 constexpr std::array kLengths{Item::kLengthX, Item::kLengthY, Item::kLengthZ};
 
@@ -39,7 +39,7 @@ Estimate mean_of(const std::vector<double>& values, double resolution) {
     return {mean, scatter / std::sqrt(count), count - 1.0};
 }
 
-/// What a yes-or-no ladder says: it fits from the least yes on, not up to the greatest no.
+/// Result of a yes-or-no ladder: the least yes and the greatest no.
 struct Ladder {
     double greatest_no = -std::numeric_limits<double>::infinity();
     double least_yes = std::numeric_limits<double>::infinity();
@@ -58,7 +58,7 @@ Ladder ladder_of(const std::vector<Row>& rows, const std::string& field) {
     }
     if (ladder.greatest_no >= ladder.least_yes)
         throw core::InvalidInput(field, fmt::format("yes at {:g}, no at {:g}", ladder.least_yes, ladder.greatest_no),
-                                 "what fits in some room fits in more: yes from one row of the ladder on");
+                                 "yes from one row of the ladder on: a shaft or cable that fits an opening fits every larger one");
     return ladder;
 }
 
@@ -117,7 +117,7 @@ private:
         add(figure("contour_" + name, "outer lengths along " + name + " come out longer by", "", "mm", 1e3, rows.size()), contour);
     }
 
-    /// Of one axis, or the mean of those in the plane: what a compensated file is going to be scaled by.
+    /// Shrinkage of one axis, or the mean of those in the plane: the scale of a compensated file.
     [[nodiscard]] Estimate settled(int axis) const {
         const auto known = present_.find(kShrinkKeys[axis]);
         const Estimate as_is{known == present_.end() ? 0.0 : known->second, 0.0, std::numeric_limits<double>::infinity()};
@@ -129,10 +129,10 @@ private:
     /// eq. 2: b = (1 - s) D - measured.
     void bore() {
         const std::vector<Row> rows = sheet_.of(Item::kBore);
-        const std::optional<Figure> tried = tried_bore();
+        const std::optional<Figure> by_shaft = bore_by_shaft();
         if (rows.size() < kLeastOfMean) {
-            if (tried) add(*tried);
-            return tried ? shrinkage_inside("bore_offset") : unknown("bore_offset", "needs 2 rows bore, or shaft and shaft_enters");
+            if (by_shaft) add(*by_shaft);
+            return by_shaft ? shrinkage_inside("bore_offset") : unknown("bore_offset", "needs 2 rows bore, or shaft and shaft_enters");
         }
         const Estimate s = in_plane();
         std::vector<double> offsets;
@@ -143,22 +143,22 @@ private:
         }
         Estimate offset = sum({{1.0, mean_of(offsets, m_from_mm(kGauge_mm))}, {-diameter, {0.0, s.deviation, s.freedom}}});
         const Figure& found = add(figure("bore_offset", "bores come out smaller by", kBoreOffsetKey, "mm", 1e3, rows.size()), offset);
-        if (tried && (found.range.high < tried->range.low || found.range.low > tried->range.high))
+        if (by_shaft && (found.range.high < by_shaft->range.low || found.range.low > by_shaft->range.high))
             result_.remarks.push_back(fmt::format(
-                "bore_offset: the gauge says {:.3f} mm, the shaft {:.3f} to {:.3f} mm: a rough or oval hole; the gauge is believed",
-                1e3 * found.value, 1e3 * tried->range.low, 1e3 * tried->range.high));
+                "bore_offset: {:.3f} mm by the gauge, {:.3f} to {:.3f} mm by the shaft: a rough or oval hole; the gauge's value is used",
+                1e3 * found.value, 1e3 * by_shaft->range.low, 1e3 * by_shaft->range.high));
         shrinkage_inside("bore_offset");
     }
     void shrinkage_inside(const std::string& id) {
-        if (!plane_known()) result_.remarks.push_back(id + " holds the holes' shrinkage, as far as that along x or y is not known");
+        if (!plane_known()) result_.remarks.push_back(id + " includes the holes' shrinkage along x and y where it is unknown");
     }
-    /// The same from the holes that the shaft goes into: between the last that it does not and the first that it does.
-    std::optional<Figure> tried_bore() {
+    /// The same from the holes that the shaft enters: between the last that it does not enter and the first that it enters.
+    std::optional<Figure> bore_by_shaft() {
         const std::vector<Row> tries = sheet_.of(Item::kShaftEnters), shafts = sheet_.of(Item::kShaft);
         const Ladder ladder = ladder_of(tries, field("shaft_enters"));
         if (!tries.empty() && !ladder.between())
-            result_.remarks.push_back(std::string("shaft_enters: the shaft goes into ") + (ladder.fits() ? "every" : "no") +
-                                      " hole tried, so that the ladder says nothing");
+            result_.remarks.push_back(std::string("shaft_enters: the shaft enters ") + (ladder.fits() ? "every" : "no") +
+                                      " hole, so the ladder gives no value");
         if (shafts.empty() || !ladder.between()) return std::nullopt;
         double shaft = 0.0;
         for (const Row& row : shafts) shaft += row.measured / static_cast<double>(shafts.size());
@@ -175,7 +175,7 @@ private:
         const Ladder ladder = ladder_of(tries, field("cable_seats"));
         if (!ladder.fits())
             return unknown("groove_ratio",
-                           tries.empty() ? "needs rows cable_seats" : "the cable seats in no groove: a thicker one than drawn");
+                           tries.empty() ? "needs rows cable_seats" : "the cable seats in no groove: it is thicker than nominal");
         Figure f = figure("groove_ratio", "tightest groove in which the cable seats", kGrooveRatioKey, "", 1.0, tries.size());
         f.value = ladder.least_yes;
         f.range = {ladder.least_yes, ladder.greatest_yes};
@@ -183,7 +183,7 @@ private:
         add(f);
     }
 
-    /// eq. 3 and 4: R from cable drawn off over turns, or from torque over tension; the axis lies R - (1 - s) R_floor - d/2 further out.
+    /// eq. 3 and 4: R from cable drawn off over turns, or from torque over tension; the axis lies R - (1 - s) R_floor - d/2 farther out.
     void disc() {
         const std::vector<Row> pulls = sheet_.of(Item::kDiscPull), torques = sheet_.of(Item::kDiscTorque);
         const bool by_pull = makes_line(pulls), by_torque = makes_line(torques);
@@ -196,7 +196,7 @@ private:
         if (by_pull && by_torque && std::abs(pulled.value - turned.value) > sum({{1.0, pulled}, {-1.0, turned}}).interval().width() / 2.0)
             result_.remarks.push_back(
                 fmt::format("disc_radius: {:.3f} mm by the cable drawn off, {:.3f} mm by torques: friction of the "
-                            "shaft, or a cable that stretches; the more exact one is taken",
+                            "shaft, or cable elongation; the more exact value is used",
                             1e3 * pulled.value, 1e3 * turned.value));
         radius_ = by_pull && (!by_torque || pulled.deviation <= turned.deviation) ? pulled : turned;
         add(figure("disc_radius", "effective radius of the disc", "", "mm", 1e3,
@@ -206,13 +206,12 @@ private:
     }
     void cable_axis() {
         if (!(sheet_.disc_floor_mm > 0.0) || !(sheet_.cable_diameter_mm > 0.0))
-            return unknown("cable_axis", "needs the rows disc_floor and cable_diameter, as they were drawn");
-        if (!plane_known())
-            return unknown("cable_axis", "needs the shrinkage along x and y: without it the disc's own radius is not known");
+            return unknown("cable_axis", "needs the rows disc_floor and cable_diameter with their nominal values");
+        if (!plane_known()) return unknown("cable_axis", "needs the shrinkage along x and y: without it the disc's radius is unknown");
         const double floor = m_from_mm(sheet_.disc_floor_mm);
         Estimate axis = sum({{1.0, *radius_}, {floor, in_plane()}});
         axis.value -= floor + 0.5 * m_from_mm(sheet_.cable_diameter_mm);
-        add(figure("cable_axis", "the cable's neutral axis runs farther out than d/2 by", kCableAxisKey, "mm", 1e3, 0), axis);
+        add(figure("cable_axis", "distance of the cable's neutral axis beyond d/2", kCableAxisKey, "mm", 1e3, 0), axis);
         result_.figures.back().rows = result_.find("disc_radius")->rows;
     }
 
@@ -243,7 +242,7 @@ private:
     const Present& present_;
     const std::string& file_;
     Calibration result_;
-    std::array<std::optional<Estimate>, 3> shrink_;  // with the value that is used
+    std::array<std::optional<Estimate>, 3> shrink_;  // the used values
     std::optional<Estimate> radius_;                 // of the disc [m]
 };
 

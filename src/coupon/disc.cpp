@@ -10,7 +10,7 @@ namespace fusee::coupon {
 
 namespace {
 
-constexpr double kRate = 1e3, kPreload = 10e-3;  // [N/m], [m]: of any spring, as long as it is linear
+constexpr double kRate = 1e3, kPreload = 10e-3;  // [N/m], [m]: of any linear spring
 
 /// F = k r (y0 + r theta): the torque of an arm r on a linear spring, so that table 1 of docs/theory/cams.md gives r' = 0.
 core::Outcome<spring::SpringLawPtr> constant_arm_law(double arm, double travel) {
@@ -22,7 +22,7 @@ core::Outcome<spring::SpringLawPtr> constant_arm_law(double arm, double travel) 
 cam::CamOptions cam_options(const Options& o) {
     cam::CamOptions options;
     options.cable_diameter = o.cable_diameter;
-    options.torque_sign = -1;  // the wound end is the upper one: the anchor hole goes up from there and meets no other turn
+    options.torque_sign = -1;  // the wound end is the upper one, so that the anchor hole leads upwards and crosses no other turn
     options.path.kind = cam::PathKind::kHelix;
     const auto section = solid::groove_section(o.groove, o.cable_diameter, o.chordal_error);
     const double width = core::m_from_mm(section.back().z_mm - section.front().z_mm);
@@ -30,7 +30,7 @@ cam::CamOptions cam_options(const Options& o) {
     return options;
 }
 
-/// As the part of K_SE has it, but through the disc and without what belongs to that part alone.
+/// As in the part of K_SE, but through the disc, and without the features of that part only.
 solid::PartOptions part_options(const Options& o) {
     solid::PartOptions options;
     options.groove = o.groove;

@@ -35,7 +35,7 @@ Line fit_line(const std::vector<Row>& rows, double resolution) {
     const double mean = std::accumulate(rows.begin(), rows.end(), 0.0, [](double s, const Row& r) { return s + r.given; }) / count;
     math::LinearModel model;
     model.x.assign(2, {});
-    double spread = 0.0;  // sum of (x - mean)^2: level and slope are independent about the mean
+    double spread = 0.0;  // sum of (x - mean)^2: level and slope are independent at the mean
     for (const Row& row : rows) {
         model.x[0].push_back(1.0);
         model.x[1].push_back(row.given - mean);
@@ -47,7 +47,7 @@ Line fit_line(const std::vector<Row>& rows, double resolution) {
     const Estimate level{fit.coefficients[0], scatter / std::sqrt(count), freedom};
     const Estimate slope{fit.coefficients[1], scatter / std::sqrt(spread), freedom};
     Line line{slope, sum({{1.0, level}, {-mean, slope}})};
-    line.at_0.freedom = freedom;  // both share one scatter
+    line.at_0.freedom = freedom;  // both have the same scatter
     return line;
 }
 

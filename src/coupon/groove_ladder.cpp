@@ -13,11 +13,11 @@ namespace {
 using core::mm_from_m;
 
 constexpr double kRatios[] = {0.50, 0.53, 0.56, 0.60, 0.65, 0.70};
-constexpr double kFoot_mm = 3.0;         // height, and how far it stands out
+constexpr double kFoot_mm = 3.0;         // height and overhang
 constexpr double kAroundShaft_mm = 4.0;  // from the bore to the deepest floor, key included
 constexpr double kLeastFloor_mm = 15.0;
-constexpr double kLeastFlank = 0.01;  // of a cable, above a floor that is a half circle: all grooves are as deep
-constexpr double kSlide_mm = 0.4;     // the ladder is held on the shaft by hand
+constexpr double kLeastFlank = 0.01;  // of a cable, above a half-circle floor: all grooves have the same depth
+constexpr double kSlide_mm = 0.4;     // a hand holds the ladder on the shaft
 
 std::vector<double> ratios(double own) {
     std::vector<double> all(std::begin(kRatios), std::end(kRatios));

@@ -17,10 +17,10 @@ using core::mm_from_m;
 
 constexpr double kLeastWall_mm = 3.0, kLeastNotch_mm = 0.8, kNotchDepth_mm = 0.6;
 constexpr double kPlate_mm = 5.0, kTower_mm = 25.0;
-constexpr double kInset_mm = 1.0;    // of the tower: none of its walls lies in one of the plate's
-constexpr double kThrough_mm = 1.0;  // cutters reach this far out of the plate
+constexpr double kInset_mm = 1.0;    // of the tower: none of its walls coincides with one of the plate's
+constexpr double kThrough_mm = 1.0;  // cutters extend this far beyond the plate
 
-/// Where things are on the arm along x; the arm along y is plain.
+/// Places on the arm along x; the arm along y is plain.
 struct Layout {
     double wall, widest, notch, width, pitch, length;
 
@@ -33,7 +33,7 @@ struct Layout {
           length(width + pitch * o.holes) {}
     [[nodiscard]] double hole_x(int i) const { return width + pitch * (i + 0.5); }
     [[nodiscard]] double hole_y() const { return wall + 0.5 * widest; }
-    /// Notches stand in the strip beside the holes.
+    /// The notches are in the strip beside the holes.
     [[nodiscard]] core::Range notch_y() const { return {widest + 1.5 * wall, widest + 2.25 * wall}; }
 };
 
@@ -89,7 +89,7 @@ core::Outcome<Plate> make_plate(const Options& options) {
     plate.width_mm = at.width;
     plate.plate_mm = kPlate_mm;
     plate.tower_mm = kTower_mm;
-    solid::Mesh tools;  // far from each other: one Boolean for all
+    solid::Mesh tools;  // apart from each other: one Boolean for all
     for (int i = 0; i < options.holes; ++i) {
         const double clearance = std::lerp(options.clearance.low, options.clearance.high, static_cast<double>(i) / (options.holes - 1));
         const double bore = mm_from_m(options.hub.bore_diameter + clearance);

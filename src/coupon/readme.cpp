@@ -7,7 +7,7 @@ namespace fusee::coupon {
 
 namespace {
 
-/// Numbers a reader can count along: "0: 6, 1: 6.1".
+/// Values with their numbers: "0: 6, 1: 6.1".
 std::string counted(const std::vector<double>& values, int first) {
     std::string text;
     for (std::size_t i = 0; i < values.size(); ++i)
@@ -20,10 +20,11 @@ std::string counted(const std::vector<double>& values, int first) {
 std::string readme(const Drawn& drawn, const std::string& provenance) {
     std::string text = fmt::format("# Coupons\n{}\n\n", provenance);
     text +=
-        "Make them as the cams are going to be made: same machine, material, settings and direction (z up). Print the files as they are: "
+        "Make them like the cams: same machine, material, settings and direction (z up). Print the files as they are: "
         "they\n"
-        "are not compensated, and no scaling of the slicer must be on. Let them cool, take burrs off, measure, fill `COUPON.csv`.\n\n"
-        "| file | what it is |\n|---|---|\n";
+        "are not compensated, and the scaling of the slicer must be off. Let them cool, deburr them, measure them and fill "
+        "`COUPON.csv`.\n\n"
+        "| file | content |\n|---|---|\n";
     text += fmt::format(
         "| `bores_and_lengths` | an L with a tower on its corner. Along x and y: {:.4g} mm (width of an arm) and {:.4g} mm (its length); "
         "heights {:.4g} and {:.4g} mm. Holes by the number of notches beside them, diameters in mm: {} |\n",
@@ -32,18 +33,19 @@ std::string readme(const Drawn& drawn, const std::string& provenance) {
         "| `groove_ladder` | grooves for the cable of {:g} mm, counted from the wide foot; floor radius over cable diameter: {} |\n",
         drawn.cable_diameter_mm, counted(drawn.groove_ratios, 1));
     text += fmt::format(
-        "| `disc` | the profile's groove on a floor of {:g} mm radius, {:g} turns; `disc.json` says its arm as for any part |\n\n",
+        "| `disc` | the profile's groove on a floor of {:g} mm radius, {:g} turns; `disc.json` states its arm like that of any part |\n\n",
         drawn.disc_floor_mm, drawn.disc_turns);
     text += "| row of the sheet | given | fill in | how |\n|---|---|---|---|\n";
     for (const ItemKind& kind : item_kinds())
         text += fmt::format("| `{}` | {} | {} | {} |\n", kind.name, kind.given_unit, kind.unit, kind.how);
     text +=
-        "\nThe disc: fix the cable in its hole, lay it into the groove, hang the tension of the joint on it. `disc_pull`: turn it by the "
+        "\nThe disc: fix the cable in its hole, lay it into the groove and load it with the tension of the joint. `disc_pull`: turn it by "
+        "the "
         "given\n"
-        "turns from any beginning and note how far the cable has moved; the first row is 0. `disc_torque`: a lever with a scale on its "
+        "turns from any start and note the length of moved cable; the first row is 0. `disc_torque`: a lever with a scale on its "
         "shaft.\n"
-        "`series_spring`: the disc in the spool's place on K_SE's torsion spring, force by a scale in the cable.\n\n"
-        "Rows that you cannot measure stay empty; `fusee calibrate` says what that leaves unknown.\n";
+        "`series_spring`: the disc in place of the spool on K_SE's torsion spring, force by a scale in the cable.\n\n"
+        "Rows that you cannot measure stay empty; `fusee calibrate` lists the unknown values.\n";
     return text;
 }
 

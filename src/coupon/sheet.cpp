@@ -17,14 +17,14 @@ constexpr core::Range kNothing{0.0, 0.0}, kLength_mm{0.01, 1e4}, kYesNo{0.0, 1.0
 constexpr const char *kNone = "-", *kYesOrNo = "1=yes 0=no";
 
 constexpr std::array kKinds{
-    ItemKind{Item::kCableDiameter, "cable_diameter", "mm", kNone, kLength_mm, kNothing, "leave as it is: the cable of the profile"},
-    ItemKind{Item::kDiscFloor, "disc_floor", "mm", kNone, kLength_mm, kNothing, "leave as it is: radius of the disc's floor as drawn"},
+    ItemKind{Item::kCableDiameter, "cable_diameter", "mm", kNone, kLength_mm, kNothing, "do not change: the cable of the profile"},
+    ItemKind{Item::kDiscFloor, "disc_floor", "mm", kNone, kLength_mm, kNothing, "do not change: nominal radius of the disc's floor"},
     ItemKind{Item::kLengthX, "length_x", "mm", "mm", kLength_mm, kLength_mm, "plate: outer face to outer face along x"},
     ItemKind{Item::kLengthY, "length_y", "mm", "mm", kLength_mm, kLength_mm, "plate: the same along y"},
     ItemKind{Item::kLengthZ, "length_z", "mm", "mm", kLength_mm, kLength_mm, "plate: height of plate and tower above the bed"},
     ItemKind{Item::kBore, "bore", "mm", "mm", kLength_mm, kLength_mm, "plate: diameter of the hole drawn with the given one"},
-    ItemKind{Item::kShaft, "shaft", "mm", "mm", kLength_mm, kLength_mm, "diameter of the shaft that is tried in the holes"},
-    ItemKind{Item::kShaftEnters, "shaft_enters", "mm", kYesOrNo, kLength_mm, kYesNo, "does the shaft go in by hand and turn?"},
+    ItemKind{Item::kShaft, "shaft", "mm", "mm", kLength_mm, kLength_mm, "diameter of the shaft for the holes"},
+    ItemKind{Item::kShaftEnters, "shaft_enters", "mm", kYesOrNo, kLength_mm, kYesNo, "does the shaft enter by hand and turn?"},
     ItemKind{Item::kCableSeats,
              "cable_seats",
              "ratio",
@@ -49,7 +49,7 @@ const ItemKind& kind_of(Item item) {
     return *std::find_if(kKinds.begin(), kKinds.end(), [item](const ItemKind& kind) { return kind.item == item; });
 }
 
-/// Reads one row at a time and refuses what only the items know to be wrong.
+/// Reads one row at a time and refuses errors of the items.
 class Reader {
 public:
     explicit Reader(const core::CsvTable& table) : table_(table) {}
@@ -60,7 +60,7 @@ public:
         require_unit(row, "unit", kind.unit);
         const double given = require_within(row, "given", kind.given), measured = table_.numbers("measured")[row];
         if (kind.unit == kNone) {
-            if (!std::isnan(measured)) throw fault(row, "measured", measured, "left empty: this is drawn, not measured");
+            if (!std::isnan(measured)) throw fault(row, "measured", measured, "an empty cell: this value is nominal, not measured");
             double& drawn = kind.item == Item::kDiscFloor ? sheet.disc_floor_mm : sheet.cable_diameter_mm;
             if (drawn > 0.0 && drawn != given) throw fault(row, "given", given, fmt::format("{:g}, as in an earlier row", drawn));
             drawn = given;
@@ -139,8 +139,8 @@ std::string empty_sheet(const Drawn& drawn, const std::string& provenance) {
     constexpr int kRepeats = 3;
     constexpr double kTorques_N[] = {5.0, 10.0, 20.0};
     std::string text = fmt::format(
-        "# coupons of {}\n# Fill the column `measured`, in its row's unit, with a decimal point. Rows may be left empty, repeated and "
-        "added.\n# What to measure for each item stands in README.md beside this sheet. Then: fusee calibrate COUPON.csv\n"
+        "# coupons of {}\n# Fill the column `measured`, in its row's unit, with a decimal point. Rows may be empty, repeated and "
+        "added.\n# README.md beside this sheet explains the measurement of each item. Then: fusee calibrate COUPON.csv\n"
         "item,given,given_unit,measured,unit\n",
         provenance);
     text += line(Item::kCableDiameter, drawn.cable_diameter_mm) + line(Item::kDiscFloor, drawn.disc_floor_mm);

@@ -8,13 +8,13 @@
 /// The body in two views, first angle: along its axis seen from +z, and above that section A-A, cut along x and seen from below the sheet.
 namespace fusee::drawing {
 
-/// Where a view's callouts stand: texts end at `left` and begin at `right`.
+/// Columns of a view's callouts: texts end at `left` and begin at `right`.
 struct Columns {
     double left = 0.0, right = 0.0;
     core::Range height;  ///< from the upper end to the lower one, on the sheet
 };
 
-/// Edges that are seen from +z [mm].
+/// Visible edges from +z [mm].
 [[nodiscard]] std::vector<Line> edges_from_above(const solid::Part& part);
 /// The cut through axis and timing mark, (x, z) [mm].
 [[nodiscard]] std::vector<Line> axial_cut(const solid::Part& part);
@@ -27,7 +27,7 @@ struct SectionCallouts {
 [[nodiscard]] SectionCallouts section_callouts(const Subject& subject, const std::vector<Line>& cut, const View& view);
 void draw_section(Sheet& sheet, const Subject& subject, const std::vector<Line>& cut, const View& view, const Columns& columns);
 
-/// Both views with everything on them, as large as the room lets them be. @returns their scale
-double draw_body(Sheet& sheet, const Subject& subject, const Box& room);
+/// Both views with their callouts, as large as the area allows. @returns their scale
+double draw_body(Sheet& sheet, const Subject& subject, const Box& area);
 
 }  // namespace fusee::drawing

@@ -19,7 +19,7 @@ constexpr Box kBodyRoom{{23.0, 13.0}, {252.0, 202.0}};
 constexpr Box kGrooveRoom{{24.0, 208.0}, {112.0, 285.0}};
 constexpr Box kNotesRoom{{116.0, 208.0}, {227.0, 285.0}};
 
-/// Words into lines of at most `letters`.
+/// Divides a sentence into lines of at most `letters`.
 std::vector<std::string> wrapped(const std::string& sentence, std::size_t letters) {
     std::vector<std::string> lines{""};
     for (std::size_t from = 0; from < sentence.size();) {

@@ -16,7 +16,7 @@ namespace {
 
 using core::mm_from_m;
 
-// Below a face by less than any timing mark is deep, and at no height at which a mesh has vertices.
+// Below a face by less than the depth of any timing mark, at a height without vertices of a mesh.
 constexpr double kUnderFace_mm = 0.0137;
 constexpr double kBeyond = 4.0;      // of centre lines over the outline, on the sheet
 constexpr double kCutEnd = 5.0;      // thick end of the cutting plane's line
@@ -41,7 +41,7 @@ void draw_hidden(Sheet& sheet, const solid::Part& part, const View& view) {
         stroke(sheet, view, Pen::kHidden, {{std::sqrt(inner * inner - half * half), y}, {mm_from_m(0.5 * hub.boss_diameter), y}}, false);
 }
 
-/// Centre lines; that along x is the cutting plane's, with arrows in the direction in which the section is seen.
+/// Centre lines; that along x is the cutting plane, with arrows in the viewing direction of the section.
 void draw_axes(Sheet& sheet, const Box& box, const Point& axis) {
     const double left = box.low[0] - kBeyond, right = box.high[0] + kBeyond, y = axis[1];
     sheet.strokes.push_back({Pen::kCentre, {{axis[0], box.low[1] - kBeyond}, {axis[0], box.high[1] + kBeyond}}});
@@ -72,7 +72,7 @@ Point outermost(const std::vector<Line>& lines, std::size_t axis, double sign) {
     return far;
 }
 
-/// The place of an outline that is farthest from the axis.
+/// The point of an outline that is farthest from the axis.
 Point farthest(const std::vector<Line>& lines) {
     Point far{};
     for (const Line& line : lines)
@@ -96,7 +96,7 @@ Words screw_words(const solid::Cutter& hole) {
 
 Point on_circle(double radius, double angle) { return {radius * std::cos(angle), radius * std::sin(angle)}; }
 
-/// A callout before it is known on which side it stands.
+/// A callout without its side.
 struct Remark {
     Point place_mm{};
     Words words;
@@ -104,7 +104,7 @@ struct Remark {
 
 std::vector<Remark> hub_remarks(const Subject& subject) {
     const solid::HubOptions& hub = subject.part.options.hub;
-    if (hub.kind == solid::HubKind::kOverhung) return {};  // said in the section: from above they are hidden
+    if (hub.kind == solid::HubKind::kOverhung) return {};  // in the section: hidden from above
     const double radius = mm_from_m(0.5 * (hub.bore_diameter + hub.bore_clearance));
     std::vector<Remark> all{{on_circle(radius, 0.8 * core::kPi), bore_words(subject)}};
     if (hub.lock == solid::HubLock::kKeyway) all.push_back({{solid::bore_reach_mm(hub), 0.0}, lock_words(hub)});
@@ -147,7 +147,7 @@ std::vector<Remark> contour_remarks(const solid::Part& part, const std::vector<L
 
 std::vector<Line> edges_from_above(const solid::Part& part) {
     std::vector<Line> edges = solid::slice(part.mesh, mm_from_m(part.z_high) - kUnderFace_mm);
-    if (part.options.hub.boss_height <= 0.0) return edges;  // else the lower flange is wider than the upper one
+    if (part.options.hub.boss_height <= 0.0) return edges;  // otherwise the lower flange is wider than the upper one
     std::vector<Line> lower = solid::slice(part.mesh, mm_from_m(part.z_low) + kUnderFace_mm);
     const auto width = [](const Line& line) { return extent({line}).high[0] - extent({line}).low[0]; };
     const auto widest = std::max_element(lower.begin(), lower.end(), [&](const Line& a, const Line& b) { return width(a) < width(b); });

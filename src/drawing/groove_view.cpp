@@ -22,7 +22,7 @@ constexpr double kLipDimension = 12.0;    // the dimension of the lips' width
 constexpr double kDepthDimension = 13.0;  // the dimension of the depth
 constexpr double kGrooveHeading = 8.0;
 
-/// Material beside the groove as a polygon, (distance from the cable's centreline, height) [mm], and the end where it is broken off.
+/// Material beside the groove as a polygon, (distance from the cable's centreline, height) [mm], and its broken-off end.
 struct Profile {
     Line line;
     double broken_mm = 0.0;
@@ -47,7 +47,7 @@ std::vector<Callout> groove_callouts(const Subject& subject, const View& view) {
     const solid::Part& part = subject.part;
     const solid::GrooveOptions& groove = part.options.groove;
     const solid::SectionPoint& lip = part.section.back();
-    const solid::SectionPoint& flank = part.section[part.section.size() - 2];  // where the floor's arc ends
+    const solid::SectionPoint& flank = part.section[part.section.size() - 2];  // end of the floor's arc
     const double d = mm_from_m(part.cam.options.cable_diameter), rib = mm_from_m(groove.rib);
     const solid::SectionPoint& floor = part.section[part.section.size() / 4];
     const std::string height =
@@ -63,18 +63,18 @@ std::vector<Callout> groove_callouts(const Subject& subject, const View& view) {
 
 }  // namespace
 
-void draw_groove(Sheet& sheet, const Subject& subject, const Box& room) {
+void draw_groove(Sheet& sheet, const Subject& subject, const Box& area) {
     const solid::Part& part = subject.part;
     if (part.cam.has_roller()) return;
     const Profile profile = profile_of(part);
     const Box mm = extent({profile.line});
-    const double room_width = room.high[0] - room.low[0] - kCalloutColumn - kLipDimension,
-                 room_height = room.high[1] - room.low[1] - kGrooveHeading - kDepthDimension;
+    const double room_width = area.high[0] - area.low[0] - kCalloutColumn - kLipDimension,
+                 room_height = area.high[1] - area.low[1] - kGrooveHeading - kDepthDimension;
     const double scale =
         largest_scale([&](double s) { return s * (mm.high[0] - mm.low[0]) <= room_width && s * (mm.high[1] - mm.low[1]) <= room_height; });
-    const double middle = room.low[1] + kGrooveHeading + 0.5 * room_height;
-    const View view{{room.low[0] - scale * mm.low[0], middle + 0.5 * scale * (mm.low[1] + mm.high[1])}, scale};
-    sheet.texts.push_back({fmt::format("groove ({})", scale_text(scale)), {room.low[0], room.low[1] + 4.0}, Align::kLeft, Text::kTitle});
+    const double middle = area.low[1] + kGrooveHeading + 0.5 * room_height;
+    const View view{{area.low[0] - scale * mm.low[0], middle + 0.5 * scale * (mm.low[1] + mm.high[1])}, scale};
+    sheet.texts.push_back({fmt::format("groove ({})", scale_text(scale)), {area.low[0], area.low[1] + 4.0}, Align::kLeft, Text::kTitle});
 
     const Line line = view.at(profile.line);
     hatch(sheet, {line});
@@ -86,7 +86,7 @@ void draw_groove(Sheet& sheet, const Subject& subject, const Box& room) {
     const double bottom = extent({line}).high[1], right = extent({line}).high[0];
     dimension_across(sheet, view.at(floor, 0.0), view.at(low.offset_mm, low.z_mm), bottom + 8.0, decimals(low.offset_mm - floor));
     write_callouts(sheet, groove_callouts(subject, view), Align::kLeft, right + kLipDimension + 4.0,
-                   {room.low[1] + kGrooveHeading, room.high[1] - kDepthDimension});
+                   {area.low[1] + kGrooveHeading, area.high[1] - kDepthDimension});
     dimension_up(sheet, view.at(low.offset_mm, low.z_mm), view.at(high.offset_mm, high.z_mm), right + 8.0, decimals(high.z_mm - low.z_mm));
 }
 

@@ -3,7 +3,7 @@
 
 namespace fusee::drawing {
 
-/// The groove's section with its flanges and the cable in it, enlarged and dimensioned; a roller cam has none.
-void draw_groove(Sheet& sheet, const Subject& subject, const Box& room);
+/// The groove's section with its flanges and the cable in it, enlarged and dimensioned; nothing for a roller cam.
+void draw_groove(Sheet& sheet, const Subject& subject, const Box& area);
 
 }  // namespace fusee::drawing

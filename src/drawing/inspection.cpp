@@ -11,7 +11,7 @@ namespace fusee::drawing {
 
 namespace {
 
-/// Body angle of the floor's point, counted on over the turns: it rises with psi, since the floor is convex and goes round the axis.
+/// Body angle of the floor's point, continued over the turns. It rises with psi, since the floor is convex and encloses the axis.
 double body_angle(const cam::PathPoint& p, double half_cable) { return p.psi + std::atan2(p.slope, p.h - half_cable); }
 
 double psi_at(const cam::Cam& cam, double angle) {
@@ -36,7 +36,7 @@ bool takes(const solid::Cutter& hole, double x_mm, double y_mm, double z_mm) {
     return z_mm > hole.low_mm && std::hypot(x_mm - rim.centre_mm[0], y_mm - rim.centre_mm[1]) < rim.radius_mm - kRounding_mm;
 }
 
-/// Length between two directions: each chord c of an arc that turns by a is short by the factor 1 - a^2/24.
+/// Length between two directions: the chord c of an arc of angle a is shorter by the factor 1 - a^2/24.
 double length_between(const cam::Cam& cam, double from, double to) {
     const int steps = std::max(1, static_cast<int>(std::ceil(std::abs(to - from) / (1e-3 * core::kTurn))));
     const double turn = (to - from) / steps;
@@ -69,7 +69,7 @@ std::vector<FloorPoint> inspect_floor(const solid::Part& part, double step) {
     const auto before = [](const FloorPoint& a, const FloorPoint& b) { return a.angle < b.angle; };
     std::sort(floor.begin(), floor.end(), before);
     const auto same = [step](const FloorPoint& a, const FloorPoint& b) { return b.angle - a.angle < 0.5 * step; };
-    floor.erase(std::unique(floor.begin(), floor.end(), same), floor.end());  // a turn's first place is its last
+    floor.erase(std::unique(floor.begin(), floor.end(), same), floor.end());  // the first point of a turn is its last
     return floor;
 }
 
@@ -82,7 +82,7 @@ core::Range working_angles(const cam::Cam& cam) {
 
 CableLength cable_length(const cam::Cam& cam) {
     const auto [low, high] = cam.working_psi;
-    // The tension's torque winds the cable towards lower psi if it is positive; a closed path begins where its working arc does.
+    // The tension's torque winds the cable towards lower psi if it is positive; a closed path starts with its working arc.
     const double wound = cam.options.torque_sign < 0 ? high : cam.closed() ? low + core::kTurn : low;
     return {length_between(cam, low, high), length_between(cam, wound, cam.anchor_psi)};
 }

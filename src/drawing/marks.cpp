@@ -10,10 +10,10 @@ namespace {
 constexpr double kHatchGap = 2.2;   // between lines, along an axis
 constexpr double kLeaderGap = 1.2;  // from a text to its leader
 constexpr double kExtensionGap = 0.8, kExtensionOver = 1.6;
-constexpr double kRoomForArrows = 9.0;  // shorter: they stand outside
-constexpr double kOutside = 6.0;        // length of line behind an outer arrow
+constexpr double kSpaceForArrows = 9.0;  // shorter: arrows are outside
+constexpr double kOutside = 6.0;         // length of line behind an outer arrow
 
-/// Where the line x + y = c crosses the rings, by rising x.
+/// Crossings of the line x + y = c with the rings, by rising x.
 std::vector<Point> crossings(const std::vector<Line>& rings, double c) {
     std::vector<Point> found;
     for (const Line& ring : rings)
@@ -30,7 +30,7 @@ std::vector<Point> crossings(const std::vector<Line>& rings, double c) {
 
 double block_height(const Callout& callout) { return kLineHeight * static_cast<double>(callout.lines.size()); }
 
-/// Upper ends of the callouts' blocks: wanted about their targets, moved down until they keep apart and up until they keep in.
+/// Upper ends of the callouts' blocks: near their targets, moved down until they do not overlap and up until they fit.
 std::vector<double> stacked(const std::vector<Callout>& callouts, const core::Range& height) {
     std::vector<double> tops;
     double free = height.low;
@@ -50,15 +50,15 @@ void arrow(Sheet& sheet, const Point& from, const Point& tip) {
     sheet.arrows.push_back({tip, std::atan2(tip[1] - from[1], tip[0] - from[0])});
 }
 
-/// A dimension's line with its arrows along one axis (0: across, 1: up) at `level` of the other; it goes on below a value
-/// that does not stand between its ends.
+/// A dimension's line with its arrows along one axis (0: across, 1: up) at `level` of the other; it continues below a value
+/// that is not between its ends.
 void dimension_line(Sheet& sheet, std::size_t axis, const core::Range& ends, double level, const Box& value) {
     const auto at = [axis, level](double along) {
         Point p{level, level};
         p[axis] = along;
         return p;
     };
-    const bool inside = ends.width() >= kRoomForArrows;
+    const bool inside = ends.width() >= kSpaceForArrows;
     const double reach = inside ? 0.0 : kOutside;
     const bool beside = value.high[axis] < ends.low || value.low[axis] > ends.high;
     const core::Range line{std::min(ends.low - reach, beside ? value.low[axis] : ends.low),

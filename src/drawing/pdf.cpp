@@ -12,7 +12,7 @@ namespace fusee::drawing {
 
 namespace {
 
-constexpr double kPointsPerMm = 72.0 / 25.4;  // of PDF's unit
+constexpr double kPointsPerMm = 72.0 / 25.4;  // PDF's unit
 
 struct Destroy {
     void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
@@ -46,12 +46,12 @@ void draw_page(cairo_t* context, const Sheet& sheet) {
 }  // namespace
 
 std::string pdf(const std::vector<Sheet>& sheets) {
-    static std::mutex one_at_a_time;  // fonts are looked up in tables that the whole process shares
+    static std::mutex one_at_a_time;  // the whole process shares the tables of fonts
     const std::scoped_lock lock(one_at_a_time);
     std::string bytes;
     const Owned<cairo_surface_t> surface(
         cairo_pdf_surface_create_for_stream(append, &bytes, Sheet::kWidth * kPointsPerMm, Sheet::kHeight * kPointsPerMm));
-    cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, "");  // else it is the present time
+    cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, "");  // otherwise it is the present time
     if (!sheets.empty()) cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, sheets.front().title.c_str());
     const Owned<cairo_t> context(cairo_create(surface.get()));
     for (const Sheet& sheet : sheets) draw_page(context.get(), sheet);

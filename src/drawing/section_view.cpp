@@ -19,10 +19,10 @@ constexpr double kAxisBeyond = 4.0;
 double boss_mm(const solid::Part& part) { return mm_from_m(part.options.hub.boss_height); }
 double low_mm(const solid::Part& part) { return mm_from_m(part.z_low) - boss_mm(part); }
 
-/// Where the blind bore ends.
+/// Height of the blind bore's end.
 double blind_end_mm(const solid::Part& part) { return mm_from_m(part.z_low + part.options.groove.rib - part.options.hub.web); }
 
-/// From the leftmost to the rightmost point of the cut at a height that is one of its levels.
+/// From the leftmost to the rightmost point of the cut at one of its levels.
 core::Range span_at(const std::vector<Line>& cut, double z_mm) {
     core::Range span{1e9, -1e9};
     for (const Line& ring : cut)
@@ -31,7 +31,7 @@ core::Range span_at(const std::vector<Line>& cut, double z_mm) {
     return span;
 }
 
-/// How far the part reaches behind the cut at a height.
+/// Extent of the part behind the cut at a height.
 core::Range span_behind(const solid::Mesh& mesh, double z_mm) {
     core::Range span;
     for (const Line& ring : solid::slice(mesh, z_mm))
@@ -40,7 +40,7 @@ core::Range span_behind(const solid::Mesh& mesh, double z_mm) {
     return span;
 }
 
-/// A height in the part's frame and what lies there.
+/// A height in the part's frame with its description.
 struct Level {
     double z_mm = 0.0;
     Words words;
@@ -64,11 +64,11 @@ std::vector<Level> levels(const solid::Part& part) {
     return all;
 }
 
-/// A flange that reaches farther behind the cut than in it, from its face to the lip inside.
+/// A flange that extends farther behind the cut than in it, from its face to the inner lip.
 void draw_flange_behind(Sheet& sheet, const solid::Part& part, const std::vector<Line>& cut, const View& view, double face, double lip) {
     constexpr double kSeen = 0.02;
     const core::Range here = span_at(cut, face), inside = span_at(cut, lip);
-    const core::Range there = span_behind(part.mesh, face + 0.487 * (lip - face));  // at no height at which a mesh has vertices
+    const core::Range there = span_behind(part.mesh, face + 0.487 * (lip - face));  // at a height without vertices of the mesh
     if (there.low < here.low - kSeen)
         sheet.strokes.push_back({Pen::kOutline, view.at(Line{{here.low, face}, {there.low, face}, {there.low, lip}, {inside.low, lip}})});
     if (there.high > here.high + kSeen)
@@ -96,7 +96,7 @@ void draw_bore_behind(Sheet& sheet, const solid::Part& part, const View& view) {
 
 std::vector<Line> axial_cut(const solid::Part& part) {
     solid::Mesh turned = part.mesh;
-    for (solid::Vec3& p : turned.points_mm) p = {p[2], p[0], p[1]};  // a cyclic change of axes: orientation stays
+    for (solid::Vec3& p : turned.points_mm) p = {p[2], p[0], p[1]};  // a cyclic change of axes keeps the orientation
     std::vector<Line> cut = solid::slice(turned, 0.0);
     for (Line& ring : cut)
         for (Point& p : ring) std::swap(p[0], p[1]);

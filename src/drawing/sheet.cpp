@@ -10,12 +10,12 @@ namespace {
 constexpr double kLetter = 0.602;                  // of the size: DejaVu Sans Mono; Courier and Liberation Mono 0.600
 constexpr double kAscent = 0.76, kDescent = 0.24;  // of the size
 
-/// Bytes that begin a letter of UTF-8.
+/// Number of UTF-8 letters.
 std::size_t letters(const std::string& words) {
     return static_cast<std::size_t>(std::count_if(words.begin(), words.end(), [](char c) { return (c & 0xC0) != 0x80; }));
 }
 
-/// Narrows [from, to], the share of a line that is within low..high in one coordinate. False: nothing is left.
+/// Narrows [from, to], the share of a line within low..high in one coordinate. False: nothing remains.
 bool clip(double start, double step, double low, double high, double& from, double& to) {
     if (step == 0.0) return start > low && start < high;
     const double a = (low - start) / step, b = (high - start) / step;

@@ -12,7 +12,7 @@ namespace {
 
 using core::coordinate;
 
-// The letters' face is named before the family, since only few faces are as wide as `width_of` counts.
+// The font is named before the family, since only few fonts have the width of `width_of`.
 constexpr const char* kStyle =
     "path{fill:none;stroke:#000;stroke-linejoin:round}"
     ".outline{stroke-width:.5}.thin{stroke-width:.18}.hidden{stroke-width:.25;stroke-dasharray:2.4 1}"

@@ -66,16 +66,16 @@ std::size_t write_table(Sheet& sheet, const Table& table, std::size_t first, con
 }
 
 Table inspection_table(const solid::Part& part) {
-    const bool climbs = !part.cam.closed();
+    const bool is_helix = !part.cam.closed();
     Table table{{part.cam.has_roller() ? "Radii of the rim" : "Radii of the floor"}, {{"angle", "radius"}, {"[deg]", "[mm]"}}, {}};
-    if (climbs) {
+    if (is_helix) {
         table.head[0].emplace_back("z");
         table.head[1].emplace_back("[mm]");
     }
     for (Cells& row : table.head) row.emplace_back();
     for (const FloorPoint& p : inspect_floor(part, core::rad_from_deg(kStep_deg))) {
         Cells row{decimals(core::deg_from_rad(p.angle), 0), fmt::format("{:.3f}", core::mm_from_m(p.radius))};
-        if (climbs) row.push_back(fmt::format("{:.3f}", core::mm_from_m(p.z)));
+        if (is_helix) row.push_back(fmt::format("{:.3f}", core::mm_from_m(p.z)));
         row.emplace_back(p.drilled ? "h" : p.works ? "w" : " ");
         table.rows.push_back(std::move(row));
     }
@@ -83,7 +83,7 @@ Table inspection_table(const solid::Part& part) {
 }
 
 Table torque_table(const cam::Cam& cam) {
-    Table table{{"What the part has to do"},
+    Table table{{"Arm, tension and torque"},
                 {{"turned", "arm", cam.has_roller() ? "force" : "tension", "torque"}, {"[deg]", "[mm]", "[N]", "[Nm]"}},
                 {}};
     const std::size_t last = cam.working.size() - 1, count = std::min(kTorqueRows, cam.working.size());

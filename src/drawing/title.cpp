@@ -46,15 +46,15 @@ std::string part_words(const Subject& subject) {
                        series ? "series" : "parallel");
 }
 
-/// A field of the title block: its name small above, its value below, as large as it may be and fits.
+/// A field of the title block: its name small above, its value below in the largest size that fits.
 void field(Sheet& sheet, const Box& box, const std::string& name, const std::string& value, double size = Text::kBody) {
     sheet.strokes.push_back({Pen::kThin, {box.low, {box.high[0], box.low[1]}, box.high, {box.low[0], box.high[1]}}, true});
     sheet.texts.push_back({name, {box.low[0] + kFieldPad, box.low[1] + 3.0}, Align::kLeft, kLabel});
-    const double room = box.high[0] - box.low[0] - 2.0 * kFieldPad, width = width_of(value, size);
-    sheet.texts.push_back({value, {box.low[0] + kFieldPad, box.high[1] - 2.2}, Align::kLeft, width > room ? size * room / width : size});
+    const double space = box.high[0] - box.low[0] - 2.0 * kFieldPad, width = width_of(value, size);
+    sheet.texts.push_back({value, {box.low[0] + kFieldPad, box.high[1] - 2.2}, Align::kLeft, width > space ? size * space / width : size});
 }
 
-/// A cone's stump seen from its side and, to the right, from its small end.
+/// A truncated cone from its side and, to the right, from its small end.
 void draw_projection_symbol(Sheet& sheet, const Point& at) {
     const View view{at, 1.0};
     sheet.strokes.push_back({Pen::kOutline, view.at(Line{{-9.0, -1.5}, {-9.0, 1.5}, {-3.0, 3.0}, {-3.0, -3.0}}), true});

@@ -3,7 +3,7 @@
 
 namespace fusee::drawing {
 
-/// Upper edge and left edge of the title block, which stands in the frame's lower right corner.
+/// Left and upper edge of the title block in the frame's lower right corner.
 inline constexpr Point kTitleCorner{230.0, 245.0};
 
 /// Frame and title block (ISO 7200) with the symbol of first-angle projection (ISO 5456-2).

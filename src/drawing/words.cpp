@@ -37,8 +37,8 @@ std::string travel_note(const cam::Cam& cam) {
 }
 
 /// Of a helix.
-std::string climb_note(const cam::Cam& cam) {
-    return fmt::format("The groove climbs from z {} to z {} over {} deg.", mm(cam.path(cam.groove_psi.low).z),
+std::string rise_note(const cam::Cam& cam) {
+    return fmt::format("The groove rises from z {} to z {} over {} deg.", mm(cam.path(cam.groove_psi.low).z),
                        mm(cam.path(cam.groove_psi.high).z), deg(cam.groove_psi.width()));
 }
 
@@ -90,18 +90,18 @@ Words notes(const Subject& subject) {
     const core::Range arc = working_angles(cam);
     Words all{
         "Lengths in mm. Body angles from the timing mark (0 deg, +x), counter-clockwise seen from +z, as the front view shows.",
-        fmt::format("The contour is that of the part's files; this sheet says what to check. A mesh leaves it by at most {} mm (chordal "
-                    "error).",
-                    decimals(subject.part.chordal_error_mm, 4)),
+        fmt::format(
+            "The contour is that of the part's files; this sheet states the checks. A mesh deviates from it by at most {} mm (chordal "
+            "error).",
+            decimals(subject.part.chordal_error_mm, 4)),
         fmt::format("Radii: from the axis to the {}, {}. w: working arc, {} to {} deg, which carries the law{}.",
                     roller ? "rim" : "lowest point of the groove's floor", cam.closed() ? "at z 0" : "at the height z", deg(arc.low, 2),
                     deg(arc.high, 2), roller ? "" : "; h: within the anchor hole"),
         travel_note(cam)};
-    if (!cam.closed()) all.push_back(climb_note(cam));
+    if (!cam.closed()) all.push_back(rise_note(cam));
     if (!roller) all.push_back(cable_note(subject));
     all.push_back(spring_note(subject.spring));
-    all.emplace_back(roller ? "Deburr the edges; the rim is left as it is cut."
-                            : "Deburr the lips; the groove's floor is left as it is cut.");
+    all.emplace_back(roller ? "Deburr the edges; leave the rim as cut." : "Deburr the lips; leave the groove's floor as cut.");
     return all;
 }
 

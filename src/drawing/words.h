@@ -4,18 +4,18 @@
 
 #include "fusee/drawing/drawing.h"
 
-/// What callouts say of the hub and of features, at most 24 letters a line.
+/// Callouts of the hub and of features, at most 24 letters per line.
 namespace fusee::drawing {
 
 using Words = std::vector<std::string>;
 
 [[nodiscard]] Words bore_words(const Subject& subject);
-/// Keyway or flat; empty where there is neither.
+/// Keyway or flat; empty if there is neither.
 [[nodiscard]] Words lock_words(const solid::HubOptions& hub);
 [[nodiscard]] Words slot_words(const solid::FeatureOptions& features);
 [[nodiscard]] Words mark_words(const solid::FeatureOptions& features);
 
-/// What holds for the whole part, a sentence or two each.
+/// Notes on the whole part, one or two sentences each.
 [[nodiscard]] Words notes(const Subject& subject);
 
 }  // namespace fusee::drawing

@@ -9,8 +9,7 @@ Effect make_cable_stretch() {
             .sided = true,
             .parameters = {{"k_c", "Nm/rad", 1.0, {0.05, 1000}, 0}},
             .starts = {0.5, 1, 2.5, 8},
-            .seen_by = {Experiment::kSpringPull, Experiment::kDeadBand, Experiment::kJointStiffness, Experiment::kCocontraction,
-                        Experiment::kLog},
+            .seen_by = spring_experiments(),
             .confused_with = {"se.rate", "se.radius"},
             .apply = [](BuiltRig& rig, int side, std::span<const double> values) { rig.sides[side].se_build.stretch += 1.0 / values[0]; }};
 }

@@ -5,13 +5,18 @@
 
 #include <algorithm>
 
-#include "effect_registry.h"
 #include "fusee/core/error.h"
 
 namespace fusee::effects {
 
+#include "effect_registry.h"
+
 const std::vector<Effect>& effect_library() {
-    static const std::vector<Effect> library = make_effects();
+    static const std::vector<Effect> library = [] {
+        std::vector<Effect> made;
+        for (const Registered& file : kRegistered) made.push_back(file.make());
+        return made;
+    }();
     return library;
 }
 

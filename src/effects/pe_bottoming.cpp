@@ -9,8 +9,7 @@ Effect make_pe_bottoming() {
             .sided = true,
             .parameters = {{"y_b", "m", 0.016, {0.002, 0.06}, 0}, {"rate", "1", 10, {1, 60}, 15}},
             .starts = {0.4, 0.6, 0.8, 1, 1.2, 1.5},
-            .seen_by = {Experiment::kSpringPull, Experiment::kDeadBand, Experiment::kJointStiffness, Experiment::kCocontraction,
-                        Experiment::kLog},
+            .seen_by = spring_experiments(),
             .confused_with = {},
             .advice = "use a compression spring with more travel to solid (k_pe.spring.max_travel_mm)",
             .apply = [](BuiltRig& rig, int side, std::span<const double> values) {

@@ -9,8 +9,7 @@ Effect make_pe_hysteresis() {
             .sided = true,
             .parameters = {{"a", "1", 0.12, {0, 0.6}, 0}},
             .starts = {0.6, 1.5},
-            .seen_by = {Experiment::kSpringPull, Experiment::kDeadBand, Experiment::kJointStiffness, Experiment::kCocontraction,
-                        Experiment::kLog},
+            .seen_by = spring_experiments(),
             .confused_with = {"gear.load_friction"},
             .advice = "check the compression spring: coils or guide rub",
             .apply = [](BuiltRig& rig, int side, std::span<const double> values) { rig.sides[side].pe_build.hysteresis += values[0]; }};

@@ -9,8 +9,7 @@ Effect make_pe_radius() {
             .sided = true,
             .parameters = {{"dr", "m", 0.001, {-0.004, 0.004}, 0}},
             .starts = {-1, 1},
-            .seen_by = {Experiment::kSpringPull, Experiment::kDeadBand, Experiment::kJointStiffness, Experiment::kCocontraction,
-                        Experiment::kLog},
+            .seen_by = spring_experiments(),
             .confused_with = {"pe.rate"},
             .apply = [](BuiltRig& rig, int side, std::span<const double> values) { rig.sides[side].pe_build.radius += values[0]; }};
 }

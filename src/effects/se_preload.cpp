@@ -9,8 +9,7 @@ Effect make_se_preload() {
             .sided = true,
             .parameters = {{"phi_0", "rad", 0.22, {-1.5, 1.5}, 0}},
             .starts = {-1, 1},
-            .seen_by = {Experiment::kSpringPull, Experiment::kDeadBand, Experiment::kJointStiffness, Experiment::kCocontraction,
-                        Experiment::kLog},
+            .seen_by = spring_experiments(),
             .confused_with = {},
             .apply = [](BuiltRig& rig, int side, std::span<const double> values) { rig.sides[side].se_build.preload += values[0]; }};
 }

@@ -9,8 +9,7 @@ Effect make_se_radius() {
             .sided = true,
             .parameters = {{"dr", "m", 0.0015, {-0.006, 0.006}, 0}},
             .starts = {-1, 1},
-            .seen_by = {Experiment::kSpringPull, Experiment::kDeadBand, Experiment::kJointStiffness, Experiment::kCocontraction,
-                        Experiment::kLog},
+            .seen_by = spring_experiments(),
             .confused_with = {"se.rate"},
             .apply = [](BuiltRig& rig, int side, std::span<const double> values) { rig.sides[side].se_build.radius += values[0]; }};
 }

@@ -9,8 +9,7 @@ Effect make_se_rate() {
             .sided = true,
             .parameters = {{"e", "1", 0.12, {-0.6, 1}, 0}},
             .starts = {-1, 1},
-            .seen_by = {Experiment::kSpringPull, Experiment::kDeadBand, Experiment::kJointStiffness, Experiment::kCocontraction,
-                        Experiment::kLog},
+            .seen_by = spring_experiments(),
             .confused_with = {"se.radius", "cable.stretch"},
             .apply = [](BuiltRig& rig, int side, std::span<const double> values) { rig.sides[side].se_build.rate += values[0]; }};
 }

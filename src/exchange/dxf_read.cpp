@@ -15,7 +15,7 @@ namespace fusee::exchange {
 
 namespace {
 
-/// Takes what dxflib finds into a drawing.
+/// Collects the entities that dxflib finds in a drawing.
 class Collector : public DL_CreationAdapter {
 public:
     explicit Collector(const std::filesystem::path& path) : path_(path) {}
@@ -52,15 +52,15 @@ public:
         if (!spline_.empty()) layer(spline_).splines.back().control_mm.push_back(point(p.x, p.y));
     }
     void addCircle(const DL_CircleData& c) override {
-        if (!(c.radius > 0.0)) throw core::IoError(path_.string(), "holds a circle without a radius above 0");
+        if (!(c.radius > 0.0)) throw core::IoError(path_.string(), "contains a circle with a radius that is not above 0");
         layer(attributes.getLayer()).circles.push_back({point(c.cx, c.cy), c.radius});
     }
 
-    /// The last polyline or spline is complete when the file ends or another one begins. @throws IoError if something of it is missing
+    /// The last polyline or spline is complete when the file ends or the next one begins. @throws IoError if a part of it is missing
     void finish() {
         if (!spline_.empty()) {
             const brep::PlaneSpline& s = layer(spline_).splines.back();
-            // dxflib fills up what is missing with zeros.
+            // dxflib replaces missing values by zeros.
             const bool whole = s.knots.size() == knots_ && s.control_mm.size() == poles_ && std::is_sorted(s.knots.begin(), s.knots.end());
             if (!whole || s.degree < 1 || knots_ != poles_ + static_cast<unsigned>(s.degree) + 1U)
                 throw core::IoError(path_.string(), fmt::format("layer {}: a spline lacks knots or control points", spline_));
@@ -81,7 +81,7 @@ private:
         return found == layers.end() ? layers.emplace_back(DxfLayer{name, {}, {}}) : *found;
     }
     [[nodiscard]] Vec2 point(double x, double y) const {
-        if (!std::isfinite(x) || !std::isfinite(y)) throw core::IoError(path_.string(), "holds a coordinate that is not finite");
+        if (!std::isfinite(x) || !std::isfinite(y)) throw core::IoError(path_.string(), "contains a coordinate that is not finite");
         return {x, y};
     }
 
@@ -92,7 +92,7 @@ private:
     unsigned knots_ = 0, poles_ = 0;
 };
 
-/// dxflib counts its lines in a variable shared by all readers.
+/// dxflib counts lines in one variable for all readers.
 void collect(const std::string& bytes, Collector& collector) {
     static std::mutex mutex;
     const std::scoped_lock lock(mutex);
@@ -105,7 +105,7 @@ void collect(const std::string& bytes, Collector& collector) {
 
 DxfDrawing read_dxf(const std::filesystem::path& path) {
     const std::string bytes = core::read_file(path);
-    // dxflib ends at the end of the stream as at the end of the drawing: only the last group tells a whole file from a cut one.
+    // dxflib treats the end of the stream as the end of the drawing: only the last group shows that the file is complete.
     const std::size_t end = bytes.find_last_not_of(" \r\n");
     if (end == std::string::npos || end < 2 || bytes.compare(end - 2, 3, "EOF") != 0)
         throw core::IoError(path.string(), "is not a DXF file or is cut short: EOF is missing");

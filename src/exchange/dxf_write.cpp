@@ -10,7 +10,7 @@ namespace fusee::exchange {
 
 namespace {
 
-/// Collects the file in memory, so that it can be written as a whole, and prints numbers itself: dxflib goes through printf and the locale.
+/// Collects the file in memory, so that it is written at once. Prints numbers itself: dxflib uses printf, which depends on the locale.
 class MemoryWriter : public DL_WriterA {
 public:
     MemoryWriter() : DL_WriterA("/dev/null", DL_Codes::AC1015) {}
@@ -28,7 +28,7 @@ private:
 
 constexpr int kPlanar = 8;  // flag of a SPLINE
 
-/// The empty tables that R2000 demands before the layers and after them.
+/// The empty tables that R2000 requires before and after the layers.
 void write_tables(DL_Dxf& dxf, MemoryWriter& out, const DxfDrawing& drawing) {
     out.sectionTables();
     dxf.writeVPort(out);
@@ -84,7 +84,7 @@ const DxfLayer* DxfDrawing::layer(const std::string& name) const {
 }
 
 void write_dxf(const std::filesystem::path& path, const DxfDrawing& drawing) {
-    DL_Dxf dxf;  // speaks R2000 unless told otherwise
+    DL_Dxf dxf;  // writes R2000 by default
     MemoryWriter out;
     out.comment(drawing.provenance.c_str());
     dxf.writeHeader(out);

@@ -32,7 +32,7 @@ std::string uuid_from(std::string_view text) {
 
 namespace {
 
-/// Bytes of the UTF-8 character at the beginning of `text`; 0 if there is none that XML can hold.
+/// Bytes of the UTF-8 character at the beginning of `text`; 0 if it is not valid in XML.
 std::size_t character(std::string_view text) {
     const auto byte = [text](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
     const unsigned first = byte(0);
@@ -72,7 +72,7 @@ void set_description(const Handle& model, const std::string& text, const std::fi
 std::string bytes_of(const Handle& model, const std::filesystem::path& path) {
     Handle writer;
     require(NMR::lib3mf_model_querywriter(model.get(), "3mf", writer.out()), model, path, "making the writer");
-    // Asking for the stream's size writes the whole stream into memory; the second call writes it again into our buffer.
+    // The query of the size writes the stream into memory; the second call writes it again into our buffer.
     ULONG64 size = 0;
     require(NMR::lib3mf_writer_getstreamsize(writer.get(), &size), writer, path, "writing");
     std::string bytes(size, '\0');
@@ -84,7 +84,7 @@ solid::Mesh take_mesh(const Handle& object, const std::filesystem::path& path) {
     DWORD points = 0, triangles = 0;
     require(NMR::lib3mf_meshobject_getvertexcount(object.get(), &points), object, path, "counting vertices");
     require(NMR::lib3mf_meshobject_gettrianglecount(object.get(), &triangles), object, path, "counting triangles");
-    if (triangles == 0) throw core::IoError(path.string(), "holds no triangles");
+    if (triangles == 0) throw core::IoError(path.string(), "contains no triangles");
     std::vector<NMR::MODELMESHVERTEX> vertex(points);
     std::vector<NMR::MODELMESHTRIANGLE> triangle(triangles);
     require(NMR::lib3mf_meshobject_getvertices(object.get(), vertex.data(), points, nullptr), object, path, "reading vertices");

@@ -8,13 +8,13 @@
 
 #include "fusee/solid/mesh.h"
 
-/// lib3mf's C interface with owners and errors, for the files of this module that write and read 3MF.
+/// The C interface of lib3mf with ownership and errors, for the files of this module that write and read 3MF.
 namespace fusee::exchange {
 
-/// lib3mf promises nothing about threads; one at a time costs little beside the work around it.
+/// lib3mf is not documented as thread-safe: one thread at a time uses it.
 [[nodiscard]] std::mutex& library_mutex();
 
-/// An object of lib3mf, released at the end of its scope. Every kind of handle is the same void** to the C interface.
+/// An object of lib3mf, released at the end of its scope. In the C interface, handles of all kinds are void**.
 class Handle {
 public:
     Handle() = default;
@@ -30,24 +30,24 @@ private:
     NMR::PLib3MFBase* object_ = nullptr;
 };
 
-/// @throws IoError with lib3mf's own message, asked from the object on which the call was made
+/// @throws IoError with the message that lib3mf gives for the object of the call
 void require(LIB3MFRESULT result, const Handle& object, const std::filesystem::path& path, const char* doing);
 
 /// An RFC 9562 version 8 UUID made from a hash: the same input names the same object.
 [[nodiscard]] std::string uuid_from(std::string_view text);
 
-/// Text that XML 1.0 can hold: what is no UTF-8 and what are control characters becomes U+FFFD.
+/// Text that is valid in XML 1.0: U+FFFD replaces control characters and bytes that are not UTF-8.
 [[nodiscard]] std::string xml_text(std::string_view text);
 
 /// Sets the object's name. lib3mf escapes it.
 void set_name(const Handle& object, const std::string& name, const std::filesystem::path& path);
-/// Sets the model's metadata "Description", escaped: lib3mf writes metadata as they are.
+/// Sets the model's metadata "Description", escaped: lib3mf writes metadata without escaping.
 void set_description(const Handle& model, const std::string& text, const std::filesystem::path& path);
 
 /// The model as the bytes of a 3MF file. @throws IoError
 [[nodiscard]] std::string bytes_of(const Handle& model, const std::filesystem::path& path);
 
-/// A mesh object's points and triangles, in the model's unit. @throws IoError, also if it holds no triangles
+/// Points and triangles of a mesh object, in the unit of the model. @throws IoError, also if there are no triangles
 [[nodiscard]] solid::Mesh take_mesh(const Handle& object, const std::filesystem::path& path);
 
 }  // namespace fusee::exchange

@@ -22,7 +22,7 @@ solid::Mesh parsed(const std::string& bytes, const char* format, const std::file
     return welded(*scene, path);
 }
 
-/// A text file may begin like a binary one and the other way round; only a binary one has the length that its count asks for.
+/// The first bytes do not distinguish text from binary; only a binary file has the length of its count of triangles.
 bool is_binary_stl(const std::string& bytes) {
     if (bytes.size() < kStlHeader + 4) return false;
     std::uint32_t count = 0;
@@ -37,9 +37,9 @@ constexpr const char* kNoUnit = "none, taken as millimetres";
 MeshFile read_foreign_stl(const std::filesystem::path& path) {
     const std::string bytes = read_foreign_bytes(path);
     if (is_binary_stl(bytes)) return {read_stl_assimp(path), kNoUnit};
-    // assimp takes what it finds before the end of a text file that was cut short.
+    // assimp accepts a text file that is cut short.
     if (bytes.find("endsolid") == std::string::npos) throw core::IoError(path.string(), "is a text STL without its end (endsolid)");
-    if (bytes.find("facet") == std::string::npos) throw core::IoError(path.string(), "holds no triangles");
+    if (bytes.find("facet") == std::string::npos) throw core::IoError(path.string(), "contains no triangles");
     return {parsed(bytes, "stl", path), kNoUnit};
 }
 

@@ -1,6 +1,7 @@
 #include "fusee/exchange/mesh_file.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -20,7 +21,7 @@ struct Format {
     MeshFile (*read)(const std::filesystem::path&);
     const char* library;
 };
-constexpr double kFarthest_mm = 1e9;  // 3MF holds no coordinate beyond (lib3mf, NMR_MESH_MAXCOORDINATE)
+constexpr double kFarthest_mm = 1e9;  // the largest coordinate of a 3MF (lib3mf, NMR_MESH_MAXCOORDINATE)
 
 constexpr std::array kFormats = {Format{".stl", read_foreign_stl, "assimp"}, Format{".obj", read_foreign_obj, "assimp"},
                                  Format{".3mf", read_foreign_3mf, "lib3mf"}, Format{".step", read_foreign_step, "OpenCASCADE"},
@@ -37,10 +38,17 @@ const Format* format_of(const std::filesystem::path& path) {
 
 bool is_mesh_file(const std::filesystem::path& path) { return format_of(path) != nullptr; }
 
+std::vector<std::string> mesh_endings() {
+    std::vector<std::string> endings;
+    for (const Format& format : kFormats) endings.emplace_back(format.ending);
+    return endings;
+}
+
 std::string reader_of(const std::filesystem::path& path) { return format_of(path)->library; }
 
 void require_mesh_file(const std::filesystem::path& path) {
-    if (!is_mesh_file(path)) throw core::InvalidInput("mesh", path.string(), "a file that ends in .stl, .obj, .3mf, .step or .stp");
+    if (!is_mesh_file(path))
+        throw core::InvalidInput("mesh", path.string(), fmt::format("a file that ends in {}", fmt::join(mesh_endings(), ", ")));
     std::error_code error;
     const auto status = std::filesystem::status(path, error);
     if (!std::filesystem::exists(status)) throw core::IoError(path.string(), "cannot be opened for reading: it does not exist");
@@ -60,10 +68,10 @@ std::string read_foreign_bytes(const std::filesystem::path& path) {
 MeshFile read_mesh_file(const std::filesystem::path& path) {
     require_mesh_file(path);
     MeshFile file = format_of(path)->read(path);
-    if (file.mesh.triangles.empty()) throw core::IoError(path.string(), "holds no triangles");
+    if (file.mesh.triangles.empty()) throw core::IoError(path.string(), "contains no triangles");
     if (file.mesh.triangles.size() > kMostTriangles)
         throw core::IoError(path.string(),
-                            fmt::format("holds {} triangles; at most {} are read", file.mesh.triangles.size(), kMostTriangles));
+                            fmt::format("contains {} triangles; at most {} are read", file.mesh.triangles.size(), kMostTriangles));
     for (std::size_t i = 0; i < file.mesh.points_mm.size(); ++i)
         for (const double x : file.mesh.points_mm[i]) {
             if (!std::isfinite(x)) throw core::IoError(path.string(), fmt::format("point {} has a coordinate that is not finite", i));

@@ -22,7 +22,7 @@ namespace fusee::exchange {
 
 namespace {
 
-// A message is one letter, then what it announces.
+// A message is one letter and its content.
 constexpr char kMesh = 'M', kRefusal = 'R', kNoMemory = 'O';
 
 struct Sizes {
@@ -44,7 +44,7 @@ std::string message_of(const MeshFile& file) {
     return bytes;
 }
 
-/// @returns nothing if a crash has spoilt the message
+/// @returns nothing if a crash has damaged the message
 std::optional<MeshFile> mesh_of(std::string_view bytes) {
     Sizes sizes;
     if (bytes.size() < 1 + sizeof sizes) return std::nullopt;
@@ -64,13 +64,13 @@ std::optional<MeshFile> mesh_of(std::string_view bytes) {
     return file;
 }
 
-/// What the reader says of this file: the mesh, or why there is none.
+/// The message of the reader about this file: the mesh or the error.
 std::string answer(const fs::path& path) {
     try {
         return message_of(read_mesh_file(path));
     } catch (const std::bad_alloc&) {
         return std::string(1, kNoMemory);
-    } catch (const std::exception& e) {  // IoError and InvalidInput; of a library's own, the words too
+    } catch (const std::exception& e) {  // IoError and InvalidInput, and the exceptions of a library
         const std::string prefix = path.string() + ": ", what = e.what();
         return kRefusal + (what.starts_with(prefix) ? what.substr(prefix.size()) : what);
     }
@@ -90,18 +90,18 @@ std::string limits_line(const core::ChildLimits& limits) {
     return fmt::format("the limits are {} s of processor time and {} MB of memory", limits.time.count(), limits.memory_bytes >> 20);
 }
 
-/// @throws IoError: what became of a reader that gave no mesh
+/// @throws IoError naming why the reader returned no mesh
 [[noreturn]] void refuse(const fs::path& path, const core::ChildResult& result, const core::ChildLimits& limits) {
     using End = core::ChildResult::End;
     const std::string reader = reader_of(path);
     const auto fail = [&path](const std::string& why) { throw core::IoError(path.string(), why); };
     if (result.end == End::kOutOfTime)
-        fail(fmt::format("{} did not finish reading it; {}. Not a valid file, or one that is too large", reader, limits_line(limits)));
+        fail(fmt::format("{} did not finish reading it; {}. The file is not valid or too large", reader, limits_line(limits)));
     if (result.end == End::kTooMuchOutput)
-        fail(fmt::format("{} makes more triangles of it than the {} that are read", reader, kMostTriangles));
+        fail(fmt::format("{} makes more than {} triangles of it; no more are read", reader, kMostTriangles));
     if (result.output.starts_with(kNoMemory)) fail(fmt::format("{} ran out of memory reading it; {}", reader, limits_line(limits)));
     if (result.output.starts_with(kRefusal)) fail(result.output.substr(1));
-    fail(fmt::format("{} crashed reading it ({} {}): not a valid file, or one that {} cannot read", reader,
+    fail(fmt::format("{} crashed reading it ({} {}): the file is not valid, or {} cannot read it", reader,
                      result.end == End::kSignalled ? "signal" : "exit code", result.code, reader));
     std::abort();
 }
@@ -136,7 +136,7 @@ MeshFile read_mesh_isolated(const fs::path& path, const std::vector<std::string>
 
 int serve_mesh_file(const fs::path& path) {
     core::limit_this_process(reader_limits(path));
-    // Libraries print; only the message may reach the one who reads it.
+    // Libraries print to standard output; only the message may reach the calling process.
     const int out = ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1), nothing = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
     if (out < 0 || nothing < 0 || ::dup2(nothing, STDOUT_FILENO) < 0) return 1;
     return write_all(out, answer(path)) ? 0 : 1;

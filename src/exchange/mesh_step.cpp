@@ -16,7 +16,7 @@ namespace fusee::exchange {
 
 namespace {
 
-/// The triangles of one face, outward as the face is.
+/// The triangles of one face, with the orientation of the face.
 void append(Welder& welder, const TopoDS_Face& face, const std::filesystem::path& path) {
     TopLoc_Location location;
     const Handle(Poly_Triangulation) mesh = BRep_Tool::Triangulation(face, location);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::string_view kBlank = " \t\r";
 
-/// Takes the next word off the line; empty at its end.
+/// Removes the next word from the line; empty at its end.
 std::string_view next_word(std::string_view& line) {
     line.remove_prefix(std::min(line.find_first_not_of(kBlank), line.size()));
     const std::string_view word = line.substr(0, line.find_first_of(kBlank));
@@ -44,21 +44,21 @@ private:
             const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
             if (error == std::errc::result_out_of_range && std::abs(std::atof(std::string(word).c_str())) < 1.0) continue;  // nearly 0
             if (error != std::errc() || end != word.data() + word.size() || !std::isfinite(value))
-                fail(fmt::format("a point's coordinate is no finite number"));
+                fail(fmt::format("a coordinate of a point is not a finite number"));
         }
         ++points_;
     }
     void face(std::string_view line) {
         std::size_t corners = 0;
         for (std::string_view word = next_word(line); !word.empty() && !word.starts_with('#'); word = next_word(line)) {
-            if (++corners > kMostCorners) fail(fmt::format("a face of more than {} corners; divide it", kMostCorners));
+            if (++corners > kMostCorners) fail(fmt::format("a face has more than {} corners; divide it", kMostCorners));
             long long index = 0;
             const std::string_view digits = word.substr(0, word.find('/'));
             const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), index);
-            if (error != std::errc() || end != digits.data() + digits.size()) fail("a face's corner is no number of a point");
+            if (error != std::errc() || end != digits.data() + digits.size()) fail("a corner of a face is not the number of a point");
             const long long most = points_;
             if (index == 0 || index > most || index < -most)
-                fail(fmt::format("a face's corner is point {}, of {} points so far", index, most));
+                fail(fmt::format("a corner of a face is point {}; the file has {} points so far", index, most));
         }
     }
 
@@ -72,7 +72,7 @@ private:
 void require_sound_obj(const std::string& bytes, const std::filesystem::path& path) {
     ObjScan scan(path);
     std::string_view rest = bytes;
-    std::string joined;  // of lines that end in a backslash
+    std::string joined;  // lines that end in a backslash
     for (std::size_t number = 1; !rest.empty(); ++number) {
         const std::size_t end = rest.find('\n');
         std::string_view line = rest.substr(0, end);

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 void render_scad(const fs::path& scad, const fs::path& stl, std::chrono::seconds timeout) {
     const std::string about = scad.string();
     const fs::path temporary = stl.parent_path() / fmt::format(".{}.render-{}", stl.filename().string(), ::getpid());
-    // A file name that begins with a dash would be read as an option.
+    // openscad takes a file name that begins with a dash for an option.
     const auto name = [](const fs::path& p) { return fs::absolute(p).string(); };
     const core::ProcessResult result =
         core::run_process({"openscad", "--hardwarnings", "--export-format", "binstl", "-o", name(temporary), name(scad)}, about, timeout);

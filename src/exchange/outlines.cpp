@@ -10,12 +10,12 @@ namespace fusee::exchange {
 namespace {
 
 constexpr double kChord = kDrawingChord_mm;
-constexpr double kLargest = 0.05;  // step where the outline is nearly straight in psi [rad]
-constexpr double kRoller = 0.25;   // of the steps on a roller's rim: its arm is the slope there, a cable's the distance
+constexpr double kLargest = 0.05;  // largest step in psi [rad]
+constexpr double kRoller = 0.25;   // factor on the steps of a roller's rim: there the arm is the slope
 
 }  // namespace
 
-// The step follows the curve's own curvature: sagitta = rho dpsi^2 / 8.
+// The step depends on the radius of curvature: sagitta = rho dpsi^2 / 8.
 DxfPolyline sampled(const cam::Cam& cam, const Curve& outline) {
     DxfPolyline line;
     line.closed = cam.closed();

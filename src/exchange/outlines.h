@@ -11,14 +11,14 @@ namespace fusee::exchange {
 /// A curve that runs along the contour.
 using Curve = std::function<solid::OutlinePoint(const cam::PathPoint&)>;
 
-/// The pitch curve's parallel at a distance along its normal [mm].
+/// The parallel of the pitch curve at a distance along its normal [mm].
 [[nodiscard]] Curve parallel(double offset_mm);
 /// The curve over the groove, within `kDrawingChord_mm`; closed for a planar part.
 [[nodiscard]] DxfPolyline sampled(const cam::Cam& cam, const Curve& outline);
 /// An exact outline: a circle, or a closed polygon within `kDrawingChord_mm`.
 [[nodiscard]] DxfLayer layer_of(const std::string& name, const solid::Outline& outline);
-/// The hub whose bore a beam of that width cuts: every side moved inwards by half of it; a key's depth and a flat's, from the bore's
-/// radius, stay as they are.
+/// The bore of the hub as the path of a beam of this width: every side is moved inwards by half the width. The depths of keyway and flat
+/// from the radius of the bore stay unchanged.
 [[nodiscard]] solid::HubOptions narrowed(solid::HubOptions hub, double kerf_mm);
 
 }  // namespace fusee::exchange

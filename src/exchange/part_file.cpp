@@ -84,15 +84,16 @@ PartGuide describe_guide(const cam::Guide& guide) {
     return out;
 }
 
-/// Second difference of the arms about a row; 0 at both ends.
+/// Second difference of the arms at a row; 0 at both ends.
 double bend_mm(const std::vector<TargetRow>& rows, std::size_t i) {
     return i == 0 || i + 1 >= rows.size() ? 0.0 : std::abs(rows[i + 1].arm_mm - 2.0 * rows[i].arm_mm + rows[i - 1].arm_mm);
 }
 
-/// A roller's arm is the slope of its lift: the trapezoids under the arms have to give it. A trapezoid misses a twelfth of its width times
-/// the second difference, which is much where a spring that is hardly preloaded begins; twice that is allowed.
+/// The arm of a roller is the slope of its lift: the trapezoids under the arms must give the lift. The error of a trapezoid is a twelfth of
+/// its width times the second difference. It is large at the start of a spring with little preload; twice the error is allowed.
 void require_lift(const std::vector<TargetRow>& rows, const JsonNode& target) {
-    constexpr double kTrapezoids = 2e-4;  // of the whole lift: what 200 rows miss of an arm that bends as strongly as any law's
+    constexpr double kTrapezoids =
+        2e-4;  // of the whole lift: the error of 200 rows for the arm with the largest second derivative of all laws
     double lift = 0.0, missed = kTrapezoids * std::abs(rows.back().lift_mm);
     for (std::size_t i = 1; i < rows.size(); ++i) {
         const double width = rows[i].angle_rad - rows[i - 1].angle_rad;
@@ -132,7 +133,7 @@ PartFile describe_part(const solid::Part& part, const spring::BaseSpring& spring
                               c.arm.tension,
                               {core::mm_from_m(c.path.x()), core::mm_from_m(c.path.y()), core::mm_from_m(c.path.z)},
                               core::mm_from_m(c.arm.travel),
-                              core::mm_from_m(c.arm.stretch.length)});
+                              core::mm_from_m(c.arm.elongation.length)});
     out.files = std::move(files);
     out.provenance = provenance.line();
     return out;

@@ -21,10 +21,10 @@ namespace {
 using core::mm_from_m;
 using Values = std::map<std::string, std::string, std::less<>>;
 
-/// Shortest digits that give the number back.
+/// The shortest digits that give the number back.
 std::string number(double value) { return fmt::format("{}", value + 0.0); }
 
-/// An OpenSCAD list with one row a line.
+/// An OpenSCAD list with one row per line.
 template <class Rows, class Print>
 std::string list(const Rows& rows, Print print) {
     if (rows.empty()) return "[]";
@@ -33,7 +33,7 @@ std::string list(const Rows& rows, Print print) {
     return text + "\n]";
 }
 
-/// Every column of the groove, in order along the path: the directions of one turn, repeated for a helix as often as its groove goes round.
+/// Every column of the groove along the path: the directions of one turn, repeated for each turn of a helix.
 std::vector<double> groove_columns(const solid::Part& part) {
     if (part.cam.closed()) return part.columns_psi;
     std::vector<double> columns;
@@ -63,7 +63,7 @@ void add_sweep(Values& values, const solid::Part& part) {
     values["CORE_RADIUS"] = number(flanges.core_radius_mm);
     values["SKIN_POINTS"] = list(
         part.skin.points_mm, [](const solid::Vec3& p) { return fmt::format("[{}, {}, {}]", number(p[0]), number(p[1]), number(p[2])); });
-    // OpenSCAD wants faces clockwise as seen from outside.
+    // OpenSCAD requires faces that are clockwise from outside.
     values["SKIN_FACES"] =
         list(part.skin.triangles, [](const solid::Triangle& t) { return fmt::format("[{}, {}, {}]", t[0], t[2], t[1]); });
 }
@@ -83,7 +83,7 @@ void add_hub(Values& values, const solid::HubOptions& hub) {
     values["WEB"] = number(mm_from_m(hub.web));
 }
 
-/// Places of the cutters as the direct mesh has them.
+/// The positions of the cutters, as in the direct mesh.
 void add_features(Values& values, const solid::Part& part) {
     const solid::FeatureOptions& f = part.options.features;
     const auto outline = solid::upper_outline(part);
@@ -110,7 +110,7 @@ void add_features(Values& values, const solid::Part& part) {
     values["LABEL_RADIUS"] = number(0.5 * (rim + solid::bore_reach_mm(part.options.hub)));
 }
 
-/// Puts the values in the places of their @NAMES@. A value is not searched again: a comment may hold an @.
+/// Replaces each @NAME@ by its value. Values are not searched again: a comment may contain an @.
 std::string filled(std::string_view text, const Values& values, const std::string& name) {
     std::string result;
     while (true) {

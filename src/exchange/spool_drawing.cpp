@@ -13,16 +13,17 @@ namespace fusee::exchange {
 
 namespace {
 
-constexpr double kSpoolMarkFrom = 0.7;  // of the rim, as the part's own mark
+constexpr double kSpoolMarkFrom = 0.7;  // of the rim, as on the part
 
-/// Offset of the upper flange from the cable's centreline [mm].
+/// Offset of the upper flange from the centreline of the cable [mm].
 double upper_flange(const solid::Part& part) { return part.section.front().offset_mm + solid::flanges_of(part.options).upper_height_mm; }
 
 }  // namespace
 
 DxfDrawing spool_drawing(const solid::Part& part, const std::string& provenance) {
     const double half_cable = core::mm_from_m(0.5 * part.cam.options.cable_diameter);
-    const double pitch = part.cam.has_roller() ? core::mm_from_m(part.cam.options.roller.radius) : 0.0;  // of cable or roller centre
+    const double pitch =
+        part.cam.has_roller() ? core::mm_from_m(part.cam.options.roller.radius) : 0.0;  // of the cable or of the roller centre
     const DxfPolyline flange = sampled(part.cam, parallel(upper_flange(part)));
     const solid::Flanges flanges = solid::flanges_of(part.options);
     DxfDrawing drawing;

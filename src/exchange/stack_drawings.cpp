@@ -13,7 +13,7 @@ namespace fusee::exchange {
 
 namespace {
 
-constexpr double kMarkFrom = 0.7, kTickFrom = 0.85;  // of the rim: the timing mark, and the ticks beside it
+constexpr double kMarkFrom = 0.7, kTickFrom = 0.85;  // of the rim: the timing mark and the other ticks
 constexpr double kTicksApart_mm = 0.8;
 
 std::string layer_name(const std::string& opening) {
@@ -24,7 +24,7 @@ std::string layer_name(const std::string& opening) {
 
 bool is_core(const solid::Plate& plate) { return plate.offset_mm < 0.0; }
 
-/// Layers are found by their name: dowels share one.
+/// Layers are found by name: all dowels are on one layer.
 void add(DxfDrawing& drawing, DxfLayer layer) {
     for (DxfLayer& there : drawing.layers)
         if (there.name == layer.name) {
@@ -35,7 +35,7 @@ void add(DxfDrawing& drawing, DxfLayer layer) {
     drawing.layers.push_back(std::move(layer));
 }
 
-/// As many ticks as the plate's number, the first of them the timing mark.
+/// As many ticks as the number of the plate; the first one is the timing mark.
 DxfLayer ticks(std::size_t number, double rim_mm) {
     DxfLayer mark{"MARK", {}, {}};
     for (std::size_t i = 0; i < number; ++i) {
@@ -45,7 +45,7 @@ DxfLayer ticks(std::size_t number, double rim_mm) {
     return mark;
 }
 
-/// One plate's openings; bore and key are narrowed as the hub is.
+/// The openings of one plate; bore and keyway are narrowed as in the hub.
 void add_openings(DxfDrawing& drawing, const solid::Part& part, const solid::Plate& plate, double kerf_mm) {
     for (const solid::Opening& opening : plate.openings) {
         const bool bore = opening.name == "bore";
@@ -53,7 +53,7 @@ void add_openings(DxfDrawing& drawing, const solid::Part& part, const solid::Pla
             bore ? std::optional(solid::bore_outline(narrowed(part.options.hub, kerf_mm))) : solid::inset(opening.outline, 0.5 * kerf_mm);
         if (!outline)
             throw core::InvalidInput("outputs.kerf_mm", fmt::format("{}", kerf_mm),
-                                     "less than every opening is wide: the " + opening.name + " would close");
+                                     "less than the width of every opening: the " + opening.name + " would close");
         add(drawing, layer_of(layer_name(opening.name), *outline));
     }
 }

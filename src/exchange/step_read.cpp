@@ -34,7 +34,7 @@ std::mutex& step_session() {
 struct StepFile::Shape {
     TopoDS_Shape solid;
     std::string product;
-    mutable IntCurvesFace_ShapeIntersector rays;  // remembers the last ray
+    mutable IntCurvesFace_ShapeIntersector rays;  // stores the last ray
 };
 
 namespace {
@@ -60,7 +60,7 @@ void with_step_shape(const std::filesystem::path& path, const std::string& bytes
         brep::guard([&] {
             STEPControl_Reader reader;  // converts every unit to millimetres
             if (reader.ReadFile(path.c_str()) != IFSelect_RetDone) throw core::IoError(path.string(), "is not a STEP file");
-            if (reader.TransferRoots() == 0) throw core::IoError(path.string(), "holds no shape");
+            if (reader.TransferRoots() == 0) throw core::IoError(path.string(), "contains no shape");
             take(reader.OneShape(), reader);
         });
     } catch (const brep::Failure& failure) {
@@ -71,7 +71,7 @@ void with_step_shape(const std::filesystem::path& path, const std::string& bytes
 StepFile::StepFile(const std::filesystem::path& path) : shape_(std::make_unique<Shape>()) {
     with_step_shape(path, core::read_file(path), [&](const TopoDS_Shape& shape, const STEPControl_Reader& reader) {
         shape_->solid = shape;
-        if (!brep::is_one_solid(shape)) throw core::IoError(path.string(), "does not hold exactly one valid solid");
+        if (!brep::is_one_solid(shape)) throw core::IoError(path.string(), "does not contain exactly one valid solid");
         shape_->product = product_of(reader);
         shape_->rays.Load(shape, kRay_mm);
     });

@@ -15,13 +15,13 @@ namespace fusee::exchange {
 namespace {
 
 constexpr std::string_view kBegin = "ISO-10303-21", kEnd = "END-ISO-10303-21";
-constexpr std::size_t kHeader = 1000;  // bytes within which the file has to say what it is
+constexpr std::size_t kHeader = 1000;  // bytes that must contain kBegin
 constexpr int kDeepest = 100;
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_'; }
 
-/// An entity's number and the line that it stands in.
+/// The number of an entity and its line.
 struct Entity {
     std::uint64_t number = 0;
     std::size_t line = 0;
@@ -42,7 +42,7 @@ public:
         for (const Entity& e : referenced_) {
             const auto found = std::lower_bound(defined_.begin(), defined_.end(), Entity{e.number, 0});
             if (found == defined_.end() || found->number != e.number)
-                fail_at(e.line, fmt::format("#{} is referred to, but the file does not hold it", e.number));
+                fail_at(e.line, fmt::format("#{} is referenced but not defined", e.number));
         }
     }
 
@@ -62,7 +62,7 @@ private:
         if (depth_ > 0 && (is_digit(c) || c == '+' || c == '-' || c == '.')) return value();
         if (depth_ > 0 && is_letter(c)) return word();
         if (c == '(' && ++depth_ > kDeepest) fail(fmt::format("parentheses are nested more than {} deep", kDeepest));
-        if (c == ')' && --depth_ < 0) fail("a parenthesis is closed that was not opened");
+        if (c == ')' && --depth_ < 0) fail("a closing parenthesis has no opening one");
         if (c == ';' && depth_ != 0) fail("a parenthesis is not closed");
         advance(1);
     }
@@ -72,7 +72,7 @@ private:
         line_ += static_cast<std::size_t>(std::count(passed.begin(), passed.end(), '\n'));
         at_ += passed.size();
     }
-    /// Behind the next `mark`, looked for from `from` on.
+    /// Moves behind the next `mark` at or after `from`.
     void skip_to(char mark, std::size_t from, const char* why) {
         const std::size_t end = bytes_.find(mark, at_ + from);
         if (end == std::string_view::npos) fail(why);
@@ -84,7 +84,7 @@ private:
         advance(end + 2 - at_);
     }
 
-    /// #N, where it stands alone in front of "=" a definition.
+    /// #N: a definition if "=" follows, else a reference.
     void entity() {
         Entity entity{0, line_};
         const char* const first = bytes_.data() + at_ + 1;
@@ -98,7 +98,7 @@ private:
     /// A number, or an enumeration between dots.
     void value() {
         if (peek() == '.' && is_letter(peek(1))) return skip_to('.', 1, "an enumeration is not closed");
-        const std::size_t begin = peek() == '+' ? at_ + 1 : at_;  // from_chars takes no +
+        const std::size_t begin = peek() == '+' ? at_ + 1 : at_;  // from_chars accepts no +
         std::size_t end = begin;
         while (end < bytes_.size() &&
                (is_digit(bytes_[end]) || is_letter(bytes_[end]) || bytes_[end] == '.' || bytes_[end] == '+' || bytes_[end] == '-'))
@@ -108,18 +108,18 @@ private:
         const bool small =
             error == std::errc::result_out_of_range && bytes_.substr(begin, end - begin).find("E-") != std::string_view::npos;
         if (!small && (error != std::errc() || stop != bytes_.data() + end || !std::isfinite(number)))
-            fail(fmt::format("{} is no finite number", shown(begin, end)));
+            fail(fmt::format("{} is not a finite number", shown(begin, end)));
         advance(end - at_);
     }
-    /// A typed value: LENGTH_MEASURE(1.0). @throws IoError for nan and whatever else stands for nothing
+    /// A typed value: LENGTH_MEASURE(1.0). @throws IoError for nan and any other word without a value
     void word() {
         std::size_t end = at_;
         while (end < bytes_.size() && (is_letter(bytes_[end]) || is_digit(bytes_[end]))) ++end;
         const std::size_t next = std::min(bytes_.find_first_not_of(" \t\r\n", end), bytes_.size());
-        if (next == bytes_.size() || bytes_[next] != '(') fail(fmt::format("{} stands where a value belongs", shown(at_, end)));
+        if (next == bytes_.size() || bytes_[next] != '(') fail(fmt::format("{} is not a value", shown(at_, end)));
         advance(end - at_);
     }
-    /// At most 40 characters of the file, in quotes; they are letters, digits and signs.
+    /// At most 40 characters of the file in quotes: letters, digits and signs.
     [[nodiscard]] std::string shown(std::size_t begin, std::size_t end) const {
         return fmt::format("'{}'", bytes_.substr(begin, std::min<std::size_t>(end - begin, 40)));
     }
@@ -137,7 +137,7 @@ void require_sound_step(std::string_view bytes, const std::filesystem::path& pat
     if (bytes.substr(0, kHeader).find(kBegin) == std::string_view::npos)
         throw core::IoError(path.string(), fmt::format("is not a STEP file: {} is missing", kBegin));
     const std::size_t end = bytes.rfind(kEnd);
-    if (end == std::string_view::npos) throw core::IoError(path.string(), fmt::format("is a STEP file without its end ({})", kEnd));
+    if (end == std::string_view::npos) throw core::IoError(path.string(), fmt::format("is a STEP file without an end ({})", kEnd));
     StepScan(bytes.substr(0, end), path).run();
 }
 

@@ -3,8 +3,7 @@
 
 namespace fusee::exchange {
 
-/// OpenCASCADE's STEP keeps its settings in globals: one reader or writer at a time. The first call readies it and silences what it would
-/// print.
+/// STEP in OpenCASCADE has global settings: one reader or writer at a time. The first call initializes it and turns its messages off.
 [[nodiscard]] std::mutex& step_session();
 
 }  // namespace fusee::exchange

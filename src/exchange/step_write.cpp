@@ -24,7 +24,7 @@ namespace {
 
 Handle(TCollection_HAsciiString) text(const std::string& s) { return new TCollection_HAsciiString(s.c_str()); }
 
-/// OpenCASCADE would stamp the time and the system.
+/// Replaces the time and the system that OpenCASCADE writes.
 void set_header(const Handle(StepData_StepModel) & model, const std::string& name, const std::string& provenance) {
     APIHeaderSection_MakeHeader header(model);
     header.SetName(text(name));
@@ -37,7 +37,7 @@ void set_header(const Handle(StepData_StepModel) & model, const std::string& nam
     header.SetDescriptionValue(1, text(provenance));
 }
 
-/// OpenCASCADE counts products on in their names.
+/// Replaces the product number that OpenCASCADE adds to names.
 void set_product(const Handle(StepData_StepModel) & model, const std::string& name) {
     for (int i = 1; i <= model->NbEntities(); ++i) {
         const auto product = Handle(StepBasic_Product)::DownCast(model->Value(i));
@@ -48,18 +48,18 @@ void set_product(const Handle(StepData_StepModel) & model, const std::string& na
 }
 
 std::string step_of(const std::filesystem::path& path, const brep::Brep& solid, const std::string& name, const std::string& provenance) {
-    // The schema counts only between the controller and the writer that is made after it.
+    // The schema must be set after the controller and before the writer.
     Interface_Static::SetCVal("write.step.schema", "AP242DIS");
     STEPControl_Writer writer;
     if (writer.Transfer(*solid.shape, STEPControl_AsIs) != IFSelect_RetDone)
-        throw core::IoError(path.string(), "OpenCASCADE does not take the solid over");
+        throw core::IoError(path.string(), "OpenCASCADE cannot transfer the solid");
     const Handle(StepData_StepModel) model = writer.Model();
     set_header(model, name, provenance);
     set_product(model, name);
     StepData_StepWriter file(model);
     file.SendModel(Handle(StepData_Protocol)::DownCast(writer.WS()->Protocol()));
     std::ostringstream bytes;
-    if (!file.Print(bytes)) throw core::IoError(path.string(), "OpenCASCADE does not print the STEP file");
+    if (!file.Print(bytes)) throw core::IoError(path.string(), "OpenCASCADE cannot print the STEP file");
     return bytes.str();
 }
 

@@ -24,7 +24,7 @@ Float3 rounded(const solid::Vec3& p) { return {static_cast<float>(p[0]), static_
 
 void append(std::string& bytes, const void* data, std::size_t size) { bytes.append(static_cast<const char*>(data), size); }
 
-/// Of the triangle as written, so that normal and vertices agree; zero where rounding left no area.
+/// The normal of the rounded triangle, so that it agrees with the vertices; zero if rounding leaves no area.
 Float3 normal(const Float3& a, const Float3& b, const Float3& c) {
     const double ux = double(b[0]) - a[0], uy = double(b[1]) - a[1], uz = double(b[2]) - a[2];
     const double vx = double(c[0]) - a[0], vy = double(c[1]) - a[1], vz = double(c[2]) - a[2];
@@ -60,7 +60,7 @@ std::string read_stl_bytes(const std::filesystem::path& path) {
     if (bytes.size() < kStlHeader + 4) throw core::IoError(path.string(), "is not a binary STL: shorter than its header");
     std::uint32_t count = 0;
     std::memcpy(&count, bytes.data() + kStlHeader, sizeof count);
-    if (count == 0) throw core::IoError(path.string(), "holds no triangles");
+    if (count == 0) throw core::IoError(path.string(), "contains no triangles");
     if (bytes.size() != kStlHeader + 4 + kStlTriangle * count)
         throw core::IoError(path.string(), fmt::format("is not a binary STL: {} bytes for {} triangles", bytes.size(), count));
     for (std::size_t i = 0; i < count; ++i) {
@@ -73,7 +73,7 @@ std::string read_stl_bytes(const std::filesystem::path& path) {
 }
 
 solid::Mesh welded(const aiScene& scene, const std::filesystem::path& path) {
-    // assimp's own joining merges points nearer than 1e-5; corners of one STL vertex are equal bit by bit, which asks for no tolerance.
+    // The joining of assimp merges points closer than 1e-5. The corners of one STL vertex are equal bit by bit and need no tolerance.
     Welder welder;
     for (unsigned int m = 0; m < scene.mNumMeshes; ++m) {
         const aiMesh& part = *scene.mMeshes[m];

@@ -5,10 +5,10 @@
 
 namespace fusee::exchange {
 
-inline constexpr std::size_t kStlHeader = 80, kStlTriangle = 50;  ///< bytes; a count of 4 bytes stands between them
+inline constexpr std::size_t kStlHeader = 80, kStlTriangle = 50;  ///< bytes; a count of 4 bytes is between them
 
-/// The file's bytes, proven to be a binary STL of exactly the length that its count asks for, with finite corners: the readers behind it
-/// trust the count.
+/// The bytes of the file after a check: a binary STL with exactly the length of its count of triangles and finite corners. The readers rely
+/// on the count.
 /// @throws IoError
 [[nodiscard]] std::string read_stl_bytes(const std::filesystem::path& path);
 

@@ -16,11 +16,11 @@ namespace {
 
 using Surface = OpenMesh::TriMesh_ArrayKernelT<>;
 
-/// OpenMesh keeps its readers and its error stream in singletons.
+/// The readers and the error stream of OpenMesh are singletons.
 bool read_surface(Surface& surface, std::istream& in) {
     static std::mutex mutex;
     const std::scoped_lock lock(mutex);
-    omerr().disable();  // what it would report there becomes an IoError
+    omerr().disable();  // its reports become an IoError
     OpenMesh::IO::Options options(OpenMesh::IO::Options::Binary);
     return OpenMesh::IO::read_mesh(surface, in, ".STLB", options);
 }
@@ -34,7 +34,7 @@ solid::Mesh read_stl_openmesh(const std::filesystem::path& path) {
     Surface surface;
     if (!read_surface(surface, in)) throw core::IoError(path.string(), "OpenMesh cannot read it");
     if (surface.n_faces() != stated)
-        throw core::IoError(path.string(), fmt::format("OpenMesh takes {} of {} triangles", surface.n_faces(), stated));
+        throw core::IoError(path.string(), fmt::format("OpenMesh accepts {} of {} triangles", surface.n_faces(), stated));
     solid::Mesh mesh;
     mesh.points_mm.reserve(surface.n_vertices());
     Welder distinct;
@@ -43,9 +43,9 @@ solid::Mesh read_stl_openmesh(const std::filesystem::path& path) {
         mesh.points_mm.push_back({p[0], p[1], p[2]});
         (void)distinct.index({p[0], p[1], p[2]});
     }
-    // A face that would make an edge or a point complex is taken in with corners of its own.
+    // OpenMesh duplicates the corners of a face that would make an edge or a point complex.
     if (distinct.mesh().points_mm.size() != mesh.points_mm.size())
-        throw core::IoError(path.string(), "OpenMesh had to cut it apart: the surface is not manifold");
+        throw core::IoError(path.string(), "OpenMesh splits it: the surface is not manifold");
     mesh.triangles.reserve(surface.n_faces());
     for (const auto face : surface.faces()) {
         solid::Triangle t{};

@@ -3,7 +3,7 @@
 
 namespace fusee::exchange {
 
-/// The files of the folder templates/, as they were when the program was built.
+/// The files of the folder templates/ at the time of the build.
 extern const std::string_view kSeriesTemplate, kParallelTemplate, kLibraryTemplate;
 
 }  // namespace fusee::exchange

@@ -34,7 +34,7 @@ void set_mesh(const Handle& object, const solid::Mesh& mesh) {
         throw core::InvalidInput("mesh", fmt::format("{} triangles", mesh.triangles.size()), "a closed, manifold and oriented surface");
 }
 
-/// One object and its build item. @param seed of their UUIDs
+/// One object and its build item. @param seed for their UUIDs
 void add(const Handle& model, const NamedMesh& named, const std::string& seed, const std::filesystem::path& path) {
     Handle object, item;
     require(NMR::lib3mf_model_addmeshobject(model.get(), object.out()), model, path, "adding the object");
@@ -46,7 +46,7 @@ void add(const Handle& model, const NamedMesh& named, const std::string& seed, c
 }
 
 std::string name_of(const Handle& object, const std::filesystem::path& path) {
-    ULONG bytes = 0;  // without the 0 at the end
+    ULONG bytes = 0;  // without the final 0
     require(NMR::lib3mf_object_getnameutf8(object.get(), nullptr, 0, &bytes), object, path, "reading a name");
     std::string name(bytes + 1, '\0');
     require(NMR::lib3mf_object_getnameutf8(object.get(), name.data(), bytes + 1, &bytes), object, path, "reading a name");
@@ -54,7 +54,7 @@ std::string name_of(const Handle& object, const std::filesystem::path& path) {
     return name;
 }
 
-/// @param model made, empty
+/// @param model an empty model
 void read_model(const Handle& model, const std::filesystem::path& path) {
     std::string bytes = core::read_file(path);
     if (bytes.empty()) throw core::IoError(path.string(), "is empty");
@@ -63,7 +63,7 @@ void read_model(const Handle& model, const std::filesystem::path& path) {
     require(NMR::lib3mf_reader_readfrombuffer(reader.get(), reinterpret_cast<BYTE*>(bytes.data()), bytes.size()), reader, path, "reading");
 }
 
-/// lib3mf hands over what stands between two tags as it is.
+/// lib3mf returns the text between two tags without decoding it.
 std::string unescaped(std::string text) {
     constexpr std::array<std::pair<const char*, const char*>, 5> kEntities{
         {{"&lt;", "<"}, {"&gt;", ">"}, {"&quot;", "\""}, {"&#39;", "'"}, {"&amp;", "&"}}};  // & is last: &amp;lt; is &lt;
@@ -73,13 +73,13 @@ std::string unescaped(std::string text) {
     return text;
 }
 
-/// The object of the build item on which the iterator stands.
+/// The object of the current build item.
 NamedMesh current(const Handle& items, const std::filesystem::path& path) {
     Handle item, object;
     BOOL transformed = 0;
     require(NMR::lib3mf_builditemiterator_getcurrent(items.get(), item.out()), items, path, "taking the build item");
     require(NMR::lib3mf_builditem_hasobjecttransform(item.get(), &transformed), item, path, "reading the transform");
-    if (transformed != 0) throw core::IoError(path.string(), "holds a build item with a transform");
+    if (transformed != 0) throw core::IoError(path.string(), "contains a build item with a transform");
     require(NMR::lib3mf_builditem_getobjectresource(item.get(), object.out()), item, path, "taking the object");
     return {name_of(object, path), take_mesh(object, path)};
 }
@@ -123,7 +123,7 @@ std::vector<NamedMesh> read_3mf_objects(const std::filesystem::path& path) {
         if (more == 0) break;
         objects.push_back(current(items, path));
     }
-    if (objects.empty()) throw core::IoError(path.string(), "holds no build item");
+    if (objects.empty()) throw core::IoError(path.string(), "contains no build item");
     return objects;
 }
 
@@ -135,7 +135,7 @@ std::string read_3mf_description(const std::filesystem::path& path) {
     DWORD count = 0;
     require(NMR::lib3mf_model_getmetadatacount(model.get(), &count), model, path, "counting metadata");
     const auto text = [&](auto get, DWORD i) {
-        ULONG bytes = 0;  // without the 0 at the end
+        ULONG bytes = 0;  // without the final 0
         require(get(model.get(), i, nullptr, 0, &bytes), model, path, "reading metadata");
         std::string value(bytes + 1, '\0');
         require(get(model.get(), i, value.data(), bytes + 1, &bytes), model, path, "reading metadata");
@@ -150,7 +150,7 @@ std::string read_3mf_description(const std::filesystem::path& path) {
 
 solid::Mesh read_3mf(const std::filesystem::path& path) {
     std::vector<NamedMesh> objects = read_3mf_objects(path);
-    if (objects.size() != 1) throw core::IoError(path.string(), "holds more than one build item");
+    if (objects.size() != 1) throw core::IoError(path.string(), "contains more than one build item");
     return std::move(objects.front().mesh);
 }
 

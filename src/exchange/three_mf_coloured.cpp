@@ -18,7 +18,7 @@ NMR::MODELMESHCOLOR_SRGB srgb(const Colour& c) {
 
 bool has_three_corners(const solid::Triangle& t) { return t[0] != t[1] && t[1] != t[2] && t[2] != t[0]; }
 
-/// Mesh, type and colours of one object. 3MF calls only a closed, manifold and oriented mesh a model; any other is a surface.
+/// Mesh, type and colours of one object. In 3MF only a closed, manifold and oriented mesh is a model; any other is a surface.
 void fill(const Handle& model, const Handle& object, const solid::Mesh& mesh, const std::vector<Colour>& colours,
           const std::filesystem::path& path) {
     std::vector<NMR::MODELMESHVERTEX> vertices;
@@ -53,8 +53,7 @@ void fill(const Handle& model, const Handle& object, const solid::Mesh& mesh, co
 void write_coloured_3mf(const std::filesystem::path& path, const solid::Mesh& mesh, const std::vector<Colour>& colours,
                         const std::string& name, const std::string& provenance) {
     if (colours.size() != mesh.triangles.size())
-        throw core::InvalidInput("colours", fmt::format("{}", colours.size()),
-                                 fmt::format("one for each of {} triangles", mesh.triangles.size()));
+        throw core::InvalidInput("colours", fmt::format("{}", colours.size()), fmt::format("{}, one per triangle", mesh.triangles.size()));
     std::string bytes;
     {
         const std::scoped_lock lock(library_mutex());
@@ -82,7 +81,7 @@ std::vector<Colour> read_3mf_colours(const std::filesystem::path& path) {
     require(NMR::lib3mf_model_getmeshobjects(model.get(), objects.out()), model, path, "listing the meshes");
     BOOL more = 0;
     require(NMR::lib3mf_resourceiterator_movenext(objects.get(), &more), objects, path, "listing the meshes");
-    if (more == 0) throw core::IoError(path.string(), "holds no mesh");
+    if (more == 0) throw core::IoError(path.string(), "contains no mesh");
     require(NMR::lib3mf_resourceiterator_getcurrent(objects.get(), object.out()), objects, path, "taking the mesh");
     DWORD triangles = 0;
     require(NMR::lib3mf_meshobject_gettrianglecount(object.get(), &triangles), object, path, "counting triangles");

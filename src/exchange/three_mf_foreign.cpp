@@ -13,7 +13,7 @@ struct Unit {
     const char* name;
     double mm;
 };
-/// By lib3mf's number.
+/// In the order of lib3mf's numbers.
 constexpr std::array kUnits = {Unit{"micrometre", 1e-3}, Unit{"millimetre", 1.0}, Unit{"centimetre", 10.0},
                                Unit{"inch", 25.4},       Unit{"foot", 304.8},     Unit{"metre", 1000.0}};
 
@@ -34,7 +34,7 @@ MeshFile read_foreign_3mf(const std::filesystem::path& path) {
     require(NMR::lib3mf_reader_readfrombuffer(reader.get(), reinterpret_cast<BYTE*>(bytes.data()), bytes.size()), reader, path, "reading");
     DWORD unit = 0;
     require(NMR::lib3mf_model_getunit(model.get(), &unit), model, path, "reading the unit");
-    if (unit >= kUnits.size()) throw core::IoError(path.string(), "is in a unit that is not known");
+    if (unit >= kUnits.size()) throw core::IoError(path.string(), "has an unknown unit");
     require_few_instances(model, path);
     require(NMR::lib3mf_model_mergetomodel(model.get(), merged.out()), model, path, "placing components");
     require(NMR::lib3mf_model_getmeshobjects(merged.get(), objects.out()), merged, path, "listing the meshes");

@@ -18,9 +18,9 @@ class Counter {
 public:
     explicit Counter(const std::filesystem::path& path) : path_(path) {}
 
-    /// Triangles, or meshes if these are more, of the object with all its components; as a double, which no count overflows.
+    /// The larger of the counts of triangles and meshes of the object with all its components; a double, so that it cannot overflow.
     double of(const Handle& object, int depth) {
-        if (depth > kDeepest) throw core::IoError(path_.string(), fmt::format("nests components more than {} deep", kDeepest));
+        if (depth > kDeepest) throw core::IoError(path_.string(), fmt::format("contains components nested more than {} deep", kDeepest));
         DWORD id = 0;
         require(NMR::lib3mf_resource_getresourceid(object.get(), &id), object, path_, "reading an object's number");
         if (const auto known = counts_.find(id); known != counts_.end()) return known->second;
@@ -49,7 +49,7 @@ private:
     }
 
     const std::filesystem::path& path_;
-    std::map<DWORD, double> counts_;  ///< by the object's number
+    std::map<DWORD, double> counts_;  ///< by the number of the object
 };
 
 }  // namespace
@@ -69,7 +69,7 @@ void require_few_instances(const Handle& model, const std::filesystem::path& pat
     }
     if (sum > static_cast<double>(kMostTriangles))
         throw core::IoError(path.string(),
-                            fmt::format("places {:.3g} triangles with its components; at most {} are read", sum, kMostTriangles));
+                            fmt::format("contains {:.3g} triangles with its components; at most {} are read", sum, kMostTriangles));
 }
 
 }  // namespace fusee::exchange

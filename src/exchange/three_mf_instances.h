@@ -5,7 +5,7 @@
 
 namespace fusee::exchange {
 
-/// Counts what placing every build item with its components would make, before lib3mf copies it: components of components multiply.
+/// Counts the triangles of all build items with their components before lib3mf copies them: nested components multiply.
 /// @throws core::IoError naming the file: more than kMostTriangles, or components nested deeper than 100
 void require_few_instances(const Handle& model, const std::filesystem::path& path);
 

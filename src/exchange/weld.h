@@ -35,7 +35,7 @@ private:
     solid::Mesh mesh_;
 };
 
-/// Every triangle that assimp read, corners with the same coordinates as one point. @throws IoError if a face is not a triangle
+/// All triangles of a scene of assimp; corners with the same coordinates become one point. @throws IoError if a face is not a triangle
 [[nodiscard]] solid::Mesh welded(const aiScene& scene, const std::filesystem::path& path);
 
 }  // namespace fusee::exchange

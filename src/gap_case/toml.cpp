@@ -162,8 +162,9 @@ std::vector<std::string> CaseToml::files(const std::string& path) const {
 
 void CaseToml::check_file(const std::string& path, const std::string& name) const {
     const fs::path file(name);
-    const bool climbs = std::find(file.begin(), file.end(), "..") != file.end();
-    if (name.empty() || file.is_absolute() || climbs) throw fault(path, fmt::format("\"{}\"", name), "a file inside the case's folder");
+    const bool leaves_folder = std::find(file.begin(), file.end(), "..") != file.end();
+    if (name.empty() || file.is_absolute() || leaves_folder)
+        throw fault(path, fmt::format("\"{}\"", name), "a file inside the case's folder");
     std::error_code absent;
     if (!fs::is_regular_file(folder_ / file, absent))
         throw fault(path, fmt::format("\"{}\"", name), "a file that is there: this one is missing");

@@ -66,9 +66,9 @@ void write_rows(const Case& nominal, const Rows& rows, const fs::path& folder) {
         if (named == nominal.files.end() || all.empty()) return;
         std::vector<std::size_t> parts(named->second.size(), 0);
         parts.front() = all.size();
-        if (const auto told = rows.parts.find(experiment);
-            told != rows.parts.end() && std::accumulate(told->second.begin(), told->second.end(), std::size_t{0}) == all.size())
-            parts = told->second;
+        if (const auto known = rows.parts.find(experiment);
+            known != rows.parts.end() && std::accumulate(known->second.begin(), known->second.end(), std::size_t{0}) == all.size())
+            parts = known->second;
         std::size_t begin = 0;
         for (std::size_t i = 0; i < parts.size(); begin += parts[i], ++i)
             if (parts[i] > 0) write(folder / named->second.at(i), csv(all, begin, begin + parts[i], rows));

@@ -108,7 +108,7 @@ std::vector<Fit> singles_of(const Problem& problem, const Fit& null, const std::
 }
 
 /// Every effect of the hypothesis is there: its size stands off 0, or it is a limit (a stop), which has no size of 0; and no build
-/// parameter is off by what no workshop is to make room for it.
+/// parameter is so far off that no workshop can cause it.
 bool stands(const Problem& problem, const Fit& fit) {
     if (!fit.causes.empty() && std::abs(worst_nuisance_pull(problem, fit).sigmas) > kImpossible) return false;
     for (std::size_t c = 0; c < fit.causes.size(); ++c) {

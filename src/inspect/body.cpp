@@ -24,10 +24,10 @@ solid::Mesh sound(solid::Mesh mesh) {
     return mesh;
 }
 
-/// A direction that no edge of a drawn part runs along.
+/// A direction that is parallel to no edge of a usual part.
 const Vec3 kAskew = unit({0.6180339887, 0.3819660113, 0.7320508076});
 
-/// How many components other than its own hold the triangle's middle: surfaces left less surfaces entered on the way out.
+/// Number of other components that contain the triangle's middle: surfaces left minus surfaces entered on the way out.
 int held_by(const Body& body, std::uint32_t triangle) {
     const solid::Triangle& t = body.mesh().triangles[triangle];
     const auto& p = body.mesh().points_mm;
@@ -39,18 +39,17 @@ int held_by(const Body& body, std::uint32_t triangle) {
     return held;
 }
 
-constexpr int kShrinkings = 40;                              // each halves the radius at most
+constexpr int kShrinkings = 40;                              // each at most halves the radius
 constexpr double kTouches = 1e-4;                            // of the radius
 constexpr double kWall = -0.5, kSlot = -0.8660254037844386;  // cosines of 120 and 150 degrees
 constexpr double kParallel = core::rad_from_deg(5.0);
-constexpr double kRounding =
-    1e-10;                        // of the coordinates: what is hit nearer than that is the neighbour, past the edge that the ray starts on
-constexpr double kFeather = 0.6;  // of the way to where flat faces would meet; bent ones meet sooner
+constexpr double kRounding = 1e-10;  // of the coordinates: a nearer hit is the neighbouring triangle at the edge where the ray starts
+constexpr double kFeather = 0.6;     // of the distance to where flat faces would meet; curved ones meet earlier
 
-constexpr std::size_t kOverlapping = 100'000;  // looks for a sample; a torus of a million triangles takes 34,000
+constexpr std::size_t kOverlapping = 100'000;  // visits for a sample; a torus of a million triangles takes 34,000
 constexpr std::size_t kOverlappingShare = 4, kComponentsShare = 16;
 
-/// A step with which i * step % count comes to every number below `count` once, spread from the beginning: near the golden section.
+/// A step with which i * step % count visits every number below `count` once, spread from the start: near the golden section.
 std::size_t coprime_step(std::size_t count) {
     auto step = static_cast<std::size_t>(0.6180339887 * static_cast<double>(count)) + 1;
     while (std::gcd(step, count) != 1) ++step;
@@ -66,33 +65,33 @@ double farthest(const solid::Box& box) {
 
 }  // namespace
 
-Body::Body(solid::Mesh mesh, std::size_t samples, unsigned jobs, std::size_t most_looks)
+Body::Body(solid::Mesh mesh, std::size_t samples, unsigned jobs, std::size_t most_visits)
     : mesh_(sound(std::move(mesh))), jobs_(jobs), box_(solid::bounding_box(mesh_)), topology_(topology_of(mesh_)), rays_(mesh_) {
     if (rays_.empty())
         throw core::InvalidInput("mesh.triangles", fmt::format("{} without area", mesh_.triangles.size()), "at least one with an area");
     measure_facets();
-    place_components(most_looks);
+    place_components(most_visits);
     samples_ = spread(*this, samples);
-    measure_samples(most_looks);
+    measure_samples(most_visits);
 }
 
-/// In batches, each of at most the samples that what is left pays for, by what samples have cost so far: nothing of it depends on threads.
-void Body::measure_samples(std::size_t most_looks) {
+/// In batches. The remaining budget and the mean cost so far bound the samples of a batch, so that nothing depends on threads.
+void Body::measure_samples(std::size_t most_visits) {
     const std::size_t count = samples_.size(), step = coprime_step(count);
     std::vector<bool> measured(count, false);
     std::size_t looks = 0, done = 0;
-    for (std::size_t batch = 1, most = most_looks; done < count && looks < most;) {
+    for (std::size_t batch = 1, most = most_visits; done < count && looks < most;) {
         const std::size_t now = std::min(batch, count - done);
         std::vector<std::size_t> cost(now);
         core::parallel_for(now, jobs_, [&](std::size_t i) {
-            const std::size_t before = Rays::looked_at();
+            const std::size_t before = Rays::visited();
             measure_sample(samples_[(done + i) * step % count]);
-            cost[i] = Rays::looked_at() - before;
+            cost[i] = Rays::visited() - before;
         });
         for (std::size_t i = 0; i < now; ++i) measured[(done + i) * step % count] = true;
         looks = std::accumulate(cost.begin(), cost.end(), looks);
         done += now;
-        most = looks / done > kOverlapping ? most_looks / kOverlappingShare : most_looks;
+        most = looks / done > kOverlapping ? most_visits / kOverlappingShare : most_visits;
         const std::size_t paid_for = (most - std::min(looks, most)) / (looks / done + 1);
         batch = std::clamp<std::size_t>(paid_for, 1, 2 * batch);
     }
@@ -115,7 +114,7 @@ void Body::measure_sample(Sample& s) const {
     if (!inside) return;
     s.ball_mm = inside->touching_mm, s.wall_mm = inside->opposite_mm, s.middle_mm = inside->middle_mm;
     if (std::isnan(s.wall_mm)) return;
-    // Two faces at an angle lean to where they would meet, which is the ball's radius over the sine of half the angle away.
+    // Two faces at an angle would meet at a distance of the ball's radius over the sine of half the angle.
     const Vec3 ahead = outward + normals_[inside->contact];
     const double half_sine = 0.5 * length(ahead);
     s.taper = 2.0 * std::asin(std::min(1.0, half_sine));
@@ -138,13 +137,13 @@ void Body::measure_facets() {
     }
 }
 
-void Body::place_components(std::size_t most_looks) {
+void Body::place_components(std::size_t most_visits) {
     const std::vector<Component>& all = topology_.components;
-    const std::size_t before = Rays::looked_at();
+    const std::size_t before = Rays::visited();
     cavity_.assign(all.size(), false), turned_.assign(all.size(), false);
     for (std::size_t c = 0; c < all.size(); ++c) {
         if (!all[c].closed || !(all[c].volume_mm3 < 0.0)) continue;
-        if (Rays::looked_at() - before > most_looks / kComponentsShare) {
+        if (Rays::visited() - before > most_visits / kComponentsShare) {
             ++components_left_out_;
             continue;
         }
@@ -171,7 +170,7 @@ std::optional<Ball> ball_at(const Body& body, std::uint32_t triangle, const Vec3
         const auto& [nearest, there] = *inside;
         const Vec3 chord = nearest - at;
         const double ahead = dot(chord, side);
-        if (!(ahead > 0.0)) return std::nullopt;  // by rounding the place itself, or its neighbour, is nearest
+        if (!(ahead > 0.0)) return std::nullopt;  // by rounding the point itself, or its neighbour, is nearest
         radius = dot(chord, chord) / (2.0 * ahead);
         const Vec3 middle = at + radius * side;
         apart = dot(at - middle, nearest - middle) / (radius * radius);

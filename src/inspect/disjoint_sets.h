@@ -5,7 +5,7 @@
 
 namespace fusee::inspect {
 
-/// Numbers that are joined into sets; a set is named by its least member, whatever the order of joining.
+/// Numbers that are joined into sets; its least member names a set, in any order of joining.
 class DisjointSets {
 public:
     explicit DisjointSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }

@@ -17,13 +17,13 @@ namespace {
 
 constexpr double kSharpest = core::rad_from_deg(75.0);  // turn between two facets of one hole
 constexpr double kAlong = 0.035;                        // sine of 2 deg: of a facet's normal with the axis' plane
-constexpr double kWidths = 3.0;                         // a flat much wider than its neighbours is a wall that a rounding runs into
+constexpr double kWidths = 3.0;                         // a facet much wider than its neighbours is a wall beside a rounding
 constexpr double kRound = 0.02, kRound_mm = 0.02;       // corners off the circle: share of its radius, and at least [mm]
-constexpr std::size_t kLargestFacet = 1000;             // triangles; more are no facet of a hole
+constexpr std::size_t kLargestFacet = 1000;             // triangles; a larger facet does not belong to a hole
 constexpr std::size_t kLeastFacets = 3;
 constexpr double kHole = core::rad_from_deg(200.0);
 constexpr double kRing = 0.01;       // of the diameter: one ring of facets of a ball or a torus is shorter
-constexpr double kTip = 0.6;         // diameters that a drill's tip may add beyond the wall
+constexpr double kTip = 0.6;         // diameters added by a drill's tip beyond the wall
 constexpr double kOneAxis = 0.9994;  // cosine of 2 deg: between the axes of two arcs of one hole
 
 /// Triangles in one plane, and the seams to the planes beside it.
@@ -73,7 +73,7 @@ private:
         return facet.triangles.size() <= kLargestFacet && std::abs(dot(body_.normals()[facet.triangles.front()], axis)) < kAlong;
     }
 
-    /// The facets that hang together about the axis, by their roots.
+    /// The connected facets about the axis, by their roots.
     std::vector<std::uint32_t> grown(std::uint32_t seed, const Vec3& axis) {
         std::vector<std::uint32_t> roots;
         std::vector<std::uint32_t> next{seed};
@@ -127,7 +127,7 @@ private:
         return 2.0 * core::kPi - gap;
     }
 
-    /// The facets' corners seen along the axis, and how far they reach along it.
+    /// The facets' corners seen along the axis, and their extent along it.
     struct Outline {
         std::vector<std::array<double, 2>> points;
         double low = INFINITY, high = -INFINITY;
@@ -156,7 +156,7 @@ private:
         const double slack = std::max(kRound * circle.radius, std::min(kRound_mm, 0.1 * circle.radius));
         for (const auto& p : all.points)
             if (!(std::abs(std::hypot(p[0] - circle.x, p[1] - circle.y) - circle.radius) <= slack)) return std::nullopt;
-        double radius = 0.0;  // corners stand on the circle, cuts across a facet inside it
+        double radius = 0.0;  // corners stand on the circle, cuts across a facet lie inside it
         for (const auto& p : all.points) radius = std::max(radius, std::hypot(p[0] - circle.x, p[1] - circle.y));
         for (const std::uint32_t root : roots) used_[root] = true;
         Hollow hollow;
@@ -192,7 +192,7 @@ private:
                length(cross(b.middle_mm - a.middle_mm, a.axis)) <= slack;
     }
 
-    /// A sliver that rounding has turned parts a hole of many facets into arcs; those that touch and lie on one cylinder are one hole.
+    /// A sliver turned by rounding divides a hole of many facets into arcs. Arcs that touch and lie on one cylinder are one hole.
     void join_arcs(std::vector<Hollow>& found) {
         for (std::size_t i = 0; i < found.size(); ++i)
             for (std::size_t k = i + 1; k < found.size() && !found[i].is_hole();) {
@@ -205,7 +205,7 @@ private:
                 }
                 found[i] = std::move(*both);
                 found.erase(found.begin() + static_cast<std::ptrdiff_t>(k));
-                k = i + 1;  // what did not touch the part may touch the whole
+                k = i + 1;  // an arc that did not touch the piece may touch the union
             }
     }
     std::optional<Hollow> joined(const Hollow& a, const Hollow& b) {

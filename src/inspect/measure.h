@@ -13,10 +13,10 @@ bool is_printed(const Foreign& part);
 bool is_milled(const Foreign& part);
 bool is_stacked(const Foreign& part);  ///< plates cut by wire or laser
 
-/// Sets the finding's place, and where it is in words: "at (1.20, 0.00, 3.50) mm".
+/// Sets the finding's place and its text: "at (1.20, 0.00, 3.50) mm".
 void set_place(core::Finding& finding, const Vec3& at_mm);
 Vec3 middle_of(const Body& body, std::uint32_t triangle);
-/// The samples that `wanted` picks: their triangles, ascending and once each.
+/// The triangles of the samples that `wanted` selects, ascending and once each.
 std::vector<std::uint32_t> triangles_of(const Body& body, const std::function<bool(const Sample&)>& wanted);
 
 }  // namespace fusee::inspect

@@ -13,15 +13,15 @@ namespace fusee::inspect {
 
 namespace {
 
-// Plain doubles: a ray that slips between two triangles by rounding costs one sample, exact arithmetic costs every sample.
+// Plain doubles: a ray that passes between two triangles by rounding loses one sample; exact arithmetic slows every sample.
 using Kernel = CGAL::Simple_cartesian<double>;
 using Facets = std::vector<Kernel::Triangle_3>;
 
 Kernel::Point_3 point(const Vec3& p) { return {p[0], p[1], p[2]}; }
 
-thread_local std::size_t t_looked_at = 0;
+thread_local std::size_t t_visited = 0;
 
-/// CGAL's AABB_triangle_primitive, but that it counts.
+/// CGAL's AABB_triangle_primitive with a counter.
 class Primitive {
 public:
     using Id = Facets::const_iterator;
@@ -32,7 +32,7 @@ public:
     explicit Primitive(Id id) : id_(id) {}
     [[nodiscard]] const Id& id() const { return id_; }
     [[nodiscard]] Datum_reference datum() const {
-        ++t_looked_at;
+        ++t_visited;
         return *id_;
     }
     [[nodiscard]] const Point& reference_point() const { return id_->vertex(0); }
@@ -41,8 +41,8 @@ private:
     Id id_;
 };
 
-/// The point of a triangle with an area nearest to p (C. Ericson, "Real-Time Collision Detection", 2005, 5.1.5). CGAL's way, by the plane
-/// and its sides, takes three times as long.
+/// The point of a triangle with an area nearest to p (C. Ericson, "Real-Time Collision Detection", 2005, 5.1.5). CGAL's method, by the
+/// plane and its sides, takes three times as long.
 Vec3 nearest_of(const Kernel::Triangle_3& t, const Vec3& p) {
     const auto corner = [&t](int i) { return Vec3{t.vertex(i).x(), t.vertex(i).y(), t.vertex(i).z()}; };
     const Vec3 a = corner(0), b = corner(1), c = corner(2), ab = b - a, ac = c - a;
@@ -73,16 +73,16 @@ struct Traits : CGAL::AABB_traits<Kernel, Primitive> {
 };
 using AabbTree = CGAL::AABB_tree<Traits>;
 
-/// A look along a ray takes as long as four looks for the nearest point, and counts as many.
+/// A visit along a ray takes as long as four visits for the nearest point, and counts as four.
 class CountAsRay {
 public:
     CountAsRay() = default;
-    ~CountAsRay() { t_looked_at += 3 * (t_looked_at - before_); }
+    ~CountAsRay() { t_visited += 3 * (t_visited - before_); }
     CountAsRay(const CountAsRay&) = delete;
     CountAsRay& operator=(const CountAsRay&) = delete;
 
 private:
-    std::size_t before_ = t_looked_at;
+    std::size_t before_ = t_visited;
 };
 
 Kernel::Ray_3 ray(const Vec3& from, const Vec3& direction) {
@@ -142,14 +142,14 @@ std::vector<std::uint32_t> Rays::all(const Vec3& from, const Vec3& direction) co
 
 std::optional<std::pair<Vec3, std::uint32_t>> Rays::nearest(const Vec3& at, double within_mm) const {
     if (empty()) return std::nullopt;
-    // A hint bounds the search: only what is nearer than it is found. The bound comes from the caller, so CGAL's tree of corners, from
-    // which it would take hints, is not built: it holds as many copies of a point as triangles meet there, and divides copies without end.
+    // A hint bounds the search: only nearer points are found. The caller gives the bound. CGAL's tree of corners, its own source of hints,
+    // is not built: it holds one copy of a point for each triangle there, and divides copies endlessly.
     const Facets::const_iterator none = tree_->facets.end();
     const auto [p, facet] = tree_->tree.closest_point_and_primitive(point(at), {point(at + Vec3{within_mm, 0.0, 0.0}), none});
     if (facet == none) return std::nullopt;
     return std::pair{Vec3{p.x(), p.y(), p.z()}, tree_->number(facet)};
 }
 
-std::size_t Rays::looked_at() { return t_looked_at; }
+std::size_t Rays::visited() { return t_visited; }
 
 }  // namespace fusee::inspect

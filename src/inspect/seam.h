@@ -8,13 +8,13 @@
 
 namespace fusee::inspect {
 
-inline constexpr double kSamePlane = core::rad_from_deg(0.05);  ///< a turn that single precision may feign
+inline constexpr double kSamePlane = core::rad_from_deg(0.05);  ///< a turn that single precision may cause
 
 /// Where two triangles with an area meet.
 struct Seam {
     std::uint32_t a = 0, b = 0;  ///< a < b
     double turn = 0.0;           ///< angle between their normals [rad]
-    bool concave = false;        ///< the room is inside the bend
+    bool concave = false;        ///< the space outside the material is inside the bend
     Vec3 along{};                ///< unit
 };
 

@@ -14,12 +14,12 @@ inline Vec3 operator+(const Vec3& a, const Vec3& b) { return {a[0] + b[0], a[1] 
 inline Vec3 operator-(const Vec3& a, const Vec3& b) { return core::minus(a, b); }
 inline Vec3 operator*(double s, const Vec3& a) { return {s * a[0], s * a[1], s * a[2]}; }
 inline double length(const Vec3& a) { return std::sqrt(dot(a, a)); }
-/// The zero vector stays what it is.
+/// The zero vector stays zero.
 inline Vec3 unit(const Vec3& a) {
     const double l = length(a);
     return l > 0.0 ? (1.0 / l) * a : a;
 }
-/// Two unit vectors that make a right-handed frame with the unit vector `w`.
+/// Two unit vectors that form a right-handed frame with the unit vector `w`.
 struct Frame {
     Vec3 u, v;
 };

@@ -129,6 +129,12 @@ bool holds(const std::string& toml, const Key& key, const Edit& edit) {
 
 }  // namespace
 
+std::vector<std::string> key_names() {
+    std::vector<std::string> names;
+    for (const Key& key : keys()) names.push_back(key.path);
+    return names;
+}
+
 void require_key(const std::string& field, const std::string& key) {
     if (find_key(key) == nullptr && !is_table(key))
         throw core::InvalidInput(field, key, fmt::format("a key of a profile; nearest known one: {}", nearest_key(key).path));

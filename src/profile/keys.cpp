@@ -1,3 +1,6 @@
+#include <iterator>
+
+#include "fusee/formats/format.h"
 #include "key.h"
 
 namespace fusee::profile {
@@ -71,30 +74,23 @@ std::vector<Key> process_keys() {
     };
 }
 
-/// The switches of Outputs as a list of names.
-Key formats() {
-    static constexpr bool Outputs::*kSwitches[] = {&Outputs::stl,    &Outputs::scad,    &Outputs::dxf,      &Outputs::three_mf,
-                                                   &Outputs::step,   &Outputs::ngc,     &Outputs::scad_stl, &Outputs::sliced,
-                                                   &Outputs::plates, &Outputs::drawing, &Outputs::pdf};
+/// The list of formats is that of the files in src/formats.
+Key formats_key() {
     Key key;
     key.path = "outputs.formats";
     key.kind = Kind::kChoices;
-    key.meaning =
-        "part files to write; dxf: the outlines of a planar part; step: AP242; ngc: G-code by [machining]; scad_stl: the SCAD file as "
-        "OpenSCAD renders it; sliced: PrusaSlicer's G-code, fdm only; plates: a DXF for each plate of a stack, by default for edm and "
-        "laser; drawing, pdf: the shop drawing as SVG and as PDF";
-    key.choices = {"stl", "scad", "dxf", "3mf", "step", "ngc", "scad_stl", "sliced", "plates", "drawing", "pdf"};
+    key.meaning = "part files to write";
+    for (const formats::Format& format : formats::all_formats()) {
+        key.choices.emplace_back(format.name);
+        if (*format.meaning != '\0') key.meaning += std::string("; ") + format.name + ": " + format.meaning;
+    }
     key.most_count = key.choices.size();
-    key.get = [names = key.choices](const Profile& p) {
-        std::vector<std::string> chosen;
-        for (std::size_t i = 0; i < names.size(); ++i)
-            if (p.outputs.*kSwitches[i]) chosen.push_back(names[i]);
-        return Value(chosen);
-    };
+    key.get = [](const Profile& p) { return Value(p.outputs.formats); };
     key.set = [names = key.choices](Profile& p, const Value& v) {
         const auto& chosen = std::get<std::vector<std::string>>(v);
-        for (std::size_t i = 0; i < names.size(); ++i)
-            p.outputs.*kSwitches[i] = std::find(chosen.begin(), chosen.end(), names[i]) != chosen.end();
+        p.outputs.formats.clear();
+        std::copy_if(names.begin(), names.end(), std::back_inserter(p.outputs.formats),
+                     [&](const std::string& name) { return std::find(chosen.begin(), chosen.end(), name) != chosen.end(); });
     };
     return key;
 }
@@ -109,7 +105,7 @@ std::vector<Key> all_keys() {
     add(codesign_keys());
     add(cable_keys());
     add(process_keys());
-    add({formats(), yes_or_no("outputs.pair", "both sides of the joint: the antagonist's parts are mirror images", FIELD(outputs.pair)),
+    add({formats_key(), yes_or_no("outputs.pair", "both sides of the joint: the antagonist's parts are mirror images", FIELD(outputs.pair)),
          yes_or_no("outputs.plate", "with 3mf: also plate.3mf, every part on one plate within process.build_mm", FIELD(outputs.plate)),
          number("outputs.kerf_mm", kMm, within(0, 10), "of a beam or wire; above 0: also k_xx_kerf.dxf, outlines moved by half of it",
                 FIELD(outputs.kerf)),

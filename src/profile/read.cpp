@@ -9,6 +9,7 @@
 #include "files.h"
 #include "fusee/core/file.h"
 #include "fusee/core/toml.h"
+#include "fusee/formats/format.h"
 #include "overrides.h"
 
 namespace fs = std::filesystem;
@@ -203,8 +204,7 @@ private:
 /// Copies values that appear once in the file to the options of several modules.
 void distribute(Profile& p) {
     p.k_pe.solid.groove = p.k_se.solid.groove;
-    const bool stacked = p.process.kind == checks::ProcessKind::kEdm || p.process.kind == checks::ProcessKind::kLaser;
-    if (!p.places.contains("outputs.formats")) p.outputs.plates = stacked;
+    if (!p.places.contains("outputs.formats")) p.outputs.formats = formats::default_formats(p.process);
     p.k_pe.solid.chordal_error = p.k_se.solid.chordal_error;
     p.k_pe.allowance.cable_axis = p.k_se.allowance.cable_axis;
     for (PartSpec* part : {&p.k_se, &p.k_pe})
@@ -237,7 +237,10 @@ Profile::Profile() {
                 .joint_viscous = 2e-3,
                 .motor_noise = 1e-6,
                 .joint_noise = 1e-6};
+    outputs.formats = formats::default_formats(process);
 }
+
+bool Outputs::has(std::string_view format) const { return std::find(formats.begin(), formats.end(), format) != formats.end(); }
 
 std::string Profile::place_of(const std::string& key) const {
     const auto found = places.find(key);

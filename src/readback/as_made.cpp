@@ -23,7 +23,7 @@ double bore_mm(const std::filesystem::path& stl, const exchange::PartFile& part)
     double low = std::numeric_limits<double>::infinity(), radius = low;
     for (const auto& p : mesh.points_mm) low = std::min(low, p[2]);
     for (const auto& p : mesh.points_mm)
-        if (p[2] < low + kFlat_mm) radius = std::min(radius, std::hypot(p[0], p[1]));  // its polygon's corners lie on the hole
+        if (p[2] < low + kFlat_mm) radius = std::min(radius, std::hypot(p[0], p[1]));  // the corners of its polygon lie on the hole
     if (!(radius > kFlat_mm)) throw core::IoError(stl.string(), "its lowest face has no hole about the axis");
     return 2.0 * radius - (part.compensated ? part.compensated->bore_offset_mm : 0.0);
 }

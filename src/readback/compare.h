@@ -7,7 +7,7 @@
 
 namespace fusee::readback {
 
-/// The arms that a taut cable over the floor has, against those asked for.
+/// Compares the arms of a taut cable over the floor with the requested ones.
 [[nodiscard]] ArmError compare(const std::filesystem::path& path, const std::string& reader, const Floor& floor,
                                const exchange::PartFile& part);
 

@@ -15,16 +15,16 @@ namespace fusee::readback {
 namespace {
 
 constexpr int kRaysPerRow = 5;
-constexpr int kRaysRound = 512;          // round the rest of a planar outline, where no arm depends on a chord
+constexpr int kRaysRound = 512;          // around the rest of a planar outline, where no arm depends on a chord
 constexpr int kPointsPerSpan = 32;       // of a drawn spline: spans are 0.2 rad at most, the chord error 5e-6 of the arm
 constexpr double kSameHeight_mm = 1e-6;  // contacts of a planar part differ by less: the last digit of single precision at 10 mm
 
-/// A place where a ray is shot.
+/// The target of a ray.
 struct Aim {
     double azimuth = 0.0, z_mm = 0.0;
 };
 
-/// Direction from contact `i` back to its neighbour, on to the next one: the tangent of the centreline as the rows give it.
+/// Direction from the neighbour before contact `i` to the next one: the tangent of the centreline from the rows.
 Point tangent(const std::vector<exchange::TargetRow>& rows, std::size_t i) {
     const auto& a = rows[i == 0 ? 0 : i - 1].contact_mm;
     const auto& b = rows[std::min(i + 1, rows.size() - 1)].contact_mm;
@@ -32,8 +32,8 @@ Point tangent(const std::vector<exchange::TargetRow>& rows, std::size_t i) {
     return length > 0.0 ? Point{(b[0] - a[0]) / length, (b[1] - a[1]) / length} : Point{};
 }
 
-/// Where the floor is expected under each row: half a cable from the contact towards the axis, square to the centreline. Only the rays'
-/// places follow from it; what they find is the file's.
+/// Where the floor is expected under each row: half a cable from the contact towards the axis, square to the centreline. It sets only the
+/// places of the rays; the result depends on the file.
 std::vector<Aim> aims(const exchange::PartFile& part) {
     std::vector<Aim> result;
     for (std::size_t i = 0; i < part.target.size(); ++i) {
@@ -49,7 +49,7 @@ std::vector<Aim> aims(const exchange::PartFile& part) {
     return result;
 }
 
-/// kRaysPerRow aims from every row to the next, and a row's worth beyond both ends, where the last tangents may touch.
+/// kRaysPerRow aims from every row to the next, and one more row beyond both ends, for the last tangents.
 std::vector<Aim> refined(const std::vector<Aim>& rows) {
     std::vector<Aim> result;
     const auto between = [](const Aim& a, const Aim& b, double s) {
@@ -71,14 +71,14 @@ core::Range heights(const std::vector<Aim>& places) {
 
 bool one_height(const std::vector<Aim>& rows) { return heights(rows).width() <= kSameHeight_mm; }
 
-/// Where the floor of a part is looked for.
+/// The search for the floor of a part.
 struct Search {
     explicit Search(const exchange::PartFile& part) : rows(aims(part)), planar(one_height(rows)), rays(refined(rows)) {
         for (int i = 0; planar && i < kRaysRound; ++i) rays.push_back({core::kTurn * i / kRaysRound, rows.front().z_mm});
     }
     std::vector<Aim> rows;
-    bool planar;            ///< the rows share one height
-    std::vector<Aim> rays;  ///< along the rows, and all the way round where they share one height
+    bool planar;            ///< all rows have one height
+    std::vector<Aim> rays;  ///< along the rows, and all around if they have one height
 };
 
 Floor found_floor(const Search& search, const Ray& ray) {

@@ -21,10 +21,10 @@ constexpr double kRounding_mm = 1e-4;  // single precision at 1 m is 6e-5 mm
 void require_within(const solid::Box& box, const exchange::NamedMesh& object, const exchange::Plate& plate, const fs::path& path) {
     for (std::size_t i = 0; i < 3; ++i)
         if (box.low_mm[i] < -kRounding_mm || box.high_mm[i] > plate.build_mm[i] + kRounding_mm)
-            throw core::IoError(path.string(), fmt::format("{} stands out of the build volume along {}", object.name, "xyz"[i]));
+            throw core::IoError(path.string(), fmt::format("{} extends beyond the build volume along {}", object.name, "xyz"[i]));
 }
 
-/// Along x or y there is room between the two.
+/// Is there a gap between the two along x or y?
 bool apart(const solid::Box& a, const solid::Box& b, double spacing_mm) {
     const auto gap = [&](std::size_t i) { return std::max(b.low_mm[i] - a.high_mm[i], a.low_mm[i] - b.high_mm[i]); };
     return std::max(gap(0), gap(1)) >= spacing_mm - kRounding_mm;
@@ -49,7 +49,7 @@ void require_stated(const std::vector<exchange::NamedMesh>& objects, const excha
     const bool same = std::equal(objects.begin(), objects.end(), plate.objects.begin(), plate.objects.end(),
                                  [](const auto& found, const auto& stated) { return found.name == stated.name; });
     if (!same || triangles != plate.file.triangles || core::sha256_hex(core::read_file(path)) != plate.file.sha256)
-        throw core::IoError(path.string(), "does not hold the objects, triangles and bytes that are stated");
+        throw core::IoError(path.string(), "does not have the stated objects, triangles and bytes");
 }
 
 }  // namespace

@@ -8,17 +8,17 @@ namespace fusee::readback {
 
 namespace {
 
-constexpr double kStretch = 0.1;  // [rad] to either side, over which a slope is found
+constexpr double kHalfWindow = 0.1;  // [rad] to each side, for the mean slope
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-/// A point of the rim, and how far from it the roller's centre stays (a print's beads have a half width).
+/// A point of the rim with the distance of the roller's centre (a print's beads have a half width).
 struct RimPoint {
     Point xy_mm{};
     double azimuth = 0.0, reach_mm = 0.0;
 };
 using Rim = std::vector<RimPoint>;
 
-/// In order round the axis.
+/// In order around the axis.
 Rim rim_of(const Floor& floor, double radius_mm) {
     Rim rim;
     for (std::size_t i = 0; i < floor.points.size(); ++i) {
@@ -33,13 +33,13 @@ Rim rim_of(const Floor& floor, double radius_mm) {
 
 /// Top of the parabola through three points, whose middle one is the highest.
 double top(const std::array<double, 3>& x, const std::array<double, 3>& y) {
-    const double left = (y[1] - y[0]) / (x[1] - x[0]), right = (y[2] - y[1]) / (x[2] - x[1]), bend = (right - left) / (x[2] - x[0]);
-    if (!(bend < 0.0)) return y[1];
-    const double slope = left + bend * (x[1] - x[0]);  // at the middle point
-    return y[1] - slope * slope / (4.0 * bend);
+    const double left = (y[1] - y[0]) / (x[1] - x[0]), right = (y[2] - y[1]) / (x[2] - x[1]), curvature = (right - left) / (x[2] - x[0]);
+    if (!(curvature < 0.0)) return y[1];
+    const double slope = left + curvature * (x[1] - x[0]);  // at the middle point
+    return y[1] - slope * slope / (4.0 * curvature);
 }
 
-/// The place by each point of the rim, and the highest of them: between points the rim is as smooth as its neighbours.
+/// The highest of the roller's places by each point of the rim. Between points the rim is interpolated by a parabola.
 double highest(const Rim& rim, const exchange::PartFile& part, double angle) {
     const exchange::PartGuide& guide = part.guide;
     const double back = -part.rotation_sign * angle, c = std::cos(back), s = std::sin(back);
@@ -58,12 +58,12 @@ double highest(const Rim& rim, const exchange::PartFile& part, double angle) {
     return std::isinf(low) || std::isinf(high) ? place(*best) : top({-apart(before), 0.0, apart(after)}, {low, place(*best), high});
 }
 
-/// Least-squares slope of the deviations over the rows within the stretch.
+/// Least-squares slope of the deviations over the rows within the window.
 double slope_near(const std::vector<exchange::TargetRow>& rows, const std::vector<double>& deviation, std::size_t i) {
     double n = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
     for (std::size_t k = 0; k < rows.size(); ++k) {
         const double away = rows[k].angle_rad - rows[i].angle_rad;
-        if (std::abs(away) > kStretch) continue;
+        if (std::abs(away) > kHalfWindow) continue;
         n += 1.0, x += away, y += deviation[k], xx += away * away, xy += away * deviation[k];
     }
     const double spread = n * xx - x * x;

@@ -22,8 +22,8 @@ struct Direction {
     double x, y;
 };
 
-/// Farthest point along the ray of the horizontal segment pq; -1 if it passes beside. Closed at both ends: two facets that share a point
-/// of the section compute it from the same numbers, so that no ray slips between them.
+/// Farthest point along the ray of the horizontal segment pq; -1 for no hit. Closed at both ends: two facets with a common point
+/// of the section compute it from the same numbers, so that no ray passes between them.
 double hit(Direction u, const std::array<double, 2>& p, const std::array<double, 2>& q) {
     const double cp = u.x * p[1] - u.y * p[0], cq = u.x * q[1] - u.y * q[0];
     const double ap = u.x * p[0] + u.y * p[1], aq = u.x * q[0] + u.y * q[1];
@@ -32,7 +32,7 @@ double hit(Direction u, const std::array<double, 2>& p, const std::array<double,
     return ap + (aq - ap) * cp / (cp - cq);
 }
 
-/// Where edge ab crosses height z; the lower end first, so that both facets of an edge round alike.
+/// Crossing of edge ab with height z; the lower end first, so that both facets of an edge round in the same way.
 std::array<double, 2> crossing(const solid::Vec3& a, const solid::Vec3& b, double z) {
     const solid::Vec3 &low = a[2] <= b[2] ? a : b, &high = a[2] <= b[2] ? b : a;
     const double t = (z - low[2]) / (high[2] - low[2]);
@@ -63,14 +63,14 @@ RaySearch::RaySearch(const solid::Mesh& mesh, double low_mm, double high_mm) : b
         facet.low = std::min({c[0][2], c[1][2], c[2][2]});
         facet.high = std::max({c[0][2], c[1][2], c[2][2]});
         if (facet.high < low_mm || facet.low > high_mm) continue;
-        // Azimuths of the corners relative to the first; a facet that has the axis inside or on it spans more than half a turn.
+        // Azimuths of the corners relative to the first; a facet with the axis inside or on it spans more than half a turn.
         const double base = std::atan2(c[0][1], c[0][0]);
         const auto relative = [&](const solid::Vec3& p) { return std::remainder(std::atan2(p[1], p[0]) - base, kTurn); };
         const double b = relative(c[1]), d = relative(c[2]);
         const double begin = std::min({0.0, b, d}), end = std::max({0.0, b, d});
         const bool all = end - begin >= kTurn / 2.0 - 1e-9 || std::hypot(c[0][0], c[0][1]) == 0.0 || std::hypot(c[1][0], c[1][1]) == 0.0 ||
                          std::hypot(c[2][0], c[2][1]) == 0.0;
-        // One bin more on both sides: the ray's own azimuth is rounded too.
+        // One more bin on both sides: the ray's own azimuth is rounded too.
         const std::size_t first = all ? 0 : (bin_of(base + begin) + kBins - 1) % kBins;
         const std::size_t count = all ? kBins : std::min(kBins, static_cast<std::size_t>((end - begin) / kTurn * kBins) + 4);
         for (std::size_t i = 0; i < count; ++i) bins_[(first + i) % kBins].push_back(facet);

@@ -7,13 +7,13 @@
 
 namespace fusee::readback {
 
-/// Answers horizontal rays from the z axis: triangles in bins of azimuth, each with its height range.
+/// Intersects horizontal rays from the z axis with triangles, in bins of azimuth with height ranges.
 class RaySearch {
 public:
-    /// Keeps the triangles that reach into heights [low_mm, high_mm].
+    /// Keeps the triangles with heights in [low_mm, high_mm].
     RaySearch(const solid::Mesh& mesh, double low_mm, double high_mm);
 
-    /// Distance from the axis of the outermost hit at height z; nothing where the ray meets no surface.
+    /// Distance from the axis of the outermost hit at height z; nothing if the ray meets no surface.
     [[nodiscard]] std::optional<double> outermost(double azimuth, double z_mm) const;
 
 private:

@@ -17,7 +17,7 @@ namespace fusee::readback {
 
 namespace {
 
-/// Reads G-code one line at a time: where the nozzle goes while it lays external perimeters.
+/// Reads G-code one line at a time: path of the nozzle along external perimeters.
 class Reader {
 public:
     explicit Reader(std::string file) : file_(std::move(file)) {}
@@ -39,7 +39,7 @@ public:
     }
 
     [[nodiscard]] Sliced done() && {
-        if (!offset_) throw core::IoError(file_, "no line says where the part stands: \"; fusee: z of the part = Z + ...\"");
+        if (!offset_) throw core::IoError(file_, "no line states the part's height: \"; fusee: z of the part = Z + ...\"");
         if (print_.outer.empty()) throw core::IoError(file_, "has no external perimeter (\";TYPE:External perimeter\")");
         for (BeadPoint& p : print_.outer) p.z_mm += *offset_;
         return std::move(print_);
@@ -69,7 +69,7 @@ private:
         const bool lays = e && *e > (relative_ ? 0.0 : filament_) && here_ != from;
         if (e && !relative_) filament_ = *e;
         if (!lays || !outer_) return;
-        if (!(height_ > 0.0 && width_ >= height_)) fail("no height and width of the bead stand before it, the width at least the height");
+        if (!(height_ > 0.0 && width_ >= height_)) fail("needs a height and width of the bead before it, the width at least the height");
         for (const Point& p : {from, here_}) print_.outer.push_back({p, top_ - height_ / 2.0, width_, height_});
         print_.layer_mm = std::max(print_.layer_mm, height_);
     }
@@ -83,10 +83,10 @@ private:
     std::optional<double> offset_;
 };
 
-/// How high the cable lies over the azimuth, where it lies at all.
+/// Height of the cable over the azimuth, where there is a cable.
 class CableHeight {
 public:
-    /// Takes over which places of the floor a mesh would be asked for; fills what the rows say of `floor`.
+    /// Takes the same points of the floor as for a mesh, and sets the fields of `floor` that follow from the rows.
     CableHeight(const exchange::PartFile& part, Floor& floor) {
         floor = find_floor(
             [this](double azimuth, double z_mm) {
@@ -98,7 +98,7 @@ public:
         if (places_.front().azimuth > places_.back().azimuth) std::reverse(places_.begin(), places_.end());
     }
 
-    /// The azimuths, unwrapped, at which a point of that direction may be met, each with the height there.
+    /// The unwrapped azimuths of a point in that direction, each with the cable's height there.
     struct Place {
         double azimuth = 0.0, z_mm = 0.0;
     };
@@ -121,8 +121,8 @@ private:
     bool planar_ = true;
 };
 
-/// A round cable at a height of `off` over a bead's middle rests on the half circle that ends the bead: the distance of their centrelines
-/// in the plane; nothing where the cable passes beside.
+/// A round cable at a height of `off` over a bead's middle rests on the half circle at the bead's edge. Returns the distance of their
+/// centrelines in the plane; nothing if they do not touch.
 std::optional<double> reach(const BeadPoint& bead, double cable_mm, double off) {
     const double centres = (cable_mm + bead.height_mm) / 2.0;
     if (std::abs(off) >= centres) return std::nullopt;

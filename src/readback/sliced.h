@@ -6,7 +6,7 @@
 
 namespace fusee::readback {
 
-/// A point on the centreline of a bead that a print shows to the outside.
+/// A point on the centreline of an outer bead of a print.
 struct BeadPoint {
     Point xy_mm{};
     double z_mm = 0.0;  ///< middle of its layer, in the part's frame
@@ -18,11 +18,11 @@ struct Sliced {
     double layer_mm = 0.0;  ///< height of the thickest layer
     std::vector<BeadPoint> outer;
 };
-/// @throws IoError naming file and line: inches, relative coordinates, arcs, no number where one is due; or no external perimeter, or no
-/// word of where the part stands
+/// @throws IoError naming file and line: inches, relative coordinates, arcs, a missing number; no external perimeter; or no line with the
+/// part's height
 [[nodiscard]] Sliced read_sliced(const std::filesystem::path& gcode);
 
-/// What the cable lies on: the beads near its own height, each with the distance at which a round cable rests on its round nose.
+/// The beads under the cable, near its own height, each with the distance at which a round cable rests on its round nose.
 [[nodiscard]] Floor sliced_floor(const Sliced& print, const exchange::PartFile& part);
 
 }  // namespace fusee::readback

@@ -18,8 +18,8 @@ Point turned(const Point& p, double angle) {
     return {c * p[0] - s * p[1], s * p[0] + c * p[1]};
 }
 
-/// Normal n of a cable that runs in direction D from the cam to the guide, such that the tension's moment has the wanted sign where n
-/// points from the axis to the cable: x cross D = torque_sign (n.x).
+/// Normal n of a cable that runs in direction D from the cam to the guide, such that the tension's moment has the correct sign if n points
+/// from the axis to the cable: x cross D = torque_sign (n.x).
 Point normal(const Point& direction, double torque_sign) { return {torque_sign * direction[1], -torque_sign * direction[0]}; }
 
 /// The guide in the body frame at one working angle.
@@ -27,7 +27,7 @@ struct BodyGuide {
     bool parallel = true;
     Point place{};  ///< parallel: the cable's normal; else the guide's centre [mm]
     double torque_sign = 1.0;
-    double beyond = 0.0;  ///< n.(centre) - arm: how far outside the cable's line the idler's centre lies [mm]
+    double beyond = 0.0;  ///< n.(centre) - arm: distance of the idler's centre outside the cable's line [mm]
 };
 
 BodyGuide in_body(const exchange::PartFile& part, double angle) {
@@ -41,7 +41,7 @@ BodyGuide in_body(const exchange::PartFile& part, double angle) {
     return guide;
 }
 
-/// Arm of the line that passes the guide and keeps that distance from the floor point F.
+/// Arm of the line through the guide at that distance from the floor point F.
 double arm_over(const BodyGuide& guide, const Point& floor, double distance) {
     if (guide.parallel) return dot(guide.place, floor) + distance;
     // n.F + distance + beyond = n.G: with v = G - F the line's normal has the component `reach` along v.
@@ -53,12 +53,12 @@ double arm_over(const BodyGuide& guide, const Point& floor, double distance) {
     return dot({s * along[0] + c * across[0], s * along[1] + c * across[1]}, floor) + distance;
 }
 
-/// The largest arm over the floor's points; NaN if there is none, or if the guide lies within the cable's reach of the floor.
+/// The largest arm over the floor's points; NaN if there is none, or if the guide is nearer to the floor than the cable's radius.
 double row_arm(const Floor& floor, const BodyGuide& guide, double row_azimuth, double half_cable) {
     double arm = -std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < floor.points.size(); ++i) {
         const FloorPoint& p = floor.points[i];
-        // On a helix the cable meets its own turn only: what lies more than a quarter turn on along the groove is at another height.
+        // On a helix the cable touches its own turn only: points more than a quarter turn further along the groove are at another height.
         if (!floor.planar && std::abs(p.azimuth - row_azimuth) > core::kPi / 2.0) continue;
         const double candidate = arm_over(guide, p.xy_mm, floor.reach_mm.empty() ? half_cable : floor.reach_mm[i]);
         if (std::isnan(candidate)) return candidate;
@@ -67,7 +67,7 @@ double row_arm(const Floor& floor, const BodyGuide& guide, double row_azimuth, d
     return std::isinf(arm) ? std::numeric_limits<double>::quiet_NaN() : arm;
 }
 
-/// A cable that leans out of the contact's plane towards its guide turns the part by the cosine of that angle.
+/// At a fleet angle the torque on the part is reduced by the cosine of that angle.
 double share_in_plane(const exchange::PartFile& part, const BodyGuide& guide, const exchange::TargetRow& row) {
     if (guide.parallel) return 1.0;
     const auto& c = row.contact_mm;

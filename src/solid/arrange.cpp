@@ -11,11 +11,11 @@ namespace {
 
 constexpr double kRounding_mm = 1e-9;  // a bed that fits exactly fits
 
-struct Standing {
+struct Placed {
     Size2 corner, size;
 };
 
-bool apart(const Standing& a, const Standing& b, double spacing) {
+bool apart(const Placed& a, const Placed& b, double spacing) {
     for (std::size_t i = 0; i < 2; ++i)
         if (a.corner[i] + a.size[i] + spacing <= b.corner[i] + kRounding_mm ||
             b.corner[i] + b.size[i] + spacing <= a.corner[i] + kRounding_mm)
@@ -23,18 +23,17 @@ bool apart(const Standing& a, const Standing& b, double spacing) {
     return false;
 }
 
-/// The lowest, then leftmost place: its sides are the bed's or a spacing off those that stand.
-std::optional<Size2> place(const std::vector<Standing>& standing, Size2 size, Size2 bed, double spacing) {
+/// The lowest, then leftmost place: its sides lie on the bed's or at a spacing from placed rectangles.
+std::optional<Size2> place(const std::vector<Placed>& placed, Size2 size, Size2 bed, double spacing) {
     std::vector<double> xs{0.0}, ys{0.0};
-    for (const Standing& s : standing) xs.push_back(s.corner[0] + s.size[0] + spacing), ys.push_back(s.corner[1] + s.size[1] + spacing);
+    for (const Placed& s : placed) xs.push_back(s.corner[0] + s.size[0] + spacing), ys.push_back(s.corner[1] + s.size[1] + spacing);
     std::sort(xs.begin(), xs.end());
     std::sort(ys.begin(), ys.end());
     for (const double y : ys)
         for (const double x : xs) {
             if (x + size[0] > bed[0] + kRounding_mm || y + size[1] > bed[1] + kRounding_mm) continue;
-            const Standing here{{x, y}, size};
-            if (std::all_of(standing.begin(), standing.end(), [&](const Standing& s) { return apart(here, s, spacing); }))
-                return here.corner;
+            const Placed here{{x, y}, size};
+            if (std::all_of(placed.begin(), placed.end(), [&](const Placed& s) { return apart(here, s, spacing); })) return here.corner;
         }
     return std::nullopt;
 }
@@ -42,14 +41,14 @@ std::optional<Size2> place(const std::vector<Standing>& standing, Size2 size, Si
 /// @param turns bit i: rectangle i is turned
 std::optional<std::vector<Spot>> arrange_in_order(const std::vector<Size2>& sizes, const std::vector<std::size_t>& order, unsigned turns,
                                                   Size2 bed, double spacing) {
-    std::vector<Standing> standing;
+    std::vector<Placed> placed;
     std::vector<Spot> spots(sizes.size());
     for (const std::size_t i : order) {
         const bool turned = (turns >> i & 1U) != 0;
         const Size2 size = turned ? Size2{sizes[i][1], sizes[i][0]} : sizes[i];
-        const auto corner = place(standing, size, bed, spacing);
+        const auto corner = place(placed, size, bed, spacing);
         if (!corner) return std::nullopt;
-        standing.push_back({*corner, size});
+        placed.push_back({*corner, size});
         spots[i] = {turned, *corner};
     }
     return spots;
@@ -58,7 +57,7 @@ std::optional<std::vector<Spot>> arrange_in_order(const std::vector<Size2>& size
 }  // namespace
 
 std::optional<std::vector<Spot>> arrange(const std::vector<Size2>& sizes_mm, Size2 bed_mm, double spacing_mm) {
-    assert(sizes_mm.size() <= 6 && "every order is tried");
+    assert(sizes_mm.size() <= 6 && "every order is evaluated");
     std::vector<unsigned> turns(1U << sizes_mm.size());
     std::iota(turns.begin(), turns.end(), 0U);
     std::stable_sort(turns.begin(), turns.end(), [](unsigned a, unsigned b) { return std::popcount(a) < std::popcount(b); });

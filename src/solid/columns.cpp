@@ -12,10 +12,10 @@ namespace fusee::solid {
 namespace {
 
 using core::kTurn;
-constexpr double kWidestStep = 0.12;  // [rad] between columns however small the radius: a round part looks round
-constexpr double kProud_mm = 0.3;     // that a flange widened by a boss, or a helix's, stands beyond the lips everywhere: no sliver faces
-constexpr double kBossRim_mm = 1.0;   // the lower flange reaches this far beyond a boss
-constexpr double kSpare = 1.5;        // run-outs are longer than their lips need to turn on about the axis
+constexpr double kWidestStep = 0.12;  // [rad] between columns at any radius: a round part looks round
+constexpr double kProud_mm = 0.3;     // least height above the lips of a flange widened by a boss, or of a helix's: no sliver faces
+constexpr double kBossRim_mm = 1.0;   // the lower flange extends this far beyond a boss
+constexpr double kSpare = 1.5;        // run-outs exceed the need of their lips by this factor
 
 }  // namespace
 
@@ -54,7 +54,7 @@ void ColumnMaker::measure_helix() {
         return std::clamp(kSpare * std::abs(p.slope) * core::m_from_mm(farthest) / (p.h * p.rho), 0.35, 2.0);
     };
     double low = first_width(groove.low), high = first_width(groove.high);
-    // The run-out itself reaches out farther than the groove: where its lips would turn back, it is laid again, longer.
+    // The run-out has a larger radius than the groove. If its lips would turn back, it is computed again with a larger width.
     for (bool enough = false; !enough;) {
         reach_ = {groove.low - low, groove.high + high};
         circle_ = std::max(farthest_lip() + std::max(flanges_.upper_height_mm, kProud_mm), flanges_.core_radius_mm);
@@ -72,13 +72,13 @@ void ColumnMaker::measure_helix() {
 
 namespace {
 
-/// A lip on its way out: (1 - s) L + s E, with L = f n + f' t on the contour's parallel, E = R n on the flange's edge and s the share of
-/// the run-out that is gone. `slope` counts outward along the run-out. [mm]
+/// A lip in the run-out: (1 - s) L + s E, with L = f n + f' t on the contour's parallel, E = R n on the flange's edge and s the covered
+/// share of the run-out. `slope` is positive outward along the run-out. [mm]
 struct Leaving {
     double f, slope, rho, share, edge;
 
     [[nodiscard]] double middle() const { return (1.0 - share) * f + share * edge; }
-    /// Angle over which the whole run-out has to be laid so that this lip turns on about a lip at a n + a' t; the axis is one at 0.
+    /// Width of the whole run-out with which this lip keeps turning about a lip at a n + a' t; the axis is a lip at 0.
     [[nodiscard]] double needed_about(double a, double a_slope) const {
         const double out = middle() - a;
         return (slope * out + ((1.0 - share) * slope - a_slope) * (edge - f)) / (out * ((1.0 - share) * rho + share * edge));
@@ -89,8 +89,9 @@ struct Leaving {
 
 ColumnMaker::RunOut ColumnMaker::run_out_needed(bool high) const {
     constexpr int kPlaces = 60;
-    constexpr double kMostForLand = 2.0;  // of what the axis asks for: a lip that leads its normal by little passes its neighbour upright
-    constexpr double kBeside = 0.1;  // of its distance from the axis: a lip that is no farther out than its neighbour passes it upright
+    constexpr double kMostForLand =
+        2.0;  // times the need of the axis: a lip that is slightly ahead of its normal passes its neighbour vertically
+    constexpr double kBeside = 0.1;  // of its distance from the axis: a lip that is not farther out than its neighbour passes it vertically
     const core::Range& groove = cam_.groove_psi;
     const double sign = high ? 1.0 : -1.0, begin = high ? groove.high : groove.low;
     const double width = high ? reach_.high - groove.high : groove.low - reach_.low;
@@ -210,7 +211,7 @@ double crossing_at_zero(const std::vector<Point2>& ring) {
 
 std::vector<double> place_columns(const ColumnMaker& maker, double low, double high, double tolerance_mm) {
     const auto step_at = [&](double u) { return std::min(kWidestStep, std::sqrt(8.0 * tolerance_mm / maker.flattest_mm(u))); };
-    // Columns wanted so far, as a running integral of 1/step; columns then stand at equal shares of it.
+    // Number of columns so far, as a running integral of 1/step; columns are then placed at equal shares of it.
     std::vector<double> place{low}, wanted{0.0};
     double step = step_at(low);
     while (place.back() < high) {

@@ -12,11 +12,11 @@ namespace fusee::solid {
 
 namespace {
 
-constexpr double kWall_mm = 2.0;      // of a boss: holds for every process
+constexpr double kWall_mm = 2.0;      // of a boss: sufficient for every process
 constexpr double kLeastWeb_mm = 1.5;  // above a blind bore
 constexpr double kSlack_mm = 0.5;     // between turns, beyond the rib
 
-/// " with k_pe.hub.boss_mm = 13"; empty if the part has as much.
+/// " with k_pe.hub.boss_mm = 13"; empty if the part already has it.
 std::string at_least(const std::string& key, double has, double needed) {
     return has >= needed ? "" : fmt::format(" with {} = {:g}", key, needed);
 }

@@ -4,7 +4,7 @@ namespace fusee::solid {
 
 core::Outcome<Part> with_wider_bore(const Part& part, double offset) {
     PartOptions options = part.options;
-    options.hub.bore_diameter += offset;  // depths of key and flat count from the bore's wall, which moves as they do
+    options.hub.bore_diameter += offset;  // depths of key and flat are measured from the bore's wall, which moves by the same
     if (options.hub.lock == HubLock::kKeyway) options.hub.key_width += offset;
     return build_part(part.cam, options);
 }

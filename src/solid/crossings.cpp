@@ -16,7 +16,7 @@ using FaceBox = CGAL::Box_intersection_d::Box_d<double, 3>;
 
 struct TooMany final : std::exception {};
 
-/// Counting costs little beside the predicates, and a count is all that ends CGAL's search before it has looked at every pair.
+/// Counting is cheap compared to the predicates. Only a count can end CGAL's search before it has checked every pair.
 bool more_pairs_than(std::size_t most, const Mesh& mesh, const std::vector<SurfaceMesh::Face_index>& faces) {
     std::vector<FaceBox> boxes;
     boxes.reserve(faces.size());

@@ -11,11 +11,11 @@ namespace fusee::solid {
 
 namespace {
 
-constexpr double kThrough_mm = 1.0;  // cutters reach this far out of the part: no face of theirs lies in one of its own
+constexpr double kThrough_mm = 1.0;  // cutters extend this far beyond the part: no two faces coincide
 
 Cutter anchor(const cam::Cam& cam, double diameter_mm, double z_high_mm) {
     const cam::PathPoint path = cam.path(cam.anchor_psi);
-    // The hole touches the pitch curve from inside, so that the cable turns from the groove's floor straight into it.
+    // The hole touches the pitch curve from inside: the cable turns from the groove's floor straight into it.
     const OutlinePoint centre = flange_point(path, -0.5 * diameter_mm, 0.0);
     const double bottom = core::mm_from_m(path.z - 0.5 * cam.options.cable_diameter);  // the cable lies in it as in the groove
     return {"anchor", circle(0.5 * diameter_mm, centre.point), bottom, z_high_mm + kThrough_mm};
@@ -25,7 +25,7 @@ Cutter anchor(const cam::Cam& cam, double diameter_mm, double z_high_mm) {
 
 Mesh Cutter::mesh(double tolerance_mm) const {
     Mesh m = prism(ring_of(outline, tolerance_mm), low_mm, high_mm);
-    if (radial)  // (y, z, x) is a cyclic change of axes: orientation stays
+    if (radial)  // (y, z, x) is a cyclic change of axes keeps the orientation
         for (Vec3& p : m.points_mm) p = {p[2], p[0], p[1]};
     return m;
 }

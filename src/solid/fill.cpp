@@ -12,10 +12,10 @@ namespace fusee::solid {
 
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, Kernel>;
-using FaceBase = CGAL::Constrained_triangulation_face_base_2<Kernel, CGAL::Triangulation_face_base_with_info_2<int, Kernel>>;
-using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>>;
+using FlatKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, FlatKernel>;
+using FaceBase = CGAL::Constrained_triangulation_face_base_2<FlatKernel, CGAL::Triangulation_face_base_with_info_2<int, FlatKernel>>;
+using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<FlatKernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>>;
 
 constexpr int kUnseen = -1;
 
@@ -29,7 +29,7 @@ void constrain(Triangulation& cdt, const Mesh& mesh, const VertexRing& ring) {
     for (std::size_t i = 0; i < handles.size(); ++i) cdt.insert_constraint(handles[i], handles[(i + 1) % handles.size()]);
 }
 
-/// Depth of nesting for every face: even = outside, odd = material. Depth grows at each constrained edge, from outside in.
+/// Nesting depth of every face: even = outside, odd = material. It grows at each constrained edge, from outside inwards.
 void mark_depth(Triangulation& cdt) {
     for (auto f : cdt.all_face_handles()) f->info() = kUnseen;
     std::deque<std::pair<Triangulation::Face_handle, int>> next{{cdt.infinite_face(), 0}};

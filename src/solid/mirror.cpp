@@ -10,9 +10,9 @@ namespace fusee::solid {
 
 namespace {
 
-/// The columns stand where they stood, and count from where the mirrored groove begins.
+/// The columns keep their places and are numbered from the start of the mirrored groove.
 std::vector<double> mirrored(const std::vector<double>& columns_psi, double groove_begin) {
-    constexpr double kSame = 1e-6;  // [rad]: the column at the groove's begin may be rounded to before it
+    constexpr double kSame = 1e-6;  // [rad]: the column at the start of the groove may be rounded to before it
     std::vector<double> columns;
     columns.reserve(columns_psi.size());
     for (const double psi : columns_psi) columns.push_back(core::within_turn(-psi, groove_begin - kSame));

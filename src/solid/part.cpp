@@ -19,7 +19,7 @@
 #include "fusee/solid/slivers.h"
 #include "fusee/solid/sweep.h"
 #include "fusee/solid/validity.h"
-#include "room.h"
+#include "refusals.h"
 
 namespace fusee::solid {
 
@@ -27,9 +27,9 @@ namespace {
 
 using core::mm_from_m;
 
-/// Fields are named as in a profile, since that is where a person changes them.
+/// Field names are those of the profile.
 void require_mm(const std::string& field, double metres, double low_mm, double high_mm) {
-    constexpr double kRounding = 1e-9;  // of a limit: it may be met in another unit
+    constexpr double kRounding = 1e-9;  // of a limit: allows for the rounding of units
     core::require_within(field + "_mm", mm_from_m(metres), low_mm * (1.0 - kRounding), high_mm * (1.0 + kRounding), "mm");
 }
 
@@ -92,19 +92,12 @@ void validate_options(const std::string& part, const PartOptions& o) {
 }
 
 core::Finding invalid(const cam::Cam& cam, const Validity& validity) {
-    core::Finding f = refusal("solid.validity", "the solid is not valid: " + validity.line(), validity.good() ? 1.0 : 0.0, 1.0,
-                              to_string(cam.kind), "a wider rib or pitch, or a shallower groove, so that no face meets another");
-    f.unit = "";
-    if (const auto& at = validity.meeting_mm) {
-        f.where = fmt::format("{}, its faces meet at x {:.2f}, y {:.2f}, z {:.2f} mm", to_string(cam.kind), (*at)[0], (*at)[1], (*at)[2]);
-        f.place = core::Place{std::atan2((*at)[1], (*at)[0]), *at};
-    }
-    f.source = "CGAL: closed, oriented, one component, no self-intersection";
-    return f;
+    return invalid_solid(validity, "the solid", to_string(cam.kind),
+                         "a wider rib or pitch, or a shallower groove, so that no face intersects another");
 }
 
-/// Rounds to the file's digits. Where a cut passes within a micrometre of an edge of the body, slivers that `cut` leaves can fold over with
-/// that: then triangles without an area go too, and if that is not enough edges up to the micrometre, or to half of the tolerance.
+/// Rounds to the file's precision. If a cut passes within a micrometre of an edge of the body, rounding can fold the slivers that `cut`
+/// leaves. Then triangles without area are removed too, and if necessary edges up to a micrometre or half of the tolerance.
 Validity settle(const Mesh& exact, double tolerance_mm, Mesh& file) {
     file = exact;
     round_to_file(file);
@@ -122,7 +115,7 @@ Validity settle(const Mesh& exact, double tolerance_mm, Mesh& file) {
     return validity;
 }
 
-/// Columns and lips are laid from the low end of psi upwards: a left-handed helix is made by way of its mirror image.
+/// Columns and lips are built from the low end of psi upwards. A left-handed helix is built as the mirror image of a right-handed one.
 template <class Make>
 core::Outcome<Part> through_mirror(const Make& make, const cam::Cam& cam, const PartOptions& options) {
     const auto right = make(cam::mirrored(cam), mirrored(options));
@@ -143,7 +136,7 @@ core::Outcome<Part> outline_part(const cam::Cam& cam, const PartOptions& options
     part.options = options;
     part.section =
         cam.has_roller() ? rim_section(options) : groove_section(options.groove, cam.options.cable_diameter, 0.5 * options.chordal_error);
-    if (core::Findings findings = check_room(cam, options, part.section); !findings.empty()) return findings;
+    if (core::Findings findings = check_geometry(cam, options, part.section); !findings.empty()) return findings;
     const ColumnMaker maker(cam, part.section, flanges_of(options));
     if (core::Findings findings = check_run_outs(part, maker); !findings.empty()) return findings;
     part.z_low = core::m_from_mm(maker.z_low_mm());
@@ -157,7 +150,7 @@ core::Outcome<Part> build_part(const cam::Cam& cam, const PartOptions& options) 
     auto outline = outline_part(cam, options);
     if (!outline) return outline.refusal();
     Part part = std::move(outline).value();
-    // Along the path and across the section each take half of the chordal error.
+    // Path and section each get half of the chordal error.
     const double tolerance = 0.5 * mm_from_m(options.chordal_error);
     const Flanges flanges = flanges_of(options);
     SweptBody body = sweep(cam, part.section, flanges, tolerance);

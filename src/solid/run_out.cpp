@@ -6,23 +6,23 @@
 
 #include "fusee/core/units.h"
 #include "fusee/solid/columns.h"
-#include "room.h"
+#include "refusals.h"
 
 namespace fusee::solid {
 
 namespace {
 
 constexpr double kInside = 0.95;                                                     // share by which a suggestion stays inside the limit
-constexpr core::Range kMargins{core::rad_from_deg(2.8), core::rad_from_deg(172.0)};  // that a profile may ask for
+constexpr core::Range kMargins{core::rad_from_deg(2.8), core::rad_from_deg(172.0)};  // of a profile
 
 /// The end that needs the longer run-out.
 bool worse_end(const ColumnMaker& maker) { return maker.run_out_needed(true).width > maker.run_out_needed(false).width; }
 double needed(const ColumnMaker& maker) { return maker.run_out_needed(worse_end(maker)).width; }
 
-/// The margin nearest to the given one in proportion with which the groove ends where its run-out is short enough; empty if none does.
+/// The margin nearest to the given one, as a ratio, with which the run-out is short enough; empty if there is none.
 std::string other_margin(const Part& part) {
-    constexpr double kStep = 1.1, kGrooveOfMargin = 1.6;  // the groove goes on that far beyond the working arc
-    constexpr int kSteps = 45;                            // a factor of 70: all that may be asked for
+    constexpr double kStep = 1.1, kGrooveOfMargin = 1.6;  // the groove extends this far beyond the working arc
+    constexpr int kSteps = 45;                            // a factor of 70: the whole range
     cam::Cam other = part.cam;
     for (int i = 1; i <= kSteps; ++i)
         for (const int direction : {-1, 1}) {
@@ -35,13 +35,13 @@ std::string other_margin(const Part& part) {
     return {};
 }
 
-/// What a groove that ended at this contact would need at least: there the contour is taken for its own circle of curvature.
+/// The least run-out of a groove that ends at this contact. The contour is approximated by its circle of curvature there.
 double needed_at(const cam::PathPoint& p, bool high) {
     const double farthest = p.rho + std::hypot(p.h - p.rho, p.slope);
     return (high ? p.slope : -p.slope) * farthest / (p.h * p.rho);
 }
 
-/// The law's load, nearest to the end in question, at which the working arc could end; empty if the arc grows so fast everywhere.
+/// The load, nearest to this end of the law, at which the working arc could end; empty if the arc grows too fast everywhere.
 std::string shorter_law(const cam::Cam& cam, bool high) {
     const std::vector<cam::Contact>& rows = cam.working;
     if (rows.empty()) return {};
@@ -68,8 +68,8 @@ core::Findings check_run_outs(const Part& part, const ColumnMaker& maker) {
     const cam::PathPoint at = part.cam.path(need.psi);
     core::Finding f = refusal(
         "solid.run_out",
-        fmt::format("the contour grows so fast where its groove ends (h' {:.3g} mm a radian at h {:.3g} mm) that the lips turn back about "
-                    "the axis on their way out to the flange's {:.3g} mm, and the land folds: run-out that it takes",
+        fmt::format("the contour grows too fast at the end of its groove (h' {:.3g} mm/rad at h {:.3g} mm): the lips turn back about "
+                    "the axis before they reach the flange's radius of {:.3g} mm, and the land folds; needed run-out",
                     core::mm_from_m(at.slope), core::mm_from_m(at.h), maker.helix_radius_mm()),
         core::deg_from_rad(need.width), core::deg_from_rad(kLongestRunOut),
         fmt::format("{} at psi {:.1f} deg, z {:.2f} mm", to_string(part.cam.kind), core::deg_from_rad(need.psi), core::mm_from_m(at.z)),

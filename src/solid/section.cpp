@@ -14,7 +14,7 @@ std::vector<SectionPoint> groove_section(const GrooveOptions& groove, double cab
     const double radius = d * core::require_within("groove.radius_ratio", groove.radius_ratio, 0.5, 2.0);
     const double half_throat =
         0.5 * core::rad_from_deg(core::require_within("groove.throat_deg", core::deg_from_rad(groove.throat), 0.0, 150.0 + 1e-9, "deg"));
-    const double sweep = core::kPi / 2.0 - half_throat;  // the arc's half angle: it meets the flanks tangentially
+    const double sweep = core::kPi / 2.0 - half_throat;  // half angle of the arc, which meets the flanks tangentially
     const double arc_depth = radius * (1.0 - std::cos(sweep));
     const double depth = d * core::require_within("groove.depth_ratio", groove.depth_ratio, arc_depth / d + 1e-6, 10.0, "cable diameters");
 

@@ -26,8 +26,8 @@ std::array<double, 2> crossing(const Mesh& mesh, const Edge& e, double z) {
     return {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])};
 }
 
-/// Each cut triangle leads from the edge on which the plane enters it to the edge on which it leaves; the triangles' common sense of
-/// rotation makes the pieces follow each other. A vertex in the plane counts as above it, so no edge is cut twice.
+/// Each cut triangle connects the edge where the plane enters it to the edge where it leaves. All triangles have the same orientation, so
+/// the pieces form chains. A vertex in the plane counts as above it, so no edge is cut twice.
 std::map<Edge, Edge> pieces(const Mesh& mesh, double z) {
     std::map<Edge, Edge> next;
     for (const Triangle& triangle : mesh.triangles) {

@@ -15,11 +15,11 @@ namespace {
 
 using core::mm_from_m;
 
-constexpr double kRingTolerance_mm = 5e-3;  // of the rings that dowels keep away from
-constexpr int kDirections = 36;             // of one dowel over half a turn; the other stands opposite
-constexpr int kSteps = 40;                  // along each, before the best is refined
-constexpr double kPlace_mm = 1e-4;          // to which a dowel is placed
-constexpr double kGraze_mm = 0.05;          // a slot that reaches less into a plate is not cut through it
+constexpr double kRingTolerance_mm = 5e-3;  // of the rings around which dowels need space
+constexpr int kDirections = 36;             // of one dowel over half a turn; the other is opposite
+constexpr int kSteps = 40;                  // along each, before the best one is refined
+constexpr double kPlace_mm = 1e-4;          // accuracy of a dowel's place
+constexpr double kGraze_mm = 0.05;          // a slot less deep in a plate is not cut through it
 
 /// Distance from q to a closed polygon, below 0 inside.
 double distance(const Ring& ring, const Point2& q) {
@@ -35,10 +35,10 @@ double distance(const Ring& ring, const Point2& q) {
     return inside ? -nearest : nearest;
 }
 
-/// What a dowel keeps away from.
-class BossRoom {
+/// The obstacles around dowels: bore, openings and groove floor.
+class DowelSpace {
 public:
-    explicit BossRoom(const Part& part) {
+    explicit DowelSpace(const Part& part) {
         const double half_cable = mm_from_m(0.5 * part.cam.options.cable_diameter);
         constexpr int kNormals = 360;
         for (int i = 0; i < kNormals; ++i) {
@@ -50,7 +50,7 @@ public:
             if (!cutter.radial && cutter.name != "mark") holes_.push_back(ring_of(cutter.outline, kRingTolerance_mm));
     }
 
-    /// Radius of the largest circle about q that meets nothing.
+    /// Radius of the largest free circle around q.
     [[nodiscard]] double about(const Point2& q) const {
         double least = std::numeric_limits<double>::infinity();
         for (const auto& [x, y, h] : floor_) least = std::min(least, h - q[0] * x - q[1] * y);
@@ -86,14 +86,14 @@ private:
 }  // namespace
 
 Dowels place_dowels(const Part& part) {
-    const BossRoom room(part);
+    const DowelSpace space(part);
     Dowels best;
-    best.room_mm = -std::numeric_limits<double>::infinity();
+    best.space_mm = -std::numeric_limits<double>::infinity();
     for (int i = 0; i < kDirections; ++i) {
         const double angle = core::kPi * i / kDirections;
-        const std::array<Point2, 2> centres{room.best_along(angle), room.best_along(angle + core::kPi)};
-        const double here = 2.0 * std::min(room.about(centres[0]), room.about(centres[1]));
-        if (here > best.room_mm) best = {centres, here};
+        const std::array<Point2, 2> centres{space.best_along(angle), space.best_along(angle + core::kPi)};
+        const double here = 2.0 * std::min(space.about(centres[0]), space.about(centres[1]));
+        if (here > best.space_mm) best = {centres, here};
     }
     return best;
 }
@@ -114,7 +114,7 @@ std::vector<Plate> stack_plates(const Part& part) {
     for (Plate& plate : plates) {
         plate.openings.push_back({"bore", bore_outline(part.options.hub)});
         for (const Point2& centre : dowels.centres_mm)
-            if (dowels.room_mm > kDowel_mm) plate.openings.push_back({"dowel", circle(0.5 * kDowel_mm, centre)});
+            if (dowels.space_mm > kDowel_mm) plate.openings.push_back({"dowel", circle(0.5 * kDowel_mm, centre)});
     }
     const double slot_mm = mm_from_m(part.options.features.leg_slot_depth) - kGraze_mm;
     const std::array above{rib + core, rib, 0.0};  // of each plate

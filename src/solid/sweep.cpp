@@ -40,10 +40,10 @@ Numbers add_points(Mesh& mesh, const std::vector<Vec3>& points) {
 }
 
 void add_triangle(Mesh& mesh, const Triangle& t) {
-    if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) mesh.triangles.push_back(t);  // rails that have merged span nothing
+    if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) mesh.triangles.push_back(t);  // merged rails have no area between them
 }
 
-/// Two triangles for each pair of rails; outward because t x z = n.
+/// Two triangles for each pair of rails. They face outward because t x z = n.
 void add_strip(Mesh& mesh, const Numbers& left, const Numbers& right) {
     for (std::size_t k = 0; k + 1 < left.size(); ++k) {
         add_triangle(mesh, {left[k], right[k], right[k + 1]});
@@ -51,13 +51,13 @@ void add_strip(Mesh& mesh, const Numbers& left, const Numbers& right) {
     }
 }
 
-/// The flat end of a groove: its section, convex and in one plane. @param begins true: the groove lies on the side of rising psi
+/// The flat end of a groove: its section, which is convex and in one plane. @param begins true: the groove lies on the side of rising psi
 void add_wall(Mesh& mesh, const Numbers& slot, bool begins) {
     for (std::size_t k = 1; k + 1 < slot.size(); ++k)
         add_triangle(mesh, begins ? Triangle{slot.front(), slot[k], slot[k + 1]} : Triangle{slot.front(), slot[k + 1], slot[k]});
 }
 
-/// Builds columns; where two spans meet, both have a column at the same direction and share what stands in both.
+/// Builds columns. Where two spans meet, both have a column at the same direction and share its common points.
 class Builder {
 public:
     Builder(const ColumnMaker& maker, Mesh& mesh) : maker_(maker), mesh_(mesh) {}
@@ -108,8 +108,9 @@ void add_walls(Mesh& mesh, const Column& before, const Column& after) {
     }
 }
 
-/// The first column as the last one meets it a turn later: its turn 1 is turn 0 there, and a groove that only begins has no rails yet.
-Column seen_from_behind(const Column& first, bool closed) {
+/// The first column as the last one meets it one turn later: its turn 1 is turn 0 there, and a groove that only begins there has no rails
+/// yet.
+Column one_turn_later(const Column& first, bool closed) {
     Column seam = first;
     if (closed) return seam;
     seam.slots.erase(seam.slots.begin());
@@ -146,7 +147,7 @@ SweptBody sweep(const cam::Cam& cam, const std::vector<SectionPoint>& section, c
             last = std::move(column);
         }
     }
-    add_strip(body.mesh, last.rails(), seen_from_behind(first, cam.closed()).rails());
+    add_strip(body.mesh, last.rails(), one_turn_later(first, cam.closed()).rails());
     return body;
 }
 

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
 #include <vector>
@@ -23,7 +24,7 @@ std::string Validity::line() const {
 
 namespace {
 
-/// Of the triangles that meet others the first: which pair is found first is no property of the mesh.
+/// The first of all intersecting triangles. The order in which pairs are found is not a property of the mesh.
 std::optional<Vec3> meeting(const Mesh& mesh, const SurfaceMesh& surface) {
     std::vector<std::pair<SurfaceMesh::Face_index, SurfaceMesh::Face_index>> pairs;
     pmp::self_intersections<CGAL::Sequential_tag>(surface, std::back_inserter(pairs));
@@ -47,6 +48,19 @@ Validity validate(const Mesh& mesh) {
     validity.outward =
         validity.closed && !validity.self_intersecting && pmp::does_bound_a_volume(surface) && pmp::is_outward_oriented(surface);
     return validity;
+}
+
+core::Finding invalid_solid(const Validity& validity, const std::string& solid, const std::string& part, std::string suggestion) {
+    core::Finding f = core::error_finding("solid.validity", solid + " is not valid: " + validity.line(), validity.good() ? 1.0 : 0.0,
+                                          core::Bound::kAtLeast, 1.0, "");
+    f.where = part;
+    if (const auto& at = validity.meeting_mm) {
+        f.where += fmt::format(", its faces intersect at x {:.2f}, y {:.2f}, z {:.2f} mm", (*at)[0], (*at)[1], (*at)[2]);
+        f.place = core::Place{std::atan2((*at)[1], (*at)[0]), *at};
+    }
+    f.suggestion = std::move(suggestion);
+    f.source = "CGAL: closed, oriented, one component, no self-intersection";
+    return f;
 }
 
 }  // namespace fusee::solid

@@ -47,7 +47,7 @@ void put_effect(const Law& law, const diagnosis::FoundEffect& found, Values& val
     put_value(law, effect.parameters.front(), what, found.parameter.value, values);
     for (const auto& [name, value] : found.extra) {
         const auto known = std::find_if(effect.parameters.begin() + 1, effect.parameters.end(),
-                                        [&](std::size_t k) { return law.parameters[k].name == name; });
+                                        [&, &wanted = name](std::size_t k) { return law.parameters[k].name == wanted; });
         if (known == effect.parameters.end()) throw core::InvalidInput(what + ": extra", name, "a further parameter of this effect");
         put_value(law, *known, what + ": " + name, value, values);
     }

@@ -18,7 +18,7 @@ using solid::Arc;
 using solid::Point2;
 
 constexpr int kFirstPieces = 24;  // a piece is never wider than 15 degrees
-constexpr int kDeepest = 12;      // halvings of a piece: 64 microradians, far below any tolerance that is allowed
+constexpr int kDeepest = 12;      // halvings of a piece: 64 microradians, far below any allowed tolerance
 constexpr int kProbes = 4;        // normals at which each of the two arcs is compared with the outline
 
 Point2 normal(double psi) { return {std::cos(psi), std::sin(psi)}; }

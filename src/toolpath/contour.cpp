@@ -15,11 +15,11 @@ namespace {
 using core::mm_from_m;
 using solid::Arc;
 
-constexpr double kContourStepover = 0.6;  // of rings that clear what is wider than the cutter, in cutter diameters
-constexpr double kSpare_mm = 1.0;         // of stock beyond the cutter's way
-constexpr double kLooseBore = 1.05;       // bore over cutter at least, so that a helix is left to go down
+constexpr double kContourStepover = 0.6;  // of clearing rings for a wall wider than the cutter, in cutter diameters
+constexpr double kSpare_mm = 1.0;         // of stock beyond the cutter's path
+constexpr double kLooseBore = 1.05;       // least bore over cutter, so that a helical move is possible
 
-double reach_of(const std::vector<Arc>& ring) {
+double extent_of(const std::vector<Arc>& ring) {
     double reach = 0.0;
     for (const Arc& arc : ring) {
         const solid::Point2 p = arc.at(arc.begin);
@@ -28,8 +28,8 @@ double reach_of(const std::vector<Arc>& ring) {
     return reach;
 }
 
-/// How far the ring lies within a wider one, at most: the difference of their support functions.
-double room_between(const std::vector<Arc>& ring, const std::vector<Arc>& wider) {
+/// The largest gap between the ring and a wider one: the difference of their support functions.
+double gap_between(const std::vector<Arc>& ring, const std::vector<Arc>& wider) {
     const auto support = [](const std::vector<Arc>& of, double psi) {
         double h = -1e9;
         for (const Arc& arc : of) {
@@ -38,9 +38,9 @@ double room_between(const std::vector<Arc>& ring, const std::vector<Arc>& wider)
         }
         return h;
     };
-    double room = 0.0;
-    for (const Arc& arc : ring) room = std::max(room, support(wider, arc.begin) - support(ring, arc.begin));
-    return room;
+    double gap = 0.0;
+    for (const Arc& arc : ring) gap = std::max(gap, support(wider, arc.begin) - support(ring, arc.begin));
+    return gap;
 }
 
 std::vector<Arc> shifted(std::vector<Arc> ring, double x) {
@@ -55,9 +55,9 @@ void mill_plate(Gcode& code, const Cutting& cutting, const Plate& plate, double 
     double top = 0.0;
     for (const Wall& wall : plate.walls) {
         const double bottom = wall.bottom + (wall.bottom >= plate.thickness ? cutting.breakthrough : 0.0);
-        const double room = room_between(wall.ring, plate.walls.back().ring);
+        const double gap = gap_between(wall.ring, plate.walls.back().ring);
         const int passes = std::max(1, static_cast<int>(std::ceil((bottom - top) / cutting.depth_per_pass - 1e-9)));
-        const int outer = std::max(0, static_cast<int>(std::ceil((room - cutting.cutter) / (kContourStepover * cutting.cutter))));
+        const int outer = std::max(0, static_cast<int>(std::ceil((gap - cutting.cutter) / (kContourStepover * cutting.cutter))));
         for (int pass = 1; pass <= passes; ++pass)
             for (int k = outer; k >= 0; --k)  // the full slot first, the wall last
                 mill_ring(code, cutting, shifted(parallel(wall.ring, k * kContourStepover * cutting.cutter), x),
@@ -68,8 +68,8 @@ void mill_plate(Gcode& code, const Cutting& cutting, const Plate& plate, double 
 
 core::Finding bore_too_small(const solid::Part& part, const Plate& plate, double cutter) {
     const double widest = 2.0 * plate.bore_radius / kLooseBore;
-    core::Finding f =
-        core::error_finding("toolpath.bore", "the flat end mill goes down the bore in a helix", cutter, core::Bound::kAtMost, widest, "mm");
+    core::Finding f = core::error_finding("toolpath.bore", "the flat end mill is too wide for a helical move in the bore", cutter,
+                                          core::Bound::kAtMost, widest, "mm");
     f.where = to_string(part.cam.kind);
     f.suggestion = fmt::format("machining.tool_diameter_mm = {:.2f}", 0.99 * widest);
     f.source = "docs/theory/toolpaths.md";
@@ -89,11 +89,11 @@ core::Outcome<Program> mill_sheet(const solid::Part& part, const Settings& setti
     for (const Plate& plate : plates) {
         if (plate.bore_radius > 0.0 && cutting.cutter * kLooseBore > 2.0 * plate.bore_radius)
             return bore_too_small(part, plate, cutting.cutter);
-        reach = std::max(reach, reach_of(plate.walls.back().ring));
+        reach = std::max(reach, extent_of(plate.walls.back().ring));
         thickness = std::max(thickness, plate.thickness);
     }
-    // The lead-ins begin one cutter beyond the last ring's; the widest clearing ring lies within a cutter of the outline.
-    const double half = reach + lead_reach(cutting.cutter) + 0.5 * cutting.cutter + kSpare_mm;
+    // The lead-ins start one cutter beyond those of the last ring; the widest clearing ring lies within one cutter of the outline.
+    const double half = reach + lead_length(cutting.cutter) + 0.5 * cutting.cutter + kSpare_mm;
     const double width = 2.0 * half * static_cast<double>(plates.size());
     code.comment("X0 Y0: the cam's axis in the first plate; Z0: top of the stock; sheet {:.3f} x {:.3f} mm, {:.3f} mm thick, on a board",
                  width, 2.0 * half, thickness);
@@ -143,7 +143,7 @@ core::Outcome<Program> boss_program(const solid::Part& part, const Settings& set
 }
 
 core::Outcome<Program> rim_program(const solid::Part& part, const Settings& asked, const std::string& provenance) {
-    constexpr double kSlopes = 0.1;  // of the tolerance: a follower's arm is the slope of its rim, not the distance
+    constexpr double kSlopes = 0.1;  // of the tolerance: a follower's arm depends on the slope of the rim, not its distance
     require_valid(asked);
     Settings settings = asked;
     settings.tolerance *= kSlopes;

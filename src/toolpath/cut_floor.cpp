@@ -11,7 +11,7 @@ namespace fusee::toolpath {
 
 namespace {
 
-constexpr double kBelow_mm = 1e-3;      // a move that is less deep does not count as a cut
+constexpr double kBelow_mm = 1e-3;      // a shallower move does not count as a cut
 constexpr double kTurnStep_deg = 0.25;  // a rotary move's chord: 30 mm (0.0044)^2/8 = 7e-5 mm
 
 /// A half plate as it lies on the machine.
@@ -22,7 +22,7 @@ struct PlateFrame {
     [[nodiscard]] std::array<double, 3> body(const Pose& p) const { return {p.x - x, turned ? -p.y : p.y, 0.0}; }
 };
 
-/// Right below the stock's top everything is gone that the cutter has passed over at any depth: there the groove's floor stands.
+/// Just below the stock's top the cutter has removed everything that it passed at any depth: there the groove's floor is exposed.
 std::vector<Capsule> discs(const Interpreted& program, std::size_t first, std::size_t last, const PlateFrame& frame, double radius) {
     std::vector<Capsule> capsules;
     for (std::size_t i = first; i < last; ++i) {

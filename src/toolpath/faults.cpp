@@ -9,13 +9,13 @@ namespace fusee::toolpath {
 
 namespace {
 
-constexpr double kProbe_mm = 0.1;   // along a rapid: a stock is not missed that is thicker
-constexpr double kTouch_mm = 1e-4;  // the last digit that the interpreter prints: a rapid may go along the top
+constexpr double kProbe_mm = 0.1;   // step along a rapid: a thicker stock is never missed
+constexpr double kTouch_mm = 1e-4;  // the last printed digit of the interpreter: a rapid may run along the top
 
 struct Stock {
     bool round = false;
     double x_low = 0.0, x_high = 0.0, y_low = 0.0, y_high = 0.0, z_low = 0.0, z_high = 0.0, radius = 0.0;
-    /// Is the cutter's tip inside its outline and below its top? Also under it: a rapid there would have had to pass through.
+    /// Is the cutter's tip inside its outline and below its top? Also below the stock: a rapid could only get there through it.
     [[nodiscard]] bool holds(const Pose& p) const {
         if (p.x < x_low || p.x > x_high) return false;
         if (round) return std::abs(p.y) < radius && p.z < std::sqrt(radius * radius - p.y * p.y) - kTouch_mm;

@@ -13,7 +13,7 @@ namespace {
 using solid::Arc;
 using solid::Point2;
 
-constexpr double kLead = 1.0;      // radius of a lead-in, in cutter diameters; compensation needs more than a half
+constexpr double kLead = 1.0;      // radius of a lead-in, in cutter diameters; compensation needs more than 0.5
 constexpr double kStepover = 0.6;  // in cutter diameters
 
 Point2 moved(const Point2& from, double a, const Point2& along, double b = 0.0, const Point2& across = {}) {
@@ -57,7 +57,7 @@ void mill_bore(Gcode& code, const Cutting& cutting, double x, double radius, dou
     const int inner = std::max(0, static_cast<int>(std::ceil((radius - cutting.cutter) / step)));
     const int turns = std::max(1, static_cast<int>(std::ceil(depth / cutting.depth_per_pass)));
     for (int k = inner; k >= 0; --k) {
-        // The cutter's centre, in terms of the one number that a worn cutter changes.
+        // The cutter's centre as an expression of the one number that a worn cutter changes.
         const std::string way = fmt::format("{:.5f}-#<cutter>/2", std::max(radius - k * step, 0.55 * cutting.cutter));
         code.line("G0 X[{:.5f}+{}] Y0", x, way);
         code.line("G1 Z0 F{:.5f}", cutting.plunge);
@@ -68,7 +68,7 @@ void mill_bore(Gcode& code, const Cutting& cutting, double x, double radius, dou
     }
 }
 
-double lead_reach(double cutter) { return 2.0 * kLead * cutter; }
+double lead_length(double cutter) { return 2.0 * kLead * cutter; }
 
 void mill_ring(Gcode& code, const Cutting& cutting, const std::vector<Arc>& ring, double depth) {
     const double lead = kLead * cutting.cutter, psi = ring.front().begin;

@@ -12,12 +12,12 @@
 
 namespace fusee::toolpath {
 
-/// The text of a program: mm, mm/min and degrees to five places, which is finer than any machine.
+/// The text of a program: mm, mm/min and degrees to five decimals, finer than the resolution of any machine.
 class Gcode {
 public:
     explicit Gcode(const std::string& provenance) { comment("{}", provenance); }
 
-    /// Brackets in place of parentheses, which end a comment.
+    /// Brackets replace parentheses, which would end a comment.
     template <class... Args>
     void comment(fmt::format_string<Args...> format, Args&&... args) {
         std::string words = fmt::format(format, std::forward<Args>(args)...);
@@ -46,16 +46,16 @@ struct Cutting {
     double cutter, feed, plunge, depth_per_pass, safe, breakthrough;  ///< [mm], [mm/min]
 };
 
-/// What of the part no program cuts.
+/// The features of the part that no program cuts.
 [[nodiscard]] std::string left_out(const solid::Part& part);
 
-/// Helical moves down to `depth` about (x, 0), widest last, each with a level turn at its end.
+/// Helical moves down to `depth` about (x, 0), the widest last, each with a level turn at its end.
 void mill_bore(Gcode& code, const Cutting& cutting, double x, double radius, double depth);
 
-/// One turn round a convex ring at a depth, clockwise with the cutter on its left (climb milling), with tangential arcs in and out.
+/// One turn around a convex ring at a depth, clockwise with the cutter on its left (climb milling), with tangential arcs in and out.
 void mill_ring(Gcode& code, const Cutting& cutting, const std::vector<solid::Arc>& ring, double depth);
 
-/// How far a ring's lead-in reaches beyond it [mm].
-[[nodiscard]] double lead_reach(double cutter);
+/// Extent of a ring's lead-in beyond it [mm].
+[[nodiscard]] double lead_length(double cutter);
 
 }  // namespace fusee::toolpath

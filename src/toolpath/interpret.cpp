@@ -28,7 +28,7 @@ public:
 
     void take(std::string_view row) {
         const std::size_t number = std::min(row.find_first_not_of(' '), row.size());
-        std::from_chars(row.data() + number, row.data() + row.size(), row_);  // other words than a number leave it
+        std::from_chars(row.data() + number, row.data() + row.size(), row_);  // unchanged if it is not a number
         const std::size_t open = row.find('('), close = row.rfind(')');
         if (open == std::string_view::npos || close == std::string_view::npos || close < open) return;
         const std::size_t space = row.rfind(' ', open);
@@ -74,10 +74,11 @@ private:
         const double begin = std::atan2(here_.y - v[3], here_.x - v[2]);
         double sweep = std::atan2(v[1] - v[3], v[0] - v[2]) - begin;
         const double turn = 2.0 * core::kPi, sense = turns > 0.0 ? 1.0 : -1.0;
-        while (sense * sweep <= 1e-9) sweep += sense * turn;  // an end on the beginning is a whole turn
+        while (sense * sweep <= 1e-9) sweep += sense * turn;  // an end at the start is a whole turn
         sweep += sense * turn * (std::abs(turns) - 1.0);
         const double step = 2.0 * std::sqrt(2.0 * kChord_mm / std::max(radius, 1e-3));
-        const int whole = std::max(1, static_cast<int>(std::abs(turns)));  // every turn alike, so that they can be told to be one
+        const int whole =
+            std::max(1, static_cast<int>(std::abs(turns)));  // every turn has the same chords, so that equal turns are recognised
         const int count = whole * std::max(1, static_cast<int>(std::ceil(std::abs(sweep) / step / whole)));
         const Pose start = here_;
         for (int i = 1; i <= count; ++i) {
@@ -110,14 +111,15 @@ Interpreted parse_canonical(const std::string& output, const std::string& file) 
 
 Interpreted interpret(const std::filesystem::path& program) {
     const std::string file = program.string();
-    // A home of its own: rs274 maps a file there, ~/.tool.mmap, and cuts it short when it starts, so that two at a time end each other.
+    // A separate home folder: rs274 maps the file ~/.tool.mmap and truncates it at its start, so that two processes at a time would end
+    // each other.
     const core::TemporaryFolder home;
     const core::ProcessResult result = core::run_process(
         {"env", "HOME=" + home.path().string(), kInterpreter, "-g", std::filesystem::absolute(program).string()}, file, kTimeout, kLongest);
     if (!result.in_time) throw core::IoError(file, fmt::format("{} was still running after {} s", kInterpreter, kTimeout.count()));
     if (result.code != 0)
         throw core::IoError(file, fmt::format("{} ended with {}: {}", kInterpreter, result.code, core::last_words(result.output)));
-    if (!result.whole) throw core::IoError(file, fmt::format("{} printed more than the {} bytes that are read", kInterpreter, kLongest));
+    if (!result.whole) throw core::IoError(file, fmt::format("{} printed more than {} bytes", kInterpreter, kLongest));
     return parse_canonical(result.output, file);
 }
 

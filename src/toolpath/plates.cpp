@@ -42,7 +42,7 @@ public:
     [[nodiscard]] double lip_height() const { return part_.section.back().z_mm; }
 
 private:
-    /// Begins in the middle of the idle arc, where a mark of the cutter's coming and going is under no cable.
+    /// Starts in the middle of the idle arc, where no cable runs over a mark of the cutter's entry and exit.
     [[nodiscard]] std::vector<solid::Arc> fit(double offset, double core_radius) const {
         const core::Range turn = part_.cam.groove_psi, working = part_.cam.working_psi;
         const auto outline = [&](double psi) {
@@ -101,7 +101,7 @@ Plate boss_plate(const solid::Part& part, const Settings& settings) {
     const auto circle = [radius](double psi) { return solid::Point2{radius * std::cos(psi), radius * std::sin(psi)}; };
     plate.walls = {{fit_arcs(circle, 0.0, mm_from_m(settings.tolerance)), height}};
     const bool through = hub.kind == solid::HubKind::kThrough;
-    // A blind bore ends `web` below the groove, which may lie within the lower flange: then it goes through the boss.
+    // A blind bore ends `web` below the groove, which may be within the lower flange: then it passes through the boss.
     const double above = mm_from_m(hub.web - part.options.groove.rib);
     add_bore(plate, part, through ? height : std::min(height, height - above));
     return plate;

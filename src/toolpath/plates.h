@@ -8,13 +8,13 @@
 
 namespace fusee::toolpath {
 
-/// A vertical wall all round a plate: from the foot of the one above down to `bottom`.
+/// A vertical wall around a plate: from the foot of the one above down to `bottom`.
 struct Wall {
     std::vector<solid::Arc> ring;  ///< as seen from the spindle, about the cam's axis [mm]
     double bottom = 0.0;           ///< below the stock's top [mm]
 };
 
-/// What is cut in one clamping from one face.
+/// The cuts in one clamping from one face.
 struct Plate {
     std::string name;
     bool turned_over = false;  ///< the part's lower side is up, turned about its x axis
@@ -25,8 +25,8 @@ struct Plate {
     [[nodiscard]] bool bored_through() const { return bore_depth >= thickness; }
 };
 
-/// The two halves of a planar part, split in the groove's plane, which is the stock's top. The walls' terraces begin where the groove is
-/// as deep as at their upper edge: nothing stands within the drawn groove, and the first one has the floor's own radius.
+/// The two halves of a planar part, split in the groove's plane, which is the stock's top. The depth of a terrace is that of
+/// the groove at its upper edge: no material remains inside the nominal groove, and the first terrace has the floor's radius.
 [[nodiscard]] std::vector<Plate> half_plates(const solid::Part& part, const Settings& settings);
 /// The planar part without its groove and its boss.
 [[nodiscard]] Plate blank_plate(const solid::Part& part, const Settings& settings);

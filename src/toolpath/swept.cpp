@@ -12,18 +12,18 @@ namespace fusee::toolpath {
 namespace {
 
 constexpr std::size_t kBins = 2048;
-constexpr double kSame_mm = 1e-6;  // a hundredth of what the interpreter prints
+constexpr double kSame_mm = 1e-6;  // a hundredth of the interpreter's last digit
 using core::kTurn;
 
 using Vec = std::array<double, 3>;
 using core::dot;
 using core::minus;
 
-void widen(std::optional<SweptInterval>& stretch, double low, double high) {
-    if (!stretch)
-        stretch = SweptInterval{low, high};
+void widen(std::optional<SweptInterval>& interval, double low, double high) {
+    if (!interval)
+        interval = SweptInterval{low, high};
     else
-        *stretch = {std::min(stretch->low, low), std::max(stretch->high, high)};
+        *interval = {std::min(interval->low, low), std::max(interval->high, high)};
 }
 
 /// Roots of a t^2 - 2 b t + c = 0, the lower first.
@@ -64,7 +64,7 @@ std::optional<SweptInterval> interval_in(const Capsule& capsule, double azimuth,
 }
 
 CutFloor::Swept::Swept(std::vector<Capsule> capsules) : bins_(kBins) {
-    // Passes over one another, as seen from the spindle, take away the same.
+    // Overlapping passes, seen from the spindle, remove the same volume.
     const auto key = [](const Capsule& c) {
         std::array<long long, 6> rounded{};
         for (std::size_t i = 0; i < 3; ++i) rounded[i] = std::llround(c.a[i] / kSame_mm), rounded[i + 3] = std::llround(c.b[i] / kSame_mm);
@@ -95,9 +95,9 @@ std::optional<double> CutFloor::Swept::floor(double azimuth, double z) const {
     const double share = azimuth / kTurn - std::floor(azimuth / kTurn);
     const auto later = [](const SweptInterval& a, const SweptInterval& b) { return a.low > b.low; };
     std::priority_queue<SweptInterval, std::vector<SweptInterval>, decltype(later)> beyond(later);
-    double bore = 0.0;  // what is open from the axis on
+    double bore = 0.0;  // open length from the axis on
     for (const std::uint32_t i : bins_[std::min(kBins - 1, static_cast<std::size_t>(share * kBins))]) {
-        if (!beyond.empty() && near_[i].least > beyond.top().low) break;  // nor does any that follows reach as far in
+        if (!beyond.empty() && near_[i].least > beyond.top().low) break;  // nor does any later one extend as far inwards
         if (const auto s = interval_in(near_[i].capsule, azimuth, z); s && s->high > 0.0) beyond.push(*s);
         for (; !beyond.empty() && beyond.top().low <= bore; beyond.pop()) bore = std::max(bore, beyond.top().high);
     }

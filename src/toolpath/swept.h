@@ -8,21 +8,21 @@
 
 namespace fusee::toolpath {
 
-/// A sphere that moved straight from a to b, in the part's body frame [mm]; in a plane, a disc.
+/// A sphere swept straight from a to b, in the part's body frame [mm]; in a plane, a disc.
 struct Capsule {
     std::array<double, 3> a{}, b{};
     double radius = 0.0;
 };
 
-/// Part of a ray that lies in something, distances from the axis.
+/// Interval of a ray inside a swept volume, as distances from the axis.
 struct SweptInterval {
     double low = 0.0, high = 0.0;
 };
 
-/// The part of the line (t cos azimuth, t sin azimuth, z) that lies in the capsule: one stretch, since a capsule is convex.
+/// The interval of the line (t cos azimuth, t sin azimuth, z) inside the capsule: a single one, since a capsule is convex.
 [[nodiscard]] std::optional<SweptInterval> interval_in(const Capsule& capsule, double azimuth, double z);
 
-/// All that a cutter's end took away, sorted by azimuth.
+/// The volume that a cutter's end removed, sorted by azimuth.
 class CutFloor::Swept {
 public:
     explicit Swept(std::vector<Capsule> capsules);
@@ -31,7 +31,7 @@ public:
 private:
     struct Near {
         Capsule capsule;
-        double least = 0.0;  ///< it is no nearer to the axis [mm]; below 0: it may hold the axis
+        double least = 0.0;  ///< least distance from the axis [mm]; below 0: it may contain the axis
         double azimuth = 0.0, reach = 0.0;
     };
     void put(std::uint32_t i);

@@ -17,25 +17,25 @@ namespace {
 using core::kTurn;
 using core::mm_from_m;
 
-constexpr double kWidestStep = 0.05;  // [rad]: where h'' vanishes the lines' error is of higher order in the step
+constexpr double kWidestStep = 0.05;  // [rad]: where h'' is 0 the error of the lines is of higher order in the step
 constexpr double kLeastDepth_mm = 1e-6;
 
-/// The cutter's tip on the groove's floor where the normal psi points at the spindle.
+/// The cutter's tip on the groove's floor, with the normal psi towards the spindle.
 struct Station {
     double psi, x, y, z;  ///< machine [mm]: z the tip's height above the axis
     double top;           ///< of the uncut stock there [mm]
 };
 
-/// What a wrap knows of its part.
+/// The data of a wrap.
 struct Wrap {
     Wrap(const solid::Part& wrapped, const Settings& settings);
     [[nodiscard]] cam::PathPoint at(double psi) const;
 
     const solid::Part& part;
     double half_cable, lip, tolerance;
-    double outline = 0.0;  ///< upper flange beyond the pitch curve: planar [mm]
-    double radius = 0.0;   ///< of the round stock that holds the blank [mm]
-    double reach = 0.0;    ///< how far the part stands above the tip at most: the cutter's slender part is longer [mm]
+    double outline = 0.0;  ///< planar: extent of the upper flange beyond the pitch curve [mm]
+    double radius = 0.0;   ///< of the round stock around the blank [mm]
+    double reach = 0.0;    ///< largest height of the part above the tip: the slender section of the cutter is longer [mm]
     std::vector<Station> stations;
 
 private:
@@ -61,7 +61,7 @@ cam::PathPoint Wrap::at(double psi) const {
     return part.cam.path(std::clamp(psi, groove.low, groove.high));
 }
 
-/// Planar: both flanges and the boss, each with its own height over the tip; helix: the circle that both flanges are.
+/// Planar: both flanges and the boss, each with its own height over the tip; helix: the common circle of both flanges.
 void Wrap::measure_stock() {
     const solid::Flanges flanges = solid::flanges_of(part.options);
     const double boss = part.options.hub.boss_height > 0.0 ? 0.5 * mm_from_m(part.options.hub.boss_diameter) : 0.0;
@@ -83,10 +83,10 @@ void Wrap::measure_stock() {
     reach = std::max(reach, (part.cam.closed() ? boss : radius) - lowest);
 }
 
-/// Eq. 3: between stations Y, Z and A run evenly, which leaves h'' dpsi^2/8 in the height and h''^2 dpsi^2/(8 rho) in the envelope.
+/// Eq. 3: between stations Y, Z and A are linear, with an error of h'' dpsi^2/8 in the height and h''^2 dpsi^2/(8 rho) in the envelope.
 double Wrap::step(const cam::PathPoint& p) const {
-    const double bend = std::abs(mm_from_m(p.rho - p.h)), rho = mm_from_m(p.rho);
-    return std::min(kWidestStep, std::sqrt(4.0 * tolerance / std::max(bend + bend * bend / rho, 1e-9)));
+    const double second = std::abs(mm_from_m(p.rho - p.h)), rho = mm_from_m(p.rho);
+    return std::min(kWidestStep, std::sqrt(4.0 * tolerance / std::max(second + second * second / rho, 1e-9)));
 }
 
 Station Wrap::station(double psi) const {
@@ -98,7 +98,7 @@ Station Wrap::station(double psi) const {
 void Wrap::place_stations() {
     const cam::Cam& cam = part.cam;
     const core::Range turn = cam.groove_psi, working = cam.working_psi;
-    // A closed groove begins where no cable runs; a turn on it meets itself.
+    // A closed groove starts where no cable runs, and meets itself one turn later.
     const double from = cam.closed() ? 0.5 * (working.low + working.high - kTurn) : turn.low;
     const double to = cam.closed() ? from + kTurn : turn.high;
     for (double psi = from; psi < to;) {
@@ -118,7 +118,7 @@ double way_between(const Station& a, const Station& b, double lift_a, double lif
     return std::hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2]);
 }
 
-/// Emits the passes: each `depth` below the one before, never below the floor, only where something is left to cut.
+/// Emits the passes: each `depth` below the previous one, never below the floor, and only where material remains.
 class Passes {
 public:
     Passes(Gcode& code, const Settings& settings, const Wrap& wrap)
@@ -140,7 +140,7 @@ public:
     }
 
 private:
-    /// Height of the tip above the floor in a pass that goes `depth` below the stock's top.
+    /// Height of the tip above the floor in a pass at `depth` below the stock's top.
     static double lift(const Station& s, double depth) { return std::max(0.0, s.top - depth - s.z); }
 
     void cut_pass(double depth, double before) {
@@ -150,7 +150,7 @@ private:
             while (i < all.size() && !left(i)) ++i;
             std::size_t end = i;
             while (end < all.size() && left(end)) ++end;
-            // One station beyond on both sides: the groove ends where the next one is already at its depth.
+            // One more station on both sides: the groove ends where the next pass is already at its depth.
             if (i < all.size()) cut_run(i == 0 ? 0 : i - 1, std::min(end, all.size() - 1), depth);
             i = end;
         }

@@ -66,8 +66,8 @@ TEST_F(Gap, RefusesBadInputAndWritesNothing) {
     };
     expect_refused("diagnose case", {"--out"});
     expect_refused("diagnose missing --out out", {"missing/case.toml"});
-    expect_refused("predict case --inputs inputs --out inputs", {"--out", "another folder"});
-    expect_refused("predict case --inputs inputs --out case", {"--out", "another folder"});
+    expect_refused("predict case --inputs inputs --out inputs", {"--out", "a folder other than"});
+    expect_refused("predict case --inputs inputs --out case", {"--out", "a folder other than"});
     expect_refused("predict case --inputs nowhere --out out", {"nowhere", "none of the case's files"});
     write("d.json", R"({"effects": [{"id": "no.effect", "parameter": {"value": 1}}]})");
     expect_refused("predict case --effects d.json --inputs inputs --out out", {"no.effect"});

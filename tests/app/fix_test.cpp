@@ -45,7 +45,7 @@ TEST_F(Program, NeverFixesOverTheOldProfile) {
     write("t.toml", spoiled());
     const Ended wrong = run("fix t.toml --out ./t.toml");
     EXPECT_EQ(wrong.code, 2);
-    expect_words(wrong.err, {"--out", "another file than the profile"});
+    expect_words(wrong.err, {"--out", "a file other than the profile"});
     EXPECT_EQ(core::read_file(folder_ / "t.toml"), spoiled());
 }
 

@@ -129,7 +129,7 @@ TEST_F(MeshMutation, CheckNamesTheFileAndEndsWith2) {
     write("point.step", step.substr(0, begin) + step.substr(end + 1));
     const Ended point = run("check point.step --process fdm");
     EXPECT_EQ(point.code, 2) << point.all();
-    expect_words(point.err, {"point.step: line ", "the file does not hold it"});
+    expect_words(point.err, {"point.step: line ", "is referenced but not defined"});
     write("box.step", step);
     EXPECT_EQ(run("check box.step --process fdm").code, 0);
 }

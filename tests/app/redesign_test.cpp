@@ -56,7 +56,7 @@ TEST_F(CorrectedProfile, WhatDoesNotBelongTogetherIsRefusedBeforeTheDiagnosis) {
     };
     expect_refused("--profile rig/p.toml", {"--write-profile"});
     expect_refused("--write-profile q.toml", {"--profile"});
-    expect_refused("--profile rig/p.toml --write-profile rig/../rig/p.toml", {"--write-profile", "another file"});
+    expect_refused("--profile rig/p.toml --write-profile rig/../rig/p.toml", {"--write-profile", "a file other than"});
     expect_refused("--profile none.toml --write-profile q.toml", {"none.toml"});
     write("rig/q.toml", fixtures::with_key(core::read_file(folder_ / "rig" / "p.toml"), "rig.capstan_radius_mm", "15"));
     expect_refused("--profile rig/q.toml --write-profile r.toml", {"rig.capstan_radius_mm: 15", "the case's 30 within 1.2 %"});

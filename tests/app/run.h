@@ -18,11 +18,11 @@ struct Ended {
 
 class Program : public fixtures::TempFolder {
 protected:
-    /// Runs `fusee ARGUMENTS` in the test's folder; the arguments go through the shell. More than 20 s is a hang: exit code 124.
+    /// Runs `fusee ARGUMENTS` in the test's folder; the arguments go through the shell. More than 120 s is a hang: exit code 124.
     Ended run(const std::string& arguments) const {
         const std::string out = (folder_ / ".stdout").string(), err = (folder_ / ".stderr").string();
         const std::string command =
-            "cd '" + folder_.string() + "' && timeout 20 '" FUSEE_PROGRAM "' " + arguments + " >'" + out + "' 2>'" + err + "' </dev/null";
+            "cd '" + folder_.string() + "' && timeout 120 '" FUSEE_PROGRAM "' " + arguments + " >'" + out + "' 2>'" + err + "' </dev/null";
         const int status = std::system(command.c_str());
         return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, core::read_file(out), core::read_file(err)};
     }

@@ -34,7 +34,7 @@ protected:
 };
 
 // Law: r' and r'' are the derivatives by the cam's own angle. Central differences over a load step h err by O(h^2): 1e-7 of the value here.
-TEST_P(ArmLaw, SlopeAndBendAreDerivatives) {
+TEST_P(ArmLaw, SlopesAreDerivatives) {
     for (const double tau : {0.7, 1.0, 1.4, 1.9}) {
         const double h = 2e-4;
         const ArmPoint low = arm().at_load(tau - h), mid = arm().at_load(tau), high = arm().at_load(tau + h);
@@ -44,7 +44,7 @@ TEST_P(ArmLaw, SlopeAndBendAreDerivatives) {
     }
 }
 
-// Law: the cable that the arm moves is the cable that the spring law asks for: integral of r dangle = r_c dtheta (K_SE) or dy (K_PE).
+// Law: the length of cable that the arm moves is that of the spring law: integral of r dangle = r_c dtheta (K_SE) or dy (K_PE).
 TEST_P(ArmLaw, MovesTheRightLengthOfCable) {
     const auto function = arm();
     const core::Range loads = function.law().loads();
@@ -64,8 +64,8 @@ TEST_P(ArmLaw, MovesTheRightLengthOfCable) {
 INSTANTIATE_TEST_SUITE_P(BothCams, ArmLaw, ::testing::Values(PartKind::kSeries, PartKind::kParallel),
                          [](const auto& instance) { return std::string(to_string(instance.param)); });
 
-// The lead-in joins the law with U''' continuous, so arm, slope and bend have no jump where it ends (0.6 Nm); r''' may have one: over the
-// 2e-7 Nm between the two sides the bend changes by about 1e-6 of itself.
+// The lead-in joins the law with U''' continuous, so arm, slope and second derivative have no jump at its end (0.6 Nm); r''' may have one:
+// over the 2e-7 Nm between both sides the second derivative changes by about 1e-6, relative.
 TEST(Arm, IsSmoothWhereTheLeadInEnds) {
     const auto law = spring::with_lead_in(stiction_law(), 0.05).value();
     for (const ArmFunction& arm : {ArmFunction(PartKind::kSeries, law, torsion(0.0183, 3.7), kCapstan),
@@ -77,8 +77,8 @@ TEST(Arm, IsSmoothWhereTheLeadInEnds) {
     }
 }
 
-// What the rig adds is cut off the arm and nothing else: cable, angle, state, slope and bend are those of the arm wanted.
-TEST(Arm, IsCutWithoutWhatTheRigAdds) {
+// The allowance changes the arm only: cable, angle, state, slope and second derivative are those of the required arm.
+TEST(Arm, IsReducedByTheAllowance) {
     for (const PartKind kind : {PartKind::kSeries, PartKind::kParallel}) {
         const spring::BaseSpring base = kind == PartKind::kSeries ? torsion() : compression();
         const ArmFunction wanted(kind, stiction_law(), base, kCapstan), cut(kind, stiction_law(), base, kCapstan, {.radius = 3e-4});
@@ -93,8 +93,8 @@ TEST(Arm, IsCutWithoutWhatTheRigAdds) {
 }
 
 // Known: behind a compliance c a law of stiffness S needs a spool of stiffness S/(1 - c S); of a straight one without preload the arm is
-// r_c sqrt(k_t (1 - c S)/S). Slope and bend remain derivatives by the spool's own angle (steps as above).
-TEST(Arm, MakesUpForACableThatStretches) {
+// r_c sqrt(k_t (1 - c S)/S). Slope and second derivative remain derivatives by the spool's own angle (steps as above).
+TEST(Arm, CompensatesForAnElasticCable) {
     const double s = 0.08, p = 0.12, start = 0.2, kt = 0.02, c = 4.0;
     const auto straight = spring::make_pair_law(spring::make_polynomial({0.0, s}), spring::make_polynomial({0.0, p}), start, 1.0).value();
     const double x0 = start / (s + p), own = s / (1.0 - c * s);

@@ -117,7 +117,7 @@ TEST(Cam, RefusesWithTheBindingLimit) {
     EXPECT_FALSE(refused.refusal().front().suggestion.empty());
 }
 
-// An unloaded spring, or one of another size than the law, asks for arms that no cam has; the change that is suggested makes a cam.
+// An unloaded spring, or one of another size than the law, needs arms that no cam has; the suggested change makes a cam possible.
 TEST(Cam, RefusesArmsOfNoSizeAndNamesASpringThatSuits) {
     const auto suggested = [](const ArmFunction& arm, const char* format) {
         const auto refused = synthesize_cam(arm, CamOptions{});

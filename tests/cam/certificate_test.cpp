@@ -23,7 +23,7 @@ constexpr double kCertifiedTurn = 2.0 * core::kPi;
 
 /// A contour by hand: one working stretch over a whole turn, psi its own parameter.
 template <class Rho>
-std::vector<ContourStretch> contour(const Rho& rho, core::Range psi = {0.0, kCertifiedTurn}) {
+std::vector<ContourPiece> contour(const Rho& rho, core::Range psi = {0.0, kCertifiedTurn}) {
     return {{psi, true, [rho](const Interval& box) {
                  ContourJet at;
                  at.psi = at.angle = Jet::parameter(box);
@@ -79,7 +79,7 @@ TEST(Certificate, RefusesADentThatSamplingMisses) {
     EXPECT_NE(c.open.find("convexity is refuted at psi 1.00"), std::string::npos) << c.open;
 }
 
-TEST(Certificate, SaysWhereItStoppedWhenItMayNotGoOn) {
+TEST(Certificate, NamesTheBoxAtWhichItStopped) {
     const auto wavy = [](const Jet& psi) { return 0.1 * (0.26 - cosine(psi) + cosine(psi) * cosine(psi)); };  // >= 1 mm
     const Certificate c = certify(contour(wavy), false, {.most_boxes = 5});
     EXPECT_EQ(c.convex, Proof::kNotProven);
@@ -103,7 +103,7 @@ TEST(Certificate, SeesThatTheCableUnrollsOutOfOrder) {
     EXPECT_NEAR(c.working.proven, 0.01, 1e-16);
 }
 
-/// A law of which only points are known.
+/// A law with values at points only.
 class Callable final : public spring::SpringLaw {
 public:
     [[nodiscard]] core::Range loads() const override { return law_->loads(); }
@@ -120,7 +120,7 @@ TEST(Certificate, ProvesNothingFromPointsAlone) {
     for (const Certificate& c : {certify(synthesize_cam(arm, {}).value()), certify(Cam{})}) {
         EXPECT_EQ(c.convex, Proof::kNotProven);
         EXPECT_EQ(c.ordered, Proof::kNotProven);
-        EXPECT_NE(c.open.find("cannot say its bounds"), std::string::npos) << c.open;
+        EXPECT_NE(c.open.find("has no bounds"), std::string::npos) << c.open;
     }
 }
 
@@ -171,7 +171,7 @@ std::vector<CertifiedCam> cases() {
             {"polynomial, aimed helix", long_parallel_arm(), towards(GuideKind::kPoint, PathKind::kHelix, Lead::kAimedAtGuide)}};
 }
 
-// What is bounded is what the geometry is built from: at any parameter the path lies inside the bounds over any box around it.
+// The bounds are those of the geometry: at any parameter the path lies inside the bounds over any box around it.
 TEST(Certificate, BoundsThePathItself) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> share(0.0, 1.0);
@@ -180,14 +180,14 @@ TEST(Certificate, BoundsThePathItself) {
         const auto made = synthesize_cam(item.arm, item.options);
         ASSERT_TRUE(made) << made.refusal().front().what << made.refusal().front().suggestion;
         const Cam& cam = *made;
-        for (const ContourStretch& s : cam.stretches())
+        for (const ContourPiece& s : cam.pieces())
             for (int i = 0; i < 10; ++i) {
                 const double q = std::lerp(s.parameter.low, s.parameter.high, share(random)), reach = std::pow(10.0, -6.0 * share(random));
                 const Interval box(std::lerp(q, s.parameter.low, reach), std::lerp(q, s.parameter.high, reach));
                 const ContourJet wide = s.over(box), here = s.over(Interval(q));
                 const double psi = math::middle(here.psi.value);
                 const PathPoint point = cam.path(psi);
-                // The path solves for its load to the last bits; rho moves with what is left of the error.
+                // The path solves for its load to the last bits; rho changes with the remaining error.
                 EXPECT_NEAR(math::middle(here.rho.value), point.rho, 1e-8 * point.rho + 1e-12) << q;
                 EXPECT_TRUE(boost::numeric::subset(here.rho.value, wide.rho.value)) << q;
                 EXPECT_TRUE(boost::numeric::subset(here.rho.slope, wide.rho.slope)) << q;
@@ -248,7 +248,8 @@ TEST(Certificate, OfAHelixKnowsItsRadiusInSpace) {
     }
 }
 
-// A constant pitch turns the groove's direction as fast as rho runs out: it may not be so fast that the groove is sharp in space.
+// With a constant pitch the groove's direction turns as fast as rho changes. The change must be slow enough that the groove is not sharp in
+// space.
 TEST(Certificate, OfAHelixKnowsThatItsRunOutIsNotSharp) {
     for (const double pitch : {4e-3, 0.02}) {
         CamOptions o = towards(GuideKind::kPoint, PathKind::kHelix);

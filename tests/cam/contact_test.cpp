@@ -87,7 +87,7 @@ TEST(Contact, GuideInsideTheArmHasNoTangent) {
     options.guide = {GuideKind::kPoint, 0.0, 0.01, 0.0, 1, 0.0};
     ArmPoint arm;
     arm.arm = 0.012;
-    EXPECT_LT(guide_reach(PartKind::kParallel, arm, options), 0.0);
+    EXPECT_LT(guide_margin(PartKind::kParallel, arm, options), 0.0);
     EXPECT_TRUE(std::isnan(touch(PartKind::kParallel, arm, options).path.rho));
 }
 

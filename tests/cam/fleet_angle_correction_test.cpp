@@ -8,7 +8,7 @@
 #include "fusee/cam/cam.h"
 #include "fusee/cam/certificate.h"
 
-// A cable that leans out of the contact's plane turns its cam by cos(fleet) of tension times arm: cams are cut with arms longer by that.
+// At a fleet angle the torque on the cam is cos(fleet) times tension times arm: the arms of cams are longer by that.
 namespace fusee::cam {
 namespace {
 

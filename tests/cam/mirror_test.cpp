@@ -89,8 +89,8 @@ TEST_P(Mirrored, HasItsContactsOnTheOtherSide) {
     }
 }
 
-// What is proven of a contour is proven of its image, by the image's own formulas.
-TEST_P(Mirrored, IsCertifiedAlike) {
+// The proof of a contour holds for its image, by the image's own formulas.
+TEST_P(Mirrored, HasTheSameCertificate) {
     CamOptions o;
     o.guide = GetParam().guide;
     const Cam cam = synthesize_cam(parallel_arm(), o).value();
@@ -112,7 +112,7 @@ TEST(Mirrored, OfAHelixHasTheOtherHand) {
     expect_same(mirrored(left), right, right.groove_psi);
 }
 
-// An aimed groove climbs to its guide on either side: its image is what is synthesized for the mirrored options.
+// An aimed groove leads to its guide on either side: its image is the cam of the mirrored options.
 TEST(Mirrored, OfAnAimedHelixStillPointsAtItsGuide) {
     for (const double z : {0.02, -0.02}) {
         CamOptions o = helix_of_pitch(0.0);
@@ -149,7 +149,7 @@ TEST(LeftHand, ChangesHeightsAlone) {
     }
 }
 
-TEST(LeftHand, IsNothingThatAnAimedGrooveCanChoose) {
+TEST(LeftHand, IsNotAChoiceForAnAimedGroove) {
     CamOptions o = helix_of_pitch(0.0, Hand::kLeft);
     o.path.lead = Lead::kAimedAtGuide;
     o.guide = {GuideKind::kPoint, core::kPi / 2.0, 0.15, 0.0, 1, 0.02};

@@ -80,7 +80,7 @@ double pushed(const std::vector<PathPoint>& rim, const CamOptions& options, doub
     return s;
 }
 
-// The whole idea: turn the rim, push the roller against it, and the spring is compressed by what the law asks.
+// Turn the rim and push the roller against it: the spring has the compression of the law.
 TEST(Roller, RimMovesTheFollowerAsTheLawAsks) {
     for (const auto& [offset, sign] : {std::pair{0.0, 1}, {5e-3, -1}}) {
         const CamOptions options = roller_options(offset, sign);
@@ -107,7 +107,7 @@ TEST(Roller, ClosesWithoutACornerAndIsProvenConvex) {
     double least = 1.0;
     for (const Contact& c : cam->working) least = std::min(least, c.path.rho);
     EXPECT_LE(certificate.working.proven, least);
-    EXPECT_GE(certificate.working.proven, 0.999 * least);  // 400 rows leave the least radius to a thousandth
+    EXPECT_GE(certificate.working.proven, 0.999 * least);  // 400 rows find the least radius to a thousandth
 }
 
 TEST(Roller, OffsetEasesThePressureAngle) {
@@ -144,7 +144,7 @@ TEST(Roller, HollowRimIsRefusedWithABaseThatIsWideEnough) {
     EXPECT_TRUE(synthesize_cam(parallel_arm(), options));
 }
 
-TEST(Roller, WhatMakesNoFollowerIsNamed) {
+TEST(Roller, ImpossibleFollowersAreNamed) {
     EXPECT_EQ(field_refused([] { return synthesize_cam(series_arm(), roller_options()); }), "k_se.family");
     EXPECT_EQ(field_refused([] {
                   CamOptions options = roller_options();

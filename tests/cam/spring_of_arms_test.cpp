@@ -30,7 +30,7 @@ std::vector<FoundArm> arms_of(const ArmFunction& cam, int rows, double share = 1
 }
 
 // Known: a round cam of radius r on a linear spring is a linear spring. K_PE: F = k (y0 + r theta) r. K_SE: theta = r phi/r_c, so
-// F = k_t (phi0 + theta r_c/r) r_c/r. What the interpolant loses on straight lines is rounding.
+// F = k_t (phi0 + theta r_c/r) r_c/r. On straight lines the interpolant has rounding errors only.
 TEST(SpringOfArms, RoundCamOnALinearSpringIsALinearSpring) {
     const double r = 0.012, k = 3000.0, y0 = 0.004, kt = 0.02, phi0 = 3.0;
     const auto parallel = spring_of_arms(PartKind::kParallel, round_cam(r, 2.0, 30), compression(k, y0), kCapstan);
@@ -70,7 +70,7 @@ TEST(SpringOfArms, ArmsOnePercentTooLargeGiveTheTorqueKnownByHand) {
     for (const double x : {0.0, 1.0, 2.0}) EXPECT_NEAR(spring->force(x), k * (y0 + wide * x) * wide, 1e-13) << x;
 }
 
-// What the rig adds is added to the spring again: a cam cut for a thicker cable and a yielding one carries the law on that rig.
+// The allowance is added to the spring again: a cam for a thicker or elastic cable carries the law on that rig.
 TEST(SpringOfArms, WithItsAllowanceCarriesTheLaw) {
     const Allowance allowance{0.2e-3, 0.01};
     const auto law = stiction_law();
@@ -81,7 +81,7 @@ TEST(SpringOfArms, WithItsAllowanceCarriesTheLaw) {
     EXPECT_GT(std::abs(without->force(0.3) - law->at_angle(0.3).f_se), 1e-3);
 }
 
-TEST(SpringOfArms, RefusesArmsThatAreNone) {
+TEST(SpringOfArms, RefusesImpossibleArms) {
     auto arms = round_cam(0.012, 2.0, 30);
     const auto refused = [&] {
         try {

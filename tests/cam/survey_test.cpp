@@ -10,7 +10,7 @@
 #include "fusee/cam/certificate.h"
 
 // Every guide with every path, for both parts, over half a turn to three and a half: made, convex, and with the law's arm by a solver that
-// knows nothing but the curve.
+// uses only the curve.
 namespace fusee::cam {
 namespace {
 

@@ -24,12 +24,12 @@ WrappedCable bollard(double mu, double turn) {
 /// From one tension to another in steps; the area under tension over stretch [J].
 double pull_slowly(WrappedCable& cable, double from, double to) {
     constexpr int kSteps = 400;
-    double area = 0.0, last = cable.stretch();
+    double area = 0.0, last = cable.elongation();
     for (int i = 1; i <= kSteps; ++i) {
         const double tension = from + (to - from) * i / kSteps, step = (to - from) / kSteps;
         cable.pull(tension);
-        area += (tension - 0.5 * step) * (cable.stretch() - last);
-        last = cable.stretch();
+        area += (tension - 0.5 * step) * (cable.elongation() - last);
+        last = cable.elongation();
     }
     return area;
 }
@@ -39,14 +39,14 @@ TEST(WrappedCable, StretchesByEulersExponential) {
     WrappedCable cable = bollard(kMu, 4.0);
     cable.pull(50.0);
     // The exponential at the middles of pieces of 1 mrad: (mu 1 mrad)^2/24.
-    EXPECT_NEAR(cable.stretch(), 50.0 * kRadius * (1.0 - std::exp(-kMu * 4.0)) / (kMu * kStiffness), 1e-9 * cable.stretch() + 1e-12);
+    EXPECT_NEAR(cable.elongation(), 50.0 * kRadius * (1.0 - std::exp(-kMu * 4.0)) / (kMu * kStiffness), 1e-9 * cable.elongation() + 1e-12);
     EXPECT_NEAR(cable.slipping_turn(), 4.0, 1e-9);
 }
 
 TEST(WrappedCable, WithoutFrictionStretchesAsAStraightOneAndLosesNothing) {
     WrappedCable cable = bollard(0.0, 4.0);
     cable.pull(50.0);
-    EXPECT_NEAR(cable.stretch(), 50.0 * kRadius * 4.0 / kStiffness, 1e-15);
+    EXPECT_NEAR(cable.elongation(), 50.0 * kRadius * 4.0 / kStiffness, 1e-15);
     (void)pull_slowly(cable, 50.0, 10.0);
     (void)pull_slowly(cable, 10.0, 50.0);
     EXPECT_EQ(cable.dissipated(), 0.0);
@@ -54,15 +54,15 @@ TEST(WrappedCable, WithoutFrictionStretchesAsAStraightOneAndLosesNothing) {
 
 // Between T1 and T2 with a wrap that holds, the stretch differs by R (sqrt T2 - sqrt T1)^2/(mu E A), the slip ends at ln(T2/T1)/(2 mu), and
 // the loop has the area R/(mu E A) [u^4 - 2/3 (u1 + u2) u^3] from u1 = sqrt T1 to u2 = sqrt T2.
-TEST(WrappedCable, LoopHasTheAreaKnownByHandWhichIsWhatFrictionTakes) {
+TEST(WrappedCable, LoopHasTheAreaKnownByHandAndThatIsDissipated) {
     const double low = 20.0, high = 50.0, u1 = std::sqrt(low), u2 = std::sqrt(high), unit = kRadius / (kMu * kStiffness);
     WrappedCable cable = bollard(kMu, 8.0);
     (void)pull_slowly(cable, 0.0, high);
     (void)pull_slowly(cable, high, low);
     EXPECT_NEAR(cable.slipping_turn(), std::log(high / low) / (2.0 * kMu), 2.0 * kPieceTurn);
-    const double stretched = cable.stretch(), lost = cable.dissipated();
+    const double stretched = cable.elongation(), lost = cable.dissipated();
     const double up = pull_slowly(cable, low, high);
-    EXPECT_NEAR((cable.stretch() - stretched) / (unit * (u2 - u1) * (u2 - u1)), 1.0, 1e-4);  // pieces of 1 mrad in 3 rad of slip
+    EXPECT_NEAR((cable.elongation() - stretched) / (unit * (u2 - u1) * (u2 - u1)), 1.0, 1e-4);  // pieces of 1 mrad in 3 rad of slip
     const double down = pull_slowly(cable, high, low);
     const auto primitive = [&](double u) { return std::pow(u, 4) - 2.0 / 3.0 * (u1 + u2) * std::pow(u, 3); };
     const double area = unit * (primitive(u2) - primitive(u1));
@@ -78,7 +78,7 @@ TEST(WrappedCable, NamesWhatItRefuses) {
 
 Cam planar(const ArmFunction& arm) { return synthesize_cam(arm, CamOptions{}).value(); }
 
-// No friction: the same stretch both ways. More than any cable has: nothing slips but what is wound off as it was wound on.
+// No friction: the same stretch both ways. More than any cable has: nothing slips, and the cable unwinds as it was wound.
 TEST(WrapLoop, ClosesWithoutFrictionAndWithAllOfIt) {
     for (const ArmFunction& arm : {series_arm(), parallel_arm()}) {
         const Cam cam = planar(arm);
@@ -90,7 +90,7 @@ TEST(WrapLoop, ClosesWithoutFrictionAndWithAllOfIt) {
     }
 }
 
-TEST(WrapLoop, LosesEnergyAndGivesMoreOnTheWayDown) {
+TEST(WrapLoop, LosesEnergyAndIsLongerOnTheWayDown) {
     for (const ArmFunction& arm : {series_arm(), parallel_arm()}) {
         const WrapLoop loop = wrap_loop(planar(arm), arm.base().rate, kCapstan, {kMu, kStiffness});
         EXPECT_GT(loop.dissipated, 0.0);
@@ -101,7 +101,7 @@ TEST(WrapLoop, LosesEnergyAndGivesMoreOnTheWayDown) {
         }
         EXPECT_GT(widest, 0.0);
         const WrapLoop stiffer = wrap_loop(planar(arm), arm.base().rate, kCapstan, {kMu, 2.0 * kStiffness});
-        EXPECT_NEAR(stiffer.dissipated / loop.dissipated, 0.5, 1e-9);  // all stretch is in proportion to 1/(E A)
+        EXPECT_NEAR(stiffer.dissipated / loop.dissipated, 0.5, 1e-9);  // all elongation is in proportion to 1/(E A)
     }
 }
 

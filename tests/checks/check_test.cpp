@@ -9,9 +9,9 @@ namespace fusee::checks {
 namespace {
 
 TEST(Check, WorstPlaceIsNamed) {
-    Bench b = spool();
+    Fixture b = spool();
     b.part.cam.working[kRows / 2].path.rho = 1.5 * kMm;  // psi = 0, (11, 0)
-    const core::Finding f = gravest("cable.bend_ratio", b);
+    const core::Finding f = worst("cable.bend_ratio", b);
     ASSERT_TRUE(f.place);
     EXPECT_NEAR(f.place->angle, 0.0, 1e-12);
     EXPECT_NEAR(f.place->point_mm[0], 11.0, 1e-9);
@@ -19,14 +19,14 @@ TEST(Check, WorstPlaceIsNamed) {
 }
 
 TEST(Check, APartMayBeTurnedToFitTheBuildVolume) {
-    Bench b = spool();
+    Fixture b = spool();
     b.process.build_x = 0.3, b.process.build_y = 0.1;
     b.part.mesh = box({0, 0, 0}, {90, 250, 10});
-    EXPECT_EQ(gravest("process.build_volume", b).severity, core::Severity::kPass);
+    EXPECT_EQ(worst("process.build_volume", b).severity, core::Severity::kPass);
 }
 
 TEST(Check, CallersMistakesAreNamed) {
-    Bench b = spool();
+    Fixture b = spool();
     b.cable.construction = "rope";
     try {
         (void)check(b.design());
@@ -41,12 +41,12 @@ TEST(Check, ReportsInTheOrderOfTheRules) {
     std::size_t at = 0;
     for (const core::Finding& f : check(spool().design())) {
         while (at < rules().size() && f.rule != rules()[at].id) ++at;
-        ASSERT_LT(at, rules().size()) << f.rule << " stands before an earlier rule";
+        ASSERT_LT(at, rules().size()) << f.rule << " comes before an earlier rule";
     }
 }
 
 TEST(Check, WithoutMeshOnlyTheRulesThatNeedItAreLeftOut) {
-    Bench b = spool();
+    Fixture b = spool();
     const core::Findings all = check(b.design()), fewer = check_without_mesh(b.design());
     std::size_t at = 0;
     for (const core::Finding& f : all) {
@@ -60,7 +60,7 @@ TEST(Check, WithoutMeshOnlyTheRulesThatNeedItAreLeftOut) {
 }
 
 TEST(Check, RulesThatDoNotNeedAMeshDoNotLookAtIt) {
-    Bench with = spool(), without = spool();
+    Fixture with = spool(), without = spool();
     without.part.mesh = {};
     const core::Findings a = check_without_mesh(with.design()), b = check_without_mesh(without.design());
     ASSERT_EQ(a.size(), b.size());

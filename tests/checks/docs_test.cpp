@@ -8,7 +8,7 @@
 #include "fusee/core/file.h"
 #include "fusee/core/units.h"
 
-// docs/rules.md says what the code does: every rule has its row, every default its number.
+// docs/rules.md agrees with the code: every rule has its row, every default its number.
 namespace fusee::checks {
 namespace {
 
@@ -37,7 +37,7 @@ TEST(Docs, EveryRuleStandsThereOnce) {
     }
     EXPECT_EQ(rows, ids.size());
     for (const Rule& rule : rules()) EXPECT_TRUE(ids.erase(rule.id)) << rule.id;
-    EXPECT_TRUE(ids.empty()) << *ids.begin() << " is no rule";
+    EXPECT_TRUE(ids.empty()) << *ids.begin() << " is not a rule";
 }
 
 TEST(Docs, DefaultTablesAreThoseOfTheCode) {

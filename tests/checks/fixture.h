@@ -7,11 +7,11 @@
 #include "fusee/checks/check.h"
 #include "fusee/core/units.h"
 
-/// Parts made by hand, whose every measure is known: a disc and a helix of constant radius.
+/// Parts made by hand with known dimensions: a disc and a helix of constant radius.
 namespace fusee::checks {
 
-/// Owns what a Design refers to.
-struct Bench {
+/// Owns the data of a Design.
+struct Fixture {
     solid::Part part;
     spring::BaseSpring spring;
     Cable cable;
@@ -25,7 +25,7 @@ inline constexpr double kWorking = 2.0;  // the disc works from psi = -2 to 2
 inline constexpr int kRows = 201;        // odd: one of them lies at psi = 0
 
 /// The part's groove as corners only: lip, flank, floor, flank, lip.
-inline void cut_groove(Bench& b) {
+inline void cut_groove(Fixture& b) {
     const solid::GrooveOptions& g = b.part.options.groove;
     const double d = b.cable.diameter / kMm, r = g.radius_ratio * d, half = 0.5 * g.throat, depth = g.depth_ratio * d;
     const double flank_offset = r * (1.0 - std::sin(half)), flank_z = r * std::cos(half);
@@ -53,8 +53,8 @@ inline solid::Mesh box(const solid::Vec3& low, const solid::Vec3& high) {
     return mesh;
 }
 
-/// Contacts at rising psi over [low, high]; the state rises evenly from the preload to `last_state`.
-inline void work(Bench& b, double low, double high, double last_state) {
+/// Contacts at rising psi over [low, high]; the state rises linearly from the preload to `last_state`.
+inline void work(Fixture& b, double low, double high, double last_state) {
     b.part.cam.working.clear();
     b.part.cam.working_psi = {low, high};
     for (int i = 0; i < kRows; ++i) {
@@ -68,15 +68,15 @@ inline void work(Bench& b, double low, double high, double last_state) {
     }
 }
 
-inline void set_cable(Bench& b, double diameter) {
+inline void set_cable(Fixture& b, double diameter) {
     b.cable.diameter = b.part.cam.options.cable_diameter = diameter;
     b.cable.breaking_load = 2000.0;
     b.cable.max_pressure = 50e6;
 }
 
 /// A printed K_SE spool: disc of radius R about (e, 0), so h = R + e cos psi and rho = R.
-inline Bench disc(double radius, double eccentricity) {
-    Bench b;
+inline Fixture disc(double radius, double eccentricity) {
+    Fixture b;
     set_cable(b, 0.8 * kMm);
     b.spring.rate = 0.02;
     b.spring.preload = 4.0;
@@ -107,11 +107,11 @@ inline Bench disc(double radius, double eccentricity) {
     return b;
 }
 
-inline Bench spool() { return disc(10.0 * kMm, 1.0 * kMm); }
+inline Fixture spool() { return disc(10.0 * kMm, 1.0 * kMm); }
 
 /// A printed K_PE cam: helix of constant radius and pitch, one and a half turns of work, overhung on its boss, its cable clamped outside.
-inline Bench helix(double radius, double pitch) {
-    Bench b;
+inline Fixture helix(double radius, double pitch) {
+    Fixture b;
     set_cable(b, 0.8 * kMm);
     b.spring.kind = spring::BaseKind::kCompression;
     b.spring.rate = 7460.0;
@@ -144,32 +144,32 @@ inline Bench helix(double radius, double pitch) {
     return b;
 }
 
-inline Bench pusher() { return helix(10.0 * kMm, 4.0 * kMm); }
+inline Fixture pusher() { return helix(10.0 * kMm, 4.0 * kMm); }
 
-/// The spool as another process likes it: a rope's throat, and a bore that goes on its shaft.
-inline Bench spool_by(ProcessKind kind, double clearance_mm) {
-    Bench b = spool();
+/// The spool for another process: a rope's throat, and a bore that fits its shaft.
+inline Fixture spool_by(ProcessKind kind, double clearance_mm) {
+    Fixture b = spool();
     b.process.kind = kind;
-    b.cable.max_pressure = 60e6;  // a narrower throat leaves less length to the key
+    b.cable.max_pressure = 60e6;  // a narrower throat leaves less length for the key
     b.part.options.groove.throat = core::rad_from_deg(45.0);
     b.part.options.hub.bore_clearance = clearance_mm * kMm;
     cut_groove(b);
     return b;
 }
 
-inline Bench resin() { return spool_by(ProcessKind::kSla, 0.2); }
-inline Bench powder() { return spool_by(ProcessKind::kSls, 0.2); }
-inline Bench plates() { return spool_by(ProcessKind::kEdm, 0.02); }
-inline Bench milled() {  // with a 4th axis: three do not reach the groove
-    Bench b = spool_by(ProcessKind::kMill4, 0.03);
+inline Fixture resin() { return spool_by(ProcessKind::kSla, 0.2); }
+inline Fixture powder() { return spool_by(ProcessKind::kSls, 0.2); }
+inline Fixture plates() { return spool_by(ProcessKind::kEdm, 0.02); }
+inline Fixture milled() {  // with a 4th axis: three axes do not reach the groove
+    Fixture b = spool_by(ProcessKind::kMill4, 0.03);
     b.part.options.hub.lock = solid::HubLock::kPlain;
     b.part.options.features.leg_slot_radius = 5.85 * kMm;  // the loaded wall is 1.5 mm on both sides
     return b;
 }
 
 /// The spool on a boss with a set screw.
-inline Bench with_screw() {
-    Bench b = spool();
+inline Fixture with_screw() {
+    Fixture b = spool();
     solid::HubOptions& hub = b.part.options.hub;
     hub.lock = solid::HubLock::kSetScrew;
     hub.screw_diameter = 3.0 * kMm;
@@ -178,14 +178,14 @@ inline Bench with_screw() {
     return b;
 }
 
-inline core::Findings run_rule(const std::string& id, const Bench& bench) {
+inline core::Findings run_rule(const std::string& id, const Fixture& fixture) {
     const Rule* rule = find_rule(id);
-    return rule ? rule->run(bench.design()) : core::Findings{};
+    return rule ? rule->run(fixture.design()) : core::Findings{};
 }
 
-/// The rule's gravest finding; a pass without words if it has none.
-inline core::Finding gravest(const std::string& id, const Bench& bench) {
-    const core::Findings all = run_rule(id, bench);
+/// The rule's worst finding; a pass without text if it has none.
+inline core::Finding worst(const std::string& id, const Fixture& fixture) {
+    const core::Findings all = run_rule(id, fixture);
     const auto grave = std::max_element(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.severity < b.severity; });
     return grave == all.end() ? core::Finding{} : *grave;
 }

@@ -5,18 +5,18 @@
 
 #include "checks/fixture.h"
 
-/// Parts that break one rule each, with the measure worked out by hand: the table of the known bad (known_bad_test.cpp).
+/// Parts that break one rule each, with the value computed by hand: the table of known_bad_test.cpp.
 namespace fusee::checks {
 
 struct Case {
     const char* rule;
     const char* name;
-    Bench (*twin)();                    ///< passes every rule
-    std::function<void(Bench&)> spoil;  ///< makes the bad part of it
+    Fixture (*twin)();                    ///< passes every rule
+    std::function<void(Fixture&)> spoil;  ///< makes the bad part of it
     core::Severity severity;
     double measured, allowed;
-    double tolerance = 1e-6;             ///< absolute: the hand's digits; wider where the contour is sampled
-    std::vector<const char*> also = {};  ///< other rules that rightly object; every rule has a case without
+    double tolerance = 1e-6;             ///< absolute: digits of the hand calculation; larger where the contour is sampled
+    std::vector<const char*> also = {};  ///< other rules that are broken too; every rule has a case without
 };
 inline void PrintTo(const Case& c, std::ostream* out) { *out << c.rule << ' ' << c.name; }
 
@@ -38,18 +38,18 @@ inline std::vector<Case> all_cases() {
     return all;
 }
 
-inline Bench bad(const Case& c) {
-    Bench b = c.twin();
+inline Fixture bad(const Case& c) {
+    Fixture b = c.twin();
     c.spoil(b);
     return b;
 }
 
 inline constexpr core::Severity kRequired = core::Severity::kError, kReview = core::Severity::kWarning;
 
-inline void without_hole(Bench& b) { b.part.options.features.anchor_hole_diameter = 0.0; }
-inline void without_slot(Bench& b) { b.part.options.features.leg_slot_width = 0.0; }
-/// Cables that lean to both sides alike.
-inline void lean(Bench& b, double fleet_deg) {
+inline void without_hole(Fixture& b) { b.part.options.features.anchor_hole_diameter = 0.0; }
+inline void without_slot(Fixture& b) { b.part.options.features.leg_slot_width = 0.0; }
+/// Cables with the same fleet angle to both sides.
+inline void lean(Fixture& b, double fleet_deg) {
     b.part.cam.working[7].fleet = -core::rad_from_deg(fleet_deg);
     b.part.cam.working[8].fleet = core::rad_from_deg(fleet_deg);
 }

@@ -5,10 +5,10 @@ namespace fusee::checks {
 
 namespace {
 
-Bench keyed_towards_the_floor() { return disc(10.0 * kMm, -1.0 * kMm); }
+Fixture keyed_towards_the_floor() { return disc(10.0 * kMm, -1.0 * kMm); }
 
 /// Half way round its idle arc the contour turns as sharply as this.
-void pinch_idle(Bench& b, double rho_mm) {
+void pinch_idle(Fixture& b, double rho_mm) {
     b.part.cam.path = [whole = b.part.cam.path, rho_mm](double psi) {
         cam::PathPoint p = whole(psi);
         if (psi > 2.5 && psi < 3.5) p.rho = rho_mm * kMm;
@@ -16,7 +16,7 @@ void pinch_idle(Bench& b, double rho_mm) {
     };
 }
 
-void wide_bore(Bench& b) {
+void wide_bore(Fixture& b) {
     solid::HubOptions& hub = b.part.options.hub;
     hub.lock = solid::HubLock::kPlain;
     hub.bore_diameter = 15 * kMm;
@@ -25,11 +25,11 @@ void wide_bore(Bench& b) {
 }
 
 /// The slot under the anchor hole, whose middle lies at (1, 0) + 9 (cos, sin)(-2.35).
-void slot_at_the_anchor(Bench& b) {
+void slot_at_the_anchor(Fixture& b) {
     b.part.options.features.leg_slot_angle = std::atan2(9.0 * std::sin(-2.35), 1.0 + 9.0 * std::cos(-2.35));
 }
 
-void small_spool_with_a_wide_hole(Bench& b) {
+void small_spool_with_a_wide_hole(Fixture& b) {
     b = disc(5.0 * kMm, 0.0);
     b.part.options.hub = pusher().part.options.hub;
     b.part.options.features.anchor_hole_diameter = 2.4 * kMm;
@@ -39,7 +39,7 @@ void small_spool_with_a_wide_hole(Bench& b) {
 }
 
 /// A core of 1.6 mm between two floors, on a contour that bends no cable sharply.
-void thin_core(Bench& b) {
+void thin_core(Fixture& b) {
     b = helix(1.2 * kMm, 4.0 * kMm);
     b.part.cam.path = [](double psi) { return cam::PathPoint{psi, 1.2 * kMm, 0.0, 10.0 * kMm, 4.0 * kMm * psi / (2.0 * core::kPi)}; };
     work(b, 0.0, 3.0 * core::kPi, 20.0 * kMm);
@@ -47,12 +47,12 @@ void thin_core(Bench& b) {
     without_hole(b);
 }
 
-void tense(Bench& b, double tension) {
+void tense(Fixture& b, double tension) {
     b.cable.breaking_load = b.cable.max_pressure = 0.0;
     for (cam::Contact& c : b.part.cam.working) c.arm.tension = tension;
 }
 
-void keyed_bore(Bench& b, double bore_mm, double width_mm, double depth_mm) {
+void keyed_bore(Fixture& b, double bore_mm, double width_mm, double depth_mm) {
     solid::HubOptions& hub = b.part.options.hub;
     hub.bore_diameter = bore_mm * kMm, hub.key_width = width_mm * kMm, hub.key_depth = depth_mm * kMm;
     without_slot(b);
@@ -68,29 +68,29 @@ std::vector<Case> structure_cases() {
         {"structure.wall_to_bore",
          "key breaks out",
          keyed_towards_the_floor,
-         [](Bench& b) { keyed_bore(b, 15.0, 2.0, 1.0), without_hole(b); },
+         [](Fixture& b) { keyed_bore(b, 15.0, 2.0, 1.0), without_hole(b); },
          kRequired,
          -0.0519430,
          0.8,
          1e-3,
          {"shaft.key", "shaft.hub_length"}},
-        {"structure.wall_to_bore", "thin web", pusher, [](Bench& b) { b.part.options.hub.web = 1.0 * kMm; }, kReview, 1.0, 1.2},
-        {"structure.wall_to_bore", "web too thin", pusher, [](Bench& b) { b.part.options.hub.web = 0.5 * kMm; }, kRequired, 0.5, 0.8},
+        {"structure.wall_to_bore", "thin web", pusher, [](Fixture& b) { b.part.options.hub.web = 1.0 * kMm; }, kReview, 1.0, 1.2},
+        {"structure.wall_to_bore", "web too thin", pusher, [](Fixture& b) { b.part.options.hub.web = 0.5 * kMm; }, kRequired, 0.5, 0.8},
         {"structure.neck", "thin core", pusher, thin_core, kReview, 1.6, 2.0},
-        {"structure.idle_curvature", "below the wish", spool, [](Bench& b) { pinch_idle(b, 1.5); }, kReview, 1.5, 2.0, 2e-6},
-        {"structure.idle_curvature", "cusp", spool, [](Bench& b) { pinch_idle(b, 0.3); }, kRequired, 0.3, 0.4, 2e-6},
+        {"structure.idle_curvature", "below the wish", spool, [](Fixture& b) { pinch_idle(b, 1.5); }, kReview, 1.5, 2.0, 2e-6},
+        {"structure.idle_curvature", "cusp", spool, [](Fixture& b) { pinch_idle(b, 0.3); }, kRequired, 0.3, 0.4, 2e-6},
         // outer end at radius + 1.2 mm, floor at 8.6 mm
         {"structure.leg_slot", "near the floor", spool,
-         [](Bench& b) { b.part.options.features.leg_slot_radius = 6.6 * kMm, b.spring.coil_diameter = 13.2 * kMm; }, kReview, 0.8, 1.2,
+         [](Fixture& b) { b.part.options.features.leg_slot_radius = 6.6 * kMm, b.spring.coil_diameter = 13.2 * kMm; }, kReview, 0.8, 1.2,
          1e-3},
         {"structure.leg_slot", "too near", spool,
-         [](Bench& b) { b.part.options.features.leg_slot_radius = 7.0 * kMm, b.spring.coil_diameter = 0.0; }, kRequired, 0.4, 0.8, 1e-3},
+         [](Fixture& b) { b.part.options.features.leg_slot_radius = 7.0 * kMm, b.spring.coil_diameter = 0.0; }, kRequired, 0.4, 0.8, 1e-3},
         {"structure.leg_slot", "near the bore", spool,
-         [](Bench& b) { b.part.options.features.leg_slot_radius = 4.8 * kMm, b.spring.coil_diameter = 9.6 * kMm; }, kRequired, 0.5, 0.8,
+         [](Fixture& b) { b.part.options.features.leg_slot_radius = 4.8 * kMm, b.spring.coil_diameter = 9.6 * kMm; }, kRequired, 0.5, 0.8,
          1e-3},
-        {"structure.slot_floor", "deep slot", spool, [](Bench& b) { b.part.options.features.leg_slot_depth = 3.8 * kMm; }, kReview,
+        {"structure.slot_floor", "deep slot", spool, [](Fixture& b) { b.part.options.features.leg_slot_depth = 3.8 * kMm; }, kReview,
          0.9512531, 1.2},
-        {"structure.slot_floor", "through", spool, [](Bench& b) { b.part.options.features.leg_slot_depth = 5.0 * kMm; }, kRequired,
+        {"structure.slot_floor", "through", spool, [](Fixture& b) { b.part.options.features.leg_slot_depth = 5.0 * kMm; }, kRequired,
          -0.2487469, 0.8},
         // 8.327735 mm from the axis, the slot ends at 7.2 mm, the hole's radius is 1 mm
         {"structure.anchor", "slot beside it", spool, slot_at_the_anchor, kRequired, 0.1277347, 0.8},
@@ -98,7 +98,7 @@ std::vector<Case> structure_cases() {
         {"structure.anchor",
          "wide hole",
          spool,
-         [](Bench& b) { b.part.options.features.anchor_hole_diameter = 6 * kMm; },
+         [](Fixture& b) { b.part.options.features.anchor_hole_diameter = 6 * kMm; },
          kRequired,
          0.2373509,
          0.8,
@@ -108,7 +108,7 @@ std::vector<Case> structure_cases() {
         {"structure.anchor_floor",
          "too near",
          spool,
-         [](Bench& b) { b.part.cam.anchor_psi = b.part.cam.working_psi.low - 0.1; },
+         [](Fixture& b) { b.part.cam.anchor_psi = b.part.cam.working_psi.low - 0.1; },
          kRequired,
          0.1060223,
          0.4,
@@ -117,38 +117,40 @@ std::vector<Case> structure_cases() {
         // floor on a circle of 4.6 mm, hole's middle on one of 3.8 mm, 0.325 rad apart
         {"structure.anchor_floor", "wide hole", spool, small_spool_with_a_wide_hole, kRequired, 0.3716649, 0.4, 1e-3},
         // lips, and with them the rim, 0.7 mm beyond the pitch curve that the hole touches
-        {"structure.hole_edge", "thin cable", spool, [](Bench& b) { set_cable(b, 0.7 * kMm), b.process.layer = 0.1 * kMm, cut_groove(b); },
-         kReview, 0.7, 0.8, 1e-3},
+        {"structure.hole_edge", "thin cable", spool,
+         [](Fixture& b) { set_cable(b, 0.7 * kMm), b.process.layer = 0.1 * kMm, cut_groove(b); }, kReview, 0.7, 0.8, 1e-3},
         // 6 x 0.4 mm x (10 kN/10 mm) tan 2 deg/(1.8 mm)^2
-        {"structure.flange_bending", "10 kN", spool, [](Bench& b) { tense(b, 1e4); }, kReview, 25.867234, 20.0, 1e-4},
-        {"structure.flange_slenderness", "high flange", spool, [](Bench& b) { b.part.options.flange_height = 5 * kMm; }, kReview, 6.2, 5.0},
+        {"structure.flange_bending", "10 kN", spool, [](Fixture& b) { tense(b, 1e4); }, kReview, 25.867234, 20.0, 1e-4},
+        {"structure.flange_slenderness", "high flange", spool, [](Fixture& b) { b.part.options.flange_height = 5 * kMm; }, kReview, 6.2,
+         5.0},
     };
 }
 
 std::vector<Case> shaft_cases() {
     return {
-        {"shaft.bore_fit", "rattles", spool, [](Bench& b) { b.part.options.hub.bore_clearance = 0.5 * kMm; }, kReview, 0.5, 0.4},
-        {"shaft.bore_fit", "does not go on", resin, [](Bench& b) { b.part.options.hub.bore_clearance = 0.1 * kMm; }, kReview, 0.1, 0.15},
-        {"shaft.hub_length", "thin disc", spool, [](Bench& b) { keyed_bore(b, 10.0, 3.0, 1.4); }, kReview, 0.4751253, 0.5},
+        {"shaft.bore_fit", "rattles", spool, [](Fixture& b) { b.part.options.hub.bore_clearance = 0.5 * kMm; }, kReview, 0.5, 0.4},
+        {"shaft.bore_fit", "does not go on", resin, [](Fixture& b) { b.part.options.hub.bore_clearance = 0.1 * kMm; }, kReview, 0.1, 0.15},
+        {"shaft.hub_length", "thin disc", spool, [](Fixture& b) { keyed_bore(b, 10.0, 3.0, 1.4); }, kReview, 0.4751253, 0.5},
         // 5 + 1 - 1.5 mm of bore
-        {"shaft.hub_length", "short boss", pusher, [](Bench& b) { b.part.options.hub.boss_height = 5 * kMm; }, kReview, 0.75, 1.0},
-        {"shaft.hub_wall", "thin", with_screw, [](Bench& b) { b.part.options.hub.boss_diameter = 8 * kMm; }, kReview, 0.9, 1.2},
-        {"shaft.hub_wall", "too thin", with_screw, [](Bench& b) { b.part.options.hub.boss_diameter = 7 * kMm; }, kRequired, 0.4, 0.8},
-        {"shaft.key", "width", spool, [](Bench& b) { b.part.options.hub.key_width = 3 * kMm; }, kReview, 3.0, 2.0},
-        {"shaft.key", "depth", spool, [](Bench& b) { b.part.options.hub.key_depth = 0.8 * kMm; }, kReview, 0.8, 1.0},
-        {"shaft.key", "no such shaft", spool, [](Bench& b) { b.part.options.hub.bore_diameter = 5 * kMm; }, kReview, 5.0, 6.0},
+        {"shaft.hub_length", "short boss", pusher, [](Fixture& b) { b.part.options.hub.boss_height = 5 * kMm; }, kReview, 0.75, 1.0},
+        {"shaft.hub_wall", "thin", with_screw, [](Fixture& b) { b.part.options.hub.boss_diameter = 8 * kMm; }, kReview, 0.9, 1.2},
+        {"shaft.hub_wall", "too thin", with_screw, [](Fixture& b) { b.part.options.hub.boss_diameter = 7 * kMm; }, kRequired, 0.4, 0.8},
+        {"shaft.key", "width", spool, [](Fixture& b) { b.part.options.hub.key_width = 3 * kMm; }, kReview, 3.0, 2.0},
+        {"shaft.key", "depth", spool, [](Fixture& b) { b.part.options.hub.key_depth = 0.8 * kMm; }, kReview, 0.8, 1.0},
+        {"shaft.key", "no such shaft", spool, [](Fixture& b) { b.part.options.hub.bore_diameter = 5 * kMm; }, kReview, 5.0, 6.0},
         // 2 x 50 N x 11 mm/(6 mm x 1 mm x 4.7512531 mm)
-        {"shaft.key_pressure", "soft hub", spool, [](Bench& b) { b.cable.max_pressure = 30e6; }, kReview, 38.5863, 30.0, 1e-3},
-        {"shaft.screw", "thick", with_screw, [](Bench& b) { b.part.options.hub.screw_diameter = 4 * kMm; }, kReview, 4.0, 3.0},
-        {"shaft.screw", "low boss", with_screw, [](Bench& b) { b.part.options.hub.boss_height = 3 * kMm; }, kRequired, 3.0, 4.6},
+        {"shaft.key_pressure", "soft hub", spool, [](Fixture& b) { b.cable.max_pressure = 30e6; }, kReview, 38.5863, 30.0, 1e-3},
+        {"shaft.screw", "thick", with_screw, [](Fixture& b) { b.part.options.hub.screw_diameter = 4 * kMm; }, kReview, 4.0, 3.0},
+        {"shaft.screw", "low boss", with_screw, [](Fixture& b) { b.part.options.hub.boss_height = 3 * kMm; }, kRequired, 3.0, 4.6},
         // 50 N x 11 mm; 1.5 (2/4.17)^2
-        {"shaft.screw_torque", "thin", with_screw, [](Bench& b) { b.part.options.hub.screw_diameter = 2 * kMm; }, kRequired, 0.55,
+        {"shaft.screw_torque", "thin", with_screw, [](Fixture& b) { b.part.options.hub.screw_diameter = 2 * kMm; }, kRequired, 0.55,
          0.3450452, 1e-4},
         {"shaft.d_flat", "shallow", spool,
-         [](Bench& b) { b.part.options.hub.lock = solid::HubLock::kDFlat, b.part.options.hub.flat_depth = 0.24 * kMm; }, kReview, 0.04,
+         [](Fixture& b) { b.part.options.hub.lock = solid::HubLock::kDFlat, b.part.options.hub.flat_depth = 0.24 * kMm; }, kReview, 0.04,
          0.05},
         {"shaft.d_flat", "half a shaft", spool,
-         [](Bench& b) { b.part.options.hub.lock = solid::HubLock::kDFlat, b.part.options.hub.flat_depth = 1.8 * kMm; }, kReview, 0.3, 0.25},
+         [](Fixture& b) { b.part.options.hub.lock = solid::HubLock::kDFlat, b.part.options.hub.flat_depth = 1.8 * kMm; }, kReview, 0.3,
+         0.25},
     };
 }
 

@@ -6,8 +6,8 @@ namespace fusee::checks {
 namespace {
 
 /// A printed roller cam of constant lift: r = 6 mm all along, s from 28 mm, on steel rules for pressure.
-Bench rim() {
-    Bench b = helix(20.0 * kMm, 4.0 * kMm);
+Fixture rim() {
+    Fixture b = helix(20.0 * kMm, 4.0 * kMm);
     cam::Cam& cam = b.part.cam;
     cam.options.family = cam::Family::kRoller;
     cam.options.path.kind = cam::PathKind::kPlanar;
@@ -37,22 +37,22 @@ Bench rim() {
 }  // namespace
 
 std::vector<Case> roller_cases() {
-    const auto first = [](Bench& b) -> cam::ArmPoint& { return b.part.cam.working.front().arm; };
+    const auto first = [](Fixture& b) -> cam::ArmPoint& { return b.part.cam.working.front().arm; };
     return {
         // tan phi = (30 - 0)/28 at the first place
-        {"roller.pressure_angle", "an arm longer than the way", rim, [=](Bench& b) { first(b).arm = 30.0 * kMm; }, kRequired,
+        {"roller.pressure_angle", "an arm longer than the travel", rim, [=](Fixture& b) { first(b).arm = 30.0 * kMm; }, kRequired,
          core::deg_from_rad(std::atan(30.0 / 28.0)), 45.0},
-        {"roller.pressure_angle", "steep", rim, [=](Bench& b) { first(b).arm = 18.0 * kMm; }, kReview,
+        {"roller.pressure_angle", "steep", rim, [=](Fixture& b) { first(b).arm = 18.0 * kMm; }, kReview,
          core::deg_from_rad(std::atan(18.0 / 28.0)), 30.0},
         // the rim's radius at one place, 0.4 and 3 mm, and the roller's 8
-        {"roller.undercut", "all but a cusp", rim, [](Bench& b) { b.part.cam.working[7].path.rho = 0.4 * kMm; }, kRequired, 1.05, 1.1},
-        {"roller.undercut", "sharp", rim, [](Bench& b) { b.part.cam.working[7].path.rho = 3.0 * kMm; }, kReview, 1.375, 1.5},
-        {"roller.rim_width", "a roller wider than its rim", rim, [](Bench& b) { b.part.cam.options.roller.width = 6.5 * kMm; }, kRequired,
+        {"roller.undercut", "nearly a cusp", rim, [](Fixture& b) { b.part.cam.working[7].path.rho = 0.4 * kMm; }, kRequired, 1.05, 1.1},
+        {"roller.undercut", "sharp", rim, [](Fixture& b) { b.part.cam.working[7].path.rho = 3.0 * kMm; }, kReview, 1.375, 1.5},
+        {"roller.rim_width", "a roller wider than its rim", rim, [](Fixture& b) { b.part.cam.options.roller.width = 6.5 * kMm; }, kRequired,
          6.0, 6.5},
         // 0.5 mm of 20 mm
-        {"roller.lift_off", "next to no preload", rim, [=](Bench& b) { first(b).tension = b.spring.rate * 0.5 * kMm; }, kReview, 2.5, 5.0},
+        {"roller.lift_off", "nearly no preload", rim, [=](Fixture& b) { first(b).tension = b.spring.rate * 0.5 * kMm; }, kReview, 2.5, 5.0},
         // N = k 20 mm/cos phi at the last place, where rho_pitch = L^3/(L^2 + 36): 3 kinds of length in mm, E* in MPa
-        {"roller.contact_pressure", "plastics that take 30 MPa", rim, [](Bench& b) { b.part.cam.options.roller.max_pressure = 30e6; },
+        {"roller.contact_pressure", "plastics that allow 30 MPa", rim, [](Fixture& b) { b.part.cam.options.roller.max_pressure = 30e6; },
          kRequired,
          [] {
              const double s = 38.0, squared = s * s + 36.0, length = std::sqrt(squared), rho = length * squared / (squared + 36.0) - 8.0;

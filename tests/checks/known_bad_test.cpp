@@ -4,14 +4,14 @@
 
 #include <set>
 
-// Known: every rule is broken by a part whose measure was worked out by hand, and by nothing in that part's good twin.
+// Known: every rule is broken by a part with a value computed by hand, and by nothing in that part's good twin.
 namespace fusee::checks {
 namespace {
 
-/// Every rule that does not pass, with what it says.
-std::set<std::string> objections(const Bench& bench, std::string& said) {
+/// Every rule that does not pass, with its text.
+std::set<std::string> objections(const Fixture& fixture, std::string& said) {
     std::set<std::string> ids;
-    for (const core::Finding& f : check(bench.design())) {
+    for (const core::Finding& f : check(fixture.design())) {
         if (!core::is_broken(f)) continue;
         ids.insert(f.rule);
         said += core::to_line(f) + "\n";
@@ -22,7 +22,7 @@ std::set<std::string> objections(const Bench& bench, std::string& said) {
 class KnownBad : public testing::TestWithParam<Case> {};
 
 TEST_P(KnownBad, TripsTheRule) {
-    const core::Finding f = gravest(GetParam().rule, bad(GetParam()));
+    const core::Finding f = worst(GetParam().rule, bad(GetParam()));
     EXPECT_EQ(f.severity, GetParam().severity) << core::to_line(f);
     EXPECT_NEAR(f.measured, GetParam().measured, GetParam().tolerance) << core::to_line(f);
     EXPECT_NEAR(f.allowed, GetParam().allowed, std::max(1e-6, GetParam().tolerance)) << core::to_line(f);
@@ -46,13 +46,13 @@ TEST_P(KnownBad, GoodTwinPassesEveryRule) {
     EXPECT_TRUE(objections(GetParam().twin(), said).empty()) << said;
 }
 
-/// A profile that allows what was measured hears no objection any more, and reads whose limit it is.
+/// An override that allows the measured value removes the finding; the text names the override.
 TEST_P(KnownBad, AnOverriddenLimitHolds) {
-    Bench b = bad(GetParam());
-    const core::Finding broken = gravest(GetParam().rule, b);
+    Fixture b = bad(GetParam());
+    const core::Finding broken = worst(GetParam().rule, b);
     for (const Limit& limit : find_rule(GetParam().rule)->limits)
         if (limit.unit == broken.unit && limit.bound == broken.bound)
-            b.overrides.push_back({GetParam().rule, limit.key(), broken.measured, "our machine does it"});
+            b.overrides.push_back({GetParam().rule, limit.key(), broken.measured, "our machine makes it"});
     ASSERT_FALSE(b.overrides.empty()) << "no declared limit in " << broken.unit;
     bool said = false;
     for (const core::Finding& f : run_rule(GetParam().rule, b)) {
@@ -60,8 +60,8 @@ TEST_P(KnownBad, AnOverriddenLimitHolds) {
         if (f.overridden.empty()) continue;
         said = true;
         EXPECT_EQ(f.overridden.front().value, broken.measured);
-        EXPECT_EQ(f.overridden.front().reason, "our machine does it");
-        EXPECT_NE(f.what.find("our machine does it"), std::string::npos) << f.what;
+        EXPECT_EQ(f.overridden.front().reason, "our machine makes it");
+        EXPECT_NE(f.what.find("our machine makes it"), std::string::npos) << f.what;
     }
     EXPECT_TRUE(said);
 }

@@ -14,7 +14,7 @@ TEST(Limits, StrengthLeftMeetsItsTable) {
     EXPECT_DOUBLE_EQ(strength_left(40.0), 0.95);
     EXPECT_DOUBLE_EQ(strength_left(10.0), 0.86);
     EXPECT_DOUBLE_EQ(strength_left(1.0), 0.50);
-    EXPECT_DOUBLE_EQ(strength_left(1000.0), 0.95) << "nothing is promised beyond the table";
+    EXPECT_DOUBLE_EQ(strength_left(1000.0), 0.95) << "no more beyond the table";
     EXPECT_DOUBLE_EQ(strength_left(0.1), 0.50);
     EXPECT_NEAR(strength_left(std::sqrt(200.0)), 0.885, 1e-12) << "half way in the logarithm from 10 to 20";
 }

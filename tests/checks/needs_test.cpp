@@ -5,11 +5,12 @@
 
 #include "checks/fixture.h"
 
-// Known: a rule that applies and lacks data says so and names the keys; with the data it judges; where it does not apply it is silent.
+// Known: a rule that applies and lacks data is not judged and names the keys; with the data it is judged; where it does not apply it
+// reports nothing.
 namespace fusee::checks {
 namespace {
 
-void state_all(Bench& b) {
+void state_all(Fixture& b) {
     spring::BaseSpring& s = b.spring;
     s.max_load = 300.0;
     s.active_coils = 8.0;
@@ -19,20 +20,20 @@ void state_all(Bench& b) {
     s.cycles = 1e5;
 }
 
-Bench stated_spool() {
-    Bench b = spool();
+Fixture stated_spool() {
+    Fixture b = spool();
     state_all(b);
     return b;
 }
 
-Bench stated_pusher() {
-    Bench b = pusher();
+Fixture stated_pusher() {
+    Fixture b = pusher();
     state_all(b);
     return b;
 }
 
-Bench stated_rim() {
-    Bench b = pusher();
+Fixture stated_rim() {
+    Fixture b = pusher();
     b.part.cam.options.family = cam::Family::kRoller;
     b.part.cam.options.roller = {
         .radius = 8.0 * kMm, .base_radius = 20.0 * kMm, .width = 5.0 * kMm, .contact_modulus = 2e9, .max_pressure = 1e9};
@@ -40,24 +41,24 @@ Bench stated_rim() {
     return b;
 }
 
-using Unstate = void (*)(Bench&);
+using Unstate = void (*)(Fixture&);
 const std::map<std::string, Unstate> kUnstate = {
-    {"spring.wire_mm", [](Bench& b) { b.spring.wire_diameter = 0.0; }},
-    {"spring.coil_mm", [](Bench& b) { b.spring.coil_diameter = 0.0; }},
-    {"spring.active_coils", [](Bench& b) { b.spring.active_coils = 0.0; }},
-    {"spring.free_length_mm", [](Bench& b) { b.spring.free_length = 0.0; }},
-    {"spring.tensile_strength_MPa", [](Bench& b) { b.spring.tensile_strength = 0.0; }},
-    {"spring.rod_mm", [](Bench& b) { b.spring.rod_diameter = 0.0; }},
-    {"spring.cycles", [](Bench& b) { b.spring.cycles = 0.0; }},
-    {"spring.hand", [](Bench& b) { b.spring.hand = spring::Hand::kUnknown; }},
-    {"spring.max_angle_rad", [](Bench& b) { b.spring.max_state = 0.0; }},
-    {"spring.max_travel_mm", [](Bench& b) { b.spring.max_state = b.spring.free_length = 0.0; }},
-    {"spring.max_torque_Nm", [](Bench& b) { b.spring.max_load = 0.0; }},
-    {"spring.max_force_N", [](Bench& b) { b.spring.max_load = 0.0; }},
-    {"cable.breaking_load_N", [](Bench& b) { b.cable.breaking_load = 0.0; }},
-    {"cable.max_pressure_MPa", [](Bench& b) { b.cable.max_pressure = 0.0; }},
-    {"roller.max_pressure_MPa", [](Bench& b) { b.part.cam.options.roller.max_pressure = 0.0; }},
-    {"roller.contact_modulus_MPa", [](Bench& b) { b.part.cam.options.roller.contact_modulus = 0.0; }},
+    {"spring.wire_mm", [](Fixture& b) { b.spring.wire_diameter = 0.0; }},
+    {"spring.coil_mm", [](Fixture& b) { b.spring.coil_diameter = 0.0; }},
+    {"spring.active_coils", [](Fixture& b) { b.spring.active_coils = 0.0; }},
+    {"spring.free_length_mm", [](Fixture& b) { b.spring.free_length = 0.0; }},
+    {"spring.tensile_strength_MPa", [](Fixture& b) { b.spring.tensile_strength = 0.0; }},
+    {"spring.rod_mm", [](Fixture& b) { b.spring.rod_diameter = 0.0; }},
+    {"spring.cycles", [](Fixture& b) { b.spring.cycles = 0.0; }},
+    {"spring.hand", [](Fixture& b) { b.spring.hand = spring::Hand::kUnknown; }},
+    {"spring.max_angle_rad", [](Fixture& b) { b.spring.max_state = 0.0; }},
+    {"spring.max_travel_mm", [](Fixture& b) { b.spring.max_state = b.spring.free_length = 0.0; }},
+    {"spring.max_torque_Nm", [](Fixture& b) { b.spring.max_load = 0.0; }},
+    {"spring.max_force_N", [](Fixture& b) { b.spring.max_load = 0.0; }},
+    {"cable.breaking_load_N", [](Fixture& b) { b.cable.breaking_load = 0.0; }},
+    {"cable.max_pressure_MPa", [](Fixture& b) { b.cable.max_pressure = 0.0; }},
+    {"roller.max_pressure_MPa", [](Fixture& b) { b.part.cam.options.roller.max_pressure = 0.0; }},
+    {"roller.contact_modulus_MPa", [](Fixture& b) { b.part.cam.options.roller.contact_modulus = 0.0; }},
 };
 
 bool is_not_judged(const core::Findings& findings) {
@@ -65,13 +66,13 @@ bool is_not_judged(const core::Findings& findings) {
 }
 
 /// Rules for a roller look at rollers only, and those for a cable at cables only.
-bool has_family(const Rule& rule, const Bench& b) {
+bool has_family(const Rule& rule, const Fixture& b) {
     const bool roller = b.part.cam.has_roller();
     return roller == (rule.group() == "roller");
 }
 
-/// The rule on a bench that states everything, then on one that leaves out `need`. @returns whether the rule needs it there
-bool expect_need(const Rule& rule, const Need& need, Bench b) {
+/// Runs the rule on a fixture with all data, then without `need`. @returns whether the rule needs it there
+bool expect_need(const Rule& rule, const Need& need, Fixture b) {
     b.part.options.hub.lock = solid::HubLock::kKeyway;
     if (!has_family(rule, b) || rule.run(b.design()).empty()) return false;
     EXPECT_EQ(core::count(rule.run(b.design()), core::Severity::kNotJudged), 0u) << rule.id;
@@ -93,8 +94,8 @@ TEST(Needs, EachIsNamedByItsRuleWhereItIsMissing) {
     for (const Rule& rule : rules())
         for (const Need& need : rule.needs) {
             bool needed = false;
-            for (const auto bench : {stated_spool, stated_pusher, stated_rim}) needed = expect_need(rule, need, bench()) || needed;
-            EXPECT_TRUE(needed) << rule.id << ": no bench lacks " << need.key;
+            for (const auto fixture : {stated_spool, stated_pusher, stated_rim}) needed = expect_need(rule, need, fixture()) || needed;
+            EXPECT_TRUE(needed) << rule.id << ": no fixture lacks " << need.key;
         }
 }
 
@@ -108,7 +109,7 @@ TEST(Needs, RulesThatTheProfileLeavesOpenDeclareThem) {
 }
 
 TEST(Needs, ARuleThatDoesNotApplyIsSilent) {
-    Bench torsion = spool(), compression = pusher();
+    Fixture torsion = spool(), compression = pusher();
     torsion.spring.free_length = torsion.spring.coil_diameter = 0.0;
     compression.spring.max_state = compression.spring.active_coils = 0.0;
     EXPECT_TRUE(run_rule("spring.buckling", torsion).empty()) << "a torsion spring does not buckle";
@@ -119,14 +120,14 @@ TEST(Needs, ARuleThatDoesNotApplyIsSilent) {
     EXPECT_TRUE(run_rule("shaft.key_pressure", torsion).empty()) << "no keyway";
 }
 
-TEST(Needs, CyclesThatAreStatedAndFewAskForNothing) {
-    Bench b = stated_spool();
+TEST(Needs, FewStatedCyclesNeedNothing) {
+    Fixture b = stated_spool();
     b.spring.cycles = 100.0;
     EXPECT_TRUE(run_rule("spring.fatigue", b).empty());
 }
 
 TEST(Needs, EitherWayToTheTravelIsEnough) {
-    Bench b = stated_pusher();
+    Fixture b = stated_pusher();
     b.spring.max_state = 0.0;
     EXPECT_FALSE(is_not_judged(run_rule("spring.travel", b))) << "free length, coils and wire give it";
     b.spring.active_coils = 0.0;
@@ -137,9 +138,9 @@ TEST(Needs, EitherWayToTheTravelIsEnough) {
 }
 
 TEST(Needs, SeveralMissingKeysAreAllNamed) {
-    Bench b = stated_spool();
+    Fixture b = stated_spool();
     b.spring.wire_diameter = b.spring.tensile_strength = 0.0;
-    EXPECT_EQ(gravest("spring.stress", b).suggestion, "k_se.spring.wire_mm and k_se.spring.tensile_strength_MPa");
+    EXPECT_EQ(worst("spring.stress", b).suggestion, "k_se.spring.wire_mm and k_se.spring.tensile_strength_MPa");
 }
 
 }  // namespace

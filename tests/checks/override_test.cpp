@@ -8,9 +8,9 @@ namespace fusee::checks {
 namespace {
 
 TEST(Override, StricterLimitsBindToo) {
-    Bench b = spool();
+    Fixture b = spool();
     b.overrides = {{"process.wall", "required_mm", 1.5, "a rough workshop"}};
-    const core::Finding f = gravest("process.wall", b);
+    const core::Finding f = worst("process.wall", b);
     EXPECT_EQ(f.severity, core::Severity::kError);
     EXPECT_DOUBLE_EQ(f.allowed, 1.5);
     ASSERT_EQ(f.overridden.size(), 1u);
@@ -21,25 +21,25 @@ TEST(Override, StricterLimitsBindToo) {
 }
 
 TEST(Override, TouchesNoOtherRuleAndNoOtherLimit) {
-    Bench b = spool();
+    Fixture b = spool();
     b.overrides = {{"shaft.hub_wall", "required_mm", 0.1, "steel"}};
     const core::Findings before = check(spool().design()), after = check(b.design());
     ASSERT_EQ(before.size(), after.size());
     for (std::size_t i = 0; i < before.size(); ++i) EXPECT_EQ(core::to_line(before[i]), core::to_line(after[i]));
-    Bench thin = with_screw();
+    Fixture thin = with_screw();
     thin.part.options.hub.boss_diameter = 7.0 * kMm;
     thin.overrides = b.overrides;
-    const core::Finding f = gravest("shaft.hub_wall", thin);
-    EXPECT_EQ(f.severity, core::Severity::kWarning) << "0.4 mm: required is waived, the loaded wall still wants a review";
-    EXPECT_EQ(f.overridden.size(), 1u) << "and the waiver is said beside it";
+    const core::Finding f = worst("shaft.hub_wall", thin);
+    EXPECT_EQ(f.severity, core::Severity::kWarning) << "0.4 mm: the required limit is overridden, the loaded wall is still a warning";
+    EXPECT_EQ(f.overridden.size(), 1u) << "and the finding names the override";
 }
 
 TEST(Override, JudgesWhatTheProfileLeftOpen) {
-    Bench b = spool();
+    Fixture b = spool();
     b.cable.max_pressure = 0.0;
-    ASSERT_EQ(gravest("cable.pressure", b).severity, core::Severity::kNotJudged);
+    ASSERT_EQ(worst("cable.pressure", b).severity, core::Severity::kNotJudged);
     b.overrides = {{"cable.pressure", "required_MPa", 5.0, "measured dents"}};
-    const core::Finding f = gravest("cable.pressure", b);
+    const core::Finding f = worst("cable.pressure", b);
     EXPECT_EQ(f.severity, core::Severity::kError);
     EXPECT_NE(f.what.find("where the rule has none"), std::string::npos) << f.what;
 }

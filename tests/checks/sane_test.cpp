@@ -2,7 +2,7 @@
 
 #include "checks/fixture.h"
 
-// A part that people make must not be forbidden, and what nobody stated must not be judged.
+// A usual part must have no errors, and data that are not stated must not be judged.
 namespace fusee::checks {
 namespace {
 
@@ -20,8 +20,8 @@ std::string lines(const core::Findings& findings) {
 }
 
 /// Printed K_PE whose arm grows from 3 to 9.5 mm over one and a half turns, h = 3 + 6.5 x^2, rho = h + 13/width^2 > h.
-Bench growing_cam() {
-    Bench b = pusher();
+Fixture growing_cam() {
+    Fixture b = pusher();
     const double width = 3.0 * core::kPi, pitch = 4.0 * kMm;
     b.part.cam.anchor_psi = -0.8;  // arms of 3 mm: the default 20 deg would put the hole into the working floor
     b.part.cam.path = [=](double psi) {
@@ -45,37 +45,37 @@ TEST(Sane, PrintedHelicalCamHasNothingToChange) { EXPECT_EQ(lines(forbidden(chec
 TEST(Sane, MilledSpoolHasNothingToChange) { EXPECT_EQ(lines(forbidden(check(milled().design()))), ""); }
 
 TEST(Sane, UnknownDataIsNotJudged) {
-    Bench b = spool();
+    Fixture b = spool();
     b.cable.breaking_load = b.cable.max_pressure = 0.0;
     b.spring = {};
     b.spring.rate = 0.02;
     b.part.mesh = {};
     for (const char* rule : {"cable.breaking_load", "cable.pressure", "spring.torsion_angle", "spring.load", "spring.stress"})
-        EXPECT_EQ(gravest(rule, b).severity, core::Severity::kNotJudged) << rule;
+        EXPECT_EQ(worst(rule, b).severity, core::Severity::kNotJudged) << rule;
     for (const char* rule : {"spring.travel", "spring.buckling", "cable.free_path", "process.build_volume", "fdm.support"})
-        EXPECT_TRUE(run_rule(rule, b).empty()) << rule << " is not about a torsion spring, or about a part without a mesh";
-    Bench compression = pusher();
+        EXPECT_TRUE(run_rule(rule, b).empty()) << rule << " does not apply to a torsion spring, or to a part without a mesh";
+    Fixture compression = pusher();
     compression.spring = {};
     compression.spring.kind = spring::BaseKind::kCompression;
     compression.spring.rate = 7460.0;
     for (const char* rule : {"spring.travel", "spring.load", "spring.stress", "spring.buckling"})
-        EXPECT_EQ(gravest(rule, compression).severity, core::Severity::kNotJudged) << rule;
+        EXPECT_EQ(worst(rule, compression).severity, core::Severity::kNotJudged) << rule;
 }
 
 TEST(Sane, RulesOfOneKindOfPartLeaveTheOtherAlone) {
     for (const char* rule : {"groove.pitch", "groove.neighbour_turns", "cable.groove_angle", "collision.rim_undercut",
                              "collision.ball_cutter", "spring.travel"})
         EXPECT_TRUE(run_rule(rule, spool()).empty()) << rule;
-    Bench resin = spool();
+    Fixture resin = spool();
     resin.process.kind = ProcessKind::kSla;
     for (const char* rule : {"collision.printed_throat", "fdm.support"}) EXPECT_TRUE(run_rule(rule, resin).empty()) << rule;
 }
 
 TEST(Sane, NotANumberNeverPasses) {
-    Bench b = spool();
+    Fixture b = spool();
     b.part.cam.working[5].path.rho = b.part.cam.working[5].fleet = std::nan("");
-    EXPECT_EQ(gravest("cable.bend_ratio", b).severity, core::Severity::kError);
-    EXPECT_EQ(gravest("cable.fleet", b).severity, core::Severity::kError);
+    EXPECT_EQ(worst("cable.bend_ratio", b).severity, core::Severity::kError);
+    EXPECT_EQ(worst("cable.fleet", b).severity, core::Severity::kError);
 }
 
 }  // namespace

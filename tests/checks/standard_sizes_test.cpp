@@ -20,7 +20,7 @@ TEST(StandardSizes, AreTheNextOnThePermittedSide) {
     EXPECT_EQ(wire_sizes().at_least(1.01), 1.1);
 }
 
-TEST(StandardSizes, EndWhereNothingIsOnSale) {
+TEST(StandardSizes, EndWithTheAvailableSizes) {
     EXPECT_FALSE(shaft_sizes().at_most(1.9));
     EXPECT_FALSE(shaft_sizes().at_least(51.0));
     EXPECT_FALSE(cable_sizes("7x19").at_most(0.5)) << "133 wires in half a millimetre";
@@ -28,7 +28,7 @@ TEST(StandardSizes, EndWhereNothingIsOnSale) {
 }
 
 /// 0.8 mm read from a profile and back misses 0.8 by its last bit.
-TEST(StandardSizes, CountASizeThatIsMissedByRounding) {
+TEST(StandardSizes, CountASizeThatMissesByRounding) {
     EXPECT_EQ(cable_sizes("fibre").at_most(0.8 * (1.0 - 1e-12)), 0.8);
     EXPECT_EQ(cable_sizes("fibre").at_least(0.8 * (1.0 + 1e-12)), 0.8);
 }
@@ -48,7 +48,7 @@ TEST(StandardSizes, ShaftsHaveTheirKeys) {
     for (const double mm : shaft_sizes().mm) EXPECT_EQ(key_size(1e-3 * mm) != nullptr, mm >= 6.0 && mm <= 30.0) << mm;
 }
 
-TEST(StandardSizes, BearByTheSquareOfTheDiameter) {
+TEST(StandardSizes, HaveAStrengthByTheSquareOfTheDiameter) {
     EXPECT_NEAR(strongest_cable("7x7", 1e-3), 900.0, 1e-9);
     EXPECT_NEAR(strongest_cable("fibre", 0.8e-3), 1280.0, 1e-9);
     EXPECT_NEAR(torsion_stress(1.0, 5e-3) / 1e6, 40.744, 1e-3) << "16/(pi 125)";

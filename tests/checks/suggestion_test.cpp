@@ -6,7 +6,7 @@
 #include "checks/known_bad.h"
 #include "fusee/core/change.h"
 
-// Law: a suggested change, made, satisfies the rule that suggested it.
+// Law: a part with the suggested change passes the rule.
 namespace fusee::checks {
 namespace {
 
@@ -18,7 +18,7 @@ double suggested(const core::Finding& f, const std::string& key) {
 }
 
 /// The same law on another base spring: the energy of every position stays.
-void respring(Bench& b, double rate, double preload) {
+void respring(Fixture& b, double rate, double preload) {
     for (cam::Contact& c : b.part.cam.working) {
         const double energy = 0.5 * b.spring.rate * (c.arm.state * c.arm.state - b.spring.preload * b.spring.preload);
         c.arm.state = std::sqrt(preload * preload + 2.0 * energy / rate);
@@ -27,25 +27,25 @@ void respring(Bench& b, double rate, double preload) {
     b.spring.preload = preload;
 }
 
-void expect_pass(const char* rule, const Bench& b) {
-    const core::Finding f = gravest(rule, b);
+void expect_pass(const char* rule, const Fixture& b) {
+    const core::Finding f = worst(rule, b);
     EXPECT_EQ(f.severity, core::Severity::kPass) << core::to_line(f);
 }
 
 TEST(Suggestion, ThinnerCableBendsEnough) {
-    Bench b = spool();
+    Fixture b = spool();
     for (cam::Contact& c : b.part.cam.working) c.path.rho = 2.2 * kMm;
     b.cable.min_bend_ratio = 8.0;
-    b.cable.diameter = kMm * suggested(gravest("cable.bend_ratio", b), "cable.diameter_mm");
+    b.cable.diameter = kMm * suggested(worst("cable.bend_ratio", b), "cable.diameter_mm");
     expect_pass("cable.bend_ratio", b);
     EXPECT_GT(b.cable.diameter, 0.48 * kMm) << "the nearest: 2 rho/9 = 0.489 mm";
 }
 
 TEST(Suggestion, TorsionPreloadOrRateKeepsTheWinding) {
-    Bench preload = spool();
+    Fixture preload = spool();
     preload.spring.max_state = 9.5;
-    Bench rate = preload;
-    const core::Finding f = gravest("spring.torsion_angle", preload);
+    Fixture rate = preload;
+    const core::Finding f = worst("spring.torsion_angle", preload);
     respring(preload, preload.spring.rate, suggested(f, "k_se.spring.preload_rad"));
     respring(rate, suggested(f, "k_se.spring.rate_Nm_per_rad"), rate.spring.preload);
     expect_pass("spring.torsion_angle", preload);
@@ -53,10 +53,10 @@ TEST(Suggestion, TorsionPreloadOrRateKeepsTheWinding) {
 }
 
 TEST(Suggestion, CompressionPreloadOrRateKeepsTheTravel) {
-    Bench preload = pusher();
+    Fixture preload = pusher();
     preload.spring.max_state = 18.0 * kMm;
-    Bench rate = preload;
-    const core::Finding f = gravest("spring.travel", preload);
+    Fixture rate = preload;
+    const core::Finding f = worst("spring.travel", preload);
     respring(preload, preload.spring.rate, kMm * suggested(f, "k_pe.spring.preload_mm"));
     respring(rate, suggested(f, "k_pe.spring.rate_N_per_m"), rate.spring.preload);
     expect_pass("spring.travel", preload);
@@ -64,23 +64,23 @@ TEST(Suggestion, CompressionPreloadOrRateKeepsTheTravel) {
 }
 
 TEST(Suggestion, SofterSpringKeepsLoadAndStress) {
-    Bench load = pusher(), stress = pusher();
+    Fixture load = pusher(), stress = pusher();
     load.spring.max_load = 140.0;
     stress.spring.tensile_strength = 1900e6;
-    respring(load, suggested(gravest("spring.load", load), "k_pe.spring.rate_N_per_m"), load.spring.preload);
-    respring(stress, stress.spring.rate, kMm * suggested(gravest("spring.stress", stress), "k_pe.spring.preload_mm"));
+    respring(load, suggested(worst("spring.load", load), "k_pe.spring.rate_N_per_m"), load.spring.preload);
+    respring(stress, stress.spring.rate, kMm * suggested(worst("spring.stress", stress), "k_pe.spring.preload_mm"));
     expect_pass("spring.load", load);
     expect_pass("spring.stress", stress);
 }
 
 /// r = sqrt((k_t phi0)^2 + 2 k_t U)/U' and U'/sqrt((k y0)^2 + 2 k U): the suggested spring scales every arm alike.
 TEST(Suggestion, ScaledSpringScalesEveryArm) {
-    Bench b = spool();
+    Fixture b = spool();
     b.part.options.hub.bore_diameter = 18.0 * kMm;
-    const core::Finding f = gravest("cam.arm_range", b);
+    const core::Finding f = worst("cam.arm_range", b);
     const double rate = suggested(f, "k_se.spring.rate_Nm_per_rad");
     const double factor = f.allowed / f.measured;
-    Bench scaled = spool();
+    Fixture scaled = spool();
     respring(scaled, rate, b.spring.preload / factor);
     for (std::size_t i = 0; i < b.part.cam.working.size(); i += 20) {
         const double before = b.spring.rate * b.part.cam.working[i].arm.state, after = rate * scaled.part.cam.working[i].arm.state;
@@ -89,34 +89,34 @@ TEST(Suggestion, ScaledSpringScalesEveryArm) {
 }
 
 TEST(Suggestion, GrooveAndHubSizesPass) {
-    Bench b = helix(10.0 * kMm, 3.0 * kMm);
-    expect_pass("groove.pitch", helix(10.0 * kMm, kMm * (suggested(gravest("groove.pitch", b), "k_pe.path.pitch_mm") + 0.2)));
-    Bench thin = spool();
+    Fixture b = helix(10.0 * kMm, 3.0 * kMm);
+    expect_pass("groove.pitch", helix(10.0 * kMm, kMm * (suggested(worst("groove.pitch", b), "k_pe.path.pitch_mm") + 0.2)));
+    Fixture thin = spool();
     thin.part.options.hub.bore_diameter = 15.0 * kMm;
-    thin.part.options.hub.bore_diameter = kMm * suggested(gravest("structure.wall_to_bore", thin), "k_se.hub.bore_mm");
+    thin.part.options.hub.bore_diameter = kMm * suggested(worst("structure.wall_to_bore", thin), "k_se.hub.bore_mm");
     expect_pass("structure.wall_to_bore", thin);
-    Bench slot = spool();
+    Fixture slot = spool();
     slot.part.options.features.leg_slot_radius = 6.6 * kMm;
-    slot.part.options.features.leg_slot_radius = kMm * suggested(gravest("structure.leg_slot", slot), "k_se.features.leg_slot_radius_mm");
+    slot.part.options.features.leg_slot_radius = kMm * suggested(worst("structure.leg_slot", slot), "k_se.features.leg_slot_radius_mm");
     expect_pass("structure.leg_slot", slot);
-    Bench throat = spool();
+    Fixture throat = spool();
     throat.part.options.groove.throat = core::rad_from_deg(60.0);
     cut_groove(throat);
-    throat.part.options.groove.throat = core::rad_from_deg(suggested(gravest("collision.printed_throat", throat), "groove.throat_deg"));
+    throat.part.options.groove.throat = core::rad_from_deg(suggested(worst("collision.printed_throat", throat), "groove.throat_deg"));
     cut_groove(throat);
     expect_pass("collision.printed_throat", throat);
     expect_pass("groove.throat", throat);
 }
 
 TEST(Suggestion, ThickerCablePressesLess) {
-    Bench b = spool();
+    Fixture b = spool();
     b.cable.max_pressure = 5e6;
-    b.cable.diameter = kMm * suggested(gravest("cable.pressure", b), "cable.diameter_mm");
+    b.cable.diameter = kMm * suggested(worst("cable.pressure", b), "cable.diameter_mm");
     expect_pass("cable.pressure", b);
 }
 
 /// Every free cable becomes longer, and the leaning ones lean less.
-void set_guide_distance(Bench& b, double distance_mm) {
+void set_guide_distance(Fixture& b, double distance_mm) {
     const double farther = distance_mm * kMm - b.part.cam.options.guide.distance;
     for (cam::Contact& c : b.part.cam.working) {
         c.fleet = std::atan(std::tan(c.fleet) * c.span / (c.span + farther));
@@ -126,39 +126,39 @@ void set_guide_distance(Bench& b, double distance_mm) {
 }
 
 /// Keys of a profile that a part made by hand can follow: the value in the key's unit.
-const std::map<std::string, std::function<void(Bench&, double)>>& keys() {
-    static const std::map<std::string, std::function<void(Bench&, double)>> all = {
-        {"groove.depth_ratio", [](Bench& b, double v) { b.part.options.groove.depth_ratio = v, cut_groove(b); }},
-        {"groove.radius_ratio", [](Bench& b, double v) { b.part.options.groove.radius_ratio = v, cut_groove(b); }},
-        {"groove.throat_deg", [](Bench& b, double v) { b.part.options.groove.throat = core::rad_from_deg(v), cut_groove(b); }},
-        {"groove.plate_mm", [](Bench& b, double v) { b.part.options.groove.plate = v * kMm; }},
-        {"groove.rib_mm", [](Bench& b, double v) { b.part.options.groove.rib = v * kMm, cut_groove(b); }},
-        {"process.layer_mm", [](Bench& b, double v) { b.process.layer = v * kMm; }},
-        {"process.cutter_radius_mm", [](Bench& b, double v) { b.process.cutter_radius = v * kMm; }},
-        {"process.tolerance_mm", [](Bench& b, double v) { b.process.tolerance = v * kMm; }},
-        {"cable.breaking_load_N", [](Bench& b, double v) { b.cable.breaking_load = v; }},
-        {"flange_height_mm", [](Bench& b, double v) { b.part.options.flange_height = v * kMm; }},
+const std::map<std::string, std::function<void(Fixture&, double)>>& keys() {
+    static const std::map<std::string, std::function<void(Fixture&, double)>> all = {
+        {"groove.depth_ratio", [](Fixture& b, double v) { b.part.options.groove.depth_ratio = v, cut_groove(b); }},
+        {"groove.radius_ratio", [](Fixture& b, double v) { b.part.options.groove.radius_ratio = v, cut_groove(b); }},
+        {"groove.throat_deg", [](Fixture& b, double v) { b.part.options.groove.throat = core::rad_from_deg(v), cut_groove(b); }},
+        {"groove.plate_mm", [](Fixture& b, double v) { b.part.options.groove.plate = v * kMm; }},
+        {"groove.rib_mm", [](Fixture& b, double v) { b.part.options.groove.rib = v * kMm, cut_groove(b); }},
+        {"process.layer_mm", [](Fixture& b, double v) { b.process.layer = v * kMm; }},
+        {"process.cutter_radius_mm", [](Fixture& b, double v) { b.process.cutter_radius = v * kMm; }},
+        {"process.tolerance_mm", [](Fixture& b, double v) { b.process.tolerance = v * kMm; }},
+        {"cable.breaking_load_N", [](Fixture& b, double v) { b.cable.breaking_load = v; }},
+        {"flange_height_mm", [](Fixture& b, double v) { b.part.options.flange_height = v * kMm; }},
         {"guide.distance_mm", set_guide_distance},
-        {"features.leg_slot_angle_deg", [](Bench& b, double v) { b.part.options.features.leg_slot_angle = core::rad_from_deg(v); }},
-        {"hub.bore_mm", [](Bench& b, double v) { b.part.options.hub.bore_diameter = v * kMm; }},
-        {"hub.clearance_mm", [](Bench& b, double v) { b.part.options.hub.bore_clearance = v * kMm; }},
-        {"hub.boss_mm", [](Bench& b, double v) { b.part.options.hub.boss_diameter = v * kMm; }},
-        {"hub.boss_height_mm", [](Bench& b, double v) { b.part.options.hub.boss_height = v * kMm; }},
-        {"hub.flat_depth_mm", [](Bench& b, double v) { b.part.options.hub.flat_depth = v * kMm; }},
-        {"hub.screw_mm", [](Bench& b, double v) { b.part.options.hub.screw_diameter = v * kMm; }},
-        {"hub.key_width_mm", [](Bench& b, double v) { b.part.options.hub.key_width = v * kMm; }},
-        {"hub.key_depth_mm", [](Bench& b, double v) { b.part.options.hub.key_depth = v * kMm; }},
-        {"hub.web_mm", [](Bench& b, double v) { b.part.options.hub.web = v * kMm; }},
-        {"features.anchor_hole_mm", [](Bench& b, double v) { b.part.options.features.anchor_hole_diameter = v * kMm; }},
-        {"features.mark_width_mm", [](Bench& b, double v) { b.part.options.features.mark_width = v * kMm; }},
-        {"features.leg_slot_width_mm", [](Bench& b, double v) { b.part.options.features.leg_slot_width = v * kMm; }},
-        {"features.leg_slot_depth_mm", [](Bench& b, double v) { b.part.options.features.leg_slot_depth = v * kMm; }},
-        {"features.leg_slot_radius_mm", [](Bench& b, double v) { b.part.options.features.leg_slot_radius = v * kMm; }},
-        {"spring.coil_mm", [](Bench& b, double v) { b.spring.coil_diameter = v * kMm; }},
-        {"spring.rod_mm", [](Bench& b, double v) { b.spring.rod_diameter = v * kMm; }},
-        {"spring.active_coils", [](Bench& b, double v) { b.spring.active_coils = v; }},
-        {"spring.free_length_mm", [](Bench& b, double v) { b.spring.free_length = v * kMm; }},
-        {"spring.tensile_strength_MPa", [](Bench& b, double v) { b.spring.tensile_strength = v * 1e6; }},
+        {"features.leg_slot_angle_deg", [](Fixture& b, double v) { b.part.options.features.leg_slot_angle = core::rad_from_deg(v); }},
+        {"hub.bore_mm", [](Fixture& b, double v) { b.part.options.hub.bore_diameter = v * kMm; }},
+        {"hub.clearance_mm", [](Fixture& b, double v) { b.part.options.hub.bore_clearance = v * kMm; }},
+        {"hub.boss_mm", [](Fixture& b, double v) { b.part.options.hub.boss_diameter = v * kMm; }},
+        {"hub.boss_height_mm", [](Fixture& b, double v) { b.part.options.hub.boss_height = v * kMm; }},
+        {"hub.flat_depth_mm", [](Fixture& b, double v) { b.part.options.hub.flat_depth = v * kMm; }},
+        {"hub.screw_mm", [](Fixture& b, double v) { b.part.options.hub.screw_diameter = v * kMm; }},
+        {"hub.key_width_mm", [](Fixture& b, double v) { b.part.options.hub.key_width = v * kMm; }},
+        {"hub.key_depth_mm", [](Fixture& b, double v) { b.part.options.hub.key_depth = v * kMm; }},
+        {"hub.web_mm", [](Fixture& b, double v) { b.part.options.hub.web = v * kMm; }},
+        {"features.anchor_hole_mm", [](Fixture& b, double v) { b.part.options.features.anchor_hole_diameter = v * kMm; }},
+        {"features.mark_width_mm", [](Fixture& b, double v) { b.part.options.features.mark_width = v * kMm; }},
+        {"features.leg_slot_width_mm", [](Fixture& b, double v) { b.part.options.features.leg_slot_width = v * kMm; }},
+        {"features.leg_slot_depth_mm", [](Fixture& b, double v) { b.part.options.features.leg_slot_depth = v * kMm; }},
+        {"features.leg_slot_radius_mm", [](Fixture& b, double v) { b.part.options.features.leg_slot_radius = v * kMm; }},
+        {"spring.coil_mm", [](Fixture& b, double v) { b.spring.coil_diameter = v * kMm; }},
+        {"spring.rod_mm", [](Fixture& b, double v) { b.spring.rod_diameter = v * kMm; }},
+        {"spring.active_coils", [](Fixture& b, double v) { b.spring.active_coils = v; }},
+        {"spring.free_length_mm", [](Fixture& b, double v) { b.spring.free_length = v * kMm; }},
+        {"spring.tensile_strength_MPa", [](Fixture& b, double v) { b.spring.tensile_strength = v * 1e6; }},
     };
     return all;
 }
@@ -167,9 +167,9 @@ class Followed : public testing::TestWithParam<Case> {};
 
 /// Each alternative that the rule suggests, as far as it is of such keys, takes the objection away.
 TEST_P(Followed, TakesTheObjectionAway) {
-    const core::Finding f = gravest(GetParam().rule, bad(GetParam()));
+    const core::Finding f = worst(GetParam().rule, bad(GetParam()));
     for (const core::Changes& changes : core::suggested_changes(f.suggestion)) {
-        Bench b = bad(GetParam());
+        Fixture b = bad(GetParam());
         std::string followed;
         for (const core::Change& change : changes) {
             const bool of_part = change.key.starts_with("k_se.") || change.key.starts_with("k_pe.");
@@ -189,7 +189,7 @@ TEST_P(Followed, TakesTheObjectionAway) {
 
 /// What stands there for a person, `fusee fix` reads, too: no `key = value` is lost.
 TEST_P(Followed, IsReadByPrograms) {
-    const core::Finding f = gravest(GetParam().rule, bad(GetParam()));
+    const core::Finding f = worst(GetParam().rule, bad(GetParam()));
     std::size_t written = 0, read = 0;
     for (std::size_t at = f.suggestion.find(" = "); at != std::string::npos; at = f.suggestion.find(" = ", at + 3)) ++written;
     for (const core::Changes& changes : core::suggested_changes(f.suggestion)) read += changes.size();

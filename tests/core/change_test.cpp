@@ -38,7 +38,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Row{"cable.diameter_mm = 0.5, or rho 2 mm there: k_se.spring.rate_Nm_per_rad = 0.02 with k_se.spring.preload_rad = 3",
                         "cable.diameter_mm=0.5 | k_se.spring.rate_Nm_per_rad=0.02 & k_se.spring.preload_rad=3"},
                     Row{"rig.least_torque_Nm = 0.9, or law.lead_in_deg larger", "rig.least_torque_Nm=0.9"},
-                    Row{"k_pe.guide.z_mm = 3.2: the groove then climbs 4 mm a turn", "k_pe.guide.z_mm=3.2"}));
+                    Row{"k_pe.guide.z_mm = 3.2: the groove then rises by 4 mm per turn", "k_pe.guide.z_mm=3.2"}));
 
 }  // namespace
 }  // namespace fusee::core

@@ -22,7 +22,7 @@ std::vector<std::string> unknown_of(const Calibration& found) {
     return ids;
 }
 
-/// Without noise every figure is the world's, to rounding.
+/// Without noise every result is exact to rounding.
 TEST(Calibrate, RecoversWhatWasPlanted) {
     const World world;
     for (const Sheet& sheet : {world.sheet(), World::by_torque(world.sheet(), world)}) {
@@ -88,10 +88,12 @@ TEST(Calibrate, SaysWhatTheRowsLeaveUnknown) {
     EXPECT_EQ(unknown_of(calibrate(drawn_missing, {}, "c.csv")), (std::vector<std::string>{"groove_ratio", "cable_axis"}));
     Sheet one_length = without(full, Item::kLengthZ);
     for (int i = 0; i < 3; ++i) one_length.rows.push_back({Item::kLengthZ, 25.0, 25.1});
-    EXPECT_EQ(calibrate(one_length, {}, "c.csv").find("shrink_z"), nullptr) << "shrinkage and contour of one length cannot be told apart";
+    EXPECT_EQ(calibrate(one_length, {}, "c.csv").find("shrink_z"), nullptr)
+        << "shrinkage and contour of one length cannot be distinguished";
     const Calibration bores = calibrate(Sheet{0.8, 15.0, full.of(Item::kBore)}, {}, "c.csv");
     ASSERT_NE(bores.find("bore_offset"), nullptr);
-    EXPECT_NEAR(value(bores, "bore_offset"), 1e-3 * (0.12 + 0.005 * 6.2), 1e-9) << "the holes' shrinkage is in it, and a remark says so";
+    EXPECT_NEAR(value(bores, "bore_offset"), 1e-3 * (0.12 + 0.005 * 6.2), 1e-9)
+        << "it includes the holes' shrinkage, and a remark states this";
     EXPECT_EQ(bores.remarks.size(), 1u);
 }
 

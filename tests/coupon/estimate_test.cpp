@@ -21,7 +21,7 @@ TEST(Estimate, ASumFollowsWelchAndSatterthwaite) {
     EXPECT_DOUBLE_EQ(both.value, 0.0);
     EXPECT_NEAR(both.deviation, std::sqrt(0.09 + 0.64), 1e-15);
     EXPECT_NEAR(both.freedom, 0.73 * 0.73 / (0.0081 / 4.0 + 0.4096 / 8.0), 1e-12);
-    EXPECT_TRUE(std::isinf(sum({{1.0, {2.0, 0.0, 3.0}}}).freedom)) << "what is exact has no freedom to lose";
+    EXPECT_TRUE(std::isinf(sum({{1.0, {2.0, 0.0, 3.0}}}).freedom)) << "an exact value has infinite freedom";
 }
 
 TEST(Estimate, ALineThroughThreePointsByHand) {

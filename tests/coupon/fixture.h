@@ -7,7 +7,7 @@
 
 namespace fusee::coupon::test {
 
-/// A machine and a cable whose figures are known, and the sheet that they would fill.
+/// A machine and a cable with known values, and their sheet.
 struct World {
     double shrink_x = 0.004, shrink_y = 0.006, shrink_z = -0.003;
     double contour_mm = 0.06;  ///< what outer lengths come out longer by

@@ -15,7 +15,7 @@ std::string sheet(const std::string& row) { return "item,given,given_unit,measur
 TEST(SheetFile, IsReadRowByRow) {
     const Sheet read = parse_sheet(sheet("disc_floor,15,mm,,-\nshaft_enters,6.2,mm,1,1=yes 0=no\nlength_y,66,mm,,mm"), "c.csv");
     EXPECT_EQ(read.disc_floor_mm, 15.0);
-    ASSERT_EQ(read.rows.size(), 2u) << "what is drawn and what was left empty is no row";
+    ASSERT_EQ(read.rows.size(), 2u) << "nominal values and empty cells are not rows";
     EXPECT_EQ(read.rows[0].item, Item::kLengthX);
     EXPECT_EQ(read.rows[0].measured, 65.8);
     EXPECT_EQ(read.of(Item::kShaftEnters).size(), 1u);
@@ -35,7 +35,7 @@ TEST(SheetFile, AnEmptyOneIsReadAsEveryRowWantsIt) {
     for (const ItemKind& kind : item_kinds()) EXPECT_NE(page.find(kind.how), std::string::npos) << kind.name;
 }
 
-/// What is wrong, and the place that the message names.
+/// The error, and the place in its message.
 TEST(SheetFile, NamesLineAndColumnOfWhatIsWrong) {
     const std::pair<const char*, const char*> wrong[] = {
         {"lenght_x,66,mm,65,mm", "c.csv:3:1: item"},           {"length_x,66,cm,65,mm", "c.csv:3:13: given_unit"},
@@ -45,7 +45,8 @@ TEST(SheetFile, NamesLineAndColumnOfWhatIsWrong) {
         {"disc_floor,15,mm,14.9,-", "c.csv:3:18: measured"},   {"disc_floor,15,mm,,-\ndisc_floor,16,mm,,-", "c.csv:4:12: given"},
         {"length_x,66,mm,65,mm,once more", "c.csv:3:22: row"},
     };
-    for (const auto& [row, place] : wrong) EXPECT_EQ(field_refused([row] { return parse_sheet(sheet(row), "c.csv"); }), place) << row;
+    for (const auto& [row, place] : wrong)
+        EXPECT_EQ(field_refused([text = row] { return parse_sheet(sheet(text), "c.csv"); }), place) << row;
     EXPECT_EQ(field_refused([] { return parse_sheet("item,given\n", "c.csv"); }), "c.csv:1:11: header");
 }
 

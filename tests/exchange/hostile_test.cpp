@@ -41,7 +41,7 @@ TEST_F(Hostile, StepReferencesAreResolvedFirst) {
     ASSERT_NE(at, std::string::npos);
     const std::string number = whole.substr(begin, whole.find(' ', begin) - begin);
     const auto path = write("point.step", whole.substr(0, begin) + whole.substr(end + 1));
-    expect(path, {"point.step", "line ", number + " is referred to, but the file does not hold it"});
+    expect(path, {"point.step", "line ", number + " is referenced but not defined"});
     fixtures::expect_refusal([&] { (void)StepFile(path); }, {"point.step", number});
     expect(write("twice.step", whole.substr(0, end + 1) + whole.substr(begin)), {number + " is defined twice"});
 }
@@ -61,12 +61,12 @@ TEST_F(Hostile, StepValuesAreFiniteAndClosed) {
 
 TEST_F(Hostile, ObjFacesAndPoints) {
     const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
-    expect(write("a.obj", points + "f 1 2 4\n"), {"a.obj", "line 4", "point 4, of 3 points"});
+    expect(write("a.obj", points + "f 1 2 4\n"), {"a.obj", "line 4", "point 4; the file has 3 points"});
     expect(write("b.obj", points + "f 1 2 0\n"), {"line 4", "point 0"});
     expect(write("c.obj", points + "f -1 -2 -4\n"), {"line 4", "point -4"});
-    expect(write("d.obj", "v 0 0 0\nv nan 0 0\n"), {"line 2", "no finite number"});
-    expect(write("e.obj", "v 0 1e400 0\n"), {"line 1", "no finite number"});
-    expect(write("g.obj", points + "f 1/1 2/x a\n"), {"line 4", "no number of a point"});
+    expect(write("d.obj", "v 0 0 0\nv nan 0 0\n"), {"line 2", "not a finite number"});
+    expect(write("e.obj", "v 0 1e400 0\n"), {"line 1", "not a finite number"});
+    expect(write("g.obj", points + "f 1/1 2/x a\n"), {"line 4", "not the number of a point"});
     EXPECT_NO_THROW((void)read_mesh_file(write("h.obj", "v +0 1e-400 0\r\nv 1 0 0 1\nv 0 1 0\nf 1 2 \\\n-1\n")));
     std::string many = points + "f";
     for (int i = 0; i < 600'000; ++i) many += fmt::format(" {}", 1 + i % 3);
@@ -119,7 +119,7 @@ protected:
 };
 
 TEST_F(Apart, ACrashIsTheFilesFault) {
-    expect_of("kill -SEGV $$", {"a.step", "OpenCASCADE crashed reading it (signal 11)", "not a valid file"});
+    expect_of("kill -SEGV $$", {"a.step", "OpenCASCADE crashed reading it (signal 11)", "the file is not valid"});
     expect_of("exit 7", {"a.step", "crashed reading it (exit code 7)"});
     expect_of("printf M", {"crashed"});
     expect_of("printf Mgarbagegarbagegarbagegarbagegarbage", {"crashed"});

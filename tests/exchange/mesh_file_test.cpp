@@ -109,7 +109,7 @@ TEST_F(MeshFileTest, NamesWhatIsWrong) {
     for (const char* name : {"empty.stl", "empty.obj", "empty.3mf", "empty.step"}) expect(write(name, ""), "");
     const std::string text = text_stl(cube_);
     expect(write("cut.stl", text.substr(0, text.size() / 2)), "endsolid");
-    expect(write("none.stl", "solid none\nendsolid none\n"), "holds no triangles");
+    expect(write("none.stl", "solid none\nendsolid none\n"), "contains no triangles");
     write_stl(folder_ / "b.stl", cube_, "foreign");
     std::string bytes = core::read_file(folder_ / "b.stl");
     expect(write("short.stl", bytes.substr(0, bytes.size() - 10)), "bytes for 12 triangles");

@@ -99,10 +99,25 @@ expect_same 'first without, then after an update' \
     "$(printf '%s\n' 'install libabsent-dev' update 'install libabsent-dev')" \
     "$(sed 's/.*10min//; s/^noninteractive -qy -o DPkg::Lock::Timeout=600 //; s/ --no-install-recommends//; s/ *$//' "$work/fake/calls")"
 
+# Programs are installed too, apart from what the build needs.
+rm "$work/fake/absent" "$work/fake/calls"
+printf '%s\n' '# programs' 'viewer' >>"$house/packages.txt"
+PATH="$work/fake:$PATH" "$house/fusee" >"$work/out" 2>"$work/err" || fail 'programs could not be installed'
+expect_in 'says what it installs' 'installing libabsent-dev viewer' "$work/err"
+expect_same 'the programs apart' "$(printf '%s\n' 'install libabsent-dev' 'install viewer')" \
+    "$(sed 's/.*10min//; s/^noninteractive -qy -o DPkg::Lock::Timeout=600 //; s/ --no-install-recommends//; s/ *$//' "$work/fake/calls")"
+[ -e "$house/build/fusee-packages.log" ] || fail 'there is no log of the packages'
+printf '#!/bin/sh\ncase "$*" in *viewer*) exit 100 ;; esac\n' >"$work/fake/apt-get"
+code=0
+touch "$work/fake/absent"
+PATH="$work/fake:$PATH" "$house/fusee" >"$work/out" 2>"$work/err" || code=$?
+expect_same 'a program that cannot be installed' 3 "$code"
+expect_in 'a program that cannot be installed' 'could not install: viewer' "$work/err"
+
 # Neither root nor sudo: it says what to do.
 rm "$work/fake/absent"
 for tool in sh printenv readlink dirname sed tr mkdir flock grep cat tail; do ln -s "$(command -v $tool)" "$work/fake/$tool"; done
 code=0
 FAKE_ID=1000 PATH="$work/fake" "$house/fusee" 2>"$work/err" || code=$?
 expect_same 'no rights' 3 "$code"
-expect_in 'no rights' 'apt-get install --no-install-recommends libabsent-dev' "$work/err"
+expect_in 'no rights' 'apt-get install --no-install-recommends libabsent-dev viewer' "$work/err"

@@ -145,7 +145,7 @@ std::vector<Case> cases() {
 std::set<std::string> objecting(const core::Findings& findings) {
     std::set<std::string> rules;
     for (const core::Finding& f : findings)
-        if (core::is_broken(f)) rules.insert(f.rule);  // a surface that is not manifold leaves others without a judgement
+        if (core::is_broken(f)) rules.insert(f.rule);  // on a surface that is not manifold other rules are not judged
     return rules;
 }
 

@@ -84,7 +84,7 @@ TEST(Samples, OfManyCopiesOfOneTriangle) {
     EXPECT_NEAR(body.samples().front().at_mm[2], 0.0, 1e-12);
 }
 
-/// Long triangles across one another: each query looks at a great share of them.
+/// Long triangles across one another: each query visits a large share of them.
 solid::Mesh bundle(int count) {
     solid::Mesh mesh;
     for (int i = 0; i < count; ++i) {
@@ -101,7 +101,7 @@ TEST(Samples, ThatWouldCostTooMuchAreLeftOutAndSaidSo) {
     EXPECT_EQ(all.samples_left_out(), 0u);
     EXPECT_GT(some.samples_left_out(), 100u);
     EXPECT_EQ(some.samples().size() + some.samples_left_out(), all.samples().size());
-    ASSERT_EQ(some.samples().size(), same.samples().size()) << "whatever the number of threads";
+    ASSERT_EQ(some.samples().size(), same.samples().size()) << "for any number of threads";
     double whole = 0.0, kept = 0.0;
     for (const Sample& s : all.samples()) whole += s.share_mm2;
     for (std::size_t i = 0; i < some.samples().size(); ++i) {
@@ -164,7 +164,7 @@ TEST(Holes, AreFoundWhateverTheirFacets) {
     }
 }
 
-// Two slivers that stand across the wall part it into arcs of 180 deg, of which neither is a hole: together they are.
+// Two slivers across the wall divide it into arcs of 180 deg. Neither is a hole; together they are one.
 TEST(Holes, AreFoundAcrossSliversThatRoundingTurned) {
     Ring ring = polygon(4, 96);
     for (const std::size_t at : {48u, 0u}) ring.insert(ring.begin() + at + 1, {0.9999 * ring[at][0], 0.9999 * ring[at][1]});

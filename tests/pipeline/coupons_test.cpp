@@ -6,6 +6,7 @@
 #include "fusee/batch/batch.h"
 #include "fusee/exchange/stl.h"
 #include "fusee/exchange/three_mf.h"
+#include "fusee/formats/format.h"
 #include "fusee/pipeline/design.h"
 #include "fusee/readback/bore.h"
 #include "fusee/solid/validity.h"
@@ -88,8 +89,8 @@ TEST_F(CouponsTest, CompensatedFilesComeOutNominal) {
 
         exchange::PartFile wrong = file;  // what a file compensated by other figures than stated would be
         wrong.compensated->shrink_percent = {0.0, 0.0, 0.0};
-        for (const readback::ArmError& error : readback::read_back(result.folder, wrong)) EXPECT_FALSE(error.passed()) << error.file;
-        for (const readback::ArmError& error : readback::read_back(result.folder, file)) EXPECT_TRUE(error.passed()) << error.file;
+        for (const readback::ArmError& error : formats::read_back(result.folder, wrong)) EXPECT_FALSE(error.passed()) << error.file;
+        for (const readback::ArmError& error : formats::read_back(result.folder, file)) EXPECT_TRUE(error.passed()) << error.file;
         for (const exchange::FileEntry& entry : exchange::read_part_file(result.folder / (part + ".json")).files)
             EXPECT_EQ(entry.name.find("compensated"), std::string::npos) << "PART.json names the files that carry the law as they are";
     }

@@ -5,7 +5,7 @@
 #include "fusee/batch/batch.h"
 #include "fusee/core/turn.h"
 #include "fusee/exchange/part_file.h"
-#include "fusee/readback/readback.h"
+#include "fusee/formats/format.h"
 #include "fusee/toolpath/read_back.h"
 #include "pipeline/fixture.h"
 #include "pipeline/soft_springs.h"
@@ -58,7 +58,7 @@ TEST_P(HelixOfEitherHand, IsMadeAndReadBack) {
         const exchange::PartFile part = exchange::read_part_file(result.folder / (name + ".json"));
         const double climb = part.target.back().contact_mm[2] - part.target.front().contact_mm[2];
         EXPECT_NEAR(climb, GetParam().climb_mm * GetParam().turns, 0.4) << "the contact wanders a little against the cam's angle";
-        const auto errors = readback::read_back(result.folder, part);
+        const auto errors = formats::read_back(result.folder, part);
         EXPECT_EQ(errors.size(), GetParam().readings + programs);
         for (const readback::ArmError& e : errors) EXPECT_TRUE(e.passed()) << e.file << " " << e.reader << " " << e.worst_relative;
     }

@@ -3,7 +3,7 @@
 #include "fusee/batch/batch.h"
 #include "fusee/core/units.h"
 #include "fusee/exchange/part_file.h"
-#include "fusee/readback/readback.h"
+#include "fusee/formats/format.h"
 #include "pipeline/fixture.h"
 #include "pipeline/soft_springs.h"
 
@@ -35,7 +35,7 @@ TEST_P(LongHelix, IsMadeAndCarriesItsLaw) {
     EXPECT_NEAR(part.target.back().angle_rad, 2.0 * core::kPi * GetParam().turns, 1e-4);
     const double climb = part.target.back().contact_mm[2] - part.target.front().contact_mm[2];
     EXPECT_NEAR(std::abs(climb), 4.0 * GetParam().turns, 0.4) << "the contact wanders a little against the cam's angle";
-    for (const readback::ArmError& e : readback::read_back(result.folder, part)) {
+    for (const readback::ArmError& e : formats::read_back(result.folder, part)) {
         EXPECT_TRUE(e.passed()) << e.file << " " << e.worst_relative;
         EXPECT_GE(e.rows, 200u);
     }

@@ -1,7 +1,7 @@
 #include "fusee/batch/batch.h"
 #include "fusee/core/error.h"
 #include "fusee/exchange/part_file.h"
-#include "fusee/readback/readback.h"
+#include "fusee/formats/format.h"
 #include "pipeline/fixture.h"
 
 namespace fusee::pipeline {
@@ -57,9 +57,9 @@ TEST_F(LeavesNothing, ADamagedPartDoesNotPass) {
                 std::copy_n(reinterpret_cast<const char*>(&value), sizeof value, place);
             }
     core::write_file(result.folder / "k_se.stl", bytes);
-    EXPECT_THROW((void)readback::read_back(result.folder, part), core::IoError) << "other bytes than stated";
+    EXPECT_THROW((void)formats::read_back(result.folder, part), core::IoError) << "other bytes than stated";
     part.files.front().sha256 = core::sha256_hex(bytes);
-    for (const readback::ArmError& e : readback::read_back(result.folder, part)) {
+    for (const readback::ArmError& e : formats::read_back(result.folder, part)) {
         EXPECT_FALSE(e.passed()) << e.reader;
         EXPECT_NEAR(e.worst_relative, 0.01, 1e-3) << "1 % of the floor; half a cable is added unscaled";
     }

@@ -7,7 +7,7 @@
 #include "fusee/batch/batch.h"
 #include "fusee/checks/check.h"
 #include "fusee/exchange/part_file.h"
-#include "fusee/readback/readback.h"
+#include "fusee/formats/format.h"
 #include "pipeline/fixture.h"
 
 namespace fusee::pipeline {
@@ -78,7 +78,7 @@ TEST_F(BothSides, IsNotTakenForTheOtherSide) {
     ASSERT_TRUE(result.made);
     PartFile left = part(result, "k_se_mirrored");
     left.files = part(result, "k_se").files;
-    for (const readback::ArmError& e : readback::read_back(result.folder, left)) EXPECT_FALSE(e.passed()) << e.reader;
+    for (const readback::ArmError& e : formats::read_back(result.folder, left)) EXPECT_FALSE(e.passed()) << e.reader;
 }
 
 TEST_F(BothSides, IsLeftOutWhereTheProfileWantsOneSide) {

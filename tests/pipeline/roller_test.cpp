@@ -4,8 +4,8 @@
 #include "fusee/batch/batch.h"
 #include "fusee/core/error.h"
 #include "fusee/exchange/part_file.h"
+#include "fusee/formats/format.h"
 #include "fusee/pipeline/simulate.h"
-#include "fusee/readback/readback.h"
 #include "fusee/report/simulation.h"
 #include "pipeline/fixture.h"
 
@@ -35,7 +35,7 @@ TEST_F(RollerMade, CarriesItsLawInEveryFile) {
     EXPECT_EQ(part.cable_diameter_mm, 0.0);
     EXPECT_NEAR(part.guide.start_mm, 40.0, 1e-9);  // base and roller radius
     std::set<std::string> readers;
-    for (const readback::ArmError& e : readback::read_back(result.folder, part)) {
+    for (const readback::ArmError& e : formats::read_back(result.folder, part)) {
         EXPECT_TRUE(e.passed()) << e.file << " " << e.reader << " " << e.worst_relative;
         readers.insert(e.reader);
     }

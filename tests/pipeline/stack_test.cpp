@@ -4,7 +4,7 @@
 #include "fusee/batch/batch.h"
 #include "fusee/core/error.h"
 #include "fusee/exchange/part_file.h"
-#include "fusee/readback/readback.h"
+#include "fusee/formats/format.h"
 #include "pipeline/fixture.h"
 
 // Plates for a laser: asked for by the process, listed in PART.json, and their core carries the law.
@@ -41,7 +41,7 @@ TEST_F(StackTest, OfTheExampleIsMadeAndItsCoreCarriesTheLaw) {
             EXPECT_FALSE(stated.count(part + "_plate_" + number + "_kerf.dxf")) << "compensated: not what the law says";
             EXPECT_TRUE(fs::exists(result.folder / (part + "_plate_" + number + "_kerf.dxf")));
         }
-        const auto errors = readback::read_back(result.folder, file);
+        const auto errors = formats::read_back(result.folder, file);
         EXPECT_EQ(readers_of(part + "_plate_2.dxf", errors), (std::set<std::string>{"dxflib", "dxflib, spline"}));
         EXPECT_TRUE(readers_of(part + "_plate_1.dxf", errors).empty()) << "a flange holds no groove";
         for (const readback::ArmError& e : errors) EXPECT_TRUE(e.passed()) << e.file << " " << e.reader << " " << e.worst_relative;
@@ -56,11 +56,11 @@ TEST_F(StackTest, ACompensatedCoreIsNotTakenForTheNominalOne) {
     std::erase_if(part.files, [](const exchange::FileEntry& f) { return f.name != "k_se_plate_2.dxf"; });
     fs::copy_file(result.folder / "k_se_plate_2_kerf.dxf", result.folder / "k_se_plate_2.dxf", fs::copy_options::overwrite_existing);
     part.files.at(0).sha256 = core::sha256_hex(core::read_file(result.folder / "k_se_plate_2.dxf"));
-    EXPECT_THROW((void)readback::read_back(result.folder, part), core::IoError) << "a compensated drawing has no spline";
+    EXPECT_THROW((void)formats::read_back(result.folder, part), core::IoError) << "a compensated drawing has no spline";
 }
 
 TEST_F(StackTest, IsWrittenForPlatesOnlyUnlessAskedFor) {
-    const auto plates_of = [&](const std::string& toml) { return profile::read_profile(write("p.toml", toml)).outputs.plates; };
+    const auto plates_of = [&](const std::string& toml) { return profile::read_profile(write("p.toml", toml)).outputs.has("plates"); };
     EXPECT_TRUE(plates_of(example()));
     EXPECT_FALSE(plates_of(fixtures::with_key(example(), "process.kind", "\"fdm\"")));
     EXPECT_FALSE(plates_of(fixtures::with_key(example(), "outputs.formats", "[\"dxf\"]")));

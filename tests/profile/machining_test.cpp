@@ -7,7 +7,7 @@ using MachiningKeys = ProfileTest;
 
 TEST_F(MachiningKeys, LeftOutTheyAreTheRoomsAndNoGCodeIsAskedFor) {
     const Profile p = read(kShort);
-    EXPECT_FALSE(p.outputs.ngc);
+    EXPECT_FALSE(p.outputs.has("ngc"));
     EXPECT_EQ(p.machining.tool_diameter, toolpath::Settings{}.tool_diameter);
     EXPECT_EQ(p.machining.k_pe, toolpath::Method::kWrap);
 }
@@ -17,8 +17,8 @@ TEST_F(MachiningKeys, AreReadInMillimetresAndMinutes) {
         read(std::string(kShort) +
              "[outputs]\nformats = [\"ngc\"]\n[machining]\ncontroller = \"linuxcnc\"\nk_pe = \"stack\"\ntool_diameter_mm = 2\n"
              "feed_mm_per_min = 240\ntolerance_mm = 0.002\nrotary_sign = -1\n");
-    EXPECT_TRUE(p.outputs.ngc);
-    EXPECT_FALSE(p.outputs.stl);
+    EXPECT_TRUE(p.outputs.has("ngc"));
+    EXPECT_FALSE(p.outputs.has("stl"));
     EXPECT_EQ(p.machining.k_pe, toolpath::Method::kStack);
     EXPECT_EQ(p.machining.tool_diameter, 2e-3);
     EXPECT_EQ(p.machining.feed, 4e-3);

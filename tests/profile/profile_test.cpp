@@ -34,7 +34,7 @@ TEST_F(ProfileTest, LeavesTheRoomsDefaultsAlone) {
     const Profile p = read(kShort);
     EXPECT_EQ(p.k_se.solid.hub.bore_diameter, solid::HubOptions{}.bore_diameter);
     EXPECT_EQ(p.k_se.cam.path.margin, cam::PathOptions{}.margin);
-    EXPECT_TRUE(p.outputs.stl && p.outputs.scad && p.outputs.dxf && p.outputs.three_mf);
+    EXPECT_TRUE(p.outputs.has("stl") && p.outputs.has("scad") && p.outputs.has("dxf") && p.outputs.has("3mf"));
 }
 
 TEST_F(ProfileTest, ReadsEnumsListsAndArrays) {
@@ -42,8 +42,8 @@ TEST_F(ProfileTest, ReadsEnumsListsAndArrays) {
                            "[outputs]\nformats = [\"3mf\", \"stl\"]\n[k_pe.guide]\nkind = \"idler\"\ndistance_mm = 80\nradius_mm = 10\n"
                            "sense = -1\n[k_pe.path]\nkind = \"helix\"\nlead = \"aimed\"\npitch_mm = 2\n[k_pe.hub]\nlock = \"set_screw\"\n"
                            "screw_mm = 3\nboss_mm = 16\nboss_height_mm = 8\n");
-    EXPECT_TRUE(p.outputs.stl && p.outputs.three_mf);
-    EXPECT_FALSE(p.outputs.scad || p.outputs.dxf);
+    EXPECT_TRUE(p.outputs.has("stl") && p.outputs.has("3mf"));
+    EXPECT_FALSE(p.outputs.has("scad") || p.outputs.has("dxf"));
     EXPECT_EQ(p.k_pe.cam.guide.kind, cam::GuideKind::kIdler);
     EXPECT_EQ(p.k_pe.cam.guide.sense, -1);
     EXPECT_EQ(p.k_pe.cam.path.lead, cam::Lead::kAimedAtGuide);

@@ -62,13 +62,13 @@ TEST_F(PlateReadBack, RefusesWhatIsNotArrangedOrNotStated) {
     fixtures::expect_refusal(read(written(near)), {"plate.3mf", "k_se and k_pe", "nearer than 5 mm"});
     auto out = places_;
     out[1].moved_mm[1] = 195.0;
-    fixtures::expect_refusal(read(written(out)), {"plate.3mf", "k_pe", "out of the build volume along y"});
+    fixtures::expect_refusal(read(written(out)), {"plate.3mf", "k_pe", "beyond the build volume along y"});
     auto other = places_;
     other[1].name = "k_pe_mirrored";
-    fixtures::expect_refusal(read(written(places_, other)), {"plate.3mf", "are stated"});
+    fixtures::expect_refusal(read(written(places_, other)), {"plate.3mf", "stated objects"});
     exchange::Plate plate = written(places_);
     plate.file.sha256 = "0";
-    fixtures::expect_refusal(read(plate), {"plate.3mf", "are stated"});
+    fixtures::expect_refusal(read(plate), {"plate.3mf", "stated objects"});
 }
 
 }  // namespace

@@ -1,5 +1,3 @@
-#include "fusee/readback/readback.h"
-
 #include "exchange/fixtures/disc.h"
 #include "exchange/fixtures/expect_refusal.h"
 #include "exchange/fixtures/parts.h"
@@ -7,6 +5,7 @@
 #include "fusee/exchange/dxf.h"
 #include "fusee/exchange/stl.h"
 #include "fusee/exchange/three_mf.h"
+#include "fusee/formats/format.h"
 
 namespace fusee::readback {
 namespace {
@@ -54,7 +53,7 @@ TEST_F(ReadBackTest, DiscHasTheArmKnownByHandForEveryGuide) {
     for (const Case& c : cases()) {
         PartFile part = fixtures::disc_part({}, c.guide, c.torque_sign, c.rotation_sign);
         write_mesh(part, mesh);
-        const std::vector<ArmError> errors = read_back(folder_, part);
+        const std::vector<ArmError> errors = formats::read_back(folder_, part);
         ASSERT_EQ(errors.size(), 2u);
         EXPECT_EQ(errors[0].reader, "assimp");
         EXPECT_EQ(errors[1].reader, "openmesh");
@@ -67,8 +66,8 @@ TEST_F(ReadBackTest, DiscHasTheArmKnownByHandForEveryGuide) {
     }
 }
 
-// A guide above the groove's plane: the torque is the arm's in the plane times the cosine of the free cable's lean, whose length follows
-// from the disc's centre alone. 5 mm over about 55 mm cost 0.4 %.
+// A guide above the groove's plane: the torque is the arm's in the plane times the cosine of the free cable's fleet angle; its length
+// follows from the disc's centre alone. 5 mm over about 55 mm cost 0.4 %.
 TEST_F(ReadBackTest, ALeaningCableHasTheCosineOfItsArm) {
     const Disc disc;
     const solid::Mesh mesh = fixtures::disc_mesh(disc);
@@ -77,7 +76,7 @@ TEST_F(ReadBackTest, ALeaningCableHasTheCosineOfItsArm) {
         PartFile part = fixtures::disc_part(disc, c.guide, c.torque_sign, c.rotation_sign);
         part.guide.z_mm = 5.0;
         write_mesh(part, mesh);
-        for (const ArmError& e : read_back(folder_, part)) EXPECT_FALSE(e.passed()) << c.name << ": arms asked as if the cable were level";
+        for (const ArmError& e : formats::read_back(folder_, part)) EXPECT_FALSE(e.passed()) << c.name << ": arms for a cable in the plane";
         const double side = disc.radius_mm - c.torque_sign * c.guide.sense * (c.guide.kind == "idler" ? c.guide.radius_mm : 0.0);
         for (exchange::TargetRow& row : part.target) {
             const double turned = c.rotation_sign * row.angle_rad, x = disc.offset_mm * std::cos(turned),
@@ -86,7 +85,8 @@ TEST_F(ReadBackTest, ALeaningCableHasTheCosineOfItsArm) {
             const double free = std::sqrt(to_centre * to_centre - side * side);
             row.arm_mm *= free / std::hypot(free, 5.0);
         }
-        for (const ArmError& e : read_back(folder_, part)) EXPECT_LT(e.worst_relative, kPolygon) << c.name << " at " << e.worst_angle_rad;
+        for (const ArmError& e : formats::read_back(folder_, part))
+            EXPECT_LT(e.worst_relative, kPolygon) << c.name << " at " << e.worst_angle_rad;
     }
 }
 
@@ -107,7 +107,7 @@ TEST_F(ReadBackTest, ThreeMfAndDrawingAgreeWithTheStl) {
     exchange::write_dxf(file("a.dxf"), {{{"FLOOR", {floor}, {}}, {"FLOOR_SPLINE", {}, {}, {line}}}, "fusee test"});
     core::write_file(file("a.scad"), "// not read here");
     part.files = {entry("a.3mf", mesh.triangles.size()), entry("a.dxf", 0), entry("a.scad", 0)};
-    const std::vector<ArmError> errors = read_back(folder_, part);
+    const std::vector<ArmError> errors = formats::read_back(folder_, part);
     ASSERT_EQ(errors.size(), 3u);
     EXPECT_EQ(errors[0].reader, "lib3mf");
     EXPECT_EQ(errors[1].reader, "dxflib");
@@ -115,7 +115,7 @@ TEST_F(ReadBackTest, ThreeMfAndDrawingAgreeWithTheStl) {
     for (const ArmError& e : errors) EXPECT_LT(e.worst_relative, kPolygon) << e.reader;
 }
 
-/// A ribbon: the floor and flanks of a groove that climbs 2 mm a turn over 1.6 turns of h = R + g psi, so h' = g, rho = h.
+/// A ribbon: the floor and flanks of a groove that rises 2 mm per turn over 1.6 turns of h = R + g psi, so h' = g, rho = h.
 solid::Mesh helix_ribbon(double radius, double growth, double pitch, double margin, double travel) {
     const auto section = fixtures::disc_section({});
     const auto rails = static_cast<std::uint32_t>(section.size() - 2);
@@ -146,7 +146,8 @@ TEST_F(ReadBackTest, HelixOfMoreThanATurnMeetsItsOwnTurnOnly) {
     }
     write_mesh(part, helix_ribbon(radius, growth, 3.0, 0.35, travel));
     // columns: (10.7/3000)^2/8 of the arm, 1.6e-6; rays: (10/399/5)^2/8, 3e-6; floor points have heights between two columns: below 1e-5
-    for (const ArmError& e : read_back(folder_, part)) EXPECT_LT(e.worst_relative, 2e-5) << e.reader << " at " << e.worst_angle_rad;
+    for (const ArmError& e : formats::read_back(folder_, part))
+        EXPECT_LT(e.worst_relative, 2e-5) << e.reader << " at " << e.worst_angle_rad;
 }
 
 struct RealCase {
@@ -186,7 +187,7 @@ TEST_F(ReadBackTest, BuiltPartsKeepTheirArmInEveryFormat) {
             files.push_back(entry("a.dxf", 0));
         }
         exchange::write_part_file(file("a.json"), exchange::describe_part(built, {}, files, {"test", "0123456789abcdef", ""}));
-        const std::vector<ArmError> errors = read_back(folder_, exchange::read_part_file(file("a.json")));
+        const std::vector<ArmError> errors = formats::read_back(folder_, exchange::read_part_file(file("a.json")));
         EXPECT_EQ(errors.size(), files.size() + (built.cam.closed() ? 2 : 1));  // STL and DXF are read twice
         // chordal error 2e-3 mm of an arm of at least 8.5 mm; it cannot be exceeded where mesh and drawing keep what they state
         for (const ArmError& e : errors)
@@ -204,26 +205,26 @@ TEST_F(ReadBackTest, WrongPartsAreNoticed) {
     elsewhere.bulge_at = lump.bulge_at + core::kPi;
     for (const Disc& disc : {larger, lump}) {
         write_mesh(part, fixtures::disc_mesh(disc));
-        for (const ArmError& e : read_back(folder_, part)) {
+        for (const ArmError& e : formats::read_back(folder_, part)) {
             EXPECT_FALSE(e.passed());
             EXPECT_LT(e.worst_relative, 6e-3);
         }
     }
     write_mesh(part, fixtures::disc_mesh(elsewhere));  // a lump that the cable never meets
-    for (const ArmError& e : read_back(folder_, part)) EXPECT_TRUE(e.passed());
+    for (const ArmError& e : formats::read_back(folder_, part)) EXPECT_TRUE(e.passed());
     PartFile flipped = part;
     flipped.rotation_sign = -1;
-    for (const ArmError& e : read_back(folder_, flipped)) EXPECT_FALSE(e.passed());
+    for (const ArmError& e : formats::read_back(folder_, flipped)) EXPECT_FALSE(e.passed());
     PartFile other_torque = part;
     other_torque.torque_sign = -1;
-    for (const ArmError& e : read_back(folder_, other_torque)) EXPECT_FALSE(e.passed());
+    for (const ArmError& e : formats::read_back(folder_, other_torque)) EXPECT_FALSE(e.passed());
 }
 
 TEST_F(ReadBackTest, NoFloorIsNoPass) {
     PartFile part = fixtures::disc_part({}, cases()[0].guide, 1, 1);
     for (exchange::TargetRow& row : part.target) row.contact_mm[2] = 50.0;  // above the part
     write_mesh(part, fixtures::disc_mesh({}));
-    for (const ArmError& e : read_back(folder_, part)) {
+    for (const ArmError& e : formats::read_back(folder_, part)) {
         EXPECT_TRUE(std::isnan(e.worst_relative));
         EXPECT_FALSE(e.passed());
     }
@@ -234,19 +235,19 @@ TEST_F(ReadBackTest, RefusesFilesThatAreNotTheOnesStated) {
     const solid::Mesh mesh = fixtures::disc_mesh({});
     write_mesh(part, mesh);
     part.files[0].triangles -= 1;
-    fixtures::expect_refusal([&] { (void)read_back(folder_, part); }, {"a.stl", "triangles"});
+    fixtures::expect_refusal([&] { (void)formats::read_back(folder_, part); }, {"a.stl", "triangles"});
     std::string bytes = core::read_file(file("a.stl"));
     bytes[100] = static_cast<char>(bytes[100] ^ 1);
     core::write_file(file("a.stl"), bytes);
-    fixtures::expect_refusal([&] { (void)read_back(folder_, part); }, {"a.stl", "SHA-256"});
+    fixtures::expect_refusal([&] { (void)formats::read_back(folder_, part); }, {"a.stl", "SHA-256"});
     part.files[0].name = "missing.stl";
-    fixtures::expect_refusal([&] { (void)read_back(folder_, part); }, {"missing.stl"});
+    fixtures::expect_refusal([&] { (void)formats::read_back(folder_, part); }, {"missing.stl"});
     core::write_file(file("a.step"), "ISO-10303-21;");
     part.files = {entry("a.step", 0)};
-    fixtures::expect_refusal([&] { (void)read_back(folder_, part); }, {"a.step"});
+    fixtures::expect_refusal([&] { (void)formats::read_back(folder_, part); }, {"a.step"});
     exchange::write_dxf(file("a.dxf"), {{{"PITCH", {}, {}}}, ""});
     part.files = {entry("a.dxf", 0)};
-    fixtures::expect_refusal([&] { (void)read_back(folder_, part); }, {"a.dxf", "FLOOR"});
+    fixtures::expect_refusal([&] { (void)formats::read_back(folder_, part); }, {"a.dxf", "FLOOR"});
 }
 
 }  // namespace

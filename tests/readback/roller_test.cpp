@@ -4,7 +4,7 @@
 #include "exchange/fixtures/expect_refusal.h"
 #include "fusee/core/file.h"
 #include "fusee/exchange/stl.h"
-#include "fusee/readback/readback.h"
+#include "fusee/formats/format.h"
 
 // A disc turns about a point beside its centre and pushes a roller: the roller's centre stays both radii from the disc's.
 namespace fusee::readback {
@@ -52,7 +52,7 @@ protected:
         exchange::write_stl(folder_ / "a.stl", mesh, "fusee test");
         part.files = {{"a.stl", core::sha256_hex(core::read_file(folder_ / "a.stl")), mesh.triangles.size(), 0.002}};
         exchange::write_part_file(folder_ / "a.json", part);
-        return read_back(folder_, exchange::read_part_file(folder_ / "a.json"));
+        return formats::read_back(folder_, exchange::read_part_file(folder_ / "a.json"));
     }
 };
 

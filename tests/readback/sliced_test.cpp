@@ -3,7 +3,7 @@
 #include "exchange/fixtures/disc.h"
 #include "exchange/fixtures/expect_refusal.h"
 #include "fusee/core/file.h"
-#include "fusee/readback/readback.h"
+#include "fusee/formats/format.h"
 
 namespace fusee::readback {
 namespace {
@@ -45,7 +45,7 @@ protected:
     [[nodiscard]] ArmError read(const std::string& text, PartFile part) const {
         core::write_file(folder_ / "a.gcode", text);
         part.files = {{"a.gcode", core::sha256_hex(text), 0, 0.2}};
-        const std::vector<ArmError> errors = read_back(folder_, part);
+        const std::vector<ArmError> errors = formats::read_back(folder_, part);
         EXPECT_EQ(errors.size(), 1u);
         return errors.front();
     }
@@ -93,7 +93,7 @@ TEST_F(SlicedTest, MoreThanHalfALayerOffIsForReview) {
     EXPECT_FALSE(read(gcode({{10.1, 0.2, 19.5 - 0.225}}, -8.0, 0.45), part).passed()) << "no bead at the cable's height: no arm";
 }
 
-// A groove that climbs 3 mm a turn: h = R + g psi, so its points are (h c - g s, h s + g c) at z = 3 psi/(2 pi). Every layer is a bead
+// A groove that rises 3 mm per turn: h = R + g psi, so its points are (h c - g s, h s + g c) at z = 3 psi/(2 pi). Every layer is a bead
 // along the whole groove, at the height where it stands; layers of 0.05 mm leave the cable's height at most half a layer off: 0.025^2/1.05
 // = 0.6 um.
 TEST_F(SlicedTest, HelixMeetsItsOwnTurnOnly) {
@@ -126,7 +126,7 @@ TEST_F(SlicedTest, RefusesWhatItDoesNotUnderstand) {
         text.replace(text.find(from), from.size(), to);
         fixtures::expect_refusal([&] { (void)read(text, disc()); }, words);
     };
-    refused("; fusee: z", "; z", {"a.gcode", "where the part stands"});
+    refused("; fusee: z", "; z", {"a.gcode", "the part's height"});
     refused(";TYPE:External perimeter", ";TYPE:Perimeter", {"a.gcode", "no external perimeter"});
     refused("G90", "G91", {"a.gcode:5", "G91 is not understood"});
     refused("G21", "G20", {"a.gcode:4", "G20 is not understood"});

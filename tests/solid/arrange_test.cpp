@@ -33,7 +33,7 @@ TEST(Arrange, FindsAnOrderThatFits) {
     EXPECT_FALSE(arrange({{50.0, 20.0}, {50.0, 20.0}, {50.0, 20.0}, {50.0, 20.0}}, {69.0, 69.0}, 5.0));
 }
 
-// Law: whatever comes back stands on the bed and apart.
+// Law: every arrangement lies on the bed with its spacing.
 TEST(Arrange, KeepsApartWhateverItPlaces) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> side(5.0, 60.0);

@@ -48,7 +48,8 @@ double laid(const cam::Cam& cam, const PartOptions& options) {
     return ColumnMaker(cam, section, flanges_of(options)).reach().high - cam.groove_psi.high;
 }
 
-// Known: what the lips need, but for their own height. Beyond 2 rad, once the longest run-out, the solids of the latter two met themselves.
+// Known: the need of the lips, without their own height. Beyond 2 rad, once the longest run-out, the solids of the latter two met
+// themselves.
 TEST(RunOut, IsAsLongAsItsLipsNeed) {
     const PartOptions options = plain();
     for (const double steepness : {0.3, 1.25, 1.5}) {

@@ -20,13 +20,13 @@ Part part_of(const cam::Cam& cam, const PartOptions& options) {
 // Known: between a bore of 2.6 mm and a floor of 19.6 mm about the same axis the largest circle is 17 mm wide, its middle 11.1 mm out.
 TEST(Dowels, StandHalfWayBetweenBoreAndFloor) {
     const Dowels dowels = place_dowels(part_of(disc(0.02), plain()));
-    EXPECT_NEAR(dowels.room_mm, 17.0, 2e-2);  // the bore's ring is a polygon within 5 micrometres, places are found to 1e-4 mm
+    EXPECT_NEAR(dowels.space_mm, 17.0, 2e-2);  // the bore's ring is a polygon within 5 micrometres, places are found to 1e-4 mm
     for (const Point2& c : dowels.centres_mm) EXPECT_NEAR(std::hypot(c[0], c[1]), 11.1, 1e-2);
     EXPECT_NEAR(dowels.centres_mm[0][0], -dowels.centres_mm[1][0], 1e-2) << "opposite";
     EXPECT_NEAR(dowels.centres_mm[0][1], -dowels.centres_mm[1][1], 1e-2);
 }
 
-// Law: no circle of the stated room about a dowel meets an opening or the floor.
+// Law: no circle of the stated diameter around a dowel meets an opening or the floor.
 TEST(Dowels, KeepClearOfEveryOpening) {
     PartOptions o = plain();
     o.hub.lock = HubLock::kKeyway;
@@ -38,24 +38,24 @@ TEST(Dowels, KeepClearOfEveryOpening) {
     o.features.leg_slot_angle = core::kPi / 2.0;
     const Part part = part_of(disc(0.012, 0.003), o);
     const Dowels dowels = place_dowels(part);
-    EXPECT_GT(dowels.room_mm, kDowel_mm);
+    EXPECT_GT(dowels.space_mm, kDowel_mm);
     for (const Plate& plate : stack_plates(part))
         for (const Opening& opening : plate.openings) {
             if (opening.name == "dowel") continue;
             for (const Point2& corner : ring_of(opening.outline, 1e-3))
                 for (const Point2& c : dowels.centres_mm)
-                    EXPECT_GT(std::hypot(corner[0] - c[0], corner[1] - c[1]), 0.5 * dowels.room_mm - 1e-2) << opening.name;
+                    EXPECT_GT(std::hypot(corner[0] - c[0], corner[1] - c[1]), 0.5 * dowels.space_mm - 1e-2) << opening.name;
         }
     for (double psi = 0.0; psi < 2.0 * core::kPi; psi += 0.01)
         for (const Point2& c : dowels.centres_mm)
-            EXPECT_GT(12.0 + 3.0 * std::cos(psi) - 0.4 - c[0] * std::cos(psi) - c[1] * std::sin(psi), 0.5 * dowels.room_mm - 1e-2);
+            EXPECT_GT(12.0 + 3.0 * std::cos(psi) - 0.4 - c[0] * std::cos(psi) - c[1] * std::sin(psi), 0.5 * dowels.space_mm - 1e-2);
 }
 
 TEST(Dowels, AreLeftOutWhereTheyHaveNoRoom) {
     PartOptions o = plain();
     o.hub.bore_diameter = 20e-3;
     const Part part = part_of(disc(0.012), o);  // 1.5 mm between bore and floor
-    EXPECT_LT(place_dowels(part).room_mm, kDowel_mm);
+    EXPECT_LT(place_dowels(part).space_mm, kDowel_mm);
     for (const Plate& plate : stack_plates(part)) EXPECT_EQ(plate.openings.size(), 1u) << "the bore";
 }
 

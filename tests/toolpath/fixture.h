@@ -22,7 +22,7 @@ inline solid::Part part_of(const cam::Cam& cam, const solid::PartOptions& option
     return *part;
 }
 
-/// A disc about (e, 0), whose floor every test knows by hand: h = R + e cos psi, less half a cable of 1 mm.
+/// A disc about (e, 0), with a floor known by hand: h = R + e cos psi, less half a cable of 1 mm.
 inline solid::Part disc(double offset = 2e-3) { return part_of(fixtures::planar_cam(12e-3, offset)); }
 
 inline solid::Part helix() {

@@ -62,7 +62,7 @@ TEST_F(ReadBack, FollowsTheCompensatedPath) {
     const auto uncompensated = cut_floors(run(replaced(text, "G41.1 D#<cutter> ", "")));
     EXPECT_NEAR(floor_error(uncompensated[0], disc().cam), 1.5, 0.1);  // the radius, seen along a ray
     const auto worn = cut_floors(run(replaced(text, "#<cutter> = 3.00000", "#<cutter> = 2.98000")));
-    EXPECT_NEAR(floor_error(worn[0], disc().cam), 0.01, 1.5e-3);  // told of a cutter that is not worn: 0.01 mm too deep
+    EXPECT_NEAR(floor_error(worn[0], disc().cam), 0.01, 1.5e-3);  // for a cutter that is not worn: 0.01 mm too deep
 }
 
 TEST_F(ReadBack, ATurnTheWrongWayIsSeen) {

@@ -65,7 +65,7 @@ TEST(Wrap, TheOtherRotarySenseTurnsAOnly) {
     }
 }
 
-// A helix climbs along X and is cut into round stock, layer by layer, where something is left.
+// A helix advances along X and is cut into round stock, layer by layer, where material remains.
 TEST(Wrap, FollowsAHelixDownFromRoundStock) {
     const solid::Part part = helix();
     const auto passes = passes_of(wrap_program(part, {}, "test").text);

@@ -13,12 +13,12 @@ struct Brep {
     std::shared_ptr<const TopoDS_Shape> shape;  ///< OpenCASCADE's, in millimetres, body frame
     std::size_t faces = 0;
     double volume_mm3 = 0.0;    ///< as clients read it (measure.h)
-    double deviation_mm = 0.0;  ///< of the spline faces from the analytic surface, greatest found half-way between their nodes
+    double deviation_mm = 0.0;  ///< of the spline faces from the analytic surface, the largest half-way between their nodes
 };
 
 /// Builds it from the parametric surface (docs/theory/cams.md); Booleans only for anchor hole, leg slot, mark and set screw.
-/// Refusals: "brep.validity" (not one valid solid, or its volume by OpenCASCADE's default integral is not that of the mesh within 0.05 %:
-/// then the suggestion is the chordal error at which it is, found by meshing).
+/// Refusal: "brep.validity" (not one valid solid, or its volume by OpenCASCADE's default integral differs
+/// from that of the mesh by more than 0.05 %; then the suggestion is a chordal error with which it agrees).
 [[nodiscard]] core::Outcome<Brep> build(const solid::Part& part);
 
 }  // namespace fusee::brep

@@ -12,40 +12,40 @@ struct LawJet;
 namespace fusee::cam {
 
 enum class PartKind {
-    kSeries,    ///< K_SE: a spool that turns a torsion spring as the cable is drawn off; turns with the tension
-    kParallel,  ///< K_PE: a cam on the capstan that draws in the cable of a compression spring; turns against the tension
+    kSeries,    ///< K_SE: a spool on a torsion spring, which pays out cable; turns with the tension
+    kParallel,  ///< K_PE: a cam on the capstan, which draws in the cable of a compression spring; turns against the tension
 };
 [[nodiscard]] const char* to_string(PartKind kind);  ///< "k_se", "k_pe"
 
-/// What the cable gives way from the law's lowest load on, and what that takes of the capstan's travel.
-struct CableStretch {
+/// Cable elongation since the law's lowest load, and its share of the capstan's travel.
+struct CableElongation {
     double length = 0.0;  ///< [m]
-    double turn = 0.0;    ///< of the capstan, spent on it [rad]
-    double travel = 0.0;  ///< of the capstan in all: theta [rad]
+    double turn = 0.0;    ///< capstan angle that it takes [rad]
+    double travel = 0.0;  ///< total capstan angle: theta [rad]
     [[nodiscard]] double share() const { return travel > 0.0 ? turn / travel : 0.0; }
 };
 
-/// What the law asks of the cam at one load.
+/// The arm that the law needs at one load.
 struct ArmPoint {
-    double tau = 0.0;                ///< capstan load [Nm]: names the point
-    double angle = 0.0;              ///< rotation of the cam from the law's lowest load [rad], >= 0
-    double arm = 0.0;                ///< r, torque over tension [m]; pivot to cable centreline where the cable does not lean
-    double slope = 0.0;              ///< r' = dr/dangle [m/rad]
-    double second_derivative = 0.0;  ///< r'' [m/rad^2]
-    double tension = 0.0;            ///< cable tension [N]
-    double state = 0.0;              ///< phi + phi0 [rad] or y + y0 [m] of the base spring
-    double travel = 0.0;             ///< of it since the law's lowest load: phi [rad] or y [m]
-    CableStretch stretch = {};       ///< of the cable; nothing unless it has been said how far it gives way (`Allowance`)
+    double tau = 0.0;                 ///< capstan load [Nm]: names the point
+    double angle = 0.0;               ///< rotation of the cam from the law's lowest load [rad], >= 0
+    double arm = 0.0;                 ///< r, torque over tension [m]; pivot to cable centreline at a fleet angle of 0
+    double slope = 0.0;               ///< r' = dr/dangle [m/rad]
+    double second_derivative = 0.0;   ///< r'' [m/rad^2]
+    double tension = 0.0;             ///< cable tension [N]
+    double state = 0.0;               ///< phi + phi0 [rad] or y + y0 [m] of the base spring
+    double travel = 0.0;              ///< change of state since the law's lowest load: phi [rad] or y [m]
+    CableElongation elongation = {};  ///< 0 unless `Allowance` states a compliance
 };
 
-/// What the rig adds to a cam, so that the cam has to be cut without it (docs/guides/close-the-loop.md). All 0: a rig as it is drawn.
+/// Deviations of the rig, for which the cam is compensated (docs/guides/close-the-loop.md). All 0: a nominal rig.
 struct Allowance {
-    double radius = 0.0;             ///< added to every arm [m]: a thicker cable, overcut, less shrinkage; of either sign
-    double series_compliance = 0.0;  ///< behind K_SE's spool beyond `cable_compliance`, >= 0 [rad/Nm] at the capstan; K_SE only
-    double cable_axis = 0.0;         ///< what coupons measured the cable's neutral axis to run farther out than d/2 [m]: as `radius`
-    double cable_compliance = 0.0;   ///< L/(E A): what the cable stretches for its tension, >= 0 [m/N] (docs/theory/cams.md, eq. 18)
+    double radius = 0.0;             ///< added to every arm [m], of either sign: a thicker cable, overcut, less shrinkage
+    double series_compliance = 0.0;  ///< K_SE only: compliance behind the spool besides `cable_compliance`, >= 0 [rad/Nm] at the capstan
+    double cable_axis = 0.0;         ///< distance of the cable's neutral axis beyond d/2, from coupons [m]; added like `radius`
+    double cable_compliance = 0.0;   ///< L/(E A): cable elongation per tension, >= 0 [m/N] (docs/theory/cams.md, eq. 18)
     [[nodiscard]] double on_arms() const { return radius + cable_axis; }
-    /// All that gives way behind K_SE's spool [rad/Nm] at the capstan.
+    /// Total compliance behind K_SE's spool [rad/Nm] at the capstan.
     [[nodiscard]] double behind_spool(double capstan_radius) const {
         return series_compliance + cable_compliance / (capstan_radius * capstan_radius);
     }
@@ -55,11 +55,11 @@ struct Allowance {
 class ArmFunction {
 public:
     /// @param capstan_radius r_c [m], turns the series torque into cable tension
-    /// @param allowance the arms are those with which rig and cam together carry the law: r - dr; behind a compliance c the spool gives
-    /// the cable's travel less c (F_SE - F_SE at the law's lowest load), so that its own stiffness is S/(1 - c S); K_PE's cam pulls its
-    /// spring through the cable, by `spring::in_series_with_cable`
-    /// @throws InvalidInput if the base spring is of the other kind, its rate or the radius is not above 0, its preload below 0, or what
-    /// gives way behind the spool not below 1/S over the law: no spool makes up for it
+    /// @param allowance with these arms, r - dr, rig and cam together carry the law. Behind a compliance c the spool has the cable's
+    /// travel less c (F_SE - F_SE at the law's lowest load), so that its own stiffness is S/(1 - c S). K_PE's cam pulls its spring through
+    /// the cable, by `spring::in_series_with_cable`
+    /// @throws InvalidInput if the base spring is of the other kind, its rate or the radius is not above 0, its preload is below 0, or the
+    /// compliance behind the spool is not below 1/S over the law, so that no spool can compensate for it
     ArmFunction(PartKind kind, spring::SpringLawPtr law, spring::BaseSpring base, double capstan_radius, const Allowance& allowance = {});
 
     [[nodiscard]] ArmPoint at_load(double tau) const;
@@ -67,7 +67,7 @@ public:
     [[nodiscard]] ArmJet over(const spring::LawJet& law) const;
     /// The same law on another base spring. @throws InvalidInput as the constructor
     [[nodiscard]] ArmFunction on(const spring::BaseSpring& base) const;
-    /// The arms in the plane that a cable has to have which leans so (docs/theory/cams.md, eq. 8a).
+    /// The arms in the plane for a cable with these fleet angles (docs/theory/cams.md, eq. 8a).
     [[nodiscard]] ArmFunction corrected_for_fleet_angle(const FleetAngleCorrection& correction) const;
     [[nodiscard]] PartKind kind() const { return kind_; }
     [[nodiscard]] const spring::SpringLaw& law() const { return *law_; }
@@ -78,14 +78,14 @@ private:
     [[nodiscard]] Point behind_cable(Point p) const;
     template <class Arm, class Point>
     [[nodiscard]] Arm arm_of(const Point& law) const;
-    [[nodiscard]] CableStretch stretch(const spring::LawPoint& law, double tension) const;
+    [[nodiscard]] CableElongation elongation(const spring::LawPoint& law, double tension) const;
 
     PartKind kind_;
     spring::SpringLawPtr law_;
     spring::BaseSpring base_;
     double capstan_radius_;
     Allowance allowance_;
-    spring::BaseSpring pulled_;         ///< what K_PE's cam pulls: the base spring and its cable
+    spring::BaseSpring pulled_;         ///< the load of K_PE's cam: the base spring and its cable
     double behind_spool_ = 0.0;         ///< K_SE: compliance [rad/Nm] at the capstan
     double least_series_torque_ = 0.0;  ///< K_SE: F_SE at the law's lowest load [Nm]
     std::optional<FleetAngleCorrection> fleet_correction_;

@@ -7,35 +7,35 @@
 #include "fusee/cam/cam.h"
 #include "fusee/math/interval.h"
 
-/// Convexity and least radius of curvature proven by interval arithmetic over the whole contour, not sampled (docs/theory/cams.md).
+/// Proof of convexity and of the least radius of curvature by interval arithmetic over the whole contour (docs/theory/cams.md).
 namespace fusee::cam {
 
-/// A contour over a box of some parameter; derivatives by that parameter.
+/// A contour over a box of a parameter, with derivatives by that parameter.
 struct ContourJet {
     math::Jet psi;                                             ///< direction of the normal [rad]
     math::Jet rho;                                             ///< radius of curvature in the plane, cable's centreline [m]
-    math::Jet angle;                                           ///< cam angle at which the cable leaves there [rad]; working stretches only
+    math::Jet angle;                                           ///< cam angle at which the cable leaves there [rad]; working pieces only
     math::Interval axial_slope = 0.0, axial_slope_rate = 0.0;  ///< dz/dpsi [m/rad], d2z/dpsi2 [m/rad^2]
 };
 
-/// A stretch of a contour over which it is one smooth formula of one parameter.
-struct ContourStretch {
+/// A piece of a contour that is one smooth formula of one parameter.
+struct ContourPiece {
     core::Range parameter;
-    bool working = true;                                    ///< does a cable leave here, or is it an idle arc or a run-out?
+    bool working = true;                                    ///< true: a cable leaves here; false: an idle arc or a run-out
     std::function<ContourJet(const math::Interval&)> over;  ///< @pre the box lies in `parameter`; thread-safe
 };
 
 enum class Proof {
     kProven,     ///< holds everywhere
-    kRefuted,    ///< fails at a place that was found
-    kNotProven,  ///< neither within the boxes allowed, or the law cannot say its bounds
+    kRefuted,    ///< fails at a known place
+    kNotProven,  ///< undecided after the allowed number of boxes, or the law has no bounds
 };
 [[nodiscard]] const char* to_string(Proof proof);  ///< "proven", "refuted", "not proven"
 
-/// The least radius of curvature [m] lies between the two.
+/// Bounds of the least radius of curvature [m].
 struct LeastRadius {
-    double proven = 0.0;  ///< no radius is below; -infinity: nothing is proven
-    double found = 0.0;   ///< a radius at most this stands at a place in `psi`
+    double proven = 0.0;  ///< no radius is smaller; -infinity: nothing is proven
+    double found = 0.0;   ///< a radius in `psi` is at most this
     core::Range psi;      ///< the box with the lowest bound [rad]
 };
 
@@ -46,9 +46,9 @@ struct Certificate {
     std::optional<LeastRadius> idle;                 ///< the same on the idle arc, or on a helix' run-outs
     std::optional<LeastRadius> floor;                ///< helix: radius in space of the groove's floor, on the working arc
     std::optional<LeastRadius> idle_floor;           ///< the same on its run-outs
-    double seam = 0.0;                               ///< by how much h and h' jump where a planar contour closes [m]
+    double seam = 0.0;                               ///< jump of h and h' where a planar contour closes [m]
     int boxes = 0;                                   ///< evaluated
-    std::string open;                                ///< what is not proven, and in which box; empty if all is
+    std::string open;                                ///< the unproven claims with their boxes; empty if all are proven
     [[nodiscard]] const LeastRadius& least() const;  ///< of working and idle: the one with the lower bound
 };
 
@@ -58,19 +58,18 @@ struct CertifyOptions {
     double floor_depth = 0.0;  ///< of a hand-made helix: the floor's curve is h less this [m]
 };
 
-/// Nothing if convexity and order are proven; else a finding "cam.certificate" that a person has to accept, or, refuted, a required change.
+/// Nothing if convexity and order are proven; otherwise the finding "cam.certificate": a warning, or an error if refuted.
 [[nodiscard]] std::optional<core::Finding> doubt(const Certificate& certificate, PartKind kind);
 
-/// What a certificate takes for granted, to be printed beside it.
+/// The assumptions of a certificate, printed with it.
 [[nodiscard]] const std::vector<std::string>& certificate_assumptions();
 
-/// Proves what the cam's own formulas give. A cam that was not synthesized, or whose law cannot say its bounds: "not proven".
-/// Deterministic; reentrant.
+/// Certifies the cam's own formulas. "Not proven" for a cam that was not synthesized or whose law has no bounds. Deterministic; reentrant.
 [[nodiscard]] Certificate certify(const Cam& cam, const CertifyOptions& options = {});
 
-/// The same of a contour given in stretches.
+/// The same for a contour given in pieces.
 /// @param helix also the floor's radius in space
 /// @throws InvalidInput unless gap > 0 and most_boxes >= 1
-[[nodiscard]] Certificate certify(const std::vector<ContourStretch>& contour, bool helix, const CertifyOptions& options = {});
+[[nodiscard]] Certificate certify(const std::vector<ContourPiece>& contour, bool helix, const CertifyOptions& options = {});
 
 }  // namespace fusee::cam

@@ -8,17 +8,17 @@ namespace fusee::cam {
 struct ArmJet;
 struct ArmPoint;
 
-/// A cable that leans out of the contact's plane by the fleet angle turns its cam by cos(fleet) of tension times arm (docs/theory/cams.md,
-/// eq. 8a). That share over the cam's angle, as a Chebyshev series: twice differentiable, and with bounds over boxes.
+/// At a fleet angle the torque on the cam is cos(fleet) times tension times arm (docs/theory/cams.md, eq. 8a). This class holds cos(fleet)
+/// over the cam's angle as a Chebyshev series, which is twice differentiable and has bounds over boxes.
 class FleetAngleCorrection {
 public:
     using Shares = math::ChebyshevSeries::Values;
-    /// Cam angles at which a series wants its shares, 0 to `last` [rad].
+    /// Cam angles at which a series needs its shares, 0 to `last` [rad].
     [[nodiscard]] static Shares places(double last) { return math::ChebyshevSeries::points({0.0, last}); }
     /// @param shares at `places(last)`, in (0, 1]
     FleetAngleCorrection(double last, const Shares& shares);
 
-    /// Puts the arm in the plane, its slope and its bend, in the place of those that the torque asks for.
+    /// Replaces arm, slope and second derivative of the torque by those in the plane.
     void project_to_plane(ArmPoint& arm) const { project(arm); }
     void project_to_plane(ArmJet& arm) const { project(arm); }
 

@@ -4,7 +4,7 @@ namespace fusee::cam {
 
 enum class GuideKind { kParallel, kPoint, kIdler };
 
-/// Where the cable goes when it leaves the cam, in the world frame W (cam axis = +z through the origin).
+/// The cable's direction or guide beyond the cam, in the world frame W (cam axis = +z through the origin).
 struct Guide {
     GuideKind kind = GuideKind::kParallel;
     double direction =

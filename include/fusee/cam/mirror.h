@@ -2,18 +2,18 @@
 #include "fusee/cam/cam.h"
 
 /// Mirror images in the plane of the cam's axis and its timing mark, y -> -y (docs/theory/cams.md). The agonist's part and the antagonist's
-/// are mirror images of each other: same arms at the same cam angles, every sense of rotation the other way.
+/// are mirror images of each other: same arms at the same cam angles, every sense of rotation reversed.
 namespace fusee::cam {
 
 /// Torque sign, direction of the guide or follower and side of the idler change; a helix of constant pitch gets the other hand. An aimed
-/// one climbs to its guide, whose height stays.
+/// helix still leads to its guide, whose height stays.
 [[nodiscard]] CamOptions mirrored(const CamOptions& options);
 
-/// psi -> -psi: h, rho, z, span and fleet angle stay, h' and dz/dpsi change their signs; the cam turns the other way.
+/// psi -> -psi: h, rho, z, span and fleet angle stay, h' and dz/dpsi change their signs; the cam turns in the opposite sense.
 /// mirrored(synthesize_cam(arm, options)) is synthesize_cam(arm, mirrored(options)), and mirroring twice changes nothing.
 [[nodiscard]] Cam mirrored(const Cam& cam);
 
-/// Does the groove fall as psi rises? A helix that climbs is right-handed, like a common screw; planar: false.
+/// Does the height fall as psi rises? A helix that rises is right-handed, like a common screw; planar: false.
 [[nodiscard]] bool left_handed(const Cam& cam);
 
 }  // namespace fusee::cam

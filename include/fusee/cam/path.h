@@ -7,11 +7,10 @@
 
 namespace fusee::cam {
 
-/// The contour's working arc, addressed by psi: exact between its samples (the load that leads there is solved for, nothing is
-/// interpolated).
+/// The contour's working arc, addressed by psi: exact between its samples (the load at psi is solved for, not interpolated).
 class WorkingArc {
 public:
-    /// @param contacts touched at rising loads; psi strictly monotone
+    /// @param contacts at rising loads; psi strictly monotone
     WorkingArc(const ArmFunction& arm, const CamOptions& options, const std::vector<Contact>& contacts);
 
     [[nodiscard]] core::Range psi() const { return {entries_.front().psi, entries_.back().psi}; }
@@ -50,17 +49,17 @@ private:
     std::vector<Entry> entries_;  // by rising psi; empty = flat
 };
 
-/// A helix beyond one end of its working arc: convex, C2, its radius of curvature running out to that of a circle about the axis; the
-/// height goes on with the same pitch (constant pitch) or the same slope along the groove (aimed). With a constant pitch that takes so long
-/// that the groove does not bend sharply in space (docs/theory/cams.md, eq. 10).
+/// A helix beyond one end of its working arc: convex and C2. Its radius of curvature changes to that of a circle about the axis. The height
+/// continues with the same pitch (constant pitch) or the same slope along the groove (aimed). With a constant pitch the change is long
+/// enough that the groove does not bend sharply in space (docs/theory/cams.md, eq. 10).
 class RunOut {
 public:
-    /// @param end       where the working arc ends, height included
+    /// @param end end of the working arc, height included
     /// @param direction +1 beyond the arc's high end, -1 below its low end
-    /// @param axial_slope     dz/dpsi there [m/rad]
+    /// @param axial_slope dz/dpsi there [m/rad]
     RunOut(const PathPoint& end, int direction, double width, double axial_slope, Lead lead);
     [[nodiscard]] PathPoint at(double psi) const;
-    /// dz/dpsi and d2z/dpsi2 where rho, as a function of psi, is that: with constant pitch as at the end, else in proportion to rho.
+    /// dz/dpsi and d2z/dpsi2 at this rho, a function of psi: with constant pitch as at the end, otherwise in proportion to rho.
     [[nodiscard]] Height::AxialSlope over(const math::Jet& rho) const;
     [[nodiscard]] const IdleArc& arc() const { return arc_; }
     [[nodiscard]] const PathPoint& end() const { return end_; }

@@ -6,15 +6,15 @@
 
 namespace fusee::cam {
 
-/// A cam's arm at one cam angle, as it was found on a part.
+/// A cam's arm at one cam angle, as found on a part.
 struct FoundArm {
     double angle = 0.0;  ///< cam rotation from the law's lowest load [rad]
     double arm = 0.0;    ///< r, torque over tension [m]; > 0
 };
 
-/// The spring at the capstan that a cam makes of its base spring: `ArmFunction` backwards, from the arms alone (docs/theory/read_back.md,
+/// The spring at the capstan that follows from a cam's arms and its base spring: the inverse of `ArmFunction` (docs/theory/read_back.md,
 /// eq. 1 and 2). Between the rows the arm is their quintic interpolant; torque over the capstan's travel from 0, the law's lowest load, to
-/// the last row. Allowance: what the rig adds to each arm, and what cables give way: beside K_SE's travel, behind K_PE's cam.
+/// the last row. Allowance: additions of the rig to each arm, and cable elongation: besides K_SE's travel, behind K_PE's cam.
 /// @throws InvalidInput naming "arms[3]" (not above 0) or "angle[3]" (not finite, not ascending), or fewer than 4 rows
 [[nodiscard]] spring::PotentialPtr spring_of_arms(PartKind kind, std::span<const FoundArm> arms, const spring::BaseSpring& base,
                                                   double capstan_radius, const Allowance& allowance = {});

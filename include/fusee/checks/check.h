@@ -35,33 +35,33 @@ struct Process {
     double build_x = 0.2, build_y = 0.2, build_z = 0.2;  ///< build volume or stock [m]
     double min_wall = 0.0;                               ///< [m]
     double min_hole = 0.0;                               ///< diameter [m]
-    double max_overhang = 0.0;                           ///< of a face that looks down, from the vertical [rad]; FDM
-    double cutter_radius = 0.0;                          ///< smallest ball or end mill at hand; wire with its gap, half a laser's kerf [m]
-    double layer = 0.0;                                  ///< height of a printed layer [m]
-    double tolerance = 0.0;                              ///< of a contour, one side [m]
+    double max_overhang = 0.0;                           ///< of a downward face, from the vertical [rad]; FDM
+    double cutter_radius = 0.0;  ///< smallest available ball or end mill; wire with its gap, half a laser's kerf [m]
+    double layer = 0.0;          ///< height of a printed layer [m]
+    double tolerance = 0.0;      ///< of a contour, one side [m]
 };
 
-/// All that a rule may look at.
+/// The input of a rule.
 struct Design {
     const solid::Part& part;
     const spring::BaseSpring& spring;
     const Cable& cable;
     const Process& process;
-    std::span<const Override> overrides = {};  ///< limits that hold in place of the rules' own
+    std::span<const Override> overrides = {};  ///< limits that replace the rules' own
 };
 
-/// Every rule, in the order in which they are reported.
+/// All rules, in the order of the report.
 [[nodiscard]] std::span<const Rule> rules();
-/// nullptr if there is none of that id.
+/// nullptr if no rule has this id.
 [[nodiscard]] const Rule* find_rule(std::string_view id);
-/// What the rules of a group are about: "the cable" of "cable". @pre the group of some rule
+/// The subject of a group of rules, e.g. "shaft and hub" for "shaft". @pre the group of some rule
 [[nodiscard]] const char* group_title(std::string_view group);
-/// Every rule with its limits and sources: the Markdown tables of docs/rules.md.
+/// All rules with their limits and sources: the Markdown tables of docs/rules.md.
 [[nodiscard]] std::string rules_reference();
 
 /// Runs every rule on one part.
 [[nodiscard]] core::Findings check(const Design& design);
-/// Every rule but those that need the solid: what a search asks of a part whose mesh is still empty (docs/theory/co_design.md).
+/// Runs every rule that does not need the solid. A search checks a part without a mesh in this way (docs/theory/co_design.md).
 [[nodiscard]] core::Findings check_without_mesh(const Design& design);
 
 }  // namespace fusee::checks

@@ -7,31 +7,32 @@
 
 #include "fusee/checks/rule.h"
 
-/// What every rule is written with: limits as declared, limits as they hold, and the comparison.
+/// The means of every rule: declared limits, effective limits and the comparison.
 namespace fusee::checks {
 
-/// How a rule declares a limit: what breaking it means, the side, the unit, and its default: a number, or in words what it depends on.
+/// Declares a limit of a rule: its severity, bound, unit and default. The default is a number, or a text that names the quantity it depends
+/// on.
 Limit required(core::Bound bound, const char* unit, double value, const char* name = "required");
 Limit required(core::Bound bound, const char* unit, const char* by, const char* name = "required");
 Limit review(core::Bound bound, const char* unit, double value, const char* name = "review");
 Limit review(core::Bound bound, const char* unit, const char* by, const char* name = "review");
 inline constexpr core::Bound kAtLeast = core::Bound::kAtLeast, kAtMost = core::Bound::kAtMost;
 
-/// A limit as it holds for one design.
+/// The limit that applies to one design.
 struct EffectiveLimit {
     const Limit* limit = nullptr;
     double normal = 0.0;           ///< the default
-    const Override* by = nullptr;  ///< the profile's word in its place
+    const Override* by = nullptr;  ///< the override in its place; nullptr: none
     [[nodiscard]] double value() const { return by ? by->value : normal; }
 };
 
-/// The limits of one rule as they hold for one design: its own, or what the profile puts in their place.
+/// The effective limits of one rule for one design: its own, or the profile's overrides.
 class Allowed {
 public:
     Allowed(const RuleInfo& rule, std::span<const Override> overrides) : rule_(rule), overrides_(overrides) {}
-    /// @param name of a declared limit @param normal its default, where the declaration names none
+    /// @param name of a declared limit @param normal its default where the declaration has no number
     [[nodiscard]] EffectiveLimit operator()(std::string_view name, double normal = std::numeric_limits<double>::quiet_NaN()) const;
-    /// A limit that the profile may leave open (0): none then, unless it is overridden.
+    /// A limit that the profile may omit (0): nothing then, unless it is overridden.
     [[nodiscard]] std::optional<EffectiveLimit> stated(std::string_view name, double normal) const;
 
 private:
@@ -39,11 +40,11 @@ private:
     std::span<const Override> overrides_;
 };
 
-/// A judged finding without words: against the first bar that is broken, else against the last. A value that misses its limit only by
-/// rounding (1e-9 relative) is on it. @pre at least one bar
-core::Finding judge(double measured, std::initializer_list<EffectiveLimit> bars);
+/// A judged finding without texts. It is compared with the first limit that is broken, else with the last one. A value that misses its
+/// limit only by rounding (1e-9 relative) meets it. @pre at least one limit, the most severe first
+core::Finding judge(double measured, std::initializer_list<EffectiveLimit> limits);
 
-/// Fills in what all findings of a rule have in common: id, source, no suggestion where nothing is wrong, whose limit it is and why.
+/// Fills in the common fields of a rule's findings: id, source, and the override with its reason. A pass keeps no suggestion.
 /// @param where for findings that name no place
 void complete(core::Finding& finding, const RuleInfo& rule, const std::string& where);
 

@@ -1,11 +1,13 @@
 #pragma once
 #include <array>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "fusee/cam/roller.h"
 #include "fusee/core/finding.h"
 
 namespace fusee::checks {
@@ -13,69 +15,69 @@ namespace fusee::checks {
 struct Design;
 class Allowed;
 
-/// A limit as its rule declares it, in the unit that a shop uses. It names itself by what it is for and by its unit, as keys of a profile
-/// do.
+/// A limit as its rule declares it, in workshop units. Its key is its name with its unit, like the keys of a profile.
 struct Limit {
-    std::string name;         ///< "required", "review", or more exactly "slot_review"
+    std::string name;         ///< "required", "review", or more specific: "slot_review"
     core::Severity severity;  ///< of breaking it
-    core::Bound bound;        ///< the side on which the measured value has to be
+    core::Bound bound;        ///< the side on which the measured value must be
     std::string unit;         ///< "mm", "deg", "%", "d" (cable diameters), ...; "" = a bare number
     double value;             ///< the default; NaN where it depends on the design
-    std::string by;           ///< NaN: on what, e.g. "the process's wall"
+    std::string by;           ///< if value is NaN: the quantity that it depends on, e.g. "the process's wall"
 
     [[nodiscard]] std::string key() const;   ///< "required_mm", "review_percent"
-    [[nodiscard]] std::string text() const;  ///< "at least 0.8 mm", "at most what the guide leaves"
+    [[nodiscard]] std::string text() const;  ///< "at least 0.8 mm", "at least the process's wall"
 };
 
-/// What the profile puts in the place of one limit (docs/profile.md).
+/// A limit of the profile that replaces one of a rule (docs/profile.md).
 struct Override {
     std::string rule;    ///< id
     std::string limit;   ///< Limit::key
     double value = 0.0;  ///< in the limit's unit; finite
-    std::string reason;  ///< for whoever reads the report
+    std::string reason;  ///< for the reader of the report
 };
 
-/// What the list of rules shows of one, whatever it looks at.
+/// The entry of one rule in the list of rules: rules for designs and for meshes have the same fields.
 struct RuleInfo {
     const char* id;             ///< "group.name"
-    const char* title;          ///< what it guards against
-    const char* measures;       ///< what it measures, and where
+    const char* title;          ///< the fault that it finds
+    const char* measures;       ///< the measured quantity and its place
     const char* source;         ///< of the default limits
-    std::vector<Limit> limits;  ///< all that it holds something against
+    std::vector<Limit> limits;  ///< all that it applies
 
-    [[nodiscard]] std::string_view group() const;                  ///< the id before its point
-    [[nodiscard]] core::Severity severity() const;                 ///< the gravest that it can find
+    [[nodiscard]] std::string_view group() const;                  ///< the id up to its dot
+    [[nodiscard]] core::Severity severity() const;                 ///< the highest that it can report
     [[nodiscard]] const Limit* limit(std::string_view key) const;  ///< nullptr if it has no such limit
 };
 /// The Markdown tables of docs/rules.md, one for each group in turn.
-/// @param needs of each info: the keys that it is not judged without, as Markdown; empty: none needs any
+/// @param needs of each info: the keys that it needs, as Markdown; empty: no rule needs any
 [[nodiscard]] std::string reference(const std::vector<const RuleInfo*>& infos, const std::vector<std::string>& needs = {});
 
-/// A value that a profile may leave open and that a rule cannot judge without.
+/// A value that a profile may omit and that a rule needs.
 struct Need {
     const char* key;                          ///< of a part: "spring.wire_mm"; of the profile: "cable.breaking_load_N"
-    bool (*stated)(const Design&);            ///< does the profile state it, or not need to?
-    const char* limit = nullptr;              ///< an override of this limit states it too: its Limit::name
-    std::array<const char*, 3> or_else = {};  ///< keys that together do as well; nullptr ends them
+    bool (*stated)(const Design&);            ///< true where the profile states it, or does not need to
+    const char* limit = nullptr;              ///< name of the limit whose override replaces the value
+    std::array<const char*, 3> or_else = {};  ///< keys that together replace it; nullptr ends the list
 
     /// "k_se.spring.wire_mm", "cable.breaking_load_N"
     [[nodiscard]] static std::string in_profile(const char* key, const std::string& part);
-    /// All keys as the profile spells them: "k_pe.spring.max_travel_mm (or ... and ...)".
+    /// All keys as in the profile: "k_pe.spring.max_travel_mm (or ... and ...)".
     [[nodiscard]] std::string text(const std::string& part) const;
 };
 
-/// One rule: pure, one file under src/checks, returns a finding for what it measured (passes too), none where it does not apply, and one
-/// that says so where it could not be judged.
+/// One rule: a pure function, in one file under src/checks. It returns one finding for each measured value (passes too), none where it does
+/// not apply, and a finding "not judged" where data are missing.
 struct Rule : RuleInfo {
     using Measure = std::function<core::Findings(const Design&, const Allowed&)>;
 
-    Measure measure;                           ///< findings without what all have in common: id, part, source
-    bool needs_mesh = false;                   ///< looks at the solid, not only at cam, options and springs
+    Measure measure;                           ///< findings without the common fields: id, part, source
+    bool needs_mesh = false;                   ///< uses the solid, not only cam, options and springs
     std::vector<Need> needs = {};              ///< without one of them the rule is not judged
-    bool (*applies)(const Design&) = nullptr;  ///< to which designs; nullptr: `measure` sees to it, or to all
+    bool (*applies)(const Design&) = nullptr;  ///< does it apply to this design? nullptr: `measure` decides, or it always applies
+    std::optional<cam::Family> family = {};    ///< of the parts that it is about; none: that of its group
 
-    /// The rule on one part, with the design's overrides in place of its own limits. Where it applies and the profile leaves open what it
-    /// needs: one finding that was not judged and names the missing keys.
+    /// Applies the rule to one part, with the design's overrides in place of its own limits. If it applies and the profile omits a needed
+    /// value: one finding "not judged" that names the missing keys.
     [[nodiscard]] core::Findings run(const Design& design) const;
 };
 

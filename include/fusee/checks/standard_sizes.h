@@ -3,7 +3,7 @@
 #include <span>
 #include <string>
 
-/// Sizes in which bought parts are kept: what a change of a shaft, cable or wire has to come to (docs/guides/fix.md).
+/// Sizes of bought parts. A suggested shaft, cable or wire has one of these sizes (docs/guides/fix.md).
 namespace fusee::checks {
 
 /// Diameters of one kind of part [mm], ascending.
@@ -12,7 +12,7 @@ struct StandardSizes {
     std::span<const double> mm;
     const char* source;
 
-    /// The largest size up to `limit_mm`; none if all are larger. A size that is missed by rounding (1e-9 relative) counts.
+    /// The largest size up to `limit_mm`; none if all are larger. A size that misses the limit only by rounding (1e-9 relative) counts.
     [[nodiscard]] std::optional<double> at_most(double limit_mm) const;
     /// The smallest size from `limit_mm` on; none if all are smaller.
     [[nodiscard]] std::optional<double> at_least(double limit_mm) const;
@@ -29,7 +29,7 @@ struct StandardSizes {
 
 /// Shear stress of a round shaft in torsion, 16 T/(pi d^3) [Pa]. @param torque T [Nm] @param diameter d [m], > 0
 [[nodiscard]] double torsion_stress(double torque, double diameter);
-/// What a shaft of ordinary steel bears in shear [Pa]: 41 MPa with a keyway, 55 MPa without (ASME code for transmission shafting).
+/// Allowed shear stress of a shaft of ordinary steel [Pa]: 41 MPa with a keyway, 55 MPa without (ASME code for transmission shafting).
 [[nodiscard]] double shaft_shear_limit(bool keyway);
 
 }  // namespace fusee::checks

@@ -9,7 +9,7 @@
 
 namespace fusee::coupon {
 
-/// What the coupons of one design are made from. Never compensated: what they are measured for would be in them already.
+/// Input of the coupons of one design. They are never compensated: they measure the compensation.
 struct Options {
     solid::GrooveOptions groove;
     solid::HubOptions hub;               ///< of the disc; the ladder is for its shaft
@@ -18,11 +18,12 @@ struct Options {
     double detail = 0.4e-3;              ///< narrowest slot [m]
     core::Range clearance{0.0, 0.4e-3};  ///< of the ladder's holes, in diameter [m]
     int holes = 5;                       ///< 2 to 9
-    double disc_turns = 3.0;             ///< that the cable can be drawn off; 0.5 to 10
+    double disc_turns = 3.0;             ///< of cable that can be drawn off; 0.5 to 10
     double chordal_error = 2e-6;         ///< [m]
 };
 
-/// Lengths along three axes and the bore ladder: an L with a tower on its corner. Hole i has i notches on the plate's top, none the first.
+/// Lengths along three axes and the bore ladder: an L with a tower on its corner. Hole i has i notches on the plate's top; the first has
+/// none.
 struct Plate {
     solid::Mesh mesh;
     double length_mm = 0.0;                 ///< of both arms
@@ -33,7 +34,7 @@ struct Plate {
 /// Refusal: "coupon.validity". @throws core::InvalidInput naming an option of a profile
 [[nodiscard]] core::Outcome<Plate> make_plate(const Options& options);
 
-/// Round grooves one above the other, counted from the wide foot, that differ in their floor's radius; the profile's own is among them.
+/// Round grooves above one another, counted from the wide foot, with different floor radii; that of the profile is among them.
 struct GrooveLadder {
     solid::Mesh mesh;
     std::vector<double> ratios;  ///< floor radius over cable diameter, rising, from the foot up
@@ -42,20 +43,19 @@ struct GrooveLadder {
 /// Refusal: "coupon.validity". @throws core::InvalidInput naming an option of a profile
 [[nodiscard]] core::Outcome<GrooveLadder> make_groove_ladder(const Options& options);
 
-/// A disc with the profile's groove: the cam of a linear law on a linear spring, whose arm is the same everywhere; several turns as a
-/// helix.
+/// A disc with the profile's groove: the cam of a linear law on a linear spring, with a constant arm; several turns as a helix.
 struct Disc {
     solid::Part part;
-    spring::BaseSpring spring;  ///< that its part file speaks of
-    double floor_mm = 0.0;      ///< radius of the groove's floor; the grooves' in the ladder too
+    spring::BaseSpring spring;  ///< of its part file
+    double floor_mm = 0.0;      ///< radius of the groove's floor, also that of the ladder's grooves
 };
 /// Refusal: that of cam and solid. @throws core::InvalidInput naming an option of a profile
 [[nodiscard]] core::Outcome<Disc> make_disc(const Options& options);
 
-/// Radius of the floors of disc and groove ladder: whole millimetres with room for shaft and key [mm].
+/// Radius of the floors of disc and groove ladder: whole millimetres with space for shaft and key [mm].
 [[nodiscard]] double floor_mm(const Options& options);
 
-/// Rounds to what STL holds and proves the mesh one closed solid. Refusal: "coupon.validity"
+/// Rounds to STL's precision and proves that the mesh is one closed solid. Refusal: "coupon.validity"
 [[nodiscard]] core::Outcome<solid::Mesh> finished(solid::Mesh mesh, const char* name);
 
 }  // namespace fusee::coupon

@@ -9,11 +9,11 @@
 
 namespace fusee::coupon {
 
-/// A figure with its standard uncertainty, as the Guide to the Expression of Uncertainty in Measurement combines them (JCGM 100:2008).
+/// A value with its standard uncertainty, by the Guide to the Expression of Uncertainty in Measurement (JCGM 100:2008).
 struct Estimate {
     double value = 0.0;
     double deviation = 0.0;  ///< u, standard uncertainty
-    double freedom = 0.0;    ///< degrees of freedom of u; infinite where it is known
+    double freedom = 0.0;    ///< degrees of freedom of u; infinite if u is exact
 
     /// Student's t interval with the freedom rounded down (JCGM 100:2008, G.4.1).
     [[nodiscard]] core::Range interval(double confidence = 0.95) const;
@@ -29,29 +29,29 @@ struct Share {
 struct Line {
     Estimate slope, at_0;
 };
-/// Least squares. What the gauge cannot tell apart is scatter too: a row's deviation is at least `resolution`/sqrt(12).
-/// @pre at least 3 rows, x not all alike
+/// Least squares. The gauge's resolution counts as scatter: a row's deviation is at least `resolution`/sqrt(12).
+/// @pre at least 3 rows, x not all equal
 [[nodiscard]] Line fit_line(const std::vector<Row>& rows, double resolution);
 
-/// One figure that the sheet gives, and where it goes.
+/// One result of the sheet, with the key of the profile that it changes.
 struct Figure {
     std::string id;         ///< "shrink_x", "contour_x", "bore_offset", "disc_radius", "cable_axis", "groove_ratio", "series_rate", ...
-    std::string what;       ///< in a few words
-    std::string key;        ///< of the profile; "": none has it
-    std::string unit;       ///< in which a person reads it: "%", "mm", "Nm/rad", "N/m", ""
+    std::string what;       ///< short description
+    std::string key;        ///< of the profile; "": no key
+    std::string unit;       ///< for display: "%", "mm", "Nm/rad", "N/m", ""
     double per_unit = 1.0;  ///< figure in `unit` = figure [SI] times this
     double value = 0.0;     ///< [SI]
-    core::Range range;      ///< 95 % interval; of a ladder the two rungs that it lies between [SI]
+    core::Range range;      ///< 95 % interval; for a ladder the two neighbouring rungs [SI]
     bool ladder = false;
     std::size_t rows = 0;
-    double present = std::numeric_limits<double>::quiet_NaN();  ///< what the profile says [SI]; NaN: unknown
-    /// The profile's figure stays unless the rows contradict it.
+    double present = std::numeric_limits<double>::quiet_NaN();  ///< value in the profile [SI]; NaN: unknown
+    /// The profile's value stays unless the rows contradict it.
     [[nodiscard]] bool changes() const { return !key.empty() && !range.holds(present); }
-    /// What a part is compensated by.
+    /// The value for compensation.
     [[nodiscard]] double used() const { return changes() ? value : present; }
 };
 
-/// What a sheet cannot say, and what it would take.
+/// A value that the sheet does not determine, and the missing rows.
 struct Unknown {
     std::string id, why;
 };
@@ -63,7 +63,7 @@ struct Calibration {
     [[nodiscard]] const Figure* find(const std::string& id) const;  ///< nullptr if unknown
 };
 
-/// Figures of the profile that the coupons were made from, by key [SI]: what stands there already.
+/// Present values of the profile of the coupons, by key [SI].
 using Present = std::map<std::string, double>;
 
 /// The keys that a calibration can change.
@@ -73,10 +73,10 @@ inline constexpr const char *kShrinkKeys[] = {"compensation.shrink_x_percent", "
                             *kGrooveRatioKey = "groove.radius_ratio", *kSeriesRateKey = "k_se.spring.rate_Nm_per_rad",
                             *kParallelRateKey = "k_pe.spring.rate_N_per_m";
 
-/// Shrinkage by axis from lengths, bore offset from holes, the cable's neutral axis from the disc, the groove that fits, rates of the base
-/// springs (docs/theory/calibration.md, eq. 1 to 6). A compensation that `present` does not name is 0.
+/// Shrinkage by axis from lengths, bore offset from holes, the cable's neutral axis from the disc, the matching groove, rates of the base
+/// springs (docs/theory/calibration.md, eq. 1 to 6). A compensation that is not in `present` is 0.
 /// @param file the name used in messages
-/// @throws core::InvalidInput naming `file` for answers that contradict each other: a shaft or cable that fits less in more room
+/// @throws core::InvalidInput naming `file` for contradicting answers: a shaft or cable that fits a smaller opening but not a larger one
 [[nodiscard]] Calibration calibrate(const Sheet& sheet, const Present& present, const std::string& file);
 
 }  // namespace fusee::coupon

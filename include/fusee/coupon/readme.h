@@ -5,7 +5,7 @@
 
 namespace fusee::coupon {
 
-/// README.md of a folder of coupons: what lies there, how to make it, what to measure for each row of the sheet.
+/// README.md of a folder of coupons: its files, how to make the coupons, and what to measure for each row of the sheet.
 [[nodiscard]] std::string readme(const Drawn& drawn, const std::string& provenance);
 
 }  // namespace fusee::coupon

@@ -7,11 +7,10 @@
 
 #include "fusee/core/units.h"
 
-/// Test pieces that a shop cuts before the cams, the sheet that they are measured on, and what it says of the process and the cable
-/// (docs/theory/calibration.md).
+/// Coupons that a workshop makes before the cams, and the sheet with their measurements of process and cable (docs/theory/calibration.md).
 namespace fusee::coupon {
 
-/// What a row of the sheet is about.
+/// The quantity of a row.
 enum class Item {
     kCableDiameter,  ///< as in the profile; drawn, not measured
     kDiscFloor,      ///< radius of the disc's floor; drawn, not measured
@@ -20,7 +19,7 @@ enum class Item {
     kLengthZ,
     kBore,            ///< diameter of a hole
     kShaft,           ///< diameter of the shaft that goes into the holes
-    kShaftEnters,     ///< does the shaft go into the hole drawn with that diameter?
+    kShaftEnters,     ///< does the shaft enter the hole drawn with that diameter?
     kCableSeats,      ///< does the cable lie on the floor of the groove drawn with that radius ratio?
     kDiscPull,        ///< cable drawn off over turns of the disc
     kDiscTorque,      ///< torque of the disc over the cable's tension
@@ -28,15 +27,15 @@ enum class Item {
     kParallelSpring,  ///< force of K_PE's compression spring over its travel
 };
 
-/// How an item stands in the sheet.
+/// How an item appears in the sheet.
 struct ItemKind {
     Item item;
     const char* name;        ///< column item
     const char* given_unit;  ///< column given_unit
-    const char* unit;        ///< column unit, of what is measured; "-": nothing is
-    core::Range given;       ///< what is allowed, in that unit
+    const char* unit;        ///< column unit, of the measured value; "-": not measured
+    core::Range given;       ///< allowed range, in that unit
     core::Range measured;
-    const char* how;  ///< what to measure, for whoever fills the sheet
+    const char* how;  ///< instruction for the measurement
 };
 [[nodiscard]] std::span<const ItemKind> item_kinds();
 
@@ -46,7 +45,7 @@ struct Row {
     double given = 0.0, measured = 0.0;
 };
 
-/// A sheet as filled; rows that were left empty are not in it.
+/// A filled sheet, without the empty rows.
 struct Sheet {
     double cable_diameter_mm = 0.0;  ///< 0: not given
     double disc_floor_mm = 0.0;      ///< 0: not given
@@ -54,13 +53,13 @@ struct Sheet {
     [[nodiscard]] std::vector<Row> of(Item item) const;
 };
 
-/// Columns item, given, given_unit, measured, unit; an empty cell of `measured` is a row that nobody measured. Yes is 1, no is 0.
+/// Columns item, given, given_unit, measured, unit; an empty cell of `measured` is a row without measurement. Yes is 1, no is 0.
 /// @param file the name used in messages
 /// @throws core::InvalidInput "file:line:column: ...": as core::parse_csv; an unknown item, another unit, a figure out of range, a drawn
 /// figure given twice; "file: measured" if no row is filled
 [[nodiscard]] Sheet parse_sheet(std::string_view csv, const std::string& file);
 
-/// What the coupons of a profile are drawn with: the rows of their sheet.
+/// Nominal values of the coupons of a profile: the rows of their sheet.
 struct Drawn {
     double cable_diameter_mm = 0.0;
     double disc_floor_mm = 0.0;
@@ -68,9 +67,9 @@ struct Drawn {
     std::vector<double> x_mm, y_mm, z_mm;  ///< lengths along each axis, outer face to outer face
     std::vector<double> bores_mm;          ///< rising
     std::vector<double> groove_ratios;     ///< rising
-    double disc_turns = 0.0;               ///< that the cable can be drawn off
+    double disc_turns = 0.0;               ///< of cable that can be drawn off
 };
-/// The sheet to fill, lines of comment first. @param provenance of the coupons
+/// The sheet to fill, with a comment at its head. @param provenance of the coupons
 [[nodiscard]] std::string empty_sheet(const Drawn& drawn, const std::string& provenance);
 
 }  // namespace fusee::coupon

@@ -9,9 +9,9 @@
 
 namespace fusee::drawing {
 
-/// What a shop drawing is made from.
+/// The input of a workshop drawing.
 struct Subject {
-    const solid::Part& part;  ///< with its mesh: views are cuts through what is exported
+    const solid::Part& part;  ///< with its mesh: views are cuts through the exported body
     const spring::BaseSpring& spring;
     const checks::Cable& cable;
     const checks::Process& process;
@@ -20,8 +20,8 @@ struct Subject {
     std::string provenance;  ///< core::Provenance::line
 };
 
-/// The part on A3 sheets: front view along the axis, section A-A, the groove enlarged, notes, radii of the groove's floor every 10 degrees
-/// and a table of arm, tension and torque; further sheets where a table does not fit. First angle, millimetres (docs/drawing.md).
+/// The part on A3 sheets: front view along the axis, section A-A, the groove enlarged, notes, radii of the groove's floor every 10 degrees,
+/// and a table of arm, tension and torque; more sheets if a table does not fit. First angle, millimetres (docs/drawing.md).
 [[nodiscard]] std::vector<Sheet> draw(const Subject& subject);
 
 }  // namespace fusee::drawing

@@ -3,13 +3,13 @@
 #include <string>
 #include <vector>
 
-/// Shop drawings: what stands on a sheet of paper, and where (docs/drawing.md).
+/// Workshop drawings: the content of a sheet of paper (docs/drawing.md).
 namespace fusee::drawing {
 
 using Point = std::array<double, 2>;  ///< [mm] from the sheet's upper left corner, y downwards
 using Line = std::vector<Point>;
 
-/// Widths and dashes of ISO 128-2: 0.5 mm for what is seen, 0.25 mm for the rest.
+/// Widths and dashes of ISO 128-2: 0.5 mm for visible edges, 0.25 mm for the rest.
 enum class Pen { kOutline, kThin, kHidden, kCentre, kCut };
 
 struct Stroke {
@@ -26,12 +26,12 @@ struct Arrow {
 
 enum class Align { kLeft, kMiddle, kRight };
 
-/// One line of text in a typewriter face, so that its width is known whichever face a reader's machine has.
+/// One line of text in a monospaced font, so that its width is known for any font of the reader's machine.
 struct Text {
     std::string words;
-    Point at{};  ///< where its baseline begins, has its middle, or ends
+    Point at{};  ///< start, middle or end of its baseline
     Align align = Align::kLeft;
-    double size = kBody;   ///< of the face [mm]; capitals are 0.73 of it high
+    double size = kBody;   ///< font size [mm]; the height of capitals is 0.73 of it
     bool upright = false;  ///< read from below to above
 
     static constexpr double kBody = 3.4, kSmall = 3.0, kTitle = 4.8;  // capitals of 2.5, 2.2 and 3.5 mm
@@ -42,12 +42,12 @@ struct Box {
     Point low{}, high{};
     [[nodiscard]] bool overlaps(const Box& other) const;
     [[nodiscard]] bool holds(const Box& other) const;
-    /// Does the straight line from a to b come into it?
+    /// Does the straight line from a to b cross it?
     [[nodiscard]] bool meets(const Point& a, const Point& b) const;
 };
-/// Room that a text takes, from the foot of a "g" to the top of a capital.
+/// Space of a text, from the foot of a "g" to the top of a capital.
 [[nodiscard]] Box box_of(const Text& text);
-/// Width of a text [mm]: 0.602 of its size a letter, the widest of the usual typewriter faces.
+/// Width of a text [mm]: 0.602 of its size per letter, the widest of the usual monospaced fonts.
 [[nodiscard]] double width_of(const std::string& words, double size);
 
 /// One sheet, A3 across.
@@ -60,9 +60,9 @@ struct Sheet {
     std::vector<Arrow> arrows = {};
     std::vector<Text> texts = {};
 
-    /// Is there neither text nor line in the box?
+    /// True if the box contains neither text nor line.
     [[nodiscard]] bool clear(const Box& box) const;
-    /// Writes the first of the candidates that stands clear; the last one where none does.
+    /// Writes the first candidate in a clear place, otherwise the last one.
     void write_clear(const std::vector<Text>& candidates);
 };
 

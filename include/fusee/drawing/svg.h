@@ -7,11 +7,11 @@
 
 namespace fusee::drawing {
 
-/// One sheet as SVG 1.1: its unit is the millimetre, texts stay texts. Equal sheets give equal bytes.
+/// One sheet as SVG 1.1: its unit is the millimetre, and texts are text elements. Equal sheets give equal bytes.
 [[nodiscard]] std::string svg(const Sheet& sheet);
 
-/// Every sheet as a page of one PDF, drawn by librsvg and cairo from the same SVG. Holds no date: equal sheets give equal bytes on machines
-/// with the same libraries and fonts. Thread-safe.
+/// Every sheet as a page of one PDF, drawn by librsvg and cairo from the same SVG. It has no date: equal sheets give equal bytes on
+/// machines with the same libraries and fonts. Thread-safe.
 /// @throws IoError if a library cannot draw them
 [[nodiscard]] std::string pdf(const std::vector<Sheet>& sheets);
 

@@ -17,6 +17,11 @@ struct Cause {
     [[nodiscard]] bool operator==(const Cause&) const = default;
 };
 
+/// Experiments that see an effect on a spring or its cable.
+inline std::vector<Experiment> spring_experiments() {
+    return {Experiment::kSpringPull, Experiment::kDeadBand, Experiment::kJointStiffness, Experiment::kCocontraction, Experiment::kLog};
+}
+
 /// A parameter of an effect.
 struct EffectParameter {
     std::string name, unit;

@@ -11,7 +11,7 @@ namespace fusee::exchange {
 
 using Vec2 = std::array<double, 2>;
 
-/// Chord error of `spool_drawing` [mm].
+/// Chordal error of `spool_drawing` [mm].
 inline constexpr double kDrawingChord_mm = 1e-3;
 
 struct DxfPolyline {
@@ -32,27 +32,27 @@ struct DxfLayer {
 /// A flat drawing in millimetres.
 struct DxfDrawing {
     std::vector<DxfLayer> layers;
-    std::string provenance;  ///< kept as a comment (group 999)
-    /// The layer of that name, or nullptr.
+    std::string provenance;  ///< stored as a comment (group 999)
+    /// The layer with this name, or nullptr.
     [[nodiscard]] const DxfLayer* layer(const std::string& name) const;
 };
 
-/// Writes DXF R2000 with dxflib: LWPOLYLINE, CIRCLE and SPLINE on named layers, $INSUNITS 4 (mm), shortest digits that give the number
-/// back, whatever the locale. @throws IoError
+/// Writes DXF R2000 with dxflib: LWPOLYLINE, CIRCLE and SPLINE on named layers, $INSUNITS 4 (mm), each number with the shortest
+/// digits that give it back, in any locale. @throws IoError
 void write_dxf(const std::filesystem::path& path, const DxfDrawing& drawing);
-/// Reads such a file with dxflib; entities of other kinds are passed over.
+/// Reads such a file with dxflib; ignores other kinds of entities.
 /// @throws IoError naming the file: unreadable, cut short, not in millimetres, or a number that is not finite
 [[nodiscard]] DxfDrawing read_dxf(const std::filesystem::path& path);
 
-/// The outlines of a part seen from +z: layers PITCH (cable centreline), FLOOR (groove's floor), FLANGE (outer edge), LOWER_FLANGE (where a
-/// boss widens it), BORE (with keyway or flat) and MARK (timing mark, a line at body angle 0 up to the outer edge), as polylines with a
-/// chord error below 1 micrometre; PITCH_SPLINE, FLOOR_SPLINE and FLANGE_SPLINE are the same curves for reference, within 0.0002 mm. A
+/// The outlines of a part seen from +z: layers PITCH (cable centreline), FLOOR (floor of the groove), FLANGE (outer edge), LOWER_FLANGE (if
+/// a boss widens it), BORE (with keyway or flat) and MARK (timing mark, a line at body angle 0 up to the outer edge), as polylines with a
+/// chordal error below 1 micrometre; PITCH_SPLINE, FLOOR_SPLINE and FLANGE_SPLINE are the same curves as splines, within 0.0002 mm. A
 /// helix has open PITCH and FLOOR and a round FLANGE. Nominal: kerf is not applied.
 [[nodiscard]] DxfDrawing spool_drawing(const solid::Part& part, const std::string& provenance);
-/// @throws InvalidInput naming outputs.kerf_mm where the bore or its key would close
+/// @throws InvalidInput naming outputs.kerf_mm if the bore or its keyway would close
 void require_kerf(double kerf_mm, const solid::HubOptions& hub);
-/// What a beam or wire of width `kerf_mm` has to follow: FLANGE moved outwards and BORE inwards by half of it. Nothing else is in it, so
-/// that it is not taken for the nominal drawing.
+/// The path of a beam or wire of width `kerf_mm`: FLANGE moved outwards and BORE inwards by half the width. It has no other layer, so that
+/// nobody confuses it with the nominal drawing.
 /// @throws InvalidInput as require_kerf
 [[nodiscard]] DxfDrawing kerf_drawing(const solid::Part& part, double kerf_mm, const std::string& provenance);
 

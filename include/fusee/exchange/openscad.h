@@ -4,9 +4,9 @@
 
 namespace fusee::exchange {
 
-/// Has `openscad` (found on PATH) render a SCAD file to binary STL, every warning an error. Runs it without a shell; the STL appears only
-/// whole.
-/// @throws IoError naming `scad` and what openscad said: not installed, failed, or still running after `timeout` (it is then ended)
+/// Renders a SCAD file to binary STL with `openscad` from PATH; every warning is an error. Runs it without a shell. The STL is complete or
+/// absent.
+/// @throws IoError naming `scad` with the message of openscad: not installed, failed, or ended after `timeout`
 void render_scad(const std::filesystem::path& scad, const std::filesystem::path& stl,
                  std::chrono::seconds timeout = std::chrono::seconds(600));
 

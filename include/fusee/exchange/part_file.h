@@ -11,27 +11,27 @@
 
 namespace fusee::exchange {
 
-/// One exported file beside PART.json.
+/// One exported file in the folder of PART.json.
 struct FileEntry {
     std::string name;  ///< file name without folder
     std::string sha256;
-    std::size_t triangles = 0;  ///< 0 where the format has none
+    std::size_t triangles = 0;  ///< 0 if the format has none
     double chordal_error_mm = 0.0;
 };
 
-/// One row of the law that the part has to have.
+/// One row of the required law of the part.
 struct TargetRow {
     double angle_rad = 0.0;
     double arm_mm = 0.0;
     double load = 0.0;                      ///< cable tension, or the spring's force on the follower [N]
-    std::array<double, 3> contact_mm = {};  ///< where the cable's centreline, or the roller, touches, body frame
-    double lift_mm = 0.0;                   ///< roller: way of its centre along the line since angle 0
-    double stretch_mm = 0.0;                ///< of the cable since angle 0, if it gives way at all
+    std::array<double, 3> contact_mm = {};  ///< contact of the cable's centreline or of the roller, in the body frame
+    double lift_mm = 0.0;                   ///< roller: displacement of its centre along the line since angle 0
+    double stretch_mm = 0.0;                ///< cable elongation since angle 0; 0 for a rigid cable
 };
 
 struct PartGuide {
     std::string kind;                        ///< "parallel", "point", "idler" of a cable; "roller" of a follower
-    std::array<double, 2> direction = {};    ///< parallel, roller: unit vector in the world, from the cam along the cable or the line
+    std::array<double, 2> direction = {};    ///< parallel, roller: unit vector in the world frame, from the cam along the cable or the line
     std::array<double, 2> position_mm = {};  ///< point, idler
     double radius_mm = 0.0;                  ///< idler, roller
     int sense = 1;                           ///< idler
@@ -40,14 +40,14 @@ struct PartGuide {
     double start_mm = 0.0;                   ///< roller: its centre along the line at cam angle 0
 };
 
-/// Files that are compensated for their process (docs/part-file.md): what it does to them gives the part.
+/// Compensation of the files for their process (docs/part-file.md): the process turns the compensated files into the nominal part.
 struct Compensated {
-    std::array<double, 3> shrink_percent{};  ///< along x, y, z: what comes out is the file's coordinate times 1 - shrink/100
-    double bore_offset_mm = 0.0;             ///< what the bore, shrinkage aside, comes out smaller by, in diameter
-    double bore_mm = 0.0;                    ///< diameter that has to come out
+    std::array<double, 3> shrink_percent{};  ///< along x, y, z: coordinate of the part = coordinate in the file times 1 - shrink/100
+    double bore_offset_mm = 0.0;             ///< by how much the process makes the bore smaller, in diameter, without shrinkage
+    double bore_mm = 0.0;                    ///< nominal diameter
 };
 
-/// PART.json: the data to recompute the law from an exported part (docs/part-file.md). The cam's axis is +z through the origin,
+/// PART.json: the data from which the law of an exported part is recomputed (docs/part-file.md). The cam's axis is +z through the origin,
 /// lengths in mm; body and world agree at cam angle 0; at cam angle a the body is turned by rotation_sign * a about +z.
 struct PartFile {
     std::string part;  ///< "k_se" or "k_pe"

@@ -8,26 +8,26 @@
 
 namespace fusee::exchange {
 
-/// Where a part stands on the plate: its mesh, as in its own files, is laid on its top (turned by 180 deg about +x) or not, turned by 90
-/// deg about +z or not, then moved. The object's vertices are where they stand: its transform in the 3MF is the identity.
+/// The place of a part on the plate. The mesh of its own files is flipped onto its top or not (180 deg about +x), turned or not (90 deg
+/// about +z), then moved. The 3MF stores the moved vertices; the transform of the object is the identity.
 struct PlateObject {
     std::string name;  ///< of the object in the 3MF; NAME.json is the part's own file
     bool turned = false;
     solid::Vec3 moved_mm{};
-    bool flipped = false;  ///< stands on its top face
+    bool flipped = false;  ///< the top face is on the bed
 };
 
-/// plate.json: what is where in plate.3mf (docs/part-file.md). The bed's corner is the origin, its surface z = 0.
+/// plate.json: the objects of plate.3mf and their places (docs/part-file.md). The corner of the bed is the origin; its surface is z = 0.
 struct Plate {
     FileEntry file;           ///< plate.3mf, triangles of all objects
     solid::Vec3 build_mm{};   ///< build volume
-    double spacing_mm = 0.0;  ///< between the bounding boxes, at least
+    double spacing_mm = 0.0;  ///< least distance of the bounding boxes
     std::vector<PlateObject> objects;
     std::string provenance;
 };
 
 [[nodiscard]] solid::Mesh placed(const solid::Mesh& mesh, const PlateObject& place);
-/// The mesh of a placed object in its part's frame again.
+/// The inverse of `placed`: the mesh in the frame of its part.
 [[nodiscard]] solid::Mesh taken_back(const solid::Mesh& mesh, const PlateObject& place);
 
 /// @throws IoError

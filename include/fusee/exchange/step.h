@@ -8,12 +8,12 @@
 
 namespace fusee::exchange {
 
-/// Writes STEP AP242 (ISO 10303-242): millimetres, one product `name`, its provenance as the file's description. Equal input gives equal
-/// bytes: the header carries no time. Thread-safe.
+/// Writes STEP AP242 (ISO 10303-242): millimetres, one product `name`, the provenance as description of the file. Equal input gives
+/// equal bytes: the header has no time. Thread-safe.
 /// @throws IoError
 void write_step(const std::filesystem::path& path, const brep::Brep& solid, const std::string& name, const std::string& provenance);
 
-/// A STEP file that holds one solid, as read by OpenCASCADE.
+/// A STEP file with one solid, read by OpenCASCADE.
 class StepFile {
 public:
     /// Thread-safe. @throws IoError naming the file: not STEP, cut short, not exactly one valid solid
@@ -22,7 +22,8 @@ public:
     [[nodiscard]] std::size_t faces() const;
     [[nodiscard]] double volume_mm3() const;
     [[nodiscard]] std::string product() const;
-    /// Distance from the z axis of the outermost point of the surface on a horizontal ray at height z [mm]; nothing where there is none.
+    /// The outermost point of the surface on a horizontal ray at height z: its distance from the z axis [mm]; nothing if the ray meets
+    /// none.
     [[nodiscard]] std::optional<double> outermost(double azimuth, double z_mm) const;
 
 private:

@@ -141,7 +141,7 @@ struct Case {
 /// thinned; a remark says so.
 /// @throws core::InvalidInput "file:line:column: key", core::IoError
 [[nodiscard]] Case read_case(const std::filesystem::path& folder);
-/// True if DIR/case.toml has [bench] in place of [rig] (see bench.h).
+/// True if DIR/case.toml has [bench] in place of [rig] (fusee/subsystem/subsystem.h).
 [[nodiscard]] bool is_subsystem_case(const std::filesystem::path& folder);
 
 /// The input columns of the experiment files in `folder` with the file names of the case; measured columns may be missing or have

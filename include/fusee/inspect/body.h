@@ -9,7 +9,7 @@
 
 namespace fusee::inspect {
 
-/// A place of the surface at which the material below it and the room above it are measured.
+/// A point of the surface at which the thickness of the material below and the width of the gap above are measured.
 struct Sample {
     std::uint32_t triangle = 0;
     solid::Vec3 at_mm{};
@@ -17,27 +17,27 @@ struct Sample {
     /// Diameter of the largest ball in the material that touches the surface here and again at least 120 deg away; NaN where none does.
     double wall_mm = std::numeric_limits<double>::quiet_NaN();
     double taper = 0.0;       ///< angle between the two faces that it touches [rad]
-    bool feather = false;     ///< they go on to meet in an edge, so that the wall has no least thickness
+    bool feather = false;     ///< the faces meet in an edge, so that the wall has no least thickness
     solid::Vec3 middle_mm{};  ///< of that ball
-    double ball_mm = 0.0;     ///< diameter of the largest ball in the material that touches the surface here, wherever else it does
-    /// Like the wall, in the room outside and at least 150 deg apart: a slot, not the corner between two faces.
+    double ball_mm = 0.0;     ///< diameter of the largest ball in the material that touches the surface here, with any second contact
+    /// Like the wall, but outside and with contacts at least 150 deg apart: a slot, not the corner between two faces.
     double gap_mm = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// What measuring the samples of a mesh may cost, in triangles looked at. A torus of a million triangles, the worst case of a sound part,
-/// takes 7e8. A mesh of which a sample takes more than 100,000 consists of triangles that lie over one another: it gets a quarter. Placing
-/// components gets a sixteenth.
-inline constexpr std::size_t kMostLooks = 800'000'000;
+/// Budget for the samples of a mesh, in visited triangles. A torus of a million triangles, the worst case of a valid part, takes 7e8. A
+/// mesh with more than 100,000 visits per sample consists of overlapping triangles: its budget is a quarter. The budget for placing
+/// components is a sixteenth.
+inline constexpr std::size_t kMostVisits = 800'000'000;
 
-/// A mesh made ready to be measured. Built once, then constant; every measure of it is a pure function.
+/// A mesh prepared for measurements. Built once, then constant; every measurement is a pure function.
 class Body {
 public:
-    /// Components that face inward without being a cavity are turned (`turned`), so that the rest can be measured.
-    /// @param samples places at which walls and gaps are measured; half of them are spread by area, half by triangle
+    /// Components that face inward without being a cavity are turned (`turned`), so that they can be measured.
+    /// @param samples points at which walls and gaps are measured; half of them are spread by area, half by triangle
     /// @param jobs threads, 0 = one for each processor; the result does not depend on them
-    /// @param most_looks where measuring ends: places are taken in an order that spreads them, those left are left out
-    /// @throws core::InvalidInput naming mesh.triangles, if a triangle names a missing point or none has an area
-    explicit Body(solid::Mesh mesh, std::size_t samples = 20000, unsigned jobs = 0, std::size_t most_looks = kMostLooks);
+    /// @param most_visits budget of the measurement: points are taken in an order that spreads them, the remaining ones are left out
+    /// @throws core::InvalidInput naming mesh.triangles if a triangle names a missing point or none has an area
+    explicit Body(solid::Mesh mesh, std::size_t samples = 20000, unsigned jobs = 0, std::size_t most_visits = kMostVisits);
 
     [[nodiscard]] const solid::Mesh& mesh() const { return mesh_; }
     [[nodiscard]] const solid::Box& box() const { return box_; }
@@ -46,18 +46,18 @@ public:
     [[nodiscard]] const std::vector<solid::Vec3>& normals() const { return normals_; }  ///< by triangle, unit; zero without area
     [[nodiscard]] const std::vector<double>& areas_mm2() const { return areas_; }
     [[nodiscard]] const std::vector<Sample>& samples() const { return samples_; }
-    [[nodiscard]] const std::vector<bool>& cavity() const { return cavity_; }               ///< by component: it bounds a hollow inside
+    [[nodiscard]] const std::vector<bool>& cavity() const { return cavity_; }               ///< by component: it bounds an inner cavity
     [[nodiscard]] const std::vector<bool>& turned() const { return turned_; }               ///< by component: it faced inward
-    [[nodiscard]] std::size_t samples_left_out() const { return samples_left_out_; }        ///< not measured: it would have cost too much
-    [[nodiscard]] std::size_t components_left_out() const { return components_left_out_; }  ///< not looked at: cavity or turned
+    [[nodiscard]] std::size_t samples_left_out() const { return samples_left_out_; }        ///< not measured: the budget was spent
+    [[nodiscard]] std::size_t components_left_out() const { return components_left_out_; }  ///< not classified as cavity or turned
     [[nodiscard]] unsigned jobs() const { return jobs_; }
 
 private:
     void measure_facets();
-    void measure_samples(std::size_t most_looks);
+    void measure_samples(std::size_t most_visits);
     void measure_sample(Sample& sample) const;
     void keep_measured(const std::vector<bool>& measured);
-    void place_components(std::size_t most_looks);
+    void place_components(std::size_t most_visits);
 
     solid::Mesh mesh_;
     unsigned jobs_;
@@ -71,14 +71,14 @@ private:
     std::size_t samples_left_out_ = 0, components_left_out_ = 0;
 };
 
-/// Balls on the side to which `side` (unit) points that touch the surface at `at`. The ray along `side` bounds them from above; points
-/// inside shrink them.
+/// Balls that touch the surface at `at` on the side of the unit vector `side`. The ray along `side` bounds them from above; points inside
+/// shrink them.
 /// Shrinking ball: J. Ma, S. W. Bae, S. Choi, "3D medial axis point approximation using nearest neighbors and the normal field", The
-/// Visual Computer 28 (2012). Its drawback: it measures edges too; a second contact nearer than asked for is an edge, not a wall, and
-/// there the ray decides, if it ends on a face that looks away by as much.
+/// Visual Computer 28 (2012). It also measures edges. A second contact nearer than `apart` is an edge, not a wall, and
+/// there the ray decides, if it ends on a face that is turned away by as much.
 struct Ball {
     double touching_mm = 0.0;                                       ///< diameter of the largest
-    double opposite_mm = std::numeric_limits<double>::quiet_NaN();  ///< of the largest that touches again opposite; NaN: none does
+    double opposite_mm = std::numeric_limits<double>::quiet_NaN();  ///< of the largest with a second contact opposite; NaN: none
     solid::Vec3 middle_mm{};                                        ///< of the latter
     std::uint32_t contact = kNone;                                  ///< the triangle opposite
 };

@@ -23,15 +23,16 @@ public:
     ~Rays();
     Rays(Rays&&) noexcept;
 
-    /// The first triangle on the way but `skip`. @param direction a unit vector
+    /// The first triangle along the ray, except `skip`. @param direction a unit vector
     [[nodiscard]] std::optional<Hit> first(const solid::Vec3& from, const solid::Vec3& direction, std::uint32_t skip) const;
-    /// Every triangle on the way, ascending.
+    /// Every triangle along the ray, ascending.
     [[nodiscard]] std::vector<std::uint32_t> all(const solid::Vec3& from, const solid::Vec3& direction) const;
-    /// The surface's point nearest to `at`, and a triangle that holds it; nothing if it is `within_mm` away or farther.
+    /// The surface's point nearest to `at`, and a triangle that holds it; nothing if the distance is `within_mm` or more.
     [[nodiscard]] std::optional<std::pair<solid::Vec3, std::uint32_t>> nearest(const solid::Vec3& at, double within_mm) const;
-    /// Triangles that this thread has looked at, of any mesh, along a ray four times: what a query costs, the same on every machine.
-    [[nodiscard]] static std::size_t looked_at();
-    /// No triangle has an area.
+    /// Triangles that this thread has visited, in any mesh; those along a ray count four times. This is the cost of a query, the same on
+    /// every machine.
+    [[nodiscard]] static std::size_t visited();
+    /// True if no triangle has an area.
     [[nodiscard]] bool empty() const;
 
 private:

@@ -11,7 +11,7 @@ namespace fusee::inspect {
 
 inline constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-/// Triangles that hang together by their edges.
+/// Triangles that are connected by their edges.
 struct Component {
     std::size_t triangles = 0;
     bool closed = true;       ///< no open edge
@@ -19,15 +19,16 @@ struct Component {
     std::uint32_t largest = kNone;
 };
 
-/// How the triangles of any list of triangles hang together. Triangles without area take part with their edges.
+/// Connections of the triangles of any list. Edges of triangles without area count.
 struct Topology {
-    std::vector<std::array<std::uint32_t, 3>> neighbour;         ///< across the edge from corner k to the next; kNone unless two meet there
-    std::vector<std::uint32_t> component_of;                     ///< by triangle
-    std::vector<Component> components;                           ///< by their first triangle
-    std::size_t open_edges = 0;                                  ///< of one triangle only
-    std::size_t crowded_edges = 0;                               ///< of more than two
-    std::size_t flipped_edges = 0;                               ///< of two that run the same way along it
-    std::size_t pinched_points = 0;                              ///< where surfaces meet in no edge
+    std::vector<std::array<std::uint32_t, 3>>
+        neighbour;                            ///< across the edge from corner k to the next; kNone unless exactly two meet there
+    std::vector<std::uint32_t> component_of;  ///< by triangle
+    std::vector<Component> components;        ///< by their first triangle
+    std::size_t open_edges = 0;               ///< of one triangle only
+    std::size_t crowded_edges = 0;            ///< of more than two
+    std::size_t flipped_edges = 0;            ///< of two that run the same way along it
+    std::size_t pinched_points = 0;           ///< where surfaces meet in a point only
     std::vector<std::uint32_t> open, crowded, flipped, pinched;  ///< the triangles there, ascending
 };
 /// O(triangles log triangles). @pre every triangle names points of the mesh

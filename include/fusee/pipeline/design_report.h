@@ -10,7 +10,7 @@
 #include "fusee/cam/certificate.h"
 #include "fusee/core/finding.h"
 #include "fusee/core/provenance.h"
-#include "fusee/exchange/part_file.h"
+#include "fusee/formats/part_export.h"
 #include "fusee/pipeline/as_exported.h"
 #include "fusee/pipeline/headline.h"
 #include "fusee/readback/readback.h"
@@ -55,11 +55,7 @@ struct LawReport {
     [[nodiscard]] bool covers_stiction() const;
 };
 
-/// One file written.
-struct FileRow {
-    exchange::FileEntry entry;
-    std::uintmax_t bytes = 0;
-};
+using formats::FileRow, formats::file_row;
 
 /// One part with its files.
 struct PartReport {

@@ -17,9 +17,6 @@ enum class Via {
 };
 [[nodiscard]] const char* to_string(Via via);
 
-/// A file as written: name, SHA-256 and size of its bytes. @throws core::IoError
-[[nodiscard]] FileRow file_row(const std::filesystem::path& path, std::size_t triangles = 0, double chordal_error_mm = 0.0);
-
 /// One part as it went into files.
 struct ExportedPart {
     std::string name;       ///< "k_se", "k_se_mirrored": the beginning of its files' names

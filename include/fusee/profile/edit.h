@@ -18,6 +18,8 @@ struct Edit {
     std::string origin = {};  ///< "measured, case bench_3": replaces the comment behind the old value; empty: that comment stays
 };
 
+/// "k_se.guide.direction_deg" and every other key, in the order of the reference.
+[[nodiscard]] std::vector<std::string> key_names();
 /// @throws InvalidInput naming `field` and the nearest key unless `key` is a key or a table of a profile
 void require_key(const std::string& field, const std::string& key);
 /// The value of a number's key [SI]. @pre `key` is a key of numbers

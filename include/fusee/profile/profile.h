@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -104,16 +105,13 @@ struct PartSpec {
 
 /// Files to write in addition to springs.csv, the reports and PART.json.
 struct Outputs {
-    bool stl = true, scad = true, dxf = true, three_mf = true, step = true, ngc = false;
-    bool scad_stl = false;   ///< also OpenSCAD's rendering of the SCAD file
-    bool sliced = false;     ///< PrusaSlicer's G-code of a printed part
-    bool plates = false;     ///< DXF of each plate of a stack; default for edm and laser
-    bool drawing = true;     ///< shop drawing as SVG
-    bool pdf = false;        ///< the same as PDF
-    bool pair = true;        ///< also the antagonist's parts, mirror images of the agonist's
-    bool plate = true;       ///< with 3MF: all parts on one plate
-    double kerf = 0.0;       ///< of a beam or wire [m]; above 0: a second DXF, moved by half of it
-    int springs_rows = 400;  ///< rows of springs.csv, >= 200
+    std::vector<std::string> formats;  ///< names of formats::all_formats, in its order
+    bool pair = true;                  ///< also the antagonist's parts, mirror images of the agonist's
+    bool plate = true;                 ///< with 3MF: all parts on one plate
+    double kerf = 0.0;                 ///< of a beam or wire [m]; above 0: a second DXF, moved by half of it
+    int springs_rows = 400;            ///< rows of springs.csv, >= 200
+
+    [[nodiscard]] bool has(std::string_view format) const;
 };
 
 /// Settings of `fusee simulate`.

@@ -5,8 +5,8 @@
 
 namespace fusee::readback {
 
-/// Diameter of the hole about the axis in the lowest face of an STL file [mm], key and flat aside; of a compensated file, as it comes off
-/// the machine that `part.compensated` describes.
+/// Diameter of the hole about the axis in the lowest face of an STL file [mm], key and flat aside; for a compensated file, as made on the
+/// machine of `part.compensated`.
 /// @throws core::IoError if the file cannot be read or has no such hole
 [[nodiscard]] double bore_mm(const std::filesystem::path& stl, const exchange::PartFile& part);
 

@@ -9,28 +9,28 @@
 
 namespace fusee::readback {
 
-/// What an exported file says of the law. Nothing here knows how the part was made: this module uses `core`, `exchange` and the
-/// reader of programs in `toolpath` only.
+/// The law as recomputed from an exported file. This module does not know how the part was made: it uses only `core`, `exchange` and
+/// the reader of programs in `toolpath`.
 struct ArmError {
     std::string file;
     /// "assimp", "openmesh", "lib3mf", "dxflib", "dxflib, spline", "opencascade", "rs274 lower", "rs274 upper", "rs274 wrap", "perimeters"
     std::string reader;
     std::size_t rows = 0;         ///< working positions compared
-    double worst_relative = 0.0;  ///< largest |arm found / arm asked - 1| over the working range
+    double worst_relative = 0.0;  ///< largest |found arm / requested arm - 1| over the working range
     double worst_angle_rad = 0.0;
-    double allowed = 1e-3;                                ///< 1e-4 for splines: STEP, and those of DXF; of a print half a layer
-    core::Severity when_broken = core::Severity::kError;  ///< kReview of a print, which no exported file can answer for
-    std::vector<double> arms_mm = {};                     ///< as found, one for each row of the target
+    double allowed = 1e-3;                                ///< 1e-4 for splines: STEP, and those of DXF; for a print half a layer
+    core::Severity when_broken = core::Severity::kError;  ///< kWarning for a print
+    std::vector<double> arms_mm = {};                     ///< found arms, one for each row of the target
     [[nodiscard]] bool passed() const { return worst_relative <= allowed; }  ///< false for NaN
 };
 
-/// Reads every file of `part.files` in `folder` with each of its readers and recomputes the arm: horizontal rays from the axis find the
-/// groove's floor, the body is turned to each working angle, a taut cable is laid from the guide (tangent of largest moment), half a cable
-/// is added. Of a G-code program the floor is what the cutter leaves by the moves that LinuxCNC's interpreter makes of it; without `rs274`
-/// on PATH programs are passed over. Of a slicer's G-code the cable lies on the beads near its height. Also demands that the bytes have the
-/// stated SHA-256, a mesh the stated number of triangles, and that a program's moves are safe (toolpath::faults). SCAD files are not read
-/// here.
-/// @throws IoError if a file cannot be read or does not match its entry
-[[nodiscard]] std::vector<ArmError> read_back(const std::filesystem::path& folder, const exchange::PartFile& part);
+/// One file of PART.json to read back.
+struct LawFile {
+    std::filesystem::path path;
+    const exchange::FileEntry& entry;  ///< of it in `part`
+    const exchange::PartFile& part;
+};
+/// The arms that one file carries, an error for each library that reads it and each groove that it holds. @throws IoError
+using LawReader = std::vector<ArmError> (*)(const LawFile& file);
 
 }  // namespace fusee::readback

@@ -9,7 +9,7 @@
 
 namespace fusee::solid {
 
-/// A prism that is taken away from a part: a convex outline over a height range, standing along z or (radial) along +x.
+/// A prism that is cut from a part: a convex outline over a height range along z or (radial) along +x.
 struct Cutter {
     std::string name;     ///< "anchor", "leg_slot", "mark", "set_screw"
     Outline outline;      ///< radial: (y, z) of the section
@@ -19,7 +19,7 @@ struct Cutter {
     [[nodiscard]] Mesh mesh(double tolerance_mm) const;
 };
 
-/// The holes, slots and marks of a part, in the order in which they are cut. @pre its columns are placed
+/// The holes, slots and marks of a part, in the order of the cuts. @pre its columns are placed
 [[nodiscard]] std::vector<Cutter> make_cutters(const Part& part);
 
 }  // namespace fusee::solid

@@ -9,9 +9,9 @@ using VertexRing = std::vector<std::uint32_t>;  ///< vertex numbers of a mesh, c
 
 /// Fills a horizontal face between an outer ring and holes with a constrained Delaunay triangulation over the rings' own vertices (none
 /// added).
-/// @param up true: the face looks up (+z); false: down
+/// @param up true: the face faces up (+z); false: down
 /// @pre the holes lie inside the outer ring
-/// @returns false where a ring crosses itself or another: nothing is added then
+/// @returns false where a ring crosses itself or another: then nothing is added
 bool fill_face(Mesh& mesh, const VertexRing& outer, const std::vector<VertexRing>& holes, bool up);
 
 /// Adds a ring's vertices at height z and returns their numbers.

@@ -20,7 +20,7 @@ struct Box {
 [[nodiscard]] Box bounding_box(const Mesh& mesh);
 /// Signed volume [mm^3]: above 0 when the triangles face outward.
 [[nodiscard]] double volume_mm3(const Mesh& mesh);
-/// STL holds single precision: a mesh is rounded to it before it is proven valid, so that what is proven is what is written.
+/// STL has single precision. A mesh is rounded to it before its proof of validity, so that the proof holds for the file.
 void round_to_file(Mesh& mesh);
 
 }  // namespace fusee::solid

@@ -10,7 +10,7 @@ namespace fusee::solid {
 using Point2 = std::array<double, 2>;
 using Ring = std::vector<Point2>;  ///< closed polygon [mm], counter-clockwise, first point not repeated
 
-/// A piece of an exact outline: an arc from `begin` to `end` > `begin` [rad], or a corner where its radius is 0.
+/// One piece of an exact outline: an arc from `begin` to `end` > `begin` [rad], or a corner where its radius is 0.
 struct Arc {
     Point2 centre_mm{};
     double radius_mm = 0.0, begin = 0.0, end = 0.0;
@@ -34,8 +34,8 @@ struct OutlinePoint {
     Point2 point{};
     double rho = 0.0;
 };
-/// The pitch curve's parallel at `offset_mm`, widened to hold a circle of `core_radius_mm` about the axis (0 = none): Firey's p-sum of the
-/// two support functions, convex and as smooth as they are (Firey 1962).
+/// The pitch curve's parallel at `offset_mm`, widened to contain a circle of `core_radius_mm` about the axis (0 = none): Firey's p-sum of
+/// the two support functions, convex and as smooth as they are (Firey 1962).
 [[nodiscard]] OutlinePoint flange_point(const cam::PathPoint& path, double offset_mm, double core_radius_mm);
 
 }  // namespace fusee::solid

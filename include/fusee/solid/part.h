@@ -7,7 +7,7 @@
 
 namespace fusee::solid {
 
-/// Section of the cable groove: a round floor, straight flanks at half the throat angle, lips.
+/// Section of the cable groove: a round floor, straight flanks at half the throat angle, and lips.
 struct GrooveOptions {
     double radius_ratio = 0.53;          ///< floor radius over cable diameter
     double depth_ratio = 1.5;            ///< depth of the lips above the floor, in cable diameters
@@ -18,7 +18,7 @@ struct GrooveOptions {
 
 enum class HubKind {
     kThrough,   ///< the bore goes through the groove's plane
-    kOverhung,  ///< a boss below the cam carries a blind bore: for arms too short to hold a shaft
+    kOverhung,  ///< a boss below the cam carries a blind bore: for arms too short for a shaft
 };
 enum class HubLock { kPlain, kKeyway, kDFlat, kSetScrew };
 
@@ -52,7 +52,7 @@ struct PartOptions {
     HubOptions hub;
     FeatureOptions features;
     double chordal_error = 2e-6;  ///< largest distance between mesh and analytic surface [m]
-    double flange_height = 0.0;   ///< how far the flanges stand above the lips [m]; 0 = flush with the lips
+    double flange_height = 0.0;   ///< height of the flanges above the lips [m]; 0 = flush with the lips
     double rim_width = 8e-3;      ///< of a roller cam: the plate's thickness, above two ribs [m]
 };
 
@@ -66,27 +66,26 @@ struct SectionPoint {
 /// A roller cam's: the flat rim between the two ribs, with a vertex half-way up. @throws InvalidInput naming k_pe.roller.rim_width_mm
 [[nodiscard]] std::vector<SectionPoint> rim_section(const PartOptions& options);
 
-/// The solid of a part with everything in it that the exports and checks need to know.
+/// The solid of a part, with all data that exports and checks need.
 struct Part {
     cam::Cam cam;
     PartOptions options;
     Mesh mesh;                          ///< finished: groove, hub, holes, slot, mark
-    Mesh skin;                          ///< the same body without groove, bore and cutters (helix: what a CSG kernel starts from)
+    Mesh skin;                          ///< the same body without groove, bore and cutters (helix: the start of a CSG kernel)
     std::vector<double> columns_psi;    ///< psi of the sweep's columns, one turn (planar) or the whole groove (helix)
     std::vector<SectionPoint> section;  ///< of the groove
     double z_low = 0.0, z_high = 0.0;   ///< of the flanges' outer faces [m]; a boss reaches below z_low
     double chordal_error_mm = 0.0;      ///< stated and kept by the sweep
 };
 
-/// All of a part but its meshes and columns, and whether there is room for it at all: what a search asks before it builds anything.
-/// Refusals: "solid.turns", "solid.floor", "solid.axis", "solid.anchor", "solid.bore", "solid.run_out". @throws InvalidInput naming the
-/// option
+/// The part without meshes and columns, if its geometry is possible. A search calls this before it builds a solid. Refusals: "solid.turns",
+/// "solid.floor", "solid.axis", "solid.anchor", "solid.bore", "solid.run_out". @throws InvalidInput naming the option
 [[nodiscard]] core::Outcome<Part> outline_part(const cam::Cam& cam, const PartOptions& options);
 
 /// Builds the solid: swept groove and faces meshed from the parametric surface, Booleans only for anchor hole, leg slot, mark and set
-/// screw. Refusals: "solid.turns" (no land between turns), "solid.floor" (the groove's floor folds), "solid.axis" (the contour passes the
-/// axis by), "solid.anchor" (too wide a hole), "solid.bore" (the bore breaks out), "solid.run_out" (a helix whose arms grow too
-/// fast where its groove ends), "solid.validity" (not closed, not of one piece, or it meets itself: with the place).
+/// screw. Refusals: "solid.turns" (no land between turns), "solid.floor" (the groove's floor folds), "solid.axis" (the contour does not
+/// enclose the axis), "solid.anchor" (too wide a hole), "solid.bore" (the bore breaks out), "solid.run_out" (the arms of a helix grow too
+/// fast at the end of its groove), "solid.validity" (not closed, not one piece, or self-intersecting, with the place).
 /// @throws InvalidInput naming the option
 [[nodiscard]] core::Outcome<Part> build_part(const cam::Cam& cam, const PartOptions& options);
 

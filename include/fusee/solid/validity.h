@@ -2,21 +2,26 @@
 #include <optional>
 #include <string>
 
+#include "fusee/core/finding.h"
 #include "fusee/solid/mesh.h"
 
 namespace fusee::solid {
 
-/// What has to hold before a solid is written (CGAL, exact predicates).
+/// The conditions for a solid before it is written (CGAL, exact predicates).
 struct Validity {
     bool closed = false;   ///< every edge has two triangles, manifold
-    bool outward = false;  ///< bounds a volume, normals outside
+    bool outward = false;  ///< bounds a volume, normals face outward
     bool self_intersecting = true;
     std::size_t components = 0;
-    std::optional<Vec3> meeting_mm;  ///< a corner of a triangle that meets one it is no neighbour of [mm]
+    std::optional<Vec3> meeting_mm;  ///< a corner of a triangle that intersects one that is not its neighbour [mm]
     [[nodiscard]] bool good() const { return closed && outward && !self_intersecting && components == 1; }
     /// "closed, outward, 1 component, no self-intersection" or what is wrong.
     [[nodiscard]] std::string line() const;
 };
 [[nodiscard]] Validity validate(const Mesh& mesh);
+
+/// Finding "solid.validity". @param solid "the solid" @param part "k_se"
+[[nodiscard]] core::Finding invalid_solid(const Validity& validity, const std::string& solid, const std::string& part,
+                                          std::string suggestion);
 
 }  // namespace fusee::solid

@@ -49,7 +49,7 @@ struct Case {
 [[nodiscard]] diagnosis::Diagnosis diagnose(const Case& subsystem_case, const diagnosis::DiagnoseOptions& options = {});
 
 /// Every CSV file in `folder`; measured columns may be missing. A file's parameters are those of [bench], those of the case's file of the
-/// same name over them, and the words of its own '#' lines over all. @throws as read_bench_case; core::IoError if there is no CSV file
+/// same name over them, and the words of its own '#' lines over all. @throws as read_case; core::IoError if there is no CSV file
 [[nodiscard]] Case read_inputs(const Case& subsystem_case, const std::filesystem::path& folder);
 /// `inputs` with the measured column as the law says, row by row: with `found.build` and `found.effects`; without `found.build` the
 /// nominal parameters are fitted on the rows of `subsystem_case` first, the effects held.

@@ -28,15 +28,15 @@ core::Findings measure_assembly_anchor_reach(const Design& design, const Allowed
 }  // namespace
 
 Rule assembly_anchor_reach() {
-    return {"assembly.anchor_reach",
-            "an anchor hidden under the spring",
-            "distance from the torsion spring's outside to the anchor hole on the top face",
-            "geometry: the knot is tied beside the spring",
-            {review(kAtLeast, "mm", 0.0)},
-            measure_assembly_anchor_reach,
-            false,
-            {need::kWire, need::kCoil},
-            has_torsion_anchor};
+    return on_cable({"assembly.anchor_reach",
+                     "an anchor hidden under the spring",
+                     "distance from the torsion spring's outside to the anchor hole on the top face",
+                     "geometry: the knot is tied beside the spring",
+                     {review(kAtLeast, "mm", 0.0)},
+                     measure_assembly_anchor_reach,
+                     false,
+                     {need::kWire, need::kCoil},
+                     has_torsion_anchor});
 }
 
 }  // namespace fusee::checks

@@ -18,7 +18,7 @@ core::Findings measure_assembly_leg_radius(const Design& design, const Allowed& 
     const spring::BaseSpring& s = design.spring;
     const double aside = std::abs(features.leg_slot_radius - 0.5 * s.coil_diameter) + 0.5 * (s.wire_diameter - features.leg_slot_length);
     core::Finding f = judge(core::mm_from_m(std::max(0.0, aside)), {allowed("review")});
-    f.what = fmt::format("how far an axial leg {:.2f} mm from the axis stands out of its slot", core::mm_from_m(0.5 * s.coil_diameter));
+    f.what = fmt::format("protrusion of an axial leg, {:.2f} mm from the axis, beyond its slot", core::mm_from_m(0.5 * s.coil_diameter));
     f.where = fmt::format("{} at body angle {:.1f} deg", name(design), core::deg_from_rad(features.leg_slot_angle));
     f.suggestion = fmt::format("{}.features.leg_slot_radius_mm = {:.4g}", name(design), core::mm_from_m(0.5 * s.coil_diameter));
     return {f};
@@ -29,7 +29,7 @@ core::Findings measure_assembly_leg_radius(const Design& design, const Allowed& 
 Rule assembly_leg_radius() {
     return {"assembly.leg_radius",
             "a slot that misses the spring's leg",
-            "how far the leg, at the coil's radius, stands out of its slot",
+            "protrusion of the leg, at the coil's radius, beyond its slot",
             "geometry: an axial leg stands at D/2",
             {review(kAtMost, "mm", 0.0)},
             measure_assembly_leg_radius,

@@ -23,7 +23,7 @@ core::Findings measure_assembly_leg_width(const Design& design, const Allowed& a
 
 Rule assembly_leg_width() {
     return {"assembly.leg_width",
-            "a slot that the spring's leg does not enter, or rattles in",
+            "a slot too narrow or too wide for the spring's leg",
             "width of the spring leg's slot less the wire",
             "0 to 0.5 mm (practice)",
             {required(kAtLeast, "mm", 0.0), review(kAtMost, "mm", 0.5)},

@@ -10,7 +10,7 @@ namespace {
 
 core::Findings measure_assembly_rotation_gap(const Design& design, const Allowed& allowed) {
     const auto gap = guide_gap(design.part);
-    if (!gap || *gap < 0.0) return {};  // struck: cam.contour_radius says so
+    if (!gap || *gap < 0.0) return {};  // collision: cam.contour_radius reports it
     core::Finding f = judge(core::mm_from_m(*gap), {allowed("review")});
     f.what = "gap between the turning part and its guide";
     f.suggestion = fmt::format("{}.guide.distance_mm = {}", name(design),

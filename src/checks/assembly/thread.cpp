@@ -20,12 +20,12 @@ core::Findings measure_assembly_thread(const Design& design, const Allowed& allo
 }  // namespace
 
 Rule assembly_thread() {
-    return {"assembly.thread",
-            "a cable that does not go through its hole",
-            "anchor hole over the cable",
-            "1.2 d, at least d (practice)",
-            {required(kAtLeast, "d", 1.0), review(kAtLeast, "d", 1.2)},
-            measure_assembly_thread};
+    return on_cable({"assembly.thread",
+                     "a cable that does not go through its hole",
+                     "anchor hole over the cable",
+                     "1.2 d, at least d (practice)",
+                     {required(kAtLeast, "d", 1.0), review(kAtLeast, "d", 1.2)},
+                     measure_assembly_thread});
 }
 
 }  // namespace fusee::checks

@@ -12,7 +12,7 @@ namespace fusee::checks {
 namespace {
 
 constexpr double kFriction = 0.1;  // between cable and floor
-constexpr double kKnot = 0.5;      // of its strength that the cable keeps in a knot
+constexpr double kKnot = 0.5;      // share of the cable's strength that a knot leaves
 
 core::Findings measure_cable_anchor_load(const Design& design, const Allowed& allowed) {
     const cam::Cam& cam = design.part.cam;
@@ -33,7 +33,7 @@ Rule cable_anchor_load() {
     return {"cable.anchor_load",
             "the cable breaking at its knot",
             "least of breaking load x 0.5 / (tension x e^(-0.1 angle wound between anchor and contact))",
-            "a knot keeps half the strength, friction 0.1, safety 3, at least 1.5 (practice)",
+            "a knot leaves half the strength, friction 0.1, safety 3, at least 1.5 (practice)",
             {required(kAtLeast, "", 1.5), review(kAtLeast, "", 3.0)},
             measure_cable_anchor_load,
             false,

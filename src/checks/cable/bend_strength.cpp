@@ -9,14 +9,14 @@ namespace fusee::checks {
 
 namespace {
 
-constexpr double kStrengthStep = 0.99, kThinnest = 0.01;  // in which a thinner cable is looked for, of d
+constexpr double kStrengthStep = 0.99, kThinnest = 0.01;  // step and end of the search for a thinner cable, of d
 
 core::Findings measure_cable_bend_strength(const Design& design, const Allowed& allowed) {
     if (design.part.cam.working.empty()) return {};
     const double d = design.cable.diameter;
     const cam::PathPoint& sharpest = worst_contact(design.part.cam, [](const cam::Contact& c) { return -c.path.rho; }).path;
     core::Finding f = judge(100.0 * strength_left((2.0 * sharpest.rho - d) / d), {allowed("review")});
-    f.what = fmt::format("share of its strength that the cable keeps where it bends at rho {:.3f} mm", core::mm_from_m(sharpest.rho));
+    f.what = fmt::format("strength left in the cable at its sharpest bend, rho {:.3f} mm", core::mm_from_m(sharpest.rho));
     f.where = where(design, sharpest.psi);
     f.place = place(sharpest, 0.0);
     double thinner = d;

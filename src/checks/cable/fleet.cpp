@@ -20,7 +20,7 @@ core::Findings measure_cable_fleet(const Design& design, const Allowed& allowed)
     const double fleet = core::deg_from_rad(std::abs(worst.fleet));
     core::Finding f = own ? judge(fleet, {allowed("required", core::deg_from_rad(design.cable.max_fleet))})
                           : judge(fleet, {allowed("required", kMost), allowed("review")});
-    f.what = fmt::format("largest fleet angle; the arm in the plane is cut longer by 1/{:.5f}", std::cos(worst.fleet));
+    f.what = fmt::format("largest fleet angle; the arm in the plane is longer by 1/{:.5f}", std::cos(worst.fleet));
     f.where = where(design, worst.path.psi);
     f.place = place(worst.path, 0.0);
     const double tangent = std::tan(core::rad_from_deg(f.allowed)), farther = std::abs(std::tan(worst.fleet)) / tangent;

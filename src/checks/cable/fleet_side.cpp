@@ -32,7 +32,7 @@ core::Findings measure_cable_fleet_side(const Design& design, const Allowed& all
 
 Rule cable_fleet_side() {
     return {"cable.fleet_side",
-            "a guide off the middle, so that one flank bears all the rubbing",
+            "a guide off the middle, so that the cable rubs on one flank only",
             "largest fleet angle to one side less the largest to the other",
             "wirerope.net: 1.5 deg on a smooth drum",
             {review(kAtMost, "deg", 1.5)},

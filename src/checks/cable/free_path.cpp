@@ -12,13 +12,13 @@ namespace fusee::checks {
 
 namespace {
 
-constexpr std::size_t kContacts = 24;  // working positions looked at
-constexpr double kStart = 0.05;        // of d: the cable is followed from this far off its contact
+constexpr std::size_t kContacts = 24;  // working positions that are checked
+constexpr double kStart = 0.05;        // of d: the cable is traced from this distance off its contact
 
 /// Where the free cable's centreline crosses the mesh: first and last distance from the contact [mm].
 struct Crossing {
     double first = std::numeric_limits<double>::infinity(), last = 0.0;
-    bool leaves_first = false;  ///< the first crossing leads out of the part: the cable began inside
+    bool leaves_first = false;  ///< the first crossing leads out of the part: the cable starts inside
     [[nodiscard]] double length() const { return leaves_first ? last : last > first ? last - first : 0.0; }
 };
 
@@ -29,14 +29,14 @@ struct Seen {
 
 Crossing cross(const Design& design, const cam::Contact& contact, std::vector<Seen>& seen) {
     const cam::PathPoint& p = contact.path;
-    const int sign = design.part.cam.options.torque_sign;  // the cable leaves along sign * t: its pull then has that torque
-    const double c = std::cos(p.psi), s = std::sin(p.psi), climb = std::tan(contact.fleet);
+    const int sign = design.part.cam.options.torque_sign;  // the cable leaves along sign * t: its tension then has that torque
+    const double c = std::cos(p.psi), s = std::sin(p.psi), rise = std::tan(contact.fleet);
     const double h = core::mm_from_m(p.h), slope = core::mm_from_m(p.slope), z = core::mm_from_m(p.z);
     const solid::Mesh& mesh = design.part.mesh;
     for (std::size_t i = 0; i < mesh.points_mm.size(); ++i) {
         const auto& q = mesh.points_mm[i];
         const double along = sign * (-q[0] * s + q[1] * c - slope);
-        seen[i] = {q[0] * c + q[1] * s - h, q[2] - z - along * climb, along};
+        seen[i] = {q[0] * c + q[1] * s - h, q[2] - z - along * rise, along};
     }
     const double begin = kStart * core::mm_from_m(design.cable.diameter);
     const double end = contact.span > 0.0 ? core::mm_from_m(contact.span) : std::numeric_limits<double>::infinity();
@@ -67,7 +67,7 @@ core::Findings measure_cable_free_path(const Design& design, const Allowed& allo
     for (std::size_t i = 0; i < cam.working.size(); i += stride)
         if (const double length = cross(design, cam.working[i], seen).length(); length > longest) longest = length, worst = &cam.working[i];
     core::Finding f = judge(longest, {allowed("required")});
-    f.what = "length over which the part stands in the way of the free cable";
+    f.what = "length of the free cable inside the part";
     f.where = where(design, worst->path.psi);
     f.place = place(worst->path, 0.0);
     double reach = 0.0;
@@ -81,8 +81,8 @@ core::Findings measure_cable_free_path(const Design& design, const Allowed& allo
 
 Rule cable_free_path() {
     return {"cable.free_path",
-            "the part standing in the way of its own cable",
-            "longest part of a free cable's centreline inside the mesh, 24 positions",
+            "the part blocking its own cable",
+            "longest piece of a free cable's centreline inside the mesh, 24 positions",
             "geometry: free cable against the mesh",
             {required(kAtMost, "mm", 0.0)},
             measure_cable_free_path,

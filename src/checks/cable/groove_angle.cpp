@@ -10,7 +10,7 @@ namespace fusee::checks {
 
 namespace {
 
-constexpr double kGuide_mm = 200.0;  // where a guide may stand that had no place
+constexpr double kGuide_mm = 200.0;  // distance of a guide that had no place
 
 /// A parallel guide has no point to aim at.
 std::string aimed_change(const Design& design) {
@@ -25,9 +25,9 @@ core::Findings measure_cable_groove_angle(const Design& design, const Allowed& a
     const auto angle = [&cam](const cam::Contact& c) { return std::abs(std::atan(groove_slope(cam, c)) - c.fleet); };
     const cam::Contact& worst = worst_contact(cam, angle);
     core::Finding f = judge(core::deg_from_rad(angle(worst)), {allowed("review")});
-    f.what = fmt::format(
-        "angle between the free cable and the groove that it leaves: it rubs on a flank, where {:.2g} % of the torque may be lost or won",
-        100.0 * (1.0 - std::cos(angle(worst))) * worst.path.rho / worst.path.h);
+    f.what =
+        fmt::format("angle between the free cable and its groove: it rubs on a flank, where {:.2g} % of the torque may be lost or gained",
+                    100.0 * (1.0 - std::cos(angle(worst))) * worst.path.rho / worst.path.h);
     f.where = where(design, worst.path.psi);
     f.place = place(worst.path, 0.0);
     if (cam.options.path.lead == cam::Lead::kConstantPitch)
@@ -45,7 +45,7 @@ core::Findings measure_cable_groove_angle(const Design& design, const Allowed& a
 
 Rule cable_groove_angle() {
     return {"cable.groove_angle",
-            "the cable leaving a climbing groove across its flank",
+            "the cable leaving a helical groove across its flank",
             "helix: largest angle between free cable and groove",
             "US7677540B1: a focused groove points at the guide; 4 deg (practice)",
             {review(kAtMost, "deg", 4.0)},

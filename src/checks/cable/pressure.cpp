@@ -14,7 +14,7 @@ namespace {
 core::Findings measure_cable_pressure(const Design& design, const Allowed& allowed) {
     const auto most = allowed.stated("required", design.cable.max_pressure / kPaPerMPa);
     const double d = design.cable.diameter;
-    // No groove floor to press on where 2 rho <= d: cable.bend_ratio says so.
+    // There is no groove floor where 2 rho <= d: cable.bend_ratio reports it.
     const auto pressure = [d](const cam::Contact& c) {
         return 2.0 * c.path.rho <= d ? 0.0 : 2.0 * c.arm.tension / ((2.0 * c.path.rho - d) * d);
     };
@@ -24,7 +24,7 @@ core::Findings measure_cable_pressure(const Design& design, const Allowed& allow
                          core::mm_from_m(2.0 * worst.path.rho - d));
     f.where = where(design, worst.path.psi);
     f.place = place(worst.path, -0.5 * d);
-    f.suggestion = fmt::format("a material that bears {} MPa", up(f.measured));
+    f.suggestion = fmt::format("a material that allows {} MPa", up(f.measured));
     // D d = (2 rho - d) d = 2T/p: the smaller root; the contour's rho does not depend on d.
     const double rho = worst.path.rho, root = rho * rho - 2.0 * worst.arm.tension / (kPaPerMPa * f.allowed);
     if (root > 0.0) f.suggestion += fmt::format(", or cable.diameter_mm = {}", up(core::mm_from_m(rho - std::sqrt(root))));

@@ -13,9 +13,9 @@ namespace fusee::checks {
 
 namespace {
 
-constexpr double kStep = core::kPi / 900.0;  // [rad] between places of the run-out: rho and pitch change within 0.05 rad there
+constexpr double kStep = core::kPi / 900.0;  // [rad] between points of the run-out: rho and pitch change within 0.05 rad there
 
-/// The groove as far as a cable lies in it: from the anchor to the working arc's other end, by rising psi.
+/// The groove where a cable lies in it: from the anchor to the working arc's other end, by rising psi.
 std::vector<cam::PathPoint> under_cable(const cam::Cam& cam) {
     std::vector<cam::PathPoint> path;
     for (const cam::Contact& c : cam.working) path.push_back(c.path);
@@ -30,10 +30,10 @@ std::vector<cam::PathPoint> under_cable(const cam::Cam& cam) {
     return path;
 }
 
-/// How a curve bends in space (docs/theory/cams.md, eq. 15).
+/// Curvature of a curve in space (docs/theory/cams.md, eq. 15).
 struct Bend {
     double radius = 0.0;  ///< [m]
-    double twist = 0.0;   ///< (z'' - m rho')/rho: how fast its slope turns
+    double twist = 0.0;   ///< (z'' - m rho')/rho: rate at which its slope changes
 };
 
 /// By differences with both neighbours, which need not be evenly spaced.
@@ -45,7 +45,7 @@ Bend bend_at(const cam::PathPoint& a, const cam::PathPoint& b, const cam::PathPo
     return {b.rho * turn * std::sqrt(turn / (turn + twist * twist)), std::abs(twist)};
 }
 
-/// The pitch whose groove turns its slope slowly enough, or the cable that stands it.
+/// The pitch at which the groove's slope changes slowly enough, or the cable that allows this bend.
 std::string nearest_change(const Design& design, const Bend& bend, double rho, double allowed) {
     const double needed = 0.5 * design.cable.diameter * (1.0 + allowed), ratio = rho / needed;
     const std::string thinner = fmt::format("cable.diameter_mm = {}", down(core::mm_from_m(2.0 * bend.radius / (1.0 + allowed))));
@@ -82,7 +82,7 @@ core::Findings measure_cable_space_bend(const Design& design, const Allowed& all
 
 Rule cable_space_bend() {
     return {"cable.space_bend",
-            "a climbing groove that turns its slope so fast that it bends the cable",
+            "a helical groove whose slope changes so fast that it bends the cable too sharply",
             "helix: D/d = (2 R - d)/d with R the least radius of curvature in space, from the anchor to the working arc's end",
             "by construction, as cable.bend_ratio; docs/theory/cams.md, eq. 15",
             {required(kAtLeast, "", "the construction's critical D/d, or cable.min_bend_ratio"),

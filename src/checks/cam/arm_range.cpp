@@ -19,10 +19,10 @@ core::Findings measure_cam_arm_range(const Design& design, const Allowed& allowe
     const solid::HubOptions& hub = design.part.options.hub;
     const bool through = hub.kind == solid::HubKind::kThrough;
     const double wall = process_limits(design.process).wall, half_cable = 0.5 * design.cable.diameter;
-    // Overhung: no shaft in the groove's plane, but the floor must not pass over the axis.
+    // Overhung: no shaft in the groove's plane, but the floor must not cross the axis.
     const double needed = half_cable + (through ? bore_radius(hub) + wall : 0.0);
     core::Finding f = judge(core::mm_from_m(least.arm.arm), {allowed("required", core::mm_from_m(needed))});
-    f.what = fmt::format("least arm, of {:.2f} to {:.2f} mm (1 : {:.2f}); it has to hold half a cable{}", core::mm_from_m(least.arm.arm),
+    f.what = fmt::format("least arm, of {:.2f} to {:.2f} mm (1 : {:.2f}); it must exceed half a cable{}", core::mm_from_m(least.arm.arm),
                          core::mm_from_m(largest), largest / least.arm.arm, through ? ", a wall and the bore" : "");
     f.where = where(design, least.path.psi);
     f.place = place(least.path, -half_cable);
@@ -36,12 +36,12 @@ core::Findings measure_cam_arm_range(const Design& design, const Allowed& allowe
 }  // namespace
 
 Rule cam_arm_range() {
-    return {"cam.arm_range",
-            "an arm too short to hold bore, wall and cable",
-            "least arm",
-            "geometry: r >= bore + wall + d/2",
-            {required(kAtLeast, "mm", "bore + wall + d/2; overhung: d/2")},
-            measure_cam_arm_range};
+    return on_cable({"cam.arm_range",
+                     "an arm too short for bore, wall and cable",
+                     "least arm",
+                     "geometry: r >= bore + wall + d/2",
+                     {required(kAtLeast, "mm", "bore + wall + d/2; overhung: d/2")},
+                     measure_cam_arm_range});
 }
 
 }  // namespace fusee::checks

@@ -17,9 +17,9 @@ core::Findings measure_cam_contour_radius(const Design& design, const Allowed& a
     if (guide.kind == cam::GuideKind::kParallel || guide.distance <= 0.0 || path.empty()) return {};
     const cam::PathPoint& far = farthest(design.part, path);
     const double idler = guide.kind == cam::GuideKind::kIdler ? guide.radius : 0.0, half_cable = 0.5 * design.cable.diameter;
-    const double swept = swept_radius(design.part, far), room = guide.distance - idler - half_cable;
-    core::Finding f = judge(core::mm_from_m(swept), {allowed("review", core::mm_from_m(room))});
-    f.what = "radius swept by the turning part, against the room up to the guide";
+    const double swept = swept_radius(design.part, far), space = guide.distance - idler - half_cable;
+    core::Finding f = judge(core::mm_from_m(swept), {allowed("review", core::mm_from_m(space))});
+    f.what = "radius swept by the turning part, against the distance to the guide";
     f.where = where(design, far.psi);
     f.place = place(far, swept - std::hypot(far.h, far.slope));
     f.suggestion = fmt::format("{}.guide.distance_mm = {}", name(design), up(core::mm_from_m(swept + idler + half_cable)));

@@ -22,9 +22,9 @@ core::Findings measure_collision_ball_cutter(const Design& design, const Allowed
 
 Rule collision_ball_cutter() {
     return {"collision.ball_cutter",
-            "a thin cable's groove that no ball cutter at hand fits into",
+            "a groove too narrow for the available ball cutter",
             "milled: radius of the groove's floor",
-            "geometry: 0.8 mm of cable want a ball under 0.86 mm",
+            "geometry: a cable of 0.8 mm needs a ball below 0.86 mm",
             {required(kAtLeast, "mm", "process.cutter_radius_mm, 0.25 mm by default")},
             measure_collision_ball_cutter};
 }

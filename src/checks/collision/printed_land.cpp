@@ -19,17 +19,17 @@ core::Findings measure_collision_printed_land(const Design& design, const Allowe
     const cam::PathOptions& options = cam.options.path;
     const bool judged = design.process.kind == ProcessKind::kFdm && !cam.closed() && options.lead == cam::Lead::kConstantPitch &&
                         cam.options.guide.kind == cam::GuideKind::kParallel && !design.part.section.empty();
-    if (!judged) return {};  // a guide that has its place: cable.fleet
+    if (!judged) return {};  // a guide with a place: cable.fleet judges it
     const double turns = cam.working_psi.width() / (2.0 * core::kPi),
                  rope = kRopePitch * design.part.options.groove.radius_ratio * design.cable.diameter;
     const double printed = std::max(options.pitch, groove_width(design.part) + process_limits(design.process).wall);
     const double reach = turns / (2.0 * std::tan(kFleet));
     core::Finding f = judge(core::mm_from_m(reach * printed), {allowed("review")});
-    f.what = fmt::format("distance at which the guide of {:.2f} turns of {:.2f} mm has to stand; the cable alone would ask for {:.0f} mm",
-                         turns, core::mm_from_m(printed), core::mm_from_m(reach * rope));
+    f.what = fmt::format("least distance of the guide from {:.2f} turns of {:.2f} mm; the cable alone needs {:.0f} mm", turns,
+                         core::mm_from_m(printed), core::mm_from_m(reach * rope));
     f.suggestion = fmt::format(
         "{0}.path.lead = \"aimed\" with {0}.guide.kind = \"point\" with {0}.guide.distance_mm = {2:g}, or {0}.path.pitch_mm = {1} with a "
-        "groove and a land that narrow",
+        "groove and a land of that width",
         name(design), down(f.allowed / reach), f.allowed);
     return {f};
 }
@@ -38,8 +38,8 @@ core::Findings measure_collision_printed_land(const Design& design, const Allowe
 
 Rule collision_printed_land() {
     return {"collision.printed_land",
-            "a printed land between turns that moves the guide out",
-            "FDM helix of constant pitch, parallel exit: how far off its guide has to stand, N p/(2 tan 2 deg)",
+            "a printed land between turns that needs a distant guide",
+            "FDM helix of constant pitch, parallel exit: least distance of its guide, N p/(2 tan 2 deg)",
             "wirerope.net: 2 deg grooved; a guide within 300 mm (practice)",
             {review(kAtMost, "mm", 300.0)},
             measure_collision_printed_land};

@@ -10,7 +10,7 @@ namespace {
 core::Findings measure_fdm_elephant_foot(const Design& design, const Allowed& allowed) {
     if (design.process.kind != ProcessKind::kFdm) return {};
     core::Finding f = judge(core::mm_from_m(design.part.options.hub.bore_clearance), {allowed("review")});
-    f.what = "clearance of the bore, of which the squeezed first layer takes its part";
+    f.what = "clearance of the bore, which the squeezed first layer reduces";
     f.where = name(design) + " at the bore's mouth";
     f.suggestion = fmt::format("{}.hub.clearance_mm = {:g}, or a chamfer there", name(design), f.allowed);
     return {f};

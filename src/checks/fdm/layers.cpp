@@ -23,12 +23,12 @@ core::Findings measure_fdm_layers(const Design& design, const Allowed& allowed) 
 }  // namespace
 
 Rule fdm_layers() {
-    return {"fdm.layers",
-            "a groove's floor printed as steps",
-            "FDM: layers in the radius of the groove's floor",
-            "two layers (practice)",
-            {review(kAtLeast, "layers", 2.0)},
-            measure_fdm_layers};
+    return on_cable({"fdm.layers",
+                     "a groove's floor printed as steps",
+                     "FDM: layers in the radius of the groove's floor",
+                     "two layers (practice)",
+                     {review(kAtLeast, "layers", 2.0)},
+                     measure_fdm_layers});
 }
 
 }  // namespace fusee::checks

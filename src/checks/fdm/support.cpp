@@ -18,8 +18,9 @@ core::Findings measure_fdm_support(const Design& design, const Allowed& allowed)
     if (design.process.kind != ProcessKind::kFdm || limit <= 0.0 || mesh.triangles.empty()) return {};
     const double upright = unsupported_mm2(mesh, limit, false), flipped = unsupported_mm2(mesh, limit, true);
     core::Finding f = judge(std::min(upright, flipped), {allowed("review")});
-    f.what = fmt::format("faces that look down by more than {:g} deg, printed with the {} on the bed (the other way up: {:.0f} mm^2)",
-                         core::deg_from_rad(limit), upright <= flipped ? "bottom" : "top", std::max(upright, flipped));
+    f.what =
+        fmt::format("downward faces at more than {:g} deg from the vertical, printed with the {} on the bed (upside down: {:.0f} mm^2)",
+                    core::deg_from_rad(limit), upright <= flipped ? "bottom" : "top", std::max(upright, flipped));
     f.suggestion = fmt::format("support material under {} mm^2", up(f.measured));
     return {f};
 }
@@ -29,7 +30,7 @@ core::Findings measure_fdm_support(const Design& design, const Allowed& allowed)
 Rule fdm_support() {
     return {"fdm.support",
             "ceilings that a printer cannot bridge",
-            "area looking down beyond the overhang + 1 deg, the better way up",
+            "area of downward faces beyond the overhang + 1 deg, in the better of both orientations",
             "FDM bridge 5-10 mm: 3dservicesusa, cifproto, arti90, layerx3d; a square of 5 mm",
             {review(kAtMost, "mm^2", 25.0)},
             measure_fdm_support,

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kWidest = 150.0;  // [deg] throat of a groove
 
-/// Half the groove's width between the lips, were its throat another (docs/theory/cams.md, eq. 11) [m].
+/// Half the groove's width between the lips for another throat (docs/theory/cams.md, eq. 11) [m].
 double half_width(const Design& design, double throat) {
     const solid::GrooveOptions& groove = design.part.options.groove;
     const double radius = groove.radius_ratio * design.cable.diameter, half = 0.5 * throat;
@@ -25,7 +25,7 @@ double half_width(const Design& design, double throat) {
 core::Findings measure_groove_flank_rub(const Design& design, const Allowed& allowed) {
     const cam::Cam& cam = design.part.cam;
     if (cam.working.size() < 2 || design.part.section.empty()) return {};
-    const bool stacked = is_stacked(design) && cam.closed();  // else stack.climb
+    const bool stacked = is_stacked(design) && cam.closed();  // otherwise stack.climb judges it
     const double half = 0.5 * (stacked ? solid::core_thickness(design.part) : groove_width(design.part)), lip = lip_offset(design.part),
                  radius = 0.5 * design.cable.diameter;
     // On a floor of radius rho the cable passes the lips sqrt((rho + lip)^2 - rho^2) behind its contact.
@@ -35,7 +35,8 @@ core::Findings measure_groove_flank_rub(const Design& design, const Allowed& all
     };
     const cam::Contact& worst = worst_contact(cam, aside);
     core::Finding f = judge(core::mm_from_m(half - radius - aside(worst)), {allowed("review")});
-    f.what = fmt::format("room between a lip and the cable, which has moved {:.3f} mm aside there", core::mm_from_m(aside(worst)));
+    f.what = fmt::format("clearance between a lip and the cable, which is {:.3f} mm off the groove's middle there",
+                         core::mm_from_m(aside(worst)));
     f.where = where(design, worst.path.psi);
     f.place = place(worst.path, lip);
     const double needed = half + core::m_from_mm(f.allowed - f.measured);
@@ -51,8 +52,8 @@ core::Findings measure_groove_flank_rub(const Design& design, const Allowed& all
 
 Rule groove_flank_rub() {
     return {"groove.flank_rub",
-            "the leaving cable rubbing on a lip",
-            "least room between the lips and the free cable that passes them at its angle to the groove",
+            "the free cable rubbing on a lip",
+            "least clearance between the lips and the free cable, at its angle to the groove",
             "geometry: cable against the lips",
             {review(kAtLeast, "mm", 0.0)},
             measure_groove_flank_rub};

@@ -23,7 +23,7 @@ core::Findings measure_groove_lip_height(const Design& design, const Allowed& al
 
 Rule groove_lip_height() {
     return {"groove.lip_height",
-            "lips that the process may leave lower than the cable",
+            "lips that the process may make lower than the cable",
             "height of the lips above the outside of the cable",
             "the process's tolerance of a contour",
             {review(kAtLeast, "mm", "the process's tolerance")},

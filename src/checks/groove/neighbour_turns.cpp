@@ -13,14 +13,14 @@ namespace fusee::checks {
 namespace {
 
 constexpr double kPsiStep = core::kPi / 180.0;  // between surface points
-constexpr std::size_t kComparedContacts = 60;   // working positions looked at
+constexpr std::size_t kComparedContacts = 60;   // working positions that are checked
 constexpr double kSpacing = 0.25;               // of surface points along the section, in d
 
 struct SurfacePoint {
     double x, y, z, psi;
 };
 
-/// The groove's section up to the land's half on both sides, densely: offsets along n and heights [m].
+/// The groove's section with half of the land on both sides, densely sampled: offsets along n and heights [m].
 std::vector<std::array<double, 2>> dense_section(const solid::Part& part, double spacing) {
     std::vector<std::array<double, 2>> corners;
     for (const solid::SectionPoint& s : part.section) corners.push_back({core::m_from_mm(s.offset_mm), core::m_from_mm(s.z_mm)});
@@ -50,31 +50,31 @@ std::vector<SurfacePoint> surface(const Design& design) {
     return points;
 }
 
-/// Room between the free cable of one contact and the other turns; infinite where none is near. `turns`: how far the nearest is along the
-/// groove.
-struct Room {
-    double clearance = std::numeric_limits<double>::infinity();
+/// Clearance between the free cable of one contact and the other turns; infinite if no turn is near. `turns`: distance of the nearest one
+/// along the groove.
+struct Clearance {
+    double least = std::numeric_limits<double>::infinity();
     double turns = 0.0;
     const cam::Contact* contact = nullptr;
 };
 
-Room room_at(const Design& design, const cam::Contact& contact, const std::vector<SurfacePoint>& points) {
+Clearance clearance_at(const Design& design, const cam::Contact& contact, const std::vector<SurfacePoint>& points) {
     const cam::PathPoint& p = contact.path;
-    const int sign = design.part.cam.options.torque_sign;  // the cable leaves along sign * t: its pull then has that torque
-    const double c = std::cos(p.psi), s = std::sin(p.psi), radius = 0.5 * design.cable.diameter, climb = std::tan(contact.fleet);
+    const int sign = design.part.cam.options.torque_sign;  // the cable leaves along sign * t: its tension then has that torque
+    const double c = std::cos(p.psi), s = std::sin(p.psi), radius = 0.5 * design.cable.diameter, rise = std::tan(contact.fleet);
     const double end = contact.span > 0.0 ? contact.span : std::numeric_limits<double>::infinity();
-    Room room;
-    room.contact = &contact;
+    Clearance found;
+    found.contact = &contact;
     for (const SurfacePoint& q : points) {
         if (std::abs(q.psi - p.psi) <= core::kPi) continue;  // the cable's own turn
         const double along = sign * (-q.x * s + q.y * c - p.slope);
         if (along <= 0.0 || along > end) continue;
-        const double above = q.x * c + q.y * s - p.h, height = q.z - p.z - along * climb;
-        // A surface point beyond the cable's line towers over it: only its height can keep it out of the way.
+        const double above = q.x * c + q.y * s - p.h, height = q.z - p.z - along * rise;
+        // For a surface point beyond the cable's line only the height difference counts.
         const double clearance = (above >= 0.0 ? std::abs(height) : std::hypot(above, height)) - radius;
-        if (clearance < room.clearance) room.clearance = clearance, room.turns = std::abs(q.psi - p.psi) / (2.0 * core::kPi);
+        if (clearance < found.least) found.least = clearance, found.turns = std::abs(q.psi - p.psi) / (2.0 * core::kPi);
     }
-    return room;
+    return found;
 }
 
 core::Findings measure_groove_neighbour_turns(const Design& design, const Allowed& allowed) {
@@ -82,12 +82,12 @@ core::Findings measure_groove_neighbour_turns(const Design& design, const Allowe
     if (cam.closed() || cam.working.empty() || design.part.section.empty()) return {};
     const std::vector<SurfacePoint> points = surface(design);
     const std::size_t stride = std::max<std::size_t>(1, cam.working.size() / kComparedContacts);
-    Room tightest;
+    Clearance tightest;
     for (std::size_t i = 0; i < cam.working.size(); i += stride)
-        if (const Room room = room_at(design, cam.working[i], points); room.clearance < tightest.clearance) tightest = room;
+        if (const Clearance at = clearance_at(design, cam.working[i], points); at.least < tightest.least) tightest = at;
     if (!tightest.contact) return {};
-    core::Finding f = judge(core::mm_from_m(tightest.clearance), {allowed("required")});
-    f.what = "room between the cable that leaves and the lips of the other turns";
+    core::Finding f = judge(core::mm_from_m(tightest.least), {allowed("required")});
+    f.what = "clearance between the free cable and the lips of the other turns";
     f.where = where(design, tightest.contact->path.psi);
     f.place = place(tightest.contact->path, 0.0);
     f.suggestion = fmt::format("{}.path.pitch_mm = {}", name(design),
@@ -102,8 +102,8 @@ core::Findings measure_groove_neighbour_turns(const Design& design, const Allowe
 
 Rule groove_neighbour_turns() {
     return {"groove.neighbour_turns",
-            "the cable that leaves striking a larger neighbouring turn",
-            "helix: least room between free cable and the other turns, 60 positions",
+            "the free cable striking a larger neighbouring turn",
+            "helix: least clearance between free cable and the other turns, 60 positions",
             "geometry: free cable against the groove's surface",
             {required(kAtLeast, "mm", 0.0)},
             measure_groove_neighbour_turns};

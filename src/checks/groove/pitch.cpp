@@ -19,14 +19,14 @@ core::Findings measure_groove_pitch(const Design& design, const Allowed& allowed
     const double rope = kRopePitch * groove.radius_ratio * design.cable.diameter;
     core::Finding f = judge(core::mm_from_m(pitch.least), {allowed("required", core::mm_from_m(std::max(rope, width + wall))),
                                                            allowed("review", core::mm_from_m(width + groove.rib))});
-    f.what = fmt::format("height from one turn to the next; the groove is {:.3f} mm wide and a land of {:.2f} mm stands between turns",
+    f.what = fmt::format("height from one turn to the next; the groove is {:.3f} mm wide, the land between turns {:.2f} mm",
                          core::mm_from_m(width), core::mm_from_m(std::max(wall, groove.rib)));
     f.where = where(design, pitch.at.psi);
     f.place = place(pitch.at, 0.0);
     f.suggestion = fmt::format("{}.path.pitch_mm = {}", name(design),
                                up(core::mm_from_m(design.part.cam.options.path.pitch) + f.allowed - f.measured));
     if (design.part.cam.options.path.lead == cam::Lead::kAimedAtGuide)
-        f.suggestion = fmt::format("{}.guide.z_mm = {}: the groove then climbs {} mm a turn", name(design),
+        f.suggestion = fmt::format("{}.guide.z_mm = {}: the groove then rises by {} mm per turn", name(design),
                                    up(core::mm_from_m(design.part.cam.options.guide.z) * f.allowed / f.measured), up(f.allowed));
     return {f};
 }
@@ -35,7 +35,7 @@ core::Findings measure_groove_pitch(const Design& design, const Allowed& allowed
 
 Rule groove_pitch() {
     return {"groove.pitch",
-            "turns that run into each other",
+            "turns that overlap",
             "helix: least height from turn to turn",
             "groove width and the process's wall; Unirope/Python: at least 2.065 groove radii",
             {required(kAtLeast, "mm", "groove width + the process's wall, at least 2.065 floor radii"),

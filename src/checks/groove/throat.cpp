@@ -11,22 +11,22 @@ namespace fusee::checks {
 
 namespace {
 
-constexpr double kNarrow = 35.0, kWide = 45.0, kFleeted = 60.0;  // [deg]
-constexpr double kSmallFleet = 1.5;                              // [deg]
+constexpr double kNarrow = 35.0, kWide = 45.0, kWithFleet = 60.0;  // [deg]
+constexpr double kSmallFleet = 1.5;                                // [deg]
 
 core::Findings measure_groove_throat(const Design& design, const Allowed& allowed) {
-    if (is_stacked(design)) return {};  // plates stand square
+    if (is_stacked(design)) return {};  // plates have square edges
     double fleet = 0.0;
     for (const cam::Contact& c : design.part.cam.working) fleet = std::max(fleet, core::deg_from_rad(std::abs(c.fleet)));
     const bool fleeted = fleet > kSmallFleet;
     const double overhang = process_limits(design.process).overhang;
-    // A printer that cannot build a rope throat (process.overhang) widens it: what it needs is then no fault.
+    // A printer that cannot build a rope throat (process.overhang) needs a wider one, which is accepted.
     const double printed = design.process.kind == ProcessKind::kFdm ? 180.0 - 2.0 * core::deg_from_rad(overhang) : 0.0;
-    const double low = fleeted ? kFleeted : kNarrow, high = std::max(fleeted ? kFleeted : kWide, printed);
+    const double low = fleeted ? kWithFleet : kNarrow, high = std::max(fleeted ? kWithFleet : kWide, printed);
     const double throat = core::deg_from_rad(design.part.options.groove.throat);
     core::Finding f = judge(throat, {allowed("low_review", low), allowed("high_review", high)});
     f.what = fmt::format("throat angle of the groove at {:.1f} deg fleet", fleet);
-    if (printed > kFleeted) f.what += fmt::format("; a rope throat is 35 to 60 deg, printing without supports needs {:.0f}", printed);
+    if (printed > kWithFleet) f.what += fmt::format("; a rope throat is 35 to 60 deg, printing without supports needs {:.0f}", printed);
     f.suggestion = fmt::format("groove.throat_deg = {:g}", std::max(f.allowed, printed));
     return {f};
 }
@@ -35,11 +35,11 @@ core::Findings measure_groove_throat(const Design& design, const Allowed& allowe
 
 Rule groove_throat() {
     return {"groove.throat",
-            "flanks that hold the cable badly or rub it",
+            "flanks that guide the cable badly or rub on it",
             "throat angle",
             "Unirope/Python: 35-45 deg, 60 above 1.5 deg fleet",
             {review(kAtLeast, "deg", "35 deg, 60 above 1.5 deg of fleet", "low_review"),
-             review(kAtMost, "deg", "45 deg, 60 above 1.5 deg of fleet; FDM: 180 deg - 2 overhang if that is more", "high_review")},
+             review(kAtMost, "deg", "45 deg, 60 above 1.5 deg of fleet; FDM: 180 deg - 2 overhang if larger", "high_review")},
             measure_groove_throat};
 }
 

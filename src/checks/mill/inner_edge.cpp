@@ -23,7 +23,7 @@ core::Findings measure_mill_inner_edge(const Design& design, const Allowed& allo
 
 Rule mill_inner_edge() {
     return {"mill.inner_edge",
-            "a sharp inner edge that no mill leaves",
+            "a sharp inner edge that no mill can cut",
             "milled: radius in the corners of keyway or D-flat",
             "inner edge R >= 0.25 mm feasible: zekes3d, Xometry",
             {review(kAtLeast, "mm", 0.25)},

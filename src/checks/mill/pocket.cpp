@@ -22,7 +22,7 @@ core::Findings measure_mill_pocket(const Design& design, const Allowed& allowed)
 
 Rule mill_pocket() {
     return {"mill.pocket",
-            "a pocket too deep for the tool that its corners ask for",
+            "a pocket too deep for the tool that its corners need",
             "milled: depth of the spring leg's slot over the radius of its ends",
             "inner edge R > depth/3: zekes3d, procurabl, neptunelabs, super-ingenuity, Xometry",
             {review(kAtMost, "radii", 3.0)},

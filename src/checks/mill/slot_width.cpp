@@ -14,7 +14,7 @@ core::Findings measure_mill_slot_width(const Design& design, const Allowed& allo
     const double cutter = process_limits(design.process).cutter_radius;
     if (!is_milled(design) || !has_slot(features) || cutter <= 0.0) return {};
     core::Finding f = judge(core::mm_from_m(features.leg_slot_width), {allowed("required", core::mm_from_m(2.0 * cutter))});
-    f.what = "width of the spring leg's slot, which the cutter must enter";
+    f.what = "width of the spring leg's slot against the cutter's diameter";
     f.suggestion = fmt::format("{}.features.leg_slot_width_mm = {}", name(design), up(f.allowed));
     return {f};
 }
@@ -23,7 +23,7 @@ core::Findings measure_mill_slot_width(const Design& design, const Allowed& allo
 
 Rule mill_slot_width() {
     return {"mill.slot_width",
-            "a slot that no cutter at hand enters",
+            "a slot too narrow for the available cutter",
             "milled: width of the spring leg's slot",
             "process.cutter_radius_mm; 0.25 mm feasible: zekes3d, Xometry",
             {required(kAtLeast, "mm", "twice process.cutter_radius_mm, 0.25 mm by default")},

@@ -15,8 +15,8 @@ core::Findings measure_mill4_swing(const Design& design, const Allowed& allowed)
     if (design.process.kind != ProcessKind::kMill4 || path.empty()) return {};
     const cam::PathPoint& far = farthest(design.part, path);
     const double swing = core::mm_from_m(2.0 * swept_radius(design.part, far));
-    const double room = core::mm_from_m(std::min(design.process.build_x, design.process.build_y));
-    core::Finding f = judge(swing, {allowed("required", room)});
+    const double space = core::mm_from_m(std::min(design.process.build_x, design.process.build_y));
+    core::Finding f = judge(swing, {allowed("required", space)});
     f.what = "diameter that the part sweeps about its axis";
     f.where = where(design, far.psi);
     f.place = place(far, 0.0);
@@ -31,7 +31,7 @@ Rule mill4_swing() {
             "a part that strikes the machine as it turns",
             "four axes: diameter swept as the part turns about its axis",
             "process.build_mm",
-            {required(kAtMost, "mm", "the lesser of process.build_mm across the axis")},
+            {required(kAtMost, "mm", "the smaller of process.build_mm across the axis")},
             measure_mill4_swing};
 }
 

@@ -21,7 +21,7 @@ std::size_t tightest(const Size& part, const Size& build) {
     return axis;
 }
 
-/// Arms (in the plane) or pitch (in height) with which the tightest side fits; empty where no such change does it.
+/// Arms (in the plane) or pitch (in height) with which the tightest side fits; empty if no such change suffices.
 std::string smaller_part(const Design& design, std::size_t axis, double size, double build) {
     const cam::Cam& cam = design.part.cam;
     if (axis == 2) {

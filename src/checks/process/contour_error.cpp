@@ -15,7 +15,7 @@ core::Findings measure_process_contour_error(const Design& design, const Allowed
     if (cam.working.empty() || tolerance <= 0.0) return {};
     const cam::Contact& least = worst_contact(cam, [](const cam::Contact& c) { return -c.arm.arm; });
     core::Finding f = judge(100.0 * tolerance / least.arm.arm, {allowed("review")});
-    f.what = fmt::format("torque error at the least arm, {:.2f} mm, from a contour that is {:g} mm off", core::mm_from_m(least.arm.arm),
+    f.what = fmt::format("torque error at the least arm, {:.2f} mm, for a contour error of {:g} mm", core::mm_from_m(least.arm.arm),
                          core::mm_from_m(tolerance));
     f.where = where(design, least.path.psi);
     f.place = place(least.path, -0.5 * design.cable.diameter);
@@ -30,7 +30,7 @@ Rule process_contour_error() {
     return {"process.contour_error",
             "a process too coarse for the arms",
             "the process's tolerance over the least arm",
-            "EN 15800: rates of bought springs scatter by 10 %, and no contour need be better",
+            "EN 15800: rates of bought springs scatter by 10 %; a more accurate contour has no benefit",
             {review(kAtMost, "%", 10.0)},
             measure_process_contour_error};
 }

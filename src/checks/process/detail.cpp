@@ -26,7 +26,7 @@ core::Findings measure_process_detail(const Design& design, const Allowed& allow
 
 Rule process_detail() {
     return {"process.detail",
-            "a slot or mark too narrow to be seen",
+            "a slot or mark too narrow for the process",
             "narrowest of timing mark and spring leg's slot",
             "the process's least detail",
             {review(kAtLeast, "mm", "the process's detail; none for plates")},

@@ -46,12 +46,12 @@ core::Findings measure_process_wall(const Design& design, const Allowed& allowed
 }  // namespace
 
 Rule process_wall() {
-    return {"process.wall",
-            "a wall too thin to make",
-            "thinnest of rib, flanges and land between turns",
-            "the process's thinnest wall",
-            {required(kAtLeast, "mm", "the process's wall")},
-            measure_process_wall};
+    return on_cable({"process.wall",
+                     "a wall too thin to make",
+                     "thinnest of rib, flanges and land between turns",
+                     "the process's thinnest wall",
+                     {required(kAtLeast, "mm", "the process's wall")},
+                     measure_process_wall});
 }
 
 }  // namespace fusee::checks

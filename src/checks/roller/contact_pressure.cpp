@@ -16,7 +16,7 @@ core::Findings measure_roller_contact_pressure(const Design& design, const Allow
     const auto pressure = [&](const cam::Contact& c) { return cam::contact_pressure(c.arm, roller); };
     const cam::Contact& worst = worst_contact(cam, pressure);
     core::Finding f = judge(pressure(worst) / kPaPerMPa, {*most});
-    f.what = fmt::format("largest pressure between rim and roller, under {:.1f} N of spring", worst.arm.tension);
+    f.what = fmt::format("largest pressure between rim and roller, at a spring force of {:.1f} N", worst.arm.tension);
     f.where = where(design, worst.path.psi);
     f.place = place(worst.path, 0.0);
     const double ratio = f.measured / f.allowed;
@@ -28,7 +28,7 @@ core::Findings measure_roller_contact_pressure(const Design& design, const Allow
 
 Rule roller_contact_pressure() {
     return {"roller.contact_pressure",
-            "a rim that wears or dents under its roller",
+            "a rim that its roller wears or dents",
             "largest pressure of two cylinders along one line, over the working arc",
             "Hertz: sqrt(N E*/(pi width) (1/R_r + 1/rho)), K. L. Johnson, Contact Mechanics, 1985",
             {required(kAtMost, "MPa", "k_pe.roller.max_pressure_MPa; not judged without it and contact_modulus_MPa")},

@@ -25,7 +25,7 @@ core::Findings measure_roller_lift_off(const Design& design, const Allowed& allo
 
 Rule roller_lift_off() {
     return {"roller.lift_off",
-            "a roller that leaves its rim where only the spring holds it",
+            "a roller that leaves its rim because the spring force is too small",
             "least force of the spring over the largest",
             "5 %: the follower's own weight and friction in its guide (practice)",
             {review(kAtLeast, "%", 5.0)},

@@ -10,7 +10,7 @@ namespace fusee::checks {
 
 namespace {
 
-/// The base radius with which the normal at this arm leans by `angle` only [m].
+/// The base radius for a pressure angle of `angle` at this arm [m].
 double base_for(const cam::ArmPoint& arm, const cam::Roller& roller, double angle) {
     const double start = std::abs(arm.arm - roller.offset) / std::tan(angle) - arm.travel;
     return std::hypot(start, roller.offset) - roller.radius;
@@ -20,12 +20,12 @@ core::Findings measure_roller_pressure_angle(const Design& design, const Allowed
     const cam::Cam& cam = design.part.cam;
     if (cam.working.empty()) return {};
     const cam::Roller& roller = cam.options.roller;
-    const auto lean = [&](const cam::Contact& c) { return std::abs(cam::pressure_angle(c.arm, roller)); };
-    const cam::Contact& worst = worst_contact(cam, lean);
-    const double angle = lean(worst);
+    const auto angle_of = [&](const cam::Contact& c) { return std::abs(cam::pressure_angle(c.arm, roller)); };
+    const cam::Contact& worst = worst_contact(cam, angle_of);
+    const double angle = angle_of(worst);
     core::Finding f = judge(core::deg_from_rad(angle), {allowed("required"), allowed("review")});
     f.what =
-        fmt::format("largest pressure angle; the rim pushes the follower aside with {:.1f} N then", worst.arm.tension * std::tan(angle));
+        fmt::format("largest pressure angle; the rim's side force on the follower is {:.1f} N there", worst.arm.tension * std::tan(angle));
     f.where = where(design, worst.path.psi);
     f.place = place(worst.path, 0.0);
     f.suggestion =

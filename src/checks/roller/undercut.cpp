@@ -27,7 +27,7 @@ core::Findings measure_roller_undercut(const Design& design, const Allowed& allo
 
 Rule roller_undercut() {
     return {"roller.undercut",
-            "a rim that runs to a point under its roller",
+            "a rim with a cusp under its roller",
             "least radius of curvature of the roller centre's curve on the working arc, in roller radii",
             "R. L. Norton, Cam Design and Manufacturing Handbook: 1.5 to 3; at 1 the rim is a cusp",
             {required(kAtLeast, "roller radii", 1.1), review(kAtLeast, "roller radii", 1.5)},

@@ -22,8 +22,8 @@ core::Findings measure_shaft_bore_fit(const Design& design, const Allowed& allow
 
 Rule shaft_bore_fit() {
     return {"shaft.bore_fit",
-            "a bore that does not go on its shaft, or rattles on it",
-            "what the bore is larger than the shaft, in diameter",
+            "a bore too tight or too loose on its shaft",
+            "clearance of the bore on the shaft, in diameter",
             "clearances of printing: 3dservicesusa, cifproto, arti90, layerx3d; the others (practice)",
             {review(kAtLeast, "mm", "the process's least fit", "low_review"),
              review(kAtMost, "mm", "the process's largest fit", "high_review")},

@@ -20,7 +20,7 @@ core::Findings measure_shaft_d_flat(const Design& design, const Allowed& allowed
 
 Rule shaft_d_flat() {
     return {"shaft.d_flat",
-            "a flat that slips, or one that leaves half a shaft",
+            "a flat too shallow to hold, or so deep that it weakens the shaft",
             "D-flat: its depth over the bore",
             "0.05 to 0.25 (practice)",
             {review(kAtLeast, "", 0.05, "low_review"), review(kAtMost, "", 0.25, "high_review")},

@@ -18,7 +18,7 @@ core::Findings measure_shaft_hub_length(const Design& design, const Allowed& all
                                up(core::mm_from_m(hub.boss_height) + (f.allowed - f.measured) * core::mm_from_m(hub.bore_diameter)));
     if (hub.boss_diameter <= 0.0)
         f.suggestion += fmt::format(" and {}.hub.boss_mm = {}", name(design),
-                                    up(core::mm_from_m(2.0 * (hub_reach(hub) + process_limits(design.process).loaded_wall))));
+                                    up(core::mm_from_m(2.0 * (hub_radius(hub) + process_limits(design.process).loaded_wall))));
     return {f};
 }
 

@@ -12,12 +12,12 @@ namespace {
 core::Findings measure_shaft_hub_wall(const Design& design, const Allowed& allowed) {
     const solid::HubOptions& hub = design.part.options.hub;
     if (hub.boss_diameter <= 0.0 || hub.boss_height <= 0.0) return {};
-    const double reach = hub_reach(hub);
+    const double radius = hub_radius(hub);
     const ProcessLimits process = process_limits(design.process);
-    core::Finding f = judge(core::mm_from_m(0.5 * hub.boss_diameter - reach),
+    core::Finding f = judge(core::mm_from_m(0.5 * hub.boss_diameter - radius),
                             {allowed("required", core::mm_from_m(process.wall)), allowed("review", core::mm_from_m(process.loaded_wall))});
     f.what = "wall of the boss around bore and keyway";
-    f.suggestion = fmt::format("{}.hub.boss_mm = {}", name(design), up(2.0 * (core::mm_from_m(reach) + f.allowed)));
+    f.suggestion = fmt::format("{}.hub.boss_mm = {}", name(design), up(2.0 * (core::mm_from_m(radius) + f.allowed)));
     return {f};
 }
 
@@ -27,7 +27,7 @@ Rule shaft_hub_wall() {
     return {"shaft.hub_wall",
             "a boss that bursts around its shaft",
             "wall of the boss around bore and keyway",
-            "the process's walls: at least thin, better loaded",
+            "the process's walls: thin required, loaded recommended",
             {required(kAtLeast, "mm", "the process's wall"), review(kAtLeast, "mm", "the process's loaded wall")},
             measure_shaft_hub_wall};
 }

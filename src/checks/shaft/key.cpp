@@ -8,7 +8,7 @@ namespace fusee::checks {
 
 namespace {
 
-/// A size that ought to be the standard's.
+/// A size that should be that of the standard.
 core::Finding exactly(double measured, const EffectiveLimit& least, const EffectiveLimit& most, const std::string& what,
                       const std::string& key) {
     core::Finding f = judge(core::mm_from_m(measured), {least, most});

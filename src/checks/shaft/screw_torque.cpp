@@ -17,7 +17,7 @@ core::Findings measure_shaft_screw_torque(const Design& design, const Allowed& a
     if (hub.lock != solid::HubLock::kSetScrew || hub.screw_diameter <= 0.0 || design.part.cam.working.empty()) return {};
     const double share = hub.screw_diameter / kScrew;
     core::Finding f = judge(largest_torque(design.part.cam), {allowed("required", kTorque * share * share)});
-    f.what = "largest torque that the set screw hands on to the shaft";
+    f.what = "largest torque that the set screw transmits to the shaft";
     f.suggestion = fmt::format("{0}.hub.screw_mm = {1}, or {0}.hub.lock = \"keyway\"", name(design),
                                up(core::mm_from_m(kScrew) * std::sqrt(f.measured / kTorque)));
     return {f};

@@ -23,7 +23,7 @@ core::Findings measure_sla_drain(const Design& design, const Allowed& allowed) {
 
 Rule sla_drain() {
     return {"sla.drain",
-            "a blind bore that keeps its resin",
+            "a blind bore that traps resin",
             "SLA, overhung: depth of the blind bore, in its diameters",
             "one diameter (practice)",
             {review(kAtMost, "diameters", 1.0)},

@@ -10,8 +10,8 @@ namespace {
 
 core::Findings measure_sla_support(const Design& design, const Allowed& allowed) {
     if (design.process.kind != ProcessKind::kSla || design.part.section.size() < 2) return {};
-    core::Finding f = judge(core::deg_from_rad(steepest_lean(design.part)), {allowed("review")});
-    f.what = "lean of the groove's upper flank, which then needs supports where the cable runs";
+    core::Finding f = judge(core::deg_from_rad(largest_overhang(design.part)), {allowed("review")});
+    f.what = "angle of the groove's upper flank from the vertical; above the limit it needs supports where the cable runs";
     f.where = name(design) + " all along the groove";
     f.suggestion = fmt::format("groove.throat_deg = {:g}", 180.0 - 2.0 * f.allowed);
     return {f};
@@ -20,12 +20,12 @@ core::Findings measure_sla_support(const Design& design, const Allowed& allowed)
 }  // namespace
 
 Rule sla_support() {
-    return {"sla.support",
-            "supports that scar the groove",
-            "SLA, axis upright: lean of the groove's upper flank from the vertical",
-            "19 deg from the horizontal carry themselves (practice)",
-            {review(kAtMost, "deg", 71.0)},
-            measure_sla_support};
+    return on_cable({"sla.support",
+                     "supports that scar the groove",
+                     "SLA, axis upright: angle of the groove's upper flank from the vertical",
+                     "faces at 19 deg from the horizontal need no support (practice)",
+                     {review(kAtMost, "deg", 71.0)},
+                     measure_sla_support});
 }
 
 }  // namespace fusee::checks

@@ -21,12 +21,12 @@ core::Findings measure_sls_groove(const Design& design, const Allowed& allowed) 
 }  // namespace
 
 Rule sls_groove() {
-    return {"sls.groove",
-            "a groove that the powder sinters shut",
-            "SLS: width of the groove at the cable's height",
-            "clearance 0.2-0.5 mm: 3dservicesusa, cifproto, arti90, layerx3d",
-            {review(kAtLeast, "mm", 0.5)},
-            measure_sls_groove};
+    return on_cable({"sls.groove",
+                     "a groove that sintered powder closes",
+                     "SLS: width of the groove at the cable's height",
+                     "clearance 0.2-0.5 mm: 3dservicesusa, cifproto, arti90, layerx3d",
+                     {review(kAtLeast, "mm", 0.5)},
+                     measure_sls_groove});
 }
 
 }  // namespace fusee::checks

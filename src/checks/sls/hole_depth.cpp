@@ -20,7 +20,7 @@ core::Findings measure_sls_hole_depth(const Design& design, const Allowed& allow
 }  // namespace
 
 Rule sls_hole_depth() {
-    return {"sls.hole_depth",         "a hole that keeps its powder",      "SLS: depth of the slenderest hole, in its diameters",
+    return {"sls.hole_depth",         "a hole that traps powder",          "SLS: depth of the slenderest hole, in its diameters",
             "5 diameters (practice)", {review(kAtMost, "diameters", 5.0)}, measure_sls_hole_depth};
 }
 

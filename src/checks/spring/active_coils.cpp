@@ -17,8 +17,14 @@ core::Findings measure_spring_active_coils(const Design& design, const Allowed& 
 }  // namespace
 
 Rule spring_active_coils() {
-    return {"spring.active_coils",       "a spring whose ends decide its rate", "active coils", "3 (practice; EN 13906)",
-            {review(kAtLeast, "", 3.0)}, measure_spring_active_coils,           false,          {need::kActiveCoils}};
+    return {"spring.active_coils",
+            "a spring whose end coils dominate its rate",
+            "active coils",
+            "3 (practice; EN 13906)",
+            {review(kAtLeast, "", 3.0)},
+            measure_spring_active_coils,
+            false,
+            {need::kActiveCoils}};
 }
 
 }  // namespace fusee::checks

@@ -11,9 +11,9 @@ namespace {
 
 core::Findings measure_spring_body_growth(const Design& design, const Allowed& allowed) {
     const spring::BaseSpring& s = design.spring;
-    const auto room = allowed.stated("required", core::mm_from_m(s.free_length));
+    const auto space = allowed.stated("required", core::mm_from_m(s.free_length));
     const double turns = largest_state(design) / (2.0 * core::kPi);
-    core::Finding f = judge(core::mm_from_m(s.wire_diameter * (s.active_coils + 1.0 + turns)), {*room});
+    core::Finding f = judge(core::mm_from_m(s.wire_diameter * (s.active_coils + 1.0 + turns)), {*space});
     f.what = fmt::format("length of the base spring's body when it is wound by {:.2f} turns", turns);
     f.suggestion = fmt::format("{}.spring.free_length_mm = {}", name(design), up(f.measured));
     return {f};
@@ -23,13 +23,13 @@ core::Findings measure_spring_body_growth(const Design& design, const Allowed& a
 
 Rule spring_body_growth() {
     return {"spring.body_growth",
-            "a torsion spring that grows longer than its room",
+            "a torsion spring that grows longer than its space",
             "length of the wound body, w (N + 1 + turns)",
             "Newcomb: the body grows by a wire each turn",
-            {required(kAtMost, "mm", "spring.free_length_mm, the room along the axis; not judged without it")},
+            {required(kAtMost, "mm", "spring.free_length_mm, the space along the axis; not judged without it")},
             measure_spring_body_growth,
             false,
-            {need::kActiveCoils, need::kWire, need::kRoom},
+            {need::kActiveCoils, need::kWire, need::kAxialSpace},
             is_torsion};
 }
 

@@ -34,7 +34,7 @@ core::Findings measure_spring_buckling(const Design& design, const Allowed& allo
         return {f};
     }
     f = judge(core::mm_from_m(largest_state(design)), {allowed("review", core::mm_from_m(critical_compression(s)))});
-    f.what = "largest compression of the slender base spring, against the one at which it buckles between flat plates";
+    f.what = "largest compression of the slender base spring, against its buckling compression between flat plates";
     f.suggestion = fmt::format("{}.spring.free_length_mm = {}, or a guide rod", name(design), down(core::mm_from_m(stable_length(s))));
     return {f};
 }

@@ -18,7 +18,7 @@ core::Findings measure_spring_coil_gap(const Design& design, const Allowed& allo
     const double wire = core::mm_from_m(s.wire_diameter), coil = core::mm_from_m(s.coil_diameter);
     const double gaps = s.active_coils * (kCoil * coil * coil / wire + kWire * wire);
     core::Finding f = judge(core::mm_from_m(*solid - largest_state(design)), {allowed("review", gaps)});
-    f.what = "travel left between the coils of the base spring at its largest compression";
+    f.what = "remaining travel between the coils of the base spring at its largest compression";
     f.suggestion =
         fmt::format("{}.spring.free_length_mm = {}, or {}", name(design), up(core::mm_from_m(s.free_length) + f.allowed - f.measured),
                     limit_state(design, *solid - core::m_from_mm(f.allowed)));
@@ -30,7 +30,7 @@ core::Findings measure_spring_coil_gap(const Design& design, const Allowed& allo
 Rule spring_coil_gap() {
     return {"spring.coil_gap",
             "coils that clash before the spring is solid",
-            "travel that is left to solid length at the largest compression",
+            "remaining travel to solid length at the largest compression",
             "EN 13906-1: n (0.0015 D^2/w + 0.1 w)",
             {review(kAtLeast, "mm", "n (0.0015 D^2/w + 0.1 w), lengths in mm")},
             measure_spring_coil_gap,

@@ -14,13 +14,13 @@ namespace {
 
 constexpr double kFewest = 1e4;
 
-/// Share of the wire's strength that lasts the wanted cycles; falls with their logarithm, constant outside 1e5 to 1e7.
+/// Share of the wire's strength that lasts the stated cycles; it falls with their logarithm, constant outside 1e5 to 1e7.
 double lasting_share(const spring::BaseSpring& s) {
     const double decades = std::clamp(std::log10(s.cycles) - 5.0, 0.0, 2.0);
     return (s.kind == spring::BaseKind::kTorsion ? 0.53 : 0.36) - 0.03 * decades;
 }
 
-/// Cycles that are not stated may be many.
+/// Unstated cycles count as many.
 bool may_tire(const Design& design) { return design.spring.cycles <= 0.0 || design.spring.cycles >= kFewest; }
 
 core::Findings measure_spring_fatigue(const Design& design, const Allowed& allowed) {
@@ -39,7 +39,7 @@ core::Findings measure_spring_fatigue(const Design& design, const Allowed& allow
 Rule spring_fatigue() {
     return {"spring.fatigue",
             "the base spring's wire breaking after many cycles",
-            "stress at the largest state, loaded from nothing; from 10,000 cycles on",
+            "stress at the largest state, loaded from zero; from 10,000 cycles on",
             "Associated Spring, music wire, not peened: bending 53 % of UTS at 1e5 cycles, 50 % at 1e6; shear 36, 33 and 30 % at 1e7 "
             "(practice)",
             {required(kAtMost, "MPa", "the wire's strength times its share at spring.cycles")},

@@ -21,7 +21,7 @@ core::Findings measure_spring_index(const Design& design, const Allowed& allowed
 
 Rule spring_index() {
     return {"spring.index",
-            "a coil too tight or too slack to wind",
+            "a coil too tight or too loose to wind",
             "spring index D/w",
             "4 to 16 (practice; EN 13906)",
             {review(kAtLeast, "", 4.0, "low_review"), review(kAtMost, "", 16.0, "high_review")},

@@ -15,7 +15,7 @@ core::Findings measure_spring_rate_scatter(const Design& design, const Allowed& 
     const bool torsion = design.spring.kind == spring::BaseKind::kTorsion;
     const double unit = torsion ? 1.0 : core::mm_from_m(1.0), state = unit * largest_state(design);
     const auto most = allowed.stated(torsion ? "angle_review" : "travel_review", unit * design.spring.max_state);
-    if (state > most->value()) return {};  // beyond its range as it is: spring.torsion_angle and spring.travel say so
+    if (state > most->value()) return {};  // already beyond its range: spring.torsion_angle and spring.travel report it
     core::Finding f = judge(state / (1.0 - kScatter), {*most});
     f.what = fmt::format("largest {} of a base spring whose rate is {:.0f} % low, preload trimmed", torsion ? "winding" : "compression",
                          100.0 * kScatter);
@@ -27,7 +27,7 @@ core::Findings measure_spring_rate_scatter(const Design& design, const Allowed& 
 
 Rule spring_rate_scatter() {
     return {"spring.rate_scatter",
-            "a spring softer than bought, which a preload trim can no longer mend",
+            "a spring softer than specified, beyond what a preload trim corrects",
             "largest state of a spring whose rate is 10 % low, trimmed to the same load",
             "springs3d; EN 15800: rates scatter by 10 %",
             {review(kAtMost, "rad", "spring.max_angle_rad; not judged without it", "angle_review"),

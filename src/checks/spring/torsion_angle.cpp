@@ -9,7 +9,7 @@ namespace {
 core::Findings measure_spring_torsion_angle(const Design& design, const Allowed& allowed) {
     const auto most = allowed.stated("required", design.spring.max_state);
     core::Finding f = judge(largest_state(design), {*most});
-    f.what = "largest winding of the base spring, preload counted";
+    f.what = "largest winding of the base spring, preload included";
     f.suggestion = limit_state(design, f.allowed);
     return {f};
 }
@@ -19,7 +19,7 @@ core::Findings measure_spring_torsion_angle(const Design& design, const Allowed&
 Rule spring_torsion_angle() {
     return {"spring.torsion_angle",
             "the torsion spring wound too far",
-            "largest winding, preload counted",
+            "largest winding, preload included",
             "spring.max_angle_rad",
             {required(kAtMost, "rad", "spring.max_angle_rad; not judged without it")},
             measure_spring_torsion_angle,

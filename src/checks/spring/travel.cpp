@@ -12,8 +12,8 @@ namespace {
 
 constexpr double kReview = 0.80, kMost = 0.85;  // of the travel to solid; beyond, coils touch and the rate rises
 
-core::Finding against(const Design& design, std::initializer_list<EffectiveLimit> bars, const std::string& what) {
-    core::Finding f = judge(core::mm_from_m(largest_state(design)), bars);
+core::Finding against(const Design& design, std::initializer_list<EffectiveLimit> limits, const std::string& what) {
+    core::Finding f = judge(core::mm_from_m(largest_state(design)), limits);
     f.what = what;
     f.suggestion = limit_state(design, core::m_from_mm(f.allowed));
     return f;
@@ -23,7 +23,7 @@ core::Findings measure_spring_travel(const Design& design, const Allowed& allowe
     const spring::BaseSpring& s = design.spring;
     core::Findings findings;
     if (const auto most = allowed.stated("rated_required", core::mm_from_m(s.max_state))) {
-        findings.push_back(against(design, {*most}, "largest compression of the base spring, preload counted"));
+        findings.push_back(against(design, {*most}, "largest compression of the base spring, preload included"));
         findings.back().source = "spring.max_travel_mm";
     }
     if (const auto travel = travel_to_solid(s)) {
@@ -38,8 +38,8 @@ core::Findings measure_spring_travel(const Design& design, const Allowed& allowe
 
 Rule spring_travel() {
     return {"spring.travel",
-            "the compression spring going solid",
-            "largest compression, preload counted",
+            "the compression spring compressed to its solid length",
+            "largest compression, preload included",
             "80-85 % of the travel to solid length (practice)",
             {required(kAtMost, "mm", "spring.max_travel_mm; not judged without it", "rated_required"),
              required(kAtMost, "mm", "85 % of free length - (active coils + 2) wire"), review(kAtMost, "mm", "80 % of it")},

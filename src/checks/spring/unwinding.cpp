@@ -11,7 +11,7 @@ core::Findings measure_spring_unwinding(const Design& design, const Allowed& all
     if (design.spring.kind != spring::BaseKind::kTorsion || design.part.cam.working.empty()) return {};
     const cam::Contact& least = worst_contact(design.part.cam, [](const cam::Contact& c) { return -c.arm.state; });
     core::Finding f = judge(least.arm.state, {allowed("review")});
-    f.what = "least winding of the base spring, preload counted: a jerk unwinds it";
+    f.what = "least winding of the base spring, preload included: a jerk may unwind it";
     f.where = where(design, least.path.psi);
     f.suggestion = fmt::format("{}.spring.preload_rad = {}", name(design), up(design.spring.preload + f.allowed - f.measured));
     return {f};
@@ -22,7 +22,7 @@ core::Findings measure_spring_unwinding(const Design& design, const Allowed& all
 Rule spring_unwinding() {
     return {"spring.unwinding",
             "a torsion spring loaded against its winding",
-            "least winding, preload counted",
+            "least winding, preload included",
             "loaded only in the winding direction: katyspring; 0.1 rad (practice)",
             {review(kAtLeast, "rad", 0.1)},
             measure_spring_unwinding};

@@ -20,7 +20,7 @@ core::Findings measure_stack_boss(const Design& design, const Allowed& allowed) 
 
 Rule stack_boss() {
     return {"stack.boss",
-            "a boss that a stack of plates has none of",
+            "a boss, which a stack of plates cannot have",
             "plates: height of the boss",
             "geometry: plates are cut through",
             {required(kAtMost, "mm", 0.0)},

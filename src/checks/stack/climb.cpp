@@ -16,7 +16,7 @@ core::Findings measure_stack_climb(const Design& design, const Allowed& allowed)
     if (!is_stacked(design) || path.empty()) return {};
     const auto [low, high] = std::minmax_element(path.begin(), path.end(), [](const auto& a, const auto& b) { return a.z < b.z; });
     core::Finding f = judge(core::mm_from_m(high->z - low->z), {allowed("required")});
-    f.what = "height that the groove gains from end to end";
+    f.what = "rise of the groove from end to end";
     f.suggestion = fmt::format("{}.path.kind = \"planar\" without lead, pitch_mm and hand: {:g} mm", name(design), f.allowed);
     return {f};
 }
@@ -24,12 +24,12 @@ core::Findings measure_stack_climb(const Design& design, const Allowed& allowed)
 }  // namespace
 
 Rule stack_climb() {
-    return {"stack.climb",
-            "a climbing groove that flat plates cannot hold",
-            "plates: height that the groove gains",
-            "geometry: plates are flat",
-            {required(kAtMost, "mm", 0.0)},
-            measure_stack_climb};
+    return on_cable({"stack.climb",
+                     "a helical groove, which flat plates cannot hold",
+                     "plates: rise of the groove",
+                     "geometry: plates are flat",
+                     {required(kAtMost, "mm", 0.0)},
+                     measure_stack_climb});
 }
 
 }  // namespace fusee::checks

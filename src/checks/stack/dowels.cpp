@@ -10,13 +10,13 @@ namespace fusee::checks {
 
 namespace {
 
-constexpr double kMore = 1.02;  // than what is lacking: the room grows a little slower than the bore shrinks
+constexpr double kMore = 1.02;  // times the lacking width: the space grows a little more slowly than the bore shrinks
 
 core::Findings measure_stack_dowels(const Design& design, const Allowed& allowed) {
     if (!is_stacked(design) || !design.part.cam.closed() || design.part.section.empty()) return {};
-    const double room = solid::place_dowels(design.part).room_mm, wall = core::mm_from_m(process_limits(design.process).wall);
-    core::Finding f = judge(room, {allowed("required", solid::kDowel_mm + 2.0 * wall)});
-    f.what = "room about two opposite dowels that hold the plates in line, clear of bore, holes and groove floor";
+    const double space = solid::place_dowels(design.part).space_mm, wall = core::mm_from_m(process_limits(design.process).wall);
+    core::Finding f = judge(space, {allowed("required", solid::kDowel_mm + 2.0 * wall)});
+    f.what = "diameter of the free circles around two opposite dowels, clear of bore, holes and groove floor";
     const double lacking = core::m_from_mm(kMore * (f.allowed - f.measured)), bore = design.part.options.hub.bore_diameter;
     if (bore > 2.0 * lacking)
         f.suggestion = fmt::format("{}.hub.bore_mm = {}, or ", name(design), down(core::mm_from_m(bore - 2.0 * lacking)));
@@ -28,12 +28,12 @@ core::Findings measure_stack_dowels(const Design& design, const Allowed& allowed
 }  // namespace
 
 Rule stack_dowels() {
-    return {"stack.dowels",
-            "plates that cannot be aligned",
-            "plates: diameter of the largest circles about two opposite dowels that meet nothing",
-            "two dowels of 2 mm, a wall on both sides (practice)",
-            {required(kAtLeast, "mm", "2 mm + 2 walls of the process")},
-            measure_stack_dowels};
+    return on_cable({"stack.dowels",
+                     "plates that cannot be aligned",
+                     "plates: diameter of the largest free circles around two opposite dowels",
+                     "two dowels of 2 mm, a wall on both sides (practice)",
+                     {required(kAtLeast, "mm", "2 mm + 2 walls of the process")},
+                     measure_stack_dowels});
 }
 
 }  // namespace fusee::checks

@@ -22,12 +22,12 @@ core::Findings measure_stack_groove_width(const Design& design, const Allowed& a
 }  // namespace
 
 Rule stack_groove_width() {
-    return {"stack.groove_width",
-            "flanges that pinch the cable, or a groove so wide that turns of it slip beside each other",
-            "plates: thickness of the groove's plate over the cable's diameter",
-            "geometry: the cable lies between the flanges; 5 % of room, half a cable at most (practice)",
-            {required(kAtLeast, "d", 1.0), review(kAtLeast, "d", 1.05, "low_review"), review(kAtMost, "d", 1.5, "high_review")},
-            measure_stack_groove_width};
+    return on_cable({"stack.groove_width",
+                     "flanges that pinch the cable, or a groove so wide that turns of the cable slip beside each other",
+                     "plates: thickness of the groove's plate over the cable's diameter",
+                     "geometry: the cable lies between the flanges; 5 % of clearance, half a cable at most (practice)",
+                     {required(kAtLeast, "d", 1.0), review(kAtLeast, "d", 1.05, "low_review"), review(kAtMost, "d", 1.5, "high_review")},
+                     measure_stack_groove_width});
 }
 
 }  // namespace fusee::checks

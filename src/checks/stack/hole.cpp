@@ -28,12 +28,12 @@ core::Findings measure_stack_hole(const Design& design, const Allowed& allowed) 
 }  // namespace
 
 Rule stack_hole() {
-    return {"stack.hole",
-            "a hole smaller than its plate is thick",
-            "plates: smallest hole over the thickest plate",
-            "one thickness (practice)",
-            {review(kAtLeast, "thicknesses", 1.0)},
-            measure_stack_hole};
+    return on_cable({"stack.hole",
+                     "a hole smaller than its plate is thick",
+                     "plates: smallest hole over the thickest plate",
+                     "one thickness (practice)",
+                     {review(kAtLeast, "thicknesses", 1.0)},
+                     measure_stack_hole});
 }
 
 }  // namespace fusee::checks

@@ -24,8 +24,12 @@ core::Findings measure_stack_plate(const Design& design, const Allowed& allowed)
 }  // namespace
 
 Rule stack_plate() {
-    return {"stack.plate",       "a plate too thin to cut and handle", "plates: thinnest of the flanges' and the groove's",
-            "0.5 mm (practice)", {review(kAtLeast, "mm", 0.5)},        measure_stack_plate};
+    return on_cable({"stack.plate",
+                     "a plate too thin to cut and handle",
+                     "plates: thinnest of the flanges' and the groove's",
+                     "0.5 mm (practice)",
+                     {review(kAtLeast, "mm", 0.5)},
+                     measure_stack_plate});
 }
 
 }  // namespace fusee::checks

@@ -15,18 +15,18 @@ namespace {
 struct Neighbour {
     double wall;  ///< from the hole's edge [m]
     const char* what;
-    bool from_inside = true;  ///< a smaller hole, its far edge still at the pitch curve, leaves more
-    bool turns = false;       ///< it may stand elsewhere
+    bool from_inside = true;  ///< a smaller hole, whose far edge stays at the pitch curve, leaves a thicker wall
+    bool turns = false;       ///< it may be moved to another angle
 };
 
-/// What the hole, axial from the groove's plane to the top, comes near to.
+/// The neighbours of the hole, which runs axially from the groove's plane to the top.
 std::vector<Neighbour> neighbours(const Design& design, const cam::PathPoint& anchor, Vec2 centre, double radius) {
     const solid::PartOptions& options = design.part.options;
     std::vector<Neighbour> all;
     if (options.hub.kind == solid::HubKind::kThrough) all.push_back({distance_to_bore(options.hub, centre) - radius, "bore"});
     if (has_slot(options.features)) all.push_back({leg_slot(options.features).distance(centre) - radius, "spring leg's slot", true, true});
     if (design.part.cam.closed()) return all;
-    std::vector<cam::PathPoint> above;  // turns that the hole passes on its way to the top
+    std::vector<cam::PathPoint> above;  // turns between the hole's start and the top
     for (const cam::PathPoint& p : contour(design.part.cam))
         if (p.z > anchor.z && std::abs(p.psi - anchor.psi) > core::kPi) above.push_back(p);
     if (!above.empty())
@@ -60,12 +60,12 @@ core::Findings measure_structure_anchor(const Design& design, const Allowed& all
 }  // namespace
 
 Rule structure_anchor() {
-    return {"structure.anchor",
-            "the anchor hole breaking into bore, slot or another turn",
-            "least wall from the hole to bore, slot and the turns above",
-            "the process's thinnest wall",
-            {required(kAtLeast, "mm", "the process's wall")},
-            measure_structure_anchor};
+    return on_cable({"structure.anchor",
+                     "the anchor hole breaking into bore, slot or another turn",
+                     "least wall from the hole to bore, slot and the turns above",
+                     "the process's thinnest wall",
+                     {required(kAtLeast, "mm", "the process's wall")},
+                     measure_structure_anchor});
 }
 
 }  // namespace fusee::checks

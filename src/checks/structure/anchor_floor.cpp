@@ -11,15 +11,15 @@ namespace fusee::checks {
 
 namespace {
 
-constexpr double kMarginStep = 5.0;    // [deg] in which a larger margin is looked for
-constexpr double kMostMargin = 170.0;  // [deg] as far as a profile may put the anchor
+constexpr double kMarginStep = 5.0;    // [deg] step of the search for a larger margin
+constexpr double kMostMargin = 170.0;  // [deg] largest margin of a profile
 
 struct Clearance {
     double gap = 0.0;  ///< from the hole's edge to the floor of the working arc [m]
     cam::PathPoint at;
 };
 
-/// How far an anchor hole at `psi` stays from the floor on which the arm is made. Other turns of a helix are for `structure.anchor`.
+/// Distance of an anchor hole at `psi` from the working floor. `structure.anchor` judges the other turns of a helix.
 Clearance clearance(const cam::Cam& cam, double psi, double radius) {
     const cam::PathPoint anchor = cam.path(psi);
     const core::Place hole = place(anchor, -radius);  // it touches the pitch curve from inside
@@ -40,7 +40,7 @@ core::Findings measure_structure_anchor_floor(const Design& design, const Allowe
     if (radius <= 0.0 || !cam.path || cam.working.empty()) return {};
     const Clearance found = clearance(cam, cam.anchor_psi, radius);
     core::Finding f = judge(core::mm_from_m(found.gap), {allowed("required", core::mm_from_m(0.5 * design.cable.diameter))});
-    f.what = "the anchor hole must leave the floor on which the cable works: half a cable from the hole to it";
+    f.what = "distance from the anchor hole to the working floor";
     f.where = where(design, found.at.psi);
     f.place = place(found.at, -0.5 * cam.options.cable_diameter);
     f.suggestion = fmt::format("{}.features.anchor_hole_mm = 0 and a knot or clamp outside the part", name(design));
@@ -57,12 +57,12 @@ core::Findings measure_structure_anchor_floor(const Design& design, const Allowe
 }  // namespace
 
 Rule structure_anchor_floor() {
-    return {"structure.anchor_floor",
-            "the anchor hole taking away the groove's floor where the cable works",
-            "least distance from the hole to the working floor",
-            "geometry: the arm is made by the floor",
-            {required(kAtLeast, "mm", "half a cable")},
-            measure_structure_anchor_floor};
+    return on_cable({"structure.anchor_floor",
+                     "an anchor hole that cuts into the working floor",
+                     "least distance from the hole to the working floor",
+                     "geometry: the working floor defines the arm",
+                     {required(kAtLeast, "mm", "half a cable")},
+                     measure_structure_anchor_floor});
 }
 
 }  // namespace fusee::checks

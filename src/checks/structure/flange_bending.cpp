@@ -36,12 +36,12 @@ core::Findings measure_structure_flange_bending(const Design& design, const Allo
 }  // namespace
 
 Rule structure_flange_bending() {
-    return {"structure.flange_bending",
-            "a flange bent off by the cable",
-            "bending stress of the flange, on which the cable leans with T/rho tan(fleet, at least 2 deg) at its own height",
-            "cantilever of the flange's thickness there; strength of the process's usual material (practice)",
-            {review(kAtMost, "MPa", "the process's strength")},
-            measure_structure_flange_bending};
+    return on_cable({"structure.flange_bending",
+                     "a flange that the cable bends off",
+                     "bending stress of the flange under the cable's side force T/rho tan(fleet, at least 2 deg) at the cable's height",
+                     "cantilever of the flange's thickness there; strength of the process's usual material (practice)",
+                     {review(kAtMost, "MPa", "the process's strength")},
+                     measure_structure_flange_bending});
 }
 
 }  // namespace fusee::checks

@@ -22,12 +22,12 @@ core::Findings measure_structure_flange_slenderness(const Design& design, const 
 }  // namespace
 
 Rule structure_flange_slenderness() {
-    return {"structure.flange_slenderness",
-            "a flange that warps or is bent by handling",
-            "how far the flange stands over the groove's floor, over its thickness",
-            "5 (practice)",
-            {review(kAtMost, "", 5.0)},
-            measure_structure_flange_slenderness};
+    return on_cable({"structure.flange_slenderness",
+                     "a flange that warps or bends when handled",
+                     "height of the flange over the groove's floor, over its thickness",
+                     "5 (practice)",
+                     {review(kAtMost, "", 5.0)},
+                     measure_structure_flange_slenderness});
 }
 
 }  // namespace fusee::checks

@@ -9,9 +9,9 @@ namespace fusee::checks {
 
 namespace {
 
-constexpr double kSampled = 1e-6;  // the closing arc meets its least radius between samples
+constexpr double kSampled = 1e-6;  // the closing arc reaches its least radius between samples
 
-/// The ends of the working arc belong to it, whichever turn they are counted in: else a part and its mirror image would differ.
+/// The ends of the working arc belong to it in any turn; otherwise a part and its mirror image would differ.
 bool is_idle(const cam::Cam& cam, double psi) {
     constexpr double kRounding = 1e-9;  // [rad]
     const core::Range working = cam.working_psi;
@@ -32,10 +32,12 @@ core::Findings measure_structure_idle_curvature(const Design& design, const Allo
     f.where = where(design, sharpest->psi);
     f.place = place(*sharpest, -0.5 * design.cable.diameter);
     const double margin = core::deg_from_rad(cam.options.path.margin);
-    // An arc that keeps to its least radius where it can is as sharp as the working arc's ends, which it continues: the wish has to give.
+    // An arc that already keeps its least radius elsewhere is as sharp as the ends of the working arc. Then min_idle_radius_mm must be
+    // smaller.
     const std::string radius = f.severity == core::Severity::kWarning ? down(f.measured) : up(f.allowed);
-    f.suggestion = cam.closed() ? fmt::format("{}.path.min_idle_radius_mm = {}", name(design), radius)
-                                : fmt::format("{}.path.margin_deg = {}: a longer run-out bends less", name(design), up(1.5 * margin));
+    f.suggestion = cam.closed()
+                       ? fmt::format("{}.path.min_idle_radius_mm = {}", name(design), radius)
+                       : fmt::format("{}.path.margin_deg = {}: a longer run-out has a larger radius", name(design), up(1.5 * margin));
     return {f};
 }
 

@@ -18,7 +18,7 @@ struct Walls {
     bool bored = false;
 };
 
-/// Above the groove the slot may reach the rim; beside the groove only its floor.
+/// Above the groove the slot may extend to the rim; beside the groove only to its floor.
 double outer_offset(const Design& design) {
     const solid::Part& part = design.part;
     if (part.section.empty()) return -0.5 * design.cable.diameter;
@@ -61,19 +61,19 @@ core::Findings measure_structure_leg_slot(const Design& design, const Allowed& a
         features.leg_slot_angle,
         {core::mm_from_m(leg_slot(features).outer[0]), core::mm_from_m(leg_slot(features).outer[1]), core::mm_from_m(design.part.z_high)}};
     const double lacking = core::m_from_mm(f.allowed - f.measured),
-                 room = w.bored ? w.inner + w.outer - 2.0 * core::m_from_mm(f.allowed) : lacking;
-    // Move it if the other side has the room, else shorten it by what both sides lack; a slot shorter than it is wide is none.
-    const double shorter = features.leg_slot_length + room;
+                 space = w.bored ? w.inner + w.outer - 2.0 * core::m_from_mm(f.allowed) : lacking;
+    // Move the slot if the other side has the space; otherwise shorten it by the total lack. A slot must be longer than it is wide.
+    const double shorter = features.leg_slot_length + space;
     if (shorter < kShortest * features.leg_slot_width) {
         f.suggestion = fmt::format("{}.features.leg_slot_width_mm = 0 and the leg held outside the part: {} mm are missing for the slot",
                                    name(design), up(core::mm_from_m(kShortest * features.leg_slot_width - shorter)));
         return {f};
     }
     f.suggestion =
-        room >= 0.0 ? fmt::format("{}.features.leg_slot_radius_mm = {:.3f}", name(design),
-                                  core::mm_from_m(features.leg_slot_radius + (inwards ? lacking : -lacking)))
-                    : fmt::format("{0}.features.leg_slot_length_mm = {1:.3f} with {0}.features.leg_slot_radius_mm = {2:.3f}", name(design),
-                                  core::mm_from_m(shorter), core::mm_from_m(features.leg_slot_radius + 0.5 * (w.outer - w.inner)));
+        space >= 0.0 ? fmt::format("{}.features.leg_slot_radius_mm = {:.3f}", name(design),
+                                   core::mm_from_m(features.leg_slot_radius + (inwards ? lacking : -lacking)))
+                     : fmt::format("{0}.features.leg_slot_length_mm = {1:.3f} with {0}.features.leg_slot_radius_mm = {2:.3f}", name(design),
+                                   core::mm_from_m(shorter), core::mm_from_m(features.leg_slot_radius + 0.5 * (w.outer - w.inner)));
     return {f};
 }
 
@@ -83,7 +83,7 @@ Rule structure_leg_slot() {
     return {"structure.leg_slot",
             "the spring leg's slot breaking into bore or groove",
             "least wall from the slot to bore and groove floor (to the rim if it lies above the groove)",
-            "the process's walls: at least thin, better loaded",
+            "the process's walls: thin required, loaded recommended",
             {required(kAtLeast, "mm", "the process's wall"), review(kAtLeast, "mm", "the process's loaded wall")},
             measure_structure_leg_slot};
 }

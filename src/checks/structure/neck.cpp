@@ -24,7 +24,8 @@ core::Findings measure_structure_neck(const Design& design, const Allowed& allow
     const cam::PathPoint* narrowest = nullptr;
     double least = 0.0;
     for (const cam::PathPoint& p : path)
-        for (const double opposite : {p.psi - core::kPi, p.psi + core::kPi}) {  // both: the image's low end is this one's high end
+        for (const double opposite :
+             {p.psi - core::kPi, p.psi + core::kPi}) {  // both: the low end of the mirror image is the high end here
             if (opposite < path.front().psi || opposite > path.back().psi) continue;
             const double width = p.h + arm_at(path, opposite) - design.cable.diameter;
             if (!narrowest || width < least) narrowest = &p, least = width;

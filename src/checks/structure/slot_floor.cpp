@@ -29,7 +29,7 @@ Rule structure_slot_floor() {
     return {"structure.slot_floor",
             "the spring leg's slot breaking through the part",
             "material under the slot",
-            "the process's walls: at least thin, better loaded",
+            "the process's walls: thin required, loaded recommended",
             {required(kAtLeast, "mm", "the process's wall"), review(kAtLeast, "mm", "the process's loaded wall")},
             measure_structure_slot_floor};
 }

@@ -47,7 +47,7 @@ Rule structure_wall_to_bore() {
     return {"structure.wall_to_bore",
             "the groove breaking into the bore, its keyway or the blind bore's end",
             "least wall from groove floor to bore or keyway corner; overhung: the web",
-            "the process's walls: at least thin, better loaded",
+            "the process's walls: thin required, loaded recommended",
             {required(kAtLeast, "mm", "the process's wall"), review(kAtLeast, "mm", "the process's loaded wall")},
             measure_structure_wall_to_bore};
 }

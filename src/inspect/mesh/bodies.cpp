@@ -19,7 +19,7 @@ std::optional<Marked> measure_mesh_bodies(const Foreign& part, const Allowed& al
     for (std::uint32_t t = 0; t < topology.component_of.size(); ++t)
         if (topology.component_of[t] != largest && !part.body.cavity()[topology.component_of[t]]) others.push_back(t);
     core::Finding f = judge(static_cast<double>(bodies), {allowed("review")});
-    f.what = "bodies that hang together nowhere";
+    f.what = "separate bodies";
     if (!others.empty()) set_place(f, middle_of(part.body, others.front()));
     f.suggestion = fmt::format("each of the {} bodies in a file of its own, or joined", bodies);
     return Marked{f, others};
@@ -29,9 +29,9 @@ std::optional<Marked> measure_mesh_bodies(const Foreign& part, const Allowed& al
 
 Rule mesh_bodies() {
     return {{"mesh.bodies",
-             "several bodies, or crumbs, in one file",
+             "several bodies, or loose fragments, in one file",
              "surfaces that share no edge, cavities not counted",
-             "one part a file (practice)",
+             "one part per file (practice)",
              {review(kAtMost, "bodies", 1.0)}},
             measure_mesh_bodies};
 }

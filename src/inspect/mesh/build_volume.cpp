@@ -31,7 +31,7 @@ std::optional<Marked> measure_mesh_build_volume(const Foreign& part, const Allow
 Rule mesh_build_volume() {
     return {{"mesh.build_volume",
              "a part larger than the machine or the stock",
-             "the tightest side of the box round it",
+             "the tightest side of the bounding box",
              "process.build_mm of --profile, else 200 mm; turning about z by 90 deg allowed",
              {required(kAtMost, "mm", "process.build_mm")}},
             measure_mesh_build_volume};

@@ -17,7 +17,7 @@ std::optional<Marked> measure_mesh_feather_edge(const Foreign& part, const Allow
     f.what = fmt::format("angle of the sharpest edge, thinner than {:g} mm up to {:.2f} mm from it", thin,
                          0.5 * thin / std::tan(0.5 * sharpest->taper));
     set_place(f, sharpest->at_mm);
-    f.suggestion = fmt::format("edge cut off where it is {:g} mm thick, or opened to {} deg", thin, up(f.allowed));
+    f.suggestion = fmt::format("edge cut off at a thickness of {:g} mm, or opened to {} deg", thin, up(f.allowed));
     return Marked{f, triangles_of(part.body, counts)};
 }
 
@@ -25,7 +25,7 @@ std::optional<Marked> measure_mesh_feather_edge(const Foreign& part, const Allow
 
 Rule mesh_feather_edge() {
     return {{"mesh.feather_edge",
-             "a knife edge that chips, cuts or is not made",
+             "a knife edge that chips, cuts or cannot be made",
              "angle between two faces that meet in an edge, where the material is thinner than the process's wall",
              "30 deg (practice)",
              {review(kAtLeast, "deg", 30.0)}},

@@ -8,13 +8,13 @@ namespace {
 
 std::optional<Marked> measure_mesh_gap(const Foreign& part, const Allowed& allowed) {
     const double detail = core::mm_from_m(checks::process_limits(part.process).detail);
-    const auto bar = allowed.stated("review", detail);
-    if (!bar) return std::nullopt;
+    const auto least = allowed.stated("review", detail);
+    if (!least) return std::nullopt;
     const Sample* narrowest = nullptr;
     for (const Sample& s : part.body.samples())
         if (!std::isnan(s.gap_mm) && (!narrowest || s.gap_mm < narrowest->gap_mm)) narrowest = &s;
     if (!narrowest) return std::nullopt;
-    core::Finding f = judge(narrowest->gap_mm, {*bar});
+    core::Finding f = judge(narrowest->gap_mm, {*least});
     f.what = "narrowest slot";
     set_place(f, narrowest->at_mm);
     f.suggestion = fmt::format("{} mm wide there ({} mm more)", up(f.allowed), up(f.allowed - f.measured));
@@ -25,8 +25,8 @@ std::optional<Marked> measure_mesh_gap(const Foreign& part, const Allowed& allow
 
 Rule mesh_gap() {
     return {{"mesh.gap",
-             "a slot too narrow to be made or to stay open",
-             "least diameter of the balls in the room outside that touch two faces up to 30 deg off parallel",
+             "a slot too narrow to make or to keep open",
+             "least diameter of the balls outside the material that touch two faces up to 30 deg off parallel",
              "the process's least detail",
              {review(kAtLeast, "mm", "the process's detail; none for plates")}},
             measure_mesh_gap};

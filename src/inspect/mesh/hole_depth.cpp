@@ -12,7 +12,7 @@ std::optional<Marked> measure_mesh_hole_depth(const Foreign& part, const Allowed
     const bool powder = part.process.kind == checks::ProcessKind::kSls;
     std::optional<Hollow> deepest;
     for (const Hollow& h : find_hollows(part.body)) {
-        if (!h.is_hole() || (powder && h.is_through())) continue;  // powder falls out of a through hole
+        if (!h.is_hole() || (powder && h.is_through())) continue;  // a through hole traps no powder
         if (!deepest || h.length_mm / h.diameter_mm > deepest->length_mm / deepest->diameter_mm) deepest = h;
     }
     if (!deepest) return std::nullopt;
@@ -29,7 +29,7 @@ std::optional<Marked> measure_mesh_hole_depth(const Foreign& part, const Allowed
 
 Rule mesh_hole_depth() {
     return {{"mesh.hole_depth",
-             "a hole too deep to drill or to empty",
+             "a hole too deep to drill or to empty of powder",
              "milled: depth of the deepest cylindrical hole over its diameter; SLS: of the deepest blind one",
              "hole 4 diameters, at most 10: zekes3d, procurabl; powder 5 (practice)",
              {required(kAtMost, "diameters", 10.0), review(kAtMost, "diameters", 4.0), review(kAtMost, "diameters", 5.0, "powder_review")}},

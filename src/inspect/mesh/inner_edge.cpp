@@ -10,7 +10,7 @@ namespace fusee::inspect {
 
 namespace {
 
-constexpr double kSharp = core::rad_from_deg(35.0);  // less is the facet of a rounding
+constexpr double kSharp = core::rad_from_deg(35.0);  // a smaller angle is the facet of a rounding
 constexpr double kUpright = 0.95;                    // cosine of an edge with z
 
 struct InnerEdges {
@@ -23,7 +23,7 @@ struct InnerEdges {
     }
 };
 
-/// Inner edges that stand along the tool: rounded ones by their radius, sharp ones with 0. Holes are drilled.
+/// Inner edges along the tool: rounded ones with their radius, sharp ones with 0. Holes are drilled and do not count.
 InnerEdges inner_edges(const Body& body, double limit) {
     InnerEdges found;
     std::vector<bool> rounded(body.mesh().triangles.size(), false);
@@ -41,12 +41,12 @@ InnerEdges inner_edges(const Body& body, double limit) {
 }
 
 std::optional<Marked> measure_mesh_inner_edge(const Foreign& part, const Allowed& allowed) {
-    const auto bar = allowed.stated("review", core::mm_from_m(checks::process_limits(part.process).cutter_radius));
-    if (!bar) return std::nullopt;
-    const InnerEdges found = inner_edges(part.body, bar->value());
+    const auto limit = allowed.stated("review", core::mm_from_m(checks::process_limits(part.process).cutter_radius));
+    if (!limit) return std::nullopt;
+    const InnerEdges found = inner_edges(part.body, limit->value());
     if (std::isnan(found.least_radius_mm)) return std::nullopt;
-    core::Finding f = judge(found.least_radius_mm, {*bar});
-    f.what = "sharpest inner edge along z: the cutter leaves its own radius there";
+    core::Finding f = judge(found.least_radius_mm, {*limit});
+    f.what = "least radius of an inner edge along z, where the cutter leaves its own radius";
     set_place(f, found.at);
     f.suggestion = fmt::format("rounded by {} mm, or relieved by a hole of {} mm", up(f.allowed), up(2.0 * f.allowed));
     return Marked{f, found.triangles};
@@ -57,7 +57,7 @@ std::optional<Marked> measure_mesh_inner_edge(const Foreign& part, const Allowed
 Rule mesh_inner_edge() {
     return {{"mesh.inner_edge",
              "an inner edge sharper than the cutter",
-             "milled, cut: least radius of the inner edges along z; 0 for one that turns by 35 deg or more at once",
+             "milled, cut: least radius of the inner edges along z; 0 for one that turns by 35 deg or more in one edge",
              "the process's cutter radius",
              {review(kAtLeast, "mm", "the process's cutter radius; none printed")}},
             measure_mesh_inner_edge};

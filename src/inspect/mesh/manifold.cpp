@@ -9,7 +9,7 @@ namespace {
 std::optional<Marked> measure_mesh_manifold(const Foreign& part, const Allowed& allowed) {
     const Topology& topology = part.body.topology();
     core::Finding f = judge(static_cast<double>(topology.crowded_edges + topology.pinched_points), {allowed("required")});
-    f.what = fmt::format("{} edges of more than two triangles and {} points at which surfaces meet in no edge", topology.crowded_edges,
+    f.what = fmt::format("{} edges of more than two triangles and {} points at which surfaces meet without an edge", topology.crowded_edges,
                          topology.pinched_points);
     std::vector<std::uint32_t> triangles = topology.crowded;
     if (triangles.empty()) triangles = topology.pinched;
@@ -24,7 +24,7 @@ std::optional<Marked> measure_mesh_manifold(const Foreign& part, const Allowed& 
 Rule mesh_manifold() {
     return {{"mesh.manifold",
              "a surface that touches itself in an edge or a point",
-             "edges of more than two triangles, and points at which fans of triangles meet in no edge",
+             "edges of more than two triangles, and points at which fans of triangles meet without an edge",
              "a solid has none",
              {required(kAtMost, "places", 0.0)}},
             measure_mesh_manifold};

@@ -14,10 +14,10 @@ std::optional<Marked> measure_mesh_orientation(const Foreign& part, const Allowe
     for (std::uint32_t t = 0; t < topology.component_of.size() && topology.flipped.empty(); ++t)
         if (part.body.turned()[topology.component_of[t]]) triangles.push_back(t);
     core::Finding f = judge(static_cast<double>(topology.flipped_edges + turned), {allowed("required")});
-    f.what =
-        fmt::format("{} edges whose two triangles face opposite sides, and {} bodies that are inside out", topology.flipped_edges, turned);
+    f.what = fmt::format("{} edges whose two triangles face opposite sides, and {} bodies whose triangles face inward",
+                         topology.flipped_edges, turned);
     if (!triangles.empty()) set_place(f, middle_of(part.body, triangles.front()));
-    f.suggestion = fmt::format("{} triangles to look at: each counter-clockwise seen from outside", triangles.size());
+    f.suggestion = fmt::format("{} triangles to turn: corners counter-clockwise seen from outside", triangles.size());
     return Marked{f, triangles};
 }
 

@@ -9,8 +9,8 @@ namespace fusee::inspect {
 
 namespace {
 
-constexpr double kSlack = core::rad_from_deg(1.0);  // facets lean a little more or less than the surface
-constexpr double kFirstLayer_mm = 0.05;             // what lies on the bed needs no support
+constexpr double kSlack = core::rad_from_deg(1.0);  // the angle of a facet differs a little from that of the surface
+constexpr double kFirstLayer_mm = 0.05;             // a face on the bed needs no support
 
 struct Side {
     const char* name;
@@ -24,7 +24,7 @@ struct Hanging {
     std::vector<std::uint32_t> triangles;
 };
 
-/// Faces that look down by more than the process's overhang and do not lie on the bed, with `up` upward.
+/// Downward faces beyond the process's overhang that do not lie on the bed, with `up` upward.
 Hanging hanging(const Body& body, const Vec3& up, double overhang) {
     const auto& points = body.mesh().points_mm;
     double bed = INFINITY;
@@ -47,14 +47,15 @@ std::optional<Marked> measure_mesh_overhang(const Foreign& part, const Allowed& 
     if (!(overhang > 0.0)) return std::nullopt;
     const Hanging found = hanging(part.body, kSides.front().up, overhang);
     core::Finding f = judge(found.area_mm2, {allowed("review")});
-    f.what = fmt::format("faces that look down by more than {:g} deg, printed as it lies in the file", core::deg_from_rad(overhang));
+    f.what = fmt::format("downward faces at more than {:g} deg from the vertical, printed in the orientation of the file",
+                         core::deg_from_rad(overhang));
     if (!found.triangles.empty()) set_place(f, middle_of(part.body, found.triangles.front()));
     if (f.severity == core::Severity::kPass) return Marked{f};
     const Side* best = &kSides.front();
     double least = found.area_mm2;
     for (const Side& side : kSides)
         if (const double area = hanging(part.body, side.up, overhang).area_mm2; area < least) least = area, best = &side;
-    f.suggestion = least < found.area_mm2 ? fmt::format("printed on its {} side {} mm^2 hang", best->name, up(least))
+    f.suggestion = least < found.area_mm2 ? fmt::format("printed on its {} side, with {} mm^2 of such faces", best->name, up(least))
                                           : fmt::format("support material under {} mm^2; no other side is better", up(least));
     return Marked{f, found.triangles};
 }
@@ -64,7 +65,7 @@ std::optional<Marked> measure_mesh_overhang(const Foreign& part, const Allowed& 
 Rule mesh_overhang() {
     return {{"mesh.overhang",
              "ceilings that a printer cannot bridge",
-             "FDM: area that looks down beyond the overhang + 1 deg and is not on the bed, z upward",
+             "FDM: area of downward faces beyond the overhang + 1 deg that are not on the bed, z upward",
              "FDM bridge 5-10 mm: 3dservicesusa, cifproto, arti90, layerx3d; a square of 5 mm",
              {review(kAtMost, "mm^2", 25.0)}},
             measure_mesh_overhang};

@@ -7,11 +7,11 @@ namespace fusee::inspect {
 
 namespace {
 
-constexpr double kSlender = 2.0;    // a pin is at most this many times as wide one way as the other
+constexpr double kSlender = 2.0;    // largest ratio of the two widths of a pin
 constexpr double kParallel = -0.9;  // cosine between the normals at both ends of a width
 constexpr int kWidths = 8;          // over half a turn
 
-/// Least width of the material through `middle` across the thickness along `n`, between faces that look away from each other; NaN if none.
+/// Least width of the material through `middle`, across the thickness along `n`, between faces that face away from each other; NaN if none.
 double width_across(const Body& body, const Vec3& middle, const Vec3& n) {
     const Frame frame = frame_about(n);
     double least = NAN;
@@ -28,13 +28,13 @@ double width_across(const Body& body, const Vec3& middle, const Vec3& n) {
 
 std::optional<Marked> measure_mesh_pin(const Foreign& part, const Allowed& allowed) {
     const double limit = core::mm_from_m(checks::process_limits(part.process).feature);
-    const checks::EffectiveLimit bar = allowed("review", limit);
+    const checks::EffectiveLimit least = allowed("review", limit);
     const Body& body = part.body;
     const std::vector<Sample>& samples = body.samples();
     std::vector<char> slender(samples.size(), 0);
     core::parallel_for(samples.size(), body.jobs(), [&](std::size_t i) {
         const Sample& s = samples[i];
-        if (!(s.wall_mm < bar.value()) || s.feather) return;  // thicker is no concern, and most samples are
+        if (!(s.wall_mm < least.value()) || s.feather) return;  // most samples are thick enough
         slender[i] = width_across(body, s.middle_mm, body.normals()[s.triangle]) <= kSlender * s.wall_mm ? 1 : 0;
     });
     const Sample* thinnest = nullptr;
@@ -45,7 +45,7 @@ std::optional<Marked> measure_mesh_pin(const Foreign& part, const Allowed& allow
         if (triangles.empty() || triangles.back() != samples[i].triangle) triangles.push_back(samples[i].triangle);
     }
     if (!thinnest) return std::nullopt;
-    core::Finding f = judge(thinnest->wall_mm, {bar});
+    core::Finding f = judge(thinnest->wall_mm, {least});
     f.what = "thinnest pin: thin in two directions";
     set_place(f, thinnest->at_mm);
     f.suggestion = fmt::format("{} mm thick there ({} mm more)", up(f.allowed), up(f.allowed - f.measured));
@@ -56,8 +56,8 @@ std::optional<Marked> measure_mesh_pin(const Foreign& part, const Allowed& allow
 
 Rule mesh_pin() {
     return {{"mesh.pin",
-             "a pin that breaks off or is not made at all",
-             "thickness (as mesh.wall) where the material is at most twice as wide across it; said only where the limit is broken",
+             "a pin that breaks off or cannot be made",
+             "thickness (as mesh.wall) where the material is at most twice as wide across it; reported only where the limit is broken",
              "the process's least feature",
              {review(kAtLeast, "mm", "the process's feature")}},
             measure_mesh_pin};

@@ -11,9 +11,9 @@ namespace fusee::inspect {
 namespace {
 
 constexpr double kFloor = 0.9;                    // cosine of a floor's normal with z
-constexpr double kLift_mm = 0.05;                 // the tool looks from this far above the floor
+constexpr double kLift_mm = 0.05;                 // rays towards the tool start this far above the floor
 constexpr double kFacing = -0.99;                 // cosine between walls that face each other
-constexpr std::size_t kMostFloors = 3000;         // floor samples that are looked at
+constexpr std::size_t kMostFloors = 3000;         // floor samples that are checked
 constexpr int kPocketWidths = 8, kHalvings = 10;  // over half a turn; of the height
 
 struct Pocket {
@@ -26,7 +26,7 @@ class Walls {
 public:
     Walls(const Body& body, std::vector<bool> drilled) : body_(body), drilled_(std::move(drilled)) {}
 
-    /// Width between two walls that face each other, seen from `at` along d; NaN in the open and in a drilled hole.
+    /// Width between two walls that face each other, from `at` along d; NaN without walls and in a drilled hole.
     [[nodiscard]] double width(const Vec3& at, const Vec3& d) const {
         const auto there = body_.rays().first(at, d, kNone), back = body_.rays().first(at, -1.0 * d, kNone);
         if (!there || !back || (drilled_[there->triangle] && drilled_[back->triangle])) return NAN;
@@ -34,7 +34,7 @@ public:
         return there->distance_mm + back->distance_mm;
     }
 
-    /// The narrowest width over this floor, and how high its walls reach.
+    /// The least width over this floor, and the height of its walls.
     [[nodiscard]] Pocket at(const Sample& floor) const {
         Pocket pocket;
         pocket.floor = &floor;
@@ -82,7 +82,7 @@ std::optional<Marked> measure_mesh_pocket(const Foreign& part, const Allowed& al
     const auto worst = std::max_element(all.begin(), all.end(), [](const Pocket& a, const Pocket& b) { return a.ratio() < b.ratio(); });
     if (worst == all.end() || !(worst->ratio() > 0.0)) return std::nullopt;
     core::Finding f = judge(worst->ratio(), {allowed("review")});
-    f.what = fmt::format("depth of a pocket of {:.2f} mm over its width, which no tool can exceed", worst->width_mm);
+    f.what = fmt::format("depth of a pocket of {:.2f} mm width over that width, the largest possible tool diameter", worst->width_mm);
     set_place(f, worst->floor->at_mm);
     f.suggestion = fmt::format("{} mm wide, or {} mm deep", up(worst->depth_mm / f.allowed), down(f.allowed * worst->width_mm));
     std::vector<std::uint32_t> triangles;
@@ -96,7 +96,7 @@ std::optional<Marked> measure_mesh_pocket(const Foreign& part, const Allowed& al
 Rule mesh_pocket() {
     return {{"mesh.pocket",
              "a pocket too deep for the tool that fits into it",
-             "milled: depth over width, between walls that face each other, above faces that look up; drilled holes not counted",
+             "milled: depth over width, between walls that face each other, above upward faces; drilled holes not counted",
              "pocket <= 3 tools deep: zekes3d, procurabl, neptunelabs, super-ingenuity, Xometry",
              {review(kAtMost, "widths", 3.0)}},
             measure_mesh_pocket};

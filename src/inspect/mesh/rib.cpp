@@ -9,18 +9,19 @@ namespace fusee::inspect {
 
 namespace {
 
-constexpr double kThick = 2.0;           // what holds a rib is this many times as thick
+constexpr double kThick = 2.0;           // the base of a rib is this many times as thick
 constexpr double kWalls = 2.0;           // a rib is thinner than this many loaded walls
-constexpr std::size_t kMostThin = 4000;  // thin samples that are looked at
+constexpr std::size_t kMostThin = 4000;  // thin samples that are checked
 constexpr double kPrinted = 10.0, kCut = 4.0;
 
 struct Rib {
     const Sample* at = nullptr;
-    double reach_mm = 0.0;
-    [[nodiscard]] double slenderness() const { return reach_mm / at->wall_mm; }
+    double height_mm = 0.0;
+    [[nodiscard]] double slenderness() const { return height_mm / at->wall_mm; }
 };
 
-/// From each thin sample to the nearest one under which a ball of twice its thickness has room. A plate that is thin everywhere has none.
+/// Distance from each thin sample to the nearest one under which a ball of twice its thickness fits. A plate that is thin everywhere has no
+/// rib.
 std::vector<Rib> ribs(const Body& body, double thin) {
     std::vector<Rib> all;
     std::vector<const Sample*> known;
@@ -38,7 +39,7 @@ std::vector<Rib> ribs(const Body& body, double thin) {
                 const Vec3 way = other->at_mm - all[i].at->at_mm;
                 nearest = std::min(nearest, dot(way, way));
             }
-        all[i].reach_mm = std::isinf(nearest) ? 0.0 : std::sqrt(nearest);
+        all[i].height_mm = std::isinf(nearest) ? 0.0 : std::sqrt(nearest);
     });
     return all;
 }
@@ -50,11 +51,11 @@ std::optional<Marked> measure_mesh_rib(const Foreign& part, const Allowed& allow
     const Rib& worst =
         *std::max_element(all.begin(), all.end(), [](const Rib& a, const Rib& b) { return a.slenderness() < b.slenderness(); });
     core::Finding f = judge(worst.slenderness(), {allowed("review", is_printed(part) ? kPrinted : kCut)});
-    f.what = fmt::format("reach of a rib of {:.2f} mm, {:.1f} mm from anything twice as thick, over its thickness", worst.at->wall_mm,
-                         worst.reach_mm);
+    f.what = fmt::format("height of a rib of {:.2f} mm, {:.1f} mm from the nearest wall twice as thick, over its thickness",
+                         worst.at->wall_mm, worst.height_mm);
     set_place(f, worst.at->at_mm);
-    f.suggestion = fmt::format("{} mm thick there, or {} mm less reach", up(worst.reach_mm / f.allowed),
-                               up(worst.reach_mm - f.allowed * worst.at->wall_mm));
+    f.suggestion = fmt::format("{} mm thick there, or {} mm lower", up(worst.height_mm / f.allowed),
+                               up(worst.height_mm - f.allowed * worst.at->wall_mm));
     std::vector<std::uint32_t> triangles;
     for (const Rib& rib : all)  // by ascending triangle
         if (rib.slenderness() > f.allowed && (triangles.empty() || triangles.back() != rib.at->triangle))
@@ -66,8 +67,8 @@ std::optional<Marked> measure_mesh_rib(const Foreign& part, const Allowed& allow
 
 Rule mesh_rib() {
     return {{"mesh.rib",
-             "a free-standing rib that bends away or breaks",
-             "distance of a wall under two loaded walls from the nearest place twice as thick, over the wall's thickness",
+             "a free-standing rib that bends or breaks",
+             "distance of a wall thinner than two loaded walls from the nearest point twice as thick, over the wall's thickness",
              "10 printed, 4 cut (practice)",
              {review(kAtMost, "thicknesses", "10 printed, 4 cut")}},
             measure_mesh_rib};

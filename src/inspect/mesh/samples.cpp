@@ -11,12 +11,12 @@ std::optional<Marked> measure_mesh_samples(const Foreign& part, const Allowed& a
     const std::size_t left_out = body.samples_left_out() + body.components_left_out();
     if (left_out == 0) {
         core::Finding f = judge(0.0, {allowed("required")});
-        f.what = "places that were left out";
+        f.what = "points that were left out";
         return Marked{f};
     }
     core::Finding f =
         core::not_judged("mesh.samples",
-                         fmt::format("{} of {} places and {} components were left out, because too many triangles lie over one another; "
+                         fmt::format("{} of {} points and {} components were left out, because too many triangles overlap; "
                                      "walls, slots, holes and undercuts there are not known",
                                      body.samples_left_out(), body.samples_left_out() + body.samples().size(), body.components_left_out()),
                          "a mesh whose triangles do not overlap");
@@ -27,9 +27,9 @@ std::optional<Marked> measure_mesh_samples(const Foreign& part, const Allowed& a
 
 Rule mesh_samples() {
     return {{"mesh.samples",
-             "walls and slots that were not looked at",
-             "places left out because measuring them would look at more than 8e8 triangles in all, or 2e8 where they lie over one another",
-             "what is not measured is not judged",
+             "walls and slots that were not measured",
+             "points left out because measuring them would visit more than 8e8 triangles in all, or 2e8 where triangles overlap",
+             "a point that is not measured is not judged",
              {required(kAtMost, "places", 0.0)}},
             measure_mesh_samples};
 }

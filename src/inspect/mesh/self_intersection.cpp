@@ -13,19 +13,17 @@ std::optional<Marked> measure_mesh_self_intersection(const Foreign& part, const 
     const Body& body = part.body;
     const solid::Crossings found = solid::crossings(body.mesh(), flat_triangles(body.mesh()));
     if (!found.manifold)
-        return Marked{core::not_judged("mesh.self_intersection",
-                                       "the surface is not manifold, so that it cannot be said whether it crosses itself",
+        return Marked{core::not_judged("mesh.self_intersection", "the surface is not manifold: self-intersections cannot be determined",
                                        "a manifold surface: see mesh.manifold and mesh.orientation")};
     if (!found.complete)
-        return Marked{
-            core::not_judged("mesh.self_intersection",
-                             fmt::format("more than {} pairs of triangles lie so near each other that they may cross; none was looked at",
-                                         solid::kMostNearPairs),
-                             "a mesh whose triangles do not overlap")};
+        return Marked{core::not_judged(
+            "mesh.self_intersection",
+            fmt::format("more than {} pairs of triangles are near enough to cross; none was checked", solid::kMostNearPairs),
+            "a mesh whose triangles do not overlap")};
     std::set<std::uint32_t> triangles;
     for (const auto& [a, b] : found.pairs) triangles.insert({a, b});
     core::Finding f = judge(static_cast<double>(found.pairs.size()), {allowed("required")});
-    f.what = "pairs of triangles that pass through each other";
+    f.what = "pairs of triangles that intersect";
     if (!triangles.empty()) set_place(f, middle_of(body, *triangles.begin()));
     f.suggestion = fmt::format("a union of the bodies that overlap in {} triangles", triangles.size());
     return Marked{f, {triangles.begin(), triangles.end()}};
@@ -35,8 +33,8 @@ std::optional<Marked> measure_mesh_self_intersection(const Foreign& part, const 
 
 Rule mesh_self_intersection() {
     return {{"mesh.self_intersection",
-             "a surface that passes through itself",
-             "pairs of triangles that cross; said of manifold surfaces only (exact predicates)",
+             "a surface that intersects itself",
+             "pairs of triangles that intersect; for manifold surfaces only (exact predicates)",
              "a solid has none",
              {required(kAtMost, "pairs", 0.0)}},
             measure_mesh_self_intersection};

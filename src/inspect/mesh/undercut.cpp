@@ -7,9 +7,9 @@ namespace fusee::inspect {
 
 namespace {
 
-constexpr double kLift_mm = 0.01;                   // the tool looks from this far above the surface
-constexpr double kSlack = core::rad_from_deg(1.0);  // facets of an upright face lean a little
-constexpr int kTurns = 36;                          // directions of a tool that the fourth axis turns the part under
+constexpr double kLift_mm = 0.01;                   // rays towards the tool start this far above the surface
+constexpr double kSlack = core::rad_from_deg(1.0);  // facets of a vertical face are slightly inclined
+constexpr int kTurns = 36;                          // directions of a tool around the fourth axis
 
 std::vector<Vec3> tools(const checks::Process& process) {
     std::vector<Vec3> all{{0, 0, 1}, {0, 0, -1}};
@@ -37,15 +37,15 @@ std::optional<Marked> measure_mesh_undercut(const Foreign& part, const Allowed& 
     for (std::size_t i = 0; i < seen.size(); ++i) {
         const Sample& s = body.samples()[i];
         whole += s.share_mm2;
-        if (seen[i] || body.cavity()[body.topology().component_of[s.triangle]]) continue;  // a cavity is its own finding
+        if (seen[i] || body.cavity()[body.topology().component_of[s.triangle]]) continue;  // mesh.cavity reports cavities
         hidden += s.share_mm2;
         if (!first) first = &s;
         if (triangles.empty() || triangles.back() != s.triangle) triangles.push_back(s.triangle);
     }
     core::Finding f = judge(100.0 * hidden / whole, {allowed("required")});
     f.what = part.process.kind == checks::ProcessKind::kMill
-                 ? fmt::format("surface that no tool along z reaches from either side: {:.3g} mm^2", hidden)
-                 : fmt::format("surface that no tool reaches, along z or across it: {:.3g} mm^2", hidden);
+                 ? fmt::format("share of the surface that a tool along z reaches from neither side: {:.3g} mm^2", hidden)
+                 : fmt::format("share of the surface that a tool reaches neither along z nor across it: {:.3g} mm^2", hidden);
     if (first) set_place(f, first->at_mm);
     f.suggestion = part.process.kind == checks::ProcessKind::kMill
                        ? fmt::format("{} mm^2 opened towards +z or -z, a fourth axis, or stacked plates", up(hidden))
@@ -58,8 +58,8 @@ std::optional<Marked> measure_mesh_undercut(const Foreign& part, const Allowed& 
 Rule mesh_undercut() {
     return {{"mesh.undercut",
              "an undercut, which no tool reaches",
-             "milled: share of the surface from which neither +z nor -z is in sight; mill4: nor any of 36 directions across z",
-             "0.5 % is what sampling and rounding feign (practice)",
+             "milled: share of the surface that is visible neither from +z nor from -z; mill4: nor from any of 36 directions across z",
+             "sampling and rounding cause up to 0.5 % (practice)",
              {required(kAtMost, "%", 0.5)}},
             measure_mesh_undercut};
 }

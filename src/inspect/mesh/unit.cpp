@@ -27,9 +27,9 @@ std::optional<Marked> measure_mesh_unit(const Foreign& part, const Allowed& allo
 
 Rule mesh_unit() {
     return {{"mesh.unit",
-             "a file drawn in another unit than the millimetre",
-             "the longest side of the box round it",
-             "parts of a machine are 3 mm to 1 m long (practice)",
+             "a file in a unit other than the millimetre",
+             "the longest side of the bounding box",
+             "machine parts are 3 mm to 1 m long (practice)",
              {review(kAtLeast, "mm", 3.0, "small_review"), review(kAtMost, "mm", 1000.0, "large_review")}},
             measure_mesh_unit};
 }

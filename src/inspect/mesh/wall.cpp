@@ -8,7 +8,7 @@ namespace fusee::inspect {
 
 namespace {
 
-/// The sample up to which the thinnest walls hold this much surface: a spot smaller than that is a scar, not a wall. nullptr: no wall.
+/// The sample up to which the thinnest walls have this much area: a smaller spot is a scar, not a wall. nullptr: no wall.
 const Sample* thinnest_of(const Body& body, double area_mm2) {
     std::vector<const Sample*> walls;
     for (const Sample& s : body.samples())
@@ -26,7 +26,7 @@ std::optional<Marked> measure_mesh_wall(const Foreign& part, const Allowed& allo
     const Sample* thinnest = thinnest_of(part.body, wall * wall);
     if (!thinnest) return std::nullopt;
     core::Finding f = judge(thinnest->wall_mm, {allowed("required", wall), allowed("review", core::mm_from_m(limits.loaded_wall))});
-    f.what = f.severity == core::Severity::kWarning ? "thinnest wall, enough unless it carries load" : "thinnest wall";
+    f.what = f.severity == core::Severity::kWarning ? "thinnest wall, sufficient unless it carries load" : "thinnest wall";
     set_place(f, thinnest->at_mm);
     f.suggestion = fmt::format("{} mm thick there ({} mm more)", up(f.allowed), up(f.allowed - f.measured));
     return Marked{f, triangles_of(part.body, [&](const Sample& s) { return s.wall_mm < f.allowed && !s.feather; })};
@@ -39,7 +39,7 @@ Rule mesh_wall() {
              "a wall too thin to make",
              "least diameter of the balls in the material that touch two faces up to 60 deg off parallel; where these meet in an edge: "
              "mesh.feather_edge",
-             "the process's walls: at least thin, better loaded",
+             "the process's walls: thin required, loaded recommended",
              {required(kAtLeast, "mm", "the process's wall"), review(kAtLeast, "mm", "the process's loaded wall")}},
             measure_mesh_wall};
 }

@@ -25,15 +25,15 @@ struct SteeperPath {
     std::string change;
 };
 
-/// By rising pitch. A groove that climbs to its guide may also stop doing so.
+/// By rising pitch. A groove aimed at its guide may also get a constant pitch.
 std::vector<SteeperPath> steeper(const std::string& part, const cam::CamOptions& from) {
     const bool aimed = from.path.lead == cam::Lead::kAimedAtGuide;
     std::vector<SteeperPath> paths;
     for (const double share : {1.1, 1.25, 1.5, 2.0, 3.0, 4.0}) {
         cam::CamOptions to = from;
-        double& climb = aimed ? to.guide.z : to.path.pitch;
-        const std::string mm = fmt::format("{:.2f}", share * core::mm_from_m(climb));
-        climb = core::m_from_mm(std::stod(mm));
+        double& rise = aimed ? to.guide.z : to.path.pitch;
+        const std::string mm = fmt::format("{:.2f}", share * core::mm_from_m(rise));
+        rise = core::m_from_mm(std::stod(mm));
         paths.push_back({to, fmt::format("{}.{} = {}", part, aimed ? "guide.z_mm" : "path.pitch_mm", mm)});
     }
     for (const double cables : {4.0, 6.0, 10.0, 16.0}) {
@@ -72,7 +72,7 @@ void require_parts(const profile::Profile& profile) {
         throw core::InvalidInput(
             "k_se.spring.rate_Nm_per_rad", "missing",
             "[cable], [process], [k_se.spring] and [k_pe.spring] to make parts; without them a profile can be simulated");
-    if (profile.outputs.dxf && profile.outputs.kerf > 0.0)
+    if (profile.outputs.has("dxf") && profile.outputs.kerf > 0.0)
         for (const profile::PartSpec* spec : {&profile.k_se, &profile.k_pe})
             exchange::require_kerf(core::mm_from_m(profile.outputs.kerf), spec->solid.hub);
 }

@@ -5,12 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 
 #include "fusee/checks/check.h"
 #include "fusee/core/units.h"
-#include "fusee/exchange/stl.h"
-#include "fusee/exchange/three_mf.h"
 #include "fusee/readback/bore.h"
 #include "fusee/solid/compensation.h"
 #include "fusee/solid/validity.h"
@@ -39,14 +36,12 @@ core::Findings of_file(core::Findings findings) {
 }
 
 /// "compensated, not nominal": at the front, because an STL header holds 80 bytes only.
-std::string provenance_of(const PartExport& out) {
-    const solid::Compensation& c = out.profile.compensation;
+std::string provenance_of(const PartExport& out, const solid::Compensation& c) {
     return fmt::format("compensated, not nominal: {}, shrinkage {:g} {:g} {:g} %, bore {:+g} mm", out.provenance.line(),
                        100.0 * c.shrink[0], 100.0 * c.shrink[1], 100.0 * c.shrink[2], core::mm_from_m(c.bore_offset));
 }
 
-exchange::Compensated stated(const PartExport& out) {
-    const solid::Compensation& c = out.profile.compensation;
+exchange::Compensated stated(const PartExport& out, const solid::Compensation& c) {
     const solid::HubOptions& hub = out.part.options.hub;
     exchange::Compensated all;
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -70,29 +65,12 @@ core::Finding judge_bore(const fs::path& stl, const exchange::PartFile& part) {
     return core::judged(f, core::Severity::kError);
 }
 
-/// Scaling and rounding must not fold a valid solid.
-std::optional<core::Finding> folded(const solid::Mesh& mesh, const std::string& where) {
-    const solid::Validity validity = solid::validate(mesh);
-    if (validity.good()) return std::nullopt;
-    core::Finding f = core::error_finding("solid.validity", "the compensated solid is not valid: " + validity.line(), 0.0,
-                                          core::Bound::kAtLeast, 1.0, "");
-    f.where = where;
-    f.suggestion = "compensation.shrink_x_percent and the others rounded to 0.1";
-    f.source = "CGAL: closed, oriented, one component, no self-intersection";
-    return f;
-}
-
-/// STL and 3MF, if the profile asks for them.
-std::vector<FileRow> write_files(const PartExport& out, const solid::Mesh& mesh) {
-    std::vector<FileRow> rows;
-    const fs::path stl = out.path("_compensated.stl"), three_mf = out.path("_compensated.3mf");
-    const std::string provenance = provenance_of(out);
-    const auto state = [&](const fs::path& path) { rows.push_back(file_row(path, mesh.triangles.size(), out.part.chordal_error_mm)); };
-    if (out.profile.outputs.stl) exchange::write_stl(stl, mesh, provenance);
-    if (out.profile.outputs.stl) state(stl);
-    if (out.profile.outputs.three_mf) exchange::write_3mf(three_mf, mesh, three_mf.stem().string(), provenance);
-    if (out.profile.outputs.three_mf) state(three_mf);
-    return rows;
+/// The mesh formats that the profile asks for.
+std::vector<formats::Format> mesh_formats(const profile::Profile& profile) {
+    std::vector<formats::Format> found;
+    for (const formats::Format& format : formats::all_formats())
+        if (format.write_mesh != nullptr && profile.outputs.has(format.name)) found.push_back(format);
+    return found;
 }
 
 }  // namespace
@@ -108,26 +86,30 @@ core::Findings check_compensated(const solid::Part& part, const profile::Profile
     return of_file(worse);
 }
 
-void write_compensated(PartExport& out) {
-    const solid::Compensation& c = out.profile.compensation;
-    if (c.none() || !(out.profile.outputs.stl || out.profile.outputs.three_mf)) return;
+void write_compensated(PartExport& out, const profile::Profile& profile) {
+    const solid::Compensation& c = profile.compensation;
+    const std::vector<formats::Format> asked = mesh_formats(profile);
+    if (c.none() || asked.empty()) return;
     const auto part = c.bore_offset == 0.0 ? core::Outcome<solid::Part>(out.part) : solid::with_wider_bore(out.part, c.bore_offset);
     if (!part) return core::append(out.findings, of_file(part.refusal()));
     const solid::Mesh mesh = solid::grown(part->mesh, c.shrink);
-    if (const auto fault = folded(mesh, out.name())) return out.findings.push_back(*fault);
-    const std::vector<FileRow> rows = write_files(out, mesh);
-
+    if (const solid::Validity validity = solid::validate(mesh); !validity.good())  // scaled and rounded, faces may meet
+        return out.findings.push_back(solid::invalid_solid(validity, "the compensated solid", out.name(),
+                                                           "compensation.shrink_x_percent and the others rounded to 0.1"));
     exchange::PartFile file = exchange::describe_part(out.part, out.spring, {}, out.provenance);
-    for (const FileRow& row : rows) file.files.push_back(row.entry);
-    file.compensated = stated(out);
-    file.provenance = provenance_of(out);
+    file.compensated = stated(out, c);
+    file.provenance = provenance_of(out, c);
+    for (const formats::Format& format : asked) {
+        const fs::path path = out.path(std::string("_compensated") + format.extension);
+        format.write_mesh(path, mesh, path.stem().string(), file.provenance);
+        out.other_files.push_back(file_row(path, mesh.triangles.size(), out.part.chordal_error_mm));
+        file.files.push_back(out.other_files.back().entry);
+    }
     const fs::path json = out.path("_compensated.json");
     exchange::write_part_file(json, file);
     const exchange::PartFile read = exchange::read_part_file(json);
-    for (const readback::ArmError& error : readback::read_back(json.parent_path(), read))
-        out.findings.push_back(judge(error, out.part.cam));
-    if (out.profile.outputs.stl) out.findings.push_back(judge_bore(out.path("_compensated.stl"), read));
-    out.other_files.insert(out.other_files.end(), rows.begin(), rows.end());
+    for (const readback::ArmError& error : formats::read_back(json.parent_path(), read)) out.findings.push_back(judge(error, out.part.cam));
+    if (profile.outputs.has("stl")) out.findings.push_back(judge_bore(out.path("_compensated.stl"), read));
     out.other_files.push_back(file_row(json));
 }
 

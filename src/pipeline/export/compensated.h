@@ -1,7 +1,6 @@
 #pragma once
 #include "fusee/core/finding.h"
-#include "fusee/pipeline/design.h"
-#include "part_export.h"
+#include "judge.h"
 
 namespace fusee::pipeline {
 
@@ -10,8 +9,9 @@ namespace fusee::pipeline {
 /// @param nominal findings of the part itself
 [[nodiscard]] core::Findings check_compensated(const solid::Part& part, const profile::Profile& profile, const core::Findings& nominal);
 
-/// Writes k_xx_compensated.stl, .3mf and .json if the profile holds a compensation, and reads them back as the finished part. These files
-/// do not carry the law. Always compensates the nominal part, so that nothing is compensated twice.
-void write_compensated(PartExport& out);
+/// Writes k_xx_compensated in each mesh format of the profile, and k_xx_compensated.json, if the profile holds a compensation, and reads
+/// them back as the finished part. These files do not carry the law. Always compensates the nominal part, so that nothing is compensated
+/// twice.
+void write_compensated(PartExport& out, const profile::Profile& profile);
 
 }  // namespace fusee::pipeline

@@ -9,11 +9,10 @@
 #include "compensated.h"
 #include "fusee/brep/mirror.h"
 #include "fusee/cam/certificate.h"
-#include "fusee/core/file.h"
 #include "fusee/core/units.h"
 #include "fusee/exchange/part_file.h"
 #include "fusee/solid/mirror.h"
-#include "part_export.h"
+#include "judge.h"
 
 namespace fs = std::filesystem;
 
@@ -34,36 +33,29 @@ std::string nearest_change(const readback::ArmError& error, const cam::Cam& cam)
                        core::mm_from_m(farthest + guide.radius + 2.0 * cam.options.cable_diameter));
 }
 
-/// Every format that the profile asks for: the files that carry the law, PART.json with their names, and the other files.
-fs::path write_formats(PartExport& out) {
-    write_meshes(out);
-    write_rendered(out);
-    write_sliced(out);
-    write_drawing(out);
-    write_plates(out);
-    write_exact(out);
-    write_programs(out);
+/// Every format that the profile asks for, PART.json with the files that carry the law, and the files compensated for the process.
+fs::path write_files(PartExport& out, const profile::Profile& profile) {
+    formats::write_formats(out, profile.outputs.formats);
+    judge_for_mill(out, profile);
     std::vector<exchange::FileEntry> entries;
     for (const FileRow& row : out.law_files) entries.push_back(row.entry);
     const fs::path json = out.path(".json");
     exchange::write_part_file(json, exchange::describe_part(out.part, out.spring, entries, out.provenance));
     out.other_files.push_back(file_row(json));
-    write_kerf(out);
-    write_compensated(out);
-    write_sheets(out);
+    write_compensated(out, profile);
     return json;
 }
 
 /// @param designed the part of `out`
-ExportedPart exported(PartExport& out, const std::shared_ptr<const DesignedPart>& designed) {
-    const fs::path json = write_formats(out);
+ExportedPart exported(PartExport& out, const profile::Profile& profile, const std::shared_ptr<const DesignedPart>& designed) {
+    const fs::path json = write_files(out, profile);
     ExportedPart done{out.name(), false, {}, out.mesh};
     PartReport& report = done.report;
     report.part = {designed, &designed->part};
     report.spring = out.spring;
     report.findings = designed->findings;
     core::append(report.findings, out.findings);
-    report.arm_errors = readback::read_back(json.parent_path(), exchange::read_part_file(json));
+    report.arm_errors = formats::read_back(json.parent_path(), exchange::read_part_file(json));
     for (const readback::ArmError& error : report.arm_errors)
         report.findings.push_back(error.when_broken == core::Severity::kError ? judge(error, out.part.cam) : judge_print(error, out.part));
     report.certificate = cam::certify(out.part.cam);
@@ -76,7 +68,7 @@ ExportedPart exported(PartExport& out, const std::shared_ptr<const DesignedPart>
 
 /// The other side's export. Its bodies are mirrored from this side: neither mesh nor exact solid is made twice.
 PartExport other_side(const PartExport& out, const solid::Part& part) {
-    PartExport other{part, mirrored(out.spring), out.profile, out.provenance, out.via, out.path("_mirrored"), solid::mirrored(out.mesh)};
+    PartExport other{part, mirrored(out.spring), out.settings, out.provenance, out.path("_mirrored"), solid::mirrored(out.mesh)};
     other.provenance.options += ", mirrored";
     if (!out.exact) return other;
     const auto solid = brep::mirrored(*out.exact);
@@ -109,19 +101,16 @@ core::Finding judge(const readback::ArmError& error, const cam::Cam& cam) {
 
 const char* to_string(Via via) { return via == Via::kCgal ? "cgal" : "openscad"; }
 
-FileRow file_row(const fs::path& path, std::size_t triangles, double chordal_error_mm) {
-    const std::string bytes = core::read_file(path);
-    return {{path.filename().string(), core::sha256_hex(bytes), triangles, chordal_error_mm}, bytes.size()};
-}
-
 std::vector<ExportedPart> export_pair(const Pair& pair, const profile::Profile& profile, const core::Provenance& provenance, Via via,
                                       const fs::path& folder) {
     const solid::Part& part = pair.agonist->part;
-    PartExport out{part, spec_of(part.cam.kind, profile).spring, profile, provenance, via, folder / to_string(part.cam.kind)};
-    std::vector<ExportedPart> sides{exported(out, pair.agonist)};
+    const formats::Settings settings{profile.name, profile.cable, profile.process, profile.machining, profile.outputs.kerf};
+    PartExport out{part, spec_of(part.cam.kind, profile).spring, settings, provenance, folder / to_string(part.cam.kind)};
+    out.mesh = via == Via::kOpenScad ? formats::rendered_by_openscad(out) : part.mesh;
+    std::vector<ExportedPart> sides{exported(out, profile, pair.agonist)};
     if (pair.antagonist && !core::any_error(sides.front().report.findings)) {  // else the part is refused already
         PartExport other = other_side(out, pair.antagonist->part);
-        sides.push_back(exported(other, pair.antagonist));
+        sides.push_back(exported(other, profile, pair.antagonist));
         sides.back().mirrored = true;
     }
     return sides;

@@ -12,7 +12,7 @@
 #include "fusee/exchange/three_mf.h"
 #include "fusee/readback/plate.h"
 #include "fusee/solid/arrange.h"
-#include "part_export.h"
+#include "judge.h"
 
 namespace fs = std::filesystem;
 
@@ -92,7 +92,7 @@ exchange::Plate write(const Arranged& all, const std::array<double, 3>& build, d
 PlateFiles write_plate(const std::vector<ExportedPart>& parts, const profile::Profile& profile, const core::Provenance& provenance,
                        const fs::path& folder) {
     PlateFiles out;
-    if (!profile.outputs.plate || !profile.outputs.three_mf) return out;
+    if (!profile.outputs.plate || !profile.outputs.has("3mf")) return out;
     const std::array<double, 3> build = build_mm(profile.process);
     std::vector<solid::Size2> sizes;
     double chordal_error_mm = 0.0;

@@ -59,8 +59,11 @@ LawReport law_report(const ResolvedDesign& design) {
 /// Announces external programs, which take seconds for each part.
 void announce(const profile::Profile& profile, const MakeOptions& options) {
     if (!options.note) return;
-    if (options.via == Via::kOpenScad || profile.outputs.scad_stl) options.note(profile.name + ": OpenSCAD renders the solids");
-    if (profile.outputs.sliced) options.note(profile.name + ": PrusaSlicer slices the parts");
+    const std::string by_openscad = "OpenSCAD renders the solids";
+    if (options.via == Via::kOpenScad) options.note(profile.name + ": " + by_openscad);
+    for (const formats::Format& format : formats::all_formats())
+        if (profile.outputs.has(format.name) && *format.note != '\0' && (options.via != Via::kOpenScad || format.note != by_openscad))
+            options.note(profile.name + ": " + format.note);
 }
 
 struct Parts {

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "export/part_export.h"
+#include "export/judge.h"
 #include "fusee/checks/limits.h"
 #include "fusee/core/file.h"
 #include "fusee/core/output_folder.h"
@@ -59,14 +59,14 @@ core::Outcome<Bodies> bodies_of(const coupon::Options& options) {
 
 /// The body and axis with the largest share of the build volume.
 core::Finding fits(const Bodies& bodies, const checks::Process& process) {
-    const std::array<double, 3> room{process.build_x, process.build_y, process.build_z};
+    const std::array<double, 3> space{process.build_x, process.build_y, process.build_z};
     core::Finding f;
     double fullest = 0.0;
     for (const auto& [name, mesh] :
          {std::pair{"bores_and_lengths", &bodies.plate.mesh}, {"groove_ladder", &bodies.ladder.mesh}, {"disc", &bodies.disc.part.mesh}}) {
         const solid::Box box = solid::bounding_box(*mesh);
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            const double size = box.high_mm[axis] - box.low_mm[axis], allowed = core::mm_from_m(room[axis]);
+            const double size = box.high_mm[axis] - box.low_mm[axis], allowed = core::mm_from_m(space[axis]);
             if (size / allowed <= fullest) continue;
             fullest = size / allowed;
             f.measured = size;
@@ -116,7 +116,7 @@ public:
         for (std::size_t i = before; i < made_.files.size(); ++i) entries.push_back(made_.files[i].entry);
         const fs::path json = folder_ / "disc.json";
         exchange::write_part_file(json, exchange::describe_part(disc.part, disc.spring, entries, provenance_));
-        for (const readback::ArmError& error : readback::read_back(folder_, exchange::read_part_file(json)))
+        for (const readback::ArmError& error : formats::read_back(folder_, exchange::read_part_file(json)))
             made_.findings.push_back(judge(error, disc.part.cam));
         made_.files.push_back(file_row(json));
     }

@@ -8,7 +8,7 @@ std::vector<StretchSide> stretch_sides(const ResolvedDesign& design) {
     if (!design.profile.has_parts) return sides;
     for (const cam::PartKind kind : {cam::PartKind::kSeries, cam::PartKind::kParallel}) {
         const cam::ArmPoint most = design.arm(kind).at_load(design.law()->loads().high);
-        if (most.stretch.turn != 0.0) sides.push_back({kind, most});
+        if (most.elongation.turn != 0.0) sides.push_back({kind, most});
     }
     return sides;
 }

@@ -92,7 +92,7 @@ std::string cam_facts(const PartReport& report) {
                 {"mesh", fmt::format("{} triangles, within {} mm", part.mesh.triangles.size(), number(part.chordal_error_mm))},
                 {"smallest angle, shortest edge",
                  fmt::format("{} deg, {} mm", number(report.quality.smallest_angle_deg, 2), number(report.quality.shortest_edge_mm, 2))}};
-    if (const cam::ArmPoint& most = part.cam.working.back().arm; most.stretch.turn != 0.0)
+    if (const cam::ArmPoint& most = part.cam.working.back().arm; most.elongation.turn != 0.0)
         facts.emplace_back("cable elongation, compensated", stretch_text(most));
     return card(html_facts(facts));
 }

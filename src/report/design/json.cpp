@@ -87,7 +87,7 @@ Json cam_json(const solid::Part& part, const CamFigures& cam) {
            {"arms_mm", range_json(cam.arms_mm)},
            {"least_curvature_radius_mm", cam.least_rho_mm},
            {"tensions_N", range_json(cam.tensions)}};
-    if (const cam::ArmPoint& most = part.cam.working.back().arm; most.stretch.turn != 0.0) j["stretch"] = stretch_json(most);
+    if (const cam::ArmPoint& most = part.cam.working.back().arm; most.elongation.turn != 0.0) j["stretch"] = stretch_json(most);
     return j;
 }
 
@@ -174,10 +174,10 @@ Json as_exported_json(const AsExported& exported) {
 Json stretch_json(const cam::ArmPoint& at) {
     return {{"load_Nm", at.tau},
             {"tension_N", at.tension},
-            {"length_mm", core::mm_from_m(at.stretch.length)},
-            {"capstan_rad", at.stretch.turn},
-            {"capstan_travel_rad", at.stretch.travel},
-            {"share", at.stretch.share()}};
+            {"length_mm", core::mm_from_m(at.elongation.length)},
+            {"capstan_rad", at.elongation.turn},
+            {"capstan_travel_rad", at.elongation.travel},
+            {"share", at.elongation.share()}};
 }
 
 std::string report_json(const DesignReport& design) {

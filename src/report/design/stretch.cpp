@@ -8,8 +8,9 @@
 namespace fusee::report {
 
 std::string stretch_text(const cam::ArmPoint& at) {
-    return fmt::format("{:.3g} mm at {:.3g} N: {:.3g} of the capstan's {:.3g} deg, {:.2g} %", core::mm_from_m(at.stretch.length),
-                       at.tension, core::deg_from_rad(at.stretch.turn), core::deg_from_rad(at.stretch.travel), 100.0 * at.stretch.share());
+    return fmt::format("{:.3g} mm at {:.3g} N: {:.3g} of the capstan's {:.3g} deg, {:.2g} %", core::mm_from_m(at.elongation.length),
+                       at.tension, core::deg_from_rad(at.elongation.turn), core::deg_from_rad(at.elongation.travel),
+                       100.0 * at.elongation.share());
 }
 
 std::string stretch_remark(const Simulation& s) {

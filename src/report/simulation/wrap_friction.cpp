@@ -40,8 +40,8 @@ std::string wrap_hysteresis_csv(const std::vector<WrapSide>& wraps) {
         "part,angle_rad,tau_Nm,tension_N,stretch_loading_m,stretch_unloading_m,give_loading_rad,give_unloading_rad,width_rad\n";
     for (const WrapSide& side : wraps)
         for (const WrapRow& row : side.loop.rows)
-            add_csv_row(csv, cam::to_string(side.part), row.angle, row.tau, row.tension, row.stretch_loading, row.stretch_unloading,
-                        row.give_loading, row.give_unloading, row.width());
+            add_csv_row(csv, cam::to_string(side.part), row.angle, row.tau, row.tension, row.elongation_loading, row.elongation_unloading,
+                        row.deflection_loading, row.deflection_unloading, row.width());
     return csv;
 }
 
@@ -54,8 +54,8 @@ std::string wrap_section(const Simulation& s) {
         const auto of = [&](const auto& figure) { return column(side.loop.rows, figure); };
         const std::vector<double> tau = of(&WrapRow::tau);
         const char* css = part_colour(side.part);
-        elongation.curve(name + ", load rising", tau, of([](const WrapRow& r) { return deg_from_rad(r.give_loading); }), css);
-        elongation.curve(name + ", falling", tau, of([](const WrapRow& r) { return deg_from_rad(r.give_unloading); }), css, true);
+        elongation.curve(name + ", load rising", tau, of([](const WrapRow& r) { return deg_from_rad(r.deflection_loading); }), css);
+        elongation.curve(name + ", falling", tau, of([](const WrapRow& r) { return deg_from_rad(r.deflection_unloading); }), css, true);
         width.curve(name, tau, of([](const WrapRow& r) { return deg_from_rad(r.width()); }), css);
     }
     return section("Hysteresis of the cables",

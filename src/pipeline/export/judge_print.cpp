@@ -2,21 +2,14 @@
 
 #include <algorithm>
 
-#include "fusee/checks/limits.h"
 #include "fusee/core/error.h"
 #include "fusee/core/units.h"
-#include "fusee/exchange/prusa_slicer.h"
-#include "fusee/exchange/stl.h"
-#include "fusee/pipeline/design.h"
-#include "part_export.h"
-#include "tool.h"
-
-namespace fs = std::filesystem;
+#include "judge.h"
 
 namespace fusee::pipeline {
 
 void require_sliceable(const profile::Profile& profile) {
-    if (!profile.outputs.sliced) return;
+    if (!profile.outputs.has("sliced")) return;
     if (profile.process.kind != checks::ProcessKind::kFdm)
         throw core::InvalidInput(profile.place_of("outputs.formats"),
                                  fmt::format("\"sliced\" with process.kind = \"{}\"", checks::to_string(profile.process.kind)),
@@ -24,22 +17,6 @@ void require_sliceable(const profile::Profile& profile) {
     if (profile.k_pe.cam.family == cam::Family::kRoller)
         throw core::InvalidInput(profile.place_of("outputs.formats"), "\"sliced\" with k_pe.family = \"roller\"",
                                  "\"sliced\" with k_pe.family = \"cable\" only: the print of a roller's rim is not read back");
-}
-
-void write_sliced(PartExport& out) {
-    if (!out.profile.outputs.sliced) return;
-    const bool there = exchange::can_slice();
-    out.findings.push_back(done_by({"readback.slicer", "the part is sliced by PrusaSlicer and the arm recomputed from its perimeters",
-                                    there, "prusa-slicer", "the part has not been sliced", "docs/theory/read_back.md"},
-                                   out.part));
-    if (!there) return;
-    const double layer_mm = core::mm_from_m(checks::process_limits(out.profile.process).layer);
-    const fs::path stl = out.path("_to_slice.stl"), gcode = out.path(".gcode");
-    const std::string provenance = out.provenance.line();
-    exchange::write_stl(stl, out.mesh, provenance);
-    exchange::slice_stl(stl, gcode, {.layer_mm = layer_mm, .lowest_mm = solid::bounding_box(out.mesh).low_mm[2]}, provenance);
-    fs::remove(stl);
-    out.state(gcode, 0, layer_mm);
 }
 
 core::Finding judge_print(const readback::ArmError& error, const solid::Part& part) {

@@ -2,9 +2,9 @@
 
 #include "fusee/core/units.h"
 #include "fusee/exchange/stack_drawings.h"
-#include "part_export.h"
+#include "fusee/formats/format.h"
 
-namespace fusee::pipeline {
+namespace fusee::formats {
 
 namespace {
 
@@ -19,10 +19,8 @@ core::Finding not_flat(const solid::Part& part) {
     return core::judged(f, core::Severity::kWarning);
 }
 
-}  // namespace
-
 void write_plates(PartExport& out) {
-    if (!out.profile.outputs.plates || !out.part.cam.closed() || out.part.cam.has_roller()) return;
+    if (!out.part.cam.closed() || out.part.cam.has_roller()) return;
     if (out.part.options.hub.boss_height > 0.0) return out.findings.push_back(not_flat(out.part));
     const auto write = [&](const std::vector<exchange::DxfDrawing>& drawings, const char* ending, std::vector<FileRow>& rows) {
         for (std::size_t i = 0; i < drawings.size(); ++i) {
@@ -32,8 +30,23 @@ void write_plates(PartExport& out) {
         }
     };
     write(exchange::stack_drawings(out.part, out.provenance.line()), "", out.law_files);
-    if (const double kerf = core::mm_from_m(out.profile.outputs.kerf); kerf > 0.0)
+    if (const double kerf = core::mm_from_m(out.settings.kerf); kerf > 0.0)
         write(exchange::stack_kerf_drawings(out.part, kerf, out.provenance.line()), "_kerf", out.other_files);
 }
 
-}  // namespace fusee::pipeline
+bool is_stacked(const checks::Process& process) {
+    return process.kind == checks::ProcessKind::kEdm || process.kind == checks::ProcessKind::kLaser;
+}
+
+}  // namespace
+
+Format make_plates() {
+    return {.name = "plates",
+            .extension = ".dxf",  // read back as dxf is
+            .meaning = "a DXF for each plate of a stack, by default for edm and laser",
+            .place = 7,
+            .by_default = is_stacked,
+            .write = write_plates};
+}
+
+}  // namespace fusee::formats

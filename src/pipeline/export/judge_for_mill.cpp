@@ -3,13 +3,8 @@
 #include <algorithm>
 
 #include "fusee/checks/check.h"
-#include "fusee/core/file.h"
-#include "fusee/core/units.h"
 #include "fusee/pipeline/check.h"
-#include "fusee/toolpath/program.h"
-#include "fusee/toolpath/read_back.h"
-#include "part_export.h"
-#include "tool.h"
+#include "judge.h"
 
 namespace fusee::pipeline {
 
@@ -17,21 +12,21 @@ namespace {
 
 /// The mill that the part's programs are for: for a wrapped groove the part turns under the tool.
 checks::ProcessKind mill_of(const PartExport& out) {
-    const toolpath::Settings& settings = out.profile.machining;
+    const toolpath::Settings& settings = out.settings.machining;
     const toolpath::Method method = out.part.cam.kind == cam::PartKind::kSeries ? settings.k_se : settings.k_pe;
     const bool wrapped = method == toolpath::Method::kWrap || !out.part.cam.closed();
     return wrapped ? checks::ProcessKind::kMill4 : checks::ProcessKind::kMill;
 }
 
 /// Warns if the part was judged for another process and rules of the mill object.
-core::Finding judged_for_another(const PartExport& out) {
+core::Finding judged_for_another(const PartExport& out, const profile::Profile& profile) {
     const checks::ProcessKind mill = mill_of(out);
-    const OtherProcess other = by_process(out.profile, mill);
+    const OtherProcess other = by_process(profile, mill);
     const core::Findings findings = checks::check({out.part, out.spring, other.profile.cable, other.profile.process, other.profile.limits});
     core::Finding f;
     f.rule = "toolpath.process";
     f.what = fmt::format("G-code is for a mill, but the part was judged for {}: rules of {} that object",
-                         checks::to_string(out.profile.process.kind), checks::to_string(mill));
+                         checks::to_string(profile.process.kind), checks::to_string(mill));
     f.measured = static_cast<double>(std::count_if(findings.begin(), findings.end(), core::is_broken));
     f.bound = core::Bound::kAtMost;
     f.allowed = 0.0;
@@ -48,22 +43,11 @@ bool is_milled(const checks::Process& process) {
 
 }  // namespace
 
-void write_programs(PartExport& out) {
-    if (!out.profile.outputs.ngc) return;
-    const toolpath::Settings& settings = out.profile.machining;
-    const auto programs = toolpath::part_programs(out.part, settings, out.provenance.line());
-    if (!programs) return core::append(out.findings, programs.refusal());
-    for (const toolpath::Program& program : *programs) {
-        const std::filesystem::path path = out.path(program.suffix + ".ngc");
-        core::write_file(path, program.text);
-        out.state(path, 0, core::mm_from_m(settings.tolerance));
-    }
-    out.findings.push_back(
-        done_by({"readback.interpreter", "G-code is interpreted by LinuxCNC's rs274 and the arm recomputed from its moves",
-                 toolpath::can_interpret(), "linuxcnc-uspace", "the programs have not been read back", "docs/theory/toolpaths.md"},
-                out.part));
+void judge_for_mill(PartExport& out, const profile::Profile& profile) {
+    const bool has_programs =
+        std::any_of(out.law_files.begin(), out.law_files.end(), [](const FileRow& row) { return row.entry.name.ends_with(".ngc"); });
     const bool mirrored = out.name() != cam::to_string(out.part.cam.kind);  // reported once, for the part itself
-    if (!mirrored && !is_milled(out.profile.process)) out.findings.push_back(judged_for_another(out));
+    if (has_programs && !mirrored && !is_milled(profile.process)) out.findings.push_back(judged_for_another(out, profile));
 }
 
 }  // namespace fusee::pipeline

@@ -1,8 +1,8 @@
-#include "tool.h"
+#include "common/tool.h"
 
 #include <fmt/format.h>
 
-namespace fusee::pipeline {
+namespace fusee::formats {
 
 core::Finding done_by(const Tool& tool, const solid::Part& part) {
     core::Finding f;
@@ -17,4 +17,4 @@ core::Finding done_by(const Tool& tool, const solid::Part& part) {
     return core::judged(f, core::Severity::kWarning);
 }
 
-}  // namespace fusee::pipeline
+}  // namespace fusee::formats

@@ -2,7 +2,7 @@
 #include "fusee/core/finding.h"
 #include "fusee/solid/part.h"
 
-namespace fusee::pipeline {
+namespace fusee::formats {
 
 /// An external program that a step needs.
 struct Tool {
@@ -16,4 +16,4 @@ struct Tool {
 /// A pass, or a warning if the tool is missing.
 [[nodiscard]] core::Finding done_by(const Tool& tool, const solid::Part& part);
 
-}  // namespace fusee::pipeline
+}  // namespace fusee::formats

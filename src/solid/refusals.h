@@ -7,13 +7,13 @@
 
 namespace fusee::solid {
 
-/// A required finding of this room, in millimetres.
+/// An error about the geometry of a part, in millimetres.
 core::Finding refusal(const char* rule, std::string what, double measured, double allowed, const std::string& where,
                       std::string suggestion);
 
-/// Is there room for groove, axis, anchor hole and bore at all? How much material has to be left is for the checks to judge.
-/// Findings "solid.turns", "solid.floor", "solid.axis", "solid.anchor", "solid.bore"; none where there is.
-core::Findings check_room(const cam::Cam& cam, const PartOptions& options, const std::vector<SectionPoint>& section);
+/// Do groove, axis, anchor hole and bore fit into the part at all? The checks judge the remaining material.
+/// Findings "solid.turns", "solid.floor", "solid.axis", "solid.anchor", "solid.bore"; none if they fit.
+core::Findings check_geometry(const cam::Cam& cam, const PartOptions& options, const std::vector<SectionPoint>& section);
 
 class ColumnMaker;
 

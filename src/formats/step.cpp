@@ -1,0 +1,34 @@
+#include "fusee/exchange/step.h"
+
+#include "fusee/formats/format.h"
+#include "fusee/readback/readers.h"
+
+namespace fusee::formats {
+
+namespace {
+
+/// STEP, or the finding why OpenCASCADE makes no solid of the part.
+void write_exact(PartExport& out) {
+    if (!out.exact) {
+        auto built = brep::build(out.part);
+        if (!built) return core::append(out.findings, built.refusal());
+        out.exact = std::move(built).value();
+    }
+    const std::filesystem::path step = out.path(".step");
+    exchange::write_step(step, *out.exact, out.name(), out.provenance.line());
+    out.state(step, 0, out.exact->deviation_mm);
+}
+
+}  // namespace
+
+Format make_step() {
+    return {.name = "step",
+            .extension = ".step",
+            .meaning = "AP242",
+            .place = 8,
+            .by_default = always,
+            .write = write_exact,
+            .read_back = readback::read_step};
+}
+
+}  // namespace fusee::formats

@@ -1,0 +1,17 @@
+#include "fusee/exchange/stl.h"
+
+#include "fusee/formats/format.h"
+#include "fusee/readback/readers.h"
+
+namespace fusee::formats {
+
+Format make_stl() {
+    return {.name = "stl",
+            .extension = ".stl",
+            .place = 1,
+            .by_default = always,
+            .write_mesh = [](const auto& path, const auto& mesh, const auto&, const auto& line) { exchange::write_stl(path, mesh, line); },
+            .read_back = readback::read_stl};
+}
+
+}  // namespace fusee::formats

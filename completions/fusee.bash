@@ -34,13 +34,13 @@ _fusee() {
     [ "$word" = = ] && word=''
     for ((i = 1; i < COMP_CWORD; ++i)); do
         case "$command ${COMP_WORDS[i]}" in
-            ' make' | ' fix' | ' simulate' | ' identify' | ' design' | ' diagnose' | ' predict' | ' case-template' | ' blind' | ' blind make' | ' blind score' | ' paper' | ' coupons' | ' calibrate' | ' check' | ' rules' | ' keys') command+=" ${COMP_WORDS[i]}" ;;
+            ' make' | ' batch' | ' query' | ' fix' | ' simulate' | ' identify' | ' design' | ' diagnose' | ' predict' | ' case-template' | ' blind' | ' blind make' | ' blind score' | ' paper' | ' coupons' | ' calibrate' | ' check' | ' rules' | ' keys') command+=" ${COMP_WORDS[i]}" ;;
         esac
     done
     case $command in
         '')
             case $word:$before in
-                *) _fusee_words "$word" make fix simulate identify design diagnose predict case-template blind paper coupons calibrate check rules keys --help --version ;;
+                *) _fusee_words "$word" make batch query fix simulate identify design diagnose predict case-template blind paper coupons calibrate check rules keys --help --version ;;
             esac ;;
         ' make')
             case $word:$before in
@@ -49,6 +49,22 @@ _fusee() {
                 *:-j | *:--jobs) ;;
                 -*) _fusee_words "$word" --help --out --via --force --jobs ;;
                 *) _fusee_files "$word" toml ;;
+            esac ;;
+        ' batch')
+            case $word:$before in
+                *:-o | *:--out) _fusee_folders "$word" ;;
+                *:--name) ;;
+                *:--shard) ;;
+                *:--slurm-tasks) ;;
+                *:--slurm-options) ;;
+                *:-j | *:--jobs) ;;
+                -*) _fusee_words "$word" --help --out --name --dry-run --shard --merge --slurm --slurm-tasks --slurm-options --force --jobs ;;
+                *) _fusee_files "$word" toml ;;
+            esac ;;
+        ' query')
+            case $word:$before in
+                -*) _fusee_words "$word" --help ;;
+                *) _fusee_folders "$word" ;;
             esac ;;
         ' fix')
             case $word:$before in

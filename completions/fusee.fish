@@ -6,7 +6,7 @@ function __fusee_at
     set -e words[1]
     set -l path
     for word in $words
-        if contains -- "$path $word" ' make' ' fix' ' simulate' ' identify' ' design' ' diagnose' ' predict' ' case-template' ' blind' ' blind make' ' blind score' ' paper' ' coupons' ' calibrate' ' check' ' rules' ' keys'
+        if contains -- "$path $word" ' make' ' batch' ' query' ' fix' ' simulate' ' identify' ' design' ' diagnose' ' predict' ' case-template' ' blind' ' blind make' ' blind score' ' paper' ' coupons' ' calibrate' ' check' ' rules' ' keys'
             set path "$path $word"
         end
     end
@@ -27,6 +27,8 @@ end
 complete -c fusee -f
 
 complete -c fusee -n "__fusee_at ''" -a make -d 'Make checked cams from profiles'
+complete -c fusee -n "__fusee_at ''" -a batch -d 'Make every design of a study, with an index of their figures'
+complete -c fusee -n "__fusee_at ''" -a query -d 'Ask the index of a study in SQL, read-only'
 complete -c fusee -n "__fusee_at ''" -a fix -d 'Change a profile until it can be made'
 complete -c fusee -n "__fusee_at ''" -a simulate -d 'Simulate the joints of profiles'
 complete -c fusee -n "__fusee_at ''" -a identify -d 'Identify the friction of a gear from break-away tests'
@@ -50,6 +52,23 @@ complete -c fusee -n "__fusee_at ' make'" -s o -l out -x -a '(__fish_complete_di
 complete -c fusee -n "__fusee_at ' make'" -l via -x -a 'cgal openscad' -d 'Kernel that makes the STL'
 complete -c fusee -n "__fusee_at ' make'" -l force -d 'Also replace files of another source and changed files'
 complete -c fusee -n "__fusee_at ' make'" -s j -l jobs -x -d 'Number of designs made at the same time'
+
+complete -c fusee -n "__fusee_at ' batch'" -a '(__fusee_files toml)'
+complete -c fusee -n "__fusee_at ' batch'" -s h -l help -d 'Print this help message and exit'
+complete -c fusee -n "__fusee_at ' batch'" -s o -l out -x -a '(__fish_complete_directories)' -d 'Folder that gets the folder of the study'
+complete -c fusee -n "__fusee_at ' batch'" -l name -x -d 'Name of the folder for a list of profiles'
+complete -c fusee -n "__fusee_at ' batch'" -l dry-run -d 'List the designs and the size on disk'
+complete -c fusee -n "__fusee_at ' batch'" -l shard -x -d 'NUMBER/COUNT'
+complete -c fusee -n "__fusee_at ' batch'" -l merge -d 'Make no design'
+complete -c fusee -n "__fusee_at ' batch'" -l slurm -d 'Submit the study to Slurm'
+complete -c fusee -n "__fusee_at ' batch'" -l slurm-tasks -x -d 'Tasks of the array'
+complete -c fusee -n "__fusee_at ' batch'" -l slurm-options -x -d 'Further options of sbatch, e.g'
+complete -c fusee -n "__fusee_at ' batch'" -l force -d 'Also replace files of another source and changed files'
+complete -c fusee -n "__fusee_at ' batch'" -s j -l jobs -x -d 'Designs made at the same time'
+
+complete -c fusee -n "__fusee_at ' query'" -a '(__fish_complete_directories)'
+complete -c fusee -n "__fusee_at ' query'"
+complete -c fusee -n "__fusee_at ' query'" -s h -l help -d 'Print this help message and exit'
 
 complete -c fusee -n "__fusee_at ' fix'" -a '(__fusee_files toml)'
 complete -c fusee -n "__fusee_at ' fix'" -s h -l help -d 'Print this help message and exit'

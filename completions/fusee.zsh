@@ -17,6 +17,8 @@ _fusee() {
         '1:command:->command' '*::argument:->argument'
     local -a menu=(
         'make:Make checked cams from profiles'
+        'batch:Make every design of a study, with an index of their figures'
+        'query:Ask the index of a study in SQL, read-only'
         'fix:Change a profile until it can be made'
         'simulate:Simulate the joints of profiles'
         'identify:Identify the friction of a gear from break-away tests'
@@ -46,6 +48,29 @@ _fusee_make() {
         '(--force)'--force'[Also replace files of another source and changed files]' \
         '(-j --jobs)'{-j+,--jobs=}'[Number of designs made at the same time]'':0 to 1024: ' \
         '*'':file:_files -g "*.(toml)(-.)"'
+}
+
+_fusee_batch() {
+    _arguments -s \
+        '(- *)'{-h,--help}'[Print this help message and exit]' \
+        '(-o --out)'{-o+,--out=}'[Folder that gets the folder of the study]'':folder:_files -/' \
+        '(--name)'--name='[Name of the folder for a list of profiles]'':TEXT: ' \
+        '(--dry-run)'--dry-run'[List the designs and the size on disk]' \
+        '(--shard)'--shard='[NUMBER/COUNT]'':TEXT: ' \
+        '(--merge)'--merge'[Make no design]' \
+        '(--slurm)'--slurm'[Submit the study to Slurm]' \
+        '(--slurm-tasks)'--slurm-tasks='[Tasks of the array]'':UINT: ' \
+        '(--slurm-options)'--slurm-options='[Further options of sbatch, e.g]'':TEXT: ' \
+        '(--force)'--force'[Also replace files of another source and changed files]' \
+        '(-j --jobs)'{-j+,--jobs=}'[Designs made at the same time]'':0 to 1024: ' \
+        '*'':file:_files -g "*.(toml)(-.)"'
+}
+
+_fusee_query() {
+    _arguments -s \
+        '(- *)'{-h,--help}'[Print this help message and exit]' \
+        '1'':folder:_files -/' \
+        '2'':TEXT: '
 }
 
 _fusee_fix() {

@@ -3,7 +3,7 @@
 # batch_kill_test.sh PROGRAM SOURCE [KILLS]: 5 kills unless said otherwise; 50 take about 2 minutes.
 . "$(dirname -- "$0")/lib.sh"
 program=$1 source=$2 kills=${3:-5}
-sed 's/^chordal_error_mm = .*/chordal_error_mm = 0.01/' "$source/profiles/pnrvsa.toml" >"$work/base.toml"
+sed 's/^chordal_error_mm = .*/chordal_error_mm = 0.005/' "$source/profiles/pnrvsa.toml" >"$work/base.toml"
 cat >"$work/study.toml" <<'END'
 [study]
 base = "base.toml"
@@ -21,6 +21,7 @@ begin=$(date +%s%N)
 run undisturbed || fail "the study cannot be made: $(cat "$work/log")"
 milliseconds=$((($(date +%s%N) - begin) / 1000000))
 list undisturbed >wanted
+[ "$(grep -c stl wanted)" -ge 16 ] || fail "the designs have no meshes: $(cat wanted)"
 for kill in $(seq "$kills"); do
     if [ "$((kill % 10))" = 1 ]; then rm -rf killed; fi # some kills meet a folder that earlier ones left
     run killed &

@@ -33,7 +33,9 @@ TEST(Sample, PointsAreTheSameInAnyOrder) {
         for (std::size_t i = 0; i < 20; ++i) forward.push_back(a->point(i)), backward.push_back(b->point(19 - i));
         std::reverse(backward.begin(), backward.end());
         EXPECT_EQ(forward, backward);
-        if (method != Method::kSobol) EXPECT_NE(make_sample(method, 2, 20, 4)->point(0), forward.front()) << "another seed";
+        if (method != Method::kSobol) {
+            EXPECT_NE(make_sample(method, 2, 20, 4)->point(0), forward.front()) << "another seed";
+        }
     }
 }
 

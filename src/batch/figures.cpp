@@ -68,6 +68,9 @@ void add_part(Figures& to, const pipeline::PartReport& part, const std::string& 
     const solid::Box box = solid::bounding_box(part.part->mesh);
     for (std::size_t axis = 0; axis < 3; ++axis)
         to.emplace_back(fmt::format("{}_{}_mm", name, "xyz"[axis]), box.high_mm[axis] - box.low_mm[axis]);
+    double tension = 0.0;
+    for (const cam::Contact& contact : part.part->cam.working) tension = std::max(tension, contact.arm.tension);
+    to.emplace_back(name + "_tension_N", tension);
     to.emplace_back(name + "_triangles", static_cast<double>(part.part->mesh.triangles.size()));
 }
 
@@ -130,10 +133,12 @@ std::vector<study::Column> index_columns(const study::Plan& plan) {
         {"k_se_x_mm", "size of the series cam [mm]"},
         {"k_se_y_mm", "size of the series cam [mm]"},
         {"k_se_z_mm", "size of the series cam [mm]"},
+        {"k_se_tension_N", "greatest tension of the series cam's cable [N]"},
         {"k_se_triangles", "triangles of the series cam's mesh"},
         {"k_pe_x_mm", "size of the parallel cam [mm]"},
         {"k_pe_y_mm", "size of the parallel cam [mm]"},
         {"k_pe_z_mm", "size of the parallel cam [mm]"},
+        {"k_pe_tension_N", "greatest tension of the parallel cam's cable [N]"},
         {"k_pe_triangles", "triangles of the parallel cam's mesh"},
         {"arm_error_percent", "largest arm error of the files as read back [%]"},
         {"dead_band_error_percent", "largest change of the dead-band by the files [%]"},

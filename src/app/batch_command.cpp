@@ -50,6 +50,11 @@ double usual_bytes(study::Outputs outputs) {
     return 0.0;
 }
 
+std::string size_text(double bytes) {
+    if (bytes < 1e6) return fmt::format("{:.0f} kB", 1e-3 * bytes);
+    return bytes < 1e9 ? fmt::format("{:.0f} MB", 1e-6 * bytes) : fmt::format("{:.1f} GB", 1e-9 * bytes);
+}
+
 int list_designs(const study::Plan& plan) {
     std::size_t excluded = 0;
     for (std::size_t i = 0; i < plan.size(); ++i) {
@@ -61,7 +66,7 @@ int list_designs(const study::Plan& plan) {
         fmt::print("{}{}\n", planned.name, values);
     }
     const double bytes = static_cast<double>(plan.size() - excluded) * usual_bytes(plan.study().outputs);
-    fmt::print("{} designs, {} left out by constraints; about {:.1f} MB on disk\n", plan.size() - excluded, excluded, 1e-6 * bytes);
+    fmt::print("{} designs, {} left out by constraints; about {} on disk\n", plan.size() - excluded, excluded, size_text(bytes));
     return 0;
 }
 

@@ -47,8 +47,15 @@ TEST(Parallel, AnExceptionReachesTheCaller) {
             << jobs;
 }
 
+#if defined(__has_feature)
+constexpr bool kAddressSanitizer = __has_feature(address_sanitizer);
+#else
+constexpr bool kAddressSanitizer = false;
+#endif
+
 // The address space ends before the stacks of so many threads fit into it.
 TEST(Parallel, FewerThreadsDoItWhereTheSystemGivesNoMore) {
+    if (kAddressSanitizer) GTEST_SKIP() << "the address sanitizer reserves terabytes of address space";
     const pid_t child = ::fork();
     if (child == 0) {
         const rlimit little{500'000'000, 500'000'000};

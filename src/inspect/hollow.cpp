@@ -174,17 +174,32 @@ private:
         return hollow;
     }
 
-    [[nodiscard]] std::vector<Vec3> corners(const Hollow& hollow) const {
-        std::vector<Vec3> at;
+    /// The corners, each once, by rising coordinate `along`.
+    [[nodiscard]] std::vector<Vec3> corners(const Hollow& hollow, std::size_t along) const {
+        std::vector<std::uint32_t> indices;
         for (const std::uint32_t t : hollow.triangles)
-            for (const std::uint32_t p : body_.mesh().triangles[t]) at.push_back(body_.mesh().points_mm[p]);
+            for (const std::uint32_t p : body_.mesh().triangles[t]) indices.push_back(p);
+        std::sort(indices.begin(), indices.end());
+        indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
+        std::vector<Vec3> at;
+        for (const std::uint32_t p : indices) at.push_back(body_.mesh().points_mm[p]);
+        std::sort(at.begin(), at.end(), [&](const Vec3& p, const Vec3& q) { return p[along] < q[along]; });
         return at;
     }
+    /// Only corners that are near each other in one coordinate are compared: an arc of a fine mesh has thousands of them.
     [[nodiscard]] bool touch(const Hollow& a, const Hollow& b) const {
-        const std::vector<Vec3> here = corners(a), there = corners(b);
-        return std::any_of(here.begin(), here.end(), [&](const Vec3& p) {
-            return std::any_of(there.begin(), there.end(), [&](const Vec3& q) { return length(q - p) <= kRound_mm; });
-        });
+        std::size_t along = 0;  // the cylinder's axis: its rings have their corners at a few coordinates
+        for (const std::size_t i : {1U, 2U})
+            if (std::abs(a.axis[i]) > std::abs(a.axis[along])) along = i;
+        const std::size_t across = (along + 1) % 3;
+        const std::vector<Vec3> here = corners(a, across), there = corners(b, across);
+        auto begin = there.begin();
+        for (const Vec3& p : here) {
+            while (begin != there.end() && (*begin)[across] < p[across] - kRound_mm) ++begin;
+            for (auto q = begin; q != there.end() && (*q)[across] <= p[across] + kRound_mm; ++q)
+                if (length(*q - p) <= kRound_mm) return true;
+        }
+        return false;
     }
     static bool on_one_cylinder(const Hollow& a, const Hollow& b) {
         const double slack = std::max(kRound * a.diameter_mm, kRound_mm);

@@ -192,7 +192,7 @@ void read_rows(const fs::path& table, Study& study) {
         name.erase(0, name.find_first_not_of(" \t\r"));
         name.erase(name.find_last_not_of(" \t\r") + 1);
         columns.push_back({name, core::CsvColumn::Kind::kText});
-        if (name != "name") study.vary.push_back({.key = name});
+        if (name != "name") study.vary.emplace_back().key = name;
     }
     const core::CsvTable read = core::parse_csv(text, table.string(), columns, {.most_rows = kMostDesigns});
     if (read.has("name")) study.row_names = read.texts("name");

@@ -19,14 +19,16 @@ constexpr double kSlender = 1e-12;   // twice an area over the square of the lon
 
 Vec3 plus(const Vec3& a, const Vec3& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
 double length(const Vec3& a) { return std::sqrt(dot(a, a)); }
+/// At least the length, without a root.
+double size(const Vec3& a) { return std::abs(a[0]) + std::abs(a[1]) + std::abs(a[2]); }
 Vec3 unit(const Vec3& a) {
-    const double size = length(a);
-    return size > 0.0 ? Vec3{a[0] / size, a[1] / size, a[2] / size} : a;
+    const double of_a = length(a);
+    return of_a > 0.0 ? Vec3{a[0] / of_a, a[1] / of_a, a[2] / of_a} : a;
 }
 
 /// Sign of (a x b).c: 0 where rounding leaves it open.
 int side(const Vec3& a, const Vec3& b, const Vec3& c) {
-    const double volume = dot(cross(a, b), c), bound = kRounding * length(a) * length(b) * length(c);
+    const double volume = dot(cross(a, b), c), bound = kRounding * size(a) * size(b) * size(c);
     return volume > bound ? 1 : volume < -bound ? -1 : 0;
 }
 
@@ -34,7 +36,7 @@ int side(const Vec3& a, const Vec3& b, const Vec3& c) {
 struct Span {
     double low = std::numeric_limits<double>::infinity(), high = -low;
     void add(const Vec3& m, const Vec3& p) {
-        const double at = dot(m, p), bound = kRounding * length(m) * length(p);
+        const double at = dot(m, p), bound = kRounding * size(m) * size(p);
         low = std::min(low, at - bound);
         high = std::max(high, at + bound);
     }
@@ -83,7 +85,7 @@ bool sectors_apart(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
 bool unfolded(const Vec3& side_pq, const Vec3& a, const Vec3& b) {
     if (side(side_pq, a, b) != 0) return true;
     const Vec3 left = cross(side_pq, a), right = cross(b, side_pq);
-    return dot(left, right) > kRounding * dot(side_pq, side_pq) * length(a) * length(b);
+    return dot(left, right) > kRounding * dot(side_pq, side_pq) * size(a) * size(b);
 }
 
 /// Place of a triangle's corner in another one; 3: none.

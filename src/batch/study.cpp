@@ -12,7 +12,6 @@
 #include "fusee/core/parallel.h"
 #include "fusee/core/progress.h"
 #include "fusee/core/provenance.h"
-#include "fusee/core/temporary_folder.h"
 #include "fusee/report/report.h"
 #include "fusee/report/study.h"
 #include "fusee/study/index.h"
@@ -52,16 +51,16 @@ Figures make_design(const profile::Profile& profile, const study::Study& study, 
     profile::Profile asked = profile;
     choose_outputs(asked.outputs, study.outputs);
     pipeline::require_parts(asked);
-    std::optional<core::TemporaryFolder> scratch;
-    if (study.outputs == study::Outputs::kFigures) scratch.emplace();
-    core::OutputFolder output(scratch ? scratch->path() / asked.name : folder / "designs" / asked.name,
-                              {.command = "make", .source = asked.file, .force = force});
-    const auto made = pipeline::make_parts(asked, output);
+    const bool all = study.outputs == study::Outputs::kAll;
+    std::optional<core::OutputFolder> output;  // none: no files
+    if (study.outputs != study::Outputs::kFigures)
+        output.emplace(folder / "designs" / asked.name, core::OutputRun{.command = "make", .source = asked.file, .force = force});
+    const auto made = output ? pipeline::make_parts(asked, *output, {.reported = all}) : pipeline::make_figures(asked);
     const core::Findings findings = made ? made->report.all_findings() : made.refusal();
     outcome = made && !core::any_error(findings) ? Outcome::kMade : Outcome::kRefused;
     if (outcome == Outcome::kRefused) return finding_figures(findings);
-    if (study.outputs == study::Outputs::kAll) report::write_design(*made, output.path());
-    if (!scratch) output.commit();
+    if (all) report::write_design(*made, output->path());
+    if (output) output->commit();
     return design_figures(*made, study.torques);
 }
 

@@ -221,13 +221,17 @@ Certificate certify(const Cam& cam, const CertifyOptions& options) {
     CertifyOptions floor = options;
     floor.floor_depth = 0.5 * cam.options.cable_diameter;
     Certificate c = certify(cam.pieces ? cam.pieces() : std::vector<ContourPiece>{}, !cam.closed(), floor);
-    if (!cam.closed() || !cam.path) return c;
+    c.seam = seam(cam);
+    return c;
+}
+
+double seam(const Cam& cam) {
+    if (!cam.closed() || !cam.path) return 0.0;
     constexpr double kBefore = 1e-7;  // before the turn's end: the idle arc, extrapolated from there by its derivatives
     const double begin = cam.working_psi.low;
     const PathPoint first = cam.path(begin), last = cam.path(begin + 2.0 * core::kPi - kBefore);
-    c.seam =
-        std::max(std::abs(first.h - (last.h + kBefore * last.slope)), std::abs(first.slope - (last.slope + kBefore * (last.rho - last.h))));
-    return c;
+    return std::max(std::abs(first.h - (last.h + kBefore * last.slope)),
+                    std::abs(first.slope - (last.slope + kBefore * (last.rho - last.h))));
 }
 
 }  // namespace fusee::cam

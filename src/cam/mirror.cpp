@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "fusee/cam/certificate.h"
 #include "fusee/core/turn.h"
 
 namespace fusee::cam {
@@ -53,6 +52,16 @@ Cam mirrored(const Cam& cam) {
     }
     other.path = [path = cam.path](double psi) { return mirrored(path(-psi)); };
     if (cam.pieces) other.pieces = [pieces = cam.pieces] { return mirrored(pieces()); };
+    return other;
+}
+
+Certificate mirrored(const Certificate& certificate, const Cam& image) {
+    if (!certificate.open.empty()) return certify(image);
+    Certificate other = certificate;
+    other.working.psi = mirrored(other.working.psi);
+    for (std::optional<LeastRadius>* radius : {&other.idle, &other.floor, &other.idle_floor})
+        if (*radius) (*radius)->psi = mirrored((*radius)->psi);
+    other.seam = seam(image);
     return other;
 }
 

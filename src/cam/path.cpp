@@ -16,7 +16,19 @@ WorkingArc::WorkingArc(const ArmFunction& arm, const CamOptions& options, const 
 }
 
 PathPoint WorkingArc::at(double psi) const {
+    constexpr std::size_t kMostKnown = 1U << 16U;  // 4 MB; an export asks for a few thousand
     psi = std::clamp(psi, entries_.front().psi, entries_.back().psi);
+    {
+        const std::lock_guard lock(mutex_);
+        if (const auto found = known_.find(psi); found != known_.end()) return found->second;
+    }
+    const PathPoint point = solved(psi);
+    const std::lock_guard lock(mutex_);
+    if (known_.size() < kMostKnown) known_.emplace(psi, point);
+    return point;
+}
+
+PathPoint WorkingArc::solved(double psi) const {
     const auto after = std::upper_bound(entries_.begin() + 1, entries_.end() - 1, psi, [](double v, const Entry& e) { return v < e.psi; });
     const Entry &low = *(after - 1), &high = *after;
     const double tau = solve_between([&](double t) { return touch(arm_.kind(), arm_.at_load(t), options_).path.psi - psi; },

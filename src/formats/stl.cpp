@@ -1,5 +1,6 @@
 #include "fusee/exchange/stl.h"
 
+#include "fusee/exchange/mirror_image.h"
 #include "fusee/formats/format.h"
 #include "fusee/readback/readers.h"
 
@@ -11,7 +12,8 @@ Format make_stl() {
             .place = 1,
             .by_default = always,
             .write_mesh = [](const auto& path, const auto& mesh, const auto&, const auto& line) { exchange::write_stl(path, mesh, line); },
-            .read_back = readback::read_stl};
+            .read_back = readback::read_stl,
+            .is_mirror_image = exchange::is_mirrored_stl};
 }
 
 }  // namespace fusee::formats

@@ -1,6 +1,7 @@
 #include "taut_cable.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -53,8 +54,20 @@ double arm_over(const BodyGuide& guide, const Point& floor, double distance) {
     return dot({s * along[0] + c * across[0], s * along[1] + c * across[1]}, floor) + distance;
 }
 
+/// Largest n.x of the floor's points, of which there is at least one. Four maxima side by side: none waits for another.
+double farthest(const Floor& floor, const Point& n) {
+    std::array<double, 4> far{};
+    far.fill(-std::numeric_limits<double>::infinity());
+    const std::size_t count = floor.points.size(), whole = count - count % far.size();
+    for (std::size_t i = 0; i < whole; i += far.size())
+        for (std::size_t k = 0; k < far.size(); ++k) far[k] = std::max(far[k], dot(n, floor.points[i + k].xy_mm));
+    for (std::size_t i = whole; i < count; ++i) far[0] = std::max(far[0], dot(n, floor.points[i].xy_mm));
+    return *std::max_element(far.begin(), far.end());
+}
+
 /// The largest arm over the floor's points; NaN if there is none, or if the guide is nearer to the floor than the cable's radius.
 double row_arm(const Floor& floor, const BodyGuide& guide, double row_azimuth, double half_cable) {
+    if (floor.planar && guide.parallel && floor.reach_mm.empty() && !floor.points.empty()) return farthest(floor, guide.place) + half_cable;
     double arm = -std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < floor.points.size(); ++i) {
         const FloorPoint& p = floor.points[i];

@@ -27,11 +27,13 @@ bool flips(const SurfaceMesh& mesh, SurfaceMesh::Halfedge_index towards_moved, c
     return false;
 }
 
-void collapse_short_edges(SurfaceMesh& mesh, double shortest_mm) {
+/// @returns false if there is none, so that the mesh stays as it is
+bool collapse_short_edges(SurfaceMesh& mesh, double shortest_mm) {
     std::vector<SurfaceMesh::Edge_index> shorts;
     for (const auto e : mesh.edges())
         if (CGAL::squared_distance(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))) < shortest_mm * shortest_mm)
             shorts.push_back(e);
+    if (shorts.empty()) return false;
     for (const auto e : shorts) {
         if (mesh.is_removed(e) || !CGAL::Euler::does_satisfy_link_condition(e, mesh)) continue;
         const auto h = mesh.halfedge(e);
@@ -41,6 +43,7 @@ void collapse_short_edges(SurfaceMesh& mesh, double shortest_mm) {
         mesh.point(v) = keep;
     }
     mesh.collect_garbage();
+    return true;
 }
 
 /// Corefinement numbers new vertices and faces by address, so the same solid comes in another order from run to run: points are put in
@@ -67,16 +70,17 @@ Mesh in_canonical_order(const Mesh& mesh) {
 
 // Which end of a short edge stays depends on the order of edges: it is taken from points in their own order, never from a cut as it comes.
 std::optional<Mesh> without_slivers(const Mesh& mesh) {
+    Mesh ordered = in_canonical_order(mesh);
     SurfaceMesh surface;
-    if (!to_surface_mesh(in_canonical_order(mesh), surface)) return std::nullopt;
-    collapse_short_edges(surface, kShortest_mm);
+    if (!to_surface_mesh(ordered, surface)) return std::nullopt;
+    if (!collapse_short_edges(surface, kShortest_mm)) return ordered;
     return in_canonical_order(from_surface_mesh(surface));
 }
 
 std::optional<Mesh> without_folds(const Mesh& mesh, double shortest_mm) {
     SurfaceMesh surface;
     if (!to_surface_mesh(in_canonical_order(mesh), surface)) return std::nullopt;
-    collapse_short_edges(surface, shortest_mm);
+    (void)collapse_short_edges(surface, shortest_mm);
     if (!pmp::remove_degenerate_faces(surface)) return std::nullopt;
     surface.collect_garbage();
     return in_canonical_order(from_surface_mesh(surface));

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "fusee/solid/separation.h"
 #include "surface_mesh.h"
 
 namespace fusee::solid {
@@ -23,6 +24,13 @@ std::string Validity::line() const {
 }
 
 namespace {
+
+/// Quick proofs first: exact predicates decide on what they leave open.
+bool intersects_itself(const Mesh& mesh, const SurfaceMesh& surface) {
+    std::vector<SurfaceMesh::Face_index> faces;  // numbered like the triangles
+    for (const std::uint32_t number : doubtful_triangles(mesh)) faces.emplace_back(number);
+    return pmp::does_self_intersect<CGAL::Sequential_tag>(faces, surface);
+}
 
 /// The first of all intersecting triangles. The order in which pairs are found is not a property of the mesh.
 std::optional<Vec3> meeting(const Mesh& mesh, const SurfaceMesh& surface) {
@@ -43,7 +51,7 @@ Validity validate(const Mesh& mesh) {
     validity.closed = CGAL::is_closed(surface);
     const auto component = surface.add_property_map<SurfaceMesh::Face_index, std::size_t>("f:component").first;
     validity.components = pmp::connected_components(surface, component);
-    validity.self_intersecting = pmp::does_self_intersect<CGAL::Sequential_tag>(surface);
+    validity.self_intersecting = intersects_itself(mesh, surface);
     if (validity.self_intersecting) validity.meeting_mm = meeting(mesh, surface);
     validity.outward =
         validity.closed && !validity.self_intersecting && pmp::does_bound_a_volume(surface) && pmp::is_outward_oriented(surface);

@@ -1,6 +1,7 @@
 #include "fusee/batch/study.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <map>
 
 #include "fusee/core/error.h"
@@ -54,6 +55,28 @@ TEST_F(Studies, EachDesignIsARowAndARefusalOneWithItsReason) {
                  [&](const auto& cells) { lines.push_back(cells[0] + " " + cells[1] + " " + cells[2]); });
     ASSERT_EQ(lines.size(), 2U);
     EXPECT_TRUE(lines[1].starts_with("refused ") && lines[1].ends_with(" 60.0")) << lines[1];
+}
+
+// Figures alone write no file and take nothing from one: every figure of the designs is that of the study with files.
+TEST_F(Studies, FiguresAreThoseOfTheStudyWithFiles) {
+    const char* scratch = std::getenv("TMPDIR");
+    const std::string before = scratch != nullptr ? scratch : "";
+    ::setenv("TMPDIR", (folder_ / "gone").c_str(), 1);  // no temporary folder is needed
+    EXPECT_EQ(run(plan("figures"), "figures").made, 4U);
+    scratch != nullptr ? ::setenv("TMPDIR", before.c_str(), 1) : ::unsetenv("TMPDIR");
+    EXPECT_FALSE(fs::exists(folder_ / "figures/four/designs"));
+    EXPECT_EQ(run(plan("meshes"), "meshes").made, 4U);
+    EXPECT_TRUE(fs::exists(folder_ / "meshes/four/designs"));
+    const auto rows = [&](const char* out) {
+        std::vector<std::vector<std::string>> all;
+        study::query(folder_ / out / "four/index.sqlite",
+                     "SELECT outcome, dead_band_least_deg, dead_band_overdrive_deg, dead_band_built_high_deg, joint_torque_Nm, condition_6, "
+                     "shop_arm_error_percent, mass_g, k_se_triangles, k_pe_triangles, warnings, not_judged, worst_finding FROM designs",
+                     [&](const auto& cells) { all.emplace_back(cells.begin(), cells.end()); });
+        return all;
+    };
+    EXPECT_EQ(rows("figures").size(), 6U) << "the heads and five designs";
+    EXPECT_EQ(rows("figures"), rows("meshes"));
 }
 
 TEST_F(Studies, BytesAreTheSameForAnyJobsAndShards) {

@@ -10,8 +10,10 @@
 
 #include "fusee/batch/batch.h"
 #include "fusee/core/file.h"
+#include "fusee/core/output_folder.h"
 #include "fusee/exchange/openscad.h"
 #include "fusee/pipeline/design.h"
+#include "fusee/pipeline/make.h"
 #include "fusee/profile/profile.h"
 
 namespace fs = std::filesystem;
@@ -63,6 +65,29 @@ void BM_OpenScad(benchmark::State& state) {
             exchange::render_scad(made.folder / (std::string(part) + ".scad"), out_folder() / (std::string(part) + "_openscad.stl"));
 }
 BENCHMARK(BM_OpenScad)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1);
+
+// One design of `fusee batch`: its figures alone, and with STL, SCAD and DXF of both sides, read back. Time of all threads.
+profile::Profile batch_profile(bool meshes) {
+    profile::Profile profile = with_formats(meshes ? "'stl', 'scad', 'dxf'" : "'stl'");
+    profile.outputs.plate = false;
+    return profile;
+}
+
+void BM_BatchFigures(benchmark::State& state) {
+    const profile::Profile profile = batch_profile(false);
+    for (auto _ : state) benchmark::DoNotOptimize(pipeline::make_figures(profile));
+}
+BENCHMARK(BM_BatchFigures)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->MinTime(2.0);
+
+void BM_BatchMeshes(benchmark::State& state) {
+    const profile::Profile profile = batch_profile(true);
+    for (auto _ : state) {
+        core::OutputFolder output(out_folder() / "batch", {.command = "make", .source = profile.file});
+        benchmark::DoNotOptimize(pipeline::make_parts(profile, output, {.reported = false}));
+        output.commit();
+    }
+}
+BENCHMARK(BM_BatchMeshes)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->MinTime(2.0);
 
 // Where the time of `make` goes: law and one part's design; the rest is files, read-back and reports.
 void BM_DesignLaw(benchmark::State& state) {

@@ -74,6 +74,34 @@ TEST_P(Mirrored, IsTheCamOfTheMirroredOptions) {
     }
 }
 
+/// The same bounds, bit for bit.
+void expect_equal(const LeastRadius& a, const LeastRadius& b) {
+    EXPECT_EQ(a.proven, b.proven);
+    EXPECT_EQ(a.found, b.found);
+    EXPECT_EQ(a.psi.low, b.psi.low);
+    EXPECT_EQ(a.psi.high, b.psi.high);
+}
+
+// Two ways to the image's certificate: mirror the part's, or certify the image. Interval arithmetic rounds the same on both sides.
+TEST_P(Mirrored, HasTheCertificateOfItsImage) {
+    for (const PathKind path : {PathKind::kPlanar, PathKind::kHelix}) {
+        CamOptions o = path == PathKind::kHelix ? helix_of_pitch(0.004) : CamOptions{};
+        o.guide = GetParam().guide;
+        const Cam cam = synthesize_cam(series_arm(), o).value(), image = mirrored(cam);
+        const Certificate taken = mirrored(certify(cam), image), made = certify(image);
+        EXPECT_EQ(taken.convex, Proof::kProven);
+        EXPECT_EQ(taken.ordered, Proof::kProven);
+        EXPECT_EQ(made.convex, Proof::kProven);
+        EXPECT_EQ(made.ordered, Proof::kProven);
+        expect_equal(taken.working, made.working);
+        expect_equal(taken.idle.value(), made.idle.value());
+        ASSERT_EQ(taken.floor.has_value(), made.floor.has_value());
+        if (taken.floor) expect_equal(*taken.floor, *made.floor);
+        EXPECT_EQ(taken.seam, made.seam);
+        EXPECT_EQ(taken.boxes, made.boxes);
+    }
+}
+
 // Known: reflected in the plane y = 0, point by point.
 TEST_P(Mirrored, HasItsContactsOnTheOtherSide) {
     CamOptions o;

@@ -147,6 +147,25 @@ TEST(AsExported, OfTwoHalfPlatesTheHigherOneCarriesTheCable) {
     EXPECT_NEAR(exported.joints[0].dead_band[1], by_hand(0.8, 1.01 * 1.01 * kParallelRate), 1e-9);
 }
 
+// The joint of files that are proven mirror images is that of the files that were read; where one part was read itself, it is computed.
+TEST(AsExported, ProvenMirrorImagesHaveTheJointOfTheFilesThatWereRead) {
+    for (const bool both : {true, false}) {
+        Joint joint(linear_profile(), linear_law());
+        joint.add(0, ".stl", "assimp", 0.99);
+        joint.add(1, ".stl", "assimp", 1.01);
+        joint.add(0, "_mirrored.stl", "assimp", 0.99).mirror_of = "k_se.stl";
+        readback::ArmError& image = joint.add(1, "_mirrored.stl", "assimp", 1.02);
+        if (both) image.mirror_of = "k_pe.stl";  // its own arms do not count: the joint is not computed again
+        const AsExported exported = joint.compare();
+        ASSERT_EQ(exported.joints.size(), 2u);
+        EXPECT_EQ(exported.joints[1].series.file, "k_se_mirrored.stl");
+        EXPECT_EQ(exported.joints[1].parallel.file, "k_pe_mirrored.stl");
+        const double share = both ? 1.01 : 1.02;
+        EXPECT_NEAR(exported.joints[1].dead_band[1], by_hand(0.8, share * share * kParallelRate), 1e-9);
+        EXPECT_EQ(exported.joints[1].dead_band == exported.joints[0].dead_band, both);
+    }
+}
+
 TEST(AsExported, EveryPartIsFoundOnThePlate) {
     Joint joint(linear_profile(), linear_law());
     joint.design.plate_errors = {joint.found(0, "plate.3mf", "lib3mf k_se", 1.0), joint.found(1, "plate.3mf", "lib3mf k_pe", 1.01),

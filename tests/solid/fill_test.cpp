@@ -38,6 +38,10 @@ TEST(Fill, PrismIsASolidOfKnownVolume) {
     EXPECT_EQ(q.euler, 2);
     EXPECT_DOUBLE_EQ(q.shortest_edge_mm, 3.0);
     EXPECT_NEAR(q.smallest_angle_deg, 36.8699, 1e-3);  // atan(3/4)
+    Mesh open = box;
+    open.triangles.pop_back();
+    EXPECT_EQ(measure_quality(open).boundary_edges, 3u);
+    EXPECT_EQ(measure_quality(open).euler, 1);
 }
 
 TEST(FillFace, RingsThatCrossAreNotFilled) {

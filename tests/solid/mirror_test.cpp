@@ -10,6 +10,7 @@
 #include "fusee/core/turn.h"
 #include "fusee/solid/cutters.h"
 #include "fusee/solid/outline.h"
+#include "fusee/solid/quality.h"
 #include "fusee/solid/validity.h"
 
 namespace fusee::solid {
@@ -50,6 +51,13 @@ TEST(MirroredMesh, IsReflectedAndFacesOutward) {
     EXPECT_TRUE(validate(other).good());
     for (std::size_t i = 0; i < mesh.points_mm.size(); i += 97)
         EXPECT_EQ(other.points_mm[i], (Vec3{mesh.points_mm[i][0], -mesh.points_mm[i][1], mesh.points_mm[i][2]}));
+    const Quality quality = measure_quality(mesh), reflected = measure_quality(other);  // the image is not measured again
+    EXPECT_EQ(reflected.triangles, quality.triangles);
+    EXPECT_EQ(reflected.vertices, quality.vertices);
+    EXPECT_EQ(reflected.euler, quality.euler);
+    EXPECT_EQ(reflected.boundary_edges, quality.boundary_edges);
+    EXPECT_EQ(reflected.shortest_edge_mm, quality.shortest_edge_mm);
+    EXPECT_NEAR(reflected.smallest_angle_deg, quality.smallest_angle_deg, 1e-12);
     EXPECT_EQ(mirrored(other).points_mm, mesh.points_mm);
     EXPECT_EQ(mirrored(other).triangles, mesh.triangles);
 }

@@ -67,6 +67,9 @@ struct CertifyOptions {
 /// Certifies the cam's own formulas. "Not proven" for a cam that was not synthesized or whose law has no bounds. Deterministic; reentrant.
 [[nodiscard]] Certificate certify(const Cam& cam, const CertifyOptions& options = {});
 
+/// The jump of h and h' where a planar contour closes [m]; 0 for a helix.
+[[nodiscard]] double seam(const Cam& cam);
+
 /// The same for a contour given in pieces.
 /// @param helix also the floor's radius in space
 /// @throws InvalidInput unless gap > 0 and most_boxes >= 1

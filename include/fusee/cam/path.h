@@ -1,4 +1,6 @@
 #pragma once
+#include <mutex>
+#include <unordered_map>
 #include <vector>
 
 #include "fusee/cam/cam.h"
@@ -7,7 +9,8 @@
 
 namespace fusee::cam {
 
-/// The contour's working arc, addressed by psi: exact between its samples (the load at psi is solved for, not interpolated).
+/// The contour's working arc, addressed by psi: exact between its samples (the load at psi is solved for, not interpolated). A point that
+/// was asked for is remembered, because sweep, outlines and splines ask for the same ones. Any number of threads may ask.
 class WorkingArc {
 public:
     /// @param contacts at rising loads; psi strictly monotone
@@ -21,9 +24,13 @@ private:
     struct Entry {
         double psi, tau;
     };
+    [[nodiscard]] PathPoint solved(double psi) const;
+
     ArmFunction arm_;
     CamOptions options_;
     std::vector<Entry> entries_;  // by rising psi
+    mutable std::mutex mutex_;    // of `known_`
+    mutable std::unordered_map<double, PathPoint> known_;
 };
 
 /// Height of the groove over psi (docs/theory/cams.md, eq. 8): flat, rising with constant pitch from 0 at the working arc's low end, or

@@ -23,6 +23,8 @@ struct Format {
     WriteMesh write_mesh = nullptr;                        ///< of a mesh: writes it as NAME.extension, and as NAME_compensated.extension
     void (*write)(PartExport&) = nullptr;                  ///< of other formats: writes the files and records them
     readback::LawReader read_back = nullptr;  ///< of files with this extension; nullptr: another format's, or they are not read
+    /// Do the bytes of two such files prove that the first is the mirror image of the second? nullptr: not known, so that both are read.
+    bool (*is_mirror_image)(std::string_view image, std::string_view file) = nullptr;
 };
 
 /// All formats, by place.
@@ -36,6 +38,16 @@ void write_formats(PartExport& out, const std::vector<std::string>& names);
 /// stated SHA-256. Files of a format without a reader are passed over.
 /// @throws IoError if a file cannot be read, does not match its entry or has no format
 [[nodiscard]] std::vector<readback::ArmError> read_back(const std::filesystem::path& folder, const exchange::PartFile& part);
+
+/// What a read-back found in the files of a part.
+struct ReadPart {
+    exchange::PartFile file;
+    std::vector<readback::ArmError> errors;
+};
+/// The same for the other side of a part that was read: a file whose bytes prove it to be the mirror image of the part's file in the same
+/// place takes over the arms found there (`ArmError::mirror_of`). Every other file is read. @throws as read_back
+[[nodiscard]] std::vector<readback::ArmError> read_back_image(const std::filesystem::path& folder, const exchange::PartFile& image,
+                                                              const ReadPart& part);
 
 inline bool always(const checks::Process&) { return true; }
 

@@ -25,6 +25,9 @@ struct ExportedPart {
     solid::Mesh mesh;       ///< of the STL and 3MF files
 };
 
+/// A part without files: its spring, findings and certificate.
+[[nodiscard]] PartReport without_files(const std::shared_ptr<const DesignedPart>& designed, const spring::BaseSpring& spring);
+
 /// Writes both sides of a pair in every format that the profile asks for, with a PART.json for each side, and reads every file back:
 /// "k_se", then, if there is one, its mirror image "k_se_mirrored". Broken arms are errors "readback.arm". The reports share the parts with
 /// the pair. @throws core::IoError

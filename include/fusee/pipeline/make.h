@@ -13,6 +13,9 @@ namespace fusee::pipeline {
 
 struct MakeOptions {
     Via via = Via::kCgal;
+    /// All that the reports show; false: parts, files and headline only, without `report.law` and `report.dead_band`, and with the simulation
+    /// of `headline_simulation`.
+    bool reported = true;
     std::function<void(const std::string&)> note = {};  ///< called when something long begins, on the caller's thread; may be empty
 };
 
@@ -28,6 +31,9 @@ struct MadeDesign {
 /// Refusal: the findings, binding limits and passes; nothing is written then. @throws core::InvalidInput; core::IoError
 [[nodiscard]] core::Outcome<MadeDesign> make_parts(const profile::Profile& profile, core::OutputFolder& output,
                                                    const MakeOptions& options = {});
+
+/// The same parts, rules, certificates and headline without any file, for the agonist's side; otherwise as with `reported` false.
+[[nodiscard]] core::Outcome<MadeDesign> make_figures(const profile::Profile& profile);
 
 /// Whether every file of a design carries its law.
 struct Verification {

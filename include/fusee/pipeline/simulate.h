@@ -23,6 +23,9 @@ struct SimulateOptions {
 /// Refusal: the law's. @throws core::InvalidInput
 [[nodiscard]] core::Outcome<Simulation> simulate(const profile::Profile& profile, const SimulateOptions& options = {});
 
+/// Only what `headline_of` reads: `survey`, `condition` and the findings. @pre the design has the paper's arrangement
+[[nodiscard]] Simulation headline_simulation(const ResolvedDesign& design);
+
 /// The design's joint with its bearing.
 [[nodiscard]] actuator::Joint joint_of(const ResolvedDesign& design);
 /// The same with each spring tabulated once (spring::resampled), for paths of thousands of steps; the gears without friction if `gears` is

@@ -21,6 +21,7 @@ struct ArmError {
     double allowed = 1e-3;                                ///< 1e-4 for splines: STEP, and those of DXF; for a print half a layer
     core::Severity when_broken = core::Severity::kError;  ///< kWarning for a print
     std::vector<double> arms_mm = {};                     ///< found arms, one for each row of the target
+    std::string mirror_of = {};  ///< the file that `reader` read; its bytes prove that `file` is its mirror image. Empty: it read `file`
     [[nodiscard]] bool passed() const { return worst_relative <= allowed; }  ///< false for NaN
 };
 

@@ -5,7 +5,7 @@
 
 namespace fusee::solid {
 
-/// Quality figures of a mesh (OpenMesh).
+/// Quality figures of a mesh.
 struct Quality {
     std::size_t triangles = 0, vertices = 0;
     std::size_t boundary_edges = 0;  ///< 0 for a closed mesh

@@ -26,6 +26,7 @@ struct Format {
     std::string ending, reader;  ///< ".stl", "assimp"
     std::array<std::vector<const readback::ArmError*>, 2> readings;
     std::array<const PartReport*, 2> parts{};
+    std::string mirror_of = {};  ///< ending of the files that were read, of which these are the mirror images; empty: these were read
 };
 
 /// One reading and its part.
@@ -34,14 +35,15 @@ struct Source {
     const readback::ArmError* reading;
     std::string ending;  ///< after the part's name: files of the same ending belong to the same joint
     std::string reader;
+    std::string mirror_of = {};  ///< ending of the file that was read instead
 };
 
 /// Of a separate file: "k_se_mirrored.ngc" read by "rs274 lower", one of the cuts of a program.
 Source of_part(const PartReport& part, const readback::ArmError& reading) {
     const std::string name = cam::to_string(part.part->cam.kind);
     const bool cut = reading.reader.starts_with("rs274 ");
-    return {&part, &reading, reading.file.starts_with(name) ? reading.file.substr(name.size()) : reading.file,
-            cut ? "rs274" : reading.reader};
+    const auto ending = [&](const std::string& file) { return file.starts_with(name) ? file.substr(name.size()) : file; };
+    return {&part, &reading, ending(reading.file), cut ? "rs274" : reading.reader, ending(reading.mirror_of)};
 }
 
 /// Of the plate, whose readers are named "lib3mf k_se_mirrored".
@@ -63,7 +65,8 @@ std::vector<Format> formats(const DesignReport& design) {
     for (const Source& s : sources) {
         if (s.part == nullptr) continue;
         auto format = std::find_if(all.begin(), all.end(), [&](const Format& f) { return f.ending == s.ending && f.reader == s.reader; });
-        if (format == all.end()) format = all.insert(all.end(), Format{s.ending, s.reader, {}, {}});
+        if (format == all.end()) format = all.insert(all.end(), Format{s.ending, s.reader, {}, {}, s.mirror_of});
+        if (s.mirror_of != format->mirror_of) format->mirror_of.clear();  // one part was read itself: the joint is computed
         const std::size_t part = s.part->part->cam.kind == cam::PartKind::kSeries ? 0 : 1;
         format->readings[part].push_back(s.reading);
         format->parts[part] = s.part;
@@ -132,6 +135,7 @@ public:
     }
 
     void add(const Format& format) {
+        if (!format.mirror_of.empty() && add_image(format)) return;
         JointAsExported joint;
         joint.reader = format.reader;
         joint.dead_band.assign(result_.torques.size(), std::nan(""));
@@ -156,6 +160,23 @@ public:
     [[nodiscard]] AsExported done() && { return std::move(result_); }
 
 private:
+    /// The joint of mirror images is the one of the files that were read. @returns false if that joint has other parts
+    [[nodiscard]] bool add_image(const Format& format) {
+        const auto file = [&](std::size_t part, const std::string& ending) {
+            return format.readings[part].empty() ? "" : cam::to_string(format.parts[part]->part->cam.kind) + ending;
+        };
+        const std::string series = file(0, format.mirror_of), parallel = file(1, format.mirror_of);
+        const auto same = std::find_if(result_.joints.begin(), result_.joints.end(), [&](const JointAsExported& joint) {
+            return joint.reader == format.reader && joint.series.file == series && joint.parallel.file == parallel;
+        });
+        if (same == result_.joints.end() || !same->refusal.empty()) return false;
+        JointAsExported joint = *same;
+        joint.series.file = file(0, format.ending);
+        joint.parallel.file = file(1, format.ending);
+        result_.joints.push_back(std::move(joint));
+        return true;
+    }
+
     [[nodiscard]] std::vector<double> dead_bands(const spring::SpringLawPtr& law) const {
         actuator::Actuator joint = design_.actuator;
         joint.law = law;

@@ -9,6 +9,7 @@
 #include "compensated.h"
 #include "fusee/brep/mirror.h"
 #include "fusee/cam/certificate.h"
+#include "fusee/cam/mirror.h"
 #include "fusee/core/units.h"
 #include "fusee/exchange/part_file.h"
 #include "fusee/solid/mirror.h"
@@ -46,24 +47,41 @@ fs::path write_files(PartExport& out, const profile::Profile& profile) {
     return json;
 }
 
-/// @param designed the part of `out`
-ExportedPart exported(PartExport& out, const profile::Profile& profile, const std::shared_ptr<const DesignedPart>& designed) {
-    const fs::path json = write_files(out, profile);
-    ExportedPart done{out.name(), false, {}, out.mesh};
-    PartReport& report = done.report;
+PartReport begun(const std::shared_ptr<const DesignedPart>& designed, const spring::BaseSpring& spring) {
+    PartReport report;
     report.part = {designed, &designed->part};
-    report.spring = out.spring;
+    report.spring = spring;
     report.findings = designed->findings;
+    return report;
+}
+
+void set_certificate(PartReport& report, cam::Certificate certificate) {
+    report.certificate = std::move(certificate);
+    if (const auto doubt = cam::doubt(report.certificate, report.part->cam.kind)) report.findings.push_back(*doubt);
+}
+
+/// One side that was written and read back.
+struct Side {
+    ExportedPart done;
+    exchange::PartFile file;
+};
+
+/// @param designed the part of `out` @param agonist of which `out` is the mirror image: nothing is computed twice. Null: `out` is the agonist
+Side exported(PartExport& out, const profile::Profile& profile, const std::shared_ptr<const DesignedPart>& designed, const Side* agonist) {
+    const fs::path json = write_files(out, profile);
+    Side side{{out.name(), agonist != nullptr, {}, out.mesh}, exchange::read_part_file(json)};
+    PartReport& report = side.done.report;
+    report = begun(designed, out.spring);
     core::append(report.findings, out.findings);
-    report.arm_errors = formats::read_back(json.parent_path(), exchange::read_part_file(json));
+    report.arm_errors = agonist ? formats::read_back_image(json.parent_path(), side.file, {agonist->file, agonist->done.report.arm_errors})
+                                : formats::read_back(json.parent_path(), side.file);
     for (const readback::ArmError& error : report.arm_errors)
         report.findings.push_back(error.when_broken == core::Severity::kError ? judge(error, out.part.cam) : judge_print(error, out.part));
-    report.certificate = cam::certify(out.part.cam);
-    if (const auto doubt = cam::doubt(report.certificate, out.part.cam.kind)) report.findings.push_back(*doubt);
+    set_certificate(report, agonist ? cam::mirrored(agonist->done.report.certificate, out.part.cam) : cam::certify(out.part.cam));
     report.files = out.law_files;
     report.files.insert(report.files.end(), out.other_files.begin(), out.other_files.end());
-    report.quality = solid::measure_quality(out.part.mesh);
-    return done;
+    report.quality = agonist ? agonist->done.report.quality : solid::measure_quality(out.part.mesh);
+    return side;
 }
 
 /// The other side's export. Its bodies are mirrored from this side: neither mesh nor exact solid is made twice.
@@ -87,7 +105,8 @@ PartExport other_side(const PartExport& out, const solid::Part& part) {
 core::Finding judge(const readback::ArmError& error, const cam::Cam& cam) {
     core::Finding f;
     f.rule = "readback.arm";
-    f.what = fmt::format("the lever arm recomputed from {} (read by {}) must be the nominal one", error.file, error.reader);
+    f.what = fmt::format("the lever arm recomputed from {} (read by {}{}) must be the nominal one", error.file, error.reader,
+                         error.mirror_of.empty() ? "" : " in " + error.mirror_of + ", whose mirror image it is");
     f.measured = 100.0 * error.worst_relative;
     f.bound = core::Bound::kAtMost;
     f.allowed = 100.0 * error.allowed;
@@ -101,18 +120,25 @@ core::Finding judge(const readback::ArmError& error, const cam::Cam& cam) {
 
 const char* to_string(Via via) { return via == Via::kCgal ? "cgal" : "openscad"; }
 
+PartReport without_files(const std::shared_ptr<const DesignedPart>& designed, const spring::BaseSpring& spring) {
+    PartReport report = begun(designed, spring);
+    set_certificate(report, cam::certify(report.part->cam));
+    return report;
+}
+
 std::vector<ExportedPart> export_pair(const Pair& pair, const profile::Profile& profile, const core::Provenance& provenance, Via via,
                                       const fs::path& folder) {
     const solid::Part& part = pair.agonist->part;
     const formats::Settings settings{profile.name, profile.cable, profile.process, profile.machining, profile.outputs.kerf};
     PartExport out{part, spec_of(part.cam.kind, profile).spring, settings, provenance, folder / to_string(part.cam.kind)};
     out.mesh = via == Via::kOpenScad ? formats::rendered_by_openscad(out) : part.mesh;
-    std::vector<ExportedPart> sides{exported(out, profile, pair.agonist)};
-    if (pair.antagonist && !core::any_error(sides.front().report.findings)) {  // else the part is refused already
+    Side agonist = exported(out, profile, pair.agonist, nullptr);
+    std::vector<ExportedPart> sides;
+    if (pair.antagonist && !core::any_error(agonist.done.report.findings)) {  // else the part is refused already
         PartExport other = other_side(out, pair.antagonist->part);
-        sides.push_back(exported(other, profile, pair.antagonist));
-        sides.back().mirrored = true;
+        sides.push_back(exported(other, profile, pair.antagonist, &agonist).done);
     }
+    sides.insert(sides.begin(), std::move(agonist.done));
     return sides;
 }
 

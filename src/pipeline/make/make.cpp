@@ -71,9 +71,8 @@ struct Parts {
 };
 
 /// Refusal: the law's findings and those of both parts.
-core::Outcome<Parts> design_parts(const ResolvedDesign& design) {
+core::Outcome<Parts> design_parts(const ResolvedDesign& design, bool both_sides) {
     auto [k_se, k_pe] = both_parts([&](cam::PartKind kind) { return design_part(kind, design); });
-    const bool both_sides = design.profile.outputs.pair;
     if (k_se && k_pe) return Parts{pair_of(std::move(k_se).value(), both_sides), pair_of(std::move(k_pe).value(), both_sides)};
     core::Findings findings = design.findings;
     for (const auto* part : {&k_se, &k_pe}) core::append(findings, *part ? (*part)->findings : part->refusal());
@@ -102,20 +101,41 @@ core::Outcome<MadeDesign> make_parts(const profile::Profile& profile, core::Outp
     if (!resolved) return resolved.refusal();
     MadeDesign made{std::move(resolved).value(), {}, {}};
     const ResolvedDesign& design = made.resolved;
-    auto simulation = std::async(std::launch::async | std::launch::deferred, [&design] { return simulate(design); });  // needs no part
-    const auto parts = design_parts(design);
+    auto simulation = std::async(std::launch::async | std::launch::deferred, [&] {  // needs no part
+        return options.reported ? simulate(design) : headline_simulation(design);
+    });
+    const auto parts = design_parts(design, profile.outputs.pair);
     if (!parts) return parts.refusal();
 
     DesignReport& report = made.report;
     report.provenance = {profile.name, profile.sha256, std::string("via=") + to_string(options.via)};
-    report.law = law_report(design);
-    report.dead_band = actuator::dead_band_curve(design.actuator, kDeadBandLevels);
     report.findings = design.findings;
+    if (options.reported) {
+        report.law = law_report(design);
+        report.dead_band = actuator::dead_band_curve(design.actuator, kDeadBandLevels);
+    }
     announce(profile, options);
     export_parts(report, *parts, profile, options.via, output.path());
     report.as_exported = as_exported(design, report);
     made.simulation = simulation.get();
     report.headline = headline_of(design, made.simulation, report.parts);
+    return made;
+}
+
+core::Outcome<MadeDesign> make_figures(const profile::Profile& profile) {
+    require_parts(profile);
+    auto resolved = resolve(profile);
+    if (!resolved) return resolved.refusal();
+    MadeDesign made{std::move(resolved).value(), {}, {}};
+    const ResolvedDesign& design = made.resolved;
+    const auto parts = design_parts(design, false);
+    if (!parts) return parts.refusal();
+    made.report.provenance = {profile.name, profile.sha256, ""};
+    made.report.findings = design.findings;
+    for (const Pair* pair : {&parts->series, &parts->parallel})
+        made.report.parts.push_back(without_files(pair->agonist, design.spec(pair->agonist->part.cam.kind).spring));
+    made.simulation = headline_simulation(design);
+    made.report.headline = headline_of(design, made.simulation, made.report.parts);
     return made;
 }
 

@@ -206,6 +206,14 @@ Simulation simulate(const ResolvedDesign& design, const SimulateOptions& options
     return simulation;
 }
 
+Simulation headline_simulation(const ResolvedDesign& design) {
+    Simulation simulation;
+    simulation.survey = survey_of(arrangement_of(design), design.profile.rig, design.law()->loads());
+    simulation.condition = actuator::summarize_condition(design.actuator);
+    simulation.findings = design.findings;
+    return simulation;
+}
+
 core::Outcome<Simulation> simulate(const profile::Profile& profile, const SimulateOptions& options) {
     const auto design = resolve(profile);
     if (!design) return design.refusal();

@@ -58,13 +58,15 @@ Json file_json(const FileRow& file) {
 }
 
 Json arm_error_json(const readback::ArmError& e) {
-    return {{"file", e.file},
-            {"reader", e.reader},
-            {"rows", e.rows},
-            {"worst_relative", e.worst_relative},
-            {"worst_angle_rad", e.worst_angle_rad},
-            {"allowed", e.allowed},
-            {"passed", e.passed()}};
+    Json json{{"file", e.file},
+              {"reader", e.reader},
+              {"rows", e.rows},
+              {"worst_relative", e.worst_relative},
+              {"worst_angle_rad", e.worst_angle_rad},
+              {"allowed", e.allowed},
+              {"passed", e.passed()}};
+    if (!e.mirror_of.empty()) json["mirror_of"] = e.mirror_of;
+    return json;
 }
 
 Json base_spring_json(const spring::BaseSpring& s, const CamFigures& cam) {

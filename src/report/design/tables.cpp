@@ -108,7 +108,7 @@ std::string read_back_section(const DesignReport& design) {
         const core::Severity severity = e->passed() ? core::Severity::kPass : e->when_broken;
         rows.push_back({{tag(severity, core::to_string(severity)), ""},
                         code(e->file),
-                        plain(e->reader),
+                        plain(e->mirror_of.empty() ? e->reader : "mirror image of " + e->mirror_of + ", " + e->reader),
                         num(number(100.0 * e->worst_relative, 3) + " %"),
                         num("\u2264 " + number(100.0 * e->allowed, 3) + " %"),
                         num(deg(e->worst_angle_rad) + " deg"),
@@ -117,7 +117,7 @@ std::string read_back_section(const DesignReport& design) {
     if (rows.empty()) return "";
     return section("Read back from the files",
                    paragraph("Another library read every file. Rays to the groove floor and a taut cable give the lever arm, without any "
-                             "code of the synthesis.") +
+                             "code of the synthesis. A file whose bytes are the exact mirror image of one that was read has its arms.") +
                        html_table({"", "file", "reader", "worst arm error", "allowed", "at cam angle", "positions"}, rows));
 }
 

@@ -162,7 +162,8 @@ std::optional<Sides> in_body(const Surface& patch, Surface& tool, const std::map
     for (const auto e : tool.mesh.edges()) {
         if (!tool.on_curve[e]) continue;
         const Halfedge h = tool.mesh.halfedge(e);
-        const Halfedge same = patch.mesh.halfedge(on_patch.at(tool.number(tool.mesh.source(h))), on_patch.at(tool.number(tool.mesh.target(h))));
+        const Halfedge same =
+            patch.mesh.halfedge(on_patch.at(tool.number(tool.mesh.source(h))), on_patch.at(tool.number(tool.mesh.target(h))));
         if (same == SurfaceMesh::null_halfedge() || patch.mesh.is_border(patch.mesh.edge(same))) return std::nullopt;
         if (const auto inside = begins_inside(patch, same, tool.exact.points[tool.mesh.target(tool.mesh.next(h))]))
             return spread(tool, {{tool.mesh.face(h), *inside}});

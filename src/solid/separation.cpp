@@ -55,12 +55,22 @@ bool between(const Vec3& m, const Corners& f, const Corners& g) {
     return of_f.high < of_g.low || of_g.high < of_f.low;
 }
 
+Vec3 side_from(const Corners& t, std::size_t i) { return minus(t[(i + 1) % 3], t[i]); }
+
+/// A plane along one side of each: a triangle may stand on the plane of the other one, and rise over its corner.
+bool apart_along_sides(const Corners& f, const Corners& g) {
+    for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t k = 0; k < 3; ++k)
+            if (between(cross(side_from(f, i), side_from(g, k)), f, g)) return true;
+    return false;
+}
+
 /// No common corner: all of one on one side of the other's plane, or a plane upright on one of its sides.
 bool apart_from(const Corners& f, const Corners& g) {
-    const Vec3 normal = cross(minus(f[1], f[0]), minus(f[2], f[0]));
+    const Vec3 normal = cross(side_from(f, 0), side_from(f, 1));
     if (between(normal, f, g)) return true;
     for (std::size_t i = 0; i < 3; ++i)
-        if (between(cross(normal, minus(f[(i + 1) % 3], f[i])), f, g)) return true;
+        if (between(cross(normal, side_from(f, i)), f, g)) return true;
     return false;
 }
 
@@ -109,7 +119,7 @@ bool surely_apart(const Mesh& mesh, const Triangle& f, const Triangle& g) {
     const std::size_t at = common == 1 ? shared : common == 2 ? (own + 1) % 3 : 0;  // the common side begins there
     const Vec3& origin = mesh.points_mm[f[at]];
     const Corners of_f = seen(mesh, f, origin), of_g = seen(mesh, g, origin);
-    if (common == 0) return apart_from(of_f, of_g) || apart_from(of_g, of_f);
+    if (common == 0) return apart_from(of_f, of_g) || apart_from(of_g, of_f) || apart_along_sides(of_f, of_g);
     const std::size_t there = place_in(g, f[at]);
     if (common == 1) return sectors_apart(of_f[(at + 1) % 3], of_f[(at + 2) % 3], of_g[(there + 1) % 3], of_g[(there + 2) % 3]);
     const bool opposed = common == 2 && f[(at + 1) % 3] == g[(there + 2) % 3];  // the common side runs to and fro

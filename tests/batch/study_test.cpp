@@ -69,10 +69,11 @@ TEST_F(Studies, FiguresAreThoseOfTheStudyWithFiles) {
     EXPECT_TRUE(fs::exists(folder_ / "meshes/four/designs"));
     const auto rows = [&](const char* out) {
         std::vector<std::vector<std::string>> all;
-        study::query(folder_ / out / "four/index.sqlite",
-                     "SELECT outcome, dead_band_least_deg, dead_band_overdrive_deg, dead_band_built_high_deg, joint_torque_Nm, condition_6, "
-                     "shop_arm_error_percent, mass_g, k_se_triangles, k_pe_triangles, warnings, not_judged, worst_finding FROM designs",
-                     [&](const auto& cells) { all.emplace_back(cells.begin(), cells.end()); });
+        study::query(
+            folder_ / out / "four/index.sqlite",
+            "SELECT outcome, dead_band_least_deg, dead_band_overdrive_deg, dead_band_built_high_deg, joint_torque_Nm, condition_6, "
+            "shop_arm_error_percent, mass_g, k_se_triangles, k_pe_triangles, warnings, not_judged, worst_finding FROM designs",
+            [&](const auto& cells) { all.emplace_back(cells.begin(), cells.end()); });
         return all;
     };
     EXPECT_EQ(rows("figures").size(), 6U) << "the heads and five designs";

@@ -85,7 +85,9 @@ TEST(MirroredPartFile, IsNotProvenWhereOneFigureDiffers) {
         [](PartFile& p) { p.guide.kind = "point"; },
         [](PartFile& p) { p.guide.position_mm[0] += 1e-9; },
         [](PartFile& p) { p.guide.position_mm[1] = 60.0; },
-        [](PartFile& p) { p.guide.direction = {0.0, 1.0}; },
+        [](PartFile& p) {
+            p.guide.direction = {0.0, 1.0};
+        },
         [](PartFile& p) { p.guide.radius_mm += 1e-9; },
         [](PartFile& p) { p.guide.sense = 1; },
         [](PartFile& p) { p.guide.z_mm = 1e-9; },

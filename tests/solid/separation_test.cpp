@@ -70,7 +70,7 @@ TEST(DoubtfulTriangles, AreFewInAPart) {
     options.chordal_error = 10e-6;
     const Mesh mesh = build_part(disc(0.012, 0.003), options).value().mesh;
     const auto doubtful = doubtful_triangles(mesh);
-    EXPECT_LT(doubtful.size(), mesh.triangles.size() / 5);
+    EXPECT_LT(doubtful.size(), mesh.triangles.size() / 50);
     EXPECT_TRUE(std::is_sorted(doubtful.begin(), doubtful.end()));
 }
 

@@ -13,8 +13,8 @@ namespace fusee::pipeline {
 
 struct MakeOptions {
     Via via = Via::kCgal;
-    /// All that the reports show; false: parts, files and headline only, without `report.law` and `report.dead_band`, and with the simulation
-    /// of `headline_simulation`.
+    /// All that the reports show; false: parts, files and headline only, without `report.law` and `report.dead_band`, and with the
+    /// simulation of `headline_simulation`.
     bool reported = true;
     std::function<void(const std::string&)> note = {};  ///< called when something long begins, on the caller's thread; may be empty
 };

@@ -66,7 +66,8 @@ struct Side {
     exchange::PartFile file;
 };
 
-/// @param designed the part of `out` @param agonist of which `out` is the mirror image: nothing is computed twice. Null: `out` is the agonist
+/// @param designed the part of `out` @param agonist of which `out` is the mirror image: nothing is computed twice. Null: `out` is the
+/// agonist
 Side exported(PartExport& out, const profile::Profile& profile, const std::shared_ptr<const DesignedPart>& designed, const Side* agonist) {
     const fs::path json = write_files(out, profile);
     Side side{{out.name(), agonist != nullptr, {}, out.mesh}, exchange::read_part_file(json)};

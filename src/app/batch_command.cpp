@@ -43,9 +43,9 @@ double usual_bytes(study::Outputs outputs) {
         case study::Outputs::kFigures:
             return 3e3;
         case study::Outputs::kMeshes:
-            return 3.4e6;
+            return 2.8e6;
         case study::Outputs::kAll:
-            return 22e6;
+            return 8.5e6;
     }
     return 0.0;
 }

@@ -21,7 +21,7 @@ constexpr std::chrono::seconds kSubmitTime{60};
 constexpr std::size_t kMostTasks = 1000;
 
 /// Processor time of one design (docs/performance.md) [s].
-double usual_seconds(study::Outputs outputs) { return outputs == study::Outputs::kAll ? 3.0 : 0.5; }
+double usual_seconds(study::Outputs outputs) { return outputs == study::Outputs::kAll ? 4.5 : 0.2; }
 
 /// One word for a POSIX shell.
 std::string word(const std::string& text) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <limits>
 
 #include "fusee/core/vector.h"
@@ -107,6 +108,26 @@ bool without_area(const Mesh& mesh, const Triangle& t) {
     return !(length(cross(at[1], at[2])) > kSlender * longest);
 }
 
+using FaceBox = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::uint32_t>;
+
+/// Of all triangles but those left out.
+std::vector<FaceBox> boxes_of(const Mesh& mesh, const std::vector<std::uint32_t>& left_out) {
+    std::vector<FaceBox> boxes;
+    for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
+        if (std::binary_search(left_out.begin(), left_out.end(), i)) continue;
+        FaceBox box(i);
+        for (const std::uint32_t v : mesh.triangles[i]) {
+            Vec3 at = mesh.points_mm[v];
+            box.extend(at.data());
+        }
+        boxes.push_back(box);
+    }
+    return boxes;
+}
+
+/// Ends CGAL's search before it has seen every pair.
+struct TooMany final : std::exception {};
+
 }  // namespace
 
 bool surely_apart(const Mesh& mesh, const Triangle& f, const Triangle& g) {
@@ -126,31 +147,31 @@ bool surely_apart(const Mesh& mesh, const Triangle& f, const Triangle& g) {
     return opposed && unfolded(of_f[(at + 1) % 3], of_f[(at + 2) % 3], of_g[(there + 1) % 3]);
 }
 
-std::vector<std::uint32_t> doubtful_triangles(const Mesh& mesh) {
-    using FaceBox = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::uint32_t>;
-    std::vector<FaceBox> boxes;
+std::optional<std::vector<std::uint32_t>> doubtful_triangles(const Mesh& mesh, const std::vector<std::uint32_t>& left_out,
+                                                             std::size_t most_pairs) {
     std::vector<bool> doubtful(mesh.triangles.size());
-    for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
-        FaceBox box(i);
-        for (const std::uint32_t v : mesh.triangles[i]) {
-            Vec3 at = mesh.points_mm[v];
-            box.extend(at.data());
-        }
-        boxes.push_back(box);
-        doubtful[i] = without_area(mesh, mesh.triangles[i]);
-    }
+    const std::vector<FaceBox> boxes = boxes_of(mesh, left_out);
+    for (const FaceBox& box : boxes) doubtful[box.info()] = without_area(mesh, mesh.triangles[box.info()]);
     std::vector<const FaceBox*> places;
     for (const FaceBox& box : boxes) places.push_back(&box);
-    CGAL::box_self_intersection_d(
-        places.begin(), places.end(),
-        [&](const FaceBox* a, const FaceBox* b) {
-            if (!surely_apart(mesh, mesh.triangles[a->info()], mesh.triangles[b->info()])) doubtful[a->info()] = doubtful[b->info()] = true;
-        },
-        std::ptrdiff_t{2000});
+    std::size_t pairs = 0;
+    const auto judge = [&](const FaceBox* a, const FaceBox* b) {
+        if (++pairs > most_pairs) throw TooMany();
+        if (!surely_apart(mesh, mesh.triangles[a->info()], mesh.triangles[b->info()])) doubtful[a->info()] = doubtful[b->info()] = true;
+    };
+    try {
+        CGAL::box_self_intersection_d(places.begin(), places.end(), judge, std::ptrdiff_t{2000});
+    } catch (const TooMany&) {
+        return std::nullopt;
+    }
     std::vector<std::uint32_t> numbers;
     for (std::uint32_t i = 0; i < doubtful.size(); ++i)
         if (doubtful[i]) numbers.push_back(i);
     return numbers;
+}
+
+std::vector<std::uint32_t> doubtful_triangles(const Mesh& mesh) {
+    return *doubtful_triangles(mesh, {}, std::numeric_limits<std::size_t>::max());
 }
 
 }  // namespace fusee::solid

@@ -4,8 +4,10 @@
 #include <cstdlib>
 #include <map>
 
+#include "fusee/checks/check.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
+#include "fusee/pipeline/make.h"
 #include "fusee/study/index.h"
 #include "pipeline/fixture.h"
 #include "refused.h"
@@ -78,6 +80,19 @@ TEST_F(Studies, FiguresAreThoseOfTheStudyWithFiles) {
     };
     EXPECT_EQ(rows("figures").size(), 6U) << "the heads and five designs";
     EXPECT_EQ(rows("figures"), rows("meshes"));
+}
+
+// A bore of 60 mm leaves K_SE no wall: no rule that needs a mesh is asked then, neither of K_SE nor of K_PE.
+TEST_F(Studies, CheapRulesRefuseBeforeAnythingIsMeshed) {
+    const study::Plan four = plan();
+    const auto refused = pipeline::make_figures(four.profile(four.at(4)));
+    ASSERT_FALSE(refused);
+    EXPECT_TRUE(core::any_error(refused.refusal()));
+    for (const core::Finding& finding : refused.refusal()) {
+        const checks::Rule* rule = checks::find_rule(finding.rule);
+        EXPECT_FALSE(rule != nullptr && rule->needs_mesh) << finding.rule;
+    }
+    EXPECT_TRUE(pipeline::make_figures(four.profile(four.at(0))));
 }
 
 TEST_F(Studies, BytesAreTheSameForAnyJobsAndShards) {

@@ -57,6 +57,9 @@ void require_sliceable(const profile::Profile& profile);
 /// Arm and cam, without a body. Refusal: the cam's. @pre require_parts(profile)
 [[nodiscard]] core::Outcome<cam::Cam> design_cam(cam::PartKind kind, const ResolvedDesign& design);
 
+/// The same, judged by the rules that need no mesh. Refusal: the cam's, or the findings if one is an error.
+[[nodiscard]] core::Outcome<cam::Cam> design_checked_cam(cam::PartKind kind, const ResolvedDesign& design);
+
 /// One cam as a solid, with the findings of every rule.
 struct DesignedPart {
     solid::Part part;
@@ -66,5 +69,7 @@ struct DesignedPart {
 /// makes a solid, found by making it.
 /// @pre require_parts(profile)
 [[nodiscard]] core::Outcome<DesignedPart> design_part(cam::PartKind kind, const ResolvedDesign& design);
+/// The same of a cam that is designed already.
+[[nodiscard]] core::Outcome<DesignedPart> design_part(const cam::Cam& cam, const ResolvedDesign& design);
 
 }  // namespace fusee::pipeline

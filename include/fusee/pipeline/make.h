@@ -14,7 +14,7 @@ namespace fusee::pipeline {
 struct MakeOptions {
     Via via = Via::kCgal;
     /// All that the reports show; false: parts, files and headline only, without `report.law` and `report.dead_band`, and with the
-    /// simulation of `headline_simulation`.
+    /// simulation of `headline_simulation`. Then the rules that need no mesh refuse a design before anything is meshed.
     bool reported = true;
     std::function<void(const std::string&)> note = {};  ///< called when something long begins, on the caller's thread; may be empty
 };

@@ -95,20 +95,36 @@ core::Outcome<cam::Cam> design_cam(cam::PartKind kind, const ResolvedDesign& des
     return cam::synthesize_cam(design.arm(kind), design.spec(kind).cam);
 }
 
-core::Outcome<DesignedPart> design_part(cam::PartKind kind, const ResolvedDesign& design) {
+core::Outcome<cam::Cam> design_checked_cam(cam::PartKind kind, const ResolvedDesign& design) {
     const profile::Profile& profile = design.profile;
     const profile::PartSpec& spec = design.spec(kind);
+    auto cam = design_cam(kind, design);
+    if (!cam) return cam;
+    const auto outline = solid::outline_part(*cam, spec.solid);
+    if (!outline) return outline.refusal();
+    core::Findings findings = checks::check({*outline, spec.spring, profile.cable, profile.process, profile.limits});
+    core::append(findings, check_cable_length(*cam, profile));
+    if (core::any_error(findings)) return findings;
+    return cam;
+}
+
+core::Outcome<DesignedPart> design_part(cam::PartKind kind, const ResolvedDesign& design) {
     const auto cam = design_cam(kind, design);
-    if (!cam) return cam.refusal();
-    auto part = solid::build_part(*cam, spec.solid);
+    return cam ? design_part(*cam, design) : cam.refusal();
+}
+
+core::Outcome<DesignedPart> design_part(const cam::Cam& cam, const ResolvedDesign& design) {
+    const profile::Profile& profile = design.profile;
+    const profile::PartSpec& spec = design.spec(cam.kind);
+    auto part = solid::build_part(cam, spec.solid);
     if (!part) {
         core::Findings refusal = part.refusal();
         for (core::Finding& f : refusal)
-            if (f.rule == "solid.validity") suggest_pitch(f, design.arm(kind), spec);
+            if (f.rule == "solid.validity") suggest_pitch(f, design.arm(cam.kind), spec);
         return refusal;
     }
     core::Findings findings = checks::check({*part, spec.spring, profile.cable, profile.process, profile.limits});
-    core::append(findings, check_cable_length(*cam, profile));
+    core::append(findings, check_cable_length(cam, profile));
     if (!core::any_error(findings)) core::append(findings, check_compensated(*part, profile, findings));
     if (core::any_error(findings)) return findings;
     return DesignedPart{std::move(part).value(), std::move(findings)};

@@ -71,12 +71,30 @@ struct Parts {
 };
 
 /// Refusal: the law's findings and those of both parts.
-core::Outcome<Parts> design_parts(const ResolvedDesign& design, bool both_sides) {
-    auto [k_se, k_pe] = both_parts([&](cam::PartKind kind) { return design_part(kind, design); });
+core::Outcome<Parts> joined(const ResolvedDesign& design, core::Outcome<DesignedPart> k_se, core::Outcome<DesignedPart> k_pe,
+                            bool both_sides) {
     if (k_se && k_pe) return Parts{pair_of(std::move(k_se).value(), both_sides), pair_of(std::move(k_pe).value(), both_sides)};
     core::Findings findings = design.findings;
     for (const auto* part : {&k_se, &k_pe}) core::append(findings, *part ? (*part)->findings : part->refusal());
     return findings;
+}
+
+core::Outcome<Parts> design_parts(const ResolvedDesign& design, bool both_sides) {
+    auto [k_se, k_pe] = both_parts([&](cam::PartKind kind) { return design_part(kind, design); });
+    return joined(design, std::move(k_se), std::move(k_pe), both_sides);
+}
+
+/// The same, but a part that the rules without a mesh refuse ends the design before either part is meshed. Refusal: then the findings of
+/// these rules only.
+core::Outcome<Parts> design_parts_outlines_first(const ResolvedDesign& design, bool both_sides) {
+    const auto [series, parallel] = both_parts([&](cam::PartKind kind) { return design_checked_cam(kind, design); });
+    core::Findings refusal = design.findings;
+    for (const auto* cam : {&series, &parallel})
+        if (!*cam) core::append(refusal, cam->refusal());
+    if (!series || !parallel) return refusal;
+    auto [k_se, k_pe] = both_parts(
+        [&, s = &*series, p = &*parallel](cam::PartKind kind) { return design_part(kind == cam::PartKind::kSeries ? *s : *p, design); });
+    return joined(design, std::move(k_se), std::move(k_pe), both_sides);
 }
 
 /// Both sides of both parts, each part on its thread, and all on one plate.
@@ -104,7 +122,8 @@ core::Outcome<MadeDesign> make_parts(const profile::Profile& profile, core::Outp
     auto simulation = std::async(std::launch::async | std::launch::deferred, [&] {  // needs no part
         return options.reported ? simulate(design) : headline_simulation(design);
     });
-    const auto parts = design_parts(design, profile.outputs.pair);
+    const auto parts =
+        options.reported ? design_parts(design, profile.outputs.pair) : design_parts_outlines_first(design, profile.outputs.pair);
     if (!parts) return parts.refusal();
 
     DesignReport& report = made.report;
@@ -128,7 +147,7 @@ core::Outcome<MadeDesign> make_figures(const profile::Profile& profile) {
     if (!resolved) return resolved.refusal();
     MadeDesign made{std::move(resolved).value(), {}, {}};
     const ResolvedDesign& design = made.resolved;
-    const auto parts = design_parts(design, false);
+    const auto parts = design_parts_outlines_first(design, false);
     if (!parts) return parts.refusal();
     made.report.provenance = {profile.name, profile.sha256, ""};
     made.report.findings = design.findings;

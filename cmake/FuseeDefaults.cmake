@@ -11,7 +11,7 @@ set(CMAKE_CXX_FLAGS_RELEASE "-O2")  # asserts stay on
 find_program(CCACHE_PROGRAM ccache)
 if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   # Depend mode: a unit that is not in the cache is not preprocessed twice.
-  set(CMAKE_CXX_COMPILER_LAUNCHER "${CMAKE_COMMAND}" -E env CCACHE_DEPEND=1 "${CCACHE_PROGRAM}")
+  set(CMAKE_CXX_COMPILER_LAUNCHER env CCACHE_DEPEND=1 "${CCACHE_PROGRAM}")
 endif()
 find_program(LLD_PROGRAM ld.lld)
 if(LLD_PROGRAM)

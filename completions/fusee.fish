@@ -6,7 +6,7 @@ function __fusee_at
     set -e words[1]
     set -l path
     for word in $words
-        if contains -- "$path $word" ' make' ' batch' ' query' ' fix' ' simulate' ' identify' ' design' ' diagnose' ' predict' ' case-template' ' blind' ' blind make' ' blind score' ' paper' ' coupons' ' calibrate' ' check' ' rules' ' keys'
+        if contains -- "$path $word" ' make' ' batch' ' query' ' fix' ' springs' ' simulate' ' identify' ' design' ' diagnose' ' predict' ' case-template' ' blind' ' blind make' ' blind score' ' paper' ' coupons' ' calibrate' ' check' ' rules' ' keys'
             set path "$path $word"
         end
     end
@@ -30,6 +30,7 @@ complete -c fusee -n "__fusee_at ''" -a make -d 'Make checked cams from profiles
 complete -c fusee -n "__fusee_at ''" -a batch -d 'Make every design of a study, with an index of their figures'
 complete -c fusee -n "__fusee_at ''" -a query -d 'Ask the index of a study in SQL, read-only'
 complete -c fusee -n "__fusee_at ''" -a fix -d 'Change a profile until it can be made'
+complete -c fusee -n "__fusee_at ''" -a springs -d 'Turn the wanted rates into springs that can be wound or bought'
 complete -c fusee -n "__fusee_at ''" -a simulate -d 'Simulate the joints of profiles'
 complete -c fusee -n "__fusee_at ''" -a identify -d 'Identify the friction of a gear from break-away tests'
 complete -c fusee -n "__fusee_at ''" -a design -d 'Find springs for the joint of a profile'
@@ -78,6 +79,18 @@ complete -c fusee -n "__fusee_at ' fix'" -l keep -x -a '(__fusee_keys)' -d 'Key 
 complete -c fusee -n "__fusee_at ' fix'" -l most -x -d 'Largest number of profiles that the search judges'
 complete -c fusee -n "__fusee_at ' fix'" -l json -d 'Print the changes as JSON instead of text'
 complete -c fusee -n "__fusee_at ' fix'" -l force -d 'Replace the file if it exists'
+
+complete -c fusee -n "__fusee_at ' springs'" -a '(__fusee_files toml)'
+complete -c fusee -n "__fusee_at ' springs'" -s h -l help -d 'Print this help message and exit'
+complete -c fusee -n "__fusee_at ' springs'" -s o -l out -x -a '(__fusee_files toml)' -d 'File of the new profile'
+complete -c fusee -n "__fusee_at ' springs'" -l catalogue -x -a '(__fusee_files csv)' -d 'Springs on sale'
+complete -c fusee -n "__fusee_at ' springs'" -l bought -d 'Take the springs of the catalogue, not wound ones'
+complete -c fusee -n "__fusee_at ' springs'" -l wire-class -x -a 'sl sm sh dm dh' -d 'Wire of EN 10270-1 where the profile states none'
+complete -c fusee -n "__fusee_at ' springs'" -l cycles -x -d 'Load cycles where the profile states none'
+complete -c fusee -n "__fusee_at ' springs'" -l within -x -d 'Largest difference of a wound spring\'s rate from the wanted one, in percent'
+complete -c fusee -n "__fusee_at ' springs'" -l most -x -d 'Springs to list of each kind'
+complete -c fusee -n "__fusee_at ' springs'" -l accept-reviews -d 'Also take springs with warnings'
+complete -c fusee -n "__fusee_at ' springs'" -l force -d 'Replace the file if it exists'
 
 complete -c fusee -n "__fusee_at ' simulate'" -a '(__fusee_files toml)'
 complete -c fusee -n "__fusee_at ' simulate'" -s h -l help -d 'Print this help message and exit'

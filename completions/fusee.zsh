@@ -20,6 +20,7 @@ _fusee() {
         'batch:Make every design of a study, with an index of their figures'
         'query:Ask the index of a study in SQL, read-only'
         'fix:Change a profile until it can be made'
+        'springs:Turn the wanted rates into springs that can be wound or bought'
         'simulate:Simulate the joints of profiles'
         'identify:Identify the friction of a gear from break-away tests'
         'design:Find springs for the joint of a profile'
@@ -59,7 +60,7 @@ _fusee_batch() {
         '(--shard)'--shard='[NUMBER/COUNT]'':TEXT: ' \
         '(--merge)'--merge'[Make no design]' \
         '(--slurm)'--slurm'[Submit the study to Slurm]' \
-        '(--slurm-tasks)'--slurm-tasks='[Tasks of the array]'':UINT: ' \
+        '(--slurm-tasks)'--slurm-tasks='[Tasks of the array]'':0 to 1000: ' \
         '(--slurm-options)'--slurm-options='[Further options of sbatch, e.g]'':TEXT: ' \
         '(--force)'--force'[Also replace files of another source and changed files]' \
         '(-j --jobs)'{-j+,--jobs=}'[Designs made at the same time]'':0 to 1024: ' \
@@ -81,6 +82,21 @@ _fusee_fix() {
         '*'--keep='[Key or table that stays unchanged, such as k_pe.hub.bore_mm or cable]'':key:__fusee_keys' \
         '(--most)'--most='[Largest number of profiles that the search judges]'':1 to 1000000: ' \
         '(--json)'--json'[Print the changes as JSON instead of text]' \
+        '(--force)'--force'[Replace the file if it exists]' \
+        '1'':file:_files -g "*.(toml)(-.)"'
+}
+
+_fusee_springs() {
+    _arguments -s \
+        '(- *)'{-h,--help}'[Print this help message and exit]' \
+        '(-o --out)'{-o+,--out=}'[File of the new profile]'':file:_files -g "*.(toml)(-.)"' \
+        '(--catalogue)'--catalogue='[Springs on sale]'':file:_files -g "*.(csv)(-.)"' \
+        '(--bought)'--bought'[Take the springs of the catalogue, not wound ones]' \
+        '(--wire-class)'--wire-class='[Wire of EN 10270-1 where the profile states none]'':choice:(sl sm sh dm dh)' \
+        '(--cycles)'--cycles='[Load cycles where the profile states none]'':1 to 1000000000000: ' \
+        '(--within)'--within='[Largest difference of a wound spring'\''s rate from the wanted one, in percent]'':0 to 10: ' \
+        '(--most)'--most='[Springs to list of each kind]'':1 to 1000: ' \
+        '(--accept-reviews)'--accept-reviews'[Also take springs with warnings]' \
         '(--force)'--force'[Replace the file if it exists]' \
         '1'':file:_files -g "*.(toml)(-.)"'
 }

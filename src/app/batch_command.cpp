@@ -37,24 +37,6 @@ study::Study study_of(const BatchArguments& arguments) {
     return study::study_of(std::move(files), arguments.name);
 }
 
-/// Bytes of one design by what it leaves: measured on the shipped profiles with about 10,000 triangles a cam.
-double usual_bytes(study::Outputs outputs) {
-    switch (outputs) {
-        case study::Outputs::kFigures:
-            return 3e3;
-        case study::Outputs::kMeshes:
-            return 2.8e6;
-        case study::Outputs::kAll:
-            return 8.5e6;
-    }
-    return 0.0;
-}
-
-std::string size_text(double bytes) {
-    if (bytes < 1e6) return fmt::format("{:.0f} kB", 1e-3 * bytes);
-    return bytes < 1e9 ? fmt::format("{:.0f} MB", 1e-6 * bytes) : fmt::format("{:.1f} GB", 1e-9 * bytes);
-}
-
 int list_designs(const study::Plan& plan) {
     std::size_t excluded = 0;
     for (std::size_t i = 0; i < plan.size(); ++i) {
@@ -65,8 +47,8 @@ int list_designs(const study::Plan& plan) {
         if (!planned.excluded_by.empty()) ++excluded, values += "  left out: " + planned.excluded_by;
         fmt::print("{}{}\n", planned.name, values);
     }
-    const double bytes = static_cast<double>(plan.size() - excluded) * usual_bytes(plan.study().outputs);
-    fmt::print("{} designs, {} left out by constraints; about {} on disk\n", plan.size() - excluded, excluded, size_text(bytes));
+    const double bytes = static_cast<double>(plan.size() - excluded) * batch::usual_cost(plan.study().outputs).bytes;
+    fmt::print("{} designs, {} left out by constraints; about {} on disk\n", plan.size() - excluded, excluded, core::bytes_text(bytes));
     return 0;
 }
 
@@ -96,6 +78,14 @@ int submit(const study::Plan& plan, BatchArguments& arguments) {
     return 0;
 }
 
+int merge(const study::Plan& plan, const batch::StudyOptions& options) {
+    const batch::IndexSize index = batch::write_index(plan, options.out, options.force);
+    if (index.designs == 0)
+        throw core::InvalidInput("--merge", core::printable((options.out / plan.study().name).string()), "a study with finished designs");
+    fmt::print("index of {} designs; {} are missing\n", index.designs, index.missing);
+    return 0;
+}
+
 int run_batch(BatchArguments arguments) {
     core::catch_interrupts();
     require_thread();
@@ -103,11 +93,7 @@ int run_batch(BatchArguments arguments) {
     const study::Plan plan(study_of(arguments));
     if (arguments.dry_run) return list_designs(plan);
     if (arguments.slurm) return submit(plan, arguments);
-    if (arguments.merge) {
-        const std::size_t count = batch::write_index(plan, arguments.options.out, arguments.options.force);
-        fmt::print("index of {} designs\n", count);
-        return 0;
-    }
+    if (arguments.merge) return merge(plan, arguments.options);
     const batch::StudyResult result = batch::run_study(plan, arguments.options);
     print(result);
     return batch::exit_code(result);
@@ -140,13 +126,25 @@ void add_batch(CLI::App& app, Action& action) {
         ->type_name("FOLDER")
         ->capture_default_str();
     command->add_option("--name", arguments->name, "Name of the folder for a list of profiles")->capture_default_str();
-    command->add_flag("--dry-run", arguments->dry_run, "List the designs and the size on disk; make nothing");
-    command->add_option("--shard", arguments->shard, "NUMBER/COUNT: make only this share of the designs, without the index");
-    command->add_flag("--merge", arguments->merge, "Make no design; write the index of those that are finished");
-    command->add_flag("--slurm", arguments->slurm, "Submit the study to Slurm: a job array, and a job that writes the index");
-    command->add_option("--slurm-tasks", arguments->cluster.tasks, "Tasks of the array; 0 = about an hour for each")->capture_default_str();
-    command->add_option("--slurm-options", arguments->cluster.sbatch,
-                        "Further options of sbatch, e.g. \"--partition=long --cpus-per-task=8\"");
+    CLI::Option* dry_run = command->add_flag("--dry-run", arguments->dry_run, "List the designs and the size on disk; make nothing");
+    CLI::Option* shard =
+        command->add_option("--shard", arguments->shard, "NUMBER/COUNT: make only this share of the designs, without the index")
+            ->excludes(dry_run);
+    CLI::Option* merge = command->add_flag("--merge", arguments->merge, "Make no design; write the index of those that are finished")
+                             ->excludes(dry_run)
+                             ->excludes(shard);
+    CLI::Option* slurm =
+        command->add_flag("--slurm", arguments->slurm, "Submit the study to Slurm: a job array, and a job that writes the index")
+            ->excludes(dry_run)
+            ->excludes(shard)
+            ->excludes(merge);
+    command->add_option("--slurm-tasks", arguments->cluster.tasks, "Tasks of the array; 0 = about an hour for each")
+        ->check(number_within(std::size_t{0}, batch::kMostTasks))
+        ->capture_default_str()
+        ->needs(slurm);
+    command
+        ->add_option("--slurm-options", arguments->cluster.sbatch, "Further options of sbatch, e.g. \"--partition=long --cpus-per-task=8\"")
+        ->needs(slurm);
     add_force(*command, arguments->options.force);
     add_jobs(*command, arguments->options.jobs, "Designs made at the same time; 0 = one for each processor");
     command->footer(

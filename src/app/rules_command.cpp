@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.h"
+#include "fusee/assembly/rule.h"
 #include "fusee/checks/check.h"
 #include "fusee/inspect/rule.h"
 
@@ -45,14 +46,16 @@ Json rule_json(const checks::RuleInfo& rule, bool needs_mesh, const std::vector<
 void print_json() {
     Json all = Json::array();
     for (const checks::Rule& rule : checks::rules()) all.push_back(rule_json(rule, rule.needs_mesh, rule.needs));
+    for (const assembly::Rule& rule : assembly::rules()) all.push_back(rule_json(rule, true, {}));
     for (const inspect::Rule& rule : inspect::rules()) all.push_back(rule_json(rule, true, {}));
     fmt::print("{}\n", all.dump(2));
 }
 
-/// The rules of designs, then the rules of meshes.
+/// The rules of parts, of the joint, of meshes.
 std::vector<const checks::RuleInfo*> all_rules() {
     std::vector<const checks::RuleInfo*> infos;
     for (const checks::Rule& rule : checks::rules()) infos.push_back(&rule);
+    for (const assembly::Rule& rule : assembly::rules()) infos.push_back(&rule);
     for (const inspect::Rule& rule : inspect::rules()) infos.push_back(&rule);
     return infos;
 }

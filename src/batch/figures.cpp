@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <functional>
 
 #include "fusee/actuator/dead_band.h"
+#include "fusee/checks/material.h"
 #include "fusee/core/units.h"
 #include "fusee/pipeline/check.h"
 #include "fusee/solid/mesh.h"
@@ -15,23 +17,6 @@ namespace fusee::batch {
 
 namespace {
 
-/// g/cm^3 of what shops use most: PLA, standard resin, PA12, EN AW-6082, steel.
-double usual_density(checks::ProcessKind kind) {
-    switch (kind) {
-        case checks::ProcessKind::kFdm:
-            return 1.24;
-        case checks::ProcessKind::kSla:
-            return 1.18;
-        case checks::ProcessKind::kSls:
-            return 1.01;
-        case checks::ProcessKind::kMill:
-        case checks::ProcessKind::kMill4:
-            return 2.70;
-        default:
-            return 7.85;
-    }
-}
-
 /// "dead_band_at_0_85_Nm_deg"
 std::string dead_band_column(double torque) {
     std::string number = fmt::format("{:g}", torque);
@@ -39,39 +24,156 @@ std::string dead_band_column(double torque) {
     return "dead_band_at_" + number + "_Nm_deg";
 }
 
-constexpr const char* kEnds[] = {"least", "peak", "overdrive"};
-
-struct Width {
-    std::string column;
-    double torque = 0.0;
+/// A column of the index with the function that computes its figure.
+template <class Source>
+struct Definition {
+    study::Column column;
+    std::function<study::Figure(const Source&)> figure;
 };
+using DesignDefinition = Definition<pipeline::MadeDesign>;
+using MadeDesign = pipeline::MadeDesign;
 
-std::vector<Width> widths(const std::vector<double>& torques, const std::array<double, 3>& ends) {
-    std::vector<Width> all;
-    for (const double torque : torques) all.push_back({dead_band_column(torque), torque});
-    if (all.empty())
-        for (std::size_t i = 0; i < ends.size(); ++i) all.push_back({fmt::format("dead_band_{}_deg", kEnds[i]), ends[i]});
+DesignDefinition dead_band_at(const std::string& column, const std::function<double(const actuator::Actuator&)>& torque) {
+    return {{column, "exact dead-band, full width at the joint, at this equal co-contraction [deg]"}, [torque](const MadeDesign& made) {
+                const actuator::Actuator& joint = made.resolved.actuator;
+                return core::deg_from_rad(actuator::dead_band(joint, torque(joint)).exact_width);
+            }};
+}
+
+/// @param torques as design_figures
+std::vector<DesignDefinition> dead_band_definitions(const std::vector<double>& torques) {
+    using actuator::Actuator;
+    std::vector<DesignDefinition> all;
+    for (const double torque : torques) all.push_back(dead_band_at(dead_band_column(torque), [torque](const Actuator&) { return torque; }));
+    if (!all.empty()) return all;
+    return {dead_band_at("dead_band_least_deg", [](const Actuator& joint) { return joint.least_torque; }),
+            dead_band_at("dead_band_peak_deg", [](const Actuator& joint) { return joint.peak_torque; }),
+            dead_band_at("dead_band_overdrive_deg", [](const Actuator& joint) { return joint.overdrive_torque; })};
+}
+
+double joint_stiffness(const actuator::Actuator& joint, double torque) { return actuator::dead_band(joint, torque).joint_stiffness; }
+
+double worst_arm_error(const pipeline::Headline& headline) {
+    double worst = std::nan("");
+    for (const pipeline::MadeArm& arm : headline.arms) worst = std::fmax(worst, arm.worst_relative());
+    return worst;
+}
+
+double mass_g(const MadeDesign& made) {
+    double volume = 0.0;
+    for (const pipeline::PartReport& part : made.report.parts) volume += solid::volume_mm3(part.part->mesh);
+    return 1e-6 * volume * checks::material_of(made.resolved.profile.process).density;
+}
+
+std::vector<DesignDefinition> joint_definitions() {
+    const auto of_headline = [](const auto& figure) { return [figure](const MadeDesign& made) { return figure(made.report.headline); }; };
+    using pipeline::Headline;
+    return {
+        {{"dead_band_built_low_deg", "at overdrive torque: 5 % of joints as a shop builds them are below [deg]"},
+         of_headline([](const Headline& h) { return core::deg_from_rad(h.overdrive.built.low); })},
+        {{"dead_band_built_high_deg", "at overdrive torque: 95 % of joints as a shop builds them are below [deg]"},
+         of_headline([](const Headline& h) { return core::deg_from_rad(h.overdrive.built.high); })},
+        {{"stiffness_least_Nm_per_rad", "joint stiffness at least torque, capstans at rest [Nm/rad]"},
+         [](const MadeDesign& made) { return joint_stiffness(made.resolved.actuator, made.resolved.actuator.least_torque); }},
+        {{"stiffness_overdrive_Nm_per_rad", "joint stiffness at overdrive torque, capstans at rest [Nm/rad]"},
+         [](const MadeDesign& made) { return joint_stiffness(made.resolved.actuator, made.resolved.actuator.overdrive_torque); }},
+        {{"joint_torque_Nm", "greatest joint torque at which every spring stays inside its law [Nm]"},
+         of_headline([](const Headline& h) { return h.joint_torque; })},
+        {{"condition_6", "condition (6), d(T tau_f)/dtau < 0: holds, fails, holds in part, within rounding, not known", true},
+         of_headline([](const Headline& h) { return std::string(to_string(pipeline::condition_verdict(h.condition))); })},
+        {{"shop_arm_error_percent", "largest arm error by the process's contour tolerance, either side [%]"},
+         of_headline([](const Headline& h) { return 100.0 * worst_arm_error(h); })},
+        {{"mass_g", "mass of K_SE and K_PE, full, in the process's material [g]"}, &mass_g},
+    };
+}
+
+const pipeline::PartReport& part_of(const MadeDesign& made, cam::PartKind kind) {
+    const auto& parts = made.report.parts;
+    return *std::find_if(parts.begin(), parts.end(), [&](const auto& part) { return part.part->cam.kind == kind; });
+}
+
+double greatest_tension(const pipeline::PartReport& part) {
+    double tension = 0.0;
+    for (const cam::Contact& contact : part.part->cam.working) tension = std::max(tension, contact.arm.tension);
+    return tension;
+}
+
+/// @param cam "series cam"
+std::vector<DesignDefinition> part_definitions(cam::PartKind kind, const std::string& cam) {
+    const std::string name = to_string(kind);
+    const auto of_part = [kind](const auto& figure) { return [=](const MadeDesign& made) { return figure(part_of(made, kind)); }; };
+    std::vector<DesignDefinition> all;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        all.push_back({{fmt::format("{}_{}_mm", name, "xyz"[axis]), "size of the " + cam + " [mm]"},
+                       of_part([axis](const pipeline::PartReport& part) {
+                           const solid::Box box = solid::bounding_box(part.part->mesh);
+                           return box.high_mm[axis] - box.low_mm[axis];
+                       })});
+    all.push_back({{name + "_tension_N", "greatest tension of the " + cam + "'s cable [N]"}, of_part(&greatest_tension)});
+    all.push_back({{name + "_triangles", "triangles of the " + cam + "'s mesh"},
+                   of_part([](const pipeline::PartReport& part) { return static_cast<double>(part.part->mesh.triangles.size()); })});
     return all;
 }
 
-void add_dead_bands(Figures& to, const actuator::Actuator& joint, const std::vector<double>& torques) {
-    const std::array<double, 3> ends{joint.least_torque, joint.peak_torque, joint.overdrive_torque};
-    for (const Width& width : widths(torques, ends))
-        to.emplace_back(width.column, core::deg_from_rad(actuator::dead_band(joint, width.torque).exact_width));
-    const actuator::DeadBand least = actuator::dead_band(joint, joint.least_torque),
-                             most = actuator::dead_band(joint, joint.overdrive_torque);
-    to.emplace_back("stiffness_least_Nm_per_rad", least.joint_stiffness);
-    to.emplace_back("stiffness_overdrive_Nm_per_rad", most.joint_stiffness);
+/// Calls `take` with each file of a design.
+template <class Take>
+void each_file(const pipeline::DesignReport& report, const Take& take) {
+    std::for_each(report.files.begin(), report.files.end(), take);
+    for (const pipeline::PartReport* side : report.sides()) std::for_each(side->files.begin(), side->files.end(), take);
 }
 
-void add_part(Figures& to, const pipeline::PartReport& part, const std::string& name) {
-    const solid::Box box = solid::bounding_box(part.part->mesh);
-    for (std::size_t axis = 0; axis < 3; ++axis)
-        to.emplace_back(fmt::format("{}_{}_mm", name, "xyz"[axis]), box.high_mm[axis] - box.low_mm[axis]);
-    double tension = 0.0;
-    for (const cam::Contact& contact : part.part->cam.working) tension = std::max(tension, contact.arm.tension);
-    to.emplace_back(name + "_tension_N", tension);
-    to.emplace_back(name + "_triangles", static_cast<double>(part.part->mesh.triangles.size()));
+std::vector<DesignDefinition> file_definitions() {
+    return {{{"arm_error_percent", "largest arm error of the files as read back [%]"},
+             [](const MadeDesign& made) { return 100.0 * made.report.file_errors().arm; }},
+            {{"dead_band_error_percent", "largest change of the dead-band by the files [%]"},
+             [](const MadeDesign& made) { return 100.0 * made.report.file_errors().dead_band; }},
+            {{"files", "files written"},
+             [](const MadeDesign& made) {
+                 double files = 0.0;
+                 each_file(made.report, [&](const pipeline::FileRow&) { ++files; });
+                 return files;
+             }},
+            {{"bytes", "size of the files"}, [](const MadeDesign& made) {
+                 double bytes = 0.0;
+                 each_file(made.report, [&](const pipeline::FileRow& row) { bytes += static_cast<double>(row.bytes); });
+                 return bytes;
+             }}};
+}
+
+std::vector<DesignDefinition> design_definitions(const std::vector<double>& torques) {
+    std::vector<DesignDefinition> all = dead_band_definitions(torques);
+    for (const auto& more : {joint_definitions(), part_definitions(cam::PartKind::kSeries, "series cam"),
+                             part_definitions(cam::PartKind::kParallel, "parallel cam"), file_definitions()})
+        all.insert(all.end(), more.begin(), more.end());
+    return all;
+}
+
+std::vector<Definition<core::Findings>> finding_definitions() {
+    using core::Findings;
+    const auto number_of = [](core::Severity severity) {
+        return [severity](const Findings& findings) { return static_cast<double>(core::count(findings, severity)); };
+    };
+    const auto of_worst = [](const auto& text) {
+        return [text](const Findings& findings) {
+            const core::Finding* worst = pipeline::binding(findings);
+            return worst != nullptr ? study::Figure(text(*worst)) : study::Figure(std::nan(""));
+        };
+    };
+    return {{{"errors", "rules that are broken"}, number_of(core::Severity::kError)},
+            {{"warnings", "rules that ask for a review"}, number_of(core::Severity::kWarning)},
+            {{"not_judged", "rules that the profile gives too little data for"}, number_of(core::Severity::kNotJudged)},
+            {{"worst_rule", "the binding rule of the highest severity", true}, of_worst([](const core::Finding& f) { return f.rule; })},
+            {{"worst_finding", "its finding in one line", true}, of_worst([](const core::Finding& f) { return core::to_line(f); })}};
+}
+
+template <class Source>
+void add_columns(std::vector<study::Column>& to, const std::vector<Definition<Source>>& definitions) {
+    for (const auto& definition : definitions) to.push_back(definition.column);
+}
+
+template <class Source>
+void add_figures(Figures& to, const std::vector<Definition<Source>>& definitions, const Source& source) {
+    for (const auto& [column, figure] : definitions) to.emplace_back(column.name, figure(source));
 }
 
 /// The contour of a closed cam or the projection of a helix, in units of its largest radius: "x,y x,y ...".
@@ -89,28 +191,6 @@ std::string outline(const cam::Cam& cam) {
     return text;
 }
 
-void add_files(Figures& to, const pipeline::DesignReport& report) {
-    std::size_t files = report.files.size();
-    double bytes = 0.0;
-    const auto count = [&](const pipeline::FileRow& row) { bytes += static_cast<double>(row.bytes); };
-    std::for_each(report.files.begin(), report.files.end(), count);
-    for (const pipeline::PartReport* side : report.sides()) {
-        files += side->files.size();
-        std::for_each(side->files.begin(), side->files.end(), count);
-    }
-    to.emplace_back("files", static_cast<double>(files));
-    to.emplace_back("bytes", bytes);
-    const pipeline::FileErrors errors = report.file_errors();
-    to.emplace_back("arm_error_percent", 100.0 * errors.arm);
-    to.emplace_back("dead_band_error_percent", 100.0 * errors.dead_band);
-}
-
-double shop_arm_error(const pipeline::Headline& headline) {
-    double worst = std::nan("");
-    for (const pipeline::MadeArm& arm : headline.arms) worst = std::fmax(worst, arm.worst_relative());
-    return 100.0 * worst;
-}
-
 }  // namespace
 
 std::vector<study::Column> index_columns(const study::Plan& plan) {
@@ -119,37 +199,8 @@ std::vector<study::Column> index_columns(const study::Plan& plan) {
         const bool is_text = !v.values.empty() && v.values.front().starts_with('"');
         columns.push_back({study::column_name(v.key), "key " + v.key + " of the profile", is_text});
     }
-    for (const Width& width : widths(plan.study().torques, {}))
-        columns.push_back({width.column, "exact dead-band, full width at the joint, at this equal co-contraction [deg]"});
-    const std::vector<study::Column> others{
-        {"dead_band_built_low_deg", "at overdrive torque: 5 % of joints as a shop builds them are below [deg]"},
-        {"dead_band_built_high_deg", "at overdrive torque: 95 % of joints as a shop builds them are below [deg]"},
-        {"stiffness_least_Nm_per_rad", "joint stiffness at least torque, capstans at rest [Nm/rad]"},
-        {"stiffness_overdrive_Nm_per_rad", "joint stiffness at overdrive torque, capstans at rest [Nm/rad]"},
-        {"joint_torque_Nm", "greatest joint torque at which every spring stays inside its law [Nm]"},
-        {"condition_6", "condition (6), d(T tau_f)/dtau < 0: holds, fails, holds in part, within rounding, not known", true},
-        {"shop_arm_error_percent", "largest arm error by the process's contour tolerance, either side [%]"},
-        {"mass_g", "mass of K_SE and K_PE, full, in the process's usual material [g]"},
-        {"k_se_x_mm", "size of the series cam [mm]"},
-        {"k_se_y_mm", "size of the series cam [mm]"},
-        {"k_se_z_mm", "size of the series cam [mm]"},
-        {"k_se_tension_N", "greatest tension of the series cam's cable [N]"},
-        {"k_se_triangles", "triangles of the series cam's mesh"},
-        {"k_pe_x_mm", "size of the parallel cam [mm]"},
-        {"k_pe_y_mm", "size of the parallel cam [mm]"},
-        {"k_pe_z_mm", "size of the parallel cam [mm]"},
-        {"k_pe_tension_N", "greatest tension of the parallel cam's cable [N]"},
-        {"k_pe_triangles", "triangles of the parallel cam's mesh"},
-        {"arm_error_percent", "largest arm error of the files as read back [%]"},
-        {"dead_band_error_percent", "largest change of the dead-band by the files [%]"},
-        {"files", "files written"},
-        {"bytes", "size of the files"},
-        {"errors", "rules that are broken"},
-        {"warnings", "rules that ask for a review"},
-        {"not_judged", "rules that the profile gives too little data for"},
-        {"worst_rule", "the binding rule of the highest severity", true},
-        {"worst_finding", "its finding in one line", true}};
-    columns.insert(columns.end(), others.begin(), others.end());
+    add_columns(columns, design_definitions(plan.study().torques));
+    add_columns(columns, finding_definitions());
     return columns;
 }
 
@@ -168,36 +219,17 @@ Figures varied_figures(const study::Plan& plan, const study::Planned& planned) {
 }
 
 Figures finding_figures(const core::Findings& findings) {
-    Figures figures{{"errors", static_cast<double>(core::count(findings, core::Severity::kError))},
-                    {"warnings", static_cast<double>(core::count(findings, core::Severity::kWarning))},
-                    {"not_judged", static_cast<double>(core::count(findings, core::Severity::kNotJudged))}};
-    if (const core::Finding* worst = pipeline::binding(findings)) {
-        figures.emplace_back("worst_rule", worst->rule);
-        figures.emplace_back("worst_finding", core::to_line(*worst));
-    }
+    Figures figures;
+    add_figures(figures, finding_definitions(), findings);
     return figures;
 }
 
 Figures design_figures(const pipeline::MadeDesign& made, const std::vector<double>& torques) {
-    const pipeline::DesignReport& report = made.report;
     Figures figures;
-    add_dead_bands(figures, made.resolved.actuator, torques);
-    figures.emplace_back("dead_band_built_low_deg", core::deg_from_rad(report.headline.overdrive.built.low));
-    figures.emplace_back("dead_band_built_high_deg", core::deg_from_rad(report.headline.overdrive.built.high));
-    figures.emplace_back("joint_torque_Nm", report.headline.joint_torque);
-    figures.emplace_back("condition_6", std::string(to_string(pipeline::condition_verdict(report.headline.condition))));
-    figures.emplace_back("shop_arm_error_percent", shop_arm_error(report.headline));
-    double volume = 0.0;
-    for (const pipeline::PartReport& part : report.parts) {
-        add_part(figures, part, to_string(part.part->cam.kind));
-        volume += solid::volume_mm3(part.part->mesh);
-    }
-    figures.emplace_back("mass_g", 1e-3 * volume * usual_density(made.resolved.profile.process.kind));
-    add_files(figures, report);
-    for (const pipeline::PartReport& part : report.parts)
+    add_figures(figures, design_definitions(torques), made);
+    for (const pipeline::PartReport& part : made.report.parts)
         figures.emplace_back(std::string(to_string(part.part->cam.kind)) + "_outline", outline(part.part->cam));
-    const Figures worst = finding_figures(report.all_findings());
-    figures.insert(figures.end(), worst.begin(), worst.end());
+    add_figures(figures, finding_definitions(), made.report.all_findings());
     return figures;
 }
 

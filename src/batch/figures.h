@@ -1,15 +1,15 @@
 #pragma once
-#include <utility>
 #include <vector>
 
 #include "fusee/core/finding.h"
 #include "fusee/pipeline/make.h"
 #include "fusee/study/index.h"
 #include "fusee/study/plan.h"
+#include "fusee/study/store.h"
 
 namespace fusee::batch {
 
-using Figures = std::vector<std::pair<std::string, study::Figure>>;
+using Figures = decltype(study::Row::figures);
 
 /// The columns of a study's index, in order.
 [[nodiscard]] std::vector<study::Column> index_columns(const study::Plan& plan);

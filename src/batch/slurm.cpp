@@ -6,9 +6,11 @@
 #include <cmath>
 #include <sstream>
 
+#include "fusee/batch/study.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/core/process.h"
+#include "fusee/core/text.h"
 #include "study_folder.h"
 
 namespace fs = std::filesystem;
@@ -18,23 +20,12 @@ namespace fusee::batch {
 namespace {
 
 constexpr std::chrono::seconds kSubmitTime{60};
-constexpr std::size_t kMostTasks = 1000;
-
-/// Processor time of one design (docs/performance.md) [s].
-double usual_seconds(study::Outputs outputs) { return outputs == study::Outputs::kAll ? 4.5 : 0.2; }
-
-/// One word for a POSIX shell.
-std::string word(const std::string& text) {
-    std::string quoted = "'";
-    for (const char c : text) quoted += c == '\'' ? "'\\''" : std::string(1, c);
-    return quoted + "'";
-}
 
 /// "/usr/bin/fusee batch '/home/me/s.toml' --out '/home/me/out' --name 'batch'": absolute, since a task begins in another folder.
 std::string command(const SlurmOptions& options) {
-    std::string line = word(fs::read_symlink("/proc/self/exe").string()) + " batch";
-    for (const fs::path& path : options.paths) line += " " + word(fs::absolute(path).string());
-    return line + " --out " + word(fs::absolute(options.out).string()) + " --name " + word(options.name) +
+    std::string line = core::shell_word(fs::read_symlink("/proc/self/exe").string()) + " batch";
+    for (const fs::path& path : options.paths) line += " " + core::shell_word(fs::absolute(path).string());
+    return line + " --out " + core::shell_word(fs::absolute(options.out).string()) + " --name " + core::shell_word(options.name) +
            (options.force ? " --force" : "");
 }
 
@@ -68,13 +59,13 @@ std::vector<std::string> words_of(const std::string& text) {
     return {std::istream_iterator<std::string>(in), {}};
 }
 
-}  // namespace
-
+/// Tasks of about an hour for one processor.
 std::size_t usual_tasks(const study::Plan& plan) {
-    const double hours = static_cast<double>(plan.size()) * usual_seconds(plan.study().outputs) / 3600.0;
-    return std::clamp<std::size_t>(static_cast<std::size_t>(std::ceil(hours)), 1,
-                                   std::min(kMostTasks, std::max<std::size_t>(plan.size(), 1)));
+    const double hours = static_cast<double>(plan.size()) * usual_cost(plan.study().outputs).seconds / 3600.0;
+    return std::clamp<std::size_t>(static_cast<std::size_t>(std::ceil(hours)), 1, std::clamp<std::size_t>(plan.size(), 1, kMostTasks));
 }
+
+}  // namespace
 
 SlurmJobs submit_slurm(const study::Plan& plan, const SlurmOptions& options) {
     const fs::path folder = fs::absolute(claim_study_folder(plan, options.out, options.force)) / "slurm";

@@ -2,9 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <chrono>
+#include <iterator>
+#include <map>
 #include <mutex>
+#include <optional>
 
 #include "figures.h"
 #include "fusee/core/file.h"
@@ -28,10 +32,10 @@ namespace {
 constexpr std::size_t kMostReasons = 20;
 
 /// What determines a design's result: two designs with one key have the same row.
-std::string key_of(const study::Plan& plan, const study::Planned& planned, const std::string& profile_sha256) {
+/// @throws as study::Plan::profile
+std::string key_of(const study::Plan& plan, const study::Planned& planned) {
     const study::Study& study = plan.study();
-    std::string all = fmt::format("fusee {}\n{}\n{}\n{}\n", core::version(), to_string(study.outputs), profile_sha256, planned.name);
-    for (const std::string& value : planned.values) all += value + "\n";
+    std::string all = fmt::format("fusee {}\n{}\n{}\n{}\n", core::version(), to_string(study.outputs), plan.digest(planned), planned.name);
     for (const double torque : study.torques) all += fmt::format("{}\n", torque);
     return core::sha256_hex(all);
 }
@@ -46,15 +50,14 @@ void choose_outputs(profile::Outputs& outputs, study::Outputs chosen) {
     outputs.kerf = 0.0;
 }
 
-/// Makes one design; its files appear together or not at all.
-Figures make_design(const profile::Profile& profile, const study::Study& study, const fs::path& folder, bool force, Outcome& outcome) {
-    profile::Profile asked = profile;
+/// Makes one design; its files appear together in `folder`, or not at all.
+Figures make_design(profile::Profile asked, const study::Study& study, const fs::path& folder, bool force, Outcome& outcome) {
     choose_outputs(asked.outputs, study.outputs);
     pipeline::require_parts(asked);
     const bool all = study.outputs == study::Outputs::kAll;
     std::optional<core::OutputFolder> output;  // none: no files
     if (study.outputs != study::Outputs::kFigures)
-        output.emplace(folder / "designs" / asked.name, core::OutputRun{.command = "make", .source = asked.file, .force = force});
+        output.emplace(folder, core::OutputRun{.command = "make", .source = asked.file, .force = force});
     const auto made = output ? pipeline::make_parts(asked, *output, {.reported = all}) : pipeline::make_figures(asked);
     const core::Findings findings = made ? made->report.all_findings() : made.refusal();
     outcome = made && !core::any_error(findings) ? Outcome::kMade : Outcome::kRefused;
@@ -72,19 +75,19 @@ public:
           options_(options),
           folder_(folder),
           earlier_(folder),
-          log_(folder, fmt::format("{}-of-{}", options.shard.number, options.shard.count)) {
-        if (plan.study().varies()) base_sha256_ = plan.base_sha256();
-    }
+          log_(folder, fmt::format("{}-of-{}", options.shard.number, options.shard.count)) {}
 
     void make_all(core::Progress& progress) {
-        const std::size_t mine = (plan_.size() + options_.shard.count - options_.shard.number) / options_.shard.count;
-        core::parallel_for(mine, options_.jobs, [&](std::size_t i) {
+        core::parallel_for(options_.shard.size(plan_.size()), options_.jobs, [&](std::size_t i) {
             if (core::interrupted()) return;
-            const study::Planned planned = plan_.at(options_.shard.number - 1 + i * options_.shard.count);
+            const study::Planned planned = plan_.at(options_.shard.index(i));
             progress.advance(planned.name + ": " + make_one(planned));
         });
     }
-    [[nodiscard]] StudyResult result() && { return std::move(result_); }
+    [[nodiscard]] StudyResult result() && {
+        for (auto& [index, reason] : reasons_) result_.reasons.push_back(std::move(reason));
+        return std::move(result_);
+    }
 
 private:
     /// @returns the outcome in words
@@ -95,11 +98,10 @@ private:
         study::Row row{{}, planned.index, planned.name, {}, 0.0};
         bool known = false;
         guarded(ended, [&] {
-            const auto profile = base_sha256_.empty() ? std::optional(plan_.profile(planned)) : std::nullopt;
-            row.key = key_of(plan_, planned, profile ? profile->sha256 : base_sha256_);
-            if ((known = earlier_.has(row.key))) return;
+            row.key = key_of(plan_, planned);
+            if ((known = earlier_.find(row.key).has_value())) return;
             const Figures figures =
-                make_design(profile ? *profile : plan_.profile(planned), plan_.study(), folder_, options_.force, ended.outcome);
+                make_design(plan_.profile(planned), plan_.study(), folder_ / "designs" / planned.name, options_.force, ended.outcome);
             row.figures = varied_figures(plan_, planned);
             row.figures.insert(row.figures.begin(), {"outcome", std::string(to_string(ended.outcome))});
             row.figures.insert(row.figures.end(), figures.begin(), figures.end());
@@ -107,14 +109,14 @@ private:
             log_.append(row);
         });
         if (known) return count(result_.earlier, "made earlier");
-        return note(planned.name, ended);
+        return note(planned, ended);
     }
     std::string count(std::size_t& counter, std::string words) {
         const std::lock_guard lock(mutex_);
         ++counter;
         return words;
     }
-    std::string note(const std::string& name, const Ended& ended) {
+    std::string note(const study::Planned& planned, const Ended& ended) {
         const std::lock_guard lock(mutex_);
         switch (ended.outcome) {
             case Outcome::kMade:
@@ -129,8 +131,14 @@ private:
             default:
                 ++result_.failed;
         }
-        if (!ended.error.empty() && result_.reasons.size() < kMostReasons) result_.reasons.push_back(name + ": " + ended.error);
+        if (!ended.error.empty()) keep(planned.index, planned.name + ": " + ended.error);
         return to_string(ended.outcome);
+    }
+
+    /// Keeps the reasons of the first designs, whatever the order in which they end.
+    void keep(std::size_t index, std::string reason) {
+        reasons_.emplace(index, std::move(reason));
+        if (reasons_.size() > kMostReasons) reasons_.erase(std::prev(reasons_.end()));
     }
 
     const study::Plan& plan_;
@@ -138,25 +146,24 @@ private:
     fs::path folder_;
     study::RowIndex earlier_;
     study::RowLog log_;
-    std::string base_sha256_;
     std::mutex mutex_;
     StudyResult result_;
+    std::map<std::size_t, std::string> reasons_;
 };
 
-/// The rows of the plan's designs, in order.
-void each_row(const study::Plan& plan, const study::RowIndex& rows, const std::function<void(const study::Row&)>& take) {
-    const std::string base = plan.study().varies() ? plan.base_sha256() : "";
+/// Where the rows of the plan's designs stand, in order; none: not finished.
+std::vector<std::optional<study::RowIndex::Place>> find_rows(const study::Plan& plan, const study::RowIndex& rows) {
+    std::vector<std::optional<study::RowIndex::Place>> places;
     for (std::size_t i = 0; i < plan.size(); ++i) {
         const study::Planned planned = plan.at(i);
         if (!planned.excluded_by.empty()) continue;
         try {
-            const std::string key = key_of(plan, planned, base.empty() ? plan.profile(planned).sha256 : base);
-            if (rows.has(key)) take(rows.read(key));
-        } catch (const core::InvalidInput&) {  // a profile of a list that cannot be read has no row
-        } catch (const core::InvalidInputs&) {
-        } catch (const core::IoError&) {
+            places.push_back(rows.find(key_of(plan, planned)));
+        } catch (const core::InputError&) {  // a profile that cannot be read has no row
+            places.emplace_back();
         }
     }
+    return places;
 }
 
 }  // namespace
@@ -172,34 +179,50 @@ Shard parse_shard(const std::string& text) {
     return shard;
 }
 
+std::size_t Shard::size(std::size_t designs) const { return (designs + count - number) / count; }
+
 StudyResult run_study(const study::Plan& plan, const StudyOptions& options) {
     const fs::path folder = claim_study_folder(plan, options.out, options.force);
-    core::Progress progress("batch", (plan.size() + options.shard.count - options.shard.number) / options.shard.count);
+    core::Progress progress("batch", options.shard.size(plan.size()));
     Run run(plan, options, folder);
     run.make_all(progress);
     StudyResult result = std::move(run).result();
     result.folder = folder;
     result.planned = plan.size();
     result.interrupted = core::interrupted();
-    if (options.shard.count == 1) result.indexed = write_index(plan, options.out, options.force);
+    if (options.shard.count == 1) result.indexed = write_index(plan, options.out, options.force).designs;
     return result;
 }
 
-std::size_t write_index(const study::Plan& plan, const fs::path& out, bool force) {
+IndexSize write_index(const study::Plan& plan, const fs::path& out, bool force) {
     core::OutputFolder output = study_folder(plan, out, force);
     const study::RowIndex rows(output.target());
+    const auto places = find_rows(plan, rows);
+    const auto missing = static_cast<std::size_t>(std::count(places.begin(), places.end(), std::nullopt));
+    if (missing == places.size()) return {0, missing};
     const std::vector<study::Column> columns = index_columns(plan);
-    std::size_t count = 0;
     const study::EachRow each = [&](const auto& take) {
-        count = 0;
-        each_row(plan, rows, [&](const study::Row& row) { ++count, take(row); });
+        for (const auto& place : places)
+            if (place) take(rows.read(*place));
     };
     write_study_file(plan, output.path());
     study::write_csv(output.path() / "index.csv", columns, each);
     study::write_sqlite(output.path() / "index.sqlite", columns, each);
     report::write_study_page(output.path() / "index.html", plan.study(), columns, each);
     output.commit();
-    return count;
+    return {places.size() - missing, missing};
+}
+
+Cost usual_cost(study::Outputs outputs) {
+    switch (outputs) {
+        case study::Outputs::kFigures:
+            return {0.11, 3e3};
+        case study::Outputs::kMeshes:
+            return {0.21, 2.8e6};
+        case study::Outputs::kAll:
+            return {2.4, 8.5e6};
+    }
+    return {};
 }
 
 int exit_code(const StudyResult& result) {

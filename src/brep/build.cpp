@@ -54,6 +54,7 @@ TopoDS_Shape without(const TopoDS_Shape& body, const std::vector<solid::Cutter>&
     cut.SetTools(tools);
     cut.SetFuzzyValue(fuzzy_mm);
     cut.SetRunParallel(false);
+    cut.SetCheckInverted(false);  // the body has just been oriented, and prisms are
     cut.Build();
     return cut.IsDone() ? cut.Shape() : TopoDS_Shape();
 }

@@ -1,5 +1,6 @@
 #include "fusee/checks/limits.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -11,19 +12,30 @@ namespace fusee::checks {
 namespace {
 
 constexpr std::array kCableTable = {
-    CableLimits{"fibre", 4.0, 8.0, "The Complete Rigger's Apprentice: fibre 4-6, better 6-8"},
-    CableLimits{"7x7", 28.0, 40.0, "Sava: 40; Strandcore: desired 42, critical 28"},
-    CableLimits{"7x19", 18.0, 25.0, "Sava: 25; Strandcore: desired 24, critical 18"},
-    CableLimits{"7x49", 15.0, 16.0, "Sava: 15, low life below 16"},
+    CableLimits{"fibre", 4.0, 8.0, 0.05, "The Complete Rigger's Apprentice: fibre 4-6, better 6-8; Samson: at least 3"},
+    CableLimits{"7x7", 28.0, 40.0, 0.1, "Sava: 40; Strandcore: desired 42, critical 28"},
+    CableLimits{"7x19", 18.0, 25.0, 0.1, "Sava: 25; Strandcore: desired 24, critical 18"},
+    CableLimits{"7x49", 15.0, 16.0, 0.1, "Sava: 15, low life below 16"},
 };
 
 struct Strength {
     double bend_ratio, left;
 };
-constexpr std::array kStrength = {Strength{1.0, 0.50},  Strength{2.0, 0.65},  Strength{6.0, 0.79},
-                                  Strength{10.0, 0.86}, Strength{20.0, 0.91}, Strength{40.0, 0.95}};
+constexpr std::array kWireStrength = {Strength{1.0, 0.50},  Strength{2.0, 0.65},  Strength{6.0, 0.79},
+                                      Strength{10.0, 0.86}, Strength{20.0, 0.91}, Strength{40.0, 0.95}};
+constexpr std::array kFibreStrength = {Strength{1.0, 0.50}, Strength{2.0, 0.65}, Strength{4.0, 0.80}, Strength{8.0, 0.95}};
 
-constexpr const char* kMilling = "zekes3d, procurabl, neptunelabs, super-ingenuity, Xometry; fit and strength (practice)";
+constexpr std::array kTerminations = {
+    TerminationLimits{Termination::kKnot, true, 0.5, 3.0,
+                      "Starzinger: 55-60 %; rund-ums-tauwerk: 25-50 %; an overhand knot is about 3 d wide"},
+    TerminationLimits{Termination::kCrimp, true, 0.6, 3.0, "a sleeve on a slippery braid (practice)"},
+    TerminationLimits{Termination::kSplice, true, 0.9, 2.5, "Starzinger: 90-100 %; the buried tail with a pin through the eye (practice)"},
+    TerminationLimits{Termination::kKnot, false, 0.4, 4.0, "wire kinks in a knot (practice)"},
+    TerminationLimits{Termination::kCrimp, false, 0.9, 2.5, "TM 5-3810: sleeve 92.5-95 %; cavinguk: 90-96 %"},
+    TerminationLimits{Termination::kSplice, false, 0.76, 2.5, "TM 5-3810: tucked by hand, stainless 76 %"},
+};
+
+constexpr const char* kMilling = "zekes3d, procurabl, neptunelabs, super-ingenuity, Xometry; fit (practice)";
 constexpr std::array kProcesses = {
     ProcessLimits{ProcessKind::kFdm,
                   0.8e-3,
@@ -35,9 +47,8 @@ constexpr std::array kProcesses = {
                   2e-3,
                   0.4e-3,
                   {0.1e-3, 0.4e-3},
-                  20e6,
                   0.2e-3,
-                  "3dservicesusa, cifproto, arti90, layerx3d; detail, strength and layer (practice)"},
+                  "3dservicesusa, cifproto, arti90, layerx3d; detail and layer (practice)"},
     ProcessLimits{ProcessKind::kSla,
                   0.5e-3,
                   1.0e-3,
@@ -48,9 +59,8 @@ constexpr std::array kProcesses = {
                   0.5e-3,
                   0.5e-3,
                   {0.15e-3, 0.3e-3},
-                  30e6,
                   0.05e-3,
-                  "3dservicesusa, cifproto, arti90, layerx3d; strength and layer (practice)"},
+                  "3dservicesusa, cifproto, arti90, layerx3d; layer (practice)"},
     ProcessLimits{ProcessKind::kSls,
                   0.7e-3,
                   0.8e-3,
@@ -61,12 +71,10 @@ constexpr std::array kProcesses = {
                   0.5e-3,
                   0.5e-3,
                   {0.2e-3, 0.5e-3},
-                  35e6,
                   0.1e-3,
-                  "3dservicesusa, cifproto, arti90, layerx3d; strength and layer (practice)"},
-    ProcessLimits{ProcessKind::kMill, 0.8e-3, 1.5e-3, 0.5e-3, 0.0, 0.25e-3, 0.127e-3, 2.5e-3, 0.5e-3, {0.0, 0.05e-3}, 100e6, 0.0, kMilling},
-    ProcessLimits{
-        ProcessKind::kMill4, 0.8e-3, 1.5e-3, 0.5e-3, 0.0, 0.25e-3, 0.127e-3, 2.5e-3, 0.5e-3, {0.0, 0.05e-3}, 100e6, 0.0, kMilling},
+                  "3dservicesusa, cifproto, arti90, layerx3d; layer (practice)"},
+    ProcessLimits{ProcessKind::kMill, 0.8e-3, 1.5e-3, 0.5e-3, 0.0, 0.25e-3, 0.127e-3, 2.5e-3, 0.5e-3, {0.0, 0.05e-3}, 0.0, kMilling},
+    ProcessLimits{ProcessKind::kMill4, 0.8e-3, 1.5e-3, 0.5e-3, 0.0, 0.25e-3, 0.127e-3, 2.5e-3, 0.5e-3, {0.0, 0.05e-3}, 0.0, kMilling},
     ProcessLimits{ProcessKind::kEdm,
                   0.5e-3,
                   1.0e-3,
@@ -77,7 +85,6 @@ constexpr std::array kProcesses = {
                   0.5e-3,
                   0.0,
                   {0.0, 0.03e-3},
-                  100e6,
                   0.0,
                   "wire of 0.25 mm with a gap of 0.02 mm a side (practice)"},
     ProcessLimits{ProcessKind::kLaser,
@@ -90,14 +97,14 @@ constexpr std::array kProcesses = {
                   1.0e-3,
                   0.0,
                   {0.0, 0.2e-3},
-                  100e6,
                   0.0,
                   "steel sheet, kerf 0.2 mm (practice)"},
 };
 
 constexpr std::array kKeys = {
-    KeySize{6e-3, 8e-3, 2e-3, 1.0e-3},   KeySize{8e-3, 10e-3, 3e-3, 1.4e-3},  KeySize{10e-3, 12e-3, 4e-3, 1.8e-3},
-    KeySize{12e-3, 17e-3, 5e-3, 2.3e-3}, KeySize{17e-3, 22e-3, 6e-3, 2.8e-3}, KeySize{22e-3, 30e-3, 8e-3, 3.3e-3},
+    KeySize{6e-3, 8e-3, 2e-3, 2e-3, 1.2e-3, 1.0e-3},   KeySize{8e-3, 10e-3, 3e-3, 3e-3, 1.8e-3, 1.4e-3},
+    KeySize{10e-3, 12e-3, 4e-3, 4e-3, 2.5e-3, 1.8e-3}, KeySize{12e-3, 17e-3, 5e-3, 5e-3, 3.0e-3, 2.3e-3},
+    KeySize{17e-3, 22e-3, 6e-3, 6e-3, 3.5e-3, 2.8e-3}, KeySize{22e-3, 30e-3, 8e-3, 7e-3, 4.0e-3, 3.3e-3},
 };
 
 constexpr double kSameLength = 1e-9;  // [m]: 8e-3 read from millimetres may miss 8e-3 by its last bit
@@ -136,14 +143,44 @@ const CableLimits& cable_limits(const std::string& construction) {
     throw core::InvalidInput("cable.construction", construction, known);
 }
 
-double strength_left(double bend_ratio) {
-    if (!(bend_ratio > kStrength.front().bend_ratio)) return kStrength.front().left;
-    for (std::size_t i = 1; i < kStrength.size(); ++i) {
-        const Strength &a = kStrength[i - 1], &b = kStrength[i];
+bool CableLimits::is_fibre() const { return construction == std::string_view("fibre"); }
+
+namespace {
+
+double interpolated(std::span<const Strength> rows, double bend_ratio) {
+    if (!(bend_ratio > rows.front().bend_ratio)) return rows.front().left;
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+        const Strength &a = rows[i - 1], &b = rows[i];
         if (bend_ratio <= b.bend_ratio)
             return a.left + (b.left - a.left) * std::log(bend_ratio / a.bend_ratio) / std::log(b.bend_ratio / a.bend_ratio);
     }
-    return kStrength.back().left;
+    return rows.back().left;
+}
+
+}  // namespace
+
+double strength_left(const std::string& construction, double bend_ratio) {
+    return cable_limits(construction).is_fibre() ? interpolated(kFibreStrength, bend_ratio) : interpolated(kWireStrength, bend_ratio);
+}
+
+std::span<const TerminationLimits> termination_table() { return kTerminations; }
+
+const TerminationLimits& termination_limits(const Cable& cable) {
+    const bool fibre = cable_limits(cable.construction).is_fibre();
+    return *std::find_if(kTerminations.begin(), kTerminations.end(),
+                         [&](const TerminationLimits& t) { return t.kind == cable.termination && t.fibre == fibre; });
+}
+
+const char* to_string(Termination kind) {
+    switch (kind) {
+        case Termination::kKnot:
+            return "knot";
+        case Termination::kCrimp:
+            return "crimp";
+        case Termination::kSplice:
+            return "splice";
+    }
+    return "";
 }
 
 ProcessLimits process_limits(const Process& process) {

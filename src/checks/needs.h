@@ -1,6 +1,6 @@
 #pragma once
-#include "coil.h"
 #include "fusee/checks/check.h"
+#include "fusee/spring/coil.h"
 #include "shape.h"
 
 /// Optional values of the profile that rules need, and the designs to which these rules apply.
@@ -25,11 +25,13 @@ inline constexpr Need kWire{"spring.wire_mm", of_spring<&spring::BaseSpring::wir
 inline constexpr Need kCoil{"spring.coil_mm", of_spring<&spring::BaseSpring::coil_diameter>};
 inline constexpr Need kActiveCoils{"spring.active_coils", of_spring<&spring::BaseSpring::active_coils>};
 inline constexpr Need kFreeLength{"spring.free_length_mm", of_spring<&spring::BaseSpring::free_length>};
-inline constexpr Need kStrength{"spring.tensile_strength_MPa", of_spring<&spring::BaseSpring::tensile_strength>};
+inline constexpr Need kStrength{"spring.tensile_strength_MPa",
+                                [](const Design& d) { return spring::tensile_strength(d.spring) > 0.0; },
+                                nullptr,
+                                {"spring.wire_class"}};
 inline constexpr Need kRod{"spring.rod_mm", of_spring<&spring::BaseSpring::rod_diameter>};
 inline constexpr Need kCycles{"spring.cycles", of_spring<&spring::BaseSpring::cycles>};
 inline constexpr Need kHand{"spring.hand", [](const Design& d) { return d.spring.hand != spring::Hand::kUnknown; }};
-inline constexpr Need kBreakingLoad{"cable.breaking_load_N", [](const Design& d) { return d.cable.breaking_load > 0.0; }};
 inline constexpr Need kContactModulus{"roller.contact_modulus_MPa",
                                       [](const Design& d) { return d.part.cam.options.roller.contact_modulus > 0.0; }};
 
@@ -37,7 +39,7 @@ inline constexpr Need kContactModulus{"roller.contact_modulus_MPa",
 inline constexpr Need kWoundCoils{"spring.active_coils", [](const Design& d) { return is_compression(d) || d.spring.active_coils > 0.0; }};
 /// Travel to solid length, stated by the maker or computed from the coils.
 inline constexpr Need kTravel{"spring.max_travel_mm",
-                              [](const Design& d) { return d.spring.max_state > 0.0 || travel_to_solid(d.spring).has_value(); },
+                              [](const Design& d) { return d.spring.max_state > 0.0 || spring::travel_to_solid(d.spring).has_value(); },
                               "rated_required",
                               {"spring.free_length_mm", "spring.active_coils", "spring.wire_mm"}};
 
@@ -54,10 +56,6 @@ inline constexpr Need kScatterTravel{"spring.max_travel_mm", [](const Design& d)
                                      "travel_review"};
 inline constexpr Need kRollerPressure{"roller.max_pressure_MPa",
                                       [](const Design& d) { return d.part.cam.options.roller.max_pressure > 0.0; }, "required"};
-/// Allowed pressure of the part's material. @param limit of the rule
-constexpr Need material_pressure(const char* limit) {
-    return {"cable.max_pressure_MPa", [](const Design& d) { return d.cable.max_pressure > 0.0; }, limit};
-}
 
 }  // namespace need
 

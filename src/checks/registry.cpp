@@ -35,6 +35,7 @@ constexpr std::array kGroups = {
     Group{"stack", "plates cut by wire or laser, stacked"},
     Group{"assembly", "putting it together"},
     Group{"collision", "conflicts between rope practice and manufacturing practice", cam::Family::kCable},
+    Group{"joint", "the joint as a whole"},
     Group{"mesh", "third-party meshes (fusee check)"},
 };
 

@@ -37,6 +37,12 @@ double largest_state(const Design& design) {
     return largest;
 }
 
+double least_state(const Design& design) {
+    double least = largest_state(design);
+    for (const cam::Contact& c : design.part.cam.working) least = std::min(least, c.arm.state);
+    return std::min(least, std::max(design.spring.preload, 0.0));
+}
+
 std::string scale_arms(const Design& design, double factor) {
     const double power = torsion(design) ? 1.0 : -1.0;
     return fmt::format(

@@ -25,14 +25,16 @@ constexpr std::array kCableSizes_mm{0.2, 0.3, 0.4, 0.5, 0.6, 0.8, 1.0, 1.2, 1.5,
 struct CableStock {
     const char* construction;
     double thinnest_mm;
-    double strength;  ///< of the strongest: breaking load over d^2 [Pa]
+    double usual;     ///< breaking load over d^2 of an ordinary one [Pa]
+    double strength;  ///< of the strongest: the same [Pa]
     const char* source;
 };
 constexpr std::array kStock{
-    CableStock{"fibre", 0.2, 2000e6, "metric sizes of braided cords (practice); strongest: UHMWPE braid"},
-    CableStock{"7x7", 0.3, 900e6, "metric sizes of wire rope (practice); strongest: MIL-DTL-83420, rounded up"},
-    CableStock{"7x19", 0.8, 900e6, "metric sizes of wire rope (practice); strongest: MIL-DTL-83420, 8.9 kN at 3.2 mm"},
-    CableStock{"7x49", 0.6, 900e6, "metric sizes of wire rope (practice); strongest: as 7x19"},
+    CableStock{"fibre", 0.2, 870e6, 2070e6,
+               "metric sizes of braided cords (practice); UHMWPE braid: 130 lb at 0.032 in, strongest 138 lb at 0.545 mm"},
+    CableStock{"7x7", 0.3, 740e6, 900e6, "metric sizes of wire rope (practice); strongest: MIL-DTL-83420, rounded up"},
+    CableStock{"7x19", 0.8, 700e6, 900e6, "metric sizes of wire rope (practice); strongest: MIL-DTL-83420, 8.9 kN at 3.2 mm"},
+    CableStock{"7x49", 0.6, 650e6, 900e6, "metric sizes of wire rope (practice); strongest: as 7x19"},
 };
 
 const CableStock& stock_of(const std::string& construction) {
@@ -62,6 +64,7 @@ StandardSizes cable_sizes(const std::string& construction) {
     return {"cable", std::span(first, kCableSizes_mm.end()), stock.source};
 }
 
+double usual_cable(const std::string& construction, double d) { return stock_of(construction).usual * d * d; }
 double strongest_cable(const std::string& construction, double d) { return stock_of(construction).strength * d * d; }
 
 double torsion_stress(double torque, double diameter) { return 16.0 * torque / (core::kPi * std::pow(diameter, 3)); }

@@ -33,9 +33,10 @@ double own_k(const profile::Profile& p) {
     return own->law()->at_load(middle).s / (middle * middle);
 }
 
-/// Another base spring: the figures of the profile's wire are not valid for it.
+/// Another base spring: the figures of the profile's wire are not valid for it, nor the rating of that wire.
 void set_rate(spring::BaseSpring& spring, double rate) {
     spring.rate = rate;
+    if (spring.wire_diameter > 0.0) spring.max_state = spring.max_load = 0.0;
     spring.wire_diameter = spring.coil_diameter = spring.active_coils = spring.free_length = spring.tensile_strength = 0.0;
 }
 

@@ -52,9 +52,15 @@ public:
         if (!spline_.empty()) layer(spline_).splines.back().control_mm.push_back(point(p.x, p.y));
     }
     void addCircle(const DL_CircleData& c) override {
-        if (!(c.radius > 0.0)) throw core::IoError(path_.string(), "contains a circle with a radius that is not above 0");
+        require_radius(c.radius);
         layer(attributes.getLayer()).circles.push_back({point(c.cx, c.cy), c.radius});
     }
+    void addArc(const DL_ArcData& a) override {
+        require_radius(a.radius);
+        const Vec2 angles = point(a.angle1, a.angle2);
+        layer(attributes.getLayer()).arcs.push_back({point(a.cx, a.cy), a.radius, angles[0], angles[1]});
+    }
+    void addLine(const DL_LineData& l) override { layer(attributes.getLayer()).lines.push_back({point(l.x1, l.y1), point(l.x2, l.y2)}); }
 
     /// The last polyline or spline is complete when the file ends or the next one begins. @throws IoError if a part of it is missing
     void finish() {
@@ -79,6 +85,9 @@ private:
         auto& layers = drawing.layers;
         const auto found = std::find_if(layers.begin(), layers.end(), [&](const DxfLayer& l) { return l.name == name; });
         return found == layers.end() ? layers.emplace_back(DxfLayer{name, {}, {}}) : *found;
+    }
+    void require_radius(double radius) const {
+        if (!(radius > 0.0)) throw core::IoError(path_.string(), "contains a circle with a radius that is not above 0");
     }
     [[nodiscard]] Vec2 point(double x, double y) const {
         if (!std::isfinite(x) || !std::isfinite(y)) throw core::IoError(path_.string(), "contains a coordinate that is not finite");

@@ -73,6 +73,10 @@ void write_layer(DL_Dxf& dxf, MemoryWriter& out, const DxfLayer& layer) {
         for (const double knot : s.knots) dxf.writeKnot(out, DL_KnotData(knot));
         for (const Vec2& p : s.control_mm) dxf.writeControlPoint(out, DL_ControlPointData(p[0], p[1], 0.0, 1.0));
     }
+    for (const DxfArc& a : layer.arcs)
+        dxf.writeArc(out, DL_ArcData(a.centre_mm[0], a.centre_mm[1], 0.0, a.radius_mm, a.begin_deg, a.end_deg), look);
+    for (const DxfLine& l : layer.lines)
+        dxf.writeLine(out, DL_LineData(l.from_mm[0], l.from_mm[1], 0.0, l.to_mm[0], l.to_mm[1], 0.0), look);
     for (const DxfCircle& c : layer.circles) dxf.writeCircle(out, DL_CircleData(c.centre_mm[0], c.centre_mm[1], 0.0, c.radius_mm), look);
 }
 

@@ -3,6 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <new>
+#include <utility>
 
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
@@ -69,15 +73,40 @@ void set_description(const Handle& model, const std::string& text, const std::fi
             "adding metadata");
 }
 
+namespace {
+
+/// The bytes that lib3mf writes, and its place in them.
+struct Written {
+    std::string bytes;
+    std::size_t at = 0;
+};
+
+std::uint32_t write_piece(std::uint8_t* data, std::uint32_t size, void* user) noexcept {
+    Written& out = *static_cast<Written*>(user);
+    try {
+        if (out.bytes.size() < out.at + size) out.bytes.resize(out.at + size);
+    } catch (const std::bad_alloc&) {
+        return 1;
+    }
+    std::memcpy(out.bytes.data() + out.at, data, size);
+    out.at += size;
+    return 0;
+}
+
+std::uint32_t seek(std::uint64_t position, void* user) noexcept {
+    static_cast<Written*>(user)->at = position;
+    return 0;
+}
+
+}  // namespace
+
 std::string bytes_of(const Handle& model, const std::filesystem::path& path) {
     Handle writer;
     require(NMR::lib3mf_model_querywriter(model.get(), "3mf", writer.out()), model, path, "making the writer");
-    // The query of the size writes the stream into memory; the second call writes it again into our buffer.
-    ULONG64 size = 0;
-    require(NMR::lib3mf_writer_getstreamsize(writer.get(), &size), writer, path, "writing");
-    std::string bytes(size, '\0');
-    require(NMR::lib3mf_writer_writetobuffer(writer.get(), reinterpret_cast<BYTE*>(bytes.data()), size), writer, path, "writing");
-    return bytes;
+    Written out;  // a query of the size would write everything twice
+    require(NMR::lib3mf_writer_writetocallback(writer.get(), reinterpret_cast<void*>(write_piece), reinterpret_cast<void*>(seek), &out),
+            writer, path, "writing");
+    return std::move(out.bytes);
 }
 
 solid::Mesh take_mesh(const Handle& object, const std::filesystem::path& path) {

@@ -1,6 +1,7 @@
 #include "outlines.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "fusee/core/units.h"
@@ -35,9 +36,22 @@ Curve parallel(double offset_mm) {
     return [offset_mm](const cam::PathPoint& p) { return solid::flange_point(p, offset_mm, 0.0); };
 }
 
+std::string layer_name(const std::string& opening) {
+    std::string name;
+    for (const char c : opening) name.push_back(static_cast<char>(std::toupper(static_cast<unsigned char>(c))));
+    return name;
+}
+
 DxfLayer layer_of(const std::string& name, const solid::Outline& outline) {
     if (outline.size() == 1 && outline.front().full()) return {name, {}, {{outline.front().centre_mm, outline.front().radius_mm}}};
-    return {name, {{solid::ring_of(outline, kChord), true}}, {}};
+    DxfLayer layer{name, {}, {}};
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        const solid::Arc &arc = outline[i], &next = outline[(i + 1) % outline.size()];
+        if (arc.radius_mm > 0.0)
+            layer.arcs.push_back({arc.centre_mm, arc.radius_mm, core::deg_from_rad(arc.begin), core::deg_from_rad(arc.end)});
+        layer.lines.push_back({arc.at(arc.end), next.at(next.begin)});
+    }
+    return layer;
 }
 
 solid::HubOptions narrowed(solid::HubOptions hub, double kerf_mm) {

@@ -15,7 +15,9 @@ using Curve = std::function<solid::OutlinePoint(const cam::PathPoint&)>;
 [[nodiscard]] Curve parallel(double offset_mm);
 /// The curve over the groove, within `kDrawingChord_mm`; closed for a planar part.
 [[nodiscard]] DxfPolyline sampled(const cam::Cam& cam, const Curve& outline);
-/// An exact outline: a circle, or a closed polygon within `kDrawingChord_mm`.
+/// The layer of an opening: its name in capitals.
+[[nodiscard]] std::string layer_name(const std::string& opening);
+/// An exact outline: a circle, or a closed chain of arcs and lines.
 [[nodiscard]] DxfLayer layer_of(const std::string& name, const solid::Outline& outline);
 /// The bore of the hub as the path of a beam of this width: every side is moved inwards by half the width. The depths of keyway and flat
 /// from the radius of the bore stay unchanged.

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cctype>
-
 #include "fusee/core/error.h"
 #include "fusee/solid/columns.h"
 #include "fusee/solid/stack.h"
@@ -16,12 +14,6 @@ namespace {
 constexpr double kMarkFrom = 0.7, kTickFrom = 0.85;  // of the rim: the timing mark and the other ticks
 constexpr double kTicksApart_mm = 0.8;
 
-std::string layer_name(const std::string& opening) {
-    std::string name;
-    for (const char c : opening) name.push_back(static_cast<char>(std::toupper(static_cast<unsigned char>(c))));
-    return name;
-}
-
 bool is_core(const solid::Plate& plate) { return plate.offset_mm < 0.0; }
 
 /// Layers are found by name: all dowels are on one layer.
@@ -30,6 +22,8 @@ void add(DxfDrawing& drawing, DxfLayer layer) {
         if (there.name == layer.name) {
             there.polylines.insert(there.polylines.end(), layer.polylines.begin(), layer.polylines.end());
             there.circles.insert(there.circles.end(), layer.circles.begin(), layer.circles.end());
+            there.arcs.insert(there.arcs.end(), layer.arcs.begin(), layer.arcs.end());
+            there.lines.insert(there.lines.end(), layer.lines.begin(), layer.lines.end());
             return;
         }
     drawing.layers.push_back(std::move(layer));

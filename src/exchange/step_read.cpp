@@ -1,4 +1,3 @@
-#include <IntCurvesFace_ShapeIntersector.hxx>
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
 #include <Message_Printer.hxx>
@@ -7,7 +6,6 @@
 #include <StepBasic_Product.hxx>
 #include <StepData_StepModel.hxx>
 #include <TopoDS_Shape.hxx>
-#include <cmath>
 #include <mutex>
 
 #include "fusee/brep/failure.h"
@@ -15,6 +13,7 @@
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/exchange/step.h"
+#include "step_rays.h"
 #include "step_scan.h"
 #include "step_session.h"
 #include "step_shape.h"
@@ -34,13 +33,10 @@ std::mutex& step_session() {
 struct StepFile::Shape {
     TopoDS_Shape solid;
     std::string product;
-    mutable IntCurvesFace_ShapeIntersector rays;  // stores the last ray
+    std::unique_ptr<StepRays> rays;
 };
 
 namespace {
-
-constexpr double kFarthest_mm = 1e4;
-constexpr double kRay_mm = 1e-7;
 
 std::string product_of(const STEPControl_Reader& reader) {
     const Handle(StepData_StepModel) model = reader.StepModel();
@@ -73,7 +69,7 @@ StepFile::StepFile(const std::filesystem::path& path) : shape_(std::make_unique<
         shape_->solid = shape;
         if (!brep::is_one_solid(shape)) throw core::IoError(path.string(), "does not contain exactly one valid solid");
         shape_->product = product_of(reader);
-        shape_->rays.Load(shape, kRay_mm);
+        shape_->rays = std::make_unique<StepRays>(shape);
     });
 }
 
@@ -86,13 +82,9 @@ double StepFile::volume_mm3() const { return brep::volume_mm3(shape_->solid); }
 std::string StepFile::product() const { return shape_->product; }
 
 std::optional<double> StepFile::outermost(double azimuth, double z_mm) const {
-    brep::guard([&] {
-        shape_->rays.Perform(gp_Lin(gp_Pnt(0.0, 0.0, z_mm), gp_Dir(std::cos(azimuth), std::sin(azimuth), 0.0)), 0.0, kFarthest_mm);
-    });
-    if (!shape_->rays.IsDone() || shape_->rays.NbPnt() == 0) return std::nullopt;
-    double farthest = 0.0;
-    for (int i = 1; i <= shape_->rays.NbPnt(); ++i) farthest = std::max(farthest, shape_->rays.WParameter(i));
-    return farthest;
+    std::optional<double> found;
+    brep::guard([&] { found = shape_->rays->outermost(azimuth, z_mm); });
+    return found;
 }
 
 }  // namespace fusee::exchange

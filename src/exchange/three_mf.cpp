@@ -15,7 +15,8 @@ namespace {
 
 std::string digest(const NamedMesh& object) {
     const auto view = [](const auto& v) { return std::string_view(reinterpret_cast<const char*>(v.data()), v.size() * sizeof v[0]); };
-    return core::sha256_hex(view(object.mesh.points_mm)) + core::sha256_hex(view(object.mesh.triangles)) + object.name;
+    const std::string colour = object.colour ? core::sha256_hex(view(*object.colour)) : "";
+    return core::sha256_hex(view(object.mesh.points_mm)) + core::sha256_hex(view(object.mesh.triangles)) + object.name + colour;
 }
 
 void set_mesh(const Handle& object, const solid::Mesh& mesh) {
@@ -28,10 +29,16 @@ void set_mesh(const Handle& object, const solid::Mesh& mesh) {
     for (const solid::Triangle& t : mesh.triangles) triangles.push_back({{t[0], t[1], t[2]}});
     const auto result = NMR::lib3mf_meshobject_setgeometry(object.get(), vertices.data(), static_cast<DWORD>(vertices.size()),
                                                            triangles.data(), static_cast<DWORD>(triangles.size()));
-    BOOL sound = 0;
-    if (result == 0) NMR::lib3mf_meshobject_ismanifoldandoriented(object.get(), &sound);
-    if (result != 0 || sound == 0)
+    if (result != 0 || !solid::is_closed_and_oriented(mesh.triangles))  // lib3mf's own test takes longer than its writing
         throw core::InvalidInput("mesh", fmt::format("{} triangles", mesh.triangles.size()), "a closed, manifold and oriented surface");
+}
+
+/// The whole object's.
+void set_colour(const Handle& object, const Colour& colour, const std::filesystem::path& path) {
+    Handle usual;
+    require(NMR::lib3mf_object_createdefaultpropertyhandler(object.get(), usual.out()), object, path, "colouring");
+    NMR::MODELMESHCOLOR_SRGB colour_of_all{colour[0], colour[1], colour[2], 255};
+    require(NMR::lib3mf_defaultpropertyhandler_setcolor(usual.get(), &colour_of_all), usual, path, "colouring");
 }
 
 /// One object and its build item. @param seed for their UUIDs
@@ -40,6 +47,7 @@ void add(const Handle& model, const NamedMesh& named, const std::string& seed, c
     require(NMR::lib3mf_model_addmeshobject(model.get(), object.out()), model, path, "adding the object");
     set_name(object, named.name, path);
     set_mesh(object, named.mesh);
+    if (named.colour) set_colour(object, *named.colour, path);
     require(NMR::lib3mf_model_addbuilditem(model.get(), object.get(), nullptr, item.out()), model, path, "adding the build item");
     require(NMR::lib3mf_object_setuuidutf8(object.get(), uuid_from("object" + seed).c_str()), object, path, "naming the object");
     require(NMR::lib3mf_builditem_setuuidutf8(item.get(), uuid_from("item" + seed).c_str()), item, path, "naming the build item");

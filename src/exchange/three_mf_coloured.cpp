@@ -22,6 +22,7 @@ bool has_three_corners(const solid::Triangle& t) { return t[0] != t[1] && t[1] !
 void fill(const Handle& model, const Handle& object, const solid::Mesh& mesh, const std::vector<Colour>& colours,
           const std::filesystem::path& path) {
     std::vector<NMR::MODELMESHVERTEX> vertices;
+    std::vector<solid::Triangle> kept;
     std::vector<NMR::MODELMESHTRIANGLE> triangles;
     std::vector<NMR::MODELMESHCOLOR_SRGB> painted;
     for (const solid::Vec3& p : mesh.points_mm)
@@ -29,15 +30,15 @@ void fill(const Handle& model, const Handle& object, const solid::Mesh& mesh, co
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
         const solid::Triangle& t = mesh.triangles[i];
         if (!has_three_corners(t)) continue;  // 3MF has none
+        kept.push_back(t);
         triangles.push_back({{t[0], t[1], t[2]}});
         painted.push_back(srgb(colours[i]));
     }
     require(NMR::lib3mf_meshobject_setgeometry(object.get(), vertices.data(), static_cast<DWORD>(vertices.size()), triangles.data(),
                                                static_cast<DWORD>(triangles.size())),
             object, path, "taking the mesh");
-    BOOL sound = 0;
-    require(NMR::lib3mf_meshobject_ismanifoldandoriented(object.get(), &sound), object, path, "judging the mesh");
-    if (sound == 0) require(NMR::lib3mf_object_settype(object.get(), NMR::MODELOBJECTTYPE_SURFACE), object, path, "setting the type");
+    if (!solid::is_closed_and_oriented(kept))
+        require(NMR::lib3mf_object_settype(object.get(), NMR::MODELOBJECTTYPE_SURFACE), object, path, "setting the type");
     Handle usual, handler, item;
     require(NMR::lib3mf_object_createdefaultpropertyhandler(object.get(), usual.out()), object, path, "colouring");
     NMR::MODELMESHCOLOR_SRGB grey = srgb(kGrey);

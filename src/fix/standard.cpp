@@ -138,8 +138,6 @@ private:
 
     /// Is a thinner shaft known to be strong enough?
     bool bears(cam::PartKind kind, const std::string& key, double mm, bool keyed) {
-        if (keyed && draft_.cable.max_pressure <= 0.0)
-            return refused(key, "the pressure on its key is not judged (cable.max_pressure_MPa is not stated)"), false;
         const std::optional<double> torque = cam_torque(kind, draft_);
         if (!torque) return refused(key, "its torque is unknown because there is no cam"), false;
         const double stress = checks::torsion_stress(*torque, m_from_mm(mm)), most = checks::shaft_shear_limit(keyed);
@@ -158,8 +156,6 @@ private:
         if (din != nullptr && std::abs(m_from_mm(wanted) - (width ? din->width : din->hub_depth)) > kSame)
             return (void)refused(key, fmt::format("a shaft of {:g} mm has a key {:g} mm wide and {:g} mm deep in its hub by DIN 6885",
                                                   mm_from_m(hub.bore_diameter), mm_from_m(din->width), mm_from_m(din->hub_depth)));
-        if (!width && below(m_from_mm(wanted), hub.key_depth) && draft_.cable.max_pressure <= 0.0)
-            return (void)refused(key, "the pressure on it is not judged (cable.max_pressure_MPa is not stated)");
         add(key, fmt::format("{:g}", wanted));
     }
 

@@ -21,7 +21,7 @@ struct Held {
 ///     a spring rate in those of `co_design.catalogue` if the profile names one
 ///   - a thinner cable keeps its strength per area; without a stated breaking load a cable does not become thinner; no cable bears more
 ///     than the strongest on sale
-///   - a key follows its shaft by DIN 6885; a shaft becomes thinner only if steel bears the cam's torque and the key's pressure is judged
+///   - a key follows its shaft by DIN 6885; a shaft becomes thinner only if steel bears the cam's torque
 ///   - coils follow the rate of a spring whose coils are stated
 ///   - keys that the user keeps stay
 /// @param draft the profile that the changes are made to

@@ -26,7 +26,7 @@ constexpr double kRing = 0.01;       // of the diameter: one ring of facets of a
 constexpr double kTip = 0.6;         // diameters added by a drill's tip beyond the wall
 constexpr double kOneAxis = 0.9994;  // cosine of 2 deg: between the axes of two arcs of one hole
 
-/// Triangles in one plane, and the seams to the planes beside it.
+/// Triangles in one plane, and a seam to each plane beside it.
 struct Facet {
     std::vector<std::uint32_t> triangles;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> seams;  ///< triangle here, triangle there
@@ -44,6 +44,7 @@ public:
             facets_[planes_.find(s.a)].seams.emplace_back(s.a, s.b);
             facets_[planes_.find(s.b)].seams.emplace_back(s.b, s.a);
         });
+        for (auto& [root, facet] : facets_) keep_one_seam_to_each(facet);
     }
 
     std::vector<Hollow> all() {
@@ -59,6 +60,12 @@ public:
     }
 
 private:
+    /// Two planes meet along one line: their first seam says all. A fine mesh has planes of a thousand triangles with as many seams, and
+    /// growth from each would take time by the square of their number.
+    void keep_one_seam_to_each(Facet& facet) {
+        std::set<std::uint32_t> met;
+        std::erase_if(facet.seams, [&](const auto& seam) { return !met.insert(planes_.find(seam.second)).second; });
+    }
     [[nodiscard]] double width(const Facet& facet, const Vec3& axis) const {
         const Vec3 across = cross(axis, body_.normals()[facet.triangles.front()]);
         double low = INFINITY, high = -INFINITY;

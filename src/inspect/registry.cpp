@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
 #include "measure.h"
@@ -11,22 +10,11 @@ namespace fusee::inspect {
 #include "rule_registry.h"
 
 std::span<const Rule> rules() {
-    static const std::vector<Rule> all = [] {
-        std::vector<Rule> made;
-        for (const Registered& file : kRegistered) {
-            made.push_back(file.make());
-            assert(made.back().id == std::string_view(file.id) && "a rule's id is group.file");
-        }
-        return made;
-    }();
+    static const std::vector<Rule> all = checks::make_rules<Rule>(kRegistered);
     return all;
 }
 
-std::vector<const checks::RuleInfo*> rule_infos() {
-    std::vector<const checks::RuleInfo*> all;
-    for (const Rule& rule : rules()) all.push_back(&rule);
-    return all;
-}
+std::vector<const checks::RuleInfo*> rule_infos() { return checks::infos_of(rules()); }
 
 std::string rules_reference() { return checks::reference(rule_infos()); }
 

@@ -8,8 +8,10 @@ namespace {
 
 /// All companions of one part.
 std::vector<Companions> asked_of(const std::string& part) {
-    const std::string hub = part + ".hub.", path = part + ".path.";
-    return {{hub + "kind", "overhung", {hub + "boss_mm", hub + "boss_height_mm"}},
+    const std::string hub = part + ".hub.", path = part + ".path.", guide = part + ".guide.";
+    return {{guide + "kind", "point", {guide + "distance_mm"}},
+            {guide + "kind", "idler", {guide + "distance_mm"}},
+            {hub + "kind", "overhung", {hub + "boss_mm", hub + "boss_height_mm"}},
             {hub + "lock", "set_screw", {hub + "screw_mm", hub + "boss_mm", hub + "boss_height_mm"}},
             {path + "lead", "constant_pitch", {path + "pitch_mm"}}};
 }

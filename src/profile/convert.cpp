@@ -18,7 +18,7 @@ constexpr double kLeastSize = 1e-30;   // elsewhere, of either sign
 /// After a fault a value of the right kind replaces the refused one; the caller detects it by the count of faults.
 class Converter {
 public:
-    Converter(const Key& key, Faults& faults) : key_(key), faults_(faults) {}
+    Converter(const Key& key, core::TomlFaults& faults) : key_(key), faults_(faults) {}
 
     [[nodiscard]] Value convert(const toml::node& node) const {
         switch (key_.kind) {
@@ -85,13 +85,8 @@ private:
         return left_out ? "" : text(node);
     }
     [[nodiscard]] std::string name(const toml::node& node) const {
-        static constexpr std::size_t kLongest = 64;
         std::string value = text(node);
-        if (value.empty()) return value;
-        const bool plain = std::all_of(value.begin(), value.end(), [](unsigned char c) {
-            return c < 0x80 && (std::isalnum(c) != 0 || c == '.' || c == '_' || c == '-');
-        });
-        if (!plain || std::isalnum(static_cast<unsigned char>(value.front())) == 0 || value.size() > kLongest) refuse(node);
+        if (!value.empty() && !is_name(value)) refuse(node);
         return value;
     }
     [[nodiscard]] std::string choice(const toml::node& node) const {
@@ -122,12 +117,12 @@ private:
     }
 
     const Key& key_;
-    Faults& faults_;
+    core::TomlFaults& faults_;
 };
 
 }  // namespace
 
-std::optional<Value> convert(const Key& key, const toml::node& node, Faults& faults) {
+std::optional<Value> convert(const Key& key, const toml::node& node, core::TomlFaults& faults) {
     const std::size_t before = faults.count();
     Value value = Converter(key, faults).convert(node);
     return faults.count() == before ? std::optional(std::move(value)) : std::nullopt;

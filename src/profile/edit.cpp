@@ -140,6 +140,11 @@ void require_key(const std::string& field, const std::string& key) {
         throw core::InvalidInput(field, key, fmt::format("a key of a profile; nearest known one: {}", nearest_key(key).path));
 }
 
+bool names_file(const std::string& path) {
+    const Key* key = find_key(path);
+    return key != nullptr && key->kind == Kind::kFile;
+}
+
 double number_of(const Profile& profile, const std::string& key) { return std::get<double>(find_key(key)->get(profile)); }
 
 std::optional<std::string> value_text(const Profile& profile, const std::string& path) {

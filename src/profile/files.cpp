@@ -49,7 +49,7 @@ void read_rows(const std::string& csv, const std::string& file, const Columns& c
 /// Reads the profile's CSV files and keeps their bytes for its hash.
 class Folder {
 public:
-    Folder(const Profile& profile, Faults& faults) : profile_(profile), faults_(faults) {}
+    Folder(const Profile& profile, core::TomlFaults& faults) : profile_(profile), faults_(faults) {}
 
     /// Passes the bytes and the name of the file of `key` to `parse`, if it names one.
     template <class Parse>
@@ -77,13 +77,13 @@ private:
     }
 
     const Profile& profile_;
-    Faults& faults_;
+    core::TomlFaults& faults_;
     std::string bytes_;
 };
 
 }  // namespace
 
-std::string read_files(Profile& profile, Faults& faults) {
+std::string read_files(Profile& profile, core::TomlFaults& faults) {
     constexpr double kDegree = core::rad_from_deg(1.0);
     constexpr std::size_t kCurve = 4;  // math::make_interpolant needs as many
     Folder folder(profile, faults);

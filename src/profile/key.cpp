@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 
 namespace fusee::profile {
@@ -63,7 +65,8 @@ std::string Key::table() const {
 std::string Key::leaf() const { return path.substr(path.rfind('.') + 1); }
 
 bool Key::of_part() const {
-    static constexpr std::array kTables{"cable", "groove", "process", "tolerances", "outputs", "machining", "compensation", "k_se", "k_pe"};
+    static constexpr std::array kTables{"cable",     "groove",       "process", "material", "tolerances", "outputs",
+                                        "machining", "compensation", "k_se",    "k_pe",     "assembly"};
     return std::find(kTables.begin(), kTables.end(), path.substr(0, path.find('.'))) != kTables.end();
 }
 
@@ -73,6 +76,13 @@ std::string Condition::text(std::string_view key_quote, std::string_view value_q
     std::vector<std::string> named;
     for (const std::string& value : values) named.push_back(fmt::format("{0}{1}{0}", value_quote, value));
     return fmt::format("only with {} = {}", other, fmt::join(named, " or "));
+}
+
+bool is_name(std::string_view text) {
+    const auto letter_or_digit = [](unsigned char c) { return c < 0x80 && std::isalnum(c) != 0; };
+    const auto plain = [&](unsigned char c) { return letter_or_digit(c) || c == '.' || c == '_' || c == '-'; };
+    return !text.empty() && text.size() <= kLongestName && letter_or_digit(static_cast<unsigned char>(text.front())) &&
+           std::all_of(text.begin(), text.end(), plain);
 }
 
 const Key* find_key(std::string_view path) {
@@ -101,7 +111,7 @@ std::string allowed_text(const Key& key) {
         case Kind::kInteger:
             return "a whole number, " + range_text(key.limits, key.unit);
         case Kind::kName:
-            return "a text of 1 to 64 letters, digits, '.', '_' or '-', beginning with a letter or digit";
+            return kAllowedName;
         case Kind::kFile:
             return key.required ? "a file name as text" : "a file name as text, \"\" = none";
         case Kind::kFormula:

@@ -23,7 +23,8 @@ struct Unit {
 };
 inline constexpr Unit kPure{""}, kNm{"Nm"}, kNewton{"N"}, kRad{"rad"}, kPerRad{"1/rad"}, kPerNmRad{"1/(Nm rad)"}, kNmPerRad{"Nm/rad"},
     kRadPerNm{"rad/Nm"}, kNPerM{"N/m"}, kKgm2{"kg m^2"}, kNms{"Nm s"}, kNm2s{"(Nm)^2 s"}, kMm{"mm", 1.0, 1e3},
-    kDeg{"deg", core::kPi, 180.0}, kMPa{"MPa", 1e6, 1.0}, kPercent{"percent", 1.0, 100.0}, kMmPerMin{"mm/min", 1.0, 60e3}, kPerMin{"1/min"};
+    kDeg{"deg", core::kPi, 180.0}, kMPa{"MPa", 1e6, 1.0}, kHertz{"Hz"}, kGramPerCm3{"g/cm^3", 1e3, 1.0}, kPercent{"percent", 1.0, 100.0},
+    kMmPerMin{"mm/min", 1.0, 60e3}, kPerMin{"1/min"};
 
 /// Allowed numbers, in the key's unit; always finite.
 struct Limits {
@@ -88,6 +89,7 @@ struct Key {
 [[nodiscard]] std::vector<Key> simulation_keys();
 [[nodiscard]] std::vector<Key> design_keys();
 [[nodiscard]] std::vector<Key> codesign_keys();
+[[nodiscard]] std::vector<Key> assembly_keys();
 [[nodiscard]] std::vector<Key> machining_keys();
 [[nodiscard]] std::vector<Key> compensation_keys();
 [[nodiscard]] std::vector<Key> part_keys(const std::string& part, PartSpec Profile::*member);

@@ -1,5 +1,6 @@
 #include <iterator>
 
+#include "fusee/checks/material.h"
 #include "fusee/formats/format.h"
 #include "key.h"
 
@@ -16,11 +17,13 @@ std::vector<Key> cable_keys() {
         choice("cable.construction", {"fibre", "7x7", "7x19", "7x49"}, "sets the default bend ratio", FIELD(cable.construction)),
         number("cable.min_bend_ratio", kPure, within(0, 200), "least D/d, D = diameter of the groove's floor; 0 = by construction",
                FIELD(cable.min_bend_ratio)),
-        number("cable.breaking_load_N", kNewton, within(0, 1e6), "0 = not checked", FIELD(cable.breaking_load)),
-        number("cable.max_pressure_MPa", kMPa, within(0, 1e4), "allowed bearing pressure 2T/(D d) of the part's material; 0 = not checked",
+        number("cable.breaking_load_N", kNewton, within(0, 1e6), "0 = estimated by construction and diameter", FIELD(cable.breaking_load)),
+        number("cable.max_pressure_MPa", kMPa, within(0, 1e4), "allowed bearing pressure 2T/(D d) of the part's material; 0 = by material",
                FIELD(cable.max_pressure)),
         number("cable.max_fleet_deg", kDeg, within(0, 20), "angle between the free cable and the groove's plane; 0 = 2 deg, grooved",
                FIELD(cable.max_fleet)),
+        choice("cable.termination", {"knot", "crimp", "splice"}, "what holds the cable's end behind its anchor hole",
+               FIELD(cable.termination)),
         number("cable.friction", kPure, within(0, 2),
                "of the cable on its cams; with cable.stiffness_N: loops in `fusee simulate`; 0 = none", FIELD(wrap.friction)),
         number("cable.stiffness_N", kNewton, within(0, 1e8),
@@ -74,6 +77,18 @@ std::vector<Key> process_keys() {
     };
 }
 
+std::vector<Key> material_keys() {
+    std::vector<std::string> kinds{checks::kByProcess};
+    for (const checks::Material& material : checks::material_table()) kinds.emplace_back(material.name);
+    return {
+        choice("material.kind", std::move(kinds), "of both parts; by_process: the process's usual one", FIELD(process.material.kind)),
+        number("material.strength_MPa", kMPa, within(0, 1e4), "tensile strength of a plastic, yield strength of a metal; 0 = by kind",
+               FIELD(process.material.strength)),
+        number("material.modulus_MPa", kMPa, within(0, 1e6), "Young's modulus; 0 = by kind", FIELD(process.material.modulus)),
+        number("material.density_g_per_cm3", kGramPerCm3, within(0, 30), "0 = by kind", FIELD(process.material.density)),
+    };
+}
+
 /// The list of formats is that of the files in src/formats.
 Key formats_key() {
     Key key;
@@ -105,6 +120,7 @@ std::vector<Key> all_keys() {
     add(codesign_keys());
     add(cable_keys());
     add(process_keys());
+    add(material_keys());
     add({formats_key(), yes_or_no("outputs.pair", "both sides of the joint: the antagonist's parts are mirror images", FIELD(outputs.pair)),
          yes_or_no("outputs.plate", "with 3mf: also plate.3mf, every part on one plate within process.build_mm", FIELD(outputs.plate)),
          number("outputs.kerf_mm", kMm, within(0, 10), "of a beam or wire; above 0: also k_xx_kerf.dxf, outlines moved by half of it",
@@ -114,6 +130,7 @@ std::vector<Key> all_keys() {
     add(compensation_keys());
     add(part_keys("k_se", &Profile::k_se));
     add(part_keys("k_pe", &Profile::k_pe));
+    add(assembly_keys());
     return all;
 }
 

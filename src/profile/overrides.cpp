@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fusee/assembly/rule.h"
 #include "fusee/core/file.h"
 #include "fusee/core/toml.h"
 #include "fusee/profile/profile.h"
@@ -25,7 +26,7 @@ std::string all_limits(const checks::RuleInfo& rule) {
 /// One table of the array.
 class Entry {
 public:
-    Entry(const toml::table& table, const RuleInfos& rules, Faults& faults) : table_(table), rules_(rules), faults_(faults) {}
+    Entry(const toml::table& table, const RuleInfos& rules, core::TomlFaults& faults) : table_(table), rules_(rules), faults_(faults) {}
 
     void read(std::vector<checks::Override>& into) const {
         const checks::RuleInfo* rule = this->rule();
@@ -95,7 +96,7 @@ private:
 
     const toml::table& table_;
     const RuleInfos& rules_;
-    Faults& faults_;
+    core::TomlFaults& faults_;
 };
 
 }  // namespace
@@ -103,10 +104,12 @@ private:
 RuleInfos design_rules() {
     RuleInfos all;
     for (const checks::Rule& rule : checks::rules()) all.push_back(&rule);
+    const RuleInfos of_joint = assembly::rule_infos();
+    all.insert(all.end(), of_joint.begin(), of_joint.end());
     return all;
 }
 
-std::vector<checks::Override> read_overrides(const toml::node& node, const RuleInfos& rules, Faults& faults) {
+std::vector<checks::Override> read_overrides(const toml::node& node, const RuleInfos& rules, core::TomlFaults& faults) {
     std::vector<checks::Override> limits;
     if (node.is_array_of_tables())
         for (const toml::node& entry : *node.as_array()) Entry(*entry.as_table(), rules, faults).read(limits);
@@ -117,7 +120,7 @@ std::vector<checks::Override> read_overrides(const toml::node& node, const RuleI
 
 std::vector<checks::Override> read_limits(const std::filesystem::path& path, const RuleInfos& rules) {
     const toml::table table = core::parse_toml(core::read_file(path, kLargestFile), path.string());
-    Faults faults(path.string());
+    core::TomlFaults faults(path.string());
     for (const auto& [key, node] : table)
         if (key.str() != "limits") faults.add(key.source(), key.str(), "has no meaning here", std::string("only ") + kShape);
     const toml::node* limits = table.get("limits");

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "faults.h"
 #include "fusee/checks/check.h"
+#include "fusee/core/toml_faults.h"
 #include "fusee/profile/limits.h"
 
 /// The tables [[limits]]: limits of a profile instead of the rules' defaults.
@@ -14,7 +14,7 @@ namespace fusee::profile {
 /// @param node the value of "limits" in the file
 /// @param faults gets each mistake: not an array of tables; an unknown rule; a limit that the rule does not have, is in another unit, is
 /// not finite or is repeated; no limit or no reason
-[[nodiscard]] std::vector<checks::Override> read_overrides(const toml::node& node, const RuleInfos& rules, Faults& faults);
+[[nodiscard]] std::vector<checks::Override> read_overrides(const toml::node& node, const RuleInfos& rules, core::TomlFaults& faults);
 /// The rules that a profile may name.
 [[nodiscard]] RuleInfos design_rules();
 

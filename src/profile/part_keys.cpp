@@ -44,20 +44,38 @@ std::vector<Key> spring_keys(const std::string& part, PartSpec Profile::*member)
                number(t + "max_travel_mm", kMm, within(0, 1e4), "travel to solid, preload counted; 0 = unknown", OF(spring.max_state)),
                number(t + "max_force_N", kNewton, within(0, 1e6), "0 = unknown", OF(spring.max_load))};
     }
+    all.push_back(choice(t + "rate_origin", {"nominal", "measured"}, "nominal: that of wire, coil and turns; measured: of this spring",
+                         OF(spring.rate_origin)));
     all.push_back(number(t + "wire_mm", kMm, within(0, 100), "wire diameter; 0 = unknown, stress not checked", OF(spring.wire_diameter)));
     all.push_back(number(t + "coil_mm", kMm, within(0, 1000), "mean coil diameter; 0 = unknown", OF(spring.coil_diameter)));
     all.push_back(number(t + "active_coils", kPure, within(0, 1000), "0 = unknown", OF(spring.active_coils)));
     all.push_back(number(t + "free_length_mm", kMm, within(0, 1e4),
                          part == "k_se" ? "axial space for the body; 0 = unknown" : "0 = unknown, buckling not checked",
                          OF(spring.free_length)));
-    all.push_back(number(t + "tensile_strength_MPa", kMPa, within(0, 1e4), "of the wire; 0 = unknown", OF(spring.tensile_strength)));
+    all.push_back(number(t + "tensile_strength_MPa", kMPa, within(0, 1e4), "of the wire; 0 = by wire_class", OF(spring.tensile_strength)));
+    all.push_back(choice(t + "wire_class", {"unknown", "sl", "sm", "sh", "dm", "dh"},
+                         "of EN 10270-1: its least strength at this diameter; unknown: stress not checked without tensile_strength_MPa",
+                         OF(spring.wire_class)));
+    if (part == "k_se") {
+        all.push_back(
+            number(t + "youngs_modulus_MPa", kMPa, above(0, 1e6), "E of the wire, for the rate of its coils", OF(spring.youngs_modulus)));
+        all.push_back(
+            number(t + "leg_bend_mm", kMm, within(0, 100), "inner radius of the bend to the leg; 0 = wire_mm", OF(spring.leg_bend_radius)));
+    } else {
+        all.push_back(
+            number(t + "shear_modulus_MPa", kMPa, above(0, 1e6), "G of the wire, for the rate of its coils", OF(spring.shear_modulus)));
+    }
     all.push_back(
-        number(t + "stress_share", kPure, above(0, 1), "allowed share of it: 0.8 music wire, 0.6 stainless 302", OF(spring.stress_share)));
+        number(t + "stress_share", kPure, within(0, 1),
+               "allowed share of it; 0 = 0.7 of torsion springs, 0.8 of compression springs, over sqrt 3 in shear; 0.6 for stainless 302",
+               OF(spring.stress_share)));
     all.push_back(choice(t + "hand", {"unknown", "right", "left"}, "of the coil; right: like a common screw", OF(spring.hand)));
     all.push_back(
         number(t + "rod_mm", kMm, within(0, 1000), "diameter of the arbor or rod inside the coils; 0 = unknown", OF(spring.rod_diameter)));
-    all.push_back(number(t + "cycles", kPure, within(0, 1e12), "wanted load cycles from zero to the largest state; 0 = fatigue not checked",
+    all.push_back(number(t + "cycles", kPure, within(0, 1e12), "wanted load cycles over the working range; 0 = fatigue not checked",
                          OF(spring.cycles)));
+    all.push_back(
+        number(t + "motion_Hz", kHertz, above(0, 1e4), "fastest motion that loads the spring; default assumed", OF(spring.motion)));
     return all;
 }
 
@@ -67,8 +85,11 @@ std::vector<Key> guide_keys(const std::string& part, PartSpec Profile::*member) 
         choice(kind, {"parallel", "point", "idler"}, "where the cable goes: straight off, to a point, over an idler", OF(cam.guide.kind)),
         number(t + "direction_deg", kDeg, within(-360, 360),
                "parallel: along the cable, away from the cam; else towards the guide's centre", OF(cam.guide.direction)),
-        when(kind, {"point", "idler"},
-             required(number(t + "distance_mm", kMm, above(0, 1e4), "cam axis to the guide's centre", OF(cam.guide.distance)))),
+        number(t + "distance_mm", kMm, within(0, 1e4),
+               "cam axis to the guide's centre, above 0; parallel: to the hole that the cable goes to, from which follows how far the arms "
+               "are "
+               "off; 0 = not stated",
+               OF(cam.guide.distance)),
         when(kind, {"idler"}, required(number(t + "radius_mm", kMm, above(0, 1000), "pitch radius of the idler", OF(cam.guide.radius)))),
         when(kind, {"idler"}, sign(t + "sense", "side on which the cable passes the idler's centre", OF(cam.guide.sense))),
         number(t + "z_mm", kMm, within(-1e4, 1e4),
@@ -118,8 +139,8 @@ std::vector<Key> roller_keys(const std::string& part, PartSpec Profile::*member)
 
 /// Does the key belong to the cable, which a roller cam does not have?
 bool of_cable(const Key& key, const std::string& part) {
-    for (const char* leaf :
-         {".flange_height_mm", ".radius_allowance_mm", ".cable_length_mm", ".path.margin_deg", ".features.anchor_hole_mm"})
+    for (const char* leaf : {".flange_height_mm", ".radius_allowance_mm", ".cable_length_mm", ".path.margin_deg",
+                             ".features.anchor_hole_mm", ".features.anchor_edge_mm"})
         if (key.path == part + leaf) return true;
     return key.table() == part + ".guide";
 }
@@ -135,6 +156,8 @@ std::vector<Key> hub_keys(const std::string& part, PartSpec Profile::*member) {
         number(t + "clearance_mm", kMm, within(0, 2), "added to the bore's diameter", OF(solid.hub.bore_clearance)),
         number(t + "key_width_mm", kMm, length, "keyway: b of DIN 6885-1", OF(solid.hub.key_width)),
         number(t + "key_depth_mm", kMm, length, "keyway: t2 of DIN 6885-1, beyond the bore's radius", OF(solid.hub.key_depth)),
+        choice(t + "key_fit", {"as_made", "by_hand"}, "keyway: as the process leaves it, or filed or broached to its key",
+               OF(solid.hub.key_fit)),
         number(t + "flat_depth_mm", kMm, length, "d_flat: bore radius minus the flat's distance from the axis", OF(solid.hub.flat_depth)),
         number(t + "screw_mm", kMm, length, "set_screw: diameter of the radial hole in the boss", OF(solid.hub.screw_diameter)),
         number(t + "boss_mm", kMm, length, "diameter of the boss: overhung and set_screw", OF(solid.hub.boss_diameter)),
@@ -149,6 +172,8 @@ std::vector<Key> feature_keys(const std::string& part, PartSpec Profile::*member
     return {
         number(t + "anchor_hole_mm", kMm, length, "axial hole for the cable's end on the groove's floor; 0 = none",
                OF(solid.features.anchor_hole_diameter)),
+        number(t + "anchor_edge_mm", kMm, length, "radius to which that hole's edge is rounded by hand; 0 = sharp",
+               OF(solid.features.anchor_edge_radius)),
         number(t + "leg_slot_width_mm", kMm, length, "slot for the spring's leg: wire and clearance; 0 = none",
                OF(solid.features.leg_slot_width)),
         number(t + "leg_slot_length_mm", kMm, length, "radial", OF(solid.features.leg_slot_length)),

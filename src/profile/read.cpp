@@ -34,7 +34,7 @@ constexpr const char* kFactors[] = {"law.series_scale_Nm", "law.series_rate_per_
 /// (keys of an unreadable table, of an unknown kind) are not reported.
 class Reader {
 public:
-    Reader(const toml::table& table, Faults& faults) : faults_(faults) { collect(table, ""); }
+    Reader(const toml::table& table, core::TomlFaults& faults) : faults_(faults) { collect(table, ""); }
 
     void assign(Profile& profile) {
         profile.has_parts = limits_ != nullptr ||
@@ -51,7 +51,7 @@ public:
         for (const PartSpec* part : {&profile.k_se, &profile.k_pe}) check_cable(*part, profile);
         for (const Order& order : kOrders) check(order, profile);
         for (const char* factor : kFactors) require_not_0(*find_key(factor), profile);
-        for (const auto& [path, node] : nodes_) profile.places[path] = place(faults_.file(), node->source(), path);
+        for (const auto& [path, node] : nodes_) profile.places[path] = core::toml_place(faults_.file(), node->source(), path);
     }
 
 private:
@@ -193,7 +193,7 @@ private:
                fmt::format("{} {} = {} {}", order.may_be_equal ? "at least" : "above", low.path, toml_text(low, profile), low.unit.name));
     }
 
-    Faults& faults_;
+    core::TomlFaults& faults_;
     std::map<std::string, const toml::node*> nodes_;
     const toml::node* limits_ = nullptr;  ///< [[limits]]
     std::map<std::string, toml::source_region> regions_;
@@ -251,7 +251,7 @@ Profile read_profile(const fs::path& path) { return parse_profile(core::read_fil
 
 Profile parse_profile(std::string toml, const fs::path& path) {
     const toml::table table = core::parse_toml(toml, path.string());
-    Faults faults(path.string());
+    core::TomlFaults faults(path.string());
     Profile profile;
     profile.file = path;
     Reader(table, faults).assign(profile);

@@ -3,20 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fusee/core/turn.h"
-
 namespace fusee::readback {
 
 namespace {
-
-using core::kTurn;
-
-constexpr std::size_t kBins = 1024;
-
-std::size_t bin_of(double azimuth) {
-    const double share = azimuth / kTurn - std::floor(azimuth / kTurn);
-    return std::min(kBins - 1, static_cast<std::size_t>(share * kBins));
-}
 
 struct Direction {
     double x, y;
@@ -56,32 +45,25 @@ double farthest_hit(const std::array<solid::Vec3, 3>& corner, Direction u, doubl
 
 }  // namespace
 
-RaySearch::RaySearch(const solid::Mesh& mesh, double low_mm, double high_mm) : bins_(kBins) {
+RaySearch::RaySearch(const solid::Mesh& mesh, double low_mm, double high_mm) {
     for (const solid::Triangle& t : mesh.triangles) {
         Facet facet{{mesh.points_mm[t[0]], mesh.points_mm[t[1]], mesh.points_mm[t[2]]}, 0.0, 0.0};
         const auto& c = facet.corner;
         facet.low = std::min({c[0][2], c[1][2], c[2][2]});
         facet.high = std::max({c[0][2], c[1][2], c[2][2]});
         if (facet.high < low_mm || facet.low > high_mm) continue;
-        // Azimuths of the corners relative to the first; a facet with the axis inside or on it spans more than half a turn.
-        const double base = std::atan2(c[0][1], c[0][0]);
-        const auto relative = [&](const solid::Vec3& p) { return std::remainder(std::atan2(p[1], p[0]) - base, kTurn); };
-        const double b = relative(c[1]), d = relative(c[2]);
-        const double begin = std::min({0.0, b, d}), end = std::max({0.0, b, d});
-        const bool all = end - begin >= kTurn / 2.0 - 1e-9 || std::hypot(c[0][0], c[0][1]) == 0.0 || std::hypot(c[1][0], c[1][1]) == 0.0 ||
-                         std::hypot(c[2][0], c[2][1]) == 0.0;
-        // One more bin on both sides: the ray's own azimuth is rounded too.
-        const std::size_t first = all ? 0 : (bin_of(base + begin) + kBins - 1) % kBins;
-        const std::size_t count = all ? kBins : std::min(kBins, static_cast<std::size_t>((end - begin) / kTurn * kBins) + 4);
-        for (std::size_t i = 0; i < count; ++i) bins_[(first + i) % kBins].push_back(facet);
+        bins_.add(static_cast<std::uint32_t>(facets_.size()),
+                  std::array{std::array{c[0][0], c[0][1]}, std::array{c[1][0], c[1][1]}, std::array{c[2][0], c[2][1]}});
+        facets_.push_back(facet);
     }
 }
 
 std::optional<double> RaySearch::outermost(double azimuth, double z_mm) const {
     const Direction u{std::cos(azimuth), std::sin(azimuth)};
     double far = -1.0;
-    for (const Facet& facet : bins_[bin_of(azimuth)])
-        if (facet.low <= z_mm && z_mm <= facet.high) far = std::max(far, farthest_hit(facet.corner, u, z_mm));
+    for (const std::uint32_t i : bins_.at(azimuth))
+        if (const Facet& facet = facets_[i]; facet.low <= z_mm && z_mm <= facet.high)
+            far = std::max(far, farthest_hit(facet.corner, u, z_mm));
     return far > 0.0 ? std::optional(far) : std::nullopt;
 }
 

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "fusee/core/azimuth_bins.h"
 #include "fusee/exchange/stl.h"
 
 namespace fusee::readback {
@@ -21,7 +22,8 @@ private:
         std::array<solid::Vec3, 3> corner;
         double low, high;
     };
-    std::vector<std::vector<Facet>> bins_;
+    std::vector<Facet> facets_;
+    core::AzimuthBins bins_;  ///< of facets_
 };
 
 }  // namespace fusee::readback

@@ -94,10 +94,14 @@ bool Drafter::needs_cams(int side) const {
 
 std::vector<profile::Edit> Drafter::spring_edits(int side) const {
     Edits edits;
-    for (std::size_t i = 0; i < figures().size(); ++i)
-        if (figures()[i].of == Figure::Of::kSpring && departures_[i].on_side[side] != 0.0)
-            edits.push_back(
-                profile::number_edit(profile_, figures()[i].key, profile::number_of(as_is_[side], figures()[i].key), departures_[i].why));
+    for (std::size_t i = 0; i < figures().size(); ++i) {
+        const std::string key = figures()[i].key;
+        if (figures()[i].of != Figure::Of::kSpring || departures_[i].on_side[side] == 0.0) continue;
+        edits.push_back(profile::number_edit(profile_, key, profile::number_of(as_is_[side], key), departures_[i].why));
+        // The nominal coils do not contradict what was measured.
+        if (const std::size_t at = key.find(".spring.rate_"); at != std::string::npos)
+            edits.push_back(profile::text_edit(profile_, key.substr(0, at) + ".spring.rate_origin", "measured", ""));
+    }
     return edits;
 }
 

@@ -25,6 +25,21 @@ double volume_mm3(const Mesh& mesh) {
     return six / 6.0;
 }
 
+bool is_closed_and_oriented(std::span<const Triangle> triangles) {
+    std::vector<std::uint64_t> up, down;  // edges as (lower corner, higher corner), by the direction of their triangle
+    up.reserve(3 * triangles.size() / 2);
+    down.reserve(up.capacity());
+    for (const Triangle& t : triangles)
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::uint64_t from = t[i], to = t[(i + 1) % 3];
+            if (from == to) return false;
+            (from < to ? up : down).push_back(std::min(from, to) << 32U | std::max(from, to));
+        }
+    std::sort(up.begin(), up.end());
+    std::sort(down.begin(), down.end());
+    return up == down && std::adjacent_find(up.begin(), up.end()) == up.end();
+}
+
 void round_to_file(Mesh& mesh) {
     for (Vec3& p : mesh.points_mm)
         for (double& coordinate : p) coordinate = static_cast<double>(static_cast<float>(coordinate));

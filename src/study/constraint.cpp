@@ -43,10 +43,18 @@ std::vector<std::string> keys_in(const std::string& field, const std::string& fo
 }
 
 double evaluate(const std::string& field, const std::string& formula, const std::function<double(const std::string&)>& number) {
-    return guarded(field, formula, [&] {
-        mu::Parser parser = parser_of(formula);
+    struct Variables {
+        const std::function<double(const std::string&)>& number;
         std::map<std::string, double> values;
-        for (const std::string& key : keys_in(field, formula)) parser.DefineVar(key, &values.emplace(key, number(key)).first->second);
+        static double* make(const char* key, void* self) {
+            auto& all = *static_cast<Variables*>(self);
+            return &all.values.emplace(key, all.number(key)).first->second;
+        }
+    };
+    return guarded(field, formula, [&] {
+        Variables variables{number, {}};
+        mu::Parser parser = parser_of(formula);
+        parser.SetVarFactory(&Variables::make, &variables);
         int results = 0;
         const double value = parser.Eval(results)[0];
         if (results != 1 || !std::isfinite(value))

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
-#include <map>
 
 #include "fusee/core/error.h"
 #include "sqlite.h"
@@ -27,16 +26,14 @@ std::string csv_cell(const Figure& figure) {
     return cell + '"';
 }
 
-/// The row's figures in the order of the columns; nullptr: not known.
-std::vector<const Figure*> in_columns(const Row& row, const std::vector<Column>& columns) {
-    std::map<std::string_view, const Figure*> known;
-    for (const auto& [name, figure] : row.figures) known[name] = &figure;
-    std::vector<const Figure*> figures;
-    for (const Column& column : columns) {
-        const auto found = known.find(column.name);
-        figures.push_back(found != known.end() ? found->second : nullptr);
+/// SQLite opens a file of any kind and reports what it is when it is read.
+void require_index(Database& database, const fs::path& file) {
+    try {
+        Statement tables = database.prepare("SELECT count(*) FROM sqlite_schema WHERE name IN ('designs', 'columns')");
+        if (tables.step() && tables.text(0) == "2") return;
+    } catch (const core::InputError&) {  // reported below
     }
-    return figures;
+    throw core::IoError(file.string(), "is not the index of a study (index.sqlite)");
 }
 
 std::string quoted(const std::string& name) { return '"' + name + '"'; }
@@ -56,7 +53,10 @@ void write_csv(const fs::path& file, const std::vector<Column>& columns, const E
     out << '\n';
     rows([&](const Row& row) {
         out << row.index << ',' << row.name;
-        for (const Figure* figure : in_columns(row, columns)) out << ',' << (figure != nullptr ? csv_cell(*figure) : "");
+        for (const Column& column : columns) {
+            const Figure* figure = row.find(column.name);
+            out << ',' << (figure != nullptr ? csv_cell(*figure) : "");
+        }
         out << '\n';
     });
     out.close();
@@ -87,11 +87,9 @@ void write_sqlite(const fs::path& file, const std::vector<Column>& columns, cons
         insert.bind(1, static_cast<double>(row.index));
         insert.bind(2, row.name);
         int place = 3;
-        for (const Figure* figure : in_columns(row, columns)) {
-            if (figure == nullptr)
-                insert.bind(place++, std::nan(""));
-            else
-                std::visit([&](const auto& value) { insert.bind(place++, value); }, *figure);
+        for (const Column& column : columns) {
+            const Figure* figure = row.find(column.name);
+            std::visit([&](const auto& value) { insert.bind(place++, value); }, figure != nullptr ? *figure : Figure(std::nan("")));
         }
         insert.step();
     });
@@ -101,7 +99,9 @@ void write_sqlite(const fs::path& file, const std::vector<Column>& columns, cons
 }
 
 void query(const fs::path& file, const std::string& sql, const std::function<void(const std::vector<std::string>&)>& take) {
+    if (!fs::is_regular_file(file)) throw core::IoError(file.string(), "is not there; `fusee batch` writes the index of a study");
     Database database(file, true);
+    require_index(database, file);
     Statement statement = database.prepare(sql);
     if (statement.writes()) throw core::InvalidInput("SQL", sql, "a statement that only reads");
     std::vector<std::string> cells;

@@ -22,10 +22,24 @@ namespace fusee::study {
 namespace {
 
 constexpr std::size_t kMostKeysInName = 3;
-constexpr std::size_t kLongestName = 80;
 
 /// The fields of a study's messages.
 std::string field_of(const Study& study, const std::string& key) { return study.file.string() + ": " + key; }
+
+/// Throws the caught mistake again, of a key that varies as a mistake of the study: its line in the base profile is not that value's.
+[[noreturn]] void rethrow_in_study(const Study& study) {
+    core::Mistakes moved, mistakes;
+    mistakes.collect([] { throw; });
+    for (const core::InvalidInput& mistake : mistakes.all()) {
+        const auto is_of = [&](const Variation& v) { return mistake.field().ends_with(": " + v.key); };
+        const auto found = std::find_if(study.vary.begin(), study.vary.end(), is_of);
+        moved.add(found == study.vary.end()
+                      ? mistake
+                      : core::InvalidInput(field_of(study, "vary." + found->key), mistake.value(), mistake.allowed()));
+    }
+    moved.throw_if_any();
+    throw;
+}
 
 std::string number_text(double value, bool whole) { return whole ? fmt::format("{:.0f}", value) : fmt::format("{:.6g}", value); }
 
@@ -59,6 +73,19 @@ std::string name_part(const std::string& toml) {
     return part;
 }
 
+/// The value of a grid's key on one of its levels.
+std::string value_on(const Variation& v, std::size_t level) {
+    return value_at(v, (static_cast<double>(level) + 0.5) / static_cast<double>(levels(v)));
+}
+
+/// False of formulas such as "a + b" and "a * b".
+bool values_differ_in_names(const Variation& v) {
+    std::set<std::string> seen;
+    for (std::size_t level = 0; level < levels(v); ++level)
+        if (const std::string part = name_part(value_on(v, level)); part.empty() || !seen.insert(part).second) return false;
+    return true;
+}
+
 std::string leaf_of(const std::string& key) { return key.substr(key.rfind('.') + 1); }
 
 /// The last word of each key, or the whole key where two end alike.
@@ -78,7 +105,8 @@ struct Plan::Parts {
     std::string base_text;
     std::optional<profile::Profile> base;
     std::unique_ptr<Sample> sample;
-    std::vector<std::string> name_keys;
+    std::vector<std::string> name_keys;          ///< of a grid whose names hold the values; else empty
+    bool varies_files = false;                   ///< a key that varies names a CSV file
     std::map<std::string, double> base_numbers;  ///< of the keys that the constraints name
     int digits = 1;                              ///< of the greatest index
 
@@ -98,7 +126,10 @@ void Plan::Parts::read_base() {
             throw core::InvalidInput(field_of(study, "vary." + v.key), "has no meaning in " + study.profiles.front().string(),
                                      "a key of numbers or text that applies to the base profile");
     }
-    name_keys = short_keys(study.vary);
+    varies_files = std::any_of(study.vary.begin(), study.vary.end(), [](const Variation& v) { return profile::names_file(v.key); });
+    if (study.method == Method::kGrid && study.vary.size() <= kMostKeysInName &&
+        std::all_of(study.vary.begin(), study.vary.end(), &values_differ_in_names))
+        name_keys = short_keys(study.vary);
 }
 
 void Plan::Parts::check_constraints() {
@@ -119,8 +150,8 @@ std::vector<std::string> Plan::Parts::values_at(std::size_t index) const {
     std::vector<std::string> values(study.vary.size());
     if (study.method == Method::kGrid) {
         for (std::size_t key = values.size(); key-- > 0;) {
-            const std::size_t count = levels(study.vary[key]), level = index % count;
-            values[key] = value_at(study.vary[key], (static_cast<double>(level) + 0.5) / static_cast<double>(count));
+            const std::size_t count = levels(study.vary[key]);
+            values[key] = value_on(study.vary[key], index % count);
             index /= count;
         }
         return values;
@@ -136,11 +167,10 @@ std::vector<std::string> Plan::Parts::values_at(std::size_t index) const {
 std::string Plan::Parts::name_of(std::size_t index, const std::vector<std::string>& values) const {
     if (!study.row_names.empty()) return study.row_names.at(index);
     std::string name = base->name;
-    if (study.method == Method::kGrid && values.size() <= kMostKeysInName)
-        for (std::size_t key = 0; key < values.size(); ++key) name += "-" + name_keys[key] + "-" + name_part(values[key]);
-    else
-        name += fmt::format("-{:0{}}", index, digits);
-    return name.size() <= kLongestName ? name : fmt::format("{}-{:0{}}", base->name, index, digits);
+    for (std::size_t key = 0; key < name_keys.size(); ++key) name += "-" + name_keys[key] + "-" + name_part(values[key]);
+    if (!name_keys.empty() && name.size() <= profile::kLongestName) return name;
+    const std::string number = fmt::format("-{:0{}}", index, digits);
+    return base->name.substr(0, profile::kLongestName - number.size()) + number;
 }
 
 std::string Plan::Parts::excluded_by(const std::vector<std::string>& values) const {
@@ -180,10 +210,16 @@ Plan::~Plan() = default;
 const Study& Plan::study() const { return parts_->study; }
 std::size_t Plan::size() const { return parts_->size; }
 
-const std::string& Plan::base_sha256() const { return parts_->base->sha256; }
+std::string Plan::digest(const Planned& planned) const {
+    if (!parts_->study.varies() || parts_->varies_files) return profile(planned).sha256;
+    std::string all = parts_->base->sha256 + '\n';
+    for (std::size_t key = 0; key < planned.values.size(); ++key)
+        all += fmt::format("{} = {}\n", parts_->study.vary[key].key, planned.values[key]);
+    return core::sha256_hex(all);
+}
 
 Planned Plan::at(std::size_t index) const {
-    if (!parts_->study.varies()) return {index, parts_->study.profiles.at(index).stem().string(), {}, {}};
+    if (!parts_->study.varies()) return {index, parts_->study.row_names.at(index), {}, {}};
     Planned planned{index, {}, parts_->values_at(index), {}};
     planned.name = parts_->name_of(index, planned.values);
     planned.excluded_by = parts_->excluded_by(planned.values);
@@ -195,7 +231,11 @@ profile::Profile Plan::profile(const Planned& planned) const {
     if (!p.study.varies()) return profile::read_profile(p.study.profiles.at(planned.index));
     std::vector<profile::Edit> edits{{"name", '"' + planned.name + '"', {}, {}}};
     for (std::size_t key = 0; key < planned.values.size(); ++key) edits.push_back({p.study.vary[key].key, planned.values[key], {}, {}});
-    return profile::parse_profile(profile::with_edits(p.base_text, *p.base, edits), p.study.profiles.front());
+    try {
+        return profile::parse_profile(profile::with_edits(p.base_text, *p.base, edits), p.study.profiles.front());
+    } catch (const core::InputError&) {
+        rethrow_in_study(p.study);
+    }
 }
 
 }  // namespace fusee::study

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <set>
 #include <sstream>
 #include <tuple>
@@ -11,7 +12,10 @@
 #include "fusee/core/csv.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
+#include "fusee/core/text.h"
 #include "fusee/core/toml.h"
+#include "fusee/core/toml_faults.h"
+#include "fusee/profile/profile.h"
 #include "fusee/study/study.h"
 #include "sample.h"
 
@@ -42,10 +46,10 @@ std::string toml_text(const toml::node& node) {
 /// Reads one table of the file and refuses what it does not know.
 class Reader {
 public:
-    Reader(std::string file, core::Mistakes& mistakes) : file_(std::move(file)), mistakes_(mistakes) {}
+    explicit Reader(core::TomlFaults& faults) : faults_(faults) {}
 
     void refuse(const toml::source_region& at, const std::string& key, std::string value, std::string allowed) const {
-        mistakes_.add({fmt::format("{}:{}:{}: {}", file_, at.begin.line, at.begin.column, key), std::move(value), std::move(allowed)});
+        faults_.add(at, key, std::move(value), std::move(allowed));
     }
     void refuse(const toml::node& node, const std::string& key, std::string allowed) const {
         refuse(node.source(), key, core::shown(node), std::move(allowed));
@@ -93,8 +97,7 @@ private:
         for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
         return list;
     }
-    std::string file_;
-    core::Mistakes& mistakes_;
+    core::TomlFaults& faults_;
 };
 
 /// "0.8" is whole? A range of integers between integers varies in whole numbers.
@@ -244,20 +247,21 @@ void read_study_table(const Reader& reader, const toml::table& table, const fs::
         read_rows(file.parent_path() / rows, study);
 }
 
-/// Letters, digits, '.', '_' and '-', as a profile's name.
-bool is_name(const std::string& name) {
-    const auto allowed = [](unsigned char c) { return std::isalnum(c) != 0 || c == '.' || c == '_' || c == '-'; };
-    return !name.empty() && name.front() != '.' && std::all_of(name.begin(), name.end(), allowed);
-}
-
 void require_names(const Study& study) {
-    if (!is_name(study.name))
-        throw core::InvalidInput(study.file.string() + ": study.name", study.name, "letters, digits, '.', '_' and '-'");
+    if (!profile::is_name(study.name)) throw core::InvalidInput(study.file.string() + ": study.name", study.name, profile::kAllowedName);
     std::set<std::string> seen;
     for (const std::string& name : study.row_names)
-        if (!is_name(name) || !seen.insert(name).second)
+        if (!profile::is_name(name) || !seen.insert(name).second)
             throw core::InvalidInput(study.file.string() + ": study.table: name", name,
-                                     "different names of letters, digits, '.', '_' and '-'");
+                                     std::string(profile::kAllowedName) + "; each name once");
+}
+
+/// The name of a profile's file as a design's name: "my cam.toml" is my_cam.
+std::string design_name(const fs::path& profile) {
+    std::string name = profile.stem().string().substr(0, profile::kLongestName);
+    for (char& c : name)
+        if (!profile::is_name("a" + std::string(1, c))) c = '_';
+    return profile::is_name(name) ? name : "design" + name.substr(0, profile::kLongestName - 6);
 }
 
 }  // namespace
@@ -268,15 +272,15 @@ bool is_study(const fs::path& file) { return core::parse_toml(core::read_file(fi
 
 Study read_study(const fs::path& file) {
     const toml::table root = core::parse_toml(core::read_file(file, kLargestStudy), file.string());
-    core::Mistakes mistakes;
-    const Reader reader(file.string(), mistakes);
+    core::TomlFaults faults(file.string());
+    const Reader reader(faults);
     Study study;
     study.file = file;
     study.name = file.stem().string();
     reader.allow(root, "", {"study", "vary", "constraints"});
     const toml::table empty;
     const toml::table* table = reader.table(root, "study");
-    mistakes.collect([&] { read_study_table(reader, table != nullptr ? *table : empty, file, study); });
+    faults.collect([&] { read_study_table(reader, table != nullptr ? *table : empty, file, study); });
     if (const toml::table* vary = reader.table(root, "vary")) {
         std::vector<Placed> placed;
         read_variations(reader, "", *vary, placed);
@@ -286,18 +290,26 @@ Study read_study(const fs::path& file) {
             study.vary = in_file_order(std::move(placed));
     }
     if (const toml::table* constraints = reader.table(root, "constraints")) read_constraints(reader, *constraints, study);
-    if (mistakes.empty()) check_method(reader, table != nullptr ? *table : empty, study);
-    mistakes.throw_if_any();
+    if (faults.count() == 0) check_method(reader, table != nullptr ? *table : empty, study);
+    faults.throw_if_any();
     require_names(study);
     return study;
 }
 
 Study study_of(std::vector<fs::path> profiles, std::string name) {
     if (profiles.empty()) throw core::InvalidInput("batch", "no profile", "a study (*.toml with [study]), profiles, or folders of them");
+    if (!profile::is_name(name)) throw core::InvalidInput("--name", name, profile::kAllowedName);
     Study study;
     study.name = std::move(name);
+    std::map<std::string, const fs::path*> seen;
+    for (const fs::path& profile : profiles) {
+        study.row_names.push_back(design_name(profile));
+        if (const auto [other, is_new] = seen.emplace(study.row_names.back(), &profile); !is_new)
+            throw core::InvalidInput("batch",
+                                     fmt::format("{} and {}", core::printable(other->second->string()), core::printable(profile.string())),
+                                     "profiles whose files have different names: each gets the folder designs/NAME");
+    }
     study.profiles = std::move(profiles);
-    if (!is_name(study.name)) throw core::InvalidInput("--name", study.name, "letters, digits, '.', '_' and '-'");
     return study;
 }
 

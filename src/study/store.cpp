@@ -31,11 +31,6 @@ std::array<std::uint64_t, 2> short_key(const std::string& key) {
     return {word(0), word(16)};
 }
 
-Json to_json(const Figure& figure) {
-    if (const auto* number = std::get_if<double>(&figure)) return std::isfinite(*number) ? Json(*number) : Json(nullptr);
-    return std::get<std::string>(figure);
-}
-
 Figure figure_of(const core::JsonNode& node) {
     if (node.is_null()) return std::nan("");
     return node.is_text() ? Figure(node.text()) : Figure(node.number());
@@ -43,9 +38,15 @@ Figure figure_of(const core::JsonNode& node) {
 
 }  // namespace
 
+const Figure* Row::find(std::string_view wanted) const {
+    const auto found = std::find_if(figures.begin(), figures.end(), [&](const auto& figure) { return figure.first == wanted; });
+    return found != figures.end() ? &found->second : nullptr;
+}
+
 std::string to_json_line(const Row& row) {
     Json figures = Json::object();
-    for (const auto& [name, figure] : row.figures) figures[name] = to_json(figure);
+    for (const auto& [name, figure] : row.figures)
+        std::visit([&, &key = name](const auto& value) { figures[key] = value; }, figure);  // NaN becomes null
     const Json json{{"key", row.key}, {"index", row.index}, {"name", row.name}, {"seconds", row.seconds}, {"figures", std::move(figures)}};
     return json.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
 }
@@ -93,9 +94,10 @@ void RowLog::append(const Row& row) {
 }
 
 RowIndex::RowIndex(const fs::path& study) {
-    std::error_code error;
-    for (auto entry = fs::directory_iterator(study / "rows", error); !error && entry != fs::directory_iterator(); entry.increment(error))
-        if (entry->path().extension() == ".jsonl") files_.push_back(entry->path());
+    const fs::path folder = study / "rows";
+    if (!fs::exists(folder)) return;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+        if (entry.path().extension() == ".jsonl") files_.push_back(entry.path());
     std::sort(files_.begin(), files_.end());
     for (std::uint32_t file = 0; file < files_.size(); ++file) scan(file);
 }
@@ -113,10 +115,12 @@ void RowIndex::scan(std::uint32_t file) {
     }
 }
 
-bool RowIndex::has(const std::string& key) const { return places_.contains(short_key(key)); }
+std::optional<RowIndex::Place> RowIndex::find(const std::string& key) const {
+    const auto found = places_.find(short_key(key));
+    return found != places_.end() ? std::optional(found->second) : std::nullopt;
+}
 
-Row RowIndex::read(const std::string& key) const {
-    const Place& place = places_.at(short_key(key));
+Row RowIndex::read(const Place& place) const {
     std::ifstream in(files_[place.file], std::ios::binary);
     in.seekg(static_cast<std::streamoff>(place.offset));
     std::string line;

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "fusee/core/error.h"
+#include "fusee/core/file.h"
 #include "fusee/core/process.h"
 #include "fusee/core/temporary_folder.h"
 #include "fusee/core/units.h"
@@ -18,6 +19,7 @@ namespace {
 
 constexpr const char* kInterpreter = "rs274";
 constexpr std::chrono::seconds kTimeout{120};
+constexpr const char* kEnd = "PROGRAM_END()";  // a full disk would end the rows before it
 constexpr std::size_t kLongest = 500'000'000;  // bytes of canonical commands
 constexpr double kChord_mm = 5e-5;             // of an arc's chords: the interpreter prints to 1e-4 mm
 
@@ -112,15 +114,20 @@ Interpreted parse_canonical(const std::string& output, const std::string& file) 
 Interpreted interpret(const std::filesystem::path& program) {
     const std::string file = program.string();
     // A separate home folder: rs274 maps the file ~/.tool.mmap and truncates it at its start, so that two processes at a time would end
-    // each other.
+    // each other. Its output goes to a file: into a pipe it would write row by row.
     const core::TemporaryFolder home;
+    const std::filesystem::path rows = home.path() / "canonical";
     const core::ProcessResult result = core::run_process(
-        {"env", "HOME=" + home.path().string(), kInterpreter, "-g", std::filesystem::absolute(program).string()}, file, kTimeout, kLongest);
+        {"env", "HOME=" + home.path().string(), kInterpreter, "-g", std::filesystem::absolute(program).string(), rows.string()}, file,
+        kTimeout);
     if (!result.in_time) throw core::IoError(file, fmt::format("{} was still running after {} s", kInterpreter, kTimeout.count()));
     if (result.code != 0)
         throw core::IoError(file, fmt::format("{} ended with {}: {}", kInterpreter, result.code, core::last_words(result.output)));
-    if (!result.whole) throw core::IoError(file, fmt::format("{} printed more than {} bytes", kInterpreter, kLongest));
-    return parse_canonical(result.output, file);
+    const std::string output = core::read_file(rows, kLongest);
+    if (output.find(kEnd) == std::string::npos)
+        throw core::IoError(file,
+                            fmt::format("{} does not reach the end of the program: {}", kInterpreter, core::last_words(result.output)));
+    return parse_canonical(output, file);
 }
 
 }  // namespace fusee::toolpath

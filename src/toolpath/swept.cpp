@@ -34,10 +34,8 @@ std::optional<SweptInterval> roots(double a, double b, double c) {
     return SweptInterval{(b - s) / a, (b + s) / a};
 }
 
-}  // namespace
-
-std::optional<SweptInterval> interval_in(const Capsule& capsule, double azimuth, double z) {
-    const Vec ray{std::cos(azimuth), std::sin(azimuth), 0.0}, origin{0.0, 0.0, z};
+std::optional<SweptInterval> interval_in(const Capsule& capsule, const Vec& ray, double z) {
+    const Vec origin{0.0, 0.0, z};
     std::optional<SweptInterval> within;
     for (const Vec& end : {capsule.a, capsule.b}) {
         const Vec to = minus(end, origin);
@@ -63,20 +61,36 @@ std::optional<SweptInterval> interval_in(const Capsule& capsule, double azimuth,
     return within;
 }
 
-CutFloor::Swept::Swept(std::vector<Capsule> capsules) : bins_(kBins) {
-    // Overlapping passes, seen from the spindle, remove the same volume.
-    const auto key = [](const Capsule& c) {
-        std::array<long long, 6> rounded{};
-        for (std::size_t i = 0; i < 3; ++i) rounded[i] = std::llround(c.a[i] / kSame_mm), rounded[i + 3] = std::llround(c.b[i] / kSame_mm);
-        return rounded;
-    };
-    std::sort(capsules.begin(), capsules.end(), [&](const Capsule& a, const Capsule& b) { return key(a) < key(b); });
-    capsules.erase(std::unique(capsules.begin(), capsules.end(), [&](const Capsule& a, const Capsule& b) { return key(a) == key(b); }),
-                   capsules.end());
+/// Overlapping passes, seen from the spindle, remove the same volume: each capsule once.
+std::vector<Capsule> once_each(const std::vector<Capsule>& capsules) {
+    using Rounded = std::pair<std::array<long, 6>, std::size_t>;  // by its ends; its number
+    std::vector<Rounded> all;
+    all.reserve(capsules.size());
     for (const Capsule& c : capsules) {
-        const double x = 0.5 * (c.a[0] + c.b[0]), y = 0.5 * (c.a[1] + c.b[1]),
-                     half = 0.5 * std::sqrt(dot(minus(c.b, c.a), minus(c.b, c.a)));
-        near_.push_back({c, std::hypot(x, y) - half - c.radius, std::atan2(y, x), half + c.radius});
+        Rounded rounded{{}, all.size()};
+        for (std::size_t i = 0; i < 3; ++i)
+            rounded.first[i] = std::lrint(c.a[i] / kSame_mm), rounded.first[i + 3] = std::lrint(c.b[i] / kSame_mm);
+        all.push_back(rounded);
+    }
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end(), [](const Rounded& a, const Rounded& b) { return a.first == b.first; }), all.end());
+    std::vector<Capsule> kept;
+    kept.reserve(all.size());
+    for (const Rounded& one : all) kept.push_back(capsules[one.second]);
+    return kept;
+}
+
+}  // namespace
+
+std::optional<SweptInterval> interval_in(const Capsule& capsule, double azimuth, double z) {
+    return interval_in(capsule, Vec{std::cos(azimuth), std::sin(azimuth), 0.0}, z);
+}
+
+CutFloor::Swept::Swept(const std::vector<Capsule>& capsules) : bins_(kBins) {
+    for (const Capsule& c : once_each(capsules)) {
+        const Vec axis = minus(c.b, c.a), middle{0.5 * (c.a[0] + c.b[0]), 0.5 * (c.a[1] + c.b[1]), 0.5 * (c.a[2] + c.b[2])};
+        const double reach = 0.5 * std::sqrt(dot(axis, axis)) + c.radius;
+        near_.push_back({c, std::hypot(middle[0], middle[1]) - reach, middle, reach});
     }
     std::sort(near_.begin(), near_.end(), [](const Near& a, const Near& b) { return a.least < b.least; });
     for (std::uint32_t i = 0; i < near_.size(); ++i) put(i);
@@ -86,7 +100,7 @@ void CutFloor::Swept::put(std::uint32_t i) {
     const Near& c = near_[i];
     const double half = c.least > 0.0 ? std::asin(c.reach / (c.least + c.reach)) : kTurn / 2.0;
     const auto bins = static_cast<long>(kBins);
-    const long first = static_cast<long>(std::floor((c.azimuth - half) / kTurn * kBins)) - 1;
+    const long first = static_cast<long>(std::floor((std::atan2(c.middle[1], c.middle[0]) - half) / kTurn * kBins)) - 1;
     const long count = std::min(bins, static_cast<long>(2.0 * half / kTurn * kBins) + 4);
     for (long k = first; k < first + count; ++k) bins_[static_cast<std::size_t>((k % bins + bins) % bins)].push_back(i);
 }
@@ -95,10 +109,15 @@ std::optional<double> CutFloor::Swept::floor(double azimuth, double z) const {
     const double share = azimuth / kTurn - std::floor(azimuth / kTurn);
     const auto later = [](const SweptInterval& a, const SweptInterval& b) { return a.low > b.low; };
     std::priority_queue<SweptInterval, std::vector<SweptInterval>, decltype(later)> beyond(later);
+    const Vec ray{std::cos(azimuth), std::sin(azimuth), 0.0};
     double bore = 0.0;  // open length from the axis on
     for (const std::uint32_t i : bins_[std::min(kBins - 1, static_cast<std::size_t>(share * kBins))]) {
         if (!beyond.empty() && near_[i].least > beyond.top().low) break;  // nor does any later one extend as far inwards
-        if (const auto s = interval_in(near_[i].capsule, azimuth, z); s && s->high > 0.0) beyond.push(*s);
+        const Near& one = near_[i];
+        const double beside = one.middle[0] * ray[1] - one.middle[1] * ray[0], above = one.middle[2] - z;
+        if (beside * beside + above * above > one.reach * one.reach) continue;
+        if (one.middle[0] * ray[0] + one.middle[1] * ray[1] + one.reach <= bore) continue;  // within the bore
+        if (const auto s = interval_in(one.capsule, ray, z); s && s->high > 0.0) beyond.push(*s);
         for (; !beyond.empty() && beyond.top().low <= bore; beyond.pop()) bore = std::max(bore, beyond.top().high);
     }
     return beyond.empty() ? std::nullopt : std::optional(beyond.top().low);

@@ -25,14 +25,15 @@ struct SweptInterval {
 /// The volume that a cutter's end removed, sorted by azimuth.
 class CutFloor::Swept {
 public:
-    explicit Swept(std::vector<Capsule> capsules);
+    explicit Swept(const std::vector<Capsule>& capsules);
     [[nodiscard]] std::optional<double> floor(double azimuth, double z) const;
 
 private:
     struct Near {
         Capsule capsule;
         double least = 0.0;  ///< least distance from the axis [mm]; below 0: it may contain the axis
-        double azimuth = 0.0, reach = 0.0;
+        std::array<double, 3> middle{};
+        double reach = 0.0;  ///< radius of the sphere about the middle that holds it [mm]
     };
     void put(std::uint32_t i);
 

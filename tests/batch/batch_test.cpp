@@ -63,14 +63,16 @@ TEST_F(Batch, OneFailureIsOneRowAndTheRestGoesOn) {
 }
 
 TEST_F(Batch, TheSameRowsAndBytesForAnyNumberOfJobs) {
-    const std::vector<fs::path> profiles{design("a"), design("b", {{"k_se.torque_sign", "-1"}}), write("bad.toml", "x = 1\n"),
-                                         design("c", {{"cable.diameter_mm", "0.6"}}), design("d")};
+    const std::vector<fs::path> profiles{
+        design("a"),
+        design("b", {{"k_se.torque_sign", "-1"}, {"k_se.spring.hand", "\"right\""}, {"k_se.features.leg_slot_angle_deg", "90"}}),
+        write("bad.toml", "x = 1\n"), design("c", {{"cable.diameter_mm", "0.6"}, {"cable.breaking_load_N", "600"}}), design("d")};
     const std::vector<Row> one = make(profiles, 1, "one"), four = make(profiles, 4, "four");
     ASSERT_EQ(outcomes(one), outcomes(four));
     EXPECT_EQ(std::count(profiles.begin(), profiles.end(), one[2].profile), 1);
     EXPECT_TRUE(fixtures::contents(folder_ / "one") == fixtures::contents(folder_ / "four"));
     EXPECT_EQ(fixtures::contents(folder_ / "one").size(),
-              4u * 14u);  // per design: springs, two reports, three of the simulation; STL and PART.json of both parts on both sides
+              4u * 20u);  // per design: springs, two reports, three of the simulation; STL and PART.json of both parts on both sides
     for (std::size_t i = 0; i < one.size(); ++i) EXPECT_EQ(one[i].error, four[i].error);
 }
 

@@ -101,7 +101,7 @@ TEST_F(Studies, BytesAreTheSameForAnyJobsAndShards) {
     (void)run(four, "two", {}, 2);
     EXPECT_EQ(bytes("one"), bytes("two"));
     for (const std::size_t number : {2U, 3U, 1U}) EXPECT_EQ(run(four, "sharded", {number, 3}).indexed, 0U);
-    EXPECT_EQ(write_index(four, folder_ / "sharded", false), 5U);
+    EXPECT_EQ(write_index(four, folder_ / "sharded", false).designs, 5U);
     EXPECT_EQ(bytes("one"), bytes("sharded"));
 }
 
@@ -128,6 +128,36 @@ TEST_F(Studies, AProfileThatIsGoneIsOneFaultAndTheRestGoesOn) {
     EXPECT_NE(result.reasons[0].find("gone.toml"), std::string::npos);
     EXPECT_EQ(exit_code(result), 2);
     EXPECT_EQ(result.indexed, 1U);
+}
+
+TEST_F(Studies, TwoKeysWithTheSameValueAreTwoDesigns) {
+    const auto one = [&](const char* key) {
+        write("base.toml", core::read_file(fixtures::shipped("pnrvsa")));
+        const fs::path file = write("four.toml", std::string("[study]\nbase = \"base.toml\"\noutputs = \"figures\"\nmethod = \"random\"\n"
+                                                             "count = 1\n[vary]\n") +
+                                                     key + " = [6.0]\n");
+        return study::Plan(study::read_study(file));
+    };
+    EXPECT_EQ(run(one("k_se.hub.bore_mm"), "out").made, 1U);
+    const StudyResult other = run_study(one("k_pe.hub.bore_mm"), {.out = folder_ / "out", .jobs = 1, .shard = {}, .force = true});
+    EXPECT_EQ(other.earlier, 0U);
+    EXPECT_EQ(other.made, 1U);
+}
+
+TEST_F(Studies, AFolderOfDesignsHasTheNameOfItsRow) {
+    const std::string text = fixtures::with_keys(core::read_file(fixtures::shipped("pnrvsa")), {{"tolerances.chordal_error_mm", "0.005"}});
+    const study::Plan two(study::study_of({write("left.toml", text), write("right.toml", text)}, "four"));
+    EXPECT_EQ(run(two, "out").made, 2U);
+    for (const char* name : {"left", "right"}) EXPECT_TRUE(fs::exists(folder_ / "out/four/designs" / name / "report.html")) << name;
+}
+
+TEST_F(Studies, ADamagedRowIsReported) {
+    (void)run(plan(), "out");
+    const fs::path log = folder_ / "out/four/rows/1-of-1.jsonl";
+    std::string text = core::read_file(log);
+    text.replace(text.find("\"name\""), 6, "\"game\"");
+    core::write_file(log, text);
+    EXPECT_THROW((void)write_index(plan(), folder_ / "out", false), core::InvalidInput);
 }
 
 TEST_F(Studies, AFolderOfTheUsersIsNotTouched) {

@@ -1,6 +1,7 @@
 // `fusee check MESH` without its file: topology, 20000 samples, every rule of a process. A torus of n x n quads with a finely waved
 // surface, so that no two triangles are alike. `samples` fixes the work per process, so the time grows with the tree only.
 #include <benchmark/benchmark.h>
+#include <sys/resource.h>
 
 #include <cmath>
 
@@ -36,12 +37,23 @@ void BM_CheckMesh(benchmark::State& state) {
         benchmark::DoNotOptimize(inspect::check({body, process}, "torus"));
     }
     state.counters["triangles"] = static_cast<double>(mesh.triangles.size());
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    state.counters["peak_MB"] = static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
+constexpr auto kFdm = static_cast<int>(checks::ProcessKind::kFdm), kMill4 = static_cast<int>(checks::ProcessKind::kMill4);
+// 20,000, 51,000, 100,000, 500,000, 1,000,000 and 2,000,000 triangles
 BENCHMARK(BM_CheckMesh)
-    ->Args({160, static_cast<int>(checks::ProcessKind::kFdm)})
-    ->Args({160, static_cast<int>(checks::ProcessKind::kMill4)})
-    ->Args({707, static_cast<int>(checks::ProcessKind::kFdm)})
+    ->ArgNames({"n", "process"})
+    ->Args({100, kFdm})
+    ->Args({160, kFdm})
+    ->Args({160, kMill4})
+    ->Args({224, kFdm})
+    ->Args({500, kFdm})
+    ->Args({707, kFdm})
+    ->Args({1000, kFdm})
     ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
     ->UseRealTime();
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "fusee/checks/check.h"
 #include "fusee/core/units.h"
+#include "fusee/spring/coil.h"
 
 /// Parts made by hand with known dimensions: a disc and a helix of constant radius.
 namespace fusee::checks {
@@ -70,8 +71,14 @@ inline void work(Fixture& b, double low, double high, double last_state) {
 
 inline void set_cable(Fixture& b, double diameter) {
     b.cable.diameter = b.part.cam.options.cable_diameter = diameter;
-    b.cable.breaking_load = 2000.0;
-    b.cable.max_pressure = 50e6;
+    b.cable.breaking_load = 2000e6 * diameter * diameter;
+    b.cable.max_pressure = 65e6;
+}
+
+/// Gives the wire a modulus with which the coils have the stated rate.
+inline void match_rate(Fixture& b) {
+    const double share = b.spring.rate / spring::rate_of_coils(b.spring);
+    b.spring.youngs_modulus *= share, b.spring.shear_modulus *= share;
 }
 
 /// A printed K_SE spool: disc of radius R about (e, 0), so h = R + e cos psi and rho = R.
@@ -96,7 +103,9 @@ inline Fixture disc(double radius, double eccentricity) {
     cam.groove_psi = {-kWorking, -kWorking + 2.0 * core::kPi};
     cam.anchor_psi = -kWorking - cam.options.path.margin + 2.0 * core::kPi;
     b.part.options.hub.bore_diameter = 6.0 * kMm;
+    b.part.options.hub.key_fit = solid::KeyFit::kByHand;
     solid::FeatureOptions& f = b.part.options.features;
+    f.anchor_edge_radius = 0.5 * kMm;
     f.leg_slot_width = 1.4 * kMm;
     f.leg_slot_length = 2.4 * kMm;
     f.leg_slot_radius = 6.0 * kMm;
@@ -122,9 +131,11 @@ inline Fixture helix(double radius, double pitch) {
     b.spring.wire_diameter = 2.0 * kMm;
     b.spring.coil_diameter = 16.0 * kMm;
     b.spring.tensile_strength = 2000e6;
+    match_rate(b);
     cam::Cam& cam = b.part.cam;
     cam.kind = cam::PartKind::kParallel;
     cam.rotation_sign = -1;
+    cam.options.guide.distance = 0.15;  // of its parallel exit: a round cam has the same arm anywhere
     cam.options.path.kind = cam::PathKind::kHelix;
     cam.options.path.pitch = pitch;
     cam.path = [=](double psi) { return cam::PathPoint{psi, radius, 0.0, radius, pitch * psi / (2.0 * core::kPi)}; };
@@ -134,6 +145,7 @@ inline Fixture helix(double radius, double pitch) {
     cam.anchor_psi = -margin;
     solid::HubOptions& hub = b.part.options.hub;
     hub.kind = solid::HubKind::kOverhung;
+    hub.key_fit = solid::KeyFit::kByHand;
     hub.bore_diameter = 6.0 * kMm;
     hub.boss_diameter = 14.0 * kMm;
     hub.boss_height = 10.0 * kMm;
@@ -150,7 +162,7 @@ inline Fixture pusher() { return helix(10.0 * kMm, 4.0 * kMm); }
 inline Fixture spool_by(ProcessKind kind, double clearance_mm) {
     Fixture b = spool();
     b.process.kind = kind;
-    b.cable.max_pressure = 60e6;  // a narrower throat leaves less length for the key
+    b.cable.max_pressure = 75e6;  // a narrower throat leaves less length for the key
     b.part.options.groove.throat = core::rad_from_deg(45.0);
     b.part.options.hub.bore_clearance = clearance_mm * kMm;
     cut_groove(b);
@@ -170,6 +182,7 @@ inline Fixture milled() {  // with a 4th axis: three axes do not reach the groov
 /// The spool on a boss with a set screw.
 inline Fixture with_screw() {
     Fixture b = spool();
+    b.process.material.strength = 500e6;  // its thread holds in thin walls
     solid::HubOptions& hub = b.part.options.hub;
     hub.lock = solid::HubLock::kSetScrew;
     hub.screw_diameter = 3.0 * kMm;

@@ -106,7 +106,7 @@ std::vector<Case> process_cases() {
          10.434217,
          10.0,
          1e-6,
-         {"groove.lip_height"}},
+         {"groove.lip_height", "cable.knot"}},
         {"fdm.support", "bobbin", spool, bobbin, kReview, 104.0, 25.0},
         {"fdm.bridge", "wide blind bore", pusher, wide_blind_bore, kReview, 12.2, 10.0},
         {"fdm.layers", "coarse layers", spool, [](Fixture& b) { b.process.layer = 0.3 * kMm; }, kReview, 1.4133333, 2.0},
@@ -172,6 +172,9 @@ std::vector<Case> assembly_cases() {
         // hole's middle 8.327735 mm from the axis, its radius 1 mm, coils as far as 7.6 mm
         {"assembly.anchor_reach", "wide spring", spool, [](Fixture& b) { without_slot(b), b.spring.coil_diameter = 14 * kMm; }, kReview,
          -0.2722653, 0.0},
+        // 2 x 33.333 N/(1.2 mm x 0.8 mm)
+        {"assembly.leg_pressure", "shallow slot", spool, [](Fixture& b) { b.part.options.features.leg_slot_depth = 0.8 * kMm; }, kReview,
+         69.4444444, 65.0},
         {"assembly.leg_width", "tight slot", spool, [](Fixture& b) { b.part.options.features.leg_slot_width = 1.1 * kMm; }, kRequired, -0.1,
          0.0},
         {"assembly.leg_width", "loose slot", spool, [](Fixture& b) { b.part.options.features.leg_slot_width = 1.9 * kMm; }, kReview, 0.7,

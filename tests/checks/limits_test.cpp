@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "checks/fixture.h"
+#include "fusee/checks/material.h"
 #include "fusee/core/error.h"
 #include "fusee/core/units.h"
 
@@ -11,16 +13,62 @@ namespace fusee::checks {
 namespace {
 
 TEST(Limits, StrengthLeftMeetsItsTable) {
-    EXPECT_DOUBLE_EQ(strength_left(40.0), 0.95);
-    EXPECT_DOUBLE_EQ(strength_left(10.0), 0.86);
-    EXPECT_DOUBLE_EQ(strength_left(1.0), 0.50);
-    EXPECT_DOUBLE_EQ(strength_left(1000.0), 0.95) << "no more beyond the table";
-    EXPECT_DOUBLE_EQ(strength_left(0.1), 0.50);
-    EXPECT_NEAR(strength_left(std::sqrt(200.0)), 0.885, 1e-12) << "half way in the logarithm from 10 to 20";
+    EXPECT_DOUBLE_EQ(strength_left("7x7", 40.0), 0.95);
+    EXPECT_DOUBLE_EQ(strength_left("7x7", 10.0), 0.86);
+    EXPECT_DOUBLE_EQ(strength_left("7x7", 1.0), 0.50);
+    EXPECT_DOUBLE_EQ(strength_left("7x7", 1000.0), 0.95) << "no more beyond the table";
+    EXPECT_DOUBLE_EQ(strength_left("7x7", 0.1), 0.50);
+    EXPECT_NEAR(strength_left("7x7", std::sqrt(200.0)), 0.885, 1e-12) << "half way in the logarithm from 10 to 20";
 }
 
 TEST(Limits, StrengthLeftRisesWithTheBend) {
-    for (double ratio = 0.5; ratio < 60.0; ratio *= 1.1) EXPECT_LE(strength_left(ratio), strength_left(1.1 * ratio)) << ratio;
+    for (double ratio = 0.5; ratio < 60.0; ratio *= 1.1) EXPECT_LE(strength_left("7x7", ratio), strength_left("7x7", 1.1 * ratio)) << ratio;
+}
+
+TEST(Limits, FibreHasItsOwnTable) {
+    EXPECT_DOUBLE_EQ(strength_left("fibre", 4.0), 0.80);
+    EXPECT_DOUBLE_EQ(strength_left("fibre", 40.0), 0.95);
+    EXPECT_LT(strength_left("7x7", 4.0), strength_left("fibre", 4.0));
+}
+
+TEST(Limits, EveryCableHasEachTermination) {
+    for (const CableLimits& row : cable_table())
+        for (const Termination kind : {Termination::kKnot, Termination::kCrimp, Termination::kSplice}) {
+            Cable cable;
+            cable.construction = row.construction;
+            cable.termination = kind;
+            EXPECT_EQ(termination_limits(cable).kind, kind) << row.construction;
+            EXPECT_EQ(termination_limits(cable).fibre, row.is_fibre()) << row.construction;
+        }
+}
+
+TEST(Limits, MaterialIsThatOfTheProcessUnlessStated) {
+    Process process;
+    EXPECT_STREQ(material_of(process).name, "pla");
+    process.kind = ProcessKind::kMill;
+    EXPECT_STREQ(material_of(process).name, "aluminium");
+    process.material.kind = "pom";
+    const Material pom = material_of(process);
+    process.material.strength = 2.0 * pom.strength;
+    process.material.modulus = 0.5 * pom.modulus;
+    process.material.density = 1500.0;
+    const Material own = material_of(process);
+    EXPECT_DOUBLE_EQ(own.bearing, 2.0 * pom.bearing);
+    EXPECT_DOUBLE_EQ(own.permanent, 2.0 * pom.permanent);
+    EXPECT_DOUBLE_EQ(own.creep_modulus, 0.5 * pom.creep_modulus);
+    EXPECT_DOUBLE_EQ(own.density, 1500.0);
+    process.material.kind = "cheese";
+    EXPECT_THROW((void)material_of(process), core::InvalidInput);
+}
+
+TEST(Limits, AMissingBreakingLoadIsEstimatedAndSaid) {
+    Fixture b = spool();
+    EXPECT_EQ(worst("cable.breaking_load", b).what.find("estimate"), std::string::npos);
+    b.cable.breaking_load = 0.0;
+    const core::Finding f = worst("cable.breaking_load", b);  // 870 N/mm^2 x (0.8 mm)^2 x 0.95/50 N
+    EXPECT_NEAR(f.measured, 10.5792, 1e-6);
+    for (const char* rule : {"cable.breaking_load", "cable.anchor_load", "cable.bend_life"})
+        EXPECT_NE(worst(rule, b).what.find("557 N is an estimate for 0.8 mm of fibre"), std::string::npos) << worst(rule, b).what;
 }
 
 TEST(Limits, OwnLimitsReplaceTheTable) {

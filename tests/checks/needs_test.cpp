@@ -55,8 +55,6 @@ const std::map<std::string, Unstate> kUnstate = {
     {"spring.max_travel_mm", [](Fixture& b) { b.spring.max_state = b.spring.free_length = 0.0; }},
     {"spring.max_torque_Nm", [](Fixture& b) { b.spring.max_load = 0.0; }},
     {"spring.max_force_N", [](Fixture& b) { b.spring.max_load = 0.0; }},
-    {"cable.breaking_load_N", [](Fixture& b) { b.cable.breaking_load = 0.0; }},
-    {"cable.max_pressure_MPa", [](Fixture& b) { b.cable.max_pressure = 0.0; }},
     {"roller.max_pressure_MPa", [](Fixture& b) { b.part.cam.options.roller.max_pressure = 0.0; }},
     {"roller.contact_modulus_MPa", [](Fixture& b) { b.part.cam.options.roller.contact_modulus = 0.0; }},
 };
@@ -103,8 +101,8 @@ TEST(Needs, RulesThatTheProfileLeavesOpenDeclareThem) {
     std::set<std::string> with;
     for (const Rule& rule : rules())
         if (!rule.needs.empty()) with.insert(rule.id);
-    for (const char* id : {"spring.stress", "spring.fatigue", "spring.buckling", "spring.load", "cable.pressure", "cable.breaking_load",
-                           "cable.anchor_load", "shaft.key_pressure", "roller.contact_pressure", "assembly.leg_width"})
+    for (const char* id : {"spring.stress", "spring.fatigue", "spring.buckling", "spring.load", "spring.rate", "spring.surge",
+                           "roller.contact_pressure", "assembly.leg_width"})
         EXPECT_TRUE(with.count(id)) << id;
 }
 
@@ -116,7 +114,6 @@ TEST(Needs, ARuleThatDoesNotApplyIsSilent) {
     EXPECT_TRUE(run_rule("spring.torsion_angle", compression).empty());
     EXPECT_TRUE(run_rule("assembly.leg_width", compression).empty()) << "no slot";
     torsion.part.options.hub.lock = solid::HubLock::kPlain;
-    torsion.cable.max_pressure = 0.0;
     EXPECT_TRUE(run_rule("shaft.key_pressure", torsion).empty()) << "no keyway";
 }
 
@@ -140,7 +137,7 @@ TEST(Needs, EitherWayToTheTravelIsEnough) {
 TEST(Needs, SeveralMissingKeysAreAllNamed) {
     Fixture b = stated_spool();
     b.spring.wire_diameter = b.spring.tensile_strength = 0.0;
-    EXPECT_EQ(worst("spring.stress", b).suggestion, "k_se.spring.wire_mm and k_se.spring.tensile_strength_MPa");
+    EXPECT_EQ(worst("spring.stress", b).suggestion, "k_se.spring.wire_mm and k_se.spring.tensile_strength_MPa (or k_se.spring.wire_class)");
 }
 
 }  // namespace

@@ -36,10 +36,10 @@ TEST(Override, TouchesNoOtherRuleAndNoOtherLimit) {
 
 TEST(Override, JudgesWhatTheProfileLeftOpen) {
     Fixture b = spool();
-    b.cable.max_pressure = 0.0;
-    ASSERT_EQ(worst("cable.pressure", b).severity, core::Severity::kNotJudged);
-    b.overrides = {{"cable.pressure", "required_MPa", 5.0, "measured dents"}};
-    const core::Finding f = worst("cable.pressure", b);
+    b.spring.max_state = 0.0;
+    ASSERT_EQ(worst("spring.torsion_angle", b).severity, core::Severity::kNotJudged);
+    b.overrides = {{"spring.torsion_angle", "required_rad", 5.0, "measured set"}};
+    const core::Finding f = worst("spring.torsion_angle", b);
     EXPECT_EQ(f.severity, core::Severity::kError);
     EXPECT_NE(f.what.find("where the rule has none"), std::string::npos) << f.what;
 }

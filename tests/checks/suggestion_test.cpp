@@ -158,6 +158,11 @@ const std::map<std::string, std::function<void(Fixture&, double)>>& keys() {
         {"spring.rod_mm", [](Fixture& b, double v) { b.spring.rod_diameter = v * kMm; }},
         {"spring.active_coils", [](Fixture& b, double v) { b.spring.active_coils = v; }},
         {"spring.free_length_mm", [](Fixture& b, double v) { b.spring.free_length = v * kMm; }},
+        {"spring.wire_mm", [](Fixture& b, double v) { b.spring.wire_diameter = v * kMm; }},
+        {"spring.rate_Nm_per_rad", [](Fixture& b, double v) { respring(b, v, b.spring.preload); }},
+        {"spring.motion_Hz", [](Fixture& b, double v) { b.spring.motion = v; }},
+        {"features.anchor_edge_mm", [](Fixture& b, double v) { b.part.options.features.anchor_edge_radius = v * kMm; }},
+        {"material.modulus_MPa", [](Fixture& b, double v) { b.process.material.modulus = v * 1e6; }},
         {"spring.tensile_strength_MPa", [](Fixture& b, double v) { b.spring.tensile_strength = v * 1e6; }},
     };
     return all;

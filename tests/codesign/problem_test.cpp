@@ -39,6 +39,16 @@ protected:
         for (const core::Range& box : problem.bounds()) x.push_back(box.low + share(random) * box.width());
         return x;
     }
+    /// A design that was found for cables that leave parallel, as its head says, with the guides of that search.
+    [[nodiscard]] static profile::Profile as_searched(const char* name) {
+        profile::Profile profile = profile::read_profile(fixtures::shipped(name));
+        for (profile::PartSpec* part : {&profile.k_se, &profile.k_pe}) {
+            part->cam.guide.kind = cam::GuideKind::kParallel;
+            part->cam.guide.distance = 10.0;
+        }
+        profile.limits.push_back({"cam.parallel_exit", "review_percent", 1.0, "the search knew no such rule"});
+        return profile;
+    }
     [[nodiscard]] static const Limit* find(const Trial& trial, const std::string& name) {
         for (const Limit& limit : trial.limits)
             if (limit.name == name) return &limit;
@@ -60,12 +70,13 @@ TEST_F(CoDesignProblem, TheProfilesOwnDesignIsJudgedByWhatTheSearchIsHeldTo) {
     const profile::Profile own = read();
     const Problem problem(own);
     const Trial trial = problem.evaluate(own);
-    // It covers every edge and meets its own demands, but its K_PE is more sharply curved (2.85 mm) and reaches farther out than 40 mm.
+    // It covers every edge, meets its own demands and stays within 40 mm, but its K_PE is more sharply curved (2.85 mm).
     EXPECT_FALSE(trial.feasible());
     const Limit *rho = find(trial, "limit.rho k_pe"), *radius = find(trial, "limit.contour_radius k_pe");
     ASSERT_TRUE(rho && radius);
-    EXPECT_NEAR(rho->measured, 2.851, 1e-3);
-    EXPECT_GT(radius->excess(), 0.0);
+    EXPECT_NEAR(rho->measured, 2.852, 1e-3);
+    EXPECT_GT(rho->excess(), 0.0);
+    EXPECT_LT(radius->excess(), 0.0);
     double excess = 0.0;
     for (const Limit& limit : trial.limits) excess += std::max(0.0, limit.excess());
     EXPECT_NEAR(trial.violation, excess + 20.0, 1e-9) << "cams and rules, which are not asked any more, count besides";
@@ -73,7 +84,7 @@ TEST_F(CoDesignProblem, TheProfilesOwnDesignIsJudgedByWhatTheSearchIsHeldTo) {
 }
 
 TEST_F(CoDesignProblem, TheDesignThatWasFoundKeepsEveryLimitAndTheIssuesFigures) {
-    const profile::Profile found = profile::read_profile(fixtures::shipped("pnrvsa_co_design"));
+    const profile::Profile found = as_searched("pnrvsa_co_design");
     const Problem problem(found);
     const Trial trial = problem.evaluate(found);
     for (const Limit& limit : trial.limits) EXPECT_LE(limit.excess(), 0.0) << limit.name;
@@ -87,8 +98,8 @@ TEST_F(CoDesignProblem, TheDesignThatWasFoundKeepsEveryLimitAndTheIssuesFigures)
 }
 
 TEST_F(CoDesignProblem, AFreeCurveIsClearlyBetterAtTheSameTravelAndStiffness) {
-    const profile::Profile found = profile::read_profile(fixtures::shipped("pnrvsa_co_design"));
-    const profile::Profile free = profile::read_profile(fixtures::shipped("free_curve"));
+    const profile::Profile found = as_searched("pnrvsa_co_design");
+    const profile::Profile free = as_searched("free_curve");
     profile::Profile same = free;
     same.co_design = found.co_design;
     const Trial trial = Problem(same).evaluate(free), other = Problem(found).evaluate(found);

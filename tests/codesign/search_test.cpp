@@ -94,11 +94,13 @@ TEST_F(CoDesignRun, MinimisedOverAShopsScatterItsCostIsWhatBuiltJointsHaveAndThe
         const design::Drawing drawing{pipeline::resolve(best)->actuator, best.k_se.spring, best.k_pe.spring};
         return design::robust_dead_band(drawing, torque, {.rate_se = 0.05, .rate_pe = 0.05, .contour = 0.05e-3, .friction = 0.05});
     };
-    const Written built =
-        written(run_co_design,
-                read({{"design.generations", "30"}, {"co_design.figure", "\"percentile_95\""}, {"co_design.scatter_friction", "0.05"}}),
-                into("built"));
-    const Written drawn = written(run_co_design, read(), into("drawn"));
+    const Written built = written(run_co_design,
+                                  read({{"design.generations", "30"},
+                                        {"co_design.figure", "\"percentile_95\""},
+                                        {"co_design.scatter_friction", "0.05"},
+                                        {"co_design.reviews", "\"accept\""}}),
+                                  into("built"));
+    const Written drawn = written(run_co_design, read({{"co_design.reviews", "\"accept\""}}), into("drawn"));
     ASSERT_TRUE(built.found() && drawn.found());
     const profile::Profile best = profile::read_profile(built.folder / "small-best.toml");
     const auto json = nlohmann::json::parse(core::read_file(built.folder / "design.json"));
@@ -136,7 +138,7 @@ TEST_F(CoDesignRun, EachPointOfAFrontIsAProfileThatMakeAccepts) {
 }
 
 TEST_F(CoDesignRun, AFrontAgainstSizeTradesOneForTheOther) {
-    const Written result = written(run_pareto, read({{"design.population", "8"}, {"co_design.against", "\"size\""}}), into("out"));
+    const Written result = written(run_pareto, read({{"design.population", "24"}, {"co_design.against", "\"size\""}}), into("out"));
     ASSERT_TRUE(result.found());
     const core::CsvTable table = core::read_csv(result.folder / "pareto.csv", {{"figure_deg"}, {"radius_mm"}});
     for (std::size_t i = 1; i < table.rows(); ++i) {

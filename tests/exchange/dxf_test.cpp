@@ -1,5 +1,6 @@
 #include "fusee/exchange/dxf.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "exchange/fixtures/disc.h"
@@ -16,6 +17,7 @@ DxfDrawing small_drawing() {
     drawing.provenance = "fusee test";
     drawing.layers.push_back({"FLOOR", {{{{1.0 / 3.0, -2e-7}, {10.0, 0.1}, {12345.678901234567, 7.0}}, true}}, {}});
     drawing.layers.push_back({"BORE", {{{{0.0, 1.0}, {2.0, 3.0}}, false}}, {{{0.5, -0.25}, 2.6}}});
+    drawing.layers.push_back({"SLOT", {}, {}, {}, {{{0.5, 1.0 / 3.0}, 2.5, -30.0, 200.1}}, {{{1.0 / 7.0, 2.0}, {3.0, -4.0}}}});
     return drawing;
 }
 
@@ -34,17 +36,26 @@ TEST_F(DxfTest, RoundtripIsExact) {
     write_dxf(folder_ / "a.dxf", drawing);
     const DxfDrawing back = read_dxf(folder_ / "a.dxf");
     EXPECT_EQ(back.provenance, "fusee test");
-    ASSERT_EQ(back.layers.size(), 2u);
+    ASSERT_EQ(back.layers.size(), 3u);
     for (const DxfLayer& layer : drawing.layers) {
         const DxfLayer* read = back.layer(layer.name);
         ASSERT_NE(read, nullptr);
-        ASSERT_EQ(read->polylines.size(), 1u);
+        ASSERT_EQ(read->polylines.size(), layer.polylines.size());
+        if (layer.polylines.empty()) continue;
         EXPECT_EQ(read->polylines[0].points_mm, layer.polylines[0].points_mm);  // shortest digits that give the number back
         EXPECT_EQ(read->polylines[0].closed, layer.polylines[0].closed);
     }
     ASSERT_EQ(back.layer("BORE")->circles.size(), 1u);
     EXPECT_EQ(back.layer("BORE")->circles[0].radius_mm, 2.6);
     EXPECT_EQ(back.layer("BORE")->circles[0].centre_mm, (Vec2{0.5, -0.25}));
+    const DxfLayer& slot = *back.layer("SLOT");
+    ASSERT_EQ(slot.arcs.size(), 1u);
+    EXPECT_EQ(slot.arcs[0].centre_mm, (Vec2{0.5, 1.0 / 3.0}));
+    EXPECT_EQ(slot.arcs[0].radius_mm, 2.5);
+    EXPECT_EQ((Vec2{slot.arcs[0].begin_deg, slot.arcs[0].end_deg}), (Vec2{-30.0, 200.1}));
+    ASSERT_EQ(slot.lines.size(), 1u);
+    EXPECT_EQ(slot.lines[0].from_mm, (Vec2{1.0 / 7.0, 2.0}));
+    EXPECT_EQ(slot.lines[0].to_mm, (Vec2{3.0, -4.0}));
     EXPECT_EQ(back.layer("MISSING"), nullptr);
 }
 
@@ -119,12 +130,14 @@ TEST_F(DxfTest, KerfMovesOutlinesByHalfOfIt) {
     const DxfDrawing nominal = spool_drawing(part, ""), moved = kerf_drawing(part, 0.2, "");
     EXPECT_EQ(moved.layers.size(), 2u);
     for (const Vec2& p : moved.layer("FLANGE")->polylines.at(0).points_mm) EXPECT_NEAR(std::hypot(p[0] - 5.0, p[1]), 21.1, 1e-9);
-    const auto &bore = nominal.layer("BORE")->polylines.at(0).points_mm, &cut = moved.layer("BORE")->polylines.at(0).points_mm;
-    for (std::size_t i = 0; i < 2; ++i) {  // the key's corners
-        EXPECT_NEAR(cut[i][0], bore[i][0] - 0.1, 1e-12);
-        EXPECT_NEAR(std::abs(cut[i][1]), std::abs(bore[i][1]) - 0.1, 1e-12);
+    const DxfLayer &bore = *nominal.layer("BORE"), &cut = *moved.layer("BORE");
+    ASSERT_EQ(cut.lines.size(), 3u) << "the key's sides and bottom";
+    for (std::size_t i = 0; i < 2; ++i) {  // its corners
+        EXPECT_NEAR(cut.lines[i].from_mm[0], bore.lines[i].from_mm[0] - 0.1, 1e-12);
+        EXPECT_NEAR(std::abs(cut.lines[i].from_mm[1]), std::abs(bore.lines[i].from_mm[1]) - 0.1, 1e-12);
     }
-    for (std::size_t i = 2; i < cut.size(); ++i) EXPECT_NEAR(std::hypot(cut[i][0], cut[i][1]), 2.5, 1e-12);
+    ASSERT_EQ(cut.arcs.size(), 1u);
+    EXPECT_NEAR(cut.arcs[0].radius_mm, 2.5, 1e-12);
     EXPECT_THROW((void)kerf_drawing(part, 2.5, ""), core::InvalidInput);  // wider than the key
 }
 
@@ -136,9 +149,65 @@ TEST_F(DxfTest, BoreIsACircleOrAClosedOutlineWithKey) {
     EXPECT_NEAR(plain.circles[0].radius_mm, 2.6, 1e-12);  // 5 mm and 0.2 mm of clearance
     part.options.hub.lock = solid::HubLock::kKeyway;
     const DxfLayer keyed = *spool_drawing(part, "").layer("BORE");
-    ASSERT_EQ(keyed.polylines.size(), 1u);
-    EXPECT_TRUE(keyed.polylines[0].closed);
+    EXPECT_EQ(keyed.arcs.size(), 1u);
+    EXPECT_EQ(keyed.lines.size(), 3u);
     EXPECT_TRUE(keyed.circles.empty());
+}
+
+/// Area within a closed chain of lines and arcs [mm^2], by the integral of x dy - y dx; each end must be another's begin.
+double enclosed(const DxfLayer& layer) {
+    double twice = 0.0;
+    std::vector<Vec2> begins, ends;
+    for (const DxfLine& l : layer.lines) {
+        twice += l.from_mm[0] * l.to_mm[1] - l.to_mm[0] * l.from_mm[1];
+        begins.push_back(l.from_mm), ends.push_back(l.to_mm);
+    }
+    for (const DxfArc& a : layer.arcs) {
+        const double from = core::rad_from_deg(a.begin_deg), to = core::rad_from_deg(a.end_deg), r = a.radius_mm;
+        twice +=
+            r * r * (to - from) + r * (a.centre_mm[0] * (std::sin(to) - std::sin(from)) - a.centre_mm[1] * (std::cos(to) - std::cos(from)));
+        begins.push_back({a.centre_mm[0] + r * std::cos(from), a.centre_mm[1] + r * std::sin(from)});
+        ends.push_back({a.centre_mm[0] + r * std::cos(to), a.centre_mm[1] + r * std::sin(to)});
+    }
+    for (const Vec2& end : ends)
+        EXPECT_TRUE(
+            std::any_of(begins.begin(), begins.end(), [&](const Vec2& b) { return std::hypot(b[0] - end[0], b[1] - end[1]) < 1e-9; }));
+    return 0.5 * twice;
+}
+
+// Known: a keyed bore of 5.2 mm, a slot of 1.4 x 2.4 mm, a flat 0.5 mm deep; arcs are exact, so are the areas.
+TEST_F(DxfTest, BoreAndSlotAreLinesAndExactArcs) {
+    solid::Part part = disc_part(20e-3, 5e-3);
+    solid::FeatureOptions& f = part.options.features;
+    f.leg_slot_width = 1.4e-3, f.leg_slot_length = 2.4e-3, f.leg_slot_radius = 6e-3, f.leg_slot_depth = 1e-3;
+    part.options.hub.lock = solid::HubLock::kDFlat;
+    part.options.hub.flat_depth = 0.5e-3;
+    write_dxf(folder_ / "a.dxf", spool_drawing(part, ""));
+    const DxfDrawing back = read_dxf(folder_ / "a.dxf");
+    ASSERT_NE(back.layer("LEG_SLOT"), nullptr);
+    EXPECT_EQ(back.layer("LEG_SLOT")->arcs.size(), 2u) << "two half circles";
+    EXPECT_NEAR(enclosed(*back.layer("LEG_SLOT")), core::kPi * 0.49 + 1.4, 1e-9);
+    const double open = std::acos(2.1 / 2.6);
+    EXPECT_NEAR(enclosed(*back.layer("BORE")), 2.6 * 2.6 * (core::kPi - open) + 2.1 * 2.6 * std::sin(open), 1e-9);
+    part.options.hub.lock = solid::HubLock::kKeyway;
+    const DxfLayer keyed = *spool_drawing(part, "").layer("BORE");
+    EXPECT_GT(enclosed(keyed), core::kPi * 2.6 * 2.6) << "the key is outside the round bore";
+}
+
+// Known: h = R + e cos psi; the hole touches the pitch curve from inside.
+TEST_F(DxfTest, AnchorHoleIsACircleOnTheCable) {
+    solid::Part part = disc_part(20e-3, 5e-3);
+    part.options.features.anchor_hole_diameter = 1.6e-3;
+    part.cam.anchor_psi = 1.0;
+    const DxfDrawing drawing = spool_drawing(part, "");
+    const DxfLayer* anchor = drawing.layer("ANCHOR");
+    ASSERT_NE(anchor, nullptr);
+    ASSERT_EQ(anchor->circles.size(), 1u);
+    EXPECT_NEAR(anchor->circles[0].radius_mm, 0.8, 1e-12);
+    EXPECT_NEAR(std::hypot(anchor->circles[0].centre_mm[0] - 5.0, anchor->circles[0].centre_mm[1]), 20.0 - 0.8, 1e-9);
+    part.options.features.anchor_hole_diameter = 0.0;
+    EXPECT_EQ(spool_drawing(part, "").layer("ANCHOR"), nullptr);
+    EXPECT_EQ(spool_drawing(part, "").layer("LEG_SLOT"), nullptr);
 }
 
 }  // namespace

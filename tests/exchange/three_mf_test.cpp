@@ -5,6 +5,7 @@
 #include "exchange/fixtures/disc.h"
 #include "exchange/fixtures/expect_refusal.h"
 #include "fusee/core/file.h"
+#include "fusee/exchange/three_mf_coloured.h"
 
 namespace fusee::exchange {
 namespace {
@@ -38,6 +39,18 @@ TEST_F(ThreeMfTest, SameBytesTwiceAndFromManyThreads) {
     for (const std::string& name : names) EXPECT_EQ(core::read_file(folder_ / name), bytes);
     write_3mf(folder_ / "other.3mf", disc_, "k_pe", "fusee test");
     EXPECT_NE(core::read_file(folder_ / "other.3mf"), bytes);
+}
+
+TEST_F(ThreeMfTest, KeepsAnObjectsColourAndAllItsShells) {
+    solid::Mesh two = disc_;
+    const auto first = static_cast<std::uint32_t>(two.points_mm.size());
+    for (const solid::Vec3& p : disc_.points_mm) two.points_mm.push_back({p[0], p[1], p[2] + 40.0});
+    for (const solid::Triangle& t : disc_.triangles) two.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+    write_3mf(folder_ / "a.3mf", {{"rods", two, Colour{200, 30, 10}}}, "fusee test");
+    EXPECT_EQ(read_3mf(folder_ / "a.3mf").triangles, two.triangles);
+    const auto colours = read_3mf_colours(folder_ / "a.3mf");
+    ASSERT_EQ(colours.size(), two.triangles.size());
+    EXPECT_EQ(colours.back(), (Colour{200, 30, 10}));
 }
 
 TEST_F(ThreeMfTest, RefusesAnOpenSurface) {

@@ -94,13 +94,13 @@ TEST_F(Stretched, ARigidCablesCamIsOff) {
 
 TEST_F(Stretched, ACableShorterThanItsWrapIsRefused) {
     ResolvedDesign design = *resolve(read(example()));
-    design.profile = changed("k_pe.cable_length_mm", "60");
+    design.profile = changed("k_pe.cable_length_mm", "40");
     const auto part = design_part(cam::PartKind::kParallel, design);
     ASSERT_FALSE(part);
     bool named = false;
     for (const core::Finding& f : part.refusal())
         named |= f.rule == "cable.length" && f.severity == core::Severity::kError &&
-                 f.suggestion.find("k_pe.cable_length_mm = ") != std::string::npos && f.allowed > 60.0;
+                 f.suggestion.find("k_pe.cable_length_mm = ") != std::string::npos && f.allowed > 40.0;
     EXPECT_TRUE(named);
 }
 

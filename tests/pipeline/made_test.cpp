@@ -16,11 +16,13 @@ class Shipped : public fixtures::TempFolder, public testing::WithParamInterface<
 protected:
     batch::MakeResult made() const { return batch::make(profile::read_profile(fixtures::shipped(GetParam())), {.out = folder_ / "out"}); }
     /// The names of all files, sorted: every format of both parts on both sides of the joint, DXF of the planar ones, G-code and PDF where
-    /// they are asked for, and the plate.
+    /// they are asked for, the plate and the joint.
     static std::vector<std::string> expected() {
         const std::string design = GetParam();
-        std::vector<std::string> names{"dead_band.csv", "plate.3mf",       "plate.json",      "report.html",
-                                       "report.json",   "simulation.html", "simulation.json", "springs.csv"};
+        std::vector<std::string> names{"assembly.3mf",          "assembly.json",     "assembly.md",       "assembly.step",
+                                       "assembly_exploded.svg", "assembly_plan.svg", "assembly_view.svg", "bom.csv",
+                                       "dead_band.csv",         "plate.3mf",         "plate.json",        "report.html",
+                                       "report.json",           "simulation.html",   "simulation.json",   "springs.csv"};
         for (const std::string side : {"", "_mirrored"}) {
             for (const std::string part : {"k_se", "k_pe"})
                 for (const char* ending : {".3mf", ".json", ".scad", ".step", ".stl", "_drawing.svg"})

@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "fusee/batch/batch.h"
+#include "fusee/checks/support.h"
+#include "fusee/core/units.h"
 #include "fusee/exchange/three_mf.h"
 #include "fusee/readback/plate.h"
 #include "pipeline/fixture.h"
@@ -81,6 +83,15 @@ TEST_F(OnePlate, PartsStandTheWayUpThatNeedsLessSupport) {
     for (std::size_t i = 0; i < 4; ++i) {
         const bool overhung = objects[i].name.starts_with("k_pe");
         EXPECT_EQ(plate.objects[i].flipped, overhung) << objects[i].name;
+        const double overhang = core::rad_from_deg(45.0), here = checks::unsupported_mm2(objects[i].mesh, overhang, false),
+                     turned = checks::unsupported_mm2(objects[i].mesh, overhang, true);
+        EXPECT_LE(here, turned) << objects[i].name;
+        const auto found = std::find_if(result.findings.begin(), result.findings.end(), [&](const core::Finding& f) {
+            return f.rule == "fdm.support" && objects[i].name.starts_with(f.where);
+        });
+        if (found != result.findings.end()) {
+            EXPECT_NEAR(here, found->measured, 0.01 * found->measured) << objects[i].name;
+        }
         const auto [bed, top] = flat_areas(objects[i].mesh);
         if (!overhung) continue;
         EXPECT_GT(bed, 3.0 * top) << objects[i].name << " stands on its boss";

@@ -22,8 +22,11 @@ const Changes kDataSheets = {{"cable.max_pressure_MPa", "60"},     {"k_se.spring
                              {"k_pe.spring.free_length_mm", "70"}, {"k_pe.spring.tensile_strength_MPa", "2000"},
                              {"k_pe.hub.lock", "\"set_screw\""},   {"k_pe.hub.screw_mm", "3"},
                              {"k_pe.guide.kind", "\"point\""},     {"k_pe.guide.distance_mm", "150"}};
-const Changes kHelix = {
-    {"k_pe.path.kind", "\"helix\""}, {"k_pe.path.pitch_mm", "4"}, {"k_pe.path.margin_deg", "170"}, {"k_se.hub.lock", "\"d_flat\""}};
+const Changes kHelix = {{"k_pe.path.kind", "\"helix\""},
+                        {"k_pe.path.pitch_mm", "4"},
+                        {"k_pe.path.margin_deg", "170"},
+                        {"k_se.hub.lock", "\"d_flat\""},
+                        {"k_pe.guide.kind", "\"parallel\""}};
 Changes by(const char* process) { return {{"process.kind", std::string("\"") + process + '"'}}; }
 
 using ReachTest = fixtures::TempFolder;

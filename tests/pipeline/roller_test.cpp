@@ -50,6 +50,9 @@ TEST_F(RollerMade, WithASpringThatIsHardlyPreloaded) {
                                                               {"tolerances.chordal_error_mm", "0.001"},
                                                               {"k_pe.spring.preload_mm", "0.4"},
                                                               {"k_pe.spring.rate_N_per_m", "20000"},
+                                                              {"k_pe.spring.wire_mm", "0"},
+                                                              {"k_pe.spring.max_travel_mm", "0"},
+                                                              {"k_pe.spring.max_force_N", "0"},
                                                               {"k_pe.roller.radius_mm", "4"},
                                                               {"k_pe.roller.base_radius_mm", "200"},
                                                               {"process.build_mm", "[600.0, 600.0, 200.0]"}});
@@ -76,7 +79,7 @@ TEST_F(RollerMade, ABaseTooSmallIsRefusedWithALargerOne) {
 }
 
 TEST_F(RollerMade, ARollerWiderThanItsRimIsRefused) {
-    const batch::MakeResult result = batch::make(changed("k_pe.roller.width_mm", "7.0"), {.out = folder_ / "out"});
+    const batch::MakeResult result = batch::make(changed("k_pe.roller.width_mm", "11.0"), {.out = folder_ / "out"});
     EXPECT_FALSE(result.made);
     EXPECT_TRUE(objections(result).contains("roller.rim_width"));
 }

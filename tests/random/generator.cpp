@@ -124,7 +124,7 @@ Base parallel_spring(Dice& dice, const spring::LawPoint& lowest, const spring::L
 
 std::string guide(Dice& dice) {
     const double direction = dice.between(-180.0, 180.0);
-    if (dice.chance(0.5)) return fmt::format("kind = \"parallel\"\ndirection_deg = {}\n", direction);
+    if (dice.chance(0.5)) return fmt::format("kind = \"parallel\"\ndirection_deg = {}\ndistance_mm = 10000\n", direction);
     std::string text =
         fmt::format("direction_deg = {}\ndistance_mm = {}\nz_mm = {}\n", direction, dice.between(80.0, 300.0), dice.between(0.0, 4.0));
     if (dice.chance(0.5)) return "kind = \"point\"\n" + text;

@@ -4,6 +4,7 @@
 
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
+#include "fusee/core/temporary_folder.h"
 #include "report/fixture.h"
 
 namespace fusee::report {
@@ -11,8 +12,8 @@ namespace {
 
 class SpringsCsv : public ::testing::Test {
 protected:
-    void TearDown() override { std::filesystem::remove(path_); }
-    std::filesystem::path path_ = std::filesystem::path(::testing::TempDir()) / "fusee_springs.csv";
+    core::TemporaryFolder folder_;
+    std::filesystem::path path_ = folder_.path() / "springs.csv";
 };
 
 TEST_F(SpringsCsv, ColumnsRowsAndNumbersSurviveBitForBit) {

@@ -61,6 +61,58 @@ TEST_F(Plans, AListOfProfilesKeepsItsOrder) {
     EXPECT_EQ(plan.profile(plan.at(0)).name, "pnrvsa");
 }
 
+TEST_F(Plans, LongNamesEndWithANumberAndFitAProfile) {
+    const std::string base = core::read_file(FUSEE_SOURCE_DIR "/profiles/pnrvsa.toml");
+    std::string text = base;
+    const std::string name = "name = \"pnrvsa\"";
+    text.replace(text.find(name), name.size(), "name = \"" + std::string(60, 'n') + "\"");
+    write("long.toml", text);
+    const Plan plan(read_study(write("s.toml", "[study]\nbase = \"long.toml\"\n" + std::string(kTwoKeys))));
+    EXPECT_EQ(plan.at(0).name, std::string(60, 'n') + "-0");
+    EXPECT_EQ(plan.profile(plan.at(5)).name, std::string(60, 'n') + "-5");
+}
+
+TEST_F(Plans, TextsThatLookAlikeInANameGetNumbers) {
+    const std::string base = FUSEE_SOURCE_DIR "/profiles/from_dead_band.toml";
+    const Plan plan(
+        read_study(write("s.toml", "[study]\nbase = \"" + base + "\"\n[vary]\nlaw.dead_band_deg = [\"40 + tau\", \"40 * tau\"]\n")));
+    EXPECT_EQ(plan.at(0).name, "from_dead_band-0");
+    EXPECT_EQ(plan.at(1).name, "from_dead_band-1");
+}
+
+TEST_F(Plans, NamesOfAListAreThoseOfItsFiles) {
+    const auto name = [](const char* file) { return Plan(study_of({file}, "s")).at(0).name; };
+    EXPECT_EQ(name("a/my cam.toml"), "my_cam");
+    EXPECT_EQ(name("a/_.toml"), "design_");
+    EXPECT_EQ(field_refused([] { return study_of({"a/cam.toml", "b/cam.toml"}, "s"); }), "batch");
+    EXPECT_EQ(field_refused([] { return study_of({"a/cam.toml"}, "a/b"); }), "--name");
+}
+
+TEST_F(Plans, ADigestIsOfTheKeysToo) {
+    const auto digest = [&](const std::string& key) {
+        const Plan plan(study("method = \"random\"\ncount = 1\n[vary]\n" + key + " = [6.0]\n"));
+        return plan.digest(plan.at(0));
+    };
+    EXPECT_EQ(digest("k_se.hub.bore_mm"), digest("k_se.hub.bore_mm"));
+    EXPECT_NE(digest("k_se.hub.bore_mm"), digest("k_pe.hub.bore_mm"));
+}
+
+TEST_F(Plans, ADigestIsOfTheFilesThatAValueNames) {
+    const std::string shipped = FUSEE_SOURCE_DIR "/profiles/measured_table", table = core::read_file(shipped + ".csv");
+    const auto digest = [&](const std::string& law) {
+        const std::string file = write("law.csv", law).string();
+        const Plan plan(read_study(write("s.toml", "[study]\nbase = \"" + shipped + ".toml\"\n[vary]\nlaw.file = [\"" + file + "\"]\n")));
+        return plan.digest(plan.at(0));
+    };
+    EXPECT_EQ(digest(table), digest(table));
+    EXPECT_NE(digest(table), digest("# measured again\n" + table));
+}
+
+TEST_F(Plans, AWrongValueIsOneOfTheStudy) {
+    const Plan plan(study("[vary]\ncable.diameter_mm = [0.8, -1.0]\n"));
+    EXPECT_TRUE(field_refused([&] { return plan.profile(plan.at(1)); }).ends_with("s.toml: vary.cable.diameter_mm"));
+}
+
 TEST_F(Plans, WrongKeysAndFormulasAreNamed) {
     const auto refused = [&](const std::string& tail) {
         std::string field = field_refused([&] { return Plan(study(tail)).size(); });

@@ -9,6 +9,9 @@
 /// A study on a cluster with Slurm (docs/cluster.md).
 namespace fusee::batch {
 
+/// The most tasks of a job array: Slurm's default MaxArraySize is 1001.
+inline constexpr std::size_t kMostTasks = 1000;
+
 struct SlurmOptions {
     std::vector<std::filesystem::path> paths;  ///< of the study, as on the command line
     std::string name;                          ///< of a list of profiles
@@ -24,9 +27,6 @@ struct SlurmJobs {
     std::size_t tasks = 0;
     std::string array_job, merge_job;  ///< numbers
 };
-
-/// Tasks of about an hour for one processor, at most 1,000.
-[[nodiscard]] std::size_t usual_tasks(const study::Plan& plan);
 
 /// Writes the scripts and submits them: an array of one task for each shard, and a job that writes the index when all tasks have ended.
 /// @throws core::IoError, also if sbatch is not there or refuses

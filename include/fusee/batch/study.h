@@ -12,6 +12,10 @@ namespace fusee::batch {
 /// The share of one process: the designs number - 1, number - 1 + count, number - 1 + 2 count, ...
 struct Shard {
     std::size_t number = 1, count = 1;
+    /// Of so many designs.
+    [[nodiscard]] std::size_t size(std::size_t designs) const;
+    /// The design at `place` of the share, counted from 0.
+    [[nodiscard]] std::size_t index(std::size_t place) const { return number - 1 + place * count; }
 };
 /// "3/8". @throws core::InvalidInput naming --shard
 [[nodiscard]] Shard parse_shard(const std::string& text);
@@ -43,9 +47,21 @@ struct StudyResult {
 /// @throws core::IoError if out/NAME cannot be written
 [[nodiscard]] StudyResult run_study(const study::Plan& plan, const StudyOptions& options);
 
-/// Writes index.csv, index.sqlite and index.html of the rows that exist. @returns the number of designs in it
-/// @throws core::IoError
-std::size_t write_index(const study::Plan& plan, const std::filesystem::path& out, bool force);
+/// The designs of an index.
+struct IndexSize {
+    std::size_t designs = 0;
+    std::size_t missing = 0;  ///< not finished, or with bad input
+};
+/// Writes index.csv, index.sqlite and index.html of the rows that exist; nothing if there is none.
+/// @throws core::IoError; core::InvalidInput naming a damaged row
+IndexSize write_index(const study::Plan& plan, const std::filesystem::path& out, bool force);
+
+/// What one design takes on the shipped profiles, with about 10,000 triangles a cam (docs/performance.md).
+struct Cost {
+    double seconds = 0.0;  ///< of one processor
+    double bytes = 0.0;
+};
+[[nodiscard]] Cost usual_cost(study::Outputs outputs);
 
 /// 0 if every design was made or refused or excluded, 2 bad input, 3 internal error, 130 interrupted.
 [[nodiscard]] int exit_code(const StudyResult& result);

@@ -7,14 +7,18 @@
 
 namespace fusee::checks {
 
+/// How the cable's end is held behind its anchor hole.
+enum class Termination { kKnot, kCrimp, kSplice };
+
 /// The cable as bought. Limits that are 0 are taken from the construction's entry in docs/rules.md.
 struct Cable {
     double diameter = 1e-3;              ///< d [m]
     std::string construction = "fibre";  ///< "fibre", "7x7", "7x19", "7x49"
     double min_bend_ratio = 0.0;         ///< least D/d, D = 2 rho - d = groove floor diameter; 0 = by construction
-    double breaking_load = 0.0;          ///< [N]; 0 = not checked
-    double max_pressure = 0.0;           ///< allowed bearing pressure 2T/(D d) of the part's material [Pa]; 0 = not checked
+    double breaking_load = 0.0;          ///< [N]; 0 = estimated by construction and diameter
+    double max_pressure = 0.0;           ///< allowed bearing pressure 2T/(D d) of the part's material [Pa]; 0 = by material
     double max_fleet = 0.0;              ///< [rad]; 0 = 2 deg (grooved)
+    Termination termination = Termination::kKnot;
 };
 
 enum class ProcessKind {
@@ -29,6 +33,16 @@ enum class ProcessKind {
 /// "fdm", "sla", "sls", "mill", "mill4", "edm", "laser"
 [[nodiscard]] const char* to_string(ProcessKind kind);
 
+inline constexpr const char* kByProcess = "by_process";
+
+/// What the parts are made of. Values that are 0 are taken from the material's entry in docs/rules.md, table 5.
+struct MaterialOptions {
+    std::string kind = kByProcess;  ///< kByProcess: the one that shops use most; else a name of material_table()
+    double strength = 0.0;          ///< tensile strength of a plastic, yield strength of a metal [Pa]
+    double modulus = 0.0;           ///< E [Pa]
+    double density = 0.0;           ///< [kg/m^3]
+};
+
 /// How and where the part is made. Limits that are 0 are taken from the process's entry in docs/rules.md.
 struct Process {
     ProcessKind kind = ProcessKind::kFdm;
@@ -39,6 +53,7 @@ struct Process {
     double cutter_radius = 0.0;  ///< smallest available ball or end mill; wire with its gap, half a laser's kerf [m]
     double layer = 0.0;          ///< height of a printed layer [m]
     double tolerance = 0.0;      ///< of a contour, one side [m]
+    MaterialOptions material;
 };
 
 /// The input of a rule.

@@ -12,14 +12,31 @@ struct CableLimits {
     const char* construction;
     double critical;     ///< below: error
     double recommended;  ///< below: warning
+    double friction;     ///< least coefficient on the groove's floor: what the wound cable takes from its anchor
     const char* source;
+    [[nodiscard]] bool is_fibre() const;
 };
 [[nodiscard]] std::span<const CableLimits> cable_table();
 /// @throws InvalidInput naming cable.construction
 [[nodiscard]] const CableLimits& cable_limits(const std::string& construction);
 
-/// Share of its breaking load that is left in a cable bent at D/d (Sava, Crosby); linear in log(D/d) between the table's rows.
-[[nodiscard]] double strength_left(double bend_ratio);
+/// Share of its breaking load that is left in a cable bent at D/d; linear in log(D/d) between the rows of table 2, one for wire, one for
+/// fibre. @throws InvalidInput naming cable.construction
+[[nodiscard]] double strength_left(const std::string& construction, double bend_ratio);
+
+/// An end of a cable, as it is held behind its hole.
+struct TerminationLimits {
+    Termination kind;
+    bool fibre;
+    double strength;  ///< share of the cable's breaking load that it holds
+    double width;     ///< of the thickened end, in cable diameters
+    const char* source;
+};
+[[nodiscard]] std::span<const TerminationLimits> termination_table();
+/// @throws InvalidInput naming cable.construction
+[[nodiscard]] const TerminationLimits& termination_limits(const Cable& cable);
+/// "knot", "crimp", "splice"
+[[nodiscard]] const char* to_string(Termination kind);
 
 /// Default minima of a process. 0 = the process has no such limit.
 struct ProcessLimits {
@@ -33,7 +50,6 @@ struct ProcessLimits {
     double feature;        ///< thinnest body that stands alone [m]
     double detail;         ///< narrowest slot or mark [m]
     core::Range fit;       ///< clearance of a bore on its shaft, in diameter [m]
-    double strength;       ///< allowed permanent bending stress of its usual material [Pa]
     double layer;          ///< of a print [m]
     const char* source;
 };
@@ -45,7 +61,11 @@ struct ProcessLimits {
 struct KeySize {
     double above, up_to;  ///< shaft diameter [m], above < d <= up_to; the first range includes its lower end
     double width;         ///< b [m]
+    double height;        ///< h [m]
+    double shaft_depth;   ///< t1 [m]
     double hub_depth;     ///< t2 [m]
+    /// Height of the key's side that presses on the hub, h - t1 [m].
+    [[nodiscard]] double hub_side() const { return height - shaft_depth; }
 };
 [[nodiscard]] std::span<const KeySize> key_table();
 /// nullptr where the standard has no key (d < 6 mm) or this table ends (d > 30 mm).

@@ -1,5 +1,7 @@
 #pragma once
 #include <array>
+#include <cassert>
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <span>
@@ -80,5 +82,22 @@ struct Rule : RuleInfo {
     /// value: one finding "not judged" that names the missing keys.
     [[nodiscard]] core::Findings run(const Design& design) const;
 };
+
+/// The rules of a registry of files (cmake/FuseeRegistry.cmake), each with the id of its file.
+template <class AnyRule, class Registered, std::size_t N>
+[[nodiscard]] std::vector<AnyRule> make_rules(const Registered (&files)[N]) {
+    std::vector<AnyRule> made;
+    for (const Registered& file : files) {
+        made.push_back(file.make());
+        assert(made.back().id == std::string_view(file.id) && "a rule's id is group.file");
+    }
+    return made;
+}
+template <class AnyRule>
+[[nodiscard]] std::vector<const RuleInfo*> infos_of(std::span<const AnyRule> rules) {
+    std::vector<const RuleInfo*> all;
+    for (const AnyRule& rule : rules) all.push_back(&rule);
+    return all;
+}
 
 }  // namespace fusee::checks

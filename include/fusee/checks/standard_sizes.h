@@ -24,6 +24,9 @@ struct StandardSizes {
 /// @throws InvalidInput naming cable.construction
 [[nodiscard]] StandardSizes cable_sizes(const std::string& construction);
 
+/// The breaking load that a usual cable of diameter `d` [m] has at least, in N: for a profile that states none.
+/// @throws InvalidInput naming cable.construction
+[[nodiscard]] double usual_cable(const std::string& construction, double d);
 /// The breaking load that the strongest cable on sale has at diameter `d` [m], in N. @throws InvalidInput naming cable.construction
 [[nodiscard]] double strongest_cable(const std::string& construction, double d);
 

@@ -55,6 +55,7 @@ public:
     }
     void add(InvalidInput mistake) { all_.push_back(std::move(mistake)); }
     [[nodiscard]] bool empty() const { return all_.empty(); }
+    [[nodiscard]] const std::vector<InvalidInput>& all() const { return all_; }
     /// @throws InvalidInput if there is one mistake, InvalidInputs if there are more
     void throw_if_any() const;
 

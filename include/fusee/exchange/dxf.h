@@ -22,11 +22,21 @@ struct DxfCircle {
     Vec2 centre_mm{};
     double radius_mm = 0.0;
 };
+/// Counter-clockwise.
+struct DxfArc {
+    Vec2 centre_mm{};
+    double radius_mm = 0.0, begin_deg = 0.0, end_deg = 0.0;
+};
+struct DxfLine {
+    Vec2 from_mm{}, to_mm{};
+};
 struct DxfLayer {
     std::string name;
     std::vector<DxfPolyline> polylines;
     std::vector<DxfCircle> circles;
     std::vector<brep::PlaneSpline> splines = {};
+    std::vector<DxfArc> arcs = {};
+    std::vector<DxfLine> lines = {};
 };
 
 /// A flat drawing in millimetres.
@@ -37,7 +47,7 @@ struct DxfDrawing {
     [[nodiscard]] const DxfLayer* layer(const std::string& name) const;
 };
 
-/// Writes DXF R2000 with dxflib: LWPOLYLINE, CIRCLE and SPLINE on named layers, $INSUNITS 4 (mm), each number with the shortest
+/// Writes DXF R2000 with dxflib: LWPOLYLINE, CIRCLE, ARC, LINE and SPLINE on named layers, $INSUNITS 4 (mm), each number with the shortest
 /// digits that give it back, in any locale. @throws IoError
 void write_dxf(const std::filesystem::path& path, const DxfDrawing& drawing);
 /// Reads such a file with dxflib; ignores other kinds of entities.
@@ -45,9 +55,10 @@ void write_dxf(const std::filesystem::path& path, const DxfDrawing& drawing);
 [[nodiscard]] DxfDrawing read_dxf(const std::filesystem::path& path);
 
 /// The outlines of a part seen from +z: layers PITCH (cable centreline), FLOOR (floor of the groove), FLANGE (outer edge), LOWER_FLANGE (if
-/// a boss widens it), BORE (with keyway or flat) and MARK (timing mark, a line at body angle 0 up to the outer edge), as polylines with a
-/// chordal error below 1 micrometre; PITCH_SPLINE, FLOOR_SPLINE and FLANGE_SPLINE are the same curves as splines, within 0.0002 mm. A
-/// helix has open PITCH and FLOOR and a round FLANGE. Nominal: kerf is not applied.
+/// a boss widens it) and MARK (timing mark, a line at body angle 0 up to the outer edge), as polylines with a chordal error below 1
+/// micrometre; BORE (with keyway or flat), ANCHOR (hole of the cable's end) and LEG_SLOT, if the part has them, as circles or as closed
+/// chains of arcs and lines: a polyline with bulges is exact too, but OpenSCAD ignores it. PITCH_SPLINE, FLOOR_SPLINE and FLANGE_SPLINE are
+/// the same curves as splines, within 0.0002 mm. A helix has open PITCH and FLOOR and a round FLANGE. Nominal: kerf is not applied.
 [[nodiscard]] DxfDrawing spool_drawing(const solid::Part& part, const std::string& provenance);
 /// @throws InvalidInput naming outputs.kerf_mm if the bore or its keyway would close
 void require_kerf(double kerf_mm, const solid::HubOptions& hub);

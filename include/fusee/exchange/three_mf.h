@@ -1,22 +1,25 @@
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "fusee/exchange/colour.h"
 #include "fusee/solid/mesh.h"
 
 namespace fusee::exchange {
 
-/// A mesh and its name, such as "k_se".
+/// A mesh and its name, such as "k_se"; it may have several shells.
 struct NamedMesh {
     std::string name;
     solid::Mesh mesh;
+    std::optional<Colour> colour = {};
 };
 
 /// Writes 3MF with lib3mf: unit millimetre, one object and one build item per mesh, identity transforms, coordinates to 1e-6 mm. Equal
 /// input gives equal bytes: lib3mf writes no time, and a hash of meshes, names and provenance replaces its random UUIDs.
 /// @param provenance stored as metadata "Description"
-/// Thread-safe. @throws IoError; InvalidInput if lib3mf refuses a mesh: it is not manifold and oriented
+/// Thread-safe. @throws IoError; InvalidInput if a mesh is not closed and oriented
 void write_3mf(const std::filesystem::path& path, const std::vector<NamedMesh>& objects, const std::string& provenance);
 /// The same for one mesh.
 void write_3mf(const std::filesystem::path& path, const solid::Mesh& mesh, const std::string& name, const std::string& provenance);

@@ -1,15 +1,13 @@
 #pragma once
-#include <array>
-#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
 
+#include "fusee/exchange/colour.h"
 #include "fusee/solid/mesh.h"
 
 namespace fusee::exchange {
 
-using Colour = std::array<std::uint8_t, 3>;  ///< red, green, blue (sRGB)
 inline constexpr Colour kGrey = {190, 190, 190};
 
 /// Writes a 3MF in millimetres with one colour per triangle. A mesh that is not closed, manifold and oriented is written as a surface, so

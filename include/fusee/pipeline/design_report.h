@@ -20,6 +20,10 @@
 #include "fusee/spring/law.h"
 
 /// A design and its part files (docs/report.md).
+namespace fusee::assembly {
+struct Assembly;
+}
+
 namespace fusee::pipeline {
 
 /// One row of a measured table, with the springs that were smoothed from it.
@@ -80,6 +84,7 @@ struct DesignReport {
     std::vector<readback::ArmError> plate_errors;  ///< of each part as it stands in plate.3mf
     AsExported as_exported;
     Headline headline;
+    std::shared_ptr<const assembly::Assembly> assembly;  ///< null: not modelled; `findings` say why
     /// `parts`, then `mirrored`.
     [[nodiscard]] std::vector<const PartReport*> sides() const;
     /// Of every file: the sides', then the plate's.

@@ -22,6 +22,8 @@ struct Edit {
 [[nodiscard]] std::vector<std::string> key_names();
 /// @throws InvalidInput naming `field` and the nearest key unless `key` is a key or a table of a profile
 void require_key(const std::string& field, const std::string& key);
+/// Is `key` one whose value names a CSV file?
+[[nodiscard]] bool names_file(const std::string& key);
 /// The value of a number's key [SI]. @pre `key` is a key of numbers
 [[nodiscard]] double number_of(const Profile& profile, const std::string& key);
 /// The key's value as TOML; none if there is no such key, or it has no meaning in this profile.

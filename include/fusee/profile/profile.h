@@ -8,6 +8,7 @@
 
 #include "fusee/actuator/noise.h"
 #include "fusee/actuator/relatives.h"
+#include "fusee/assembly/options.h"
 #include "fusee/cam/cam.h"
 #include "fusee/cam/wrap_friction.h"
 #include "fusee/checks/check.h"
@@ -140,6 +141,7 @@ struct Profile {
     checks::Cable cable;
     cam::WrapFriction wrap;  ///< of that cable on its cams
     checks::Process process;
+    assembly::Options assembly;
     std::vector<checks::Override> limits;  ///< instead of the rules' defaults, in the file's order
     toolpath::Settings machining;
     Outputs outputs;
@@ -149,6 +151,11 @@ struct Profile {
     /// Place of a key; file and key if it is not in the file.
     [[nodiscard]] std::string place_of(const std::string& key) const;
 };
+
+/// The name of a design: 1 to kLongestName letters, digits, '.', '_' or '-', beginning with a letter or digit.
+[[nodiscard]] bool is_name(std::string_view text);
+inline constexpr std::size_t kLongestName = 64;
+inline constexpr const char* kAllowedName = "a text of 1 to 64 letters, digits, '.', '_' or '-', beginning with a letter or digit";
 
 /// Largest profile or table [bytes].
 inline constexpr std::size_t kLargestFile = 10'000'000;

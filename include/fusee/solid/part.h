@@ -22,6 +22,9 @@ enum class HubKind {
 };
 enum class HubLock { kPlain, kKeyway, kDFlat, kSetScrew };
 
+/// How a keyway gets the fit of its key: as the process leaves it, or filed or broached to the key.
+enum class KeyFit { kAsMade, kByHand };
+
 struct HubOptions {
     HubKind kind = HubKind::kThrough;
     HubLock lock = HubLock::kKeyway;
@@ -29,15 +32,17 @@ struct HubOptions {
     double bore_clearance = 0.2e-3;  ///< added to the diameter [m]
     double key_width = 2e-3;         ///< b, DIN 6885-1 [m]
     double key_depth = 1e-3;         ///< t2, above the bore's radius [m]
-    double flat_depth = 0.5e-3;      ///< D-flat: bore radius minus distance of the flat from the axis [m]
-    double screw_diameter = 0.0;     ///< set screw hole, radial, in the boss [m]
-    double boss_diameter = 0.0;      ///< [m]; overhung and set screw
-    double boss_height = 0.0;        ///< below the lower flange [m]; 0 = no boss
-    double web = 1.5e-3;             ///< overhung: material between the blind bore's end and the lower flange's top [m]
+    KeyFit key_fit = KeyFit::kAsMade;
+    double flat_depth = 0.5e-3;   ///< D-flat: bore radius minus distance of the flat from the axis [m]
+    double screw_diameter = 0.0;  ///< set screw hole, radial, in the boss [m]
+    double boss_diameter = 0.0;   ///< [m]; overhung and set screw
+    double boss_height = 0.0;     ///< below the lower flange [m]; 0 = no boss
+    double web = 1.5e-3;          ///< overhung: material between the blind bore's end and the lower flange's top [m]
 };
 
 struct FeatureOptions {
     double anchor_hole_diameter = 2e-3;  ///< axial, on the groove's floor at cam.anchor_psi, from the groove's plane to the top; 0 = none
+    double anchor_edge_radius = 0.0;     ///< of that hole's edge at the floor [m]: rounded by hand, not part of the solid
     double leg_slot_width = 0.0;         ///< K_SE: spring leg, wire plus clearance [m]; 0 = none
     double leg_slot_length = 0.0;        ///< radial [m]
     double leg_slot_radius = 0.0;        ///< its middle, from the axis [m]

@@ -15,6 +15,12 @@ enum class BaseKind {
 /// Hand of a coil: right like a common screw: its coils rise counter-clockwise.
 enum class Hand { kUnknown, kRight, kLeft };
 
+/// Class of patented cold drawn wire by EN 10270-1: S static, D dynamic duty; L, M, H: low, medium, high strength.
+enum class WireClass { kUnknown, kSl, kSm, kSh, kDm, kDh };
+
+/// Where the rate comes from: the drawing of its coils, or a measurement of the spring itself.
+enum class RateOrigin { kNominal, kMeasured };
+
 /// The linear spring that a cam turns into a nonlinear one. The wire data are optional (0 = unknown) and used only by the checks.
 struct BaseSpring {
     BaseKind kind = BaseKind::kTorsion;
@@ -26,11 +32,17 @@ struct BaseSpring {
     double coil_diameter = 0.0;  ///< mean [m]
     double active_coils = 0.0;
     double free_length = 0.0;       ///< compression spring [m]
-    double tensile_strength = 0.0;  ///< UTS of the wire [Pa]
-    double stress_share = 0.8;      ///< allowed share of UTS: 0.8 music wire, 0.6 stainless 302 (katyspring)
+    double tensile_strength = 0.0;  ///< UTS of the wire [Pa]; 0 = that of its class
+    WireClass wire_class = WireClass::kUnknown;
+    double youngs_modulus = 206e9;  ///< E [Pa]: EN 13906-3, patented drawn wire
+    double shear_modulus = 81.5e9;  ///< G [Pa]: EN 13906-1, patented drawn wire
+    double stress_share = 0.0;      ///< allowed share of UTS; 0 = 0.7 torsion, 0.8 compression (in shear over sqrt 3)
+    double leg_bend_radius = 0.0;   ///< inner radius of the bend to a torsion spring's leg [m]; 0 = the wire's diameter
     Hand hand = Hand::kUnknown;
     double rod_diameter = 0.0;  ///< of the arbor or guide rod inside its coils [m]; 0 = unknown
-    double cycles = 0.0;        ///< wanted number of load cycles from zero to the largest state; 0 = fatigue not checked
+    double cycles = 0.0;        ///< wanted number of load cycles over the working range; 0 = fatigue not checked
+    double motion = 5.0;        ///< frequency of the fastest motion that loads the spring [Hz]
+    RateOrigin rate_origin = RateOrigin::kNominal;
 
     /// phi + phi0 or y + y0 after `energy` [J] was added to the preloaded spring: sqrt(preload^2 + 2 energy / rate).
     [[nodiscard]] double state(double energy) const;

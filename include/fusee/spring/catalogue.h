@@ -22,7 +22,7 @@ struct Catalogue {
 
 /// A CSV file with one spring per row (docs/guides/co-design.md):
 ///     kind ("torsion" or "compression"), name, rate [Nm/rad or N/m], wire_mm, coil_mm, active_coils, tensile_strength_MPa,
-///     free_length_mm (0 for torsion), max_deflection [rad or mm], max_load [Nm or N]; stress_share is optional (0.8).
+///     free_length_mm (0 for torsion), max_deflection [rad or mm], max_load [Nm or N]; stress_share is optional (0 = that of its kind).
 /// @throws InvalidInput "file:line:column: name": unknown kind, a number that must be above 0 and is not, a repeated name; IoError
 [[nodiscard]] Catalogue read_catalogue(const std::filesystem::path& path);
 /// The same from bytes. @param file the name used in messages

@@ -27,11 +27,13 @@ public:
 
     [[nodiscard]] const Study& study() const;
     [[nodiscard]] std::size_t size() const;
-    /// Of the base profile and the CSV files that it names. @pre study().varies()
-    [[nodiscard]] const std::string& base_sha256() const;
     /// @pre index < size()
     [[nodiscard]] Planned at(std::size_t index) const;
-    /// The design's profile: the base with its values, or the file of the list. @throws as profile::read_profile
+    /// SHA-256 of all that the study's files say of the design: the profile, the CSV files that it names, the keys that vary with their
+    /// values. @throws as profile()
+    [[nodiscard]] std::string digest(const Planned& planned) const;
+    /// The design's profile: the base with its values, or the file of the list. @throws as profile::read_profile; a mistake in a value that
+    /// varies names the study's key
     [[nodiscard]] profile::Profile profile(const Planned& planned) const;
 
 private:

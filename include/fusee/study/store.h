@@ -6,7 +6,9 @@
 #include <functional>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -25,6 +27,8 @@ struct Row {
     std::vector<std::pair<std::string, Figure>> figures;  ///< columns of the index, in their order
     double seconds = 0.0;                                 ///< of processor and waiting; apart from the index, which is the same every time
 
+    /// nullptr if the row has no figure of this name.
+    [[nodiscard]] const Figure* find(std::string_view name) const;
     bool operator==(const Row&) const = default;
 };
 
@@ -53,22 +57,24 @@ private:
     std::mutex mutex_;
 };
 
-/// Where the rows of a study stand. Holds 40 bytes a row, not the rows.
+/// Where the rows of a study stand. Holds about 80 bytes a row, not the rows.
 class RowIndex {
 public:
-    /// Reads all logs of the study's folder; of two rows with one key the first counts. @throws core::IoError
-    explicit RowIndex(const std::filesystem::path& study);
-
-    [[nodiscard]] bool has(const std::string& key) const;
-    [[nodiscard]] std::size_t size() const { return places_.size(); }
-    /// @pre has(key) @throws core::IoError
-    [[nodiscard]] Row read(const std::string& key) const;
-
-private:
     struct Place {
         std::uint32_t file = 0;
         std::uint64_t offset = 0;
+        bool operator==(const Place&) const = default;
     };
+
+    /// Reads all logs of the study's folder, if there are any; of two rows with one key the first counts. @throws core::IoError
+    explicit RowIndex(const std::filesystem::path& study);
+
+    [[nodiscard]] std::optional<Place> find(const std::string& key) const;
+    [[nodiscard]] std::size_t size() const { return places_.size(); }
+    /// @throws core::IoError; core::InvalidInput if the line is damaged
+    [[nodiscard]] Row read(const Place& place) const;
+
+private:
     void scan(std::uint32_t file);
 
     std::vector<std::filesystem::path> files_;

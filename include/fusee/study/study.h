@@ -54,7 +54,7 @@ struct Study {
     std::vector<Variation> vary;
     std::vector<Constraint> constraints;
     std::vector<std::vector<std::string>> rows;  ///< of a CSV study: one value for each of `vary`
-    std::vector<std::string> row_names;          ///< of a CSV study with a column "name"; else empty
+    std::vector<std::string> row_names;          ///< of a CSV study with a column "name", or of a list of profiles; else empty
 
     [[nodiscard]] bool varies() const { return !file.empty(); }
 };
@@ -66,7 +66,7 @@ inline constexpr std::size_t kMostDesigns = 10'000'000;
 [[nodiscard]] bool is_study(const std::filesystem::path& file);
 /// @throws core::IoError; core::InvalidInput(s) naming file, line and key
 [[nodiscard]] Study read_study(const std::filesystem::path& file);
-/// A list of profiles. @throws core::InvalidInput if it is empty
+/// A list of profiles; the names of the files are those of the designs. @throws core::InvalidInput if it is empty or two names are equal
 [[nodiscard]] Study study_of(std::vector<std::filesystem::path> profiles, std::string name);
 
 }  // namespace fusee::study

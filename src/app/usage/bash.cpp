@@ -99,16 +99,9 @@ std::string branch(const Command& command) {
 }  // namespace
 
 std::string bash_completion(const Command& program) {
-    std::vector<std::string> paths;
     std::string branches;
-    for (const Command* command : all_commands(program)) {
-        if (!command->path.empty()) paths.push_back("' " + command->path + "'");
-        branches += branch(*command);
-    }
-    std::string head = kHead;
-    const std::string place = "@COMMANDS@";
-    head.replace(head.find(place), place.size(), fmt::format("{}", fmt::join(paths, " | ")));
-    return head + branches + kTail;
+    for (const Command* command : all_commands(program)) branches += branch(*command);
+    return insert_paths(kHead, program, " | ") + branches + kTail;
 }
 
 }  // namespace fusee::app

@@ -45,6 +45,8 @@ struct Command {
 [[nodiscard]] Command read_command_tree(const CLI::App& program);
 /// The command and all below it, each before its subcommands.
 [[nodiscard]] std::vector<const Command*> all_commands(const Command& command);
+/// `script` with the paths of all commands at its mark @COMMANDS@: "' blind' | ' blind make'".
+[[nodiscard]] std::string insert_paths(std::string script, const Command& program, const std::string& separator);
 /// The text up to the first ": ", "; " or ". ": one line of a menu.
 [[nodiscard]] std::string headline(const std::string& text);
 

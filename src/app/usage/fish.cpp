@@ -84,16 +84,9 @@ std::string lines(const Command& command) {
 }  // namespace
 
 std::string fish_completion(const Command& program) {
-    std::vector<std::string> paths;
-    std::string all;
-    for (const Command* command : all_commands(program)) {
-        if (!command->path.empty()) paths.push_back("' " + command->path + "'");
-        all += lines(*command);
-    }
-    std::string head = kHead;
-    const std::string place = "@COMMANDS@";
-    head.replace(head.find(place), place.size(), fmt::format("{}", fmt::join(paths, " ")));
-    return head + all;
+    std::string all = insert_paths(kHead, program, " ");
+    for (const Command* command : all_commands(program)) all += lines(*command);
+    return all;
 }
 
 }  // namespace fusee::app

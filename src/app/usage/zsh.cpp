@@ -3,6 +3,7 @@
 
 #include <string_view>
 
+#include "fusee/core/text.h"
 #include "render.h"
 
 namespace fusee::app {
@@ -28,12 +29,6 @@ else
 fi
 )script";
 // clang-format on
-
-std::string quoted(std::string_view text) {
-    std::string out = "'";
-    for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return out + "'";
-}
 
 /// An explanation as _arguments takes it: "[Folder of the results]".
 std::string bracketed(std::string_view text) {
@@ -61,7 +56,7 @@ std::string values(const Argument& argument) {
         case Takes::kText:
             break;
     }
-    return quoted(":" + headline(argument.value) + ": ");
+    return core::shell_word(":" + headline(argument.value) + ": ");
 }
 
 /// '(-o --out)'{-o+,--out=}'[Folder of the results]'':folder:_files -/'
@@ -72,7 +67,7 @@ std::string option_spec(const Argument& option) {
     const std::string excluded = option.ends ? "- *" : fmt::format("{}", fmt::join(option.names, " "));
     std::string spec = option.repeats ? "'*'" : "'(" + excluded + ")'";
     spec += names.size() == 1 ? names.front() : fmt::format("{{{}}}", fmt::join(names, ","));
-    return spec + quoted(bracketed(headline(option.meaning))) + values(option);
+    return spec + core::shell_word(bracketed(headline(option.meaning))) + values(option);
 }
 
 std::string positional_spec(const Argument& positional, std::size_t number) {
@@ -91,7 +86,7 @@ std::string function_name(const Command& command) {
 std::string dispatch(const Command& command, const std::string& name) {
     std::string menu;
     for (const Command& below : command.commands)
-        menu += "        " + quoted(fmt::format("{}:{}", below.name, headline(below.description))) + "\n";
+        menu += "        " + core::shell_word(fmt::format("{}:{}", below.name, headline(below.description))) + "\n";
     return fmt::format(
         " \\\n        '1:command:->command' '*::argument:->argument'\n"
         "    local -a menu=(\n{}    )\n"

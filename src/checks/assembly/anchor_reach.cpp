@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "coil.h"
 #include "fusee/core/units.h"
+#include "fusee/spring/coil.h"
 #include "measure.h"
 #include "needs.h"
 #include "shape.h"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "coil.h"
 #include "fusee/core/units.h"
+#include "fusee/spring/coil.h"
 #include "measure.h"
 #include "needs.h"
 #include "shape.h"

@@ -15,12 +15,14 @@ core::Findings measure_cable_bend_strength(const Design& design, const Allowed& 
     if (design.part.cam.working.empty()) return {};
     const double d = design.cable.diameter;
     const cam::PathPoint& sharpest = worst_contact(design.part.cam, [](const cam::Contact& c) { return -c.path.rho; }).path;
-    core::Finding f = judge(100.0 * strength_left((2.0 * sharpest.rho - d) / d), {allowed("review")});
+    core::Finding f = judge(100.0 * strength_left(design.cable.construction, (2.0 * sharpest.rho - d) / d), {allowed("review")});
     f.what = fmt::format("strength left in the cable at its sharpest bend, rho {:.3f} mm", core::mm_from_m(sharpest.rho));
     f.where = where(design, sharpest.psi);
     f.place = place(sharpest, 0.0);
     double thinner = d;
-    while (100.0 * strength_left((2.0 * sharpest.rho - thinner) / thinner) < f.allowed && thinner > kThinnest * d) thinner *= kStrengthStep;
+    while (100.0 * strength_left(design.cable.construction, (2.0 * sharpest.rho - thinner) / thinner) < f.allowed &&
+           thinner > kThinnest * d)
+        thinner *= kStrengthStep;
     f.suggestion = fmt::format("cable.diameter_mm = {}", down(core::mm_from_m(thinner)));
     return {f};
 }
@@ -31,7 +33,7 @@ Rule cable_bend_strength() {
     return {"cable.bend_strength",
             "a cable that loses too much strength where it bends",
             "strength left at the sharpest working bend (table 2)",
-            "Sava, Crosby; 70 % (practice)",
+            "Sava; fibre and 70 % (practice)",
             {review(kAtLeast, "%", 70.0)},
             measure_cable_bend_strength};
 }

@@ -4,6 +4,7 @@
 #include "measure.h"
 #include "needs.h"
 #include "shape.h"
+#include "strength.h"
 
 namespace fusee::checks {
 
@@ -12,12 +13,13 @@ namespace {
 core::Findings measure_cable_breaking_load(const Design& design, const Allowed& allowed) {
     const cam::Cam& cam = design.part.cam;
     const double d = design.cable.diameter;
-    const auto left = [d](const cam::Contact& c) { return strength_left((2.0 * c.path.rho - d) / d); };
+    const auto left = [&](const cam::Contact& c) { return strength_left(design.cable.construction, (2.0 * c.path.rho - d) / d); };
     const cam::Contact& worst = worst_contact(cam, [&](const cam::Contact& c) { return c.arm.tension / left(c); });
     if (worst.arm.tension <= 0.0) return {};
-    core::Finding f = judge(design.cable.breaking_load * left(worst) / worst.arm.tension, {allowed("required"), allowed("review")});
-    f.what = fmt::format("safety against breaking at {:.1f} N, with {:.0f} % of the strength left at this bend", worst.arm.tension,
-                         100.0 * left(worst));
+    const BreakingLoad load = breaking_load(design.cable);
+    core::Finding f = judge(load.newton * left(worst) / worst.arm.tension, {allowed("required"), allowed("review")});
+    f.what = fmt::format("safety against breaking at {:.1f} N, with {:.0f} % of the strength left at this bend{}", worst.arm.tension,
+                         100.0 * left(worst), load.remark(design.cable));
     f.where = where(design, worst.path.psi);
     f.place = place(worst.path, 0.0);
     f.suggestion = fmt::format("cable.breaking_load_N = {}", up(f.allowed * worst.arm.tension / left(worst)));
@@ -30,11 +32,11 @@ Rule cable_breaking_load() {
     return {"cable.breaking_load",
             "the cable breaking under its largest tension",
             "least of breaking load x strength left at D/d (table 2) / tension",
-            "safety 5, at least 3 (practice) for running cable; strength left at D/d: Sava, Crosby",
+            "safety 5, at least 3 (practice) for running cable; strength left at D/d: Sava",
             {required(kAtLeast, "", 3.0), review(kAtLeast, "", 5.0)},
             measure_cable_breaking_load,
             false,
-            {need::kBreakingLoad},
+            {},
             works};
 }
 

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "fusee/checks/limits.h"
 #include "fusee/core/units.h"
 #include "measure.h"
 
@@ -10,10 +11,12 @@ namespace {
 core::Findings measure_cable_knot(const Design& design, const Allowed& allowed) {
     const double hole = design.part.options.features.anchor_hole_diameter, d = design.cable.diameter;
     if (hole <= 0.0) return {};
-    core::Finding f = judge(hole / d, {allowed("review")});
-    f.what = "width of the anchor hole, which the cable's knot has to bridge";
+    const double tolerance = process_limits(design.process).tolerance, width = termination_limits(design.cable).width;
+    core::Finding f = judge((hole + tolerance) / d, {allowed("review", width)});
+    f.what = fmt::format("width of the anchor hole with its tolerance, {:g} mm, which the cable's {} has to bridge",
+                         core::mm_from_m(tolerance), to_string(design.cable.termination));
     f.where = where(design, design.part.cam.anchor_psi);
-    f.suggestion = fmt::format("{}.features.anchor_hole_mm = {}", name(design), down(core::mm_from_m(f.allowed * d)));
+    f.suggestion = fmt::format("{}.features.anchor_hole_mm = {}", name(design), down(core::mm_from_m(f.allowed * d - tolerance)));
     return {f};
 }
 
@@ -21,10 +24,10 @@ core::Findings measure_cable_knot(const Design& design, const Allowed& allowed) 
 
 Rule cable_knot() {
     return {"cable.knot",
-            "a knot pulled through its hole",
-            "diameter of the anchor hole",
-            "an overhand knot is about 3 d wide (practice)",
-            {review(kAtMost, "d", 3.0)},
+            "a knot or sleeve pulled through its hole",
+            "diameter of the anchor hole and the process's tolerance",
+            "width of the termination (table 6)",
+            {review(kAtMost, "d", "width of the termination (table 6)")},
             measure_cable_knot};
 }
 

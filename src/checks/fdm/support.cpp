@@ -18,9 +18,11 @@ core::Findings measure_fdm_support(const Design& design, const Allowed& allowed)
     if (design.process.kind != ProcessKind::kFdm || limit <= 0.0 || mesh.triangles.empty()) return {};
     const double upright = unsupported_mm2(mesh, limit, false), flipped = unsupported_mm2(mesh, limit, true);
     core::Finding f = judge(std::min(upright, flipped), {allowed("review")});
-    f.what =
-        fmt::format("downward faces at more than {:g} deg from the vertical, printed with the {} on the bed (upside down: {:.0f} mm^2)",
-                    core::deg_from_rad(limit), upright <= flipped ? "bottom" : "top", std::max(upright, flipped));
+    f.what = fmt::format(
+        "downward faces at more than {:g} deg from the vertical, printed with the {} on the bed as in plate.3mf ({} on the bed{}: "
+        "{:.0f} mm^2)",
+        core::deg_from_rad(limit), upright <= flipped ? "bottom" : "top", upright <= flipped ? "top" : "bottom",
+        upright <= flipped ? "" : ", as in the part's own files", std::max(upright, flipped));
     f.suggestion = fmt::format("support material under {} mm^2", up(f.measured));
     return {f};
 }

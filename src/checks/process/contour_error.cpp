@@ -30,7 +30,7 @@ Rule process_contour_error() {
     return {"process.contour_error",
             "a process too coarse for the arms",
             "the process's tolerance over the least arm",
-            "EN 15800: rates of bought springs scatter by 10 %; a more accurate contour has no benefit",
+            "Lee Spring, springs3d: rates of bought springs scatter by 10 %; a more accurate contour has no benefit",
             {review(kAtMost, "%", 10.0)},
             measure_process_contour_error};
 }

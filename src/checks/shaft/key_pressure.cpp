@@ -1,5 +1,9 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "fusee/checks/limits.h"
+#include "fusee/checks/material.h"
 #include "fusee/core/units.h"
 #include "measure.h"
 #include "needs.h"
@@ -17,10 +21,13 @@ bool is_keyed(const Design& design) {
 core::Findings measure_shaft_key_pressure(const Design& design, const Allowed& allowed) {
     const solid::HubOptions& hub = design.part.options.hub;
     const double length = bore_length(design.part);
-    const auto most = allowed.stated("review", design.cable.max_pressure / kPaPerMPa);
+    const KeySize* size = key_size(hub.bore_diameter);
+    const double side = size ? std::min(size->hub_side(), hub.key_depth) : hub.key_depth;
     const double torque = largest_torque(design.part.cam);
-    core::Finding f = judge(2.0 * torque / (hub.bore_diameter * hub.key_depth * length) / kPaPerMPa, {*most});
-    f.what = fmt::format("pressure of the key on its keyway at {:.3g} Nm", torque);
+    core::Finding f =
+        judge(2.0 * torque / (hub.bore_diameter * side * length) / kPaPerMPa, {allowed("review", bearing_strength(design) / kPaPerMPa)});
+    f.what = fmt::format("pressure of the key on {:.3g} mm of its keyway at {:.3g} Nm; strength {}", core::mm_from_m(side), torque,
+                         bearing_origin(design));
     f.suggestion = fmt::format("{}.hub.boss_height_mm = {}", name(design),
                                up(core::mm_from_m(hub.boss_height + length * (f.measured / f.allowed - 1.0))));
     return {f};
@@ -31,12 +38,12 @@ core::Findings measure_shaft_key_pressure(const Design& design, const Allowed& a
 Rule shaft_key_pressure() {
     return {"shaft.key_pressure",
             "a key that crushes its keyway",
-            "keyway: 2 M/(bore t2 length) at the largest torque",
-            "the part's material: cable.max_pressure_MPa",
-            {review(kAtMost, "MPa", "cable.max_pressure_MPa; not judged without it")},
+            "keyway: 2 M/(bore (h - t1) length) at the largest torque",
+            "DIN 6885-1: the key stands h - t1 in the hub; strength of the part's material in compression",
+            {review(kAtMost, "MPa", "cable.max_pressure_MPa, or the material's bearing strength (table 5)")},
             measure_shaft_key_pressure,
             false,
-            {need::material_pressure("review")},
+            {},
             is_keyed};
 }
 

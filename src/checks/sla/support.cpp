@@ -23,7 +23,7 @@ Rule sla_support() {
     return on_cable({"sla.support",
                      "supports that scar the groove",
                      "SLA, axis upright: angle of the groove's upper flank from the vertical",
-                     "faces at 19 deg from the horizontal need no support (practice)",
+                     "addema, recommendations for SLA: unsupported faces at least 19 deg from level",
                      {review(kAtMost, "deg", 71.0)},
                      measure_sla_support});
 }

@@ -8,7 +8,7 @@ namespace fusee::checks {
 namespace {
 
 core::Findings measure_spring_active_coils(const Design& design, const Allowed& allowed) {
-    core::Finding f = judge(design.spring.active_coils, {allowed("review")});
+    core::Finding f = judge(design.spring.active_coils, {allowed("required"), allowed("review")});
     f.what = "active coils of the base spring";
     f.suggestion = fmt::format("{}.spring.active_coils = {}", name(design), up(f.allowed));
     return {f};
@@ -20,8 +20,8 @@ Rule spring_active_coils() {
     return {"spring.active_coils",
             "a spring whose end coils dominate its rate",
             "active coils",
-            "3 (practice; EN 13906)",
-            {review(kAtLeast, "", 3.0)},
+            "EN 15800, EN 13906-3: at least 2; 3 (practice)",
+            {required(kAtLeast, "", 2.0), review(kAtLeast, "", 3.0)},
             measure_spring_active_coils,
             false,
             {need::kActiveCoils}};

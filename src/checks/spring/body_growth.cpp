@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "fusee/core/units.h"
+#include "fusee/spring/coil.h"
 #include "measure.h"
 #include "needs.h"
 #include "spring_change.h"
@@ -13,7 +14,7 @@ core::Findings measure_spring_body_growth(const Design& design, const Allowed& a
     const spring::BaseSpring& s = design.spring;
     const auto space = allowed.stated("required", core::mm_from_m(s.free_length));
     const double turns = largest_state(design) / (2.0 * core::kPi);
-    core::Finding f = judge(core::mm_from_m(s.wire_diameter * (s.active_coils + 1.0 + turns)), {*space});
+    core::Finding f = judge(core::mm_from_m(spring::wound_length(s, largest_state(design))), {*space});
     f.what = fmt::format("length of the base spring's body when it is wound by {:.2f} turns", turns);
     f.suggestion = fmt::format("{}.spring.free_length_mm = {}", name(design), up(f.measured));
     return {f};

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
-#include "coil.h"
 #include "fusee/core/units.h"
+#include "fusee/spring/coil.h"
 #include "measure.h"
 #include "needs.h"
 #include "spring_change.h"
@@ -14,7 +14,7 @@ constexpr double kCoil = 0.0015, kWire = 0.1;  // of the standard's formula
 
 core::Findings measure_spring_coil_gap(const Design& design, const Allowed& allowed) {
     const spring::BaseSpring& s = design.spring;
-    const auto solid = travel_to_solid(s);
+    const auto solid = spring::travel_to_solid(s);
     const double wire = core::mm_from_m(s.wire_diameter), coil = core::mm_from_m(s.coil_diameter);
     const double gaps = s.active_coils * (kCoil * coil * coil / wire + kWire * wire);
     core::Finding f = judge(core::mm_from_m(*solid - largest_state(design)), {allowed("review", gaps)});

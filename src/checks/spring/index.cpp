@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
-#include "coil.h"
 #include "fusee/core/units.h"
+#include "fusee/spring/coil.h"
 #include "measure.h"
 #include "needs.h"
 
@@ -11,7 +11,7 @@ namespace {
 
 core::Findings measure_spring_index(const Design& design, const Allowed& allowed) {
     const spring::BaseSpring& s = design.spring;
-    core::Finding f = judge(spring_index(s), {allowed("low_review"), allowed("high_review")});
+    core::Finding f = judge(spring::spring_index(s), {allowed("low_required"), allowed("high_required"), allowed("review")});
     f.what = "index of the base spring: mean coil diameter over wire";
     f.suggestion = fmt::format("{}.spring.coil_mm = {:.4g}", name(design), core::mm_from_m(f.allowed * s.wire_diameter));
     return {f};
@@ -23,8 +23,8 @@ Rule spring_index() {
     return {"spring.index",
             "a coil too tight or too loose to wind",
             "spring index D/w",
-            "4 to 16 (practice; EN 13906)",
-            {review(kAtLeast, "", 4.0, "low_review"), review(kAtMost, "", 16.0, "high_review")},
+            "EN 15800, EN 13906-3: 4 to 20; 16 (practice)",
+            {required(kAtLeast, "", 4.0, "low_required"), required(kAtMost, "", 20.0, "high_required"), review(kAtMost, "", 16.0)},
             measure_spring_index,
             false,
             {need::kWire, need::kCoil}};

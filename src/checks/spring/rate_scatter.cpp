@@ -29,7 +29,7 @@ Rule spring_rate_scatter() {
     return {"spring.rate_scatter",
             "a spring softer than specified, beyond what a preload trim corrects",
             "largest state of a spring whose rate is 10 % low, trimmed to the same load",
-            "springs3d; EN 15800: rates scatter by 10 %",
+            "Lee Spring, springs3d: rate and torque of stock springs to 10 %; EN 15800 tolerates loads and dimensions, not the rate",
             {review(kAtMost, "rad", "spring.max_angle_rad; not judged without it", "angle_review"),
              review(kAtMost, "mm", "spring.max_travel_mm; not judged without it", "travel_review")},
             measure_spring_rate_scatter,

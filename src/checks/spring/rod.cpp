@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
-#include "coil.h"
 #include "fusee/core/units.h"
+#include "fusee/spring/coil.h"
 #include "measure.h"
 #include "needs.h"
 #include "spring_change.h"
@@ -12,7 +12,7 @@ namespace {
 
 core::Findings measure_spring_rod(const Design& design, const Allowed& allowed) {
     const spring::BaseSpring& s = design.spring;
-    const double inside = inside_diameter(s, largest_state(design));
+    const double inside = spring::inside_diameter(s, largest_state(design));
     core::Finding f = judge(inside / s.rod_diameter, {allowed("required"), allowed("review")});
     f.what = fmt::format("inside diameter of the loaded coils, {:.2f} mm, over the rod's", core::mm_from_m(inside));
     f.suggestion = fmt::format("{}.spring.rod_mm = {}", name(design), down(core::mm_from_m(inside / f.allowed)));

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
-#include "coil.h"
 #include "fusee/core/units.h"
+#include "fusee/spring/coil.h"
 #include "measure.h"
 #include "needs.h"
 #include "spring_change.h"
@@ -26,7 +26,7 @@ core::Findings measure_spring_travel(const Design& design, const Allowed& allowe
         findings.push_back(against(design, {*most}, "largest compression of the base spring, preload included"));
         findings.back().source = "spring.max_travel_mm";
     }
-    if (const auto travel = travel_to_solid(s)) {
+    if (const auto travel = spring::travel_to_solid(s)) {
         const double solid = core::mm_from_m(*travel);
         findings.push_back(against(design, {allowed("required", kMost * solid), allowed("review", kReview * solid)},
                                    fmt::format("largest compression of the base spring, of {:.2f} mm to solid length", solid)));

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fusee/checks/limits.h"
+#include "fusee/checks/material.h"
 #include "fusee/core/units.h"
 #include "measure.h"
 #include "shape.h"
@@ -24,7 +24,7 @@ core::Findings measure_structure_flange_bending(const Design& design, const Allo
         return 6.0 * aside * lever / (thickness * thickness);
     };
     const cam::Contact& worst = worst_contact(cam, stress);
-    core::Finding f = judge(stress(worst) / kPaPerMPa, {allowed("review", process_limits(design.process).strength / kPaPerMPa)});
+    core::Finding f = judge(stress(worst) / kPaPerMPa, {allowed("review", material_of(design.process).permanent / kPaPerMPa)});
     f.what = fmt::format("bending stress of the flange beside the cable at {:.1f} N", worst.arm.tension);
     f.where = where(design, worst.path.psi);
     f.place = place(worst.path, 0.0);
@@ -39,8 +39,8 @@ Rule structure_flange_bending() {
     return on_cable({"structure.flange_bending",
                      "a flange that the cable bends off",
                      "bending stress of the flange under the cable's side force T/rho tan(fleet, at least 2 deg) at the cable's height",
-                     "cantilever of the flange's thickness there; strength of the process's usual material (practice)",
-                     {review(kAtMost, "MPa", "the process's strength")},
+                     "cantilever of the flange's thickness there; permanent stress of the material (table 5)",
+                     {review(kAtMost, "MPa", "the material's permanent stress (table 5)")},
                      measure_structure_flange_bending});
 }
 

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <future>
+#include <optional>
 
 #include "fusee/core/units.h"
+#include "fusee/pipeline/assembled.h"
 #include "fusee/pipeline/design.h"
 
 namespace fusee::pipeline {
@@ -20,21 +22,28 @@ bool is_of_process(const checks::Override& limit) {
     return declared != nullptr && (rule->group() == "process" || declared->by.find("process's") != std::string::npos);
 }
 
-core::Findings findings_of(cam::PartKind kind, const ResolvedDesign& design) {
-    const auto part = design_part(kind, design);
-    return part ? part->findings : part.refusal();
+core::Findings findings_of(const core::Outcome<DesignedPart>& part) { return part ? part->findings : part.refusal(); }
+
+core::Findings joint_findings(const ResolvedDesign& design, const DesignedPart& k_se, const DesignedPart& k_pe) {
+    return assemble(design, std::make_shared<solid::Part>(k_se.part), std::make_shared<solid::Part>(k_pe.part)).findings;
 }
 
-CheckedProcess check_process(const profile::Profile& profile, const core::Outcome<ResolvedDesign>& resolved, checks::ProcessKind kind) {
+/// @param joint findings of the joint, which no process changes: those of the first process that makes both parts
+CheckedProcess check_process(const profile::Profile& profile, const core::Outcome<ResolvedDesign>& resolved, checks::ProcessKind kind,
+                             std::optional<core::Findings>& joint) {
     OtherProcess other = by_process(profile, kind);
     CheckedProcess checked{checks::to_string(kind), other.figures, kind == profile.process.kind, {}, {}};
     checked.about = resolved ? resolved->findings : resolved.refusal();
     if (!resolved) return checked;
     ResolvedDesign design = *resolved;
     design.profile = std::move(other.profile);  // a process changes no law
-    auto series = std::async(std::launch::async | std::launch::deferred, [&design] { return findings_of(cam::PartKind::kSeries, design); });
-    core::Findings parallel = findings_of(cam::PartKind::kParallel, design);
-    checked.parts = {{to_string(cam::PartKind::kSeries), series.get()}, {to_string(cam::PartKind::kParallel), std::move(parallel)}};
+    auto series = std::async(std::launch::async | std::launch::deferred, [&design] { return design_part(cam::PartKind::kSeries, design); });
+    const auto k_pe = design_part(cam::PartKind::kParallel, design), k_se = series.get();
+    checked.parts = {{to_string(cam::PartKind::kSeries), findings_of(k_se)}, {to_string(cam::PartKind::kParallel), findings_of(k_pe)}};
+    if (k_se && k_pe) {
+        if (!joint) joint = joint_findings(design, *k_se, *k_pe);
+        core::append(checked.about, *joint);
+    }
     return checked;
 }
 
@@ -87,7 +96,8 @@ Checked check(const profile::Profile& profile, std::span<const checks::ProcessKi
     require_parts(profile);
     const auto resolved = resolve(profile);
     Checked checked{profile.name, profile.sha256, "", {}};
-    for (const checks::ProcessKind kind : kinds) checked.processes.push_back(check_process(profile, resolved, kind));
+    std::optional<core::Findings> joint;
+    for (const checks::ProcessKind kind : kinds) checked.processes.push_back(check_process(profile, resolved, kind, joint));
     return checked;
 }
 

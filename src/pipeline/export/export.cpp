@@ -70,7 +70,7 @@ struct Side {
 /// agonist
 Side exported(PartExport& out, const profile::Profile& profile, const std::shared_ptr<const DesignedPart>& designed, const Side* agonist) {
     const fs::path json = write_files(out, profile);
-    Side side{{out.name(), agonist != nullptr, {}, out.mesh}, exchange::read_part_file(json)};
+    Side side{{out.name(), agonist != nullptr, {}, out.mesh, out.exact}, exchange::read_part_file(json)};
     PartReport& report = side.done.report;
     report = begun(designed, out.spring);
     core::append(report.findings, out.findings);

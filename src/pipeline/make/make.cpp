@@ -4,11 +4,14 @@
 #include <future>
 #include <iterator>
 
+#include "export/joint_files.h"
 #include "export/plate.h"
 #include "fusee/actuator/dead_band.h"
 #include "fusee/core/output_folder.h"
 #include "fusee/core/temporary_folder.h"
+#include "fusee/formats/format.h"
 #include "fusee/pipeline/as_exported.h"
+#include "fusee/pipeline/assembled.h"
 #include "fusee/pipeline/pair.h"
 #include "fusee/pipeline/simulate.h"
 #include "fusee/spring/potential.h"
@@ -97,17 +100,39 @@ core::Outcome<Parts> design_parts_outlines_first(const ResolvedDesign& design, b
     return joined(design, std::move(k_se), std::move(k_pe), both_sides);
 }
 
-/// Both sides of both parts, each part on its thread, and all on one plate.
-void export_parts(DesignReport& report, const Parts& parts, const profile::Profile& profile, Via via, const fs::path& folder) {
+/// Both sides of both parts, each part on its thread, and all on one plate. @return the exact solids of their STEP files
+ExactSolids export_parts(DesignReport& report, const Parts& parts, const profile::Profile& profile, Via via, const fs::path& folder) {
     auto [all, more] = both_parts([&](cam::PartKind kind) {
         return export_pair(kind == cam::PartKind::kSeries ? parts.series : parts.parallel, profile, report.provenance, via, folder);
     });
     std::move(more.begin(), more.end(), std::back_inserter(all));
     PlateFiles plate = write_plate(all, profile, report.provenance, folder);
-    for (ExportedPart& one : all) (one.mirrored ? report.mirrored : report.parts).push_back(std::move(one.report));
+    ExactSolids exact;
+    for (ExportedPart& one : all) {
+        if (one.exact) exact.emplace(one.name, *one.exact);
+        (one.mirrored ? report.mirrored : report.parts).push_back(std::move(one.report));
+    }
     core::append(report.findings, plate.findings);
     report.files = std::move(plate.files);
     report.plate_errors = std::move(plate.arm_errors);
+    return exact;
+}
+
+void export_joint(DesignReport& report, Assembled joint, const ExactSolids& parts, const profile::Profile& profile,
+                  const fs::path& folder) {
+    core::append(report.findings, joint.findings);
+    report.assembly = std::move(joint.assembly);
+    if (!report.assembly) return;
+    JointFiles written = write_joint(*report.assembly, parts, profile, report.provenance, folder);
+    core::append(report.findings, written.findings);
+    report.files.insert(report.files.end(), written.files.begin(), written.files.end());
+}
+
+/// Nothing unless the reports show it.
+Assembled assemble_pairs(const ResolvedDesign& design, const Parts& parts, bool reported) {
+    if (!reported) return {};
+    const auto part = [](const Pair& pair) { return std::shared_ptr<const solid::Part>(pair.agonist, &pair.agonist->part); };
+    return assemble(design, part(parts.series), part(parts.parallel));
 }
 
 }  // namespace
@@ -133,9 +158,12 @@ core::Outcome<MadeDesign> make_parts(const profile::Profile& profile, core::Outp
         report.law = law_report(design);
         report.dead_band = actuator::dead_band_curve(design.actuator, kDeadBandLevels);
     }
+    auto assembled =
+        std::async(std::launch::async | std::launch::deferred, [&] { return assemble_pairs(design, *parts, options.reported); });
     announce(profile, options);
-    export_parts(report, *parts, profile, options.via, output.path());
+    const ExactSolids exact = export_parts(report, *parts, profile, options.via, output.path());
     report.as_exported = as_exported(design, report);
+    export_joint(report, assembled.get(), exact, profile, output.path());
     made.simulation = simulation.get();
     report.headline = headline_of(design, made.simulation, report.parts);
     return made;

@@ -3,6 +3,7 @@
 #include "fusee/core/destination.h"
 #include "fusee/core/file.h"
 #include "fusee/pipeline/export.h"
+#include "fusee/report/assembly.h"
 #include "fusee/report/paper.h"
 #include "fusee/report/pareto.h"
 #include "fusee/report/report.h"
@@ -34,6 +35,10 @@ void write_design(const pipeline::MadeDesign& made, const fs::path& folder) {
     const fs::path springs = folder / "springs.csv";
     write_springs_csv(springs, *made.resolved.law(), static_cast<std::size_t>(made.resolved.profile.outputs.springs_rows));
     files.push_back(pipeline::file_row(springs));
+    if (design.assembly) {
+        const std::vector<FileRow> of_joint = write_assembly(design, folder);
+        files.insert(files.end(), of_joint.begin(), of_joint.end());
+    }
     design.files.insert(design.files.begin(), files.begin(), files.end());
     core::write_file(folder / "report.json", report_json(design));
     core::write_file(folder / "report.html", report_html(design));

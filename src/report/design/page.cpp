@@ -1,6 +1,7 @@
 #include "design/page.h"
 
 #include "design/as_exported.h"
+#include "fusee/report/assembly.h"
 #include "page/html.h"
 
 namespace fusee::report {
@@ -42,8 +43,8 @@ std::string report_html(const DesignReport& design) {
     const std::vector<NumberedFinding> findings = numbered(design);
     std::string body;
     for (const PartReport& part : design.parts) body += part_section(part, markers_of(findings, cam::to_string(part.part->cam.kind)));
-    body += findings_section(findings) + law_section(design) + table_section(design.law) + dead_band_section(design) +
-            read_back_section(design) + as_exported_section(design.as_exported) + files_section(design);
+    body += assembly_section(design) + findings_section(findings) + law_section(design) + table_section(design.law) +
+            dead_band_section(design) + read_back_section(design) + as_exported_section(design.as_exported) + files_section(design);
     return html_page(design.provenance.name, design_head(design), body);
 }
 

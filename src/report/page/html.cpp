@@ -46,11 +46,6 @@ std::string percent(double share) { return std::isfinite(share) ? fmt::format("{
 
 std::string counted(std::size_t n, const char* what) { return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s"); }
 
-std::string bytes_text(double bytes) {
-    if (bytes < 1e3) return fmt::format("{:.0f} B", bytes);
-    return bytes < 1e6 ? fmt::format("{:.1f} kB", bytes / 1e3) : fmt::format("{:.2f} MB", bytes / 1e6);
-}
-
 Cell plain(std::string_view text) { return {escape(text), ""}; }
 Cell faint(std::string_view text) { return {escape(text), "faint"}; }
 Cell code(std::string_view text) { return {escape(text), "code"}; }

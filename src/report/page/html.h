@@ -7,12 +7,14 @@
 
 #include "fusee/core/finding.h"
 #include "fusee/core/markup.h"
+#include "fusee/core/text.h"
 #include "fusee/core/units.h"
 
 /// What every page is built of. Parameters named `text`, `title`, `name` or `value` are plain texts and escaped here; `html` is taken as it
 /// is.
 namespace fusee::report {
 
+using core::bytes_text;
 using core::coordinate;
 using core::deg_from_rad;
 using core::escape;
@@ -31,8 +33,6 @@ using core::escape;
 [[nodiscard]] std::string percent(double share);
 /// "1 error", "2 errors"
 [[nodiscard]] std::string counted(std::size_t n, const char* what);
-/// "12.3 kB"
-[[nodiscard]] std::string bytes_text(double bytes);
 
 /// One cell of a table: HTML, and a class ("num", "code", ...) or "".
 struct Cell {

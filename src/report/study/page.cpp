@@ -14,11 +14,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json to_json(const study::Figure& figure) {
-    if (const auto* number = std::get_if<double>(&figure)) return std::isfinite(*number) ? Json(*number) : Json(nullptr);
-    return std::get<std::string>(figure);
-}
-
 Json columns_json(const std::vector<study::Column>& columns) {
     Json all = Json::array();
     for (const study::Column& column : columns)
@@ -28,11 +23,9 @@ Json columns_json(const std::vector<study::Column>& columns) {
 
 /// [name, [figures in the order of the columns], outline of K_SE, outline of K_PE]
 Json row_json(const study::Row& row, const std::vector<study::Column>& columns) {
-    std::map<std::string_view, const study::Figure*> known;
-    for (const auto& [name, figure] : row.figures) known[name] = &figure;
-    const auto value = [&](std::string_view name) {
-        const auto found = known.find(name);
-        return found != known.end() ? to_json(*found->second) : Json(nullptr);
+    const auto value = [&row](std::string_view name) {
+        const study::Figure* figure = row.find(name);
+        return figure != nullptr ? std::visit([](const auto& known) { return Json(known); }, *figure) : Json(nullptr);  // NaN becomes null
     };
     Json figures = Json::array();
     for (const study::Column& column : columns) figures.push_back(value(column.name));
@@ -54,16 +47,18 @@ void write_study_page(const std::filesystem::path& file, const study::Study& stu
     rows([&](const study::Row& row) {
         if (count++ < kMostStudyRows) data["rows"].push_back(row_json(row, columns));
     });
-    const std::string more =
-        count > kMostStudyRows ? fmt::format(" This page shows the first {} of them; index.csv and index.sqlite hold all.", kMostStudyRows)
-                               : "";
+    Head head{.kind = "fusee study",
+              .title = study.name,
+              .verdict = {},
+              .sentence = counted(count, "design") + ".",
+              .stamp = std::string("fusee ") + core::version(),
+              .tiles = {}};
+    if (count > kMostStudyRows)
+        head.sentence += fmt::format(" This page shows the first {} of them; index.csv and index.sqlite hold all.", kMostStudyRows);
     const std::string json = data.dump(-1, ' ', false, Json::error_handler_t::replace);
-    core::write_file(
-        file, fmt::format("<!doctype html><html lang=\"en\"><head><meta charset=\"utf-8\"><title>{0}</title><style>{1}{2}</style></head>"
-                          "<body><main><p class=\"eyebrow\">Study</p><h1>{0}</h1><p>{3} designs.{4}</p>{5}"
-                          "<p class=\"stamp\">fusee {6}</p></main><script>const data={7};{8}</script></body></html>\n",
-                          escape(study.name), style_sheet(), study_style(), count, more, study_body(), core::version(), inside_script(json),
-                          study_script()));
+    core::write_file(file, html_page(study.name, head,
+                                     fmt::format("<style>{}</style>{}<script>const data={};{}</script>", study_style(), study_body(),
+                                                 inside_script(json), study_script())));
 }
 
 }  // namespace fusee::report

@@ -23,7 +23,7 @@ std::string_view study_body() {
 <div class="controls"><label>x<select id="x"></select></label><label>better<select id="bx"><option>least</option><option>greatest</option></select></label>
 <label>y<select id="y"></select></label><label>better<select id="by"><option>least</option><option>greatest</option></select></label>
 <label><span>Pareto front</span><input type="checkbox" id="front" checked></label></div>
-<figure class="plot" id="plot"></figure>
+<figure class="plot" id="plot"></figure><p>A click on a point moves its design to the top of the table; a second click opens its report, where there is one.</p>
 <h2>Designs</h2>
 <div class="controls"><label>Filter: a word, or a condition such as <code>mass_g &lt; 20 &amp;&amp; outcome == "made"</code>
 <input id="filter" spellcheck="false"></label><span id="message"></span><span id="count"></span></div>
@@ -62,8 +62,9 @@ function head(){const row=element("tr");for(const title of ["design","K_SE","K_P
   C.forEach((c,k)=>{const th=element("th",{title:c.meaning},c.name+(state.sort===k?(state.down?" \u2193":" \u2191"):""));
     th.onclick=()=>{state.down=state.sort===k&&!state.down;state.sort=k;update()};row.append(th)});
   document.querySelector(".study thead").replaceChildren(row)}
+const report=r=>data.has_reports&&r[1][at("outcome")]==="made"?"designs/"+encodeURIComponent(r[0])+"/report.html":null;
 function line(r){const row=element("tr",r===state.picked?{class:"picked"}:{}),first=element("td");
-  if(data.has_reports&&r[1][at("outcome")]==="made"){first.append(element("a",{href:"designs/"+r[0]+"/report.html"},r[0]))}else first.textContent=r[0];
+  if(report(r)){first.append(element("a",{href:report(r)},r[0]))}else first.textContent=r[0];
   row.append(first);for(const path of [r[2],r[3]]){const cell=element("td");if(path)cell.append(outline(path));row.append(cell)}
   C.forEach((c,k)=>row.append(element("td",c.text?{}:{class:"num"},text(r[1][k]))));return row}
 function table(){head();document.querySelector(".study tbody").replaceChildren(...state.rows.slice(0,state.shown).map(line));
@@ -82,7 +83,7 @@ function plot(){const kx=at($("x").value),ky=at($("y").value),W=880,H=460,L=70,B
   const front=$("front").checked?pareto(points):new Set();
   for(const p of [...points].sort((a,b)=>front.has(a.r)-front.has(b.r))){const c=element("circle",{cx:X(p.x),cy:Y(p.y),r:front.has(p.r)?5:3.5,
     class:(front.has(p.r)?"front ":"")+(p.r===state.picked?"picked":"")});c.append(element("title",{},`${p.r[0]}\n${C[kx].name} ${text(p.x)}\n${C[ky].name} ${text(p.y)}`));
-    c.onclick=()=>{state.picked=p.r;const rest=state.rows.filter(r=>r!==p.r);state.rows=[p.r,...rest];table();plot()};svg.append(c)}}
+    c.onclick=()=>{if(state.picked===p.r){if(report(p.r))location.href=report(p.r);return}state.picked=p.r;const rest=state.rows.filter(r=>r!==p.r);state.rows=[p.r,...rest];table();plot()};svg.append(c)}}
   svg.append(element("text",{x:(L+W)/2,y:H-8,"text-anchor":"middle",class:"name"},C[kx].name),
     element("text",{transform:`translate(16 ${(H-B)/2}) rotate(-90)`,"text-anchor":"middle",class:"name"},C[ky].name));$("plot").replaceChildren(svg)}
 function update(){state.rows=sorted(filtered());table();plot()}

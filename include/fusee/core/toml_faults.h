@@ -7,15 +7,15 @@
 
 #include "fusee/core/error.h"
 
-namespace fusee::profile {
+namespace fusee::core {
 
 /// "pnrvsa.toml:12:5: rig.gear_friction", the place of a mistake.
-[[nodiscard]] std::string place(const std::string& file, const toml::source_region& at, std::string_view path);
+[[nodiscard]] std::string toml_place(const std::string& file, const toml::source_region& at, std::string_view path);
 
 /// The mistakes of one TOML file. Reading continues after each, so that all are reported at once; of thousands the first hundred are kept.
-class Faults {
+class TomlFaults {
 public:
-    explicit Faults(std::string file) : file_(std::move(file)) {}
+    explicit TomlFaults(std::string file) : file_(std::move(file)) {}
 
     void add(const toml::source_region& at, std::string_view path, std::string value, std::string allowed);
     /// Runs `read`, of another file that this one names; keeps what it throws as InvalidInput or InvalidInputs.
@@ -29,18 +29,18 @@ public:
     [[nodiscard]] std::size_t count() const { return count_; }
     /// Are there so many that no more are kept? Then suggestions are not worth their time.
     [[nodiscard]] bool full() const;
-    /// In the order of the file's lines, then those of other files. @throws core::InvalidInput or, of several, core::InvalidInputs
+    /// In the order of the file's lines, then those of other files. @throws InvalidInput or, of several, InvalidInputs
     void throw_if_any();
 
 private:
     struct Fault {
         toml::source_position at;
-        core::InvalidInput mistake;
+        InvalidInput mistake;
     };
     std::string file_;
     std::vector<Fault> here_;
-    core::Mistakes elsewhere_;
+    Mistakes elsewhere_;
     std::size_t count_ = 0, left_out_ = 0;
 };
 
-}  // namespace fusee::profile
+}  // namespace fusee::core

@@ -1,0 +1,115 @@
+#pragma once
+#include <Eigen/Geometry>
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fusee/assembly/options.h"
+#include "fusee/assembly/shape.h"
+#include "fusee/cam/arm.h"
+#include "fusee/core/finding.h"
+#include "fusee/core/units.h"
+#include "fusee/solid/part.h"
+#include "fusee/spring/base_spring.h"
+
+/// Where every part of the joint stands and how it moves (docs/assembly.md).
+///
+/// Frame of the assembly: +z along the joint's axis, origin on it half-way between the planes of the two sides' cables; the motors are at
+/// -y, the agonist at +x. Lengths in mm. The antagonist's side is the mirror image x -> -x.
+///
+/// Each K_SE turns on a carriage, which its capstan pulls along y; the torsion spring reacts against the carriage, so that the arm depends
+/// on the cable's payout alone. Each K_PE turns with its capstan and pulls a compression spring through a plate on which that spring
+/// stands.
+namespace fusee::assembly {
+
+/// What a body moves with.
+enum class Motion {
+    kFixed,
+    kCapstan,    ///< turns with the capstan
+    kCarriage,   ///< slides with the cable of the capstan
+    kSpool,      ///< turns on the carriage
+    kSpringEnd,  ///< slides with the end of K_PE's cable
+    kJoint,      ///< turns with the joint
+};
+[[nodiscard]] const char* to_string(Motion motion);
+
+enum class Side { kAgonist, kAntagonist, kBoth };
+[[nodiscard]] const char* to_string(Side side);  ///< "agonist", "antagonist", "joint"
+
+struct Body {
+    std::string name;  ///< "k_se_agonist", "capstan_antagonist", "joint_pulley"
+    Side side = Side::kBoth;
+    Motion motion = Motion::kFixed;
+    Eigen::Isometry3d rest = Eigen::Isometry3d::Identity();  ///< from its own frame to the assembly, in the pose of zero
+    std::vector<Extrusion> shapes;                           ///< touching; none: a cam
+    std::shared_ptr<const solid::Mesh> cam;                  ///< null: `shapes`
+    std::vector<Prism> prisms;                               ///< in its own frame; for distances
+    [[nodiscard]] std::string base_name() const;             ///< without the side: "k_se"
+    [[nodiscard]] solid::Mesh mesh() const;                  ///< in its own frame; several shells where it has several shapes
+};
+
+/// Red, green and blue (sRGB) in which files and pictures show a body.
+[[nodiscard]] std::array<std::uint8_t, 3> colour_of(const Body& body);
+
+/// Free length of a cable, and what it is attached to.
+enum class CableKind {
+    kDrive,     ///< capstan to carriage
+    kSeries,    ///< K_SE to the joint's pulley
+    kParallel,  ///< K_PE to the end of its spring
+};
+[[nodiscard]] const char* to_string(CableKind kind);
+
+/// One cable with its length between the anchors, without the ends for knots.
+struct Cable {
+    CableKind kind = CableKind::kDrive;
+    Side side = Side::kAgonist;
+    double length_mm = 0.0;
+    std::string from, to;  ///< names of bodies
+    /// With both ends, in whole millimetres.
+    [[nodiscard]] double cut_mm() const;
+};
+
+/// Length that each end of a cable needs for its knot or crimp [mm] (practice).
+inline constexpr double kCableEnd_mm = 30.0;
+
+/// What one side consists of, as designed for the agonist.
+struct Drive {
+    std::shared_ptr<const solid::Part> k_se, k_pe;
+    spring::BaseSpring k_se_spring, k_pe_spring;
+};
+
+/// One place on a cam's table: angle since the lowest load, cable paid out or drawn in since then.
+struct Travel {
+    double angle = 0.0;      ///< [rad]
+    double length_mm = 0.0;  ///< integral of the arm over the angle
+};
+
+/// The joint with all bodies at rest and the figures of its motion. Immutable.
+struct Assembly {
+    Drive drive;
+    Options options;
+    double capstan_radius_mm = 0.0, joint_radius_mm = 0.0, cable_mm = 0.0;
+    double motor_distance_mm = 0.0;
+    double carriage_rear_mm = 0.0;  ///< from K_SE's axis to the wall that the drive cable pulls
+    double plane_mm = 0.0;          ///< height of the agonist's cables; the antagonist's are at its negative
+    double greatest_turn = 0.0;     ///< of a capstan from the law's lowest load: the working range of K_PE [rad]
+    double greatest_payout_mm = 0;  ///< of K_SE: its working range
+    double joint_range = 0.0;       ///< full, symmetric about the joint's middle [rad]
+    std::vector<Travel> k_se, k_pe;
+    Eigen::Vector3d spool_axis_mm = Eigen::Vector3d::Zero();  ///< of the agonist at rest, at its cables' height
+    Eigen::Vector3d motor_axis_mm = Eigen::Vector3d::Zero();
+    Eigen::Vector3d k_se_guide_mm = Eigen::Vector3d::Zero(), k_pe_guide_mm = Eigen::Vector3d::Zero();  ///< holes at rest
+    std::vector<Body> bodies;
+    std::vector<Cable> cables;
+    core::Findings notes;  ///< what the model leaves out for want of data
+
+    [[nodiscard]] const Body* find(const std::string& name) const;
+};
+
+/// Refusal "joint.guide": a guide that is a direction without a place, and "joint.roller": a cam with a roller has no cable.
+[[nodiscard]] core::Outcome<Assembly> assemble(Drive drive, double capstan_radius, double joint_radius, const Options& options);
+
+}  // namespace fusee::assembly

@@ -1,0 +1,27 @@
+#pragma once
+#include <span>
+#include <vector>
+
+#include "fusee/assembly/assembly.h"
+#include "fusee/checks/judge.h"
+#include "fusee/checks/rule.h"
+
+/// Rules about the joint as a whole.
+namespace fusee::assembly {
+
+/// One rule: a pure function, in one file under src/assembly/joint.
+struct Rule : checks::RuleInfo {
+    using Measure = std::function<core::Findings(const Assembly&, const checks::Allowed&)>;
+    Measure measure;
+};
+
+/// All rules, in the order of the report.
+[[nodiscard]] std::span<const Rule> rules();
+[[nodiscard]] std::vector<const checks::RuleInfo*> rule_infos();
+/// Their Markdown table in docs/rules.md.
+[[nodiscard]] std::string rules_reference();
+
+/// Runs every rule; what the model leaves out is not judged. @param overrides limits that replace the rules' own
+[[nodiscard]] core::Findings check(const Assembly& assembly, std::span<const checks::Override> overrides);
+
+}  // namespace fusee::assembly

@@ -1,0 +1,34 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "fusee/assembly/assembly.h"
+#include "fusee/pipeline/design_report.h"
+
+/// The files of an assembly: assembly.json, bom.csv, assembly.md and the pictures (docs/assembly.md).
+namespace fusee::report {
+
+/// assembly.json: every body with its placement at rest, axes, guides, cables and ranges, so that anybody can recompute the joint.
+[[nodiscard]] std::string assembly_json(const pipeline::DesignReport& design);
+/// bom.csv: item, count, size, note.
+[[nodiscard]] std::string bill_csv(const assembly::Assembly& assembly);
+/// assembly.md: order of assembly, cable lengths, preloads, timing marks, torques to check.
+[[nodiscard]] std::string assembly_guide(const pipeline::DesignReport& design);
+
+/// How a picture shows the joint.
+enum class Picture {
+    kPlan,       ///< seen along the joint's axis, at the lowest and at the highest load
+    kAssembled,  ///< seen from the side and above
+    kExploded,   ///< the same, the bodies moved apart along the axes and named
+};
+/// An SVG of hulls: grooves and holes are not shown.
+[[nodiscard]] std::string assembly_svg(const assembly::Assembly& assembly, Picture picture);
+
+/// The section of report.html: the joint seen along its axis, and the cables; "" without an assembly.
+[[nodiscard]] std::string assembly_section(const pipeline::DesignReport& design);
+
+/// Writes all of them. @throws core::IoError
+std::vector<pipeline::FileRow> write_assembly(const pipeline::DesignReport& design, const std::filesystem::path& folder);
+
+}  // namespace fusee::report

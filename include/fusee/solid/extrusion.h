@@ -1,0 +1,20 @@
+#pragma once
+#include <Eigen/Geometry>
+#include <vector>
+
+namespace fusee::solid {
+
+struct RoundHole {
+    double x_mm = 0.0, y_mm = 0.0, radius_mm = 0.0;
+};
+
+/// A disc, ring, rod or plate: from z = 0 to `length_mm` of its own frame, with round holes along z. [mm]
+struct Extrusion {
+    Eigen::Isometry3d frame = Eigen::Isometry3d::Identity();  ///< from its own frame to that of its body
+    double radius_mm = 0.0;                                   ///< round; 0: rectangular
+    double half_x_mm = 0.0, half_y_mm = 0.0;                  ///< rectangular
+    double length_mm = 0.0;
+    std::vector<RoundHole> holes;  ///< inside the outline, apart from each other
+};
+
+}  // namespace fusee::solid

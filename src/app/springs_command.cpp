@@ -1,0 +1,125 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <memory>
+
+#include "arguments.h"
+#include "commands.h"
+#include "exit_codes.h"
+#include "fusee/core/file.h"
+#include "fusee/pipeline/check.h"
+#include "fusee/profile/edit.h"
+#include "fusee/report/springs.h"
+#include "numbers.h"
+#include "places.h"
+
+namespace fusee::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct SpringsArguments {
+    fs::path profile, out, catalogue;
+    bool bought = false, force = false;
+    double within_percent = 2.0;
+    std::string wire_class = "sh";
+    pipeline::SpringSearchOptions options;
+};
+
+constexpr std::array kWireClasses = {"sl", "sm", "sh", "dm", "dh"};
+
+spring::WireClass class_of(const std::string& name) {
+    const auto found = std::find(kWireClasses.begin(), kWireClasses.end(), name);
+    return static_cast<spring::WireClass>(1 + (found - kWireClasses.begin()));
+}
+
+/// In the folder of the profile: "x-springs.toml" for "x.toml".
+fs::path sprung_beside(const fs::path& profile) { return profile.parent_path() / (profile.stem().string() + "-springs.toml"); }
+
+/// @returns exit code; prints the binding findings of the design with its new springs
+int judge_again(const profile::Profile& profile) {
+    const pipeline::Checked checked = pipeline::check(profile, std::array{profile.process.kind});
+    const core::Findings all = checked.processes.front().all();
+    fmt::print("made again with them: {} errors, {} warnings, {} rules not judged\n", core::count(all, core::Severity::kError),
+               core::count(all, core::Severity::kWarning), core::count(all, core::Severity::kNotJudged));
+    for (const core::Finding& f : all)
+        if (f.severity == core::Severity::kError) fmt::print(stderr, "{}\n", core::to_line(f));
+    return core::any_error(all) ? kRefused : 0;
+}
+
+int refuse_search(const core::Findings& refusal) {
+    for (const core::Finding& f : refusal) fmt::print(stderr, "{}\n", core::to_line(f));
+    return kRefused;
+}
+
+int search_springs(const SpringsArguments& arguments, const fs::path& out, const std::string& toml, const profile::Profile& profile) {
+    const auto design = pipeline::resolve(profile);
+    if (!design) return refuse_search(design.refusal());
+    const spring::Catalogue catalogue =
+        arguments.catalogue.empty() ? profile.co_design.catalogue : spring::read_catalogue(arguments.catalogue);
+    pipeline::SpringSearchOptions options = arguments.options;
+    options.within = 0.01 * arguments.within_percent;
+    options.wire_class = class_of(arguments.wire_class);
+    std::vector<profile::Edit> edits = profile::file_edits(profile, fs::absolute(out).parent_path());
+    for (const cam::PartKind part : {cam::PartKind::kSeries, cam::PartKind::kParallel}) {
+        const auto search = pipeline::find_springs(part, *design, catalogue, options);
+        if (!search) return refuse_search(search.refusal());
+        fmt::print("{}", report::springs_text(*search));
+        const auto& springs = arguments.bought ? search->bought : search->wound;
+        if (springs.empty()) return kRefused;
+        for (profile::Edit& edit : pipeline::spring_edits(part, springs.front(), profile)) edits.push_back(std::move(edit));
+    }
+    const std::string changed = profile::with_edits(toml, profile, edits);
+    const profile::Profile again = profile::parse_profile(changed, out);
+    core::write_file(out, changed);
+    fmt::print("written: {}\n", out.string());
+    return with_places(again, [&] { return judge_again(again); });
+}
+
+int run_springs(const SpringsArguments& arguments) {
+    const fs::path out = arguments.out.empty() ? sprung_beside(arguments.profile) : arguments.out;
+    const std::string toml = core::read_file(arguments.profile, profile::kLargestFile);
+    const profile::Profile profile = profile::parse_profile(toml, arguments.profile);
+    require_new_profile("--out", out, arguments.profile, arguments.force);
+    return with_places(profile, [&] {
+        pipeline::require_parts(profile);
+        return search_springs(arguments, out, toml, profile);
+    });
+}
+
+}  // namespace
+
+void add_springs(CLI::App& app, Action& action) {
+    const auto arguments = std::make_shared<SpringsArguments>();
+    CLI::App* command =
+        app.add_subcommand("springs", "Turn the wanted rates into springs that can be wound or bought: a new profile with their data");
+    command->add_option("profile", arguments->profile, "Profile (*.toml); it is not changed")->type_name("FILE.toml")->required();
+    command->add_option("-o,--out", arguments->out, "File of the new profile; default: PROFILE-springs.toml in the same folder")
+        ->type_name("FILE.toml");
+    command->add_option("--catalogue", arguments->catalogue, "Springs on sale; default: co_design.catalogue of the profile")
+        ->type_name("FILE.csv");
+    command->add_flag("--bought", arguments->bought, "Take the springs of the catalogue, not wound ones");
+    command->add_option("--wire-class", arguments->wire_class, "Wire of EN 10270-1 where the profile states none")
+        ->check(CLI::IsMember(kWireClasses))
+        ->capture_default_str();
+    command->add_option("--cycles", arguments->options.cycles, "Load cycles where the profile states none")
+        ->check(number_within(1.0, 1e12))
+        ->capture_default_str();
+    command
+        ->add_option("--within", arguments->within_percent, "Largest difference of a wound spring's rate from the wanted one, in percent")
+        ->check(number_within(0.0, 10.0))
+        ->capture_default_str();
+    command->add_option("--most", arguments->options.most, "Springs to list of each kind")
+        ->check(number_within(1, 1000))
+        ->capture_default_str();
+    command->add_flag("--accept-reviews", arguments->options.accept_reviews, "Also take springs with warnings");
+    add_force_file(*command, arguments->force);
+    command->footer(
+        "Example:\n  fusee springs profiles/pnrvsa.toml --out /tmp/pnrvsa.toml\n\n"
+        "Exit code: 0 springs were found and the design can be made with them, 1 no spring passes or the design cannot be made with it,\n"
+        "2 bad input (file, line and key are named), 3 internal error.");
+    command->callback([arguments, &action] { action = [arguments] { return run_springs(*arguments); }; });
+}
+
+}  // namespace fusee::app

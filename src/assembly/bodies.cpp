@@ -1,0 +1,147 @@
+#include <algorithm>
+#include <cmath>
+
+#include "fusee/solid/mirror.h"
+#include "layout.h"
+
+namespace fusee::assembly {
+
+namespace {
+
+using Eigen::Vector3d;
+
+Eigen::Isometry3d at(const Vector3d& point) { return Eigen::Isometry3d(Eigen::Translation3d(point)); }
+
+Body shaped(std::string name, Motion motion, const Eigen::Isometry3d& rest, std::vector<Extrusion> shapes) {
+    Body body{std::move(name), Side::kAgonist, motion, rest, std::move(shapes), nullptr, {}};
+    for (const Extrusion& shape : body.shapes) body.prisms.push_back(prism_of(shape, Eigen::Isometry3d::Identity()));
+    return body;
+}
+
+/// A drum with one groove: floor and two flanges.
+std::vector<Extrusion> drum(const Layout& l, double radius_mm, double bore_mm) {
+    const double flange = flange_mm(radius_mm, l.cable);
+    return {round(radius_mm - 0.5 * l.cable, -l.drum, l.drum, bore_mm), round(flange, -l.drum - kFlange_mm, -l.drum, bore_mm),
+            round(flange, l.drum, l.drum + kFlange_mm, bore_mm)};
+}
+
+Body cam_body(std::string name, Motion motion, const Eigen::Isometry3d& rest, const solid::Part& part) {
+    constexpr int kLayersOfHelix = 12;
+    const solid::Box box = solid::bounding_box(part.mesh);
+    std::vector<double> levels{box.low_mm[2], core::mm_from_m(part.z_low), core::mm_from_m(part.z_high), box.high_mm[2]};
+    if (!part.cam.closed())
+        for (int i = 1; i < kLayersOfHelix; ++i)
+            levels.push_back(box.low_mm[2] + (box.high_mm[2] - box.low_mm[2]) * i / static_cast<double>(kLayersOfHelix));
+    std::sort(levels.begin(), levels.end());
+    const auto near = [](double a, double b) { return b - a < 1e-3; };
+    levels.erase(std::unique(levels.begin(), levels.end(), near), levels.end());
+    return {std::move(name), Side::kAgonist, motion, rest, {}, std::make_shared<solid::Mesh>(part.mesh), layers_of(part.mesh, levels)};
+}
+
+double bore_radius_mm(const solid::Part& part) { return 0.5 * core::mm_from_m(part.options.hub.bore_diameter); }
+
+/// Base plate, wall with the cable's hole, wall that the drive cable pulls, pin for the spring's leg, and two pairs of bushes below.
+Body carriage(const Layout& l, const Drive& drive) {
+    const double half = l.carriage_half, shift = l.line - l.spool_axis.x(), wall_high = wall_height_mm(l.cable);
+    const double front = l.guide_distance + (l.idler > 0.0 ? l.idler + l.gap : 0.0), rear = -l.carriage_rear;
+    const double low = l.base_high - l.wall, hole = 0.75 * l.cable;
+    std::vector<Extrusion> shapes{
+        box({-half, rear, low}, {half, front + l.wall, l.base_high}, {{0.0, 0.0, bore_radius_mm(*drive.k_se) + 0.1}})};
+    for (const double y : {front, rear}) {
+        Extrusion wall;
+        wall.frame.translation() = Vector3d(0.0, y, 0.5 * (wall_high + l.base_high));
+        wall.frame.linear().col(0) = Vector3d::UnitZ(), wall.frame.linear().col(1) = Vector3d::UnitX(),
+        wall.frame.linear().col(2) = Vector3d::UnitY();
+        wall.half_x_mm = 0.5 * (wall_high - l.base_high), wall.half_y_mm = half, wall.length_mm = l.wall;
+        wall.holes = {{-0.5 * (wall_high + l.base_high), shift, hole}};
+        shapes.push_back(wall);
+    }
+    const double pin = l.spool_reach + l.gap + 2.0;
+    shapes.push_back(rod({-pin, 0.0, l.base_high}, Vector3d::UnitZ(), 2.0, l.spool_high + 4.0 - l.base_high));
+    for (const double x : {-half + kBush_mm, half - kBush_mm})
+        for (const double y : {rear, front + l.wall - 19.0})
+            shapes.push_back(rod({x, y, low - kBush_mm}, Vector3d::UnitY(), kBush_mm, 19.0, kRod_mm));
+    if (l.idler > 0.0)
+        shapes.push_back(rod({0.0, l.guide_distance, l.base_high}, Vector3d::UnitZ(), l.idler - 0.5 * l.cable, wall_high - l.base_high));
+    return shaped("carriage", Motion::kCarriage, at(l.spool_axis), std::move(shapes));
+}
+
+Body rods(const Layout& l) {
+    const double half = l.carriage_half, z = l.base_high - l.wall - kBush_mm;
+    std::vector<Extrusion> shapes;
+    for (const double x : {-half + kBush_mm, half - kBush_mm})
+        shapes.push_back(rod({l.spool_axis.x() + x, l.bottom, z}, Vector3d::UnitY(), kRod_mm, l.top - l.bottom));
+    return shaped("rods", Motion::kFixed, Eigen::Isometry3d::Identity(), std::move(shapes));
+}
+
+/// The plate that the spring of K_PE stands on, with the hole of its cable at its near face.
+Body seat(const Layout& l, double half) {
+    Extrusion plate = rod(l.k_pe_guide, l.k_pe_along, 0.0, l.wall, 0.75 * l.cable);
+    plate.half_x_mm = plate.half_y_mm = half;
+    return shaped("k_pe_seat", Motion::kFixed, Eigen::Isometry3d::Identity(), {plate});
+}
+
+void add_springs(const Layout& l, const Drive& drive, std::vector<Body>& to) {
+    const spring::BaseSpring &torsion = drive.k_se_spring, &pressed = drive.k_pe_spring;
+    if (outer_mm(torsion) > 0.0 && torsion.active_coils > 0.0) {
+        const double low = l.spool_high + 0.5 * l.gap;
+        to.push_back(shaped("k_se_spring", Motion::kCarriage, at(l.spool_axis),
+                            {round(outer_mm(torsion), low, low + wound_length_mm(torsion, *drive.k_se), inner_mm(torsion))}));
+    }
+    const double outer = outer_mm(pressed) > 0.0 ? outer_mm(pressed) : 6.0;
+    to.push_back(seat(l, outer + 2.0));
+    if (outer_mm(pressed) <= 0.0 || l.k_pe_spring_length <= 0.0) return;
+    const Vector3d foot = l.k_pe_guide + l.wall * l.k_pe_along, end = foot + l.k_pe_spring_length * l.k_pe_along;
+    to.push_back(shaped("k_pe_spring", Motion::kFixed, Eigen::Isometry3d::Identity(),
+                        {rod(foot, l.k_pe_along, outer, l.k_pe_spring_length, inner_mm(pressed))}));
+    to.push_back(shaped("k_pe_cap", Motion::kSpringEnd, at(end), {rod(Vector3d::Zero(), l.k_pe_along, outer, kCap_mm, 0.75 * l.cable)}));
+}
+
+}  // namespace
+
+std::vector<Body> side_bodies(const Layout& l, const Drive& drive) {
+    const double shaft = bore_radius_mm(*drive.k_pe), axle = bore_radius_mm(*drive.k_se);
+    std::vector<Body> all;
+    all.push_back(shaped("capstan", Motion::kCapstan, at(l.motor_axis), drum(l, l.capstan, shaft)));
+    all.push_back(shaped("motor_shaft", Motion::kCapstan, at(l.motor_axis), {round(shaft, l.shaft_low, l.shaft_high)}));
+    all.push_back(cam_body("k_pe", Motion::kCapstan, l.k_pe, *drive.k_pe));
+    all.push_back(carriage(l, drive));
+    all.push_back(rods(l));
+    all.push_back(cam_body("k_se", Motion::kSpool, l.k_se, *drive.k_se));
+    all.push_back(shaped("axle", Motion::kSpool, at(l.spool_axis), {round(axle, l.base_high - l.wall, l.carriage_high)}));
+    add_springs(l, drive, all);
+    return all;
+}
+
+Body joint_pulley(const Layout& l, double bore_radius_mm, double plane_mm) {
+    const double floor = l.joint - 0.5 * l.cable, flange = flange_mm(l.joint, l.cable), inner = plane_mm - l.drum,
+                 outer = plane_mm + l.drum;
+    Body body = shaped("joint_pulley", Motion::kJoint, Eigen::Isometry3d::Identity(),
+                       {round(flange, -outer - kFlange_mm, -outer, bore_radius_mm), round(floor, -outer, -inner, bore_radius_mm),
+                        round(flange, -inner, inner, bore_radius_mm), round(floor, inner, outer, bore_radius_mm),
+                        round(flange, outer, outer + kFlange_mm, bore_radius_mm)});
+    body.side = Side::kBoth;
+    return body;
+}
+
+Body mirrored(const Body& body) {
+    const Eigen::DiagonalMatrix<double, 3> in_x(-1.0, 1.0, 1.0), in_y(1.0, -1.0, 1.0);
+    Body image = body;
+    image.side = Side::kAntagonist;
+    image.rest.translation() = in_x * body.rest.translation();
+    image.shapes.clear();
+    if (body.cam) {  // the antagonist's part is the mirror image y -> -y of the agonist's
+        image.rest.linear() = in_x * body.rest.linear() * in_y;
+        image.cam = std::make_shared<solid::Mesh>(solid::mirrored(*body.cam));
+    } else {
+        image.rest.linear() = in_x * body.rest.linear() * in_x;
+        for (const Extrusion& shape : body.shapes) image.shapes.push_back(mirrored(shape));
+    }
+    for (Prism& prism : image.prisms) {
+        for (solid::Point2& p : prism.outline_mm) p[body.cam ? 1 : 0] *= -1.0;
+        std::reverse(prism.outline_mm.begin(), prism.outline_mm.end());
+    }
+    return image;
+}
+
+}  // namespace fusee::assembly

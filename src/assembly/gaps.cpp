@@ -1,0 +1,156 @@
+#include "fusee/assembly/gaps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <set>
+
+namespace fusee::assembly {
+
+namespace {
+
+using Names = std::set<std::string>;
+
+constexpr double kNear_mm = 10.0;
+
+/// Bodies that touch by design, by their names without the side.
+const std::set<Names> kContacts{{"axle", "carriage"}, {"k_se_spring", "axle"},     {"k_se_spring", "k_se"},
+                                {"carriage", "rods"}, {"k_pe_cap", "k_pe_spring"}, {"k_pe_seat", "k_pe_spring"}};
+/// What each cable touches.
+const std::array<Names, 3> kTouched{Names{"capstan", "carriage"}, Names{"k_se", "carriage", "joint_pulley"},
+                                    Names{"k_pe", "k_pe_seat", "k_pe_spring", "k_pe_cap"}};
+
+/// The motions that a body's place depends on: turn and payout of its side.
+struct Moves {
+    std::array<bool, 4> by{};  ///< agonist's turn, agonist's payout, antagonist's turn, antagonist's payout
+    void add(const Body& body) {
+        if (body.motion == Motion::kFixed || body.motion == Motion::kJoint) return;  // the pulley is round
+        const std::size_t first = body.side == Side::kAntagonist ? 2 : 0;
+        by[first] = true;
+        if (body.motion == Motion::kSpool) by[first + 1] = true;
+    }
+};
+
+/// Calls `take` with poses that cover the motions.
+void each_pose(const Assembly& a, const Moves& moves, const std::function<void(const Pose&)>& take) {
+    const auto motions = std::count(moves.by.begin(), moves.by.end(), true);
+    const int samples = motions <= 1 ? 33 : motions == 2 ? 13 : motions == 3 ? 7 : 5;
+    std::array<int, 4> at{};
+    const auto value = [&](std::size_t i, double most) { return most * at[i] / (samples - 1.0); };
+    for (std::size_t i = 0; i < at.size();) {
+        take({{value(0, a.greatest_turn), value(1, a.greatest_payout_mm)}, {value(2, a.greatest_turn), value(3, a.greatest_payout_mm)}});
+        for (i = 0; i < at.size(); ++i) {  // the next one: counts like digits
+            if (!moves.by[i]) continue;
+            if (++at[i] < samples) break;
+            at[i] = 0;
+        }
+    }
+}
+
+/// A circle around a body in the plane, and its prisms, in its own frame.
+struct Round {
+    const Body& body;
+    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+    double radius_mm = 0.0;
+    explicit Round(const Body& b) : body(b) {
+        std::array<double, 2> low{INFINITY, INFINITY}, high{-INFINITY, -INFINITY};
+        for (const Prism& prism : b.prisms)
+            for (const solid::Point2& p : prism.outline_mm)
+                for (std::size_t k = 0; k < 2; ++k) low[k] = std::min(low[k], p[k]), high[k] = std::max(high[k], p[k]);
+        middle = {0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1]), 0.0};
+        radius_mm = 0.5 * std::hypot(high[0] - low[0], high[1] - low[1]);
+    }
+    [[nodiscard]] Eigen::Vector2d middle_at(const Eigen::Isometry3d& at) const { return (at * middle).head<2>(); }
+};
+
+std::vector<Prism> placed_all(const Body& body, const Eigen::Isometry3d& at) {
+    std::vector<Prism> all;
+    for (const Prism& prism : body.prisms) all.push_back(placed(prism, at));
+    return all;
+}
+
+double distance(const Assembly& a, const Round& one, const Round& other, const Pose& pose, double most_mm) {
+    const Eigen::Isometry3d at_one = placement(a, one.body, pose), at_other = placement(a, other.body, pose);
+    const double apart = (one.middle_at(at_one) - other.middle_at(at_other)).norm() - one.radius_mm - other.radius_mm;
+    if (apart >= most_mm) return most_mm;
+    double least = most_mm;
+    const std::vector<Prism> others = placed_all(other.body, at_other);
+    for (const Prism& p : placed_all(one.body, at_one))
+        for (const Prism& q : others) least = distance_mm(p, q, least);
+    return least;
+}
+
+bool may_meet(const Body& a, const Body& b) {
+    if (a.side == Side::kAntagonist || (a.side == b.side && a.motion == b.motion && a.motion != Motion::kFixed)) return false;
+    return b.side == Side::kAntagonist || !kContacts.contains({a.base_name(), b.base_name()});
+}
+
+bool touches(const FreeCable& cable, const Body& body) {
+    return body.side != Side::kAntagonist && kTouched.at(static_cast<std::size_t>(cable.kind)).contains(body.base_name());
+}
+
+std::string name_of(const FreeCable& cable) { return std::string(to_string(cable.kind)) + " cable, " + to_string(cable.side); }
+
+/// Of a straight cable and a point, seen along z.
+double apart_mm(const FreeCable& cable, const Eigen::Vector2d& point) {
+    const Eigen::Vector2d from = cable.from_mm.head<2>(), along = cable.to_mm.head<2>() - from;
+    const double share = std::clamp(along.dot(point - from) / along.squaredNorm(), 0.0, 1.0);
+    return (from + share * along - point).norm();
+}
+
+void sort(std::vector<Gap>& gaps) {
+    std::erase_if(gaps, [](const Gap& gap) { return gap.mm >= kNear_mm; });
+    std::stable_sort(gaps.begin(), gaps.end(), [](const Gap& a, const Gap& b) { return a.mm < b.mm; });
+}
+
+}  // namespace
+
+std::vector<Gap> body_gaps(const Assembly& a) {
+    std::vector<Gap> gaps;
+    for (std::size_t i = 0; i < a.bodies.size(); ++i)
+        for (std::size_t j = i + 1; j < a.bodies.size(); ++j) {
+            const Body &one = a.bodies[i].side == Side::kAntagonist ? a.bodies[j] : a.bodies[i],
+                       &other = &one == &a.bodies[i] ? a.bodies[j] : a.bodies[i];
+            if (!may_meet(one, other)) continue;
+            Moves moves;
+            moves.add(one), moves.add(other);
+            const auto carried = [](const Body& body) { return body.motion == Motion::kCarriage || body.motion == Motion::kSpool; };
+            if (carried(one) && carried(other) && one.side == other.side) moves.by[0] = false;  // the carriage carries both
+            const Round around_one(one), around_other(other);
+            Gap gap{one.name, other.name, kNear_mm, {}};
+            each_pose(a, moves, [&](const Pose& pose) {
+                const double mm = distance(a, around_one, around_other, pose, gap.mm);
+                if (mm < gap.mm) gap.mm = mm, gap.pose = pose;
+            });
+            gaps.push_back(std::move(gap));
+        }
+    sort(gaps);
+    return gaps;
+}
+
+std::vector<Gap> cable_gaps(const Assembly& a) {
+    std::vector<Gap> gaps;
+    for (const Body& body : a.bodies) {
+        const Round around(body);
+        std::map<CableKind, Gap> of_body;
+        Moves moves{{true, true, false, false}};
+        moves.add(body);
+        each_pose(a, moves, [&](const Pose& pose) {
+            const Eigen::Isometry3d at = placement(a, body, pose);
+            for (const FreeCable& cable : free_cables(a, pose)) {
+                if (cable.side != Side::kAgonist || touches(cable, body)) continue;
+                Gap& gap = of_body.try_emplace(cable.kind, Gap{name_of(cable), body.name, kNear_mm, pose}).first->second;
+                if (apart_mm(cable, around.middle_at(at)) - around.radius_mm >= gap.mm + 0.5 * a.cable_mm) continue;
+                double mm = gap.mm + 0.5 * a.cable_mm;
+                for (const Prism& prism : placed_all(body, at)) mm = distance_mm(cable.from_mm, cable.to_mm, prism, mm);
+                if (mm - 0.5 * a.cable_mm < gap.mm) gap.mm = std::max(mm - 0.5 * a.cable_mm, 0.0), gap.pose = pose;
+            }
+        });
+        for (auto& [kind, gap] : of_body) gaps.push_back(std::move(gap));
+    }
+    sort(gaps);
+    return gaps;
+}
+
+}  // namespace fusee::assembly

@@ -1,0 +1,110 @@
+#include "layout.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "fusee/spring/coil.h"
+
+namespace fusee::assembly {
+
+namespace {
+
+using Eigen::AngleAxisd;
+using Eigen::Isometry3d;
+using Eigen::Vector3d;
+
+constexpr double kShaftEnd_mm = 2.0;  // of a shaft beyond the last part on it
+constexpr double kMotor_mm = 15.0;    // of a shaft beyond the capstan, for the motor's coupling
+
+double reach_mm(const solid::Mesh& mesh) {
+    double reach = 0.0;
+    for (const solid::Vec3& p : mesh.points_mm) reach = std::max(reach, std::hypot(p[0], p[1]));
+    return reach;
+}
+
+Vector3d direction(double angle) { return {std::cos(angle), std::sin(angle), 0.0}; }
+
+/// Where the cable leaves the guide, to the right of the line from the cam's axis through the guide's centre.
+double offset_mm(const cam::Guide& guide) {
+    return guide.kind == cam::GuideKind::kIdler ? guide.sense * core::mm_from_m(guide.radius) : 0.0;
+}
+
+void place_k_se(Layout& l, const solid::Part& part, const spring::BaseSpring& spring) {
+    const cam::Guide& guide = part.cam.options.guide;
+    const solid::Box box = solid::bounding_box(part.mesh);
+    const double height = core::mm_from_m(guide.z);
+    l.spool_reach = reach_mm(part.mesh);
+    l.spool_low = box.low_mm[2] - height, l.spool_high = box.high_mm[2] - height;
+    l.guide_distance = core::mm_from_m(guide.distance);
+    l.idler = guide.kind == cam::GuideKind::kIdler ? core::mm_from_m(guide.radius) : 0.0;
+    l.base_high = l.spool_low - l.gap;
+    l.carriage_high = std::max(wall_height_mm(l.cable), l.spool_high + std::max(4.0, l.gap + wound_length_mm(spring, part)));
+    l.carriage_half = l.spool_reach + l.gap + l.wall + 2.0;
+    l.carriage_rear = l.spool_reach + l.gap + l.wall;
+    l.carriage_low = l.base_high - l.wall - 2.0 * kBush_mm;
+    l.spool_axis = Vector3d(l.line - offset_mm(guide), l.top - l.wall - l.gap - l.guide_distance - l.idler, 0.0);
+    l.k_se_guide = Vector3d(l.line, l.spool_axis.y() + l.guide_distance, 0.0);
+    l.k_se = Eigen::Translation3d(l.spool_axis - Vector3d(0.0, 0.0, height)) *
+             AngleAxisd(0.5 * std::numbers::pi - guide.direction, Vector3d::UnitZ());
+}
+
+/// Above or below the capstan and the carriage. K_PE has to turn in the capstan's sense: otherwise it is turned over about its cable. The
+/// boss of an overhung one is towards the capstan, and the shaft ends in it.
+void place_k_pe(Layout& l, const solid::Part& part, double towards) {
+    const cam::Guide& guide = part.cam.options.guide;
+    const bool over = part.cam.rotation_sign < 0, overhung = part.options.hub.kind == solid::HubKind::kOverhung, above = overhung && !over;
+    const solid::Box box = solid::bounding_box(part.mesh);
+    const double low = over ? -box.high_mm[2] : box.low_mm[2], high = over ? -box.low_mm[2] : box.high_mm[2];
+    const double drum = l.drum + kFlange_mm;
+    const double lift = above ? std::max(drum, l.carriage_high) + l.gap - low : std::min(-drum, l.carriage_low) - l.gap - high;
+    const double bore_end = core::mm_from_m(part.z_low + part.options.groove.rib - part.options.hub.web);  // of a blind bore
+    const double end = overhung ? lift + (over ? -1.0 : 1.0) * bore_end : low + lift - kShaftEnd_mm;
+    l.shaft_low = above ? -drum - kMotor_mm : end, l.shaft_high = above ? end : drum + kMotor_mm;
+    const Isometry3d turn_over = over ? Isometry3d(AngleAxisd(std::numbers::pi, direction(guide.direction))) : Isometry3d::Identity();
+    l.k_pe = Eigen::Translation3d(l.motor_axis + Vector3d(0.0, 0.0, lift)) * AngleAxisd(towards - guide.direction, Vector3d::UnitZ()) *
+             turn_over;
+    l.k_pe_along = direction(towards);
+    const Vector3d right(l.k_pe_along.y(), -l.k_pe_along.x(), 0.0);
+    const double height = lift + (over ? -1.0 : 1.0) * core::mm_from_m(guide.z);
+    l.k_pe_guide = l.motor_axis + Vector3d(0.0, 0.0, height) + core::mm_from_m(guide.distance) * l.k_pe_along +
+                   (over ? -1.0 : 1.0) * offset_mm(guide) * right;
+}
+
+}  // namespace
+
+double outer_mm(const spring::BaseSpring& s) {
+    return spring::coil_known(s) ? 0.5 * core::mm_from_m(s.coil_diameter + s.wire_diameter) : 0.0;
+}
+double inner_mm(const spring::BaseSpring& s) {
+    return spring::coil_known(s) ? 0.5 * core::mm_from_m(s.coil_diameter - s.wire_diameter) : 0.0;
+}
+
+double wound_length_mm(const spring::BaseSpring& s, const solid::Part& spool) {
+    if (s.wire_diameter <= 0.0 || s.active_coils <= 0.0) return 0.0;
+    return core::mm_from_m(spring::wound_length(s, s.preload + spool.cam.working.back().arm.travel));
+}
+
+Layout lay_out(const Drive& drive, double capstan_radius, double joint_radius, const Options& options, double greatest_turn) {
+    Layout l;
+    l.cable = core::mm_from_m(drive.k_se->cam.options.cable_diameter);
+    l.gap = core::mm_from_m(options.gap), l.wall = core::mm_from_m(options.wall);
+    l.capstan = core::mm_from_m(capstan_radius), l.joint = core::mm_from_m(joint_radius);
+    l.drum = 2.0 * l.cable;
+    l.line = l.joint;
+    l.top = -flange_mm(l.joint, l.cable) - l.gap;
+    place_k_se(l, *drive.k_se, drive.k_se_spring);
+    const bool side_by_side = l.line - offset_mm(drive.k_se->cam.options.guide) >= l.carriage_half + 0.5 * l.gap;
+    l.plane = l.drum + 0.5 * kFlange_mm;
+    if (!side_by_side) l.plane = std::max(l.plane, 0.5 * (l.carriage_high - l.carriage_low + l.gap));  // one above the other
+    const double lowest = l.spool_axis.y() - l.carriage_rear - l.capstan * greatest_turn;
+    const double least = flange_mm(l.capstan, l.cable) + l.gap - lowest;
+    l.motor_axis = Vector3d(l.line + l.capstan, -(options.motor_distance > 0.0 ? core::mm_from_m(options.motor_distance) : least), 0.0);
+    l.bottom = l.motor_axis.y() + flange_mm(l.capstan, l.cable) + l.gap;
+    place_k_pe(l, *drive.k_pe, options.k_pe_direction);
+    const spring::BaseSpring& spring = drive.k_pe_spring;
+    l.k_pe_spring_length = core::mm_from_m(spring.free_length - spring.preload);
+    return l;
+}
+
+}  // namespace fusee::assembly

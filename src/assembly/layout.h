@@ -1,0 +1,55 @@
+#pragma once
+#include <algorithm>
+
+#include "fusee/assembly/assembly.h"
+
+namespace fusee::assembly {
+
+/// Heights and positions from which the bodies of the agonist are made. Frame: that of the assembly, but z = 0 at the side's cables. [mm]
+struct Layout {
+    double cable = 0.0, gap = 0.0, wall = 0.0;
+    double capstan = 0.0, joint = 0.0;  ///< radii to the cable's centreline
+    double drum = 0.0;                  ///< half the width of a drum's groove
+    double line = 0.0;                  ///< x of the cables between capstan and joint
+    double plane = 0.0;                 ///< height of the agonist's cables in the assembly
+    double carriage_half = 0.0;         ///< half the width of the carriage
+    double carriage_rear = 0.0;         ///< from K_SE's axis to the outside of its rear wall
+    double spool_reach = 0.0;           ///< radius of K_SE's body
+    double spool_low = 0.0, spool_high = 0.0;
+    double guide_distance = 0.0;  ///< spool axis to the hole along y
+    double idler = 0.0;           ///< pitch radius of K_SE's idler; 0: a hole
+    Eigen::Vector3d spool_axis, motor_axis;
+    double base_high = 0.0;     ///< of the carriage's base plate
+    double carriage_low = 0.0;  ///< lowest and highest points of carriage, rods and spool
+    double carriage_high = 0.0;
+    double top = 0.0, bottom = 0.0;            ///< ends of the rods along y
+    Eigen::Isometry3d k_se, k_pe;              ///< from the parts' frames
+    double shaft_low = 0.0, shaft_high = 0.0;  ///< of the motor's
+    Eigen::Vector3d k_pe_along;                ///< direction of its cable beyond the guide
+    Eigen::Vector3d k_se_guide, k_pe_guide;
+    double k_pe_spring_length = 0.0;  ///< at rest
+};
+
+inline constexpr double kFlange_mm = 2.0;  ///< thickness of a drum's flanges
+inline constexpr double kRod_mm = 3.0;     ///< radius of the carriage's rods
+inline constexpr double kBush_mm = 6.0;    ///< radius of its linear bushes (ISO 10285, 6 x 12 x 19)
+inline constexpr double kCap_mm = 3.0;     ///< thickness of the cap on K_PE's spring
+
+/// Radius of a drum's flange: the lips of its groove stand a cable over the cable.
+[[nodiscard]] inline double flange_mm(double radius_mm, double cable_mm) { return radius_mm + 1.5 * cable_mm; }
+[[nodiscard]] double outer_mm(const spring::BaseSpring& spring);  ///< radius; 0: not stated
+[[nodiscard]] double inner_mm(const spring::BaseSpring& spring);
+/// Length of a torsion spring's body when it is wound most; 0: not stated.
+[[nodiscard]] double wound_length_mm(const spring::BaseSpring& spring, const solid::Part& spool);
+/// Of the carriage's walls over the cables.
+[[nodiscard]] inline double wall_height_mm(double cable_mm) { return std::max(3.0, 3.0 * cable_mm); }
+
+[[nodiscard]] Layout lay_out(const Drive& drive, double capstan_radius, double joint_radius, const Options& options, double greatest_turn);
+
+/// The bodies of the agonist's side, at rest.
+[[nodiscard]] std::vector<Body> side_bodies(const Layout& layout, const Drive& drive);
+[[nodiscard]] Body joint_pulley(const Layout& layout, double bore_radius_mm, double plane_mm);
+/// A body of the agonist as the antagonist's.
+[[nodiscard]] Body mirrored(const Body& body);
+
+}  // namespace fusee::assembly

@@ -1,0 +1,40 @@
+#include <fmt/format.h>
+
+#include "fusee/checks/material.h"
+#include "fusee/core/units.h"
+#include "leg.h"
+#include "measure.h"
+#include "needs.h"
+
+namespace fusee::checks {
+
+namespace {
+
+core::Findings measure_assembly_leg_pressure(const Design& design, const Allowed& allowed) {
+    const solid::FeatureOptions& slot = design.part.options.features;
+    const double force = leg_force(design), depth = slot.leg_slot_depth, most = bearing_strength(design);
+    // The wire tilts in its slot: the pressure falls linearly from the mouth to 0 at the bottom.
+    core::Finding f = judge(2.0 * force / (design.spring.wire_diameter * depth) / kPaPerMPa, {allowed("review", most / kPaPerMPa)});
+    f.what =
+        fmt::format("pressure of the spring's leg on the wall of its slot, {:.1f} N on {:.3g} mm of wire", force, core::mm_from_m(depth));
+    f.suggestion = fmt::format("{0}.features.leg_slot_depth_mm = {1}, or {0}.features.leg_slot_radius_mm = {2}", name(design),
+                               up(core::mm_from_m(depth) * f.measured / f.allowed),
+                               up(core::mm_from_m(slot.leg_slot_radius) * f.measured / f.allowed));
+    return {f};
+}
+
+}  // namespace
+
+Rule assembly_leg_pressure() {
+    return {"assembly.leg_pressure",
+            "a spring's leg that digs into the wall of its slot",
+            "2 M/(slot radius x wire x slot depth) at the largest torque",
+            "triangular contact of a bar in a socket; the material's bearing strength (table 5)",
+            {review(kAtMost, "MPa", "cable.max_pressure_MPa, or the material's bearing strength (table 5)")},
+            measure_assembly_leg_pressure,
+            false,
+            {need::kWire},
+            has_torsion_leg_slot};
+}
+
+}  // namespace fusee::checks

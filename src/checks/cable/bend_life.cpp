@@ -1,0 +1,60 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "fusee/checks/limits.h"
+#include "fusee/core/units.h"
+#include "measure.h"
+#include "needs.h"
+#include "shape.h"
+#include "strength.h"
+
+namespace fusee::checks {
+
+namespace {
+
+constexpr double kSafety = 5.0;    // of running cable
+constexpr double kExponent = 3.7;  // lg 13/lg 2
+
+core::Findings measure_cable_bend_life(const Design& design, const Allowed& allowed) {
+    const Cable& cable = design.cable;
+    const CableLimits& table = cable_limits(cable.construction);
+    const double d = cable.diameter;
+    const BreakingLoad load = breaking_load(cable);
+    // Breaking load over tension, times D/d: the reciprocal of the pressure by which tests on different sheaves agree.
+    const auto factor = [&](const cam::Contact& c) {
+        return load.newton / c.arm.tension * (2.0 * c.path.rho - d) / d / (kSafety * table.recommended);
+    };
+    const cam::Contact& worst = worst_contact(design.part.cam, [&](const cam::Contact& c) { return -factor(c); });
+    if (worst.arm.tension <= 0.0) return {};
+    core::Finding f = judge(factor(worst), {allowed("review")});
+    f.what = fmt::format("safety x D/d at {:.1f} N, over {:g} x {:g}", worst.arm.tension, kSafety, table.recommended);
+    if (!table.is_fibre() && factor(worst) > 0.0)
+        f.what += fmt::format(": {:.2g} of the bending life there", std::pow(factor(worst), kExponent));
+    f.what += load.remark(cable);
+    f.where = where(design, worst.path.psi);
+    f.place = place(worst.path, 0.0);
+    if (factor(worst) > 0.0)
+        f.suggestion = fmt::format("cable.breaking_load_N = {}", up(load.newton * f.allowed / f.measured));
+    else
+        f.suggestion = fmt::format("a contour with rho above {} mm", up(core::mm_from_m(0.5 * d)));
+    return {f};
+}
+
+}  // namespace
+
+Rule cable_bend_life() {
+    return {
+        "cable.bend_life",
+        "a cable that wears out by bending under its tension",
+        "least of breaking load/tension x D/d, over 5 x recommended D/d (table 1)",
+        "OIPEEC, F. Sloan: load share over D/d unites bending tests; wire: Sava, up to 13 times the life for twice the pulley; safety 5 "
+        "(practice)",
+        {review(kAtLeast, "", 1.0)},
+        measure_cable_bend_life,
+        false,
+        {},
+        works};
+}
+
+}  // namespace fusee::checks

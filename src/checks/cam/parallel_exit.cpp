@@ -1,0 +1,92 @@
+#include "fusee/cam/parallel_exit.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "fusee/cam/contact.h"
+#include "fusee/core/units.h"
+#include "measure.h"
+#include "shape.h"
+
+namespace fusee::checks {
+
+namespace {
+
+constexpr double kFarthest = 10.0;                                    // [m]: the greatest guide.distance_mm
+constexpr double kNoCable = 100.0;                                    // [%]: the hole is within the cam
+constexpr std::array kHoles = {0.1, 0.12, 0.15, 0.2, 0.3, 0.5, 1.0};  // [m]
+
+/// Distance of a hole at which the parts have a cable: nothing of the turning part reaches it.
+double nearest_hole(const solid::Part& part) {
+    return swept_radius(part, farthest(part, contour(part.cam))) + 0.5 * part.cam.options.cable_diameter;
+}
+
+/// Is there a convex contour with these arms for a cable to a hole at this distance?
+bool can_be_cut_for(const cam::Cam& cam, double distance) {
+    cam::CamOptions options = cam.options;
+    options.guide.kind = cam::GuideKind::kPoint;
+    options.guide.distance = distance;
+    return std::all_of(cam.working.begin(), cam.working.end(),
+                       [&](const cam::Contact& c) { return cam::touch(cam.kind, c.arm, options).path.rho > 0.0; });
+}
+
+/// A hole for which the cam can be cut: at the stated distance, else at the first common one.
+std::string point_change(const Design& design, double nearest) {
+    const cam::Cam& cam = design.part.cam;
+    double hole = cam.options.guide.distance;
+    for (const double common : kHoles) {
+        if (hole > nearest && can_be_cut_for(cam, hole)) break;
+        hole = common;
+    }
+    return fmt::format("{0}.guide.kind = \"point\" with {0}.guide.distance_mm = {1:g}", name(design), core::mm_from_m(hole));
+}
+
+/// The least distance at which the error meets the limit, as a change; empty: none within the key's limits.
+std::string distance_change(const Design& design, double least) {
+    if (least >= kFarthest) return "";
+    return fmt::format(", or {}.guide.distance_mm = {} if the cable runs straight for so long", name(design), up(core::mm_from_m(least)));
+}
+
+core::Finding not_stated(const Design& design, const Allowed& allowed, double nearest, const EffectiveLimit& error) {
+    const double least = cam::least_parallel_distance(design.part.cam, 0.01 * error.value(), {nearest, kFarthest});
+    core::Finding f = judge(0.0, {allowed("distance_required", core::mm_from_m(least))});
+    f.what = "distance of the hole that the cable goes to, not stated: a parallel exit alone cannot be built";
+    f.suggestion = point_change(design, nearest) + distance_change(design, least);
+    return f;
+}
+
+core::Findings measure_cam_parallel_exit(const Design& design, const Allowed& allowed) {
+    const cam::Cam& cam = design.part.cam;
+    if (cam.options.guide.kind != cam::GuideKind::kParallel || cam.working.empty()) return {};
+    const double nearest = nearest_hole(design.part), distance = cam.options.guide.distance;
+    const EffectiveLimit required = allowed("required"), review = allowed("review");
+    if (distance <= 0.0) return {not_stated(design, allowed, nearest, required)};
+    const cam::ExitError error = cam::parallel_exit_error(cam, distance);
+    core::Finding f = judge(std::isnan(error.relative) ? kNoCable : 100.0 * error.relative, {required, review});
+    const cam::PathPoint& at = cam.working[error.row].path;
+    f.what =
+        fmt::format("largest error of the arm if the cable goes to a hole {:g} mm away instead of straight off", core::mm_from_m(distance));
+    f.where = where(design, at.psi);
+    f.place = place(at, 0.0);
+    f.suggestion =
+        point_change(design, nearest) + distance_change(design, cam::least_parallel_distance(cam, 0.01 * f.allowed, {nearest, kFarthest}));
+    return {f};
+}
+
+}  // namespace
+
+Rule cam_parallel_exit() {
+    return on_cable(
+        {"cam.parallel_exit",
+         "a cam cut for a cable that leaves parallel, which no hole at a finite distance gives",
+         "parallel exit: largest error of the arm if the cable goes to a hole at guide.distance_mm; without it that distance, 0",
+         "geometry: tangent from the hole; 0.1 % is allowed for the arms of a file (readback.arm), 1 % (practice)",
+         {required(kAtMost, "%", 1.0), review(kAtMost, "%", 0.1),
+          required(kAtLeast, "mm", "the distance at which the error is 1 %", "distance_required")},
+         measure_cam_parallel_exit});
+}
+
+}  // namespace fusee::checks

@@ -1,0 +1,77 @@
+#include "joint_files.h"
+
+#include <fmt/format.h>
+
+#include "fusee/assembly/motion.h"
+#include "fusee/brep/extruded.h"
+#include "fusee/brep/mirror.h"
+#include "fusee/exchange/step_assembly.h"
+#include "fusee/exchange/three_mf.h"
+
+namespace fs = std::filesystem;
+
+namespace fusee::pipeline {
+
+namespace {
+
+using assembly::Assembly, assembly::Body;
+
+/// The part's solid, for the antagonist that of its mirror image. Refusal without findings: the part has none.
+core::Outcome<brep::Brep> exact_cam(const Body& body, const ExactSolids& parts) {
+    const auto agonist = parts.find(body.base_name()), image = parts.find(body.base_name() + "_mirrored");
+    if (agonist == parts.end()) return core::Findings{};
+    if (body.side == assembly::Side::kAgonist) return agonist->second;
+    return image != parts.end() ? image->second : brep::mirrored(agonist->second);
+}
+
+core::Outcome<std::vector<exchange::StepInstance>> instances_of(const Assembly& joint, const ExactSolids& parts) {
+    std::vector<exchange::StepInstance> all;
+    for (const Body& body : joint.bodies) {
+        auto exact = body.cam ? exact_cam(body, parts) : brep::extruded(body.shapes);
+        if (!exact) {
+            core::Findings refusal = exact.refusal();
+            for (core::Finding& f : refusal) {
+                f.what = "assembly.step is not written: " + f.what;
+                f.where = body.name;
+                f.severity = core::Severity::kWarning;  // the parts have their own files
+            }
+            return refusal;
+        }
+        all.push_back({body.name, std::move(exact).value().shape, placement(joint, body, {}), colour_of(body)});
+    }
+    return all;
+}
+
+std::vector<exchange::NamedMesh> objects_of(const Assembly& joint) {
+    std::vector<exchange::NamedMesh> all;
+    for (const Body& body : joint.bodies) all.push_back({body.name, placed_mesh(joint, body, {}), colour_of(body)});
+    return all;
+}
+
+}  // namespace
+
+JointFiles write_joint(const Assembly& joint, const ExactSolids& parts, const profile::Profile& profile, const core::Provenance& provenance,
+                       const fs::path& folder) {
+    JointFiles out;
+    if (profile.outputs.has("step")) {
+        const auto instances = instances_of(joint, parts);
+        if (instances) {
+            const fs::path step = folder / "assembly.step";
+            exchange::write_step_assembly(step, *instances, profile.name, provenance.line());
+            out.files.push_back(file_row(step));
+        } else {
+            core::append(out.findings, instances.refusal());
+        }
+    }
+    if (profile.outputs.has("3mf")) {
+        const fs::path three_mf = folder / "assembly.3mf";
+        const std::vector<exchange::NamedMesh> objects = objects_of(joint);
+        std::size_t triangles = 0;
+        for (const exchange::NamedMesh& object : objects) triangles += object.mesh.triangles.size();
+        exchange::write_3mf(three_mf, objects, provenance.line());
+        out.files.push_back(file_row(three_mf, triangles));
+    }
+    return out;
+}
+
+}  // namespace fusee::pipeline

@@ -1,0 +1,116 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "fusee/assembly/bill.h"
+#include "fusee/assembly/motion.h"
+#include "fusee/core/file.h"
+#include "fusee/pipeline/export.h"
+#include "fusee/report/assembly.h"
+
+namespace fusee::report {
+
+namespace {
+
+using assembly::Assembly, assembly::Body;
+using core::deg_from_rad, core::mm_from_m;
+
+/// Direction of a part's timing mark at rest, seen along the joint's axis [deg].
+double mark_deg(const Assembly& a, const char* body) {
+    const Eigen::Vector3d mark = a.find(body)->rest.linear() * Eigen::Vector3d::UnitX();
+    return std::round(10.0 * deg_from_rad(std::atan2(mark.y(), mark.x()))) / 10.0 + 0.0;
+}
+
+bool is_turned_over(const Assembly& a, const char* body) { return a.find(body)->rest.linear()(2, 2) < 0.0; }
+
+std::string places(const Assembly& a) {
+    std::string rows = "| | x | y | z |\n|---|---|---|---|\n";
+    const auto row = [&](const char* name, const Eigen::Vector3d& p) {
+        rows += fmt::format("| {} | {:.2f} | {:.2f} | {:.2f} |\n", name, p.x(), p.y(), p.z());
+    };
+    row("joint's axis", Eigen::Vector3d::Zero());
+    row("motor's axis", a.motor_axis_mm);
+    row("K_SE's axis at the lowest load", a.spool_axis_mm);
+    row("hole of K_SE's cable on the carriage, at the lowest load", a.k_se_guide_mm);
+    row("hole of K_PE's cable in its seat", a.k_pe_guide_mm);
+    return rows;
+}
+
+std::string cables(const Assembly& a) {
+    std::string rows = "| cable | from | to | anchor to anchor [mm] | cut to [mm] |\n|---|---|---|---|---|\n";
+    for (const assembly::Cable& cable : a.cables)
+        if (cable.side == assembly::Side::kAgonist)
+            rows += fmt::format("| {} | {} | {} | {:.1f} | {:.0f} |\n", to_string(cable.kind), cable.from, cable.to, cable.length_mm,
+                                cable.cut_mm());
+    return rows;
+}
+
+std::string marks(const Assembly& a) {
+    std::string rows = "| part | mark at the lowest load [deg] | |\n|---|---|---|\n";
+    for (const char* body : {"k_se_agonist", "k_se_antagonist", "k_pe_agonist", "k_pe_antagonist"})
+        rows += fmt::format("| {} | {:.1f} | {} |\n", body, mark_deg(a, body), is_turned_over(a, body) ? "its top face is below" : "");
+    return rows;
+}
+
+std::string preloads(const Assembly& a) {
+    const spring::BaseSpring &torsion = a.drive.k_se_spring, &pressed = a.drive.k_pe_spring;
+    const double force = pressed.rate * pressed.preload;
+    return fmt::format(
+        "- **K_SE**: hook the spring's leg into the slot of the spool and lay the other one on the carriage's pin. Wind the spool {} by "
+        "{:.0f} deg\n  ({:.2f} turns; {:.3f} Nm), seen from above on the agonist's side, and pin it. Then knot the series cable.\n"
+        "- **K_PE**: push the cap towards the seat by {:.2f} mm ({:.1f} N) and clamp it. Then knot the parallel cable, so that it is just "
+        "taut.\n",
+        a.drive.k_se->cam.rotation_sign > 0 ? "counter-clockwise" : "clockwise", deg_from_rad(torsion.preload),
+        torsion.preload / (2.0 * core::kPi), torsion.rate * torsion.preload, mm_from_m(pressed.preload), force);
+}
+
+}  // namespace
+
+std::string bill_csv(const Assembly& a) {
+    std::string csv = "item,count,size,note\n";
+    for (const assembly::BillRow& row : assembly::bill_of(a))
+        csv += fmt::format("{},{},\"{}\",\"{}\"\n", row.item, row.count, row.size, row.note);
+    return csv;
+}
+
+std::string assembly_guide(const pipeline::DesignReport& design) {
+    const Assembly& a = *design.assembly;
+    return fmt::format(
+        "# Assembly of {}\n"
+        "Frame: z is the joint's axis, the motors are at -y, the agonist is at +x; the antagonist's side is the mirror image x -> -x, with "
+        "its cables\n{:.2f} mm lower. Lengths in mm. [bom.csv](bom.csv) lists the pieces; the frame, the motors and the fasteners are not "
+        "modelled.\n\n"
+        "![Exploded view](assembly_exploded.svg)\n\n![Seen along the joint's axis](assembly_plan.svg)\n\n"
+        "## Places, agonist\n{}\n"
+        "## Order\n"
+        "1. Set the bearings, the joint's pulley and the rods into the frame; the motors' axes are {:.2f} mm from the joint's.\n"
+        "2. Put the capstan and K_PE on each motor's shaft, with their keys; K_PE's boss is towards the capstan.\n"
+        "3. Put each spool with its spring on the carriage's axle, and each carriage on its rods.\n"
+        "4. Turn every part to its timing mark, and preload the springs as below.\n"
+        "5. Lay the cables: K_PE to its spring, K_SE through its hole to the pulley, the carriage to the capstan.\n"
+        "6. Remove the pins. Each motor now holds the lowest load of its springs.\n\n"
+        "## Cables, each side\n{}\nEach end has {:g} mm for its knot or crimp.\n\n"
+        "## Timing marks\nAngles are from +x, counter-clockwise seen from above.\n\n{}\n"
+        "## Preloads\n{}\n"
+        "## Range\nA capstan turns by {:.1f} deg from the lowest load; its carriage then has travelled {:.1f} mm. K_SE pays out at most "
+        "{:.1f} mm. The joint's stops are at {:.1f} deg on both sides of its middle.\n",
+        design.provenance.name, 2.0 * a.plane_mm, places(a), a.motor_distance_mm, cables(a), assembly::kCableEnd_mm, marks(a), preloads(a),
+        deg_from_rad(a.greatest_turn), a.capstan_radius_mm * a.greatest_turn, a.greatest_payout_mm, 0.5 * deg_from_rad(a.joint_range));
+}
+
+std::vector<pipeline::FileRow> write_assembly(const pipeline::DesignReport& design, const std::filesystem::path& folder) {
+    std::vector<pipeline::FileRow> rows;
+    const auto write = [&](const char* name, const std::string& bytes) {
+        core::write_file(folder / name, bytes);
+        rows.push_back(pipeline::file_row(folder / name));
+    };
+    write("assembly.json", assembly_json(design));
+    write("assembly.md", assembly_guide(design));
+    write("bom.csv", bill_csv(*design.assembly));
+    write("assembly_plan.svg", assembly_svg(*design.assembly, Picture::kPlan));
+    write("assembly_view.svg", assembly_svg(*design.assembly, Picture::kAssembled));
+    write("assembly_exploded.svg", assembly_svg(*design.assembly, Picture::kExploded));
+    return rows;
+}
+
+}  // namespace fusee::report

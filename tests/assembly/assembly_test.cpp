@@ -1,0 +1,125 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "fixture.h"
+#include "fusee/assembly/bill.h"
+#include "fusee/assembly/gaps.h"
+#include "fusee/assembly/rule.h"
+
+namespace fusee::assembly {
+namespace {
+
+const Assembly& pnrvsa() { return shipped_joint("pnrvsa").assembly; }
+
+Assembly with(const Options& options) { return assemble(pnrvsa().drive, 0.03, 0.03, options).value(); }
+
+core::Finding finding(const Assembly& assembly, const std::string& rule) {
+    for (const core::Finding& f : check(assembly, {}))
+        if (f.rule == rule) return f;
+    return {};
+}
+
+TEST(Shapes, AreClosedWithTheirVolumes) {
+    EXPECT_NEAR(solid::volume_mm3(mesh_of(round(10.0, -1.0, 2.0, 3.0))), core::kPi * 91.0 * 3.0, 3.0);
+    EXPECT_NEAR(solid::volume_mm3(mesh_of(box({0, 0, 0}, {4, 5, 2}, {{1.0, 1.0, 0.5}}))), 2.0 * (20.0 - 0.25 * core::kPi), 0.1);
+    EXPECT_NEAR(solid::volume_mm3(mesh_of(rod({1, 2, 3}, Eigen::Vector3d::UnitY(), 2.0, 7.0))), core::kPi * 28.0, 1.5);
+}
+
+TEST(Shapes, HaveTheirDistances) {
+    const auto at = [](double x, double z) { return prism_of(round(5.0, z, z + 2.0), Eigen::Isometry3d(Eigen::Translation3d(x, 0, 0))); };
+    EXPECT_NEAR(distance_mm(at(0.0, 0.0), at(13.0, 0.0), 100.0), 3.0, 0.05);
+    EXPECT_NEAR(distance_mm(at(0.0, 0.0), at(13.0, 6.0), 100.0), 5.0, 0.05);
+    EXPECT_EQ(distance_mm(at(0.0, 0.0), at(9.0, 0.0), 100.0), 0.0);
+    EXPECT_EQ(distance_mm(at(0.0, 0.0), at(50.0, 0.0), 10.0), 10.0);
+    EXPECT_NEAR(distance_mm({-10, 7, 1}, {10, 7, 1}, at(0.0, 0.0), 100.0), 2.0, 0.05);
+}
+
+TEST(Assemblies, BothSidesAreMirrorImages) {
+    const Assembly& a = pnrvsa();
+    const Pose pose{{0.7, 20.0}, {0.7, 20.0}};
+    for (const Body& body : a.bodies) {
+        if (body.side != Side::kAgonist) continue;
+        const Body& other = *a.find(body.name.substr(0, body.name.rfind('_')) + "_antagonist");
+        const solid::Box one = solid::bounding_box(placed_mesh(a, body, pose)), two = solid::bounding_box(placed_mesh(a, other, pose));
+        EXPECT_NEAR(one.low_mm[0], -two.high_mm[0], 0.05) << body.name << ": circles begin at different corners";
+        EXPECT_NEAR(one.high_mm[1], two.high_mm[1], 0.05) << body.name;
+        EXPECT_NEAR(one.low_mm[2], two.low_mm[2] + 2.0 * a.plane_mm, 1e-4) << body.name;
+        EXPECT_GT(placement(a, other, pose).linear().determinant(), 0.0) << "a body cannot be reflected";
+    }
+}
+
+TEST(Assemblies, ACapstanCarriesItsSpoolAndTheJointTurnsByTheDifference) {
+    const Assembly& a = pnrvsa();
+    const Pose pose = pose_of(a, 0.9, 0.5, 0.2);
+    EXPECT_NEAR(pose.agonist.payout_mm, 30.0 * 0.9 + 30.0 * 0.2, 1e-9);
+    EXPECT_NEAR(pose.antagonist.payout_mm, 30.0 * 0.5 - 30.0 * 0.2, 1e-9);
+    EXPECT_NEAR(joint_angle(a, pose), 0.2, 1e-9);
+    EXPECT_TRUE(is_reached(a, pose));
+    EXPECT_FALSE(is_reached(a, pose_of(a, 0.1, 0.1, 0.2)));  // the antagonist's cable would be slack
+    EXPECT_NEAR(placement(a, *a.find("k_se_agonist"), pose).translation().y() - a.find("k_se_agonist")->rest.translation().y(), -27.0,
+                1e-9);
+}
+
+TEST(Assemblies, TheBossOfKPeIsTowardsTheCapstanAndTheShaftEndsInIt) {
+    const Assembly& a = pnrvsa();
+    const solid::Box cam = solid::bounding_box(placed_mesh(a, *a.find("k_pe_agonist"), {})),
+                     shaft = solid::bounding_box(placed_mesh(a, *a.find("motor_shaft_agonist"), {})),
+                     capstan = solid::bounding_box(placed_mesh(a, *a.find("capstan_agonist"), {}));
+    EXPECT_LT(cam.high_mm[2], capstan.low_mm[2]);
+    EXPECT_LT(shaft.low_mm[2], cam.high_mm[2] - 10.0);
+    EXPECT_GT(shaft.low_mm[2], cam.low_mm[2] + 4.0) << "it does not reach the groove, whose arms are shorter than its radius";
+}
+
+TEST(Assemblies, AGuideWithoutAPlaceIsNotModelled) {
+    Drive drive = pnrvsa().drive;
+    solid::Part parallel = *drive.k_pe;
+    parallel.cam.options.guide.kind = cam::GuideKind::kParallel;
+    drive.k_pe = std::make_shared<solid::Part>(parallel);
+    const auto refused = assemble(drive, 0.03, 0.03, {});
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.refusal().front().rule, "joint.guide");
+    EXPECT_EQ(refused.refusal().front().where, "k_pe");
+}
+
+TEST(Rules, MotorsThatAreTooNearMeetTheCarriage) {
+    EXPECT_EQ(finding(pnrvsa(), "joint.body_gap").severity, core::Severity::kPass);
+    const core::Finding near = finding(with({.motor_distance = 0.180}), "joint.body_gap");
+    EXPECT_EQ(near.severity, core::Severity::kError) << core::to_line(near);
+    EXPECT_EQ(near.measured, 0.0);
+    EXPECT_NE(near.what.find("carriage"), std::string::npos);
+}
+
+TEST(Rules, ARodInTheWayOfACableIsFound) {
+    EXPECT_EQ(finding(pnrvsa(), "joint.cable_gap").severity, core::Severity::kPass);
+    Assembly bad = pnrvsa();
+    for (Body& body : bad.bodies)
+        if (body.name == "rods_agonist") body.rest.translation() += Eigen::Vector3d(12.0, 0.0, 13.0);
+    const core::Finding rubs = finding(bad, "joint.cable_gap");
+    EXPECT_EQ(rubs.severity, core::Severity::kError) << core::to_line(rubs);
+    EXPECT_NE(rubs.what.find("drive cable, agonist passes rods_agonist"), std::string::npos) << rubs.what;
+}
+
+TEST(Rules, ASmallPulleyWindsMoreThanATurn) {
+    EXPECT_EQ(finding(pnrvsa(), "joint.winding").severity, core::Severity::kPass);
+    EXPECT_EQ(finding(assemble(pnrvsa().drive, 0.03, 0.012, {}).value(), "joint.winding").severity, core::Severity::kPass) << "stops";
+    const Assembly small = assemble(pnrvsa().drive, 0.03, 0.012, {.joint_range = 8.0}).value();
+    EXPECT_EQ(finding(small, "joint.winding").severity, core::Severity::kWarning);
+    EXPECT_NEAR(finding(small, "joint.winding").measured, 30.0 + 2.0 * 89.82 * 2.5, 0.5) << "all that the springs allow, below 8 rad";
+}
+
+TEST(Bill, HasEveryCableWithItsLength) {
+    const std::vector<BillRow> rows = bill_of(pnrvsa());
+    for (const char* item :
+         {"k_se", "k_pe_mirrored", "torsion spring", "compression spring", "drive cable", "series cable", "parallel cable"})
+        EXPECT_TRUE(std::any_of(rows.begin(), rows.end(), [&](const BillRow& row) { return row.item == item; })) << item;
+}
+
+TEST(Docs, TheTableOfRulesIsThatOfTheCode) {
+    const std::string page = core::read_file(std::filesystem::path(FUSEE_SOURCE_DIR) / "docs/rules.md");
+    EXPECT_NE(page.find(rules_reference()), std::string::npos) << "docs/rules.md lacks, below \"Rules for the joint\":\n"
+                                                               << rules_reference();
+}
+
+}  // namespace
+}  // namespace fusee::assembly

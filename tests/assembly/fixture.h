@@ -1,0 +1,29 @@
+#pragma once
+#include <map>
+
+#include "fusee/assembly/motion.h"
+#include "fusee/pipeline/make.h"
+#include "fusee/profile/profile.h"
+#include "pipeline/fixture.h"
+
+namespace fusee::assembly {
+
+struct Joint {
+    Assembly assembly;
+    spring::SpringLawPtr law;
+};
+
+/// A shipped joint; each is made once in a process.
+inline const Joint& shipped_joint(const std::string& name) {
+    static std::map<std::string, Joint> made;
+    if (const auto known = made.find(name); known != made.end()) return known->second;
+    const auto design = pipeline::make_figures(profile::read_profile(fixtures::shipped(name)));
+    const auto& profile = design->resolved.profile;
+    const auto& parts = design->report.parts;
+    Assembly assembly = assemble({parts[0].part, parts[1].part, profile.k_se.spring, profile.k_pe.spring}, profile.rig.capstan_radius,
+                                 profile.rig.joint_radius, {})
+                            .value();
+    return made.emplace(name, Joint{std::move(assembly), design->resolved.law()}).first->second;
+}
+
+}  // namespace fusee::assembly

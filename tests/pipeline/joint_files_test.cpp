@@ -1,0 +1,123 @@
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "fusee/assembly/motion.h"
+#include "fusee/core/temporary_folder.h"
+#include "fusee/exchange/step_assembly.h"
+#include "fusee/exchange/three_mf.h"
+#include "fusee/pipeline/make.h"
+#include "fusee/profile/profile.h"
+#include "pipeline/fixture.h"
+
+namespace fusee::pipeline {
+namespace {
+
+/// A shipped joint with holes for its cables, both springs and a pulley for its whole range, made once, and its bodies as meshes in the
+/// assembly's frame.
+class WholeJoint : public testing::TestWithParam<std::string> {
+protected:
+    struct Made {
+        std::shared_ptr<core::TemporaryFolder> folder;  // tests of one design run side by side
+        MadeDesign design;
+        std::vector<exchange::StepBody> solids;
+    };
+    static const Made& made() {
+        static std::map<std::string, Made> all;
+        const auto known = all.find(GetParam());
+        return known != all.end() ? known->second : all.emplace(GetParam(), make(GetParam())).first->second;
+    }
+    static std::vector<exchange::NamedMesh> meshes() {
+        const assembly::Assembly& joint = *made().design.report.assembly;
+        std::vector<exchange::NamedMesh> all;
+        for (const assembly::Body& body : joint.bodies) {
+            solid::Mesh mesh = body.mesh();
+            for (solid::Vec3& p : mesh.points_mm) {
+                const Eigen::Vector3d at = placement(joint, body, {}) * Eigen::Vector3d(p[0], p[1], p[2]);
+                p = {at.x(), at.y(), at.z()};
+            }
+            all.push_back({body.name, std::move(mesh)});
+        }
+        return all;
+    }
+
+private:
+    static Made make(const std::string& name) {
+        const std::string text = fixtures::with_keys(core::read_file(fixtures::shipped(name)), {{"outputs.formats", R"(["step", "3mf"])"}});
+        const profile::Profile profile = profile::parse_profile(text, fixtures::shipped(name));
+        Made once{std::make_shared<core::TemporaryFolder>(), {}, {}};
+        core::OutputFolder output(once.folder->path() / name, {.command = "make", .source = profile.file});
+        once.design = make_parts(profile, output).value();
+        once.solids = exchange::read_step_assembly(output.path() / "assembly.step");
+        fs::copy_file(output.path() / "assembly.3mf", once.folder->path() / "assembly.3mf");
+        return once;
+    }
+};
+
+// Planar cams, of which K_PE is overhung; and a helix.
+INSTANTIATE_TEST_SUITE_P(Shipped, WholeJoint, testing::Values("pnrvsa", "first_prototype"), [](const auto& one) { return one.param; });
+
+void expect_same(const solid::Box& a, const solid::Box& b, double within_mm) {
+    for (std::size_t k = 0; k < 3; ++k) {
+        EXPECT_NEAR(a.low_mm[k], b.low_mm[k], within_mm);
+        EXPECT_NEAR(a.high_mm[k], b.high_mm[k], within_mm);
+    }
+}
+
+// Meshes keep circles within 0.02 mm: 1.3 % of the area at the least radius of 2 mm, and 0.02 mm of the box. Cams are finer.
+TEST_P(WholeJoint, StepFileHoldsEveryBodyInItsPlace) {
+    const auto expected = meshes();
+    ASSERT_EQ(made().solids.size(), expected.size());
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+        const exchange::StepBody& body = made().solids[i];
+        SCOPED_TRACE(body.name);
+        EXPECT_EQ(body.name, expected[i].name);
+        const bool cam = made().design.report.assembly->bodies[i].cam != nullptr;
+        EXPECT_NEAR(body.volume_mm3 / solid::volume_mm3(expected[i].mesh), 1.0, cam ? 5e-4 : 0.015);
+        expect_same(body.box, solid::bounding_box(expected[i].mesh), 0.021);
+    }
+}
+
+// Two rods of a side touch nowhere. The bushes of a carriage meet its plate in lines only.
+TEST_P(WholeJoint, EachBodyIsOneSolidButForRodsAndBushes) {
+    for (const exchange::StepBody& body : made().solids)
+        EXPECT_EQ(body.solids, body.name.starts_with("rods") ? 2U : body.name.starts_with("carriage") ? 5U : 1U) << body.name;
+}
+
+/// Axles are round: the segment beyond a bore's flat is in the cam [mm^3].
+double beyond_flat_mm3(const solid::Part& part) {
+    const solid::HubOptions& hub = part.options.hub;
+    if (hub.lock != solid::HubLock::kDFlat) return 0.0;
+    const double radius = 0.5 * hub.bore_diameter, flat = radius + 0.5 * hub.bore_clearance - hub.flat_depth,
+                 half = std::acos(flat / radius);
+    return 1e9 * radius * radius * (half - std::sin(half) * std::cos(half)) * (part.z_high - part.z_low);
+}
+
+// Bodies that touch by design (an axle in its bore, a spring on its plate) have no volume in common.
+TEST_P(WholeJoint, NoTwoSolidsInterfere) {
+    const double expected = beyond_flat_mm3(*made().design.report.assembly->drive.k_se);
+    for (const exchange::Interference& found : exchange::interferences(made().solids, 1e-3))
+        EXPECT_NEAR(found.common_mm3, found.a.starts_with("k_se_a") && found.b.starts_with("axle") ? expected : 0.0, 1e-3)
+            << found.a << " and " << found.b;
+}
+
+TEST_P(WholeJoint, ThreeMfHoldsTheSameBodies) {
+    const auto expected = meshes();
+    const auto objects = exchange::read_3mf_objects(made().folder->path() / "assembly.3mf");
+    ASSERT_EQ(objects.size(), expected.size());
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+        SCOPED_TRACE(expected[i].name);
+        EXPECT_EQ(objects[i].name, expected[i].name);
+        EXPECT_EQ(objects[i].mesh.triangles, expected[i].mesh.triangles);
+        expect_same(solid::bounding_box(objects[i].mesh), solid::bounding_box(expected[i].mesh), 1e-4);  // single precision
+    }
+}
+
+TEST_P(WholeJoint, TheReportListsItsFiles) {
+    const auto& files = made().design.report.files;
+    for (const std::string name : {"assembly.step", "assembly.3mf"})
+        EXPECT_TRUE(std::any_of(files.begin(), files.end(), [&](const FileRow& row) { return row.entry.name == name; })) << name;
+}
+
+}  // namespace
+}  // namespace fusee::pipeline

@@ -54,6 +54,15 @@ void keyed_bore(Fixture& b, double bore_mm, double width_mm, double depth_mm) {
     without_slot(b);
 }
 
+/// Equivalent stress [MPa] at the root of the pusher's boss where the cable runs `z_mm` above the start of its groove.
+double layer_stress(double z_mm, double outside_mm = 7.0) {
+    const double half_groove = core::mm_from_m(-pusher().part.z_low), inside_mm = std::hypot(4.1, 1.0);
+    const double second_moment = 0.25 * core::kPi * (std::pow(outside_mm, 4) - std::pow(inside_mm, 4));
+    const double bending = 50.0 * (z_mm + half_groove) * outside_mm / second_moment,
+                 torsion = 50.0 * 10.0 * outside_mm / (2.0 * second_moment);
+    return std::sqrt(bending * bending + 4.0 * torsion * torsion);
+}
+
 }  // namespace
 
 std::vector<Case> structure_cases() {
@@ -118,6 +127,12 @@ std::vector<Case> structure_cases() {
          1e-3},
         // 6 x 0.4 mm x (50 N/10 mm) tan 2 deg/(1.8 mm)^2; 20/50 of 0.25 MPa
         {"structure.flange_bending", "wax", spool, [](Fixture& b) { b.process.material.strength = 0.25e6; }, kReview, 0.12933617, 0.1},
+        // 50 N at 6 mm and the groove's half height above the root, and at 10 mm of arm; ring of 14 mm outside, the key's corner inside
+        {"structure.layer_strength", "weak plastic", pusher, [](Fixture& b) { b.process.material.strength = 8e6; }, kReview,
+         4.0 / layer_stress(6.0), 2.0, 1e-6},
+        {"structure.layer_strength", "thin boss", pusher,
+         [](Fixture& b) { b.process.material.strength = 8e6, b.part.options.hub.boss_diameter = 12 * kMm; }, kRequired,
+         4.0 / layer_stress(6.0, 6.0), 1.0, 1e-6},
         {"structure.flange_slenderness", "high flange", spool, [](Fixture& b) { b.part.options.flange_height = 5 * kMm; }, kReview, 6.2,
          5.0},
     };
@@ -129,7 +144,15 @@ std::vector<Case> shaft_cases() {
         {"shaft.bore_fit", "does not go on", resin, [](Fixture& b) { b.part.options.hub.bore_clearance = 0.1 * kMm; }, kReview, 0.1, 0.15},
         {"shaft.hub_length", "thin disc", spool, [](Fixture& b) { keyed_bore(b, 10.0, 3.0, 1.4); }, kReview, 0.4751253, 0.5},
         // 5 + 1 - 1.5 mm of bore
-        {"shaft.hub_length", "short boss", pusher, [](Fixture& b) { b.part.options.hub.boss_height = 5 * kMm; }, kReview, 0.75, 1.0},
+        {"shaft.hub_length",
+         "short boss",
+         pusher,
+         [](Fixture& b) { b.part.options.hub.boss_height = 5 * kMm; },
+         kReview,
+         0.75,
+         1.0,
+         1e-6,
+         {"shaft.tilt"}},
         {"shaft.hub_wall", "thin", with_screw, [](Fixture& b) { b.part.options.hub.boss_diameter = 8 * kMm; }, kReview, 0.9, 1.2},
         {"shaft.hub_wall", "too thin", with_screw, [](Fixture& b) { b.part.options.hub.boss_diameter = 7 * kMm; }, kRequired, 0.4, 0.8},
         {"shaft.key", "width", spool, [](Fixture& b) { b.part.options.hub.key_width = 3 * kMm; }, kReview, 3.0, 2.0},
@@ -139,6 +162,19 @@ std::vector<Case> shaft_cases() {
         {"shaft.key_pressure", "soft hub", spool, [](Fixture& b) { b.cable.max_pressure = 30e6; }, kReview, 48.232875, 30.0, 1e-3},
         {"shaft.key_fit", "as printed", spool, [](Fixture& b) { b.part.options.hub.key_fit = solid::KeyFit::kAsMade; }, kReview, 0.3,
          0.0125},
+        // atan(0.2/4.5); 5 + 1 - 1.5 mm of bore
+        {"shaft.tilt",
+         "short boss",
+         pusher,
+         [](Fixture& b) { b.part.options.hub.boss_height = 5 * kMm; },
+         kReview,
+         core::deg_from_rad(std::atan(0.2 / 4.5)),
+         2.0,
+         1e-6,
+         {"shaft.hub_length"}},
+        {"shaft.tilt", "loose bore", pusher,
+         [](Fixture& b) { b.part.options.hub.bore_clearance = 0.39 * kMm, b.part.options.hub.boss_height = 11 * kMm; }, kReview,
+         core::deg_from_rad(std::atan(0.39 / 10.5)), 2.0},
         // 0.875 pi 3 mm x 2 mm x 25 MPa against 2 x 0.55 Nm/(0.25 x 6 mm)
         {"shaft.thread_strip", "thin boss", with_screw,
          [](Fixture& b) { b.process.material.strength = 50e6, b.part.options.hub.boss_diameter = 10 * kMm; }, kRequired, 0.5622737, 1.0},

@@ -41,12 +41,12 @@ std::vector<Case> roller_cases() {
     return {
         // tan phi = (30 - 0)/28 at the first place
         {"roller.pressure_angle", "an arm longer than the travel", rim, [=](Fixture& b) { first(b).arm = 30.0 * kMm; }, kRequired,
-         core::deg_from_rad(std::atan(30.0 / 28.0)), 45.0},
+         core::deg_from_rad(std::atan(30.0 / 28.0)), 35.0},
         {"roller.pressure_angle", "steep", rim, [=](Fixture& b) { first(b).arm = 18.0 * kMm; }, kReview,
          core::deg_from_rad(std::atan(18.0 / 28.0)), 30.0},
         // the rim's radius at one place, 0.4 and 3 mm, and the roller's 8
         {"roller.undercut", "nearly a cusp", rim, [](Fixture& b) { b.part.cam.working[7].path.rho = 0.4 * kMm; }, kRequired, 1.05, 1.1},
-        {"roller.undercut", "sharp", rim, [](Fixture& b) { b.part.cam.working[7].path.rho = 3.0 * kMm; }, kReview, 1.375, 1.5},
+        {"roller.undercut", "sharp", rim, [](Fixture& b) { b.part.cam.working[7].path.rho = 3.0 * kMm; }, kReview, 1.375, 2.0},
         {"roller.rim_width", "a roller wider than its rim", rim, [](Fixture& b) { b.part.cam.options.roller.width = 6.5 * kMm; }, kRequired,
          6.0, 6.5},
         // 0.5 mm of 20 mm

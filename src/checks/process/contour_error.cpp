@@ -30,7 +30,9 @@ Rule process_contour_error() {
     return {"process.contour_error",
             "a process too coarse for the arms",
             "the process's tolerance over the least arm",
-            "Lee Spring, springs3d: rates of bought springs scatter by 10 %; a more accurate contour has no benefit",
+            "a contour off by t along its normal changes the arm by t: docs/theory/cams.md; 10 %: as far as rates of bought springs "
+            "scatter (Lee "
+            "Spring, springs3d)",
             {review(kAtMost, "%", 10.0)},
             measure_process_contour_error};
 }

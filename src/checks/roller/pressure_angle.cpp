@@ -39,8 +39,8 @@ Rule roller_pressure_angle() {
     return {"roller.pressure_angle",
             "a follower that jams in its guide",
             "largest angle between the rim's normal and the follower's line on the working arc",
-            "R. L. Norton, Cam Design and Manufacturing Handbook: 30 deg for a translating follower, 45 at most",
-            {required(kAtMost, "deg", 45.0), review(kAtMost, "deg", 30.0)},
+            "R. L. Norton, Cam Design and Manufacturing Handbook: to about 30 deg for a translating follower, 35 for one on a pivoted arm",
+            {required(kAtMost, "deg", 35.0), review(kAtMost, "deg", 30.0)},
             measure_roller_pressure_angle};
 }
 

@@ -29,8 +29,8 @@ Rule roller_undercut() {
     return {"roller.undercut",
             "a rim with a cusp under its roller",
             "least radius of curvature of the roller centre's curve on the working arc, in roller radii",
-            "R. L. Norton, Cam Design and Manufacturing Handbook: 1.5 to 3; at 1 the rim is a cusp",
-            {required(kAtLeast, "roller radii", 1.1), review(kAtLeast, "roller radii", 1.5)},
+            "R. L. Norton, Cam Design and Manufacturing Handbook: at least 2 to 3; at 1 the rim is a cusp; 1.1 (practice)",
+            {required(kAtLeast, "roller radii", 1.1), review(kAtLeast, "roller radii", 2.0)},
             measure_roller_undercut};
 }
 

@@ -20,12 +20,14 @@ core::Findings measure_sla_support(const Design& design, const Allowed& allowed)
 }  // namespace
 
 Rule sla_support() {
-    return on_cable({"sla.support",
-                     "supports that scar the groove",
-                     "SLA, axis upright: angle of the groove's upper flank from the vertical",
-                     "addema, recommendations for SLA: unsupported faces at least 19 deg from level",
-                     {review(kAtMost, "deg", 71.0)},
-                     measure_sla_support});
+    return on_cable(
+        {"sla.support",
+         "supports that scar the groove",
+         "SLA, axis upright: angle of the groove's upper flank from the vertical",
+         "addema, iamrapid: guides for SLA: faces without support at least 19 deg from level; addema adds that they be shorter than 1 mm, "
+         "which this rule does not judge",
+         {review(kAtMost, "deg", 71.0)},
+         measure_sla_support});
 }
 
 }  // namespace fusee::checks

@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "fusee/blind/blind.h"
+#include "fusee/core/base64.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/core/json.h"
@@ -16,35 +17,6 @@ using SealedJson = nlohmann::json;  // keys in order: the seal is over these byt
 constexpr std::size_t kLargestLabels = 100'000'000;
 constexpr std::uint64_t kSalt = 201;
 constexpr std::string_view kPrefix = "sha256:";
-constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-
-std::string base64(std::string_view bytes) {
-    std::string text;
-    std::uint32_t held = 0;
-    int bits = 0;
-    for (const char byte : bytes) {
-        held = held << 8 | static_cast<unsigned char>(byte);
-        for (bits += 8; bits >= 6; bits -= 6) text += kDigits[held >> (bits - 6) & 63];
-    }
-    if (bits > 0) text += kDigits[held << (6 - bits) & 63];
-    return text;
-}
-
-std::string from_base64(std::string_view text) {
-    std::string bytes;
-    std::uint32_t held = 0;
-    int bits = 0;
-    for (const char digit : text) {
-        const std::size_t value = kDigits.find(digit);
-        if (value == std::string_view::npos) continue;  // line ends
-        held = held << 6 | static_cast<std::uint32_t>(value);
-        bits += 6;
-        if (bits < 8) continue;
-        bits -= 8;
-        bytes += static_cast<char>(held >> bits & 255);
-    }
-    return bytes;
-}
 
 SealedJson to_json(const LabelEffect& effect) {
     SealedJson j{{"id", effect.id}, {"side", effect.side}, {"size", effect.size}, {"extra", SealedJson::object()}};
@@ -79,7 +51,7 @@ std::string seal_labels(const std::vector<Label>& labels, std::uint64_t seed) {
         for (const LabelEffect& effect : label.effects) effects.push_back(to_json(effect));
         file["labels"].push_back({{"case", label.case_name}, {"effects", effects}, {"in_library", label.in_library}});
     }
-    return base64(file.dump()) + "\n";
+    return core::base64(file.dump()) + "\n";
 }
 
 std::string check_seal(const std::filesystem::path& folder, const std::string& hash) {
@@ -95,7 +67,7 @@ std::vector<Label> open_seal(const std::filesystem::path& folder, const std::str
     const std::string sealed = check_seal(folder, hash);
     std::vector<Label> labels;
     try {
-        const SealedJson file = core::parse_json(from_base64(sealed), (folder / "labels.sealed").string());
+        const SealedJson file = core::parse_json(core::from_base64(sealed), (folder / "labels.sealed").string());
         for (const SealedJson& label : file.at("labels")) labels.push_back(label_of(label));
     } catch (const SealedJson::exception& wrong) {
         throw core::InvalidInput("seal", wrong.what(), "labels as seal_labels writes them");

@@ -16,14 +16,15 @@ namespace fusee::report {
 /// assembly.md: order of assembly, cable lengths, preloads, timing marks, torques to check.
 [[nodiscard]] std::string assembly_guide(const pipeline::DesignReport& design);
 
-/// How a picture shows the joint.
-enum class Picture {
-    kPlan,       ///< seen along the joint's axis, at the lowest and at the highest load
-    kAssembled,  ///< seen from the side and above
-    kExploded,   ///< the same, the bodies moved apart along the axes and named
+/// SVG of the joint seen along its axis, at the lowest and at the highest load: hulls without grooves and holes, and free cables.
+[[nodiscard]] std::string assembly_plan(const assembly::Assembly& assembly);
+
+struct PictureFile {
+    std::string name, bytes;
 };
-/// An SVG of hulls: grooves and holes are not shown.
-[[nodiscard]] std::string assembly_svg(const assembly::Assembly& assembly, Picture picture);
+/// assembly_view (at rest) and assembly_exploded (the bodies moved apart and named), each as SVG and PNG: shaded, with grooves and coils.
+/// The PNG of the second uses the machine's fonts. @throws core::IoError
+[[nodiscard]] std::vector<PictureFile> assembly_pictures(const assembly::Assembly& assembly);
 
 /// The section of report.html: the joint seen along its axis, and the cables; "" without an assembly.
 [[nodiscard]] std::string assembly_section(const pipeline::DesignReport& design);

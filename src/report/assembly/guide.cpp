@@ -80,7 +80,7 @@ std::string assembly_guide(const pipeline::DesignReport& design) {
         "Frame: z is the joint's axis, the motors are at -y, the agonist is at +x; the antagonist's side is the mirror image x -> -x, with "
         "its cables\n{:.2f} mm lower. Lengths in mm. [bom.csv](bom.csv) lists the pieces; the frame, the motors and the fasteners are not "
         "modelled.\n\n"
-        "![Exploded view](assembly_exploded.svg)\n\n![Seen along the joint's axis](assembly_plan.svg)\n\n"
+        "![Exploded view](assembly_exploded.png)\n\n![Seen along the joint's axis](assembly_plan.svg)\n\n"
         "## Places, agonist\n{}\n"
         "## Order\n"
         "1. Set the bearings, the joint's pulley and the rods into the frame; the motors' axes are {:.2f} mm from the joint's.\n"
@@ -100,16 +100,15 @@ std::string assembly_guide(const pipeline::DesignReport& design) {
 
 std::vector<pipeline::FileRow> write_assembly(const pipeline::DesignReport& design, const std::filesystem::path& folder) {
     std::vector<pipeline::FileRow> rows;
-    const auto write = [&](const char* name, const std::string& bytes) {
+    const auto write = [&](const std::string& name, const std::string& bytes) {
         core::write_file(folder / name, bytes);
         rows.push_back(pipeline::file_row(folder / name));
     };
     write("assembly.json", assembly_json(design));
     write("assembly.md", assembly_guide(design));
     write("bom.csv", bill_csv(*design.assembly));
-    write("assembly_plan.svg", assembly_svg(*design.assembly, Picture::kPlan));
-    write("assembly_view.svg", assembly_svg(*design.assembly, Picture::kAssembled));
-    write("assembly_exploded.svg", assembly_svg(*design.assembly, Picture::kExploded));
+    write("assembly_plan.svg", assembly_plan(*design.assembly));
+    for (const PictureFile& file : assembly_pictures(*design.assembly)) write(file.name, file.bytes);
     return rows;
 }
 

@@ -1,36 +1,28 @@
+#include "fusee/render/picture.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <future>
 #include <map>
 
 #include "fusee/assembly/motion.h"
 #include "fusee/core/markup.h"
+#include "fusee/render/wire.h"
 #include "fusee/report/assembly.h"
 
 namespace fusee::report {
 
 namespace {
 
-using assembly::Assembly, assembly::Body, assembly::Pose, assembly::Prism;
+using assembly::Assembly, assembly::Body, assembly::Pose;
 using core::coordinate;
 using Eigen::Vector2d, Eigen::Vector3d;
-using Colour = std::array<std::uint8_t, 3>;
 
-/// A parallel projection: x to the right, y downwards, as SVG has it.
-struct View {
-    Vector3d right, up, towards;  ///< towards the eye
-    [[nodiscard]] Vector2d operator()(const Vector3d& p) const { return {right.dot(p), -up.dot(p)}; }
-};
-const View kFromAbove{Vector3d::UnitX(), Vector3d::UnitY(), Vector3d::UnitZ()};
-
-View from_the_side() {
-    const double azimuth = core::rad_from_deg(-55.0), elevation = core::rad_from_deg(32.0);
-    const Vector3d right(-std::sin(azimuth), std::cos(azimuth), 0.0);
-    const Vector3d towards(std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth), std::sin(elevation));
-    return {right, towards.cross(right), towards};
-}
+constexpr int kPixels = 1200;
+constexpr double kLetter = 0.62;  // width of a letter over its size
 
 /// How far a body is moved in the exploded view [mm]: along z, and along K_PE's cable.
 Vector3d moved_apart(const Assembly& a, const Body& body) {
@@ -47,113 +39,34 @@ Vector3d moved_apart(const Assembly& a, const Body& body) {
     return Vector3d(side * std::cos(direction), std::sin(direction), 0.0) * found->second.along + found->second.up * Vector3d::UnitZ();
 }
 
-/// What is drawn: SVG elements behind one another, and the space that they take.
-class Canvas {
-public:
-    explicit Canvas(View view) : view_(std::move(view)) {}
-
-    void draw(const Prism& prism, const Colour& colour) {
-        const auto corner = [&](std::size_t i, double z) {
-            const solid::Point2& p = prism.outline_mm[i % prism.outline_mm.size()];
-            return Vector3d(p[0], p[1], z);
-        };
-        const std::size_t n = prism.outline_mm.size();
-        const double low = prism.z_low_mm, high = prism.z_high_mm;
-        for (std::size_t i = 0; i < n; ++i) {
-            const Vector3d edge = corner(i + 1, low) - corner(i, low);
-            const double facing = Vector3d(edge.y(), -edge.x(), 0.0).normalized().dot(view_.towards);
-            if (facing <= 1e-9) continue;
-            polygon({corner(i, low), corner(i + 1, low), corner(i + 1, high), corner(i, high)}, colour, 0.55 + 0.3 * facing, false);
-        }
-        std::vector<Vector3d> top;
-        for (std::size_t i = 0; i < n; ++i) top.push_back(corner(i, high));
-        polygon(top, colour, 1.0, true);
-    }
-    void line(const Vector3d& from, const Vector3d& to) {
-        const Vector2d a = seen(from), b = seen(to);
-        body_ += fmt::format("<line x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\" stroke=\"#a02020\" stroke-width=\".8\"/>", coordinate(a.x()),
-                             coordinate(a.y()), coordinate(b.x()), coordinate(b.y()));
-    }
-    void name(const Vector3d& at, const std::string& text) {
-        constexpr double kSize_mm = 6.0, kLetter = 0.62;  // width of a letter over its size
-        const Vector2d p = seen(at);
-        high_ = high_.cwiseMax(p + Vector2d(kLetter * kSize_mm * static_cast<double>(text.size()), 0.0));
-        body_ += fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"6\" font-family=\"sans-serif\">{}</text>", coordinate(p.x()),
-                             coordinate(p.y()), core::escape(text));
-    }
-    /// What was drawn, moved to the right by `x` [mm].
-    [[nodiscard]] std::string group(double x) const { return fmt::format("<g transform=\"translate({} 0)\">{}</g>", coordinate(x), body_); }
-    [[nodiscard]] Vector2d low() const { return low_; }
-    [[nodiscard]] Vector2d high() const { return high_; }
-
-private:
-    Vector2d seen(const Vector3d& p) {
-        const Vector2d at = view_(p);
-        low_ = low_.cwiseMin(at), high_ = high_.cwiseMax(at);
-        return at;
-    }
-    void polygon(const std::vector<Vector3d>& corners, const Colour& colour, double light, bool outlined) {
-        std::string points;
-        for (const Vector3d& corner : corners) {
-            const Vector2d p = seen(corner);
-            points += coordinate(p.x()) + "," + coordinate(p.y()) + " ";
-        }
-        points.pop_back();
-        body_ += fmt::format("<polygon points=\"{}\" fill=\"{}\"{} stroke=\"{}\" stroke-width=\".25\"/>", points, shaded(colour, light),
-                             view_.towards.z() == 1.0 ? " fill-opacity=\".7\"" : "", outlined ? "#333" : shaded(colour, light));
-    }
-    static std::string shaded(const Colour& colour, double light) {
-        const auto channel = [&](std::size_t i) { return std::lround(light * colour[i]); };
-        return fmt::format("#{:02x}{:02x}{:02x}", channel(0), channel(1), channel(2));
-    }
-
-    View view_;
-    std::string body_;
-    Vector2d low_{INFINITY, INFINITY}, high_{-INFINITY, -INFINITY};
-};
-
-struct Drawn {
-    Prism prism;
-    Colour colour;
-    double depth;
-};
-
-/// Every body as its prisms, the farthest first.
-std::vector<Drawn> drawn(const Assembly& a, const Pose& pose, const View& view, bool exploded) {
-    std::vector<Drawn> all;
-    for (const Body& body : a.bodies) {
-        Eigen::Isometry3d at = assembly::placement(a, body, pose);
-        if (exploded) at.pretranslate(moved_apart(a, body));
-        for (const Prism& own : body.prisms) {
-            Prism prism = assembly::placed(own, at);
-            Vector3d middle(0.0, 0.0, prism.z_high_mm);
-            for (const solid::Point2& p : prism.outline_mm)
-                middle += Vector3d(p[0], p[1], 0.0) / static_cast<double>(prism.outline_mm.size());
-            all.push_back({std::move(prism), colour_of(body), view.towards.dot(middle)});
-        }
-    }
-    std::stable_sort(all.begin(), all.end(), [](const Drawn& p, const Drawn& q) { return p.depth < q.depth; });
-    return all;
+/// A body as pictures show it, in its own frame: a spring by its coils, where they are known.
+solid::Mesh shown_mesh(const Assembly& a, const Body& body) {
+    const bool torsion = body.base_name() == "k_se_spring";
+    if (!torsion && body.base_name() != "k_pe_spring") return body.mesh();
+    const spring::BaseSpring& spring = torsion ? a.drive.k_se_spring : a.drive.k_pe_spring;
+    if (spring.active_coils <= 0.0) return body.mesh();
+    const assembly::Extrusion& space = body.shapes.front();
+    const double inside = space.holes.front().radius_mm, wire = space.radius_mm - inside;
+    constexpr double kGroundCoils = 2.0;  // of a compression spring, one at each end
+    const bool left = (spring.hand == spring::Hand::kLeft) == (body.side == assembly::Side::kAgonist);
+    return assembly::moved(
+        render::coil_mesh({inside + 0.5 * wire, wire, space.length_mm, spring.active_coils + (torsion ? 0.0 : kGroundCoils), left}),
+        space.frame);
 }
 
-Canvas draw(const Assembly& a, const Pose& pose, const View& view, bool exploded) {
-    Canvas canvas(view);
-    for (const Drawn& one : drawn(a, pose, view, exploded)) canvas.draw(one.prism, one.colour);
-    if (!exploded)
-        for (const assembly::FreeCable& cable : assembly::free_cables(a, pose)) canvas.line(cable.from_mm, cable.to_mm);
+/// Every body at rest, and the free cables where nothing is moved apart.
+std::vector<render::Object> scene_of(const Assembly& a, bool exploded) {
+    constexpr render::Colour kCable{160, 32, 32};
+    std::vector<render::Object> objects;
     for (const Body& body : a.bodies) {
-        if (!exploded || body.side == assembly::Side::kAntagonist || body.prisms.empty()) continue;
-        Eigen::Isometry3d at = body.rest;
-        at.pretranslate(moved_apart(a, body));
-        Vector3d right(-INFINITY, 0.0, 0.0);
-        for (const Prism& own : body.prisms) {
-            const Prism prism = assembly::placed(own, at);
-            for (const solid::Point2& p : prism.outline_mm)
-                if (p[0] > right.x()) right = {p[0], p[1], prism.z_high_mm};
-        }
-        canvas.name(right + Vector3d(4.0, 0.0, 0.0), body.base_name());
+        Eigen::Isometry3d at = assembly::placement(a, body, {});
+        if (exploded) at.pretranslate(moved_apart(a, body));
+        objects.push_back({assembly::moved(shown_mesh(a, body), at), colour_of(body)});
     }
-    return canvas;
+    if (!exploded)
+        for (const assembly::FreeCable& cable : assembly::free_cables(a, {}))
+            objects.push_back({render::tube({cable.from_mm, cable.to_mm}, 0.5 * a.cable_mm), kCable});
+    return objects;
 }
 
 std::string svg(const Vector2d& low, const Vector2d& high, const std::string& content) {
@@ -168,19 +81,124 @@ std::string svg(const Vector2d& low, const Vector2d& high, const std::string& co
         content);
 }
 
+/// A name beside the picture and the place that it names, y downwards [mm].
+struct Label {
+    std::string name;
+    Vector2d at;
+    double y = 0.0;  ///< of the name
+};
+
+/// Moves the names of one column apart, each as near to its place as those above it allow. @param least_mm between two lines
+void spread(std::vector<Label>& column, double least_mm, double top, double bottom) {
+    std::sort(column.begin(), column.end(), [](const Label& a, const Label& b) { return a.at.y() < b.at.y(); });
+    double y = top;
+    for (Label& label : column) label.y = std::max(y, label.at.y()), y = label.y + least_mm;
+    y = bottom;
+    for (auto label = column.rbegin(); label != column.rend(); ++label) label->y = std::min(label->y, y), y = label->y - least_mm;
+}
+
+/// The names of the agonist's bodies and of the pulley, in a column on each side, with a line to each.
+std::string named(const Assembly& a, const render::Picture& picture, Vector2d& low, Vector2d& high) {
+    const double size = 0.018 * (high - low).maxCoeff(), middle = 0.5 * (low.x() + high.x());
+    std::array<std::vector<Label>, 2> columns;
+    for (std::size_t i = 0; i < a.bodies.size(); ++i) {
+        const render::Visible& seen = picture.visible[i];
+        if (a.bodies[i].side == assembly::Side::kAntagonist || seen.pixels == 0) continue;
+        const Vector2d at(seen.nearest_mm.x(), -seen.nearest_mm.y());
+        columns[at.x() > middle ? 1 : 0].push_back({a.bodies[i].base_name(), at});
+    }
+    const std::array<double, 2> edge{low.x() - size, high.x() + size};
+    std::string content;
+    for (std::size_t c = 0; c < 2; ++c) {
+        spread(columns[c], 1.6 * size, low.y() + size, high.y());
+        for (const Label& label : columns[c]) {
+            content += fmt::format(
+                "<path d=\"M{} {} L{} {}\" stroke=\"#222\" stroke-width=\"{}\"/><circle cx=\"{}\" cy=\"{}\" r=\"{}\"/>"
+                "<text x=\"{}\" y=\"{}\" font-size=\"{}\" font-family=\"sans-serif\"{}>{}</text>",
+                coordinate(label.at.x()), coordinate(label.at.y()), coordinate(edge[c]), coordinate(label.y), coordinate(0.06 * size),
+                coordinate(label.at.x()), coordinate(label.at.y()), coordinate(0.2 * size),
+                coordinate(edge[c] + (c == 0 ? -0.3 : 0.3) * size), coordinate(label.y + 0.35 * size), coordinate(size),
+                c == 0 ? " text-anchor=\"end\"" : "", core::escape(label.name));
+            const double width = (kLetter * static_cast<double>(label.name.size()) + 0.3) * size;
+            if (c == 0) low.x() = std::min(low.x(), edge[0] - width);
+            if (c == 1) high.x() = std::max(high.x(), edge[1] + width);
+        }
+    }
+    return content;
+}
+
+/// A shaded picture inside an SVG, where names are text, and the same as PNG.
+std::array<PictureFile, 2> shaded(const Assembly& a, bool exploded) {
+    const render::View view = render::from_direction(core::rad_from_deg(-55.0), core::rad_from_deg(32.0));
+    const render::Picture picture = render::draw(scene_of(a, exploded), view, kPixels);
+    Vector2d low(picture.low_mm.x(), -picture.high_mm.y()), high(picture.high_mm.x(), -picture.low_mm.y());
+    const std::string png = render::png(picture), name = exploded ? "assembly_exploded" : "assembly_view";
+    std::string content =
+        fmt::format("<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" href=\"{}\"/>", coordinate(low.x()), coordinate(low.y()),
+                    coordinate(high.x() - low.x()), coordinate(high.y() - low.y()), render::data_uri(png));
+    if (exploded) content += named(a, picture, low, high);
+    const std::string whole = svg(low, high, content);
+    return {PictureFile{name + ".svg", whole}, {name + ".png", exploded ? render::png_of_svg(whole, name, kPixels) : png}};
+}
+
+/// The joint seen along its axis: outlines of hulls, the highest last, and free cables.
+struct Plan {
+    std::string content;
+    Vector2d low{INFINITY, INFINITY}, high{-INFINITY, -INFINITY};
+
+    Vector2d seen(const Vector3d& p) {
+        const Vector2d at(p.x(), -p.y());
+        low = low.cwiseMin(at), high = high.cwiseMax(at);
+        return at;
+    }
+};
+
+Plan plan_of(const Assembly& a, const Pose& pose) {
+    struct Outline {
+        assembly::Prism prism;
+        render::Colour colour;
+    };
+    std::vector<Outline> outlines;
+    for (const Body& body : a.bodies)
+        for (const assembly::Prism& own : body.prisms)
+            outlines.push_back({assembly::placed(own, assembly::placement(a, body, pose)), colour_of(body)});
+    std::stable_sort(outlines.begin(), outlines.end(),
+                     [](const Outline& p, const Outline& q) { return p.prism.z_high_mm < q.prism.z_high_mm; });
+    Plan plan;
+    for (const auto& [prism, colour] : outlines) {
+        std::string points;
+        for (const solid::Point2& corner : prism.outline_mm) {
+            const Vector2d p = plan.seen({corner[0], corner[1], 0.0});
+            points += (points.empty() ? "" : " ") + coordinate(p.x()) + "," + coordinate(p.y());
+        }
+        plan.content +=
+            fmt::format("<polygon points=\"{}\" fill=\"#{:02x}{:02x}{:02x}\" fill-opacity=\".7\" stroke=\"#333\" stroke-width=\".25\"/>",
+                        points, colour[0], colour[1], colour[2]);
+    }
+    for (const assembly::FreeCable& cable : assembly::free_cables(a, pose)) {
+        const Vector2d from = plan.seen(cable.from_mm), to = plan.seen(cable.to_mm);
+        plan.content += fmt::format("<line x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\" stroke=\"#a02020\" stroke-width=\".8\"/>",
+                                    coordinate(from.x()), coordinate(from.y()), coordinate(to.x()), coordinate(to.y()));
+    }
+    return plan;
+}
+
 }  // namespace
 
-std::string assembly_svg(const Assembly& a, Picture picture) {
-    const Pose rest;
-    if (picture != Picture::kPlan) {
-        const Canvas canvas = draw(a, rest, from_the_side(), picture == Picture::kExploded);
-        return svg(canvas.low(), canvas.high(), canvas.group(0.0));
-    }
+std::string assembly_plan(const Assembly& a) {
     const double turn = std::min(a.greatest_turn, a.greatest_payout_mm / a.capstan_radius_mm);
-    const Canvas low = draw(a, rest, kFromAbove, false), high = draw(a, assembly::pose_of(a, turn, turn, 0.0), kFromAbove, false);
-    const double shift = low.high().x() - high.low().x() + 20.0;
-    return svg(low.low().cwiseMin(high.low() + Vector2d(shift, 0.0)), low.high().cwiseMax(high.high() + Vector2d(shift, 0.0)),
-               low.group(0.0) + high.group(shift));
+    const Plan lowest = plan_of(a, {}), highest = plan_of(a, assembly::pose_of(a, turn, turn, 0.0));
+    const Vector2d shift(lowest.high.x() - highest.low.x() + 20.0, 0.0);
+    return svg(lowest.low.cwiseMin(highest.low + shift), lowest.high.cwiseMax(highest.high + shift),
+               fmt::format("{}<g transform=\"translate({} 0)\">{}</g>", lowest.content, coordinate(shift.x()), highest.content));
+}
+
+std::vector<PictureFile> assembly_pictures(const Assembly& a) {
+    auto exploded = std::async(std::launch::async | std::launch::deferred, [&a] { return shaded(a, true); });
+    std::vector<PictureFile> files;
+    for (PictureFile& file : shaded(a, false)) files.push_back(std::move(file));
+    for (PictureFile& file : exploded.get()) files.push_back(std::move(file));
+    return files;
 }
 
 }  // namespace fusee::report

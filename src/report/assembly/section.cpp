@@ -18,8 +18,8 @@ std::string assembly_section(const pipeline::DesignReport& design) {
     const std::string text = fmt::format(
         "At the lowest load (left) and at the highest (right). The motors' axes are {} mm from the joint's; a carriage travels {} mm.",
         number(a.motor_distance_mm), number(a.capstan_radius_mm * a.greatest_turn));
-    return section("The joint", "<figure class=\"plot\" style=\"max-width:760px\">" + assembly_svg(a, Picture::kPlan) + "</figure>" +
-                                    paragraph(text) + html_table({"each side", "anchor to anchor [mm]", "cut to [mm]"}, rows) +
+    return section("The joint", "<figure class=\"plot\" style=\"max-width:760px\">" + assembly_plan(a) + "</figure>" + paragraph(text) +
+                                    html_table({"each side", "anchor to anchor [mm]", "cut to [mm]"}, rows) +
                                     "<p><a href=\"assembly.md\">Order of assembly, preloads and timing marks</a>, "
                                     "<a href=\"bom.csv\">bill of materials</a>, <a href=\"assembly_exploded.svg\">exploded view</a>.</p>");
 }

@@ -82,6 +82,7 @@ void add_bodies(Assembly& a, const Layout& l) {
             a.bodies.push_back(std::move(placed));
         }
     a.bodies.push_back(joint_pulley(l, 0.5 * core::mm_from_m(a.drive.k_pe->options.hub.bore_diameter), a.plane_mm));
+    a.bodies.push_back(joint_stops(l, a.plane_mm, a.joint_range));
 }
 
 void note_missing(Assembly& a) {
@@ -113,11 +114,12 @@ std::string Body::base_name() const { return side == Side::kBoth ? name : name.s
 std::array<std::uint8_t, 3> colour_of(const Body& body) {
     using Colour = std::array<std::uint8_t, 3>;
     static constexpr Colour kSeries{63, 127, 208}, kParallel{208, 96, 63}, kDrum{154, 165, 177}, kShaft{125, 134, 144}, kRod{185, 191, 198},
-        kPlate{217, 210, 195}, kSpring{121, 181, 138};
-    static const std::map<std::string, Colour> kColours{{"k_se", kSeries},       {"k_pe", kParallel},      {"capstan", kDrum},
-                                                        {"joint_pulley", kDrum}, {"axle", kShaft},         {"motor_shaft", kShaft},
-                                                        {"rods", kRod},          {"carriage", kPlate},     {"k_pe_seat", kPlate},
-                                                        {"k_pe_cap", kPlate},    {"k_se_spring", kSpring}, {"k_pe_spring", kSpring}};
+        kPlate{217, 210, 195}, kSpring{121, 181, 138}, kBrass{196, 168, 90};
+    static const std::map<std::string, Colour> kColours{
+        {"k_se", kSeries},      {"k_pe", kParallel},     {"capstan", kDrum},       {"joint_pulley", kDrum},
+        {"axle", kShaft},       {"motor_shaft", kShaft}, {"rods", kRod},           {"carriage", kPlate},
+        {"k_pe_seat", kPlate},  {"k_pe_cap", kPlate},    {"k_se_spring", kSpring}, {"k_pe_spring", kSpring},
+        {"shaft_collar", kRod}, {"axle_sleeve", kBrass}, {"axle_rings", kRod},     {"joint_stops", kRod}};
     return kColours.at(body.base_name());
 }
 

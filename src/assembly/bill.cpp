@@ -29,6 +29,10 @@ std::string bearing_of(double bore_mm) {
     return fmt::format("bore {:g} mm: none of the usual sizes", bore_mm);
 }
 
+std::string sleeve_of(double bore_mm) {
+    return fmt::format("{:g} x {:g} mm, as long as the carriage's plate is thick", bore_mm, sleeve_mm(bore_mm));
+}
+
 std::string stated(double value, const char* unit) { return value > 0.0 ? fmt::format("{:g}{}", value, unit) : "not stated"; }
 
 std::string torsion_size(const spring::BaseSpring& s) {
@@ -62,7 +66,12 @@ void add_shafts(const Assembly& a, std::vector<BillRow>& rows) {
     rows.push_back({"spool axle", 2, fmt::format("{:g} mm, {:.1f} mm long", axle, length_of(a, "axle_agonist")), ""});
     rows.push_back({"joint shaft", 1, fmt::format("{:g} mm", shaft), "its length depends on the frame"});
     rows.push_back({"ball bearing", 6, bearing_of(shaft), "two for each motor shaft and the joint"});
-    rows.push_back({"ball bearing", 2, bearing_of(axle), "one for each spool axle, in the carriage"});
+    rows.push_back({"sleeve bearing", 2, sleeve_of(axle), "ISO 2795, one for each spool axle, in the carriage"});
+    rows.push_back({"retaining ring", 4, fmt::format("DIN 471, {:g} x {:g} mm", axle, ring_mm(axle)), "two for each spool axle"});
+    const Collar collar = collar_of(shaft);
+    rows.push_back({"set collar", 2, fmt::format("DIN 705, {:g} x {:g} x {:g} mm", shaft, collar.outside_mm, collar.width_mm),
+                    "on each motor shaft, beside the capstan"});
+    rows.push_back({"stop pin", 3, fmt::format("ISO 2338, {:g} mm", 2.0 * kStop_mm), "one in the joint's pulley, two in the frame"});
     rows.push_back(
         {"carriage rod", 4, fmt::format("6 mm, {:.1f} mm long", a.find("rods_agonist")->shapes.front().length_mm), "hardened, h6"});
     rows.push_back({"linear bush", 8, "ISO 10285, 6 x 12 x 19 mm", "in the carriages"});

@@ -46,7 +46,7 @@ Body carriage(const Layout& l, const Drive& drive) {
     const double front = l.guide_distance + (l.idler > 0.0 ? l.idler + l.gap : 0.0), rear = -l.carriage_rear;
     const double low = l.base_high - l.wall, hole = 0.75 * l.cable;
     std::vector<Extrusion> shapes{
-        box({-half, rear, low}, {half, front + l.wall, l.base_high}, {{0.0, 0.0, bore_radius_mm(*drive.k_se) + 0.1}})};
+        box({-half, rear, low}, {half, front + l.wall, l.base_high}, {{0.0, 0.0, 0.5 * sleeve_mm(2.0 * bore_radius_mm(*drive.k_se))}})};
     for (const double y : {front, rear}) {
         Extrusion wall;
         wall.frame.translation() = Vector3d(0.0, y, 0.5 * (wall_high + l.base_high));
@@ -72,6 +72,26 @@ Body rods(const Layout& l) {
     for (const double x : {-half + kBush_mm, half - kBush_mm})
         shapes.push_back(rod({l.spool_axis.x() + x, l.bottom, z}, Vector3d::UnitY(), kRod_mm, l.top - l.bottom));
     return shaped("rods", Motion::kFixed, Eigen::Isometry3d::Identity(), std::move(shapes));
+}
+
+/// The axle of a spool, the sleeve in which it turns, and the rings that hold it and the spool along the axis.
+void add_axle(const Layout& l, double radius, std::vector<Body>& to) {
+    const double low = l.base_high - l.wall, ring = ring_mm(2.0 * radius), above = l.carriage_high - kAxleEnd_mm;
+    to.push_back(shaped("axle", Motion::kSpool, at(l.spool_axis), {round(radius, low - kAxleEnd_mm, l.carriage_high)}));
+    to.push_back(
+        shaped("axle_sleeve", Motion::kCarriage, at(l.spool_axis), {round(0.5 * sleeve_mm(2.0 * radius), low, l.base_high, radius)}));
+    to.push_back(
+        shaped("axle_rings", Motion::kSpool, at(l.spool_axis),
+               {round(radius + kRingHeight_mm, low - ring, low, radius), round(radius + kRingHeight_mm, above, above + ring, radius)}));
+}
+
+/// The collar that holds the capstan on the motor's side of its shaft; K_PE is on the other side.
+Body shaft_collar(const Layout& l, double radius) {
+    const Collar collar = collar_of(2.0 * radius);
+    const double face = l.drum + kFlange_mm;
+    const bool above = l.k_pe.translation().z() < 0.0;
+    return shaped("shaft_collar", Motion::kCapstan, at(l.motor_axis),
+                  {round(0.5 * collar.outside_mm, above ? face : -face - collar.width_mm, above ? face + collar.width_mm : -face, radius)});
 }
 
 /// The plate that the spring of K_PE stands on, with the hole of its cable at its near face.
@@ -104,22 +124,51 @@ std::vector<Body> side_bodies(const Layout& l, const Drive& drive) {
     std::vector<Body> all;
     all.push_back(shaped("capstan", Motion::kCapstan, at(l.motor_axis), drum(l, l.capstan, shaft)));
     all.push_back(shaped("motor_shaft", Motion::kCapstan, at(l.motor_axis), {round(shaft, l.shaft_low, l.shaft_high)}));
+    all.push_back(shaft_collar(l, shaft));
     all.push_back(cam_body("k_pe", Motion::kCapstan, l.k_pe, *drive.k_pe));
     all.push_back(carriage(l, drive));
     all.push_back(rods(l));
     all.push_back(cam_body("k_se", Motion::kSpool, l.k_se, *drive.k_se));
-    all.push_back(shaped("axle", Motion::kSpool, at(l.spool_axis), {round(axle, l.base_high - l.wall, l.carriage_high)}));
+    add_axle(l, axle, all);
     add_springs(l, drive, all);
     return all;
 }
 
+namespace {
+
+constexpr double kStopLength_mm = 6.0;
+
+double stop_radius_mm(const Layout& l) { return flange_mm(l.joint, l.cable) - kStop_mm - 1.0; }
+
+/// Foot of a pin or post below the pulley.
+Vector3d stop_mm(const Layout& l, double angle, double z) {
+    return {stop_radius_mm(l) * std::cos(angle), stop_radius_mm(l) * std::sin(angle), z};
+}
+
+}  // namespace
+
 Body joint_pulley(const Layout& l, double bore_radius_mm, double plane_mm) {
     const double floor = l.joint - 0.5 * l.cable, flange = flange_mm(l.joint, l.cable), inner = plane_mm - l.drum,
                  outer = plane_mm + l.drum;
-    Body body = shaped("joint_pulley", Motion::kJoint, Eigen::Isometry3d::Identity(),
-                       {round(flange, -outer - kFlange_mm, -outer, bore_radius_mm), round(floor, -outer, -inner, bore_radius_mm),
-                        round(flange, -inner, inner, bore_radius_mm), round(floor, inner, outer, bore_radius_mm),
-                        round(flange, outer, outer + kFlange_mm, bore_radius_mm)});
+    Body body =
+        shaped("joint_pulley", Motion::kJoint, Eigen::Isometry3d::Identity(),
+               {round(flange, -outer - kFlange_mm, -outer, bore_radius_mm), round(floor, -outer, -inner, bore_radius_mm),
+                round(flange, -inner, inner, bore_radius_mm), round(floor, inner, outer, bore_radius_mm),
+                round(flange, outer, outer + kFlange_mm, bore_radius_mm),
+                rod(stop_mm(l, -0.5 * core::kPi, -outer - kFlange_mm - kStopLength_mm), Vector3d::UnitZ(), kStop_mm, kStopLength_mm)});
+    body.side = Side::kBoth;
+    return body;
+}
+
+Body joint_stops(const Layout& l, double plane_mm, double joint_range) {
+    const double high = -(plane_mm + l.drum + kFlange_mm) - l.gap;
+    const double contact = 2.0 * std::asin(std::min(1.0, kStop_mm / stop_radius_mm(l)));  // between the middles of pin and post
+    const double turn = std::min(0.5 * joint_range + contact, core::kPi);
+    std::vector<Extrusion> posts;
+    for (const double side : {-1.0, 1.0})
+        posts.push_back(
+            rod(stop_mm(l, -0.5 * core::kPi + side * turn, high - kStopLength_mm), Vector3d::UnitZ(), kStop_mm, kStopLength_mm));
+    Body body = shaped("joint_stops", Motion::kFixed, Eigen::Isometry3d::Identity(), std::move(posts));
     body.side = Side::kBoth;
     return body;
 }

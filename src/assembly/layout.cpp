@@ -39,8 +39,9 @@ void place_k_se(Layout& l, const solid::Part& part, const spring::BaseSpring& sp
     l.guide_distance = core::mm_from_m(guide.distance);
     l.idler = guide.kind == cam::GuideKind::kIdler ? core::mm_from_m(guide.radius) : 0.0;
     l.base_high = l.spool_low - l.gap;
-    l.carriage_high = std::max(wall_height_mm(l.cable), l.spool_high + std::max(4.0, l.gap + wound_length_mm(spring, part)));
-    l.carriage_half = l.spool_reach + l.gap + l.wall + 2.0;
+    const double ring_reach = 0.5 * core::mm_from_m(part.options.hub.bore_diameter) + kRingHeight_mm;
+    l.carriage_high = std::max(wall_height_mm(l.cable), l.spool_high + std::max(4.0, l.gap + wound_length_mm(spring, part)) + kAxleEnd_mm);
+    l.carriage_half = std::max(l.spool_reach + l.gap + l.wall + 2.0, ring_reach + l.gap + 2.0 * kBush_mm);  // a ring between the bushes
     l.carriage_rear = l.spool_reach + l.gap + l.wall;
     l.carriage_low = l.base_high - l.wall - 2.0 * kBush_mm;
     l.spool_axis = Vector3d(l.line - offset_mm(guide), l.top - l.wall - l.gap - l.guide_distance - l.idler, 0.0);

@@ -30,10 +30,23 @@ struct Layout {
     double k_pe_spring_length = 0.0;  ///< at rest
 };
 
-inline constexpr double kFlange_mm = 2.0;  ///< thickness of a drum's flanges
-inline constexpr double kRod_mm = 3.0;     ///< radius of the carriage's rods
-inline constexpr double kBush_mm = 6.0;    ///< radius of its linear bushes (ISO 10285, 6 x 12 x 19)
-inline constexpr double kCap_mm = 3.0;     ///< thickness of the cap on K_PE's spring
+inline constexpr double kFlange_mm = 2.0;   ///< thickness of a drum's flanges
+inline constexpr double kRod_mm = 3.0;      ///< radius of the carriage's rods
+inline constexpr double kBush_mm = 6.0;     ///< radius of its linear bushes (ISO 10285, 6 x 12 x 19)
+inline constexpr double kCap_mm = 3.0;      ///< thickness of the cap on K_PE's spring
+inline constexpr double kAxleEnd_mm = 2.0;  ///< of the spool's axle beyond what it holds, with the groove of a retaining ring
+inline constexpr double kStop_mm = 2.0;     ///< radius of the joint's stop pin and posts
+
+/// Sleeve bearing of the spool's axle, in the carriage's plate. @param bore_mm of the axle @returns outside diameter
+[[nodiscard]] double sleeve_mm(double bore_mm);
+/// Set collar of a shaft: outside diameter and width (DIN 705; between its sizes twice the shaft, and 1.3 times).
+struct Collar {
+    double outside_mm = 0.0, width_mm = 0.0;
+};
+[[nodiscard]] Collar collar_of(double shaft_mm);
+inline constexpr double kRingHeight_mm = 2.0;  ///< of a retaining ring over its shaft
+/// Retaining ring of a shaft: thickness (DIN 471).
+[[nodiscard]] double ring_mm(double shaft_mm);
 
 /// Radius of a drum's flange: the lips of its groove stand a cable over the cable.
 [[nodiscard]] inline double flange_mm(double radius_mm, double cable_mm) { return radius_mm + 1.5 * cable_mm; }
@@ -49,6 +62,8 @@ inline constexpr double kCap_mm = 3.0;     ///< thickness of the cap on K_PE's s
 /// The bodies of the agonist's side, at rest.
 [[nodiscard]] std::vector<Body> side_bodies(const Layout& layout, const Drive& drive);
 [[nodiscard]] Body joint_pulley(const Layout& layout, double bore_radius_mm, double plane_mm);
+/// Two posts of the frame below the pulley, which its pin meets at both ends of the joint's range [rad].
+[[nodiscard]] Body joint_stops(const Layout& layout, double plane_mm, double joint_range);
 /// A body of the agonist as the antagonist's.
 [[nodiscard]] Body mirrored(const Body& body);
 

@@ -90,6 +90,25 @@ TEST(Rules, MotorsThatAreTooNearMeetTheCarriage) {
     EXPECT_NE(near.what.find("carriage"), std::string::npos);
 }
 
+// The pin meets a post where the joint reaches an end of its range, and none before.
+TEST(Stops, ArePlacedAtTheEndsOfTheRange) {
+    for (const double range : {1.0, 2.5, 5.0}) {
+        const Assembly a = with({.joint_range = range});
+        const auto distance = [&](double joint) {
+            const Pose pose = pose_of(a, 1.0, 1.0, joint);
+            const Body &pulley = *a.find("joint_pulley"), &stops = *a.find("joint_stops");
+            const Prism pin = placed(pulley.prisms.back(), placement(a, pulley, pose));
+            double least = 100.0;
+            for (const Prism& post : stops.prisms) least = distance_mm(pin, placed(post, placement(a, stops, pose)), least);
+            return least;
+        };
+        const double end = 0.5 * a.joint_range, radius = a.joint_radius_mm + 1.5 * a.cable_mm - 3.0;
+        EXPECT_NEAR(distance(end), 0.0, 0.03) << range;
+        EXPECT_NEAR(distance(-end), 0.0, 0.03) << range;
+        EXPECT_NEAR(distance(0.9 * end), 0.1 * end * radius, 0.06 * end * radius) << range;
+    }
+}
+
 TEST(Rules, ARodInTheWayOfACableIsFound) {
     EXPECT_EQ(finding(pnrvsa(), "joint.cable_gap").severity, core::Severity::kPass);
     Assembly bad = pnrvsa();

@@ -1,0 +1,48 @@
+#include <array>
+#include <cmath>
+
+#include "layout.h"
+
+// Sizes of bought parts. Between the sizes of a table the model takes the nearest proportion.
+namespace fusee::assembly {
+
+namespace {
+
+constexpr double kSame_mm = 0.05;
+
+struct Size {
+    double shaft_mm, outside_mm, width_mm;
+};
+/// Sintered sleeve bearings of ISO 2795 in usual stock (practice).
+constexpr std::array kSleeves{Size{3, 6, 0},   Size{4, 8, 0},   Size{5, 9, 0},   Size{6, 10, 0}, Size{8, 12, 0},
+                              Size{10, 16, 0}, Size{12, 18, 0}, Size{15, 21, 0}, Size{20, 26, 0}};
+/// Set collars of DIN 705 A in usual stock (practice).
+constexpr std::array kCollars{Size{3, 7, 5},    Size{4, 8, 5},    Size{5, 10, 6},   Size{6, 12, 8},  Size{8, 16, 8},
+                              Size{10, 20, 10}, Size{12, 22, 12}, Size{15, 25, 12}, Size{20, 32, 14}};
+/// Retaining rings of DIN 471: thickness (capitalbolts).
+constexpr std::array kRings{Size{3, 0, 0.4}, Size{4, 0, 0.4}, Size{5, 0, 0.6}, Size{6, 0, 0.7}, Size{8, 0, 0.8},
+                            Size{10, 0, 1},  Size{12, 0, 1},  Size{15, 0, 1},  Size{20, 0, 1.2}};
+
+template <std::size_t N>
+const Size* find(const std::array<Size, N>& table, double shaft_mm) {
+    for (const Size& size : table)
+        if (std::abs(size.shaft_mm - shaft_mm) < kSame_mm) return &size;
+    return nullptr;
+}
+
+}  // namespace
+
+double sleeve_mm(double bore_mm) {
+    const Size* size = find(kSleeves, bore_mm);
+    return size ? size->outside_mm : bore_mm + 4.0;
+}
+Collar collar_of(double shaft_mm) {
+    const Size* size = find(kCollars, shaft_mm);
+    return size ? Collar{size->outside_mm, size->width_mm} : Collar{2.0 * shaft_mm, 1.3 * shaft_mm};
+}
+double ring_mm(double shaft_mm) {
+    const Size* size = find(kRings, shaft_mm);
+    return size ? size->width_mm : 1.0;
+}
+
+}  // namespace fusee::assembly

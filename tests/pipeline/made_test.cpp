@@ -19,11 +19,25 @@ protected:
     /// they are asked for, the plate and the joint.
     static std::vector<std::string> expected() {
         const std::string design = GetParam();
-        std::vector<std::string> names{
-            "assembly.3mf",          "assembly.json",     "assembly.md",       "assembly.step",     "assembly_exploded.png",
-            "assembly_exploded.svg", "assembly_plan.svg", "assembly_view.png", "assembly_view.svg", "bom.csv",
-            "dead_band.csv",         "plate.3mf",         "plate.json",        "report.html",       "report.json",
-            "simulation.html",       "simulation.json",   "springs.csv"};
+        std::vector<std::string> names{"assembly.3mf",
+                                       "assembly.json",
+                                       "assembly.md",
+                                       "assembly.pdf",
+                                       "assembly.step",
+                                       "assembly_exploded.png",
+                                       "assembly_exploded.svg",
+                                       "assembly_plan.svg",
+                                       "assembly_view.png",
+                                       "assembly_view.svg",
+                                       "bom.csv",
+                                       "dead_band.csv",
+                                       "plate.3mf",
+                                       "plate.json",
+                                       "report.html",
+                                       "report.json",
+                                       "simulation.html",
+                                       "simulation.json",
+                                       "springs.csv"};
         for (const std::string side : {"", "_mirrored"}) {
             for (const std::string part : {"k_se", "k_pe"})
                 for (const char* ending : {".3mf", ".json", ".scad", ".step", ".stl", "_drawing.svg"})

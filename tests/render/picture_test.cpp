@@ -8,6 +8,7 @@
 
 #include "fusee/core/error.h"
 #include "fusee/core/units.h"
+#include "fusee/render/svg.h"
 
 namespace fusee::render {
 namespace {
@@ -102,6 +103,15 @@ TEST(Png, OfAnSvgHasItsProportions) {
     EXPECT_EQ(big_endian(bytes, 16), 300);
     EXPECT_EQ(big_endian(bytes, 20), 100);
     EXPECT_THROW(static_cast<void>(png_of_svg("no svg", "b.svg", 300)), core::IoError);
+}
+
+TEST(Pdf, HasAPageForEachSvg) {
+    const std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 210 297\"><rect width=\"30\" height=\"10\"/></svg>";
+    const std::string pdf = pdf_of_svgs({svg, svg, svg}, 210.0, 297.0, "three pages");
+    EXPECT_EQ(pdf.substr(0, 5), "%PDF-");
+    EXPECT_NE(pdf.find("/Count 3"), std::string::npos);
+    EXPECT_EQ(pdf, pdf_of_svgs({svg, svg, svg}, 210.0, 297.0, "three pages"));
+    EXPECT_THROW(static_cast<void>(pdf_of_svgs({"no svg"}, 210.0, 297.0, "bad")), core::IoError);
 }
 
 }  // namespace

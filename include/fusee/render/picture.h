@@ -52,9 +52,6 @@ struct Picture {
 
 /// The picture as a PNG file. @throws IoError if cairo cannot write it
 [[nodiscard]] std::string png(const Picture& picture);
-/// An SVG as a PNG file on white, by librsvg. Texts use the fonts of the machine. Thread-safe.
-/// @param longest_px width or height, whichever is larger @throws IoError naming `name`
-[[nodiscard]] std::string png_of_svg(const std::string& svg, const std::string& name, int longest_px);
 /// "data:image/png;base64,...": a picture inside an SVG or HTML file.
 [[nodiscard]] std::string data_uri(const std::string& png);
 

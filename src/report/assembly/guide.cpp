@@ -1,12 +1,14 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <map>
 
 #include "fusee/assembly/bill.h"
 #include "fusee/assembly/motion.h"
 #include "fusee/core/file.h"
 #include "fusee/pipeline/export.h"
 #include "fusee/report/assembly.h"
+#include "guide_pdf.h"
 
 namespace fusee::report {
 
@@ -64,6 +66,14 @@ std::string preloads(const Assembly& a) {
         torsion.preload / (2.0 * core::kPi), torsion.rate * torsion.preload, mm_from_m(pressed.preload), force);
 }
 
+/// The bill of materials below the guide, for paper.
+std::string bill_table(const Assembly& a) {
+    std::string table = "\n## Bill of materials\n| item | count | size | note |\n|---|---|---|---|\n";
+    for (const assembly::BillRow& row : assembly::bill_of(a))
+        table += fmt::format("| {} | {} | {} | {} |\n", row.item, row.count, row.size, row.note);
+    return table;
+}
+
 }  // namespace
 
 std::string bill_csv(const Assembly& a) {
@@ -107,11 +117,18 @@ std::vector<pipeline::FileRow> write_assembly(const pipeline::DesignReport& desi
         core::write_file(folder / name, bytes);
         rows.push_back(pipeline::file_row(folder / name));
     };
+    const Assembly& a = *design.assembly;
+    const std::string guide = assembly_guide(design);
+    std::map<std::string, std::string> svgs{{"assembly_plan", assembly_plan(a)}};
     write("assembly.json", assembly_json(design));
-    write("assembly.md", assembly_guide(design));
-    write("bom.csv", bill_csv(*design.assembly));
-    write("assembly_plan.svg", assembly_plan(*design.assembly));
-    for (const PictureFile& file : assembly_pictures(*design.assembly)) write(file.name, file.bytes);
+    write("assembly.md", guide);
+    write("bom.csv", bill_csv(a));
+    write("assembly_plan.svg", svgs.at("assembly_plan"));
+    for (const PictureFile& file : assembly_pictures(a)) {
+        write(file.name, file.bytes);
+        if (file.name.ends_with(".svg")) svgs[file.name.substr(0, file.name.size() - 4)] = file.bytes;
+    }
+    write("assembly.pdf", guide_pdf(guide + bill_table(a), "Assembly of " + design.provenance.name, svgs));
     return rows;
 }
 

@@ -10,6 +10,7 @@
 
 #include "fusee/assembly/motion.h"
 #include "fusee/core/markup.h"
+#include "fusee/render/svg.h"
 #include "fusee/render/wire.h"
 #include "fusee/report/assembly.h"
 
@@ -22,7 +23,7 @@ using core::coordinate;
 using Eigen::Vector2d, Eigen::Vector3d;
 
 constexpr int kPixels = 1200;
-constexpr double kLetter = 0.62;  // width of a letter over its size
+constexpr double kNameLetter = 0.62;  // width of a letter over its size
 
 /// How far a body is moved in the exploded view [mm]: along z, and along K_PE's cable.
 Vector3d moved_apart(const Assembly& a, const Body& body) {
@@ -120,7 +121,7 @@ std::string named(const Assembly& a, const render::Picture& picture, Vector2d& l
                 coordinate(label.at.x()), coordinate(label.at.y()), coordinate(0.2 * size),
                 coordinate(edge[c] + (c == 0 ? -0.3 : 0.3) * size), coordinate(label.y + 0.35 * size), coordinate(size),
                 c == 0 ? " text-anchor=\"end\"" : "", core::escape(label.name));
-            const double width = (kLetter * static_cast<double>(label.name.size()) + 0.3) * size;
+            const double width = (kNameLetter * static_cast<double>(label.name.size()) + 0.3) * size;
             if (c == 0) low.x() = std::min(low.x(), edge[0] - width);
             if (c == 1) high.x() = std::max(high.x(), edge[1] + width);
         }

@@ -22,7 +22,7 @@ using identification::FrictionLine;
 using identification::FrictionReport;
 using Repeat = FrictionReport::Repeat;
 
-constexpr std::array<const char*, 4> kColours{"se", "pe", "t", "linear"};
+constexpr std::array<const char*, 4> kPlotColours{"se", "pe", "t", "linear"};
 constexpr std::size_t kMostDots = 2000;  // some hundred kilobytes
 constexpr int kLinePoints = 60;          // the band is a hyperbola
 constexpr double kBeyond = 1.04;         // the line extends past the last dot
@@ -37,7 +37,7 @@ std::map<std::string, std::vector<Repeat>> series_of(const FrictionReport& frict
         both[r.side + " " + direction].push_back(r);
         directions[direction].push_back(r);
     }
-    return both.size() <= kColours.size() ? both : directions;
+    return both.size() <= kPlotColours.size() ? both : directions;
 }
 
 /// Adds the dots of each series, `of` over the load.
@@ -45,7 +45,7 @@ template <class Of>
 void add_repeats(Plot& plot, const FrictionReport& friction, const Of& of) {
     std::size_t colour = 0;
     for (const auto& [name, dots] : series_of(friction))
-        plot.points(name, column(dots, &Repeat::mean_load), column(dots, of), kColours[colour++ % kColours.size()],
+        plot.points(name, column(dots, &Repeat::mean_load), column(dots, of), kPlotColours[colour++ % kPlotColours.size()],
                     column(dots, &Repeat::deviation));
 }
 

@@ -7,6 +7,7 @@
 #include "commands.h"
 #include "exit_codes.h"
 #include "fusee/core/file.h"
+#include "fusee/core/text.h"
 #include "fusee/pipeline/check.h"
 #include "fusee/profile/edit.h"
 #include "fusee/report/springs.h"
@@ -27,11 +28,9 @@ struct SpringsArguments {
     pipeline::SpringSearchOptions options;
 };
 
-constexpr std::array kWireClasses = {"sl", "sm", "sh", "dm", "dh"};
-
 spring::WireClass class_of(const std::string& name) {
-    const auto found = std::find(kWireClasses.begin(), kWireClasses.end(), name);
-    return static_cast<spring::WireClass>(1 + (found - kWireClasses.begin()));
+    const auto found = std::find(spring::kWireClassNames.begin(), spring::kWireClassNames.end(), name);
+    return static_cast<spring::WireClass>(found - spring::kWireClassNames.begin());
 }
 
 /// In the folder of the profile: "x-springs.toml" for "x.toml".
@@ -41,8 +40,9 @@ fs::path sprung_beside(const fs::path& profile) { return profile.parent_path() /
 int judge_again(const profile::Profile& profile) {
     const pipeline::Checked checked = pipeline::check(profile, std::array{profile.process.kind});
     const core::Findings all = checked.processes.front().all();
-    fmt::print("made again with them: {} errors, {} warnings, {} rules not judged\n", core::count(all, core::Severity::kError),
-               core::count(all, core::Severity::kWarning), core::count(all, core::Severity::kNotJudged));
+    fmt::print("made again with them: {}, {}, {} not judged\n", core::counted(core::count(all, core::Severity::kError), "error"),
+               core::counted(core::count(all, core::Severity::kWarning), "warning"),
+               core::counted(core::count(all, core::Severity::kNotJudged), "rule"));
     for (const core::Finding& f : all)
         if (f.severity == core::Severity::kError) fmt::print(stderr, "{}\n", core::to_line(f));
     return core::any_error(all) ? kRefused : 0;
@@ -53,11 +53,10 @@ int refuse_search(const core::Findings& refusal) {
     return kRefused;
 }
 
-int search_springs(const SpringsArguments& arguments, const fs::path& out, const std::string& toml, const profile::Profile& profile) {
+int search_springs(const SpringsArguments& arguments, const fs::path& out, const std::string& toml, const profile::Profile& profile,
+                   const spring::Catalogue& catalogue) {
     const auto design = pipeline::resolve(profile);
     if (!design) return refuse_search(design.refusal());
-    const spring::Catalogue catalogue =
-        arguments.catalogue.empty() ? profile.co_design.catalogue : spring::read_catalogue(arguments.catalogue);
     pipeline::SpringSearchOptions options = arguments.options;
     options.within = 0.01 * arguments.within_percent;
     options.wire_class = class_of(arguments.wire_class);
@@ -82,9 +81,11 @@ int run_springs(const SpringsArguments& arguments) {
     const std::string toml = core::read_file(arguments.profile, profile::kLargestFile);
     const profile::Profile profile = profile::parse_profile(toml, arguments.profile);
     require_new_profile("--out", out, arguments.profile, arguments.force);
+    const spring::Catalogue catalogue =
+        arguments.catalogue.empty() ? profile.co_design.catalogue : spring::read_catalogue(arguments.catalogue);
     return with_places(profile, [&] {
         pipeline::require_parts(profile);
-        return search_springs(arguments, out, toml, profile);
+        return search_springs(arguments, out, toml, profile, catalogue);
     });
 }
 
@@ -101,7 +102,7 @@ void add_springs(CLI::App& app, Action& action) {
         ->type_name("FILE.csv");
     command->add_flag("--bought", arguments->bought, "Take the springs of the catalogue, not wound ones");
     command->add_option("--wire-class", arguments->wire_class, "Wire of EN 10270-1 where the profile states none")
-        ->check(CLI::IsMember(kWireClasses))
+        ->check(CLI::IsMember(std::vector<std::string>(spring::kWireClassNames.begin() + 1, spring::kWireClassNames.end())))
         ->capture_default_str();
     command->add_option("--cycles", arguments->options.cycles, "Load cycles where the profile states none")
         ->check(number_within(1.0, 1e12))

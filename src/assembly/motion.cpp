@@ -50,13 +50,6 @@ Pose pose_of(const Assembly& a, double agonist_turn, double antagonist_turn, dou
             {antagonist_turn, a.capstan_radius_mm * antagonist_turn - a.joint_radius_mm * joint}};
 }
 
-bool is_reached(const Assembly& a, const Pose& pose) {
-    const auto inside = [&](const SidePose& side) {
-        return side.turn >= 0.0 && side.turn <= a.greatest_turn && side.payout_mm >= 0.0 && side.payout_mm <= a.greatest_payout_mm;
-    };
-    return inside(pose.agonist) && inside(pose.antagonist);
-}
-
 double joint_angle(const Assembly& a, const Pose& pose) {
     return (pose.agonist.payout_mm - a.capstan_radius_mm * pose.agonist.turn) / a.joint_radius_mm;
 }

@@ -51,8 +51,9 @@ std::string made_line(const Row& row) {
     const std::string open = report::not_judged_text(findings);
     const std::size_t warnings = core::count(findings, core::Severity::kWarning);
     return fmt::format(
-        "{}/  {} rules passed, {} warnings{}{}", core::printable(row.result.folder.string()), core::count(findings, core::Severity::kPass),
-        warnings, warnings > 0 ? " (review and accept)" : "",
+        "{}/  {} passed, {}{}{}", core::printable(row.result.folder.string()),
+        core::counted(core::count(findings, core::Severity::kPass), "rule"), core::counted(warnings, "warning"),
+        warnings > 0 ? " (review and accept)" : "",
         open.empty() ? "" : fmt::format("; {} (`fusee check {}` lists what is missing)", open, core::printable(row.profile.string())));
 }
 

@@ -284,4 +284,11 @@ CsvTable read_csv(const std::filesystem::path& path, const std::vector<CsvColumn
     return parser.finish();
 }
 
+std::string csv_cell(std::string_view text) {
+    if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
+    std::string cell = "\"";
+    for (const char c : text) cell += c == '"' ? "\"\"" : std::string(1, c);
+    return cell + '"';
+}
+
 }  // namespace fusee::core

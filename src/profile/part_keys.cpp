@@ -53,7 +53,7 @@ std::vector<Key> spring_keys(const std::string& part, PartSpec Profile::*member)
                          part == "k_se" ? "axial space for the body; 0 = unknown" : "0 = unknown, buckling not checked",
                          OF(spring.free_length)));
     all.push_back(number(t + "tensile_strength_MPa", kMPa, within(0, 1e4), "of the wire; 0 = by wire_class", OF(spring.tensile_strength)));
-    all.push_back(choice(t + "wire_class", {"unknown", "sl", "sm", "sh", "dm", "dh"},
+    all.push_back(choice(t + "wire_class", {spring::kWireClassNames.begin(), spring::kWireClassNames.end()},
                          "of EN 10270-1: its least strength at this diameter; unknown: stress not checked without tensile_strength_MPa",
                          OF(spring.wire_class)));
     if (part == "k_se") {

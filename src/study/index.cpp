@@ -8,6 +8,7 @@
 #include <cstring>
 #include <fstream>
 
+#include "fusee/core/csv.h"
 #include "fusee/core/error.h"
 #include "sqlite.h"
 
@@ -17,13 +18,9 @@ namespace fusee::study {
 
 namespace {
 
-std::string csv_cell(const Figure& figure) {
+std::string cell_of(const Figure& figure) {
     if (const auto* number = std::get_if<double>(&figure)) return std::isfinite(*number) ? fmt::format("{}", *number) : "";
-    std::string text = std::get<std::string>(figure);
-    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-    std::string cell = "\"";
-    for (const char c : text) cell += c == '"' ? "\"\"" : std::string(1, c);
-    return cell + '"';
+    return core::csv_cell(std::get<std::string>(figure));
 }
 
 /// SQLite opens a file of any kind and reports what it is when it is read.
@@ -55,7 +52,7 @@ void write_csv(const fs::path& file, const std::vector<Column>& columns, const E
         out << row.index << ',' << row.name;
         for (const Column& column : columns) {
             const Figure* figure = row.find(column.name);
-            out << ',' << (figure != nullptr ? csv_cell(*figure) : "");
+            out << ',' << (figure != nullptr ? cell_of(*figure) : "");
         }
         out << '\n';
     });

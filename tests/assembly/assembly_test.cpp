@@ -55,8 +55,6 @@ TEST(Assemblies, ACapstanCarriesItsSpoolAndTheJointTurnsByTheDifference) {
     EXPECT_NEAR(pose.agonist.payout_mm, 30.0 * 0.9 + 30.0 * 0.2, 1e-9);
     EXPECT_NEAR(pose.antagonist.payout_mm, 30.0 * 0.5 - 30.0 * 0.2, 1e-9);
     EXPECT_NEAR(joint_angle(a, pose), 0.2, 1e-9);
-    EXPECT_TRUE(is_reached(a, pose));
-    EXPECT_FALSE(is_reached(a, pose_of(a, 0.1, 0.1, 0.2)));  // the antagonist's cable would be slack
     EXPECT_NEAR(placement(a, *a.find("k_se_agonist"), pose).translation().y() - a.find("k_se_agonist")->rest.translation().y(), -27.0,
                 1e-9);
 }

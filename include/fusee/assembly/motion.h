@@ -21,8 +21,6 @@ struct Pose {
 /// The pose of two capstans and the joint, whose positive angle winds the agonist's cable: payout = r_c turn + r_j joint for the agonist, -
 /// for the antagonist.
 [[nodiscard]] Pose pose_of(const Assembly& assembly, double agonist_turn, double antagonist_turn, double joint);
-/// Do both springs of both sides stay inside their laws?
-[[nodiscard]] bool is_reached(const Assembly& assembly, const Pose& pose);
 /// The joint's angle of a pose [rad].
 [[nodiscard]] double joint_angle(const Assembly& assembly, const Pose& pose);
 

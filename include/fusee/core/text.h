@@ -13,6 +13,9 @@ inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 /// "\x1b", "\u202e". Text of more than `most` characters is cut and ends with "... (9000000 characters)". Printable text is unchanged.
 [[nodiscard]] std::string printable(std::string_view text, std::size_t most = std::numeric_limits<std::size_t>::max());
 
+/// "1 error", "2 errors"
+[[nodiscard]] std::string counted(std::size_t n, std::string_view what);
+
 /// "999 B", "12.3 kB", "1.25 GB"
 [[nodiscard]] std::string bytes_text(double bytes);
 

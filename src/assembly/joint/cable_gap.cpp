@@ -14,7 +14,10 @@ core::Findings measure_joint_cable_gap(const Assembly& assembly, const Allowed& 
     core::Finding f = checks::judge(least.mm, {allowed("required"), allowed("review")});
     f.what = fmt::format("the {} passes {}", least.a, least.b);
     f.where = place_text(least.pose);
-    f.suggestion = "another assembly.k_pe_direction_deg, or assembly.motor_distance_mm";
+    f.suggestion =
+        least.a.starts_with(to_string(CableKind::kParallel))
+            ? "another assembly.k_pe_direction_deg, or a farther guide of k_pe"
+            : fmt::format("a larger assembly.motor_distance_mm than {:.0f}, or another k_se.guide", std::ceil(assembly.motor_distance_mm));
     return {f};
 }
 

@@ -5,12 +5,6 @@
 
 namespace fusee::pipeline {
 
-namespace {
-
-constexpr const char* kClasses[] = {"unknown", "sl", "sm", "sh", "dm", "dh"};
-
-}  // namespace
-
 std::vector<profile::Edit> spring_edits(cam::PartKind part, const FoundSpring& found, const profile::Profile& profile) {
     const bool torsion = part == cam::PartKind::kSeries;
     const spring::BaseSpring& s = found.spring;
@@ -27,7 +21,7 @@ std::vector<profile::Edit> spring_edits(cam::PartKind part, const FoundSpring& f
     set("active_coils", s.active_coils);
     set("free_length_mm", s.free_length);
     set("tensile_strength_MPa", s.tensile_strength);
-    edits.push_back(profile::text_edit(profile, t + "wire_class", kClasses[static_cast<std::size_t>(s.wire_class)], ""));
+    edits.push_back(profile::text_edit(profile, t + "wire_class", spring::kWireClassNames.at(static_cast<std::size_t>(s.wire_class)), ""));
     if (torsion) edits.push_back(profile::text_edit(profile, t + "hand", s.hand == spring::Hand::kLeft ? "left" : "right", ""));
     set("rod_mm", s.rod_diameter);
     set("cycles", s.cycles);

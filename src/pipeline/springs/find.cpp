@@ -80,6 +80,18 @@ private:
 /// The preload with which a spring of another rate bears the same load at the law's beginning.
 void keep_first_load(spring::BaseSpring& s, const spring::BaseSpring& own) { s.preload = own.rate * own.preload / s.rate; }
 
+/// Space along the axis of a torsion spring wound by `state`.
+double space_of(const spring::BaseSpring& s, double state) {
+    return m_from_mm(up_to_step(mm_from_m(spring::wound_length(s, state)) + kLengthStep_mm, kLengthStep_mm));
+}
+
+/// The rod that the profile states, else the thickest usual one inside the coils at `state`; 0: none fits.
+double rod_inside(const spring::BaseSpring& s, double state, const spring::BaseSpring& own) {
+    if (own.rod_diameter > 0.0) return own.rod_diameter;
+    const auto rod = checks::shaft_sizes().at_most(mm_from_m(spring::inside_diameter(s, state)) / kRodClearance);
+    return rod ? m_from_mm(*rod) : 0.0;
+}
+
 /// What a winder states beside wire, coils and turns: rating, length, rod.
 void complete(spring::BaseSpring& s, const Judge& judge, const spring::BaseSpring& own) {
     const double state = judge.largest_state(s);
@@ -87,7 +99,7 @@ void complete(spring::BaseSpring& s, const Judge& judge, const spring::BaseSprin
     if (is_torsion(s)) {
         s.max_load = bears;
         s.max_state = bears / s.rate;
-        s.free_length = m_from_mm(up_to_step(mm_from_m(spring::wound_length(s, state)) + kLengthStep_mm, kLengthStep_mm));
+        s.free_length = space_of(s, state);
     } else {
         const double wire = mm_from_m(s.wire_diameter), coil = mm_from_m(s.coil_diameter);
         const double gaps = m_from_mm(s.active_coils * (0.0015 * coil * coil / wire + 0.1 * wire));
@@ -96,10 +108,7 @@ void complete(spring::BaseSpring& s, const Judge& judge, const spring::BaseSprin
         s.max_state = std::min(kMostTravel * *spring::travel_to_solid(s), bears / s.rate);
         s.max_load = s.rate * s.max_state;
     }
-    if (own.rod_diameter > 0.0)
-        s.rod_diameter = own.rod_diameter;
-    else if (const auto rod = checks::shaft_sizes().at_most(mm_from_m(spring::inside_diameter(s, state)) / kRodClearance))
-        s.rod_diameter = m_from_mm(*rod);
+    s.rod_diameter = rod_inside(s, state, own);
 }
 
 double volume_of(const spring::BaseSpring& s) {
@@ -153,14 +162,11 @@ void try_bought(const spring::BaseSpring& start, const spring::BaseSpring& own, 
                 std::vector<FoundSpring>& found) {
     for (const spring::CatalogueSpring& row : catalogue.of(own.kind)) {
         spring::BaseSpring s = row.spring;
-        s.cycles = start.cycles, s.motion = start.motion, s.rod_diameter = own.rod_diameter, s.hand = start.hand;
+        s.cycles = start.cycles, s.motion = start.motion, s.hand = start.hand;
         keep_first_load(s, own);
         const double state = judge.largest_state(s);
-        if (is_torsion(s))
-            s.free_length = m_from_mm(up_to_step(mm_from_m(spring::wound_length(s, state)) + kLengthStep_mm, kLengthStep_mm));
-        if (s.rod_diameter <= 0.0)
-            if (const auto rod = checks::shaft_sizes().at_most(mm_from_m(spring::inside_diameter(s, state)) / kRodClearance))
-                s.rod_diameter = m_from_mm(*rod);
+        if (is_torsion(s)) s.free_length = space_of(s, state);
+        s.rod_diameter = rod_inside(s, state, own);
         if (judge.passes(s)) found.push_back({row.name, s, volume_of(s), true});
     }
 }

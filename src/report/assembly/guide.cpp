@@ -5,6 +5,7 @@
 
 #include "fusee/assembly/bill.h"
 #include "fusee/assembly/motion.h"
+#include "fusee/core/csv.h"
 #include "fusee/core/file.h"
 #include "fusee/pipeline/export.h"
 #include "fusee/report/assembly.h"
@@ -79,7 +80,7 @@ std::string bill_table(const Assembly& a) {
 std::string bill_csv(const Assembly& a) {
     std::string csv = "item,count,size,note\n";
     for (const assembly::BillRow& row : assembly::bill_of(a))
-        csv += fmt::format("{},{},\"{}\",\"{}\"\n", row.item, row.count, row.size, row.note);
+        csv += fmt::format("{},{},{},{}\n", core::csv_cell(row.item), row.count, core::csv_cell(row.size), core::csv_cell(row.note));
     return csv;
 }
 

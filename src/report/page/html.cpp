@@ -44,8 +44,6 @@ std::string change(double before, double after) { return number(before, 3) + " \
 
 std::string percent(double share) { return std::isfinite(share) ? fmt::format("{:.0f} %", 100.0 * share) : number(share); }
 
-std::string counted(std::size_t n, const char* what) { return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s"); }
-
 Cell plain(std::string_view text) { return {escape(text), ""}; }
 Cell faint(std::string_view text) { return {escape(text), "faint"}; }
 Cell code(std::string_view text) { return {escape(text), "code"}; }

@@ -16,6 +16,7 @@ namespace fusee::report {
 
 using core::bytes_text;
 using core::coordinate;
+using core::counted;
 using core::deg_from_rad;
 using core::escape;
 
@@ -31,8 +32,6 @@ using core::escape;
 [[nodiscard]] std::string change(double before, double after);
 /// 0.62 is "62 %".
 [[nodiscard]] std::string percent(double share);
-/// "1 error", "2 errors"
-[[nodiscard]] std::string counted(std::size_t n, const char* what);
 
 /// One cell of a table: HTML, and a class ("num", "code", ...) or "".
 struct Cell {

@@ -11,7 +11,7 @@
 #include "checkpoint.h"
 #include "fusee/core/error.h"
 #include "fusee/core/parallel.h"
-#include "stream.h"
+#include "fusee/math/stream.h"
 
 namespace fusee::design {
 
@@ -42,7 +42,7 @@ void validate(const EvolutionOptions& o) {
 enum Draw : std::uint64_t { kDitherDraw = 0, kSureDraw = 1, kVariableDraw = 2, kPartnerDraw = std::uint64_t{1} << 32 };
 
 /// Three members that differ from each other and from `self`.
-std::array<int, 3> partners(const Stream& random, int population, int self) {
+std::array<int, 3> partners(const math::Stream& random, int population, int self) {
     std::array<int, 3> others{self, self, self};
     std::uint64_t draw = kPartnerDraw;
     for (std::size_t k = 0; k < others.size(); ++k) {
@@ -64,7 +64,7 @@ public:
         state_.members.resize(static_cast<std::size_t>(o_.population) * dimension_);
         for (std::size_t i = 0; i < state_.members.size(); ++i) {
             const core::Range& range = o_.bounds[i % dimension_];
-            const double share = Stream(o_.seed, 0, i / dimension_).uniform(kVariableDraw + i % dimension_);
+            const double share = math::Stream(o_.seed, 0, i / dimension_).uniform(kVariableDraw + i % dimension_);
             state_.members[i] = std::clamp(range.low + share * range.width(), range.low, range.high);
         }
         state_.costs = evaluated(state_.members);
@@ -123,7 +123,7 @@ private:
 
     /// v = r1 + F (best - r1) + F (r2 - r3), crossed with the member. A value outside the box is redrawn between its base and the bound.
     void append_trial(int self, std::size_t best, std::vector<double>& trials) const {
-        const Stream random(o_.seed, static_cast<std::uint64_t>(state_.number) + 1, static_cast<std::uint64_t>(self));
+        const math::Stream random(o_.seed, static_cast<std::uint64_t>(state_.number) + 1, static_cast<std::uint64_t>(self));
         const std::array<int, 3> others = partners(random, o_.population, self);
         const double weight = o_.weight * (1.0 + kDither * (2.0 * random.uniform(kDitherDraw) - 1.0));
         const std::size_t sure = static_cast<std::size_t>(random.index(kSureDraw, static_cast<int>(dimension_)));

@@ -15,10 +15,10 @@
 #include "fusee/core/parallel.h"
 #include "fusee/math/roots.h"
 #include "fusee/math/statistics.h"
+#include "fusee/math/stream.h"
 #include "fusee/spring/built_spring.h"
 #include "fusee/spring/cable.h"
 #include "fusee/spring/resampled.h"
-#include "stream.h"
 
 // Equation numbers: docs/theory/robust.md.
 namespace fusee::design {
@@ -137,17 +137,6 @@ double covered_share(const Edge& edge, core::Range angles) {
 
 // ---- Monte Carlo
 
-/// Loads with load +- factor tau_f(load) = tau: of a gear with `factor` times the drawn friction. NaN if it locks itself.
-core::Range resting_loads(const friction::Law& gear, double tau, double factor) {
-    const auto edge = [&](double sign) {
-        const auto excess = [&](double load) { return load + sign * factor * gear.at_rest(load) - tau; };
-        double reach = tau;
-        while (sign < 0.0 && excess(reach) < 0.0 && reach < 1e3 * tau) reach *= 2.0;
-        return math::bracketed_root(excess, sign > 0.0 ? -tau : 0.0, reach).value_or(core::kNan);
-    };
-    return {edge(1.0), edge(-1.0)};
-}
-
 /// Makes random built actuators.
 class Shop {
 public:
@@ -161,15 +150,15 @@ public:
 
     /// Dead-band of the actuator of that number; NaN if its springs do not reach an edge.
     [[nodiscard]] double width(int number) const {
-        const Stream stream(seed_, 0, static_cast<std::uint64_t>(number));
+        const math::Stream stream(seed_, 0, static_cast<std::uint64_t>(number));
         std::array<spring::PotentialPtr, 2> se, pe;
         std::array<core::Range, 2> loads;
         for (std::size_t side = 0; side < 2; ++side) {
             std::array<double, kErrors> error;
-            for (std::size_t i = 0; i < kErrors; ++i) error[i] = sigma_[i] * normal(stream, 2 * (side * kErrors + i));
+            for (std::size_t i = 0; i < kErrors; ++i) error[i] = sigma_[i] * stream.normal(2 * (side * kErrors + i));
             se[side] = built(series_, drawing_.base_se, error[kRateSe], error[kContourSe]);
             pe[side] = built(parallel_, drawing_.base_pe, error[kRatePe], error[kContourPe]);
-            loads[side] = resting_loads(drawing_.actuator.gear_friction, tau_, std::max(0.0, 1.0 + error[kFriction]));
+            loads[side] = friction::resting_loads(drawing_.actuator.gear_friction, tau_, std::max(0.0, 1.0 + error[kFriction]));
             if (std::isnan(loads[side].width())) return core::kNan;
         }
         const actuator::Actuator& rig = drawing_.actuator;
@@ -181,10 +170,6 @@ public:
     }
 
 private:
-    /// Box and Muller (1958).
-    static double normal(const Stream& stream, std::uint64_t draw) {
-        return std::sqrt(-2.0 * std::log1p(-stream.uniform(draw))) * std::cos(2.0 * core::kPi * stream.uniform(draw + 1));
-    }
     [[nodiscard]] spring::PotentialPtr built(const spring::PotentialPtr& law, const spring::BaseSpring& base, double rate,
                                              double radius) const {
         return spring::make_built_spring(law, base, drawing_.actuator.capstan_radius, {.rate = rate, .radius = radius, .preload = 0.0});

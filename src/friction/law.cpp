@@ -156,4 +156,14 @@ core::Range Law::moving_loads(double motor_torque) const { return balanced(motor
 
 bool Law::is_proportional() const { return loads_.empty() && constant_ == 0.0; }
 
+core::Range resting_loads(const Law& gear, double motor_torque, double factor) {
+    const auto edge = [&](double sign) {
+        const auto excess = [&](double load) { return load + sign * factor * gear.at_rest(load) - motor_torque; };
+        double reach = motor_torque;
+        while (sign < 0.0 && excess(reach) < 0.0 && reach < 1e3 * motor_torque) reach *= 2.0;
+        return math::bracketed_root(excess, sign > 0.0 ? -motor_torque : 0.0, reach).value_or(core::kNan);
+    };
+    return {edge(1.0), edge(-1.0)};
+}
+
 }  // namespace fusee::friction

@@ -55,4 +55,7 @@ private:
     std::vector<double> loads_, torques_, slopes_;  ///< of a table
 };
 
+/// Loads that a resting capstan may carry whose gear has `factor` times this friction. NaN if it locks itself.
+[[nodiscard]] core::Range resting_loads(const Law& gear, double motor_torque, double factor);
+
 }  // namespace fusee::friction

@@ -12,6 +12,7 @@
 #include "fusee/pipeline/design.h"
 #include "fusee/pipeline/design_report.h"
 #include "fusee/spring/cable.h"
+#include "fusee/spring/continued.h"
 #include "fusee/spring/potential.h"
 
 namespace fusee::pipeline {
@@ -19,7 +20,10 @@ namespace fusee::pipeline {
 namespace {
 
 constexpr double kToTheEnd = 1.0 - 1e-9;  // of the load there, so that its deflection lies inside the law
-constexpr int kPlaces = 400;              // over the capstan's travel, where torques are compared
+/// Springs are extended beyond both ends: a design may cover its resting loads exactly, and a file that is short by its chordal error must
+/// not lose the dead-band.
+constexpr double kBeyond = 0.01;
+constexpr int kPlaces = 400;  // over the capstan's travel, where torques are compared
 
 /// The readings of one reader in the files of one format: of K_SE, then of K_PE.
 struct Format {
@@ -86,32 +90,6 @@ std::vector<cam::FoundArm> found_arms(const PartReport& part, const std::vector<
     }
     return arms;
 }
-
-/// A spring that is extended a little beyond both ends, along the chord of the last piece: a design may cover its resting loads exactly,
-/// and a file that is short by its chordal error must not lose the dead-band.
-class Continued final : public spring::Potential {
-public:
-    explicit Continued(spring::PotentialPtr inner) : inner_(std::move(inner)), range_(inner_->domain()), beyond_(0.01 * range_.width()) {}
-
-    [[nodiscard]] core::Range domain() const override { return {range_.low - beyond_, range_.high + beyond_}; }
-    [[nodiscard]] double force(double x) const override { return inner_->force(held(x)) + chord(x) * (x - held(x)); }
-    [[nodiscard]] double stiffness(double x) const override { return range_.holds(x) ? inner_->stiffness(x) : chord(x); }
-    [[nodiscard]] double slope(double x) const override { return range_.holds(x) ? inner_->slope(x) : 0.0; }
-    [[nodiscard]] double energy(double x) const override {
-        return inner_->energy(held(x)) + 0.5 * (inner_->force(held(x)) + force(x)) * (x - held(x));
-    }
-
-private:
-    [[nodiscard]] double held(double x) const { return std::clamp(x, range_.low, range_.high); }
-    [[nodiscard]] double chord(double x) const {
-        const double end = held(x), inside = x > range_.low ? end - beyond_ : end + beyond_;
-        return (inner_->force(end) - inner_->force(inside)) / (end - inside);
-    }
-
-    spring::PotentialPtr inner_;
-    core::Range range_;
-    double beyond_;
-};
 
 /// Largest |torque/nominal - 1| over the travel that both have.
 double worst_law(const spring::Potential& found, const spring::Potential& nominal) {
@@ -200,7 +178,7 @@ private:
     }
 
     void couple(const std::array<spring::PotentialPtr, 2>& springs, JointAsExported& joint) const {
-        const auto series = std::make_shared<Continued>(springs[0]), parallel = std::make_shared<Continued>(springs[1]);
+        const auto series = spring::continued(springs[0], kBeyond), parallel = spring::continued(springs[1], kBeyond);
         const double low = std::max(series->domain().low, parallel->domain().low);
         const double high = std::min(series->domain().high, parallel->domain().high);
         const auto law = spring::make_pair_law(series, parallel, series->force(low) + parallel->force(low),

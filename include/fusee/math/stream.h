@@ -1,7 +1,10 @@
 #pragma once
+#include <cmath>
 #include <cstdint>
 
-namespace fusee::design {
+#include "fusee/core/units.h"
+
+namespace fusee::math {
 
 /// Random numbers by counting: draw `i` of a stream is a hash of (seed, generation, individual, i), independent of the order of
 /// draws. The hash is the finaliser of SplitMix64 (Steele, Lea & Flood 2014), applied once for each number of the key.
@@ -12,6 +15,10 @@ public:
 
     /// Uniform in [0, 1).
     [[nodiscard]] double uniform(std::uint64_t draw) const { return static_cast<double>(mixed(key_, draw) >> 11) * 0x1p-53; }
+    /// Standard normal, from the draws `draw` and `draw` + 1: Box and Muller (1958).
+    [[nodiscard]] double normal(std::uint64_t draw) const {
+        return std::sqrt(-2.0 * std::log1p(-uniform(draw))) * std::cos(2.0 * core::kPi * uniform(draw + 1));
+    }
     /// Uniform in 0 .. count - 1.
     [[nodiscard]] int index(std::uint64_t draw, int count) const { return static_cast<int>(uniform(draw) * count); }
 
@@ -25,4 +32,4 @@ private:
     std::uint64_t key_;
 };
 
-}  // namespace fusee::design
+}  // namespace fusee::math

@@ -1,0 +1,9 @@
+#pragma once
+#include "fusee/spring/potential.h"
+
+namespace fusee::spring {
+
+/// The same spring, extended beyond both ends by a share of its range, along the chord of its last piece of that length.
+[[nodiscard]] PotentialPtr continued(PotentialPtr spring, double share);
+
+}  // namespace fusee::spring

@@ -1,0 +1,38 @@
+#include "fusee/spring/continued.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace fusee::spring {
+
+namespace {
+
+class Continued final : public Potential {
+public:
+    Continued(PotentialPtr inner, double share) : inner_(std::move(inner)), range_(inner_->domain()), beyond_(share * range_.width()) {}
+
+    [[nodiscard]] core::Range domain() const override { return {range_.low - beyond_, range_.high + beyond_}; }
+    [[nodiscard]] double force(double x) const override { return inner_->force(held(x)) + chord(x) * (x - held(x)); }
+    [[nodiscard]] double stiffness(double x) const override { return range_.holds(x) ? inner_->stiffness(x) : chord(x); }
+    [[nodiscard]] double slope(double x) const override { return range_.holds(x) ? inner_->slope(x) : 0.0; }
+    [[nodiscard]] double energy(double x) const override {
+        return inner_->energy(held(x)) + 0.5 * (inner_->force(held(x)) + force(x)) * (x - held(x));
+    }
+
+private:
+    [[nodiscard]] double held(double x) const { return std::clamp(x, range_.low, range_.high); }
+    [[nodiscard]] double chord(double x) const {
+        const double end = held(x), inside = x > range_.low ? end - beyond_ : end + beyond_;
+        return (inner_->force(end) - inner_->force(inside)) / (end - inside);
+    }
+
+    PotentialPtr inner_;
+    core::Range range_;
+    double beyond_;
+};
+
+}  // namespace
+
+PotentialPtr continued(PotentialPtr spring, double share) { return std::make_shared<Continued>(std::move(spring), share); }
+
+}  // namespace fusee::spring

@@ -34,13 +34,13 @@ _fusee() {
     [ "$word" = = ] && word=''
     for ((i = 1; i < COMP_CWORD; ++i)); do
         case "$command ${COMP_WORDS[i]}" in
-            ' make' | ' batch' | ' query' | ' fix' | ' springs' | ' simulate' | ' identify' | ' design' | ' diagnose' | ' predict' | ' case-template' | ' blind' | ' blind make' | ' blind score' | ' paper' | ' coupons' | ' calibrate' | ' check' | ' rules' | ' keys') command+=" ${COMP_WORDS[i]}" ;;
+            ' make' | ' batch' | ' query' | ' fix' | ' budget' | ' springs' | ' simulate' | ' identify' | ' design' | ' diagnose' | ' predict' | ' case-template' | ' blind' | ' blind make' | ' blind score' | ' paper' | ' coupons' | ' calibrate' | ' check' | ' rules' | ' keys') command+=" ${COMP_WORDS[i]}" ;;
         esac
     done
     case $command in
         '')
             case $word:$before in
-                *) _fusee_words "$word" make batch query fix springs simulate identify design diagnose predict case-template blind paper coupons calibrate check rules keys --help --version ;;
+                *) _fusee_words "$word" make batch query fix budget springs simulate identify design diagnose predict case-template blind paper coupons calibrate check rules keys --help --version ;;
             esac ;;
         ' make')
             case $word:$before in
@@ -72,6 +72,13 @@ _fusee() {
                 *:--keep) _fusee_keys "$word" ;;
                 *:--most) ;;
                 -*) _fusee_words "$word" --help --out --reviews --keep --most --json --force ;;
+                *) _fusee_files "$word" toml ;;
+            esac ;;
+        ' budget')
+            case $word:$before in
+                *:--draws) ;;
+                *:--wanted) ;;
+                -*) _fusee_words "$word" --help --draws --wanted --json ;;
                 *) _fusee_files "$word" toml ;;
             esac ;;
         ' springs')

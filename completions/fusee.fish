@@ -6,7 +6,7 @@ function __fusee_at
     set -e words[1]
     set -l path
     for word in $words
-        if contains -- "$path $word" ' make' ' batch' ' query' ' fix' ' springs' ' simulate' ' identify' ' design' ' diagnose' ' predict' ' case-template' ' blind' ' blind make' ' blind score' ' paper' ' coupons' ' calibrate' ' check' ' rules' ' keys'
+        if contains -- "$path $word" ' make' ' batch' ' query' ' fix' ' budget' ' springs' ' simulate' ' identify' ' design' ' diagnose' ' predict' ' case-template' ' blind' ' blind make' ' blind score' ' paper' ' coupons' ' calibrate' ' check' ' rules' ' keys'
             set path "$path $word"
         end
     end
@@ -30,6 +30,7 @@ complete -c fusee -n "__fusee_at ''" -a make -d 'Make checked cams from profiles
 complete -c fusee -n "__fusee_at ''" -a batch -d 'Make every design of a study, with an index of their figures'
 complete -c fusee -n "__fusee_at ''" -a query -d 'Ask the index of a study in SQL, read-only'
 complete -c fusee -n "__fusee_at ''" -a fix -d 'Change a profile until it can be made'
+complete -c fusee -n "__fusee_at ''" -a budget -d 'State the errors of joints as a shop builds them'
 complete -c fusee -n "__fusee_at ''" -a springs -d 'Turn the wanted rates into springs that can be wound or bought'
 complete -c fusee -n "__fusee_at ''" -a simulate -d 'Simulate the joints of profiles'
 complete -c fusee -n "__fusee_at ''" -a identify -d 'Identify the friction of a gear from break-away tests'
@@ -79,6 +80,12 @@ complete -c fusee -n "__fusee_at ' fix'" -l keep -x -a '(__fusee_keys)' -d 'Key 
 complete -c fusee -n "__fusee_at ' fix'" -l most -x -d 'Largest number of profiles that the search judges'
 complete -c fusee -n "__fusee_at ' fix'" -l json -d 'Print the changes as JSON instead of text'
 complete -c fusee -n "__fusee_at ' fix'" -l force -d 'Replace the file if it exists'
+
+complete -c fusee -n "__fusee_at ' budget'" -a '(__fusee_files toml)'
+complete -c fusee -n "__fusee_at ' budget'" -s h -l help -d 'Print this help message and exit'
+complete -c fusee -n "__fusee_at ' budget'" -l draws -x -d 'Number of joints to sample'
+complete -c fusee -n "__fusee_at ' budget'" -l wanted -x -d 'Wanted error of the torque, 5 to 95 % of joints, to both sides [%]'
+complete -c fusee -n "__fusee_at ' budget'" -l json -d 'Print JSON'
 
 complete -c fusee -n "__fusee_at ' springs'" -a '(__fusee_files toml)'
 complete -c fusee -n "__fusee_at ' springs'" -s h -l help -d 'Print this help message and exit'

@@ -20,6 +20,7 @@ _fusee() {
         'batch:Make every design of a study, with an index of their figures'
         'query:Ask the index of a study in SQL, read-only'
         'fix:Change a profile until it can be made'
+        'budget:State the errors of joints as a shop builds them'
         'springs:Turn the wanted rates into springs that can be wound or bought'
         'simulate:Simulate the joints of profiles'
         'identify:Identify the friction of a gear from break-away tests'
@@ -83,6 +84,15 @@ _fusee_fix() {
         '(--most)'--most='[Largest number of profiles that the search judges]'':1 to 1000000: ' \
         '(--json)'--json'[Print the changes as JSON instead of text]' \
         '(--force)'--force'[Replace the file if it exists]' \
+        '1'':file:_files -g "*.(toml)(-.)"'
+}
+
+_fusee_budget() {
+    _arguments -s \
+        '(- *)'{-h,--help}'[Print this help message and exit]' \
+        '(--draws)'--draws='[Number of joints to sample]'':20 to 100000: ' \
+        '(--wanted)'--wanted='[Wanted error of the torque, 5 to 95 % of joints, to both sides \[%\]]'':0.01 to 100: ' \
+        '(--json)'--json'[Print JSON]' \
         '1'':file:_files -g "*.(toml)(-.)"'
 }
 

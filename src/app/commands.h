@@ -12,6 +12,7 @@ void add_make(CLI::App& app, Action& action);
 void add_batch(CLI::App& app, Action& action);
 void add_query(CLI::App& app, Action& action);
 void add_fix(CLI::App& app, Action& action);
+void add_budget(CLI::App& app, Action& action);
 void add_springs(CLI::App& app, Action& action);
 void add_simulate(CLI::App& app, Action& action);
 void add_identify(CLI::App& app, Action& action);

@@ -26,9 +26,9 @@ namespace fusee::app {
 namespace {
 
 void add_commands(CLI::App& app, Action& action) {
-    for (const auto& add :
-         {add_make, add_batch, add_query, add_fix, add_springs, add_simulate, add_identify, add_design, add_diagnose, add_predict,
-          add_case_template, add_blind, add_paper, add_coupons, add_calibrate, add_check, add_rules, add_keys, add_usage})
+    for (const auto& add : {add_make,     add_batch,     add_query,    add_fix,     add_budget,        add_springs, add_simulate,
+                            add_identify, add_design,    add_diagnose, add_predict, add_case_template, add_blind,   add_paper,
+                            add_coupons,  add_calibrate, add_check,    add_rules,   add_keys,          add_usage})
         add(app, action);
 }
 

@@ -18,7 +18,6 @@ namespace fusee::budget {
 
 namespace {
 
-constexpr double kPercentile = 1.6448536269514722;  // 95 % of a normal distribution lie below that many standard deviations
 constexpr std::size_t kSe = 0, kPe = 1;
 
 /// Errors of both parts and of the gear on one side.
@@ -62,9 +61,11 @@ std::vector<Drawn> drawn_errors(const Subject& subject) {
 
 core::Range normal_band(double sigma) { return {-kPercentile * sigma, kPercentile * sigma}; }
 
-PartBudget first_order(const PartModel& model, cam::PartKind kind, std::size_t part, const std::vector<Drawn>& errors) {
+PartBudget first_order(const PartModel& model, const PartSubject& subject, std::size_t part, const std::vector<Drawn>& errors) {
     PartBudget budget;
-    budget.kind = kind;
+    budget.kind = subject.cam->kind;
+    budget.parallel = subject.cam->options.guide.kind == cam::GuideKind::kParallel;
+    for (std::size_t i = 0; i < kSources; ++i) budget.limits[i] = subject.tolerances.of(static_cast<Source>(i), budget.parallel);
     for (const std::size_t row : model.places()) {
         TorqueError place;
         place.travel = model.travel(row), place.torque = model.torque(row);
@@ -242,20 +243,19 @@ Budget budget_of(const Subject& subject, std::span<const double> torques, const 
     const Shop shop(subject, models);
     Budget budget;
     budget.draws = options.draws;
-    for (const std::size_t part : {kSe, kPe}) budget.parts[part] = first_order(models[part], subject.parts[part].cam->kind, part, errors);
+    for (const std::size_t part : {kSe, kPe}) budget.parts[part] = first_order(models[part], subject.parts[part], part, errors);
     for (const double tau : torques) budget.widths.push_back(width_budget(shop, tau, errors));
     if (options.draws > 0) add_samples(budget, shop, models, torques, errors, options);
     return budget;
 }
 
-std::vector<Needed> tolerances_for_torque(const PartBudget& part, const PartSubject& subject, double wanted) {
+std::vector<Needed> tolerances_for_torque(const PartBudget& part, double wanted) {
     core::require_positive("wanted", wanted);
-    const bool parallel = subject.cam->options.guide.kind == cam::GuideKind::kParallel;
     std::vector<Needed> all;
     for (std::size_t i = 0; i < kSources; ++i) {
         double most = 0.0;
         for (const TorqueError& place : part.places) most = std::max(most, place.sigma[i]);
-        const double stated = subject.tolerances.of(static_cast<Source>(i), parallel);
+        const double stated = part.limits[i];
         if (most <= 0.0 || stated <= 0.0) continue;
         all.push_back({static_cast<Source>(i), stated, stated * wanted / (kPercentile * most), 0.0});
     }

@@ -66,7 +66,7 @@ std::string Key::leaf() const { return path.substr(path.rfind('.') + 1); }
 
 bool Key::of_part() const {
     static constexpr std::array kTables{"cable",     "groove",       "process", "material", "tolerances", "outputs",
-                                        "machining", "compensation", "k_se",    "k_pe",     "assembly"};
+                                        "machining", "compensation", "k_se",    "k_pe",     "assembly",   "budget"};
     return std::find(kTables.begin(), kTables.end(), path.substr(0, path.find('.'))) != kTables.end();
 }
 

@@ -90,6 +90,7 @@ struct Key {
 [[nodiscard]] std::vector<Key> design_keys();
 [[nodiscard]] std::vector<Key> codesign_keys();
 [[nodiscard]] std::vector<Key> assembly_keys();
+[[nodiscard]] std::vector<Key> budget_keys();
 [[nodiscard]] std::vector<Key> machining_keys();
 [[nodiscard]] std::vector<Key> compensation_keys();
 [[nodiscard]] std::vector<Key> part_keys(const std::string& part, PartSpec Profile::*member);

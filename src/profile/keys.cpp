@@ -131,6 +131,7 @@ std::vector<Key> all_keys() {
     add(part_keys("k_se", &Profile::k_se));
     add(part_keys("k_pe", &Profile::k_pe));
     add(assembly_keys());
+    add(budget_keys());
     return all;
 }
 

@@ -9,9 +9,14 @@ namespace {
 
 class Continued final : public Potential {
 public:
-    Continued(PotentialPtr inner, double share) : inner_(std::move(inner)), range_(inner_->domain()), beyond_(share * range_.width()) {}
+    Continued(PotentialPtr inner, double share)
+        : inner_(std::move(inner)), range_(inner_->domain()), beyond_(share * range_.width()), below_(beyond_) {
+        constexpr double kAlmost = 0.999;        // of the way to a torque of 0
+        const double slope = chord(range_.low);  // a cable cannot push
+        if (slope > 0.0) below_ = std::clamp(kAlmost * inner_->force(range_.low) / slope, 0.0, beyond_);
+    }
 
-    [[nodiscard]] core::Range domain() const override { return {range_.low - beyond_, range_.high + beyond_}; }
+    [[nodiscard]] core::Range domain() const override { return {range_.low - below_, range_.high + beyond_}; }
     [[nodiscard]] double force(double x) const override { return inner_->force(held(x)) + chord(x) * (x - held(x)); }
     [[nodiscard]] double stiffness(double x) const override { return range_.holds(x) ? inner_->stiffness(x) : chord(x); }
     [[nodiscard]] double slope(double x) const override { return range_.holds(x) ? inner_->slope(x) : 0.0; }
@@ -28,7 +33,7 @@ private:
 
     PotentialPtr inner_;
     core::Range range_;
-    double beyond_;
+    double beyond_, below_;
 };
 
 }  // namespace

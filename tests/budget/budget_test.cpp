@@ -144,7 +144,7 @@ TEST(Budget, IsTheSameForAnyNumberOfThreads) {
 TEST(Needed, GivesTheWantedBand) {
     const Subject subject = pnrvsa().subject({});
     const PartBudget part = budget_of(subject, {}, {.draws = 0}).parts[1];
-    const std::vector<Needed> needed = tolerances_for_torque(part, subject.parts[1], 0.05);
+    const std::vector<Needed> needed = tolerances_for_torque(part, 0.05);
     ASSERT_GE(needed.size(), 6U);
     for (const Needed& n : needed) {
         if (n.source != Source::kContour && n.source != Source::kRate) continue;

@@ -67,6 +67,8 @@ struct TorqueError {
 
 struct PartBudget {
     cam::PartKind kind = cam::PartKind::kSeries;
+    bool parallel = false;                           ///< the guide is a parallel exit: its limit is an angle
+    std::array<double, kSources> limits{};           ///< tolerances of its sources, each in its own unit
     std::vector<TorqueError> places;                 ///< from the lowest to the greatest travel
     [[nodiscard]] const TorqueError& worst() const;  ///< the place with the widest first-order band
 };
@@ -107,6 +109,9 @@ struct Needed {
 };
 /// For a 5 to 95 % band of the torque within +-`wanted` (relative) at every place, by the first order. Sources without influence, or with a
 /// tolerance of 0, are left out.
-[[nodiscard]] std::vector<Needed> tolerances_for_torque(const PartBudget& part, const PartSubject& subject, double wanted);
+[[nodiscard]] std::vector<Needed> tolerances_for_torque(const PartBudget& part, double wanted);
+
+/// Half of a 5 to 95 % band of a normal error, in standard deviations.
+inline constexpr double kPercentile = 1.6448536269514722;
 
 }  // namespace fusee::budget

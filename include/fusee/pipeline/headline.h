@@ -1,9 +1,11 @@
 #pragma once
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "fusee/actuator/dead_band.h"
+#include "fusee/budget/budget.h"
 #include "fusee/core/units.h"
 
 namespace fusee::pipeline {
@@ -32,13 +34,16 @@ struct ExpectedWidth {
 struct Headline {
     std::string process;                                             ///< "fdm"; empty: nothing is known
     std::vector<MadeArm> arms;                                       ///< of K_SE, of K_PE
+    std::optional<budget::Budget> budget;                            ///< none with a roller cam: it is not modelled
     ExpectedWidth least, overdrive;                                  ///< dead-band at the ends of the co-contractions in use
     double joint_torque = std::numeric_limits<double>::quiet_NaN();  ///< greatest at which every spring stays inside its law [Nm]
     actuator::ConditionSummary condition;                            ///< the paper's (6)
 };
 
 /// @param simulation of the same design @param parts K_SE's and K_PE's
-[[nodiscard]] Headline headline_of(const ResolvedDesign& design, const Simulation& simulation, const std::vector<PartReport>& parts);
+/// @param draws joints sampled for the budget; 0: first order only
+[[nodiscard]] Headline headline_of(const ResolvedDesign& design, const Simulation& simulation, const std::vector<PartReport>& parts,
+                                   int draws = 0);
 
 /// How far the exported files are from the law; NaN: none was read back.
 struct FileErrors {

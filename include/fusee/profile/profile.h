@@ -9,6 +9,7 @@
 #include "fusee/actuator/noise.h"
 #include "fusee/actuator/relatives.h"
 #include "fusee/assembly/options.h"
+#include "fusee/budget/options.h"
 #include "fusee/cam/cam.h"
 #include "fusee/cam/wrap_friction.h"
 #include "fusee/checks/check.h"
@@ -142,6 +143,7 @@ struct Profile {
     cam::WrapFriction wrap;  ///< of that cable on its cams
     checks::Process process;
     assembly::Options assembly;
+    budget::Options budget;
     std::vector<checks::Override> limits;  ///< instead of the rules' defaults, in the file's order
     toolpath::Settings machining;
     Outputs outputs;

@@ -1,11 +1,13 @@
 #include "fusee/pipeline/headline.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "fusee/actuator/dead_band.h"
 #include "fusee/checks/limits.h"
 #include "fusee/design/robust.h"
+#include "fusee/pipeline/budget.h"
 #include "fusee/pipeline/design.h"
 #include "fusee/pipeline/design_report.h"
 #include "fusee/pipeline/simulation.h"
@@ -14,11 +16,11 @@ namespace fusee::pipeline {
 
 namespace {
 
-ExpectedWidth width_at(const design::Drawing& drawing, double tau) {
+ExpectedWidth width_at(const design::Drawing& drawing, double tau, const design::ShopScatter& scatter) {
     ExpectedWidth width;
     width.tau = tau;
     width.nominal = actuator::dead_band(drawing.actuator, tau).exact_width;
-    width.built = design::robust_dead_band(drawing, tau).band;
+    width.built = design::robust_dead_band(drawing, tau, scatter).band;
     return width;
 }
 
@@ -28,17 +30,27 @@ MadeArm made_arm(const PartReport& report, double tolerance_mm) {
     return {cam::to_string(report.part->cam.kind), tolerance_mm, core::mm_from_m(least->arm.arm)};
 }
 
+std::optional<budget::Budget> budget_of(const ResolvedDesign& design, const std::vector<PartReport>& parts, int draws) {
+    if (parts.size() != 2) return std::nullopt;
+    const auto subject = budget_subject(design, {&parts[0].part->cam, &parts[1].part->cam});
+    if (!subject) return std::nullopt;
+    const profile::Rig& rig = design.profile.rig;
+    return budget::budget_of(*subject, std::array{rig.least_torque, rig.overdrive_torque}, {.draws = draws});
+}
+
 }  // namespace
 
-Headline headline_of(const ResolvedDesign& design, const Simulation& simulation, const std::vector<PartReport>& parts) {
+Headline headline_of(const ResolvedDesign& design, const Simulation& simulation, const std::vector<PartReport>& parts, int draws) {
     const profile::Profile& profile = design.profile;
     const fusee::design::Drawing drawing = design.drawing();
     Headline headline;
     headline.process = checks::to_string(profile.process.kind);
     for (const PartReport& part : parts)
         headline.arms.push_back(made_arm(part, core::mm_from_m(checks::process_limits(profile.process).tolerance)));
-    headline.least = width_at(drawing, profile.rig.least_torque);
-    headline.overdrive = width_at(drawing, profile.rig.overdrive_torque);
+    headline.least = width_at(drawing, profile.rig.least_torque, shop_scatter(profile));
+    headline.overdrive = width_at(drawing, profile.rig.overdrive_torque, shop_scatter(profile));
+    headline.budget = budget_of(design, parts, draws);
+    if (headline.budget) headline.least.built = headline.budget->widths[0].band, headline.overdrive.built = headline.budget->widths[1].band;
     headline.joint_torque = simulation.survey.torque;
     headline.condition = simulation.condition;
     return headline;

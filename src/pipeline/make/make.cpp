@@ -22,6 +22,8 @@ namespace fusee::pipeline {
 
 namespace {
 
+constexpr int kDraws = 200;  // joints sampled for the error budget
+
 constexpr std::size_t kDeadBandLevels = 41;
 constexpr std::size_t kLawSamples = 401;
 
@@ -165,7 +167,7 @@ core::Outcome<MadeDesign> make_parts(const profile::Profile& profile, core::Outp
     report.as_exported = as_exported(design, report);
     export_joint(report, assembled.get(), exact, profile, output.path());
     made.simulation = simulation.get();
-    report.headline = headline_of(design, made.simulation, report.parts);
+    report.headline = headline_of(design, made.simulation, report.parts, options.reported ? kDraws : 0);
     return made;
 }
 

@@ -11,6 +11,7 @@
 #include "fusee/actuator/noise.h"
 #include "fusee/actuator/relatives.h"
 #include "fusee/design/robust.h"
+#include "fusee/pipeline/budget.h"
 #include "fusee/spring/cable.h"
 #include "fusee/spring/resampled.h"
 
@@ -68,7 +69,7 @@ public:
           path_joint_(path_joint_of(design)),
           frame_(path_joint_of(design, false)),
           test_{.push_torque = push_torque} {
-        if (profile_.has_parts) drawing_ = design.drawing();
+        if (profile_.has_parts) drawing_ = design.drawing(), scatter_ = shop_scatter(profile_);
     }
 
     void fill(Simulation& simulation, const std::vector<double>& levels) {
@@ -99,7 +100,7 @@ private:
             level.noise = *noise;
         else
             gaps_.note("noise", noise.refusal());
-        if (drawing_) level.built = fusee::design::robust_dead_band(*drawing_, tau).band;
+        if (drawing_) level.built = fusee::design::robust_dead_band(*drawing_, tau, scatter_).band;
         return level;
     }
     [[nodiscard]] std::vector<MeasuredRow> measured() const {
@@ -115,6 +116,7 @@ private:
     actuator::Joint joint_, path_joint_, frame_;
     actuator::ReleaseTest test_;
     std::optional<fusee::design::Drawing> drawing_;  ///< if there are parts
+    fusee::design::ShopScatter scatter_;             ///< of their process and of [budget]
     Gaps gaps_;
 };
 

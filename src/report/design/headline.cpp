@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 
 #include "page/html.h"
 
@@ -32,6 +34,14 @@ HeadFigure dead_band_figure(const Headline& o) {
     return figure;
 }
 
+std::string files_text(const FileErrors& files) {
+    std::string text;
+    if (std::isfinite(files.arm)) text += fmt::format("; arm error of the files {} %", number(100.0 * files.arm, 2));
+    if (std::isfinite(files.dead_band)) text += fmt::format(", of their dead-band {} %", number(100.0 * files.dead_band, 2));
+    return text;
+}
+
+/// Without a budget: the contour's tolerance at the least arm.
 HeadFigure arms_figure(const Headline& o, const FileErrors& files) {
     const auto worst = std::max_element(o.arms.begin(), o.arms.end(),
                                         [](const auto& a, const auto& b) { return a.worst_relative() < b.worst_relative(); });
@@ -40,9 +50,27 @@ HeadFigure arms_figure(const Headline& o, const FileErrors& files) {
     for (const MadeArm& arm : o.arms)
         figure.label += fmt::format("{} {} mm on {}'s least arm of {} mm", &arm == &o.arms.front() ? "" : ",", number(arm.tolerance_mm, 2),
                                     arm.part, number(arm.least_arm_mm, 3));
-    if (std::isfinite(files.arm)) figure.label += fmt::format("; arm error of the files {} %", number(100.0 * files.arm, 2));
-    if (std::isfinite(files.dead_band)) figure.label += fmt::format(", of their dead-band {} %", number(100.0 * files.dead_band, 2));
-    return figure;
+    return figure.label += files_text(files), figure;
+}
+
+/// The part with the widest band of torque, its place and what contributes most.
+HeadFigure torque_figure(const Headline& o, const FileErrors& files) {
+    const auto wider = [](const budget::PartBudget& a, const budget::PartBudget& b) { return a.worst().whole() < b.worst().whole(); };
+    const auto& parts = o.budget->parts;
+    const budget::PartBudget& widest = *std::max_element(parts.begin(), parts.end(), wider);
+    const budget::PartBudget& other = &widest == &parts[0] ? parts[1] : parts[0];
+    const auto band = [](const budget::PartBudget& part) {
+        return fmt::format("{:+.1f} to {:+.1f} %", 100.0 * part.worst().band.low, 100.0 * part.worst().band.high);
+    };
+    std::array<std::size_t, budget::kSources> order{};
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return widest.worst().sigma[a] > widest.worst().sigma[b]; });
+    HeadFigure figure{band(widest), fmt::format("torque of {} as built by {}, 5 to 95 % of joints, where it is least certain ({}: {}):",
+                                                to_string(widest.kind), o.process, to_string(other.kind), band(other))};
+    for (std::size_t i = 0; i < 3; ++i)
+        figure.label += fmt::format("{} {} {:.1f} %", i == 0 ? "" : ",", to_string(static_cast<budget::Source>(order[i])),
+                                    100.0 * budget::kPercentile * widest.worst().sigma[order[i]]);
+    return figure.label += files_text(files), figure;
 }
 
 std::string short_condition(const actuator::ConditionSummary& c) {
@@ -55,7 +83,10 @@ std::vector<HeadFigure> head_figures(const Headline& o, const FileErrors& files)
     std::vector<HeadFigure> all;
     if (o.process.empty()) return all;
     all.push_back(dead_band_figure(o));
-    if (!o.arms.empty()) all.push_back(arms_figure(o, files));
+    if (o.budget)
+        all.push_back(torque_figure(o, files));
+    else if (!o.arms.empty())
+        all.push_back(arms_figure(o, files));
     if (std::isfinite(o.joint_torque))
         all.push_back({newton_metres(o.joint_torque), "greatest joint torque within the laws of the springs"});
     if (std::isfinite(o.condition.values.high))

@@ -1,5 +1,6 @@
-#include "data/json.h"
+#include "budget/json.h"
 
+#include "data/json.h"
 #include "design/as_exported.h"
 #include "design/cam_figures.h"
 #include "design/stretch.h"
@@ -148,6 +149,7 @@ Json headline_json(const Headline& o, double worst_file_error) {
                                                {"least_arm_mm", arm.least_arm_mm},
                                                {"worst_relative", arm.worst_relative()}};
                                })},
+            {"budget", o.budget ? budget_to_json(*o.budget) : Json()},
             {"worst_file_arm_error", worst_file_error},
             {"joint_torque_Nm", o.joint_torque},
             {"condition_6", {{"verdict", to_string(condition_verdict(o.condition))}, {"values", range_json(o.condition.values)}}}};

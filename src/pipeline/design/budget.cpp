@@ -1,0 +1,52 @@
+#include "fusee/pipeline/budget.h"
+
+#include <algorithm>
+
+#include "fusee/checks/limits.h"
+
+namespace fusee::pipeline {
+
+namespace {
+
+budget::Tolerances tolerances_of(const profile::Profile& profile, const profile::PartSpec& spec) {
+    const budget::Options& o = profile.budget;
+    const bool measured = spec.spring.rate_origin == spring::RateOrigin::kMeasured;
+    return {.contour = checks::process_limits(profile.process).tolerance,
+            .runout = o.runout > 0.0 ? o.runout : 0.5 * spec.solid.hub.bore_clearance,
+            .guide = o.guide,
+            .direction = o.direction,
+            .rate = measured ? o.measured_rate : o.rate,
+            .preload = o.preload,
+            .cable = o.cable,
+            .zero = o.zero,
+            .friction = o.friction};
+}
+
+}  // namespace
+
+std::optional<budget::Subject> budget_subject(const ResolvedDesign& design, const std::array<const cam::Cam*, 2>& cams) {
+    budget::Subject subject{design.actuator, {}};
+    for (std::size_t i = 0; i < cams.size(); ++i) {
+        if (cams[i]->has_roller() || cams[i]->working.size() < 4) return std::nullopt;
+        const profile::PartSpec& spec = design.spec(cams[i]->kind);
+        subject.parts[i] = {cams[i], pulled_spring(spec), spec.allowance, tolerances_of(design.profile, spec)};
+    }
+    return subject;
+}
+
+design::ShopScatter shop_scatter(const profile::Profile& profile) {
+    const budget::Tolerances se = tolerances_of(profile, profile.k_se), pe = tolerances_of(profile, profile.k_pe);
+    return {.rate_se = 0.5 * se.rate, .rate_pe = 0.5 * pe.rate, .contour = 0.5 * se.contour, .friction = 0.5 * se.friction};
+}
+
+std::vector<std::string> processes_within(double tolerance) {
+    std::vector<checks::ProcessLimits> holding;
+    for (const checks::ProcessLimits& p : checks::process_table())
+        if (p.tolerance > 0.0 && p.tolerance <= tolerance) holding.push_back(p);
+    std::stable_sort(holding.begin(), holding.end(), [](const auto& a, const auto& b) { return a.tolerance > b.tolerance; });
+    std::vector<std::string> names;
+    for (const checks::ProcessLimits& p : holding) names.emplace_back(checks::to_string(p.kind));
+    return names;
+}
+
+}  // namespace fusee::pipeline

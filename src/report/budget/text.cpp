@@ -1,0 +1,84 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "fusee/core/units.h"
+#include "fusee/pipeline/budget.h"
+#include "fusee/report/budget.h"
+#include "page/html.h"
+
+namespace fusee::report {
+
+namespace {
+
+using budget::Budget, budget::PartBudget, budget::Source, budget::TorqueError, budget::WidthBudget;
+
+std::string percent_band(const core::Range& band) { return fmt::format("{:+.1f} to {:+.1f} %", 100.0 * band.low, 100.0 * band.high); }
+std::string degree_band(const core::Range& band) {
+    return fmt::format("{:.1f} to {:.1f} deg", core::deg_from_rad(band.low), core::deg_from_rad(band.high));
+}
+double half_band(double sigma) { return budget::kPercentile * sigma; }
+
+/// "mill, edm"; "none"
+std::string names(const std::vector<std::string>& all) { return all.empty() ? "none" : fmt::format("{}", fmt::join(all, ", ")); }
+
+std::string part_text(const PartBudget& part, int draws, double wanted) {
+    const TorqueError& worst = part.worst();
+    std::string text = fmt::format("\n{}: torque {}", to_string(part.kind), percent_band(worst.band));
+    if (draws > 0) text += fmt::format(" (sampled {})", percent_band(worst.sampled));
+    text += fmt::format(" at {:.1f} deg of travel, {:.3g} Nm\n    {:10} {:>10} {:>14} {:>18} {:>12}\n", core::deg_from_rad(worst.travel),
+                        worst.torque, "source", "limit", "torque", fmt::format("+-{:g} %: alone", 100.0 * wanted), "shared");
+    double contour = 0.0;
+    for (const budget::Needed& n : tolerances_for_torque(part, wanted)) {
+        if (n.source == Source::kContour) contour = n.shared;
+        text += fmt::format("    {:10} {:>10} {:>14} {:>18} {:>12}\n", to_string(n.source), limit_text(part, n.source, n.stated),
+                            fmt::format("+-{:.2f} %", 100.0 * half_band(worst.sigma[static_cast<std::size_t>(n.source)])),
+                            limit_text(part, n.source, n.alone), limit_text(part, n.source, n.shared));
+    }
+    return text + fmt::format("    processes that hold a contour of {}: {}\n", limit_text(part, Source::kContour, contour),
+                              names(pipeline::processes_within(contour)));
+}
+
+std::string width_text(const WidthBudget& width, int draws) {
+    if (std::isnan(width.nominal)) return fmt::format("\ndead-band at {:g} Nm: the springs do not cover it\n", width.tau);
+    std::string text = fmt::format("\ndead-band at {:g} Nm: {:.1f} deg as designed, {} as built", width.tau,
+                                   core::deg_from_rad(width.nominal), degree_band(width.band));
+    if (draws > 0) text += fmt::format(" (sampled {})", degree_band(width.sampled));
+    text += "\n   ";
+    for (std::size_t i = 0; i < budget::kSources; ++i)
+        if (width.sigma[i] > 0.0)
+            text += fmt::format(" {} +-{:.1f}", to_string(static_cast<Source>(i)), core::deg_from_rad(half_band(width.sigma[i])));
+    return text + " deg\n";
+}
+
+}  // namespace
+
+std::string limit_text(const PartBudget& part, Source source, double limit) {
+    const auto in = [&](double value, const char* unit) { return fmt::format("{:.3g} {}", value, unit); };
+    switch (source) {
+        case Source::kContour:
+        case Source::kRunout:
+            return in(core::mm_from_m(limit), "mm");
+        case Source::kGuide:
+            return part.parallel ? in(core::deg_from_rad(limit), "deg") : in(core::mm_from_m(limit), "mm");
+        case Source::kZero:
+            return in(core::deg_from_rad(limit), "deg");
+        case Source::kRate:
+        case Source::kPreload:
+        case Source::kCable:
+        case Source::kFriction:
+            return in(100.0 * limit, "%");
+    }
+    return "";
+}
+
+std::string budget_text(const BudgetTitle& title, const Budget& budget, double wanted) {
+    std::string text = fmt::format("{} by {}: 5 to 95 % of joints as built, first order{}\n", title.name, title.process,
+                                   budget.draws > 0 ? fmt::format(" and {} sampled joints", budget.draws) : "");
+    for (const PartBudget& part : budget.parts) text += part_text(part, budget.draws, wanted);
+    for (const WidthBudget& width : budget.widths) text += width_text(width, budget.draws);
+    return text + "\nNot counted: friction of the cable, elasticity of the frame, shrinkage that a coupon would show.\n";
+}
+
+}  // namespace fusee::report

@@ -91,12 +91,12 @@ ContourFit fitted(std::vector<InspectionRow> rows) {
     return fit;
 }
 
-/// Largest |share| of the rows' arms, with its sign [1].
+/// Largest |share| of the rows' arms, with its sign [1]. The arms of the law are those of the sheet plus what is `compensated` [m].
 template <class Share>
-double worst_of_arm(const ContourFit& fit, const Share& share) {
+double worst_of_arm(const ContourFit& fit, double compensated, const Share& share) {
     double worst = 0.0;
     for (std::size_t i = 0; i < fit.rows.size(); ++i) {
-        const double relative = share(i) / fit.rows[i].nominal;
+        const double relative = share(i) / (fit.rows[i].nominal + compensated);
         if (std::abs(relative) > std::abs(worst)) worst = relative;
     }
     return worst;
@@ -157,13 +157,14 @@ private:
             result_.remarks.emplace_back("the arm of a roller cam follows the slope of the rim: no percent is stated for deviations");
             return;
         }
-        const double as_made = worst_of_arm(fit_, [&](std::size_t i) { return fit_.rows[i].deviation; }),
-                     compensated = worst_of_arm(fit_, [&](std::size_t i) { return fit_.rows[i].deviation - fit_.offset.value; }),
-                     formed = worst_of_arm(fit_, [&](std::size_t i) { return fit_.form[i]; });
+        const double compensated = result_.find("contour_offset")->present;  // the arms of the file are smaller by it
+        const double as_made = worst_of_arm(fit_, compensated, [&](std::size_t i) { return fit_.rows[i].deviation - compensated; }),
+                     centred = worst_of_arm(fit_, compensated, [&](std::size_t i) { return fit_.rows[i].deviation - fit_.offset.value; }),
+                     formed = worst_of_arm(fit_, compensated, [&](std::size_t i) { return fit_.form[i]; });
         result_.remarks.push_back(fmt::format(
             "arm of {}, at its worst row: {:+.2f} % as made, {:+.2f} % without the offset, {:+.2f} % without offset, eccentricity and "
             "rotation (form error)",
-            sheet_.part, 100.0 * as_made, 100.0 * compensated, 100.0 * formed));
+            sheet_.part, 100.0 * as_made, 100.0 * centred, 100.0 * formed));
     }
 
     void judge(const char* id, std::string what, double measured_mm, double allowed_mm, std::string suggestion) {
@@ -223,7 +224,7 @@ private:
     [[nodiscard]] std::string percent(const Share& share) const {
         if (is_rim()) return "";
         return fmt::format(", {:+.2f} % of the arm at most",
-                           100.0 * worst_of_arm(fit_, [&](std::size_t i) { return share(fit_.rows[i]); }));
+                           100.0 * worst_of_arm(fit_, 0.0, [&](std::size_t i) { return share(fit_.rows[i]); }));
     }
 
     const InspectionSheet& sheet_;

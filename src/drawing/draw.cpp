@@ -3,7 +3,6 @@
 #include "body.h"
 #include "fusee/drawing/drawing.h"
 #include "groove_view.h"
-#include "isometric.h"
 #include "marks.h"
 #include "table.h"
 #include "title.h"

@@ -1,4 +1,4 @@
-#include "isometric.h"
+#include "fusee/drawing/isometric.h"
 
 #include <fmt/format.h>
 
@@ -8,6 +8,7 @@
 #include <limits>
 #include <map>
 
+#include "body.h"
 #include "fusee/core/units.h"
 #include "fusee/core/vector.h"
 #include "view.h"
@@ -179,7 +180,7 @@ Line thinned(const Line& line) {
 
 }  // namespace
 
-Projection isometric(const solid::Mesh& mesh, bool from_below) {
+std::vector<Line> isometric(const solid::Mesh& mesh, bool from_below) {
     const Eye eye(from_below);
     std::vector<Vec3> seen;
     seen.reserve(mesh.points_mm.size());
@@ -187,13 +188,13 @@ Projection isometric(const solid::Mesh& mesh, bool from_below) {
     const Depths depths(seen, mesh.triangles);
     std::vector<Line> pieces;
     for (const Edge& edge : drawn_edges(mesh, eye)) add_visible(pieces, seen[edge[0]], seen[edge[1]], depths);
-    return {chained(pieces)};
+    return chained(pieces);
 }
 
 void draw_isometric(Sheet& sheet, const Subject& subject, const Box& area) {
     const bool from_below = subject.part.options.hub.kind == solid::HubKind::kOverhung;
-    const Projection seen = isometric(subject.part.mesh, from_below);
-    const Box mm = extent(seen.lines);
+    const std::vector<Line> seen = isometric(subject.part.mesh, from_below);
+    const Box mm = extent(seen);
     const double width = area.high[0] - area.low[0], height = area.high[1] - area.low[1] - kNameOfView;
     const double scale =
         largest_scale([&](double s) { return s * (mm.high[0] - mm.low[0]) <= width && s * (mm.high[1] - mm.low[1]) <= height; });
@@ -204,7 +205,7 @@ void draw_isometric(Sheet& sheet, const Subject& subject, const Box& area) {
                            {area.low[0], area.low[1] + 4.0},
                            Align::kLeft,
                            Text::kTitle});
-    for (const Line& line : seen.lines) sheet.strokes.push_back({Pen::kOutline, thinned(view.at(line)), false, "isometric"});
+    for (const Line& line : seen) sheet.strokes.push_back({Pen::kOutline, thinned(view.at(line)), false, "isometric"});
 }
 
 }  // namespace fusee::drawing

@@ -72,7 +72,7 @@ Table check_table(const solid::Part& part) {
                 {{"row", "length", "angle", "X", "Y"}, {"", "[mm]", "[deg]", "[mm]", "[mm]"}},
                 {}};
     if (is_helix) table.head[0].emplace_back("Z"), table.head[1].emplace_back("[mm]");
-    for (const char* name : {"radius", "normal", "lean", "arm"}) table.head[0].emplace_back(name);
+    for (const char* name : {"radius", "normal", "tilt", "arm"}) table.head[0].emplace_back(name);
     for (const char* unit : {"[mm]", "[deg]", "[deg]", "[mm]"}) table.head[1].emplace_back(unit);
     if (!roller) table.head[0].emplace_back("d arm/d r"), table.head[1].emplace_back("");
     int number = 0;
@@ -82,8 +82,8 @@ Table check_table(const solid::Part& part) {
         const auto turned = [&](double angle) { return deg(part.cam.closed() ? core::within_turn(angle, 0.0) : angle); };
         Cells row{fmt::format("{}", ++number), fmt::format("{:.2f}", core::mm_from_m(at.length)), turned(at.angle), mm(at.x), mm(at.y)};
         if (is_helix) row.push_back(mm(at.z));
-        for (const std::string& cell : {mm(at.radius), turned(at.normal), deg(at.lean()), mm(at.arm)}) row.push_back(cell);
-        if (!roller) row.push_back(fmt::format("{:.3f}", std::cos(at.lean())));
+        for (const std::string& cell : {mm(at.radius), turned(at.normal), deg(at.tilt()), mm(at.arm)}) row.push_back(cell);
+        if (!roller) row.push_back(fmt::format("{:.3f}", std::cos(at.tilt())));
         table.rows.push_back(std::move(row));
     }
     return table;

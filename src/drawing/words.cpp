@@ -154,7 +154,7 @@ Words tolerance_notes(const Subject& subject) {
 
 Words check_notes(const solid::Part& part) {
     const bool roller = part.cam.has_roller();
-    Words all{fmt::format("X, Y: {}. normal: direction of the outward normal. lean: of the normal against the radius.",
+    Words all{fmt::format("X, Y: {}. normal: direction of the outward normal. tilt: of the normal against the radius.",
                           roller              ? "of the rim"
                           : part.cam.closed() ? "of the groove's floor at its lowest, at z 0"
                                               : "of the groove's floor at its lowest")};
@@ -164,7 +164,7 @@ Words check_notes(const solid::Part& part) {
         all.emplace_back(
             "Measure along the normal: there a deviation is an error of the arm of the same size. A radius that is off by dr at the same "
             "angle "
-            "is an arm that is off by dr x cos(lean), the last column.");
+            "is an arm that is off by dr x cos(tilt), the last column.");
     all.push_back(fmt::format("Radii of the {}: w: working arc{}.", roller ? "rim" : "floor", roller ? "" : "; h: within the anchor hole"));
     all.emplace_back("The inspection sheet (k_xx_inspection.csv) holds these rows to fill in; `fusee calibrate` reads it.");
     return all;

@@ -21,14 +21,14 @@ struct Made {
 };
 
 /// The logarithmic spiral r = r0 exp(c angle): its normal leans by atan c against the radius everywhere, so that its support function is
-/// known in closed form, h = r cos(lean). Deviations by moving the nominal points: exact but for squares of the errors.
+/// known in closed form, h = r cos(tilt). Deviations by moving the nominal points: exact but for squares of the errors.
 InspectionSheet spiral(const Made& made, std::size_t rows = 25) {
-    const double c = 0.6, lean = -std::atan(c);
+    const double c = 0.6, tilt = -std::atan(c);
     InspectionSheet sheet{"k_pe", {}};
     for (std::size_t i = 0; i < rows; ++i) {
         const double angle = 0.2 + 2.6 * static_cast<double>(i) / static_cast<double>(rows - 1), r = 6e-3 * std::exp(c * angle);
-        InspectionRow row{Inspected::kContour, static_cast<int>(i + 1), r * std::cos(angle), r * std::sin(angle), 0.0, angle + lean};
-        row.nominal = r * std::cos(lean);
+        InspectionRow row{Inspected::kContour, static_cast<int>(i + 1), r * std::cos(angle), r * std::sin(angle), 0.0, angle + tilt};
+        row.nominal = r * std::cos(tilt);
         row.low = -0.3e-3;
         row.high = 0.3e-3;
         // A displacement of the contour's material at this place: offset along the normal, shift, turn about the axis.
@@ -77,8 +77,8 @@ TEST(InspectContour, RecoversThemFromAMovedCurveByRays) {
                 const double h = 1e-6;
                 a -= slope(a) / ((slope(a + h) - slope(a - h)) / (2.0 * h));
             }
-            const double r = 6e-3 * std::exp(c * a), lean = -std::atan(c);
-            return (ax - r * std::cos(a)) * std::cos(a + lean) + (ay - r * std::sin(a)) * std::sin(a + lean) - made.offset;
+            const double r = 6e-3 * std::exp(c * a), tilt = -std::atan(c);
+            return (ax - r * std::cos(a)) * std::cos(a + tilt) + (ay - r * std::sin(a)) * std::sin(a + tilt) - made.offset;
         };
         double low = -1e-3, high = 1e-3;
         for (int i = 0; i < 60; ++i) (beyond(0.5 * (low + high)) < 0.0 ? low : high) = 0.5 * (low + high);

@@ -173,7 +173,7 @@ TEST_P(Drawn, CheckRowsAndTheInspectionSheetAgree) {
     for (std::size_t i = 0; i < rows.size(); ++i) {
         for (const double length : {rows[i].x, rows[i].y, rows[i].radius, rows[i].arm})
             EXPECT_TRUE(says(drawn, fmt::format("{:.3f}", core::mm_from_m(length)))) << i;
-        EXPECT_TRUE(says(drawn, fmt::format("{:.3f}", std::cos(rows[i].lean())))) << i;
+        EXPECT_TRUE(says(drawn, fmt::format("{:.3f}", std::cos(rows[i].tilt())))) << i;
         EXPECT_EQ(sheet.rows[i].x, rows[i].x);
         EXPECT_EQ(sheet.rows[i].nominal, rows[i].arm);
         EXPECT_NEAR(sheet.rows[i].high, 0.3e-3, 1e-12) << "what fdm holds, as the frame of 0.6";

@@ -103,8 +103,8 @@ TEST(CheckRows, OfAnEccentricDiscAreEvenOnItsCircle) {
         EXPECT_NEAR(rows[i].arm, 12e-3 + 2e-3 * std::cos(psi), 1e-8);
         EXPECT_NEAR(rows[i].radius, std::hypot(rows[i].x, rows[i].y), 1e-15);
         EXPECT_NEAR(std::tan(rows[i].angle), rows[i].y / rows[i].x, 1e-9);
-        // The sine rule in the triangle axis, centre, point: 11.5 sin(lean) = 2 sin(angle).
-        EXPECT_NEAR(11.5e-3 * std::sin(rows[i].lean()), 2e-3 * std::sin(rows[i].angle), 1e-12);
+        // The sine rule in the triangle axis, centre, point: 11.5 sin(tilt) = 2 sin(angle).
+        EXPECT_NEAR(11.5e-3 * std::sin(rows[i].tilt()), 2e-3 * std::sin(rows[i].angle), 1e-12);
     }
 }
 
@@ -133,8 +133,8 @@ TEST(CheckRows, NormalsAreThoseOfTheCurve) {
     }
 }
 
-/// The last column of the drawing: a floor moved along its normal by delta has radii greater by delta/cos(lean) at the same angle.
-TEST(CheckRows, CosineOfTheLeanIsWhatAnErrorOfTheRadiusIsWorth) {
+/// The last column of the drawing: a floor moved along its normal by delta has radii greater by delta/cos(tilt) at the same angle.
+TEST(CheckRows, CosineOfTheTiltIsWhatAnErrorOfTheRadiusIsWorth) {
     const cam::Cam cam = fixtures::planar_cam(12e-3, 5e-3);
     cam::Cam wider = cam;
     const double delta = 1e-7;
@@ -152,7 +152,7 @@ TEST(CheckRows, CosineOfTheLeanIsWhatAnErrorOfTheRadiusIsWorth) {
         };
         for (int i = 0; i < 80; ++i) (angle(0.5 * (low + high)) < 0.0 ? low : high) = 0.5 * (low + high);
         const auto p = floor_at(wider, 0.5 * (low + high));
-        EXPECT_NEAR(delta / (std::hypot(p[0], p[1]) - row.radius), std::cos(row.lean()), 1e-4);
+        EXPECT_NEAR(delta / (std::hypot(p[0], p[1]) - row.radius), std::cos(row.tilt()), 1e-4);
     }
 }
 

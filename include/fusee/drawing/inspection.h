@@ -37,10 +37,10 @@ struct CheckRow {
     double x = 0.0, y = 0.0, z = 0.0;  ///< of the floor's lowest point, body frame [m]
     double radius = 0.0;               ///< distance from the axis [m]
     double angle = 0.0;                ///< body angle as of FloorPoint, continued, not wrapped [rad]
-    double normal = 0.0;               ///< direction of the outward normal, in the body frame; from `angle` by the lean [rad]
+    double normal = 0.0;               ///< direction of the outward normal, in the body frame; from `angle` by the tilt [rad]
     double arm = 0.0;                  ///< that the place gives as the cable (or roller) leaves there [m]
-    /// Of the normal against the radius [rad]: where the radius is off by dr, the arm is off by cos(lean) dr.
-    [[nodiscard]] double lean() const { return normal - angle; }
+    /// Of the normal against the radius [rad]: where the radius is off by dr, the arm is off by cos(tilt) dr.
+    [[nodiscard]] double tilt() const { return normal - angle; }
 };
 
 inline constexpr std::size_t kCheckRows = 25;  ///< on the drawing and in the inspection sheet

@@ -21,6 +21,7 @@ using solid::Vec3;
 
 constexpr int kPixels = 800;                   // along the longer side of the view
 constexpr double kSharp = 0.9063077870366499;  // cos 25 deg
+constexpr double kFold = 0.8;                  // cosine of the angle between two edges of a silhouette that folds back
 constexpr double kNameOfView = 8.0;
 constexpr double kFinest = 0.15;  // of points of a line on the sheet [mm]
 
@@ -92,13 +93,10 @@ private:
 
 using Edge = std::array<std::uint32_t, 2>;
 
-/// Edges where the faces differ, or where one of them is turned away.
-std::vector<Edge> drawn_edges(const solid::Mesh& mesh, const Eye& eye) {
-    struct Sides {
-        Vec3 normal{};
-        bool sharp = true;
-    };
-    std::map<Edge, Sides> edges;
+/// Edges where the faces differ, and those between a face that is seen and one that is turned away.
+std::vector<Edge> edges_of(const solid::Mesh& mesh, const Eye& eye) {
+    std::vector<Edge> edges;
+    std::map<Edge, Vec3> once;  // the first face's normal
     for (const solid::Triangle& t : mesh.triangles) {
         const Vec3 &a = mesh.points_mm[t[0]], &b = mesh.points_mm[t[1]], &c = mesh.points_mm[t[2]];
         Vec3 normal = core::cross(core::minus(b, a), core::minus(c, a));
@@ -106,16 +104,37 @@ std::vector<Edge> drawn_edges(const solid::Mesh& mesh, const Eye& eye) {
         for (double& n : normal) n /= length > 0.0 ? length : 1.0;
         for (std::size_t i = 0; i < 3; ++i) {
             const Edge edge{std::min(t[i], t[(i + 1) % 3]), std::max(t[i], t[(i + 1) % 3])};
-            const auto [found, is_new] = edges.try_emplace(edge, Sides{normal, true});
+            const auto [other, is_new] = once.try_emplace(edge, normal);
             if (is_new) continue;
-            const double here = core::dot(normal, eye.towards), there = core::dot(found->second.normal, eye.towards);
-            found->second.sharp = core::dot(normal, found->second.normal) < kSharp || (here > 0.0) != (there > 0.0);
+            const bool turns = (core::dot(normal, eye.towards) > 0.0) != (core::dot(other->second, eye.towards) > 0.0);
+            if (turns || core::dot(normal, other->second) < kSharp) edges.push_back(edge);
         }
     }
-    std::vector<Edge> drawn;
-    for (const auto& [edge, sides] : edges)
-        if (sides.sharp) drawn.push_back(edge);
-    return drawn;
+    return edges;
+}
+
+/// Without edges that fold back at one of their ends: on a twisted strip the triangles turn this way and that.
+std::vector<Edge> unfolded(const std::vector<Edge>& edges, const solid::Mesh& mesh) {
+    std::multimap<std::uint32_t, std::size_t> at;
+    for (std::size_t i = 0; i < edges.size(); ++i)
+        for (const std::uint32_t end : edges[i]) at.emplace(end, i);
+    const auto away = [&](std::size_t i, std::uint32_t from) {
+        Vec3 way = core::minus(mesh.points_mm[edges[i][0] == from ? edges[i][1] : edges[i][0]], mesh.points_mm[from]);
+        const double length = std::sqrt(core::dot(way, way));
+        for (double& w : way) w /= length;
+        return way;
+    };
+    std::vector<bool> folds(edges.size(), false);
+    for (std::size_t i = 0; i < edges.size(); ++i)
+        for (const std::uint32_t end : edges[i]) {
+            const auto [first, last] = at.equal_range(end);
+            for (auto other = first; other != last; ++other)
+                if (other->second != i && core::dot(away(i, end), away(other->second, end)) > kFold) folds[i] = true;
+        }
+    std::vector<Edge> kept;
+    for (std::size_t i = 0; i < edges.size(); ++i)
+        if (!folds[i]) kept.push_back(edges[i]);
+    return kept;
 }
 
 /// The visible pieces of one edge.
@@ -187,7 +206,7 @@ std::vector<Line> isometric(const solid::Mesh& mesh, bool from_below) {
     for (const Vec3& p : mesh.points_mm) seen.push_back(eye(p));
     const Depths depths(seen, mesh.triangles);
     std::vector<Line> pieces;
-    for (const Edge& edge : drawn_edges(mesh, eye)) add_visible(pieces, seen[edge[0]], seen[edge[1]], depths);
+    for (const Edge& edge : unfolded(edges_of(mesh, eye), mesh)) add_visible(pieces, seen[edge[0]], seen[edge[1]], depths);
     return chained(pieces);
 }
 

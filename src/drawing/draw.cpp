@@ -19,7 +19,7 @@ constexpr Box kBodyRoom{{23.0, 13.0}, {290.0, 202.0}};
 constexpr Box kGrooveRoom{{24.0, 208.0}, {112.0, 285.0}};
 constexpr Box kIsometricRoom{{298.0, 13.0}, {406.0, 112.0}};
 constexpr Box kNotesRoom{{116.0, 206.0}, {227.0, 286.0}};
-constexpr Box kCheckNotesRoom{{25.0, 150.0}, {205.0, 220.0}};  // under tables of 25 rows
+constexpr double kCheckNotesTop = 150.0, kCheckNotesBottom = 220.0;  // under tables of 25 rows
 constexpr Box kTolerancesRoom{{296.0, 116.0}, {408.0, 219.0}};
 
 /// Divides a sentence into lines of at most `letters`.
@@ -77,11 +77,12 @@ std::vector<Sheet> draw(const Subject& subject) {
     write_notes(sheets.front(), notes(subject), kNotesRoom);
     write_notes(sheets.front(), tolerance_notes(subject), kTolerancesRoom);
     draw_general_marks(sheets.front(), subject);
+    const Table checks = check_table(part), torques = torque_table(part.cam);
     Flow tables(sheets);
-    tables.write(check_table(part));
-    tables.write(torque_table(part.cam));
-    tables.write(inspection_table(part));
-    write_notes(sheets[1], check_notes(part), kCheckNotesRoom);
+    for (const Table& table : {checks, torques, inspection_table(part)}) tables.write(table);
+    const double left = Sheet::kFrame.low[0] + kTableGap;
+    write_notes(sheets[1], check_notes(part),
+                {{left, kCheckNotesTop}, {left + checks.width() + kTableGap + torques.width(), kCheckNotesBottom}});
     for (std::size_t i = 0; i < sheets.size(); ++i) draw_title(sheets[i], subject, scale, i + 1, sheets.size());
     return sheets;
 }

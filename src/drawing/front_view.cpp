@@ -207,12 +207,12 @@ void draw_front(Sheet& sheet, const Subject& subject, const std::vector<Line>& e
         for (const Remark& remark : remarks) all.push_back({view.at(remark.place_mm), remark.words, remark.badges});
     write_beside(sheet, std::move(all), view.origin[0], columns);
     name_cut(sheet, box, view.origin);
-    draw_arc_ends(sheet, part, view);
 
     const Point left_end = outermost(edges, 0, -1.0), right_end = outermost(edges, 0, 1.0), low_end = outermost(edges, 1, -1.0),
                 top_end = outermost(edges, 1, 1.0);
     dimension_across(sheet, view.at(left_end), view.at(right_end), box.high[1] + kDimension, decimals(right_end[0] - left_end[0], 2));
     dimension_up(sheet, view.at(low_end), view.at(top_end), box.low[0] - kDimension - kCutEnd, decimals(top_end[1] - low_end[1], 2));
+    draw_arc_ends(sheet, part, view);
 }
 
 }  // namespace fusee::drawing

@@ -80,7 +80,7 @@ void draw_arc_ends(Sheet& sheet, const solid::Part& part, const View& view) {
         sheet.strokes.push_back(
             {Pen::kOutline, {{at[0] - kTick * nx, at[1] - kTick * ny}, {at[0] + kTick * nx, at[1] + kTick * ny}}, false, "arc-end"});
         std::vector<Text> places;
-        for (const double out : {-5.0, -7.0, 6.0, 9.0, 12.0, 15.0, -10.0, 18.0})
+        for (const double out : {-5.0, -7.0, 6.0, 9.0, 12.0, 15.0, -10.0, 18.0, -13.0, 22.0, 26.0})
             for (const double turn : {0.0, 0.4, -0.4, 0.8, -0.8, 1.2, -1.2}) {
                 const double c = std::cos(turn), s = std::sin(turn), x = c * nx - s * ny, y = s * nx + c * ny;
                 places.push_back({letters[i], {at[0] + out * x, at[1] + out * y + 1.7}, Align::kMiddle, Text::kTitle});

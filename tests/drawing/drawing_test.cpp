@@ -183,6 +183,15 @@ TEST_P(Drawn, DatumsTolerancesAndMarksAreThere) {
         EXPECT_NE(text.find(word), std::string::npos) << word;
 }
 
+/// Below the axis a counter-clockwise turn goes to the right.
+TEST_P(Drawn, TheTurnHasTheSenseOfThePart) {
+    const auto drawn = sheets();
+    const auto& strokes = drawn.front().strokes;
+    const auto turn = std::find_if(strokes.begin(), strokes.end(), [](const Stroke& s) { return std::string(s.role) == "turn"; });
+    ASSERT_NE(turn, strokes.end());
+    EXPECT_EQ(turn->line.back()[0] > turn->line.front()[0], part().cam.rotation_sign > 0);
+}
+
 TEST_P(Drawn, CheckRowsAndTheInspectionSheetAgree) {
     const auto drawn = sheets();
     const auto rows = check_rows(part());

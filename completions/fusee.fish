@@ -41,7 +41,7 @@ complete -c fusee -n "__fusee_at ''" -a case-template -d 'Write an empty gap cas
 complete -c fusee -n "__fusee_at ''" -a blind -d 'Benchmark the diagnosis on sealed cases'
 complete -c fusee -n "__fusee_at ''" -a paper -d 'Reproduce every table and figure of the paper'
 complete -c fusee -n "__fusee_at ''" -a coupons -d 'Make test pieces for the machine and the cable of a profile'
-complete -c fusee -n "__fusee_at ''" -a calibrate -d 'Compute the compensation of a profile from measured coupons'
+complete -c fusee -n "__fusee_at ''" -a calibrate -d 'Compute the compensation of a profile from measured coupons (shrinkage, bore offset, neutral axis of the cable, spring rates), or from the inspection sheet of a finished part (offset, eccentricity and rotation of its contour)'
 complete -c fusee -n "__fusee_at ''" -a check -d 'Check the cams of a profile, or a third-party mesh, against every rule'
 complete -c fusee -n "__fusee_at ''" -a rules -d 'List every rule with its limits and sources'
 complete -c fusee -n "__fusee_at ''" -a keys -d 'List every key of a profile with unit, allowed values and default'

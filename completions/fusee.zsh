@@ -31,7 +31,7 @@ _fusee() {
         'blind:Benchmark the diagnosis on sealed cases'
         'paper:Reproduce every table and figure of the paper'
         'coupons:Make test pieces for the machine and the cable of a profile'
-        'calibrate:Compute the compensation of a profile from measured coupons'
+        'calibrate:Compute the compensation of a profile from measured coupons (shrinkage, bore offset, neutral axis of the cable, spring rates), or from the inspection sheet of a finished part (offset, eccentricity and rotation of its contour)'
         'check:Check the cams of a profile, or a third-party mesh, against every rule'
         'rules:List every rule with its limits and sources'
         'keys:List every key of a profile with unit, allowed values and default'

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -31,6 +32,26 @@ void require_pair(const CalibrateArguments& arguments) {
     require_new_profile("--write-profile", arguments.corrected, arguments.profile, arguments.force);
 }
 
+/// What a sheet says, and the text of the profile that it gives.
+struct Read {
+    coupon::Calibration calibration;
+    std::function<std::string(const profile::Profile&, const std::string& toml)> corrected;
+};
+
+Read read_sheet(const std::string& bytes, const CalibrateArguments& arguments, const coupon::Present& present) {
+    const std::string file = arguments.sheet.string();
+    const fs::path& out = arguments.corrected;
+    if (coupon::is_inspection(bytes)) {
+        const coupon::InspectionSheet sheet = coupon::parse_inspection(bytes, file);
+        const coupon::Calibration found = coupon::inspect_contour(sheet, present);
+        return {found,
+                [=](const auto& profile, const auto& toml) { return pipeline::inspected_profile(profile, toml, sheet, found, out); }};
+    }
+    const coupon::Sheet sheet = coupon::parse_sheet(bytes, file);
+    const coupon::Calibration found = coupon::calibrate(sheet, present, file);
+    return {found, [=](const auto& profile, const auto& toml) { return pipeline::calibrated_profile(profile, toml, sheet, found, out); }};
+}
+
 int calibrate(const CalibrateArguments& arguments) {
     require_pair(arguments);
     std::string toml;
@@ -41,12 +62,9 @@ int calibrate(const CalibrateArguments& arguments) {
         with_places(*profile, [&] { pipeline::require_parts(*profile); });
     }
     const std::string bytes = core::read_file(arguments.sheet, kLargestSheet);
-    const coupon::Sheet sheet = coupon::parse_sheet(bytes, arguments.sheet.string());
-    const pipeline::CalibrationReport found{
-        arguments.sheet.stem().string(), core::sha256_hex(bytes),
-        coupon::calibrate(sheet, profile ? pipeline::present_of(*profile) : coupon::Present{}, arguments.sheet.string())};
-    if (!arguments.corrected.empty())
-        core::write_file(arguments.corrected, pipeline::calibrated_profile(*profile, toml, sheet, found.calibration, arguments.corrected));
+    const Read read = read_sheet(bytes, arguments, profile ? pipeline::present_of(*profile) : coupon::Present{});
+    const pipeline::CalibrationReport found{arguments.sheet.stem().string(), core::sha256_hex(bytes), read.calibration};
+    if (!arguments.corrected.empty()) core::write_file(arguments.corrected, read.corrected(*profile, toml));
     fmt::print("{}", arguments.json ? report::calibration_json(found) : report::calibration_text(found));
     if (!arguments.json && !arguments.corrected.empty()) fmt::print("written: {}\n", arguments.corrected.string());
     return found.calibration.figures.empty() ? 1 : 0;
@@ -58,8 +76,11 @@ void add_calibrate(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<CalibrateArguments>();
     CLI::App* command = app.add_subcommand(
         "calibrate",
-        "Compute the compensation of a profile from measured coupons: shrinkage, bore offset, neutral axis of the cable, spring rates");
-    command->add_option("sheet", arguments->sheet, "COUPON.csv of fusee coupons, filled in")->type_name("FILE.csv")->required();
+        "Compute the compensation of a profile from measured coupons (shrinkage, bore offset, neutral axis of the cable, spring rates), or "
+        "from the inspection sheet of a finished part (offset, eccentricity and rotation of its contour)");
+    command->add_option("sheet", arguments->sheet, "COUPON.csv of fusee coupons or k_xx_inspection.csv of fusee make, filled in")
+        ->type_name("FILE.csv")
+        ->required();
     command->add_option("--profile", arguments->profile, "Profile of the coupons; its present values are compared with the measured ones")
         ->type_name("FILE.toml");
     command->add_option("--write-profile", arguments->corrected, "File of the calibrated profile; needs --profile")->type_name("FILE.toml");

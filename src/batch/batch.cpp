@@ -43,7 +43,8 @@ MakeResult make(const profile::Profile& profile, const MakeOptions& options) {
                                                            .source = profile.file,
                                                            .force = options.force,
                                                            .files = {"report.json", "report.html", "springs.csv", "simulation.json",
-                                                                     "simulation.html", "dead_band.csv"}});
+                                                                     "simulation.html", "dead_band.csv"},
+                                                           .sheets = pipeline::sheets_of(profile)});
     MakeResult result;
     result.name = profile.name;
     const auto made = pipeline::make_parts(profile, output, {.via = options.via, .note = options.note});

@@ -41,6 +41,7 @@ ArmFunction::ArmFunction(PartKind kind, spring::SpringLawPtr law, spring::BaseSp
     core::require_positive("rig.capstan_radius", capstan_radius_, "m");
     core::require_within(part + ".radius_allowance", allowance_.radius, -1.0, 1.0, "m");
     core::require_within("compensation.cable_axis", allowance_.cable_axis, -1.0, 1.0, "m");
+    core::require_within("compensation." + part + "_contour", allowance_.contour, -1.0, 1.0, "m");
     core::require_within(part + ".cable_compliance", allowance_.cable_compliance, 0.0, 1.0, "m/N");
     pulled_ = spring::in_series_with_cable(base_, allowance_.cable_compliance);
     if (kind_ != PartKind::kSeries) return;

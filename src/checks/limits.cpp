@@ -35,7 +35,7 @@ constexpr std::array kTerminations = {
     TerminationLimits{Termination::kSplice, false, 0.76, 2.5, "TM 5-3810: tucked by hand, stainless 76 %"},
 };
 
-constexpr const char* kMilling = "zekes3d, procurabl, neptunelabs, super-ingenuity, Xometry; fit (practice)";
+constexpr const char* kMilling = "zekes3d, procurabl, neptunelabs, super-ingenuity, Xometry; fit and roughness (practice)";
 constexpr std::array kProcesses = {
     ProcessLimits{ProcessKind::kFdm,
                   0.8e-3,
@@ -48,7 +48,9 @@ constexpr std::array kProcesses = {
                   0.4e-3,
                   {0.1e-3, 0.4e-3},
                   0.2e-3,
-                  "3dservicesusa, cifproto, arti90, layerx3d; detail and layer (practice)"},
+                  12.5e-6,
+                  12.5e-6,
+                  "3dservicesusa, cifproto, arti90, layerx3d; detail, layer and roughness (practice)"},
     ProcessLimits{ProcessKind::kSla,
                   0.5e-3,
                   1.0e-3,
@@ -60,7 +62,9 @@ constexpr std::array kProcesses = {
                   0.5e-3,
                   {0.15e-3, 0.3e-3},
                   0.05e-3,
-                  "3dservicesusa, cifproto, arti90, layerx3d; layer (practice)"},
+                  3.2e-6,
+                  3.2e-6,
+                  "3dservicesusa, cifproto, arti90, layerx3d; layer and roughness (practice)"},
     ProcessLimits{ProcessKind::kSls,
                   0.7e-3,
                   0.8e-3,
@@ -72,9 +76,13 @@ constexpr std::array kProcesses = {
                   0.5e-3,
                   {0.2e-3, 0.5e-3},
                   0.1e-3,
-                  "3dservicesusa, cifproto, arti90, layerx3d; layer (practice)"},
-    ProcessLimits{ProcessKind::kMill, 0.8e-3, 1.5e-3, 0.5e-3, 0.0, 0.25e-3, 0.127e-3, 2.5e-3, 0.5e-3, {0.0, 0.05e-3}, 0.0, kMilling},
-    ProcessLimits{ProcessKind::kMill4, 0.8e-3, 1.5e-3, 0.5e-3, 0.0, 0.25e-3, 0.127e-3, 2.5e-3, 0.5e-3, {0.0, 0.05e-3}, 0.0, kMilling},
+                  12.5e-6,
+                  12.5e-6,
+                  "3dservicesusa, cifproto, arti90, layerx3d; layer and roughness (practice)"},
+    ProcessLimits{
+        ProcessKind::kMill, 0.8e-3, 1.5e-3, 0.5e-3, 0.0, 0.25e-3, 0.127e-3, 2.5e-3, 0.5e-3, {0.0, 0.05e-3}, 0.0, 3.2e-6, 1.6e-6, kMilling},
+    ProcessLimits{
+        ProcessKind::kMill4, 0.8e-3, 1.5e-3, 0.5e-3, 0.0, 0.25e-3, 0.127e-3, 2.5e-3, 0.5e-3, {0.0, 0.05e-3}, 0.0, 3.2e-6, 1.6e-6, kMilling},
     ProcessLimits{ProcessKind::kEdm,
                   0.5e-3,
                   1.0e-3,
@@ -86,6 +94,8 @@ constexpr std::array kProcesses = {
                   0.0,
                   {0.0, 0.03e-3},
                   0.0,
+                  3.2e-6,
+                  1.6e-6,
                   "wire of 0.25 mm with a gap of 0.02 mm a side (practice)"},
     ProcessLimits{ProcessKind::kLaser,
                   1.0e-3,
@@ -98,6 +108,8 @@ constexpr std::array kProcesses = {
                   0.0,
                   {0.0, 0.2e-3},
                   0.0,
+                  12.5e-6,
+                  6.3e-6,
                   "steel sheet, kerf 0.2 mm (practice)"},
 };
 

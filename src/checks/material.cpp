@@ -12,21 +12,27 @@ namespace {
 constexpr double kPlasticCreep = 1.0 / 3.0;  // of the short-time modulus
 
 constexpr Material plastic(const char* name, double strength, double permanent, double bearing, double modulus, double density,
-                           const char* source) {
-    return {name, strength * 1e6, permanent * 1e6, bearing * 1e6, modulus * 1e9, kPlasticCreep * modulus * 1e9, density, source};
+                           const char* designation, const char* source) {
+    return {name,    strength * 1e6, permanent * 1e6, bearing * 1e6, modulus * 1e9, kPlasticCreep * modulus * 1e9,
+            density, designation,    source};
 }
-constexpr Material metal(const char* name, double yield, double permanent, double modulus, double density, const char* source) {
-    return {name, yield * 1e6, permanent * 1e6, yield * 1e6, modulus * 1e9, modulus * 1e9, density, source};
+constexpr Material metal(const char* name, double yield, double permanent, double modulus, double density, const char* designation,
+                         const char* source) {
+    return {name, yield * 1e6, permanent * 1e6, yield * 1e6, modulus * 1e9, modulus * 1e9, density, designation, source};
 }
 
 constexpr std::array kMaterials = {
-    plastic("pla", 50.0, 20.0, 60.0, 2.3, 1240.0, "strength: PMC10113796, table 6; bearing, permanent and creep (practice)"),
-    plastic("petg", 38.0, 15.0, 45.0, 2.0, 1270.0, "strength, modulus: PMC10113796, table 6; bearing, permanent and creep (practice)"),
-    plastic("resin", 42.0, 30.0, 50.0, 2.0, 1180.0, "strength, modulus: PMC10113796, table 6; bearing, permanent and creep (practice)"),
-    plastic("pa12", 43.0, 35.0, 52.0, 1.5, 1010.0, "strength, modulus: PMC10113796, table 6; bearing, permanent and creep (practice)"),
-    plastic("pom", 65.0, 26.0, 78.0, 2.8, 1410.0, "(practice)"),
-    metal("aluminium", 250.0, 100.0, 70.0, 2700.0, "EN AW-6082-T6 (practice)"),
-    metal("steel", 235.0, 100.0, 210.0, 7850.0, "S235 (practice)"),
+    plastic("pla", 50.0, 20.0, 60.0, 2.3, 1240.0, "PLA (ISO 1043-1), as printed",
+            "strength: PMC10113796, table 6; bearing, permanent and creep (practice)"),
+    plastic("petg", 38.0, 15.0, 45.0, 2.0, 1270.0, "PETG (ISO 1043-1), as printed",
+            "strength, modulus: PMC10113796, table 6; bearing, permanent and creep (practice)"),
+    plastic("resin", 42.0, 30.0, 50.0, 2.0, 1180.0, "resin, washed and cured",
+            "strength, modulus: PMC10113796, table 6; bearing, permanent and creep (practice)"),
+    plastic("pa12", 43.0, 35.0, 52.0, 1.5, 1010.0, "PA12 (ISO 1043-1), as sintered",
+            "strength, modulus: PMC10113796, table 6; bearing, permanent and creep (practice)"),
+    plastic("pom", 65.0, 26.0, 78.0, 2.8, 1410.0, "POM-C (ISO 1043-1), as extruded", "(practice)"),
+    metal("aluminium", 250.0, 100.0, 70.0, 2700.0, "EN AW-6082 T6 (EN 573-3, EN 515)", "EN AW-6082-T6 (practice)"),
+    metal("steel", 235.0, 100.0, 210.0, 7850.0, "S235JR+AR (EN 10025-2)", "S235 (practice)"),
 };
 
 const Material* find(const std::string& name) {
@@ -72,6 +78,10 @@ Material material_of(const Process& process) {
     }
     if (stated.density > 0.0) m.density = stated.density;
     return m;
+}
+
+std::string designation_of(const Process& process) {
+    return process.material.designation.empty() ? material_of(process).designation : process.material.designation;
 }
 
 double bearing_strength(const Design& design) {

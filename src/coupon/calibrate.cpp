@@ -7,6 +7,7 @@
 #include <numeric>
 #include <optional>
 
+#include "figures.h"
 #include "fusee/core/error.h"
 #include "fusee/coupon/calibration.h"
 
@@ -77,24 +78,12 @@ public:
     }
 
 private:
-    static Figure figure(std::string id, std::string what, std::string key, std::string unit, double per_unit, std::size_t rows) {
-        Figure f;
-        f.id = std::move(id);
-        f.what = std::move(what);
-        f.key = std::move(key);
-        f.unit = std::move(unit);
-        f.per_unit = per_unit;
-        f.rows = rows;
-        return f;
-    }
     const Figure& add(Figure f, const Estimate& estimate) {
-        f.value = estimate.value;
-        f.range = estimate.interval();
+        set_estimate(f, estimate);
         return add(std::move(f));
     }
     const Figure& add(Figure f) {
-        if (const auto known = present_.find(f.key); known != present_.end()) f.present = known->second;
-        if (std::isnan(f.present) && f.key.starts_with("compensation.")) f.present = 0.0;
+        set_present(f, present_);
         return result_.figures.emplace_back(std::move(f));
     }
     void unknown(std::string id, std::string why) { result_.unknown.push_back({std::move(id), std::move(why)}); }
@@ -111,10 +100,10 @@ private:
         if (std::abs(s.value) > kMostShrinkage)
             throw core::InvalidInput(field(item.c_str()), fmt::format("a shrinkage of {:.3g} %", 100.0 * s.value),
                                      fmt::format("at most {:g} % either way: lengths in mm, as drawn", 100.0 * kMostShrinkage));
-        s.value = add(figure("shrink_" + name, "shrinkage along " + name, kShrinkKeys[axis], "%", 100.0, rows.size()), s).used();
+        s.value = add(make_figure("shrink_" + name, "shrinkage along " + name, kShrinkKeys[axis], "%", 100.0, rows.size()), s).used();
         shrink_[axis] = s;
         const Estimate contour = sum({{1e-3, line.at_0}});
-        add(figure("contour_" + name, "outer lengths along " + name + " come out longer by", "", "mm", 1e3, rows.size()), contour);
+        add(make_figure("contour_" + name, "outer lengths along " + name + " come out longer by", "", "mm", 1e3, rows.size()), contour);
     }
 
     /// Shrinkage of one axis, or the mean of those in the plane: the scale of a compensated file.
@@ -142,7 +131,7 @@ private:
             diameter += m_from_mm(row.given) / static_cast<double>(rows.size());
         }
         Estimate offset = sum({{1.0, mean_of(offsets, m_from_mm(kGauge_mm))}, {-diameter, {0.0, s.deviation, s.freedom}}});
-        const Figure& found = add(figure("bore_offset", "bores come out smaller by", kBoreOffsetKey, "mm", 1e3, rows.size()), offset);
+        const Figure& found = add(make_figure("bore_offset", "bores come out smaller by", kBoreOffsetKey, "mm", 1e3, rows.size()), offset);
         if (by_shaft && (found.range.high < by_shaft->range.low || found.range.low > by_shaft->range.high))
             result_.remarks.push_back(fmt::format(
                 "bore_offset: {:.3f} mm by the gauge, {:.3f} to {:.3f} mm by the shaft: a rough or oval hole; the gauge's value is used",
@@ -163,7 +152,7 @@ private:
         double shaft = 0.0;
         for (const Row& row : shafts) shaft += row.measured / static_cast<double>(shafts.size());
         const auto offset = [&](double drawn) { return m_from_mm((1.0 - in_plane().value) * drawn - shaft); };
-        Figure f = figure("bore_offset", "bores come out smaller by (by the shaft)", kBoreOffsetKey, "mm", 1e3, tries.size());
+        Figure f = make_figure("bore_offset", "bores come out smaller by (by the shaft)", kBoreOffsetKey, "mm", 1e3, tries.size());
         f.range = {offset(ladder.greatest_no), offset(ladder.least_yes)};
         f.value = 0.5 * (f.range.low + f.range.high);
         f.ladder = true;
@@ -176,7 +165,7 @@ private:
         if (!ladder.fits())
             return unknown("groove_ratio",
                            tries.empty() ? "needs rows cable_seats" : "the cable seats in no groove: it is thicker than nominal");
-        Figure f = figure("groove_ratio", "tightest groove in which the cable seats", kGrooveRatioKey, "", 1.0, tries.size());
+        Figure f = make_figure("groove_ratio", "tightest groove in which the cable seats", kGrooveRatioKey, "", 1.0, tries.size());
         f.value = ladder.least_yes;
         f.range = {ladder.least_yes, ladder.greatest_yes};
         f.ladder = true;
@@ -199,8 +188,8 @@ private:
                             "shaft, or cable elongation; the more exact value is used",
                             1e3 * pulled.value, 1e3 * turned.value));
         radius_ = by_pull && (!by_torque || pulled.deviation <= turned.deviation) ? pulled : turned;
-        add(figure("disc_radius", "effective radius of the disc", "", "mm", 1e3,
-                   radius_->value == pulled.value ? pulls.size() : torques.size()),
+        add(make_figure("disc_radius", "effective radius of the disc", "", "mm", 1e3,
+                        radius_->value == pulled.value ? pulls.size() : torques.size()),
             *radius_);
         cable_axis();
     }
@@ -211,7 +200,7 @@ private:
         const double floor = m_from_mm(sheet_.disc_floor_mm);
         Estimate axis = sum({{1.0, *radius_}, {floor, in_plane()}});
         axis.value -= floor + 0.5 * m_from_mm(sheet_.cable_diameter_mm);
-        add(figure("cable_axis", "distance of the cable's neutral axis beyond d/2", kCableAxisKey, "mm", 1e3, 0), axis);
+        add(make_figure("cable_axis", "distance of the cable's neutral axis beyond d/2", kCableAxisKey, "mm", 1e3, 0), axis);
         result_.figures.back().rows = result_.find("disc_radius")->rows;
     }
 
@@ -224,14 +213,14 @@ private:
         const Estimate c = rising(sum({{1e3, fit_line(rows, kScale).slope}}), "series_spring");
         const double r = radius_->value;
         Estimate rate = sum({{r * r, c}, {2.0 * c.value * r, {0.0, radius_->deviation, radius_->freedom}}});
-        add(figure("series_rate", "rate of the torsion spring", kSeriesRateKey, "Nm/rad", 1.0, rows.size()), rate);
+        add(make_figure("series_rate", "rate of the torsion spring", kSeriesRateKey, "Nm/rad", 1.0, rows.size()), rate);
     }
     /// eq. 6.
     void parallel_spring() {
         const std::vector<Row> rows = sheet_.of(Item::kParallelSpring);
         if (!makes_line(rows)) return unknown("parallel_rate", "needs 3 rows parallel_spring");
         const Estimate k = rising(sum({{1e3, fit_line(rows, kScale).slope}}), "parallel_spring");
-        add(figure("parallel_rate", "rate of the compression spring", kParallelRateKey, "N/m", 1.0, rows.size()), k);
+        add(make_figure("parallel_rate", "rate of the compression spring", kParallelRateKey, "N/m", 1.0, rows.size()), k);
     }
     [[nodiscard]] Estimate rising(const Estimate& slope, const char* item) const {
         if (slope.value > 0.0) return slope;

@@ -27,6 +27,9 @@ struct SectionCallouts {
 [[nodiscard]] SectionCallouts section_callouts(const Subject& subject, const std::vector<Line>& cut, const View& view);
 void draw_section(Sheet& sheet, const Subject& subject, const std::vector<Line>& cut, const View& view, const Columns& columns);
 
+/// The part in space, beside them.
+void draw_isometric(Sheet& sheet, const Subject& subject, const Box& area);
+
 /// Both views with their callouts, as large as the area allows. @returns their scale
 double draw_body(Sheet& sheet, const Subject& subject, const Box& area);
 

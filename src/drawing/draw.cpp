@@ -12,12 +12,15 @@ namespace fusee::drawing {
 
 namespace {
 
-constexpr double kTableTop = 13.0, kTableGap = 4.0;
+constexpr double kTableTop = 13.0, kTableGap = 5.0;
 constexpr double kTableBottom = kTitleCorner[1] - 3.0;
-constexpr double kTablesFrom = 258.0, kTablesTo = 408.0;  // on the first sheet
-constexpr Box kBodyRoom{{23.0, 13.0}, {252.0, 202.0}};
+constexpr double kTablesTo = 408.0;
+constexpr Box kBodyRoom{{23.0, 13.0}, {290.0, 202.0}};
 constexpr Box kGrooveRoom{{24.0, 208.0}, {112.0, 285.0}};
-constexpr Box kNotesRoom{{116.0, 208.0}, {227.0, 285.0}};
+constexpr Box kIsometricRoom{{298.0, 13.0}, {406.0, 112.0}};
+constexpr Box kNotesRoom{{116.0, 206.0}, {227.0, 286.0}};
+constexpr double kCheckNotesTop = 150.0, kCheckNotesBottom = 220.0;  // under tables of 25 rows
+constexpr Box kTolerancesRoom{{296.0, 116.0}, {408.0, 219.0}};
 
 /// Divides a sentence into lines of at most `letters`.
 std::vector<std::string> wrapped(const std::string& sentence, std::size_t letters) {
@@ -32,13 +35,12 @@ std::vector<std::string> wrapped(const std::string& sentence, std::size_t letter
     return lines;
 }
 
-void write_notes(Sheet& sheet, const Words& notes) {
-    const double width = kNotesRoom.high[0] - kNotesRoom.low[0], size = Text::kSmall;
+void write_notes(Sheet& sheet, const Words& notes, const Box& area) {
+    const double width = area.high[0] - area.low[0], size = Text::kSmall;
     const auto letters = static_cast<std::size_t>(width / width_of("n", size));
-    double y = kNotesRoom.low[1];
+    double y = area.low[1];
     for (const std::string& note : notes) {
-        for (const std::string& line : wrapped(note, letters))
-            sheet.texts.push_back({line, {kNotesRoom.low[0], y += 3.7}, Align::kLeft, size});
+        for (const std::string& line : wrapped(note, letters)) sheet.texts.push_back({line, {area.low[0], y += 3.7}, Align::kLeft, size});
         y += 1.0;
     }
 }
@@ -46,7 +48,7 @@ void write_notes(Sheet& sheet, const Words& notes) {
 /// Writes tables column by column, on a new sheet where the last one is full.
 class Flow {
 public:
-    Flow(std::vector<Sheet>& sheets, double x) : sheets_(sheets), x_(x) {}
+    explicit Flow(std::vector<Sheet>& sheets) : sheets_(sheets) {}
 
     void write(const Table& table) {
         for (std::size_t next = 0; next < table.rows.size();) {
@@ -61,7 +63,7 @@ public:
 
 private:
     std::vector<Sheet>& sheets_;
-    double x_;
+    double x_ = kTablesTo;  // the first sheet holds no table
 };
 
 }  // namespace
@@ -71,10 +73,16 @@ std::vector<Sheet> draw(const Subject& subject) {
     std::vector<Sheet> sheets{{fmt::format("{} {}", subject.design, subject.name)}};
     const double scale = draw_body(sheets.front(), subject, kBodyRoom);
     draw_groove(sheets.front(), subject, kGrooveRoom);
-    write_notes(sheets.front(), notes(subject));
-    Flow tables(sheets, kTablesFrom);
-    tables.write(torque_table(part.cam));
-    tables.write(inspection_table(part));
+    draw_isometric(sheets.front(), subject, kIsometricRoom);
+    write_notes(sheets.front(), notes(subject), kNotesRoom);
+    write_notes(sheets.front(), tolerance_notes(subject), kTolerancesRoom);
+    draw_general_marks(sheets.front(), subject);
+    const Table checks = check_table(part), torques = torque_table(part.cam);
+    Flow tables(sheets);
+    for (const Table& table : {checks, torques, inspection_table(part)}) tables.write(table);
+    const double left = Sheet::kFrame.low[0] + kTableGap;
+    write_notes(sheets[1], check_notes(part),
+                {{left, kCheckNotesTop}, {left + checks.width() + kTableGap + torques.width(), kCheckNotesBottom}});
     for (std::size_t i = 0; i < sheets.size(); ++i) draw_title(sheets[i], subject, scale, i + 1, sheets.size());
     return sheets;
 }

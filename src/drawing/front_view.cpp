@@ -8,6 +8,8 @@
 #include "fusee/solid/cutters.h"
 #include "fusee/solid/outline.h"
 #include "fusee/solid/slice.h"
+#include "motion.h"
+#include "tolerances.h"
 #include "words.h"
 
 namespace fusee::drawing {
@@ -58,7 +60,9 @@ void name_cut(Sheet& sheet, const Box& box, const Point& axis) {
     const double left = box.low[0] - kBeyond - 0.5 * kCutEnd, right = box.high[0] + kBeyond + 0.5 * kCutEnd;
     for (const double x : {left, right}) {
         std::vector<Text> places;
-        for (const double down : {5.2, -8.4, 9.0, -12.0, 13.0}) places.push_back({"A", {x, axis[1] + down}, Align::kMiddle, Text::kTitle});
+        for (const double aside : {0.0, 4.0, -4.0})
+            for (const double down : {5.2, -8.4, 9.0, -12.0, 13.0, 17.0, -16.0})
+                places.push_back({"A", {x + aside, axis[1] + down}, Align::kMiddle, Text::kTitle});
         sheet.write_clear(places);
     }
 }
@@ -81,11 +85,16 @@ Point farthest(const std::vector<Line>& lines) {
     return far;
 }
 
-Words anchor_words(const solid::Cutter& hole) {
+Words anchor_words(const solid::Part& part, const solid::Cutter& hole) {
     const solid::Arc& rim = hole.outline.front();
-    return {fmt::format("hole \u00d8{} for the cable's", decimals(2.0 * rim.radius_mm)),
-            fmt::format("end, above z {}, at", decimals(hole.low_mm)),
-            fmt::format("x {}, y {}", decimals(rim.centre_mm[0]), decimals(rim.centre_mm[1]))};
+    const auto [x, y] = rim.centre_mm;
+    const double angle = core::within_turn(std::atan2(y, x), 0.0);
+    Words words{fmt::format("hole \u00d8{}, {} deep,", decimals(2.0 * rim.radius_mm), decimals(mm_from_m(part.z_high) - hole.low_mm)),
+                "for the cable's end", fmt::format("at R {}, {} deg", decimals(std::hypot(x, y)), decimals(core::deg_from_rad(angle), 2)),
+                fmt::format("(x {}, y {})", decimals(x), decimals(y))};
+    if (const double edge = part.options.features.anchor_edge_radius; edge > 0.0)
+        words.push_back(fmt::format("edge R {} by hand", decimals(mm_from_m(edge))));
+    return words;
 }
 
 Words screw_words(const solid::Cutter& hole) {
@@ -100,32 +109,44 @@ Point on_circle(double radius, double angle) { return {radius * std::cos(angle),
 struct Remark {
     Point place_mm{};
     Words words;
+    std::vector<Badge> badges = {};
 };
 
 std::vector<Remark> hub_remarks(const Subject& subject) {
     const solid::HubOptions& hub = subject.part.options.hub;
     if (hub.kind == solid::HubKind::kOverhung) return {};  // in the section: hidden from above
     const double radius = mm_from_m(0.5 * (hub.bore_diameter + hub.bore_clearance));
-    std::vector<Remark> all{{on_circle(radius, 0.8 * core::kPi), bore_words(subject)}};
-    if (hub.lock == solid::HubLock::kKeyway) all.push_back({{solid::bore_reach_mm(hub), 0.0}, lock_words(hub)});
-    if (hub.lock == solid::HubLock::kDFlat) all.push_back({{radius - mm_from_m(hub.flat_depth), 0.0}, lock_words(hub)});
+    std::vector<Remark> all{{on_circle(radius, 0.8 * core::kPi), bore_words(subject), bore_badges(subject)}};
+    if (hub.lock == solid::HubLock::kKeyway) all.push_back({{solid::bore_reach_mm(hub), 0.0}, lock_words(hub), lock_badges(subject)});
+    if (hub.lock == solid::HubLock::kDFlat)
+        all.push_back({{radius - mm_from_m(hub.flat_depth), 0.0}, lock_words(hub), lock_badges(subject)});
     return all;
 }
 
-std::vector<Remark> cutter_remarks(const solid::Part& part) {
+std::vector<Remark> cutter_remarks(const Subject& subject) {
+    const solid::Part& part = subject.part;
     const solid::FeatureOptions& f = part.options.features;
+    const Tolerances t = tolerances_of(subject);
+    const std::vector<Badge> placed{frame(Symbol::kPosition, t.position, kDatumsAB)};
     std::vector<Remark> all;
     for (const solid::Cutter& cutter : solid::make_cutters(part)) {
-        if (cutter.name == "anchor") all.push_back({cutter.outline.front().centre_mm, anchor_words(cutter)});
-        if (cutter.name == "leg_slot") all.push_back({on_circle(mm_from_m(f.leg_slot_radius), f.leg_slot_angle), slot_words(f)});
-        if (cutter.name == "set_screw") all.push_back({{mm_from_m(0.5 * part.options.hub.boss_diameter), 0.0}, screw_words(cutter)});
-        if (cutter.name == "mark") all.push_back({cutter.outline.front().centre_mm, mark_words(f)});
+        if (cutter.name == "anchor")
+            all.push_back({cutter.outline.front().centre_mm,
+                           anchor_words(part, cutter),
+                           {frame(Symbol::kPosition, t.position, kDatumsAB, "\u00d8")}});
+        if (cutter.name == "leg_slot") all.push_back({on_circle(mm_from_m(f.leg_slot_radius), f.leg_slot_angle), slot_words(f), placed});
+        if (cutter.name == "set_screw")
+            all.push_back({{mm_from_m(0.5 * part.options.hub.boss_diameter), 0.0}, screw_words(cutter), lock_badges(subject)});
+        if (cutter.name == "mark")
+            all.push_back({cutter.outline.front().centre_mm, mark_words(f), t.mark_is_b ? lock_badges(subject) : placed});
     }
     return all;
 }
 
-std::vector<Remark> contour_remarks(const solid::Part& part, const std::vector<Line>& edges) {
-    const cam::Cam& cam = part.cam;
+std::vector<Remark> contour_remarks(const Subject& subject, const std::vector<Line>& edges) {
+    const cam::Cam& cam = subject.part.cam;
+    const Tolerances t = tolerances_of(subject);
+    const std::vector<Badge> profile{frame(Symbol::kLineProfile, t.contour, kDatumsAB), roughness_badge(t, t.fine_roughness)};
     const auto at = [&cam](double psi, double offset) { return solid::parallel(cam, {psi, psi}, offset).front(); };
     const auto [low, high] = cam.working_psi;
     const Point far = farthest(edges);
@@ -134,13 +155,30 @@ std::vector<Remark> contour_remarks(const solid::Part& part, const std::vector<L
                                           decimals(core::deg_from_rad(core::within_turn(std::atan2(far[1], far[0]), 0.0)), 1)),
                               "farthest from the axis"}}};
     if (cam.has_roller()) {
-        all.push_back({at(low + 0.5 * (high - low), 0.0), {"rim: radii in the table"}});
+        all.push_back({at(low + 0.5 * (high - low), 0.0), {"rim from P to Q:", "places on sheet 2"}, profile});
         return all;
     }
     const double inner = -0.5 * cam.options.cable_diameter;
     all.push_back({at(low + 0.35 * (high - low), 0.0), {"centreline of the cable", "on the working arc"}});
-    all.push_back({at(low + 0.75 * (high - low), inner), {"floor of the groove:", "radii in the table"}});
+    all.push_back({at(low + 0.75 * (high - low), inner), {"floor from P to Q:", "places on sheet 2"}, profile});
     return all;
+}
+
+/// Callouts to the side of their targets; those nearest to the middle change sides if a column is too full.
+void write_beside(Sheet& sheet, std::vector<Callout> all, double middle, const Columns& columns) {
+    std::stable_sort(all.begin(), all.end(), [](const Callout& a, const Callout& b) { return a.target[0] < b.target[0]; });
+    const auto is_right = std::find_if(all.begin(), all.end(), [middle](const Callout& c) { return c.target[0] >= middle; });
+    std::vector<Callout> left(all.begin(), is_right), right(is_right, all.end());
+    while (height_of(right) > columns.height.width() && height_of(left) + height_of({right.front()}) <= columns.height.width()) {
+        left.push_back(std::move(right.front()));
+        right.erase(right.begin());
+    }
+    while (height_of(left) > columns.height.width() && height_of(right) + height_of({left.back()}) <= columns.height.width()) {
+        right.push_back(std::move(left.back()));
+        left.pop_back();
+    }
+    write_callouts(sheet, std::move(left), Align::kRight, columns.left, columns.height);
+    write_callouts(sheet, std::move(right), Align::kLeft, columns.right, columns.height);
 }
 
 }  // namespace
@@ -163,17 +201,18 @@ void draw_front(Sheet& sheet, const Subject& subject, const std::vector<Line>& e
     const Box box = extent(view.at(edges));
     draw_axes(sheet, box, view.origin);
 
-    std::vector<Callout> left, right;
-    for (const auto& remarks : {hub_remarks(subject), cutter_remarks(part), contour_remarks(part, edges)})
-        for (const Remark& remark : remarks) (remark.place_mm[0] < 0.0 ? left : right).push_back({view.at(remark.place_mm), remark.words});
-    write_callouts(sheet, std::move(left), Align::kRight, columns.left, columns.height);
-    write_callouts(sheet, std::move(right), Align::kLeft, columns.right, columns.height);
+    std::vector<Callout> all = draw_cable_exit(sheet, part, view, box);
+    all.push_back(draw_turn(sheet, part, view));
+    for (const auto& remarks : {hub_remarks(subject), cutter_remarks(subject), contour_remarks(subject, edges)})
+        for (const Remark& remark : remarks) all.push_back({view.at(remark.place_mm), remark.words, remark.badges});
+    write_beside(sheet, std::move(all), view.origin[0], columns);
     name_cut(sheet, box, view.origin);
 
     const Point left_end = outermost(edges, 0, -1.0), right_end = outermost(edges, 0, 1.0), low_end = outermost(edges, 1, -1.0),
                 top_end = outermost(edges, 1, 1.0);
     dimension_across(sheet, view.at(left_end), view.at(right_end), box.high[1] + kDimension, decimals(right_end[0] - left_end[0], 2));
     dimension_up(sheet, view.at(low_end), view.at(top_end), box.low[0] - kDimension - kCutEnd, decimals(top_end[1] - low_end[1], 2));
+    draw_arc_ends(sheet, part, view);
 }
 
 }  // namespace fusee::drawing

@@ -28,7 +28,12 @@ std::vector<Point> crossings(const std::vector<Line>& rings, double c) {
     return found;
 }
 
-double block_height(const Callout& callout) { return kLineHeight * static_cast<double>(callout.lines.size()); }
+constexpr double kBadgeGap = 0.8;  // between a callout's texts and symbols
+
+double block_height(const Callout& callout) {
+    return kLineHeight * static_cast<double>(callout.lines.size()) +
+           (kBadgeHeight + kBadgeGap) * static_cast<double>(callout.badges.size());
+}
 
 /// Upper ends of the callouts' blocks: near their targets, moved down until they do not overlap and up until they fit.
 std::vector<double> stacked(const std::vector<Callout>& callouts, const core::Range& height) {
@@ -102,6 +107,11 @@ void write_callouts(Sheet& sheet, std::vector<Callout> callouts, Align side, dou
         const Callout& callout = callouts[i];
         for (std::size_t k = 0; k < callout.lines.size(); ++k)
             sheet.texts.push_back({callout.lines[k], {x, tops[i] + kLineHeight * (static_cast<double>(k) + 0.77)}, side});
+        double below = tops[i] + kLineHeight * static_cast<double>(callout.lines.size()) + kBadgeGap;
+        for (const Badge& badge : callout.badges) {
+            draw_badge(sheet, badge, {side == Align::kLeft ? x : x - width_of(badge), below});
+            below += kBadgeHeight + kBadgeGap;
+        }
         const Point from{x + (side == Align::kLeft ? -kLeaderGap : kLeaderGap), tops[i] + 0.5 * block_height(callout)};
         sheet.strokes.push_back({Pen::kThin, {from, callout.target}});
         arrow(sheet, from, callout.target);

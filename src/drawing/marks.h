@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "badge.h"
 #include "fusee/core/units.h"
 #include "fusee/drawing/sheet.h"
 
@@ -15,10 +16,11 @@ inline constexpr double kTextOverLine = 1.2;  ///< of a baseline over the line i
 /// Thin lines at 45 degrees over the area within closed polygons (even-odd).
 void hatch(Sheet& sheet, const std::vector<Line>& rings);
 
-/// A leader's target with its text.
+/// A leader's target with its text, and the symbols below it.
 struct Callout {
     Point target{};  ///< on the sheet
     std::vector<std::string> lines;
+    std::vector<Badge> badges = {};
 };
 /// Height of a column of callouts [mm].
 [[nodiscard]] double height_of(const std::vector<Callout>& callouts);

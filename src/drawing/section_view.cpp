@@ -5,6 +5,7 @@
 
 #include "body.h"
 #include "fusee/solid/slice.h"
+#include "tolerances.h"
 #include "words.h"
 
 namespace fusee::drawing {
@@ -44,11 +45,14 @@ core::Range span_behind(const solid::Mesh& mesh, double z_mm) {
 struct Level {
     double z_mm = 0.0;
     Words words;
+    std::vector<Badge> badges = {};
 };
 
 std::string level_text(double z_mm, const char* what) { return fmt::format("z {} {}", decimals(z_mm), what); }
 
-std::vector<Level> levels(const solid::Part& part) {
+std::vector<Level> levels(const Subject& subject) {
+    const solid::Part& part = subject.part;
+    const Tolerances t = tolerances_of(subject);
     const double top = mm_from_m(part.z_high), bottom = mm_from_m(part.z_low);
     std::vector<Level> all{{top, {level_text(top, "top face")}}, {bottom, {level_text(bottom, "lower face")}}};
     if (part.cam.closed() && !part.cam.has_roller()) {
@@ -61,6 +65,8 @@ std::vector<Level> levels(const solid::Part& part) {
         all.push_back({low_mm(part),
                        {level_text(low_mm(part), "end of the boss"),
                         fmt::format("\u00d8{}, {} high", decimals(mm_from_m(hub.boss_diameter)), decimals(boss_mm(part)))}});
+    all.front().badges.push_back(frame(Symbol::kRunout, t.runout, kDatumA));
+    all.back().badges.push_back(frame(Symbol::kPerpendicular, t.face, kDatumA));  // the face that rests on the shaft's shoulder
     return all;
 }
 
@@ -107,13 +113,15 @@ SectionCallouts section_callouts(const Subject& subject, const std::vector<Line>
     const solid::Part& part = subject.part;
     const solid::HubOptions& hub = part.options.hub;
     SectionCallouts callouts;
-    for (const Level& level : levels(part)) callouts.right.push_back({view.at(span_at(cut, level.z_mm).high, level.z_mm), level.words});
+    for (const Level& level : levels(subject))
+        callouts.right.push_back({view.at(span_at(cut, level.z_mm).high, level.z_mm), level.words, level.badges});
     if (hub.kind == solid::HubKind::kThrough) return callouts;
     const double radius = mm_from_m(0.5 * (hub.bore_diameter + hub.bore_clearance)), low = low_mm(part), end = blind_end_mm(part);
     callouts.left.push_back(
         {view.at(-0.5 * radius, end), {fmt::format("bore ends at z {},", decimals(end)), fmt::format("{} deep", decimals(end - low))}});
-    callouts.left.push_back({view.at(-radius, low + 0.6 * (end - low)), bore_words(subject)});
-    if (const Words lock = lock_words(hub); !lock.empty()) callouts.left.push_back({view.at(radius, low + 0.2 * (end - low)), lock});
+    callouts.left.push_back({view.at(-radius, low + 0.6 * (end - low)), bore_words(subject), bore_badges(subject)});
+    if (const Words lock = lock_words(hub); !lock.empty())
+        callouts.left.push_back({view.at(radius, low + 0.2 * (end - low)), lock, lock_badges(subject)});
     return callouts;
 }
 

@@ -3,17 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fusee/core/text.h"
+
 namespace fusee::drawing {
 
 namespace {
 
 constexpr double kLetter = 0.602;                  // of the size: DejaVu Sans Mono; Courier and Liberation Mono 0.600
 constexpr double kAscent = 0.76, kDescent = 0.24;  // of the size
-
-/// Number of UTF-8 letters.
-std::size_t letters(const std::string& words) {
-    return static_cast<std::size_t>(std::count_if(words.begin(), words.end(), [](char c) { return (c & 0xC0) != 0x80; }));
-}
 
 /// Narrows [from, to], the share of a line within low..high in one coordinate. False: nothing remains.
 bool clip(double start, double step, double low, double high, double& from, double& to) {
@@ -39,7 +36,7 @@ bool Box::meets(const Point& a, const Point& b) const {
     return clip(a[0], b[0] - a[0], low[0], high[0], from, to) && clip(a[1], b[1] - a[1], low[1], high[1], from, to);
 }
 
-double width_of(const std::string& words, double size) { return kLetter * size * static_cast<double>(letters(words)); }
+double width_of(const std::string& words, double size) { return kLetter * size * static_cast<double>(core::letters(words)); }
 
 Box box_of(const Text& text) {
     const double width = width_of(text.words, text.size), before = text.align == Align::kLeft     ? 0.0

@@ -40,7 +40,8 @@ const char* css(Pen pen) {
 std::string stroke_element(const Stroke& stroke) {
     std::string data;
     for (const Point& p : stroke.line) data += (data.empty() ? "M" : "L") + coordinate(p[0]) + " " + coordinate(p[1]);
-    return fmt::format("<path class=\"{}\" d=\"{}{}\"/>\n", css(stroke.pen), data, stroke.closed ? "Z" : "");
+    const char* gap = *stroke.role == '\0' ? "" : " ";
+    return fmt::format("<path class=\"{}{}{}\" d=\"{}{}\"/>\n", css(stroke.pen), gap, stroke.role, data, stroke.closed ? "Z" : "");
 }
 
 std::string arrow_element(const Arrow& arrow) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fusee/core/turn.h"
 #include "fusee/core/units.h"
 #include "fusee/drawing/inspection.h"
 #include "view.h"
@@ -63,6 +64,29 @@ std::size_t write_table(Sheet& sheet, const Table& table, std::size_t first, con
     for (; i < table.rows.size() && y + kRow + 1.4 <= bottom; ++i) write_row(sheet, table.rows[i], widths, x, y += kRow);
     rule(y + 1.4);
     return i;
+}
+
+Table check_table(const solid::Part& part) {
+    const bool is_helix = !part.cam.closed(), roller = part.cam.has_roller();
+    Table table{{roller ? "Check rows: the rim from P to Q at equal distances" : "Check rows: the floor from P to Q at equal distances"},
+                {{"row", "length", "angle", "X", "Y"}, {"", "[mm]", "[deg]", "[mm]", "[mm]"}},
+                {}};
+    if (is_helix) table.head[0].emplace_back("Z"), table.head[1].emplace_back("[mm]");
+    for (const char* name : {"radius", "normal", "tilt", "arm"}) table.head[0].emplace_back(name);
+    for (const char* unit : {"[mm]", "[deg]", "[deg]", "[mm]"}) table.head[1].emplace_back(unit);
+    if (!roller) table.head[0].emplace_back("d arm/d r"), table.head[1].emplace_back("");
+    int number = 0;
+    for (const CheckRow& at : check_rows(part)) {
+        const auto mm = [](double value) { return fmt::format("{:.3f}", core::mm_from_m(value)); };
+        const auto deg = [](double value) { return fmt::format("{:.2f}", core::deg_from_rad(value)); };
+        const auto turned = [&](double angle) { return deg(part.cam.closed() ? core::within_turn(angle, 0.0) : angle); };
+        Cells row{fmt::format("{}", ++number), fmt::format("{:.2f}", core::mm_from_m(at.length)), turned(at.angle), mm(at.x), mm(at.y)};
+        if (is_helix) row.push_back(mm(at.z));
+        for (const std::string& cell : {mm(at.radius), turned(at.normal), deg(at.tilt()), mm(at.arm)}) row.push_back(cell);
+        if (!roller) row.push_back(fmt::format("{:.3f}", std::cos(at.tilt())));
+        table.rows.push_back(std::move(row));
+    }
+    return table;
 }
 
 Table inspection_table(const solid::Part& part) {

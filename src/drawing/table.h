@@ -15,6 +15,8 @@ struct Table {
     [[nodiscard]] double width() const;  ///< [mm]
 };
 
+/// The working arc at equal distances: place, normal, arm, and what an error of the radius is worth.
+[[nodiscard]] Table check_table(const solid::Part& part);
 /// Radii every 10 degrees.
 [[nodiscard]] Table inspection_table(const solid::Part& part);
 /// Arm, tension and torque at 25 of the working positions, evenly spaced, including the first and the last.

@@ -4,7 +4,10 @@
 namespace fusee::drawing {
 
 /// Left and upper edge of the title block in the frame's lower right corner.
-inline constexpr Point kTitleCorner{230.0, 245.0};
+inline constexpr Point kTitleCorner{230.0, 230.0};
+
+/// Above the title block: the roughness of all faces that say nothing else, and the state of their edges.
+void draw_general_marks(Sheet& sheet, const Subject& subject);
 
 /// Frame and title block (ISO 7200) with the symbol of first-angle projection (ISO 5456-2).
 void draw_title(Sheet& sheet, const Subject& subject, double scale, std::size_t number, std::size_t count);

@@ -1,17 +1,22 @@
 #include "words.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "fusee/checks/limits.h"
 #include "fusee/core/units.h"
 #include "fusee/drawing/inspection.h"
+#include "tolerances.h"
 #include "view.h"
 
 namespace fusee::drawing {
 
 namespace {
+
+constexpr double kPlay = 0.1e-3;  // of a key in its way, as an example [m]
 
 std::string mm(double metres, int digits = 3) { return decimals(core::mm_from_m(metres), digits); }
 std::string deg(double rad, int digits = 1) { return decimals(core::deg_from_rad(rad), digits); }
@@ -48,6 +53,19 @@ std::string spring_note(const spring::BaseSpring& spring) {
     return fmt::format("Base spring: compression, {:g} N/m, pressed by {} mm at the least load.", spring.rate, mm(spring.preload));
 }
 
+/// Names of the title block's fields without a value.
+Words empty_fields(const TitleOptions& title) {
+    Words empty;
+    for (const auto& [name, value] : {std::pair{"legal owner", &title.owner},
+                                      {"identification number", &title.number},
+                                      {"revision", &title.revision},
+                                      {"date of issue", &title.date},
+                                      {"created by", &title.created_by},
+                                      {"approved by", &title.approved_by}})
+        if (value->empty()) empty.emplace_back(name);
+    return empty;
+}
+
 }  // namespace
 
 Words bore_words(const Subject& subject) {
@@ -57,6 +75,15 @@ Words bore_words(const Subject& subject) {
                         hub.kind == solid::HubKind::kThrough ? "through" : "blind"),
             fmt::format("for a shaft of \u00d8{}:", mm(hub.bore_diameter)),
             fmt::format("\u00d8{} to \u00d8{}", mm(hub.bore_diameter + fit.low), mm(hub.bore_diameter + fit.high))};
+}
+
+std::vector<Badge> bore_badges(const Subject& subject) {
+    const Tolerances t = tolerances_of(subject);
+    return {roughness_badge(t, t.fine_roughness), {Symbol::kDatum, {"A"}}};
+}
+
+std::vector<Badge> lock_badges(const Subject& subject) {
+    return {frame(Symbol::kPosition, tolerances_of(subject).position, kDatumA), {Symbol::kDatum, {"B"}}};
 }
 
 Words lock_words(const solid::HubOptions& hub) {
@@ -86,22 +113,60 @@ Words mark_words(const solid::FeatureOptions& f) {
 
 Words notes(const Subject& subject) {
     const cam::Cam& cam = subject.part.cam;
-    const bool roller = cam.has_roller();
-    const core::Range arc = working_angles(cam);
     Words all{
         "Lengths in mm. Body angles from the timing mark (0 deg, +x), counter-clockwise seen from +z, as the front view shows.",
-        fmt::format(
-            "The contour is that of the part's files; this sheet states the checks. A mesh deviates from it by at most {} mm (chordal "
-            "error).",
-            decimals(subject.part.chordal_error_mm, 4)),
-        fmt::format("Radii: from the axis to the {}, {}. w: working arc, {} to {} deg, which carries the law{}.",
-                    roller ? "rim" : "lowest point of the groove's floor", cam.closed() ? "at z 0" : "at the height z", deg(arc.low, 2),
-                    deg(arc.high, 2), roller ? "" : "; h: within the anchor hole"),
+        fmt::format("The contour is that of the part's files; this drawing states the checks. A mesh deviates from it by at most {} mm.",
+                    decimals(subject.part.chordal_error_mm, 4)),
         travel_note(cam)};
     if (!cam.closed()) all.push_back(rise_note(cam));
-    if (!roller) all.push_back(cable_note(subject));
+    if (!cam.has_roller()) all.push_back(cable_note(subject));
     all.push_back(spring_note(subject.spring));
+    if (const Words empty = empty_fields(subject.title); !empty.empty())
+        all.push_back(fmt::format("Not stated in the profile, [drawing]: {}.", fmt::join(empty, ", ")));
+    return all;
+}
+
+Words tolerance_notes(const Subject& subject) {
+    const cam::Cam& cam = subject.part.cam;
+    const Tolerances t = tolerances_of(subject);
+    const core::Range arc = working_angles(cam);
+    const bool roller = cam.has_roller();
+    Words all{fmt::format("Tolerances ISO 1101, datums ISO 5459, ISO 8015. A: axis of the bore. B: {}.", t.datum_b),
+              fmt::format(
+                  "P to Q: working arc, {} to {} deg, which carries the law. Its profile {} is the accuracy of the process, \u00b1{}, not "
+                  "what the law needs.",
+                  deg(arc.low, 2), deg(arc.high, 2), mm(t.contour), mm(t.process))};
+    if (!roller && !cam.working.empty()) {
+        const auto least = std::min_element(cam.working.begin(), cam.working.end(),
+                                            [](const cam::Contact& a, const cam::Contact& b) { return a.arm.arm < b.arm.arm; });
+        all.push_back(fmt::format("\u00b1{} is \u00b1{:.1f} % of the least arm, {}: an error of 1 % of the arm needs a profile of {}.",
+                                  mm(t.process), 100.0 * t.process / least->arm.arm, mm(least->arm.arm), mm(0.02 * least->arm.arm)));
+        const double turned = kPlay / (0.5 * subject.part.options.hub.bore_diameter);
+        all.push_back(
+            fmt::format("Every {} of play across B at the bore turns the contour by {:.2f} deg: the arm is off by up to {:.1f} %. Set the "
+                        "zero by the mark.",
+                        mm(kPlay), core::deg_from_rad(turned), 100.0 * turned * arm_error_per_turn(cam)));
+    }
+    all.push_back(fmt::format("Roughness ISO 21920: Ra {} where nothing else is stated. Edges ISO 13715.", decimals(1e6 * t.roughness)));
     all.emplace_back(roller ? "Deburr the edges; leave the rim as cut." : "Deburr the lips; leave the groove's floor as cut.");
+    return all;
+}
+
+Words check_notes(const solid::Part& part) {
+    const bool roller = part.cam.has_roller();
+    Words all{fmt::format("X, Y: {}. normal: direction of the outward normal. tilt: of the normal against the radius.",
+                          roller              ? "of the rim"
+                          : part.cam.closed() ? "of the groove's floor at its lowest, at z 0"
+                                              : "of the groove's floor at its lowest")};
+    if (roller)
+        all.emplace_back("The arm of a roller cam follows the slope of the rim: an equal error everywhere does not change it.");
+    else
+        all.emplace_back(
+            "Measure along the normal: there a deviation is an error of the arm of the same size. A radius that is off by dr at the same "
+            "angle "
+            "is an arm that is off by dr x cos(tilt), the last column.");
+    all.push_back(fmt::format("Radii of the {}: w: working arc{}.", roller ? "rim" : "floor", roller ? "" : "; h: within the anchor hole"));
+    all.emplace_back("The inspection sheet (k_xx_inspection.csv) holds these rows to fill in; `fusee calibrate` reads it.");
     return all;
 }
 

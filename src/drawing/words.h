@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "badge.h"
 #include "fusee/drawing/drawing.h"
 
 /// Callouts of the hub and of features, at most 24 letters per line.
@@ -10,6 +11,10 @@ namespace fusee::drawing {
 using Words = std::vector<std::string>;
 
 [[nodiscard]] Words bore_words(const Subject& subject);
+/// Datum A, and the roughness.
+[[nodiscard]] std::vector<Badge> bore_badges(const Subject& subject);
+/// Position to A, and datum B.
+[[nodiscard]] std::vector<Badge> lock_badges(const Subject& subject);
 /// Keyway or flat; empty if there is neither.
 [[nodiscard]] Words lock_words(const solid::HubOptions& hub);
 [[nodiscard]] Words slot_words(const solid::FeatureOptions& features);
@@ -17,5 +22,9 @@ using Words = std::vector<std::string>;
 
 /// Notes on the whole part, one or two sentences each.
 [[nodiscard]] Words notes(const Subject& subject);
+/// What the tolerances are, where their values come from, and what they cost the arm.
+[[nodiscard]] Words tolerance_notes(const Subject& subject);
+/// How the check rows are measured.
+[[nodiscard]] Words check_notes(const solid::Part& part);
 
 }  // namespace fusee::drawing

@@ -1,5 +1,6 @@
 #include "fusee/exchange/step.h"
 
+#include "fusee/checks/material.h"
 #include "fusee/formats/format.h"
 #include "fusee/readback/readers.h"
 
@@ -15,7 +16,9 @@ void write_exact(PartExport& out) {
         out.exact = std::move(built).value();
     }
     const std::filesystem::path step = out.path(".step");
-    exchange::write_step(step, *out.exact, out.name(), out.provenance.line());
+    const checks::Process& process = out.settings.process;
+    exchange::write_step(step, *out.exact, out.name(), out.provenance.line(),
+                         {checks::designation_of(process), checks::material_of(process).density});
     out.state(step, 0, out.exact->deviation_mm);
 }
 

@@ -98,8 +98,12 @@ LinearFit fit_linear(const LinearModel& model) {
     fit.residuals = values(residuals.cwiseQuotient(w.roots));
     fit.freedom = model.y.size() - model.x.size();
     fit.deviation = std::sqrt(residuals.squaredNorm() / static_cast<double>(fit.freedom));
+    const Eigen::MatrixXd cofactors = s.inverse * s.inverse.transpose();
     const Eigen::MatrixXd covariance = fit.deviation * fit.deviation * s.inverse * s.inverse.transpose();
-    for (Eigen::Index i = 0; i < covariance.rows(); ++i) fit.covariance.push_back(values(covariance.row(i)));
+    for (Eigen::Index i = 0; i < covariance.rows(); ++i) {
+        fit.covariance.push_back(values(covariance.row(i)));
+        fit.cofactors.push_back(values(cofactors.row(i)));
+    }
     return fit;
 }
 

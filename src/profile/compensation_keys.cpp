@@ -19,6 +19,10 @@ std::vector<Key> compensation_keys() {
         number(t + "cable_axis_mm", kMm, within(-10, 10),
                "distance of the cable's neutral axis from the floor beyond d/2: both cams are cut with arms smaller by it",
                FIELD(k_se.allowance.cable_axis)),
+        number(t + "k_se_contour_mm", kMm, within(-2, 2),
+               "measured excess of K_SE's contour along its normal, from its inspection sheet; the cam is cut with arms smaller by it",
+               FIELD(k_se.allowance.contour)),
+        number(t + "k_pe_contour_mm", kMm, within(-2, 2), "the same of K_PE", FIELD(k_pe.allowance.contour)),
     };
 }
 

@@ -5,6 +5,7 @@
 #include <cctype>
 #include <cmath>
 
+#include "fusee/core/text.h"
 #include "fusee/core/toml.h"
 
 namespace fusee::profile {
@@ -32,6 +33,8 @@ public:
                 return yes_or_no(node);
             case Kind::kName:
                 return name(node);
+            case Kind::kText:
+                return line_of_text(node);
             case Kind::kFile:
             case Kind::kFormula:
                 return name_or_formula(node);
@@ -83,6 +86,12 @@ private:
     [[nodiscard]] std::string name_or_formula(const toml::node& node) const {
         const bool left_out = !key_.required && node.is_string() && node.as_string()->get().empty();
         return left_out ? "" : text(node);
+    }
+    [[nodiscard]] std::string line_of_text(const toml::node& node) const {
+        std::string value = name_or_formula(node);
+        const auto control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
+        if (core::letters(value) > kLongestLine || std::any_of(value.begin(), value.end(), control)) return refuse(node), "";
+        return value;
     }
     [[nodiscard]] std::string name(const toml::node& node) const {
         std::string value = text(node);

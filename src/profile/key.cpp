@@ -66,7 +66,7 @@ std::string Key::leaf() const { return path.substr(path.rfind('.') + 1); }
 
 bool Key::of_part() const {
     static constexpr std::array kTables{"cable",     "groove",       "process", "material", "tolerances", "outputs",
-                                        "machining", "compensation", "k_se",    "k_pe",     "assembly",   "budget"};
+                                        "machining", "compensation", "k_se",    "k_pe",     "assembly",   "budget", "drawing"};
     return std::find(kTables.begin(), kTables.end(), path.substr(0, path.find('.'))) != kTables.end();
 }
 
@@ -112,6 +112,8 @@ std::string allowed_text(const Key& key) {
             return "a whole number, " + range_text(key.limits, key.unit);
         case Kind::kName:
             return kAllowedName;
+        case Kind::kText:
+            return fmt::format("a text of one line, at most {} letters, \"\" = not stated", kLongestLine);
         case Kind::kFile:
             return key.required ? "a file name as text" : "a file name as text, \"\" = none";
         case Kind::kFormula:

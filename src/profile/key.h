@@ -34,7 +34,10 @@ struct Limits {
 constexpr Limits within(double low, double high) { return {low, high, true}; }
 constexpr Limits above(double low, double high) { return {low, high, false}; }
 
-enum class Kind { kNumber, kInteger, kName, kFile, kFormula, kChoice, kSign, kSwitch, kNumbers, kChoices };
+/// Letters of a Kind::kText: the longest that a field of a title block holds in letters of 1.8 mm.
+inline constexpr std::size_t kLongestLine = 40;
+
+enum class Kind { kNumber, kInteger, kName, kText, kFile, kFormula, kChoice, kSign, kSwitch, kNumbers, kChoices };
 
 /// Numbers in SI.
 using Value = std::variant<double, int, bool, std::string, std::vector<double>, std::vector<std::string>>;
@@ -91,6 +94,7 @@ struct Key {
 [[nodiscard]] std::vector<Key> codesign_keys();
 [[nodiscard]] std::vector<Key> assembly_keys();
 [[nodiscard]] std::vector<Key> budget_keys();
+[[nodiscard]] std::vector<Key> drawing_keys();
 [[nodiscard]] std::vector<Key> machining_keys();
 [[nodiscard]] std::vector<Key> compensation_keys();
 [[nodiscard]] std::vector<Key> part_keys(const std::string& part, PartSpec Profile::*member);
@@ -116,6 +120,12 @@ Key file(std::string path, std::string meaning, At at) {
 template <class At>
 Key formula(std::string path, std::string meaning, At at) {
     return plain_key<std::string>(std::move(path), Kind::kFormula, std::move(meaning), at);
+}
+
+/// One line of text; missing or "": not stated.
+template <class At>
+Key text_line(std::string path, std::string meaning, At at) {
+    return plain_key<std::string>(std::move(path), Kind::kText, std::move(meaning), at);
 }
 
 template <class At>

@@ -86,6 +86,8 @@ std::vector<Key> material_keys() {
                FIELD(process.material.strength)),
         number("material.modulus_MPa", kMPa, within(0, 1e6), "Young's modulus; 0 = by kind", FIELD(process.material.modulus)),
         number("material.density_g_per_cm3", kGramPerCm3, within(0, 30), "0 = by kind", FIELD(process.material.density)),
+        text_line("material.designation", "with its condition, for drawing and STEP: \"EN AW-6082 T6\"; \"\" = by kind",
+                  FIELD(process.material.designation)),
     };
 }
 
@@ -132,6 +134,7 @@ std::vector<Key> all_keys() {
     add(part_keys("k_pe", &Profile::k_pe));
     add(assembly_keys());
     add(budget_keys());
+    add(drawing_keys());
     return all;
 }
 

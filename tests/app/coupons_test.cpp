@@ -29,6 +29,28 @@ TEST_F(Program, MakesCouponsAndCalibratesTheExample) {
     EXPECT_TRUE(json.at("figures").at(0).at("changes"));
 }
 
+TEST_F(Program, AnInspectionSheetIsWrittenFilledAndReadBack) {
+    const fs::path filled = example().parent_path() / "k_pe_inspection.csv";
+    const std::string profile = fixtures::shipped("pnrvsa").string();
+    const Ended found = run("calibrate '" + filled.string() + "' --profile '" + profile + "' --write-profile new.toml");
+    ASSERT_EQ(found.code, 0) << found.all();
+    expect_words(found.out, {"contour_offset", "-> compensation.k_pe_contour_mm", "rotation", "inspection.eccentricity", "% as made"});
+    EXPECT_NE(core::read_file(folder_ / "new.toml").find("k_pe_contour_mm = 0.14"), std::string::npos);
+
+    const Ended made = run("make '" + profile + "'");
+    ASSERT_EQ(made.code, 0) << made.all();
+    const fs::path sheet = folder_ / "out" / "pnrvsa" / "k_se_inspection.csv";
+    const Ended empty = run("calibrate out/pnrvsa/k_se_inspection.csv");
+    EXPECT_EQ(empty.code, 2);
+    expect_words(empty.err, {"k_se_inspection.csv: measured_deviation_mm", "no row of the contour is filled"});
+    core::write_file(sheet, core::read_file(sheet) + "k_se,contour,26,1,0,0,0,8,-0.3,0.3,0.1\n");
+    const Ended again = run("make '" + profile + "' --force");
+    EXPECT_EQ(again.code, 2) << "a filled sheet is never replaced";
+    expect_words(again.err, {"k_se_inspection.csv", "is a sheet to fill in"});
+    write("bad.csv", core::read_file(sheet) + "k_se,contour,27,1,0,0,0,8,-0.3,0.3,much\n");
+    expect_words(run("calibrate bad.csv").err, {"bad.csv:36:36: measured_deviation_mm"});
+}
+
 TEST_F(Program, CalibrateNamesThePlaceOfWhatIsWrong) {
     write("c.csv", "item,given,given_unit,measured,unit\nlength_x,60,mm,59.8,inch\n");
     const Ended wrong = run("calibrate c.csv");

@@ -50,10 +50,10 @@ TEST(Docs, DefaultTablesAreThoseOfTheCode) {
     const auto mm = [](double metres) { return metres > 0.0 ? fmt::format("{:g}", core::mm_from_m(metres)) : std::string("-"); };
     const auto number = [](double value) { return value > 0.0 ? fmt::format("{:g}", value) : std::string("-"); };
     for (const ProcessLimits& p : process_table()) {
-        expect_row(text,
-                   fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} | {} | {:g} to {:g} | {} |", to_string(p.kind), mm(p.wall),
-                               mm(p.loaded_wall), mm(p.hole), number(core::deg_from_rad(p.overhang)), mm(p.cutter_radius), mm(p.tolerance),
-                               mm(p.feature), mm(p.detail), core::mm_from_m(p.fit.low), core::mm_from_m(p.fit.high), mm(p.layer)));
+        expect_row(text, fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} | {} | {:g} to {:g} | {} | {:g} | {:g} |", to_string(p.kind),
+                                     mm(p.wall), mm(p.loaded_wall), mm(p.hole), number(core::deg_from_rad(p.overhang)), mm(p.cutter_radius),
+                                     mm(p.tolerance), mm(p.feature), mm(p.detail), core::mm_from_m(p.fit.low), core::mm_from_m(p.fit.high),
+                                     mm(p.layer), 1e6 * p.roughness, 1e6 * p.fine_roughness));
         expect_row(text, fmt::format("- {}: {}", to_string(p.kind), p.source));
     }
     for (const KeySize& k : key_table())
@@ -61,8 +61,9 @@ TEST(Docs, DefaultTablesAreThoseOfTheCode) {
                                      core::mm_from_m(k.width), core::mm_from_m(k.height), core::mm_from_m(k.shaft_depth),
                                      core::mm_from_m(k.hub_depth)));
     for (const Material& m : material_table())
-        expect_row(text, fmt::format("| {} | {:g} | {:g} | {:g} | {:g} | {:.3g} | {:g} | {} |", m.name, m.strength / 1e6, m.permanent / 1e6,
-                                     m.bearing / 1e6, m.modulus / 1e9, m.creep_modulus / 1e9, m.density / 1e3, m.source));
+        expect_row(text,
+                   fmt::format("| {} | {:g} | {:g} | {:g} | {:g} | {:.3g} | {:g} | {} | {} |", m.name, m.strength / 1e6, m.permanent / 1e6,
+                               m.bearing / 1e6, m.modulus / 1e9, m.creep_modulus / 1e9, m.density / 1e3, m.designation, m.source));
     for (const TerminationLimits& t : termination_table())
         expect_row(text, fmt::format("| {} | {} | {:g} % | {:g} | {} |", to_string(t.kind), t.fibre ? "fibre" : "wire", 100.0 * t.strength,
                                      t.width, t.source));

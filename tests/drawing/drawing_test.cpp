@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <future>
 
 #include "exchange/fixtures/disc.h"
@@ -55,6 +56,21 @@ solid::PartOptions keyed_overhung() {
     return options;
 }
 
+/// A round roller cam beside its axis.
+cam::Cam roller_cam() {
+    cam::Cam cam = fixtures::planar_cam(30e-3, 5e-3);
+    cam.kind = cam::PartKind::kParallel;
+    cam.options.family = cam::Family::kRoller;
+    cam.options.cable_diameter = 0.0;
+    return cam;
+}
+
+solid::PartOptions roller_options() {
+    solid::PartOptions options = fixtures::keyed_options();
+    options.features.anchor_hole_diameter = options.features.leg_slot_width = options.flange_height = 0.0;
+    return options;
+}
+
 struct Case {
     const char* name;
     cam::Cam cam;
@@ -68,7 +84,8 @@ std::vector<Case> cases() {
             {"set_screw", fixtures::planar_cam(), screwed_options()},
             {"large", fixtures::planar_cam(90e-3, 20e-3), fixtures::keyed_options()},
             {"helix", fixtures::helix_cam(), fixtures::keyed_options()},
-            {"four_turns", long_helix(4.0), plain_options()}};
+            {"four_turns", long_helix(4.0), plain_options()},
+            {"roller", roller_cam(), roller_options()}};
 }
 
 class Drawn : public testing::TestWithParam<std::size_t> {
@@ -83,13 +100,20 @@ protected:
         if (!part) part = solid::build_part(working(chosen().cam), chosen().options).value();
         return *part;
     }
-    static std::vector<Sheet> sheets() {
-        const spring::BaseSpring spring{spring::BaseKind::kTorsion, 0.0183, 3.7};
-        const checks::Cable cable;
-        const checks::Process process;
-        return draw({part(), spring, cable, process, "a_design_with_a_name_of_some_length", "k_se_mirrored",
-                     "fusee 0.1.0, a_design_with_a_name_of_some_length, profile 0123456789ab, via=cgal, mirrored"});
+    static Subject subject(const TitleOptions& title = {}) {
+        static const spring::BaseSpring spring{spring::BaseKind::kTorsion, 0.0183, 3.7};
+        static const checks::Cable cable;
+        static const checks::Process process;
+        return {part(),
+                spring,
+                cable,
+                process,
+                "a_design_with_a_name_of_some_length",
+                "k_se_mirrored",
+                "fusee 0.1.0, a_design_with_a_name_of_some_length, profile 0123456789ab, via=cgal, mirrored",
+                title};
     }
+    static std::vector<Sheet> sheets() { return draw(subject()); }
 };
 
 bool says(const std::vector<Sheet>& sheets, const std::string& words) {
@@ -129,7 +153,60 @@ TEST_P(Drawn, EveryRadiusArmAndLengthOfThePartIsOnIt) {
         EXPECT_TRUE(says(drawn, fmt::format("{:.3f}", core::mm_from_m(row->arm.arm))));
         EXPECT_TRUE(says(drawn, fmt::format("{:.4f}", row->arm.arm * row->arm.tension)));
     }
-    EXPECT_TRUE(says(drawn, fmt::format("{:.2f} mm on the working", core::mm_from_m(cable_length(part().cam).working))));
+    EXPECT_TRUE(part().cam.has_roller() ||
+                says(drawn, fmt::format("{:.2f} mm on the working", core::mm_from_m(cable_length(part().cam).working))));
+}
+
+std::size_t strokes_of(const Sheet& sheet, const std::string& role) {
+    return static_cast<std::size_t>(
+        std::count_if(sheet.strokes.begin(), sheet.strokes.end(), [&role](const Stroke& s) { return s.role == role; }));
+}
+
+TEST_P(Drawn, DatumsTolerancesAndMarksAreThere) {
+    const auto drawn = sheets();
+    const Sheet& first = drawn.front();
+    // Triangle with its stem, and the box of the letter, of A and B each.
+    EXPECT_EQ(strokes_of(first, "datum"), 2u * 3u);
+    EXPECT_GE(strokes_of(first, "line-profile"), 1u);
+    EXPECT_EQ(strokes_of(first, "perpendicularity"), 2u + 3u) << "one frame of three cells";
+    EXPECT_EQ(strokes_of(first, "run-out"), 1u + 3u);
+    EXPECT_GE(strokes_of(first, "position"), 2u * 5u) << "key and mark";
+    EXPECT_GE(strokes_of(first, "roughness"), 3u) << "in general, bore, floor";
+    EXPECT_EQ(strokes_of(first, "edge-state"), 2u);
+    EXPECT_EQ(strokes_of(first, "cable-exit"), part().cam.has_roller() ? 0u : 1u);
+    EXPECT_EQ(strokes_of(first, "turn"), 1u);
+    EXPECT_EQ(strokes_of(first, "arc-end"), 2u);
+    EXPECT_GT(strokes_of(first, "isometric"), 5u);
+    const std::string text = svg(first);
+    EXPECT_NE(text.find("class=\"thin line-profile\""), std::string::npos);
+    for (const char* word : {">A<", ">B<", ">P<", ">Q<", ">0.6<", ">0.3<", "Ra 12.5", "PLA (ISO 1043-1), as printed", "ISO 2768-1 c"})
+        EXPECT_NE(text.find(word), std::string::npos) << word;
+}
+
+/// Below the axis a counter-clockwise turn goes to the right.
+TEST_P(Drawn, TheTurnHasTheSenseOfThePart) {
+    const auto drawn = sheets();
+    const auto& strokes = drawn.front().strokes;
+    const auto turn = std::find_if(strokes.begin(), strokes.end(), [](const Stroke& s) { return std::string(s.role) == "turn"; });
+    ASSERT_NE(turn, strokes.end());
+    EXPECT_EQ(turn->line.back()[0] > turn->line.front()[0], part().cam.rotation_sign > 0);
+}
+
+TEST_P(Drawn, CheckRowsAndTheInspectionSheetAgree) {
+    const auto drawn = sheets();
+    const auto rows = check_rows(part());
+    const coupon::InspectionSheet sheet = inspection_sheet(subject());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        for (const double length : {rows[i].x, rows[i].y, rows[i].radius, rows[i].arm})
+            EXPECT_TRUE(says(drawn, fmt::format("{:.3f}", core::mm_from_m(length)))) << i;
+        EXPECT_TRUE(part().cam.has_roller() || says(drawn, fmt::format("{:.3f}", std::cos(rows[i].tilt())))) << i;
+        EXPECT_EQ(sheet.rows[i].x, rows[i].x);
+        EXPECT_EQ(sheet.rows[i].nominal, rows[i].arm);
+        EXPECT_NEAR(sheet.rows[i].high, 0.3e-3, 1e-12) << "what fdm holds, as the frame of 0.6";
+        EXPECT_TRUE(std::isnan(sheet.rows[i].deviation));
+    }
+    EXPECT_EQ(sheet.part, "k_se_mirrored");
+    EXPECT_GT(sheet.rows.size(), rows.size()) << "bore and face";
 }
 
 TEST_P(Drawn, TheSameBytesTwiceAndOnTwoThreads) {
@@ -145,7 +222,18 @@ TEST_P(Drawn, TheSameBytesTwiceAndOnTwoThreads) {
     EXPECT_NE(bytes.find(fmt::format("/Count {}", sheets().size())), std::string::npos);
 }
 
-INSTANTIATE_TEST_SUITE_P(Parts, Drawn, testing::Range<std::size_t>(0, 7),
+TEST_P(Drawn, TitleFieldsAreTheProfiles) {
+    const TitleOptions title{"a legal owner with a rather long name 123", "4711", "C", "2026-11-23", "A. Maker", "B. Checker"};
+    const auto filled = draw(subject(title));
+    for (const char* words :
+         {"a legal owner with a rather long name 123", "4711-k_se_mirrored", "C", "2026-11-23", "A. Maker", "B. Checker"})
+        EXPECT_TRUE(says(filled, words)) << words;
+    EXPECT_FALSE(says(filled, "Not stated"));
+    EXPECT_TRUE(says(sheets(), "Not stated in the profile"));
+    for (const Text& text : filled.front().texts) EXPECT_TRUE(Sheet::kFrame.holds(box_of(text))) << text.words;
+}
+
+INSTANTIATE_TEST_SUITE_P(Parts, Drawn, testing::Range<std::size_t>(0, 8),
                          [](const auto& chosen) { return std::string(cases()[chosen.param].name); });
 
 using SheetFiles = fixtures::FolderTest;

@@ -24,6 +24,17 @@ protected:
     brep::Brep brep_;
 };
 
+TEST_F(StepTest, HoldsTheMaterialAndItsDensity) {
+    write_step(folder_ / "a.step", brep_, "k_se", "fusee test", {"resin \u00e9, 'hard'", 1180.0});
+    const std::string text = core::read_file(folder_ / "a.step");
+    EXPECT_NE(text.find("DESCRIPTIVE_REPRESENTATION_ITEM('resin ?, ''hard'''"), std::string::npos);
+    EXPECT_NE(text.find("PROPERTY_DEFINITION('material property','material name',"), std::string::npos);
+    EXPECT_NE(text.find("POSITIVE_RATIO_MEASURE(1.18)"), std::string::npos) << "g/cm^3";
+    EXPECT_EQ(StepFile(folder_ / "a.step").faces(), static_cast<std::size_t>(brep_.faces));
+    write_step(folder_ / "b.step", brep_, "k_se", "fusee test");
+    EXPECT_EQ(core::read_file(folder_ / "b.step").find("material"), std::string::npos);
+}
+
 TEST_F(StepTest, RoundtripKeepsFacesVolumeAndName) {
     write_step(folder_ / "a.step", brep_, "k_se", "fusee test");
     const StepFile back(folder_ / "a.step");

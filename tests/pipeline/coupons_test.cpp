@@ -162,6 +162,47 @@ TEST_F(CouponsTest, ACalibratedProfileHoldsTheFiguresAndNothingElseChanges) {
     EXPECT_EQ(calibrated_profile(fresh, text, measured(), again, folder_ / "new.toml"), text);
 }
 
+/// K_PE with a contour that is 0.1 mm too large everywhere.
+coupon::InspectionSheet inspected() {
+    coupon::InspectionSheet sheet{"k_pe", {}};
+    for (int i = 0; i < 12; ++i) {
+        const double psi = 0.15 * i, c = std::cos(psi), s = std::sin(psi);
+        coupon::InspectionRow row{coupon::Inspected::kContour, i + 1, 8e-3 * c - 5e-3 * psi * s, 8e-3 * s + 5e-3 * psi * c, 0.0, psi, 8e-3};
+        row.low = -0.3e-3, row.high = 0.3e-3, row.deviation = 0.1e-3;
+        sheet.rows.push_back(row);
+    }
+    return sheet;
+}
+
+TEST_F(CouponsTest, AnInspectedProfileHoldsTheOffsetAndShortensTheArms) {
+    const profile::Profile profile = pnrvsa();
+    const coupon::Calibration found = coupon::inspect_contour(inspected(), present_of(profile));
+    const std::string text = inspected_profile(profile, toml_, inspected(), found, folder_ / "new.toml");
+    const profile::Profile fresh = profile::parse_profile(text, folder_ / "new.toml");
+    EXPECT_NEAR(fresh.k_pe.allowance.contour, 0.1e-3, 1e-9);
+    EXPECT_EQ(fresh.k_se.allowance.contour, 0.0);
+    EXPECT_NE(text.find("# k_pe_contour_mm was 0: inspection, 12 rows"), std::string::npos);
+    const auto as_was = design_cam(cam::PartKind::kParallel, *resolve(profile)),
+               now = design_cam(cam::PartKind::kParallel, *resolve(fresh));
+    ASSERT_TRUE(as_was && now);
+    for (std::size_t i = 0; i < now->working.size(); ++i) EXPECT_NEAR(as_was->working[i].arm.arm - now->working[i].arm.arm, 0.1e-3, 1e-9);
+    const coupon::Calibration again = coupon::inspect_contour(inspected(), present_of(fresh));
+    EXPECT_FALSE(again.find("contour_offset")->changes()) << "the next part's deviations are from its own file";
+}
+
+TEST_F(CouponsTest, AnOffsetIsNotCountedTwice) {
+    const auto refused = [&](const fixtures::Changes& changes) {
+        const profile::Profile profile = pnrvsa(changes);
+        return field_refused([&] {
+            return inspected_profile(profile, toml_, inspected(), coupon::inspect_contour(inspected(), present_of(profile)),
+                                     folder_ / "n.toml");
+        });
+    };
+    EXPECT_NE(refused({{"k_pe.radius_allowance_mm", "0.1"}}).find("k_pe.radius_allowance_mm"), std::string::npos);
+    EXPECT_EQ(refused({{"k_se.radius_allowance_mm", "0.1"}}), "accepted") << "of the other part";
+    EXPECT_NE(refused({{"compensation.cable_axis_mm", "0.1"}}).find("compensation.cable_axis_mm"), std::string::npos);
+}
+
 TEST_F(CouponsTest, WhatWouldBeCountedTwiceIsRefused) {
     const auto refused = [&](const fixtures::Changes& changes) {
         const profile::Profile profile = pnrvsa(changes);
@@ -171,6 +212,7 @@ TEST_F(CouponsTest, WhatWouldBeCountedTwiceIsRefused) {
         });
     };
     EXPECT_NE(refused({{"k_pe.radius_allowance_mm", "0.1"}}).find("k_pe.radius_allowance_mm"), std::string::npos);
+    EXPECT_NE(refused({{"compensation.k_se_contour_mm", "0.1"}}).find("compensation.k_se_contour_mm"), std::string::npos);
     EXPECT_NE(refused({{"cable.diameter_mm", "1.0"}}).find("cable.diameter_mm"), std::string::npos) << "coupons of another cable";
 }
 

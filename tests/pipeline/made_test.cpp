@@ -40,7 +40,7 @@ protected:
                                        "springs.csv"};
         for (const std::string side : {"", "_mirrored"}) {
             for (const std::string part : {"k_se", "k_pe"})
-                for (const char* ending : {".3mf", ".json", ".scad", ".step", ".stl", "_drawing.svg"})
+                for (const char* ending : {".3mf", ".json", ".scad", ".step", ".stl", "_drawing.svg", "_drawing_2.svg", "_inspection.csv"})
                     names.push_back(part + side + ending);
             names.push_back("k_se" + side + ".dxf");
             if (design != "first_prototype") names.push_back("k_pe" + side + ".dxf");  // its K_PE is a helix

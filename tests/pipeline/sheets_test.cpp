@@ -21,7 +21,7 @@ TEST_F(Sheets, ShowTheNumbersOfThePartFile) {
     ASSERT_TRUE(result.made);
     for (const char* name : {"k_se", "k_pe"}) {
         const exchange::PartFile part = exchange::read_part_file(result.folder / (std::string(name) + ".json"));
-        const std::string svg = core::read_file(result.folder / (std::string(name) + "_drawing.svg"));
+        const std::string svg = core::read_file(result.folder / (std::string(name) + "_drawing_2.svg"));
         for (const exchange::TargetRow* row : {&part.target.front(), &part.target.back()}) {
             EXPECT_NE(svg.find(fmt::format(">{:.3f}<", row->arm_mm)), std::string::npos) << name;
             EXPECT_NE(svg.find(fmt::format(">{:.2f}<", row->load)), std::string::npos) << name;

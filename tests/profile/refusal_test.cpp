@@ -46,6 +46,15 @@ TEST_F(RefusalTest, WrongTypeNotANumberAndOutOfRange) {
     expect_words(refusal("rig = 3\n" + edited("[rig]\n", "[law.rig]\n")), {"p.toml"});
 }
 
+TEST_F(RefusalTest, ATextOfATitleBlockIsOneLineOfLimitedLength) {
+    const auto owner = [this](const std::string& text) { return refusal(std::string(kShort) + "[drawing]\nowner = \"" + text + "\"\n"); };
+    EXPECT_EQ(owner(std::string(39, 'a') + "\u00e4"), "") << "a letter of two bytes counts once";
+    EXPECT_EQ(owner(""), "");
+    expect_words(owner(std::string(41, 'a')), {"p.toml:28:9: drawing.owner", "one line", "at most 40 letters"});
+    expect_words(owner("two\\nlines"), {"p.toml:28:9: drawing.owner", "one line"});
+    expect_words(refusal(std::string(kShort) + "[drawing]\nnumber = 4711\n"), {"p.toml:28:10: drawing.number", "a text"});
+}
+
 TEST_F(RefusalTest, MissingKeyAndMissingTable) {
     expect_words(refusal(edited("c_Nm = 0.265\n", "")), {"p.toml:9:1: law.c_Nm: missing", "a number"});
     expect_words(refusal(edited("[k_pe.spring]\nrate_N_per_m = 7460\npreload_mm = 14.6\n", "")), {"k_pe.spring.rate_N_per_m: missing"});

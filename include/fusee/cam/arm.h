@@ -44,7 +44,8 @@ struct Allowance {
     double series_compliance = 0.0;  ///< K_SE only: compliance behind the spool besides `cable_compliance`, >= 0 [rad/Nm] at the capstan
     double cable_axis = 0.0;         ///< distance of the cable's neutral axis beyond d/2, from coupons [m]; added like `radius`
     double cable_compliance = 0.0;   ///< L/(E A): cable elongation per tension, >= 0 [m/N] (docs/theory/cams.md, eq. 18)
-    [[nodiscard]] double on_arms() const { return radius + cable_axis; }
+    double contour = 0.0;            ///< excess of this part's contour along its normal, from its inspection [m]; added like `radius`
+    [[nodiscard]] double on_arms() const { return radius + cable_axis + contour; }
     /// Total compliance behind K_SE's spool [rad/Nm] at the capstan.
     [[nodiscard]] double behind_spool(double capstan_radius) const {
         return series_compliance + cable_compliance / (capstan_radius * capstan_radius);

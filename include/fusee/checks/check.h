@@ -41,6 +41,7 @@ struct MaterialOptions {
     double strength = 0.0;          ///< tensile strength of a plastic, yield strength of a metal [Pa]
     double modulus = 0.0;           ///< E [Pa]
     double density = 0.0;           ///< [kg/m^3]
+    std::string designation = {};   ///< with its condition, for drawing and STEP; empty: the kind's
 };
 
 /// How and where the part is made. Limits that are 0 are taken from the process's entry in docs/rules.md.

@@ -41,16 +41,18 @@ struct TerminationLimits {
 /// Default minima of a process. 0 = the process has no such limit.
 struct ProcessLimits {
     ProcessKind kind;
-    double wall;           ///< thinnest wall [m]
-    double loaded_wall;    ///< thinnest wall that carries load [m]
-    double hole;           ///< least hole diameter [m]
-    double overhang;       ///< largest angle of a downward face from the vertical [rad]
-    double cutter_radius;  ///< smallest common cutter, wire with its gap, half a kerf [m]
-    double tolerance;      ///< of a contour, one side [m]
-    double feature;        ///< thinnest body that stands alone [m]
-    double detail;         ///< narrowest slot or mark [m]
-    core::Range fit;       ///< clearance of a bore on its shaft, in diameter [m]
-    double layer;          ///< of a print [m]
+    double wall;            ///< thinnest wall [m]
+    double loaded_wall;     ///< thinnest wall that carries load [m]
+    double hole;            ///< least hole diameter [m]
+    double overhang;        ///< largest angle of a downward face from the vertical [rad]
+    double cutter_radius;   ///< smallest common cutter, wire with its gap, half a kerf [m]
+    double tolerance;       ///< of a contour, one side [m]
+    double feature;         ///< thinnest body that stands alone [m]
+    double detail;          ///< narrowest slot or mark [m]
+    core::Range fit;        ///< clearance of a bore on its shaft, in diameter [m]
+    double layer;           ///< of a print [m]
+    double roughness;       ///< Ra of faces as made [m]
+    double fine_roughness;  ///< Ra of bores and contours made with care [m]
     const char* source;
 };
 [[nodiscard]] std::span<const ProcessLimits> process_table();

@@ -25,4 +25,7 @@ inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 /// Index of the first control character other than tab and line end; npos: none.
 [[nodiscard]] std::size_t find_control(std::string_view text);
 
+/// Number of letters of valid UTF-8.
+[[nodiscard]] std::size_t letters(std::string_view text);
+
 }  // namespace fusee::core

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "fusee/core/finding.h"
 #include "fusee/core/units.h"
 #include "fusee/coupon/sheet.h"
 
@@ -60,6 +61,7 @@ struct Calibration {
     std::vector<Figure> figures;
     std::vector<Unknown> unknown;
     std::vector<std::string> remarks;
+    core::Findings findings = {};                                   ///< of an inspected part, passes too
     [[nodiscard]] const Figure* find(const std::string& id) const;  ///< nullptr if unknown
 };
 
@@ -70,6 +72,7 @@ using Present = std::map<std::string, double>;
 inline constexpr const char *kShrinkKeys[] = {"compensation.shrink_x_percent", "compensation.shrink_y_percent",
                                               "compensation.shrink_z_percent"},
                             *kBoreOffsetKey = "compensation.bore_offset_mm", *kCableAxisKey = "compensation.cable_axis_mm",
+                            *kContourKeys[] = {"compensation.k_se_contour_mm", "compensation.k_pe_contour_mm"},
                             *kGrooveRatioKey = "groove.radius_ratio", *kSeriesRateKey = "k_se.spring.rate_Nm_per_rad",
                             *kParallelRateKey = "k_pe.spring.rate_N_per_m";
 

@@ -3,7 +3,9 @@
 #include <vector>
 
 #include "fusee/checks/check.h"
+#include "fusee/coupon/inspection.h"
 #include "fusee/drawing/sheet.h"
+#include "fusee/drawing/title_options.h"
 #include "fusee/solid/part.h"
 #include "fusee/spring/base_spring.h"
 
@@ -18,10 +20,14 @@ struct Subject {
     std::string design;      ///< its name
     std::string name;        ///< of the part's files: "k_se", "k_se_mirrored"
     std::string provenance;  ///< core::Provenance::line
+    TitleOptions title = {};
 };
 
 /// The part on A3 sheets: front view along the axis, section A-A, the groove enlarged, notes, radii of the groove's floor every 10 degrees,
 /// and a table of arm, tension and torque; more sheets if a table does not fit. First angle, millimetres (docs/drawing.md).
 [[nodiscard]] std::vector<Sheet> draw(const Subject& subject);
+
+/// The sheet for its inspection, to be filled in: the check rows of the drawing, bore, key and top face, each with its allowed deviation.
+[[nodiscard]] coupon::InspectionSheet inspection_sheet(const Subject& subject);
 
 }  // namespace fusee::drawing

@@ -16,6 +16,7 @@ struct Stroke {
     Pen pen = Pen::kThin;
     Line line;
     bool closed = false;
+    const char* role = "";  ///< what it belongs to, as a second class in the SVG: "datum", "isometric"
 };
 
 /// A filled arrowhead, 2.5 mm long.

@@ -8,10 +8,18 @@
 
 namespace fusee::exchange {
 
-/// Writes STEP AP242 (ISO 10303-242): millimetres, one product `name`, the provenance as description of the file. Equal input gives
-/// equal bytes: the header has no time. Thread-safe.
+/// What a part is made of; an empty designation is not written.
+struct StepMaterial {
+    std::string designation;  ///< "EN AW-6082 T6 (EN 573-3, EN 515)"; letters beyond ASCII are written as "?"
+    double density = 0.0;     ///< [kg/m^3]
+};
+
+/// Writes STEP AP242 (ISO 10303-242): millimetres, one product `name`, the provenance as description of the file, the material and its
+/// density (in g/cm^3) as properties of the product (recommended practice of CAx-IF, material identification and density). Equal input
+/// gives equal bytes: the header has no time. Thread-safe.
 /// @throws IoError
-void write_step(const std::filesystem::path& path, const brep::Brep& solid, const std::string& name, const std::string& provenance);
+void write_step(const std::filesystem::path& path, const brep::Brep& solid, const std::string& name, const std::string& provenance,
+                const StepMaterial& material = {});
 
 /// A STEP file with one solid, read by OpenCASCADE.
 class StepFile {

@@ -10,6 +10,7 @@
 #include "fusee/core/finding.h"
 #include "fusee/core/provenance.h"
 #include "fusee/drawing/sheet.h"
+#include "fusee/drawing/title_options.h"
 #include "fusee/exchange/part_file.h"
 #include "fusee/solid/part.h"
 #include "fusee/spring/base_spring.h"
@@ -31,7 +32,8 @@ struct Settings {
     checks::Cable cable;
     checks::Process process;
     toolpath::Settings machining;
-    double kerf = 0.0;  ///< of a beam or wire [m]; 0: none
+    double kerf = 0.0;            ///< of a beam or wire [m]; 0: none
+    drawing::TitleOptions title;  ///< of the shop drawing
 };
 
 /// The export of one part: a format writes its files and records them here.

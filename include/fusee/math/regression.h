@@ -20,6 +20,7 @@ struct LinearModel {
 struct LinearFit {
     std::vector<double> coefficients;             ///< b_j
     std::vector<std::vector<double>> covariance;  ///< of the coefficients
+    std::vector<std::vector<double>> cofactors;   ///< the covariance for a deviation of 1
     std::vector<double> residuals;                ///< y - sum b_j x_j
     double deviation = 0.0;                       ///< of a row of weight 1
     std::size_t freedom = 0;                      ///< rows - coefficients

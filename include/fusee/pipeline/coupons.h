@@ -5,6 +5,7 @@
 
 #include "fusee/core/finding.h"
 #include "fusee/coupon/calibration.h"
+#include "fusee/coupon/inspection.h"
 #include "fusee/pipeline/design_report.h"
 #include "fusee/profile/profile.h"
 
@@ -39,5 +40,10 @@ struct CalibrationReport {
 /// the coupons' figures twice, or if a key cannot be inserted
 [[nodiscard]] std::string calibrated_profile(const profile::Profile& profile, const std::string& toml, const coupon::Sheet& sheet,
                                              const coupon::Calibration& calibration, const std::filesystem::path& file);
+
+/// The same from an inspected part: the offset of its contour. @throws core::InvalidInput if the profile holds a radius allowance of the
+/// part or a cable axis from coupons, which would count the offset twice, or if a key cannot be inserted
+[[nodiscard]] std::string inspected_profile(const profile::Profile& profile, const std::string& toml, const coupon::InspectionSheet& sheet,
+                                            const coupon::Calibration& calibration, const std::filesystem::path& file);
 
 }  // namespace fusee::pipeline

@@ -1,6 +1,7 @@
 #pragma once
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "fusee/core/finding.h"
 #include "fusee/core/output_folder.h"
@@ -31,6 +32,9 @@ struct MadeDesign {
 /// Refusal: the findings, binding limits and passes; nothing is written then. @throws core::InvalidInput; core::IoError
 [[nodiscard]] core::Outcome<MadeDesign> make_parts(const profile::Profile& profile, core::OutputFolder& output,
                                                    const MakeOptions& options = {});
+
+/// The sheets to fill in that make writes: an inspection sheet for each part with the drawing's format.
+[[nodiscard]] std::vector<std::string> sheets_of(const profile::Profile& profile);
 
 /// The same parts, rules, certificates and headline without any file, for the agonist's side; otherwise as with `reported` false.
 [[nodiscard]] core::Outcome<MadeDesign> make_figures(const profile::Profile& profile);

@@ -16,6 +16,7 @@
 #include "fusee/design/algorithm_1.h"
 #include "fusee/design/codesign_options.h"
 #include "fusee/design/search.h"
+#include "fusee/drawing/title_options.h"
 #include "fusee/solid/compensation.h"
 #include "fusee/solid/part.h"
 #include "fusee/spring/base_spring.h"
@@ -147,6 +148,7 @@ struct Profile {
     std::vector<checks::Override> limits;  ///< instead of the rules' defaults, in the file's order
     toolpath::Settings machining;
     Outputs outputs;
+    drawing::TitleOptions title;                ///< of the shop drawings
     solid::Compensation compensation;           ///< from measured coupons; the cable's axis is in both parts' allowance
     std::map<std::string, std::string> places;  ///< of the keys in the file: "file:line:column: key"
 

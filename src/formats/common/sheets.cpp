@@ -1,15 +1,15 @@
 #include "common/sheets.h"
 
-#include "fusee/drawing/drawing.h"
-
 namespace fusee::formats {
 
 const std::vector<drawing::Sheet>& sheets_of(PartExport& out) {
-    const Settings& settings = out.settings;
-    if (!out.sheets)
-        out.sheets =
-            drawing::draw({out.part, out.spring, settings.cable, settings.process, settings.design, out.name(), out.provenance.line()});
+    if (!out.sheets) out.sheets = drawing::draw(subject_of(out));
     return *out.sheets;
+}
+
+drawing::Subject subject_of(const PartExport& out) {
+    const Settings& settings = out.settings;
+    return {out.part, out.spring, settings.cable, settings.process, settings.design, out.name(), out.provenance.line(), settings.title};
 }
 
 }  // namespace fusee::formats

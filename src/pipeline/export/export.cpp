@@ -130,7 +130,7 @@ PartReport without_files(const std::shared_ptr<const DesignedPart>& designed, co
 std::vector<ExportedPart> export_pair(const Pair& pair, const profile::Profile& profile, const core::Provenance& provenance, Via via,
                                       const fs::path& folder) {
     const solid::Part& part = pair.agonist->part;
-    const formats::Settings settings{profile.name, profile.cable, profile.process, profile.machining, profile.outputs.kerf};
+    const formats::Settings settings{profile.name, profile.cable, profile.process, profile.machining, profile.outputs.kerf, profile.title};
     PartExport out{part, spec_of(part.cam.kind, profile).spring, settings, provenance, folder / to_string(part.cam.kind)};
     out.mesh = via == Via::kOpenScad ? formats::rendered_by_openscad(out) : part.mesh;
     Side agonist = exported(out, profile, pair.agonist, nullptr);

@@ -171,6 +171,13 @@ core::Outcome<MadeDesign> make_parts(const profile::Profile& profile, core::Outp
     return made;
 }
 
+std::vector<std::string> sheets_of(const profile::Profile& profile) {
+    if (!profile.outputs.has("drawing")) return {};
+    std::vector<std::string> names{"k_se_inspection.csv", "k_pe_inspection.csv"};
+    if (profile.outputs.pair) names.insert(names.end(), {"k_se_mirrored_inspection.csv", "k_pe_mirrored_inspection.csv"});
+    return names;
+}
+
 core::Outcome<MadeDesign> make_figures(const profile::Profile& profile) {
     require_parts(profile);
     auto resolved = resolve(profile);

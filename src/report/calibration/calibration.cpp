@@ -25,6 +25,7 @@ std::string calibration_text(const CalibrationReport& report) {
         text = fmt::format("{:<15}{:>10} {:<7}{:>24}{:>6}\n", "figure", "value", "unit", "95 %, or ladder", "rows");
     for (const coupon::Figure& f : report.calibration.figures) text += figure_line(f);
     for (const coupon::Unknown& u : report.calibration.unknown) text += fmt::format("unknown: {}: {}\n", u.id, u.why);
+    for (const core::Finding& f : report.calibration.findings) text += to_line(f) + "\n";
     for (const std::string& remark : report.calibration.remarks) text += "- " + remark + "\n";
     return text;
 }

@@ -26,6 +26,7 @@ std::string calibration_json(const CalibrationReport& report) {
                                             [](const coupon::Unknown& u) {
                                                 return Json{{"id", u.id}, {"why", u.why}};
                                             })},
+                      {"findings", findings_json(found.findings)},
                       {"remarks", found.remarks}});
 }
 

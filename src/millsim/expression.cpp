@@ -43,6 +43,12 @@ bool take_sum(std::string_view& text, const Parameters& parameters, double& valu
 
 bool take_value(std::string_view& text, const Parameters& parameters, double& value) {
     skip_spaces(text);
+    if (text.starts_with("-[") || text.starts_with("-#")) {
+        text.remove_prefix(1);
+        if (!take_value(text, parameters, value)) return false;
+        value = -value;
+        return true;
+    }
     if (take(text, '[')) return take_sum(text, parameters, value) && take(text, ']');
     if (text.substr(0, 2) == "#<") {
         const std::size_t end = text.find('>');

@@ -127,8 +127,15 @@ private:
     void move(const Block& block) {
         const Pose next{block.get('X', programmed_.x), block.get('Y', programmed_.y), block.get('Z', programmed_.z),
                         block.get('A', programmed_.a)};
-        if (!placed_) here_ = {next.x, next.y, next.z, next.a};
-        placed_ = true;
+        // Until X and Y are programmed the spindle's place is unknown, and nothing is simulated.
+        known_x_ = known_x_ || block.has('X');
+        known_y_ = known_y_ || block.has('Y');
+        if (!placed_) here_ = next;
+        placed_ = known_x_ && known_y_;
+        if (!placed_) {
+            programmed_ = next;
+            return;
+        }
         if (motion_ > 0 && !(feed_ > 0.0)) refuse("a feed that is not above 0");
         const std::size_t first = program_.moves.size();
         if (motion_ < 2)
@@ -188,7 +195,7 @@ private:
     Pose programmed_, here_;
     double feed_ = 0.0, offset_ = 0.0;
     int tool_ = 0, motion_ = 0;
-    bool inverse_ = false, placed_ = false;
+    bool inverse_ = false, placed_ = false, known_x_ = false, known_y_ = false;
     std::size_t line_ = 0;
 };
 

@@ -11,8 +11,9 @@ namespace fusee::millsim {
 
 namespace {
 
-constexpr double kTouch_mm = 2e-3;  // cutters may run along a surface; arcs are chords
-constexpr int kDirections = 720;    // in which the blank's extent is known
+constexpr double kTouch_mm = 2e-3;   // cutters may run along a surface; arcs are chords
+constexpr double kChords_mm = 0.01;  // a shank as thick as its cutter runs along the wall that chords leave
+constexpr int kDirections = 720;     // in which the blank's extent is known
 
 Pose between(const Pose& a, const Pose& b, double s) {
     return {a.x + s * (b.x - a.x), a.y + s * (b.y - a.y), a.z + s * (b.z - a.z), a.a + s * (b.a - a.a)};
@@ -98,7 +99,7 @@ private:
                 if (r2 > reach * reach) continue;
                 const double high = material.back()[1], r = std::sqrt(r2);
                 if (r < tool.holder) met.holder = std::max(met.holder, high - z - tool.stick_out);
-                if (r < tool.shank) met.shank = std::max(met.shank, high - z - tool.flute);
+                if (r < tool.shank - kChords_mm) met.shank = std::max(met.shank, high - z - tool.flute);
                 if (r < tool.radius && z < high)
                     met.cutter = std::max(met.cutter, stock_.remove(j * stock_.columns + i, z + tool.end_at(r), 1e9));
             }

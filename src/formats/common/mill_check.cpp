@@ -15,7 +15,7 @@ namespace {
 
 using core::mm_from_m;
 
-constexpr double kPlateCell_mm = 0.1, kWrapCell_mm = 0.1;
+constexpr double kPlateCell_mm = 0.15, kWrapCell_mm = 0.2;
 constexpr int kDirections = 180;      // of the normal, in which the stock is compared with the drawn groove
 constexpr double kAllowed_mm = 0.02;  // beyond the width of a cell and the height of a terrace
 

@@ -228,7 +228,7 @@ void change_tool(Gcode& code, const solid::Part& part, const Settings& settings,
     const auto words =
         fmt::format("groove cutter, nose radius {:.3f} mm, flanks at {:.1f} deg to its axis, {:.3f} mm wide, slender over {:.2f} mm",
                     0.5 * nose, half, width, slender);
-    code.tool(4, words, fmt::format("form {:.5f} {:.5f} {:.5f}", nose, half, width), slender, std::max(kShank_mm, width), settings.wrap_rpm,
+    code.tool(1, words, fmt::format("form {:.5f} {:.5f} {:.5f}", nose, half, width), slender, std::max(kShank_mm, width), settings.wrap_rpm,
               settings);
 }
 

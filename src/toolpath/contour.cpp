@@ -1,9 +1,12 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "dowels.h"
 #include "fusee/core/error.h"
 #include "fusee/core/units.h"
 #include "fusee/toolpath/arcs.h"
+#include "fusee/toolpath/feeds.h"
 #include "fusee/toolpath/program.h"
 #include "gcode.h"
 #include "plates.h"
@@ -15,9 +18,11 @@ namespace {
 using core::mm_from_m;
 using solid::Arc;
 
-constexpr double kContourStepover = 0.6;  // of clearing rings for a wall wider than the cutter, in cutter diameters
-constexpr double kSpare_mm = 1.0;         // of stock beyond the cutter's path
-constexpr double kLooseBore = 1.05;       // least bore over cutter, so that a helical move is possible
+constexpr double kContourStepover = 0.6;                 // of clearing rings for a wall wider than the cutter, in cutter diameters
+constexpr double kSpare_mm = 1.0;                        // of stock beyond the cutter's path
+constexpr double kClampStrip_mm = 12.0;                  // of sheet beyond that at both ends
+constexpr double kClamp_mm = 10.0, kClampTop_mm = 10.0;  // width and height of the clamps there
+constexpr double kLooseBore = 1.05;                      // least bore over cutter, so that a helical move is possible
 
 double extent_of(const std::vector<Arc>& ring) {
     double reach = 0.0;
@@ -54,14 +59,17 @@ void mill_plate(Gcode& code, const Cutting& cutting, const Plate& plate, double 
         mill_bore(code, cutting, x, plate.bore_radius, plate.bore_depth + (plate.bored_through() ? cutting.breakthrough : 0.0));
     double top = 0.0;
     for (const Wall& wall : plate.walls) {
-        const double bottom = wall.bottom + (wall.bottom >= plate.thickness ? cutting.breakthrough : 0.0);
+        const bool through = wall.bottom >= plate.thickness && plate.in_sheet;
+        const double bottom = wall.bottom + (through ? cutting.breakthrough : 0.0);
         const double gap = gap_between(wall.ring, plate.walls.back().ring);
         const int passes = std::max(1, static_cast<int>(std::ceil((bottom - top) / cutting.depth_per_pass - 1e-9)));
         const int outer = std::max(0, static_cast<int>(std::ceil((gap - cutting.cutter) / (kContourStepover * cutting.cutter))));
-        for (int pass = 1; pass <= passes; ++pass)
+        for (int pass = 1; pass <= passes; ++pass) {
+            const double depth = top + (bottom - top) * pass / passes;
+            const double over_tabs = plate.in_sheet ? plate.thickness - cutting.tab_height : depth;
             for (int k = outer; k >= 0; --k)  // the full slot first, the wall last
-                mill_ring(code, cutting, shifted(parallel(wall.ring, k * kContourStepover * cutting.cutter), x),
-                          top + (bottom - top) * pass / passes);
+                mill_ring(code, cutting, shifted(parallel(wall.ring, k * kContourStepover * cutting.cutter), x), depth, over_tabs);
+        }
         top = bottom;
     }
 }
@@ -81,7 +89,43 @@ void require_planar(const solid::Part& part) {
     throw core::InvalidInput(std::string(to_string(part.cam.kind)) + ".path.kind", "helix", "planar: a helix is cut on a rotary axis");
 }
 
-/// Plates side by side along X, out of one sheet.
+/// The stock of plates side by side along X [mm].
+struct Sheet {
+    double half = 0.0;  ///< of its width; a plate's place is twice as long
+    double thickness = 0.0;
+    std::array<double, 2> x{};
+};
+
+/// The lead-ins start one cutter beyond those of the last ring; the widest clearing ring lies within one cutter of the outline.
+Sheet sheet_of(const Cutting& cutting, double reach, double thickness, std::size_t plates) {
+    const double half = reach + lead_length(cutting.cutter) + 0.5 * cutting.cutter + kSpare_mm;
+    return {half, thickness, {-half - kClampStrip_mm, 2.0 * half * static_cast<double>(plates) - half + kClampStrip_mm}};
+}
+
+void describe_sheet(Gcode& code, const Cutting& cutting, const Sheet& sheet) {
+    code.comment("sheet {:.3f} x {:.3f} mm, {:.3f} mm thick, on a board; clamps on {:.0f} mm of both ends, at most {:.0f} mm high",
+                 sheet.x[1] - sheet.x[0], 2.0 * sheet.half, sheet.thickness, kClamp_mm, kClampTop_mm);
+    if (cutting.tabs > 0)
+        code.comment("{} tabs of {:.1f} x {:.1f} mm hold each plate", cutting.tabs, cutting.tab_width, cutting.tab_height);
+    else
+        code.comment("no tabs: hold the sheet down by vacuum or double-sided tape");
+    code.comment("clamp box {:.5f} {:.5f} {:.5f} {:.5f} {:.5f}", sheet.x[0], sheet.x[0] + kClamp_mm, -sheet.half, sheet.half, kClampTop_mm);
+    code.comment("clamp box {:.5f} {:.5f} {:.5f} {:.5f} {:.5f}", sheet.x[1] - kClamp_mm, sheet.x[1], -sheet.half, sheet.half, kClampTop_mm);
+    code.comment("board {:.5f} {:.5f}", -sheet.thickness, cutting.breakthrough);
+}
+
+void describe_turned(Gcode& code, const solid::Part& part, const Settings& settings, const Sheet& sheet) {
+    const double boss = mm_from_m(part.options.hub.boss_height), grip = std::min(boss, mm_from_m(settings.chuck_grip));
+    const double radius = 0.5 * mm_from_m(settings.chuck_diameter), face = -sheet.thickness - boss + grip;
+    code.comment(
+        "blank: turned disc of at least {:.3f} mm diameter, {:.3f} mm thick, above its boss of {:.3f} x {:.3f} mm, with the bore from "
+        "below",
+        2.0 * sheet.half, sheet.thickness, mm_from_m(part.options.hub.boss_diameter), boss);
+    code.comment("clamping: upright chuck on the boss, {:.1f} mm inside; no board, no tabs", grip);
+    code.comment("clamp box {:.5f} {:.5f} {:.5f} {:.5f} {:.5f}", -radius, radius, -radius, radius, face);
+}
+
+/// Plates side by side along X, out of one sheet or above a turned boss.
 core::Outcome<Program> mill_sheet(const solid::Part& part, const Settings& settings, const std::vector<Plate>& plates,
                                   const std::string& cuts, Gcode code) {
     const Cutting cutting(settings);
@@ -92,22 +136,34 @@ core::Outcome<Program> mill_sheet(const solid::Part& part, const Settings& setti
         reach = std::max(reach, extent_of(plate.walls.back().ring));
         thickness = std::max(thickness, plate.thickness);
     }
-    // The lead-ins start one cutter beyond those of the last ring; the widest clearing ring lies within one cutter of the outline.
-    const double half = reach + lead_length(cutting.cutter) + 0.5 * cutting.cutter + kSpare_mm;
-    const double width = 2.0 * half * static_cast<double>(plates.size());
-    code.comment("X0 Y0: the cam's axis in the first plate; Z0: top of the stock; sheet {:.3f} x {:.3f} mm, {:.3f} mm thick, on a board",
-                 width, 2.0 * half, thickness);
-    code.comment("T1: flat end mill, cuts to its centre. Its true diameter in mm is the number below");
-    code.comment("not in this program: {}", left_out(part));
+    const Sheet sheet = sheet_of(cutting, reach, thickness, plates.size());
+    const bool in_sheet = plates.front().in_sheet;
+    code.comment("X0 Y0: the cam's axis in the first plate; Z0: top of the stock");
+    in_sheet ? describe_sheet(code, cutting, sheet) : describe_turned(code, part, settings, sheet);
+    code.comment("by hand: {}{}", left_out(part), in_sheet && cutting.tabs > 0 ? ", tabs filed" : "");
     code.comment("cuts {}", cuts);
     code.comment("cutter end {:.5f}", cutting.cutter);
-    code.comment("stock box {:.5f} {:.5f} {:.5f} {:.5f} {:.5f} 0", -half, width - half, -half, half, -thickness);
+    code.comment("stock box {:.5f} {:.5f} {:.5f} {:.5f} {:.5f} 0", sheet.x[0], sheet.x[1], -sheet.half, sheet.half, -thickness);
+    code.comment("the number below is the end mill's true diameter in mm: a worn cutter changes it only");
     code.line("#<cutter> = {:.5f}", cutting.cutter);
-    code.begin(settings.spindle_rpm);
+    code.begin(settings);
+    core::Findings findings;
+    if (cuts == "floor" && plates.size() == 2) core::append(findings, bore_dowels(code, part, settings, plates, 2.0 * sheet.half));
+    code.tool(1, fmt::format("flat end mill {:.2f} mm, cuts to its centre", cutting.cutter), fmt::format("end {:.5f}", cutting.cutter),
+              mm_from_m(settings.flute_length), cutting.cutter, settings.spindle_rpm, settings);
     code.line("G0 Z{:.5f}", cutting.safe);
-    for (std::size_t i = 0; i < plates.size(); ++i) mill_plate(code, cutting, plates[i], 2.0 * half * static_cast<double>(i));
+    for (std::size_t i = 0; i < plates.size(); ++i) mill_plate(code, cutting, plates[i], 2.0 * sheet.half * static_cast<double>(i));
     code.end();
-    return Program{"", code.text()};
+    findings.push_back(judge_chip_load(settings, settings.feed, cutting.cutter, settings.spindle_rpm, "machining.feed_mm_per_min",
+                                       to_string(part.cam.kind)));
+    return Program{"", code.text(), findings};
+}
+
+core::Outcome<Program> named(core::Outcome<Program> program, const char* suffix) {
+    if (!program) return program.refusal();
+    Program result = std::move(program).value();
+    result.suffix = suffix;
+    return result;
 }
 
 }  // namespace
@@ -125,10 +181,11 @@ core::Outcome<Program> blank_program(const solid::Part& part, const Settings& se
     require_valid(settings);
     require_planar(part);
     Gcode code(provenance);
-    code.comment("part {}: outlines before the groove is cut on a rotary axis{}", to_string(part.cam.kind),
-                 part.options.hub.boss_height > 0.0 ? "; clamped by its boss, which is turned first" : "");
-    auto program = mill_sheet(part, settings, {blank_plate(part, settings)}, "blank", std::move(code));
-    return program ? core::Outcome<Program>(Program{"_blank", program->text}) : program;
+    code.comment("part {}: outlines before the groove is cut on a rotary axis", to_string(part.cam.kind));
+    Plate plate = blank_plate(part, settings);
+    plate.in_sheet = part.options.hub.boss_height <= 0.0;  // else the boss is turned first, and holds the part
+    auto program = mill_sheet(part, settings, {plate}, "blank", std::move(code));
+    return named(std::move(program), "_blank");
 }
 
 core::Outcome<Program> boss_program(const solid::Part& part, const Settings& settings, const std::string& provenance) {
@@ -139,7 +196,7 @@ core::Outcome<Program> boss_program(const solid::Part& part, const Settings& set
     if (part.options.hub.kind == solid::HubKind::kOverhung && on > 0.0)
         code.comment("the bore goes on {:.3f} mm into the lower plate, from below", on);
     auto program = mill_sheet(part, settings, {boss_plate(part, settings)}, "boss", std::move(code));
-    return program ? core::Outcome<Program>(Program{"_boss", program->text}) : program;
+    return named(std::move(program), "_boss");
 }
 
 core::Outcome<Program> rim_program(const solid::Part& part, const Settings& asked, const std::string& provenance) {
@@ -157,20 +214,19 @@ core::Outcome<Program> rim_program(const solid::Part& part, const Settings& aske
 core::Outcome<std::vector<Program>> part_programs(const solid::Part& part, const Settings& settings, const std::string& provenance) {
     const Method asked = part.cam.kind == cam::PartKind::kSeries ? settings.k_se : settings.k_pe;
     const bool rim = part.cam.has_roller(), planar = part.cam.closed(), stacked = !rim && planar && asked == Method::kStack;
-    std::vector<core::Outcome<Program>> made;
-    if (rim) made.push_back(rim_program(part, settings, provenance));
-    if (stacked) made.push_back(contour_program(part, settings, provenance));
-    if ((rim || stacked) && part.options.hub.boss_height > 0.0) made.push_back(boss_program(part, settings, provenance));
-    if (!rim && !stacked && planar) made.push_back(blank_program(part, settings, provenance));
-    if (!rim && !stacked) made.push_back(wrap_program(part, settings, provenance));
     std::vector<Program> programs;
     core::Findings refusals;
-    for (const auto& program : made) {
-        if (program)
-            programs.push_back(*program);
+    const auto add = [&](core::Outcome<Program> made) {
+        if (made)
+            programs.push_back(std::move(made).value());
         else
-            core::append(refusals, program.refusal());
-    }
+            core::append(refusals, made.refusal());
+    };
+    if (rim) add(rim_program(part, settings, provenance));
+    if (stacked) add(contour_program(part, settings, provenance));
+    if ((rim || stacked) && part.options.hub.boss_height > 0.0) add(boss_program(part, settings, provenance));
+    if (!rim && !stacked && planar) add(blank_program(part, settings, provenance));
+    if (!rim && !stacked) add(wrap_program(part, settings, provenance));
     if (!refusals.empty()) return refusals;
     return programs;
 }

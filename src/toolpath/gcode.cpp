@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "fusee/core/units.h"
+#include "fusee/toolpath/feeds.h"
 
 namespace fusee::toolpath {
 
@@ -16,6 +17,39 @@ using solid::Point2;
 constexpr double kLead = 1.0;      // radius of a lead-in, in cutter diameters; compensation needs more than 0.5
 constexpr double kStepover = 0.6;  // in cutter diameters
 
+/// A piece of a ring, in the direction of travel.
+struct Piece {
+    Arc arc;
+    bool over_tab = false;
+};
+
+/// The ring against its direction, cut where tabs begin and end: `tabs` of them, each long enough for the cutter to leave its width.
+std::vector<Piece> pieces_of(const std::vector<Arc>& ring, const Cutting& cutting, bool with_tabs) {
+    double length = 0.0;
+    for (const Arc& arc : ring) length += arc.radius_mm * (arc.end - arc.begin);
+    const double zone = cutting.tab_width + cutting.cutter;
+    const int count = with_tabs ? std::min(cutting.tabs, static_cast<int>(0.5 * length / zone)) : 0;
+    std::vector<double> ends;  // along the path: a tab begins, ends, ...
+    for (int i = 0; i < count; ++i)
+        for (const double side : {-0.5, 0.5}) ends.push_back(length * (i + 0.5) / count + side * zone);
+    std::vector<Piece> pieces;
+    double travelled = 0.0;
+    std::size_t next = 0;
+    for (auto arc = ring.rbegin(); arc != ring.rend(); ++arc) {
+        Arc rest = *arc;
+        const double whole = rest.radius_mm * (rest.end - rest.begin), from = travelled;
+        for (; next < ends.size() && ends[next] < from + whole; ++next) {
+            const double at = arc->end - (ends[next] - from) / rest.radius_mm;
+            Arc before = rest;
+            before.begin = rest.end = at;
+            pieces.push_back({before, next % 2 == 1});
+        }
+        pieces.push_back({rest, next % 2 == 1});
+        travelled = from + whole;
+    }
+    return pieces;
+}
+
 Point2 moved(const Point2& from, double a, const Point2& along, double b = 0.0, const Point2& across = {}) {
     return {from[0] + a * along[0] + b * across[0], from[1] + a * along[1] + b * across[1]};
 }
@@ -26,15 +60,31 @@ double mm_per_min(double feed) { return 60.0 * core::mm_from_m(feed); }
 
 Cutting::Cutting(const Settings& s)
     : cutter(core::mm_from_m(s.tool_diameter)),
-      feed(mm_per_min(s.feed)),
-      plunge(mm_per_min(s.plunge_feed)),
+      feed(mm_per_min(feed_of(s, s.feed, cutter, s.spindle_rpm))),
+      plunge(s.plunge_feed > 0.0 ? mm_per_min(s.plunge_feed) : feed / 3.0),
       depth_per_pass(core::mm_from_m(s.depth_per_pass)),
       safe(core::mm_from_m(s.safe_height)),
-      breakthrough(core::mm_from_m(s.breakthrough)) {}
+      breakthrough(core::mm_from_m(s.breakthrough)),
+      tabs(s.tabs),
+      tab_width(core::mm_from_m(s.tab_width)),
+      tab_height(core::mm_from_m(s.tab_height)) {}
 
-void Gcode::begin(double rpm) {
-    line("G21 G90 G17 G40 G49 G80 G94 G54 G61");
-    line("T1 M6");
+void Gcode::begin(const Settings& settings) {
+    comment("speeds and feeds for {}, {} teeth; {}", to_string(settings.stuff), settings.flutes,
+            settings.stuff == Stuff::kPlastic ? "air blast, no coolant" : "mist or flood, by hand");
+    line("G21 G90 G17 G40 G49 G80 G94 G54");
+    line("G64 P{0:.4f} Q{1:.4f}", core::mm_from_m(settings.blend), 0.5 * core::mm_from_m(settings.blend));
+}
+
+void Gcode::tool(int number, const std::string& words, const std::string& shape, double flute_mm, double shank_mm, double rpm,
+                 const Settings& settings) {
+    const double stick_out = core::mm_from_m(settings.stick_out);
+    comment("T{}: {}; stick-out {:.1f} mm; check its length in the tool table, H{}", number, words, stick_out, number);
+    comment("tool {} {} {:.5f} {:.5f} {:.5f} {:.5f}", number, shape, flute_mm, shank_mm, stick_out,
+            core::mm_from_m(settings.holder_diameter));
+    line("M5");
+    line("T{} M6", number);
+    line("G43 H{}", number);
     line("S{:.0f} M3", rpm);
 }
 
@@ -70,7 +120,7 @@ void mill_bore(Gcode& code, const Cutting& cutting, double x, double radius, dou
 
 double lead_length(double cutter) { return 2.0 * kLead * cutter; }
 
-void mill_ring(Gcode& code, const Cutting& cutting, const std::vector<Arc>& ring, double depth) {
+void mill_ring(Gcode& code, const Cutting& cutting, const std::vector<Arc>& ring, double depth, double over_tabs) {
     const double lead = kLead * cutting.cutter, psi = ring.front().begin;
     const Point2 start = ring.front().at(psi), out{std::cos(psi), std::sin(psi)}, travel{out[1], -out[0]};
     const auto to = [](const Point2& p) { return fmt::format("X{:.5f} Y{:.5f}", p[0], p[1]); };
@@ -80,8 +130,12 @@ void mill_ring(Gcode& code, const Cutting& cutting, const std::vector<Arc>& ring
     code.line("G1 Z{:.5f} F{:.5f}", -depth, cutting.plunge);
     code.line("G41.1 D#<cutter> G1 {} F{:.5f}", to(in), cutting.feed);
     code.line("G3 {} {}", to(start), about(lead, travel));
-    for (auto arc = ring.rbegin(); arc != ring.rend(); ++arc)
-        code.line("G2 {} {}", to(arc->at(arc->begin)), about(-arc->radius_mm, {std::cos(arc->end), std::sin(arc->end)}));
+    bool lifted = false;
+    for (const auto& [arc, over_tab] : pieces_of(ring, cutting, over_tabs < depth)) {
+        if (over_tab != lifted) code.line("G1 Z{:.5f} F{:.5f}", over_tab ? -over_tabs : -depth, over_tab ? cutting.feed : cutting.plunge);
+        lifted = over_tab;
+        code.line("G2 {} {} F{:.5f}", to(arc.at(arc.begin)), about(-arc.radius_mm, {std::cos(arc.end), std::sin(arc.end)}), cutting.feed);
+    }
     code.line("G3 {} {}", to(away), about(lead, out));
     code.line("G40 G1 {}", to(moved(away, lead, out)));
     code.line("G1 Z{:.5f}", cutting.safe);

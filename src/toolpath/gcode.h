@@ -29,8 +29,12 @@ public:
         fmt::format_to(std::back_inserter(text_), format, std::forward<Args>(args)...);
         text_ += '\n';
     }
-    /// Millimetres, absolute, exact path; tool 1 turns.
-    void begin(double rpm);
+    /// Millimetres, absolute; the controller may round corners by `blend`.
+    void begin(const Settings& settings);
+    /// Changes to a tool with its length offset, after a comment with its sizes, and starts the spindle. `shape` is "end D" or
+    /// "form NOSE HALF WIDTH". @pre the last tool is at the safe height
+    void tool(int number, const std::string& words, const std::string& shape, double flute_mm, double shank_mm, double rpm,
+              const Settings& settings);
     void end();
     [[nodiscard]] const std::string& text() const { return text_; }
 
@@ -44,6 +48,8 @@ private:
 struct Cutting {
     explicit Cutting(const Settings& settings);
     double cutter, feed, plunge, depth_per_pass, safe, breakthrough;  ///< [mm], [mm/min]
+    int tabs;
+    double tab_width, tab_height;  ///< [mm]
 };
 
 /// The features of the part that no program cuts.
@@ -53,7 +59,8 @@ struct Cutting {
 void mill_bore(Gcode& code, const Cutting& cutting, double x, double radius, double depth);
 
 /// One turn around a convex ring at a depth, clockwise with the cutter on its left (climb milling), with tangential arcs in and out.
-void mill_ring(Gcode& code, const Cutting& cutting, const std::vector<solid::Arc>& ring, double depth);
+/// @param over_tabs less depth where tabs remain, evenly along the ring; not below `depth`: no tabs
+void mill_ring(Gcode& code, const Cutting& cutting, const std::vector<solid::Arc>& ring, double depth, double over_tabs);
 
 /// Extent of a ring's lead-in beyond it [mm].
 [[nodiscard]] double lead_length(double cutter);

@@ -117,9 +117,13 @@ Interpreted interpret(const std::filesystem::path& program) {
     // each other. Its output goes to a file: into a pipe it would write row by row.
     const core::TemporaryFolder home;
     const std::filesystem::path rows = home.path() / "canonical";
-    const core::ProcessResult result = core::run_process(
-        {"env", "HOME=" + home.path().string(), kInterpreter, "-g", std::filesystem::absolute(program).string(), rows.string()}, file,
-        kTimeout);
+    const std::filesystem::path table = home.path() / "tool.tbl";  // lengths of 0: G43 asks for a table
+    std::string tools;
+    for (int number = 1; number <= 9; ++number) tools += fmt::format("T{0} P{0} Z0 D1\n", number);
+    core::write_file(table, tools);
+    const core::ProcessResult result = core::run_process({"env", "HOME=" + home.path().string(), kInterpreter, "-g", "-t", table.string(),
+                                                          std::filesystem::absolute(program).string(), rows.string()},
+                                                         file, kTimeout);
     if (!result.in_time) throw core::IoError(file, fmt::format("{} was still running after {} s", kInterpreter, kTimeout.count()));
     if (result.code != 0)
         throw core::IoError(file, fmt::format("{} ended with {}: {}", kInterpreter, result.code, core::last_words(result.output)));

@@ -22,6 +22,7 @@ struct Plate {
     double thickness = 0.0;    ///< [mm]
     double bore_radius = 0.0;  ///< [mm]; 0 = none
     double bore_depth = 0.0;   ///< [mm]
+    bool in_sheet = true;      ///< else it stands on its boss
     [[nodiscard]] bool bored_through() const { return bore_depth >= thickness; }
 };
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "fusee/core/error.h"
 #include "fusee/core/units.h"
 #include "gcode.h"
@@ -14,17 +16,26 @@ void require_valid(const Settings& s) {
         core::require_positive(std::string("machining.") + key, value, unit);
     };
     positive("tool_diameter_mm", mm_from_m(s.tool_diameter), "mm");
-    positive("feed_mm_per_min", mm_per_min(s.feed), "mm/min");
-    positive("plunge_feed_mm_per_min", mm_per_min(s.plunge_feed), "mm/min");
+    core::require_within("machining.feed_mm_per_min", mm_per_min(s.feed), 0.0, 1e5, "mm/min");
+    core::require_within("machining.plunge_feed_mm_per_min", mm_per_min(s.plunge_feed), 0.0, 1e5, "mm/min");
     positive("spindle_rpm", s.spindle_rpm, "1/min");
     positive("depth_per_pass_mm", mm_from_m(s.depth_per_pass), "mm");
     positive("terrace_mm", mm_from_m(s.terrace), "mm");
-    positive("wrap_feed_mm_per_min", mm_per_min(s.wrap_feed), "mm/min");
+    core::require_within("machining.wrap_feed_mm_per_min", mm_per_min(s.wrap_feed), 0.0, 1e5, "mm/min");
     positive("wrap_rpm", s.wrap_rpm, "1/min");
     positive("wrap_depth_mm", mm_from_m(s.wrap_depth), "mm");
     positive("safe_height_mm", mm_from_m(s.safe_height), "mm");
     core::require_within("machining.breakthrough_mm", mm_from_m(s.breakthrough), 0.0, 1000.0, "mm");
     positive("tolerance_mm", mm_from_m(s.tolerance), "mm");
+    positive("flute_length_mm", mm_from_m(s.flute_length), "mm");
+    positive("stick_out_mm", mm_from_m(s.stick_out), "mm");
+    positive("holder_diameter_mm", mm_from_m(s.holder_diameter), "mm");
+    positive("chuck_diameter_mm", mm_from_m(s.chuck_diameter), "mm");
+    positive("chuck_grip_mm", mm_from_m(s.chuck_grip), "mm");
+    positive("tab_width_mm", mm_from_m(s.tab_width), "mm");
+    positive("tab_height_mm", mm_from_m(s.tab_height), "mm");
+    for (const auto& [key, rpm] : {std::pair{"machining.spindle_rpm", s.spindle_rpm}, std::pair{"machining.wrap_rpm", s.wrap_rpm}})
+        core::require_within(key, rpm, 1.0, s.spindle_max_rpm, "1/min");
     if (s.rotary_sign != 1 && s.rotary_sign != -1)
         throw core::InvalidInput("machining.rotary_sign", fmt::format("{}", s.rotary_sign), "1 or -1");
 }

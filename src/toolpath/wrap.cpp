@@ -7,6 +7,7 @@
 #include "fusee/solid/columns.h"
 #include "fusee/solid/outline.h"
 #include "fusee/solid/sweep.h"
+#include "fusee/toolpath/feeds.h"
 #include "fusee/toolpath/program.h"
 #include "gcode.h"
 
@@ -19,6 +20,8 @@ using core::mm_from_m;
 
 constexpr double kWidestStep = 0.05;  // [rad]: where h'' is 0 the error of the lines is of higher order in the step
 constexpr double kLeastDepth_mm = 1e-6;
+constexpr double kShank_mm = 3.0;                                                            // least, of the groove's cutter
+constexpr double kWasher_mm = 2.0, kNut_mm = 6.0, kArbor_mm = 15.0, kChuckLength_mm = 60.0;  // washer: beyond the bore's radius
 
 /// The cutter's tip on the groove's floor, with the normal psi towards the spindle.
 struct Station {
@@ -118,6 +121,11 @@ double way_between(const Station& a, const Station& b, double lift_a, double lif
     return std::hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2]);
 }
 
+/// Of the groove's cutter [mm].
+double nose_diameter(const solid::Part& part) {
+    return 2.0 * part.options.groove.radius_ratio * mm_from_m(part.cam.options.cable_diameter);
+}
+
 /// Emits the passes: each `depth` below the previous one, never below the floor, and only where material remains.
 class Passes {
 public:
@@ -126,8 +134,8 @@ public:
           wrap_(wrap),
           sign_(settings.rotary_sign),
           depth_(mm_from_m(settings.wrap_depth)),
-          feed_(mm_per_min(settings.wrap_feed)),
-          plunge_(mm_per_min(settings.plunge_feed)),
+          feed_(mm_per_min(feed_of(settings, settings.wrap_feed, nose_diameter(wrap.part), settings.wrap_rpm))),
+          plunge_(settings.plunge_feed > 0.0 ? mm_per_min(settings.plunge_feed) : feed_ / 3.0),
           safe_(wrap.radius + mm_from_m(settings.safe_height)) {}
 
     void cut() {
@@ -178,24 +186,50 @@ private:
     double depth_, feed_, plunge_, safe_;
 };
 
+/// The boss in a chuck, or the bore on an arbor with a nut.
+void describe_clamping(Gcode& code, const solid::Part& part, const Settings& settings) {
+    const solid::HubOptions& hub = part.options.hub;
+    const double boss = mm_from_m(hub.boss_height), low = mm_from_m(part.z_low), high = mm_from_m(part.z_high);
+    const double chuck = 0.5 * mm_from_m(settings.chuck_diameter);
+    if (boss > 0.0) {
+        const double grip = std::min(boss, mm_from_m(settings.chuck_grip));
+        code.comment("clamping: the boss in a collet chuck, {:.1f} mm inside", grip);
+        code.comment("clamp round {:.5f} {:.5f} {:.5f}", chuck, low - boss - kChuckLength_mm, low - boss + grip);
+        return;
+    }
+    const double washer = 0.5 * mm_from_m(hub.bore_diameter + hub.bore_clearance) + kWasher_mm;
+    code.comment("clamping: an arbor through the bore, {:.0f} mm out of the chuck, with washers of {:.2f} mm and a nut", kArbor_mm,
+                 2.0 * washer);
+    code.comment("clamp round {:.5f} {:.5f} {:.5f}", washer, low - kArbor_mm, low);
+    code.comment("clamp round {:.5f} {:.5f} {:.5f}", washer, high, high + kNut_mm);
+    code.comment("clamp round {:.5f} {:.5f} {:.5f}", chuck, low - kArbor_mm - kChuckLength_mm, low - kArbor_mm);
+}
+
 void describe(Gcode& code, const solid::Part& part, const Settings& settings, const Wrap& wrap) {
-    const solid::GrooveOptions& groove = part.options.groove;
-    const double nose = groove.radius_ratio * 2.0 * wrap.half_cable, width = 2.0 * part.section.back().z_mm;
     code.comment("part {}: the groove on a rotary axis", to_string(part.cam.kind));
     code.comment("X: along the cam's axis, towards its upper side, X0 in the groove's plane at body angle 0 or where a helix begins");
     code.comment("Y0 Z0: the cam's axis, Z towards the spindle, measured to the cutter's tip");
     code.comment("A0: the timing mark, body angle 0, looks at the spindle; a positive A turns the part {} about +X",
                  settings.rotary_sign > 0 ? "by the right-hand rule" : "against the right-hand rule");
-    code.comment(
-        "T1: groove cutter, nose radius {:.3f} mm, flanks at {:.1f} deg to its axis, at most {:.3f} mm wide, slender over {:.2f} mm", nose,
-        core::deg_from_rad(0.5 * groove.throat), width, wrap.reach);
     code.comment("{}", part.cam.closed() ? "blank: both outlines and the hub, see the blank's program"
                                          : "blank: turned round, with its hub; the groove's sides stand up to its surface");
-    code.comment("not in this program: {}", left_out(part));
+    code.comment("by hand: {}", left_out(part));
     code.comment("cuts wrap");
-    code.comment("cutter ball {:.5f}", 2.0 * nose);
+    code.comment("cutter ball {:.5f}", nose_diameter(part));
     code.comment("stock round {:.5f} {:.5f} {:.5f}", wrap.radius, mm_from_m(part.z_low), mm_from_m(part.z_high));
     code.comment("rotary {}", settings.rotary_sign);
+    describe_clamping(code, part, settings);
+}
+
+/// Of the groove's section.
+void change_tool(Gcode& code, const solid::Part& part, const Settings& settings, const Wrap& wrap) {
+    const double nose = nose_diameter(part), half = core::deg_from_rad(0.5 * part.options.groove.throat);
+    const double width = 2.0 * part.section.back().z_mm, slender = wrap.reach + 1.0;
+    const auto words =
+        fmt::format("groove cutter, nose radius {:.3f} mm, flanks at {:.1f} deg to its axis, {:.3f} mm wide, slender over {:.2f} mm",
+                    0.5 * nose, half, width, slender);
+    code.tool(1, words, fmt::format("form {:.5f} {:.5f} {:.5f}", nose, half, width), slender, std::max(kShank_mm, width), settings.wrap_rpm,
+              settings);
 }
 
 }  // namespace
@@ -205,10 +239,14 @@ Program wrap_program(const solid::Part& part, const Settings& settings, const st
     const Wrap wrap(part, settings);
     Gcode code(provenance);
     describe(code, part, settings, wrap);
-    code.begin(settings.wrap_rpm);
+    code.begin(settings);
+    change_tool(code, part, settings, wrap);
     Passes(code, settings, wrap).cut();
     code.end();
-    return {"", code.text()};
+    return {"",
+            code.text(),
+            {judge_chip_load(settings, settings.wrap_feed, nose_diameter(part), settings.wrap_rpm, "machining.wrap_feed_mm_per_min",
+                             to_string(part.cam.kind))}};
 }
 
 }  // namespace fusee::toolpath

@@ -51,6 +51,27 @@ TEST_F(GCode, TooCoarseAToleranceIsSeenAndNotMade) {
     }));
 }
 
+// The groove of K_PE is cut 2.46 mm above the rotary axis at its lowest, beside a chuck of 21 mm radius.
+TEST_F(GCode, WithTheHolderInTheChuckIsRefusedWithLineAndLength) {
+    const batch::MakeResult result = made({{"machining.stick_out_mm", "14"}});
+    EXPECT_FALSE(result.made);
+    const auto found =
+        std::find_if(result.findings.begin(), result.findings.end(), [](const core::Finding& f) { return f.rule == "millsim.clamp"; });
+    ASSERT_NE(found, result.findings.end());
+    EXPECT_EQ(found->where, "k_pe.ngc");
+    EXPECT_NE(found->what.find("first in line"), std::string::npos);
+    EXPECT_NEAR(found->measured, 21.0 - (14.0 + 2.457), 0.05);
+}
+
+TEST_F(GCode, ThatRubsIsAWarningWithTheFeedThatCuts) {
+    const batch::MakeResult result = made({{"machining.wrap_feed_mm_per_min", "100"}});
+    const auto found = std::find_if(result.findings.begin(), result.findings.end(),
+                                    [](const core::Finding& f) { return f.rule == "toolpath.chip_load" && core::is_broken(f); });
+    ASSERT_NE(found, result.findings.end());
+    EXPECT_NEAR(found->measured, 2.5, 1e-9);
+    EXPECT_EQ(found->suggestion, "machining.wrap_feed_mm_per_min = 400");
+}
+
 TEST_F(GCode, OfATooWideCutterIsRefused) {
     const batch::MakeResult result = made({{"machining.tool_diameter_mm", "6.2"}});
     EXPECT_FALSE(result.made);

@@ -12,6 +12,9 @@ namespace {
 Settings few_moves() {
     Settings settings;
     settings.terrace = settings.depth_per_pass = 10e-3;
+    settings.feed = 300.0 / 60e3;
+    settings.plunge_feed = 100.0 / 60e3;
+    settings.dowel_diameter = 0.0;
     return settings;
 }
 solid::Part round_disc() {

@@ -12,6 +12,7 @@ namespace fusee::toolpath {
 struct Program {
     std::string suffix;  ///< of the file's name: "" or "_blank", "_boss"
     std::string text;
+    core::Findings findings = {};  ///< warnings: "toolpath.dowels", "toolpath.chip_load"
 };
 
 /// The spool as two half plates of one sheet. They meet in the groove's plane, and each is cut from that face on three axes: bore by a

@@ -1,5 +1,5 @@
-#include <algorithm>
 #include <numbers>
+#include <string>
 
 #include "fusee/batch/batch.h"
 #include "fusee/exchange/part_file.h"
@@ -8,6 +8,8 @@
 
 namespace fusee::pipeline {
 namespace {
+
+const std::string kCount = "\"not_judged\":";
 
 /// Springs with the paper's asymptote, of which both cams are made: profiles/paper/new_cams.toml.
 class PaperCams : public fixtures::TempFolder {
@@ -29,7 +31,7 @@ TEST_F(PaperCams, LawHasThePapersAsymptote) {
     EXPECT_NEAR(part.target.back().angle_rad, law, 0.05) << "the lead-in adds 2 degrees";
 }
 
-// The files carry the law within 0.1 %, K_PE on a helix of more than one turn, and nothing is left unjudged.
+// The files carry the law within 0.1 %, K_PE on a helix of more than one turn; report.json counts no rule that was not judged.
 TEST_F(PaperCams, AreMadeWithKPeOfMoreThanOneTurn) {
     const batch::MakeResult result = made();
     ASSERT_TRUE(result.made);
@@ -39,6 +41,11 @@ TEST_F(PaperCams, AreMadeWithKPeOfMoreThanOneTurn) {
     const exchange::PartFile part = exchange::read_part_file(result.folder / "k_pe.json");
     const double turns = (part.target.back().angle_rad - part.target.front().angle_rad) / (2.0 * std::numbers::pi);
     EXPECT_NEAR(turns, 1.377, 0.002);
+    const std::string report = core::read_file(result.folder / "report.json");
+    std::size_t counts = 0;
+    for (std::size_t at = report.find(kCount); at != std::string::npos; at = report.find(kCount, at + 1), ++counts)
+        EXPECT_EQ(report.substr(at + kCount.size(), 2), " 0") << "a rule is not judged";
+    EXPECT_GT(counts, 0u);
 }
 
 }  // namespace

@@ -55,7 +55,8 @@ private:
 };
 
 // Planar cams, of which K_PE is overhung; and a helix.
-INSTANTIATE_TEST_SUITE_P(Shipped, WholeJoint, testing::Values("pnrvsa", "first_prototype"), [](const auto& one) { return one.param; });
+INSTANTIATE_TEST_SUITE_P(Shipped, WholeJoint, testing::Values("pnrvsa", "first_prototype", "paper/new_cams"),
+                         [](const auto& one) { return fs::path(one.param).filename().string(); });
 
 void expect_same(const solid::Box& a, const solid::Box& b, double within_mm) {
     for (std::size_t k = 0; k < 3; ++k) {

@@ -65,8 +65,8 @@ std::string Key::table() const {
 std::string Key::leaf() const { return path.substr(path.rfind('.') + 1); }
 
 bool Key::of_part() const {
-    static constexpr std::array kTables{"cable",     "groove",       "process", "material", "tolerances", "outputs",
-                                        "machining", "compensation", "k_se",    "k_pe",     "assembly",   "budget", "drawing"};
+    static constexpr std::array kTables{"cable",        "groove", "process", "material", "tolerances", "outputs", "machining",
+                                        "compensation", "k_se",   "k_pe",    "assembly", "budget",     "drawing"};
     return std::find(kTables.begin(), kTables.end(), path.substr(0, path.find('.'))) != kTables.end();
 }
 

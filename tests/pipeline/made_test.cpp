@@ -46,6 +46,7 @@ protected:
             if (design != "first_prototype") names.push_back("k_pe" + side + ".dxf");  // its K_PE is a helix
             if (design == "pnrvsa")
                 names.insert(names.end(), {"k_se" + side + ".ngc", "k_pe" + side + ".ngc", "k_pe" + side + "_blank.ngc",
+                                           "k_se" + side + "_setup.md", "k_pe" + side + "_setup.md", "k_pe" + side + "_blank_setup.md",
                                            "k_se" + side + "_drawing.pdf", "k_pe" + side + "_drawing.pdf"});
         }
         std::sort(names.begin(), names.end());

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "fusee/core/units.h"
 #include "fusee/report/budget.h"
 #include "page/html.h"
 #include "page/svg_plot.h"
@@ -21,9 +22,14 @@ std::string band_plot(const PartBudget& part, bool sampled) {
         sampled_low.push_back(100.0 * place.sampled.low), sampled_high.push_back(100.0 * place.sampled.high);
     }
     Plot plot(series ? "K_SE: torque of joints as built" : "K_PE: torque of joints as built", "capstan travel [deg]", "error [%]");
-    plot.band("first order, 5 to 95 %", x, low, high, series ? "se" : "pe");
-    plot.curve("first order, 5 and 95 %", x, low, series ? "se" : "pe").curve("", x, high, series ? "se" : "pe");
-    if (sampled) plot.curve("sampled joints", x, sampled_low, "t", true).curve("", x, sampled_high, "t", true);
+    const auto both = [](std::vector<double> first, const std::vector<double>& second) {  // one curve with a gap, named once
+        first.push_back(core::kNan);
+        first.insert(first.end(), second.begin(), second.end());
+        return first;
+    };
+    plot.band("5 to 95 %", x, low, high, series ? "se" : "pe");
+    plot.curve("first order, 5 and 95 %", both(x, x), both(low, high), series ? "se" : "pe");
+    if (sampled) plot.curve("sampled joints", both(x, x), both(sampled_low, sampled_high), "t", true);
     return plot.svg();
 }
 

@@ -42,11 +42,10 @@ Head design_head(const DesignReport& design) {
 
 std::string report_html(const DesignReport& design) {
     const std::vector<NumberedFinding> findings = numbered(design);
-    std::string body;
+    std::string body = design.headline.budget ? budget_section(*design.headline.budget) : "";
     for (const PartReport& part : design.parts) body += part_section(part, markers_of(findings, cam::to_string(part.part->cam.kind)));
     body += assembly_section(design) + findings_section(findings) + law_section(design) + table_section(design.law) +
-            dead_band_section(design) + (design.headline.budget ? budget_section(*design.headline.budget) : "") +
-            read_back_section(design) + as_exported_section(design.as_exported) + files_section(design);
+            dead_band_section(design) + read_back_section(design) + as_exported_section(design.as_exported) + files_section(design);
     return html_page(design.provenance.name, design_head(design), body);
 }
 

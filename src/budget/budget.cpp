@@ -96,6 +96,13 @@ public:
     [[nodiscard]] Side build(const SideErrors& e) const {
         return {{models_[kSe].spring(e.parts[kSe]), models_[kPe].spring(e.parts[kPe])}, e.parts[kPe].zero, std::max(0.0, 1.0 + e.friction)};
     }
+    /// The same with errors of one part only, and of the gear.
+    [[nodiscard]] Side rebuild(const Side& side, const SideErrors& e, std::size_t part) const {
+        Side rebuilt = side;
+        rebuilt.springs[part] = models_[part].spring(e.parts[part]);
+        rebuilt.zero = e.parts[kPe].zero, rebuilt.friction = std::max(0.0, 1.0 + e.friction);
+        return rebuilt;
+    }
     /// Full width at the joint [rad]; NaN if an edge is beyond a spring.
     [[nodiscard]] double width(const Side& a, const Side& b, double tau) const {
         actuator::Joint joint = actuator::antagonist(a.springs[kPe], a.springs[kSe], b.springs[kSe], b.springs[kPe],
@@ -115,23 +122,38 @@ private:
     const std::array<PartModel, 2>& models_;
 };
 
+/// The drawing, and one side with each error of plus and minus a standard deviation.
+struct Differences {
+    Shop::Side drawing;
+    std::vector<std::array<Shop::Side, 2>> moved;  ///< in the order of the errors
+};
+
+Differences differences(const Shop& shop, const std::vector<Drawn>& errors) {
+    Differences all{shop.build({}), {}};
+    for (const Drawn& error : errors) {
+        std::array<Shop::Side, 2> both;
+        for (const std::size_t k : {0, 1}) {
+            SideErrors one;
+            error.of(one, error.part) = k == 0 ? error.sigma : -error.sigma;
+            both[k] = shop.rebuild(all.drawing, one, error.part);
+        }
+        all.moved.push_back(std::move(both));
+    }
+    return all;
+}
+
 /// Central differences of the exact model, one error of one side at a time; an error of the other side moves the width as much.
-WidthBudget width_budget(const Shop& shop, double tau, const std::vector<Drawn>& errors) {
-    const Shop::Side drawing = shop.build({});
+WidthBudget width_budget(const Shop& shop, double tau, const std::vector<Drawn>& errors, const Differences& sides) {
     WidthBudget budget{.tau = tau,
-                       .nominal = shop.width(drawing, drawing, tau),
+                       .nominal = shop.width(sides.drawing, sides.drawing, tau),
                        .whole = core::kNan,
                        .band = {core::kNan, core::kNan},
                        .sampled = {core::kNan, core::kNan}};
     std::array<double, kSources> variance{};
-    for (const Drawn& error : errors) {
-        double change = 0.0;
-        for (const double sign : {1.0, -1.0}) {
-            SideErrors one;
-            error.of(one, error.part) = sign * error.sigma;
-            change += 0.5 * sign * shop.width(shop.build(one), drawing, tau);
-        }
-        variance[static_cast<std::size_t>(error.source)] += 2.0 * change * change;
+    for (std::size_t i = 0; i < errors.size(); ++i) {
+        const auto& [plus, minus] = sides.moved[i];
+        const double change = 0.5 * (shop.width(plus, sides.drawing, tau) - shop.width(minus, sides.drawing, tau));
+        variance[static_cast<std::size_t>(errors[i].source)] += 2.0 * change * change;
     }
     std::transform(variance.begin(), variance.end(), budget.sigma.begin(), [](double v) { return std::sqrt(v); });
     budget.whole = std::sqrt(std::accumulate(variance.begin(), variance.end(), 0.0));
@@ -244,7 +266,8 @@ Budget budget_of(const Subject& subject, std::span<const double> torques, const 
     Budget budget;
     budget.draws = options.draws;
     for (const std::size_t part : {kSe, kPe}) budget.parts[part] = first_order(models[part], subject.parts[part], part, errors);
-    for (const double tau : torques) budget.widths.push_back(width_budget(shop, tau, errors));
+    const Differences sides = differences(shop, errors);
+    for (const double tau : torques) budget.widths.push_back(width_budget(shop, tau, errors, sides));
     if (options.draws > 0) add_samples(budget, shop, models, torques, errors, options);
     return budget;
 }

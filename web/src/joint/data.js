@@ -1,0 +1,35 @@
+// The scene of the page as typed arrays and three.js geometries.
+import { BufferAttribute, BufferGeometry } from "three";
+import { toCreasedNormals } from "three/examples/jsm/utils/BufferGeometryUtils.js";
+import { MeshBVH } from "three-mesh-bvh";
+
+const CREASE = (35 * Math.PI) / 180; // sharper edges stay edges
+
+function bytes(base64) {
+  const text = atob(base64);
+  const out = new Uint8Array(text.length);
+  for (let i = 0; i < text.length; ++i) out[i] = text.charCodeAt(i);
+  return out.buffer;
+}
+
+/** Coordinates [mm] of a packed mesh: low + count * step. */
+export function unpackPoints(packed) {
+  const counts = new Uint16Array(bytes(packed.points));
+  return Float32Array.from(counts, (count, i) => packed.low_mm[i % 3] + count * packed.step_mm[i % 3]);
+}
+
+/** A packed mesh as a geometry with a bounding volume hierarchy. */
+export function geometryOf(packed) {
+  const indexed = new BufferGeometry();
+  const triangles = bytes(packed.triangles);
+  indexed.setAttribute("position", new BufferAttribute(unpackPoints(packed), 3));
+  indexed.setIndex(new BufferAttribute(packed.wide ? new Uint32Array(triangles) : new Uint16Array(triangles), 1));
+  const geometry = toCreasedNormals(indexed, CREASE);
+  geometry.boundsTree = new MeshBVH(geometry);
+  return geometry;
+}
+
+export function readScene() {
+  const element = document.getElementById("joint-scene");
+  return element ? JSON.parse(element.textContent) : null;
+}

@@ -1,0 +1,156 @@
+#include "fusee/diagnosis/diagnosis.h"
+
+#include <fmt/format.h>
+
+#include "arrays.h"
+#include "fusee/core/error.h"
+#include "fusee/diagnosis/diagnose.h"
+#include "gap_case.h"
+#include "work.h"
+
+namespace fs = std::filesystem;
+
+namespace fusee::python {
+
+namespace {
+
+using diagnosis::Diagnosis, diagnosis::Trace;
+
+/// A diagnosis that arrays can share.
+struct Found {
+    std::shared_ptr<const Diagnosis> value;  ///< never null
+};
+
+gap_case::Case case_of(const py::object& given) {
+    if (py::isinstance<gap_case::Case>(given)) return given.cast<gap_case::Case>();
+    return gap_case::read_case(path_of(given, "a Case"));
+}
+
+Found diagnose(const py::object& given, unsigned jobs, const py::object& progress) {
+    const gap_case::Case rig = case_of(given);
+    return run(progress, [&](Watch& watch) {
+        const auto told = [&watch](std::size_t done, std::size_t total, const std::string& what) { watch.tell(done, total, what); };
+        return Found{std::make_shared<const Diagnosis>(diagnosis::diagnose(rig, {jobs, told}))};
+    });
+}
+
+py::dict predict(const py::object& given, const std::optional<Found>& found, const std::optional<py::dict>& inputs) {
+    const gap_case::Case rig = py::isinstance<EmptyCase>(given) ? nominal_of(given.cast<EmptyCase>()) : case_of(given);
+    const Diagnosis nominal, &effects = found ? *found->value : nominal;
+    const gap_case::Rows rows = inputs ? inputs_of(rig, *inputs) : rig.rows;
+    diagnosis::require_possible(rig, effects, "diagnosis");
+    return arrays_of(run(py::none(), [&](Watch&) { return diagnosis::predict(rig, effects, rows); }));
+}
+
+py::list causes(const std::vector<effects::Cause>& all) {
+    py::list words;
+    for (const effects::Cause& cause : all) words.append(py::make_tuple(cause.id, cause.side));
+    return words;
+}
+
+void bind_effects(py::module_& module) {
+    using diagnosis::FoundEffect, diagnosis::Alternative, diagnosis::NextExperiment;
+    py::class_<FoundEffect>(module, "FoundEffect", doc("effects::Effect"))
+        .def_property_readonly(
+            "id", [](const FoundEffect& e) { return e.cause.id; }, doc("effects::Cause"))
+        .def_property_readonly(
+            "side", [](const FoundEffect& e) { return e.cause.side; }, doc("effects::Cause"))
+        .def_readonly("probability", &FoundEffect::probability, "Of the effect, 0 to 1.")
+        .def_property_readonly(
+            "value", [](const FoundEffect& e) { return e.parameter.value; }, "Its size in `unit`.")
+        .def_property_readonly(
+            "ci95", [](const FoundEffect& e) { return std::pair(e.parameter.ci95.low, e.parameter.ci95.high); },
+            "95 % interval of the size.")
+        .def_property_readonly(
+            "unit", [](const FoundEffect& e) { return e.parameter.unit; }, "Of value and ci95.")
+        .def("__repr__", [](const FoundEffect& e) {
+            return fmt::format("<{} on {}: {:.4g} {}, probability {:.3g}>", e.cause.id, e.cause.side, e.parameter.value, e.parameter.unit,
+                               e.probability);
+        });
+    py::class_<Alternative>(module, "Alternative", "A hypothesis that remains possible.")
+        .def_property_readonly(
+            "effects", [](const Alternative& a) { return causes(a.effects); }, "Pairs of effect and side; empty: no effect at all.")
+        .def_readonly("probability", &Alternative::probability, "Of this hypothesis, 0 to 1.");
+    py::class_<NextExperiment>(module, "NextExperiment", doc("diagnosis::NextExperiment"))
+        .def_readonly("text", &NextExperiment::text, doc("diagnosis::NextExperiment::text"))
+        .def_readonly("information", &NextExperiment::information, doc("diagnosis::NextExperiment::information"))
+        .def_readonly("cost", &NextExperiment::cost, doc("diagnosis::NextExperiment::cost"));
+}
+
+void bind_traces(py::module_& module) {
+    py::class_<Trace, std::shared_ptr<Trace>> type(module, "Trace", doc("diagnosis::Trace"));
+    const auto member = [&type](const char* name, std::vector<double> Trace::*values, const char* text) {
+        type.def_property_readonly(
+            name, [values](const std::shared_ptr<Trace>& t) { return numbers(t, (*t).*values); }, text);
+    };
+    type.def_readonly("experiment", &Trace::experiment, "The experiment's name.")
+        .def_readonly("label", &Trace::label, doc("diagnosis::Trace::experiment"))
+        .def_readonly("x_name", &Trace::x_name, "Column of `x`.")
+        .def_readonly("y_name", &Trace::y_name, "Column of the other arrays.");
+    member("x", &Trace::x, "The variable.");
+    member("measured", &Trace::measured, "As measured.");
+    member("before", &Trace::before, "Predicted by the nominal rig.");
+    member("after", &Trace::after, "Predicted by the rig with the effects found.");
+    member("sigma", &Trace::sigma, "One standard deviation of a measured value.");
+}
+
+std::vector<std::shared_ptr<Trace>> traces_of(const Found& f) {
+    std::vector<std::shared_ptr<Trace>> traces;
+    const std::shared_ptr<Diagnosis> owner = std::const_pointer_cast<Diagnosis>(f.value);  // pybind11 knows no pointers to const
+    for (Trace& trace : owner->traces) traces.emplace_back(owner, &trace);
+    return traces;
+}
+
+py::dict gap_of(const Found& f) {
+    const diagnosis::Gap& gap = f.value->gap;
+    py::dict figures;
+    figures["before"] = gap.before;
+    figures["after"] = gap.after;
+    figures["noise_floor"] = gap.noise_floor;
+    figures["heldout_before"] = gap.heldout_before;
+    figures["heldout_after"] = gap.heldout_after;
+    return figures;
+}
+
+}  // namespace
+
+void bind_diagnosis(py::module_& module) {
+    bind_effects(module);
+    bind_traces(module);
+    py::class_<Found>(module, "Diagnosis", doc("diagnosis::diagnose"))
+        .def_property_readonly(
+            "verdict", [](const Found& f) { return diagnosis::to_string(f.value->verdict); }, doc("diagnosis::to_string"))
+        .def_property_readonly(
+            "effects", [](const Found& f) { return f.value->effects; }, "The effects found, with their sizes.")
+        .def_property_readonly(
+            "alternatives", [](const Found& f) { return f.value->alternatives; },
+            "Hypotheses that remain possible, with their probability.")
+        .def_property_readonly("gap", &gap_of, doc("diagnosis::Gap"))
+        .def_property_readonly(
+            "next_experiment", [](const Found& f) { return f.value->next_experiment; }, doc("diagnosis::NextExperiment"))
+        .def_property_readonly(
+            "next", [](const Found& f) { return f.value->next; }, doc("diagnosis::NextExperiment"))
+        .def_property_readonly("traces", &traces_of, doc("diagnosis::Trace"))
+        .def_property_readonly(
+            "remarks", [](const Found& f) { return f.value->remarks; }, doc("diagnosis::Diagnosis::remarks"))
+        .def(
+            "json", [](const Found& f) { return diagnosis::diagnosis_json(*f.value); }, doc("diagnosis::diagnosis_json"))
+        .def_static(
+            "parse",
+            [](const std::string& json, const std::string& file) {
+                return Found{std::make_shared<const Diagnosis>(diagnosis::parse_diagnosis(json, file))};
+            },
+            py::arg("json"), py::arg("file") = "diagnosis.json", doc("diagnosis::parse_diagnosis"))
+        .def("__repr__", [](const Found& f) {
+            return fmt::format("<Diagnosis of {}: {}, {} effects>", f.value->case_name, diagnosis::to_string(f.value->verdict),
+                               f.value->effects.size());
+        });
+    module.def("diagnose", &diagnose, py::arg("case"), py::kw_only(), py::arg("jobs") = 0, py::arg("progress") = py::none(),
+               doc("diagnosis::diagnose"));
+    module.def("predict", &predict, py::arg("case"), py::arg("diagnosis") = py::none(), py::arg("inputs") = py::none(),
+               "Predicts the measured columns of each experiment of a case, a folder or a template, at the inputs of the case or at "
+               "`inputs`, columns by experiment and name as "
+               "in Case.from_arrays, with the effects of a diagnosis or of the nominal rig. Raises InvalidInput.");
+}
+
+}  // namespace fusee::python

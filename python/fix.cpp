@@ -1,0 +1,90 @@
+#include "fusee/fix/fix.h"
+
+#include <fmt/format.h>
+
+#include "bindings.h"
+#include "fusee/profile/edit.h"
+#include "fusee/profile/places.h"
+#include "work.h"
+
+namespace fs = std::filesystem;
+
+namespace fusee::python {
+
+namespace {
+
+const char* word_of(fix::Fix::End end) {
+    switch (end) {
+        case fix::Fix::End::kNothingToDo:
+            return "nothing to do";
+        case fix::Fix::End::kFixed:
+            return "fixed";
+        case fix::Fix::End::kCannot:
+            break;
+    }
+    return "cannot";
+}
+
+fix::Fix find(const py::object& given, const std::vector<std::string>& keep, bool reviews, int most, const py::object& progress) {
+    const LoadedProfile loaded = profile_of(given);
+    for (const std::string& key : keep) profile::require_key("keep", key);
+    const fs::path own = loaded.value.file;
+    return run(progress, [&](Watch& watch) {
+        fix::Options options;
+        options.file = own.parent_path() / (own.stem().string() + "-fixed.toml");
+        options.reviews = reviews;
+        options.keep = keep;
+        options.most_judged = most;
+        options.progress = [&watch](const std::string& step) { watch.tell(step); };
+        options.stop = [&watch] { return watch.stopped(); };
+        return profile::with_places(loaded.value, [&] { return fix::find_fix(loaded.value, loaded.toml, options); });
+    });
+}
+
+std::optional<LoadedProfile> profile_found(const fix::Fix& found) {
+    if (found.toml.empty()) return std::nullopt;
+    return LoadedProfile{profile::parse_profile(found.toml, found.file), found.toml};
+}
+
+void bind_parts_of_fix(py::module_& module) {
+    using fix::Change, fix::Conflict;
+    py::class_<Change>(module, "Change", doc("fix::Change"))
+        .def_readonly("key", &Change::key, "The key that changes.")
+        .def_readonly("old", &Change::from, "As TOML.")
+        .def_readonly("new", &Change::to, "As TOML.")
+        .def_readonly("asks_for", &Change::asks_for, doc("fix::Change::asks_for"))
+        .def_readonly("because", &Change::because, doc("fix::Change::because"))
+        .def_readonly("follows", &Change::follows, doc("fix::Change::follows"))
+        .def("__repr__", [](const Change& c) { return fmt::format("<Change {}: {} to {}>", c.key, c.from, c.to); });
+    py::class_<Conflict>(module, "Conflict", doc("fix::Conflict"))
+        .def_readonly("one", &Conflict::one, "The finding that the change is for.")
+        .def_readonly("other", &Conflict::other, "The finding that it causes.")
+        .def_readonly("key", &Conflict::key, doc("fix::Conflict::key"))
+        .def_readonly("old", &Conflict::from, "As TOML.")
+        .def_readonly("new", &Conflict::to, "As TOML.");
+}
+
+}  // namespace
+
+void bind_fix(py::module_& module) {
+    bind_parts_of_fix(module);
+    py::class_<fix::Fix>(module, "Fix", doc("fix::Fix"))
+        .def_property_readonly(
+            "ok", [](const fix::Fix& f) { return f.end != fix::Fix::End::kCannot; }, "Can it be made, as it is or with the changes?")
+        .def_property_readonly(
+            "end", [](const fix::Fix& f) { return word_of(f.end); }, R"("nothing to do", "fixed" or "cannot")")
+        .def_readonly("changes", &fix::Fix::changes, "Of the fixed profile, or of the candidate that is nearest.")
+        .def_readonly("findings", &fix::Fix::left, doc("fix::Fix::left"))
+        .def_readonly("conflicts", &fix::Fix::conflicts, doc("fix::Fix::conflicts"))
+        .def_readonly("unchanged", &fix::Fix::unchanged, doc("fix::Fix::unchanged"))
+        .def_property_readonly("profile", &profile_found, "The new profile, not written yet; None unless it is fixed.")
+        .def_readonly("band_before", &fix::Fix::band_before, doc("fix::Fix::band_before"))
+        .def_readonly("band_after", &fix::Fix::band_after, "The same of the new profile.")
+        .def("__repr__", [](const fix::Fix& f) {
+            return fmt::format("<Fix of {}: {}, {} changes>", f.profile_name, word_of(f.end), f.changes.size());
+        });
+    module.def("fix", &find, py::arg("profile"), py::kw_only(), py::arg("keep") = std::vector<std::string>{}, py::arg("reviews") = false,
+               py::arg("most") = fix::Options{}.most_judged, py::arg("progress") = py::none(), doc("fix::find_fix"));
+}
+
+}  // namespace fusee::python

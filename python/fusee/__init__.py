@@ -1,0 +1,48 @@
+"""Springs of antagonistic variable-stiffness joints as cams, and the diagnosis of built joints, on NumPy arrays (docs/guides/python.md)."""
+
+from fusee._fusee import (
+    Alternative,
+    Case,
+    CaseTemplate,
+    Change,
+    Checked,
+    CheckedPart,
+    CheckedProcess,
+    ComparedFigure,
+    Conflict,
+    Design,
+    Diagnosis,
+    Equilibrium,
+    Finding,
+    Fix,
+    FoundEffect,
+    Law,
+    LawCurve,
+    Made,
+    NextExperiment,
+    OverriddenLimit,
+    ParetoPoint,
+    Part,
+    Place,
+    Potential,
+    Profile,
+    Search,
+    Simulation,
+    Trace,
+    __version__,
+    case_template,
+    check,
+    design,
+    diagnose,
+    fix,
+    keys,
+    make,
+    predict,
+    resolve,
+    simulate,
+    tabulated,
+)
+from fusee.errors import InvalidInput, IoError
+from fusee.functions import FunctionLaw, law_from_functions
+
+__all__ = [name for name in dir() if not name.startswith("_") and name not in ("errors", "functions")] + ["__version__"]

@@ -1,0 +1,844 @@
+# Made by python/tools/stubs.py from the module: cmake --build build --target fusee_python_stubs
+import os
+from collections.abc import Sequence
+from typing import Any, Callable
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+class Place:
+    """A place on a part, in its body frame."""
+    @property
+    def angle(self) -> float:
+        """psi, direction of the cable normal [rad]"""
+    @property
+    def point_mm(self) -> list[float]:
+        """x, y, z [mm]"""
+
+class OverriddenLimit:
+    """A limit that the profile puts in place of the rule's default."""
+    @property
+    def limit(self) -> str:
+        """
+        as in the profile: "required_mm"
+        """
+    @property
+    def value(self) -> float:
+        """the profile's"""
+    @property
+    def normal(self) -> float:
+        """the rule's default for this part; NaN: it has none"""
+    @property
+    def unit(self) -> str:
+        """of both"""
+    @property
+    def reason(self) -> str:
+        """the profile's"""
+
+class Finding:
+    """Result of a rule or a synthesis step, and what to change. An impossible design is a finding, not an exception."""
+    @property
+    def rule(self) -> str:
+        """
+        stable id "group.name", e.g. "cable.bend_ratio"
+        """
+    @property
+    def severity(self) -> str:
+        """
+        "pass", "not judged", "warning" or "error"
+        """
+    @property
+    def what(self) -> str:
+        """one sentence for a person"""
+    @property
+    def measured(self) -> float:
+        """In `unit`."""
+    @property
+    def bound(self) -> str:
+        """The side of `allowed` on which the measured value must be."""
+    @property
+    def allowed(self) -> float:
+        """In `unit`."""
+    @property
+    def unit(self) -> str:
+        """of measured and allowed, e.g. "mm"; "": none"""
+    @property
+    def where(self) -> str:
+        """
+        part and place in words, e.g. "k_pe at psi 12.0 deg", "law at 0.5 Nm"
+        """
+    @property
+    def place(self) -> Place | None:
+        """A place on a part, in its body frame."""
+    @property
+    def suggestion(self) -> str:
+        """the nearest feasible change, with a number; empty when the rule passes"""
+    @property
+    def source(self) -> str:
+        """of the limit"""
+    @property
+    def overridden(self) -> list[OverriddenLimit]:
+        """limits of this finding that the profile sets"""
+    def __repr__(self) -> str:
+        ...
+    def __str__(self) -> str:
+        """
+        "error: cable.bend_ratio: <what>: measured 6.1, allowed at least 8 (k_se at psi 3 deg); suggestion". As many digits as
+        it takes to tell measured from allowed. A rule that was not judged: "not judged: spring.stress: <what> (k_se); missing:
+        <keys>"
+        """
+
+class Profile:
+    """All input of a design. Cable diameter, groove and chordal error appear once in the file, and here in both parts."""
+    def __init__(self, path: str | os.PathLike[str]) -> None:
+        """
+        Reads a profile and the CSV files that it names (docs/profile.md lists every key). Raises IoError if the file is
+        missing, too large or not TOML (line and column) Raises InvalidInput, of several InvalidInput: "file:line:column: key":
+        unknown key, wrong type, NaN, out of range, missing
+        """
+    @staticmethod
+    def parse(toml: str, path: str | os.PathLike[str]) -> Profile:
+        """The same from the text of `path`, which need not exist yet. Raises as read_profile"""
+    @property
+    def name(self) -> str:
+        """letters, digits, '.', '_', '-': also the name of the design's folder"""
+    @property
+    def file(self) -> os.PathLike[str]:
+        """the file that was read"""
+    @property
+    def sha256(self) -> str:
+        """of the TOML's bytes followed by those of the CSV files it names: `cat a.toml a.csv | sha256sum`"""
+    @property
+    def has_parts(self) -> bool:
+        """false: the file has none of the tables below; it can be simulated but not made"""
+    @property
+    def toml(self) -> str:
+        """The text that it was read from."""
+    def __getitem__(self, key: str) -> Any:
+        """The value of a key, "rig.gear_friction", in the unit at the key's end."""
+    def __repr__(self) -> str:
+        ...
+    def with_values(self, values: dict[str, Any], why: str = "") -> Profile:
+        """
+        The profile with other values, each in the unit of its key; comments and order stay. `why` becomes a comment. Raises
+        InvalidInput as reading does.
+        """
+    def write(self, file: str | os.PathLike[str], force: bool = False) -> Profile:
+        """
+        Writes the profile and returns it as it is there; files that it names are reached from the new folder. Raises IoError if
+        the file exists, unless `force`.
+        """
+    def with_table(self, file: str | os.PathLike[str], angle: ArrayLike, series: ArrayLike, parallel: ArrayLike, *, start_torque: float, end_torque: float, knots: int = 16, smoothing: float = -1.0, force: bool = False) -> Profile:
+        """
+        The profile with a measured law: capstan angles [rad] and the torques of both springs [Nm]. Writes `file` and, beside
+        it, the rows as a CSV file, so that `fusee make` takes them too. See `tabulated` for knots and smoothing.
+        """
+
+class LawCurve:
+    """
+    The pair of springs at one capstan, at one level of equal co-contraction (joint at rest, so both springs have the
+    capstan's angle). Magnitudes: every torque is positive and rises with theta. theta is 0 at the lowest load of the law.
+    """
+    @property
+    def tau(self) -> NDArray[np.float64]:
+        """capstan load F_SE + F_PE [Nm]"""
+    @property
+    def theta(self) -> NDArray[np.float64]:
+        """capstan angle [rad]"""
+    @property
+    def f_se(self) -> NDArray[np.float64]:
+        """series torque U_3' at the capstan [Nm]"""
+    @property
+    def f_pe(self) -> NDArray[np.float64]:
+        """parallel torque U_4' at the capstan [Nm]"""
+    @property
+    def s(self) -> NDArray[np.float64]:
+        """S = dF_SE/dtheta [Nm/rad]"""
+    @property
+    def p(self) -> NDArray[np.float64]:
+        """P = dF_PE/dtheta [Nm/rad]"""
+    @property
+    def s_slope(self) -> NDArray[np.float64]:
+        """dS/dtheta [Nm/rad^2]"""
+    @property
+    def p_slope(self) -> NDArray[np.float64]:
+        """dP/dtheta [Nm/rad^2]"""
+    @property
+    def u_se(self) -> NDArray[np.float64]:
+        """energy of K_SE above its state at theta = 0 [J]"""
+    @property
+    def u_pe(self) -> NDArray[np.float64]:
+        """energy of K_PE above its state at theta = 0 [J]"""
+    @property
+    def transmission(self) -> NDArray[np.float64]:
+        """T = S/(S+P), paper (8): the share of a stiction torque that reaches the joint's cable."""
+    def __len__(self) -> int:
+        ...
+    def __repr__(self) -> str:
+        ...
+
+class Law:
+    """A pair of spring laws, immutable and reentrant. Load and angle identify the same point: both rise together."""
+    @property
+    def loads(self) -> tuple[float, float]:
+        """Loads that the law covers [Nm], lead-in included."""
+    @property
+    def angles(self) -> tuple[float, float]:
+        """Capstan angles that the law covers [rad]; low is 0."""
+    def at_load(self, tau: ArrayLike) -> LawCurve:
+        """Needs: tau in loads() (clamped to it)"""
+    def at_angle(self, theta: ArrayLike) -> LawCurve:
+        """Needs: theta in angles() (clamped to it)"""
+    def sample(self, count: int = 401) -> LawCurve:
+        """`count` points, evenly spaced in load, both ends included. Raises InvalidInput if count < 2"""
+    def __repr__(self) -> str:
+        ...
+
+class Potential:
+    """One nonlinear spring at the capstan: force = dU/dx [Nm] over deflection x [rad], C3 in U."""
+    @property
+    def domain(self) -> tuple[float, float]:
+        """Least and greatest deflection [rad]."""
+    def energy(self, x: ArrayLike) -> NDArray[np.float64]:
+        """U(x) [J]"""
+    def torque(self, x: ArrayLike) -> NDArray[np.float64]:
+        """U'(x) [Nm]"""
+    def stiffness(self, x: ArrayLike) -> NDArray[np.float64]:
+        """U''(x) [Nm/rad]"""
+    def __repr__(self) -> str:
+        ...
+
+class Design:
+    """A profile and what follows from it: springs and joint. Computed once for each profile and handed down as const."""
+    @property
+    def ok(self) -> bool:
+        """Is the law a pair of springs?"""
+    @property
+    def findings(self) -> list[Finding]:
+        """Refusals: findings of the law's maker, of its lead-in or of `check_law`."""
+    @property
+    def law(self) -> Law:
+        """its law is the spring law, lead-in included"""
+    @property
+    def curve(self) -> LawCurve | None:
+        """The law at 401 loads; None if there is none."""
+    def __repr__(self) -> str:
+        ...
+
+class Equilibrium:
+    """The joint at rest under three torques (tau_1, tau_2, tau_q), with the signs of Joint. NaN if it does not rest."""
+    @property
+    def torque(self) -> NDArray[np.float64]:
+        """asked for [Nm]"""
+    @property
+    def z(self) -> NDArray[np.float64]:
+        """(theta_1, theta_2, q), paper (1) [rad]"""
+    @property
+    def sensitivity(self) -> NDArray[np.float64]:
+        """paper (2) [rad/Nm]"""
+    @property
+    def joint_stiffness(self) -> float:
+        """Both capstans held [Nm/rad]."""
+    @property
+    def dead_band(self) -> float | None:
+        """Exact width [rad]; None under a joint torque."""
+    @property
+    def findings(self) -> list[Finding]:
+        """why it does not rest"""
+
+class Simulation:
+    """The simulated joint. Of the paper's relatives only `survey` and the levels' linear figures are known."""
+    @property
+    def ok(self) -> bool:
+        """Is there a simulation, with every equilibrium that was asked for?"""
+    @property
+    def findings(self) -> list[Finding]:
+        """Of the law, and why an equilibrium that was asked for does not exist."""
+    @property
+    def condition_6_verdict(self) -> str:
+        """Verdict on condition (6), d(T tau_f)/dtau < 0."""
+    @property
+    def gaps(self) -> list[str]:
+        """figures that could not be computed, and why"""
+    @property
+    def equilibria(self) -> list[Equilibrium]:
+        """asked for"""
+    @property
+    def release_path(self) -> dict[str, Any]:
+        """at peak torque"""
+    def __repr__(self) -> str:
+        ...
+    @property
+    def tau(self) -> NDArray[np.float64]:
+        """motor torque of both sides, at the capstan [Nm]"""
+    @property
+    def linear(self) -> NDArray[np.float64]:
+        """2 tau_f(tau)/(g P): paper (3)-(4) for a symmetric actuator [rad]"""
+    @property
+    def exact_width(self) -> NDArray[np.float64]:
+        """the widest pair of resting places with capstan loads anywhere in resting_loads(tau) [rad]"""
+    @property
+    def measured_width(self) -> NDArray[np.float64]:
+        """full width at the joint [rad]"""
+    @property
+    def covered(self) -> NDArray[np.bool_]:
+        """false: the springs do not cover the loads that stiction allows at this torque"""
+    @property
+    def joint_stiffness(self) -> NDArray[np.float64]:
+        """dtau_q/dq with both capstans held by stiction: 2 g^2 S [Nm/rad]"""
+    @property
+    def free_joint_stiffness(self) -> NDArray[np.float64]:
+        """with both capstans free: 2 g^2 S P/(S+P) [Nm/rad]"""
+    @property
+    def theta(self) -> NDArray[np.float64]:
+        """capstan angle [rad]"""
+    @property
+    def condition_6(self) -> NDArray[np.float64]:
+        """d(T tau_f)/dtau; below 0: co-contraction shrinks the transmitted stiction (paper (6))"""
+    @property
+    def built_low(self) -> NDArray[np.float64]:
+        """5 to 95 % of joints as a shop builds them, exact extremes [rad]; NaN: not known"""
+    @property
+    def built_high(self) -> NDArray[np.float64]:
+        """5 to 95 % of joints as a shop builds them, exact extremes [rad]; NaN: not known"""
+    @property
+    def sensitivity(self) -> NDArray[np.float64]:
+        """paper (2), d(theta_1, theta_2, q)/d(tau_1, tau_2, tau_q) [rad/Nm]; NaN: no springs hold it"""
+    @property
+    def noise(self) -> NDArray[np.float64]:
+        """standard deviations of theta_1, theta_2, q under white torque noise [rad]; NaN: unbounded"""
+
+class Part:
+    """The solid of a part, with all data that exports and checks need."""
+    @property
+    def name(self) -> str:
+        """
+        "k_se", "k_pe"; the antagonist's: "k_se_mirrored", "k_pe_mirrored"
+        """
+    @property
+    def findings(self) -> list[Finding]:
+        """Of every rule on this part."""
+    @property
+    def points_mm(self) -> NDArray[np.float64]:
+        """The mesh's points in the body frame [mm], n x 3: the C++ object's memory."""
+    @property
+    def triangles(self) -> NDArray[np.uint32]:
+        """Places in points_mm, n x 3, counter-clockwise seen from outside: the C++ object's memory."""
+    def contour(self, count: int = 721) -> NDArray[np.float64]:
+        """The cable's centreline over the groove, count x 3, in the body frame [m]; computed by this call."""
+    @property
+    def volume_mm3(self) -> float:
+        """Signed volume [mm^3]: above 0 when the triangles face outward."""
+    @property
+    def closed(self) -> bool:
+        """
+        Has every edge exactly two triangles, which run along it in opposite directions? Corners of a triangle must differ. O(n
+        log n)
+        """
+    def __repr__(self) -> str:
+        ...
+    @property
+    def tau(self) -> NDArray[np.float64]:
+        """capstan load [Nm]: names the point"""
+    @property
+    def angle(self) -> NDArray[np.float64]:
+        """rotation of the cam from the law's lowest load [rad], >= 0"""
+    @property
+    def arm(self) -> NDArray[np.float64]:
+        """r, torque over tension [m]; pivot to cable centreline at a fleet angle of 0"""
+    @property
+    def tension(self) -> NDArray[np.float64]:
+        """cable tension [N]"""
+    @property
+    def state(self) -> NDArray[np.float64]:
+        """phi + phi0 [rad] or y + y0 [m] of the base spring"""
+    @property
+    def psi(self) -> NDArray[np.float64]:
+        """[rad], not wrapped: a helix continues beyond 2 pi"""
+    @property
+    def h(self) -> NDArray[np.float64]:
+        """support function [m]"""
+    @property
+    def rho(self) -> NDArray[np.float64]:
+        """h + h'' = radius of curvature in the plane [m]"""
+    @property
+    def z(self) -> NDArray[np.float64]:
+        """[m]"""
+    @property
+    def fleet(self) -> NDArray[np.float64]:
+        """angle between free cable and the contact's plane [rad]"""
+
+class Made:
+    """A design with its part files, and all that its reports show."""
+    @property
+    def ok(self) -> bool:
+        """Can it be made, and does every file carry the law?"""
+    @property
+    def findings(self) -> list[Finding]:
+        """all of them, passes too; a refusal holds the binding limits"""
+    @property
+    def folder(self) -> os.PathLike[str] | None:
+        """The folder of its files; None: nothing was written."""
+    @property
+    def parts(self) -> list[Part]:
+        """K_SE, K_PE and, with files, their mirror images."""
+    @property
+    def law(self) -> LawCurve | None:
+        """The law as designed at 401 loads, lead-in included."""
+    @property
+    def arm_error(self) -> float:
+        """largest relative error of an arm"""
+    @property
+    def dead_band_error(self) -> float:
+        """largest relative change of a dead-band"""
+    def __repr__(self) -> str:
+        ...
+
+class CheckedPart:
+    """Findings of the rules for one part."""
+    @property
+    def name(self) -> str:
+        """"k_se", or that of a mesh's file"""
+    @property
+    def findings(self) -> list[Finding]:
+        """Findings of the rules for one part."""
+
+class CheckedProcess:
+    """Parts as one process would make them."""
+    @property
+    def process(self) -> str:
+        """
+        "fdm"
+        """
+    @property
+    def figures(self) -> str:
+        """source of the limits, and the limits left out"""
+    @property
+    def parts(self) -> list[CheckedPart]:
+        """K_SE and K_PE."""
+    @property
+    def findings(self) -> list[Finding]:
+        """Of the design and of each part."""
+    @property
+    def ok(self) -> bool:
+        """Can this process make every part?"""
+
+class Checked:
+    """The result of `fusee check`."""
+    @property
+    def name(self) -> str:
+        """of the design or the mesh"""
+    @property
+    def ok(self) -> bool:
+        """Some process makes every part without an error."""
+    @property
+    def processes(self) -> list[CheckedProcess]:
+        """One for each process that was asked for."""
+    def __repr__(self) -> str:
+        ...
+
+class ComparedFigure:
+    """A figure of the design found, and the same figure of the profile's own design."""
+    @property
+    def name(self) -> str:
+        """What was compared."""
+    @property
+    def unit(self) -> str:
+        """Of `found` and `own`."""
+    @property
+    def found(self) -> float:
+        """Of the design found."""
+    @property
+    def own(self) -> float:
+        """Of the profile's own design; NaN: it has none."""
+    def __repr__(self) -> str:
+        ...
+
+class ParetoPoint:
+    """One design of the front."""
+    @property
+    def file(self) -> str:
+        """
+        its profile, "pareto/03.toml"
+        """
+    @property
+    def figure(self) -> float:
+        """the dead-band that was minimised [rad]"""
+    @property
+    def travel(self) -> float:
+        """of the capstan [rad]"""
+    @property
+    def radius(self) -> float:
+        """largest contour radius of both cams [m]"""
+    @property
+    def limited_by(self) -> str:
+        """the limits that bind, in words"""
+
+class Search:
+    """The outcome of a search."""
+    @property
+    def ok(self) -> bool:
+        """Were springs found?"""
+    @property
+    def findings(self) -> list[Finding]:
+        """not found: the limits that bind; found: what else has to be known"""
+    @property
+    def summary(self) -> list[str]:
+        """lines for a terminal"""
+    @property
+    def profiles(self) -> dict[str, Profile]:
+        """The profiles found by their files' names: "NAME-best.toml", "pareto/03.toml"."""
+    @property
+    def folder(self) -> os.PathLike[str] | None:
+        """The folder of its files; None: nothing was written."""
+    @property
+    def history(self) -> NDArray[np.float64]:
+        """best cost of the first population and after each generation"""
+    @property
+    def law(self) -> LawCurve | None:
+        """The law found; None for a Pareto front."""
+    @property
+    def own_law(self) -> LawCurve | None:
+        """The profile's own law."""
+    @property
+    def figures(self) -> list[ComparedFigure]:
+        """A figure of the design found, and the same figure of the profile's own design."""
+    @property
+    def front(self) -> list[ParetoPoint]:
+        """by rising figure"""
+    def __repr__(self) -> str:
+        ...
+
+class Change:
+    """One key with its new value, as TOML has them."""
+    @property
+    def key(self) -> str:
+        """The key that changes."""
+    @property
+    def old(self) -> str:
+        """As TOML."""
+    @property
+    def new(self) -> str:
+        """As TOML."""
+    @property
+    def asks_for(self) -> str:
+        """what the change concerns: "the drawing", "another spring", "the law", ..."""
+    @property
+    def because(self) -> Finding:
+        """the finding against the old value"""
+    @property
+    def follows(self) -> str:
+        """the key that it follows, as a breaking load follows the cable's diameter; empty: none"""
+    def __repr__(self) -> str:
+        ...
+
+class Conflict:
+    """Two limits that conflict: a change for the one breaks the other."""
+    @property
+    def one(self) -> Finding:
+        """The finding that the change is for."""
+    @property
+    def other(self) -> Finding:
+        """The finding that it causes."""
+    @property
+    def key(self) -> str:
+        """the change made for `one`, as TOML"""
+    @property
+    def old(self) -> str:
+        """As TOML."""
+    @property
+    def new(self) -> str:
+        """As TOML."""
+
+class Fix:
+    """The changes that a profile needs so that it can be made."""
+    @property
+    def ok(self) -> bool:
+        """Can it be made, as it is or with the changes?"""
+    @property
+    def end(self) -> str:
+        """
+        "nothing to do", "fixed" or "cannot"
+        """
+    @property
+    def changes(self) -> list[Change]:
+        """Of the fixed profile, or of the candidate that is nearest."""
+    @property
+    def findings(self) -> list[Finding]:
+        """findings that remain: errors, or, if fixed, warnings"""
+    @property
+    def conflicts(self) -> list[Conflict]:
+        """between the findings left and other limits; empty if it is fixed"""
+    @property
+    def unchanged(self) -> list[str]:
+        """"cable.diameter_mm: its breaking load is not stated": changes that were not made, and why"""
+    @property
+    def profile(self) -> Profile | None:
+        """The new profile, not written yet; None unless it is fixed."""
+    @property
+    def band_before(self) -> float | None:
+        """exact dead-band at peak torque, full width at the joint [rad]; none: the law does not exist or does not reach that far"""
+    @property
+    def band_after(self) -> float | None:
+        """The same of the new profile."""
+    def __repr__(self) -> str:
+        ...
+
+class Case:
+    """A gap case: nominal rig and measurements (docs/gap.md)."""
+    def __init__(self, folder: str | os.PathLike[str]) -> None:
+        """
+        Reads DIR/case.toml and the CSV files that it names. Implausible values (a mu of 22, a radius of 15: another unit) are
+        rejected with the required unit. Of a log longer than `kLongestLog` only the beginning is used; a file above
+        `kLongestTable` rows is thinned; a remark says so. Raises InvalidInput "file:line:column: key", IoError The same from a
+        folder or from memory. Raises as read_case
+        """
+    @staticmethod
+    def from_arrays(name: str, rig: dict[str, Any], experiments: dict[str, Any], *, sensors: dict[str, Any] = {}, tolerance: dict[str, Any] = {}, protocol: dict[str, Any] = {}) -> Case:
+        """
+        A case from memory, read with every check of a folder. Keys and columns are those of docs/gap.md, with their units:
+        `rig` with its numbers and `springs`, the columns deflection_rad, se_torque_Nm, pe_torque_Nm; `experiments` by name with
+        the columns of their files. Raises InvalidInput naming file, line and column as if the arrays were files.
+        """
+    @property
+    def name(self) -> str:
+        """of its folder"""
+    @property
+    def sha256(self) -> str:
+        """over every file of it that was read"""
+    @property
+    def remarks(self) -> list[str]:
+        """limitations: few rows, thinned log, a table with defaults"""
+    @property
+    def experiments(self) -> dict[str, Any]:
+        """The rows of each experiment as columns, named as in its file."""
+    def __repr__(self) -> str:
+        ...
+
+class CaseTemplate:
+    """A case without measurements: the rig of a profile, and set points."""
+    @property
+    def ok(self) -> bool:
+        """Is the law a pair of springs?"""
+    @property
+    def findings(self) -> list[Finding]:
+        """
+        The empty gap case of the joint that a profile describes: radii, friction, inertias and springs as designed
+        (docs/gap.md). A case has no preload: springs that rest on stops continue below them to zero torque, as the cam on its
+        base spring would without a stop (`springs_without_stops`); angles count from there. Refusal: the law's. Raises
+        InvalidInput naming a key that a case cannot hold: no parts, no preload for a law that needs one, friction other than in
+        proportion to the load
+        """
+    @property
+    def experiments(self) -> dict[str, Any]:
+        """The set points of each experiment as columns, named as in its file; what is to be measured is NaN."""
+    def filled(self, experiments: dict[str, Any]) -> Case:
+        """The case with measurements, of those experiments only. Raises as Case.from_arrays."""
+    def __repr__(self) -> str:
+        ...
+    @property
+    def rig(self) -> dict[str, Any]:
+        """As Case.from_arrays takes it."""
+    @property
+    def sensors(self) -> dict[str, Any]:
+        """As Case.from_arrays takes it."""
+    @property
+    def tolerance(self) -> dict[str, Any]:
+        """As Case.from_arrays takes it."""
+    @property
+    def protocol(self) -> dict[str, Any]:
+        """As Case.from_arrays takes it."""
+
+class FoundEffect:
+    """
+    A possible cause of a gap: behaviour of the rig that the nominal model lacks. Each effect is one file in src/effects,
+    which registers by its existence (docs/guides/add-an-effect.md).
+    """
+    @property
+    def id(self) -> str:
+        """An effect and its side: "gear.coulomb" on "agonist", "antagonist" or "both"; "none" for effects without sides."""
+    @property
+    def side(self) -> str:
+        """An effect and its side: "gear.coulomb" on "agonist", "antagonist" or "both"; "none" for effects without sides."""
+    @property
+    def probability(self) -> float:
+        """Of the effect, 0 to 1."""
+    @property
+    def value(self) -> float:
+        """Its size in `unit`."""
+    @property
+    def ci95(self) -> tuple[float, float]:
+        """95 % interval of the size."""
+    @property
+    def unit(self) -> str:
+        """Of value and ci95."""
+    def __repr__(self) -> str:
+        ...
+
+class Alternative:
+    """A hypothesis that remains possible."""
+    @property
+    def effects(self) -> list[Any]:
+        """Pairs of effect and side; empty: no effect at all."""
+    @property
+    def probability(self) -> float:
+        """Of this hypothesis, 0 to 1."""
+
+class NextExperiment:
+    """A further measurement that distinguishes the alternatives."""
+    @property
+    def text(self) -> str:
+        """one sentence with its set points"""
+    @property
+    def information(self) -> float:
+        """expected [bit]"""
+    @property
+    def cost(self) -> float:
+        """[min]"""
+
+class Trace:
+    """Measured values and predictions before and after, of one quantity over one variable."""
+    @property
+    def experiment(self) -> str:
+        """The experiment's name."""
+    @property
+    def label(self) -> str:
+        """
+        "q_high_rad over cocontraction_Nm"
+        """
+    @property
+    def x_name(self) -> str:
+        """Column of `x`."""
+    @property
+    def y_name(self) -> str:
+        """Column of the other arrays."""
+    @property
+    def x(self) -> NDArray[np.float64]:
+        """The variable."""
+    @property
+    def measured(self) -> NDArray[np.float64]:
+        """As measured."""
+    @property
+    def before(self) -> NDArray[np.float64]:
+        """Predicted by the nominal rig."""
+    @property
+    def after(self) -> NDArray[np.float64]:
+        """Predicted by the rig with the effects found."""
+    @property
+    def sigma(self) -> NDArray[np.float64]:
+        """One standard deviation of a measured value."""
+
+class Diagnosis:
+    """
+    Where model and rig differ, which unmodelled effect causes it, and how far the gap shrinks with that effect in the model
+    (docs/gap.md). Deterministic. Raises InvalidInput if the case has too few rows
+    """
+    @property
+    def verdict(self) -> str:
+        """
+        "identified", "none", "ambiguous", "unknown"
+        """
+    @property
+    def effects(self) -> list[FoundEffect]:
+        """The effects found, with their sizes."""
+    @property
+    def alternatives(self) -> list[Alternative]:
+        """Hypotheses that remain possible, with their probability."""
+    @property
+    def gap(self) -> dict[str, Any]:
+        """Root mean square of (measured - predicted)/sigma; NaN where there is none."""
+    @property
+    def next_experiment(self) -> str:
+        """A further measurement that distinguishes the alternatives."""
+    @property
+    def next(self) -> list[NextExperiment]:
+        """A further measurement that distinguishes the alternatives."""
+    @property
+    def traces(self) -> list[Trace]:
+        """Measured values and predictions before and after, of one quantity over one variable."""
+    @property
+    def remarks(self) -> list[str]:
+        """limitations, disagreeing splits, gaps at the noise floor"""
+    def json(self) -> str:
+        """Keys as docs/gap.md gives them. NaN is written as null."""
+    @staticmethod
+    def parse(json: str, file: str = "diagnosis.json") -> Diagnosis:
+        """
+        Reads what a prediction needs: verdict, effects with extra parameters, build. Third-party files may have only `effects`.
+        file: the name used in messages. Raises InvalidInput naming the key
+        """
+    def __repr__(self) -> str:
+        ...
+
+def keys() -> list[str]:
+    """"k_se.guide.direction_deg" and every other key, in the order of the reference."""
+
+def tabulated(x: ArrayLike, torque: ArrayLike, knots: int = 16, smoothing: float = -1.0) -> Potential:
+    """
+    Quintic smoothing spline (C4) through noisy (x, F) rows: penalised B-spline (Eilers & Marx 1996). Domain: the rows'
+    range. Needs: x ascending, at least 8 rows, all finite. Raises InvalidInput naming the row
+    """
+
+def resolve(profile: Profile | str | os.PathLike[str]) -> Design:
+    """Refusals: findings of the law's maker, of its lead-in or of `check_law`."""
+
+def simulate(profile: Profile | str | os.PathLike[str], *, levels: int = 0, push_torque: float | None = None, at: Sequence[Sequence[float]] = []) -> Simulation:
+    """
+    The joint at rest and pushed, with its motor and frame subsystems and its noise; for the paper's relatives the
+    comparison only. Needs no parts. An equilibrium that does not exist says why in its row. Refusal: the law's. Raises
+    InvalidInput
+    """
+
+def make(profile: Profile | str | os.PathLike[str], out: str | os.PathLike[str] | None = None, *, via: str = "cgal", force: bool = False, progress: Callable[..., object] | None = None) -> Made:
+    """
+    Makes the cams of a profile. With `out`, a folder: all files of `fusee make` in out/NAME, read back; a design with
+    errors writes nothing. Without it: the parts and the rules, no file, the agonist's side. `progress` is called with a
+    text when something long begins. Raises InvalidInput and IoError; a design that cannot be made raises nothing.
+    """
+
+def check(profile: Profile | str | os.PathLike[str], processes: Sequence[str] = []) -> Checked:
+    """
+    Law, cams, solids and rules for each process, without files: the findings of `make` before it exports. Raises
+    InvalidInput as make
+    """
+
+def design(profile: Profile | str | os.PathLike[str], *, method: str | None = None, population: int | None = None, generations: int | None = None, seed: int | None = None, out: str | os.PathLike[str] | None = None, jobs: int = 0, resume: bool = False, force: bool = False, progress: Callable[..., object] | None = None) -> Search:
+    """
+    Searches springs for the joint of a profile, by "algorithm_1", "co_design" or "pareto"; None: as the profile says, like
+    the other numbers. With `out`, a folder: the files of `fusee design` in out/NAME-design, with a checkpoint. `progress`
+    is called with generation and best cost. Raises InvalidInput and IoError; springs that do not exist are findings.
+    """
+
+def fix(profile: Profile | str | os.PathLike[str], *, keep: Sequence[str] = [], reviews: bool = False, most: int = 1000, progress: Callable[..., object] | None = None) -> Fix:
+    """
+    Applies the changes that the findings suggest, best first, until the profile can be made with all its files
+    (docs/guides/fix.md): drawn features before bought parts, the law last. No single change of the result can be left out,
+    and law and base springs stay as near to the old ones as the limits allow. Facts (rig, machine, strength of a material)
+    are never changed; bought parts come in standard sizes, and no part of unknown strength is weakened. Writes into
+    temporary folders only. toml: the text that `profile` was read from Raises InvalidInput as `make`, and naming --keep
+    with the nearest key if a key does not exist; Stopped when `stop` says so
+    """
+
+def case_template(profile: Profile | str | os.PathLike[str]) -> CaseTemplate:
+    """
+    The empty gap case of the joint that a profile describes: radii, friction, inertias and springs as designed
+    (docs/gap.md). A case has no preload: springs that rest on stops continue below them to zero torque, as the cam on its
+    base spring would without a stop (`springs_without_stops`); angles count from there. Refusal: the law's. Raises
+    InvalidInput naming a key that a case cannot hold: no parts, no preload for a law that needs one, friction other than in
+    proportion to the load
+    """
+
+def diagnose(case: Case | str | os.PathLike[str], *, jobs: int = 0, progress: Callable[..., object] | None = None) -> Diagnosis:
+    """
+    Where model and rig differ, which unmodelled effect causes it, and how far the gap shrinks with that effect in the model
+    (docs/gap.md). Deterministic. Raises InvalidInput if the case has too few rows
+    """
+
+def predict(case: Case | CaseTemplate | str | os.PathLike[str], diagnosis: Diagnosis | None = None, inputs: dict[str, Any] | None = None) -> dict[str, Any]:
+    """
+    Predicts the measured columns of each experiment of a case, a folder or a template, at the inputs of the case or at
+    `inputs`, columns by experiment and name as in Case.from_arrays, with the effects of a diagnosis or of the nominal rig.
+    Raises InvalidInput.
+    """
+
+__version__: str

@@ -1,0 +1,210 @@
+#include "gap_case.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "arrays.h"
+#include "fusee/core/destination.h"
+#include "fusee/core/error.h"
+#include "fusee/core/file.h"
+#include "fusee/pipeline/case_template.h"
+#include "fusee/profile/places.h"
+
+namespace fs = std::filesystem;
+
+namespace fusee::python {
+
+namespace {
+
+using gap_case::Experiment;
+
+const char* const kSpringsFile = "nominal_springs.csv";
+
+/// A cell as text: the shortest digits that give the number back; nothing for NaN.
+std::string cell_of(const py::handle& cell) {
+    if (py::isinstance<py::str>(cell)) return cell.cast<std::string>();
+    const double number = cell.cast<double>();
+    return std::isnan(number) ? "" : fmt::format("{}", number);
+}
+
+/// Columns by name as the text of a CSV file. @throws InvalidInput naming the column whose length differs
+std::string csv_of(const std::string& file, const py::dict& columns) {
+    std::vector<std::string> names;
+    std::vector<py::list> cells;
+    for (const auto& [name, column] : columns) {
+        names.push_back(name.cast<std::string>());
+        cells.emplace_back(py::hasattr(column, "tolist") ? column.attr("tolist")() : py::reinterpret_borrow<py::object>(column));
+        if (cells.back().size() != cells.front().size())
+            throw core::InvalidInput(file + ": " + names.back(), fmt::format("{} rows", cells.back().size()),
+                                     fmt::format("{} rows, as {} has", cells.front().size(), names.front()));
+    }
+    std::string text = fmt::format("{}\n", fmt::join(names, ","));
+    for (std::size_t row = 0; !cells.empty() && row < cells.front().size(); ++row) {
+        for (std::size_t k = 0; k < cells.size(); ++k) text += (k == 0 ? "" : ",") + cell_of(cells[k][row]);
+        text += '\n';
+    }
+    return text;
+}
+
+std::string springs_csv(const py::dict& rig) {
+    if (!rig.contains("springs"))
+        throw core::InvalidInput("rig: springs", "missing", "a table with deflection_rad, se_torque_Nm, pe_torque_Nm");
+    return csv_of("springs", rig["springs"].cast<py::dict>());
+}
+
+std::string toml_table(const std::string& name, const py::dict& numbers) {
+    std::string text = fmt::format("\n[{}]\n", name);
+    for (const auto& [key, value] : numbers) {
+        const std::string word = key.cast<std::string>();
+        if (name == "rig" && word == "springs") continue;
+        text += fmt::format("{} = {}\n", word,
+                            py::isinstance<py::str>(value) ? fmt::format("\"{}\"", value.cast<std::string>()) : cell_of(value));
+    }
+    return text;
+}
+
+gap_case::Case from_arrays(const std::string& name, const py::dict& rig, const py::dict& experiments, const py::dict& sensors,
+                           const py::dict& tolerance, const py::dict& protocol) {
+    gap_case::CaseTexts texts;
+    texts[kSpringsFile] = springs_csv(rig);
+    std::string toml = toml_table("rig", rig) + fmt::format("springs = \"{}\"\n", kSpringsFile);
+    toml += toml_table("sensors", sensors) + toml_table("tolerance", tolerance) + toml_table("protocol", protocol) + "\n[experiments]\n";
+    for (const auto& [experiment, columns] : experiments) {
+        const std::string word = experiment.cast<std::string>(), file = word + ".csv";
+        texts[file] = csv_of(file, columns.cast<py::dict>());
+        toml += fmt::format("{} = \"{}\"\n", word, file);
+    }
+    texts["case.toml"] = std::move(toml);
+    return gap_case::read_case(gap_case::CaseFiles(name, texts));
+}
+
+py::dict as_arrays(const gap_case::Rows& rows, Experiment experiment) {
+    py::dict columns;
+    for (const gap_case::Column& column : gap_case::columns_of(rows, experiment)) {
+        if (const auto* words = std::get_if<std::vector<std::string>>(&column.cells)) {
+            columns[column.name.c_str()] = py::module_::import("numpy").attr("array")(*words);
+        } else {
+            auto values = std::make_shared<const std::vector<double>>(std::get<std::vector<double>>(column.cells));
+            columns[column.name.c_str()] = numbers(values, *values);
+        }
+    }
+    return columns;
+}
+
+py::array_t<double> spring_column(const gap_case::NominalRig& rig, double gap_case::NominalRig::SpringRow::*member) {
+    py::array_t<double> cells(static_cast<py::ssize_t>(rig.springs.size()));
+    for (std::size_t i = 0; i < rig.springs.size(); ++i) cells.mutable_data()[i] = rig.springs[i].*member;
+    return cells;
+}
+
+/// A table of the empty case, as Case.from_arrays takes it. Without a case: no keys.
+py::dict table_of(const EmptyCase& empty, const char* name) {
+    if (!empty.value) return {};
+    const std::string toml = gap_case::case_template_texts(*empty.value).at("case.toml");
+    py::dict table = py::module_::import("tomllib").attr("loads")(toml)[name];
+    if (std::string(name) != "rig") return table;
+    using Row = gap_case::NominalRig::SpringRow;
+    py::dict springs;
+    springs["deflection_rad"] = spring_column(empty.value->rig, &Row::deflection);
+    springs["se_torque_Nm"] = spring_column(empty.value->rig, &Row::se_torque);
+    springs["pe_torque_Nm"] = spring_column(empty.value->rig, &Row::pe_torque);
+    table["springs"] = springs;
+    return table;
+}
+
+EmptyCase case_template(const py::object& given) {
+    const LoadedProfile loaded = profile_of(given);
+    const auto made = profile::with_places(loaded.value, [&] { return pipeline::case_template(loaded.value); });
+    if (!made) return {std::nullopt, made.refusal()};
+    return {*made, {}};
+}
+
+/// @throws InvalidInput if there is no case
+const gap_case::CaseTemplate& value_of(const EmptyCase& empty) {
+    if (!empty.value) throw core::InvalidInput("case_template", "refused", "a profile whose law is a pair of springs: see findings");
+    return *empty.value;
+}
+
+gap_case::Case filled(const EmptyCase& empty, const py::dict& experiments) {
+    return from_arrays(value_of(empty).name, table_of(empty, "rig"), experiments, table_of(empty, "sensors"), table_of(empty, "tolerance"),
+                       table_of(empty, "protocol"));
+}
+
+void bind_template(py::module_& module) {
+    py::class_<EmptyCase> type(module, "CaseTemplate", "A case without measurements: the rig of a profile, and set points.");
+    type.def_property_readonly(
+            "ok", [](const EmptyCase& e) { return e.value.has_value(); }, "Is the law a pair of springs?")
+        .def_readonly("findings", &EmptyCase::findings, doc("pipeline::case_template"))
+        .def_property_readonly(
+            "experiments", [](const EmptyCase& e) { return e.value ? arrays_of(gap_case::set_points(*e.value)) : py::dict(); },
+            "The set points of each experiment as columns, named as in its file; what is to be measured is NaN.")
+        .def("filled", &filled, py::arg("experiments"),
+             "The case with measurements, of those experiments only. Raises as Case.from_arrays.")
+        .def("__repr__", [](const EmptyCase& e) { return "<CaseTemplate" + (e.value ? " of " + e.value->name : " refused") + ">"; });
+    for (const char* name : {"rig", "sensors", "tolerance", "protocol"})
+        type.def_property_readonly(
+            name, [name](const EmptyCase& e) { return table_of(e, name); }, "As Case.from_arrays takes it.");
+    module.def("case_template", &case_template, py::arg("profile"), doc("pipeline::case_template"));
+}
+
+}  // namespace
+
+gap_case::Case nominal_of(const EmptyCase& empty) {
+    const gap_case::CaseTemplate& from = value_of(empty);
+    gap_case::Case nominal;
+    nominal.name = from.name;
+    nominal.rig = from.rig;
+    nominal.tolerance = from.tolerance;
+    nominal.sensors = from.sensors;
+    nominal.protocol = from.protocol;
+    for (const Experiment experiment : gap_case::kAllExperiments)
+        nominal.files[experiment] = {std::string(gap_case::to_string(experiment)) + ".csv"};
+    nominal.rows = gap_case::set_points(from);
+    return nominal;
+}
+
+py::dict arrays_of(const gap_case::Rows& rows) {
+    py::dict experiments;
+    for (const Experiment experiment : gap_case::kAllExperiments)
+        if (rows.size(experiment) > 0) experiments[gap_case::to_string(experiment)] = as_arrays(rows, experiment);
+    return experiments;
+}
+
+gap_case::Rows inputs_of(const gap_case::Case& nominal, const py::dict& experiments) {
+    gap_case::CaseTexts texts;
+    for (const auto& [experiment, columns] : experiments) {
+        const auto named =
+            std::find_if(nominal.files.begin(), nominal.files.end(),
+                         [word = experiment.cast<std::string>()](const auto& one) { return gap_case::to_string(one.first) == word; });
+        if (named == nominal.files.end()) throw core::InvalidInput("inputs", experiment.cast<std::string>(), "an experiment of the case");
+        texts[named->second.front()] = csv_of(named->second.front(), columns.cast<py::dict>());
+    }
+    return gap_case::read_inputs(nominal, gap_case::CaseFiles("inputs", texts));
+}
+
+void bind_gap_case(py::module_& module) {
+    py::class_<gap_case::Case>(module, "Case", "A gap case: nominal rig and measurements (docs/gap.md).")
+        .def(py::init([](const fs::path& folder) { return gap_case::read_case(folder); }), py::arg("folder"), doc("gap_case::read_case"))
+        .def_static(
+            "from_arrays", &from_arrays, py::arg("name"), py::arg("rig"), py::arg("experiments"), py::kw_only(),
+            py::arg("sensors") = py::dict(), py::arg("tolerance") = py::dict(), py::arg("protocol") = py::dict(),
+            "A case from memory, read with every check of a folder. Keys and columns are those of docs/gap.md, with their units: `rig` "
+            "with its numbers and `springs`, the columns deflection_rad, se_torque_Nm, pe_torque_Nm; `experiments` by name with the "
+            "columns of their files. Raises InvalidInput naming file, line and column as if the arrays were files.")
+        .def_property_readonly(
+            "name", [](const gap_case::Case& c) { return c.name; }, doc("gap_case::Case::name"))
+        .def_property_readonly(
+            "sha256", [](const gap_case::Case& c) { return c.sha256; }, doc("gap_case::Case::sha256"))
+        .def_property_readonly(
+            "remarks", [](const gap_case::Case& c) { return c.remarks; }, doc("gap_case::Case::remarks"))
+        .def_property_readonly(
+            "experiments", [](const gap_case::Case& c) { return arrays_of(c.rows); },
+            "The rows of each experiment as columns, named as in its file.")
+        .def("__repr__", [](const gap_case::Case& c) { return fmt::format("<Case {}, {} rows>", c.name, c.rows.size()); });
+    bind_template(module);
+}
+
+}  // namespace fusee::python

@@ -1,0 +1,71 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "arrays.h"
+#include "results.h"
+
+namespace fusee::python {
+
+namespace {
+
+using cam::Contact;
+
+/// An array over the working positions of a part's cam.
+template <class Get>
+auto working(const Get& get) {
+    return [get](const PartResult& p) { return column(p.part, p.part->cam.working, get); };
+}
+
+void def_arms(py::class_<PartResult>& type) {
+    type.def_property_readonly("tau", working([](const Contact& c) -> const double& { return c.arm.tau; }), doc("cam::ArmPoint::tau"))
+        .def_property_readonly("angle", working([](const Contact& c) -> const double& { return c.arm.angle; }), doc("cam::ArmPoint::angle"))
+        .def_property_readonly("arm", working([](const Contact& c) -> const double& { return c.arm.arm; }), doc("cam::ArmPoint::arm"))
+        .def_property_readonly("tension", working([](const Contact& c) -> const double& { return c.arm.tension; }),
+                               doc("cam::ArmPoint::tension"))
+        .def_property_readonly("state", working([](const Contact& c) -> const double& { return c.arm.state; }), doc("cam::ArmPoint::state"))
+        .def_property_readonly("psi", working([](const Contact& c) -> const double& { return c.path.psi; }), doc("cam::PathPoint::psi"))
+        .def_property_readonly("h", working([](const Contact& c) -> const double& { return c.path.h; }), doc("cam::PathPoint::h"))
+        .def_property_readonly("rho", working([](const Contact& c) -> const double& { return c.path.rho; }), doc("cam::PathPoint::rho"))
+        .def_property_readonly("z", working([](const Contact& c) -> const double& { return c.path.z; }), doc("cam::PathPoint::z"))
+        .def_property_readonly("fleet", working([](const Contact& c) -> const double& { return c.fleet; }), doc("cam::Contact::fleet"));
+}
+
+/// The cable's centreline on the whole groove.
+py::array_t<double> contour(const PartResult& p, std::size_t count) {
+    if (count < 2) throw py::value_error("count: at least 2");
+    auto points = std::make_shared<std::vector<std::array<double, 3>>>();
+    for (std::size_t i = 0; i < count; ++i) {
+        const cam::PathPoint point = p.part->cam.path(p.part->cam.groove_psi.level(i, count));
+        points->push_back({point.x(), point.y(), point.z});
+    }
+    return table(points, *points);
+}
+
+}  // namespace
+
+void bind_parts(py::module_& module) {
+    py::class_<PartResult> type(module, "Part", doc("solid::Part"));
+    type.def_readonly("name", &PartResult::name, R"("k_se", "k_pe"; the antagonist's: "k_se_mirrored", "k_pe_mirrored")")
+        .def_readonly("findings", &PartResult::findings, "Of every rule on this part.")
+        .def_property_readonly(
+            "points_mm", [](const PartResult& p) { return table(p.part, p.part->mesh.points_mm); },
+            "The mesh's points in the body frame [mm], n x 3: the C++ object's memory.")
+        .def_property_readonly(
+            "triangles", [](const PartResult& p) { return table(p.part, p.part->mesh.triangles); },
+            "Places in points_mm, n x 3, counter-clockwise seen from outside: the C++ object's memory.")
+        .def("contour", &contour, py::arg("count") = 721,
+             "The cable's centreline over the groove, count x 3, in the body frame [m]; computed by this call.")
+        .def_property_readonly(
+            "volume_mm3", [](const PartResult& p) { return solid::volume_mm3(p.part->mesh); }, doc("solid::volume_mm3"))
+        .def_property_readonly(
+            "closed", [](const PartResult& p) { return solid::is_closed_and_oriented(p.part->mesh.triangles); },
+            doc("solid::is_closed_and_oriented"))
+        .def("__repr__", [](const PartResult& p) {
+            return fmt::format("<Part {}: {} triangles, {} arms>", p.name, p.part->mesh.triangles.size(), p.part->cam.working.size());
+        });
+    def_arms(type);
+}
+
+}  // namespace fusee::python

@@ -1,0 +1,61 @@
+"""The examples and the blocks of docs/guides/python.md run, and print what they are said to print."""
+
+import contextlib
+import io
+import os
+import pathlib
+import re
+import runpy
+import sys
+
+import pytest
+
+SOURCE = pathlib.Path(os.environ["FUSEE_SOURCE_DIR"])
+
+
+def printed_by(example, profile, monkeypatch, capsys):
+    monkeypatch.setattr(sys, "argv", [example, str(profile)])
+    runpy.run_path(str(SOURCE / "python/examples" / example), run_name="__main__")
+    return capsys.readouterr().out
+
+
+def test_sweep(profiles, monkeypatch, capsys, tmp_path):
+    text = printed_by("sweep.py", profiles / "pnrvsa.toml", monkeypatch, capsys)
+    widths = [float(number) for number in re.findall(r"dead-band ([\d.]+) deg", text)]
+    assert len(widths) == 3 and widths[-1] == pytest.approx(20.4, abs=0.05)
+    assert "can be made" in text.splitlines()[2]
+    try:
+        import matplotlib  # noqa: F401
+    except ImportError:
+        assert "matplotlib is not installed" in text
+    else:
+        assert (tmp_path / "sweep.png").stat().st_size > 10_000
+
+
+def test_function_law(profiles, monkeypatch, capsys, tmp_path):
+    text = printed_by("function_law.py", profiles / "measured_table.toml", monkeypatch, capsys)
+    assert float(re.search(r"relative ([\d.e-]+)", text)[1]) <= 1e-4
+    assert "k_se: arms" in text and "k_pe: arms" in text and "error:" not in text and "warning:" not in text
+    assert (tmp_path / "function_law.toml").exists() and (tmp_path / "function_law.csv").exists()
+
+
+def test_diagnosis(profiles, monkeypatch, capsys):
+    text = printed_by("diagnosis.py", profiles / "pnrvsa.toml", monkeypatch, capsys)
+    assert "identified" in text and "gear.coulomb on agonist" in text
+
+
+def test_the_guide(profiles):
+    blocks = re.findall(r"^```(python|output)\n(.*?)^```$", (SOURCE / "docs/guides/python.md").read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL)
+    assert len(blocks) >= 6
+    names, output = {}, ""
+    for kind, text in blocks:
+        if kind == "python":
+            assert output == "", "a block that prints has its output below"
+            stream = io.StringIO()
+            with contextlib.redirect_stdout(stream):
+                exec(compile(text, "docs/guides/python.md", "exec"), names)
+            output = stream.getvalue()
+        else:
+            assert output == text
+            output = ""
+    assert output == ""

@@ -1,0 +1,72 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "fusee/core/progress.h"
+#include "fusee/init/init.h"
+#include "fusee/init/question.h"
+#include "fusee/profile/profile.h"
+#include "init/search.h"
+
+namespace fusee::init {
+namespace {
+
+/// fusee make accepts it, and no rule about springs, cable or material is open.
+void expect_complete(const Result& result) {
+    ASSERT_TRUE(result.design) << core::to_line(result.binding.front());
+    const profile::Profile& p = result.design->profile;
+    for (const spring::BaseSpring* s : {&p.k_se.spring, &p.k_pe.spring}) {
+        EXPECT_GT(s->wire_diameter, 0.0);
+        EXPECT_GT(s->active_coils, 0.0);
+        EXPECT_GT(s->free_length, 0.0);
+    }
+    EXPECT_FALSE(core::any_error(result.design->findings));
+    EXPECT_EQ(core::count(result.design->findings, core::Severity::kNotJudged), 0U);
+}
+
+TEST(FindDesign, TheDefaultAnswersGiveAJointThatTheFileReproduces) {
+    double share = 0.0;
+    const Result result = find_design("mine", {}, {.progress = [&](double now, const std::string&) { share = std::max(share, now); }});
+    expect_complete(result);
+    EXPECT_DOUBLE_EQ(share, 1.0);
+    const std::string text = profile_text(*result.design, {});
+    const profile::Profile again = profile::parse_profile(text, "mine.toml");
+    EXPECT_EQ(profile::to_toml(again), profile::to_toml(result.design->profile));
+    // the comment is the schema's text
+    EXPECT_NE(text.find("# r_c, radius at which the capstan takes the joint's cable\n"), std::string::npos);
+}
+
+TEST(FindDesign, ATinyJoint) {
+    Answers answers;
+    answers.torque = 0.1;
+    expect_complete(find_design("tiny", answers, {}));
+}
+
+TEST(FindDesign, AnImpossibleJointNamesLimitAndNearestChange) {
+    Answers answers;  // 16 D/d of a 3 mm steel cable do not fit the bed
+    answers.torque = 10.0;
+    answers.construction = "7x49";
+    answers.cable = 3e-3;
+    answers.shaft = 20e-3;
+    const Result result = find_design("large", answers, {});
+    EXPECT_FALSE(result.design);
+    ASSERT_FALSE(result.binding.empty());
+    EXPECT_TRUE(result.binding.front().rule.starts_with("limit.")) << core::to_line(result.binding.front());
+    ASSERT_TRUE(result.nearest);
+    EXPECT_NE(result.nearest->from, result.nearest->to);
+    EXPECT_NE(result.nearest->options.find(result.nearest->option), std::string::npos);
+}
+
+TEST(FindDesign, AnyNumberOfThreadsGivesTheSameProfile) {
+    const Searched one = search_scales("mine", {}, {.generations = 6}, {.jobs = 1}),
+                   three = search_scales("mine", {}, {.generations = 6}, {.jobs = 3});
+    EXPECT_EQ(profile::to_toml(one.profile), profile::to_toml(three.profile));
+    EXPECT_EQ(one.judged, three.judged);
+}
+
+TEST(FindDesign, StopsWhenAsked) {
+    EXPECT_THROW((void)find_design("mine", {}, {.stop = [] { return true; }}), core::Stopped);
+}
+
+}  // namespace
+}  // namespace fusee::init

@@ -1,0 +1,42 @@
+#!/bin/bash
+# Every kind of page in Debian's Chromium: no error, no request, no finding of axe, no sideways scroll, charts and links that work, and
+# pictures like the stored ones. Without browser, node, npm or the packages of npm it is skipped with the reason.
+# browser_test.sh PROGRAM SOURCE BUILD [update]     update: stores the pictures of the pages as they are now
+. "$(dirname -- "$0")/../house/lib.sh"
+program=$1 source=$2 modules=$3/browser
+for tool in chromium node npm; do command -v $tool >/dev/null || skip "$tool is not installed: no page was opened"; done
+
+mkdir -p "$modules"
+if ! cmp -s "$source/tests/browser/package-lock.json" "$modules/package-lock.json" || [ ! -e "$modules/done" ]; then
+    rm -f "$modules/done"
+    cp "$source/tests/browser/package.json" "$source/tests/browser/package-lock.json" "$source/tests/browser/.npmrc" "$modules"
+    (cd "$modules" && timeout 120 npm ci >npm.log 2>&1) || skip 'npm ci failed, without its registry: no page was opened'
+    touch "$modules/done"
+fi
+
+# The pages, each made as a user makes it.
+cd "$work"
+cat >small.toml <<END
+[study]
+base = "$source/profiles/pnrvsa.toml"
+outputs = "figures"
+[vary]
+cable.diameter_mm = [0.7, 0.8]
+END
+"$program" make "$source/profiles/pnrvsa.toml" -o made >make.log 2>&1 || fail "make: $(cat make.log)"
+"$program" diagnose "$source/profiles/gap/paper_table_1" -o diagnosed >diagnose.log 2>&1 || fail "diagnose: $(cat diagnose.log)"
+"$program" identify "$source/profiles/examples/break_away.csv" -o identified >identify.log 2>&1 || fail "identify: $(cat identify.log)"
+"$program" batch small.toml -o study >batch.log 2>&1 || fail "batch: $(cat batch.log)"
+
+pages=
+for page in report=made/pnrvsa/report.html simulation=made/pnrvsa/simulation.html diagnosis=diagnosed/diagnosis.html \
+    "identification=$(ls identified/*.html identified/*/*.html 2>/dev/null | head -n 1)" "study=$(find study -name index.html | head -n 1)"; do
+    [ -s "${page#*=}" ] || fail "${page%%=*}: there is no page ${page#*=}"
+    pages="$pages ${page%%=*}=$work/${page#*=}"
+done
+pictures=compare
+[ -n "$(fc-list 'DejaVu Sans' 2>/dev/null)" ] || pictures=skip
+[ "${4-}" != update ] || pictures=update
+cp "$source"/tests/browser/*.mjs "$modules"  # beside its node_modules
+# shellcheck disable=SC2086  # one word a page
+CHROMIUM=$(command -v chromium) node "$modules/pages.mjs" "$source/tests/browser/pictures" "$3/browser" $pictures $pages

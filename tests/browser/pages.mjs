@@ -1,0 +1,78 @@
+// node pages.mjs STORED_PICTURES OUTPUT compare|update|skip NAME=FILE...
+import { mkdirSync, readFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { chromium } from "playwright-core";
+import { checkCharts, checkFolds, checkLinks, checkPrint, checkScene } from "./checks.mjs";
+import { comparePicture } from "./pictures.mjs";
+
+const [stored, output, pictures, ...pages] = process.argv.slice(2);
+const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+const kFont = '*{font-family:"DejaVu Sans",sans-serif!important;transition:none!important;scroll-behavior:auto!important}';
+const failures = [], notes = [];
+let checks = 0;
+
+/** A fact about a page; false is a failure. */
+function expect(where, holds, what) {
+  ++checks;
+  if (!holds) failures.push(`${where}: ${what}`);
+}
+
+async function opened(context, file, where) {
+  const page = await context.newPage(), url = `file://${file}`;
+  page.on("console", (message) => { if (message.type() === "error") failures.push(`${where}: console: ${message.text()}`); });
+  page.on("pageerror", (error) => failures.push(`${where}: script: ${error.message}`));
+  page.on("request", (request) => {
+    if (!/^(data|blob):/.test(request.url()) && request.url().split("#")[0] !== url) failures.push(`${where}: request of ${request.url()}`);
+  });
+  await page.goto(url);
+  await page.addStyleTag({ content: kFont });
+  return page;
+}
+
+async function checkAxe(page, where) {
+  await page.evaluate(axe);
+  const { violations } = await page.evaluate(() => window.axe.run({ resultTypes: ["violations"] }));
+  expect(where, violations.length === 0, `axe: ${violations.map((v) => `${v.id} (${v.help}) at ${v.nodes.slice(0, 3).map((n) => n.target).join(", ")}`).join("; ")}`);
+}
+
+/** A page that is open, as it looks in light or dark at a width. */
+async function checkLook(page, name, colorScheme, width) {
+  const where = `${name} ${colorScheme} ${width}`;
+  await page.setViewportSize({ width, height: 1200 });
+  await page.emulateMedia({ colorScheme });
+  await page.waitForTimeout(300);  // charts take the new width
+  const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+  expect(where, wide <= width, `the page is ${wide} px wide and scrolls sideways`);
+  await checkAxe(page, where);
+  if (pictures !== "skip") {
+    await page.waitForTimeout(200);  // charts in view are drawn
+    const problem = comparePicture(await page.screenshot(), `${name}_${colorScheme}_${width}`, stored, output, pictures === "update");
+    expect(where, problem === "", problem);
+  }
+}
+
+async function checkPage(browser, name, file) {
+  const context = await browser.newContext({ viewport: { width: 1400, height: 1200 }, deviceScaleFactor: 0.5, reducedMotion: "reduce" });
+  const page = await opened(context, file, name);
+  for (const scheme of ["light", "dark"]) for (const width of [1400, 420]) await checkLook(page, name, scheme, width);
+  await page.setViewportSize({ width: 1400, height: 1200 });
+  await page.emulateMedia({ colorScheme: "light" });
+  for (const check of [checkCharts, checkLinks, checkScene, checkFolds, checkPrint]) await check(page, name, (holds, what) => expect(name, holds, what), notes);
+  await context.close();
+}
+
+mkdirSync(output, { recursive: true });
+const flags = ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-sync"];
+if (process.getuid() === 0) flags.push("--no-sandbox");
+const browser = await chromium.launch({ executablePath: process.env.CHROMIUM, args: flags });
+const begin = Date.now();
+for (const entry of pages) {
+  const [name, file] = entry.split("=");
+  await checkPage(browser, name, file);
+}
+await browser.close();
+if (pictures === "skip") notes.push("NOT COMPARED with the stored pictures: the font DejaVu Sans is not installed");
+for (const note of notes) console.log(`NOTE: ${note}`);
+for (const failure of failures) console.log(`FAIL: ${failure}`);
+console.log(`${pages.length} pages, ${checks} checks, ${failures.length} failures, ${((Date.now() - begin) / 1000).toFixed(1)} s`);
+process.exit(failures.length || checks === 0 ? 1 : 0);

@@ -53,4 +53,4 @@ target_compile_options(fusee_options INTERFACE
   "$<BUILD_INTERFACE:$<$<CXX_COMPILER_ID:Clang>:-Wno-sign-conversion;-Wno-missing-braces;-Wno-unknown-warning-option>>"
   "$<BUILD_INTERFACE:$<$<BOOL:${FUSEE_WERROR}>:-Werror>>")
 set_target_properties(fusee_options PROPERTIES EXPORT_NAME options)
-install(TARGETS fusee_options EXPORT fuseeTargets)
+install(TARGETS fusee_options EXPORT fuseeTargets COMPONENT dev)

@@ -11,7 +11,10 @@ function(fusee_module module)
   file(GLOB_RECURSE headers CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/include/fusee/${module}/*.h")
   add_library(fusee_${module} STATIC ${M_SOURCES})
   add_library(fusee::${module} ALIAS fusee_${module})
-  set_target_properties(fusee_${module} PROPERTIES EXPORT_NAME ${module} VERIFY_INTERFACE_HEADER_SETS ON)
+  # One set of objects serves the program and Python's module, which is a shared library. g++ must not keep every function replaceable for that:
+  # it would inline fewer.
+  set_target_properties(fusee_${module} PROPERTIES EXPORT_NAME ${module} VERIFY_INTERFACE_HEADER_SETS ON POSITION_INDEPENDENT_CODE ON)
+  target_compile_options(fusee_${module} PRIVATE -fno-semantic-interposition)
   target_sources(fusee_${module} PUBLIC FILE_SET HEADERS BASE_DIRS "${PROJECT_SOURCE_DIR}/include" FILES ${headers})
   foreach(used IN LISTS M_USES)
     if(NOT TARGET fusee_${used})
@@ -28,8 +31,8 @@ function(fusee_module module)
     target_compile_options(fusee_${module} PRIVATE $<$<CONFIG:Release>:-O${M_OPTIMIZE}>)
   endif()
   fusee_check_layering(${module} "${M_USES}")
-  install(TARGETS fusee_${module} EXPORT fuseeTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
-          FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+  install(TARGETS fusee_${module} EXPORT fuseeTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT dev
+          FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT dev)
 endfunction()
 
 # Every `#include "fusee/X/..."` of a module must name the module itself or one that it declares in USES, and no include may climb

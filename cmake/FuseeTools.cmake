@@ -11,3 +11,12 @@ if(GCOVR_PROGRAM)
                     --filter "${PROJECT_SOURCE_DIR}/include/" --print-summary --html-details coverage.html
                     WORKING_DIRECTORY "${PROJECT_BINARY_DIR}" COMMENT "Which lines the tests reached: coverage.html" VERBATIM)
 endif()
+
+# The pictures of README and docs that `fusee render` draws.
+if(TARGET fusee_app)
+  add_custom_target(docs_pictures
+    COMMAND fusee_app render "${PROJECT_SOURCE_DIR}/profiles/pnrvsa.toml" --view cams -o "${PROJECT_SOURCE_DIR}/docs/images/cams.png" --force
+    COMMAND fusee_app render "${PROJECT_SOURCE_DIR}/profiles/pnrvsa.toml" --view exploded -o "${PROJECT_SOURCE_DIR}/docs/images/exploded.png" --width 1000 --force
+    COMMAND fusee_app render "${PROJECT_SOURCE_DIR}/profiles/pnrvsa.toml" --view dead-band -o "${PROJECT_SOURCE_DIR}/docs/images/dead_band.svg" --force
+    VERBATIM)
+endif()

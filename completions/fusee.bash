@@ -34,20 +34,71 @@ _fusee() {
     [ "$word" = = ] && word=''
     for ((i = 1; i < COMP_CWORD; ++i)); do
         case "$command ${COMP_WORDS[i]}" in
-            ' make' | ' batch' | ' query' | ' fix' | ' budget' | ' springs' | ' simulate' | ' identify' | ' design' | ' diagnose' | ' predict' | ' case-template' | ' blind' | ' blind make' | ' blind score' | ' paper' | ' coupons' | ' calibrate' | ' check' | ' rules' | ' keys') command+=" ${COMP_WORDS[i]}" ;;
+            ' init' | ' make' | ' watch' | ' check' | ' fix' | ' batch' | ' query' | ' design' | ' springs' | ' budget' | ' render' | ' coupons' | ' calibrate' | ' simulate' | ' case-template' | ' identify' | ' diagnose' | ' predict' | ' blind' | ' blind make' | ' blind score' | ' paper' | ' explain' | ' keys' | ' rules') command+=" ${COMP_WORDS[i]}" ;;
         esac
     done
     case $command in
         '')
             case $word:$before in
-                *) _fusee_words "$word" make batch query fix budget springs simulate identify design diagnose predict case-template blind paper coupons calibrate check rules keys --help --version ;;
+                *:--color) _fusee_words "$word" auto always never ;;
+                *) _fusee_words "$word" init make watch check fix batch query design springs budget render coupons calibrate simulate case-template identify diagnose predict blind paper explain keys rules --help --version --json --color --quiet --verbose ;;
+            esac ;;
+        ' init')
+            case $word:$before in
+                *:--torque) ;;
+                *:--overdrive) ;;
+                *:--least) ;;
+                *:--ratio) ;;
+                *:--range) ;;
+                *:--joint-stiffness) ;;
+                *:--friction) ;;
+                *:--friction-constant) ;;
+                *:--cable) ;;
+                *:--breaking-load) ;;
+                *:--shaft) ;;
+                *:--process) ;;
+                *:--material) ;;
+                *:--bed) ;;
+                *:-j | *:--jobs) ;;
+                *:--color) _fusee_words "$word" auto always never ;;
+                -*) _fusee_words "$word" --help --torque --overdrive --least --ratio --range --joint-stiffness --friction --friction-constant --cable --breaking-load --shaft --process --material --bed --yes --jobs --json --color --quiet --verbose ;;
+                *) _fusee_files "$word" toml ;;
             esac ;;
         ' make')
             case $word:$before in
                 *:-o | *:--out) _fusee_folders "$word" ;;
                 *:--via) _fusee_words "$word" cgal openscad ;;
                 *:-j | *:--jobs) ;;
-                -*) _fusee_words "$word" --help --out --via --force --jobs ;;
+                *:--color) _fusee_words "$word" auto always never ;;
+                -*) _fusee_words "$word" --help --out --via --force --jobs --json --color --quiet --verbose ;;
+                *) _fusee_files "$word" toml ;;
+            esac ;;
+        ' watch')
+            case $word:$before in
+                *:-o | *:--out) _fusee_folders "$word" ;;
+                *:--port) ;;
+                *:--color) _fusee_words "$word" auto always never ;;
+                -*) _fusee_words "$word" --help --out --serve --port --force --json --color --quiet --verbose ;;
+                *) _fusee_files "$word" toml ;;
+            esac ;;
+        ' check')
+            case $word:$before in
+                *:--process) _fusee_words "$word" fdm sla sls mill mill4 edm laser all ;;
+                *:--profile) _fusee_files "$word" toml ;;
+                *:--limits) _fusee_files "$word" toml ;;
+                *:-o | *:--out) _fusee_folders "$word" ;;
+                *:-j | *:--jobs) ;;
+                *:--color) _fusee_words "$word" auto always never ;;
+                -*) _fusee_words "$word" --help --process --profile --limits --out --jobs --force --json --color --quiet --verbose ;;
+                *) _fusee_files "$word" toml stl obj 3mf step stp ;;
+            esac ;;
+        ' fix')
+            case $word:$before in
+                *:-o | *:--out) _fusee_files "$word" toml ;;
+                *:--keep) _fusee_keys "$word" ;;
+                *:--most) ;;
+                *:--color) _fusee_words "$word" auto always never ;;
+                -*) _fusee_words "$word" --help --out --reviews --keep --most --force --json --color --quiet --verbose ;;
                 *) _fusee_files "$word" toml ;;
             esac ;;
         ' batch')
@@ -58,27 +109,26 @@ _fusee() {
                 *:--slurm-tasks) ;;
                 *:--slurm-options) ;;
                 *:-j | *:--jobs) ;;
-                -*) _fusee_words "$word" --help --out --name --dry-run --shard --merge --slurm --slurm-tasks --slurm-options --force --jobs ;;
+                *:--color) _fusee_words "$word" auto always never ;;
+                -*) _fusee_words "$word" --help --out --name --dry-run --shard --merge --slurm --slurm-tasks --slurm-options --force --jobs --json --color --quiet --verbose ;;
                 *) _fusee_files "$word" toml ;;
             esac ;;
         ' query')
             case $word:$before in
-                -*) _fusee_words "$word" --help ;;
+                *:--color) _fusee_words "$word" auto always never ;;
+                -*) _fusee_words "$word" --help --json --color --quiet --verbose ;;
                 *) _fusee_folders "$word" ;;
             esac ;;
-        ' fix')
+        ' design')
             case $word:$before in
-                *:-o | *:--out) _fusee_files "$word" toml ;;
-                *:--keep) _fusee_keys "$word" ;;
-                *:--most) ;;
-                -*) _fusee_words "$word" --help --out --reviews --keep --most --json --force ;;
-                *) _fusee_files "$word" toml ;;
-            esac ;;
-        ' budget')
-            case $word:$before in
-                *:--draws) ;;
-                *:--wanted) ;;
-                -*) _fusee_words "$word" --help --draws --wanted --json ;;
+                *:--method) _fusee_words "$word" algorithm_1 co_design pareto ;;
+                *:-o | *:--out) _fusee_folders "$word" ;;
+                *:--population) ;;
+                *:--generations) ;;
+                *:--seed) ;;
+                *:-j | *:--jobs) ;;
+                *:--color) _fusee_words "$word" auto always never ;;
+                -*) _fusee_words "$word" --help --method --out --population --generations --seed --jobs --resume --force --json --color --quiet --verbose ;;
                 *) _fusee_files "$word" toml ;;
             esac ;;
         ' springs')
@@ -89,8 +139,43 @@ _fusee() {
                 *:--cycles) ;;
                 *:--within) ;;
                 *:--most) ;;
-                -*) _fusee_words "$word" --help --out --catalogue --bought --wire-class --cycles --within --most --accept-reviews --force ;;
+                *:--color) _fusee_words "$word" auto always never ;;
+                -*) _fusee_words "$word" --help --out --catalogue --bought --wire-class --cycles --within --most --accept-reviews --force --json --color --quiet --verbose ;;
                 *) _fusee_files "$word" toml ;;
+            esac ;;
+        ' budget')
+            case $word:$before in
+                *:--draws) ;;
+                *:--wanted) ;;
+                *:--color) _fusee_words "$word" auto always never ;;
+                -*) _fusee_words "$word" --help --draws --wanted --json --color --quiet --verbose ;;
+                *) _fusee_files "$word" toml ;;
+            esac ;;
+        ' render')
+            case $word:$before in
+                *:--view) ;;
+                *:-o | *:--out) ;;
+                *:--width) ;;
+                *:--co-contraction) ;;
+                *:--joint-angle) ;;
+                *:--color) _fusee_words "$word" auto always never ;;
+                -*) _fusee_words "$word" --help --view --out --width --dark --co-contraction --joint-angle --force --json --color --quiet --verbose ;;
+                *) _fusee_files "$word" toml ;;
+            esac ;;
+        ' coupons')
+            case $word:$before in
+                *:-o | *:--out) _fusee_folders "$word" ;;
+                *:--color) _fusee_words "$word" auto always never ;;
+                -*) _fusee_words "$word" --help --out --force --json --color --quiet --verbose ;;
+                *) _fusee_files "$word" toml ;;
+            esac ;;
+        ' calibrate')
+            case $word:$before in
+                *:--profile) _fusee_files "$word" toml ;;
+                *:--write-profile) _fusee_files "$word" toml ;;
+                *:--color) _fusee_words "$word" auto always never ;;
+                -*) _fusee_words "$word" --help --profile --write-profile --force --json --color --quiet --verbose ;;
+                *) _fusee_files "$word" csv ;;
             esac ;;
         ' simulate')
             case $word:$before in
@@ -99,25 +184,23 @@ _fusee() {
                 *:--push-torque) ;;
                 *:--at) ;;
                 *:-j | *:--jobs) ;;
-                -*) _fusee_words "$word" --help --out --levels --push-torque --at --force --jobs ;;
+                *:--color) _fusee_words "$word" auto always never ;;
+                -*) _fusee_words "$word" --help --out --levels --push-torque --at --force --jobs --json --color --quiet --verbose ;;
+                *) _fusee_files "$word" toml ;;
+            esac ;;
+        ' case-template')
+            case $word:$before in
+                *:-o | *:--out) _fusee_folders "$word" ;;
+                *:--color) _fusee_words "$word" auto always never ;;
+                -*) _fusee_words "$word" --help --out --force --json --color --quiet --verbose ;;
                 *) _fusee_files "$word" toml ;;
             esac ;;
         ' identify')
             case $word:$before in
                 *:-o | *:--out) _fusee_folders "$word" ;;
-                -*) _fusee_words "$word" --help --out --force ;;
+                *:--color) _fusee_words "$word" auto always never ;;
+                -*) _fusee_words "$word" --help --out --force --json --color --quiet --verbose ;;
                 *) _fusee_files "$word" csv ;;
-            esac ;;
-        ' design')
-            case $word:$before in
-                *:--method) _fusee_words "$word" algorithm_1 co_design pareto ;;
-                *:-o | *:--out) _fusee_folders "$word" ;;
-                *:--population) ;;
-                *:--generations) ;;
-                *:--seed) ;;
-                *:-j | *:--jobs) ;;
-                -*) _fusee_words "$word" --help --method --out --population --generations --seed --jobs --resume --force ;;
-                *) _fusee_files "$word" toml ;;
             esac ;;
         ' diagnose')
             case $word:$before in
@@ -125,7 +208,8 @@ _fusee() {
                 *:--profile) _fusee_files "$word" toml ;;
                 *:--write-profile) _fusee_files "$word" toml ;;
                 *:-j | *:--jobs) ;;
-                -*) _fusee_words "$word" --help --out --profile --write-profile --jobs --force ;;
+                *:--color) _fusee_words "$word" auto always never ;;
+                -*) _fusee_words "$word" --help --out --profile --write-profile --jobs --force --json --color --quiet --verbose ;;
                 *) _fusee_folders "$word" ;;
             esac ;;
         ' predict')
@@ -133,18 +217,14 @@ _fusee() {
                 *:--effects) _fusee_files "$word" json ;;
                 *:--inputs) _fusee_folders "$word" ;;
                 *:-o | *:--out) _fusee_folders "$word" ;;
-                -*) _fusee_words "$word" --help --effects --inputs --out --force ;;
+                *:--color) _fusee_words "$word" auto always never ;;
+                -*) _fusee_words "$word" --help --effects --inputs --out --force --json --color --quiet --verbose ;;
                 *) _fusee_folders "$word" ;;
-            esac ;;
-        ' case-template')
-            case $word:$before in
-                *:-o | *:--out) _fusee_folders "$word" ;;
-                -*) _fusee_words "$word" --help --out --force ;;
-                *) _fusee_files "$word" toml ;;
             esac ;;
         ' blind')
             case $word:$before in
-                *) _fusee_words "$word" make score --help ;;
+                *:--color) _fusee_words "$word" auto always never ;;
+                *) _fusee_words "$word" make score --help --json --color --quiet --verbose ;;
             esac ;;
         ' blind make')
             case $word:$before in
@@ -153,7 +233,8 @@ _fusee() {
                 *:-o | *:--out) _fusee_folders "$word" ;;
                 *:--plant) _fusee_words "$word" plant model ;;
                 *:-j | *:--jobs) ;;
-                *) _fusee_words "$word" --help --seed --cases --out --force --plant --jobs ;;
+                *:--color) _fusee_words "$word" auto always never ;;
+                *) _fusee_words "$word" --help --seed --cases --out --force --plant --jobs --json --color --quiet --verbose ;;
             esac ;;
         ' blind score')
             case $word:$before in
@@ -162,7 +243,8 @@ _fusee() {
                 *:--limit) ;;
                 *:-j | *:--jobs) ;;
                 *:-o | *:--out) _fusee_folders "$word" ;;
-                -*) _fusee_words "$word" --help --seal --model --limit --again --jobs --out --force ;;
+                *:--color) _fusee_words "$word" auto always never ;;
+                -*) _fusee_words "$word" --help --seal --model --limit --again --jobs --out --force --json --color --quiet --verbose ;;
                 *) _fusee_folders "$word" ;;
             esac ;;
         ' paper')
@@ -170,38 +252,26 @@ _fusee() {
                 *:-o | *:--out) _fusee_folders "$word" ;;
                 *:--profiles) _fusee_folders "$word" ;;
                 *:-j | *:--jobs) ;;
-                *) _fusee_words "$word" --help --out --profiles --jobs --force ;;
+                *:--color) _fusee_words "$word" auto always never ;;
+                *) _fusee_words "$word" --help --out --profiles --jobs --force --json --color --quiet --verbose ;;
             esac ;;
-        ' coupons')
+        ' explain')
             case $word:$before in
-                *:-o | *:--out) _fusee_folders "$word" ;;
-                -*) _fusee_words "$word" --help --out --force ;;
-                *) _fusee_files "$word" toml ;;
-            esac ;;
-        ' calibrate')
-            case $word:$before in
-                *:--profile) _fusee_files "$word" toml ;;
-                *:--write-profile) _fusee_files "$word" toml ;;
-                -*) _fusee_words "$word" --help --profile --write-profile --json --force ;;
-                *) _fusee_files "$word" csv ;;
-            esac ;;
-        ' check')
-            case $word:$before in
-                *:--process) _fusee_words "$word" fdm sla sls mill mill4 edm laser all ;;
-                *:--profile) _fusee_files "$word" toml ;;
-                *:--limits) _fusee_files "$word" toml ;;
-                *:-o | *:--out) _fusee_folders "$word" ;;
-                *:-j | *:--jobs) ;;
-                -*) _fusee_words "$word" --help --process --profile --limits --out --json --jobs --force ;;
-                *) _fusee_files "$word" toml stl obj 3mf step stp ;;
-            esac ;;
-        ' rules')
-            case $word:$before in
-                *) _fusee_words "$word" --help --json ;;
+                *:--color) _fusee_words "$word" auto always never ;;
+                -*) _fusee_words "$word" --help --json --color --quiet --verbose ;;
+                *) ;;
             esac ;;
         ' keys')
             case $word:$before in
-                *) _fusee_words "$word" --help --names ;;
+                *:--color) _fusee_words "$word" auto always never ;;
+                -*) _fusee_words "$word" --help --names --json --color --quiet --verbose ;;
+                *) _fusee_keys "$word" ;;
+            esac ;;
+        ' rules')
+            case $word:$before in
+                *:--color) _fusee_words "$word" auto always never ;;
+                -*) _fusee_words "$word" --help --json --color --quiet --verbose ;;
+                *) ;;
             esac ;;
     esac
 }

@@ -14,32 +14,66 @@ _fusee() {
     _arguments -s -C \
         '(- *)'{-h,--help}'[Print this help message and exit]' \
         '(- *)'--version'[Display program version information and exit]' \
+        '(--json)'--json'[Print one JSON object instead of text (docs/json.md)]' \
+        '(--color)'--color='[Colour of severity words]'':choice:(auto always never)' \
+        '(-q --quiet)'{-q,--quiet}'[Print errors and what was asked for]' \
+        '(-v --verbose)'{-v,--verbose}'[Print more]' \
         '1:command:->command' '*::argument:->argument'
     local -a menu=(
+        'init:Write a first profile from a few answers'
         'make:Make checked cams from profiles'
+        'watch:Remake a profile on each save'
+        'check:Check the cams of a profile, or a third-party mesh, against every rule'
+        'fix:Change a profile until it can be made'
         'batch:Make every design of a study, with an index of their figures'
         'query:Ask the index of a study in SQL, read-only'
-        'fix:Change a profile until it can be made'
-        'budget:State the errors of joints as a shop builds them'
-        'springs:Turn the wanted rates into springs that can be wound or bought'
-        'simulate:Simulate the joints of profiles'
-        'identify:Identify the friction of a gear from break-away tests'
         'design:Find springs for the joint of a profile'
+        'springs:Turn the wanted rates into springs that can be wound or bought'
+        'budget:State the errors of joints as a shop builds them'
+        'render:Draw the cams, the joint, a curve or a gap map as a picture, PNG or SVG'
+        'coupons:Make test pieces for the machine and the cable of a profile'
+        'calibrate:Compute the compensation of a profile from measured coupons'
+        'simulate:Simulate the joints of profiles'
+        'case-template:Write an empty gap case for the joint of a profile'
+        'identify:Identify the friction of a gear from break-away tests'
         'diagnose:Diagnose a built joint'
         'predict:Predict the measurements of a gap case for other inputs, with or without the effects of a diagnosis'
-        'case-template:Write an empty gap case for the joint of a profile'
         'blind:Benchmark the diagnosis on sealed cases'
         'paper:Reproduce every table and figure of the paper'
-        'coupons:Make test pieces for the machine and the cable of a profile'
-        'calibrate:Compute the compensation of a profile from measured coupons (shrinkage, bore offset, neutral axis of the cable, spring rates), or from the inspection sheet of a finished part (offset, eccentricity and rotation of its contour)'
-        'check:Check the cams of a profile, or a third-party mesh, against every rule'
-        'rules:List every rule with its limits and sources'
-        'keys:List every key of a profile with unit, allowed values and default'
+        'explain:Explain a rule, a key of a profile, an effect of the diagnosis, or a term'
+        'keys:List the keys of a profile with unit, allowed values and default'
+        'rules:List the rules with their limits and sources'
     )
     case $state in
         command) _describe command menu ;;
         argument) (($+functions[_fusee_$words[1]])) && _fusee_$words[1] ;;
     esac
+}
+
+_fusee_init() {
+    _arguments -s \
+        '(- *)'{-h,--help}'[Print this help message and exit]' \
+        '(--torque)'--torque='[Torque of one motor at the joint, held for long, Nm (0.01 to 1000)]'':VALUE: ' \
+        '(--overdrive)'--overdrive='[Torque of one motor at the joint for a short time]'':VALUE: ' \
+        '(--least)'--least='[Least co-contraction in use, at the joint]'':VALUE: ' \
+        '(--ratio)'--ratio='[Turns of a capstan for one turn of the joint (0.2 to 5)]'':VALUE: ' \
+        '(--range)'--range='[Range of the joint between its stops]'':VALUE: ' \
+        '(--joint-stiffness)'--joint-stiffness='[Stiffness of the joint at the torque, capstans held]'':VALUE: ' \
+        '(--friction)'--friction='[Friction of each gear]'':VALUE: ' \
+        '(--friction-constant)'--friction-constant='[Part of the gear friction that does not grow with the load, at the capstan, Nm (0 to 100)]'':VALUE: ' \
+        '(--cable)'--cable='[Cable and its diameter, mm (fibre, steel, 7x7, 7x19 or 7x49, then 0.2 to 8)]'':VALUE: ' \
+        '(--breaking-load)'--breaking-load='[Breaking load of the cable]'':VALUE: ' \
+        '(--shaft)'--shaft='[Diameter of the motors'\'' shafts, mm (2 to 50)]'':VALUE: ' \
+        '(--process)'--process='[How the parts are made (fdm, sla, sls, mill, mill4)]'':VALUE: ' \
+        '(--material)'--material='[Material of the parts]'':VALUE: ' \
+        '(--bed)'--bed='[Side of the machine'\''s bed, mm (50 to 2000)]'':VALUE: ' \
+        '(-y --yes)'{-y,--yes}'[Ask nothing]' \
+        '(-j --jobs)'{-j+,--jobs=}'[Number of threads]'':0 to 1024: ' \
+        '(--json)'--json'[Print one JSON object instead of text (docs/json.md)]' \
+        '(--color)'--color='[Colour of severity words]'':choice:(auto always never)' \
+        '(-q --quiet)'{-q,--quiet}'[Print errors and what was asked for]' \
+        '(-v --verbose)'{-v,--verbose}'[Print more]' \
+        '1'':file:_files -g "*.(toml)(-.)"'
 }
 
 _fusee_make() {
@@ -49,7 +83,56 @@ _fusee_make() {
         '(--via)'--via='[Kernel that makes the STL]'':choice:(cgal openscad)' \
         '(--force)'--force'[Also replace files of another source and changed files]' \
         '(-j --jobs)'{-j+,--jobs=}'[Number of designs made at the same time]'':0 to 1024: ' \
+        '(--json)'--json'[Print one JSON object instead of text (docs/json.md)]' \
+        '(--color)'--color='[Colour of severity words]'':choice:(auto always never)' \
+        '(-q --quiet)'{-q,--quiet}'[Print errors and what was asked for]' \
+        '(-v --verbose)'{-v,--verbose}'[Print more]' \
         '*'':file:_files -g "*.(toml)(-.)"'
+}
+
+_fusee_watch() {
+    _arguments -s \
+        '(- *)'{-h,--help}'[Print this help message and exit]' \
+        '(-o --out)'{-o+,--out=}'[Folder of the results, as of make]'':folder:_files -/' \
+        '(--serve)'--serve'[Serve out/NAME to a browser on this machine (127.0.0.1)]' \
+        '(--port)'--port='[Port of --serve]'':0 to 65535: ' \
+        '(--force)'--force'[Also replace files of another source and changed files]' \
+        '(--json)'--json'[Print one JSON object instead of text (docs/json.md)]' \
+        '(--color)'--color='[Colour of severity words]'':choice:(auto always never)' \
+        '(-q --quiet)'{-q,--quiet}'[Print errors and what was asked for]' \
+        '(-v --verbose)'{-v,--verbose}'[Print more]' \
+        '1'':file:_files -g "*.(toml)(-.)"'
+}
+
+_fusee_check() {
+    _arguments -s \
+        '(- *)'{-h,--help}'[Print this help message and exit]' \
+        '(--process)'--process='[Process]'':choice:(fdm sla sls mill mill4 edm laser all)' \
+        '(--profile)'--profile='[Profile whose \[process\] states machine and limits]'':file:_files -g "*.(toml)(-.)"' \
+        '(--limits)'--limits='[File of \[\[limits\]\], each with its reason]'':file:_files -g "*.(toml)(-.)"' \
+        '(-o --out)'{-o+,--out=}'[Folder of NAME_check.3mf, which shows the findings in colours]'':folder:_files -/' \
+        '(-j --jobs)'{-j+,--jobs=}'[Number of threads for a mesh]'':0 to 1024: ' \
+        '(--force)'--force'[Also replace files of another source and changed files]' \
+        '(--json)'--json'[Print one JSON object instead of text (docs/json.md)]' \
+        '(--color)'--color='[Colour of severity words]'':choice:(auto always never)' \
+        '(-q --quiet)'{-q,--quiet}'[Print errors and what was asked for]' \
+        '(-v --verbose)'{-v,--verbose}'[Print more]' \
+        '1'':file:_files -g "*.(toml|stl|obj|3mf|step|stp)(-.)"'
+}
+
+_fusee_fix() {
+    _arguments -s \
+        '(- *)'{-h,--help}'[Print this help message and exit]' \
+        '(-o --out)'{-o+,--out=}'[File of the new profile]'':file:_files -g "*.(toml)(-.)"' \
+        '(--reviews)'--reviews'[Also remove the warnings]' \
+        '*'--keep='[Key or table that stays unchanged, such as k_pe.hub.bore_mm or cable]'':key:__fusee_keys' \
+        '(--most)'--most='[Largest number of profiles that the search judges]'':1 to 1000000: ' \
+        '(--force)'--force'[Replace the file if it exists]' \
+        '(--json)'--json'[Print one JSON object instead of text (docs/json.md)]' \
+        '(--color)'--color='[Colour of severity words]'':choice:(auto always never)' \
+        '(-q --quiet)'{-q,--quiet}'[Print errors and what was asked for]' \
+        '(-v --verbose)'{-v,--verbose}'[Print more]' \
+        '1'':file:_files -g "*.(toml)(-.)"'
 }
 
 _fusee_batch() {
@@ -65,34 +148,39 @@ _fusee_batch() {
         '(--slurm-options)'--slurm-options='[Further options of sbatch, e.g]'':TEXT: ' \
         '(--force)'--force'[Also replace files of another source and changed files]' \
         '(-j --jobs)'{-j+,--jobs=}'[Designs made at the same time]'':0 to 1024: ' \
+        '(--json)'--json'[Print one JSON object instead of text (docs/json.md)]' \
+        '(--color)'--color='[Colour of severity words]'':choice:(auto always never)' \
+        '(-q --quiet)'{-q,--quiet}'[Print errors and what was asked for]' \
+        '(-v --verbose)'{-v,--verbose}'[Print more]' \
         '*'':file:_files -g "*.(toml)(-.)"'
 }
 
 _fusee_query() {
     _arguments -s \
         '(- *)'{-h,--help}'[Print this help message and exit]' \
+        '(--json)'--json'[Print one JSON object instead of text (docs/json.md)]' \
+        '(--color)'--color='[Colour of severity words]'':choice:(auto always never)' \
+        '(-q --quiet)'{-q,--quiet}'[Print errors and what was asked for]' \
+        '(-v --verbose)'{-v,--verbose}'[Print more]' \
         '1'':folder:_files -/' \
         '2'':TEXT: '
 }
 
-_fusee_fix() {
+_fusee_design() {
     _arguments -s \
         '(- *)'{-h,--help}'[Print this help message and exit]' \
-        '(-o --out)'{-o+,--out=}'[File of the new profile]'':file:_files -g "*.(toml)(-.)"' \
-        '(--reviews)'--reviews'[Also remove the warnings]' \
-        '*'--keep='[Key or table that stays unchanged, such as k_pe.hub.bore_mm or cable]'':key:__fusee_keys' \
-        '(--most)'--most='[Largest number of profiles that the search judges]'':1 to 1000000: ' \
-        '(--json)'--json'[Print the changes as JSON instead of text]' \
-        '(--force)'--force'[Replace the file if it exists]' \
-        '1'':file:_files -g "*.(toml)(-.)"'
-}
-
-_fusee_budget() {
-    _arguments -s \
-        '(- *)'{-h,--help}'[Print this help message and exit]' \
-        '(--draws)'--draws='[Number of joints to sample]'':20 to 100000: ' \
-        '(--wanted)'--wanted='[Wanted error of the torque, 5 to 95 % of joints, to both sides \[%\]]'':0.01 to 100: ' \
-        '(--json)'--json'[Print JSON]' \
+        '(--method)'--method='[Method of the search]'':choice:(algorithm_1 co_design pareto)' \
+        '(-o --out)'{-o+,--out=}'[Folder of NAME-design and NAME-design.checkpoint]'':folder:_files -/' \
+        '(--population)'--population='[Size of a generation]'':8 to 100000: ' \
+        '(--generations)'--generations='[Number of generations]'':1 to 1000000: ' \
+        '(--seed)'--seed='[Seed]'':0 to 1000000000: ' \
+        '(-j --jobs)'{-j+,--jobs=}'[Number of threads]'':0 to 1024: ' \
+        '(--resume)'--resume'[Continue a stopped search from its checkpoint]' \
+        '(--force)'--force'[Also replace files of another source and changed files]' \
+        '(--json)'--json'[Print one JSON object instead of text (docs/json.md)]' \
+        '(--color)'--color='[Colour of severity words]'':choice:(auto always never)' \
+        '(-q --quiet)'{-q,--quiet}'[Print errors and what was asked for]' \
+        '(-v --verbose)'{-v,--verbose}'[Print more]' \
         '1'':file:_files -g "*.(toml)(-.)"'
 }
 
@@ -108,7 +196,65 @@ _fusee_springs() {
         '(--most)'--most='[Springs to list of each kind]'':1 to 1000: ' \
         '(--accept-reviews)'--accept-reviews'[Also take springs with warnings]' \
         '(--force)'--force'[Replace the file if it exists]' \
+        '(--json)'--json'[Print one JSON object instead of text (docs/json.md)]' \
+        '(--color)'--color='[Colour of severity words]'':choice:(auto always never)' \
+        '(-q --quiet)'{-q,--quiet}'[Print errors and what was asked for]' \
+        '(-v --verbose)'{-v,--verbose}'[Print more]' \
         '1'':file:_files -g "*.(toml)(-.)"'
+}
+
+_fusee_budget() {
+    _arguments -s \
+        '(- *)'{-h,--help}'[Print this help message and exit]' \
+        '(--draws)'--draws='[Number of joints to sample]'':20 to 100000: ' \
+        '(--wanted)'--wanted='[Wanted error of the torque, 5 to 95 % of joints, to both sides \[%\]]'':0.01 to 100: ' \
+        '(--json)'--json'[Print one JSON object instead of text (docs/json.md)]' \
+        '(--color)'--color='[Colour of severity words]'':choice:(auto always never)' \
+        '(-q --quiet)'{-q,--quiet}'[Print errors and what was asked for]' \
+        '(-v --verbose)'{-v,--verbose}'[Print more]' \
+        '1'':file:_files -g "*.(toml)(-.)"'
+}
+
+_fusee_render() {
+    _arguments -s \
+        '(- *)'{-h,--help}'[Print this help message and exit]' \
+        '(--view)'--view='[What to draw, see below]'':VIEW: ' \
+        '(-o --out)'{-o+,--out=}'[The picture, *.png or *.svg]'':FILE: ' \
+        '(--width)'--width='[Width or height of the PNG and of shaded pictures, whichever is larger \[px\]]'':16 to 8000: ' \
+        '(--dark)'--dark'[Charts on a dark page]' \
+        '(--co-contraction)'--co-contraction='[Load of both capstans in the view assembly \[Nm\]]'':0 to 10000: ' \
+        '(--joint-angle)'--joint-angle='[Angle of the joint from its middle in the view assembly \[deg\]]'':-360 to 360: ' \
+        '(--force)'--force'[Replace the file if it exists]' \
+        '(--json)'--json'[Print one JSON object instead of text (docs/json.md)]' \
+        '(--color)'--color='[Colour of severity words]'':choice:(auto always never)' \
+        '(-q --quiet)'{-q,--quiet}'[Print errors and what was asked for]' \
+        '(-v --verbose)'{-v,--verbose}'[Print more]' \
+        '1'':file:_files -g "*.(toml)(-.)"'
+}
+
+_fusee_coupons() {
+    _arguments -s \
+        '(- *)'{-h,--help}'[Print this help message and exit]' \
+        '(-o --out)'{-o+,--out=}'[Folder that contains the result, the folder NAME-coupons]'':folder:_files -/' \
+        '(--force)'--force'[Also replace files of another source and changed files]' \
+        '(--json)'--json'[Print one JSON object instead of text (docs/json.md)]' \
+        '(--color)'--color='[Colour of severity words]'':choice:(auto always never)' \
+        '(-q --quiet)'{-q,--quiet}'[Print errors and what was asked for]' \
+        '(-v --verbose)'{-v,--verbose}'[Print more]' \
+        '1'':file:_files -g "*.(toml)(-.)"'
+}
+
+_fusee_calibrate() {
+    _arguments -s \
+        '(- *)'{-h,--help}'[Print this help message and exit]' \
+        '(--profile)'--profile='[Profile of the coupons]'':file:_files -g "*.(toml)(-.)"' \
+        '(--write-profile)'--write-profile='[File of the calibrated profile]'':file:_files -g "*.(toml)(-.)"' \
+        '(--force)'--force'[Replace the file if it exists]' \
+        '(--json)'--json'[Print one JSON object instead of text (docs/json.md)]' \
+        '(--color)'--color='[Colour of severity words]'':choice:(auto always never)' \
+        '(-q --quiet)'{-q,--quiet}'[Print errors and what was asked for]' \
+        '(-v --verbose)'{-v,--verbose}'[Print more]' \
+        '1'':file:_files -g "*.(csv)(-.)"'
 }
 
 _fusee_simulate() {
@@ -120,7 +266,23 @@ _fusee_simulate() {
         '*'--at='[Torques of agonist, antagonist and joint \[Nm\], such as 1,0.8,0]'':T1,T2,TQ: ' \
         '(--force)'--force'[Also replace files of another source and changed files]' \
         '(-j --jobs)'{-j+,--jobs=}'[Number of profiles simulated at the same time]'':0 to 1024: ' \
+        '(--json)'--json'[Print one JSON object instead of text (docs/json.md)]' \
+        '(--color)'--color='[Colour of severity words]'':choice:(auto always never)' \
+        '(-q --quiet)'{-q,--quiet}'[Print errors and what was asked for]' \
+        '(-v --verbose)'{-v,--verbose}'[Print more]' \
         '*'':file:_files -g "*.(toml)(-.)"'
+}
+
+_fusee_case-template() {
+    _arguments -s \
+        '(- *)'{-h,--help}'[Print this help message and exit]' \
+        '(-o --out)'{-o+,--out=}'[Folder of the case]'':folder:_files -/' \
+        '(--force)'--force'[Also replace files of another source and changed files]' \
+        '(--json)'--json'[Print one JSON object instead of text (docs/json.md)]' \
+        '(--color)'--color='[Colour of severity words]'':choice:(auto always never)' \
+        '(-q --quiet)'{-q,--quiet}'[Print errors and what was asked for]' \
+        '(-v --verbose)'{-v,--verbose}'[Print more]' \
+        '1'':file:_files -g "*.(toml)(-.)"'
 }
 
 _fusee_identify() {
@@ -128,21 +290,11 @@ _fusee_identify() {
         '(- *)'{-h,--help}'[Print this help message and exit]' \
         '(-o --out)'{-o+,--out=}'[Folder of the results]'':folder:_files -/' \
         '(--force)'--force'[Also replace files of another source and changed files]' \
+        '(--json)'--json'[Print one JSON object instead of text (docs/json.md)]' \
+        '(--color)'--color='[Colour of severity words]'':choice:(auto always never)' \
+        '(-q --quiet)'{-q,--quiet}'[Print errors and what was asked for]' \
+        '(-v --verbose)'{-v,--verbose}'[Print more]' \
         '1'':file:_files -g "*.(csv)(-.)"'
-}
-
-_fusee_design() {
-    _arguments -s \
-        '(- *)'{-h,--help}'[Print this help message and exit]' \
-        '(--method)'--method='[Method of the search]'':choice:(algorithm_1 co_design pareto)' \
-        '(-o --out)'{-o+,--out=}'[Folder of NAME-design and NAME-design.checkpoint]'':folder:_files -/' \
-        '(--population)'--population='[Size of a generation]'':8 to 100000: ' \
-        '(--generations)'--generations='[Number of generations]'':1 to 1000000: ' \
-        '(--seed)'--seed='[Seed]'':0 to 1000000000: ' \
-        '(-j --jobs)'{-j+,--jobs=}'[Number of threads]'':0 to 1024: ' \
-        '(--resume)'--resume'[Continue a stopped search from its checkpoint]' \
-        '(--force)'--force'[Also replace files of another source and changed files]' \
-        '1'':file:_files -g "*.(toml)(-.)"'
 }
 
 _fusee_diagnose() {
@@ -153,6 +305,10 @@ _fusee_diagnose() {
         '(--write-profile)'--write-profile='[File of the profile that suits the rig as diagnosed]'':file:_files -g "*.(toml)(-.)"' \
         '(-j --jobs)'{-j+,--jobs=}'[Number of threads]'':0 to 1024: ' \
         '(--force)'--force'[Also replace files of another source and changed files]' \
+        '(--json)'--json'[Print one JSON object instead of text (docs/json.md)]' \
+        '(--color)'--color='[Colour of severity words]'':choice:(auto always never)' \
+        '(-q --quiet)'{-q,--quiet}'[Print errors and what was asked for]' \
+        '(-v --verbose)'{-v,--verbose}'[Print more]' \
         '1'':folder:_files -/'
 }
 
@@ -163,15 +319,11 @@ _fusee_predict() {
         '(--inputs)'--inputs='[Folder of CSV files with the same names as in the case]'':folder:_files -/' \
         '(-o --out)'{-o+,--out=}'[Folder of the same files with predicted values in the measured columns]'':folder:_files -/' \
         '(--force)'--force'[Also replace files of another source and changed files]' \
+        '(--json)'--json'[Print one JSON object instead of text (docs/json.md)]' \
+        '(--color)'--color='[Colour of severity words]'':choice:(auto always never)' \
+        '(-q --quiet)'{-q,--quiet}'[Print errors and what was asked for]' \
+        '(-v --verbose)'{-v,--verbose}'[Print more]' \
         '1'':folder:_files -/'
-}
-
-_fusee_case-template() {
-    _arguments -s \
-        '(- *)'{-h,--help}'[Print this help message and exit]' \
-        '(-o --out)'{-o+,--out=}'[Folder of the case]'':folder:_files -/' \
-        '(--force)'--force'[Also replace files of another source and changed files]' \
-        '1'':file:_files -g "*.(toml)(-.)"'
 }
 
 _fusee_blind() {
@@ -179,6 +331,10 @@ _fusee_blind() {
     typeset -A opt_args
     _arguments -s -C \
         '(- *)'{-h,--help}'[Print this help message and exit]' \
+        '(--json)'--json'[Print one JSON object instead of text (docs/json.md)]' \
+        '(--color)'--color='[Colour of severity words]'':choice:(auto always never)' \
+        '(-q --quiet)'{-q,--quiet}'[Print errors and what was asked for]' \
+        '(-v --verbose)'{-v,--verbose}'[Print more]' \
         '1:command:->command' '*::argument:->argument'
     local -a menu=(
         'make:Make gap cases of simulated rigs, and a sealed file with their faults'
@@ -198,7 +354,11 @@ _fusee_blind_make() {
         '(-o --out)'{-o+,--out=}'[Folder of the benchmark]'':folder:_files -/' \
         '(--force)'--force'[Also replace files of another source and changed files]' \
         '(--plant)'--plant='[Source of the measurements]'':choice:(plant model)' \
-        '(-j --jobs)'{-j+,--jobs=}'[Number of threads]'':0 to 1024: '
+        '(-j --jobs)'{-j+,--jobs=}'[Number of threads]'':0 to 1024: ' \
+        '(--json)'--json'[Print one JSON object instead of text (docs/json.md)]' \
+        '(--color)'--color='[Colour of severity words]'':choice:(auto always never)' \
+        '(-q --quiet)'{-q,--quiet}'[Print errors and what was asked for]' \
+        '(-v --verbose)'{-v,--verbose}'[Print more]'
 }
 
 _fusee_blind_score() {
@@ -211,6 +371,10 @@ _fusee_blind_score() {
         '(-j --jobs)'{-j+,--jobs=}'[Number of cases diagnosed at the same time]'':0 to 1024: ' \
         '(-o --out)'{-o+,--out=}'[Folder of score.json and score.html]'':folder:_files -/' \
         '(--force)'--force'[Also replace files of another source and changed files]' \
+        '(--json)'--json'[Print one JSON object instead of text (docs/json.md)]' \
+        '(--color)'--color='[Colour of severity words]'':choice:(auto always never)' \
+        '(-q --quiet)'{-q,--quiet}'[Print errors and what was asked for]' \
+        '(-v --verbose)'{-v,--verbose}'[Print more]' \
         '1'':folder:_files -/'
 }
 
@@ -220,50 +384,42 @@ _fusee_paper() {
         '(-o --out)'{-o+,--out=}'[Folder that contains the result, the folder paper]'':folder:_files -/' \
         '(--profiles)'--profiles='[Folder of the shipped profiles]'':folder:_files -/' \
         '(-j --jobs)'{-j+,--jobs=}'[Number of threads]'':0 to 1024: ' \
-        '(--force)'--force'[Also replace files of another source and changed files]'
-}
-
-_fusee_coupons() {
-    _arguments -s \
-        '(- *)'{-h,--help}'[Print this help message and exit]' \
-        '(-o --out)'{-o+,--out=}'[Folder that contains the result, the folder NAME-coupons]'':folder:_files -/' \
         '(--force)'--force'[Also replace files of another source and changed files]' \
-        '1'':file:_files -g "*.(toml)(-.)"'
+        '(--json)'--json'[Print one JSON object instead of text (docs/json.md)]' \
+        '(--color)'--color='[Colour of severity words]'':choice:(auto always never)' \
+        '(-q --quiet)'{-q,--quiet}'[Print errors and what was asked for]' \
+        '(-v --verbose)'{-v,--verbose}'[Print more]'
 }
 
-_fusee_calibrate() {
+_fusee_explain() {
     _arguments -s \
         '(- *)'{-h,--help}'[Print this help message and exit]' \
-        '(--profile)'--profile='[Profile of the coupons]'':file:_files -g "*.(toml)(-.)"' \
-        '(--write-profile)'--write-profile='[File of the calibrated profile]'':file:_files -g "*.(toml)(-.)"' \
-        '(--json)'--json'[Print JSON]' \
-        '(--force)'--force'[Replace the file if it exists]' \
-        '1'':file:_files -g "*.(csv)(-.)"'
-}
-
-_fusee_check() {
-    _arguments -s \
-        '(- *)'{-h,--help}'[Print this help message and exit]' \
-        '(--process)'--process='[Process]'':choice:(fdm sla sls mill mill4 edm laser all)' \
-        '(--profile)'--profile='[Profile whose \[process\] states machine and limits]'':file:_files -g "*.(toml)(-.)"' \
-        '(--limits)'--limits='[File of \[\[limits\]\], each with its reason]'':file:_files -g "*.(toml)(-.)"' \
-        '(-o --out)'{-o+,--out=}'[Folder of NAME_check.3mf, which shows the findings in colours]'':folder:_files -/' \
-        '(--json)'--json'[Print JSON]' \
-        '(-j --jobs)'{-j+,--jobs=}'[Number of threads for a mesh]'':0 to 1024: ' \
-        '(--force)'--force'[Also replace files of another source and changed files]' \
-        '1'':file:_files -g "*.(toml|stl|obj|3mf|step|stp)(-.)"'
-}
-
-_fusee_rules() {
-    _arguments -s \
-        '(- *)'{-h,--help}'[Print this help message and exit]' \
-        '(--json)'--json'[Print JSON]'
+        '(--json)'--json'[Print one JSON object instead of text (docs/json.md)]' \
+        '(--color)'--color='[Colour of severity words]'':choice:(auto always never)' \
+        '(-q --quiet)'{-q,--quiet}'[Print errors and what was asked for]' \
+        '(-v --verbose)'{-v,--verbose}'[Print more]' \
+        '*'':NAME: '
 }
 
 _fusee_keys() {
     _arguments -s \
         '(- *)'{-h,--help}'[Print this help message and exit]' \
-        '(--names)'--names'[Print only the names, one per line]'
+        '(--names)'--names'[Print only the names, one per line]' \
+        '(--json)'--json'[Print one JSON object instead of text (docs/json.md)]' \
+        '(--color)'--color='[Colour of severity words]'':choice:(auto always never)' \
+        '(-q --quiet)'{-q,--quiet}'[Print errors and what was asked for]' \
+        '(-v --verbose)'{-v,--verbose}'[Print more]' \
+        '*'':key:__fusee_keys'
+}
+
+_fusee_rules() {
+    _arguments -s \
+        '(- *)'{-h,--help}'[Print this help message and exit]' \
+        '(--json)'--json'[Print one JSON object instead of text (docs/json.md)]' \
+        '(--color)'--color='[Colour of severity words]'':choice:(auto always never)' \
+        '(-q --quiet)'{-q,--quiet}'[Print errors and what was asked for]' \
+        '(-v --verbose)'{-v,--verbose}'[Print more]' \
+        '*'':WORD: '
 }
 
 if [[ $funcstack[1] == _fusee ]]; then

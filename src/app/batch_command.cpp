@@ -37,65 +37,94 @@ study::Study study_of(const BatchArguments& arguments) {
     return study::study_of(std::move(files), arguments.name);
 }
 
-int list_designs(const study::Plan& plan) {
+int list_designs(const study::Plan& plan, Reply& reply) {
     std::size_t excluded = 0;
+    Json designs = Json::array();
     for (std::size_t i = 0; i < plan.size(); ++i) {
         const study::Planned planned = plan.at(i);
         std::string values;
-        for (std::size_t key = 0; key < planned.values.size(); ++key)
+        Json keys = Json::object();
+        for (std::size_t key = 0; key < planned.values.size(); ++key) {
             values += fmt::format("  {} = {}", plan.study().vary[key].key, planned.values[key]);
+            keys[plan.study().vary[key].key] = planned.values[key];
+        }
         if (!planned.excluded_by.empty()) ++excluded, values += "  left out: " + planned.excluded_by;
-        fmt::print("{}{}\n", planned.name, values);
+        if (reply.json()) designs.push_back({{"name", planned.name}, {"values", keys}, {"left_out_by", planned.excluded_by}});
+        reply.print(fmt::format("{}{}\n", planned.name, values));
     }
     const double bytes = static_cast<double>(plan.size() - excluded) * batch::usual_cost(plan.study().outputs).bytes;
-    fmt::print("{} designs, {} left out by constraints; about {} on disk\n", plan.size() - excluded, excluded, core::bytes_text(bytes));
+    reply.result = {{"step", "dry run"}, {"designs", designs}, {"bytes", bytes}};
+    reply.print(fmt::format("{} designs, {} left out by constraints; about {} on disk\n", plan.size() - excluded, excluded,
+                            core::bytes_text(bytes)));
     return 0;
 }
 
-void print(const batch::StudyResult& result) {
-    fmt::print("{}/  {} designs: {} made, {} refused, {} finished earlier, {} left out by constraints",
-               core::printable(result.folder.string()), result.planned, result.made, result.refused, result.earlier, result.excluded);
-    if (result.bad_input + result.failed > 0) fmt::print(", {} with bad input, {} with an internal error", result.bad_input, result.failed);
-    fmt::print("\n");
-    for (const std::string& reason : result.reasons) fmt::print(stderr, "    {}\n", reason);
-    if (result.bad_input + result.failed > result.reasons.size())
-        fmt::print(stderr, "    and {} more\n", result.bad_input + result.failed - result.reasons.size());
-    if (result.interrupted) fmt::print(stderr, "stopped: the same command goes on with the designs that are missing\n");
-    if (!result.interrupted && result.indexed > 0)
-        fmt::print(
-            "index: {0}/index.html, index.csv, index.sqlite; fusee query {0} \"SELECT name, mass_g FROM designs ORDER BY mass_g LIMIT "
-            "5\"\n",
-            core::printable(result.folder.string()));
+Json result_json(const batch::StudyResult& result) {
+    return {{"step", "make"},
+            {"folder", result.folder.string()},
+            {"planned", result.planned},
+            {"made", result.made},
+            {"refused", result.refused},
+            {"earlier", result.earlier},
+            {"left_out", result.excluded},
+            {"bad_input", result.bad_input},
+            {"failed", result.failed},
+            {"indexed", result.indexed},
+            {"reasons", result.reasons}};
 }
 
-int submit(const study::Plan& plan, BatchArguments& arguments) {
+void print(const batch::StudyResult& result, Reply& reply) {
+    reply.result = result_json(result);
+    std::string text =
+        fmt::format("{}/  {} designs: {} made, {} refused, {} finished earlier, {} left out by constraints",
+                    core::printable(result.folder.string()), result.planned, result.made, result.refused, result.earlier, result.excluded);
+    if (result.bad_input + result.failed > 0)
+        text += fmt::format(", {} with bad input, {} with an internal error", result.bad_input, result.failed);
+    reply.say(text + "\n");
+    for (const std::string& reason : result.reasons) {
+        reply.fail(reason);
+        reply.warn(fmt::format("    {}\n", reason));
+    }
+    if (result.bad_input + result.failed > result.reasons.size())
+        reply.warn(fmt::format("    and {} more\n", result.bad_input + result.failed - result.reasons.size()));
+    if (result.interrupted) reply.warn("stopped: the same command goes on with the designs that are missing\n");
+    if (!result.interrupted && result.indexed > 0)
+        reply.say(fmt::format(
+            "index: {0}/index.html, index.csv, index.sqlite; fusee query {0} \"SELECT name, mass_g FROM designs ORDER BY mass_g LIMIT "
+            "5\"\n",
+            core::printable(result.folder.string())));
+}
+
+int submit(const study::Plan& plan, BatchArguments& arguments, Reply& reply) {
     batch::SlurmOptions& options = arguments.cluster;
     options.paths = arguments.paths, options.name = arguments.name;
     options.out = arguments.options.out, options.force = arguments.options.force;
     const batch::SlurmJobs jobs = batch::submit_slurm(plan, options);
-    fmt::print("submitted: job {} with {} tasks ({}), job {} for the index ({})\n", jobs.array_job, jobs.tasks,
-               core::printable(jobs.array_script.string()), jobs.merge_job, core::printable(jobs.merge_script.string()));
+    reply.result = {{"step", "slurm"}, {"array_job", jobs.array_job}, {"tasks", jobs.tasks}, {"merge_job", jobs.merge_job}};
+    reply.say(fmt::format("submitted: job {} with {} tasks ({}), job {} for the index ({})\n", jobs.array_job, jobs.tasks,
+                          core::printable(jobs.array_script.string()), jobs.merge_job, core::printable(jobs.merge_script.string())));
     return 0;
 }
 
-int merge(const study::Plan& plan, const batch::StudyOptions& options) {
+int merge(const study::Plan& plan, const batch::StudyOptions& options, Reply& reply) {
     const batch::IndexSize index = batch::write_index(plan, options.out, options.force);
     if (index.designs == 0)
         throw core::InvalidInput("--merge", core::printable((options.out / plan.study().name).string()), "a study with finished designs");
-    fmt::print("index of {} designs; {} are missing\n", index.designs, index.missing);
+    reply.result = {{"step", "merge"}, {"indexed", index.designs}, {"missing", index.missing}};
+    reply.say(fmt::format("index of {} designs; {} are missing\n", index.designs, index.missing));
     return 0;
 }
 
-int run_batch(BatchArguments arguments) {
+int run_batch(BatchArguments arguments, Reply& reply) {
     core::catch_interrupts();
     require_thread();
     if (!arguments.shard.empty()) arguments.options.shard = batch::parse_shard(arguments.shard);
     const study::Plan plan(study_of(arguments));
-    if (arguments.dry_run) return list_designs(plan);
-    if (arguments.slurm) return submit(plan, arguments);
-    if (arguments.merge) return merge(plan, arguments.options);
+    if (arguments.dry_run) return list_designs(plan, reply);
+    if (arguments.slurm) return submit(plan, arguments, reply);
+    if (arguments.merge) return merge(plan, arguments.options, reply);
     const batch::StudyResult result = batch::run_study(plan, arguments.options);
-    print(result);
+    print(result, reply);
     return batch::exit_code(result);
 }
 
@@ -104,11 +133,19 @@ struct QueryArguments {
     std::string sql;
 };
 
-int run_query(const QueryArguments& arguments) {
+int run_query(const QueryArguments& arguments, Reply& reply) {
     const auto file = std::filesystem::is_directory(arguments.study) ? arguments.study / "index.sqlite" : arguments.study;
-    study::query(file, arguments.sql, [](const std::vector<std::string>& cells) {
-        for (std::size_t i = 0; i < cells.size(); ++i) fmt::print("{}{}", i > 0 ? "\t" : "", core::printable(cells[i]));
-        fmt::print("\n");
+    bool head = true;
+    reply.result = {{"columns", Json::array()}, {"rows", Json::array()}};
+    study::query(file, arguments.sql, [&](const std::vector<std::string>& cells) {
+        std::string line;
+        for (std::size_t i = 0; i < cells.size(); ++i) line += (i > 0 ? "\t" : "") + core::printable(cells[i]);
+        reply.print(line + "\n");
+        if (head)
+            reply.result["columns"] = cells;
+        else if (reply.json())
+            reply.result["rows"].push_back(cells);
+        head = false;
     });
     return 0;
 }
@@ -151,7 +188,7 @@ void add_batch(CLI::App& app, Action& action) {
         "Example:\n  fusee batch profiles/studies/pnrvsa.toml\n  fusee batch profiles --dry-run\n\n"
         "Exit code: 0 every design is made or refused, 2 bad input of the study or of a design, 3 internal error, 130 stopped by Ctrl-C.\n"
         "The same command again makes only the designs that are missing.");
-    command->callback([arguments, &action] { action = [arguments] { return run_batch(*arguments); }; });
+    command->callback([arguments, &action] { action = [arguments](Reply& reply) { return run_batch(*arguments, reply); }; });
 }
 
 void add_query(CLI::App& app, Action& action) {
@@ -162,7 +199,7 @@ void add_query(CLI::App& app, Action& action) {
     command->footer(
         "Example:\n  fusee query out/pnrvsa \"SELECT name, mass_g FROM designs ORDER BY mass_g LIMIT 5\"\n\n"
         "Exit code: 0, or 2 for bad input.");
-    command->callback([arguments, &action] { action = [arguments] { return run_query(*arguments); }; });
+    command->callback([arguments, &action] { action = [arguments](Reply& reply) { return run_query(*arguments, reply); }; });
 }
 
 }  // namespace fusee::app

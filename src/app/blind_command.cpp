@@ -28,23 +28,19 @@ struct ScoreArguments {
 };
 
 /// The seal is printed before the first case is written.
-int make(blind::BenchmarkOptions options) {
+int make(blind::BenchmarkOptions options, Reply& reply) {
     core::catch_interrupts();
     require_thread();
     core::Progress progress("blind make", options.cases);
     options.progress = [&](std::size_t done, std::size_t, const std::string& what) {
         if (core::interrupted()) throw core::Stopped();
         if (done > 0) return progress.advance(what);
-        fmt::print("{}\n", what);
+        reply.print(what + "\n");
         std::fflush(stdout);
     };
-    try {
-        blind::make_benchmark(options);
-    } catch (const core::Stopped&) {
-        fmt::print(stderr, "stopped: nothing was written\n");
-        return kInterrupted;
-    }
-    fmt::print("written: {}\n", (options.out / "").string());
+    const std::string seal = blind::make_benchmark(options);
+    reply.result = {{"seal", "sha256:" + seal}, {"cases", options.cases}, {"folder", options.out.string()}};
+    reply.say(fmt::format("written: {}\n", (options.out / "").string()));
     return 0;
 }
 
@@ -58,7 +54,7 @@ blind::Score watched(blind::ScoreOptions options, const std::string& title) {
     return blind::score(options);
 }
 
-int write_score(const ScoreArguments& arguments) {
+int write_score(const ScoreArguments& arguments, Reply& reply) {
     core::OutputFolder output(arguments.out, {.command = "blind score",
                                               .source = arguments.options.folder,
                                               .force = arguments.options.force,
@@ -71,21 +67,24 @@ int write_score(const ScoreArguments& arguments) {
         other.hash.clear();
         model = watched(other, "model = plant");
     }
-    core::write_file(output.path() / "score.json", blind::score_json(score, model));
+    const std::string json = blind::score_json(score, model);
+    core::write_file(output.path() / "score.json", json);
+    reply.set("score", json);
     core::write_file(output.path() / "score.html", report::score_html(score, model));
     output.commit();
-    fmt::print("{}written: {}/score.html, score.json\n", report::score_text(score, model), arguments.out.string());
+    if (reply.json()) reply.result["folder"] = arguments.out.string();
+    reply.say(fmt::format("{}written: {}/score.html, score.json\n", report::score_text(score, model), arguments.out.string()));
     return 0;
 }
 
-int score(const ScoreArguments& arguments) {
+int score(const ScoreArguments& arguments, Reply& reply) {
     core::catch_interrupts();
     require_thread();
     try {
-        return write_score(arguments);
+        return write_score(arguments, reply);
     } catch (const core::Stopped&) {
-        fmt::print(stderr, "stopped: the finished diagnoses stay in {} and are used next time\n",
-                   (arguments.options.folder / "diagnoses").string());
+        reply.warn(fmt::format("stopped: the finished diagnoses stay in {} and are used next time\n",
+                               (arguments.options.folder / "diagnoses").string()));
         return kInterrupted;
     }
 }
@@ -101,7 +100,7 @@ void add_blind_make(CLI::App& blind, Action& action) {
     add_force(*command, options->force);
     const auto maker = std::make_shared<std::string>("plant");
     command->add_option("--plant", *maker, "Source of the measurements: plant, or the model as a control")
-        ->check(CLI::IsMember({"plant", "model"}))
+        ->check(one_of({"plant", "model"}))
         ->capture_default_str();
     add_jobs(*command, options->jobs, "Number of threads; 0: one per processor. The result does not depend on it");
     command->footer(
@@ -109,7 +108,7 @@ void add_blind_make(CLI::App& blind, Action& action) {
         "Exit code: 0 the benchmark is made, 2 bad input, 3 internal error, 130 stopped by Ctrl-C: nothing is written.");
     command->callback([options, maker, &action] {
         options->maker = *maker == "plant" ? blind::Maker::kPlant : blind::Maker::kModel;
-        action = [options] { return make(*options); };
+        action = [options](Reply& reply) { return make(*options, reply); };
     });
 }
 
@@ -132,7 +131,7 @@ void add_blind_score(CLI::App& blind, Action& action) {
         "Example:\n  fusee blind score blind --seal sha256:HASH --out blind/score\n\n"
         "Exit code: 0 the score is written, 2 bad input or a broken seal, 3 internal error,\n"
         "130 stopped by Ctrl-C: the finished diagnoses stay.");
-    command->callback([arguments, &action] { action = [arguments] { return score(*arguments); }; });
+    command->callback([arguments, &action] { action = [arguments](Reply& reply) { return score(*arguments, reply); }; });
 }
 
 }  // namespace
@@ -140,7 +139,9 @@ void add_blind_score(CLI::App& blind, Action& action) {
 void add_blind(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand("blind", "Benchmark the diagnosis on sealed cases");
     command->require_subcommand(1);
-    command->footer("Help of the steps: fusee blind make --help, fusee blind score --help");
+    command->footer(
+        "Example:\n  fusee blind make --seed 1 --cases 20 --out blind\n\nHelp of the steps: fusee blind make --help, fusee blind score "
+        "--help");
     add_blind_make(*command, action);
     add_blind_score(*command, action);
 }

@@ -20,21 +20,20 @@ struct BudgetArguments {
     std::filesystem::path profile;
     int draws = 1000;
     double wanted_percent = 5.0;
-    bool json = false;
 };
 
-int refuse_budget(const core::Findings& refusal) {
-    for (const core::Finding& f : refusal) fmt::print(stderr, "{}\n", core::to_line(f));
+int refuse_budget(const core::Findings& refusal, Reply& reply) {
+    reply.show(refusal);
     return kRefused;
 }
 
-int budget_of_profile(const BudgetArguments& arguments, const profile::Profile& profile) {
+int budget_of_profile(const BudgetArguments& arguments, const profile::Profile& profile, Reply& reply) {
     const auto design = pipeline::resolve(profile);
-    if (!design) return refuse_budget(design.refusal());
+    if (!design) return refuse_budget(design.refusal(), reply);
     const auto series = pipeline::design_cam(cam::PartKind::kSeries, *design),
                parallel = pipeline::design_cam(cam::PartKind::kParallel, *design);
-    if (!series) return refuse_budget(series.refusal());
-    if (!parallel) return refuse_budget(parallel.refusal());
+    if (!series) return refuse_budget(series.refusal(), reply);
+    if (!parallel) return refuse_budget(parallel.refusal(), reply);
     const auto subject = pipeline::budget_subject(*design, {&*series, &*parallel});
     if (!subject) throw core::InvalidInput("k_pe.family", "\"roller\"", "\"cable\": errors of a cam with a roller are not modelled");
     const profile::Rig& rig = profile.rig;
@@ -42,15 +41,18 @@ int budget_of_profile(const BudgetArguments& arguments, const profile::Profile& 
         budget::budget_of(*subject, std::array{rig.least_torque, rig.peak_torque, rig.overdrive_torque}, {.draws = arguments.draws});
     const report::BudgetTitle title{profile.name, checks::to_string(profile.process.kind)};
     const double wanted = 0.01 * arguments.wanted_percent;
-    fmt::print("{}", arguments.json ? report::budget_json(title, budget, wanted) : report::budget_text(title, budget, wanted));
+    if (reply.json())
+        reply.set_all(report::budget_json(title, budget, wanted));
+    else
+        reply.print(report::budget_text(title, budget, wanted));
     return 0;
 }
 
-int run_budget(const BudgetArguments& arguments) {
+int run_budget(const BudgetArguments& arguments, Reply& reply) {
     const profile::Profile profile = profile::read_profile(arguments.profile);
     return with_places(profile, [&] {
         pipeline::require_parts(profile);
-        return budget_of_profile(arguments, profile);
+        return budget_of_profile(arguments, profile, reply);
     });
 }
 
@@ -70,11 +72,10 @@ void add_budget(CLI::App& app, Action& action) {
     command->add_option("--wanted", arguments->wanted_percent, "Wanted error of the torque, 5 to 95 % of joints, to both sides [%]")
         ->check(number_within(0.01, 100.0))
         ->capture_default_str();
-    command->add_flag("--json", arguments->json, "Print JSON");
     command->footer(
         "Example:\n  fusee budget profiles/pnrvsa.toml --wanted 3\n\n"
         "Exit code: 0 the budget is stated, 1 a cam cannot be designed, 2 bad input (file, line and key are named), 3 internal error.");
-    command->callback([arguments, &action] { action = [arguments] { return run_budget(*arguments); }; });
+    command->callback([arguments, &action] { action = [arguments](Reply& reply) { return run_budget(*arguments, reply); }; });
 }
 
 }  // namespace fusee::app

@@ -22,7 +22,7 @@ constexpr std::size_t kLargestSheet = 10'000'000;  // bytes
 
 struct CalibrateArguments {
     fs::path sheet, profile, corrected;
-    bool json = false, force = false;
+    bool force = false;
 };
 
 void require_pair(const CalibrateArguments& arguments) {
@@ -52,7 +52,7 @@ Read read_sheet(const std::string& bytes, const CalibrateArguments& arguments, c
     return {found, [=](const auto& profile, const auto& toml) { return pipeline::calibrated_profile(profile, toml, sheet, found, out); }};
 }
 
-int calibrate(const CalibrateArguments& arguments) {
+int calibrate(const CalibrateArguments& arguments, Reply& reply) {
     require_pair(arguments);
     std::string toml;
     std::optional<profile::Profile> profile;
@@ -65,8 +65,9 @@ int calibrate(const CalibrateArguments& arguments) {
     const Read read = read_sheet(bytes, arguments, profile ? pipeline::present_of(*profile) : coupon::Present{});
     const pipeline::CalibrationReport found{arguments.sheet.stem().string(), core::sha256_hex(bytes), read.calibration};
     if (!arguments.corrected.empty()) core::write_file(arguments.corrected, read.corrected(*profile, toml));
-    fmt::print("{}", arguments.json ? report::calibration_json(found) : report::calibration_text(found));
-    if (!arguments.json && !arguments.corrected.empty()) fmt::print("written: {}\n", arguments.corrected.string());
+    reply.set_all(report::calibration_json(found));
+    reply.print(report::calibration_text(found));
+    if (!arguments.corrected.empty()) reply.say(fmt::format("written: {}\n", arguments.corrected.string()));
     return found.calibration.figures.empty() ? 1 : 0;
 }
 
@@ -76,20 +77,19 @@ void add_calibrate(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<CalibrateArguments>();
     CLI::App* command = app.add_subcommand(
         "calibrate",
-        "Compute the compensation of a profile from measured coupons (shrinkage, bore offset, neutral axis of the cable, spring rates), or "
-        "from the inspection sheet of a finished part (offset, eccentricity and rotation of its contour)");
+        "Compute the compensation of a profile from measured coupons: shrinkage, bore offset, neutral axis of the cable, spring rates; or "
+        "from the inspection sheet of a finished part: offset, eccentricity and rotation of its contour");
     command->add_option("sheet", arguments->sheet, "COUPON.csv of fusee coupons or k_xx_inspection.csv of fusee make, filled in")
         ->type_name("FILE.csv")
         ->required();
     command->add_option("--profile", arguments->profile, "Profile of the coupons; its present values are compared with the measured ones")
         ->type_name("FILE.toml");
     command->add_option("--write-profile", arguments->corrected, "File of the calibrated profile; needs --profile")->type_name("FILE.toml");
-    command->add_flag("--json", arguments->json, "Print JSON");
     add_force_file(*command, arguments->force);
     command->footer(
         "Example:\n  fusee calibrate profiles/examples/coupon.csv --profile profiles/pnrvsa.toml --write-profile /tmp/calibrated.toml\n\n"
         "Exit code: 0 at least one value is found, 1 no value is found, 2 bad input (file, line and column are named), 3 internal error.");
-    command->callback([arguments, &action] { action = [arguments] { return calibrate(*arguments); }; });
+    command->callback([arguments, &action] { action = [arguments](Reply& reply) { return calibrate(*arguments, reply); }; });
 }
 
 }  // namespace fusee::app

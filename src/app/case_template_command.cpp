@@ -21,20 +21,22 @@ struct CaseTemplateArguments {
     pipeline::CaseTemplateOptions options;
 };
 
-int write_template(const CaseTemplateArguments& arguments) {
+int write_template(const CaseTemplateArguments& arguments, Reply& reply) {
     const profile::Profile profile = profile::read_profile(arguments.profile);
     core::OutputFolder output(
         arguments.out,
         {.command = "case-template", .source = arguments.profile, .force = arguments.force, .sheets = gap_case::case_template_files()});
     const auto made = with_places(profile, [&] { return pipeline::case_template(profile, arguments.options); });
     if (!made) {
-        for (const core::Finding& finding : made.refusal()) fmt::print(stderr, "{}\n", core::to_line(finding));
+        reply.show(made.refusal());
         return kRefused;
     }
     gap_case::write_case_template(*made, output.path());
     output.commit();
-    fmt::print("{}: an empty case with {} set points; begin with BENCH.md\nwritten: {}\n", made->name, gap_case::set_points(*made).size(),
-               (arguments.out / "").string());
+    const std::size_t points = gap_case::set_points(*made).size();
+    reply.result = {{"case", made->name}, {"set_points", points}, {"folder", arguments.out.string()}};
+    reply.say(fmt::format("{}: an empty case with {} set points; begin with BENCH.md\nwritten: {}\n", made->name, points,
+                          (arguments.out / "").string()));
     return 0;
 }
 
@@ -56,7 +58,7 @@ void add_case_template(CLI::App& app, Action& action) {
         "Example:\n  fusee case-template profiles/pnrvsa.toml --out bench/monday\n\n"
         "Exit code: 0 the case is written, 1 the law is not possible (the binding limit and the nearest feasible change are printed),\n"
         "2 bad input (file, line and key are named), 3 internal error.");
-    command->callback([arguments, &action] { action = [arguments] { return write_template(*arguments); }; });
+    command->callback([arguments, &action] { action = [arguments](Reply& reply) { return write_template(*arguments, reply); }; });
 }
 
 }  // namespace fusee::app

@@ -6,8 +6,10 @@
 
 #include "arguments.h"
 #include "commands.h"
+#include "exit_codes.h"
 #include "fusee/checks/limits.h"
 #include "fusee/core/error.h"
+#include "fusee/core/nearest.h"
 #include "fusee/core/text.h"
 #include "fusee/exchange/mesh_file.h"
 #include "fusee/inspect/rule.h"
@@ -25,7 +27,7 @@ struct CheckArguments {
     std::filesystem::path input;
     std::string process;
     std::filesystem::path profile, limits, out;
-    bool json = false, force = false;
+    bool force = false;
     unsigned jobs = 0;
 };
 
@@ -92,7 +94,8 @@ MeshCheck checked(const CheckArguments& arguments) {
     if (arguments.input.extension() == ".toml") return {check_profile(arguments), {}};
     if (!exchange::is_mesh_file(arguments.input))
         throw core::InvalidInput("check", arguments.input.string(),
-                                 fmt::format("a profile (.toml) or a mesh ({})", fmt::join(exchange::mesh_endings(), ", ")));
+                                 fmt::format("a profile (.toml) or a mesh ({}){}", fmt::join(exchange::mesh_endings(), ", "),
+                                             core::did_you_mean(arguments.input.extension().string(), exchange::mesh_endings())));
     const auto limits =
         arguments.limits.empty() ? std::vector<checks::Override>{} : profile::read_limits(arguments.limits, inspect::rule_infos());
     std::vector<Machine> machines = machines_for(arguments);
@@ -101,17 +104,15 @@ MeshCheck checked(const CheckArguments& arguments) {
     return check_mesh(arguments.input, machines, limits, arguments.out, arguments.force, arguments.jobs);
 }
 
-int check(const CheckArguments& arguments) {
+int check(const CheckArguments& arguments, Reply& reply) {
     const MeshCheck result = checked(arguments);
     const bool good = result.checked.makeable();
-    if (arguments.json) {
-        fmt::print("{}", report::check_json(result.checked));
-    } else {
-        fmt::print(good ? stdout : stderr, "{}", report::check_text(result.checked));
-        if (!result.coloured.empty())
-            fmt::print(good ? stdout : stderr, "Marked in: {} (red: error, orange: warning)\n", core::printable(result.coloured.string()));
-    }
-    return good ? 0 : 1;
+    const int code = good ? 0 : kRefused;
+    reply.set_all(report::check_json(result.checked));
+    reply.close(code, report::check_text(result.checked));
+    if (!result.coloured.empty())
+        reply.close(code, fmt::format("Marked in: {} (red: error, orange: warning)\n", core::printable(result.coloured.string())));
+    return code;
 }
 
 }  // namespace
@@ -122,20 +123,19 @@ void add_check(CLI::App& app, Action& action) {
         app.add_subcommand("check", "Check the cams of a profile, or a third-party mesh, against every rule; without exported files");
     command->add_option("input", arguments->input, "Profile (.toml), or mesh (STL, OBJ, 3MF, STEP)")->type_name(input_type())->required();
     command->add_option("--process", arguments->process, "Process; replaces that of the profile. all: one table of all processes")
-        ->check(CLI::IsMember(process_words()));
+        ->check(one_of(process_words()));
     command->add_option("--profile", arguments->profile, "Profile whose [process] states machine and limits; for a mesh")
         ->type_name("FILE.toml");
     command->add_option("--limits", arguments->limits, "File of [[limits]], each with its reason; for a mesh")->type_name("FILE.toml");
     command->add_option("-o,--out", arguments->out, "Folder of NAME_check.3mf, which shows the findings in colours; for a mesh")
         ->type_name("FOLDER");
-    command->add_flag("--json", arguments->json, "Print JSON");
     add_jobs(*command, arguments->jobs, "Number of threads for a mesh; 0: one per processor");
     add_force(*command, arguments->force);
     command->footer(
         "Example:\n  fusee check profiles/pnrvsa.toml\n  fusee check profiles/pnrvsa.toml --process all\n"
         "  fusee check bracket.stl --process fdm --out /tmp/bracket\n\n"
         "Exit code: 0 no error (of several processes: for at least one), 1 an error, 2 bad input, 3 internal error.");
-    command->callback([arguments, &action] { action = [arguments] { return check(*arguments); }; });
+    command->callback([arguments, &action] { action = [arguments](Reply& reply) { return check(*arguments, reply); }; });
 }
 
 }  // namespace fusee::app

@@ -2,16 +2,24 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 
+#include "reply.h"
+
 namespace fusee::app {
 
-/// The work of a parsed command line; returns the exit code.
-using Action = std::function<int()>;
+/// The work of a parsed command line; answers through the reply and returns the exit code.
+using Action = std::function<int(Reply&)>;
+
+/// Groups of the help, in its order.
+inline constexpr const char *kMakeGroup = "Make a part", *kTestGroup = "Test a joint", *kLookUpGroup = "Look up";
 
 /// Each adds its subcommand(s) to `app` and sets `action` when the user calls one.
+void add_init(CLI::App& app, Action& action);
 void add_make(CLI::App& app, Action& action);
+void add_watch(CLI::App& app, Action& action);
 void add_batch(CLI::App& app, Action& action);
 void add_query(CLI::App& app, Action& action);
 void add_fix(CLI::App& app, Action& action);
+void add_render(CLI::App& app, Action& action);
 void add_budget(CLI::App& app, Action& action);
 void add_springs(CLI::App& app, Action& action);
 void add_simulate(CLI::App& app, Action& action);
@@ -25,6 +33,7 @@ void add_paper(CLI::App& app, Action& action);
 void add_coupons(CLI::App& app, Action& action);
 void add_calibrate(CLI::App& app, Action& action);
 void add_check(CLI::App& app, Action& action);
+void add_explain(CLI::App& app, Action& action);
 void add_rules(CLI::App& app, Action& action);
 void add_keys(CLI::App& app, Action& action);
 void add_usage(CLI::App& app, Action& action);

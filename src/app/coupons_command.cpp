@@ -16,15 +16,19 @@ struct CouponsArguments {
     bool force = false;
 };
 
-int coupons(const CouponsArguments& arguments) {
+int coupons(const CouponsArguments& arguments, Reply& reply) {
     const profile::Profile profile = profile::read_profile(arguments.profile);
     const pipeline::Coupons made = with_places(profile, [&] { return pipeline::make_coupons(profile, arguments.out, arguments.force); });
-    for (const core::Finding& finding : made.findings)
-        if (finding.severity != core::Severity::kPass) fmt::print(stderr, "{}\n", core::to_line(finding));
+    reply.show(made.findings);
     if (!made.made) return 1;
     std::string names;
-    for (const pipeline::FileRow& file : made.files) names += (names.empty() ? "" : ", ") + file.entry.name;
-    fmt::print("written: {}: {}\n", made.folder.string(), names);
+    Json files = Json::array();
+    for (const pipeline::FileRow& file : made.files) {
+        names += (names.empty() ? "" : ", ") + file.entry.name;
+        files.push_back(file.entry.name);
+    }
+    reply.result["folder"] = made.folder.string(), reply.result["files"] = files;
+    reply.say(fmt::format("written: {}: {}\n", made.folder.string(), names));
     return 0;
 }
 
@@ -43,7 +47,7 @@ void add_coupons(CLI::App& app, Action& action) {
     command->footer(
         "Example:\n  fusee coupons profiles/pnrvsa.toml\n\n"
         "Exit code: 0 the coupons are made, 1 they cannot be made (the binding limit is printed), 2 bad input, 3 internal error.");
-    command->callback([arguments, &action] { action = [arguments] { return coupons(*arguments); }; });
+    command->callback([arguments, &action] { action = [arguments](Reply& reply) { return coupons(*arguments, reply); }; });
 }
 
 }  // namespace fusee::app

@@ -14,6 +14,7 @@
 #include "fusee/core/error.h"
 #include "fusee/core/progress.h"
 #include "fusee/profile/profile.h"
+#include "fusee/report/findings.h"
 #include "fusee/report/rule_counts.h"
 #include "fusee/report/search.h"
 #include "numbers.h"
@@ -78,21 +79,23 @@ codesign::RunResult watched(const profile::Profile& profile, codesign::RunOption
     return run(profile, options);
 }
 
-int say(const codesign::RunResult& result, const std::filesystem::path& folder) {
+int say(const codesign::RunResult& result, const std::filesystem::path& folder, Reply& reply) {
     if (!result.found()) {
-        if (result.interrupted) fmt::print(stderr, "stopped; no springs were found so far\n");
-        for (const core::Finding& finding : result.findings) fmt::print(stderr, "{}\n", core::to_line(finding));
+        if (result.interrupted) reply.warn("stopped; no springs were found so far\n");
+        reply.show(result.findings);
         return result.interrupted ? kInterrupted : kRefused;
     }
-    for (const std::string& line : result.summary) fmt::print("{}\n", line);
+    reply.result = {{"summary", result.summary}, {"folder", folder.string()}};
+    reply.set("findings", report::findings_list_json(result.findings));
+    for (const std::string& line : result.summary) reply.say(line + "\n");
     for (const core::Finding& finding : result.findings)
-        if (core::is_broken(finding)) fmt::print("  {}\n", core::to_line(finding));
-    if (const std::string open = report::not_judged_text(result.findings); !open.empty()) fmt::print("  {}\n", open);
-    fmt::print("{}: {}\n", result.interrupted ? "stopped; the best springs so far" : "written", (folder / "").string());
+        if (core::is_broken(finding)) reply.say(fmt::format("  {}\n", core::to_line(finding)));
+    if (const std::string open = report::not_judged_text(result.findings); !open.empty()) reply.say(fmt::format("  {}\n", open));
+    reply.say(fmt::format("{}: {}\n", result.interrupted ? "stopped; the best springs so far" : "written", (folder / "").string()));
     return result.interrupted ? kInterrupted : 0;
 }
 
-int design(const DesignArguments& arguments) {
+int design(const DesignArguments& arguments, Reply& reply) {
     core::catch_interrupts();
     require_thread();
     const profile::Profile profile = read(arguments);
@@ -103,7 +106,7 @@ int design(const DesignArguments& arguments) {
             report::write_search(result, output.path());
             output.commit();
         }
-        return say(result, output.target());
+        return say(result, output.target(), reply);
     });
 }
 
@@ -118,7 +121,7 @@ void add_design(CLI::App& app, Action& action) {
         ->type_name("FILE.toml")
         ->required();
     command->add_option("--method", arguments->method, "Method of the search; replaces that of the profile")
-        ->check(CLI::IsMember({"algorithm_1", "co_design", "pareto"}));
+        ->check(one_of({"algorithm_1", "co_design", "pareto"}));
     command->add_option("-o,--out", arguments->options.out, "Folder of NAME-design and NAME-design.checkpoint")
         ->type_name("FOLDER")
         ->capture_default_str();
@@ -136,7 +139,7 @@ void add_design(CLI::App& app, Action& action) {
         "Exit code: 0 springs are found, 1 no springs are found (the binding limit and a change are printed), 2 bad input (file, line and "
         "key are named),\n"
         "3 internal error, 130 stopped by Ctrl-C: the best springs so far are written.");
-    command->callback([arguments, &action] { action = [arguments] { return design(*arguments); }; });
+    command->callback([arguments, &action] { action = [arguments](Reply& reply) { return design(*arguments, reply); }; });
 }
 
 }  // namespace fusee::app

@@ -67,7 +67,7 @@ core::OutputRun run_of(const DiagnoseArguments& arguments) {
     return {.command = "diagnose", .source = arguments.folder, .force = arguments.force, .files = {"diagnosis.html", "diagnosis.json"}};
 }
 
-int diagnose(const DiagnoseArguments& arguments) {
+int diagnose(const DiagnoseArguments& arguments, Reply& reply) {
     core::catch_interrupts();
     require_thread();
     const std::optional<RedesignStep> redesign = redesign_step(arguments.profile, arguments.corrected, arguments.folder, arguments.force);
@@ -85,8 +85,11 @@ int diagnose(const DiagnoseArguments& arguments) {
             throw;
         }
     output.commit();
-    fmt::print("{}{}written: {}/diagnosis.html, diagnosis.json{}\n", report::diagnosis_text(found), redesigned.text, arguments.out.string(),
-               redesign ? ", redesign.json" : "");
+    reply.result = {{"folder", arguments.out.string()}};
+    reply.set("diagnosis", json);
+    if (redesign) reply.set("redesign", redesigned.json);
+    reply.say(fmt::format("{}{}written: {}/diagnosis.html, diagnosis.json{}\n", report::diagnosis_text(found), redesigned.text,
+                          arguments.out.string(), redesign ? ", redesign.json" : ""));
     return 0;
 }
 
@@ -111,7 +114,7 @@ void add_diagnose(CLI::App& app, Action& action) {
         "Example:\n  fusee diagnose bench/monday --out bench/monday/diagnosis\n\n"
         "Exit code: 0 a verdict is reached: identified, none, ambiguous or unknown,\n"
         "2 bad input (file, line and key are named), 3 internal error, 130 stopped by Ctrl-C: nothing is written.");
-    command->callback([arguments, &action] { action = [arguments] { return diagnose(*arguments); }; });
+    command->callback([arguments, &action] { action = [arguments](Reply& reply) { return diagnose(*arguments, reply); }; });
 }
 
 }  // namespace fusee::app

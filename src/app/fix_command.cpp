@@ -20,19 +20,19 @@ namespace fs = std::filesystem;
 
 struct FixArguments {
     fs::path profile;
-    bool json = false, force = false;
+    bool force = false;
     fix::Options options;
 };
 
 /// In the folder of the profile: "x-fixed.toml" for "x.toml".
 fs::path beside(const fs::path& profile) { return profile.parent_path() / (profile.stem().string() + "-fixed.toml"); }
 
-int run_fix(const FixArguments& arguments) {
+int run_fix(const FixArguments& arguments, Reply& reply) {
     core::catch_interrupts();
     require_thread();
     fix::Options options = arguments.options;
     if (options.file.empty()) options.file = beside(arguments.profile);
-    options.progress = [](const std::string& step) { fmt::print(stderr, "fix: {}\n", step); };
+    if (!reply.quiet()) options.progress = [&reply](const std::string& step) { reply.warn(fmt::format("fix: {}\n", step)); };
     options.stop = core::interrupted;
     for (const std::string& key : options.keep) profile::require_key("--keep", key);
     const std::string toml = core::read_file(arguments.profile, profile::kLargestFile);
@@ -41,11 +41,10 @@ int run_fix(const FixArguments& arguments) {
     const fix::Fix found = with_places(profile, [&] { return fix::find_fix(profile, toml, options); });
     if (!found.file.empty()) core::write_file(found.file, found.toml);
     const bool cannot = found.end == fix::Fix::End::kCannot;
-    if (arguments.json)
-        fmt::print("{}", report::fix_json(found));
-    else
-        fmt::print(cannot ? stderr : stdout, "{}", report::fix_text(found));
-    return cannot ? kRefused : 0;
+    const int code = cannot ? kRefused : 0;
+    reply.set_all(report::fix_json(found));
+    reply.close(code, report::fix_text(found));
+    return code;
 }
 
 }  // namespace
@@ -69,13 +68,12 @@ void add_fix(CLI::App& app, Action& action) {
     command->add_option("--most", arguments->options.most_judged, "Largest number of profiles that the search judges")
         ->check(number_within(1, 1000000))
         ->capture_default_str();
-    command->add_flag("--json", arguments->json, "Print the changes as JSON instead of text");
     add_force_file(*command, arguments->force);
     command->footer(
         "Example:\n  fusee fix profiles/pnrvsa.toml --out /tmp/pnrvsa.toml\n\n"
         "Exit code: 0 the profile is fixed or needs no change, 1 it cannot be fixed (the binding limit is printed, nothing is written),\n"
         "2 bad input (file, line and key are named), 3 internal error, 130 stopped by Ctrl-C: nothing is written.");
-    command->callback([arguments, &action] { action = [arguments] { return run_fix(*arguments); }; });
+    command->callback([arguments, &action] { action = [arguments](Reply& reply) { return run_fix(*arguments, reply); }; });
 }
 
 }  // namespace fusee::app

@@ -18,7 +18,7 @@ struct IdentifyArguments {
     bool force = false;
 };
 
-int identify(const IdentifyArguments& arguments) {
+int identify(const IdentifyArguments& arguments, Reply& reply) {
     core::OutputFolder output(arguments.out / ("identify-" + arguments.csv.stem().string()),
                               {.command = "identify",
                                .source = arguments.csv,
@@ -28,10 +28,14 @@ int identify(const IdentifyArguments& arguments) {
     const identification::Identification found{
         arguments.csv.stem().string(), core::sha256_hex(bytes),
         identification::identify_friction(identification::parse_break_away(bytes, arguments.csv.string()))};
-    core::write_file(output.path() / "identification.json", report::identification_json(found));
+    const std::string json = report::identification_json(found);
+    core::write_file(output.path() / "identification.json", json);
     core::write_file(output.path() / "identification.html", report::identification_html(found));
     output.commit();
-    fmt::print("{}\nwritten: {}/identification.html, identification.json\n", report::identification_text(found), output.target().string());
+    reply.result = {{"folder", output.target().string()}};
+    reply.set("identification", json);
+    reply.say(fmt::format("{}\nwritten: {}/identification.html, identification.json\n", report::identification_text(found),
+                          output.target().string()));
     return found.friction.law ? 0 : 1;
 }
 
@@ -55,7 +59,7 @@ void add_identify(CLI::App& app, Action& action) {
         "Example:\n  fusee identify profiles/examples/break_away.csv\n\n"
         "Exit code: 0 a friction law is found, 1 no friction law fits the rows (the result is written nevertheless),\n"
         "2 bad input (file, line and column are named), 3 internal error.");
-    command->callback([arguments, &action] { action = [arguments] { return identify(*arguments); }; });
+    command->callback([arguments, &action] { action = [arguments](Reply& reply) { return identify(*arguments, reply); }; });
 }
 
 }  // namespace fusee::app

@@ -1,27 +1,74 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
 
 #include <memory>
 
 #include "commands.h"
-#include "fusee/profile/edit.h"
+#include "fusee/profile/keys.h"
 
 namespace fusee::app {
 
 namespace {
 
-void print_names() {
-    for (const std::string& name : profile::key_names()) fmt::print("{}\n", name);
+struct KeysArguments {
+    bool names = false;
+    std::vector<std::string> words;
+};
+
+Json key_json(const profile::KeyInfo& key) {
+    return {{"key", key.path},        {"meaning", key.meaning},   {"unit", key.unit},
+            {"allowed", key.allowed}, {"required", key.required}, {"default", key.required ? Json() : Json(key.default_value)},
+            {"only", key.when}};
+}
+
+/// For a terminal: a block for each key.
+std::string keys_text(const std::vector<profile::KeyInfo>& keys, std::size_t columns) {
+    constexpr std::size_t kIndent = 4;
+    std::string text, table = "none";
+    for (const profile::KeyInfo& key : keys) {
+        if (key.table != table) {
+            table = key.table;
+            text += fmt::format("{}{}\n", text.empty() ? "" : "\n", table.empty() ? "at the top" : "[" + table + "]");
+        }
+        text +=
+            core::wrapped(fmt::format("{} = {}", key.path.substr(key.path.rfind('.') + 1), key.required ? "(required)" : key.default_value),
+                          columns, 2, 2) +
+            "\n";
+        text += core::wrapped(key.meaning, columns, kIndent) + "\n";
+        text += core::wrapped("allowed: " + key.allowed, columns, kIndent, 2) + "\n";
+        if (!key.when.empty()) text += core::wrapped(fmt::format("{}", fmt::join(key.when, ", ")), columns, kIndent, 2) + "\n";
+    }
+    return text;
+}
+
+int run_keys(const KeysArguments& arguments, Reply& reply) {
+    const std::vector<profile::KeyInfo> found = profile::find_keys(arguments.words);
+    Json all = Json::array();
+    for (const profile::KeyInfo& key : found) {
+        all.push_back(key_json(key));
+        if (arguments.names) reply.print(key.path + "\n");
+    }
+    reply.result = all;
+    if (arguments.names) return 0;
+    if (core::is_terminal(STDOUT_FILENO))
+        reply.print(keys_text(found, core::terminal_columns()));
+    else
+        reply.print(arguments.words.empty() ? profile::profile_reference() : profile::profile_reference(found));
+    return 0;
 }
 
 }  // namespace
 
 void add_keys(CLI::App& app, Action& action) {
-    const auto names = std::make_shared<bool>(false);
-    CLI::App* keys = app.add_subcommand("keys", "List every key of a profile with unit, allowed values and default");
-    keys->add_flag("--names", *names, "Print only the names, one per line");
-    keys->footer("Example:\n  fusee keys | less");
-    keys->callback(
-        [names, &action] { action = [names] { return *names ? print_names() : fmt::print("{}", profile::profile_reference()), 0; }; });
+    const auto arguments = std::make_shared<KeysArguments>();
+    CLI::App* command = app.add_subcommand("keys", "List the keys of a profile with unit, allowed values and default");
+    command->add_option("words", arguments->words, "Beginning of keys or tables, or a word in them; default: all")->type_name("KEY");
+    command->add_flag("--names", arguments->names, "Print only the names, one per line");
+    command->footer(
+        "Example:\n  fusee keys law\n  fusee keys spring preload\n  fusee keys | less\n\n"
+        "On a terminal the list fits its width; elsewhere it is the Markdown of docs/profile.md.");
+    command->callback([arguments, &action] { action = [arguments](Reply& reply) { return run_keys(*arguments, reply); }; });
 }
 
 }  // namespace fusee::app

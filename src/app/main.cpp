@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cstdio>
 #include <cstring>
 #include <iostream>
@@ -12,8 +13,11 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <utility>
 #include <vector>
 
+#include "build_name.h"
+#include "command_line.h"
 #include "commands.h"
 #include "exit_codes.h"
 #include "fusee/core/error.h"
@@ -25,23 +29,42 @@ namespace fusee::app {
 
 namespace {
 
-void add_commands(CLI::App& app, Action& action) {
-    for (const auto& add : {add_make,     add_batch,     add_query,    add_fix,     add_budget,        add_springs, add_simulate,
-                            add_identify, add_design,    add_diagnose, add_predict, add_case_template, add_blind,   add_paper,
-                            add_coupons,  add_calibrate, add_check,    add_rules,   add_keys,          add_usage})
-        add(app, action);
+std::vector<CLI::App*> all_commands_of(CLI::App& app) {
+    return app.get_subcommands([](const CLI::App*) { return true; });
 }
 
-int refuse_without_command(const CLI::App& app) {
+void add_commands(CLI::App& app, Action& action) {
+    const std::pair<const char*, std::vector<void (*)(CLI::App&, Action&)>> groups[] = {
+        {kMakeGroup,
+         {add_init, add_make, add_watch, add_check, add_fix, add_batch, add_query, add_design, add_springs, add_budget, add_render, add_coupons, add_calibrate}},
+        {kTestGroup, {add_simulate, add_case_template, add_identify, add_diagnose, add_predict, add_blind, add_paper}},
+        {kLookUpGroup, {add_explain, add_keys, add_rules}},
+        {"", {add_usage}}};
+    for (const auto& [group, commands] : groups) {
+        const std::size_t before = all_commands_of(app).size();
+        for (const auto add : commands) add(app, action);
+        const std::vector<CLI::App*> now = all_commands_of(app);
+        for (std::size_t i = before; i < now.size(); ++i) now[i]->group(group);
+    }
+}
+
+int refuse_without_command(const CLI::App& app, Reply& reply) {
     std::vector<std::string> commands;
     for (const CLI::App* command : app.get_subcommands([](const CLI::App* command) { return !command->get_group().empty(); }))
         commands.push_back(command->get_name());
-    fmt::print(stderr, "A command is required: {}\nRun with --help for more information.\n", fmt::join(commands, ", "));
+    reply.fail(fmt::format("A command is required: {}", fmt::join(commands, ", ")));
+    reply.warn(
+        fmt::format("A command is required: {}\nThe first one: fusee make profiles/pnrvsa.toml\nRun with --help for more information.\n",
+                    fmt::join(commands, ", ")));
     return kBadInput;
 }
 
-int refuse(const std::exception& e) {
-    fmt::print(stderr, "fusee: {}\n", e.what());
+int refuse(const std::exception& e, Reply& reply) {
+    if (const auto* input = dynamic_cast<const core::InputError*>(&e))
+        reply.fail(*input);
+    else
+        reply.fail(std::string(e.what()));
+    reply.warn(fmt::format("fusee: {}\n", e.what()));
     return kBadInput;
 }
 
@@ -60,23 +83,50 @@ void keep_standard_files() {
         if (::fcntl(file, F_GETFD) < 0) (void)::open("/dev/null", O_RDONLY);  // takes the lowest free number; writing to it fails
 }
 
-int run(const Action& action) {
+int run(const Action& action, Reply& reply) {
     try {
-        return action();
+        return action(reply);
     } catch (const core::InputError& e) {
-        return refuse(e);
+        return refuse(e, reply);
     } catch (const std::system_error& e) {  // a full disk, a folder that is a file, no more threads
-        return refuse(e);
+        return refuse(e, reply);
     } catch (const std::bad_alloc&) {
-        fmt::print(stderr, "fusee: out of memory: the machine or its limit (ulimit -v) has less than this needs\n");
-        return kBadInput;
+        return refuse(core::InputError("out of memory: the machine or its limit (ulimit -v) has less than this needs"), reply);
     } catch (const core::Stopped&) {
-        fmt::print(stderr, "stopped: nothing was written\n");
+        reply.fail(std::string("stopped: nothing was written"));
+        reply.warn("stopped: nothing was written\n");
         return kInterrupted;
     } catch (const std::exception& e) {
-        fmt::print(stderr, "fusee: internal error, please report it: {}\n", e.what());
+        reply.fail(std::string(e.what()));
+        reply.warn(fmt::format("fusee: internal error, please report it: {}\n", e.what()));
         return kFailed;
     }
+}
+
+int timed_run(const Action& action, Reply& reply) {
+    const auto begin = std::chrono::steady_clock::now();
+    const int code = run(action, reply);
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    reply.detail(fmt::format("{:.2f} s in all\n", seconds));
+    return code;
+}
+
+/// The end of every command: under --json the envelope is all of standard output.
+int finish(const Reply& reply, const std::string& command, int code) {
+    if (reply.json()) fmt::print("{}", reply.envelope(command, code));
+    return with_output(code);
+}
+
+/// Help and version are printed; any other word that the line should not have is refused.
+int finish_unparsed(const CLI::App& app, const CLI::ParseError& e, bool json) {
+    if (e.get_exit_code() == 0) return app.exit(e), with_output(0);
+    Settings settings;
+    settings.json = json;
+    Reply reply(settings);
+    const std::string near = near_words(app);
+    fail_by_argument(reply, e.what() + (near.empty() ? "" : "\n" + near.substr(0, near.size() - 1)));
+    reply.warn(fmt::format("{}\n{}Run with --help for more information.\n", e.what(), near));
+    return finish(reply, command_path(app), kBadInput);
 }
 
 }  // namespace
@@ -89,18 +139,25 @@ int main(int argc, char** argv) {
     if (argc == 3 && std::string_view(argv[1]) == exchange::kReadMesh) return exchange::serve_mesh_file(argv[2]);  // for mesh_check.cpp
     CLI::App app("Turn the spring energies of a variable-stiffness joint into cams, check and export them, and diagnose the built joint",
                  "fusee");
-    app.set_version_flag("--version", core::version());
+    app.set_version_flag("--version", fmt::format("fusee {} ({})", core::version(), app::build_name()));
     app.require_subcommand(0, 1);  // a missing command is refused below: CLI11 would not name a wrong word
     app.footer(
-        "Example:\n  fusee make profiles/pnrvsa.toml\n\n"
+        "Example:\n  fusee make profiles/pnrvsa.toml\n  fusee explain cable.bend_ratio\n\n"
         "Exit code: 0 done, 1 a design cannot be made, 2 bad input, 3 internal error, 130 stopped by Ctrl-C.\n\n"
         "Help of a command:\n  fusee COMMAND --help\nCompletion in bash (also zsh, fish):\n  source <(fusee completion bash)");
     app::Action action;
     app::add_commands(app, action);
+    app::Settings settings;
+    app::add_settings(app, settings);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& e) {
-        return app.exit(e) == 0 ? app::with_output(0) : app::kBadInput;
+        return app::finish_unparsed(app, e, app::asks_for_json(argc, argv));
     }
-    return action ? app::with_output(app::run(action)) : app::refuse_without_command(app);
+    app::Reply reply(settings);
+    if (settings.quiet) core::hide_progress();
+    if (settings.quiet && settings.verbose)
+        action = [](app::Reply&) -> int { throw core::InvalidInput("--quiet", "with --verbose", "one of the two"); };
+    const int code = action ? app::timed_run(action, reply) : app::refuse_without_command(app, reply);
+    return app::finish(reply, app::command_path(app), code);
 }

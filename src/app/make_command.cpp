@@ -1,13 +1,16 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <vector>
 
 #include "arguments.h"
 #include "commands.h"
 #include "fusee/batch/batch.h"
 #include "fusee/core/error.h"
 #include "fusee/core/progress.h"
+#include "fusee/core/text.h"
 #include "fusee/profile/find_profiles.h"
+#include "fusee/report/findings.h"
 
 namespace fusee::app {
 
@@ -20,13 +23,40 @@ struct MakeArguments {
     unsigned jobs = 0;
 };
 
-int make(const MakeArguments& arguments) {
+Json row_json(const batch::Row& row) {
+    Json j{{"profile", row.profile.string()}, {"outcome", batch::to_string(row.outcome)}, {"name", row.result.name}};
+    j["folder"] = row.result.folder.empty() ? Json() : Json(row.result.folder.string());
+    j["error"] = row.error.empty() ? Json() : Json{{"message", row.error}, {"mistakes", mistakes_json(row.mistakes)}};
+    j["findings"] = Json::parse(report::findings_list_json(row.result.findings));
+    return j;
+}
+
+/// Times of the stages, and what no rule judged.
+std::string more_about(const batch::Row& row) {
+    std::string text = core::printable(row.profile.string()) + ":\n";
+    for (const batch::Stage& stage : row.result.stages) text += fmt::format("  {:6.2f} s  {}\n", stage.seconds, stage.name);
+    for (const core::Finding& finding : row.result.findings)
+        if (finding.severity == core::Severity::kNotJudged) text += "  " + core::to_line(finding) + "\n";
+    return text;
+}
+
+void answer(const std::vector<batch::Row>& rows, Reply& reply) {
+    if (reply.json()) reply.result["designs"] = Json::array();
+    for (const batch::Row& row : rows) {
+        if (reply.json()) reply.result["designs"].push_back(row_json(row));
+        if (!row.error.empty()) reply.fail(row.error, row.mistakes);
+        if (reply.verbose()) reply.detail(more_about(row));
+    }
+}
+
+int make(const MakeArguments& arguments, Reply& reply) {
     core::catch_interrupts();
     require_thread();
     if (arguments.paths.empty()) throw core::InvalidInput("make", "no profile", "at least one profile (*.toml) or folder of profiles");
     const auto rows = batch::make_all(profile::find_profiles(arguments.paths), arguments.options, arguments.jobs);
     const int code = batch::exit_code(rows);
-    fmt::print(code == 0 ? stdout : stderr, "{}", batch::closing_table(rows));
+    answer(rows, reply);
+    reply.close(code, batch::closing_table(rows));
     return code;
 }
 
@@ -41,7 +71,7 @@ void add_make(CLI::App& app, Action& action) {
         ->type_name("FOLDER")
         ->capture_default_str();
     command->add_option("--via", arguments->via, "Kernel that makes the STL: cgal (direct and fast) or openscad (independent, slower)")
-        ->check(CLI::IsMember({"cgal", "openscad"}))
+        ->check(one_of({"cgal", "openscad"}))
         ->capture_default_str();
     add_force(*command, arguments->options.force);
     add_jobs(*command, arguments->jobs, "Number of designs made at the same time; 0: one per processor");
@@ -52,7 +82,7 @@ void add_make(CLI::App& app, Action& action) {
         "that is not made leaves no file.");
     command->callback([arguments, &action] {
         arguments->options.via = arguments->via == "cgal" ? pipeline::Via::kCgal : pipeline::Via::kOpenScad;
-        action = [arguments] { return make(*arguments); };
+        action = [arguments](Reply& reply) { return make(*arguments, reply); };
     });
 }
 

@@ -1,11 +1,17 @@
 #pragma once
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
 #include <string>
 #include <system_error>
 #include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "fusee/core/nearest.h"
 
 namespace fusee::app {
 
@@ -22,6 +28,16 @@ CLI::Validator number_within(Number low, Number high) {
         return good ? "" : fmt::format("{} (allowed: {}, {} to {})", text, kKind, low, high);
     };
     return CLI::Validator(check, fmt::format("{} to {}", low, high));
+}
+
+/// Checks an argument: one of these words.
+inline CLI::Validator one_of(std::vector<std::string> words) {
+    const std::string all = fmt::format("{{{}}}", fmt::join(words, ","));
+    const auto check = [words = std::move(words)](const std::string& text) -> std::string {
+        if (std::find(words.begin(), words.end(), text) != words.end()) return "";
+        return fmt::format("{} (allowed: {}{})", text, fmt::join(words, ", "), core::did_you_mean(text, words));
+    };
+    return CLI::Validator(check, all);
 }
 
 }  // namespace fusee::app

@@ -26,22 +26,21 @@ paper::Result watched(paper::Options options) {
     return paper::run(options);
 }
 
-int make_paper(const PaperArguments& arguments) {
+int make_paper(const PaperArguments& arguments, Reply& reply) {
     core::catch_interrupts();
     require_thread();
     core::OutputFolder output(
         arguments.out / "paper",
         {.command = "paper", .source = arguments.options.profiles, .force = arguments.force, .files = {"paper.html", "paper.json"}});
     const paper::Result result = watched(arguments.options);
-    for (const core::Finding& finding : result.findings) fmt::print(stderr, "{}\n", core::to_line(finding));
-    if (result.interrupted) {
-        fmt::print(stderr, "stopped: nothing was written\n");
-        return kInterrupted;
-    }
+    reply.show(result.findings);
+    if (result.interrupted) throw core::Stopped();
     if (!result.paper) return kRefused;
     report::write_paper(*result.paper, output.path());
     output.commit();
-    fmt::print("{}written: {}\n", report::paper_text(*result.paper), (output.target() / "paper.html").string());
+    reply.result["folder"] = output.target().string();
+    reply.set("paper", report::paper_json(*result.paper));
+    reply.say(fmt::format("{}written: {}\n", report::paper_text(*result.paper), (output.target() / "paper.html").string()));
     return 0;
 }
 
@@ -63,7 +62,7 @@ void add_paper(CLI::App& app, Action& action) {
         "Example:\n  fusee paper\n\n"
         "Exit code: 0 all is reproduced, 1 a law is not possible (the binding limit and the nearest feasible change are printed),\n"
         "2 bad input (file, line and key are named), 3 internal error, 130 stopped by Ctrl-C: nothing is written.");
-    command->callback([arguments, &action] { action = [arguments] { return make_paper(*arguments); }; });
+    command->callback([arguments, &action] { action = [arguments](Reply& reply) { return make_paper(*arguments, reply); }; });
 }
 
 }  // namespace fusee::app

@@ -4,20 +4,11 @@
 
 #include "fusee/core/destination.h"
 #include "fusee/core/error.h"
-#include "fusee/profile/profile.h"
+#include "fusee/profile/places.h"
 
 namespace fusee::app {
 
-/// Returns what `work` returns. An error of a module names the key; this function adds its file and line.
-/// @throws core::InvalidInput with all three
-template <class Work>
-auto with_places(const profile::Profile& profile, const Work& work) {
-    try {
-        return work();
-    } catch (const core::InvalidInput& e) {
-        throw core::InvalidInput(profile.place_of(e.field()), e.value(), e.allowed());
-    }
-}
+using profile::with_places;
 
 /// Refuses to write a profile over an old one unless forced, or to a file that is not a .toml file.
 /// @throws core::InvalidInput naming the option; core::IoError

@@ -35,7 +35,7 @@ diagnosis::Diagnosis effects_of(const fs::path& file) {
     return diagnosis::parse_diagnosis(core::read_file(file, kLargestDiagnosis), file.string());
 }
 
-int predict(const PredictArguments& arguments) {
+int predict(const PredictArguments& arguments, Reply& reply) {
     require_other_folder(arguments.out, arguments.inputs);
     require_other_folder(arguments.out, arguments.folder);
     core::OutputFolder output(arguments.out, {.command = "predict", .source = arguments.folder, .force = arguments.force});
@@ -54,10 +54,11 @@ int predict(const PredictArguments& arguments) {
         rows = predicted.size();
     }
     output.commit();
-    fmt::print("{} rows predicted by the {}\nwritten: {}\n", rows,
-               found.effects.empty() ? "nominal model"
-                                     : fmt::format("model with {} effect{}", found.effects.size(), found.effects.size() > 1 ? "s" : ""),
-               (arguments.out / "").string());
+    const std::size_t effects = found.effects.size();
+    reply.result = {{"rows", rows}, {"effects", effects}, {"folder", arguments.out.string()}};
+    reply.say(fmt::format("{} rows predicted by the {}\nwritten: {}\n", rows,
+                          effects == 0 ? "nominal model" : fmt::format("model with {} effect{}", effects, effects > 1 ? "s" : ""),
+                          (arguments.out / "").string()));
     return 0;
 }
 
@@ -83,7 +84,7 @@ void add_predict(CLI::App& app, Action& action) {
         "Example:\n  fusee predict bench/monday --effects bench/monday/diagnosis/diagnosis.json --inputs bench/tuesday --out "
         "/tmp/predicted\n\n"
         "Exit code: 0 the predictions are written, 2 bad input (file, line and key are named), 3 internal error.");
-    command->callback([arguments, &action] { action = [arguments] { return predict(*arguments); }; });
+    command->callback([arguments, &action] { action = [arguments](Reply& reply) { return predict(*arguments, reply); }; });
 }
 
 }  // namespace fusee::app

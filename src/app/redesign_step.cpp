@@ -27,8 +27,9 @@ RedesignStep::RedesignStep(const fs::path& profile, const fs::path& file, const 
 RedesignStep::Output RedesignStep::write(const diagnosis::Diagnosis& found, const fs::path& folder) const {
     const redesign::Redesign planned = redesign::plan_redesign(profile_, toml_, gap_case_, found, {.file = file_});
     redesign::write_profiles(planned, force_);
-    core::write_file(folder / "redesign.json", report::redesign_json(planned));
-    return {report::redesign_section(planned), report::redesign_text(planned)};
+    const std::string json = report::redesign_json(planned);
+    core::write_file(folder / "redesign.json", json);
+    return {report::redesign_section(planned), report::redesign_text(planned), json};
 }
 
 std::optional<RedesignStep> redesign_step(const fs::path& profile, const fs::path& file, const fs::path& case_folder, bool force) {

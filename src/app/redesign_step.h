@@ -20,6 +20,7 @@ public:
     struct Output {
         std::string section;  ///< of the page
         std::string text;     ///< for the terminal
+        std::string json;     ///< redesign.json
     };
     /// Writes the corrected profiles, and redesign.json into `folder`. @throws as redesign::plan_redesign and redesign::write_profiles
     [[nodiscard]] Output write(const diagnosis::Diagnosis& found, const std::filesystem::path& folder) const;

@@ -1,93 +1,75 @@
 #include <fmt/format.h>
+#include <unistd.h>
 
-#include <cmath>
+#include <limits>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "commands.h"
-#include "fusee/assembly/rule.h"
+#include "explain/rules.h"
 #include "fusee/checks/check.h"
-#include "fusee/inspect/rule.h"
 
 namespace fusee::app {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+/// A line behind a rule's id, which gets 28 letters, or on lines of its own where the terminal is narrow.
+class Lines {
+public:
+    explicit Lines(std::size_t columns) : columns_(columns), indent_(columns < kNarrow ? 6 : 31) {}
+    void rule(const checks::RuleInfo& rule) {
+        if (indent_ > 6)
+            text += fmt::format("  {:28} ", rule.id) + core::wrapped(rule.title, columns_, indent_).substr(indent_);
+        else
+            text += fmt::format("  {}\n{}", rule.id, core::wrapped(rule.title, columns_, 4));
+        text += "\n";
+    }
+    void more(const std::string& line) { text += core::wrapped(line, columns_, indent_ + 2, 2) + "\n"; }
+    std::string text;
 
-Json limit_json(const checks::Limit& limit) {
-    Json j{{"limit", limit.key()},
-           {"severity", core::to_string(limit.severity)},
-           {"bound", limit.bound == core::Bound::kAtMost ? "at most" : "at least"},
-           {"unit", limit.unit}};
-    if (std::isnan(limit.value))
-        j["default_by"] = limit.by;
-    else
-        j["default"] = limit.value;
-    return j;
-}
+private:
+    static constexpr std::size_t kNarrow = 120;
+    std::size_t columns_, indent_;
+};
 
-Json rule_json(const checks::RuleInfo& rule, bool needs_mesh, const std::vector<checks::Need>& needs) {
-    Json limits = Json::array();
-    for (const checks::Limit& limit : rule.limits) limits.push_back(limit_json(limit));
-    Json keys = Json::array();
-    for (const checks::Need& need : needs) keys.push_back(need.key);
-    return {{"rule", rule.id},
-            {"group", rule.group()},
-            {"severity", core::to_string(rule.severity())},
-            {"guards_against", rule.title},
-            {"measured", rule.measures},
-            {"limits", limits},
-            {"source", rule.source},
-            {"needs_mesh", needs_mesh},
-            {"needs_keys", keys}};
-}
-
-void print_json() {
-    Json all = Json::array();
-    for (const checks::Rule& rule : checks::rules()) all.push_back(rule_json(rule, rule.needs_mesh, rule.needs));
-    for (const assembly::Rule& rule : assembly::rules()) all.push_back(rule_json(rule, true, {}));
-    for (const inspect::Rule& rule : inspect::rules()) all.push_back(rule_json(rule, true, {}));
-    fmt::print("{}\n", all.dump(2));
-}
-
-/// The rules of parts, of the joint, of meshes.
-std::vector<const checks::RuleInfo*> all_rules() {
-    std::vector<const checks::RuleInfo*> infos;
-    for (const checks::Rule& rule : checks::rules()) infos.push_back(&rule);
-    for (const assembly::Rule& rule : assembly::rules()) infos.push_back(&rule);
-    for (const inspect::Rule& rule : inspect::rules()) infos.push_back(&rule);
-    return infos;
-}
-
-void print_text() {
+std::string rules_text(const std::vector<ListedRule>& rules, std::size_t columns) {
     std::string_view group;
-    for (const checks::RuleInfo* info : all_rules()) {
-        const checks::RuleInfo& rule = *info;
+    Lines lines(columns);
+    for (const ListedRule& listed : rules) {
+        const checks::RuleInfo& rule = *listed.info;
         if (rule.group() != group) {
-            fmt::print("{}{}: {}\n", group.empty() ? "" : "\n", rule.group(), checks::group_title(rule.group()));
+            lines.text += fmt::format("{}{}: {}\n", group.empty() ? "" : "\n", rule.group(), checks::group_title(rule.group()));
             group = rule.group();
         }
-        fmt::print("  {:28} {}\n", rule.id, rule.title);
-        fmt::print("  {:28}   measured: {}\n", "", rule.measures);
+        lines.rule(rule);
+        lines.more(fmt::format("measured: {}", rule.measures));
         for (const checks::Limit& limit : rule.limits)
-            fmt::print("  {:28}   {}: {} {}\n", "", core::to_string(limit.severity), limit.key(), limit.text());
-        if (const checks::Rule* of_design = checks::find_rule(rule.id))
-            for (const checks::Need& need : of_design->needs) fmt::print("  {:28}   not judged without {}\n", "", need.key);
-        fmt::print("  {:28}   source: {}\n", "", rule.source);
+            lines.more(fmt::format("{}: {} {}", core::to_string(limit.severity), limit.key(), limit.text()));
+        for (const std::string& need : listed.needs) lines.more("not judged without " + need);
+        lines.more(fmt::format("source: {}", rule.source));
     }
+    return lines.text;
+}
+
+int run_rules(const std::vector<std::string>& words, Reply& reply) {
+    const std::vector<ListedRule> found = find_rules(words);
+    reply.result = Json::array();
+    if (reply.json())
+        for (const ListedRule& rule : found) reply.result.push_back(rule_json(rule));
+    const bool fits = core::is_terminal(STDOUT_FILENO);
+    reply.print(rules_text(found, fits ? core::terminal_columns() : std::numeric_limits<std::size_t>::max()));
+    return 0;
 }
 
 }  // namespace
 
 void add_rules(CLI::App& app, Action& action) {
-    const auto json = std::make_shared<bool>(false);
-    CLI::App* command = app.add_subcommand("rules", "List every rule with its limits and sources");
-    command->add_flag("--json", *json, "Print JSON");
+    const auto words = std::make_shared<std::vector<std::string>>();
+    CLI::App* command = app.add_subcommand("rules", "List the rules with their limits and sources");
+    command->add_option("words", *words, "Beginning of ids, or a word in them, such as cable; default: all")->type_name("WORD");
     command->footer(
-        "Example:\n  fusee rules | less\n  fusee rules --json > rules.json\n\n"
+        "Example:\n  fusee rules cable\n  fusee rules | less\n  fusee rules --json > rules.json\n\n"
         "A profile replaces a limit in [[limits]]: rule, the name of the limit = a number, and reason.");
-    command->callback([json, &action] { action = [json] { return *json ? print_json() : print_text(), 0; }; });
+    command->callback([words, &action] { action = [words](Reply& reply) { return run_rules(*words, reply); }; });
 }
 
 }  // namespace fusee::app

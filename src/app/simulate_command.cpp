@@ -11,6 +11,8 @@
 #include "fusee/core/error.h"
 #include "fusee/core/progress.h"
 #include "fusee/profile/find_profiles.h"
+#include "fusee/report/findings.h"
+#include "fusee/report/simulation.h"
 #include "numbers.h"
 
 namespace fusee::app {
@@ -48,14 +50,28 @@ std::string three_torques(const std::string& text) {
                        -kLargestTorque, kLargestTorque);
 }
 
-int simulate(const SimulateArguments& arguments) {
+Json row_json(const batch::SimulationRow& row) {
+    Json j{{"profile", row.profile.string()}, {"outcome", batch::to_string(row.outcome)}};
+    j["folder"] = row.folder.empty() ? Json() : Json(row.folder.string());
+    j["error"] = row.error.empty() ? Json() : Json{{"message", row.error}, {"mistakes", mistakes_json(row.mistakes)}};
+    j["findings"] = Json::parse(report::findings_list_json(row.refusal));
+    j["simulation"] = row.simulation ? Json::parse(report::simulation_json(*row.simulation)) : Json();
+    return j;
+}
+
+int simulate(const SimulateArguments& arguments, Reply& reply) {
     core::catch_interrupts();
     if (arguments.paths.empty()) throw core::InvalidInput("simulate", "no profile", "at least one profile (*.toml) or folder of profiles");
     pipeline::SimulateOptions options = arguments.options;
     for (const std::string& torques : arguments.at) options.at.push_back(*parse_torques(torques));
     const auto rows = batch::simulate_all(profile::find_profiles(arguments.paths), arguments.out, options, arguments.jobs, arguments.force);
     const int code = batch::exit_code(rows);
-    fmt::print(code == 0 ? stdout : stderr, "{}", batch::closing_table(rows));
+    if (reply.json()) reply.result["joints"] = Json::array();
+    for (const batch::SimulationRow& row : rows) {
+        if (reply.json()) reply.result["joints"].push_back(row_json(row));
+        if (!row.error.empty()) reply.fail(row.error, row.mistakes);
+    }
+    reply.close(code, batch::closing_table(rows));
     return code;
 }
 
@@ -92,7 +108,7 @@ void add_simulate(CLI::App& app, Action& action) {
         "Exit code: 0 all profiles are simulated, 1 a law or an equilibrium is not possible (the binding limit and the nearest feasible\n"
         "change are printed),\n"
         "2 bad input (file, line and key are named), 3 internal error, 130 stopped by Ctrl-C.");
-    command->callback([arguments, &action] { action = [arguments] { return simulate(*arguments); }; });
+    command->callback([arguments, &action] { action = [arguments](Reply& reply) { return simulate(*arguments, reply); }; });
 }
 
 }  // namespace fusee::app

@@ -10,6 +10,7 @@
 #include "fusee/core/text.h"
 #include "fusee/pipeline/check.h"
 #include "fusee/profile/edit.h"
+#include "fusee/report/findings.h"
 #include "fusee/report/springs.h"
 #include "numbers.h"
 #include "places.h"
@@ -37,34 +38,43 @@ spring::WireClass class_of(const std::string& name) {
 fs::path sprung_beside(const fs::path& profile) { return profile.parent_path() / (profile.stem().string() + "-springs.toml"); }
 
 /// @returns exit code; prints the binding findings of the design with its new springs
-int judge_again(const profile::Profile& profile) {
+int judge_again(const profile::Profile& profile, Reply& reply) {
     const pipeline::Checked checked = pipeline::check(profile, std::array{profile.process.kind});
     const core::Findings all = checked.processes.front().all();
-    fmt::print("made again with them: {}, {}, {} not judged\n", core::counted(core::count(all, core::Severity::kError), "error"),
-               core::counted(core::count(all, core::Severity::kWarning), "warning"),
-               core::counted(core::count(all, core::Severity::kNotJudged), "rule"));
+    reply.say(fmt::format("made again with them: {}, {}, {} not judged\n", core::counted(core::count(all, core::Severity::kError), "error"),
+                          core::counted(core::count(all, core::Severity::kWarning), "warning"),
+                          core::counted(core::count(all, core::Severity::kNotJudged), "rule")));
     for (const core::Finding& f : all)
-        if (f.severity == core::Severity::kError) fmt::print(stderr, "{}\n", core::to_line(f));
+        if (f.severity == core::Severity::kError) reply.warn(core::to_line(f) + "\n");
+    reply.set("findings", report::findings_list_json(all));
     return core::any_error(all) ? kRefused : 0;
 }
 
-int refuse_search(const core::Findings& refusal) {
-    for (const core::Finding& f : refusal) fmt::print(stderr, "{}\n", core::to_line(f));
+int refuse_search(const core::Findings& refusal, Reply& reply) {
+    reply.show(refusal);
     return kRefused;
 }
 
+Json names_of(const std::vector<pipeline::FoundSpring>& springs) {
+    Json names = Json::array();
+    for (const pipeline::FoundSpring& spring : springs) names.push_back(spring.name);
+    return names;
+}
+
 int search_springs(const SpringsArguments& arguments, const fs::path& out, const std::string& toml, const profile::Profile& profile,
-                   const spring::Catalogue& catalogue) {
+                   const spring::Catalogue& catalogue, Reply& reply) {
     const auto design = pipeline::resolve(profile);
-    if (!design) return refuse_search(design.refusal());
+    if (!design) return refuse_search(design.refusal(), reply);
     pipeline::SpringSearchOptions options = arguments.options;
     options.within = 0.01 * arguments.within_percent;
     options.wire_class = class_of(arguments.wire_class);
     std::vector<profile::Edit> edits = profile::file_edits(profile, fs::absolute(out).parent_path());
     for (const cam::PartKind part : {cam::PartKind::kSeries, cam::PartKind::kParallel}) {
         const auto search = pipeline::find_springs(part, *design, catalogue, options);
-        if (!search) return refuse_search(search.refusal());
-        fmt::print("{}", report::springs_text(*search));
+        if (!search) return refuse_search(search.refusal(), reply);
+        reply.print(report::springs_text(*search));
+        reply.result["parts"].push_back(
+            {{"part", cam::to_string(part)}, {"wound", names_of(search->wound)}, {"bought", names_of(search->bought)}});
         const auto& springs = arguments.bought ? search->bought : search->wound;
         if (springs.empty()) return kRefused;
         for (profile::Edit& edit : pipeline::spring_edits(part, springs.front(), profile)) edits.push_back(std::move(edit));
@@ -72,11 +82,12 @@ int search_springs(const SpringsArguments& arguments, const fs::path& out, const
     const std::string changed = profile::with_edits(toml, profile, edits);
     const profile::Profile again = profile::parse_profile(changed, out);
     core::write_file(out, changed);
-    fmt::print("written: {}\n", out.string());
-    return with_places(again, [&] { return judge_again(again); });
+    reply.result["file"] = out.string();
+    reply.say(fmt::format("written: {}\n", out.string()));
+    return with_places(again, [&] { return judge_again(again, reply); });
 }
 
-int run_springs(const SpringsArguments& arguments) {
+int run_springs(const SpringsArguments& arguments, Reply& reply) {
     const fs::path out = arguments.out.empty() ? sprung_beside(arguments.profile) : arguments.out;
     const std::string toml = core::read_file(arguments.profile, profile::kLargestFile);
     const profile::Profile profile = profile::parse_profile(toml, arguments.profile);
@@ -85,7 +96,7 @@ int run_springs(const SpringsArguments& arguments) {
         arguments.catalogue.empty() ? profile.co_design.catalogue : spring::read_catalogue(arguments.catalogue);
     return with_places(profile, [&] {
         pipeline::require_parts(profile);
-        return search_springs(arguments, out, toml, profile, catalogue);
+        return search_springs(arguments, out, toml, profile, catalogue, reply);
     });
 }
 
@@ -102,7 +113,7 @@ void add_springs(CLI::App& app, Action& action) {
         ->type_name("FILE.csv");
     command->add_flag("--bought", arguments->bought, "Take the springs of the catalogue, not wound ones");
     command->add_option("--wire-class", arguments->wire_class, "Wire of EN 10270-1 where the profile states none")
-        ->check(CLI::IsMember(std::vector<std::string>(spring::kWireClassNames.begin() + 1, spring::kWireClassNames.end())))
+        ->check(one_of(std::vector<std::string>(spring::kWireClassNames.begin() + 1, spring::kWireClassNames.end())))
         ->capture_default_str();
     command->add_option("--cycles", arguments->options.cycles, "Load cycles where the profile states none")
         ->check(number_within(1.0, 1e12))
@@ -120,7 +131,7 @@ void add_springs(CLI::App& app, Action& action) {
         "Example:\n  fusee springs profiles/pnrvsa.toml --out /tmp/pnrvsa.toml\n\n"
         "Exit code: 0 springs were found and the design can be made with them, 1 no spring passes or the design cannot be made with it,\n"
         "2 bad input (file, line and key are named), 3 internal error.");
-    command->callback([arguments, &action] { action = [arguments] { return run_springs(*arguments); }; });
+    command->callback([arguments, &action] { action = [arguments](Reply& reply) { return run_springs(*arguments, reply); }; });
 }
 
 }  // namespace fusee::app

@@ -1,10 +1,9 @@
-#include <fmt/format.h>
-
 #include <memory>
 #include <string>
 
 #include "commands.h"
 #include "fusee/core/provenance.h"
+#include "numbers.h"
 #include "usage/render.h"
 
 namespace fusee::app {
@@ -14,6 +13,12 @@ namespace {
 std::string completion_of(const std::string& shell, const Command& program) {
     if (shell == "bash") return bash_completion(program);
     return shell == "zsh" ? zsh_completion(program) : fish_completion(program);
+}
+
+int answer(const std::string& text, Reply& reply) {
+    reply.result = {{"text", text}};
+    reply.print(text);
+    return 0;
 }
 
 /// A command that the help does not list.
@@ -26,14 +31,16 @@ CLI::App* add_hidden(CLI::App& app, const std::string& name, const std::string& 
 void add_usage(CLI::App& app, Action& action) {
     const auto shell = std::make_shared<std::string>();
     CLI::App* completion = add_hidden(app, "completion", "Print the completion script of a shell");
-    completion->add_option("shell", *shell, "Shell that reads the script")->required()->check(CLI::IsMember({"bash", "zsh", "fish"}));
+    completion->add_option("shell", *shell, "Shell that reads the script")->required()->check(one_of({"bash", "zsh", "fish"}));
     completion->footer("Example:\n  source <(fusee completion bash)");
-    completion->callback(
-        [shell, &app, &action] { action = [shell, &app] { return fmt::print("{}", completion_of(*shell, read_command_tree(app))), 0; }; });
+    completion->callback([shell, &app, &action] {
+        action = [shell, &app](Reply& reply) { return answer(completion_of(*shell, read_command_tree(app)), reply); };
+    });
 
     CLI::App* man = add_hidden(app, "man", "Print the manual page");
     man->footer("Example:\n  fusee man | man -l -");
-    man->callback([&app, &action] { action = [&app] { return fmt::print("{}", man_page(read_command_tree(app), core::version())), 0; }; });
+    man->callback(
+        [&app, &action] { action = [&app](Reply& reply) { return answer(man_page(read_command_tree(app), core::version()), reply); }; });
 }
 
 }  // namespace fusee::app

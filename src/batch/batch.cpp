@@ -1,6 +1,7 @@
 #include "fusee/batch/batch.h"
 
 #include <algorithm>
+#include <chrono>
 #include <memory>
 
 #include "fusee/core/file.h"
@@ -30,9 +31,54 @@ void write_relatives(const std::vector<pipeline::Simulation>& done, const fs::pa
     output.commit();
 }
 
-/// A progress bar for several profiles or long work.
-std::unique_ptr<core::Progress> bar(const char* title, std::size_t count, bool long_work) {
-    return count > 1 || long_work ? std::make_unique<core::Progress>(title, count) : nullptr;
+/// A progress bar for several profiles.
+std::unique_ptr<core::Progress> bar(const char* title, std::size_t count) {
+    return count > 1 ? std::make_unique<core::Progress>(title, count) : nullptr;
+}
+
+/// Keeps the time of each stage from its beginning to that of the next.
+class Clock {
+public:
+    explicit Clock(std::vector<Stage>& stages) : stages_(stages) {}
+    ~Clock() { end(); }
+    Clock(const Clock&) = delete;
+    Clock& operator=(const Clock&) = delete;
+    void begin(const char* stage) {
+        end();
+        stages_.push_back({stage, 0.0});
+    }
+
+private:
+    void end() {
+        const auto now = std::chrono::steady_clock::now();
+        if (!stages_.empty()) stages_.back().seconds = std::chrono::duration<double>(now - began_).count();
+        began_ = now;
+    }
+    std::vector<Stage>& stages_;
+    std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
+};
+
+void make_into(MakeResult& result, core::OutputFolder& output, const profile::Profile& profile, const MakeOptions& options) {
+    Clock clock(result.stages);
+    const auto begin = [&](const char* stage) {
+        clock.begin(stage);
+        if (options.stage) options.stage(stage);
+    };
+    auto made = pipeline::make_parts(profile, output, {.via = options.via, .note = options.note, .stage = begin, .stop = options.stop});
+    result.findings = made ? made->report.all_findings() : made.refusal();
+    if (!made) return;
+    result.headline = made->report.headline;
+    result.file_errors = made->report.file_errors();
+    if (options.stop && options.stop()) throw core::Stopped();
+    if (core::any_error(result.findings)) return;  // a file does not carry the law: the files go
+    begin("reports");
+    report::write_design(*made, output.path());
+    output.commit();
+    result.made = true;
+    result.folder = output.target();
+    const actuator::Actuator& joint = made->resolved.actuator;
+    result.dead_band_peak_deg = core::deg_from_rad(actuator::dead_band(joint, joint.peak_torque).exact_width);
+    if (options.take) options.take(std::move(made).value());
 }
 
 }  // namespace
@@ -47,37 +93,28 @@ MakeResult make(const profile::Profile& profile, const MakeOptions& options) {
                                                            .sheets = pipeline::sheets_of(profile)});
     MakeResult result;
     result.name = profile.name;
-    const auto made = pipeline::make_parts(profile, output, {.via = options.via, .note = options.note});
-    result.findings = made ? made->report.all_findings() : made.refusal();
-    if (!made) return result;
-    result.headline = made->report.headline;
-    result.file_errors = made->report.file_errors();
-    if (core::any_error(result.findings)) return result;  // a file does not carry the law: the files go
-    report::write_design(*made, output.path());
-    output.commit();
-    result.made = true;
-    result.folder = output.target();
-    const actuator::Actuator& joint = made->resolved.actuator;
-    result.dead_band_peak_deg = core::deg_from_rad(actuator::dead_band(joint, joint.peak_torque).exact_width);
+    make_into(result, output, profile, options);
     return result;
 }
 
 std::vector<Row> make_all(const std::vector<fs::path>& profiles, const MakeOptions& options, unsigned jobs) {
-    const auto progress = bar("make", profiles.size(), options.via == pipeline::Via::kOpenScad);
+    const bool one = profiles.size() == 1;
+    core::Progress progress("make", one ? kStages : profiles.size(), one ? core::Progress::Of::kStages : core::Progress::Of::kItems);
     MakeOptions watched = options;
-    if (progress) watched.note = [&](const std::string& what) { progress->note(what); };
+    watched.note = [&](const std::string& what) { progress.note(what); };
+    if (one) watched.stage = [&](const char* stage) { progress.advance(stage); };
     std::vector<Row> rows(profiles.size());
     const auto work = [&](const profile::Profile& profile, std::size_t place) {
         rows[place].result = make(profile, watched);
         return rows[place].result.made;
     };
-    const std::vector<Ended> ended = run_each(profiles, work, jobs, progress.get());
+    const std::vector<Ended> ended = run_each(profiles, work, jobs, one ? nullptr : &progress);
     return joined(std::move(rows), ended);
 }
 
 std::vector<SimulationRow> simulate_all(const std::vector<fs::path>& profiles, const fs::path& out,
                                         const pipeline::SimulateOptions& options, unsigned jobs, bool force) {
-    const auto progress = bar("simulate", profiles.size(), false);
+    const auto progress = bar("simulate", profiles.size());
     std::vector<SimulationRow> rows(profiles.size());
     const auto work = [&](const profile::Profile& profile, std::size_t place) {
         SimulationRow& row = rows[place];

@@ -12,6 +12,10 @@ template <class Guarded>
 void guarded(Ended& row, const Guarded& work) {
     try {
         work();
+    } catch (const core::InvalidInput& e) {
+        row.outcome = Outcome::kBadInput, row.error = e.what(), row.mistakes = {e};
+    } catch (const core::InvalidInputs& e) {
+        row.outcome = Outcome::kBadInput, row.error = e.what(), row.mistakes = e.all();
     } catch (const core::InputError& e) {
         row.outcome = Outcome::kBadInput, row.error = e.what();
     } catch (const std::bad_alloc&) {

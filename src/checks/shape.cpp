@@ -148,6 +148,11 @@ double groove_slope(const cam::Cam& cam, const cam::Contact& c) {
     return cam.options.torque_sign * (after.z - before.z) / ((after.psi - before.psi) * c.path.rho);
 }
 
+double fleet_from_groove(const cam::Cam& cam, const cam::Contact& c) {
+    const bool aimed = !cam.closed() && cam.options.path.lead == cam::Lead::kAimedAtGuide && cam.working.size() > 1;
+    return aimed ? c.fleet - std::atan(groove_slope(cam, c)) : c.fleet;
+}
+
 double largest_torque(const cam::Cam& cam) {
     const cam::Contact& most = worst_contact(cam, [](const cam::Contact& c) { return c.arm.tension * c.arm.arm; });
     return most.arm.tension * most.arm.arm;

@@ -75,6 +75,9 @@ std::optional<AnchorHole> anchor_hole(const solid::Part& part);
 double wound_angle(const cam::Cam& cam, const cam::Contact& contact);
 /// Slope of the groove, dz/ds, in the direction in which the cable leaves (with the tension's torque, along torque_sign t). @pre of working
 double groove_slope(const cam::Cam& cam, const cam::Contact& contact);
+/// Angle at which the free cable leaves its groove sideways [rad], above 0 upwards: from the contact's plane, the fleet angle of a grooved
+/// drum; of a groove that is aimed at its guide, from the groove's own direction.
+double fleet_from_groove(const cam::Cam& cam, const cam::Contact& contact);
 /// Largest tension times arm over the working range: the torque that the hub transmits [Nm]. @pre some position works
 double largest_torque(const cam::Cam& cam);
 

@@ -8,7 +8,4 @@ namespace fusee::codesign {
 /// What bounds a feasible design: its limits within 1 % of being broken, without those that no searched number moves.
 [[nodiscard]] std::vector<Limit> binding(const Trial& trial);
 
-/// What an infeasible candidate breaks, the worst first, as findings.
-[[nodiscard]] core::Findings broken(const Trial& trial);
-
 }  // namespace fusee::codesign

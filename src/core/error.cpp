@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <regex>
 #include <sstream>
 
 #include "fusee/core/text.h"
@@ -47,7 +48,17 @@ void Mistakes::throw_if_any() const {
 }
 
 IoError::IoError(const std::string& path, const std::string& why)
-    : InputError(fmt::format("{}: {}", printable(path, kMostOfField), printable_lines(why))) {}
+    : InputError(fmt::format("{}: {}", printable(path, kMostOfField), printable_lines(why))), path_(path), why_(why) {}
+
+Location location_of(const std::string& field) {
+    static const std::regex kPlace(R"(^(.+?):([0-9]{1,9})(?::([0-9]{1,9}))?(?:: *([^]*))?$)"),
+        kFileOnly(R"(^([^:]+\.(?:toml|csv|json|stl|obj|3mf|step|stp|sqlite)): ([^]+)$)");
+    std::smatch found;
+    if (field.size() <= kMostOfField && std::regex_match(field, found, kPlace))
+        return {found[1], std::stoul(found[2]), found[3].matched ? std::stoul(found[3]) : 0, found[4]};
+    if (field.size() <= kMostOfField && std::regex_match(field, found, kFileOnly)) return {found[1], 0, 0, found[2]};
+    return {"", 0, 0, field};
+}
 
 namespace {
 std::string with_unit(const std::string& unit) { return unit.empty() ? "" : " " + unit; }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <csignal>
 
 #include "fusee/core/process.h"
@@ -12,6 +13,7 @@ namespace fusee::core {
 
 namespace {
 volatile std::sig_atomic_t g_interrupted = 0;
+std::atomic<bool> g_hidden = false;
 constexpr std::size_t kBarWidth = 30;
 constexpr std::size_t kLeastRated = 20;  ///< items from which on a rate says more than the items themselves
 
@@ -25,11 +27,13 @@ std::string rate_text(std::size_t done, std::size_t total, double seconds) {
 }
 }  // namespace
 
-Progress::Progress(std::string title, std::size_t total)
-    : title_(std::move(title)), total_(total), terminal_(::isatty(STDERR_FILENO) != 0) {}
+void hide_progress() { g_hidden = true; }
+
+Progress::Progress(std::string title, std::size_t total, Of of)
+    : title_(std::move(title)), total_(total), of_(of), terminal_(::isatty(STDERR_FILENO) != 0) {}
 
 Progress::~Progress() {
-    if (terminal_) fmt::print(stderr, "\n");
+    if (terminal_ && !g_hidden) fmt::print(stderr, "{}", of_ == Of::kStages ? "\r\x1b[K" : "\n");
 }
 
 void Progress::advance(const std::string& label) {
@@ -44,13 +48,15 @@ void Progress::note(const std::string& label) {
 }
 
 void Progress::draw(const std::string& label) const {
+    if (g_hidden) return;
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
     const std::string shown = printable(label);  // it may contain a file's name
     if (!terminal_) {
+        if (of_ == Of::kStages && seconds < kSlow) return;
         fmt::print(stderr, "{} {}/{}: {}\n", title_, done_, total_, shown);
         return;
     }
     const std::size_t filled = total_ == 0 ? kBarWidth : kBarWidth * done_ / total_;
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
     fmt::print(stderr, "\r\x1b[K{} [{}{}] {}/{}{} {}", title_, std::string(filled, '#'), std::string(kBarWidth - filled, '.'), done_,
                total_, rate_text(done_, total_, seconds), shown);
     std::fflush(stderr);

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "fusee/core/error.h"
+#include "fusee/core/nearest.h"
 
 namespace fusee::effects {
 
@@ -30,7 +31,7 @@ const Effect& find_effect(const std::string& id) {
     if (const Effect* effect = effect_or_none(id)) return *effect;
     std::vector<std::string> ids;
     for (const Effect& effect : effect_library()) ids.push_back(effect.id);
-    throw core::InvalidInput("effects: id", id, fmt::format("{}", fmt::join(ids, ", ")));
+    throw core::InvalidInput("effects: id", id, fmt::format("{}{}", fmt::join(ids, ", "), core::did_you_mean(id, ids)));
 }
 
 void apply_effect(const Effect& effect, const Cause& cause, std::span<const double> values, BuiltRig& rig) {

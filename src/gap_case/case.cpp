@@ -112,33 +112,38 @@ std::size_t Rows::size() const {
     return size;
 }
 
-Case read_case(const fs::path& folder) {
-    const CaseToml toml(folder);
+Case read_case(const CaseFiles& files) {
+    const CaseToml toml(files);
     Case gap_case;
-    gap_case.name = fs::absolute(folder / "case.toml").lexically_normal().parent_path().filename().string();
+    gap_case.name = files.name();
     read_toml(toml, gap_case);
     core::Sha256 hash;
     hash.add(toml.bytes());
     const auto seen = [&hash](std::string_view bytes) { hash.add(bytes); };
     const std::string springs = toml.text("rig.springs", kSpringsAllowed);
     (void)toml.files("rig.springs");
-    gap_case.rig.springs = read_springs(folder / springs, seen);
-    gap_case.rows = read_tables(gap_case, folder, {.seen = seen, .remarks = &gap_case.remarks});
+    gap_case.rig.springs = read_springs(files, springs, seen);
+    gap_case.rows = read_tables(gap_case, files, {.seen = seen, .remarks = &gap_case.remarks});
     gap_case.sha256 = hash.hex();
-    for (std::string& remark : check_rows(gap_case, folder, springs)) gap_case.remarks.push_back(std::move(remark));
+    for (std::string& remark : check_rows(gap_case, files.folder(), springs)) gap_case.remarks.push_back(std::move(remark));
     return gap_case;
 }
 
-bool is_subsystem_case(const fs::path& folder) { return CaseToml(folder).has("bench"); }
+Case read_case(const fs::path& folder) { return read_case(CaseFiles(folder)); }
 
-Rows read_inputs(const Case& nominal, const fs::path& folder) {
-    const Rows rows = read_tables(nominal, folder, {.inputs_only = true});
+bool is_subsystem_case(const fs::path& folder) { return CaseToml(CaseFiles(folder)).has("bench"); }
+
+Rows read_inputs(const Case& nominal, const CaseFiles& files) {
+    const Rows rows = read_tables(nominal, files, {.inputs_only = true});
     if (rows.size() == 0) {
         std::vector<std::string> names;
-        for (const auto& [experiment, files] : nominal.files) names.insert(names.end(), files.begin(), files.end());
-        throw core::InvalidInput(folder.string(), "none of the case's files", fmt::format("one or more of {}", fmt::join(names, ", ")));
+        for (const auto& [experiment, own] : nominal.files) names.insert(names.end(), own.begin(), own.end());
+        throw core::InvalidInput(files.folder().string(), "none of the case's files",
+                                 fmt::format("one or more of {}", fmt::join(names, ", ")));
     }
     return rows;
 }
+
+Rows read_inputs(const Case& nominal, const fs::path& folder) { return read_inputs(nominal, CaseFiles(folder)); }
 
 }  // namespace fusee::gap_case

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "fusee/core/destination.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "keys.h"
@@ -63,16 +64,22 @@ std::vector<std::string> case_template_files() {
     return names;
 }
 
-void write_case_template(const CaseTemplate& empty, const fs::path& folder) {
+CaseTexts case_template_texts(const CaseTemplate& empty) {
     if (empty.rig.springs.empty()) throw core::InvalidInput("rig.springs", "no rows", "the springs' torques over deflection");
     Case files;
     for (const Experiment experiment : kAllExperiments) files.files[experiment] = {csv_of(experiment)};
-    const std::string toml = case_toml(empty);
     const Rows rows = set_points(empty);
-    write_rows(files, rows, folder);
-    core::write_file(folder / "case.toml", toml);
-    core::write_file(folder / kSprings, springs_csv(empty.rig));
-    core::write_file(folder / "BENCH.md", experiment_sheets(empty, rows));
+    CaseTexts texts = row_texts(files, rows);
+    texts["case.toml"] = case_toml(empty);
+    texts[kSprings] = springs_csv(empty.rig);
+    texts["BENCH.md"] = experiment_sheets(empty, rows);
+    return texts;
+}
+
+void write_case_template(const CaseTemplate& empty, const fs::path& folder) {
+    const CaseTexts texts = case_template_texts(empty);
+    core::make_folder(folder);
+    for (const auto& [name, text] : texts) core::write_file(folder / name, text);
 }
 
 }  // namespace fusee::gap_case

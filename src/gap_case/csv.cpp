@@ -66,8 +66,8 @@ Allowed allowed(Quantity quantity, const NominalRig& rig) {
 template <class Row>
 class TableReader {
 public:
-    TableReader(const fs::path& path, const NominalRig& rig, const TablesOptions& options)
-        : path_(path), rig_(rig), options_(options), table_(read()) {}
+    TableReader(const CaseFiles& files, std::string name, const NominalRig& rig, const TablesOptions& options)
+        : files_(files), name_(std::move(name)), rig_(rig), options_(options), table_(read()) {}
 
     [[nodiscard]] std::vector<Row> rows() const {
         std::vector<Row> rows(table_.rows());
@@ -102,7 +102,7 @@ private:
                 limits.longest_span = kLongestLog;
             }
         }
-        return core::read_csv(path_, columns, limits, options_.seen);
+        return files_.read_csv(name_, columns, limits, options_.seen);
     }
 
     void fill_words(std::vector<Row>& rows, const Field<Row>& field) const {
@@ -162,14 +162,15 @@ private:
         if (levels.size() < counts.size() && options_.remarks != nullptr)
             options_.remarks->push_back(
                 fmt::format("{}: co-contractions within 1 % of each other are one level, as commanded: {} in place of {}",
-                            path_.filename().string(), levels.size(), counts.size()));
+                            fs::path(name_).filename().string(), levels.size(), counts.size()));
     }
 
     /// Both ends, or only the width.
     void finish_widths(std::vector<DeadBandRow>& rows) const {
         const bool ends = table_.has("q_low_rad") && table_.has("q_high_rad");
         if (!options_.inputs_only && !ends && !table_.has("width_rad"))
-            throw core::InvalidInput(path_.string() + ": header", "no dead-band", "q_low_rad and q_high_rad, or width_rad alone");
+            throw core::InvalidInput((files_.folder() / name_).string() + ": header", "no dead-band",
+                                     "q_low_rad and q_high_rad, or width_rad alone");
         for (std::size_t i = 0; i < rows.size(); ++i) {
             DeadBandRow& row = rows[i];
             if (!ends) row.q_low = row.q_high = kNothing;
@@ -177,7 +178,8 @@ private:
         }
     }
 
-    fs::path path_;
+    const CaseFiles& files_;
+    std::string name_;
     const NominalRig& rig_;
     const TablesOptions& options_;
     core::CsvTable table_;
@@ -193,14 +195,14 @@ void tell_left_out(const std::string& file, const core::CsvTable& table, std::ve
 }
 
 template <class Row>
-void read_experiment(const Case& gap_case, const fs::path& folder, const TablesOptions& options, Experiment experiment, Rows& all,
+void read_experiment(const Case& gap_case, const CaseFiles& files, const TablesOptions& options, Experiment experiment, Rows& all,
                      std::vector<Row>& rows) {
     const auto named = gap_case.files.find(experiment);
     if (named == gap_case.files.end()) return;
     for (const std::string& name : named->second) {
         std::size_t& part = all.parts[experiment].emplace_back(0);
-        if (options.inputs_only && !fs::exists(folder / name)) continue;
-        const TableReader<Row> reader(folder / name, gap_case.rig, options);
+        if (options.inputs_only && !files.has(name)) continue;
+        const TableReader<Row> reader(files, name, gap_case.rig, options);
         const std::vector<Row> read = reader.rows();
         part = read.size();
         rows.insert(rows.end(), read.begin(), read.end());
@@ -212,16 +214,17 @@ void read_experiment(const Case& gap_case, const fs::path& folder, const TablesO
 
 }  // namespace
 
-Rows read_tables(const Case& gap_case, const fs::path& folder, const TablesOptions& options) {
+Rows read_tables(const Case& gap_case, const CaseFiles& files, const TablesOptions& options) {
     Rows all;
-    for_each_experiment(all, [&](Experiment experiment, auto& rows) { read_experiment(gap_case, folder, options, experiment, all, rows); });
+    for_each_experiment(all, [&](Experiment experiment, auto& rows) { read_experiment(gap_case, files, options, experiment, all, rows); });
     return all;
 }
 
-std::vector<NominalRig::SpringRow> read_springs(const fs::path& file, const std::function<void(std::string_view)>& seen) {
+std::vector<NominalRig::SpringRow> read_springs(const CaseFiles& files, const std::string& file,
+                                                const std::function<void(std::string_view)>& seen) {
     constexpr std::size_t kLeast = 8;
     constexpr double kMostTorque = 1000.0;  // [Nm]
-    const core::CsvTable table = core::read_csv(file, {{"deflection_rad"}, {"se_torque_Nm"}, {"pe_torque_Nm"}},
+    const core::CsvTable table = files.read_csv(file, {{"deflection_rad"}, {"se_torque_Nm"}, {"pe_torque_Nm"}},
                                                 {.least_rows = kLeast, .most_rows = kLongestTable}, seen);
     const std::vector<double>& deflection = table.numbers("deflection_rad");
     std::vector<NominalRig::SpringRow> rows;

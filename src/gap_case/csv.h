@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "fusee/gap_case/case.h"
+#include "fusee/gap_case/files.h"
 
 namespace fusee::gap_case {
 
@@ -13,12 +14,12 @@ struct TablesOptions {
     std::vector<std::string>* remarks = nullptr;                           ///< receives one for each thinned file
 };
 
-/// The files of `gap_case.files` in `folder`, checked against `gap_case.rig`.
+/// The files of `gap_case.files` among `files`, checked against `gap_case.rig`.
 /// @throws core::InvalidInput "file:line:column: column", core::IoError
-[[nodiscard]] Rows read_tables(const Case& gap_case, const std::filesystem::path& folder, const TablesOptions& options);
+[[nodiscard]] Rows read_tables(const Case& gap_case, const CaseFiles& files, const TablesOptions& options);
 
 /// Columns deflection_rad, se_torque_Nm, pe_torque_Nm: 8 rows or more, ascending from 0, torques never falling from 0.
-[[nodiscard]] std::vector<NominalRig::SpringRow> read_springs(const std::filesystem::path& file,
+[[nodiscard]] std::vector<NominalRig::SpringRow> read_springs(const CaseFiles& files, const std::string& file,
                                                               const std::function<void(std::string_view)>& seen);
 
 }  // namespace fusee::gap_case

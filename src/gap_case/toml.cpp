@@ -6,8 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
-#include "fusee/core/file.h"
 #include "fusee/core/toml.h"
 
 namespace fs = std::filesystem;
@@ -82,8 +82,8 @@ struct CaseToml::Builder {
     }
 };
 
-CaseToml::CaseToml(const fs::path& folder)
-    : folder_(folder), file_((folder / "case.toml").string()), bytes_(core::read_file(folder / "case.toml", kLargestToml)) {
+CaseToml::CaseToml(const CaseFiles& files)
+    : source_(files), file_((files.folder() / "case.toml").string()), bytes_(files.read("case.toml", kLargestToml)) {
     Builder{*this}.collect(core::parse_toml(bytes_, file_), "");
 }
 
@@ -165,13 +165,10 @@ void CaseToml::check_file(const std::string& path, const std::string& name) cons
     const bool leaves_folder = std::find(file.begin(), file.end(), "..") != file.end();
     if (name.empty() || file.is_absolute() || leaves_folder)
         throw fault(path, fmt::format("\"{}\"", name), "a file inside the case's folder");
-    std::error_code absent;
-    if (!fs::is_regular_file(folder_ / file, absent))
-        throw fault(path, fmt::format("\"{}\"", name), "a file that is there: this one is missing");
+    if (!source_.has(name)) throw fault(path, fmt::format("\"{}\"", name), "a file that is there: this one is missing");
     std::vector<std::string> same;
     const auto compare = [&](const std::string& other) {
-        std::error_code none;
-        if (other == name || fs::equivalent(folder_ / other, folder_ / file, none)) same.push_back('"' + other + '"');
+        if (source_.same(other, name)) same.push_back('"' + other + '"');
     };
     for (const auto& [other, leaf] : leaves_) {
         if (const auto* text = std::get_if<std::string>(&leaf.value)) compare(*text);

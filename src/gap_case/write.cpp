@@ -53,14 +53,22 @@ std::string csv(const std::vector<Row>& rows, std::size_t begin, std::size_t end
     return text;
 }
 
-void write(const fs::path& path, const std::string& text) {
-    core::make_folder(path.parent_path());
-    core::write_file(path, text);
+template <class Row>
+Column column_of(const Field<Row>& field, const std::vector<Row>& rows) {
+    if (field.words.empty()) {
+        std::vector<double> numbers;
+        for (const Row& row : rows) numbers.push_back(field.get(row));
+        return {field.column, std::move(numbers)};
+    }
+    std::vector<std::string> words;
+    for (const Row& row : rows) words.push_back(field.words[static_cast<std::size_t>(field.get(row))]);
+    return {field.column, std::move(words)};
 }
 
 }  // namespace
 
-void write_rows(const Case& nominal, const Rows& rows, const fs::path& folder) {
+CaseTexts row_texts(const Case& nominal, const Rows& rows) {
+    CaseTexts texts;
     for_each_experiment(rows, [&](Experiment experiment, const auto& all) {
         const auto named = nominal.files.find(experiment);
         if (named == nominal.files.end() || all.empty()) return;
@@ -71,8 +79,26 @@ void write_rows(const Case& nominal, const Rows& rows, const fs::path& folder) {
             parts = known->second;
         std::size_t begin = 0;
         for (std::size_t i = 0; i < parts.size(); begin += parts[i], ++i)
-            if (parts[i] > 0) write(folder / named->second.at(i), csv(all, begin, begin + parts[i], rows));
+            if (parts[i] > 0) texts[named->second.at(i)] = csv(all, begin, begin + parts[i], rows);
     });
+    return texts;
+}
+
+void write_rows(const Case& nominal, const Rows& rows, const fs::path& folder) {
+    for (const auto& [name, text] : row_texts(nominal, rows)) {
+        core::make_folder((folder / name).parent_path());
+        core::write_file(folder / name, text);
+    }
+}
+
+std::vector<Column> columns_of(const Rows& rows, Experiment experiment) {
+    std::vector<Column> columns;
+    for_each_experiment(rows, [&]<class Row>(Experiment other, const std::vector<Row>& all) {
+        if (other != experiment || all.empty()) return;
+        for (const Field<Row>& field : fields<Row>())
+            if (stands(field, all, rows)) columns.push_back(column_of(field, all));
+    });
+    return columns;
 }
 
 }  // namespace fusee::gap_case

@@ -5,6 +5,7 @@
 #include <cctype>
 #include <cmath>
 
+#include "fusee/core/nearest.h"
 #include "fusee/core/text.h"
 #include "fusee/core/toml.h"
 
@@ -100,7 +101,8 @@ private:
     }
     [[nodiscard]] std::string choice(const toml::node& node) const {
         std::string value = text(node);
-        if (!value.empty() && std::find(key_.choices.begin(), key_.choices.end(), value) == key_.choices.end()) refuse(node);
+        if (!value.empty() && std::find(key_.choices.begin(), key_.choices.end(), value) == key_.choices.end())
+            refuse(node, core::did_you_mean(value, key_.choices, "\""));
         return value;
     }
     /// Its cells; none if the array is refused.

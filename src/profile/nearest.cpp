@@ -1,3 +1,5 @@
+#include "fusee/core/nearest.h"
+
 #include <array>
 #include <tuple>
 
@@ -7,21 +9,9 @@ namespace fusee::profile {
 
 namespace {
 
-constexpr std::size_t kLongestCompared = 100;  // letters: known paths have less than half as many
+using core::edit_distance;
 
-/// Least number of letters to insert, delete, replace or swap with the next one (optimal string alignment).
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-    std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
-    for (std::size_t i = 0; i <= a.size(); ++i) d[i][0] = i;
-    for (std::size_t j = 0; j <= b.size(); ++j) d[0][j] = j;
-    for (std::size_t i = 1; i <= a.size(); ++i)
-        for (std::size_t j = 1; j <= b.size(); ++j) {
-            const std::size_t replaced = d[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
-            d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, replaced});
-            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
-        }
-    return d.back().back();
-}
+constexpr std::size_t kLongestCompared = 100;  // letters: known paths have less than half as many
 
 /// The name without its unit, so that "lead_in_rad" finds "lead_in_deg" before any name with similar spelling.
 std::string_view stem(std::string_view name) {

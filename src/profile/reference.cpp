@@ -1,6 +1,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <set>
+
+#include "fusee/profile/keys.h"
 #include "key.h"
 #include "overrides.h"
 
@@ -33,9 +36,11 @@ std::string row(const Key& key) {
     return fmt::format("| `{}` | {} | {} | {}{} |\n", key.leaf(), allowed_text(key), default_text(key), key.meaning, only);
 }
 
-std::vector<Section> sections() {
+/// @param paths of the keys to show
+std::vector<Section> sections(const std::set<std::string>& paths) {
     std::vector<Section> all;
     for (const Key& key : keys()) {
+        if (!paths.contains(key.path)) continue;
         const std::string table = key.table();
         if (all.empty() || all.back().first_table != table) all.push_back({fmt::format("`[{}]`", table), "", table});
         if (table.empty()) all.back().titles = "At the top";
@@ -61,11 +66,15 @@ std::vector<Section> merged(const std::vector<Section>& all) {
 
 }  // namespace
 
-std::string profile_reference() {
+std::string profile_reference(const std::vector<KeyInfo>& shown) {
+    std::set<std::string> paths;
+    for (const KeyInfo& key : shown) paths.insert(key.path);
     std::string text;
-    for (const Section& section : merged(sections()))
+    for (const Section& section : merged(sections(paths)))
         text += fmt::format("### {}\n\n| key | allowed | default | meaning |\n|---|---|---|---|\n{}\n", section.titles, section.body);
-    return text + overrides_reference();
+    return text;
 }
+
+std::string profile_reference() { return profile_reference(key_infos()) + overrides_reference(); }
 
 }  // namespace fusee::profile

@@ -1,9 +1,22 @@
 #include <fmt/format.h>
 
+#include <charconv>
+
 #include "key.h"
 #include "overrides.h"
 
 namespace fusee::profile {
+
+namespace {
+
+constexpr std::size_t kCommentColumn = 34;
+
+/// Does the key differ from its default? A required one has none.
+bool is_stated(const Key& key, const Profile& profile, const Profile& untouched) {
+    return key.required || toml_text(key, profile) != toml_text(key, untouched);
+}
+
+}  // namespace
 
 std::string to_toml(const Profile& profile) {
     std::string toml, table;
@@ -13,6 +26,30 @@ std::string to_toml(const Profile& profile) {
         toml += fmt::format("{} = {}\n", key.leaf(), toml_text(key, profile));
     }
     return toml + overrides_toml(profile.limits);
+}
+
+std::string to_commented_toml(const Profile& profile) {
+    const Profile untouched;
+    std::string toml, table;
+    for (const Key& key : keys()) {
+        if (!applies(key, profile) || !is_stated(key, profile, untouched)) continue;
+        if (key.table() != table) toml += fmt::format("\n[{}]\n", table = key.table());
+        const std::string line = fmt::format("{} = {}", key.leaf(), toml_text(key, profile));
+        const std::size_t gap = line.size() < kCommentColumn ? kCommentColumn - line.size() : 1;
+        toml += fmt::format("{}{}# {}\n", line, std::string(gap, ' '), key.meaning);
+    }
+    return toml + overrides_toml(profile.limits);
+}
+
+Profile rounded(Profile profile, int digits) {
+    for (const Key& key : keys()) {
+        if (key.kind != Kind::kNumber || !applies(key, profile)) continue;
+        const std::string text = fmt::format("{:.{}g}", key.unit.from_si(std::get<double>(key.get(profile))), digits);
+        double value = 0.0;
+        std::from_chars(text.data(), text.data() + text.size(), value);
+        key.set(profile, key.unit.to_si(value));
+    }
+    return profile;
 }
 
 }  // namespace fusee::profile

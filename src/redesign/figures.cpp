@@ -7,6 +7,7 @@
 
 #include "fusee/effects/effect.h"
 #include "fusee/profile/edit.h"
+#include "fusee/redesign/redesign.h"
 
 namespace fusee::redesign {
 
@@ -136,6 +137,20 @@ std::vector<effects::Cause> not_mended(const gap_case::Case& gap_case, const dia
                          [&](const Figure& figure) { return figure.cut && touches(figure, nominal, effect); }))
             all.push_back(effect.cause);
     return all;
+}
+
+std::vector<std::string> keys_of_effect(const std::string& effect_id) {
+    const effects::Effect& effect = effects::find_effect(effect_id);
+    gap_case::NominalRig rig;
+    rig.gear_load_friction = 0.1;  // a relative departure needs some
+    const BuiltRig nominal(rig);
+    diagnosis::FoundEffect found;
+    found.cause = {effect.id, effect.sided ? "both" : "none"};
+    found.parameter.value = effect.parameters.front().scale;
+    std::vector<std::string> keys;
+    for (const Figure& figure : figures())
+        if (touches(figure, nominal, found)) keys.push_back(figure.key);
+    return keys;
 }
 
 std::string instead_of_cams(const std::string& id) { return effects::find_effect(id).advice; }

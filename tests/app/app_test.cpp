@@ -7,14 +7,16 @@ namespace {
 TEST_F(Program, SaysItsVersion) {
     const Ended version = run("--version");
     EXPECT_EQ(version.code, 0);
-    EXPECT_EQ(version.out, std::string(core::version()) + "\n");
+    EXPECT_EQ(version.out.find("fusee " + std::string(core::version()) + " ("), 0u) << version.out;
+    EXPECT_EQ(version.out, run("--version").out);
+    EXPECT_EQ(std::count(version.out.begin(), version.out.end(), '\n'), 1);
 }
 
 TEST_F(Program, HelpOfEveryCommandHasAnExample) {
     const Ended help = run("--help");
     EXPECT_EQ(help.code, 0);
     expect_words(help.out, {"Example:\n  fusee make", "make", "keys", "rules", "completion", "--version"});
-    for (const std::string command : {"make", "keys", "rules", "completion", "man"}) {
+    for (const std::string command : {"make", "explain", "keys", "rules", "completion", "man"}) {
         const Ended of_command = run(command + " --help");
         EXPECT_EQ(of_command.code, 0);
         expect_words(of_command.out, {"Usage: fusee " + command, "Example:\n  ", "fusee " + command});
@@ -40,7 +42,8 @@ TEST_F(Program, WrongArgumentsAreNamedAndEndWith2) {
                                                          {"make x.toml -j two", "--jobs"},
                                                          {"completion", "shell"},
                                                          {"completion tcsh", "tcsh"},
-                                                         {"rules extra", "extra"}};
+                                                         {"rules xyzzy", "xyzzy"},
+                                                         {"make -q -v x.toml", "--verbose"}};
     for (const auto& [arguments, word] : cases) {
         const Ended wrong = run(arguments);
         EXPECT_EQ(wrong.code, 2) << arguments;

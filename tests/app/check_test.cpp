@@ -39,7 +39,7 @@ TEST_F(Check, ARequiredChangeEndsWith1) {
 TEST_F(Check, AllProcessesInOneTable) {
     const Ended checked = run("check " + pnrvsa() + " --process all --json");
     EXPECT_EQ(checked.code, 0) << "printing is possible";
-    const Json j = Json::parse(checked.out);
+    const Json j = result_of(checked);
     ASSERT_EQ(j.at("processes").size(), 7u);
     for (const Json& p : j.at("processes")) {
         ASSERT_EQ(p.at("parts").size(), 2u) << p.at("process");
@@ -51,7 +51,7 @@ TEST_F(Check, AllProcessesInOneTable) {
         EXPECT_EQ(p.at("own").get<bool>(), p.at("process") == "fdm");
     }
     const Ended one = run("check " + pnrvsa() + " --json");
-    EXPECT_EQ(Json::parse(one.out).at("processes").at(0), j.at("processes").at(0)) << "the table's own row is the check";
+    EXPECT_EQ(result_of(one).at("processes").at(0), j.at("processes").at(0)) << "the table's own row is the check";
 }
 
 TEST_F(Check, TheTableOfProcessesHasAColumnOfWhatWasNotJudged) {
@@ -83,7 +83,7 @@ TEST_F(Check, AMeshAndWhereInColours) {
     EXPECT_EQ(thin.code, 1) << thin.all();
     expect_words(thin.err, {"error: mesh.wall", "measured 0.5 mm, allowed at least 0.8 mm", "thin_check.3mf"});
     EXPECT_TRUE(fs::exists(folder_ / "shown" / "thin_check.3mf"));
-    const Json j = Json::parse(run("check thin.obj --process all --json").out);
+    const Json j = result_of(run("check thin.obj --process all --json"));
     EXPECT_EQ(j.at("processes").size(), 7u);
     EXPECT_TRUE(j.at("makeable").get<bool>()) << "resin holds 0.5 mm";
 }
@@ -104,7 +104,7 @@ TEST_F(Check, AMeshByLimitsOfItsOwn) {
     const Ended ours = run("check thin.obj --process fdm --limits ours.toml");
     EXPECT_EQ(ours.code, 0) << ours.all();
     expect_words(ours.out, {"warning: mesh.wall", "allowed at least 0.6 mm", "instead of 0.8 mm: coupon", "[[limits]] of ours.toml"});
-    const Json j = Json::parse(run("check thin.obj --process fdm --limits ours.toml --json").out);
+    const Json j = result_of(run("check thin.obj --process fdm --limits ours.toml --json"));
     const Json& findings = j.at("processes").at(0).at("parts").at(0).at("findings");
     const auto wall = std::find_if(findings.begin(), findings.end(), [](const Json& f) { return f.at("rule") == "mesh.wall"; });
     ASSERT_NE(wall, findings.end());

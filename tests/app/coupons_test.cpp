@@ -24,7 +24,7 @@ TEST_F(Program, MakesCouponsAndCalibratesTheExample) {
     expect_words(found.out, {"shrink_x", "bore_offset", "cable_axis", "-> compensation.cable_axis_mm", "written: new.toml"});
     // Golden: regenerate with the command of docs/guides/calibrate.md.
     EXPECT_EQ(core::read_file(folder_ / "new.toml"), core::read_file(example().parent_path() / "calibrated.toml"));
-    const Json json = Json::parse(run("calibrate '" + example().string() + "' --json").out);
+    const Json json = result_of(run("calibrate '" + example().string() + "' --json"));
     EXPECT_EQ(json.at("figures").at(0).at("id"), "shrink_x");
     EXPECT_TRUE(json.at("figures").at(0).at("changes"));
 }

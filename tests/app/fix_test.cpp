@@ -25,7 +25,7 @@ TEST_F(Program, FixesAProfileBesideTheOld) {
                  {"# depth_ratio was 0.3: groove.depth", "chosen so that both cams can be made"});
     const Ended again = run("fix t-fixed.toml --json");
     ASSERT_EQ(again.code, 0) << again.all();
-    const Json json = Json::parse(again.out);
+    const Json json = result_of(again);
     EXPECT_EQ(json.at("end"), "nothing to do");
     EXPECT_TRUE(json.at("changes").empty());
     EXPECT_FALSE(fs::exists(folder_ / "t-fixed-fixed.toml"));
@@ -35,7 +35,7 @@ TEST_F(Program, SaysWhatCannotBeFixed) {
     write("t.toml", fixtures::with_key(spoiled(), "cable.min_bend_ratio", "200"));
     const Ended refused = run("fix t.toml --out x.toml --most 20 --json");
     EXPECT_EQ(refused.code, 1) << refused.err;
-    const Json json = Json::parse(refused.out);
+    const Json json = result_of(refused);
     EXPECT_EQ(json.at("end"), "cannot be met");
     EXPECT_EQ(json.at("left").at(0).at("rule"), "cable.bend_ratio") << refused.out;
     EXPECT_FALSE(fs::exists(folder_ / "x.toml"));

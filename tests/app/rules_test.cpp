@@ -10,7 +10,7 @@ using Json = nlohmann::json;
 TEST_F(Program, ListsRulesAsJson) {
     const Ended ended = run("rules --json");
     ASSERT_EQ(ended.code, 0);
-    const Json rules = Json::parse(ended.out);
+    const Json rules = result_of(ended);
     ASSERT_GE(rules.size(), 60u);
     const std::string text = run("rules").out;
     for (const Json& rule : rules) {

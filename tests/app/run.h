@@ -2,6 +2,7 @@
 #include <sys/wait.h>
 
 #include <initializer_list>
+#include <nlohmann/json.hpp>
 
 #include "pipeline/fixture.h"
 
@@ -27,6 +28,14 @@ protected:
         return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, core::read_file(out), core::read_file(err)};
     }
 };
+
+/// The result in the JSON that the program printed (docs/json.md).
+inline nlohmann::json result_of(const Ended& ended) {
+    const auto json = nlohmann::json::parse(ended.out);
+    EXPECT_EQ(json.at("exit_code"), ended.code);
+    EXPECT_EQ(json.at("error").is_null(), ended.code < 2) << ended.out;
+    return json.at("result");
+}
 
 inline void expect_words(const std::string& text, std::initializer_list<std::string> words) {
     for (const std::string& word : words) EXPECT_NE(text.find(word), std::string::npos) << "'" << word << "' in\n" << text;

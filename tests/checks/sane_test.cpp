@@ -71,6 +71,22 @@ TEST(Sane, RulesOfOneKindOfPartLeaveTheOtherAlone) {
     for (const char* rule : {"collision.printed_throat", "fdm.support"}) EXPECT_TRUE(run_rule(rule, resin).empty()) << rule;
 }
 
+// A groove that rises by 5.2 deg towards its guide: the cable leaves along it. From the contact's plane that is above both limits.
+TEST(Sane, TheFleetAngleOfAnAimedGrooveIsFromItsDirection) {
+    Fixture b = helix(10 * kMm, 5.72 * kMm);
+    const double slope = std::atan(5.72 / (20.0 * core::kPi));
+    const auto lean_all = [&b](double fleet) {
+        for (cam::Contact& contact : b.part.cam.working) contact.fleet = b.part.cam.options.torque_sign * fleet;
+    };
+    lean_all(slope);
+    EXPECT_EQ(worst("cable.fleet", b).severity, core::Severity::kError) << "of a constant pitch";
+    b.part.cam.options.path.lead = cam::Lead::kAimedAtGuide;
+    EXPECT_NEAR(worst("cable.fleet", b).measured, 0.0, 1e-6);
+    EXPECT_NEAR(worst("cable.fleet_side", b).measured, 0.0, 1e-6);
+    lean_all(-slope);
+    EXPECT_EQ(worst("cable.fleet", b).severity, core::Severity::kError) << "away from the groove";
+}
+
 TEST(Sane, NotANumberNeverPasses) {
     Fixture b = spool();
     b.part.cam.working[5].path.rho = b.part.cam.working[5].fleet = std::nan("");

@@ -31,3 +31,25 @@ TEST(Mistakes, OfAnInnerReadingAreKept) {
 
 }  // namespace
 }  // namespace fusee::core
+
+namespace fusee::core {
+namespace {
+
+TEST(Error, AFieldHoldsFileLineAndColumn) {
+    const Location whole = location_of("some folder/p.toml:3:17: cable.diameter_mm");
+    EXPECT_EQ(whole.file, "some folder/p.toml");
+    EXPECT_EQ(whole.line, 3u);
+    EXPECT_EQ(whole.column, 17u);
+    EXPECT_EQ(whole.field, "cable.diameter_mm");
+    const Location row = location_of("springs.csv:12: torque_Nm");
+    EXPECT_EQ(row.file, "springs.csv");
+    EXPECT_EQ(row.line, 12u);
+    EXPECT_EQ(row.column, 0u);
+    EXPECT_EQ(location_of("d.json: effects[0].side").file, "d.json");
+    EXPECT_EQ(location_of("d.json: effects[0].side").field, "effects[0].side");
+    EXPECT_EQ(location_of("rig.gear_friction").file, "");
+    EXPECT_EQ(location_of("rig.gear_friction").field, "rig.gear_friction");
+}
+
+}  // namespace
+}  // namespace fusee::core

@@ -59,7 +59,7 @@ protected:
         }
         core::write_file(folder_ / ".script", script_run);
         const std::string command =
-            "cd '" + folder_.string() + "' && PATH='" + folder_.string() + "':$PATH timeout 120 bash .script >.output 2>&1 </dev/null";
+            "cd '" + folder_.string() + "' && PATH='" + folder_.string() + "':$PATH timeout 300 bash .script >.output 2>&1 </dev/null";
         const int status = std::system(command.c_str());
         return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, core::read_file(folder_ / ".output")};
     }

@@ -30,6 +30,16 @@ std::vector<std::string> words_of(const std::string& text) {
     return {std::istream_iterator<std::string>(in), {}};
 }
 
+// The site's navigation (mkdocs.yml) leads to every page, and to no other.
+TEST(Pages, AllStandInTheNavigationOfTheSite) {
+    const std::string site = core::read_file(kRoot / "mkdocs.yml");
+    const std::set<std::string> listed = matches_of(site.substr(site.find("\nnav:")), "([a-zA-Z0-9_/.-]+\\.md)");
+    std::set<std::string> pages;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(kRoot / "docs"))
+        if (entry.path().extension() == ".md") pages.insert(fs::relative(entry.path(), kRoot / "docs").string());
+    EXPECT_EQ(listed, pages);
+}
+
 TEST(Pages, LinkToFilesThatExist) {
     std::size_t links = 0;
     for (const fs::path& page : markdown_files(kRoot))

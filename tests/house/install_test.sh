@@ -6,7 +6,7 @@ consumer=$(cd -- "$(dirname -- "$0")/consumer" && pwd)
 prefix="$work/a prefix"
 cmake --install "$1" --prefix "$prefix" >"$work/log" 2>&1 || { tail -n 20 "$work/log" >&2; fail 'install (is everything built?)'; }
 
-for file in bash-completion/completions/fusee zsh/site-functions/_fusee fish/vendor_completions.d/fusee.fish man/man1/fusee.1; do
+for file in bash-completion/completions/fusee zsh/site-functions/_fusee fish/vendor_completions.d/fusee.fish man/man1/fusee.1.gz; do
     [ -s "$prefix/share/$file" ] || fail "share/$file was not installed"
 done
 if [ -n "${4:-}" ]; then

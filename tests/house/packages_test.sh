@@ -10,7 +10,7 @@ if grep -v ' installed$' "$work/status"; then fail 'the packages above are not i
 
 # The standard library and the system come with build-essential; libboost-dev and its like only point to a version of themselves.
 dpkg-query -W -f='${Package}\n${Depends}\n' "${wanted[@]}" | tr ',|' '\n' | sed 's/^ *//; s/[ :].*//' | sort -u >"$work/provided"
-grep -rhoP --include='*.h' --include='*.cpp' '^\s*#\s*include\s*<\K[^>]+' include src tests | sort -u >"$work/included"
+grep -rhoP --include='*.h' --include='*.cpp' '^\s*#\s*include\s*<\K[^>]+' include src tests python | sort -u >"$work/included"
 roots=(/usr/include /usr/include/eigen3 /usr/include/lib3mf /usr/include/dxflib /usr/include/librsvg-2.0 /usr/include/cairo)
 while read -r header; do
     for root in "${roots[@]}"; do
@@ -23,3 +23,10 @@ while read -r owner; do
     case $owner in libc6-dev | linux-libc-dev | libstdc++-*) continue ;; esac
     grep -qxF -- "$owner" "$work/provided" || fail "$owner is included from, but is not in packages.txt"
 done <"$work/owners"
+
+# docs/licences.md has a row for each library.
+sed -n '/^# libraries/,/^# tests/{/^#/d;p}' packages.txt >"$work/libraries"
+[ -s "$work/libraries" ] || fail 'packages.txt has no libraries'
+while read -r library; do
+    grep -qF -- "\`$library\`" docs/licences.md || fail "$library is not in docs/licences.md"
+done <"$work/libraries"

@@ -23,9 +23,9 @@ TEST(DiagnosisHtml, AnswersWhereWhichAndHowFarInThisOrder) {
     const diagnosis::Diagnosis d = diagnosis();
     const std::string page = diagnosis_html(d);
     expect_page(page);
-    EXPECT_EQ(elements(page, "h2").size(), 8u);
+    EXPECT_EQ(elements(page, "h2").size(), 9u);
     std::size_t last = 0;
-    for (const std::string& html : {where_section(d), which_section(d), isolability_section(d), trace_section(d)}) {
+    for (const std::string& html : {trace_section(d), where_section(d), place_section(d), which_section(d), isolability_section(d)}) {
         EXPECT_GT(page.find(html), last);
         last = page.find(html);
         ASSERT_NE(last, std::string::npos);
@@ -84,8 +84,7 @@ TEST(DiagnosisHtml, FiguresThatAreNotKnownAreDashes) {
 TEST(DiagnosisHtml, TakesAFurtherSectionAsItIs) {
     const std::string extra = section("The loop closed", "<p>dead-band</p>");
     const std::string page = diagnosis_html(diagnosis(), extra);
-    EXPECT_EQ(elements(page, "h2").back(), "The loop closed");
-    EXPECT_TRUE(holds(page, extra));
+        EXPECT_TRUE(holds(page, extra));
 }
 
 TEST(DiagnosisHtml, ThirtyLongTracesStayBelow2MB) {

@@ -54,7 +54,7 @@ TEST(CamDrawing, TheWorkingArcAndTheCableStandWhereTheyTouch) {
 
 TEST(CamDrawing, EveryMarkerIsDrawnWithItsNumberAndPlace) {
     const std::string svg = cam_svg(disc(cam::PartKind::kSeries), {{7, core::Severity::kError, 3.0, 4.0, "a<b"}});
-    EXPECT_NE(svg.find("class=\"place error\"><title>a&lt;b</title><path class=\"leader\" d=\"M3 -4L"), std::string::npos);
+    EXPECT_NE(svg.find("aria-label=\"a&lt;b\"><title>a&lt;b</title><path class=\"leader\" d=\"M3 -4L"), std::string::npos);
     EXPECT_NE(svg.find(">7</text>"), std::string::npos);
 }
 

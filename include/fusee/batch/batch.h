@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "fusee/core/error.h"
 #include "fusee/pipeline/make.h"
 #include "fusee/pipeline/simulate.h"
 
@@ -25,6 +26,7 @@ struct Ended {
     std::filesystem::path profile;
     Outcome outcome = Outcome::kInterrupted;
     std::string error;
+    std::vector<core::InvalidInput> mistakes;  ///< the wrong values, where `error` names values
     double seconds = 0.0;
 };
 
@@ -33,6 +35,17 @@ struct MakeOptions {
     pipeline::Via via = pipeline::Via::kCgal;
     std::function<void(const std::string&)> note = {};  ///< called when something long begins, on the caller's thread; may be empty
     bool force = false;  ///< also replace another profile's files in out/NAME, and files changed since (core::OutputRun)
+    std::function<void(const char*)> stage = {};  ///< called when a stage begins, kStages times, on the caller's thread; may be empty
+    /// Receives the design once its files are in place, with its parts; may be empty.
+    std::function<void(pipeline::MadeDesign&&)> take = {};
+    std::function<bool()> stop = {};  ///< asked between the steps of one design; may be empty. True: core::Stopped is thrown
+};
+inline constexpr std::size_t kStages = pipeline::kStages + 1;
+
+/// A stage of the work on one profile.
+struct Stage {
+    std::string name;
+    double seconds = 0.0;
 };
 
 /// The outcome of `make` for one profile.
@@ -44,6 +57,7 @@ struct MakeResult {
     pipeline::Headline headline;
     pipeline::FileErrors file_errors;
     double dead_band_peak_deg = 0.0;  ///< exact, full width at the joint, at peak torque
+    std::vector<Stage> stages;        ///< in turn; those of a refused design end at the refusal
 };
 
 /// One profile in, out/NAME out: part files, simulation and reports. A design that cannot be made writes nothing.

@@ -39,6 +39,9 @@ struct Trial {
 /// better than every infeasible one.
 [[nodiscard]] double cost(const Trial& trial);
 
+/// What an infeasible candidate breaks, the worst first, as findings.
+[[nodiscard]] core::Findings broken(const Trial& trial);
+
 /// A design between the searched numbers and a profile.
 struct Draft;
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -67,7 +68,20 @@ private:
 class IoError : public InputError {
 public:
     IoError(const std::string& path, const std::string& why);
+    [[nodiscard]] const std::string& path() const { return path_; }
+    [[nodiscard]] const std::string& why() const { return why_; }
+
+private:
+    std::string path_, why_;
 };
+
+/// Where a value stands, as the field of an InvalidInput says: "p.toml:3:7: cable.diameter_mm".
+struct Location {
+    std::string file;                  ///< "": none
+    std::size_t line = 0, column = 0;  ///< from 1; 0: none
+    std::string field;                 ///< the rest: key, column, option
+};
+[[nodiscard]] Location location_of(const std::string& field);
 
 /// @throws InvalidInput unless `value` is finite and within [low, high]
 double require_within(const std::string& field, double value, double low, double high, const std::string& unit = "");

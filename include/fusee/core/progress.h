@@ -7,15 +7,23 @@
 
 namespace fusee::core {
 
+/// No Progress shows anything from now on (-q).
+void hide_progress();
+
 /// Shows the progress of long work on stderr: a bar on a terminal, plain lines otherwise. Thread-safe.
 class Progress {
 public:
-    Progress(std::string title, std::size_t total);
+    enum class Of {
+        kItems,   ///< each item is a line; the bar stays
+        kStages,  ///< stages of one item: lines only after kSlow; the bar is wiped at the end
+    };
+    static constexpr double kSlow = 10.0;  ///< [s]
+    Progress(std::string title, std::size_t total, Of of = Of::kItems);
     ~Progress();
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    /// Counts one finished item; `label` names it.
+    /// Counts one finished item, or a stage that begins; `label` names it.
     void advance(const std::string& label);
     /// Announces a long step: shown behind the bar, or as a line.
     void note(const std::string& label);
@@ -25,6 +33,7 @@ private:
 
     std::string title_;
     std::size_t total_, done_ = 0;
+    Of of_;
     bool terminal_;
     std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
     std::mutex mutex_;

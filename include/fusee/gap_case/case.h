@@ -5,8 +5,10 @@
 #include <limits>
 #include <map>
 #include <string>
+#include <variant>
 #include <vector>
 
+#include "fusee/gap_case/files.h"
 #include "fusee/identification/break_away.h"
 
 /// A gap case: nominal rig and measurements (docs/gap.md). Everything is SI; angles and torques are those of the capstan unless
@@ -141,14 +143,28 @@ struct Case {
 /// thinned; a remark says so.
 /// @throws core::InvalidInput "file:line:column: key", core::IoError
 [[nodiscard]] Case read_case(const std::filesystem::path& folder);
+/// The same from a folder or from memory. @throws as read_case
+[[nodiscard]] Case read_case(const CaseFiles& files);
 /// True if DIR/case.toml has [bench] in place of [rig] (fusee/subsystem/subsystem.h).
 [[nodiscard]] bool is_subsystem_case(const std::filesystem::path& folder);
 
 /// The input columns of the experiment files in `folder` with the file names of the case; measured columns may be missing or have
 /// empty cells: such values are NaN. Nothing is thinned. @throws as read_case, and if none of the files exists
 [[nodiscard]] Rows read_inputs(const Case& nominal, const std::filesystem::path& folder);
+/// The same from a folder or from memory. @throws as read_inputs
+[[nodiscard]] Rows read_inputs(const Case& nominal, const CaseFiles& files);
 /// Writes the files that read_inputs reads, measured columns as in `rows`; NaN as an empty cell. Creates folders;
 /// keeps other files. @throws core::IoError
 void write_rows(const Case& nominal, const Rows& rows, const std::filesystem::path& folder);
+/// The same files as texts.
+[[nodiscard]] CaseTexts row_texts(const Case& nominal, const Rows& rows);
+
+/// One column of an experiment's file: numbers, or words such as "agonist".
+struct Column {
+    std::string name;  ///< "q_low_rad"
+    std::variant<std::vector<double>, std::vector<std::string>> cells;
+};
+/// The columns of an experiment's rows, named and ordered as in its file; none if there are no rows. Missing numbers are NaN.
+[[nodiscard]] std::vector<Column> columns_of(const Rows& rows, Experiment experiment);
 
 }  // namespace fusee::gap_case

@@ -36,6 +36,8 @@ struct CaseTemplate {
 /// measured, and BENCH.md, the sheets that say how to measure. `read_case` names cells that are still empty.
 /// @throws core::InvalidInput if the torques are no range above 0 or a figure is none that read_case takes; core::IoError
 void write_case_template(const CaseTemplate& empty, const std::filesystem::path& folder);
+/// The same files as texts. @throws core::InvalidInput as write_case_template
+[[nodiscard]] CaseTexts case_template_texts(const CaseTemplate& empty);
 
 /// The names of its files, which the user fills in or corrects.
 [[nodiscard]] std::vector<std::string> case_template_files();

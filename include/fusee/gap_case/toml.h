@@ -1,5 +1,4 @@
 #pragma once
-#include <filesystem>
 #include <map>
 #include <string>
 #include <string_view>
@@ -7,6 +6,7 @@
 #include <vector>
 
 #include "fusee/core/error.h"
+#include "fusee/gap_case/files.h"
 
 namespace fusee::gap_case {
 
@@ -24,8 +24,8 @@ class CaseToml {
 public:
     using Value = std::variant<double, bool, std::string, std::vector<std::string>, std::vector<double>>;
 
-    /// Reads FOLDER/case.toml. @throws core::IoError if it is no TOML; core::InvalidInput for a leaf that is none of Value
-    explicit CaseToml(const std::filesystem::path& folder);
+    /// Reads case.toml. @throws core::IoError if it is no TOML; core::InvalidInput for a leaf that is none of Value
+    explicit CaseToml(const CaseFiles& files);
 
     [[nodiscard]] const std::string& bytes() const { return bytes_; }
     [[nodiscard]] bool has(const std::string& path) const { return leaves_.contains(path) || tables_.contains(path); }
@@ -62,7 +62,7 @@ private:
     void read_number(const std::string& path, const NumberKey& key) const;
     void check_file(const std::string& path, const std::string& name) const;
 
-    std::filesystem::path folder_;
+    CaseFiles source_;
     std::string file_, bytes_;
     std::map<std::string, Leaf> leaves_;
     std::map<std::string, Place> tables_;

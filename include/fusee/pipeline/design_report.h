@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "fusee/actuator/actuator.h"
 #include "fusee/actuator/dead_band.h"
 #include "fusee/cam/certificate.h"
 #include "fusee/core/finding.h"
@@ -76,6 +77,7 @@ struct PartReport {
 struct DesignReport {
     core::Provenance provenance;
     LawReport law;
+    actuator::Actuator actuator;                ///< of both sides; its law is that of `law`
     std::vector<actuator::DeadBand> dead_band;  ///< by rising co-contraction
     core::Findings findings;                    ///< of the law and of the design as a whole
     std::vector<PartReport> parts;

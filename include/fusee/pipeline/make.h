@@ -18,7 +18,10 @@ struct MakeOptions {
     /// simulation of `headline_simulation`. Then the rules that need no mesh refuse a design before anything is meshed.
     bool reported = true;
     std::function<void(const std::string&)> note = {};  ///< called when something long begins, on the caller's thread; may be empty
+    std::function<void(const char*)> stage = {};        ///< called when a stage begins, kStages times, on the caller's thread; may be empty
+    std::function<bool()> stop = {};                    ///< asked between the steps; may be empty. True: core::Stopped is thrown
 };
+inline constexpr std::size_t kStages = 5;
 
 /// A design with its part files, and all that its reports show.
 struct MadeDesign {

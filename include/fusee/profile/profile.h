@@ -174,6 +174,12 @@ inline constexpr std::size_t kLargestFile = 10'000'000;
 /// The profile as TOML with every key that applies. Read from the same folder it gives the same numbers, bit for bit.
 [[nodiscard]] std::string to_toml(const Profile& profile);
 
+/// The same as a person writes it: the keys that differ from their defaults, and the required ones, each with its meaning.
+[[nodiscard]] std::string to_commented_toml(const Profile& profile);
+
+/// Every number rounded to `digits` significant digits in the unit of its key, as the reader gives it back. @pre digits within 1 to 17
+[[nodiscard]] Profile rounded(Profile profile, int digits);
+
 /// Every key with unit, allowed values, default and meaning: the Markdown tables of docs/profile.md.
 [[nodiscard]] std::string profile_reference();
 

@@ -94,6 +94,10 @@ struct Options {
 [[nodiscard]] Redesign plan_redesign(const profile::Profile& profile, const std::string& toml, const gap_case::Case& gap_case,
                                      const diagnosis::Diagnosis& found, const Options& options);
 
+/// The keys of a profile whose figures an effect of usual size changes on a rig, in the order of a redesign; empty: no profile value
+/// represents it. @throws core::InvalidInput if the effect is unknown
+[[nodiscard]] std::vector<std::string> keys_of_effect(const std::string& effect_id);
+
 /// Writes each corrected profile, its folder made if there is none.
 /// @throws core::IoError, before anything is written, if the file exists and `force` is not set
 void write_profiles(const Redesign& redesign, bool force = false);

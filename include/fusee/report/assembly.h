@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "fusee/assembly/assembly.h"
+#include "fusee/assembly/motion.h"
 #include "fusee/pipeline/design_report.h"
 
 /// The files of an assembly: assembly.json, bom.csv, assembly.md and the pictures (docs/assembly.md).
@@ -22,11 +22,12 @@ namespace fusee::report {
 struct PictureFile {
     std::string name, bytes;
 };
-/// assembly_view (at rest) and assembly_exploded (the bodies moved apart and named), each as SVG and PNG: shaded, with grooves and coils.
-/// The PNG of the second uses the machine's fonts. @throws core::IoError
-[[nodiscard]] std::vector<PictureFile> assembly_pictures(const assembly::Assembly& assembly);
+/// assembly_view (in a pose) and assembly_exploded (at rest, the bodies moved apart and named), each as SVG and PNG: shaded, with grooves
+/// and coils. The PNG of the second uses the machine's fonts. @throws core::IoError
+[[nodiscard]] std::vector<PictureFile> assembly_pictures(const assembly::Assembly& assembly, const assembly::Pose& pose = {},
+                                                         int longest_px = 1200);
 
-/// The section of report.html: the joint seen along its axis, and the cables; "" without an assembly.
+/// The section of report.html: its measures and cables; "" without an assembly.
 [[nodiscard]] std::string assembly_section(const pipeline::DesignReport& design);
 
 /// Writes all of them. @throws core::IoError

@@ -10,7 +10,7 @@ using identification::Identification;
 
 /// The keys of docs/guides/identify-friction.md, in that order; a NaN is null.
 [[nodiscard]] std::string identification_json(const Identification& identification);
-/// One page in one file that opens offline, with a picture as the paper's figure 8: no script, no request.
+/// One page in one file that opens offline, with a picture as the paper's figure 8: its scripts inside, no request.
 [[nodiscard]] std::string identification_html(const Identification& identification);
 /// The lines, remarks and the law for a profile, for a terminal.
 [[nodiscard]] std::string identification_text(const Identification& identification);

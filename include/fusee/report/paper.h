@@ -31,7 +31,7 @@ struct PaperClaim {
 [[nodiscard]] std::string table_csv(const PaperTable& table);
 /// The keys of docs/guides/paper.md, in that order; a NaN is null.
 [[nodiscard]] std::string paper_json(const Paper& paper);
-/// One page in one file that opens offline: no script, no request.
+/// One page in one file that opens offline: its scripts inside, no request.
 [[nodiscard]] std::string paper_html(const Paper& paper);
 /// Writes paper.html, paper.json and the CSV file of each figure and table. @throws core::IoError
 void write_paper(const Paper& paper, const std::filesystem::path& folder);

@@ -19,7 +19,7 @@ void write_springs_csv(const std::filesystem::path& path, const spring::SpringLa
 /// The keys of docs/report.md, in that order; a NaN is null.
 [[nodiscard]] std::string report_json(const DesignReport& design);
 
-/// One page in one file that opens offline: no script, no request.
+/// One page in one file that opens offline: no request. A design with an assembly carries the joint in 3D and its script (web/README.md).
 [[nodiscard]] std::string report_html(const DesignReport& design);
 
 /// Adds to the part files in `folder`: the simulation's files, springs.csv, report.json and report.html. @throws core::IoError

@@ -13,7 +13,7 @@ using codesign::CamCurve, codesign::ComparedFigure, codesign::CostCurve, codesig
 
 /// The keys of docs/guides/design-springs.md, in that order; a NaN is null.
 [[nodiscard]] std::string search_json(const SearchReport& report);
-/// One page in one file that opens offline: no script, no request.
+/// One page in one file that opens offline: its scripts inside, no request.
 [[nodiscard]] std::string search_html(const SearchReport& report);
 /// variable,value,cost,feasible (1 or 0) with 17 digits: the curves of figure 9.
 [[nodiscard]] std::string figure_9_csv(const std::vector<CostCurve>& costs);

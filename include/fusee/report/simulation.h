@@ -30,7 +30,7 @@ using pipeline::BreakAwayRow, pipeline::DeflectionLoop, pipeline::EquilibriumRow
 [[nodiscard]] std::string stretch_remark(const Simulation& simulation);
 /// The keys of docs/simulation.md, in that order; a NaN is null.
 [[nodiscard]] std::string simulation_json(const Simulation& simulation);
-/// One page in one file that opens offline: no script, no request.
+/// One page in one file that opens offline: its scripts inside, no request.
 [[nodiscard]] std::string simulation_html(const Simulation& simulation);
 /// The paper's comparison of arrangements: one row each, the unit at the end of the column's name.
 [[nodiscard]] std::string relatives_csv(const std::vector<Simulation>& simulations);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <string_view>
 
+#include "command_line.h"
+
 namespace fusee::app {
 
 namespace {
@@ -50,6 +52,7 @@ Argument read_argument(const CLI::App& app, const CLI::Option& option) {
     argument.required = option.get_required();
     argument.repeats = option.get_expected_max() >= CLI::detail::expected_max_vector_size ||
                        option.get_multi_option_policy() == CLI::MultiOptionPolicy::TakeAll;
+    argument.everywhere = option.get_group() == kEverywhere;
     argument.ends = &option == app.get_help_ptr() || &option == app.get_version_ptr();
     if (option.get_items_expected_max() > 0) read_type(argument, option.get_type_name());
     return argument;

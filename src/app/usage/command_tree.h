@@ -27,7 +27,8 @@ struct Argument {
     std::vector<std::string> words;  ///< the choices, or the endings of the file
     std::string meaning, default_value;
     bool required = false, repeats = false;
-    bool ends = false;  ///< --help, --version: the command does nothing else
+    bool everywhere = false;  ///< of every command: the manual page lists it once
+    bool ends = false;        ///< --help, --version: the command does nothing else
 
     /// The name that completion offers.
     [[nodiscard]] const std::string& long_name() const { return names.back(); }

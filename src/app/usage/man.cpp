@@ -75,7 +75,7 @@ std::string items(const Command& command) {
     std::string text;
     for (const Argument& positional : command.positionals) text += item(positional, true);
     for (const Argument& option : command.options)
-        if (!option.ends || command.path.empty()) text += item(option, false);
+        if ((!option.ends && !option.everywhere) || command.path.empty()) text += item(option, false);
     return text;
 }
 

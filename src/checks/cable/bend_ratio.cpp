@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "fusee/checks/along.h"
 #include "fusee/checks/limits.h"
 #include "fusee/core/units.h"
 #include "measure.h"
@@ -13,10 +14,11 @@ namespace {
 core::Findings measure_cable_bend_ratio(const Design& design, const Allowed& allowed) {
     if (design.part.cam.working.empty()) return {};
     const double d = design.cable.diameter;
-    const cam::PathPoint& worst = worst_contact(design.part.cam, [](const cam::Contact& c) { return -c.path.rho; }).path;
+    const cam::Contact& contact = worst_contact(design.part.cam, [](const cam::Contact& c) { return -c.path.rho; });
+    const cam::PathPoint& worst = contact.path;
     const CableLimits& table = cable_limits(design.cable.construction);
     const bool own = design.cable.min_bend_ratio > 0.0;
-    const double ratio = (2.0 * worst.rho - d) / d;
+    const double ratio = bend_ratio(contact, d);
     core::Finding f = own ? judge(ratio, {allowed("required", design.cable.min_bend_ratio)})
                           : judge(ratio, {allowed("required", table.critical), allowed("review", table.recommended)});
     f.what =

@@ -15,12 +15,14 @@ constexpr double kMost = 4.0;  // [deg]
 core::Findings measure_cable_fleet(const Design& design, const Allowed& allowed) {
     const cam::Cam& cam = design.part.cam;
     if (cam.working.empty()) return {};
-    const cam::Contact& worst = worst_contact(cam, [](const cam::Contact& c) { return std::abs(c.fleet); });
+    const cam::Contact& worst = worst_contact(cam, [&](const cam::Contact& c) { return std::abs(fleet_from_groove(cam, c)); });
     const bool own = design.cable.max_fleet > 0.0;
-    const double fleet = core::deg_from_rad(std::abs(worst.fleet));
+    const bool aimed = !cam.closed() && cam.options.path.lead == cam::Lead::kAimedAtGuide;
+    const double fleet = core::deg_from_rad(std::abs(fleet_from_groove(cam, worst)));
     core::Finding f = own ? judge(fleet, {allowed("required", core::deg_from_rad(design.cable.max_fleet))})
                           : judge(fleet, {allowed("required", kMost), allowed("review")});
-    f.what = fmt::format("largest fleet angle; the arm in the plane is longer by 1/{:.5f}", std::cos(worst.fleet));
+    f.what = fmt::format("largest fleet angle{}; the arm in the plane is longer by 1/{:.5f}",
+                         aimed ? ", from the direction of the groove" : "", std::cos(worst.fleet));
     f.where = where(design, worst.path.psi);
     f.place = place(worst.path, 0.0);
     const double tangent = std::tan(core::rad_from_deg(f.allowed)), farther = std::abs(std::tan(worst.fleet)) / tangent;
@@ -40,7 +42,7 @@ core::Findings measure_cable_fleet(const Design& design, const Allowed& allowed)
 Rule cable_fleet() {
     return {"cable.fleet",
             "the cable leaving the groove's plane at an angle",
-            "largest angle between free cable and the contact's plane",
+            "largest angle between free cable and the contact's plane; of an aimed helix, between free cable and groove",
             "wirerope.net: 2 deg grooved; 4 deg (practice)",
             {required(kAtMost, "deg", "4 deg, or cable.max_fleet_deg"), review(kAtMost, "deg", 2.0)},
             measure_cable_fleet};

@@ -14,9 +14,10 @@ namespace {
 core::Findings measure_cable_fleet_side(const Design& design, const Allowed& allowed) {
     const cam::Cam& cam = design.part.cam;
     if (cam.working.empty()) return {};
-    const cam::Contact& high = worst_contact(cam, [](const cam::Contact& c) { return c.fleet; });
-    const cam::Contact& low = worst_contact(cam, [](const cam::Contact& c) { return -c.fleet; });
-    const double above = std::max(0.0, high.fleet), below = std::max(0.0, -low.fleet);
+    const auto fleet = [&cam](const cam::Contact& c) { return fleet_from_groove(cam, c); };
+    const cam::Contact& high = worst_contact(cam, fleet);
+    const cam::Contact& low = worst_contact(cam, [&](const cam::Contact& c) { return -fleet(c); });
+    const double above = std::max(0.0, fleet(high)), below = std::max(0.0, -fleet(low));
     const cam::Contact& worst = above > below ? high : low;
     core::Finding f = judge(core::deg_from_rad(std::abs(above - below)), {allowed("review")});
     f.what = fmt::format("fleet angle {:.2f} deg upwards, {:.2f} deg downwards: the guide is off the middle of the groove",

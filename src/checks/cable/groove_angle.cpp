@@ -19,15 +19,28 @@ std::string aimed_change(const Design& design) {
     return fmt::format("{0} with {1}.guide.kind = \"point\" with {1}.guide.distance_mm = {2:g}", aimed, name(design), kGuide_mm);
 }
 
+/// Cable that is taken in beyond the integral of the arm, since it crosses the groove (docs/theory/cams.md, fleet angle) [m].
+template <class Angle>
+double excess_intake(const cam::Cam& cam, const Angle& angle) {
+    double excess = 0.0;
+    for (std::size_t i = 1; i < cam.working.size(); ++i) {
+        const cam::Contact &a = cam.working[i - 1], &b = cam.working[i];
+        const double rho = 0.5 * (a.path.rho + b.path.rho), rise = b.path.z - a.path.z;
+        excess += std::hypot(rho * (b.path.psi - a.path.psi), rise) * (1.0 - std::cos(0.5 * (angle(a) + angle(b))));
+    }
+    return excess;
+}
+
 core::Findings measure_cable_groove_angle(const Design& design, const Allowed& allowed) {
     const cam::Cam& cam = design.part.cam;
     if (cam.closed() || cam.working.size() < 2) return {};
     const auto angle = [&cam](const cam::Contact& c) { return std::abs(std::atan(groove_slope(cam, c)) - c.fleet); };
     const cam::Contact& worst = worst_contact(cam, angle);
     core::Finding f = judge(core::deg_from_rad(angle(worst)), {allowed("review")});
-    f.what =
-        fmt::format("angle between the free cable and its groove: it rubs on a flank, where {:.2g} % of the torque may be lost or gained",
-                    100.0 * (1.0 - std::cos(angle(worst))) * worst.path.rho / worst.path.h);
+    f.what = fmt::format(
+        "angle between the free cable and its groove: it rubs on a flank, where {:.2g} % of the torque may be lost or gained; over the "
+        "range the cable moves by {:.2g} mm more than the arms state",
+        100.0 * (1.0 - std::cos(angle(worst))) * worst.path.rho / worst.path.h, core::mm_from_m(excess_intake(cam, angle)));
     f.where = where(design, worst.path.psi);
     f.place = place(worst.path, 0.0);
     if (cam.options.path.lead == cam::Lead::kConstantPitch)

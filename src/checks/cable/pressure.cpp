@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "fusee/checks/along.h"
 #include "fusee/checks/material.h"
 #include "fusee/core/units.h"
 #include "measure.h"
@@ -16,10 +17,7 @@ constexpr double kConfined = 1.5;  // a material that cannot move aside yields a
 
 core::Findings measure_cable_pressure(const Design& design, const Allowed& allowed) {
     const double d = design.cable.diameter;
-    // There is no groove floor where 2 rho <= d: cable.bend_ratio reports it.
-    const auto pressure = [d](const cam::Contact& c) {
-        return 2.0 * c.path.rho <= d ? 0.0 : 2.0 * c.arm.tension / ((2.0 * c.path.rho - d) * d);
-    };
+    const auto pressure = [d](const cam::Contact& c) { return floor_pressure(c, d); };
     const cam::Contact& worst = worst_contact(design.part.cam, pressure);
     const double bears = bearing_strength(design) / kPaPerMPa;
     const bool own = design.cable.max_pressure > 0.0;

@@ -92,6 +92,26 @@ OtherProcess by_process(const profile::Profile& profile, checks::ProcessKind kin
     return other;
 }
 
+core::Findings outline_findings(const profile::Profile& profile) {
+    require_parts(profile);
+    const auto design = resolve(profile);
+    if (!design) return design.refusal();
+    const auto part_findings = [&](cam::PartKind kind) -> core::Findings {
+        const auto cam = design_cam(kind, *design);
+        if (!cam) return cam.refusal();
+        const profile::PartSpec& spec = design->spec(kind);
+        const auto body = solid::outline_part(*cam, spec.solid);
+        if (!body) return body.refusal();
+        return checks::check_without_mesh({*body, spec.spring, profile.cable, profile.process, profile.limits});
+    };
+    auto series = std::async(std::launch::async | std::launch::deferred, part_findings, cam::PartKind::kSeries);
+    const core::Findings parallel = part_findings(cam::PartKind::kParallel);
+    core::Findings all = design->findings;
+    core::append(all, series.get());
+    core::append(all, parallel);
+    return all;
+}
+
 Checked check(const profile::Profile& profile, std::span<const checks::ProcessKind> kinds) {
     require_parts(profile);
     const auto resolved = resolve(profile);

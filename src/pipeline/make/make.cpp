@@ -8,6 +8,7 @@
 #include "export/plate.h"
 #include "fusee/actuator/dead_band.h"
 #include "fusee/core/output_folder.h"
+#include "fusee/core/progress.h"
 #include "fusee/core/temporary_folder.h"
 #include "fusee/formats/format.h"
 #include "fusee/pipeline/as_exported.h"
@@ -69,6 +70,10 @@ void announce(const profile::Profile& profile, const MakeOptions& options) {
     for (const formats::Format& format : formats::all_formats())
         if (profile.outputs.has(format.name) && *format.note != '\0' && (options.via != Via::kOpenScad || format.note != by_openscad))
             options.note(profile.name + ": " + format.note);
+}
+
+void ask_to_stop(const MakeOptions& options) {
+    if (options.stop && options.stop()) throw core::Stopped();
 }
 
 struct Parts {
@@ -142,6 +147,10 @@ Assembled assemble_pairs(const ResolvedDesign& design, const Parts& parts, bool 
 core::Outcome<MadeDesign> make_parts(const profile::Profile& profile, core::OutputFolder& output, const MakeOptions& options) {
     require_parts(profile);
     require_sliceable(profile);
+    const auto begin = [&options](const char* stage) {
+        if (options.stage) options.stage(stage);
+    };
+    begin("spring law");
     auto resolved = resolve(profile);
     if (!resolved) return resolved.refusal();
     MadeDesign made{std::move(resolved).value(), {}, {}};
@@ -149,12 +158,15 @@ core::Outcome<MadeDesign> make_parts(const profile::Profile& profile, core::Outp
     auto simulation = std::async(std::launch::async | std::launch::deferred, [&] {  // needs no part
         return options.reported ? simulate(design) : headline_simulation(design);
     });
+    begin("cams, solids and rules");
     const auto parts =
         options.reported ? design_parts(design, profile.outputs.pair) : design_parts_outlines_first(design, profile.outputs.pair);
     if (!parts) return parts.refusal();
+    ask_to_stop(options);
 
     DesignReport& report = made.report;
     report.provenance = {profile.name, profile.sha256, std::string("via=") + to_string(options.via)};
+    report.actuator = design.actuator;
     report.findings = design.findings;
     if (options.reported) {
         report.law = law_report(design);
@@ -163,9 +175,13 @@ core::Outcome<MadeDesign> make_parts(const profile::Profile& profile, core::Outp
     auto assembled =
         std::async(std::launch::async | std::launch::deferred, [&] { return assemble_pairs(design, *parts, options.reported); });
     announce(profile, options);
+    begin("part files and read-back");
     const ExactSolids exact = export_parts(report, *parts, profile, options.via, output.path());
+    ask_to_stop(options);
     report.as_exported = as_exported(design, report);
+    begin("joint and its files");
     export_joint(report, assembled.get(), exact, profile, output.path());
+    begin("simulation and error budget");
     made.simulation = simulation.get();
     report.headline = headline_of(design, made.simulation, report.parts, options.reported ? kDraws : 0);
     return made;
@@ -187,6 +203,7 @@ core::Outcome<MadeDesign> make_figures(const profile::Profile& profile) {
     const auto parts = design_parts_outlines_first(design, false);
     if (!parts) return parts.refusal();
     made.report.provenance = {profile.name, profile.sha256, ""};
+    made.report.actuator = design.actuator;
     made.report.findings = design.findings;
     for (const Pair* pair : {&parts->series, &parts->parallel})
         made.report.parts.push_back(without_files(pair->agonist, design.spec(pair->agonist->part.cam.kind).spring));

@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 #include <future>
-#include <map>
 
+#include "assembly/shown.h"
 #include "fusee/assembly/motion.h"
 #include "fusee/core/markup.h"
 #include "fusee/render/svg.h"
@@ -22,51 +22,25 @@ using assembly::Assembly, assembly::Body, assembly::Pose;
 using core::coordinate;
 using Eigen::Vector2d, Eigen::Vector3d;
 
-constexpr int kPixels = 1200;
 constexpr double kNameLetter = 0.62;  // width of a letter over its size
 
-/// How far a body is moved in the exploded view [mm]: along z, and along K_PE's cable.
-Vector3d moved_apart(const Assembly& a, const Body& body) {
-    struct Move {
-        double up, along;
-    };
-    static const std::map<std::string, Move> kMoves{
-        {"axle_rings", {30.0, 0.0}},    {"axle_sleeve", {-25.0, 0.0}}, {"shaft_collar", {70.0, 0.0}}, {"joint_stops", {-10.0, 0.0}},
-        {"rods", {-40.0, 0.0}},         {"axle", {30.0, 0.0}},         {"k_se", {60.0, 0.0}},         {"k_se_spring", {85.0, 0.0}},
-        {"capstan", {40.0, 0.0}},       {"joint_pulley", {40.0, 0.0}}, {"k_pe", {-55.0, 0.0}},        {"k_pe_seat", {-55.0, 0.0}},
-        {"k_pe_spring", {-55.0, 25.0}}, {"k_pe_cap", {-55.0, 50.0}}};
-    const auto found = kMoves.find(body.base_name());
-    if (found == kMoves.end()) return Vector3d::Zero();
-    const double side = body.side == assembly::Side::kAntagonist ? -1.0 : 1.0, direction = a.options.k_pe_direction;
-    return Vector3d(side * std::cos(direction), std::sin(direction), 0.0) * found->second.along + found->second.up * Vector3d::UnitZ();
+/// A body as pictures show it in a pose, in its own frame: a spring by its coils, where they are known.
+solid::Mesh shown_mesh(const Assembly& a, const Body& body, const Pose& pose) {
+    const std::optional<render::Coil> coil = coil_of(a, body, pose);
+    return coil ? assembly::moved(render::coil_mesh(*coil), body.shapes.front().frame) : body.mesh();
 }
 
-/// A body as pictures show it, in its own frame: a spring by its coils, where they are known.
-solid::Mesh shown_mesh(const Assembly& a, const Body& body) {
-    const bool torsion = body.base_name() == "k_se_spring";
-    if (!torsion && body.base_name() != "k_pe_spring") return body.mesh();
-    const spring::BaseSpring& spring = torsion ? a.drive.k_se_spring : a.drive.k_pe_spring;
-    if (spring.active_coils <= 0.0) return body.mesh();
-    const assembly::Extrusion& space = body.shapes.front();
-    const double inside = space.holes.front().radius_mm, wire = space.radius_mm - inside;
-    constexpr double kGroundCoils = 2.0;  // of a compression spring, one at each end
-    const bool left = (spring.hand == spring::Hand::kLeft) == (body.side == assembly::Side::kAgonist);
-    return assembly::moved(
-        render::coil_mesh({inside + 0.5 * wire, wire, space.length_mm, spring.active_coils + (torsion ? 0.0 : kGroundCoils), left}),
-        space.frame);
-}
-
-/// Every body at rest, and the free cables where nothing is moved apart.
-std::vector<render::Object> scene_of(const Assembly& a, bool exploded) {
+/// Every body in a pose, and the free cables where nothing is moved apart.
+std::vector<render::Object> scene_of(const Assembly& a, const Pose& pose, bool exploded) {
     constexpr render::Colour kCable{160, 32, 32};
     std::vector<render::Object> objects;
     for (const Body& body : a.bodies) {
-        Eigen::Isometry3d at = assembly::placement(a, body, {});
+        Eigen::Isometry3d at = assembly::placement(a, body, pose);
         if (exploded) at.pretranslate(moved_apart(a, body));
-        objects.push_back({assembly::moved(shown_mesh(a, body), at), colour_of(body)});
+        objects.push_back({assembly::moved(shown_mesh(a, body, pose), at), colour_of(body)});
     }
     if (!exploded)
-        for (const assembly::FreeCable& cable : assembly::free_cables(a, {}))
+        for (const assembly::FreeCable& cable : assembly::free_cables(a, pose))
             objects.push_back({render::tube({cable.from_mm, cable.to_mm}, 0.5 * a.cable_mm), kCable});
     return objects;
 }
@@ -130,9 +104,9 @@ std::string named(const Assembly& a, const render::Picture& picture, Vector2d& l
 }
 
 /// A shaded picture inside an SVG, where names are text, and the same as PNG.
-std::array<PictureFile, 2> shaded(const Assembly& a, bool exploded) {
+std::array<PictureFile, 2> shaded(const Assembly& a, const Pose& pose, bool exploded, int longest_px) {
     const render::View view = render::from_direction(core::rad_from_deg(-55.0), core::rad_from_deg(32.0));
-    const render::Picture picture = render::draw(scene_of(a, exploded), view, kPixels);
+    const render::Picture picture = render::draw(scene_of(a, pose, exploded), view, longest_px);
     Vector2d low(picture.low_mm.x(), -picture.high_mm.y()), high(picture.high_mm.x(), -picture.low_mm.y());
     const std::string png = render::png(picture), name = exploded ? "assembly_exploded" : "assembly_view";
     std::string content =
@@ -140,7 +114,7 @@ std::array<PictureFile, 2> shaded(const Assembly& a, bool exploded) {
                     coordinate(high.x() - low.x()), coordinate(high.y() - low.y()), render::data_uri(png));
     if (exploded) content += named(a, picture, low, high);
     const std::string whole = svg(low, high, content);
-    return {PictureFile{name + ".svg", whole}, {name + ".png", exploded ? render::png_of_svg(whole, name, kPixels) : png}};
+    return {PictureFile{name + ".svg", whole}, {name + ".png", exploded ? render::png_of_svg(whole, name, longest_px) : png}};
 }
 
 /// The joint seen along its axis: outlines of hulls, the highest last, and free cables.
@@ -195,10 +169,10 @@ std::string assembly_plan(const Assembly& a) {
                fmt::format("{}<g transform=\"translate({} 0)\">{}</g>", lowest.content, coordinate(shift.x()), highest.content));
 }
 
-std::vector<PictureFile> assembly_pictures(const Assembly& a) {
-    auto exploded = std::async(std::launch::async | std::launch::deferred, [&a] { return shaded(a, true); });
+std::vector<PictureFile> assembly_pictures(const Assembly& a, const Pose& pose, int longest_px) {
+    auto exploded = std::async(std::launch::async | std::launch::deferred, [&a, longest_px] { return shaded(a, {}, true, longest_px); });
     std::vector<PictureFile> files;
-    for (PictureFile& file : shaded(a, false)) files.push_back(std::move(file));
+    for (PictureFile& file : shaded(a, pose, false, longest_px)) files.push_back(std::move(file));
     for (PictureFile& file : exploded.get()) files.push_back(std::move(file));
     return files;
 }

@@ -15,13 +15,12 @@ std::string assembly_section(const pipeline::DesignReport& design) {
     for (const assembly::Cable& cable : a.cables)
         if (cable.side == assembly::Side::kAgonist)
             rows.push_back({plain(std::string(to_string(cable.kind)) + " cable"), num(cable.length_mm), num(cable.cut_mm())});
-    const std::string text = fmt::format(
-        "At the lowest load (left) and at the highest (right). The motors' axes are {} mm from the joint's; a carriage travels {} mm.",
-        number(a.motor_distance_mm), number(a.capstan_radius_mm * a.greatest_turn));
-    return section("The joint", "<figure class=\"plot\" style=\"max-width:760px\">" + assembly_plan(a) + "</figure>" + paragraph(text) +
-                                    html_table({"each side", "anchor to anchor [mm]", "cut to [mm]"}, rows) +
-                                    "<p><a href=\"assembly.md\">Order of assembly, preloads and timing marks</a>, "
-                                    "<a href=\"bom.csv\">bill of materials</a>, <a href=\"assembly_exploded.svg\">exploded view</a>.</p>");
+    const std::string text = fmt::format("The motors' axes are {} mm from the joint's; a carriage travels {} mm.",
+                                         number(a.motor_distance_mm), number(a.capstan_radius_mm * a.greatest_turn));
+    return section("Building the joint",
+                   paragraph(text) + html_table("Lengths of the cables", {"each side", "anchor to anchor [mm]", "cut to [mm]"}, rows) +
+                       "<p><a href=\"assembly.md\">Order of assembly, preloads and timing marks</a>, "
+                       "<a href=\"bom.csv\">bill of materials</a>, <a href=\"assembly_exploded.svg\">exploded view</a>.</p>");
 }
 
 }  // namespace fusee::report

@@ -63,7 +63,8 @@ std::string budget_section(const Budget& budget) {
         "the contour by the process, the others by [budget] of the profile.{}",
         sampled ? fmt::format(" Dashed: {} sampled joints with shifted, grown cams and moved guides.", budget.draws) : "");
     return section("As the shop builds it", grid(band_plot(budget.parts[0], sampled) + band_plot(budget.parts[1], sampled)) +
-                                                html_table(head, source_rows(budget)) + paragraph(text));
+                                                paragraph(text) +
+                                                folded("Errors by source", html_table("Errors by source", head, source_rows(budget))));
 }
 
 }  // namespace fusee::report

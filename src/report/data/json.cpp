@@ -2,6 +2,7 @@
 
 #include "fusee/core/change.h"
 #include "fusee/core/json.h"
+#include "fusee/report/findings.h"
 #include "fusee/report/rule_counts.h"
 
 namespace fusee::report {
@@ -44,6 +45,8 @@ Json provenance_json(const core::Provenance& made_by) {
 Json range_json(const core::Range& range) { return Json::array({range.low, range.high}); }
 
 Json findings_json(const core::Findings& findings) { return json_list(findings, finding_json); }
+
+std::string findings_list_json(const core::Findings& findings) { return json_text(findings_json(findings)); }
 
 Json rules_json(const core::Findings& findings) {
     const auto counts = [](std::size_t passed, std::size_t not_judged, std::size_t warnings, std::size_t errors) {

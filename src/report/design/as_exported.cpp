@@ -41,12 +41,12 @@ std::string as_exported_section(const AsExported& exported) {
     }
     Rows rows{std::move(nominal)};
     for (const JointAsExported& joint : exported.joints) rows.push_back(joint_row(joint));
-    return section(
-        "The joint as exported",
+    return folded_section(
+        "The joint as exported", counted(exported.joints.size(), "joint") + " of the files",
         paragraph("The last columns are the exact dead-band, edge to edge, at least, peak and overdrive torque. It is computed "
                   "from the springs whose arms were read back from the files. Arm and law error: the largest relative error over "
                   "the working range. A part without such a file has its nominal law.") +
-            html_table(head, rows));
+            html_table("Dead-band of the joint with the springs of its files", head, rows));
 }
 
 }  // namespace fusee::report

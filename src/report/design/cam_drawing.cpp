@@ -116,8 +116,8 @@ std::string cam_svg(const solid::Part& part, const std::vector<Marker>& markers)
     const Sheet sheet = sheet_around(all);
 
     std::string out = fmt::format(
-        "<svg class=\"cam {0}\" width=\"{1}mm\" height=\"{1}mm\" viewBox=\"{2} {3} {1} {1}\" role=\"img\" "
-        "aria-label=\"{0} to scale\">",
+        "<svg class=\"cam {0}\" width=\"{1}mm\" height=\"{1}mm\" viewBox=\"{2} {3} {1} {1}\" role=\"group\" "
+        "aria-label=\"{0} to scale, with the places of its findings\">",
         cam::to_string(cam.kind), coordinate(2 * sheet.half()), coordinate(sheet.centre[0] - sheet.half()),
         coordinate(-sheet.centre[1] - sheet.half()));
     out += path_element("body", rings(body)) + path_element("boss", rings(boss));

@@ -132,9 +132,10 @@ std::string part_section(const PartReport& report, const std::vector<Marker>& ma
     return section(fmt::format("{}: {}", cam::to_string(cam.kind), series ? "spool of the series spring" : "cam of the parallel spring"),
                    "<div class=\"part\"><figure class=\"card\">" + cam_svg(*report.part, markers) +
                        faint_paragraph("View from +z at cam angle 0, to scale. Filled: section just below the top face; " + legend +
-                                       "; numbers: findings.") +
-                       "</figure><div class=\"stack\">" + cam_facts(report) + arm.svg() + (cam.closed() ? "" : height.svg()) +
-                       "</div></div>");
+                                       "; numbers: findings; dots: places of rules that passed.") +
+                       "</figure><div class=\"stack\">" + arm.svg() + (cam.closed() ? "" : height.svg()) + cam_facts(report) +
+                       "</div></div>",
+                   cam::to_string(cam.kind));
 }
 
 }  // namespace fusee::report

@@ -7,7 +7,8 @@
 
 namespace fusee::report {
 
-/// Numbered discs on a circle of `radius_mm` about `centre_mm`, each with a leader to its place, moved apart until they do not overlap.
+/// A dot for each rule that passed; for the others numbered discs, linked to their rows, on a circle of `radius_mm` about `centre_mm`, each
+/// with a leader to its place, moved apart until they do not overlap.
 /// @param size_mm radius of a disc
 [[nodiscard]] std::string markers_svg(const std::vector<Marker>& markers, const std::array<double, 2>& centre_mm, double radius_mm,
                                       double size_mm);

@@ -3,7 +3,9 @@
 #include "design/as_exported.h"
 #include "fusee/report/assembly.h"
 #include "fusee/report/budget.h"
+#include "page/bundle.h"
 #include "page/html.h"
+#include "scene/scene.h"
 
 namespace fusee::report {
 
@@ -42,11 +44,13 @@ Head design_head(const DesignReport& design) {
 
 std::string report_html(const DesignReport& design) {
     const std::vector<NumberedFinding> findings = numbered(design);
-    std::string body = design.headline.budget ? budget_section(*design.headline.budget) : "";
+    std::string body = joint_viewer_section(design, findings) + assembly_section(design);  // the joint follows the headline
+    body += law_section(design) + dead_band_section(design) + table_section(design.law);
+    if (design.headline.budget) body += budget_section(*design.headline.budget);
+    body += findings_section(findings);
     for (const PartReport& part : design.parts) body += part_section(part, markers_of(findings, cam::to_string(part.part->cam.kind)));
-    body += assembly_section(design) + findings_section(findings) + law_section(design) + table_section(design.law) +
-            dead_band_section(design) + read_back_section(design) + as_exported_section(design.as_exported) + files_section(design);
-    return html_page(design.provenance.name, design_head(design), body);
+    body += passed_section(findings) + read_back_section(design) + as_exported_section(design.as_exported) + files_section(design);
+    return html_page(design.provenance.name, design_head(design), body, design.assembly ? joint_bundle() : "");
 }
 
 }  // namespace fusee::report

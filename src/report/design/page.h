@@ -25,7 +25,10 @@ struct NumberedFinding {
 [[nodiscard]] std::string table_section(const LawReport& law);
 [[nodiscard]] std::string dead_band_section(const DesignReport& design);
 [[nodiscard]] std::string part_section(const PartReport& part, const std::vector<Marker>& markers);
+/// Errors, warnings and rules that were not judged, each with a link to its place.
 [[nodiscard]] std::string findings_section(const std::vector<NumberedFinding>& findings);
+/// Rules that passed, folded.
+[[nodiscard]] std::string passed_section(const std::vector<NumberedFinding>& findings);
 [[nodiscard]] std::string read_back_section(const DesignReport& design);
 [[nodiscard]] std::string files_section(const DesignReport& design);
 

@@ -11,6 +11,19 @@ namespace {
 
 const std::vector<std::string> kFindingColumns{"#", "", "rule", "finding", "measured", "allowed", "where"};
 
+/// The section of what a finding is about.
+std::string section_of(const NumberedFinding& n) {
+    if (n.part.starts_with("k_se")) return "k_se";
+    if (n.part.starts_with("k_pe")) return "k_pe";
+    return n.finding.rule.starts_with("assembly.") ? "the-joint" : "spring-law";
+}
+
+/// A link to the mark on the drawing, or to the section where the place is no point of a part.
+Cell where_cell(const NumberedFinding& n) {
+    const std::string id = n.finding.place && (n.part == "k_se" || n.part == "k_pe") ? fmt::format("place-{}", n.number) : section_of(n);
+    return {link_to(id, n.finding.where.empty() ? n.part : n.finding.where), "faint"};
+}
+
 /// A value with its unit, "199 mm^2" with a raised two.
 std::string measured_text(double value, std::string unit) {
     if (unit.ends_with("^2")) unit.replace(unit.size() - 2, 2, "\u00b2");
@@ -22,13 +35,13 @@ std::vector<Cell> finding_row(const NumberedFinding& n) {
     Cell what = plain(f.what);
     if (!f.suggestion.empty()) what.html += "<br><span class=\"fix\">" + escape(f.suggestion) + "</span>";
     if (!f.source.empty()) what.html += "<br><span class=\"faint\">" + escape(f.source) + "</span>";
-    return {num(std::to_string(n.number)),
+    return {{std::to_string(n.number), "num", fmt::format("finding-{}", n.number)},
             {tag(f.severity, core::to_string(f.severity)), ""},
             code(f.rule),
             what,
             num(measured_text(f.measured, f.unit)),
             num((f.bound == core::Bound::kAtMost ? "\u2264 " : "\u2265 ") + measured_text(f.allowed, f.unit)),
-            faint(f.where.empty() ? n.part : f.where)};
+            where_cell(n)};
 }
 
 void add_files(Rows& rows, const std::vector<FileRow>& files) {
@@ -48,13 +61,17 @@ std::string not_judged_block(const std::vector<NumberedFinding>& findings) {
     if (open.empty()) return "";
     Rows rows;
     for (const RuleCounts& group : count_rules(open))
-        for (const core::Finding& f : open)
-            if (f.rule.starts_with(group.group + "."))
-                rows.push_back({{tag(f.severity, "not judged"), ""}, code(f.rule), plain(f.what), code(f.suggestion), faint(f.where)});
+        for (const NumberedFinding& n : findings)
+            if (const core::Finding& f = n.finding; f.severity == core::Severity::kNotJudged && f.rule.starts_with(group.group + "."))
+                rows.push_back({{tag(f.severity, "not judged"), "", fmt::format("finding-{}", n.number)},
+                                code(f.rule),
+                                plain(f.what),
+                                code(f.suggestion),
+                                where_cell(n)});
     return subheading("Not judged") +
            paragraph(not_judged_text(open) +
                      ". The profile lacks the data of these rules: these failures are neither found nor excluded.") +
-           html_table({"", "rule", "guards against", "missing", "where"}, rows);
+           card_table("Rules that were not judged", {"", "rule", "guards against", "missing", "where"}, rows);
 }
 
 }  // namespace
@@ -88,18 +105,23 @@ std::vector<Marker> markers_of(const std::vector<NumberedFinding>& findings, con
 
 std::string findings_section(const std::vector<NumberedFinding>& findings) {
     if (findings.empty()) return "";
-    Rows broken, passed;
-    for (const NumberedFinding& n : findings) {
+    Rows broken;
+    for (const NumberedFinding& n : findings)
         if (core::is_broken(n.finding)) broken.push_back(finding_row(n));
+    std::string out = broken.empty() ? paragraph("No error and no warning.")
+                                     : paragraph("The numbers are those on the drawings. Each rule names the source of its limit.") +
+                                           card_table("Errors and warnings", kFindingColumns, broken);
+    return section("Findings", out + not_judged_block(findings));
+}
+
+std::string passed_section(const std::vector<NumberedFinding>& findings) {
+    Rows passed;
+    for (const NumberedFinding& n : findings)
         if (n.finding.severity == core::Severity::kPass) passed.push_back(finding_row(n));
-    }
-    std::string out = paragraph(
-        "The numbers are those on the drawings. Each rule names the source of its limit. The profile can set the limits of cable, springs "
-        "and process.");
-    if (!broken.empty()) out += html_table(kFindingColumns, broken);
-    out += not_judged_block(findings);
-    if (!passed.empty()) out += subheading(fmt::format("{} rules passed", passed.size())) + dense_table(kFindingColumns, passed);
-    return section("Findings", out);
+    if (passed.empty()) return "";
+    return folded_section(
+        "Rules passed", std::to_string(passed.size()),
+        paragraph("The profile can set the limits of cable, springs and process.") + dense_table("Rules passed", kFindingColumns, passed));
 }
 
 std::string read_back_section(const DesignReport& design) {
@@ -115,10 +137,12 @@ std::string read_back_section(const DesignReport& design) {
                         num(std::to_string(e->rows))});
     }
     if (rows.empty()) return "";
-    return section("Read back from the files",
-                   paragraph("Another library read every file. Rays to the groove floor and a taut cable give the lever arm, without any "
-                             "code of the synthesis. A file whose bytes are the exact mirror image of one that was read has its arms.") +
-                       html_table({"", "file", "reader", "worst arm error", "allowed", "at cam angle", "positions"}, rows));
+    return folded_section(
+        "Read back from the files", counted(rows.size(), "reading"),
+        paragraph("Another library read every file. Rays to the groove floor and a taut cable give the lever arm, without any "
+                  "code of the synthesis. A file whose bytes are the exact mirror image of one that was read has its arms.") +
+            html_table("Arm errors of every file and reader",
+                       {"", "file", "reader", "worst arm error", "allowed", "at cam angle", "positions"}, rows));
 }
 
 std::string files_section(const DesignReport& design) {
@@ -131,7 +155,8 @@ std::string files_section(const DesignReport& design) {
                                   : paragraph(
                                         "Files named _mirrored are the antagonist's parts: mirror images in the plane of axis and timing "
                                         "mark, for a torsion spring of the other hand. The law is the same.");
-    return section("Files", sides + html_table({"name", "size", "triangles", "chordal error", "SHA-256"}, rows));
+    return folded_section("Files", counted(rows.size(), "file") + ", with SHA-256",
+                          sides + html_table("Files with size and hash", {"name", "size", "triangles", "chordal error", "SHA-256"}, rows));
 }
 
 }  // namespace fusee::report

@@ -56,9 +56,11 @@ std::string similarity_matrix(const Isolability& isolability, const Indices& ord
     const double left = kCauseLetter * static_cast<double>(longest + 4), bottom = kMargin + kCell * static_cast<double>(shown);
     const double width = left + kCell * static_cast<double>(shown) + kMargin;
     std::string out = fmt::format(
-        "<figure class=\"plot\" style=\"max-width:{}px\"><figcaption>Similarity of two signatures, in per cent</figcaption>"
-        "<svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"isolability\">",
-        coordinate(width + 26), coordinate(width), coordinate(bottom + kFoot));
+        "<figure class=\"plot matrix\" style=\"width:{}px\"><figcaption>Similarity of two signatures, in per cent; outlined: not "
+        "distinguished</figcaption>"
+        "<svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"Similarity of the signatures of {} causes; the table below names the most "
+        "similar one of each\">",
+        coordinate(width + 26), coordinate(width), coordinate(bottom + kFoot), shown);
     for (std::size_t row = 0; row < shown; ++row) {
         const double top = kMargin + kCell * static_cast<double>(row), middle = left + kCell * (static_cast<double>(row) + 0.5);
         out += fmt::format("<text class=\"key\" x=\"{}\" y=\"{}\" text-anchor=\"end\">{} {}</text>", coordinate(left - 6),
@@ -110,7 +112,8 @@ std::string size_table(const Isolability& isolability, const Indices& order) {
                         num(other == i ? "" : percent(similarity(isolability, i, other)))});
     }
     return subheading("Detectable size") + paragraph("The least size of each cause that shows at 3 sigma, build tolerances included.") +
-           dense_table({"", "cause", "least size", "unit", "most similar cause", "similarity"}, rows);
+           dense_table("Least size of each cause that shows", {"", "cause", "least size", "unit", "most similar cause", "similarity"},
+                       rows);
 }
 
 }  // namespace
@@ -123,10 +126,12 @@ std::string isolability_section(const diagnosis::Diagnosis& diagnosis) {
         paragraph(
             "Similarity is |cosine| of the signatures of two causes in the measurements, in sigma, without what build tolerances can "
             "imitate: 100 cannot be distinguished, 0 has nothing in common.") +
-        class_list(isolability) + "<div class=\"stack\">" + similarity_matrix(isolability, order) + heat_legend(similarity_scale()) +
-        "</div>";
+        class_list(isolability) + "<div class=\"stack\">" + heat_legend(similarity_scale()) +
+        "<div class=\"scroll\" role=\"group\" aria-label=\"Similarity matrix\" tabindex=\"0\">" + similarity_matrix(isolability, order) +
+        "</div></div>";
     if (order.size() > kMostCauses) out += faint_paragraph(fmt::format("The first {} of {} causes.", kMostCauses, order.size()));
-    return section("What these experiments can distinguish", out + size_table(isolability, order));
+    return folded_section("What these experiments can distinguish", counted(order.size(), "cause") + ", similarity of their signatures",
+                          out + size_table(isolability, order));
 }
 
 }  // namespace fusee::report

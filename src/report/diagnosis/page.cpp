@@ -30,13 +30,20 @@ std::string diagnosis_verdict(diagnosis::VerdictKind verdict) {
     return "";
 }
 
+/// The verdict and its probability.
+std::string head_sentence(const Diagnosis& diagnosis) {
+    const double probability = verdict_probability(diagnosis);
+    if (!std::isfinite(probability)) return verdict_sentence(diagnosis);
+    return fmt::format("{} Probability: {}.", verdict_sentence(diagnosis), chance(probability));
+}
+
 Head diagnosis_head(const Diagnosis& diagnosis) {
     const Gap& gap = diagnosis.gap;
     const bool interval = std::isfinite(gap.heldout_after_95.low) && std::isfinite(gap.heldout_after_95.high);
     return {"fusee diagnosis",
             diagnosis.case_name,
             diagnosis_verdict(diagnosis.verdict),
-            verdict_sentence(diagnosis),
+            head_sentence(diagnosis),
             fmt::format("fusee {}, case {}, files {}", core::version(), diagnosis.case_name, diagnosis.case_sha256.substr(0, 12)),
             {{change(gap.before, gap.after) + " sigma", "gap before \u2192 after"},
              {number(gap.noise_floor, 3) + " sigma", "noise floor"},
@@ -68,7 +75,8 @@ std::string how_far_section(const Diagnosis& diagnosis) {
     return section(
         "How far the gap shrinks",
         paragraph("All in sigma. No fit uses the held-out rows; the forecast is their gap as the fit predicts it.") +
-            html_table({"experiment", "rows", "before", "after", "floor", "held out, before", "forecast", "measured", "95 %", "remaining"},
+            html_table("Gap of each experiment before and after",
+                       {"experiment", "rows", "before", "after", "floor", "held out, before", "forecast", "measured", "95 %", "remaining"},
                        rows));
 }
 
@@ -79,9 +87,9 @@ std::string build_section(const Diagnosis& diagnosis) {
         rows.push_back({num(name), num(p.value, 3), num(span(p.ci95)), plain(p.unit)});
     }
     if (rows.empty()) return "";
-    return section("How this rig was built",
-                   paragraph("Deviations from nominal within the build tolerances, fitted together with the effects.") +
-                       dense_table({"figure", "value", "95 %", "unit"}, rows));
+    return folded_section("How this rig was built", counted(rows.size(), "figure"),
+                          paragraph("Deviations from nominal within the build tolerances, fitted together with the effects.") +
+                              dense_table("Build figures as fitted", {"figure", "value", "95 %", "unit"}, rows));
 }
 
 std::string set_points(const diagnosis::NextExperiment& next) {
@@ -99,7 +107,9 @@ std::string next_section(const Diagnosis& diagnosis) {
                         num(next.cost, 2)});
     }
     std::string out = listed ? "" : paragraph(diagnosis.next_experiment);
-    if (!rows.empty()) out += html_table({"measurement", "experiment", "set points", "bits expected", "minutes"}, rows);
+    if (!rows.empty())
+        out += card_table("Measurements that distinguish the causes",
+                          {"measurement", "experiment", "set points", "bits expected", "minutes"}, rows);
     return section("Next experiment", out);
 }
 
@@ -107,9 +117,9 @@ std::string next_section(const Diagnosis& diagnosis) {
 
 std::string diagnosis_html(const Diagnosis& diagnosis, const std::string& extra_section_html) {
     return html_page(diagnosis.case_name, diagnosis_head(diagnosis),
-                     where_section(diagnosis) + which_section(diagnosis) + isolability_section(diagnosis) + how_far_section(diagnosis) +
-                         trace_section(diagnosis) + build_section(diagnosis) + next_section(diagnosis) +
-                         section("Remarks", bullet_list(diagnosis.remarks)) + extra_section_html);
+                     trace_section(diagnosis) + where_section(diagnosis) + place_section(diagnosis) + which_section(diagnosis) +
+                         how_far_section(diagnosis) + next_section(diagnosis) + extra_section_html +
+                         section("Remarks", bullet_list(diagnosis.remarks)) + isolability_section(diagnosis) + build_section(diagnosis));
 }
 
 }  // namespace fusee::report

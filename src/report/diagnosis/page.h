@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "fusee/diagnosis/diagnosis.h"
 
@@ -10,7 +11,11 @@ namespace fusee::report {
 [[nodiscard]] std::string where_section(const diagnosis::Diagnosis& diagnosis);        ///< contributions to the gap, map before and after
 [[nodiscard]] std::string which_section(const diagnosis::Diagnosis& diagnosis);        ///< effects found, alternatives, ranking
 [[nodiscard]] std::string isolability_section(const diagnosis::Diagnosis& diagnosis);  ///< similarities, classes, detectable sizes
-[[nodiscard]] std::string trace_section(const diagnosis::Diagnosis& diagnosis);        ///< measured against predicted
+[[nodiscard]] std::string trace_section(const diagnosis::Diagnosis& diagnosis);  ///< measured against predicted, the most telling first
+/// A schematic of the joint with the bodies in which the effects lie; "" for a subsystem case and without effects.
+[[nodiscard]] std::string place_section(const diagnosis::Diagnosis& diagnosis);
+/// The traces that the effects found explain most, or the worst predicted ones: indices, by falling reduction of the squared gap.
+[[nodiscard]] std::vector<std::size_t> most_telling(const std::vector<diagnosis::Trace>& traces, std::size_t most);
 
 inline constexpr std::size_t kMostPointsOfATrace = 400, kMostDotsOfATrace = 120;
 inline constexpr std::size_t kMostPoints = 12000;  ///< of all traces together: at about 100 bytes each the page stays below 2 MB

@@ -139,7 +139,7 @@ std::string trace_chart(const Trace& trace, std::size_t most) {
     const std::vector<std::size_t> rows = drawn_rows(trace, most);
     const Values x = picked(trace.x, rows), after = picked(trace.after, rows), before = picked(trace.before, rows);
     const std::vector<bool> fresh = sweep_starts(x);
-    Plot plot(trace.label, column_name(trace.x_name), column_name(trace.y_name));
+    Plot plot(experiment_name(trace.experiment) + ": " + trace.label, column_name(trace.x_name), column_name(trace.y_name));
     if (any_known(after) && turns(x) <= kMostTurns) add_bands(plot, x, after, picked(trace.sigma, rows), fresh);
     if (any_known(before)) plot.curve("before", with_gaps(x, fresh), with_gaps(before, fresh), "pe", true);
     if (any_known(after)) plot.curve("after", with_gaps(x, fresh), with_gaps(after, fresh), "se");
@@ -156,26 +156,64 @@ std::size_t drawn_points(std::size_t traces) {
     return std::clamp(kMostPoints / std::max<std::size_t>(1, traces), kFewestPoints, kMostPointsOfATrace);
 }
 
-std::string trace_section(const diagnosis::Diagnosis& diagnosis) {
-    const std::size_t most = drawn_points(diagnosis.traces.size());
-    std::vector<std::string> experiments;
-    bool thinned = false;
-    for (const Trace& trace : diagnosis.traces) {
-        thinned = thinned || trace.x.size() > std::min(most, kMostDotsOfATrace);
-        if (std::find(experiments.begin(), experiments.end(), trace.experiment) == experiments.end())
-            experiments.push_back(trace.experiment);
-    }
-    if (experiments.empty()) return "";
+namespace {
+
+constexpr std::size_t kMostTelling = 4;
+
+/// Sum of the squares of (measured - predicted)/sigma over the rows that have all three.
+double squared_gap(const Trace& trace, const Values& predicted) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < std::min({trace.measured.size(), predicted.size(), trace.sigma.size()}); ++i)
+        if (const double gap = (trace.measured[i] - predicted[i]) / trace.sigma[i]; std::isfinite(gap)) sum += gap * gap;
+    return sum;
+}
+
+std::string trace_words(const std::vector<Trace>& traces, std::size_t most) {
+    const bool thinned =
+        std::any_of(traces.begin(), traces.end(), [&](const Trace& trace) { return trace.x.size() > std::min(most, kMostDotsOfATrace); });
     std::string words =
         "Dots: measured. Dashed: the nominal model. Solid: the model with the effects found, and the band that should contain 95 % of the "
         "measurements; without a band where a path turns often.";
     if (thinned) words += fmt::format(" Long tables show evenly chosen rows: at most {} dots.", std::min(most, kMostDotsOfATrace));
-    std::string out = paragraph(words);
+    return words;
+}
+
+}  // namespace
+
+std::vector<std::size_t> most_telling(const std::vector<Trace>& traces, std::size_t most) {
+    std::vector<double> gain;
+    for (const Trace& trace : traces) {
+        const double before = squared_gap(trace, trace.before);
+        gain.push_back(any_known(trace.after) ? before - squared_gap(trace, trace.after) : before);
+    }
+    std::vector<std::size_t> order(traces.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return gain[a] > gain[b]; });
+    order.resize(std::min(most, order.size()));
+    return order;
+}
+
+std::string trace_section(const diagnosis::Diagnosis& diagnosis) {
+    const std::vector<Trace>& traces = diagnosis.traces;
+    if (traces.empty()) return "";
+    const std::size_t most = drawn_points(traces.size());
+    const std::vector<std::size_t> first = most_telling(traces, kMostTelling);
+    std::string charts;
+    for (const std::size_t i : first) charts += trace_chart(traces[i], most);
+    std::string out = grid(charts) + faint_paragraph(trace_words(traces, most));
+    std::vector<std::string> experiments;
+    for (const Trace& trace : traces)
+        if (std::find(experiments.begin(), experiments.end(), trace.experiment) == experiments.end())
+            experiments.push_back(trace.experiment);
     for (const std::string& experiment : experiments) {
-        std::string charts;
-        for (const Trace& trace : diagnosis.traces)
-            if (trace.experiment == experiment) charts += trace_chart(trace, most);
-        out += subheading(experiment_name(experiment)) + grid(charts);
+        std::size_t count = 0;
+        charts.clear();
+        for (std::size_t i = 0; i < traces.size(); ++i) {
+            if (traces[i].experiment != experiment || std::find(first.begin(), first.end(), i) != first.end()) continue;
+            charts += trace_chart(traces[i], most);
+            ++count;
+        }
+        if (count > 0) out += folded(fmt::format("{}: {} more", experiment_name(experiment), counted(count, "chart")), grid(charts));
     }
     return section("Measured against predicted", out);
 }

@@ -16,7 +16,7 @@ namespace {
 using diagnosis::GapCell;
 
 // Drawing units, 520 wide like the charts of the page.
-constexpr double kMapWidth = 520, kLeast = 110, kMost = 240, kMapRight = 24, kStrip = 30, kRow = 56, kTop = 6;
+constexpr double kMapWidth = 520, kLeastLeft = 110, kMostLeft = 240, kMapRight = 24, kStrip = 30, kRow = 56, kTop = 6;
 constexpr double kLabelDrop = 14, kRangeLetter = 6.0, kNameLetter = 6.6, kNameGap = 20;
 constexpr std::size_t kMostCells = 8;  // of a strip: narrower cells are too small for their figures
 
@@ -24,12 +24,12 @@ constexpr std::size_t kMostCells = 8;  // of a strip: narrower cells are too sma
 struct Strip {
     std::string experiment, variable;
     std::vector<GapCell> cells;
-    double left = kLeast;  ///< where the cells begin, equal for all strips
+    double left = kLeastLeft;  ///< where the cells begin, equal for all strips
     [[nodiscard]] double width() const { return (kMapWidth - left - kMapRight) / static_cast<double>(cells.size()); }
 };
 
 /// Splits strips of more than kMostCells.
-std::vector<Strip> folded(const std::vector<Strip>& strips) {
+std::vector<Strip> in_rows(const std::vector<Strip>& strips) {
     std::vector<Strip> out;
     for (const Strip& strip : strips)
         for (std::size_t i = 0; i < strip.cells.size(); ++i) {
@@ -44,18 +44,18 @@ std::vector<Strip> strips_of(const std::vector<GapCell>& map) {
     for (const GapCell& cell : map) {
         const auto same = [&](const Strip& s) { return s.experiment == cell.experiment && s.variable == cell.variable; };
         auto at = std::find_if(strips.begin(), strips.end(), same);
-        if (at == strips.end()) at = strips.insert(at, {cell.experiment, cell.variable, {}, kLeast});
+        if (at == strips.end()) at = strips.insert(at, {cell.experiment, cell.variable, {}, kLeastLeft});
         at->cells.push_back(cell);
     }
-    double left = kLeast;
+    double left = kLeastLeft;
     for (Strip& strip : strips) {
         const std::size_t letters = std::max(experiment_name(strip.experiment).size(), column_name(strip.variable).size());
-        left = std::clamp(kNameLetter * static_cast<double>(letters) + kNameGap, left, kMost);
+        left = std::clamp(kNameLetter * static_cast<double>(letters) + kNameGap, left, kMostLeft);
         std::stable_sort(strip.cells.begin(), strip.cells.end(),
                          [](const GapCell& a, const GapCell& b) { return a.region.low < b.region.low; });
     }
     for (Strip& strip : strips) strip.left = left;
-    return folded(strips);
+    return in_rows(strips);
 }
 
 /// True if the ranges follow each other without a gap: their edges are labelled, else each range.
@@ -138,13 +138,13 @@ std::string share_table(const std::vector<diagnosis::GapContribution>& where) {
     for (const diagnosis::GapContribution& part : where)
         rows.push_back({share_cell(part.share, percent(part.share)), num(experiment_name(part.experiment)),
                         plain(column_name(part.variable)), num(part.variable.empty() ? "" : span(part.region)), plain(part.component)});
-    return html_table({"share of the gap", "experiment", "over", "range", "largest in"}, rows);
+    return html_table("Contributions to the gap", {"share of the gap", "experiment", "over", "range", "largest in"}, rows);
 }
 
 }  // namespace
 
 std::string where_section(const diagnosis::Diagnosis& diagnosis) {
-    return section("Where the gap lies", share_table(diagnosis.where) + gap_map(diagnosis));
+    return section("Where the gap lies", gap_map(diagnosis) + share_table(diagnosis.where));
 }
 
 }  // namespace fusee::report

@@ -33,7 +33,7 @@ std::string effect_table(const diagnosis::Diagnosis& diagnosis) {
                         num(chance(effect.probability)),
                         {escape(meaning(effect.cause.id)) + faint_line(law(effect.cause.id)), ""}});
     }
-    return html_table({"effect", "side", "size", "95 %", "unit", "probability", "meaning"}, rows);
+    return html_table("Effects found", {"effect", "side", "size", "95 %", "unit", "probability", "meaning"}, rows);
 }
 
 std::string alternative_table(const std::vector<diagnosis::Alternative>& alternatives) {
@@ -41,7 +41,7 @@ std::string alternative_table(const std::vector<diagnosis::Alternative>& alterna
     Rows rows;
     for (const diagnosis::Alternative& alternative : alternatives)
         rows.push_back({plain(causes_name(alternative.effects)), share_cell(alternative.probability, chance(alternative.probability))});
-    return subheading("Alternatives") + html_table({"effects", "probability"}, rows);
+    return subheading("Alternatives") + html_table("Alternatives", {"effects", "probability"}, rows);
 }
 
 std::string sizes_text(const diagnosis::Hypothesis& hypothesis) {
@@ -68,14 +68,14 @@ std::string ranking_table(const diagnosis::Diagnosis& diagnosis) {
                         num(h.chi2, 4),
                         num(h.left_out, 3)});
     }
-    std::string out = subheading("Ranking") +
-                      paragraph(
+    std::string out = paragraph(
                           "The log evidence is relative to the best. The left-out gap, in sigma, is that of experiments that the fit did "
                           "not use.") +
-                      dense_table({"effects", "size", "log evidence [nats]", "probability", "chi\u00b2", "left-out gap"}, rows);
+                      dense_table("Hypotheses by probability",
+                                  {"effects", "size", "log evidence [nats]", "probability", "chi\u00b2", "left-out gap"}, rows);
     if (diagnosis.ranking.size() > kMostHypotheses)
         out += faint_paragraph(fmt::format("diagnosis.json holds {} more.", diagnosis.ranking.size() - kMostHypotheses));
-    return out;
+    return folded("Ranking of all hypotheses", out);
 }
 
 }  // namespace

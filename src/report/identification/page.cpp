@@ -64,6 +64,7 @@ std::string line_table(const FrictionReport& friction) {
                         num(span(line.constant_95, 4)), num(line.through_zero_mu), num(line.robust_mu), num(line.scatter, 3),
                         num(line.r_squared), num(std::to_string(line.outliers.size()))});
     return html_table(
+        "Lines through the rows",
         {"rows of", "rows", "mu", "95 %", "constant [Nm]", "95 %", "mu through zero", "robust mu", "scatter [Nm]", "R\u00b2", "outliers"},
         rows);
 }

@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
+
+#include "page/bundle.h"
 
 namespace fusee::report {
 
@@ -65,20 +68,45 @@ Cell share_cell(double share, std::string_view text) {
             "num"};
 }
 
-std::string html_table(const std::vector<std::string>& head, const Rows& rows) {
-    std::string out = "<div class=\"scroll\"><table><thead><tr>";
-    for (const std::string& name : head) out += element("th", name);
-    out += "</tr></thead><tbody>\n";
+namespace {
+
+std::string head_row(const std::vector<std::string>& head) {
+    std::string out;
+    for (const std::string& name : head) out += name.empty() ? "<td></td>" : "<th scope=\"col\">" + escape(name) + "</th>";
+    return out;
+}
+
+std::string table_cell(const Cell& cell, const std::string& head) {
+    const std::string css = cell.css.empty() ? "" : fmt::format(" class=\"{}\"", cell.css),
+                      id = cell.id.empty() ? "" : fmt::format(" id=\"{}\"", escape(cell.id)),
+                      label = head.empty() ? "" : fmt::format(" data-label=\"{}\"", escape(head));
+    return fmt::format("<td{}{}{}>{}</td>", css, id, label, cell.html);
+}
+
+/// @param labelled cells repeat the heading of their column, for rows as cards
+std::string table(std::string_view caption, const char* css, bool labelled, const std::vector<std::string>& head, const Rows& rows) {
+    std::string out = fmt::format(
+        "<div class=\"scroll{0}\" role=\"group\" aria-label=\"{1}\" tabindex=\"0\"><table><caption>{1}</caption><thead><tr>{2}</tr></thead>"
+        "<tbody>\n",
+        css, escape(caption), head_row(head));
     for (const std::vector<Cell>& row : rows) {
         out += "<tr>";
-        for (const Cell& cell : row) out += (cell.css.empty() ? "<td>" : "<td class=\"" + cell.css + "\">") + cell.html + "</td>";
+        for (std::size_t i = 0; i < row.size(); ++i) out += table_cell(row[i], labelled && i < head.size() ? head[i] : "");
         out += "</tr>\n";
     }
     return out + "</tbody></table></div>\n";
 }
 
-std::string dense_table(const std::vector<std::string>& head, const Rows& rows) {
-    return "<div class=\"dense\">" + html_table(head, rows) + "</div>";
+}  // namespace
+
+std::string html_table(std::string_view caption, const std::vector<std::string>& head, const Rows& rows) {
+    return table(caption, "", false, head, rows);
+}
+std::string dense_table(std::string_view caption, const std::vector<std::string>& head, const Rows& rows) {
+    return table(caption, " dense", false, head, rows);
+}
+std::string card_table(std::string_view caption, const std::vector<std::string>& head, const Rows& rows) {
+    return table(caption, " cards", true, head, rows);
 }
 
 std::string html_facts(const Facts& facts) {
@@ -100,8 +128,33 @@ std::string bullet_list(const std::vector<std::string>& texts) {
 std::string grid(const std::string& html) { return "<div class=\"grid\">" + html + "</div>"; }
 std::string card(const std::string& html) { return "<div class=\"card\">" + html + "</div>"; }
 
-std::string section(std::string_view title, const std::string& html) {
-    return html.empty() ? "" : "<section>" + element("h2", title) + html + "</section>\n";
+std::string id_of(std::string_view title) {
+    std::string id;
+    for (const char c : title) {
+        if (std::isalnum(static_cast<unsigned char>(c)) != 0)
+            id += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+        else if (!id.empty() && id.back() != '-')
+            id += '-';
+    }
+    if (id.ends_with('-')) id.pop_back();
+    return id;
+}
+
+std::string link_to(std::string_view id, std::string_view text) { return fmt::format("<a href=\"#{}\">{}</a>", escape(id), escape(text)); }
+
+std::string section(std::string_view title, const std::string& html, std::string_view id) {
+    if (html.empty()) return "";
+    return fmt::format("<section id=\"{}\">{}{}</section>\n", id.empty() ? id_of(title) : escape(id), element("h2", title), html);
+}
+
+std::string folded_section(std::string_view title, std::string_view note, const std::string& html, std::string_view id) {
+    if (html.empty()) return "";
+    return fmt::format("<section id=\"{}\"><details><summary>{}{}</summary>{}</details></section>\n",
+                       id.empty() ? id_of(title) : escape(id), element("h2", title), note.empty() ? "" : element("span", note), html);
+}
+
+std::string folded(std::string_view summary, const std::string& html) {
+    return html.empty() ? "" : "<details class=\"block\">" + element("summary", summary) + html + "</details>\n";
 }
 
 const char* css_of(core::Severity severity) { return look_of(severity).css; }
@@ -111,16 +164,39 @@ std::string verdict_tag(core::Severity severity, std::string_view text) {
     return pill("verdict", severity, severity == core::Severity::kNotJudged ? core::Severity::kPass : severity, text);
 }
 
-std::string html_page(const std::string& title, const Head& head, const std::string& html) {
-    std::string out =
-        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
-        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">" +
-        element("title", title + " \u2013 fusee") + "<style>" + style_sheet() +
-        "</style></head><body><main>\n<header><p class=\"eyebrow\">" + escape(head.kind) + "</p>" + element("h1", head.title) +
-        head.verdict + (head.sentence.empty() ? "" : paragraph(head.sentence)) + "<p class=\"stamp\">" + escape(head.stamp) +
-        "</p><div class=\"tiles\">";
+namespace {
+
+/// A link to every section of the page, by its id and heading as `section` writes them.
+std::string contents(const std::string& html) {
+    constexpr std::string_view kSection = "<section id=\"", kHeading = "<h2>";
+    std::string links;
+    for (std::size_t at = html.find(kSection); at != std::string::npos; at = html.find(kSection, at)) {
+        at += kSection.size();
+        const std::string id = html.substr(at, html.find('"', at) - at);
+        const std::size_t name = html.find(kHeading, at) + kHeading.size();
+        links += fmt::format("<li><a href=\"#{}\">{}</a></li>", id, html.substr(name, html.find("</h2>", name) - name));
+    }
+    return links.empty() ? "" : "<nav aria-label=\"Contents\"><ol>" + links + "</ol></nav>\n";
+}
+
+std::string page_header(const Head& head) {
+    std::string out = "<header><p class=\"eyebrow\">" + escape(head.kind) + "</p>" + element("h1", head.title) + head.verdict +
+                      (head.sentence.empty() ? "" : "<p class=\"lead\">" + escape(head.sentence) + "</p>") + "<p class=\"stamp\">" +
+                      escape(head.stamp) + "</p>";
+    if (head.tiles.empty()) return out + "</header>\n";
+    out += "<div class=\"tiles\">";
     for (const auto& [value, name] : head.tiles) out += "<div class=\"tile\">" + element("b", value) + element("span", name) + "</div>";
-    return out + "</div></header>\n" + html + "</main></body></html>\n";
+    return out + "</div></header>\n";
+}
+
+}  // namespace
+
+std::string html_page(const std::string& title, const Head& head, const std::string& html, const std::string& scripts) {
+    return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
+           "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">" +
+           element("title", title + " \u2013 fusee") + "<style>" + style_sheet() +
+           "</style></head><body><a class=\"skip\" href=\"#main\">To the content</a>\n" + page_header(head) + "<div class=\"columns\">" +
+           contents(html) + "<main id=\"main\" tabindex=\"-1\">\n" + html + "</main></div>" + plot_bundle() + scripts + "</body></html>\n";
 }
 
 }  // namespace fusee::report

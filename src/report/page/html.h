@@ -33,10 +33,11 @@ using core::escape;
 /// 0.62 is "62 %".
 [[nodiscard]] std::string percent(double share);
 
-/// One cell of a table: HTML, and a class ("num", "code", ...) or "".
+/// One cell of a table: HTML, a class ("num", "code", ...) or "", and an id for links or "".
 struct Cell {
     std::string html;
     std::string css;
+    std::string id = {};
 };
 using Rows = std::vector<std::vector<Cell>>;
 [[nodiscard]] Cell plain(std::string_view text);
@@ -48,10 +49,12 @@ using Rows = std::vector<std::vector<Cell>>;
 [[nodiscard]] Cell compared(double computed_rad, double measured_rad);
 /// A share of 1 as a bar with `text` next to it.
 [[nodiscard]] Cell share_cell(double share, std::string_view text);
-/// @param head plain texts
-[[nodiscard]] std::string html_table(const std::vector<std::string>& head, const Rows& rows);
+/// @param caption what the table holds, read aloud and not shown: a heading stands above it. @param head plain texts; "" for no heading
+[[nodiscard]] std::string html_table(std::string_view caption, const std::vector<std::string>& head, const Rows& rows);
 /// A table in small type.
-[[nodiscard]] std::string dense_table(const std::vector<std::string>& head, const Rows& rows);
+[[nodiscard]] std::string dense_table(std::string_view caption, const std::vector<std::string>& head, const Rows& rows);
+/// A table whose rows become cards on a phone.
+[[nodiscard]] std::string card_table(std::string_view caption, const std::vector<std::string>& head, const Rows& rows);
 
 using Facts = std::vector<std::pair<std::string, std::string>>;
 [[nodiscard]] std::string html_facts(const Facts& facts);
@@ -63,8 +66,16 @@ using Facts = std::vector<std::pair<std::string, std::string>>;
 /// Charts and cards in two columns.
 [[nodiscard]] std::string grid(const std::string& html);
 [[nodiscard]] std::string card(const std::string& html);
-/// "" without content.
-[[nodiscard]] std::string section(std::string_view title, const std::string& html);
+/// A part of the page, in its table of contents; "" without content. @param id for links; "" makes it from the title
+[[nodiscard]] std::string section(std::string_view title, const std::string& html, std::string_view id = "");
+/// The same, closed until the reader, a link into it or a print opens it. @param note stands beside the title
+[[nodiscard]] std::string folded_section(std::string_view title, std::string_view note, const std::string& html, std::string_view id = "");
+/// A closed block inside a section; "" without content.
+[[nodiscard]] std::string folded(std::string_view summary, const std::string& html);
+/// A link inside the page. @param id of the element that it leads to
+[[nodiscard]] std::string link_to(std::string_view id, std::string_view text);
+/// "Spring law" is "spring-law".
+[[nodiscard]] std::string id_of(std::string_view title);
 
 /// "pass", "unjudged", "warning", "error": classes of the style sheet; followed by "-tag" for tags.
 [[nodiscard]] const char* css_of(core::Severity severity);
@@ -81,8 +92,9 @@ struct Head {
     std::string stamp;     ///< what made it
     Facts tiles;           ///< value, and what it is of
 };
-/// A whole page that opens offline.
-[[nodiscard]] std::string html_page(const std::string& title, const Head& head, const std::string& html);
+/// A whole page that opens offline: head, table of contents of its sections, sections.
+/// @param scripts elements behind the page's own scripts
+[[nodiscard]] std::string html_page(const std::string& title, const Head& head, const std::string& html, const std::string& scripts = {});
 
 /// The style sheet: light and dark, screen and paper.
 [[nodiscard]] std::string style_sheet();

@@ -244,8 +244,13 @@ std::string Plot::legend() const {
 
 std::string Plot::svg() const {
     const Frame f = frame();
-    return fmt::format("<figure class=\"plot\"><figcaption>{}</figcaption><svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">",
-                       escape(title_), kWidth, kHeight, escape(title_)) +
+    const std::string title = escape(title_), x = escape(x_name_), y = escape(y_name_);
+    // The script reads the values from the paths: data-x and data-y are the ends of the axes, data-box their places in drawing units.
+    return fmt::format(
+               "<figure class=\"plot\"><figcaption>{0}</figcaption><svg viewBox=\"0 0 {1} {2}\" role=\"img\" "
+               "aria-label=\"{0}: {4} over {3}\" data-x=\"{5} {6}\" data-y=\"{7} {8}\" data-box=\"{9} {10} {11} {12}\">",
+               title, kWidth, kHeight, x, y, f.x.low, f.x.high, f.y.low, f.y.high, coordinate(f.left), f.top, kWidth - kRight,
+               kHeight - kBottom) +
            axes(f) + notes(f) + bands(f) + curves(f) + dots(f) + legend() + "</svg></figure>\n";
 }
 

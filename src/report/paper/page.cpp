@@ -22,23 +22,23 @@ std::string overview_section(const Paper& paper) {
     return section("Overview",
                    paragraph("The paper states neither its springs, its radii nor the data of figure 8. The designs here are of "
                              "the same kind.") +
-                       html_table({"", "paper", "here"}, rows));
+                       html_table("The paper's statements, and the results here", {"piece", "paper", "here"}, rows));
 }
 
 /// Figure 1 over the logarithm of c, which spans decades.
 std::string noise_curves(const std::vector<NoiseCurve>& curves) {
     static constexpr const char* kColours[] = {"sum", "se", "pe", "linear"};
     const char* const log_c = "log10 of c in Nm/rad";
-    constexpr double kMost = 4.0;  // without a spring to ground only c holds the motor, which would flatten the other curves
+    constexpr double kMostVariance = 4.0;  // without a spring to ground only c holds the motor, which would flatten the other curves
     Plot joint("Variance of the joint", log_c, "variance [rad^2]");
-    Plot motor("Variance of the motor, up to " + number(kMost) + " rad^2", log_c, "variance [rad^2]");
+    Plot motor("Variance of the motor, up to " + number(kMostVariance) + " rad^2", log_c, "variance [rad^2]");
     std::size_t colour = 0;
     for (const NoiseCurve& curve : curves) {
         if (curve.c.empty()) continue;
         const std::vector<double> x = column(curve.c, [](double c) { return std::log10(c); });
         const char* css = kColours[colour++ % std::size(kColours)];
         joint.curve(curve.name, x, curve.joint, css);
-        motor.curve(curve.name, x, column(curve.motor, [](double v) { return v <= kMost ? v : kUnknown; }), css);
+        motor.curve(curve.name, x, column(curve.motor, [](double v) { return v <= kMostVariance ? v : kUnknown; }), css);
     }
     return grid(joint.from_zero().svg() + motor.from_zero().svg());
 }
@@ -88,7 +88,8 @@ std::string table_rows(const PaperTable& table) {
                         compared(row.computed.exact_width, row.measured), compared(row.computed.measured_width, row.measured),
                         num(table.parallel[i], 2)});
     }
-    return html_table({"tau [Nm]", "paper [deg]", "linear [deg]", "exact [deg]", "push and release [deg]", "implied K_PE [Nm/rad]"}, rows);
+    return html_table("Dead-bands of the paper and computed",
+                      {"tau [Nm]", "paper [deg]", "linear [deg]", "exact [deg]", "push and release [deg]", "implied K_PE [Nm/rad]"}, rows);
 }
 
 std::string paper_table_section(const std::string& title, const PaperTable& table) {
@@ -117,6 +118,7 @@ std::string relatives_section(const Paper& paper) {
         paragraph("The arrangements that the paper names, with equal springs and gears: under torque control as in the paper, and with the "
                   "motor position loops of their profiles.") +
             html_table(
+                "Stiffness, torque and dead-band of each arrangement",
                 {"arrangement", "held [Nm/rad]", "torque [Nm]", "free [Nm/rad]", "dead-band [deg]", "free, loops", "dead-band, loops"},
                 rows));
 }

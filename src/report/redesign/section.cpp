@@ -40,6 +40,7 @@ std::string widths_table(const Redesign& redesign) {
                 row.push_back(num(deg(widths->*figure, 3)));
     }
     return dense_table(
+               "Dead-bands of the profile, of the old and of the new cams",
                {"co-contraction [Nm]", "measured, profile [deg]", "old cams", "new cams", "exact, profile [deg]", "old cams", "new cams"},
                rows) +
            paragraph(
@@ -73,7 +74,8 @@ std::string profile_block(const RedesignProfile& profile) {
     for (const RedesignChange& c : profile.changes) rows.push_back({code(c.key), num(c.was), num(c.is), plain(c.why)});
     std::vector<std::string> findings;
     for (const core::Finding& finding : profile.findings) findings.push_back(core::to_line(finding));
-    std::string out = subheading(profile.file.filename().string()) + html_table({"key", "was", "is", "why"}, rows);
+    std::string out = subheading(profile.file.filename().string()) +
+                      html_table("Changes of " + profile.file.filename().string(), {"key", "was", "is", "why"}, rows);
     out += paragraph(profile.can_be_cut() ? "fusee make can make these cams." : "fusee make will refuse these cams.");
     if (const std::string cover = coverage(profile.cover); !cover.empty()) out += paragraph("The profile " + cover + ".");
     return out + bullet_list(findings);

@@ -55,7 +55,7 @@ std::string figure_section(const Score& score, const std::optional<Score>& model
     std::string words = "Intervals are Wilson's. Control: the same answers with shuffled labels score at chance level.";
     if (model)
         words += fmt::format(" Control: the {} cases of the model itself show what the method misses without a model error.", model->cases);
-    return section("Figures", paragraph(words) + html_table(columns, rows));
+    return section("Figures", paragraph(words) + html_table("Figures of the benchmark", columns, rows));
 }
 
 std::string confusion_section(const Score& score) {
@@ -77,7 +77,7 @@ std::string confusion_section(const Score& score) {
     return section("Confusion",
                    paragraph("Cases by the effect built in and the effect answered; correct answers are bold. For two effects it "
                              "shows only how many were answered: the figures above show which.") +
-                       dense_table(columns, rows));
+                       dense_table("Cases by effect built in and answered", columns, rows));
 }
 
 std::string calibration_section(const Score& score) {
@@ -98,7 +98,8 @@ std::string calibration_section(const Score& score) {
         .band("95 %", stated, low, high, "se")
         .from_zero();
     return section("Calibration", paragraph("How often the effects that answers name, with their side, were built in.") +
-                                      html_table({"stated", "correct", "mean stated", "correct share", "95 %"}, rows) +
+                                      html_table("Stated probability and correct share",
+                                                 {"stated", "correct", "mean stated", "correct share", "95 %"}, rows) +
                                       (stated.empty() ? "" : "<div class=\"held\">" + plot.svg() + "</div>"));
 }
 
@@ -108,7 +109,8 @@ std::string coverage_section(const Score& score) {
         rows.push_back({num(id), num(hits_text(share)), num(per_cent(share.value())), num(interval_text(share))});
     return rows.empty() ? ""
                         : section("Intervals", paragraph("95 % intervals of correctly named effects that contain the true size.") +
-                                                   html_table({"effect", "contained", "share", "95 %"}, rows));
+                                                   html_table("Intervals that contain the true size, by effect",
+                                                              {"effect", "contained", "share", "95 %"}, rows));
 }
 
 std::string shrink_section(const Score& score) {
@@ -139,9 +141,10 @@ std::string miss_section(const Score& score) {
     for (const blind::Miss& miss : score.misses)
         rows.push_back({num(miss.truth.case_name), plain(miss.what), plain(truth_text(miss.truth)), plain(answer_text(miss.answer)),
                         faint(alternatives_text(miss.answer)), num(change(miss.answer.held_out_before, miss.answer.held_out_after))});
-    return section("Misses", rows.empty()
-                                 ? paragraph("None.")
-                                 : dense_table({"case", "what", "built in", "answer", "alternatives", "held-out gap [sigma]"}, rows));
+    return section("Misses",
+                   rows.empty()
+                       ? paragraph("None.")
+                       : dense_table("Misses", {"case", "what", "built in", "answer", "alternatives", "held-out gap [sigma]"}, rows));
 }
 
 }  // namespace

@@ -45,7 +45,9 @@ std::string comparison_section(const SearchReport& report) {
         rows.push_back({plain(v.name), num(v.found, 5), num(v.own, 5), plain(v.unit), num(span(v.box, 4))});
     for (const ComparedFigure& f : report.figures)
         rows.push_back({plain(f.name), num(f.found, 5), num(f.own, 5), plain(f.unit), plain("")});
-    return section("Result", html_table({"", "found", "profile", "unit", "searched"}, rows) + bullet_list(report.remarks));
+    return section("Result",
+                   html_table("Variables and figures, found and of the profile", {"", "found", "profile", "unit", "searched"}, rows) +
+                       bullet_list(report.remarks));
 }
 
 /// Costs of infeasible springs and unbounded travels would flatten the curve.
@@ -121,8 +123,10 @@ std::string springs_section(const SearchReport& report) {
     };
     add(report.found, "", false);
     if (!report.own.samples.empty()) add(report.own, ", profile", true);
-    return section("Springs", paragraph("Solid lines: the springs found; dashed: the springs of the profile.") +
-                                  grid(torques.from_zero().svg() + band.from_zero().svg()));
+    return section("Springs",
+                   paragraph("Solid lines: the springs found; dashed: the springs of the profile.") +
+                       grid(torques.from_zero().svg() + band.from_zero().svg()),
+                   "spring-law");
 }
 
 std::string cams_section(const SearchReport& report) {
@@ -132,7 +136,7 @@ std::string cams_section(const SearchReport& report) {
     for (const CamCurve& cam : report.cams) charts += arm_plot(cam);
     for (const CamCurve& cam : report.cams) {
         const std::string name = cam::to_string(cam.kind);
-        charts += card("<h3>" + name + "</h3>" +
+        charts += card("<h3 id=\"" + name + "\">" + name + "</h3>" +
                        (cam.part ? cam_svg(*cam.part, markers_of(findings, name))
                                  : paragraph("It cannot be cut for this base spring: see the findings.")));
     }

@@ -60,7 +60,7 @@ std::string designs_section(const ParetoReport& report) {
     }
     const std::string dropped =
         report.dropped_by.empty() ? "" : paragraph("Rules that the dropped designs break:") + bullet_list(report.dropped_by);
-    return section("Designs", html_table(names, rows) + dropped);
+    return section("Designs", html_table("Designs of the front", names, rows) + dropped);
 }
 
 }  // namespace

@@ -76,7 +76,7 @@ std::string matrix_table(const char* title, const Eigen::Matrix3d& m) {
     for (int i = 0; i < 3; ++i)
         rows.push_back(
             {plain(kBodies[static_cast<std::size_t>(i)]), num(m(i, 0), kFigures), num(m(i, 1), kFigures), num(m(i, 2), kFigures)});
-    return html_table(head, rows);
+    return html_table("Sensitivities", head, rows);
 }
 
 }  // namespace

@@ -51,7 +51,8 @@ std::string level_section(const Simulation& s) {
                         num(level.reading.full_push, 3)});
     }
     return section("Levels of co-contraction",
-                   html_table({"tau [Nm]", "linear [deg]", "exact [deg]", "measured [deg]", "within the laws [deg]", "condition (6)",
+                   html_table("Dead-band and stiffness at each level",
+                              {"tau [Nm]", "linear [deg]", "exact [deg]", "measured [deg]", "within the laws [deg]", "condition (6)",
                                "held [Nm/rad]", "free [Nm/rad]", "push [Nm]", "full push [Nm]"},
                               rows));
 }
@@ -69,6 +70,7 @@ std::string equilibrium_section(const Simulation& s) {
         paragraph("At equal co-contraction the joint stays at 0 and both capstans at theta. Sensitivities are the paper's matrix "
                   "(2) in rad/Nm; the other entries follow by symmetry.") +
             html_table(
+                "Sensitivities at each level",
                 {"tau [Nm]", "theta [rad]", "d theta_1/d tau_1", "d theta_1/d tau_2", "d theta_1/d tau_q", "d q/d tau_1", "d q/d tau_q"},
                 rows));
 }
@@ -81,7 +83,7 @@ std::string measured_section(const Simulation& s) {
                         compared(row.computed.exact_width, row.measured), compared(row.computed.measured_width, row.measured)});
     return section("Comparison with the measured table",
                    paragraph("Full widths in degrees; in brackets the difference from the measured width.") +
-                       html_table({"tau [Nm]", "measured", "linear", "exact", "push and release"}, rows));
+                       html_table("Measured and computed widths", {"tau [Nm]", "measured", "linear", "exact", "push and release"}, rows));
 }
 
 std::string survey_section(const Simulation& s) {

@@ -57,7 +57,7 @@ void write_study_page(const std::filesystem::path& file, const study::Study& stu
         head.sentence += fmt::format(" This page shows the first {} of them; index.csv and index.sqlite hold all.", kMostStudyRows);
     const std::string json = data.dump(-1, ' ', false, Json::error_handler_t::replace);
     core::write_file(file, html_page(study.name, head,
-                                     fmt::format("<style>{}</style>{}<script>const data={};{}</script>", study_style(), study_body(),
+                                     fmt::format("<style>{}</style>{}<script>{{const data={};{}}}</script>", study_style(), study_body(),
                                                  inside_script(json), study_script())));
 }
 

@@ -4,14 +4,14 @@ namespace fusee::report {
 
 std::string_view study_style() {
     return R"css(
-main{max-width:none}.controls{display:flex;flex-wrap:wrap;gap:10px 18px;align-items:end;margin:12px 0}
+.columns{max-width:none}.controls{display:flex;flex-wrap:wrap;gap:10px 18px;align-items:end;margin:12px 0}
 .controls label{display:grid;font-size:13px;color:var(--soft);gap:3px}
 select,input{font:inherit;color:var(--ink);background:var(--card);border:1px solid var(--line);border-radius:8px;padding:5px 8px}
 #filter{width:min(560px,90vw)}#message{color:var(--error);font-size:13px}
 #plot{max-width:900px}#plot circle{fill:var(--se);opacity:.55;cursor:pointer}#plot circle.front{fill:var(--pe);opacity:1}
 #plot circle.picked{stroke:var(--ink);stroke-width:2}
-.scroll{overflow-x:auto;border:1px solid var(--line);border-radius:12px;background:var(--card)}
-table.study{border-collapse:collapse;font-size:13px;white-space:nowrap}.study th{cursor:pointer;text-align:left;vertical-align:bottom}
+table.study{font-size:13px;white-space:nowrap}.study th{vertical-align:bottom}
+.study th button{font:inherit;color:inherit;background:none;border:0;padding:0;cursor:pointer}
 .study th,.study td{padding:4px 10px;border-bottom:1px solid var(--line)}.study td.num{text-align:right;font-variant-numeric:tabular-nums}
 .study tr.picked td{background:var(--warning-bg)}.study svg{width:34px;height:34px;fill:var(--body);stroke:var(--sum)}
 )css";
@@ -19,15 +19,15 @@ table.study{border-collapse:collapse;font-size:13px;white-space:nowrap}.study th
 
 std::string_view study_body() {
     return R"html(
-<h2>Two figures</h2>
+<section id="two-figures"><h2>Two figures</h2>
 <div class="controls"><label>x<select id="x"></select></label><label>better<select id="bx"><option>least</option><option>greatest</option></select></label>
 <label>y<select id="y"></select></label><label>better<select id="by"><option>least</option><option>greatest</option></select></label>
 <label><span>Pareto front</span><input type="checkbox" id="front" checked></label></div>
-<figure class="plot" id="plot"></figure><p>A click on a point moves its design to the top of the table; a second click opens its report, where there is one.</p>
-<h2>Designs</h2>
+<figure class="plot" id="plot"></figure><p>A click on a point moves its design to the top of the table; a second click opens its report, where there is one.</p></section>
+<section id="designs"><h2>Designs</h2>
 <div class="controls"><label>Filter: a word, or a condition such as <code>mass_g &lt; 20 &amp;&amp; outcome == "made"</code>
-<input id="filter" spellcheck="false"></label><span id="message"></span><span id="count"></span></div>
-<div class="scroll"><table class="study"><thead></thead><tbody></tbody></table></div><p><button id="more">More rows</button></p>
+<input id="filter" spellcheck="false"></label><span id="message" role="alert"></span><span id="count" aria-live="polite"></span></div>
+<div class="scroll" role="group" aria-label="Designs" tabindex="0"><table class="study"><caption>Designs and their figures</caption><thead></thead><tbody></tbody></table></div><p><button id="more">More rows</button></p></section>
 )html";
 }
 
@@ -56,11 +56,12 @@ function filtered(){const s=$("filter").value.trim();$("message").textContent=""
   const w=s.toLowerCase();return data.rows.filter(r=>r[0].toLowerCase().includes(w)||r[1].some(v=>typeof v==="string"&&v.toLowerCase().includes(w)))}
 function sorted(rows){if(state.sort<0)return rows;const sign=state.down?-1:1,k=state.sort;
   return [...rows].sort((a,b)=>{const x=a[1][k],y=b[1][k];if(x===null||y===null)return (x===null)-(y===null);return x<y?-sign:x>y?sign:0})}
-function outline(path){const svg=element("svg",{viewBox:"-1.1 -1.1 2.2 2.2"});
+function outline(path){const svg=element("svg",{viewBox:"-1.1 -1.1 2.2 2.2","aria-hidden":"true"});
   svg.append(element("path",{d:"M"+path+"Z","stroke-width":.06,transform:"scale(1,-1)"}));return svg}
-function head(){const row=element("tr");for(const title of ["design","K_SE","K_PE"])row.append(element("th",{},title));
-  C.forEach((c,k)=>{const th=element("th",{title:c.meaning},c.name+(state.sort===k?(state.down?" \u2193":" \u2191"):""));
-    th.onclick=()=>{state.down=state.sort===k&&!state.down;state.sort=k;update()};row.append(th)});
+function head(){const row=element("tr");for(const title of ["design","K_SE","K_PE"])row.append(element("th",{scope:"col"},title));
+  C.forEach((c,k)=>{const here=state.sort===k,th=element("th",{title:c.meaning,scope:"col","aria-sort":here?(state.down?"descending":"ascending"):"none"});
+    const button=element("button",{type:"button"},c.name+(here?(state.down?" \u2193":" \u2191"):""));
+    button.onclick=()=>{state.down=here&&!state.down;state.sort=k;update();document.querySelectorAll(".study th button")[k].focus()};th.append(button);row.append(th)});
   document.querySelector(".study thead").replaceChildren(row)}
 const report=r=>data.has_reports&&r[1][at("outcome")]==="made"?"designs/"+encodeURIComponent(r[0])+"/report.html":null;
 function line(r){const row=element("tr",r===state.picked?{class:"picked"}:{}),first=element("td");
@@ -76,7 +77,7 @@ function ticks(low,high){const raw=(high-low)/5||1,ten=10**Math.floor(Math.log10
 function plot(){const kx=at($("x").value),ky=at($("y").value),W=880,H=460,L=70,B=48;
   const points=state.rows.map(r=>({r,x:r[1][kx],y:r[1][ky]})).filter(p=>typeof p.x==="number"&&typeof p.y==="number");
   const range=k=>{let low=Infinity,high=-Infinity;for(const p of points){low=Math.min(low,p[k]);high=Math.max(high,p[k])}const pad=(high-low||Math.abs(high)||1)*.04;return[low-pad,high+pad]};
-  const svg=element("svg",{viewBox:`0 0 ${W} ${H}`,role:"img","aria-label":"scatter plot"});
+  const svg=element("svg",{viewBox:`0 0 ${W} ${H}`,role:"img","aria-label":`${C[ky].name} over ${C[kx].name}; the table below has the values`});
   if(points.length){const [x0,x1]=range("x"),[y0,y1]=range("y"),X=x=>L+(x-x0)/(x1-x0)*(W-L-16),Y=y=>H-B-(y-y0)/(y1-y0)*(H-B-14);
   for(const t of ticks(x0,x1)){svg.append(element("line",{x1:X(t),x2:X(t),y1:14,y2:H-B,class:"rule"}),element("text",{x:X(t),y:H-B+18,"text-anchor":"middle"},t))}
   for(const t of ticks(y0,y1)){svg.append(element("line",{x1:L,x2:W-16,y1:Y(t),y2:Y(t),class:"rule"}),element("text",{x:L-8,y:Y(t)+4,"text-anchor":"end"},t))}

@@ -1,0 +1,27 @@
+#pragma once
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+/// The terminal of a person: its width, and the words that it shows in colour.
+namespace fusee::core {
+
+/// Of a file number, such as STDOUT_FILENO.
+[[nodiscard]] bool is_terminal(int file);
+
+/// Letters in a line for a person: COLUMNS of the environment, else the width of the terminal on standard output, else 80; at least 40.
+[[nodiscard]] std::size_t terminal_columns();
+
+/// The text in lines of at most `columns` letters, broken at spaces; each line begins with `indent` spaces, and each but the first with
+/// `hang` more. A word that is longer stays whole. Without end of line.
+[[nodiscard]] std::string wrapped(std::string_view text, std::size_t columns, std::size_t indent = 0, std::size_t hang = 0);
+
+/// When severity words are coloured.
+enum class Colour { kAuto, kAlways, kNever };
+/// kAuto: on a terminal, unless the variable NO_COLOR is set and not empty (no-color.org) or TERM is "dumb".
+[[nodiscard]] bool is_coloured(Colour colour, int file);
+
+/// The text with the severity at the beginning of its lines coloured ("error", "not judged", "warning"), and "fusee:". Nothing else is.
+[[nodiscard]] std::string coloured(std::string_view text);
+
+}  // namespace fusee::core

@@ -1,0 +1,33 @@
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+/// The keys of a profile, for a reader. `fusee keys`, `fusee explain` and docs/profile.md show them.
+namespace fusee::profile {
+
+/// One key. Values are TOML, numbers in the key's unit.
+struct KeyInfo {
+    std::string path;               ///< "k_se.guide.direction_deg"
+    std::string table;              ///< "k_se.guide"; "" at the top
+    std::string meaning;            ///< one line
+    std::string unit;               ///< "mm"; "": none
+    std::string allowed;            ///< "a number, 0 to 10 mm"
+    std::string default_value;      ///< "" if it is required
+    std::string refused;            ///< an example of a value that is refused; "" where none is short
+    std::vector<std::string> when;  ///< all must hold: "only with law.kind = \"table\""
+    bool required = false;
+};
+
+/// In the order of the reference.
+[[nodiscard]] std::vector<KeyInfo> key_infos();
+
+/// The keys that `words` ask for, in order. Each word asks for the tables and keys whose path begins with it; if there is none, for keys
+/// with the word in path or meaning. Capitals do not count. No words: every key. @throws core::InvalidInput naming a word that no key has,
+/// and near ones
+[[nodiscard]] std::vector<KeyInfo> find_keys(const std::vector<std::string>& words);
+
+/// The tables of docs/profile.md with these keys only.
+[[nodiscard]] std::string profile_reference(const std::vector<KeyInfo>& shown);
+
+}  // namespace fusee::profile

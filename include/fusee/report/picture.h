@@ -1,0 +1,35 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "fusee/assembly/motion.h"
+#include "fusee/diagnosis/diagnosis.h"
+#include "fusee/pipeline/design_report.h"
+
+/// The pictures of the pages as files of their own, for papers and READMEs (docs/guides/pictures.md).
+namespace fusee::report {
+
+enum class Theme { kLight, kDark };
+
+struct PictureView {
+    std::string name;     ///< "dead-band"
+    std::string meaning;  ///< in words
+};
+/// The views of a design.
+[[nodiscard]] const std::vector<PictureView>& design_views();
+/// The view of a diagnosis.
+inline constexpr const char* kGapMapView = "gap-map";
+
+struct PictureOptions {
+    Theme theme = Theme::kLight;  ///< of charts; shaded views are on white
+    assembly::Pose pose = {};     ///< of the view "assembly"
+    int longest_px = 1200;        ///< of the shaded picture inside
+};
+/// One view of a design as an SVG with its style inside.
+/// @throws InvalidInput naming --view: not one of design_views(), or the design does not have it (a flat part's groove has no height; no
+/// assembly)
+[[nodiscard]] std::string design_picture(const pipeline::DesignReport& design, const std::string& view, const PictureOptions& options = {});
+/// The gap map before and after, one above the other. @throws InvalidInput naming --view: the diagnosis has none
+[[nodiscard]] std::string gap_map_picture(const diagnosis::Diagnosis& diagnosis, Theme theme = Theme::kLight);
+
+}  // namespace fusee::report

@@ -1,0 +1,101 @@
+#include "command_line.h"
+
+#include <algorithm>
+#include <memory>
+#include <regex>
+#include <sstream>
+#include <string_view>
+#include <vector>
+
+#include "fusee/core/nearest.h"
+#include "numbers.h"
+#include "usage/command_tree.h"
+
+namespace fusee::app {
+
+namespace {
+
+constexpr std::size_t kColumn = 20;  // of the explanations in a help
+
+/// The last command that the line names.
+const CLI::App* named(const CLI::App* program) {
+    while (!program->get_subcommands().empty()) program = program->get_subcommands().front();
+    return program;
+}
+
+std::vector<std::string> option_names(const CLI::App& command) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : command.get_options())
+        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    return names;
+}
+
+std::vector<std::string> command_names(const CLI::App& command) {
+    std::vector<std::string> names;
+    for (const CLI::App* below : command.get_subcommands([](const CLI::App*) { return true; })) names.push_back(below->get_name());
+    return names;
+}
+
+/// Lists each command with the first part of its description; the rest is in the command's own help.
+class ShortList : public CLI::Formatter {
+public:
+    std::string make_subcommand(const CLI::App* command) const override {
+        std::ostringstream line;
+        CLI::detail::format_help(line, command->get_name(), headline(command->get_description()), get_column_width());
+        return line.str();
+    }
+};
+
+}  // namespace
+
+void add_settings(CLI::App& program, Settings& settings) {
+    const auto add = [&settings](CLI::App& app) {
+        app.add_flag("--json", settings.json, "Print one JSON object instead of text (docs/json.md)")->group(kEverywhere);
+        app.add_option("--color", settings.colour, "Colour of severity words; auto: on a terminal, unless NO_COLOR is set")
+            ->check(one_of({"auto", "always", "never"}))
+            ->default_str("auto")
+            ->group(kEverywhere);
+        app.add_flag("-q,--quiet", settings.quiet, "Print errors and what was asked for; no progress")->group(kEverywhere);
+        app.add_flag("-v,--verbose", settings.verbose, "Print more: times of the stages, what was not judged")->group(kEverywhere);
+    };
+    add(program);
+    auto list = std::make_shared<ShortList>();
+    list->column_width(kColumn);
+    program.formatter(list);
+    for (CLI::App* below : program.get_subcommands([](const CLI::App*) { return true; })) add_settings(*below, settings);
+}
+
+std::string command_path(const CLI::App& program) {
+    std::string path;
+    for (const CLI::App* app = &program; !app->get_subcommands().empty();) {
+        app = app->get_subcommands().front();
+        path += (path.empty() ? "" : " ") + app->get_name();
+    }
+    return path;
+}
+
+std::string near_words(const CLI::App& program) {
+    const CLI::App& command = *named(&program);
+    const std::vector<std::string> options = option_names(command), commands = command_names(command);
+    std::string text;
+    for (const std::string& word : program.remaining(true)) {
+        const std::string near = core::did_you_mean(word.substr(0, word.find('=')), word.starts_with('-') ? options : commands);
+        if (!near.empty()) text += word + ":" + near.substr(1) + "\n";
+    }
+    return text;
+}
+
+bool asks_for_json(int argc, char** argv) {
+    return std::any_of(argv + 1, argv + argc, [](const char* word) { return std::string_view(word) == "--json"; });
+}
+
+void fail_by_argument(Reply& reply, const std::string& message) {
+    static const std::regex kParts(R"(^(-{0,2}[A-Za-z_-]+): (.*) \(allowed: (.*)\)$)");
+    std::smatch parts;
+    if (std::regex_match(message, parts, kParts))
+        reply.fail(message, {core::InvalidInput(parts[1], parts[2], parts[3])});
+    else
+        reply.fail(message);
+}
+
+}  // namespace fusee::app

@@ -1,0 +1,39 @@
+#pragma once
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "explain/rules.h"
+#include "fusee/effects/effect.h"
+#include "fusee/profile/keys.h"
+#include "reply.h"
+
+/// What `fusee explain` says about one name. The texts are those of the rules, the schema of keys, the fault library and the glossary.
+namespace fusee::app {
+
+struct Entry {
+    std::string kind;  ///< "rule", "key", "effect", "term", "table", "group"
+    std::string name;
+    std::vector<std::pair<std::string, std::string>> lines;  ///< label, text
+    Json json;                                               ///< kind, name, and the same as `lines`
+};
+
+[[nodiscard]] Entry rule_entry(const ListedRule& rule);
+[[nodiscard]] Entry key_entry(const profile::KeyInfo& key);
+[[nodiscard]] Entry effect_entry(const effects::Effect& effect);
+
+/// A row of a table of docs/glossary.md.
+struct Term {
+    std::string section, name, symbol, meaning;
+};
+[[nodiscard]] std::vector<Term> glossary_terms();
+[[nodiscard]] Entry term_entry(const Term& term);
+
+/// Everything that has this name; capitals do not count, "_" and " " are the same. A name without its table is found too: "bore_mm".
+/// @throws core::InvalidInput if nothing has, with near names
+[[nodiscard]] std::vector<Entry> explain(const std::string& name);
+
+/// For a person, in lines of so many letters.
+[[nodiscard]] std::string entry_text(const Entry& entry, std::size_t columns);
+
+}  // namespace fusee::app

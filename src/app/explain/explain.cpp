@@ -1,0 +1,148 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "explain/entry.h"
+#include "explain/texts.h"
+#include "fusee/checks/check.h"
+#include "fusee/core/nearest.h"
+
+namespace fusee::app {
+
+namespace {
+
+std::string plain(std::string text) {
+    for (char& c : text) c = c == '_' ? ' ' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return text;
+}
+bool same(const std::string& a, const std::string& b) { return plain(a) == plain(b); }
+
+std::vector<std::string> cells_of(std::string_view line) {
+    std::vector<std::string> cells;
+    for (std::size_t begin = 1; begin < line.size();) {
+        const std::size_t end = std::min(line.find('|', begin), line.size());
+        const std::string_view cell = line.substr(begin, end - begin);
+        const std::size_t first = cell.find_first_not_of(' ');
+        cells.emplace_back(first == std::string_view::npos ? "" : cell.substr(first, cell.find_last_not_of(' ') - first + 1));
+        begin = end + 1;
+    }
+    return cells;
+}
+
+/// The name behind its table or group.
+std::string leaf_of(const std::string& path) { return path.substr(path.rfind('.') + 1); }
+
+/// "agonist, antagonist" is both; "dead-band, exact" is also found as "dead-band".
+bool names_term(const Term& term, const std::string& asked) {
+    if (same(term.name, asked)) return true;
+    for (std::size_t begin = 0; begin < term.name.size();) {
+        const std::size_t end = std::min(term.name.find(", ", begin), term.name.size());
+        if (same(term.name.substr(begin, end - begin), asked)) return true;
+        begin = end + 2;
+    }
+    return false;
+}
+
+/// A table of keys or a group of rules, as the list of what it holds.
+void add_list(std::vector<Entry>& found, const char* kind, const std::string& name, const std::string& title,
+              const std::vector<std::string>& members, const char* command) {
+    if (members.empty()) return;
+    Entry entry{kind, name, {}, {{"kind", kind}, {"name", name}, {"title", title}, {"members", members}}};
+    if (!title.empty()) entry.lines.emplace_back("about", title);
+    entry.lines.emplace_back("holds", fmt::format("{}", fmt::join(members, ", ")));
+    entry.lines.emplace_back("more", fmt::format("fusee {} {}", command, name));
+    found.push_back(std::move(entry));
+}
+
+std::vector<std::string> all_names() {
+    std::vector<std::string> names;
+    for (const ListedRule& rule : all_rules())
+        names.insert(names.end(), {rule.info->id, std::string(rule.info->group()), leaf_of(rule.info->id)});
+    for (const profile::KeyInfo& key : profile::key_infos()) names.insert(names.end(), {key.path, key.table, leaf_of(key.path)});
+    for (const effects::Effect& effect : effects::effect_library()) names.push_back(effect.id);
+    for (const Term& term : glossary_terms()) names.push_back(term.name);
+    return names;
+}
+
+/// Rules, effects and keys whose last part is the name: "bore_mm" is one of two parts.
+void add_by_leaf(std::vector<Entry>& found, const std::string& name) {
+    for (const ListedRule& rule : all_rules())
+        if (same(leaf_of(rule.info->id), name)) found.push_back(rule_entry(rule));
+    for (const effects::Effect& effect : effects::effect_library())
+        if (same(leaf_of(effect.id), name)) found.push_back(effect_entry(effect));
+    for (const profile::KeyInfo& key : profile::key_infos())
+        if (same(leaf_of(key.path), name)) found.push_back(key_entry(key));
+}
+
+}  // namespace
+
+std::vector<Term> glossary_terms() {
+    std::vector<Term> terms;
+    std::string section;
+    std::vector<std::string> head;
+    for (std::string_view rest = kGlossary; !rest.empty();) {
+        const std::string_view line = rest.substr(0, rest.find('\n'));
+        rest.remove_prefix(std::min(line.size() + 1, rest.size()));
+        if (line.starts_with("## ")) section = line.substr(3), head.clear();
+        if (!line.starts_with("|") || line.starts_with("|---")) continue;
+        const std::vector<std::string> cells = cells_of(line);
+        if (head.empty()) {
+            head = cells;
+            continue;
+        }
+        const auto cell = [&](const char* column) {
+            const auto at = static_cast<std::size_t>(std::find(head.begin(), head.end(), column) - head.begin());
+            return at < std::min(head.size(), cells.size()) ? cells[at] : std::string();
+        };
+        terms.push_back({section, cell("term"), cell("symbol"), cell("meaning")});
+    }
+    return terms;
+}
+
+Entry term_entry(const Term& term) {
+    Entry entry{"term",
+                term.name,
+                {},
+                {{"kind", "term"}, {"name", term.name}, {"section", term.section}, {"symbol", term.symbol}, {"meaning", term.meaning}}};
+    entry.lines.emplace_back("means", term.meaning.empty() ? "see docs/glossary.md" : term.meaning);
+    if (!term.symbol.empty()) entry.lines.emplace_back("symbol", term.symbol);
+    entry.lines.emplace_back("about", term.section);
+    return entry;
+}
+
+std::vector<Entry> explain(const std::string& name) {
+    std::vector<Entry> found;
+    std::vector<std::string> group, table;
+    for (const ListedRule& rule : all_rules()) {
+        if (same(rule.info->id, name)) found.push_back(rule_entry(rule));
+        if (same(std::string(rule.info->group()), name)) group.emplace_back(rule.info->id);
+    }
+    for (const effects::Effect& effect : effects::effect_library())
+        if (same(effect.id, name)) found.push_back(effect_entry(effect));
+    for (const profile::KeyInfo& key : profile::key_infos()) {
+        if (same(key.path, name)) found.push_back(key_entry(key));
+        if (same(key.table, name)) table.push_back(key.path);
+    }
+    for (const Term& term : glossary_terms())
+        if (names_term(term, name)) found.push_back(term_entry(term));
+    add_list(found, "group", name, group.empty() ? "" : checks::group_title(group.front().substr(0, group.front().find('.'))), group,
+             "rules");
+    add_list(found, "table", name, "", table, "keys");
+    if (found.empty()) add_by_leaf(found, name);
+    if (found.empty())
+        throw core::InvalidInput(
+            "explain", name,
+            "a rule, a key or table of a profile, an effect, a term of the glossary" + core::did_you_mean(name, all_names()));
+    return found;
+}
+
+std::string entry_text(const Entry& entry, std::size_t columns) {
+    constexpr std::size_t kIndent = 2;
+    std::string text = fmt::format("{}: {}\n", entry.name, entry.kind);
+    for (const auto& [label, line] : entry.lines) text += core::wrapped(label + ": " + line, columns, kIndent, kIndent) + "\n";
+    return text;
+}
+
+}  // namespace fusee::app

@@ -1,0 +1,9 @@
+#pragma once
+#include <string_view>
+
+namespace fusee::app {
+
+extern const std::string_view kGlossary;        ///< docs/glossary.md
+extern const std::string_view kShippedProfile;  ///< profiles/pnrvsa.toml
+
+}  // namespace fusee::app

@@ -1,0 +1,38 @@
+#include <memory>
+
+#include "commands.h"
+#include "explain/entry.h"
+
+namespace fusee::app {
+
+namespace {
+
+int run_explain(const std::vector<std::string>& names, Reply& reply) {
+    Json all = Json::array();
+    bool first = true;
+    for (const std::string& name : names)
+        for (const Entry& entry : explain(name)) {
+            all.push_back(entry.json);
+            reply.print((first ? "" : "\n") + entry_text(entry, core::terminal_columns()));
+            first = false;
+        }
+    reply.result = {{"entries", all}};
+    return 0;
+}
+
+}  // namespace
+
+void add_explain(CLI::App& app, Action& action) {
+    const auto names = std::make_shared<std::vector<std::string>>();
+    CLI::App* command = app.add_subcommand("explain", "Explain a rule, a key of a profile, an effect of the diagnosis, or a term");
+    command->add_option("name", *names, "Id of a rule or effect, key or table of a profile, term of the glossary")
+        ->required()
+        ->type_name("NAME");
+    command->footer(
+        "Example:\n  fusee explain cable.bend_ratio\n  fusee explain law.start_torque_Nm\n  fusee explain gear.coulomb\n"
+        "  fusee explain dead-band\n\n"
+        "Exit code: 0, or 2 for a name that nothing has (near ones are named).");
+    command->callback([names, &action] { action = [names](Reply& reply) { return run_explain(*names, reply); }; });
+}
+
+}  // namespace fusee::app

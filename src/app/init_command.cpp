@@ -1,0 +1,143 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <iostream>
+#include <map>
+#include <memory>
+
+#include "arguments.h"
+#include "commands.h"
+#include "exit_codes.h"
+#include "fusee/core/destination.h"
+#include "fusee/core/error.h"
+#include "fusee/core/file.h"
+#include "fusee/core/progress.h"
+#include "fusee/core/text.h"
+#include "fusee/init/init.h"
+#include "fusee/init/question.h"
+#include "fusee/report/init.h"
+
+namespace fusee::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct InitArguments {
+    fs::path profile;
+    std::map<std::string, std::string> answers;  // option to text
+    bool yes = false;
+    unsigned jobs = 0;
+};
+
+/// The file must be new, and its name that of a design.
+void require_new(const fs::path& file) {
+    if (file.extension() != ".toml") throw core::InvalidInput("init", file.string(), "a file name that ends in .toml");
+    if (!profile::is_name(file.stem().string()))
+        throw core::InvalidInput("init", file.string(), std::string("a file whose name without .toml is ") + profile::kAllowedName);
+    core::require_new_file(file, false);
+}
+
+/// Asks again until the answer is allowed. @throws core::Stopped at the end of the input and after Ctrl-C
+void ask(const init::Question& question, init::Answers& answers) {
+    while (true) {
+        fmt::print("{}", question.prompt(answers));
+        std::fflush(stdout);
+        std::string line;
+        if (!std::getline(std::cin, line) || core::interrupted()) {
+            fmt::print("\n");
+            throw core::Stopped();
+        }
+        if (line.empty()) return;
+        try {
+            return question.enter(answers, line);
+        } catch (const core::InputError& e) {
+            fmt::print("  {}\n", e.what());
+        }
+    }
+}
+
+/// Options first; then, on a terminal, without --yes and --json, the questions that no option answers.
+init::Answers answers_of(const InitArguments& arguments, const Reply& reply) {
+    init::Answers answers;
+    core::Mistakes mistakes;
+    for (const init::Question& question : init::questions())
+        if (const auto given = arguments.answers.find(question.option); given != arguments.answers.end())
+            mistakes.collect([&] { question.enter(answers, given->second); });
+    mistakes.throw_if_any();
+    if (!arguments.yes && !reply.json() && ::isatty(STDIN_FILENO) != 0) {
+        fmt::print("Enter takes the value in brackets; Ctrl-C leaves no file.\n");
+        for (const init::Question& question : init::questions())
+            if (!arguments.answers.contains(question.option)) ask(question, answers);
+    }
+    return answers;
+}
+
+/// A line for each new step, or a bar with the time left on a terminal.
+class Shown {
+public:
+    Shown() : progress_("init", kSteps) {}
+    void reach(double share, const std::string& step) {
+        for (; done_ < static_cast<int>(share * kSteps) && done_ < kSteps; ++done_) progress_.advance(step);
+    }
+
+private:
+    static constexpr int kSteps = 20;
+    core::Progress progress_;
+    int done_ = 0;
+};
+
+int run_init(const InitArguments& arguments, Reply& reply) {
+    require_thread();
+    require_new(arguments.profile);
+    const init::Answers answers = answers_of(arguments, reply);
+    init::require_consistent(answers);
+    core::catch_interrupts();
+    const std::string name = arguments.profile.stem().string();
+    init::Result result;
+    {
+        Shown shown;
+        result = init::find_design(name, answers,
+                                   {.jobs = arguments.jobs,
+                                    .progress = [&](double share, const std::string& step) { shown.reach(share, step); },
+                                    .stop = core::interrupted});
+    }
+    if (!result.design) {
+        reply.warn(report::init_text(result, arguments.profile.string()));
+        return kRefused;
+    }
+    core::require_new_file(arguments.profile, false);  // it may have appeared since
+    core::write_file(arguments.profile, init::profile_text(*result.design, answers));
+    reply.result = {{"profile", arguments.profile.string()}};
+    reply.say(report::init_text(result, arguments.profile.string()));
+    return 0;
+}
+
+}  // namespace
+
+void add_init(CLI::App& app, Action& action) {
+    const auto arguments = std::make_shared<InitArguments>();
+    CLI::App* command = app.add_subcommand(
+        "init", "Write a first profile from a few answers: questions on a terminal, options in a script; fusee make accepts it");
+    command->add_option("profile", arguments->profile, "Profile to write (*.toml); an existing file is refused")
+        ->type_name("FILE.toml")
+        ->required();
+    const init::Answers defaults;
+    for (const init::Question& question : init::questions())
+        command
+            ->add_option_function<std::string>(
+                question.option, [arguments, option = question.option](const std::string& text) { arguments->answers[option] = text; },
+                fmt::format("{}{}{} ({}); default: {}", question.text, question.unit.empty() ? "" : ", ", question.unit, question.allowed,
+                            question.shown(defaults)))
+            ->type_name("VALUE");
+    command->add_flag("-y,--yes", arguments->yes, "Ask nothing: the defaults answer what no option answers");
+    add_jobs(*command, arguments->jobs, "Number of threads; 0: one per processor. The result does not depend on it");
+    command->footer(
+        "Example:\n  fusee init my_joint.toml\n  fusee init my_joint.toml --torque 1 --friction 0.05 --cable 'dyneema 0.8' --shaft 6 "
+        "--yes\n\n"
+        "Exit code: 0 the profile is written, 1 no such joint can be made (the binding limit and the nearest change are printed, nothing\n"
+        "is written), 2 bad input, or the file exists, 3 internal error, 130 stopped by Ctrl-C: nothing is written.");
+    command->callback([arguments, &action] { action = [arguments](Reply& reply) { return run_init(*arguments, reply); }; });
+}
+
+}  // namespace fusee::app

@@ -1,0 +1,148 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "arguments.h"
+#include "commands.h"
+#include "exit_codes.h"
+#include "fusee/core/destination.h"
+#include "fusee/core/error.h"
+#include "fusee/core/file.h"
+#include "fusee/core/temporary_folder.h"
+#include "fusee/diagnosis/diagnose.h"
+#include "fusee/pipeline/make.h"
+#include "fusee/render/svg.h"
+#include "fusee/report/picture.h"
+#include "fusee/subsystem/subsystem.h"
+#include "numbers.h"
+#include "places.h"
+
+namespace fusee::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct RenderArguments {
+    fs::path source, out;
+    std::string view = "assembly";
+    int width_px = 1200;
+    bool dark = false, force = false;
+    double joint_deg = 0.0, co_contraction = 0.0;
+};
+
+/// The design with its parts, in a folder that does not stay. No format beside STL: pictures show none.
+core::Outcome<pipeline::MadeDesign> made(profile::Profile profile) {
+    profile.outputs.formats = {"stl"};
+    const core::TemporaryFolder folder;
+    core::OutputFolder output(folder.path() / "parts", {.command = "make", .source = profile.file});  // never committed
+    return pipeline::make_parts(profile, output);
+}
+
+/// Both capstans at the co-contraction asked for, the joint turned. @throws InvalidInput naming the option with what the joint allows
+assembly::Pose pose_of(const RenderArguments& arguments, const pipeline::MadeDesign& design) {
+    if (!design.report.assembly) return {};
+    const assembly::Assembly& joint = *design.report.assembly;
+    const spring::SpringLaw& law = *design.resolved.law();
+    double turn = 0.0;
+    if (arguments.co_contraction > 0.0) {
+        if (!law.loads().holds(arguments.co_contraction))
+            throw core::InvalidInput("--co-contraction", fmt::format("{:g}", arguments.co_contraction),
+                                     fmt::format("{:g} to {:g} Nm, the loads of the law", law.loads().low, law.loads().high));
+        turn = std::min(law.at_load(arguments.co_contraction).theta, joint.greatest_turn);
+    }
+    const double angle = core::rad_from_deg(arguments.joint_deg);
+    const double paid = joint.capstan_radius_mm * turn;
+    const double most =
+        std::min({0.5 * joint.joint_range, paid / joint.joint_radius_mm, (joint.greatest_payout_mm - paid) / joint.joint_radius_mm});
+    if (std::abs(angle) > most + 1e-9)
+        throw core::InvalidInput("--joint-angle", fmt::format("{:g}", arguments.joint_deg),
+                                 fmt::format("-{0:.3g} to {0:.3g} deg at this co-contraction: beyond, a K_SE would leave its range",
+                                             core::deg_from_rad(std::max(0.0, most))));
+    return assembly::pose_of(joint, turn, turn, angle);
+}
+
+std::string gap_map(const RenderArguments& arguments, report::Theme theme) {
+    core::catch_interrupts();
+    if (gap_case::is_subsystem_case(arguments.source))
+        return report::gap_map_picture(subsystem::diagnose(subsystem::read_case(arguments.source), {}), theme);
+    return report::gap_map_picture(diagnosis::diagnose(gap_case::read_case(arguments.source), {}), theme);
+}
+
+int write_picture(const RenderArguments& arguments, const std::string& svg, Reply& reply) {
+    const bool png = arguments.out.extension() == ".png";
+    core::write_file(arguments.out, png ? render::png_of_svg(svg, arguments.out.string(), arguments.width_px) : svg);
+    reply.result = {{"view", arguments.view}, {"file", arguments.out.string()}};
+    reply.say(fmt::format("written: {}\n", arguments.out.string()));
+    return 0;
+}
+
+void require_picture_file(const RenderArguments& arguments) {
+    const std::string ending = arguments.out.extension().string();
+    if (ending != ".svg" && ending != ".png")
+        throw core::InvalidInput("--out", arguments.out.string(), "a file name that ends in .svg or .png");
+    if (fs::is_directory(arguments.out) || (fs::exists(arguments.out) && !arguments.force))
+        throw core::InvalidInput("--out", arguments.out.string(), "a new file; --force replaces an existing one");
+}
+
+int run_render(const RenderArguments& arguments, Reply& reply) {
+    require_picture_file(arguments);
+    const report::Theme theme = arguments.dark ? report::Theme::kDark : report::Theme::kLight;
+    if (arguments.view == report::kGapMapView) return write_picture(arguments, gap_map(arguments, theme), reply);
+    if (fs::is_directory(arguments.source))
+        throw core::InvalidInput("--view", arguments.view, fmt::format("{}: the source is the folder of a case", report::kGapMapView));
+    const profile::Profile profile = profile::read_profile(arguments.source);
+    return with_places(profile, [&] {
+        pipeline::require_parts(profile);
+        const auto design = made(profile);
+        if (!design) {
+            reply.show(design.refusal());
+            return int{kRefused};
+        }
+        const report::PictureOptions options{theme, pose_of(arguments, *design), arguments.width_px};
+        return write_picture(arguments, report::design_picture(design->report, arguments.view, options), reply);
+    });
+}
+
+std::string views_text() {
+    std::string text = "Views of a profile:\n";
+    for (const report::PictureView& view : report::design_views()) text += fmt::format("  {:<16} {}\n", view.name, view.meaning);
+    return text + fmt::format("View of the folder of a gap case:\n  {:<16} {}\n", report::kGapMapView,
+                              "where the joint departs from its model, before and after the effects found");
+}
+
+}  // namespace
+
+void add_render(CLI::App& app, Action& action) {
+    constexpr int kLeastPixels = 16, kMostPixels = 8000;
+    constexpr double kMostDegrees = 360.0, kMostTorque = 1e4;
+    const auto arguments = std::make_shared<RenderArguments>();
+    CLI::App* command = app.add_subcommand("render", "Draw the cams, the joint, a curve or a gap map as a picture, PNG or SVG");
+    command->add_option("source", arguments->source, "Profile (*.toml); for the view gap-map, the folder of a case")
+        ->type_name("FILE.toml")
+        ->required();
+    command->add_option("--view", arguments->view, "What to draw, see below")->type_name("VIEW")->capture_default_str();
+    command->add_option("-o,--out", arguments->out, "The picture, *.png or *.svg")->type_name("FILE")->required();
+    command->add_option("--width", arguments->width_px, "Width or height of the PNG and of shaded pictures, whichever is larger [px]")
+        ->check(number_within(kLeastPixels, kMostPixels))
+        ->capture_default_str();
+    command->add_flag("--dark", arguments->dark, "Charts on a dark page");
+    command->add_option("--co-contraction", arguments->co_contraction, "Load of both capstans in the view assembly [Nm]; 0: the lowest")
+        ->check(number_within(0.0, kMostTorque))
+        ->capture_default_str();
+    command->add_option("--joint-angle", arguments->joint_deg, "Angle of the joint from its middle in the view assembly [deg]")
+        ->check(number_within(-kMostDegrees, kMostDegrees))
+        ->capture_default_str();
+    add_force_file(*command, arguments->force);
+    command->footer(
+        views_text() +
+        "\nExample:\n  fusee render profiles/pnrvsa.toml --view cams -o cams.png\n"
+        "  fusee render profiles/pnrvsa.toml --view dead-band -o dead_band.svg\n\n"
+        "Exit code: 0 the picture is written, 1 the parts cannot be made, 2 bad input (file, line and key are named), 3 internal\n"
+        "error, 130 stopped by Ctrl-C.");
+    command->callback([arguments, &action] { action = [arguments](Reply& reply) { return run_render(*arguments, reply); }; });
+}
+
+}  // namespace fusee::app

@@ -1,0 +1,67 @@
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "arguments.h"
+#include "commands.h"
+#include "exit_codes.h"
+#include "fusee/batch/watch.h"
+#include "fusee/core/progress.h"
+#include "page_server.h"
+
+namespace fusee::app {
+
+namespace {
+
+struct WatchArguments {
+    std::filesystem::path profile;
+    batch::WatchOptions options;
+    bool serve = false;
+    int port = 0;
+};
+
+int run_watch(const WatchArguments& arguments, Reply& reply) {
+    core::catch_interrupts();
+    require_thread();
+    const std::unique_ptr<PageServer> pages = arguments.serve ? std::make_unique<PageServer>(arguments.port) : nullptr;
+    batch::WatchOptions options = arguments.options;
+    options.stop = core::interrupted;
+    options.say = [&reply](const std::string& text) {
+        reply.say(text + "\n");
+        std::fflush(stdout);
+    };
+    if (pages) {
+        options.say("page: " + pages->address() + " (it reloads itself; only this machine sees it)");
+        options.answered = [&pages](const std::string& verdict) { pages->tell(verdict); };
+        options.made = [&pages](const std::filesystem::path& folder) { pages->show(folder); };
+    }
+    batch::watch_profile(arguments.profile, options);
+    reply.fail("stopped");
+    reply.say("stopped\n");
+    return kInterrupted;
+}
+
+}  // namespace
+
+void add_watch(CLI::App& app, Action& action) {
+    const auto arguments = std::make_shared<WatchArguments>();
+    CLI::App* command = app.add_subcommand(
+        "watch", "Remake a profile on each save: first the verdict in milliseconds, then all files; with --serve the page reloads itself");
+    command->add_option("profile", arguments->profile, "Profile (*.toml); the CSV files that it names are watched too")
+        ->type_name("FILE.toml")
+        ->required();
+    command->add_option("-o,--out", arguments->options.make.out, "Folder of the results, as of make")
+        ->type_name("FOLDER")
+        ->capture_default_str();
+    command->add_flag("--serve", arguments->serve, "Serve out/NAME to a browser on this machine (127.0.0.1); the page reloads itself");
+    command->add_option("--port", arguments->port, "Port of --serve; 0: a free one")->check(number_within(0, 65535))->capture_default_str();
+    add_force(*command, arguments->options.make.force);
+    command->footer(
+        "Example:\n  fusee watch profiles/pnrvsa.toml\n  fusee watch my_joint.toml --serve\n\n"
+        "Exit code: 130 stopped by Ctrl-C (a make that has not ended leaves no file), 2 bad input: there is no such profile, or the port "
+        "is\n"
+        "taken; 3 internal error. A bad profile is reported, and watching goes on.");
+    command->callback([arguments, &action] { action = [arguments](Reply& reply) { return run_watch(*arguments, reply); }; });
+}
+
+}  // namespace fusee::app

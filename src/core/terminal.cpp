@@ -1,0 +1,93 @@
+#include "fusee/core/terminal.h"
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdlib>
+
+#include "fusee/core/text.h"
+
+namespace fusee::core {
+
+namespace {
+
+constexpr std::size_t kUsualColumns = 80, kLeastColumns = 40, kMostColumns = 10'000;
+
+/// 0: not stated.
+std::size_t stated_columns() {
+    const char* text = std::getenv("COLUMNS");
+    std::size_t columns = 0;
+    if (text != nullptr) std::from_chars(text, text + std::string_view(text).size(), columns);
+    return columns;
+}
+
+/// A word at the beginning of a line, with the colour of what it says.
+struct Marked {
+    std::string_view word, colour;
+};
+constexpr std::string_view kRed = "\x1b[1;31m", kYellow = "\x1b[1;33m", kCyan = "\x1b[36m", kPlain = "\x1b[0m";
+constexpr std::array kMarked{Marked{"error", kRed}, Marked{"warning", kYellow}, Marked{"not judged", kCyan}, Marked{"fusee", kRed}};
+
+std::string coloured_line(std::string_view line) {
+    const std::size_t begin = std::min(line.find_first_not_of(' '), line.size());
+    for (const Marked& marked : kMarked) {
+        const std::string_view rest = line.substr(begin);
+        if (rest.starts_with(marked.word) && rest.substr(marked.word.size()).starts_with(':'))
+            return fmt::format("{}{}{}{}{}", line.substr(0, begin), marked.colour, marked.word, kPlain, rest.substr(marked.word.size()));
+    }
+    return std::string(line);
+}
+
+}  // namespace
+
+bool is_terminal(int file) { return ::isatty(file) != 0; }
+
+std::size_t terminal_columns() {
+    std::size_t columns = stated_columns();
+    winsize size{};
+    if (columns == 0 && is_terminal(STDOUT_FILENO) && ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0) columns = size.ws_col;
+    return columns == 0 ? kUsualColumns : std::clamp(columns, kLeastColumns, kMostColumns);
+}
+
+std::string wrapped(std::string_view text, std::size_t columns, std::size_t indent, std::size_t hang) {
+    std::string out, line(indent, ' ');
+    bool empty = true;  // has this line no word yet?
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find(' '), text.size());
+        const std::string word(text.substr(0, end));
+        text.remove_prefix(std::min(end + 1, text.size()));
+        if (word.empty()) continue;
+        if (!empty && letters(line) + 1 + letters(word) > columns) {
+            out += line + "\n";
+            line.assign(indent + hang, ' ');
+            empty = true;
+        }
+        line += (empty ? "" : " ") + word;
+        empty = false;
+    }
+    return out + line;
+}
+
+bool is_coloured(Colour colour, int file) {
+    if (colour != Colour::kAuto) return colour == Colour::kAlways;
+    const char *none = std::getenv("NO_COLOR"), *kind = std::getenv("TERM");
+    const bool refused = (none != nullptr && *none != '\0') || (kind != nullptr && std::string_view(kind) == "dumb");
+    return !refused && is_terminal(file);
+}
+
+std::string coloured(std::string_view text) {
+    std::string out;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        out += coloured_line(text.substr(0, end));
+        if (end < text.size()) out += '\n';
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return out;
+}
+
+}  // namespace fusee::core

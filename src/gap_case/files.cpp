@@ -1,0 +1,41 @@
+#include "fusee/gap_case/files.h"
+
+#include "fusee/core/file.h"
+
+namespace fs = std::filesystem;
+
+namespace fusee::gap_case {
+
+std::string CaseFiles::name() const {
+    if (texts_ != nullptr) return folder_.string();
+    return fs::absolute(folder_ / "case.toml").lexically_normal().parent_path().filename().string();
+}
+
+bool CaseFiles::has(const std::string& file) const {
+    if (texts_ != nullptr) return texts_->contains(file);
+    std::error_code absent;
+    return fs::is_regular_file(folder_ / file, absent);
+}
+
+bool CaseFiles::same(const std::string& one, const std::string& other) const {
+    std::error_code none;
+    return one == other || (texts_ == nullptr && fs::equivalent(folder_ / one, folder_ / other, none));
+}
+
+std::string CaseFiles::read(const std::string& file, std::size_t most) const {
+    if (texts_ == nullptr) return core::read_file(folder_ / file, most);
+    const auto text = texts_->find(file);
+    if (text == texts_->end()) throw core::IoError((folder_ / file).string(), "the case has no such file");
+    if (text->second.size() > most) throw core::IoError((folder_ / file).string(), "larger than " + std::to_string(most) + " bytes");
+    return text->second;
+}
+
+core::CsvTable CaseFiles::read_csv(const std::string& file, const std::vector<core::CsvColumn>& columns, const core::CsvOptions& options,
+                                   const std::function<void(std::string_view)>& seen) const {
+    if (texts_ == nullptr) return core::read_csv(folder_ / file, columns, options, seen);
+    const std::string text = read(file, options.largest_bytes);
+    seen(text);
+    return core::parse_csv(text, (folder_ / file).string(), columns, options);
+}
+
+}  // namespace fusee::gap_case

@@ -1,0 +1,79 @@
+#include "fusee/report/init.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "fusee/actuator/dead_band.h"
+#include "fusee/core/text.h"
+#include "fusee/core/units.h"
+#include "fusee/pipeline/design.h"
+
+namespace fusee::report {
+
+namespace {
+
+using core::mm_from_m;
+
+/// A word for the shell, quoted only where it must be.
+std::string word(const std::string& text) {
+    const auto plain = [](unsigned char c) { return c < 0x80 && (std::isalnum(c) != 0 || c == '.' || c == '_' || c == '-' || c == '/'); };
+    return !text.empty() && text[0] != '-' && std::all_of(text.begin(), text.end(), plain) ? text : core::shell_word(text);
+}
+
+std::string coil_line(const char* part, const char* kind, const spring::BaseSpring& s) {
+    return fmt::format("  {}: {} spring, wire {:g} mm, mean coil {:g} mm, {:g} turns, length {:g} mm\n", part, kind,
+                       mm_from_m(s.wire_diameter), mm_from_m(s.coil_diameter), s.active_coils, mm_from_m(s.free_length));
+}
+
+std::string band_text(const pipeline::ResolvedDesign& design, double tau) {
+    return fmt::format("{:.1f} deg at {:g} Nm", core::deg_from_rad(actuator::dead_band(design.actuator, tau).exact_width), tau);
+}
+
+std::string figures(const init::Design& found) {
+    const profile::Profile& p = found.profile;
+    const auto design = pipeline::resolve(p);
+    std::string text;
+    if (design)
+        text += fmt::format("  dead-band, full width at the joint: {}, {}\n", band_text(*design, p.rig.peak_torque),
+                            band_text(*design, p.rig.overdrive_torque));
+    text += fmt::format("  radius of capstan {:.4g} mm, of the joint's pulley {:.4g} mm\n", mm_from_m(p.rig.capstan_radius),
+                        mm_from_m(p.rig.joint_radius));
+    text += coil_line("K_SE", "torsion", p.k_se.spring) + coil_line("K_PE", "compression", p.k_pe.spring);
+    if (p.k_se.solid.features.leg_slot_width <= 0.0)
+        text +=
+            "  K_SE has no slot for its spring's leg, since the coil is narrower than bore and wall: put the spring on a shaft of its "
+            "own,\n"
+            "  or choose a thinner --shaft\n";
+    return text;
+}
+
+std::string open_findings(const core::Findings& findings) {
+    std::string text = fmt::format("  {} to review, {} not judged; fusee make lists them\n",
+                                   core::counted(core::count(findings, core::Severity::kWarning), "warning"),
+                                   core::counted(core::count(findings, core::Severity::kNotJudged), "rule"));
+    return text;
+}
+
+std::string nearest_text(const init::Result& result, const std::string& file) {
+    if (!result.nearest) return "no change of a single answer was found that gives a joint; nothing is written\n";
+    const init::NearestChange& n = *result.nearest;
+    return fmt::format("nearest joint that can be made: {} {} instead of {}\n  fusee init {} {}\nnothing is written\n", n.option,
+                       word(n.to), word(n.from), word(file), n.options);
+}
+
+}  // namespace
+
+std::string init_text(const init::Result& result, const std::string& file) {
+    if (!result.design) {
+        std::string text = "this joint cannot be made; the limits that bind:\n";
+        for (std::size_t i = 0; i < std::min<std::size_t>(3, result.binding.size()); ++i)
+            text += "  " + core::to_line(result.binding[i]) + "\n";
+        return text + nearest_text(result, file);
+    }
+    return fmt::format("written: {}\n{}{}next:\n  fusee make {}\n  fusee watch {}\n", core::printable(file), figures(*result.design),
+                       open_findings(result.design->findings), word(file), word(file));
+}
+
+}  // namespace fusee::report

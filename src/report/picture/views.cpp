@@ -1,0 +1,124 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "design/page.h"
+#include "diagnosis/page.h"
+#include "fusee/core/error.h"
+#include "fusee/core/markup.h"
+#include "fusee/render/picture.h"
+#include "fusee/report/assembly.h"
+#include "fusee/report/picture.h"
+#include "picture/standalone.h"
+
+namespace fusee::report {
+
+namespace {
+
+using pipeline::DesignReport;
+
+/// A view that is a chart of a page: its section and its caption there.
+struct ChartView {
+    const char *name, *meaning;
+    std::string (*section)(const DesignReport&);
+    const char* caption;
+};
+
+std::string part_page(const DesignReport& design, cam::PartKind kind) {
+    for (const PartReport& part : design.parts)
+        if (part.part->cam.kind == kind) return part_section(part, {});
+    return "";
+}
+std::string k_se_page(const DesignReport& design) { return part_page(design, cam::PartKind::kSeries); }
+std::string k_pe_page(const DesignReport& design) { return part_page(design, cam::PartKind::kParallel); }
+
+constexpr std::array<ChartView, 8> kCharts{{
+    {"law", "torques of both springs over the capstan's angle", law_section, "Spring torques over the capstan's angle"},
+    {"stiffness", "stiffness of both springs over the load", law_section, "Stiffness"},
+    {"transmission", "share of the stiction that reaches the joint", law_section, "T = S/(S+P): share of stiction that reaches the joint"},
+    {"dead-band", "dead-band over the co-contraction", dead_band_section, "Dead-band at the joint, edge to edge"},
+    {"joint-stiffness", "stiffness of the joint over the co-contraction", dead_band_section, "Stiffness of the joint"},
+    {"k_se-arm", "lever arm of K_SE over its angle", k_se_page, "Lever arm"},
+    {"k_pe-arm", "lever arm of K_PE over its angle", k_pe_page, "Lever arm"},
+    {"k_pe-height", "height of the cable on a helical K_PE", k_pe_page, "Height of the cable on the helix"},
+}};
+
+[[noreturn]] void refuse_view(const std::string& view, const std::string& allowed) { throw core::InvalidInput("--view", view, allowed); }
+
+std::string chart(const DesignReport& design, const ChartView& view, Theme theme) {
+    std::vector<Figure> found = figures_of(view.section(design));
+    std::erase_if(found, [&](const Figure& f) { return f.caption != core::escape(view.caption); });
+    if (found.empty()) refuse_view(view.name, "another view: this design does not have it");
+    return standalone({found.front()}, theme);
+}
+
+/// A shaded picture as an SVG in millimetres.
+std::string shaded(const std::vector<render::Object>& objects, int longest_px) {
+    const render::Picture picture =
+        render::draw(objects, render::from_direction(core::rad_from_deg(-55.0), core::rad_from_deg(32.0)), longest_px);
+    const Eigen::Vector2d size = picture.high_mm - picture.low_mm;
+    return fmt::format(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}mm\" height=\"{1}mm\">"
+        "<image width=\"{0}\" height=\"{1}\" href=\"{2}\"/></svg>\n",
+        core::coordinate(size.x()), core::coordinate(size.y()), render::data_uri(render::png(picture)));
+}
+
+/// All cams of the design, side by side, as they lie in their own frames.
+std::string cams(const DesignReport& design, int longest_px) {
+    constexpr double kApart_mm = 8.0;
+    constexpr std::array<render::Colour, 2> kColours{{{63, 127, 208}, {208, 96, 63}}};  // as in assembly::colour_of
+    std::vector<render::Object> objects;
+    double right = 0.0;
+    for (const PartReport& part : design.parts) {
+        const solid::Box box = solid::bounding_box(part.part->mesh);
+        const double shift = right - box.low_mm[0];
+        render::Object object{part.part->mesh, kColours.at(part.part->cam.kind == cam::PartKind::kSeries ? 0 : 1)};
+        for (solid::Vec3& p : object.mesh.points_mm) p[0] += shift, p[2] -= box.low_mm[2];
+        right = shift + box.high_mm[0] + kApart_mm;
+        objects.push_back(std::move(object));
+    }
+    return shaded(objects, longest_px);
+}
+
+std::string joint(const DesignReport& design, const std::string& view, const PictureOptions& options) {
+    if (!design.assembly) refuse_view(view, "cams or a chart: this joint has no assembly, its findings say why");
+    const std::string name = "assembly_" + std::string(view == "assembly" ? "view" : "exploded") + ".svg";
+    const std::vector<PictureFile> files = assembly_pictures(*design.assembly, options.pose, options.longest_px);
+    return std::find_if(files.begin(), files.end(), [&](const PictureFile& f) { return f.name == name; })->bytes;
+}
+
+}  // namespace
+
+const std::vector<PictureView>& design_views() {
+    static const std::vector<PictureView> kViews = [] {
+        std::vector<PictureView> views{{"cams", "both cams, shaded"},
+                                       {"assembly", "the joint put together, shaded"},
+                                       {"exploded", "the joint taken apart, with the names of its bodies"}};
+        for (const ChartView& chart : kCharts) views.push_back({chart.name, chart.meaning});
+        return views;
+    }();
+    return kViews;
+}
+
+std::string design_picture(const DesignReport& design, const std::string& view, const PictureOptions& options) {
+    if (view == "cams") return cams(design, options.longest_px);
+    if (view == "assembly" || view == "exploded") return joint(design, view, options);
+    const auto found = std::find_if(kCharts.begin(), kCharts.end(), [&](const ChartView& chart) { return view == chart.name; });
+    if (found == kCharts.end()) {
+        std::vector<std::string> names;
+        for (const PictureView& one : design_views()) names.push_back(one.name);
+        refuse_view(view, fmt::format("{}", fmt::join(names, ", ")));
+    }
+    return chart(design, *found, options.theme);
+}
+
+std::string gap_map_picture(const diagnosis::Diagnosis& diagnosis, Theme theme) {
+    const std::vector<Figure> figures = figures_of(where_section(diagnosis));
+    if (figures.empty()) refuse_view(kGapMapView, "a case with measured rows: the diagnosis of this one has no map");
+    return standalone(figures, theme);
+}
+
+}  // namespace fusee::report

@@ -1,0 +1,71 @@
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "fusee/core/file.h"
+#include "run.h"
+
+namespace fusee::app {
+namespace {
+
+class Init : public Program {
+protected:
+    /// Types `lines` into the questions on a terminal; each \n is the key Enter, \004 the end of the input.
+    [[nodiscard]] Ended type(const std::string& lines, const std::string& arguments) const {
+        core::write_file(folder_ / "lines", lines);
+        const std::string command = "cd '" + folder_.string() + "' && timeout 120 script -qec '" FUSEE_PROGRAM " init " + arguments +
+                                    "' .typescript <lines >.stdout 2>&1";
+        const int status = std::system(command.c_str());
+        return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, core::read_file(folder_ / ".stdout"), ""};
+    }
+    [[nodiscard]] bool has(const std::string& name) const { return fs::exists(folder_ / name); }
+};
+
+TEST_F(Init, WritesAProfileThatMakeAccepts) {
+    const Ended wrote = run("init mine.toml --torque 1 --friction 0.05 --cable 'dyneema 0.8' --shaft 6 --process fdm --yes");
+    ASSERT_EQ(wrote.code, 0) << wrote.all();
+    expect_words(wrote.out, {"written: mine.toml", "fusee make mine.toml", "0 rules not judged", "K_SE: torsion spring, wire"});
+    const std::string text = core::read_file(folder_ / "mine.toml");
+    expect_words(text, {"name = \"mine\"", "gear_friction = 0.05", "diameter_mm = 0.8", "# mu: a resting capstan", "active_coils = "});
+    const Ended made = run("make mine.toml");
+    EXPECT_EQ(made.code, 0) << made.all();
+    EXPECT_TRUE(has("out/mine/report.html"));
+}
+
+TEST_F(Init, AnExistingFileStaysAsItIs) {
+    core::write_file(folder_ / "mine.toml", "mine");
+    const Ended ended = run("init mine.toml --yes");
+    EXPECT_EQ(ended.code, 2);
+    expect_words(ended.err, {"mine.toml", "exists"});
+    EXPECT_EQ(core::read_file(folder_ / "mine.toml"), "mine");
+}
+
+TEST_F(Init, BadOptionsAreAllNamed) {
+    const Ended ended = run("init mine.toml --yes --torque 0 --cable 'rope 1' --process laser");
+    EXPECT_EQ(ended.code, 2);
+    expect_words(ended.err, {"--torque", "0.01 to 1000 Nm", "--cable", "dyneema", "--process", "fdm, sla, sls, mill, mill4"});
+    EXPECT_FALSE(has("mine.toml"));
+    EXPECT_EQ(run("init mine.txt --yes").code, 2);
+    EXPECT_EQ(run("init '.toml' --yes").code, 2);
+    EXPECT_EQ(run("init no_folder/mine.toml --yes").code, 2);
+    EXPECT_EQ(run("init mine.toml --yes --overdrive 0.5").code, 2);
+}
+
+TEST_F(Init, AsksOnATerminalAndAgainAfterABadAnswer) {
+    if (std::system("command -v script >/dev/null") != 0) GTEST_SKIP() << "script(1) is missing";
+    const Ended ended = type("much\n2\n\004", "mine.toml");
+    expect_words(ended.out, {"Torque of one motor at the joint, held for long, Nm (0.01 to 1000) [1]: ",
+                             "--torque: much (allowed: a number", "for a short time; 0 = 1.5 times as much"});
+    EXPECT_NE(ended.code, 0);
+    EXPECT_FALSE(has("mine.toml"));
+}
+
+TEST_F(Init, AnImpossibleJointWritesNothing) {
+    const Ended ended = run("init mine.toml --yes --torque 10 --cable 'steel 3' --shaft 20");
+    EXPECT_EQ(ended.code, 1);
+    expect_words(ended.err, {"this joint cannot be made", "limit.", "nearest joint that can be made", "nothing is written"});
+    EXPECT_FALSE(has("mine.toml"));
+}
+
+}  // namespace
+}  // namespace fusee::app

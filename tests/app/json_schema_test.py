@@ -1,0 +1,106 @@
+#!/usr/bin/env python3
+"""Runs every command with --json and checks what it prints against docs/json-schema/fusee.json.
+json_schema_test.py SOURCE PROGRAM; exit code 77 where python3-jsonschema is missing."""
+import json
+import os
+import re
+import subprocess
+import sys
+import tempfile
+
+try:
+    import jsonschema
+except ImportError:
+    print("skipped: python3-jsonschema is not installed")
+    sys.exit(77)
+
+SOURCE, PROGRAM = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2])
+P = SOURCE + "/profiles/"
+SCHEMA = json.load(open(SOURCE + "/docs/json-schema/fusee.json"))
+jsonschema.Draft7Validator.check_schema(SCHEMA)
+VALIDATOR = jsonschema.Draft7Validator(SCHEMA)
+
+# Each line with the exit codes that it may have. Later lines use files of earlier ones.
+LINES = [
+    ("make %sfirst_prototype.toml" % P, 0),
+    ("make bad.toml", 2),
+    ("make missing.toml", 2),
+    ("make refused.toml", 1),
+    ("make --via openscd x.toml", 2),
+    ("make --bar x.toml", 2),
+    ("mkae x.toml", 2),
+    ("", 2),
+    ("check %spnrvsa.toml" % P, 0),
+    ("check out/first_prototype/k_pe.stl --process fdm", (0, 1)),
+    ("fix %spnrvsa.toml --out fixed.toml" % P, 0),
+    ("batch %sfirst_prototype.toml --dry-run" % P, 0),
+    ("batch %sfirst_prototype.toml --name b" % P, 0),
+    ("batch %sfirst_prototype.toml --name b --merge" % P, 0),
+    ("query out/b 'SELECT name, mass_g FROM designs'", 0),
+    ("query out/b 'SELECT nothing FROM designs'", 2),
+    ("design %spnrvsa.toml --method algorithm_1 --generations 3 --population 8" % P, (0, 1)),
+    ("springs %spnrvsa.toml --out springs.toml --most 1" % P, (0, 1)),
+    ("budget %spnrvsa.toml --draws 20" % P, 0),
+    ("init bad.toml --yes", 2),
+    ("watch missing.toml", 2),
+    ("render %spnrvsa.toml --view law --out law.svg" % P, 0),
+    ("coupons %spnrvsa.toml" % P, 0),
+    ("calibrate %sexamples/coupon.csv" % P, 0),
+    ("simulate %spnrvsa.toml --levels 3 --out sim" % P, 0),
+    ("case-template %spnrvsa.toml --out case" % P, 0),
+    ("identify %sexamples/break_away.csv" % P, 0),
+    ("blind make --seed 1 --cases 1 --out blind", 0),
+    ("diagnose blind/case000 --out diagnosis", 0),
+    ("predict blind/case000 --inputs blind/case000/heldout --out predicted", 0),
+    ("blind score blind --out score", 0),
+    ("paper --profiles missing", 2),
+    ("explain cable.bend_ratio law.kind gear.coulomb law cable dead-band", 0),
+    ("explain bend_rato", 2),
+    ("keys law", 0),
+    ("rules cable", 0),
+    ("completion bash", 0),
+    ("man", 0),
+]
+
+
+def commands():
+    """Every command that the help lists, "blind make" included, and the hidden ones."""
+    found = {"completion", "man"}
+    for prefix in ("", "blind"):
+        text = subprocess.run([PROGRAM] + prefix.split() + ["--help"], capture_output=True, text=True, check=True).stdout
+        for section in re.findall(r"^(?:Make a part|Test a joint|Look up|Subcommands):\n((?:  .*\n)+)", text, re.M):
+            found |= {(prefix + " " + name).strip() for name in re.findall(r"^  ([a-z][a-z-]*) ", section, re.M)}
+    return found - {"blind"}
+
+
+def check(line, codes):
+    """The command of one line, as its object names it."""
+    ended = subprocess.run("'%s' --json %s" % (PROGRAM, line), shell=True, capture_output=True, text=True, stdin=subprocess.DEVNULL)
+    allowed = codes if isinstance(codes, tuple) else (codes,)
+    assert ended.returncode in allowed, "%s: exit code %d\n%s%s" % (line, ended.returncode, ended.stdout[:2000], ended.stderr)
+    answer = json.loads(ended.stdout)
+    faults = ["%s: %s" % ("/".join(map(str, e.path)), e.message[:300]) for e in VALIDATOR.iter_errors(answer)]
+    assert not faults, "%s\n%s" % (line, "\n".join(faults[:5]))
+    assert answer["exit_code"] == ended.returncode, line
+    if ended.returncode > 1:
+        assert ended.stderr.strip(), line + ": an error is a line on standard error, too"
+    return answer["command"]
+
+
+def main():
+    with tempfile.TemporaryDirectory() as folder:
+        os.chdir(folder)
+        with open("bad.toml", "w") as file:
+            file.write("name = 3\n")
+        profile = open(P + "pnrvsa.toml").read()
+        with open("refused.toml", "w") as file:
+            file.write(re.sub(r"start_torque_Nm = [0-9.]+", "start_torque_Nm = 0.2", profile, count=1))
+        seen = {check(*line) for line in LINES}
+    missing = commands() - seen
+    assert not missing, "commands that no line runs: %s" % sorted(missing)
+    broken = {"fusee": "1", "command": "keys", "exit_code": 0, "verdict": "done", "error": None, "result": [{"key": 3}]}
+    assert not VALIDATOR.is_valid(broken), "the schema accepts anything"
+    print("%d lines of %d commands agree with the schema" % (len(LINES), len(seen)))
+
+
+main()

@@ -1,0 +1,70 @@
+#!/bin/bash
+# fusee watch as a person uses it: save, replace by rename, break, mend, Ctrl-C; its page reloads itself.
+# watch_test.sh PROGRAM SOURCE
+. "$(dirname -- "$0")/lib.sh"
+program=$1 source=$2
+cd "$work"
+sed -e 's/^formats = .*/formats = ["stl"]/' "$source/profiles/pnrvsa.toml" >mine.toml
+sed -i 's/^name = .*/name = "mine"/' mine.toml
+
+# await COUNT TEXT: the log has TEXT so many times within a minute
+await() {
+    for _ in $(seq 300); do
+        [ "$(grep -cF -- "$2" log)" -ge "$1" ] && return 0
+        kill -0 "$watch" 2>/dev/null || break
+        sleep 0.2
+    done
+    cat log >&2
+    fail "'$2' was not said $1 times"
+}
+
+"$program" watch mine.toml --serve >log 2>&1 &
+watch=$!
+await 1 'law, contours and rules without a solid in'
+await 1 ' made '
+[ -s out/mine/report.html ] || fail 'no page'
+address=$(sed -n 's/^page: \([^ ]*\) .*/\1/p' log)
+
+# The page has the reload script only as it is served; another host's name is refused.
+fetch() { curl -s --max-time 5 "$@"; }
+command -v curl >/dev/null || printf 'no curl: the served page is not tested\n'
+if command -v curl >/dev/null; then
+    fetch "$address" >page
+    expect_in 'the served page' "EventSource('/events')" page
+    grep -q EventSource out/mine/report.html && fail 'the file itself was changed'
+    expect_same 'another host' 403 "$(fetch -o /dev/null -w '%{http_code}' -H 'Host: example.org' "$address")"
+    expect_same 'a file above the folder' 404 "$(fetch -o /dev/null -w '%{http_code}' --path-as-is "${address}../../mine.toml")"
+    (curl -sN --max-time 60 "${address}events" >events || true) &
+    sleep 0.5
+fi
+
+sed -i 's/^preload_mm = .*/preload_mm = 12.0/' mine.toml # save
+await 1 'changed: k_pe.spring.preload_mm 14.6 -> 12'
+await 2 ' made '
+if command -v curl >/dev/null; then expect_in 'the page reloads' 'event: reload' events; fi
+
+sed 's/^preload_mm = .*/preload_mm = 13.0/' mine.toml >new # an editor that replaces the file
+mv new mine.toml
+await 1 'changed: k_pe.spring.preload_mm 12 -> 13'
+
+sed -i 's/^diameter_mm = .*/diameter_m = 1/' mine.toml # break
+await 1 'bad profile, waiting for the next save'
+await 1 'mine.toml:24:1: cable.diameter_m: unknown key'
+kill -0 "$watch" || fail 'a bad profile ended it'
+
+sed -i -e 's/^diameter_m = .*/diameter_mm = 0.8/' -e 's/^preload_mm = .*/preload_mm = 25.0/' mine.toml # mend, but impossible
+await 1 'error: cable.bend_ratio'
+sed -i 's/^preload_mm = .*/preload_mm = 11.5/' mine.toml
+await 3 ' made '
+
+sed -i 's/^preload_mm = .*/preload_mm = 11.0/' mine.toml
+await 1 'preload_mm 11.5 -> 11'
+kill -INT "$watch" # while it makes
+code=0
+wait "$watch" || code=$?
+expect_same 'exit code after Ctrl-C' 130 "$code"
+if find out -name '.fusee-staging-*' | grep .; then fail 'a half-written folder is left'; fi
+
+code=0
+"$program" watch missing.toml >log 2>&1 || code=$?
+expect_same 'a missing profile' 2 "$code"

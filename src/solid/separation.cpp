@@ -108,21 +108,7 @@ bool without_area(const Mesh& mesh, const Triangle& t) {
     return !(length(cross(at[1], at[2])) > kSlender * longest);
 }
 
-/// In single precision: less than half the memory. The address is the box's number; CGAL's counter is shared by all threads.
-using FaceBox = CGAL::Box_intersection_d::Box_with_info_d<float, 3, std::uint32_t, CGAL::Box_intersection_d::ID_FROM_BOX_ADDRESS>;
-
-/// Rounded outward.
-void extend(FaceBox& box, const Vec3& at) {
-    constexpr float kAll = std::numeric_limits<float>::infinity();
-    std::array<float, 3> low{}, high{};
-    for (std::size_t i = 0; i < 3; ++i) {
-        const auto x = static_cast<float>(at[i]);
-        low[i] = double{x} > at[i] ? std::nextafter(x, -kAll) : x;
-        high[i] = double{x} < at[i] ? std::nextafter(x, kAll) : x;
-    }
-    box.extend(low.data());
-    box.extend(high.data());
-}
+using FaceBox = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::uint32_t>;
 
 /// Of all triangles but those left out.
 std::vector<FaceBox> boxes_of(const Mesh& mesh, const std::vector<std::uint32_t>& left_out) {
@@ -131,7 +117,10 @@ std::vector<FaceBox> boxes_of(const Mesh& mesh, const std::vector<std::uint32_t>
     for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
         if (std::binary_search(left_out.begin(), left_out.end(), i)) continue;
         FaceBox box(i);
-        for (const std::uint32_t v : mesh.triangles[i]) extend(box, mesh.points_mm[v]);
+        for (const std::uint32_t v : mesh.triangles[i]) {
+            Vec3 at = mesh.points_mm[v];
+            box.extend(at.data());
+        }
         boxes.push_back(box);
     }
     return boxes;

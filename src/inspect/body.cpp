@@ -46,7 +46,7 @@ constexpr double kParallel = core::rad_from_deg(5.0);
 constexpr double kRounding = 1e-10;  // of the coordinates: a nearer hit is the neighbouring triangle at the edge where the ray starts
 constexpr double kFeather = 0.6;     // of the distance to where flat faces would meet; curved ones meet earlier
 
-constexpr std::size_t kOverlapping = 100'000;  // visits for a sample; a torus of a million triangles takes 34,000
+constexpr std::size_t kOverlapping = 100'000;  // visits for a sample
 constexpr std::size_t kOverlappingShare = 4, kComponentsShare = 16;
 
 /// A step with which i * step % count visits every number below `count` once, spread from the start: near the golden section.

@@ -26,7 +26,7 @@ struct Sample {
     double gap_mm = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// Budget for the samples of a mesh, in visited triangles. A torus of a million triangles, the worst case of a valid part, takes 7e8. A
+/// Budget for the samples of a mesh, in visited triangles. A
 /// mesh with more than 100,000 visits per sample consists of overlapping triangles: its budget is a quarter. The budget for placing
 /// components is a sixteenth.
 inline constexpr std::size_t kMostVisits = 800'000'000;

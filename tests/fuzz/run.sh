@@ -21,7 +21,7 @@ for reader in $readers; do
     "$bin/fuzz_$reader" "$corpus" "$folder/$reader/seeds" -dict="$folder/$reader/words.dict" -runs="$runs" -max_total_time="$seconds" \
         -max_len=20000 -timeout=20 -rss_limit_mb=3000 -artifact_prefix="$found/" -print_final_stats=1 $fork \
         >"$folder/$reader/log" 2>&1 || status=$?
-    done_runs=$(sed -n 's/^stat::number_of_executed_units: *//p; s/^#\([0-9]*\): cov.*/\1/p; s/^INFO: exiting.*//p' "$folder/$reader/log" | tail -1)
+    done_runs=$(sed -n 's/^stat::number_of_executed_units: *//p; s/^#\([0-9]*\): cov.*/\1/p' "$folder/$reader/log" | tail -1)
     covered=$(grep -o 'cov: [0-9]*' "$folder/$reader/log" | tail -1 | cut -d' ' -f2)
     printf '| `%s` | %s | %s | %s | %s |\n' "$reader" "${done_runs:-0}" "${covered:-0}" "$(find "$found" -type f | wc -l)" "$status"
 done

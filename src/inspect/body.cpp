@@ -66,7 +66,7 @@ double farthest(const solid::Box& box) {
 }  // namespace
 
 Body::Body(solid::Mesh mesh, std::size_t samples, unsigned jobs, std::size_t most_visits)
-    : mesh_(sound(std::move(mesh))), jobs_(jobs), box_(solid::bounding_box(mesh_)), topology_(topology_of(mesh_)), rays_(mesh_) {
+    : mesh_(sound(std::move(mesh))), jobs_(jobs), box_(solid::bounding_box(mesh_)), topology_(topology_of(mesh_)), rays_(mesh_, jobs) {
     if (rays_.empty())
         throw core::InvalidInput("mesh.triangles", fmt::format("{} without area", mesh_.triangles.size()), "at least one with an area");
     measure_facets();

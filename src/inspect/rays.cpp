@@ -55,7 +55,7 @@ public:
         const double u = cx * by - cy * bx, v = ax * cy - ay * cx, w = bx * ay - by * ax;
         if ((u < 0.0 || v < 0.0 || w < 0.0) && (u > 0.0 || v > 0.0 || w > 0.0)) return NAN;
         const double sum = u + v + w;
-        if (sum == 0.0) return NAN;  // the ray lies in the triangle's plane: it meets the neighbours
+        if (sum == 0.0) return meets_within({{{ax, ay, a[z_]}, {bx, by, b[z_]}, {cx, cy, c[z_]}}});
         const double distance = scale_ * (u * a[z_] + v * b[z_] + w * c[z_]) / sum;
         return distance >= 0.0 ? distance : NAN;
     }
@@ -75,6 +75,20 @@ public:
     }
 
 private:
+    /// In the triangle's own plane: distance to where the ray enters it, 0 where it starts in it. Seen along the ray the triangle is a segment.
+    [[nodiscard]] double meets_within(const std::array<Vec3, 3>& seen) const {
+        const auto wide = [&seen](std::size_t k) { return std::max({std::abs(seen[0][k]), std::abs(seen[1][k]), std::abs(seen[2][k])}); };
+        const std::size_t k = wide(0) > wide(1) ? 0 : 1;
+        double enter = INFINITY, leave = -INFINITY;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Vec3 &p = seen[i], &q = seen[(i + 1) % 3];
+            if ((p[k] > 0.0 && q[k] > 0.0) || (p[k] < 0.0 && q[k] < 0.0)) continue;
+            const double at_p = p[k] == q[k] ? p[2] : p[2] + (q[2] - p[2]) * (p[k] / (p[k] - q[k])), at_q = p[k] == q[k] ? q[2] : at_p;
+            enter = std::min({enter, scale_ * at_p, scale_ * at_q}), leave = std::max({leave, scale_ * at_p, scale_ * at_q});
+        }
+        return leave >= 0.0 ? std::max(enter, 0.0) : NAN;
+    }
+
     Vec3 from_, direction_;
     std::size_t x_ = 0, y_ = 0, z_ = 0;
     double shear_x_ = 0.0, shear_y_ = 0.0, scale_ = 0.0;
@@ -155,6 +169,7 @@ Rays::Rays(const solid::Mesh& mesh, unsigned jobs) {
 }
 Rays::~Rays() = default;
 Rays::Rays(Rays&&) noexcept = default;
+Rays& Rays::operator=(Rays&&) noexcept = default;
 
 bool Rays::empty() const { return tree_->boxes.boxes().empty(); }
 

@@ -24,6 +24,7 @@ public:
     explicit Rays(const solid::Mesh& mesh, unsigned jobs = 0);
     ~Rays();
     Rays(Rays&&) noexcept;
+    Rays& operator=(Rays&&) noexcept;
 
     /// The first triangle along the ray, except `skip`. @param direction a unit vector
     [[nodiscard]] std::optional<Hit> first(const solid::Vec3& from, const solid::Vec3& direction, std::uint32_t skip) const;

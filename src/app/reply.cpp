@@ -18,7 +18,11 @@ core::Colour colour_of(const std::string& word) {
 
 void put(std::FILE* file, std::string_view text, const std::string& colour) {
     const bool marked = core::is_coloured(colour_of(colour), file == stdout ? STDOUT_FILENO : STDERR_FILENO);
-    fmt::print(file, "{}", marked ? core::coloured(text) : std::string(text));
+    const std::string shown = marked ? core::coloured(text) : std::string(text);
+    if (file == stderr)
+        std::fwrite(shown.data(), 1, shown.size(), file);  // what cannot be said on a lost standard error must not end the command
+    else
+        fmt::print(file, "{}", shown);
 }
 
 const char* verdict_of(int code) {

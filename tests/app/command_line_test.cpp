@@ -112,7 +112,7 @@ TEST_F(Program, TheResultOfMakeIsTheSameAtEachRun) {
 
 TEST_F(Program, TheHelpGroupsTheCommands) {
     const std::string help = run("--help").out;
-    const std::size_t make = help.find("\nMake a part:\n  make "), test = help.find("\nTest a joint:\n"), look = help.find("\nLook up:\n");
+    const std::size_t make = help.find("\nMake a part:\n  init "), test = help.find("\nTest a joint:\n"), look = help.find("\nLook up:\n");
     EXPECT_LT(make, test);
     EXPECT_LT(test, look);
     EXPECT_NE(look, std::string::npos);

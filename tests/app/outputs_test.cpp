@@ -120,6 +120,7 @@ TEST_F(Outputs, StandardOutputThatIsLostIsTold) {
         expect_words(full.err, {"No space left on device"});
     }
     EXPECT_EQ(shell("$FUSEE rules >&-").code, 2);
+    EXPECT_EQ(shell("$FUSEE no_command 2>/dev/full").code, 2);
     const Ended head = shell("$FUSEE rules | head -1");
     EXPECT_EQ(head.code, 0);
     EXPECT_EQ(head.err, "");

@@ -5,6 +5,7 @@
 #include "fusee/core/error.h"
 #include "fusee/report/paper.h"
 #include "pipeline/fixture.h"
+#include "report/page_structure.h"
 
 namespace fusee::paper {
 namespace {
@@ -52,8 +53,7 @@ TEST_F(PaperRun, ReproducesEveryTableAndFigureWithEqualBytesOnAnyNumberOfThreads
     EXPECT_EQ(json["relatives"].size(), 6u);
     EXPECT_NEAR(json["figure_8"]["mu"].get<double>(), 0.28, 0.005);
     EXPECT_LT(json["figure_9"]["cost"].get<double>(), 0.0);
-    for (const char* never : {"http", "<script", ">nan", "\"nan"})
-        EXPECT_EQ(files.at("paper.html").find(never), std::string::npos) << never;
+    report::expect_page(files.at("paper.html"));
 
     EXPECT_EQ(written(run(options(3)), "three"), files);
 }

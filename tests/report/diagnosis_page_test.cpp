@@ -84,7 +84,7 @@ TEST(DiagnosisHtml, FiguresThatAreNotKnownAreDashes) {
 TEST(DiagnosisHtml, TakesAFurtherSectionAsItIs) {
     const std::string extra = section("The loop closed", "<p>dead-band</p>");
     const std::string page = diagnosis_html(diagnosis(), extra);
-        EXPECT_TRUE(holds(page, extra));
+    EXPECT_TRUE(holds(page, extra));
 }
 
 TEST(DiagnosisHtml, ThirtyLongTracesStayBelow2MB) {

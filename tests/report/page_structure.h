@@ -65,7 +65,7 @@ inline void expect_page(const std::string& html) {
     EXPECT_EQ(first_unbalanced(content), "");
     expect_none(html, {"src=", "<link", "<img"});
     expect_none(content, {"http://", "https://", "url(", "@import", "<script", "<link", "<img", "src=", ">nan", "nan<", "nan to", "\"nan",
-                       ">inf", "-inf", "inf\"", "inf "});
+                          ">inf", "-inf", "inf\"", "inf "});
 }
 
 }  // namespace fusee::report

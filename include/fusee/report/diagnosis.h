@@ -6,8 +6,8 @@
 /// A diagnosis of the gap between model and rig, for a person (docs/gap.md). diagnosis.json is written by diagnosis::diagnosis_json.
 namespace fusee::report {
 
-/// One page in one file that opens offline, in the order where, which, how far: its scripts inside, no request. Figures that are not known show
-/// as a dash, and parts without content are left out. Long traces are thinned, so that the page stays below 2 MB.
+/// One page in one file that opens offline, in the order where, which, how far: its scripts inside, no request. Figures that are not known
+/// show as a dash, and parts without content are left out. Long traces are thinned, so that the page stays below 2 MB.
 /// @param extra_section_html HTML of a further section at the page's end, taken as it is; the caller escapes its texts
 [[nodiscard]] std::string diagnosis_html(const diagnosis::Diagnosis& diagnosis, const std::string& extra_section_html = {});
 

@@ -18,7 +18,8 @@ constexpr double kSmallFleet = 1.5;                                // [deg]
 core::Findings measure_groove_throat(const Design& design, const Allowed& allowed) {
     if (is_stacked(design)) return {};  // plates have square edges
     double fleet = 0.0;
-    for (const cam::Contact& c : design.part.cam.working) fleet = std::max(fleet, core::deg_from_rad(std::abs(fleet_from_groove(design.part.cam, c))));
+    for (const cam::Contact& c : design.part.cam.working)
+        fleet = std::max(fleet, core::deg_from_rad(std::abs(fleet_from_groove(design.part.cam, c))));
     const bool fleeted = fleet > kSmallFleet;
     const double overhang = process_limits(design.process).overhang;
     // A printer that cannot build a rope throat (process.overhang) needs a wider one, which is accepted.

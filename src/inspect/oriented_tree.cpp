@@ -1,7 +1,6 @@
 #include "oriented_tree.h"
 
 #include <Eigen/Eigenvalues>
-
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -13,9 +12,9 @@ namespace fusee::inspect {
 
 namespace {
 
-constexpr double kMargin = 2.5e-7;           // of the farthest coordinate: twice the rounding to single precision
-constexpr std::size_t kMostForAxes = 256;    // triangles that give a box its axes; a larger box takes every n-th
-constexpr std::size_t kShares = 64;          // subtrees that are built side by side
+constexpr double kMargin = 2.5e-7;         // of the farthest coordinate: twice the rounding to single precision
+constexpr std::size_t kMostForAxes = 256;  // triangles that give a box its axes; a larger box takes every n-th
+constexpr std::size_t kShares = 64;        // subtrees that are built side by side
 
 using Axes = std::array<std::array<float, 3>, 3>;
 
@@ -119,7 +118,8 @@ private:
         solver.computeDirect(moments / moments.trace());
         Axes axes;
         for (int k = 0; k < 3; ++k)
-            for (int i = 0; i < 3; ++i) axes[static_cast<std::size_t>(k)][static_cast<std::size_t>(i)] = static_cast<float>(solver.eigenvectors()(i, k));
+            for (int i = 0; i < 3; ++i)
+                axes[static_cast<std::size_t>(k)][static_cast<std::size_t>(i)] = static_cast<float>(solver.eigenvectors()(i, k));
         return sound(axes) ? axes : Axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
     }
     /// Whether the axes are a frame within single precision; moments of a point or a tiny triangle give none.

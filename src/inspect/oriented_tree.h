@@ -26,10 +26,10 @@ public:
     /// @param jobs threads; the tree does not depend on them @pre fewer than 2^28 triangles
     OrientedTree(const solid::Mesh& mesh, std::vector<std::uint32_t> triangles, unsigned jobs);
 
-    [[nodiscard]] const std::vector<OrientedBox>& boxes() const { return boxes_; }               ///< the root first
-    [[nodiscard]] const std::vector<solid::Triangle>& corners() const { return corners_; }       ///< in the order of the leaves
-    [[nodiscard]] const std::vector<std::uint32_t>& numbers() const { return numbers_; }         ///< of these triangles in the mesh
-    [[nodiscard]] const std::vector<solid::Vec3>& points_mm() const { return points_; }          ///< of the mesh
+    [[nodiscard]] const std::vector<OrientedBox>& boxes() const { return boxes_; }          ///< the root first
+    [[nodiscard]] const std::vector<solid::Triangle>& corners() const { return corners_; }  ///< in the order of the leaves
+    [[nodiscard]] const std::vector<std::uint32_t>& numbers() const { return numbers_; }    ///< of these triangles in the mesh
+    [[nodiscard]] const std::vector<solid::Vec3>& points_mm() const { return points_; }     ///< of the mesh
 
 private:
     std::vector<OrientedBox> boxes_;

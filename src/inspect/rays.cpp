@@ -13,7 +13,7 @@ namespace {
 
 thread_local std::size_t t_visited = 0;
 
-constexpr std::size_t kDeepest = 64;    // of the tree, whose halves have the same number of triangles
+constexpr std::size_t kDeepest = 64;     // of the tree, whose halves have the same number of triangles
 constexpr double kNearerBox = 1 - 1e-5;  // the axes of a box are a frame to single precision only
 
 /// The point of a triangle with an area nearest to p (C. Ericson, "Real-Time Collision Detection", 2005, 5.1.5).
@@ -75,7 +75,8 @@ public:
     }
 
 private:
-    /// In the triangle's own plane: distance to where the ray enters it, 0 where it starts in it. Seen along the ray the triangle is a segment.
+    /// In the triangle's own plane: distance to where the ray enters it, 0 where it starts in it. Seen along the ray the triangle is a
+    /// segment.
     [[nodiscard]] double meets_within(const std::array<Vec3, 3>& seen) const {
         const auto wide = [&seen](std::size_t k) { return std::max({std::abs(seen[0][k]), std::abs(seen[1][k]), std::abs(seen[2][k])}); };
         const std::size_t k = wide(0) > wide(1) ? 0 : 1;

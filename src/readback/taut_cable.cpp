@@ -140,8 +140,7 @@ std::vector<double> taut_arms(const Floor& floor, const exchange::PartFile& part
     for (std::size_t row = 0; row < part.target.size(); ++row) {
         const double azimuth = floor.planar ? 0.0 : floor.row_azimuth[row];
         const BodyGuide guide = in_body(part, part.target[row].angle_rad);
-        arms.push_back(share_in_plane(part, guide, part.target[row]) *
-                       row_arm(floor, guide, azimuth, part.cable_diameter_mm / 2.0, best));
+        arms.push_back(share_in_plane(part, guide, part.target[row]) * row_arm(floor, guide, azimuth, part.cable_diameter_mm / 2.0, best));
     }
     return arms;
 }

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "fusee/checks/limits.h"
 #include "layout.h"
 
 namespace fusee::assembly {
@@ -35,14 +37,28 @@ std::string sleeve_of(double bore_mm) {
 
 std::string stated(double value, const char* unit) { return value > 0.0 ? fmt::format("{:g}{}", value, unit) : "not stated"; }
 
+/// ", EN 10270-1 SH"; "" where the class is not stated.
+std::string wire_of(const spring::BaseSpring& s) {
+    constexpr std::array kNames{"", ", EN 10270-1 SL", ", EN 10270-1 SM", ", EN 10270-1 SH", ", EN 10270-1 DM", ", EN 10270-1 DH"};
+    static_assert(kNames.size() == spring::kWireClassNames.size());
+    return kNames.at(static_cast<std::size_t>(s.wire_class));
+}
+
 std::string torsion_size(const spring::BaseSpring& s) {
-    return fmt::format("{:g} Nm/rad, wire {}, mean coil {}, coils {}", s.rate, stated(mm_from_m(s.wire_diameter), " mm"),
+    return fmt::format("{:g} Nm/rad, wire {}{}, mean coil {}, coils {}", s.rate, stated(mm_from_m(s.wire_diameter), " mm"), wire_of(s),
                        stated(mm_from_m(s.coil_diameter), " mm"), stated(s.active_coils, ""));
 }
+/// Hands of the torsion springs, one a side.
+std::string hands_of(const spring::BaseSpring& agonist) {
+    if (agonist.hand == spring::Hand::kUnknown) return "one of each hand";
+    const bool left = agonist.hand == spring::Hand::kLeft;
+    return fmt::format("{} hand on the agonist's side, {} hand on the antagonist's", left ? "left" : "right", left ? "right" : "left");
+}
+
 std::string compression_size(const spring::BaseSpring& s) {
-    return fmt::format("{:g} N/m, wire {}, mean coil {}, active coils {}, free length {}", s.rate,
-                       stated(mm_from_m(s.wire_diameter), " mm"), stated(mm_from_m(s.coil_diameter), " mm"), stated(s.active_coils, ""),
-                       stated(mm_from_m(s.free_length), " mm"));
+    return fmt::format("{:g} N/m, wire {}{}, mean coil {}, active coils {}, free length {}", s.rate,
+                       stated(mm_from_m(s.wire_diameter), " mm"), wire_of(s), stated(mm_from_m(s.coil_diameter), " mm"),
+                       stated(s.active_coils, ""), stated(mm_from_m(s.free_length), " mm"));
 }
 
 double length_of(const Assembly& a, const char* body) {
@@ -52,18 +68,53 @@ double length_of(const Assembly& a, const char* body) {
     return high - low;
 }
 
-void add_keys(const solid::Part& part, std::vector<BillRow>& rows) {
+constexpr const char* kMirrorImage = "one is the mirror image of the other";
+
+/// "4.8 mm long, cut from 6 mm": keys are sold in the lengths of DIN 6885-1.
+std::string key_length(double length_mm) {
+    constexpr std::array kLengths_mm{6, 8, 10, 12, 14, 16, 18, 20, 22, 25, 28, 32, 36, 40, 45, 50, 56, 63, 70, 80};
+    const auto sold = std::find_if(kLengths_mm.begin(), kLengths_mm.end(), [&](int sold_mm) { return sold_mm > length_mm - 0.05; });
+    const std::string length = fmt::format("{:.1f} mm long", length_mm);
+    if (sold == kLengths_mm.end() || std::abs(*sold - length_mm) < 0.05) return length;
+    return length + fmt::format(", cut from {} mm", *sold);
+}
+
+BillRow key(const solid::HubOptions& hub, double length_mm, const std::string& part) {
+    return {"key", 2, fmt::format("DIN 6885-1, {:g} mm wide, {}", mm_from_m(hub.key_width), key_length(length_mm)), "in " + part};
+}
+
+/// What carries the torque between a part and its shaft; a D-flat needs no piece.
+void add_lock(const solid::Part& part, std::vector<BillRow>& rows) {
     const solid::HubOptions& hub = part.options.hub;
-    if (hub.lock != solid::HubLock::kKeyway) return;
+    const std::string name = to_string(part.cam.kind);
     const double length = hub.kind == solid::HubKind::kOverhung ? mm_from_m(hub.boss_height) : mm_from_m(part.z_high - part.z_low);
-    rows.push_back({"key", 2, fmt::format("DIN 6885-1, {:g} mm wide, {:.1f} mm long", mm_from_m(hub.key_width), length),
-                    std::string("in ") + to_string(part.cam.kind)});
+    if (hub.lock == solid::HubLock::kKeyway) rows.push_back(key(hub, length, name));
+    if (hub.lock == solid::HubLock::kSetScrew)
+        rows.push_back({"set screw", 2, fmt::format("for the hole of {:g} mm", mm_from_m(hub.screw_diameter)), "in " + name});
+}
+
+/// The capstan is locked as K_PE on the same shaft is. Its bore is modelled round.
+void add_capstan_lock(const Assembly& a, std::vector<BillRow>& rows) {
+    const solid::HubOptions& hub = a.drive.k_pe->options.hub;
+    if (hub.lock == solid::HubLock::kKeyway)
+        rows.push_back(key(hub, length_of(a, "capstan_agonist"), "the capstan; its keyway is not modelled"));
+    if (hub.lock == solid::HubLock::kSetScrew)
+        rows.push_back({"set screw", 2, fmt::format("for a hole of {:g} mm", mm_from_m(hub.screw_diameter)),
+                        "in the capstan; its hole is not modelled"});
+}
+
+/// ", with a flat 0.5 mm deep"; "" on a shaft without one.
+std::string flat_of(const solid::HubOptions& hub) {
+    return hub.lock == solid::HubLock::kDFlat ? fmt::format(", with a flat {:g} mm deep", mm_from_m(hub.flat_depth)) : "";
 }
 
 void add_shafts(const Assembly& a, std::vector<BillRow>& rows) {
     const double shaft = mm_from_m(a.drive.k_pe->options.hub.bore_diameter), axle = mm_from_m(a.drive.k_se->options.hub.bore_diameter);
-    rows.push_back({"motor shaft", 2, fmt::format("{:g} mm, {:.1f} mm long", shaft, length_of(a, "motor_shaft_agonist")), ""});
-    rows.push_back({"spool axle", 2, fmt::format("{:g} mm, {:.1f} mm long", axle, length_of(a, "axle_agonist")), ""});
+    rows.push_back(
+        {"motor shaft", 2,
+         fmt::format("{:g} mm, {:.1f} mm long{}", shaft, length_of(a, "motor_shaft_agonist"), flat_of(a.drive.k_pe->options.hub)), ""});
+    rows.push_back({"spool axle", 2,
+                    fmt::format("{:g} mm, {:.1f} mm long{}", axle, length_of(a, "axle_agonist"), flat_of(a.drive.k_se->options.hub)), ""});
     rows.push_back({"joint shaft", 1, fmt::format("{:g} mm", shaft), "its length depends on the frame"});
     rows.push_back({"ball bearing", 6, bearing_of(shaft), "two for each motor shaft and the joint"});
     rows.push_back({"sleeve bearing", 2, sleeve_of(axle), "ISO 2795, one for each spool axle, in the carriage"});
@@ -85,18 +136,20 @@ std::vector<BillRow> bill_of(const Assembly& a) {
         for (const char* end : {"", "_mirrored"}) rows.push_back({std::string(name) + end, 1, "", "made by fusee"});
     for (const char* name : {"capstan", "carriage", "k_pe_seat", "k_pe_cap"})
         if (a.find(std::string(name) + "_agonist") != nullptr)
-            rows.push_back({name, 2, "as modelled", "one is the mirror image of the other"});
-    rows.push_back({"joint_pulley", 1, "as modelled", ""});
-    rows.push_back({"torsion spring", 2, torsion_size(a.drive.k_se_spring), "one of each hand; ends: straight legs"});
+            rows.push_back({name, 2, "as in assembly.step or assembly.3mf (formats step, 3mf)", kMirrorImage});
+    rows.push_back({"joint_pulley", 1, "as in assembly.step or assembly.3mf (formats step, 3mf)", ""});
+    rows.push_back({"torsion spring", 2, torsion_size(a.drive.k_se_spring), hands_of(a.drive.k_se_spring) + "; ends: straight legs"});
     rows.push_back({"compression spring", 2, compression_size(a.drive.k_pe_spring), "ends closed and ground"});
     for (const Cable& cable : a.cables)
         if (cable.side == Side::kAgonist)
             rows.push_back({std::string(to_string(cable.kind)) + " cable", 2,
                             fmt::format("{:g} mm, cut to {:.0f} mm", a.cable_mm, cable.cut_mm()),
-                            fmt::format("{:.1f} mm from anchor to anchor, {:g} mm for each end", cable.length_mm, kCableEnd_mm)});
+                            fmt::format("{:.1f} mm from anchor to anchor, {:g} mm for the {} at each end", cable.length_mm, kCableEnd_mm,
+                                        checks::to_string(a.drive.termination))});
     add_shafts(a, rows);
-    add_keys(*a.drive.k_se, rows);
-    add_keys(*a.drive.k_pe, rows);
+    add_lock(*a.drive.k_se, rows);
+    add_lock(*a.drive.k_pe, rows);
+    add_capstan_lock(a, rows);
     return rows;
 }
 

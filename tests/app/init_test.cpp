@@ -61,7 +61,7 @@ TEST_F(Init, AsksOnATerminalAndAgainAfterABadAnswer) {
 }
 
 TEST_F(Init, AnImpossibleJointWritesNothing) {
-    const Ended ended = run("init mine.toml --yes --torque 10 --cable '7x7 3' --shaft 20 --bed 100");
+    const Ended ended = run("init mine.toml --yes --torque 10 --cable 'steel 3' --shaft 20");
     EXPECT_EQ(ended.code, 1);
     expect_words(ended.err, {"this joint cannot be made", "limit.", "nearest joint that can be made", "nothing is written"});
     EXPECT_FALSE(has("mine.toml"));

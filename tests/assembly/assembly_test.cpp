@@ -132,6 +132,41 @@ TEST(Bill, HasEveryCableWithItsLength) {
         EXPECT_TRUE(std::any_of(rows.begin(), rows.end(), [&](const BillRow& row) { return row.item == item; })) << item;
 }
 
+std::size_t count_of(const Assembly& a, const std::string& item, const std::string& in_text) {
+    const std::vector<BillRow> rows = bill_of(a);
+    return static_cast<std::size_t>(std::count_if(rows.begin(), rows.end(), [&](const BillRow& row) {
+        return row.item == item && (row.size + "; " + row.note).find(in_text) != std::string::npos;
+    }));
+}
+
+TEST(Bill, HasWhatLocksEachPartOnItsShaft) {
+    for (const char* part : {"k_se", "k_pe", "the capstan"}) EXPECT_EQ(count_of(pnrvsa(), "key", std::string("in ") + part), 1U) << part;
+    const Assembly& flat = shipped_joint("first_prototype").assembly;
+    EXPECT_EQ(count_of(flat, "key", "in k_se"), 0U);
+    EXPECT_EQ(count_of(flat, "spool axle", "with a flat"), 1U);
+    EXPECT_EQ(count_of(pnrvsa(), "spool axle", "with a flat"), 0U);
+}
+
+TEST(Bill, NamesTheWireOfASpringAndItsHand) {
+    EXPECT_EQ(count_of(pnrvsa(), "torsion spring", "EN 10270-1 SH"), 1U);
+    EXPECT_EQ(count_of(pnrvsa(), "compression spring", "EN 10270-1 SH"), 1U);
+    EXPECT_EQ(count_of(pnrvsa(), "torsion spring", "left hand on the agonist's side, right hand on the antagonist's"), 1U);
+}
+
+TEST(Bill, NamesHowACableEnds) {
+    Assembly crimped = pnrvsa();
+    crimped.drive.termination = checks::Termination::kCrimp;
+    for (const char* cable : {"drive cable", "series cable", "parallel cable"}) {
+        EXPECT_EQ(count_of(pnrvsa(), cable, "30 mm for the knot at each end"), 1U) << cable;
+        EXPECT_EQ(count_of(crimped, cable, "30 mm for the crimp at each end"), 1U) << cable;
+    }
+}
+
+TEST(Bill, KeysHaveALengthThatIsSold) {
+    EXPECT_EQ(count_of(pnrvsa(), "key", "12.0 mm long; in k_pe"), 1U) << "the boss' height";
+    EXPECT_EQ(count_of(pnrvsa(), "key", "4.8 mm long, cut from 6 mm; in k_se"), 1U);
+}
+
 TEST(Docs, TheTableOfRulesIsThatOfTheCode) {
     const std::string page = core::read_file(std::filesystem::path(FUSEE_SOURCE_DIR) / "docs/rules.md");
     EXPECT_NE(page.find(rules_reference()), std::string::npos) << "docs/rules.md lacks, below \"Rules for the joint\":\n"

@@ -10,6 +10,7 @@
 #include "fusee/assembly/options.h"
 #include "fusee/assembly/shape.h"
 #include "fusee/cam/arm.h"
+#include "fusee/checks/check.h"
 #include "fusee/core/finding.h"
 #include "fusee/core/units.h"
 #include "fusee/solid/part.h"
@@ -72,13 +73,14 @@ struct Cable {
     [[nodiscard]] double cut_mm() const;
 };
 
-/// Length that each end of a cable needs for its knot or crimp [mm] (practice).
+/// Length that each end of a cable needs for its termination [mm] (practice).
 inline constexpr double kCableEnd_mm = 30.0;
 
 /// What one side consists of, as designed for the agonist.
 struct Drive {
     std::shared_ptr<const solid::Part> k_se, k_pe;
     spring::BaseSpring k_se_spring, k_pe_spring;
+    checks::Termination termination = checks::Termination::kKnot;  ///< of each end of its cables
 };
 
 /// One place on a cam's table: angle since the lowest load, cable paid out or drawn in since then.

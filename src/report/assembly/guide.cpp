@@ -5,6 +5,7 @@
 
 #include "fusee/assembly/bill.h"
 #include "fusee/assembly/motion.h"
+#include "fusee/checks/limits.h"
 #include "fusee/core/csv.h"
 #include "fusee/core/file.h"
 #include "fusee/pipeline/export.h"
@@ -95,21 +96,22 @@ std::string assembly_guide(const pipeline::DesignReport& design) {
         "## Places, agonist\n{}\n"
         "## Order\n"
         "1. Set the bearings, the joint's pulley and the rods into the frame; the motors' axes are {:.2f} mm from the joint's.\n"
-        "2. Put the capstan and K_PE on each motor's shaft, with their keys; K_PE's boss is towards the capstan. The set collar holds the "
-        "capstan; bond an overhung K_PE to its shaft.\n"
+        "2. Lock the capstan and K_PE on each motor's shaft, as bom.csv states; K_PE's boss is towards the capstan. The set collar "
+        "holds the capstan; bond an overhung K_PE to its shaft.\n"
         "3. Press the sleeve into each carriage, put the axle with the spool and its spring in it, close it with both retaining rings, and "
         "put each carriage on its rods.\n"
         "4. Turn every part to its timing mark, and preload the springs as below.\n"
         "5. Lay the cables: K_PE to its spring, K_SE through its hole to the pulley, the carriage to the capstan.\n"
         "6. Remove the pins. Each motor now holds the lowest load of its springs.\n\n"
-        "## Cables, each side\n{}\nEach end has {:g} mm for its knot or crimp.\n\n"
+        "## Cables, each side\n{}\nEach end has {:g} mm for its {}.\n\n"
         "## Timing marks\nAngles are from +x, counter-clockwise seen from above.\n\n{}\n"
         "## Preloads\n{}\n"
         "## Range\nA capstan turns by {:.1f} deg from the lowest load; its carriage then has travelled {:.1f} mm. K_SE pays out at most "
         "{:.1f} mm. The joint's stops are at {:.1f} deg on both sides of its middle: a pin in the pulley meets two posts of the frame "
         "(joint_stops).\n",
-        design.provenance.name, 2.0 * a.plane_mm, places(a), a.motor_distance_mm, cables(a), assembly::kCableEnd_mm, marks(a), preloads(a),
-        deg_from_rad(a.greatest_turn), a.capstan_radius_mm * a.greatest_turn, a.greatest_payout_mm, 0.5 * deg_from_rad(a.joint_range));
+        design.provenance.name, 2.0 * a.plane_mm, places(a), a.motor_distance_mm, cables(a), assembly::kCableEnd_mm,
+        checks::to_string(a.drive.termination), marks(a), preloads(a), deg_from_rad(a.greatest_turn), a.capstan_radius_mm * a.greatest_turn,
+        a.greatest_payout_mm, 0.5 * deg_from_rad(a.joint_range));
 }
 
 std::vector<pipeline::FileRow> write_assembly(const pipeline::DesignReport& design, const std::filesystem::path& folder) {

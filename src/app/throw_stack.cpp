@@ -1,5 +1,5 @@
-// Notes where an exception was thrown that is a fault of fusee: the report of an internal error shows the stack (fusee/core/crash_report.h).
-// The program's __cxa_throw comes before that of the C++ library, which it calls.
+// Notes where an exception was thrown that is a fault of fusee: the report of an internal error shows the stack
+// (fusee/core/crash_report.h). The program's __cxa_throw comes before that of the C++ library, which it calls.
 #if defined(__has_feature)
 #if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
 #define FUSEE_SANITIZED  // they have their own __cxa_throw
@@ -17,7 +17,8 @@
 #include "fusee/core/error.h"
 #include "fusee/core/progress.h"
 
-extern "C" [[noreturn]] void __cxa_throw(void* thrown, void* type_info, void (*destructor)(void*)) {  // NOLINT: the ABI's name; g++ declares it so
+extern "C" [[noreturn]] void __cxa_throw(void* thrown, void* type_info,
+                                         void (*destructor)(void*)) {  // NOLINT: the ABI's name; g++ declares it so
     using Throw = void (*)(void*, void*, void (*)(void*));
     static const auto next = reinterpret_cast<Throw>(::dlsym(RTLD_NEXT, "__cxa_throw"));
     namespace core = fusee::core;

@@ -57,8 +57,9 @@ Figures make_design(profile::Profile asked, const study::Study& study, const fs:
     const bool all = study.outputs == study::Outputs::kAll;
     std::optional<core::OutputFolder> output;  // none: no files
     if (study.outputs != study::Outputs::kFigures)
-        output.emplace(folder,
-                       core::OutputRun{.command = "make", .source = asked.file, .force = force, .sheets = pipeline::sheets_of(asked), .stays = true});
+        output.emplace(
+            folder,
+            core::OutputRun{.command = "make", .source = asked.file, .force = force, .sheets = pipeline::sheets_of(asked), .stays = true});
     const auto made = output ? pipeline::make_parts(asked, *output, {.reported = all}) : pipeline::make_figures(asked);
     const core::Findings findings = made ? made->report.all_findings() : made.refusal();
     outcome = made && !core::any_error(findings) ? Outcome::kMade : Outcome::kRefused;

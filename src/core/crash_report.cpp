@@ -25,10 +25,10 @@ namespace fusee::core {
 namespace {
 
 constexpr std::size_t kMostInputs = 256, kFrames = 64, kPath = 4096;
-constexpr unsigned kThrows = 4;  // of which the stacks are kept
+constexpr unsigned kThrows = 4;                   // of which the stacks are kept
 constexpr std::size_t kLargestCopy = 32'000'000;  // [bytes] of one input
 constexpr int kInternalError = 3;                 // exit code (docs/commands.md)
-constexpr int kReportNames = 100;                       // of folders tried
+constexpr int kReportNames = 100;                 // of folders tried
 
 /// The stack of a thrown exception.
 struct Thrown {
@@ -143,10 +143,12 @@ void write_stack(const Prepared& prepared, const char* folder) {
 void write_texts(const Prepared& prepared, const char* folder, const char* what) {
     const int about = create(PathText(folder).add("/README.txt").text());
     put(about, "A fault of fusee, not of your input.\n\nMessage: ");
-    put(about, what), put(about, "\nProgram: "), put(about, prepared.program), put(about, "\nWorking folder: "), put(about, prepared.folder);
+    put(about, what), put(about, "\nProgram: "), put(about, prepared.program), put(about, "\nWorking folder: "),
+        put(about, prepared.folder);
     put(about,
         "\n\nstack.txt     the calls that led to it\ninputs.txt    the files that were read\ninputs/       copies of them, with their "
-        "folders\nreproduce.sh  the same command on the copies\n\nPlease report it with this folder as an archive, to the issue tracker of the "
+        "folders\nreproduce.sh  the same command on the copies\n\nPlease report it with this folder as an archive, to the issue tracker of "
+        "the "
         "project\n(SECURITY.md says when to write to the maintainers instead). Look through inputs/ before:\nit holds your files, and "
         "inputs.txt and README.txt name your folders.\n");
     ::close(about);

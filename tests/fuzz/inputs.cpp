@@ -1,5 +1,5 @@
-// fuzz_inputs: the names of the readers. fuzz_inputs READER: the files to start from, one a line. fuzz_inputs READER dictionary: a dictionary
-// for libFuzzer: the words of the seeds, and for profiles every key, table and allowed word of the key schema.
+// fuzz_inputs: the names of the readers. fuzz_inputs READER: the files to start from, one a line. fuzz_inputs READER dictionary: a
+// dictionary for libFuzzer: the words of the seeds, and for profiles every key, table and allowed word of the key schema.
 #include <fmt/format.h>
 
 #include <cctype>

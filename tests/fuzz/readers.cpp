@@ -183,7 +183,8 @@ std::span<const Reader> readers() { return kReaders; }
 std::vector<fs::path> seeds(const Reader& reader) {
     std::vector<fs::path> all;
     const fs::path source = FUSEE_SOURCE_DIR, shipped = reader.shipped;
-    if (!shipped.empty()) add_files(all, source / shipped.parent_path(), fs::path(shipped).filename().string().substr(shipped.stem() == "*" ? 1 : 0));
+    if (!shipped.empty())
+        add_files(all, source / shipped.parent_path(), fs::path(shipped).filename().string().substr(shipped.stem() == "*" ? 1 : 0));
     add_files(all, source / "tests/fuzz/seeds" / reader.name, "");
     return all;
 }

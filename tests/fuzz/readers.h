@@ -12,7 +12,7 @@ struct Reader {
     /// Reads the bytes as a file. A refusal (core::InputError) is a good end; anything else that is thrown is a finding.
     void (*read)(std::string_view bytes);
     const char* shipped;  ///< shipped files to start from, relative to the sources: one name, or "FOLDER/*.ENDING"; "": none
-    bool third_party;  ///< a library reads it: fusee reads such a file in a process of its own (docs/decisions/0006)
+    bool third_party;     ///< a library reads it: fusee reads such a file in a process of its own (docs/decisions/0006)
 };
 
 [[nodiscard]] std::span<const Reader> readers();

@@ -1,5 +1,6 @@
-// invariant_profiles COUNT SEED [FIRST [files] [random]]: tries the invariants on COUNT designs near the shipped ones, or random ones (helices,
-// idlers, other laws), "files" also the fixed point through an STL, and prints how many designs each was tried on, its largest error and those that broke it. Exit code 1 if one did.
+// invariant_profiles COUNT SEED [FIRST [files] [random]]: tries the invariants on COUNT designs near the shipped ones, or random ones
+// (helices, idlers, other laws), "files" also the fixed point through an STL, and prints how many designs each was tried on, its largest
+// error and those that broke it. Exit code 1 if one did.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -45,8 +45,7 @@ std::string fault_of_refused(const batch::Row& row) {
 
 }  // namespace
 
-std::vector<batch::Row> make_some(std::uint64_t seed, int first, int count, const fs::path& folder, unsigned jobs,
-                                  Generator generator) {
+std::vector<batch::Row> make_some(std::uint64_t seed, int first, int count, const fs::path& folder, unsigned jobs, Generator generator) {
     fs::create_directories(folder);
     std::vector<fs::path> profiles;
     for (int i = first; i < first + count; ++i) {

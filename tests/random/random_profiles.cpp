@@ -34,7 +34,7 @@ struct Tally {
     int made = 0, refused = 0, wrong = 0;
     std::map<std::string, std::vector<std::string>> binds;  // refused designs by rule; a design may have several
     double worst_arm_error = 0.0;
-    int tried = 0, fixed = 0;  // refused designs given to fix, and made by it
+    int tried = 0, fixed = 0;         // refused designs given to fix, and made by it
     std::map<std::string, int> left;  // limits that bind what fix could not make
 
     /// Gives a refused design to fix, which makes all files of its result.
@@ -108,8 +108,8 @@ int main(int argc, char** argv) {
     while (next < end && !core::interrupted()) {
         const fs::path folder = fs::path(argv[3]) / fmt::format("from_{:05}", next);
         const int count = std::min(kAtATime, end - next), wrong = tally.wrong;
-        const std::vector<batch::Row> rows = random_profiles::make_some(seed, next, count, folder, near ? 1 : 0,
-                                                                                near ? random_profiles::near_profile : random_profiles::random_profile);
+        const std::vector<batch::Row> rows = random_profiles::make_some(
+            seed, next, count, folder, near ? 1 : 0, near ? random_profiles::near_profile : random_profiles::random_profile);
         if (core::interrupted()) break;  // fifty of which some were not begun is made again
         int refused = 0;
         for (const batch::Row& row : rows) {

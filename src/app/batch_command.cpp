@@ -9,7 +9,6 @@
 #include "fusee/batch/slurm.h"
 #include "fusee/batch/study.h"
 #include "fusee/core/error.h"
-#include "fusee/core/progress.h"
 #include "fusee/core/text.h"
 #include "fusee/profile/find_profiles.h"
 #include "fusee/study/index.h"
@@ -116,7 +115,6 @@ int merge(const study::Plan& plan, const batch::StudyOptions& options, Reply& re
 }
 
 int run_batch(BatchArguments arguments, Reply& reply) {
-    core::catch_interrupts();
     require_thread();
     if (!arguments.shard.empty()) arguments.options.shard = batch::parse_shard(arguments.shard);
     const study::Plan plan(study_of(arguments));

@@ -29,7 +29,6 @@ struct ScoreArguments {
 
 /// The seal is printed before the first case is written.
 int make(blind::BenchmarkOptions options, Reply& reply) {
-    core::catch_interrupts();
     require_thread();
     core::Progress progress("blind make", options.cases);
     options.progress = [&](std::size_t done, std::size_t, const std::string& what) {
@@ -78,7 +77,6 @@ int write_score(const ScoreArguments& arguments, Reply& reply) {
 }
 
 int score(const ScoreArguments& arguments, Reply& reply) {
-    core::catch_interrupts();
     require_thread();
     try {
         return write_score(arguments, reply);

@@ -96,7 +96,6 @@ int say(const codesign::RunResult& result, const std::filesystem::path& folder, 
 }
 
 int design(const DesignArguments& arguments, Reply& reply) {
-    core::catch_interrupts();
     require_thread();
     const profile::Profile profile = read(arguments);
     return with_places(profile, [&] {

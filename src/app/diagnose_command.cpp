@@ -68,7 +68,6 @@ core::OutputRun run_of(const DiagnoseArguments& arguments) {
 }
 
 int diagnose(const DiagnoseArguments& arguments, Reply& reply) {
-    core::catch_interrupts();
     require_thread();
     const std::optional<RedesignStep> redesign = redesign_step(arguments.profile, arguments.corrected, arguments.folder, arguments.force);
     core::OutputFolder output(arguments.out, run_of(arguments));

@@ -28,7 +28,6 @@ struct FixArguments {
 fs::path beside(const fs::path& profile) { return profile.parent_path() / (profile.stem().string() + "-fixed.toml"); }
 
 int run_fix(const FixArguments& arguments, Reply& reply) {
-    core::catch_interrupts();
     require_thread();
     fix::Options options = arguments.options;
     if (options.file.empty()) options.file = beside(arguments.profile);

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <poll.h>
 #include <unistd.h>
 
 #include <iostream>
@@ -38,13 +39,22 @@ void require_new(const fs::path& file) {
     core::require_new_file(file, false);
 }
 
+/// Waits for a line of the terminal: reading it would go on after Ctrl-C. @returns false after Ctrl-C
+bool is_answered() {
+    while (!core::interrupted()) {
+        pollfd waiting{STDIN_FILENO, POLLIN, 0};
+        if (::poll(&waiting, 1, -1) > 0) return true;
+    }
+    return false;
+}
+
 /// Asks again until the answer is allowed. @throws core::Stopped at the end of the input and after Ctrl-C
 void ask(const init::Question& question, init::Answers& answers) {
     while (true) {
         fmt::print("{}", question.prompt(answers));
         std::fflush(stdout);
         std::string line;
-        if (!std::getline(std::cin, line) || core::interrupted()) {
+        if (!is_answered() || !std::getline(std::cin, line)) {
             fmt::print("\n");
             throw core::Stopped();
         }
@@ -92,7 +102,6 @@ int run_init(const InitArguments& arguments, Reply& reply) {
     require_new(arguments.profile);
     const init::Answers answers = answers_of(arguments, reply);
     init::require_consistent(answers);
-    core::catch_interrupts();
     const std::string name = arguments.profile.stem().string();
     init::Result result;
     {

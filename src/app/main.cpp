@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <iostream>
@@ -20,6 +21,7 @@
 #include "command_line.h"
 #include "commands.h"
 #include "exit_codes.h"
+#include "fusee/core/crash_report.h"
 #include "fusee/core/error.h"
 #include "fusee/core/progress.h"
 #include "fusee/core/provenance.h"
@@ -104,9 +106,16 @@ int run(const Action& action, Reply& reply) {
     }
 }
 
+/// A fault is never without its report: version, command, inputs and stack.
+void report_fault(const Reply& reply) {
+    const std::string folder = core::write_crash_report(reply.failure().c_str());
+    if (!folder.empty()) reply.warn(fmt::format("fusee: what reproduces it is in {}\n", folder));
+}
+
 int timed_run(const Action& action, Reply& reply) {
     const auto begin = std::chrono::steady_clock::now();
     const int code = run(action, reply);
+    if (code == kFailed) report_fault(reply);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     reply.detail(fmt::format("{:.2f} s in all\n", seconds));
     return code;
@@ -138,7 +147,9 @@ int finish_unparsed(const CLI::App& app, const CLI::ParseError& e, bool json) {
 int main(int argc, char** argv) {
     using namespace fusee;
     app::keep_standard_files();
+    std::signal(SIGPIPE, SIG_IGN);  // a reader that ends early is output that cannot be written: a message and exit code 2
     if (argc == 3 && std::string_view(argv[1]) == exchange::kReadMesh) return exchange::serve_mesh_file(argv[2]);  // for mesh_check.cpp
+    core::catch_interrupts();
     CLI::App app("Turn the spring energies of a variable-stiffness joint into cams, check and export them, and diagnose the built joint",
                  "fusee");
     app.set_version_flag("--version", fmt::format("fusee {} ({})", core::version(), app::build_name()));
@@ -147,6 +158,7 @@ int main(int argc, char** argv) {
         "Example:\n  fusee make profiles/pnrvsa.toml\n  fusee explain cable.bend_ratio\n\n"
         "Exit code: 0 done, 1 a design cannot be made, 2 bad input, 3 internal error, 130 stopped by Ctrl-C.\n\n"
         "Help of a command:\n  fusee COMMAND --help\nCompletion in bash (also zsh, fish):\n  source <(fusee completion bash)");
+    core::begin_crash_reports(fmt::format("fusee {} ({})", core::version(), app::build_name()), {argv, argv + argc});
     app::Action action;
     app::add_commands(app, action);
     app::Settings settings;

@@ -7,7 +7,6 @@
 #include "commands.h"
 #include "fusee/batch/batch.h"
 #include "fusee/core/error.h"
-#include "fusee/core/progress.h"
 #include "fusee/core/text.h"
 #include "fusee/profile/find_profiles.h"
 #include "fusee/report/findings.h"
@@ -50,7 +49,6 @@ void answer(const std::vector<batch::Row>& rows, Reply& reply) {
 }
 
 int make(const MakeArguments& arguments, Reply& reply) {
-    core::catch_interrupts();
     require_thread();
     if (arguments.paths.empty()) throw core::InvalidInput("make", "no profile", "at least one profile (*.toml) or folder of profiles");
     const auto rows = batch::make_all(profile::find_profiles(arguments.paths), arguments.options, arguments.jobs);

@@ -36,9 +36,9 @@ void paint(std::vector<exchange::Colour>& colours, const std::vector<inspect::Ma
 }
 
 /// @throws core::IoError naming the file if its triangles are invalid
-inspect::Body body_of(const solid::Mesh& mesh, const std::filesystem::path& file, unsigned jobs) {
+inspect::Body body_of(solid::Mesh mesh, const std::filesystem::path& file, unsigned jobs) {
     try {
-        return inspect::Body(mesh, kSamples, jobs);
+        return inspect::Body(std::move(mesh), kSamples, jobs);
     } catch (const core::InvalidInput& e) {
         throw core::IoError(file.string(), e.what());
     }
@@ -53,8 +53,8 @@ MeshCheck check_mesh(const std::filesystem::path& path, const std::vector<Machin
     if (!out.empty())
         output.emplace(
             out, core::OutputRun{.command = "check", .source = path, .force = force, .files = {name + "_check.3mf"}, .many_sources = true});
-    const exchange::MeshFile file = exchange::read_mesh_isolated(path, {"/proc/self/exe", exchange::kReadMesh});
-    const inspect::Body body = body_of(file.mesh, path, jobs);
+    exchange::MeshFile file = exchange::read_mesh_isolated(path, {"/proc/self/exe", exchange::kReadMesh});
+    const inspect::Body body = body_of(std::move(file.mesh), path, jobs);
     MeshCheck result{{name, core::sha256_hex(core::read_file(path)), input_line(file, body, path.filename().string()), {}}, {}};
     std::vector<exchange::Colour> colours(body.mesh().triangles.size(), exchange::kGrey);
     for (const Machine& machine : machines) {

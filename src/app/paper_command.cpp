@@ -27,7 +27,6 @@ paper::Result watched(paper::Options options) {
 }
 
 int make_paper(const PaperArguments& arguments, Reply& reply) {
-    core::catch_interrupts();
     require_thread();
     core::OutputFolder output(
         arguments.out / "paper",

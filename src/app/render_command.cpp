@@ -65,7 +65,6 @@ assembly::Pose pose_of(const RenderArguments& arguments, const pipeline::MadeDes
 }
 
 std::string gap_map(const RenderArguments& arguments, report::Theme theme) {
-    core::catch_interrupts();
     if (gap_case::is_subsystem_case(arguments.source))
         return report::gap_map_picture(subsystem::diagnose(subsystem::read_case(arguments.source), {}), theme);
     return report::gap_map_picture(diagnosis::diagnose(gap_case::read_case(arguments.source), {}), theme);

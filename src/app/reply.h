@@ -50,6 +50,9 @@ public:
     void fail(const std::string& message, const std::vector<core::InvalidInput>& mistakes = {});
     void fail(const core::InputError& error);
 
+    /// The message of that error; "" if there is none.
+    [[nodiscard]] std::string failure() const { return error_.is_null() ? "" : error_.at("message").get<std::string>(); }
+
     /// One object: fusee, command, exit_code, verdict, error, result.
     [[nodiscard]] std::string envelope(const std::string& command, int code) const;
 

@@ -9,7 +9,6 @@
 #include "commands.h"
 #include "fusee/batch/batch.h"
 #include "fusee/core/error.h"
-#include "fusee/core/progress.h"
 #include "fusee/profile/find_profiles.h"
 #include "fusee/report/findings.h"
 #include "fusee/report/simulation.h"
@@ -60,7 +59,6 @@ Json row_json(const batch::SimulationRow& row) {
 }
 
 int simulate(const SimulateArguments& arguments, Reply& reply) {
-    core::catch_interrupts();
     if (arguments.paths.empty()) throw core::InvalidInput("simulate", "no profile", "at least one profile (*.toml) or folder of profiles");
     pipeline::SimulateOptions options = arguments.options;
     for (const std::string& torques : arguments.at) options.at.push_back(*parse_torques(torques));

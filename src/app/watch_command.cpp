@@ -21,7 +21,6 @@ struct WatchArguments {
 };
 
 int run_watch(const WatchArguments& arguments, Reply& reply) {
-    core::catch_interrupts();
     require_thread();
     const std::unique_ptr<PageServer> pages = arguments.serve ? std::make_unique<PageServer>(arguments.port) : nullptr;
     batch::WatchOptions options = arguments.options;

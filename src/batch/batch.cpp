@@ -26,7 +26,7 @@ std::vector<AnyRow> joined(std::vector<AnyRow> rows, const std::vector<Ended>& e
 
 /// Next to the folders of the joints; other files there stay.
 void write_relatives(const std::vector<pipeline::Simulation>& done, const fs::path& out, bool force) {
-    core::OutputFolder output(out, {.command = "simulate", .source = out, .force = force, .among_others = true});
+    core::OutputFolder output(out, {.command = "simulate", .source = out, .force = force, .stays = true, .among_others = true});
     core::write_file(output.path() / "relatives.csv", report::relatives_csv(done));
     output.commit();
 }
@@ -90,7 +90,8 @@ MakeResult make(const profile::Profile& profile, const MakeOptions& options) {
                                                            .force = options.force,
                                                            .files = {"report.json", "report.html", "springs.csv", "simulation.json",
                                                                      "simulation.html", "dead_band.csv"},
-                                                           .sheets = pipeline::sheets_of(profile)});
+                                                           .sheets = pipeline::sheets_of(profile),
+                                                           .stays = true});
     MakeResult result;
     result.name = profile.name;
     make_into(result, output, profile, options);
@@ -121,7 +122,8 @@ std::vector<SimulationRow> simulate_all(const std::vector<fs::path>& profiles, c
         core::OutputFolder output(out / profile.name, {.command = "simulate",
                                                        .source = profile.file,
                                                        .force = force,
-                                                       .files = {"simulation.json", "simulation.html", "dead_band.csv"}});
+                                                       .files = {"simulation.json", "simulation.html", "dead_band.csv"},
+                                                       .stays = true});
         auto simulation = pipeline::simulate(profile, options);
         if (!simulation) {
             row.refusal = simulation.refusal();

@@ -4,6 +4,7 @@
 
 #include "fusee/batch/batch.h"
 #include "fusee/core/error.h"
+#include "fusee/core/progress.h"
 
 namespace fusee::batch {
 
@@ -22,6 +23,8 @@ void guarded(Ended& row, const Guarded& work) {
         row.outcome = Outcome::kBadInput, row.error = "out of memory: more is needed than the machine or its limit (ulimit -v) allows";
     } catch (const std::system_error& e) {  // a full disk, no more threads, a working folder that is gone
         row.outcome = Outcome::kBadInput, row.error = e.what();
+    } catch (const core::Stopped&) {
+        row.outcome = Outcome::kInterrupted;
     } catch (const std::exception& e) {
         row.outcome = Outcome::kFailed, row.error = e.what();
     }

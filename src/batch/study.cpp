@@ -58,7 +58,7 @@ Figures make_design(profile::Profile asked, const study::Study& study, const fs:
     std::optional<core::OutputFolder> output;  // none: no files
     if (study.outputs != study::Outputs::kFigures)
         output.emplace(folder,
-                       core::OutputRun{.command = "make", .source = asked.file, .force = force, .sheets = pipeline::sheets_of(asked)});
+                       core::OutputRun{.command = "make", .source = asked.file, .force = force, .sheets = pipeline::sheets_of(asked), .stays = true});
     const auto made = output ? pipeline::make_parts(asked, *output, {.reported = all}) : pipeline::make_figures(asked);
     const core::Findings findings = made ? made->report.all_findings() : made.refusal();
     outcome = made && !core::any_error(findings) ? Outcome::kMade : Outcome::kRefused;

@@ -12,7 +12,8 @@ core::OutputFolder study_folder(const study::Plan& plan, const fs::path& out, bo
             {.command = "batch",
              .source = study.varies() ? study.file : study.profiles.front(),
              .force = force,
-             .files = {"study.toml", "index.csv", "index.sqlite", "index.html"}}};
+             .files = {"study.toml", "index.csv", "index.sqlite", "index.html"},
+             .stays = true}};
 }
 
 void write_study_file(const study::Plan& plan, const fs::path& folder) {

@@ -134,6 +134,7 @@ private:
         core::OutputFolder output(place_, {.command = std::string("blind score, ") + name,
                                            .source = options_.folder / answer_.case_name,
                                            .force = options_.force,
+                                           .stays = true,
                                            .among_others = true});
         core::write_file(output.path() / name, bytes);
         output.commit();

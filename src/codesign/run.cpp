@@ -11,7 +11,7 @@ fs::path checkpoint_file(const profile::Profile& profile, const RunOptions& opti
 }
 
 core::OutputRun output_run(const profile::Profile& profile, const RunOptions& options) {
-    return {.command = "design", .source = profile.file, .force = options.force};
+    return {.command = "design", .source = profile.file, .force = options.force, .stays = true};
 }
 
 profile::Profile moved(profile::Profile profile, const fs::path& folder) {

@@ -5,11 +5,9 @@
 
 #include <cerrno>
 #include <cstring>
-#include <limits>
 #include <vector>
 
 #include "fusee/core/error.h"
-#include "fusee/core/file.h"
 
 namespace fs = std::filesystem;
 
@@ -40,12 +38,6 @@ void sync_tree(const fs::path& folder) {
         if (entry.is_regular_file()) files.push_back(entry.path());
     for (const fs::path& path : files) begin_sync(path);
     for (const fs::path& path : files) sync(path);
-}
-
-std::string sha256_of_file(const fs::path& path) {
-    Sha256 hash;
-    read_pieces(path, std::numeric_limits<std::size_t>::max(), [&hash](std::string_view piece) { hash.add(piece); });
-    return hash.hex();
 }
 
 }  // namespace fusee::core

@@ -1,6 +1,5 @@
 #pragma once
 #include <filesystem>
-#include <string>
 
 namespace fusee::core {
 
@@ -10,7 +9,5 @@ void sync(const std::filesystem::path& path);
 
 /// The same for all files below a folder.
 void sync_tree(const std::filesystem::path& folder);
-
-[[nodiscard]] std::string sha256_of_file(const std::filesystem::path& path);
 
 }  // namespace fusee::core

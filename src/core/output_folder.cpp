@@ -15,6 +15,7 @@
 #include "fusee/core/destination.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
+#include "fusee/core/progress.h"
 #include "fusee/core/temporary_folder.h"
 #include "manifest.h"
 
@@ -310,6 +311,7 @@ const fs::path& OutputFolder::path() {
 }
 
 void OutputFolder::commit() {
+    if (interrupted() && !run_.stays) throw Stopped();
     const fs::path& staging = path();
     const Lock lock(place_);
     try {

@@ -112,7 +112,8 @@ public:
         }
         pid_ = -1;
         ::close(read_);
-        throw IoError(about, fmt::format("{} cannot be started: {}", words.front(), std::strerror(failed)));
+        const char* why = failed == ENOENT ? "it is not installed, or not on PATH" : std::strerror(failed);
+        throw IoError(about, fmt::format("{} cannot be started: {}", words.front(), why));
     }
     ~Child() {
         if (pid_ > 0) (void)end();

@@ -46,7 +46,7 @@ constexpr double kParallel = core::rad_from_deg(5.0);
 constexpr double kRounding = 1e-10;  // of the coordinates: a nearer hit is the neighbouring triangle at the edge where the ray starts
 constexpr double kFeather = 0.6;     // of the distance to where flat faces would meet; curved ones meet earlier
 
-constexpr std::size_t kOverlapping = 100'000;  // visits for a sample; a torus of a million triangles takes 34,000
+constexpr std::size_t kOverlapping = 100'000;  // visits for a sample
 constexpr std::size_t kOverlappingShare = 4, kComponentsShare = 16;
 
 /// A step with which i * step % count visits every number below `count` once, spread from the start: near the golden section.
@@ -66,13 +66,18 @@ double farthest(const solid::Box& box) {
 }  // namespace
 
 Body::Body(solid::Mesh mesh, std::size_t samples, unsigned jobs, std::size_t most_visits)
-    : mesh_(sound(std::move(mesh))), jobs_(jobs), box_(solid::bounding_box(mesh_)), topology_(topology_of(mesh_)), rays_(mesh_) {
+    : mesh_(sound(std::move(mesh))), jobs_(jobs), box_(solid::bounding_box(mesh_)), rays_({}) {
+    const auto side_by_side = [jobs](const auto& first, const auto& second) {
+        core::parallel_for(2, jobs, [&](std::size_t i) { i == 0 ? first() : second(); });
+    };
+    side_by_side([this] { topology_ = topology_of(mesh_); }, [this] { rays_ = Rays(mesh_, jobs_); });
     if (rays_.empty())
         throw core::InvalidInput("mesh.triangles", fmt::format("{} without area", mesh_.triangles.size()), "at least one with an area");
     measure_facets();
     place_components(most_visits);
     samples_ = spread(*this, samples);
     measure_samples(most_visits);
+    side_by_side([this] { hollows_ = find_hollows(*this); }, [this] { crossings_ = solid::crossings(mesh_, flat_triangles(mesh_)); });
 }
 
 /// In batches. The remaining budget and the mean cost so far bound the samples of a batch, so that nothing depends on threads.

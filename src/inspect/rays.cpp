@@ -1,51 +1,25 @@
 #include "fusee/inspect/rays.h"
 
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
-#include <CGAL/Simple_cartesian.h>
-
 #include <algorithm>
+#include <cmath>
 
 #include "fusee/inspect/topology.h"
+#include "oriented_tree.h"
 #include "vector.h"
 
 namespace fusee::inspect {
 
 namespace {
 
-// Plain doubles: a ray that passes between two triangles by rounding loses one sample; exact arithmetic slows every sample.
-using Kernel = CGAL::Simple_cartesian<double>;
-using Facets = std::vector<Kernel::Triangle_3>;
-
-Kernel::Point_3 point(const Vec3& p) { return {p[0], p[1], p[2]}; }
-
 thread_local std::size_t t_visited = 0;
 
-/// CGAL's AABB_triangle_primitive with a counter.
-class Primitive {
-public:
-    using Id = Facets::const_iterator;
-    using Point = Kernel::Point_3;
-    using Datum = Kernel::Triangle_3;
-    using Datum_reference = const Datum&;
+constexpr std::size_t kDeepest = 64;    // of the tree, whose halves have the same number of triangles
+constexpr double kNearerBox = 1 - 1e-5;  // the axes of a box are a frame to single precision only
 
-    explicit Primitive(Id id) : id_(id) {}
-    [[nodiscard]] const Id& id() const { return id_; }
-    [[nodiscard]] Datum_reference datum() const {
-        ++t_visited;
-        return *id_;
-    }
-    [[nodiscard]] const Point& reference_point() const { return id_->vertex(0); }
-
-private:
-    Id id_;
-};
-
-/// The point of a triangle with an area nearest to p (C. Ericson, "Real-Time Collision Detection", 2005, 5.1.5). CGAL's method, by the
-/// plane and its sides, takes three times as long.
-Vec3 nearest_of(const Kernel::Triangle_3& t, const Vec3& p) {
-    const auto corner = [&t](int i) { return Vec3{t.vertex(i).x(), t.vertex(i).y(), t.vertex(i).z()}; };
-    const Vec3 a = corner(0), b = corner(1), c = corner(2), ab = b - a, ac = c - a;
+/// The point of a triangle with an area nearest to p (C. Ericson, "Real-Time Collision Detection", 2005, 5.1.5).
+Vec3 nearest_of(const std::array<Vec3, 3>& t, const Vec3& p) {
+    const auto& [a, b, c] = t;
+    const Vec3 ab = b - a, ac = c - a;
     const double d1 = dot(ab, p - a), d2 = dot(ac, p - a), d3 = dot(ab, p - b), d4 = dot(ac, p - b), d5 = dot(ab, p - c),
                  d6 = dot(ac, p - c);
     if (d1 <= 0.0 && d2 <= 0.0) return a;
@@ -61,93 +35,183 @@ Vec3 nearest_of(const Kernel::Triangle_3& t, const Vec3& p) {
     return a + (vb * whole) * ab + (vc * whole) * ac;
 }
 
-struct Traits : CGAL::AABB_traits<Kernel, Primitive> {
-    struct Nearest {
-        /// @returns `bound` if nothing of the triangle is nearer than it
-        Kernel::Point_3 operator()(const Kernel::Point_3& from, const Primitive& primitive, const Kernel::Point_3& bound) const {
-            const Vec3 p{from.x(), from.y(), from.z()}, q = nearest_of(primitive.datum(), p);
-            return dot(q - p, q - p) < CGAL::squared_distance(from, bound) ? point(q) : bound;
-        }
-    };
-    [[nodiscard]] Nearest closest_point_object() const { return {}; }
-};
-using AabbTree = CGAL::AABB_tree<Traits>;
-
-/// A visit along a ray takes as long as four visits for the nearest point, and counts as four.
-class CountAsRay {
+/// A ray in a frame where it runs along z from the origin (S. Woop, C. Benthin, I. Wald, "Watertight Ray/Triangle Intersection", JCGT 2
+/// (2013)): an edge is on the same side of the ray for both of its triangles, so that no ray passes between them.
+class Ray {
 public:
-    CountAsRay() = default;
-    ~CountAsRay() { t_visited += 3 * (t_visited - before_); }
-    CountAsRay(const CountAsRay&) = delete;
-    CountAsRay& operator=(const CountAsRay&) = delete;
+    Ray(const Vec3& from, const Vec3& direction) : from_(from), direction_(direction) {
+        for (const std::size_t i : {1U, 2U})
+            if (std::abs(direction[i]) > std::abs(direction[z_])) z_ = i;
+        x_ = (z_ + 1) % 3, y_ = (z_ + 2) % 3;
+        shear_x_ = direction[x_] / direction[z_], shear_y_ = direction[y_] / direction[z_], scale_ = 1.0 / direction[z_];
+    }
+
+    /// Distance to the triangle, NaN where the ray misses it. Edges belong to it.
+    [[nodiscard]] double meets(const std::array<Vec3, 3>& t) const {
+        const Vec3 a = t[0] - from_, b = t[1] - from_, c = t[2] - from_;
+        const double ax = a[x_] - shear_x_ * a[z_], ay = a[y_] - shear_y_ * a[z_];
+        const double bx = b[x_] - shear_x_ * b[z_], by = b[y_] - shear_y_ * b[z_];
+        const double cx = c[x_] - shear_x_ * c[z_], cy = c[y_] - shear_y_ * c[z_];
+        const double u = cx * by - cy * bx, v = ax * cy - ay * cx, w = bx * ay - by * ax;
+        if ((u < 0.0 || v < 0.0 || w < 0.0) && (u > 0.0 || v > 0.0 || w > 0.0)) return NAN;
+        const double sum = u + v + w;
+        if (sum == 0.0) return meets_within({{{ax, ay, a[z_]}, {bx, by, b[z_]}, {cx, cy, c[z_]}}});
+        const double distance = scale_ * (u * a[z_] + v * b[z_] + w * c[z_]) / sum;
+        return distance >= 0.0 ? distance : NAN;
+    }
+
+    /// Distance to where the ray enters the box; above `most` if it does not up to there.
+    [[nodiscard]] double enters(const OrientedBox& box, double most) const {
+        double enter = 0.0, leave = most;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto& a = box.axis[k];
+            const double s = a[0] * from_[0] + a[1] * from_[1] + a[2] * from_[2];
+            const double speed = 1.0 / (a[0] * direction_[0] + a[1] * direction_[1] + a[2] * direction_[2]);
+            const double low = (box.low[k] - s) * speed, high = (box.high[k] - s) * speed;
+            const double first = low < high ? low : high, last = low < high ? high : low;
+            enter = first > enter ? first : enter, leave = last < leave ? last : leave;
+        }
+        return enter <= leave ? enter : INFINITY;
+    }
 
 private:
-    std::size_t before_ = t_visited;
+    /// In the triangle's own plane: distance to where the ray enters it, 0 where it starts in it. Seen along the ray the triangle is a segment.
+    [[nodiscard]] double meets_within(const std::array<Vec3, 3>& seen) const {
+        const auto wide = [&seen](std::size_t k) { return std::max({std::abs(seen[0][k]), std::abs(seen[1][k]), std::abs(seen[2][k])}); };
+        const std::size_t k = wide(0) > wide(1) ? 0 : 1;
+        double enter = INFINITY, leave = -INFINITY;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Vec3 &p = seen[i], &q = seen[(i + 1) % 3];
+            if ((p[k] > 0.0 && q[k] > 0.0) || (p[k] < 0.0 && q[k] < 0.0)) continue;
+            const double at_p = p[k] == q[k] ? p[2] : p[2] + (q[2] - p[2]) * (p[k] / (p[k] - q[k])), at_q = p[k] == q[k] ? q[2] : at_p;
+            enter = std::min({enter, scale_ * at_p, scale_ * at_q}), leave = std::max({leave, scale_ * at_p, scale_ * at_q});
+        }
+        return leave >= 0.0 ? std::max(enter, 0.0) : NAN;
+    }
+
+    Vec3 from_, direction_;
+    std::size_t x_ = 0, y_ = 0, z_ = 0;
+    double shear_x_ = 0.0, shear_y_ = 0.0, scale_ = 0.0;
 };
 
-Kernel::Ray_3 ray(const Vec3& from, const Vec3& direction) {
-    return {point(from), Kernel::Vector_3(direction[0], direction[1], direction[2])};
+/// At most the square of the distance.
+double from_box(const OrientedBox& box, const Vec3& p) {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const auto& a = box.axis[k];
+        const double s = a[0] * p[0] + a[1] * p[1] + a[2] * p[2];
+        const double under = box.low[k] - s, over = s - box.high[k], out = under > over ? under : over;
+        sum += out > 0.0 ? out * out : 0.0;
+    }
+    return kNearerBox * sum;
+}
+
+/// Boxes that are still to be opened, the nearest first among the two of a parent.
+class Waiting {
+public:
+    struct Item {
+        std::uint32_t box;
+        double key;
+    };
+    void push(std::uint32_t box, double key) { items_[count_++] = {box, key}; }
+    [[nodiscard]] bool empty() const { return count_ == 0; }
+    Item pop() { return items_[--count_]; }
+
+private:
+    std::array<Item, kDeepest> items_;
+    std::size_t count_ = 0;
+};
+
+/// Calls `visit` with the place of each triangle in a box whose key is at most `most()`, boxes with a smaller key first.
+template <class Key, class Most, class Visit>
+void descend(const OrientedTree& tree, const Key& key_of, const Most& most, const Visit& visit) {
+    if (tree.boxes().empty()) return;
+    Waiting waiting;
+    waiting.push(0, key_of(tree.boxes()[0]));
+    while (!waiting.empty()) {
+        auto [number, key] = waiting.pop();
+        while (key <= most()) {
+            const OrientedBox& box = tree.boxes()[number];
+            if (box.next & OrientedTree::kLeaf) {
+                const std::size_t first = (box.next & ~OrientedTree::kLeaf) >> 3U, count = (box.next & 7U) + 1;
+                t_visited += count;
+                for (std::size_t i = first; i < first + count; ++i) visit(i);
+                break;
+            }
+            std::uint32_t near = number + 1, far = box.next;
+            double near_key = key_of(tree.boxes()[near]), far_key = key_of(tree.boxes()[far]);
+            if (far_key < near_key) std::swap(near, far), std::swap(near_key, far_key);
+            if (far_key <= most()) waiting.push(far, far_key);
+            number = near, key = near_key;
+        }
+    }
 }
 
 }  // namespace
 
 struct Rays::Tree {
-    Facets facets;
-    std::vector<std::uint32_t> numbers;  ///< of the facets in the mesh
-    AabbTree tree;
+    OrientedTree boxes;
 
-    [[nodiscard]] std::uint32_t number(Facets::const_iterator facet) const {
-        return numbers[static_cast<std::size_t>(facet - facets.begin())];
+    [[nodiscard]] std::array<Vec3, 3> triangle(std::size_t place) const {
+        const solid::Triangle& t = boxes.corners()[place];
+        const auto& p = boxes.points_mm();
+        return {p[t[0]], p[t[1]], p[t[2]]};
     }
 };
 
-Rays::Rays(const solid::Mesh& mesh) : tree_(std::make_unique<Tree>()) {
+Rays::Rays(const solid::Mesh& mesh, unsigned jobs) {
+    std::vector<std::uint32_t> with_area;
+    with_area.reserve(mesh.triangles.size());
     const std::vector<std::uint32_t> flat = flat_triangles(mesh);
-    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-        if (std::binary_search(flat.begin(), flat.end(), t)) continue;
-        const solid::Triangle& c = mesh.triangles[t];
-        tree_->facets.emplace_back(point(mesh.points_mm[c[0]]), point(mesh.points_mm[c[1]]), point(mesh.points_mm[c[2]]));
-        tree_->numbers.push_back(t);
-    }
-    const Facets& facets = tree_->facets;
-    tree_->tree.insert(facets.begin(), facets.end());
-    tree_->tree.build();
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+        if (!std::binary_search(flat.begin(), flat.end(), t)) with_area.push_back(t);
+    tree_ = std::make_unique<Tree>(Tree{OrientedTree(mesh, std::move(with_area), jobs)});
 }
 Rays::~Rays() = default;
 Rays::Rays(Rays&&) noexcept = default;
+Rays& Rays::operator=(Rays&&) noexcept = default;
 
-bool Rays::empty() const { return tree_->facets.empty(); }
+bool Rays::empty() const { return tree_->boxes.boxes().empty(); }
 
 std::optional<Hit> Rays::first(const Vec3& from, const Vec3& direction, std::uint32_t skip) const {
-    if (empty()) return std::nullopt;
-    const CountAsRay count;
-    const auto skipped = [&](Facets::const_iterator facet) { return tree_->number(facet) == skip; };
-    const auto found = tree_->tree.first_intersection(ray(from, direction), skipped);
-    if (!found) return std::nullopt;
-    const auto* at = boost::get<Kernel::Point_3>(&found->first);
-    const auto* along = boost::get<Kernel::Segment_3>(&found->first);
-    const auto distance = [&](const Kernel::Point_3& p) { return dot(Vec3{p.x(), p.y(), p.z()} - from, direction); };
-    return Hit{tree_->number(found->second), at ? distance(*at) : std::min(distance(along->source()), distance(along->target()))};
+    const Ray ray(from, direction);
+    Hit best{kNone, INFINITY};
+    descend(
+        tree_->boxes, [&](const OrientedBox& box) { return ray.enters(box, best.distance_mm); },
+        [&] { return best.distance_mm < INFINITY ? best.distance_mm : std::numeric_limits<double>::max(); },
+        [&](std::size_t place) {
+            const std::uint32_t number = tree_->boxes.numbers()[place];
+            const double distance = number == skip ? NAN : ray.meets(tree_->triangle(place));
+            if (distance < best.distance_mm || (distance == best.distance_mm && number < best.triangle)) best = {number, distance};
+        });
+    return best.triangle == kNone ? std::nullopt : std::optional(best);
 }
 
 std::vector<std::uint32_t> Rays::all(const Vec3& from, const Vec3& direction) const {
-    const CountAsRay count;
-    std::vector<Facets::const_iterator> found;
-    if (!empty()) tree_->tree.all_intersected_primitives(ray(from, direction), std::back_inserter(found));
+    const Ray ray(from, direction);
+    constexpr double kEverywhere = std::numeric_limits<double>::max();
     std::vector<std::uint32_t> numbers;
-    for (const auto facet : found) numbers.push_back(tree_->number(facet));
+    descend(
+        tree_->boxes, [&](const OrientedBox& box) { return ray.enters(box, kEverywhere); }, [&] { return kEverywhere; },
+        [&](std::size_t place) {
+            if (!std::isnan(ray.meets(tree_->triangle(place)))) numbers.push_back(tree_->boxes.numbers()[place]);
+        });
     std::sort(numbers.begin(), numbers.end());
     return numbers;
 }
 
 std::optional<std::pair<Vec3, std::uint32_t>> Rays::nearest(const Vec3& at, double within_mm) const {
-    if (empty()) return std::nullopt;
-    // A hint bounds the search: only nearer points are found. The caller gives the bound. CGAL's tree of corners, its own source of hints,
-    // is not built: it holds one copy of a point for each triangle there, and divides copies endlessly.
-    const Facets::const_iterator none = tree_->facets.end();
-    const auto [p, facet] = tree_->tree.closest_point_and_primitive(point(at), {point(at + Vec3{within_mm, 0.0, 0.0}), none});
-    if (facet == none) return std::nullopt;
-    return std::pair{Vec3{p.x(), p.y(), p.z()}, tree_->number(facet)};
+    double best = within_mm * within_mm;
+    std::pair<Vec3, std::uint32_t> found{{}, kNone};
+    descend(
+        tree_->boxes, [&](const OrientedBox& box) { return from_box(box, at); }, [&] { return best; },
+        [&](std::size_t place) {
+            const Vec3 q = nearest_of(tree_->triangle(place), at);
+            const double square = dot(q - at, q - at);
+            const std::uint32_t number = tree_->boxes.numbers()[place];
+            if (square < best || (square == best && number < found.second && found.second != kNone)) best = square, found = {q, number};
+        });
+    return found.second == kNone ? std::nullopt : std::optional(found);
 }
 
 std::size_t Rays::visited() { return t_visited; }

@@ -7,19 +7,30 @@
 #include <array>
 #include <cctype>
 #include <charconv>
+#include <cmath>
+#include <limits>
 
 namespace fusee::profile {
 
 namespace {
 
 constexpr int kMostDigits = 17;  // any double survives 17 significant digits
+constexpr int kNeighbours = 8;   // two roundings each way: the value that was read is within a few units of the last place
 
+/// The shortest number that is read as `si`.
 std::string shortest(double si, const Unit& unit) {
     double value = 0.0;
     for (int digits = 1; digits <= kMostDigits; ++digits) {
         const std::string text = fmt::format("{:.{}g}", unit.from_si(si), digits);
         std::from_chars(text.data(), text.data() + text.size(), value);
-        if (unit.to_si(value) == si) break;
+        if (unit.to_si(value) == si) return fmt::format("{}", value);
+    }
+    double below = value, above = value;
+    for (int i = 0; i < kNeighbours; ++i) {
+        below = std::nextafter(below, -std::numeric_limits<double>::infinity());
+        above = std::nextafter(above, std::numeric_limits<double>::infinity());
+        if (unit.to_si(below) == si) return fmt::format("{}", below);
+        if (unit.to_si(above) == si) return fmt::format("{}", above);
     }
     return fmt::format("{}", value);
 }

@@ -65,19 +65,61 @@ double farthest(const Floor& floor, const Point& n) {
     return *std::max_element(far.begin(), far.end());
 }
 
+/// The cable over the point with the largest arm so far, from a guide at a point or an idler. Turned about the guide so that its arm grows,
+/// it leaves every point that lies within it and behind the guide; their arms are smaller. With t the turn, arm + beyond = |G| sin t grows
+/// up to t = pi / 2, and the arm of such a point is at a turn less than pi before.
+class Touching {
+public:
+    explicit Touching(const BodyGuide& guide) : guide_(guide) {}
+
+    void touch(const Point& floor, double distance, double arm) {
+        if (guide_.parallel) return;
+        const Point v{guide_.place[0] - floor[0], guide_.place[1] - floor[1]};
+        const double square = dot(v, v), reach = distance + guide_.beyond, ahead = std::sqrt(square - reach * reach);
+        const Point across = normal(v, guide_.torque_sign);
+        normal_ = {(reach * v[0] + ahead * across[0]) / square, (reach * v[1] + ahead * across[1]) / square};
+        along_ = {(ahead * v[0] - reach * across[0]) / square, (ahead * v[1] - reach * across[1]) / square};
+        arm_ = arm;
+        holds_ = arm + guide_.beyond > 0.0 && dot(along_, guide_.place) > 0.0;
+    }
+    /// Surely no larger arm, and no NaN: the computed arms need not be compared.
+    [[nodiscard]] bool within(const Point& floor, double distance) const {
+        if (!holds_ || !(dot(normal_, floor) + distance < arm_ - kRounding_mm)) return false;
+        const Point v{guide_.place[0] - floor[0], guide_.place[1] - floor[1]};
+        const double reach = distance + guide_.beyond;
+        return dot(along_, v) > 0.0 && dot(v, v) > kApart * reach * reach;
+    }
+
+private:
+    static constexpr double kApart = 1.0001, kRounding_mm = 1e-6;
+
+    BodyGuide guide_;
+    bool holds_ = false;
+    Point normal_{}, along_{};
+    double arm_ = 0.0;
+};
+
 /// The largest arm over the floor's points; NaN if there is none, or if the guide is nearer to the floor than the cable's radius.
-double row_arm(const Floor& floor, const BodyGuide& guide, double row_azimuth, double half_cable) {
+/// @param first point that is asked first, and the one that was found: in the next row it is near the best
+double row_arm(const Floor& floor, const BodyGuide& guide, double row_azimuth, double half_cable, std::size_t& first) {
     if (floor.planar && guide.parallel && floor.reach_mm.empty() && !floor.points.empty()) return farthest(floor, guide.place) + half_cable;
     double arm = -std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < floor.points.size(); ++i) {
+    Touching touching(guide);
+    std::size_t best = first;
+    const auto ask = [&](std::size_t i) {
         const FloorPoint& p = floor.points[i];
         // On a helix the cable touches its own turn only: points more than a quarter turn further along the groove are at another height.
-        if (!floor.planar && std::abs(p.azimuth - row_azimuth) > core::kPi / 2.0) continue;
-        const double candidate = arm_over(guide, p.xy_mm, floor.reach_mm.empty() ? half_cable : floor.reach_mm[i]);
-        if (std::isnan(candidate)) return candidate;
-        arm = std::max(arm, candidate);
-    }
-    return std::isinf(arm) ? std::numeric_limits<double>::quiet_NaN() : arm;
+        if (!floor.planar && std::abs(p.azimuth - row_azimuth) > core::kPi / 2.0) return true;
+        const double distance = floor.reach_mm.empty() ? half_cable : floor.reach_mm[i];
+        if (touching.within(p.xy_mm, distance)) return true;
+        const double candidate = arm_over(guide, p.xy_mm, distance);
+        if (candidate > arm) arm = candidate, best = i, touching.touch(p.xy_mm, distance, candidate);
+        return !std::isnan(candidate);
+    };
+    bool known = first >= floor.points.size() || ask(first);
+    for (std::size_t i = 0; known && i < floor.points.size(); ++i) known = ask(i);
+    first = best;
+    return known && !std::isinf(arm) ? arm : std::numeric_limits<double>::quiet_NaN();
 }
 
 /// At a fleet angle the torque on the part is reduced by the cosine of that angle.
@@ -94,10 +136,12 @@ double share_in_plane(const exchange::PartFile& part, const BodyGuide& guide, co
 std::vector<double> taut_arms(const Floor& floor, const exchange::PartFile& part) {
     std::vector<double> arms;
     arms.reserve(part.target.size());
+    std::size_t best = 0;
     for (std::size_t row = 0; row < part.target.size(); ++row) {
         const double azimuth = floor.planar ? 0.0 : floor.row_azimuth[row];
         const BodyGuide guide = in_body(part, part.target[row].angle_rad);
-        arms.push_back(share_in_plane(part, guide, part.target[row]) * row_arm(floor, guide, azimuth, part.cable_diameter_mm / 2.0));
+        arms.push_back(share_in_plane(part, guide, part.target[row]) *
+                       row_arm(floor, guide, azimuth, part.cable_diameter_mm / 2.0, best));
     }
     return arms;
 }

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <mutex>
+#include <system_error>
+#include <thread>
 
 #include "fusee/core/error.h"
 #include "surface.h"
@@ -31,7 +33,17 @@ using OwnedGlib = std::unique_ptr<T, DestroyGlib>;
     throw core::IoError(name, fmt::format("librsvg: {}", error ? error->message : "no reason given"));
 }
 
+/// GLib ends the program where it cannot start the threads of its tables of fonts. @throws core::IoError
+void require_threads(const std::string& name) {
+    try {
+        const std::jthread one([] {}), other([] {});
+    } catch (const std::system_error& e) {
+        throw core::IoError(name, "no thread can be started to draw it, by a limit of memory or processes (ulimit): " + e.code().message());
+    }
+}
+
 OwnedGlib<RsvgHandle> read(const std::string& svg, const std::string& name) {
+    require_threads(name);
     GError* error = nullptr;
     OwnedGlib<RsvgHandle> handle(rsvg_handle_new_from_data(reinterpret_cast<const guint8*>(svg.data()), svg.size(), &error));
     if (!handle) fail(name, error);

@@ -10,10 +10,12 @@
 namespace fusee::solid {
 
 Crossings crossings(const Mesh& mesh, const std::vector<std::uint32_t>& flat, std::size_t most) {
-    SurfaceMesh surface;
-    if (!to_surface_mesh(mesh, surface)) return {.manifold = false};
+    if (SurfaceMesh surface; !to_surface_mesh(mesh, surface)) return {.manifold = false};
     const auto doubtful = doubtful_triangles(mesh, flat, most);
     if (!doubtful) return {.complete = false};
+    if (doubtful->empty()) return {};
+    SurfaceMesh surface;  // made again: both searches at once would take twice the memory
+    to_surface_mesh(mesh, surface);
     std::vector<SurfaceMesh::Face_index> faces;  // numbered like the triangles
     for (const std::uint32_t number : *doubtful) faces.emplace_back(number);
     std::vector<std::pair<SurfaceMesh::Face_index, SurfaceMesh::Face_index>> found;

@@ -113,6 +113,7 @@ using FaceBox = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::uint32
 /// Of all triangles but those left out.
 std::vector<FaceBox> boxes_of(const Mesh& mesh, const std::vector<std::uint32_t>& left_out) {
     std::vector<FaceBox> boxes;
+    boxes.reserve(mesh.triangles.size());
     for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
         if (std::binary_search(left_out.begin(), left_out.end(), i)) continue;
         FaceBox box(i);
@@ -153,6 +154,7 @@ std::optional<std::vector<std::uint32_t>> doubtful_triangles(const Mesh& mesh, c
     const std::vector<FaceBox> boxes = boxes_of(mesh, left_out);
     for (const FaceBox& box : boxes) doubtful[box.info()] = without_area(mesh, mesh.triangles[box.info()]);
     std::vector<const FaceBox*> places;
+    places.reserve(boxes.size());
     for (const FaceBox& box : boxes) places.push_back(&box);
     std::size_t pairs = 0;
     const auto judge = [&](const FaceBox* a, const FaceBox* b) {

@@ -75,7 +75,8 @@ TEST_F(Program, QuietSaysNothingAndVerboseSaysMore) {
     const Ended verbose = run("-v make " + profile);
     EXPECT_EQ(verbose.code, 0);
     expect_words(verbose.err, {" s  spring law\n", " s  part files and read-back\n", " s  reports\n", " s in all\n"});
-    EXPECT_EQ(run("make " + profile).err, "") << "no progress without a terminal: it is quick";
+    std::istringstream stages(run("make " + profile).err);  // none without a terminal, unless the machine is busy: ten seconds are slow
+    for (std::string line; std::getline(stages, line);) EXPECT_TRUE(line.starts_with("make ")) << line;
     EXPECT_NE(run("-q make missing.toml").err, "") << "errors stay";
 }
 

@@ -50,7 +50,7 @@ LINES = [
     ("case-template %spnrvsa.toml --out case" % P, 0),
     ("identify %sexamples/break_away.csv" % P, 0),
     ("blind make --seed 1 --cases 1 --out blind", 0),
-    ("diagnose blind/case000 --out diagnosis", 0),
+    ("diagnose %sgap/paper_table_1 --out diagnosis" % P, 0),
     ("predict blind/case000 --inputs blind/case000/heldout --out predicted", 0),
     ("blind score blind --out score", 0),
     ("paper --profiles missing", 2),
@@ -95,7 +95,11 @@ def main():
         profile = open(P + "pnrvsa.toml").read()
         with open("refused.toml", "w") as file:
             file.write(re.sub(r"start_torque_Nm = [0-9.]+", "start_torque_Nm = 0.2", profile, count=1))
-        seen = {check(*line) for line in LINES}
+        seen = set()
+        for line, codes in LINES:
+            if line.startswith("blind score"):
+                open("blind/case000/case.toml", "w").close()  # a case that cannot be read is a miss, found at once; a diagnosis takes 40 s
+            seen.add(check(line, codes))
     missing = commands() - seen
     assert not missing, "commands that no line runs: %s" % sorted(missing)
     broken = {"fusee": "1", "command": "keys", "exit_code": 0, "verdict": "done", "error": None, "result": [{"key": 3}]}

@@ -12,9 +12,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class Shipped : public fixtures::TempFolder, public testing::WithParamInterface<const char*> {
+class Shipped : public testing::TestWithParam<const char*> {
 protected:
-    batch::MakeResult made() const { return batch::make(profile::read_profile(fixtures::shipped(GetParam())), {.out = folder_ / "out"}); }
+    /// A shipped design with its files.
+    struct Run {
+        std::shared_ptr<core::TemporaryFolder> folder = std::make_shared<core::TemporaryFolder>();
+        batch::MakeResult result = batch::make(profile::read_profile(fixtures::shipped(GetParam())), {.out = folder->path() / "out"});
+        [[nodiscard]] std::map<std::string, std::string> files() const { return fixtures::contents(folder->path() / "out"); }
+    };
+    /// The first run of this design, shared by all tests of a process.
+    static const Run& first_run() {
+        static std::map<std::string, Run> runs;
+        return runs[GetParam()];
+    }
+    static const batch::MakeResult& made() { return first_run().result; }
     /// The names of all files, sorted: every format of both parts on both sides of the joint, DXF of the planar ones, G-code and PDF where
     /// they are asked for, the plate and the joint.
     static std::vector<std::string> expected() {
@@ -71,10 +82,10 @@ std::vector<std::string> lines_of(const std::string& text) {
 }
 
 TEST_P(Shipped, LeavesEveryFileAndEachIsTheOneStated) {
-    const batch::MakeResult result = made();
+    const batch::MakeResult& result = made();
     ASSERT_TRUE(result.made);
-    EXPECT_EQ(result.folder, folder_ / "out" / GetParam());
-    const auto files = fixtures::contents(folder_ / "out");
+    EXPECT_EQ(result.folder, first_run().folder->path() / "out" / GetParam());
+    const auto files = first_run().files();
     std::vector<std::string> names;
     for (const auto& [name, bytes] : files) names.push_back(fs::path(name).filename().string());
     EXPECT_EQ(names, expected());
@@ -90,7 +101,7 @@ TEST_P(Shipped, LeavesEveryFileAndEachIsTheOneStated) {
 
 // What was asked is what the files hold, by every reader.
 TEST_P(Shipped, EveryFileCarriesTheLaw) {
-    const batch::MakeResult result = made();
+    const batch::MakeResult& result = made();
     EXPECT_GT(result.file_errors.arm, 0.0);
     EXPECT_LE(result.file_errors.arm, 1e-3);
     EXPECT_FALSE(core::any_error(result.findings));
@@ -103,7 +114,7 @@ TEST_P(Shipped, EveryFileCarriesTheLaw) {
 }
 
 TEST_P(Shipped, SpringsAreATable) {
-    const batch::MakeResult result = made();
+    const batch::MakeResult& result = made();
     const auto lines = lines_of(core::read_file(result.folder / "springs.csv"));
     ASSERT_GE(lines.size(), 201u);
     EXPECT_EQ(lines.front(), "tau_Nm,theta_rad,f_se_Nm,f_pe_Nm,s_Nm_per_rad,p_Nm_per_rad,u_se_J,u_pe_J,t");
@@ -118,7 +129,7 @@ TEST_P(Shipped, SpringsAreATable) {
 }
 
 TEST_P(Shipped, ReportsTellTheSame) {
-    const batch::MakeResult result = made();
+    const batch::MakeResult& result = made();
     const auto report = nlohmann::json::parse(core::read_file(result.folder / "report.json"));
     EXPECT_EQ(report["name"], GetParam());
     EXPECT_EQ(report["parts"].size(), 2u);
@@ -141,10 +152,9 @@ TEST_P(Shipped, ReportsTellTheSame) {
 }
 
 TEST_P(Shipped, TwoRunsGiveTheSameBytes) {
-    ASSERT_TRUE(made().made);
-    const auto first = fixtures::contents(folder_ / "out");
-    ASSERT_TRUE(made().made);
-    EXPECT_TRUE(fixtures::contents(folder_ / "out") == first);
+    const Run second;
+    ASSERT_TRUE(second.result.made);
+    EXPECT_TRUE(second.files() == first_run().files());
 }
 
 using FromDeadBand = fixtures::TempFolder;

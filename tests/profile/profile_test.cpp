@@ -69,6 +69,12 @@ TEST_F(ProfileTest, WrittenAndReadAgainGivesTheSameNumbersBitForBit) {
     EXPECT_EQ(again.k_pe.solid.hub.boss_diameter, shipped.k_pe.solid.hub.boss_diameter);
     EXPECT_EQ(again.k_se.cam.path.margin, shipped.k_se.cam.path.margin);  // a default of 0.35 rad, written in degrees
     EXPECT_EQ(again.k_se.solid.features.leg_slot_angle, shipped.k_se.solid.features.leg_slot_angle);
+    // Found by the invariants: 17 digits of the angle in degrees are a neighbour of the number that was read.
+    for (const double degrees : {-19.660610140271473, -136.47961446990968, -158.83735816566315, 36.075178847609834}) {
+        Profile turned = shipped;
+        turned.k_se.cam.guide.direction = degrees * core::kPi / 180.0;
+        EXPECT_EQ(read(to_toml(turned)).k_se.cam.guide.direction, turned.k_se.cam.guide.direction) << degrees;
+    }
 }
 
 TEST_F(ProfileTest, TheShippedProfileIsThePapersActuator) {

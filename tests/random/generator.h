@@ -10,4 +10,8 @@ namespace fusee::random_profiles {
 /// @param number goes into the name, so that each design has a folder of its own
 [[nodiscard]] std::string random_profile(std::uint64_t seed, int number);
 
+/// A design near one that somebody built: a shipped profile (pnrvsa, pnrvsa_co_design, free_curve or from_dead_band) in which some figures are
+/// a few percent off, with another cable, bore, process or guide now and then. Written as STL, 3MF and DXF. The same text on every machine.
+[[nodiscard]] std::string near_profile(std::uint64_t seed, int number);
+
 }  // namespace fusee::random_profiles

@@ -45,12 +45,13 @@ std::string fault_of_refused(const batch::Row& row) {
 
 }  // namespace
 
-std::vector<batch::Row> make_some(std::uint64_t seed, int first, int count, const fs::path& folder, unsigned jobs) {
+std::vector<batch::Row> make_some(std::uint64_t seed, int first, int count, const fs::path& folder, unsigned jobs,
+                                  Generator generator) {
     fs::create_directories(folder);
     std::vector<fs::path> profiles;
     for (int i = first; i < first + count; ++i) {
         profiles.push_back(folder / fmt::format("random_{:05}.toml", i));
-        core::write_file(profiles.back(), random_profile(seed, i));
+        core::write_file(profiles.back(), generator(seed, i));
     }
     batch::MakeOptions options;
     options.out = folder / "out";

@@ -16,11 +16,15 @@ void write_file(const std::filesystem::path& path, std::string_view bytes);
 /// @throws IoError, also if it is not a regular file or has more than `largest` bytes
 [[nodiscard]] std::string read_file(const std::filesystem::path& path, std::size_t largest = std::numeric_limits<std::size_t>::max());
 
+/// Each file read by these two is an input of the run (note_input of crash_report.h).
 /// Passes the bytes to `take` in pieces, in order: for files too large to keep in memory. @throws IoError as read_file
 void read_pieces(const std::filesystem::path& path, std::size_t largest, const std::function<void(std::string_view)>& take);
 
 /// Lower-case hex SHA-256 of the bytes.
 [[nodiscard]] std::string sha256_hex(std::string_view bytes);
+
+/// The same of a regular file of any size. @throws IoError
+[[nodiscard]] std::string sha256_of_file(const std::filesystem::path& path);
 
 /// SHA-256 of bytes that come in pieces.
 class Sha256 {

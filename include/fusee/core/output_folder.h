@@ -17,6 +17,7 @@ struct OutputRun {
     std::vector<std::string> files = {};   ///< names that are always written: checked before the work begins
     std::vector<std::string> sheets = {};  ///< names of files to fill in: once changed they are never replaced, not even with `force`
     bool many_sources = false;             ///< the folder may hold files of other sources
+    bool stays = false;                    ///< finished work is committed even after Ctrl-C; else `commit` throws Stopped
     bool among_others = false;             ///< the folder may hold files that fusee did not make, even before the first run
 };
 
@@ -39,6 +40,7 @@ public:
     [[nodiscard]] const std::filesystem::path& target() const { return target_; }
 
     /// Moves the files into the target and removes those that an earlier run of the same command and source made, but not this one.
+    /// @throws Stopped after Ctrl-C, unless OutputRun::stays: nothing is changed
     /// @throws IoError as the constructor, with nothing changed; or if a file cannot be moved: the next run then completes the commit
     void commit();
 

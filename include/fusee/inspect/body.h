@@ -4,8 +4,10 @@
 #include <optional>
 #include <vector>
 
+#include "fusee/inspect/hollow.h"
 #include "fusee/inspect/rays.h"
 #include "fusee/inspect/topology.h"
+#include "fusee/solid/crossings.h"
 
 namespace fusee::inspect {
 
@@ -24,7 +26,7 @@ struct Sample {
     double gap_mm = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// Budget for the samples of a mesh, in visited triangles. A torus of a million triangles, the worst case of a valid part, takes 7e8. A
+/// Budget for the samples of a mesh, in visited triangles. A
 /// mesh with more than 100,000 visits per sample consists of overlapping triangles: its budget is a quarter. The budget for placing
 /// components is a sixteenth.
 inline constexpr std::size_t kMostVisits = 800'000'000;
@@ -46,6 +48,8 @@ public:
     [[nodiscard]] const std::vector<solid::Vec3>& normals() const { return normals_; }  ///< by triangle, unit; zero without area
     [[nodiscard]] const std::vector<double>& areas_mm2() const { return areas_; }
     [[nodiscard]] const std::vector<Sample>& samples() const { return samples_; }
+    [[nodiscard]] const std::vector<Hollow>& hollows() const { return hollows_; }
+    [[nodiscard]] const solid::Crossings& crossings() const { return crossings_; }
     [[nodiscard]] const std::vector<bool>& cavity() const { return cavity_; }               ///< by component: it bounds an inner cavity
     [[nodiscard]] const std::vector<bool>& turned() const { return turned_; }               ///< by component: it faced inward
     [[nodiscard]] std::size_t samples_left_out() const { return samples_left_out_; }        ///< not measured: the budget was spent
@@ -68,6 +72,8 @@ private:
     std::vector<double> areas_;
     std::vector<bool> cavity_, turned_;
     std::vector<Sample> samples_;
+    std::vector<Hollow> hollows_;
+    solid::Crossings crossings_;
     std::size_t samples_left_out_ = 0, components_left_out_ = 0;
 };
 

@@ -1,9 +1,12 @@
 #pragma once
+#include <cstdint>
 #include <vector>
 
-#include "fusee/inspect/body.h"
+#include "fusee/solid/mesh.h"
 
 namespace fusee::inspect {
+
+class Body;
 
 /// A concave cylinder, or a part of one: a hole, or a rounded inner edge.
 struct Hollow {
@@ -22,7 +25,7 @@ struct Hollow {
 
 /// Finds facets along one axis that turn by at most 75 degrees from one to the next around empty space, with their corners on one circle.
 /// Facets may have any width, so a hole may be a prism of five sides or more. Holes of a mesh whose triangles do not follow the axis
-/// (marching cubes) are not found. Sorted by their first triangle. O(triangles).
+/// (marching cubes) are not found. Sorted by their first triangle. O(triangles). Body::hollows() holds them.
 [[nodiscard]] std::vector<Hollow> find_hollows(const Body& body);
 
 }  // namespace fusee::inspect

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include "fusee/inspect/hollow.h"
 #include "measure.h"
 
 namespace fusee::inspect {
@@ -18,7 +17,7 @@ std::optional<Marked> measure_mesh_hole(const Foreign& part, const Allowed& allo
     std::optional<Hollow> least;
     std::size_t count = 0;
     std::vector<std::uint32_t> triangles;
-    for (const Hollow& h : find_hollows(part.body)) {
+    for (const Hollow& h : part.body.hollows()) {
         if (!h.is_hole()) continue;
         ++count;
         if (!least || h.diameter_mm < least->diameter_mm) least = h;

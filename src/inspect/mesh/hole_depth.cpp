@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include "fusee/inspect/hollow.h"
 #include "measure.h"
 
 namespace fusee::inspect {
@@ -11,7 +10,7 @@ std::optional<Marked> measure_mesh_hole_depth(const Foreign& part, const Allowed
     if (!is_milled(part) && part.process.kind != checks::ProcessKind::kSls) return std::nullopt;
     const bool powder = part.process.kind == checks::ProcessKind::kSls;
     std::optional<Hollow> deepest;
-    for (const Hollow& h : find_hollows(part.body)) {
+    for (const Hollow& h : part.body.hollows()) {
         if (!h.is_hole() || (powder && h.is_through())) continue;  // a through hole traps no powder
         if (!deepest || h.length_mm / h.diameter_mm > deepest->length_mm / deepest->diameter_mm) deepest = h;
     }

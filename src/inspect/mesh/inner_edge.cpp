@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "fusee/inspect/hollow.h"
 #include "measure.h"
 #include "seam.h"
 
@@ -27,7 +26,7 @@ struct InnerEdges {
 InnerEdges inner_edges(const Body& body, double limit) {
     InnerEdges found;
     std::vector<bool> rounded(body.mesh().triangles.size(), false);
-    for (const Hollow& h : find_hollows(body)) {
+    for (const Hollow& h : body.hollows()) {
         for (const std::uint32_t t : h.triangles) rounded[t] = true;
         if (!h.is_hole() && std::abs(h.axis[2]) > kUpright) found.take(h.triangles, 0.5 * h.diameter_mm, h.middle_mm, limit);
     }

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "fusee/core/parallel.h"
-#include "fusee/inspect/hollow.h"
 #include "measure.h"
 
 namespace fusee::inspect {
@@ -63,7 +62,7 @@ private:
 
 std::vector<Pocket> pockets(const Body& body) {
     std::vector<bool> drilled(body.mesh().triangles.size(), false);
-    for (const Hollow& h : find_hollows(body))
+    for (const Hollow& h : body.hollows())
         if (h.is_hole())
             for (const std::uint32_t t : h.triangles) drilled[t] = true;
     std::vector<const Sample*> floors;

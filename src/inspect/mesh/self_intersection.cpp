@@ -2,7 +2,6 @@
 
 #include <set>
 
-#include "fusee/solid/crossings.h"
 #include "measure.h"
 
 namespace fusee::inspect {
@@ -11,7 +10,7 @@ namespace {
 
 std::optional<Marked> measure_mesh_self_intersection(const Foreign& part, const Allowed& allowed) {
     const Body& body = part.body;
-    const solid::Crossings found = solid::crossings(body.mesh(), flat_triangles(body.mesh()));
+    const solid::Crossings& found = body.crossings();
     if (!found.manifold)
         return Marked{core::not_judged("mesh.self_intersection", "the surface is not manifold: self-intersections cannot be determined",
                                        "a manifold surface: see mesh.manifold and mesh.orientation")};

@@ -23,7 +23,7 @@ std::string_view study_body() {
 <div class="controls"><label>x<select id="x"></select></label><label>better<select id="bx"><option>least</option><option>greatest</option></select></label>
 <label>y<select id="y"></select></label><label>better<select id="by"><option>least</option><option>greatest</option></select></label>
 <label><span>Pareto front</span><input type="checkbox" id="front" checked></label></div>
-<figure class="plot" id="plot"></figure><p>A click on a point moves its design to the top of the table; a second click opens its report, where there is one.</p></section>
+<figure class="plot" id="plot"></figure><p>A click on a point opens its design's report. A design without a report moves to the top of the table.</p></section>
 <section id="designs"><h2>Designs</h2>
 <div class="controls"><label>Filter: a word, or a condition such as <code>mass_g &lt; 20 &amp;&amp; outcome == "made"</code>
 <input id="filter" spellcheck="false"></label><span id="message" role="alert"></span><span id="count" aria-live="polite"></span></div>
@@ -36,7 +36,7 @@ std::string_view study_script() {
 const $=id=>document.getElementById(id),C=data.columns,at=name=>C.findIndex(c=>c.name===name);
 const state={sort:-1,down:false,rows:data.rows,shown:100,picked:null};
 const text=v=>v===null?"\u2013":typeof v==="number"?String(Number(v.toPrecision(5))):v;
-const element=(tag,attributes={},content)=>{const e=tag==="svg"||["path","circle","line","text","g"].includes(tag)?
+const element=(tag,attributes={},content)=>{const e=tag==="svg"||["path","circle","line","text","g"].includes(tag)||attributes.tabindex===-1?
   document.createElementNS("http://www.w3.org/2000/svg",tag):document.createElement(tag);
   for(const [k,v] of Object.entries(attributes))e.setAttribute(k,v);if(content!==undefined)e.textContent=content;return e};
 /* A condition is compiled by hand, so that the page runs no text as code. */
@@ -84,7 +84,8 @@ function plot(){const kx=at($("x").value),ky=at($("y").value),W=880,H=460,L=70,B
   const front=$("front").checked?pareto(points):new Set();
   for(const p of [...points].sort((a,b)=>front.has(a.r)-front.has(b.r))){const c=element("circle",{cx:X(p.x),cy:Y(p.y),r:front.has(p.r)?5:3.5,
     class:(front.has(p.r)?"front ":"")+(p.r===state.picked?"picked":"")});c.append(element("title",{},`${p.r[0]}\n${C[kx].name} ${text(p.x)}\n${C[ky].name} ${text(p.y)}`));
-    c.onclick=()=>{if(state.picked===p.r){if(report(p.r))location.href=report(p.r);return}state.picked=p.r;const rest=state.rows.filter(r=>r!==p.r);state.rows=[p.r,...rest];table();plot()};svg.append(c)}}
+    if(report(p.r)){const link=element("a",{href:report(p.r),tabindex:-1});link.append(c);svg.append(link);continue}  // keys: the table's links
+    c.onclick=()=>{state.picked=p.r;const rest=state.rows.filter(r=>r!==p.r);state.rows=[p.r,...rest];table();plot()};svg.append(c)}}
   svg.append(element("text",{x:(L+W)/2,y:H-8,"text-anchor":"middle",class:"name"},C[kx].name),
     element("text",{transform:`translate(16 ${(H-B)/2}) rotate(-90)`,"text-anchor":"middle",class:"name"},C[ky].name));$("plot").replaceChildren(svg)}
 function update(){state.rows=sorted(filtered());table();plot()}

@@ -85,6 +85,13 @@ std::string near_words(const CLI::App& program) {
     return text;
 }
 
+std::string first_example(const CLI::App& program) {
+    static const std::regex kFirst(R"(Example:\n +([^\n]+))");
+    const std::string footer = named(&program)->get_footer();
+    std::smatch found;
+    return std::regex_search(footer, found, kFirst) ? "Example: " + found[1].str() + "\n" : "";
+}
+
 bool asks_for_json(int argc, char** argv) {
     return std::any_of(argv + 1, argv + argc, [](const char* word) { return std::string_view(word) == "--json"; });
 }

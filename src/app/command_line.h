@@ -18,6 +18,9 @@ void add_settings(CLI::App& program, Settings& settings);
 /// "did you mean" for the words that no command expected; "" where nothing is near.
 [[nodiscard]] std::string near_words(const CLI::App& program);
 
+/// The first example of the command's help, "Example: fusee init my_joint.toml\n"; "" if it has none.
+[[nodiscard]] std::string first_example(const CLI::App& program);
+
 /// Is there a --json on the line? Asked where the line cannot be parsed.
 [[nodiscard]] bool asks_for_json(int argc, char** argv);
 

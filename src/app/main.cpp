@@ -136,7 +136,8 @@ int finish_unparsed(const CLI::App& app, const CLI::ParseError& e, bool json) {
     Reply reply(settings);
     const std::string near = near_words(app);
     fail_by_argument(reply, e.what() + (near.empty() ? "" : "\n" + near.substr(0, near.size() - 1)));
-    reply.warn(fmt::format("{}\n{}Run with --help for more information.\n", e.what(), near));
+    const bool missing = e.get_exit_code() == static_cast<int>(CLI::ExitCodes::RequiredError);
+    reply.warn(fmt::format("{}\n{}{}Run with --help for more information.\n", e.what(), near, missing ? first_example(app) : ""));
     return finish(reply, command_path(app), kBadInput);
 }
 

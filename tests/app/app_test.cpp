@@ -35,6 +35,8 @@ TEST_F(Program, WrongArgumentsAreNamedAndEndWith2) {
     const std::pair<const char*, std::string> cases[] = {{"", "command is required"},
                                                          {"mkae", "mkae"},
                                                          {"make", "at least one profile"},
+                                                         {"init", "Example: fusee init my_joint.toml\n"},
+                                                         {"diagnose", "Example: fusee diagnose bench/monday"},
                                                          {"make --bar x.toml", "--bar"},
                                                          {"--bar", "--bar"},
                                                          {"make x.toml --via foo", "foo"},

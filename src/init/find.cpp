@@ -79,7 +79,7 @@ std::vector<NearestChange> changes_of(const Answers& answers, std::vector<Answer
     add_cable(sizes.at_most(cable * 0.99));
     if (const auto size = checks::shaft_sizes().at_least(shaft * 1.2)) add("--shaft", fmt::format("{:g}", *size));
     if (const auto size = checks::shaft_sizes().at_most(shaft * 0.85)) add("--shaft", fmt::format("{:g}", *size));
-    add("--bed", fmt::format("{:g}", core::mm_from_m(1.5 * answers.bed)));
+    for (const double larger : {1.5, 2.0}) add("--bed", fmt::format("{:g}", core::mm_from_m(larger * answers.bed)));
     for (const double share : {0.7, 0.4, 0.2}) add("--torque", fmt::format("{:.3g}", share * answers.torque));
     if (answers.joint_stiffness > 0.0) add("--joint-stiffness", "0");
     if (answers.construction != "fibre") add("--cable", fmt::format("fibre {:g}", cable));

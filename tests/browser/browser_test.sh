@@ -3,7 +3,7 @@
 # pictures like the stored ones. Without browser, node, npm or the packages of npm it is skipped with the reason.
 # browser_test.sh PROGRAM SOURCE BUILD [update]     update: stores the pictures of the pages as they are now
 . "$(dirname -- "$0")/../house/lib.sh"
-program=$1 source=$2 modules=$3/browser
+program=$(readlink -f -- "$1") source=$(readlink -f -- "$2") modules=$(readlink -f -- "$3")/browser
 for tool in chromium node npm; do command -v $tool >/dev/null || skip "$tool is not installed: no page was opened"; done
 
 mkdir -p "$modules"
@@ -39,4 +39,4 @@ pictures=compare
 [ "${4-}" != update ] || pictures=update
 cp "$source"/tests/browser/*.mjs "$modules"  # beside its node_modules
 # shellcheck disable=SC2086  # one word a page
-CHROMIUM=$(command -v chromium) node "$modules/pages.mjs" "$source/tests/browser/pictures" "$3/browser" $pictures $pages
+CHROMIUM=$(command -v chromium) node "$modules/pages.mjs" "$source/docs/images/pages" "$modules" $pictures $pages

@@ -71,14 +71,16 @@ int diagnose(const DiagnoseArguments& arguments, Reply& reply) {
     require_thread();
     const std::optional<RedesignStep> redesign = redesign_step(arguments.profile, arguments.corrected, arguments.folder, arguments.force);
     core::OutputFolder output(arguments.out, run_of(arguments));
+    const RigJoint joint = rig_joint(arguments.profile, arguments.folder);
+    const pipeline::DesignReport* const shown = joint.design ? &*joint.design : nullptr;
     const diagnosis::Diagnosis found = diagnosis_of(arguments.folder, arguments.jobs);
-    const std::string json = diagnosis::diagnosis_json(found), page = report::diagnosis_html(found);
-    core::write_file(output.path() / "diagnosis.html", page);
+    const std::string json = diagnosis::diagnosis_json(found);
+    core::write_file(output.path() / "diagnosis.html", report::diagnosis_html(found, "", shown));
     core::write_file(output.path() / "diagnosis.json", json);
     RedesignStep::Output redesigned;
     if (redesign) try {
             redesigned = redesign->write(found, output.path());
-            core::write_file(output.path() / "diagnosis.html", report::diagnosis_html(found, redesigned.section));
+            core::write_file(output.path() / "diagnosis.html", report::diagnosis_html(found, redesigned.section, shown));
         } catch (const core::InvalidInput&) {  // a value that no profile can hold: the diagnosis is written nevertheless
             output.commit();
             throw;
@@ -87,7 +89,8 @@ int diagnose(const DiagnoseArguments& arguments, Reply& reply) {
     reply.result = {{"folder", arguments.out.string()}};
     reply.set("diagnosis", json);
     if (redesign) reply.set("redesign", redesigned.json);
-    reply.say(fmt::format("{}{}written: {}/diagnosis.html, diagnosis.json{}\n", report::diagnosis_text(found), redesigned.text,
+    const std::string unshown = joint.refusal.empty() ? "" : "joint in 3D: not shown, " + joint.refusal + "\n";
+    reply.say(fmt::format("{}{}{}written: {}/diagnosis.html, diagnosis.json{}\n", report::diagnosis_text(found), redesigned.text, unshown,
                           arguments.out.string(), redesign ? ", redesign.json" : ""));
     return 0;
 }
@@ -102,10 +105,11 @@ void add_diagnose(CLI::App& app, Action& action) {
         ->type_name("FOLDER")
         ->required();
     command->add_option("-o,--out", arguments->out, "Folder of diagnosis.json and diagnosis.html")->type_name("FOLDER")->required();
-    command->add_option("--profile", arguments->profile, "Profile of the rig; needs --write-profile")->type_name("FILE.toml");
+    command->add_option("--profile", arguments->profile, "Profile of the rig: the page shows its joint in 3D, the faulty place marked")
+        ->type_name("FILE.toml");
     command
         ->add_option("--write-profile", arguments->corrected,
-                     "File of the profile that suits the rig as diagnosed; fusee make turns it into new cams")
+                     "File of the profile that suits the rig as diagnosed, with --profile; fusee make turns it into new cams")
         ->type_name("FILE.toml");
     add_jobs(*command, arguments->jobs, "Number of threads; 0: one per processor. The result does not depend on it");
     add_force(*command, arguments->force);

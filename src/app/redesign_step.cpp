@@ -8,6 +8,7 @@
 #include "fusee/redesign/redesign.h"
 #include "fusee/report/redesign.h"
 #include "fusee/subsystem/subsystem.h"
+#include "made_parts.h"
 
 namespace fusee::app {
 
@@ -32,10 +33,20 @@ RedesignStep::Output RedesignStep::write(const diagnosis::Diagnosis& found, cons
     return {report::redesign_section(planned), report::redesign_text(planned), json};
 }
 
+RigJoint rig_joint(const fs::path& profile, const fs::path& case_folder) {
+    if (profile.empty()) return {};
+    if (gap_case::is_subsystem_case(case_folder))
+        throw core::InvalidInput("--profile", case_folder.string(), "a case with [rig]: a subsystem case has no joint");
+    const profile::Profile rig = profile::read_profile(profile);
+    (void)redesign::require_same_rig(rig, gap_case::read_case(case_folder));
+    auto made = made_parts(rig);
+    if (!made) return {std::nullopt, "the profile's parts are refused: fusee make " + profile.string() + " says why"};
+    return {std::move(made).value().report, ""};
+}
+
 std::optional<RedesignStep> redesign_step(const fs::path& profile, const fs::path& file, const fs::path& case_folder, bool force) {
-    if (profile.empty() && file.empty()) return std::nullopt;
+    if (file.empty()) return std::nullopt;
     if (profile.empty()) throw core::InvalidInput("--profile", "missing", "the profile of the rig, together with --write-profile");
-    if (file.empty()) throw core::InvalidInput("--write-profile", "missing", "the file for the corrected profile, together with --profile");
     return RedesignStep(profile, file, case_folder, force);
 }
 

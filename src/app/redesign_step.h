@@ -5,6 +5,7 @@
 
 #include "fusee/diagnosis/diagnosis.h"
 #include "fusee/gap_case/case.h"
+#include "fusee/pipeline/design_report.h"
 #include "fusee/profile/profile.h"
 
 namespace fusee::app {
@@ -33,7 +34,16 @@ private:
     gap_case::Case gap_case_;
 };
 
-/// None if neither option is given. @throws core::InvalidInput if only one is given, and as RedesignStep
+/// The joint of a rig's profile, for the page.
+struct RigJoint {
+    std::optional<pipeline::DesignReport> design;
+    std::string refusal;  ///< why there is none
+};
+/// Neither design nor refusal without a profile. Refuses a profile of another rig before the diagnosis begins.
+/// @throws core::InvalidInput, core::IoError
+[[nodiscard]] RigJoint rig_joint(const std::filesystem::path& profile, const std::filesystem::path& case_folder);
+
+/// None without a file for the corrected profile. @throws core::InvalidInput if it is given without a profile, and as RedesignStep
 [[nodiscard]] std::optional<RedesignStep> redesign_step(const std::filesystem::path& profile, const std::filesystem::path& file,
                                                         const std::filesystem::path& case_folder, bool force);
 

@@ -10,12 +10,11 @@
 #include "fusee/core/destination.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
-#include "fusee/core/temporary_folder.h"
 #include "fusee/diagnosis/diagnose.h"
-#include "fusee/pipeline/make.h"
 #include "fusee/render/svg.h"
 #include "fusee/report/picture.h"
 #include "fusee/subsystem/subsystem.h"
+#include "made_parts.h"
 #include "numbers.h"
 #include "places.h"
 
@@ -32,14 +31,6 @@ struct RenderArguments {
     bool dark = false, force = false;
     double joint_deg = 0.0, co_contraction = 0.0;
 };
-
-/// The design with its parts, in a folder that does not stay. No format beside STL: pictures show none.
-core::Outcome<pipeline::MadeDesign> made(profile::Profile profile) {
-    profile.outputs.formats = {"stl"};
-    const core::TemporaryFolder folder;
-    core::OutputFolder output(folder.path() / "parts", {.command = "make", .source = profile.file});  // never committed
-    return pipeline::make_parts(profile, output);
-}
 
 /// Both capstans at the co-contraction asked for, the joint turned. @throws InvalidInput naming the option with what the joint allows
 assembly::Pose pose_of(const RenderArguments& arguments, const pipeline::MadeDesign& design) {
@@ -95,7 +86,7 @@ int run_render(const RenderArguments& arguments, Reply& reply) {
     const profile::Profile profile = profile::read_profile(arguments.source);
     return with_places(profile, [&] {
         pipeline::require_parts(profile);
-        const auto design = made(profile);
+        const auto design = made_parts(profile);
         if (!design) {
             reply.show(design.refusal());
             return int{kRefused};

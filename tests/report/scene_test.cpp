@@ -4,14 +4,19 @@
 
 #include <algorithm>
 #include <cstring>
+#include <map>
 #include <nlohmann/json.hpp>
 
+#include "diagnosis/page.h"
 #include "fusee/actuator/equilibrium.h"
 #include "fusee/checks/along.h"
 #include "fusee/core/base64.h"
+#include "fusee/pipeline/assembled.h"
 #include "fusee/profile/profile.h"
+#include "fusee/report/diagnosis.h"
 #include "page_structure.h"
 #include "pipeline/fixture.h"
+#include "report/diagnosis_fixture.h"
 #include "scene/packed.h"
 #include "scene/poses.h"
 
@@ -53,6 +58,48 @@ Eigen::Matrix4d matrix_of(const Json& json) { return Eigen::Map<const Eigen::Mat
 
 double largest_move_mm(const Eigen::Matrix4d& a, const Eigen::Matrix4d& b) {  // of a point within 100 mm
     return (a - b).topLeftCorner<3, 3>().cwiseAbs().maxCoeff() * 100.0 + (a - b).topRightCorner<3, 1>().norm();
+}
+
+TEST(Scene, MarksGiveBodiesAndCablesTheirColourAndPaleAllOthers) {
+    const Marks marks{{"k_pe_agonist", "#d32f2f"}, {"series cable, antagonist", "#ef9b0f"}};
+    const Json marked = Json::parse(scene_json(pnrvsa(), {}, &marks));
+    for (const char* const list : {"bodies", "cables"})
+        for (const Json& thing : marked[list]) {
+            const auto mark = marks.find(thing["name"].get<std::string>());
+            EXPECT_EQ(thing["colour"], mark != marks.end() ? mark->second : kPaleMark) << thing["name"];
+        }
+    EXPECT_FALSE(scene()["cables"][0].contains("colour"));
+}
+
+TEST(Scene, ADiagnosisMarksTheBodiesOfItsCauses) {
+    auto made = pipeline::make_figures(profile::read_profile(fixtures::shipped("pnrvsa"))).value();
+    made.report.assembly = pipeline::assemble(made.resolved, made.report.parts[0].part, made.report.parts[1].part).assembly;
+    diagnosis::Diagnosis d = diagnosis();
+    d.verdict = diagnosis::VerdictKind::kIdentified;
+    d.effects.resize(1);
+    d.effects[0].cause = {"pe.radius", "antagonist"};
+    const auto colours = [&] {
+        const std::string html = marked_joint_section(d, made.report), begin = "id=\"joint-scene\">";
+        const auto at = html.find(begin) + begin.size();
+        std::map<std::string, std::string> all;
+        const Json json = Json::parse(html.substr(at, html.find("</script>", at) - at));
+        for (const Json& body : json["bodies"]) all[body["name"]] = body["colour"];
+        return all;
+    };
+    const auto radius = colours();
+    EXPECT_EQ(radius.at("k_pe_antagonist"), "#d32f2f");
+    EXPECT_EQ(radius.at("k_pe_agonist"), kPaleMark);
+    EXPECT_EQ(radius.at("k_se_antagonist"), kPaleMark);
+    d.effects[0].cause = {"joint.coulomb", "none"};
+    EXPECT_EQ(colours().at("joint_pulley"), "#d32f2f");
+    d.effects[0].cause = {"sensor.torque_scale", "none"};
+    EXPECT_NE(marked_joint_section(d, made.report).find("no body of the model is marked"), std::string::npos);
+    d.effects[0].cause = {"unknown", "none"};
+    EXPECT_EQ(marked_joint_section(d, made.report), "");
+    d.effects[0].cause = {"gear.coulomb", "both"};
+    const std::string page = diagnosis_html(d, "", &made.report);
+    EXPECT_LT(page.size(), 2u << 20);
+    EXPECT_NE(page.find("capstan_agonist, motor_shaft_agonist, capstan_antagonist, motor_shaft_antagonist"), std::string::npos);
 }
 
 TEST(ScenePoses, BodiesStandWhereTheAssemblyPutsThem) {

@@ -1,4 +1,4 @@
-/*! fusee, sources sha256:9e1450591cea572a1f49a6c3a0378182c22ebe078ffadf8426f9a69571382f86 */
+/*! fusee, sources sha256:abda21e23db35bd16a15abafea3c78d0b6d5da23417b84d38b7d8615351ce051 */
 /*! uplot 1.6.32
 The MIT License (MIT)
 

@@ -94,12 +94,20 @@ std::string cause_lines(const Causes& causes) {
 
 }  // namespace
 
-std::string place_section(const diagnosis::Diagnosis& diagnosis) {
+Marked marked_causes(const diagnosis::Diagnosis& diagnosis) {
     const bool named = diagnosis.verdict == diagnosis::VerdictKind::kIdentified;
-    const Causes found = named ? found_causes(diagnosis) : Causes{},
-                 possible = named || diagnosis.verdict == diagnosis::VerdictKind::kNone ? Causes{} : possible_causes(diagnosis);
-    const auto in_joint = [](const effects::Cause& cause) { return effects::effect_or_none(cause.id) != nullptr; };
-    if (std::none_of(found.begin(), found.end(), in_joint) && std::none_of(possible.begin(), possible.end(), in_joint)) return "";
+    Marked all{named ? found_causes(diagnosis) : Causes{},
+               named || diagnosis.verdict == diagnosis::VerdictKind::kNone ? Causes{} : possible_causes(diagnosis)};
+    const auto outside = [](const effects::Cause& cause) { return effects::effect_or_none(cause.id) == nullptr; };
+    std::erase_if(all.found, outside);
+    std::erase_if(all.possible, outside);
+    return all;
+}
+
+std::string place_section(const diagnosis::Diagnosis& diagnosis) {
+    const auto [found, possible] = marked_causes(diagnosis);
+    if (found.empty() && possible.empty()) return "";
+    const bool named = !found.empty();
     const std::string words = named ? "Marked: where the effects found lie." : "Marked: where the possible effects lie; none is certain.";
     return section("The faulty place", grid(schematic(found, possible) + card(paragraph(words) + cause_lines(named ? found : possible))));
 }

@@ -7,6 +7,7 @@
 #include "diagnosis/words.h"
 #include "fusee/core/provenance.h"
 #include "fusee/report/diagnosis.h"
+#include "page/bundle.h"
 #include "page/html.h"
 
 namespace fusee::report {
@@ -115,11 +116,13 @@ std::string next_section(const Diagnosis& diagnosis) {
 
 }  // namespace
 
-std::string diagnosis_html(const Diagnosis& diagnosis, const std::string& extra_section_html) {
+std::string diagnosis_html(const Diagnosis& diagnosis, const std::string& extra_section_html, const DesignReport* joint) {
+    const std::string marked = joint != nullptr ? marked_joint_section(diagnosis, *joint) : "";
     return html_page(diagnosis.case_name, diagnosis_head(diagnosis),
-                     trace_section(diagnosis) + where_section(diagnosis) + place_section(diagnosis) + which_section(diagnosis) +
+                     trace_section(diagnosis) + where_section(diagnosis) + place_section(diagnosis) + marked + which_section(diagnosis) +
                          how_far_section(diagnosis) + next_section(diagnosis) + extra_section_html +
-                         section("Remarks", bullet_list(diagnosis.remarks)) + isolability_section(diagnosis) + build_section(diagnosis));
+                         section("Remarks", bullet_list(diagnosis.remarks)) + isolability_section(diagnosis) + build_section(diagnosis),
+                     marked.empty() || !joint->assembly ? "" : joint_bundle());
 }
 
 }  // namespace fusee::report

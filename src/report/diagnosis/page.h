@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "fusee/diagnosis/diagnosis.h"
+#include "fusee/report/report.h"
 
 /// The sections of the diagnosis page, each a pure function of its data and "" without content.
 namespace fusee::report {
@@ -14,6 +15,14 @@ namespace fusee::report {
 [[nodiscard]] std::string trace_section(const diagnosis::Diagnosis& diagnosis);  ///< measured against predicted, the most telling first
 /// A schematic of the joint with the bodies in which the effects lie; "" for a subsystem case and without effects.
 [[nodiscard]] std::string place_section(const diagnosis::Diagnosis& diagnosis);
+/// The causes that a picture of the joint marks.
+struct Marked {
+    std::vector<effects::Cause> found, possible;  ///< possible: while the verdict names none
+};
+/// Without causes outside the joint, as an unknown one.
+[[nodiscard]] Marked marked_causes(const diagnosis::Diagnosis& diagnosis);
+/// The rig's joint in 3D with the bodies in which the effects lie; "" without effects. @pre joint.assembly or a finding that says why not
+[[nodiscard]] std::string marked_joint_section(const diagnosis::Diagnosis& diagnosis, const DesignReport& joint);
 /// The traces that the effects found explain most, or the worst predicted ones: indices, by falling reduction of the squared gap.
 [[nodiscard]] std::vector<std::size_t> most_telling(const std::vector<diagnosis::Trace>& traces, std::size_t most);
 

@@ -2,6 +2,7 @@
 #include "data/json.h"
 #include "design/page.h"
 #include "fusee/assembly/assembly.h"
+#include "scene/marks.h"
 
 /// The pieces of `scene_json`.
 namespace fusee::report {
@@ -15,6 +16,6 @@ namespace fusee::report {
 [[nodiscard]] Json cam_tables_json(const DesignReport& design);
 
 /// Each cable as a line: contact on a cam or end, places that it passes, arc on a drum.
-[[nodiscard]] Json cables_json(const assembly::Assembly& assembly);
+[[nodiscard]] Json cables_json(const assembly::Assembly& assembly, const Marks* marks);
 
 }  // namespace fusee::report

@@ -77,9 +77,17 @@ Json coil_json(const Assembly& a, const Body& body) {
             {"shortens_with", torsion ? -1 : first + kDrawnAgonist}};
 }
 
-Json scene_body_json(const Assembly& a, const Body& body) {
-    const Follows f = follows(a, body);
+std::string shown_colour(const Body& body, const Marks* marks) {
+    if (marks != nullptr) {
+        const auto mark = marks->find(body.name);
+        return mark != marks->end() ? mark->second : kPaleMark;
+    }
     const auto colour = colour_of(body);
+    return fmt::format("#{:02x}{:02x}{:02x}", colour[0], colour[1], colour[2]);
+}
+
+Json scene_body_json(const Assembly& a, const Body& body, const Marks* marks) {
+    const Follows f = follows(a, body);
     const bool mirrored = body.side == Side::kAntagonist;
     return {{"name", body.name},
             {"mesh", body.base_name()},
@@ -91,7 +99,7 @@ Json scene_body_json(const Assembly& a, const Body& body) {
             {"slide", f.slide},
             {"direction", vector_json(f.direction)},
             {"apart_mm", vector_json(moved_apart(a, body))},
-            {"colour", fmt::format("#{:02x}{:02x}{:02x}", colour[0], colour[1], colour[2])},
+            {"colour", shown_colour(body, marks)},
             {"coil", coil_json(a, body)}};
 }
 
@@ -150,7 +158,7 @@ Json dead_band_curve_json(const std::vector<actuator::DeadBand>& band) {
 
 }  // namespace
 
-std::string scene_json(const DesignReport& design, const std::vector<NumberedFinding>& findings) {
+std::string scene_json(const DesignReport& design, const std::vector<NumberedFinding>& findings, const Marks* marks) {
     const Assembly& a = *design.assembly;
     const Json json{{"name", design.provenance.name},
                     {"cable_mm", a.cable_mm},
@@ -158,9 +166,9 @@ std::string scene_json(const DesignReport& design, const std::vector<NumberedFin
                     {"joint_radius_mm", a.joint_radius_mm},
                     {"travel", {{"k_se", travel_json(a.k_se)}, {"k_pe", travel_json(a.k_pe)}}},
                     {"meshes", meshes_json(a)},
-                    {"bodies", json_list(a.bodies, [&a](const Body& body) { return scene_body_json(a, body); })},
+                    {"bodies", json_list(a.bodies, [&](const Body& body) { return scene_body_json(a, body, marks); })},
                     {"grid", grid_json(a, design.actuator)},
-                    {"cables", cables_json(a)},
+                    {"cables", cables_json(a, marks)},
                     {"cams", cam_tables_json(design)},
                     {"findings", finding_places(findings)},
                     {"law", law_curves(design.law)},

@@ -15,7 +15,7 @@ namespace fusee::report {
 
 namespace {
 
-constexpr double kGap = std::numeric_limits<double>::quiet_NaN();  // of a curve
+constexpr double kNoPoint = std::numeric_limits<double>::quiet_NaN();  // of a curve
 
 std::string with_unit(const std::string& name, const std::string& unit) { return unit.empty() ? name : name + " [" + unit + "]"; }
 
@@ -58,11 +58,11 @@ double highest_shown(const CostCurve& curve) {
 
 std::string cost_plot(const CostCurve& curve) {
     const double top = highest_shown(curve);
-    const auto shown = [top](double cost) { return cost <= top ? cost : kGap; };
+    const auto shown = [top](double cost) { return cost <= top ? cost : kNoPoint; };
     std::vector<double> feasible, infeasible, lowest;
     for (std::size_t i = 0; i < curve.cost.size(); ++i) {
-        feasible.push_back(curve.feasible[i] ? shown(curve.cost[i]) : kGap);
-        infeasible.push_back(curve.feasible[i] ? kGap : shown(curve.cost[i]));
+        feasible.push_back(curve.feasible[i] ? shown(curve.cost[i]) : kNoPoint);
+        infeasible.push_back(curve.feasible[i] ? kNoPoint : shown(curve.cost[i]));
     }
     for (const double cost : curve.lowest_cost) lowest.push_back(shown(cost));
     Plot plot("Cost over " + curve.variable, with_unit(curve.variable, curve.unit), "cost");

@@ -52,7 +52,7 @@ export function placeBody(body, channels, explode) {
 function makeCables(scene, bodyOf, channels) {
   const radius = scene.cable_mm / 2;
   return scene.cables.map((data) => {
-    const mesh = new Mesh(tubeGeometry(cableLine(data, channels, bodyOf).length), material(CABLE_COLOUR));
+    const mesh = new Mesh(tubeGeometry(cableLine(data, channels, bodyOf).length), material(data.colour ?? CABLE_COLOUR));
     mesh.name = data.name;
     return { name: data.name, data, mesh, pose: (at) => setTube(mesh.geometry, cableLine(data, at, bodyOf), radius) };
   });

@@ -302,7 +302,7 @@ _fusee_diagnose() {
         '(- *)'{-h,--help}'[Print this help message and exit]' \
         '(-o --out)'{-o+,--out=}'[Folder of diagnosis.json and diagnosis.html]'':folder:_files -/' \
         '(--profile)'--profile='[Profile of the rig]'':file:_files -g "*.(toml)(-.)"' \
-        '(--write-profile)'--write-profile='[File of the profile that suits the rig as diagnosed]'':file:_files -g "*.(toml)(-.)"' \
+        '(--write-profile)'--write-profile='[File of the profile that suits the rig as diagnosed, with --profile]'':file:_files -g "*.(toml)(-.)"' \
         '(-j --jobs)'{-j+,--jobs=}'[Number of threads]'':0 to 1024: ' \
         '(--force)'--force'[Also replace files of another source and changed files]' \
         '(--json)'--json'[Print one JSON object instead of text (docs/json.md)]' \

@@ -35,6 +35,17 @@ TEST(DiagnosisHtml, AnswersWhereWhichAndHowFarInThisOrder) {
                 "-0.21", "62 %", "agonist, push up", ">found<", "motor torque [Nm]: 0.02, 0.05, 0.1", "Leaving out the time log"});
 }
 
+TEST(DiagnosisHtml, AnAmbiguousVerdictMarksTheMostProbableCauseToo) {
+    diagnosis::Diagnosis d = diagnosis();
+    d.verdict = diagnosis::VerdictKind::kAmbiguous;
+    d.effects.resize(1);
+    d.alternatives = {{{{"gear.stribeck", "agonist"}}, 0.3}};
+    const Marked marked = marked_causes(d);
+    EXPECT_TRUE(marked.found.empty());
+    EXPECT_EQ(marked.possible, (std::vector<effects::Cause>{{"gear.coulomb", "agonist"}, {"gear.stribeck", "agonist"}}));
+    expect_all(place_section(d), {"none is certain", "gear.coulomb (agonist): ", "gear.stribeck (agonist): "});
+}
+
 TEST(DiagnosisHtml, EscapesEveryText) {
     diagnosis::Diagnosis d = diagnosis();
     const std::string evil = "<i>&\"";

@@ -65,9 +65,9 @@ std::string side_svg(const Causes& found, const Causes& possible, bool mirrored)
     return out;
 }
 
-/// Causes of the alternatives, without those that are found.
+/// Of the most probable set, which the verdict does not confirm, and of its alternatives.
 Causes possible_causes(const diagnosis::Diagnosis& diagnosis) {
-    Causes all;
+    Causes all = found_causes(diagnosis);
     for (const diagnosis::Alternative& alternative : diagnosis.alternatives)
         all.insert(all.end(), alternative.effects.begin(), alternative.effects.end());
     return all;

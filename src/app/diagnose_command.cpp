@@ -75,16 +75,19 @@ int diagnose(const DiagnoseArguments& arguments, Reply& reply) {
     const pipeline::DesignReport* const shown = joint.design ? &*joint.design : nullptr;
     const diagnosis::Diagnosis found = diagnosis_of(arguments.folder, arguments.jobs);
     const std::string json = diagnosis::diagnosis_json(found);
-    core::write_file(output.path() / "diagnosis.html", report::diagnosis_html(found, "", shown));
     core::write_file(output.path() / "diagnosis.json", json);
     RedesignStep::Output redesigned;
+    const auto write_page = [&] {
+        core::write_file(output.path() / "diagnosis.html", report::diagnosis_html(found, redesigned.section, shown));
+    };
     if (redesign) try {
             redesigned = redesign->write(found, output.path());
-            core::write_file(output.path() / "diagnosis.html", report::diagnosis_html(found, redesigned.section, shown));
         } catch (const core::InvalidInput&) {  // a value that no profile can hold: the diagnosis is written nevertheless
+            write_page();
             output.commit();
             throw;
         }
+    write_page();
     output.commit();
     reply.result = {{"folder", arguments.out.string()}};
     reply.set("diagnosis", json);

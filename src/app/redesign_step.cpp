@@ -9,20 +9,31 @@
 #include "fusee/report/redesign.h"
 #include "fusee/subsystem/subsystem.h"
 #include "made_parts.h"
+#include "places.h"
 
 namespace fusee::app {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+/// @param option the one that a case without a joint makes useless. @throws core::InvalidInput if case and profile are not of one rig
+gap_case::Case case_of_rig(const fs::path& folder, const profile::Profile& profile, const char* option) {
+    if (gap_case::is_subsystem_case(folder))
+        throw core::InvalidInput(option, folder.string(), "a case with [rig]: a subsystem case has no cams");
+    gap_case::Case gap_case = gap_case::read_case(folder);
+    with_places(profile, [&] { (void)redesign::require_same_rig(profile, gap_case); });
+    return gap_case;
+}
+
+}  // namespace
 
 RedesignStep::RedesignStep(const fs::path& profile, const fs::path& file, const fs::path& case_folder, bool force)
     : file_(file), force_(force), toml_(core::read_file(profile, profile::kLargestFile)), profile_(profile::parse_profile(toml_, profile)) {
     if (fs::weakly_canonical(file) == fs::weakly_canonical(profile))
         throw core::InvalidInput("--write-profile", file.string(), "a file other than --profile, which is not changed");
     if (std::error_code ignored; fs::exists(file, ignored)) core::require_new_file(file, force);
-    if (gap_case::is_subsystem_case(case_folder))
-        throw core::InvalidInput("--write-profile", case_folder.string(), "a case with [rig]: a subsystem case has no cams");
-    gap_case_ = gap_case::read_case(case_folder);
-    (void)redesign::require_same_rig(profile_, gap_case_);
+    gap_case_ = case_of_rig(case_folder, profile_, "--write-profile");
 }
 
 RedesignStep::Output RedesignStep::write(const diagnosis::Diagnosis& found, const fs::path& folder) const {
@@ -35,10 +46,8 @@ RedesignStep::Output RedesignStep::write(const diagnosis::Diagnosis& found, cons
 
 RigJoint rig_joint(const fs::path& profile, const fs::path& case_folder) {
     if (profile.empty()) return {};
-    if (gap_case::is_subsystem_case(case_folder))
-        throw core::InvalidInput("--profile", case_folder.string(), "a case with [rig]: a subsystem case has no joint");
     const profile::Profile rig = profile::read_profile(profile);
-    (void)redesign::require_same_rig(rig, gap_case::read_case(case_folder));
+    (void)case_of_rig(case_folder, rig, "--profile");
     auto made = made_parts(rig);
     if (!made) return {std::nullopt, "the profile's parts are refused: fusee make " + profile.string() + " says why"};
     return {std::move(made).value().report, ""};

@@ -77,7 +77,8 @@ int with_output(int code) {
     const bool lost = std::fflush(stdout) != 0 || std::ferror(stdout) != 0 || !std::cout;
     if (!lost) return code;
     errno = 0;
-    const bool told = ::write(STDOUT_FILENO, "\n", 1) < 0 && errno != EBADF;  // the streams do not keep the reason: one more write gives it
+    // The streams do not keep the reason: writing one more line end gives it.
+    const bool told = ::write(STDOUT_FILENO, "\n", 1) < 0 && errno != EBADF;
     fmt::print(stderr, "fusee: standard output cannot be written: {}\n", told ? std::strerror(errno) : "it is closed");
     return std::max(code, kBadInput);
 }

@@ -2,7 +2,10 @@
 #include <string>
 
 #include "fusee/diagnosis/diagnosis.h"
-#include "fusee/pipeline/design_report.h"
+
+namespace fusee::pipeline {
+struct DesignReport;
+}  // namespace fusee::pipeline
 
 /// A diagnosis of the gap between model and rig, for a person (docs/gap.md). diagnosis.json is written by diagnosis::diagnosis_json.
 namespace fusee::report {

@@ -17,45 +17,45 @@ namespace {
 
 constexpr const char *kFaultyMark = "#d32f2f", *kPossibleMark = "#ef9b0f";
 
-/// Where effects lie in the model of the joint: bodies by base name, or a cable; the first row whose `part` begins the effect's id counts.
+/// Where effects lie in the model of the joint; the first row whose `part` begins the effect's id counts.
 struct Lies {
     std::string_view part;
-    std::vector<std::string> bodies;
-    std::string cable;
-    std::string_view note;  ///< what the model leaves out
+    std::array<std::string_view, 2> bodies;  ///< base names; "" for none
+    std::string_view cable, note;            ///< note: what the model leaves out
 };
-const std::array kLies{Lies{"se.radius", {"k_se"}, "", ""},
-                       Lies{"se.", {"k_se_spring"}, "", ""},
-                       Lies{"pe.radius", {"k_pe"}, "", ""},
-                       Lies{"pe.", {"k_pe_spring"}, "", ""},
-                       Lies{"gear.", {"capstan", "motor_shaft"}, "", "the gear itself is not modelled"},
-                       Lies{"motor.", {"motor_shaft"}, "", "the motor itself is not modelled"},
-                       Lies{"joint.stop", {"joint_stops"}, "", ""},
-                       Lies{"joint.", {"joint_pulley"}, "", ""},
-                       Lies{"cable.", {}, "series cable", ""}};
+constexpr std::array kLies{Lies{"se.radius", {"k_se"}, "", ""},
+                           Lies{"se.", {"k_se_spring"}, "", ""},
+                           Lies{"pe.radius", {"k_pe"}, "", ""},
+                           Lies{"pe.", {"k_pe_spring"}, "", ""},
+                           Lies{"gear.", {"capstan", "motor_shaft"}, "", "; the gear itself is not modelled"},
+                           Lies{"motor.", {"motor_shaft"}, "", "; the motor itself is not modelled"},
+                           Lies{"joint.stop", {"joint_stops"}, "", ""},
+                           Lies{"joint.", {"joint_pulley"}, "", ""},
+                           Lies{"cable.", {}, "series cable", ""},
+                           Lies{"", {}, "", ""}};  // sensors and controller have no body
 
-/// Names in the scene; empty for sensors and controller, which have no body.
+const Lies& lies_of(const effects::Cause& cause) {
+    return *std::find_if(kLies.begin(), kLies.end(), [&](const Lies& lies) { return cause.id.starts_with(lies.part); });
+}
+
+/// Names in the scene. A body without a side has its base name.
 std::vector<std::string> marked_names(const assembly::Assembly& joint, const effects::Cause& cause) {
-    const auto lies = std::find_if(kLies.begin(), kLies.end(), [&](const Lies& l) { return cause.id.starts_with(l.part); });
+    const Lies& lies = lies_of(cause);
     std::vector<std::string> names;
-    if (lies == kLies.end()) return names;
-    for (const char* const side : {"agonist", "antagonist"}) {
+    for (const char* const side : {"agonist", "antagonist", ""}) {
         if (cause.side != side && cause.side != "both" && cause.side != "none") continue;
-        if (!lies->cable.empty()) names.push_back(lies->cable + ", " + side);
-        for (const std::string& body : lies->bodies)
-            if (joint.find(body + "_" + side) != nullptr) names.push_back(body + "_" + side);
+        const std::string end = side;
+        if (!end.empty() && !lies.cable.empty()) names.push_back(fmt::format("{}, {}", lies.cable, end));
+        for (const std::string_view body : lies.bodies)
+            if (const std::string name = fmt::format("{}{}{}", body, end.empty() ? "" : "_", end); joint.find(name) != nullptr)
+                names.push_back(name);
     }
-    for (const std::string& body : lies->bodies)
-        if (joint.find(body) != nullptr) names.push_back(body);
     return names;
 }
 
 std::string place_line(const effects::Cause& cause, const std::vector<std::string>& names) {
     if (names.empty()) return cause_name(cause) + ": no body of the model is marked";
-    const auto lies = std::find_if(kLies.begin(), kLies.end(), [&](const Lies& l) { return cause.id.starts_with(l.part); });
-    std::string list;
-    for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-    return fmt::format("{}: {}{}{}", cause_name(cause), list, lies->note.empty() ? "" : "; ", lies->note);
+    return fmt::format("{}: {}{}", cause_name(cause), fmt::join(names, ", "), lies_of(cause).note);
 }
 
 }  // namespace

@@ -9,4 +9,9 @@ using Marks = std::map<std::string, std::string>;
 
 inline constexpr const char* kPaleMark = "#c9ced6";
 
+inline std::string mark_of(const Marks& marks, const std::string& name) {
+    const auto mark = marks.find(name);
+    return mark != marks.end() ? mark->second : kPaleMark;
+}
+
 }  // namespace fusee::report

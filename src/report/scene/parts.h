@@ -16,6 +16,7 @@ namespace fusee::report {
 [[nodiscard]] Json cam_tables_json(const DesignReport& design);
 
 /// Each cable as a line: contact on a cam or end, places that it passes, arc on a drum.
+/// @param marks null: no colour of its own
 [[nodiscard]] Json cables_json(const assembly::Assembly& assembly, const Marks* marks);
 
 }  // namespace fusee::report

@@ -78,10 +78,7 @@ Json coil_json(const Assembly& a, const Body& body) {
 }
 
 std::string shown_colour(const Body& body, const Marks* marks) {
-    if (marks != nullptr) {
-        const auto mark = marks->find(body.name);
-        return mark != marks->end() ? mark->second : kPaleMark;
-    }
+    if (marks != nullptr) return mark_of(*marks, body.name);
     const auto colour = colour_of(body);
     return fmt::format("#{:02x}{:02x}{:02x}", colour[0], colour[1], colour[2]);
 }

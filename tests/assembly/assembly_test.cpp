@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -80,6 +81,24 @@ TEST(Assemblies, AGuideWithoutAPlaceIsNotModelled) {
     EXPECT_EQ(refused.refusal().front().where, "k_pe");
 }
 
+// Area of the section of all drums of a body: that of circle less bore.
+TEST(Assemblies, TheCapstanHasTheKeywayOfItsShaft) {
+    const auto bore_area = [](const Assembly& a) {
+        const Extrusion& floor = a.find("capstan_antagonist")->shapes.front();
+        return core::kPi * floor.radius_mm * floor.radius_mm - solid::volume_mm3(mesh_of(floor)) / floor.length_mm;
+    };
+    const solid::HubOptions& hub = pnrvsa().drive.k_pe->options.hub;
+    ASSERT_EQ(hub.lock, solid::HubLock::kKeyway);
+    EXPECT_NEAR(bore_area(pnrvsa()), solid::area_mm2(solid::bore_outline(hub)), 3.0)
+        << "a keyway has 6 mm^2; the rim is a polygon within 0.02 mm";
+    Drive drive = pnrvsa().drive;
+    solid::Part wide = *drive.k_pe;
+    wide.options.hub.key_depth = 0.03;
+    drive.k_pe = std::make_shared<solid::Part>(wide);
+    const Assembly round = assemble(drive, 0.03, 0.03, {}).value();
+    EXPECT_TRUE(round.find("capstan_agonist")->shapes.front().bores.front().front().full()) << "no keyway beyond the rim";
+}
+
 TEST(Rules, MotorsThatAreTooNearMeetTheCarriage) {
     EXPECT_EQ(finding(pnrvsa(), "joint.body_gap").severity, core::Severity::kPass);
     const core::Finding near = finding(with({.motor_distance = 0.180}), "joint.body_gap");
@@ -155,11 +174,35 @@ TEST(Bill, NamesTheWireOfASpringAndItsHand) {
 
 TEST(Bill, NamesHowACableEnds) {
     Assembly crimped = pnrvsa();
-    crimped.drive.termination = checks::Termination::kCrimp;
+    crimped.drive.cable.termination = checks::Termination::kCrimp;
     for (const char* cable : {"drive cable", "series cable", "parallel cable"}) {
         EXPECT_EQ(count_of(pnrvsa(), cable, "30 mm for the knot at each end"), 1U) << cable;
         EXPECT_EQ(count_of(crimped, cable, "30 mm for the crimp at each end"), 1U) << cable;
     }
+}
+
+TEST(Bill, NamesTheCableAndTheLoadThatItHolds) {
+    Assembly unstated = pnrvsa();
+    unstated.drive.cable.breaking_load = 0.0, unstated.drive.cable.construction = "7x19";
+    EXPECT_EQ(count_of(pnrvsa(), "series cable", "0.8 mm fibre, cut to"), 1U);
+    EXPECT_EQ(count_of(pnrvsa(), "series cable", fmt::format("breaking load at least {:g} N", pnrvsa().drive.cable.breaking_load)), 1U);
+    EXPECT_EQ(count_of(unstated, "series cable", "0.8 mm 7x19, cut to"), 1U);
+    EXPECT_EQ(count_of(unstated, "series cable", "that of a usual cable"), 1U);
+}
+
+// Along the axis the leg reaches through half the gap to the slot's bottom; the other one ends behind the pin.
+TEST(Bill, NamesTheLegsOfTheTorsionSpringAndTheScrews) {
+    const solid::FeatureOptions& slot = pnrvsa().drive.k_se->options.features;
+    EXPECT_EQ(count_of(pnrvsa(), "torsion spring", fmt::format("a leg along the axis, {:.1f} mm long", 1e3 * slot.leg_slot_depth + 0.5)),
+              1U);
+    EXPECT_EQ(count_of(pnrvsa(), "torsion spring",
+                       fmt::format("a radial leg that ends {:.1f} mm from the axis",
+                                   pnrvsa().leg_pin_mm + 2.0 + 1e3 * pnrvsa().drive.k_se_spring.wire_diameter)),
+              1U);
+    for (const char* screw : {"rod screw", "seat screw", "screws of frame and motors"})
+        EXPECT_EQ(count_of(pnrvsa(), screw, ""), 1U) << screw;
+    const Assembly& paper = shipped_joint("paper/new_cams").assembly;
+    EXPECT_EQ(count_of(paper, "guide tube", "4 mm, bore of 1.2 mm at least"), 1U);
 }
 
 TEST(Bill, KeysHaveALengthThatIsSold) {

@@ -144,6 +144,14 @@ TEST(Rules, ASmallPulleyWindsMoreThanATurn) {
     EXPECT_NEAR(finding(small, "joint.winding").measured, 30.0 + 2.0 * 89.82 * 2.5, 0.5) << "all that the springs allow, below 8 rad";
 }
 
+TEST(Rules, ACapstanOfMoreThanATurnNeedsAHelicalGroove) {
+    const core::Finding f = finding(shipped_joint("paper/new_cams").assembly, "joint.winding");
+    EXPECT_EQ(f.severity, core::Severity::kWarning);
+    EXPECT_NEAR(f.measured, 525.9, 0.1);
+    EXPECT_NE(f.suggestion.find("1.50 turns, 1 mm apart, which is not modelled; or a law that ends at 315 deg"), std::string::npos)
+        << f.suggestion;
+}
+
 TEST(Bill, HasEveryCableWithItsLength) {
     const std::vector<BillRow> rows = bill_of(pnrvsa());
     for (const char* item :

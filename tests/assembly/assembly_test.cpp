@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <random>
 
 #include "fixture.h"
 #include "fusee/assembly/bill.h"
@@ -123,6 +124,52 @@ TEST(Stops, ArePlacedAtTheEndsOfTheRange) {
         EXPECT_NEAR(distance(end), 0.0, 0.03) << range;
         EXPECT_NEAR(distance(-end), 0.0, 0.03) << range;
         EXPECT_NEAR(distance(0.9 * end), 0.1 * end * radius, 0.06 * end * radius) << range;
+    }
+}
+
+/// A thin rod along z, far from all else.
+Body thin_rod(const std::string& name, Motion motion, double x_mm, double y_mm) {
+    Body body{name, Side::kAgonist, motion, Eigen::Isometry3d(Eigen::Translation3d(x_mm, y_mm, 0.0)), {round(0.1, 0.0, 5.0)}, nullptr, {}};
+    body.prisms = {prism_of(body.shapes.front(), Eigen::Isometry3d::Identity())};
+    return body;
+}
+
+// Two rods of 0.1 mm, one of which slides past the other: none of the 33 sampled poses, 1.5 mm apart, sees that they meet.
+TEST(Gaps, WhatMeetsBetweenTheSamplesIsFound) {
+    Assembly a = pnrvsa();
+    const double way = a.capstan_radius_mm * a.greatest_turn, met = -way * 10.5 / 32.0;
+    a.bodies = {thin_rod("slider_agonist", Motion::kCarriage, 300.0, 0.0), thin_rod("post_agonist", Motion::kFixed, 300.0, met)};
+    const std::vector<Gap> meet = body_gaps(a, 0.9);
+    ASSERT_EQ(meet.size(), 1U);
+    EXPECT_LT(meet.front().mm, 0.06);
+    EXPECT_LT(meet.front().proven_mm, 0.06);
+    EXPECT_NEAR(meet.front().pose.agonist.turn, a.greatest_turn * 10.5 / 32.0, 0.02);
+    a.bodies[1] = thin_rod("post_agonist", Motion::kFixed, 301.2, met);
+    const std::vector<Gap> apart = body_gaps(a, 0.9);
+    EXPECT_GE(apart.front().proven_mm, 0.9);
+    EXPECT_LE(apart.front().proven_mm, 1.0 + 1e-9);
+    EXPECT_TRUE(is_proven(apart.front(), 0.9));
+}
+
+TEST(Gaps, NoPoseIsNearerThanProven) {
+    for (const char* profile : {"pnrvsa", "paper/new_cams"}) {
+        const Assembly& a = shipped_joint(profile).assembly;
+        std::mt19937_64 random(7);
+        std::uniform_real_distribution<double> share(0.0, 1.0);
+        std::vector<Pose> poses;
+        for (int i = 0; i < 60; ++i)
+            poses.push_back({{share(random) * a.greatest_turn, share(random) * a.greatest_payout_mm},
+                             {share(random) * a.greatest_turn, share(random) * a.greatest_payout_mm}});
+        for (const Gap& gap : body_gaps(a, 0.9)) {
+            EXPECT_TRUE(is_proven(gap, 0.9)) << gap.a << " and " << gap.b;
+            const Body &one = *a.find(gap.a), &other = *a.find(gap.b);
+            for (const Pose& pose : poses)
+                for (const Prism& p : one.prisms)
+                    for (const Prism& q : other.prisms)
+                        EXPECT_GE(distance_mm(placed(p, placement(a, one, pose)), placed(q, placement(a, other, pose)), 20.0) + 1e-9,
+                                  gap.proven_mm)
+                            << gap.a << " and " << gap.b;
+        }
     }
 }
 

@@ -76,7 +76,9 @@ int with_output(int code) {
     std::cout.flush();
     const bool lost = std::fflush(stdout) != 0 || std::ferror(stdout) != 0 || !std::cout;
     if (!lost) return code;
-    fmt::print(stderr, "fusee: standard output cannot be written: {}\n", errno != 0 ? std::strerror(errno) : "it is closed");
+    errno = 0;
+    const bool told = ::write(STDOUT_FILENO, "\n", 1) < 0 && errno != EBADF;  // the streams do not keep the reason: one more write gives it
+    fmt::print(stderr, "fusee: standard output cannot be written: {}\n", told ? std::strerror(errno) : "it is closed");
     return std::max(code, kBadInput);
 }
 

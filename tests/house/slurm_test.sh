@@ -1,9 +1,9 @@
 #!/bin/bash
-# A study of 200 designs as a job array on two nodes, one of which is lost half way, ends with the index of one process.
-# slurm_test.sh PROGRAM SOURCE
+# A study as a job array on two nodes, one of which is lost half way, ends with the index of one process.
+# slurm_test.sh PROGRAM SOURCE [DESIGNS]     60 designs, or as many as are named
 . "$(dirname -- "$0")/lib.sh"
 . "$(dirname -- "$0")/slurm_cluster.sh"
-program=$1 source=$2
+program=$1 source=$2 designs=${3:-60}
 [ "$(id -u)" = 0 ] || skip 'starting Slurm needs root'
 for tool in $cluster_programs; do command -v "$tool" >/dev/null || skip "$tool is not installed"; done
 
@@ -11,7 +11,7 @@ cat >"$work/study.toml" <<END
 [study]
 base = "$source/profiles/pnrvsa.toml"
 method = "latin_hypercube"
-count = 200
+count = $designs
 outputs = "figures"
 [vary]
 rig.peak_torque_Nm = {from = 0.9, to = 1.2}
@@ -28,8 +28,8 @@ index_job=$(sed -n 's/.* job \([0-9]*\) for the index.*/\1/p' "$work/submitted")
 [ -n "$index_job" ] || fail "no job for the index: $(cat "$work/submitted")"
 "$program" batch study.toml --out one --jobs 1 >"$work/log" 2>&1 & # at the same time, in another folder
 
-for _ in $(seq 300); do # half way: 60 rows
-    if [ "$(cat array/study/rows/*.jsonl 2>/dev/null | wc -l)" -ge 60 ]; then break; fi
+for _ in $(seq 300); do # well under way
+    if [ "$(cat array/study/rows/*.jsonl 2>/dev/null | wc -l)" -ge $((designs * 3 / 10)) ]; then break; fi
     sleep 0.2
 done
 cluster_crash n2
@@ -43,4 +43,4 @@ for file in index.csv index.sqlite index.html; do
     cmp "one/study/$file" "array/study/$file" || fail "$file differs from that of one process"
 done
 again=$(grep -c NODE_FAIL "$work/cluster/log/jobcomp.txt" || true)
-printf '200 designs in 8 tasks, %s ended by the lost node and run again, index as of one process\n' "$again"
+printf '%s designs in 8 tasks, %s ended by the lost node and run again, index as of one process\n' "$designs" "$again"

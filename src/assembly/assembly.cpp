@@ -151,7 +151,7 @@ core::Outcome<Assembly> assemble(Drive drive, double capstan_radius, double join
     const Layout l = lay_out(a.drive, capstan_radius, joint_radius, options, a.greatest_turn);
     a.capstan_radius_mm = l.capstan, a.joint_radius_mm = l.joint, a.cable_mm = l.cable;
     a.motor_distance_mm = -l.motor_axis.y(), a.carriage_rear_mm = l.carriage_rear;
-    a.plane_mm = l.plane;
+    a.plane_mm = l.plane, a.leg_pin_mm = l.leg_pin;
     a.joint_range = 2.0 * l.capstan * a.greatest_turn / l.joint;  // one capstan at each end of its range
     a.joint_range = std::min(a.joint_range, options.joint_range > 0.0 ? options.joint_range : kMostRange);
     const Eigen::Vector3d up(0.0, 0.0, a.plane_mm);

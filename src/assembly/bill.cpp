@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "fusee/checks/limits.h"
+#include "fusee/checks/standard_sizes.h"
 #include "layout.h"
 
 namespace fusee::assembly {
@@ -48,6 +49,20 @@ std::string torsion_size(const spring::BaseSpring& s) {
     return fmt::format("{:g} Nm/rad, wire {}{}, mean coil {}, coils {}", s.rate, stated(mm_from_m(s.wire_diameter), " mm"), wire_of(s),
                        stated(mm_from_m(s.coil_diameter), " mm"), stated(s.active_coils, ""));
 }
+/// Straight lengths of the legs from the coil on: along the axis into the slot of K_SE, and past the pin of the carriage.
+std::string legs_of(const Assembly& a) {
+    const spring::BaseSpring& s = a.drive.k_se_spring;
+    const solid::FeatureOptions& slot = a.drive.k_se->options.features;
+    if (s.wire_diameter <= 0.0 || s.coil_diameter <= 0.0 || slot.leg_slot_depth <= 0.0)
+        return "ends: straight legs, their lengths not stated";
+    const double coil = mm_from_m(0.5 * s.coil_diameter), in_slot = mm_from_m(slot.leg_slot_depth) + 0.5 * mm_from_m(a.options.gap);
+    const double beyond = a.leg_pin_mm + kLegPin_mm + mm_from_m(s.wire_diameter);
+    return fmt::format(
+        "ends: a leg along the axis, {:.1f} mm long, {:g} mm from the axis, for the slot of k_se; a radial leg that ends {:.1f} "
+        "mm from the axis, {:.1f} mm from the coil, for the pin of the carriage",
+        in_slot, mm_from_m(slot.leg_slot_radius), beyond, beyond - coil);
+}
+
 /// Hands of the torsion springs, one a side.
 std::string hands_of(const spring::BaseSpring& agonist) {
     if (agonist.hand == spring::Hand::kUnknown) return "one of each hand";
@@ -59,6 +74,36 @@ std::string compression_size(const spring::BaseSpring& s) {
     return fmt::format("{:g} N/m, wire {}{}, mean coil {}, active coils {}, free length {}", s.rate,
                        stated(mm_from_m(s.wire_diameter), " mm"), wire_of(s), stated(mm_from_m(s.coil_diameter), " mm"),
                        stated(s.active_coils, ""), stated(mm_from_m(s.free_length), " mm"));
+}
+
+/// Stated, or that of a usual cable.
+std::string breaking_text(const checks::Cable& cable) {
+    if (cable.breaking_load > 0.0) return fmt::format("breaking load at least {:g} N", cable.breaking_load);
+    return fmt::format("breaking load not stated: that of a usual cable, {:.0f} N, is assumed",
+                       checks::usual_cable(cable.construction, cable.diameter));
+}
+
+/// What stands inside the coils, where the profile states its diameter.
+void add_rods(const Assembly& a, std::vector<BillRow>& rows) {
+    const double arbor = mm_from_m(a.drive.k_se_spring.rod_diameter), tube = mm_from_m(a.drive.k_pe_spring.rod_diameter),
+                 axle = mm_from_m(a.drive.k_se->options.hub.bore_diameter);
+    if (arbor > axle)
+        rows.push_back(
+            {"spring arbor", 2, fmt::format("sleeve, {:g} x {:g} mm", axle, arbor), "on the spool axle, inside the torsion spring"});
+    if (tube > 0.0)
+        rows.push_back({"guide tube", 2, fmt::format("{:g} mm, bore of {:.1f} mm at least", tube, 1.5 * a.cable_mm),
+                        "around the parallel cable, inside the compression spring; not modelled"});
+}
+
+/// The frame is not modelled; what is screwed to it is.
+void add_screws(const Assembly& a, std::vector<BillRow>& rows) {
+    rows.push_back(
+        {"rod screw", 8, "ISO 4762, M3, 6 mm longer than the frame is thick there", "one in a thread in each end of the carriage rods"});
+    if (a.find("k_pe_seat_agonist") != nullptr)
+        rows.push_back({"seat screw", 4,
+                        fmt::format("ISO 4762, M3, {:.0f} mm longer than the frame is thick there", mm_from_m(a.options.wall)),
+                        "two in each k_pe_seat; their holes of 3.4 mm are not modelled, they follow the frame"});
+    rows.push_back({"screws of frame and motors", 0, "not known", "frame and motors are not modelled: count and size follow them"});
 }
 
 double length_of(const Assembly& a, const char* body) {
@@ -93,11 +138,14 @@ void add_lock(const solid::Part& part, std::vector<BillRow>& rows) {
         rows.push_back({"set screw", 2, fmt::format("for the hole of {:g} mm", mm_from_m(hub.screw_diameter)), "in " + name});
 }
 
-/// The capstan is locked as K_PE on the same shaft is. Its bore is modelled round.
+/// The capstan is locked as K_PE on the same shaft is.
 void add_capstan_lock(const Assembly& a, std::vector<BillRow>& rows) {
     const solid::HubOptions& hub = a.drive.k_pe->options.hub;
     if (hub.lock == solid::HubLock::kKeyway)
-        rows.push_back(key(hub, length_of(a, "capstan_agonist"), "the capstan; its keyway is not modelled"));
+        rows.push_back(key(hub, length_of(a, "capstan_agonist"),
+                           capstan_has_lock(hub, a.capstan_radius_mm - 0.5 * a.cable_mm)
+                               ? "the capstan"
+                               : "the capstan; its keyway is not modelled: less than 1 mm would be left over it"));
     if (hub.lock == solid::HubLock::kSetScrew)
         rows.push_back({"set screw", 2, fmt::format("for a hole of {:g} mm", mm_from_m(hub.screw_diameter)),
                         "in the capstan; its hole is not modelled"});
@@ -138,15 +186,17 @@ std::vector<BillRow> bill_of(const Assembly& a) {
         if (a.find(std::string(name) + "_agonist") != nullptr)
             rows.push_back({name, 2, "as in assembly.step or assembly.3mf (formats step, 3mf)", kMirrorImage});
     rows.push_back({"joint_pulley", 1, "as in assembly.step or assembly.3mf (formats step, 3mf)", ""});
-    rows.push_back({"torsion spring", 2, torsion_size(a.drive.k_se_spring), hands_of(a.drive.k_se_spring) + "; ends: straight legs"});
+    rows.push_back({"torsion spring", 2, torsion_size(a.drive.k_se_spring), hands_of(a.drive.k_se_spring) + "; " + legs_of(a)});
     rows.push_back({"compression spring", 2, compression_size(a.drive.k_pe_spring), "ends closed and ground"});
     for (const Cable& cable : a.cables)
         if (cable.side == Side::kAgonist)
             rows.push_back({std::string(to_string(cable.kind)) + " cable", 2,
-                            fmt::format("{:g} mm, cut to {:.0f} mm", a.cable_mm, cable.cut_mm()),
-                            fmt::format("{:.1f} mm from anchor to anchor, {:g} mm for the {} at each end", cable.length_mm, kCableEnd_mm,
-                                        checks::to_string(a.drive.termination))});
+                            fmt::format("{:g} mm {}, cut to {:.0f} mm", a.cable_mm, a.drive.cable.construction, cable.cut_mm()),
+                            fmt::format("{:.1f} mm from anchor to anchor, {:g} mm for the {} at each end; {}", cable.length_mm,
+                                        kCableEnd_mm, checks::to_string(a.drive.cable.termination), breaking_text(a.drive.cable))});
     add_shafts(a, rows);
+    add_rods(a, rows);
+    add_screws(a, rows);
     add_lock(*a.drive.k_se, rows);
     add_lock(*a.drive.k_pe, rows);
     add_capstan_lock(a, rows);

@@ -18,12 +18,38 @@ Body shaped(std::string name, Motion motion, const Eigen::Isometry3d& rest, std:
     return body;
 }
 
-/// A drum with one groove: floor and two flanges.
-std::vector<Extrusion> drum(const Layout& l, double radius_mm, double bore_mm) {
+/// About its own axis by `angle` [rad].
+void turn(Extrusion& shape, double angle) { shape.frame = shape.frame * Eigen::AngleAxisd(angle, Vector3d::UnitZ()); }
+
+/// A drum with one groove: floor and two flanges. Its bore is K_PE's, with keyway or flat.
+std::vector<Extrusion> drum(const Layout& l, double radius_mm, const solid::HubOptions& hub, double lock_angle) {
     const double flange = flange_mm(radius_mm, l.cable);
-    return {round(radius_mm - 0.5 * l.cable, -l.drum, l.drum, bore_mm), round(flange, -l.drum - kFlange_mm, -l.drum, bore_mm),
-            round(flange, l.drum, l.drum + kFlange_mm, bore_mm)};
+    std::vector<Extrusion> shapes{round(radius_mm - 0.5 * l.cable, -l.drum, l.drum), round(flange, -l.drum - kFlange_mm, -l.drum),
+                                  round(flange, l.drum, l.drum + kFlange_mm)};
+    for (Extrusion& shape : shapes) turn(shape, lock_angle), shape.bores.push_back(capstan_bore(hub, radius_mm - 0.5 * l.cable));
+    return shapes;
 }
+
+/// A shaft whose length from `flat_low` to `flat_high` has the flat of a hub with a D-flat; else round all along.
+std::vector<Extrusion> shaft_with_flat(const solid::HubOptions& hub, double lock_angle, double low, double high, double flat_low,
+                                       double flat_high) {
+    const double radius = 0.5 * core::mm_from_m(hub.bore_diameter);
+    if (hub.lock != solid::HubLock::kDFlat) return {round(radius, low, high)};
+    std::vector<Extrusion> shapes;
+    const auto add = [&](double from, double to, solid::Outline outline) {
+        if (from >= to) return;
+        shapes.push_back(round(radius, from, to));
+        shapes.back().outline = std::move(outline);
+        turn(shapes.back(), lock_angle);
+    };
+    add(low, flat_low, solid::circle(radius));
+    add(flat_low, flat_high, solid::flat_shaft_outline(hub));
+    add(flat_high, high, solid::circle(radius));
+    return shapes;
+}
+
+/// Direction of a part's keyway or flat in the plane [rad].
+double lock_angle(const Eigen::Isometry3d& part) { return std::atan2(part.linear()(1, 0), part.linear()(0, 0)); }
 
 Body cam_body(std::string name, Motion motion, const Eigen::Isometry3d& rest, const solid::Part& part) {
     constexpr int kLayersOfHelix = 12;
@@ -56,8 +82,7 @@ Body carriage(const Layout& l, const Drive& drive) {
         wall.holes = {{-0.5 * (wall_high + l.base_high), shift, hole}};
         shapes.push_back(wall);
     }
-    const double pin = l.spool_reach + l.gap + 2.0;
-    shapes.push_back(rod({-pin, 0.0, l.base_high}, Vector3d::UnitZ(), 2.0, l.spool_high + 4.0 - l.base_high));
+    shapes.push_back(rod({-l.leg_pin, 0.0, l.base_high}, Vector3d::UnitZ(), kLegPin_mm, l.spool_high + 4.0 - l.base_high));
     for (const double x : {-half + kBush_mm, half - kBush_mm})
         for (const double y : {rear, front + l.wall - 19.0})
             shapes.push_back(rod({x, y, low - kBush_mm}, Vector3d::UnitY(), kBush_mm, 19.0, kRod_mm));
@@ -74,10 +99,14 @@ Body rods(const Layout& l) {
     return shaped("rods", Motion::kFixed, Eigen::Isometry3d::Identity(), std::move(shapes));
 }
 
-/// The axle of a spool, the sleeve in which it turns, and the rings that hold it and the spool along the axis.
-void add_axle(const Layout& l, double radius, std::vector<Body>& to) {
+/// The axle of a spool, the sleeve in which it turns, and the rings that hold it and the spool along the axis. A flat reaches from the
+/// spool to the upper end, over which the spool is put on; in the sleeve the axle is round.
+void add_axle(const Layout& l, const solid::HubOptions& hub, std::vector<Body>& to) {
+    const double radius = 0.5 * core::mm_from_m(hub.bore_diameter);
     const double low = l.base_high - l.wall, ring = ring_mm(2.0 * radius), above = l.carriage_high - kAxleEnd_mm;
-    to.push_back(shaped("axle", Motion::kSpool, at(l.spool_axis), {round(radius, low - kAxleEnd_mm, l.carriage_high)}));
+    to.push_back(
+        shaped("axle", Motion::kSpool, at(l.spool_axis),
+               shaft_with_flat(hub, lock_angle(l.k_se), low - kAxleEnd_mm, l.carriage_high, l.spool_low - 0.5 * l.gap, l.carriage_high)));
     to.push_back(
         shaped("axle_sleeve", Motion::kCarriage, at(l.spool_axis), {round(0.5 * sleeve_mm(2.0 * radius), low, l.base_high, radius)}));
     to.push_back(
@@ -120,16 +149,20 @@ void add_springs(const Layout& l, const Drive& drive, std::vector<Body>& to) {
 }  // namespace
 
 std::vector<Body> side_bodies(const Layout& l, const Drive& drive) {
-    const double shaft = bore_radius_mm(*drive.k_pe), axle = bore_radius_mm(*drive.k_se);
+    const double shaft = bore_radius_mm(*drive.k_pe), lock = lock_angle(l.k_pe), drum_half = l.drum + kFlange_mm;
+    const solid::HubOptions& hub = drive.k_pe->options.hub;
+    const bool below = l.k_pe.translation().z() < 0.0;  // the flat reaches from K_PE's end of the shaft through the capstan
     std::vector<Body> all;
-    all.push_back(shaped("capstan", Motion::kCapstan, at(l.motor_axis), drum(l, l.capstan, shaft)));
-    all.push_back(shaped("motor_shaft", Motion::kCapstan, at(l.motor_axis), {round(shaft, l.shaft_low, l.shaft_high)}));
+    all.push_back(shaped("capstan", Motion::kCapstan, at(l.motor_axis), drum(l, l.capstan, hub, lock)));
+    all.push_back(
+        shaped("motor_shaft", Motion::kCapstan, at(l.motor_axis),
+               shaft_with_flat(hub, lock, l.shaft_low, l.shaft_high, below ? l.shaft_low : -drum_half, below ? drum_half : l.shaft_high)));
     all.push_back(shaft_collar(l, shaft));
     all.push_back(cam_body("k_pe", Motion::kCapstan, l.k_pe, *drive.k_pe));
     all.push_back(carriage(l, drive));
     all.push_back(rods(l));
     all.push_back(cam_body("k_se", Motion::kSpool, l.k_se, *drive.k_se));
-    add_axle(l, axle, all);
+    add_axle(l, drive.k_se->options.hub, all);
     add_springs(l, drive, all);
     return all;
 }

@@ -6,6 +6,8 @@
 #include <map>
 #include <set>
 
+#include "swept.h"
+
 namespace fusee::assembly {
 
 namespace {
@@ -108,23 +110,24 @@ void sort(std::vector<Gap>& gaps) {
 
 }  // namespace
 
-std::vector<Gap> body_gaps(const Assembly& a) {
+std::vector<Gap> body_gaps(const Assembly& a, double enough_mm) {
     std::vector<Gap> gaps;
     for (std::size_t i = 0; i < a.bodies.size(); ++i)
         for (std::size_t j = i + 1; j < a.bodies.size(); ++j) {
             const Body &one = a.bodies[i].side == Side::kAntagonist ? a.bodies[j] : a.bodies[i],
                        &other = &one == &a.bodies[i] ? a.bodies[j] : a.bodies[i];
-            if (!may_meet(one, other)) continue;
+            if (!may_meet(one, other) || bound_mm(a, one, other, kNear_mm) >= kNear_mm) continue;
             Moves moves;
             moves.add(one), moves.add(other);
             const auto carried = [](const Body& body) { return body.motion == Motion::kCarriage || body.motion == Motion::kSpool; };
             if (carried(one) && carried(other) && one.side == other.side) moves.by[0] = false;  // the carriage carries both
             const Round around_one(one), around_other(other);
-            Gap gap{one.name, other.name, kNear_mm, {}};
+            Gap gap{one.name, other.name, kNear_mm, 0.0, {}};
             each_pose(a, moves, [&](const Pose& pose) {
                 const double mm = distance(a, around_one, around_other, pose, gap.mm);
                 if (mm < gap.mm) gap.mm = mm, gap.pose = pose;
             });
+            prove(a, one, other, enough_mm, gap);
             gaps.push_back(std::move(gap));
         }
     sort(gaps);
@@ -142,7 +145,7 @@ std::vector<Gap> cable_gaps(const Assembly& a) {
             const Eigen::Isometry3d at = placement(a, body, pose);
             for (const FreeCable& cable : free_cables(a, pose)) {
                 if (cable.side != Side::kAgonist || touches(cable, body)) continue;
-                Gap& gap = of_body.try_emplace(cable.kind, Gap{name_of(cable), body.name, kNear_mm, pose}).first->second;
+                Gap& gap = of_body.try_emplace(cable.kind, Gap{name_of(cable), body.name, kNear_mm, 0.0, pose}).first->second;
                 if (apart_mm(cable, around.middle_at(at)) - around.radius_mm >= gap.mm + 0.5 * a.cable_mm) continue;
                 double mm = gap.mm + 0.5 * a.cable_mm;
                 for (const Prism& prism : placed_all(body, at)) mm = distance_mm(cable.from_mm, cable.to_mm, prism, mm);

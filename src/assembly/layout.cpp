@@ -36,6 +36,7 @@ void place_k_se(Layout& l, const solid::Part& part, const spring::BaseSpring& sp
     const double height = core::mm_from_m(guide.z);
     l.spool_reach = reach_mm(part.mesh);
     l.spool_low = box.low_mm[2] - height, l.spool_high = box.high_mm[2] - height;
+    l.leg_pin = l.spool_reach + l.gap + kLegPin_mm;
     l.guide_distance = core::mm_from_m(guide.distance);
     l.idler = guide.kind == cam::GuideKind::kIdler ? core::mm_from_m(guide.radius) : 0.0;
     l.base_high = l.spool_low - l.gap;
@@ -73,6 +74,15 @@ void place_k_pe(Layout& l, const solid::Part& part, double towards) {
 }
 
 }  // namespace
+
+bool capstan_has_lock(const solid::HubOptions& hub, double floor_mm) {
+    constexpr double kLeast_mm = 1.0;  // wall over a keyway (practice)
+    const bool shaped = hub.lock == solid::HubLock::kKeyway || hub.lock == solid::HubLock::kDFlat;
+    return shaped && solid::bore_reach_mm(hub) + kLeast_mm <= floor_mm;
+}
+solid::Outline capstan_bore(const solid::HubOptions& hub, double floor_mm) {
+    return capstan_has_lock(hub, floor_mm) ? solid::bore_outline(hub) : solid::circle(0.5 * core::mm_from_m(hub.bore_diameter));
+}
 
 double outer_mm(const spring::BaseSpring& s) {
     return spring::coil_known(s) ? 0.5 * core::mm_from_m(s.coil_diameter + s.wire_diameter) : 0.0;

@@ -16,6 +16,7 @@ struct Layout {
     double carriage_rear = 0.0;         ///< from K_SE's axis to the outside of its rear wall
     double spool_reach = 0.0;           ///< radius of K_SE's body
     double spool_low = 0.0, spool_high = 0.0;
+    double leg_pin = 0.0;         ///< from K_SE's axis to that of the pin for its spring's leg
     double guide_distance = 0.0;  ///< spool axis to the hole along y
     double idler = 0.0;           ///< pitch radius of K_SE's idler; 0: a hole
     Eigen::Vector3d spool_axis, motor_axis;
@@ -33,6 +34,7 @@ struct Layout {
 inline constexpr double kFlange_mm = 2.0;   ///< thickness of a drum's flanges
 inline constexpr double kRod_mm = 3.0;      ///< radius of the carriage's rods
 inline constexpr double kBush_mm = 6.0;     ///< radius of its linear bushes (ISO 10285, 6 x 12 x 19)
+inline constexpr double kLegPin_mm = 2.0;   ///< radius of the pin for the torsion spring's leg
 inline constexpr double kCap_mm = 3.0;      ///< thickness of the cap on K_PE's spring
 inline constexpr double kAxleEnd_mm = 2.0;  ///< of the spool's axle beyond what it holds, with the groove of a retaining ring
 inline constexpr double kStop_mm = 2.0;     ///< radius of the joint's stop pin and posts
@@ -56,6 +58,11 @@ inline constexpr double kRingHeight_mm = 2.0;  ///< of a retaining ring over its
 [[nodiscard]] double wound_length_mm(const spring::BaseSpring& spring, const solid::Part& spool);
 /// Of the carriage's walls over the cables.
 [[nodiscard]] inline double wall_height_mm(double cable_mm) { return std::max(3.0, 3.0 * cable_mm); }
+
+/// The capstan is locked as K_PE on the same shaft is: the bore of that hub. Round without a lock's shape where less than 1 mm would be
+/// left to its floor. @param floor_mm radius of the capstan's floor
+[[nodiscard]] solid::Outline capstan_bore(const solid::HubOptions& hub, double floor_mm);
+[[nodiscard]] bool capstan_has_lock(const solid::HubOptions& hub, double floor_mm);
 
 [[nodiscard]] Layout lay_out(const Drive& drive, double capstan_radius, double joint_radius, const Options& options, double greatest_turn);
 

@@ -23,9 +23,18 @@ using Polygon = bg::model::polygon<Point, false>;
 constexpr double kChordal_mm = 0.02;
 
 solid::Ring outline_of(const Extrusion& shape) {
+    if (!shape.outline.empty()) return solid::ring_of(shape.outline, kChordal_mm);
     if (shape.radius_mm > 0.0) return solid::ring_of(solid::circle(shape.radius_mm), kChordal_mm);
     const double x = shape.half_x_mm, y = shape.half_y_mm;
     return {{-x, -y}, {x, -y}, {x, y}, {-x, y}};
+}
+
+/// The regular polygon around a circle, within 0.02 mm.
+solid::Ring around_circle(double radius_mm) {
+    solid::Ring ring = solid::ring_of(solid::circle(radius_mm), kChordal_mm);
+    const double wider = 1.0 / std::cos(core::kPi / static_cast<double>(ring.size()));
+    for (solid::Point2& p : ring) p[0] *= wider, p[1] *= wider;
+    return ring;
 }
 
 /// The convex hull, counter-clockwise.
@@ -65,6 +74,18 @@ Polygon polygon_of(const solid::Ring& ring) {
     return polygon;
 }
 
+/// Of the rectangles around two rings: at most the rings' distance.
+double box_distance_mm(const solid::Ring& a, const solid::Ring& b) {
+    double squared = 0.0;
+    for (const std::size_t k : {0U, 1U}) {
+        const auto less = [k](const solid::Point2& p, const solid::Point2& q) { return p[k] < q[k]; };
+        const auto [low_a, high_a] = std::minmax_element(a.begin(), a.end(), less);
+        const auto [low_b, high_b] = std::minmax_element(b.begin(), b.end(), less);
+        squared += std::pow(std::max({(*low_b)[k] - (*high_a)[k], (*low_a)[k] - (*high_b)[k], 0.0}), 2);
+    }
+    return std::sqrt(squared);
+}
+
 double gap(double low_a, double high_a, double low_b, double high_b) { return std::max({low_b - high_a, low_a - high_b, 0.0}); }
 
 }  // namespace
@@ -96,8 +117,10 @@ solid::Mesh mesh_of(const Extrusion& shape) {
     const solid::Ring outline = outline_of(shape);
     const solid::VertexRing low = solid::add_ring(mesh, outline, 0.0), high = solid::add_ring(mesh, outline, shape.length_mm);
     std::vector<solid::VertexRing> low_holes, high_holes;
-    for (const RoundHole& hole : shape.holes) {
-        const solid::Ring ring = solid::ring_of(solid::circle(hole.radius_mm, {hole.x_mm, hole.y_mm}), kChordal_mm);
+    std::vector<solid::Outline> holes = shape.bores;
+    for (const RoundHole& hole : shape.holes) holes.push_back(solid::circle(hole.radius_mm, {hole.x_mm, hole.y_mm}));
+    for (const solid::Outline& hole : holes) {
+        const solid::Ring ring = solid::ring_of(hole, kChordal_mm);
         low_holes.push_back(solid::add_ring(mesh, ring, 0.0));
         high_holes.push_back(solid::add_ring(mesh, ring, shape.length_mm));
         solid::add_wall_between(mesh, low_holes.back(), high_holes.back(), false);
@@ -118,10 +141,18 @@ solid::Mesh moved(solid::Mesh mesh, const Eigen::Isometry3d& placement) {
 
 Extrusion mirrored(const Extrusion& shape) {
     const Eigen::DiagonalMatrix<double, 3> flip(-1.0, 1.0, 1.0);
-    Extrusion image = shape;  // an outline is its own mirror image; both frames are right-handed
+    Extrusion image = shape;  // a disc or box is its own mirror image; both frames are right-handed
     image.frame.linear() = flip * shape.frame.linear() * flip;
     image.frame.translation() = flip * shape.frame.translation();
-    for (RoundHole& hole : image.holes) hole.x_mm = -hole.x_mm;
+    if (shape.outline.empty() && shape.bores.empty()) {
+        for (RoundHole& hole : image.holes) hole.x_mm = -hole.x_mm;
+        return image;
+    }
+    // A flat or key towards +x of its frame stays there: the frame is turned by half a turn, and the outline is mirrored in y instead.
+    image.frame.linear().col(0) *= -1.0, image.frame.linear().col(1) *= -1.0;
+    for (RoundHole& hole : image.holes) hole.y_mm = -hole.y_mm;
+    image.outline = solid::mirrored_in_y(shape.outline);
+    for (solid::Outline& bore : image.bores) bore = solid::mirrored_in_y(bore);
     return image;
 }
 
@@ -129,7 +160,9 @@ Prism prism_of(const Extrusion& shape, const Eigen::Isometry3d& placement) {
     const Eigen::Isometry3d whole = placement * shape.frame;
     bg::model::multi_point<Point> points;
     Prism prism{{}, std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-    for (const solid::Point2& p : outline_of(shape))
+    solid::Ring outline = outline_of(shape);
+    if (shape.radius_mm > 0.0) outline = around_circle(shape.radius_mm);  // a flat's whole shaft
+    for (const solid::Point2& p : outline)
         for (const double z : {0.0, shape.length_mm}) {
             const Eigen::Vector3d at = whole * Eigen::Vector3d(p[0], p[1], z);
             bg::append(points, Point(at.x(), at.y()));
@@ -170,7 +203,21 @@ Prism placed(const Prism& prism, const Eigen::Isometry3d& placement) {
     return moved;
 }
 
+Prism disc_around(const Prism& prism) {
+    double radius = 0.0;
+    for (const solid::Point2& p : prism.outline_mm) radius = std::max(radius, std::hypot(p[0], p[1]));
+    return {around_circle(radius), prism.z_low_mm, prism.z_high_mm};
+}
+
+Prism hull_between(const Prism& prism, const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+    bg::model::multi_point<Point> points;
+    for (const solid::Point2& p : prism.outline_mm)
+        for (const Eigen::Vector3d* by : {&from, &to}) bg::append(points, Point(p[0] + by->x(), p[1] + by->y()));
+    return {hull_of(points), prism.z_low_mm, prism.z_high_mm};
+}
+
 double distance_mm(const Prism& a, const Prism& b, double most_mm) {
+    if (box_distance_mm(a.outline_mm, b.outline_mm) >= most_mm) return most_mm;
     const double height = gap(a.z_low_mm, a.z_high_mm, b.z_low_mm, b.z_high_mm);
     if (height >= most_mm) return most_mm;
     return std::min(std::hypot(bg::distance(polygon_of(a.outline_mm), polygon_of(b.outline_mm)), height), most_mm);

@@ -18,6 +18,7 @@
 #include "fusee/brep/measure.h"
 #include "fusee/brep/transform.h"
 #include "fusee/core/units.h"
+#include "hub.h"
 
 namespace fusee::brep {
 
@@ -26,6 +27,7 @@ namespace {
 constexpr double kSameVolume = 1e-6;  // relative: integrals over planes and cylinders are exact but for rounding
 
 TopoDS_Shape outer(const solid::Extrusion& shape) {
+    if (!shape.outline.empty()) return prism({"", shape.outline, 0.0, shape.length_mm, false});
     if (shape.radius_mm > 0.0) return BRepPrimAPI_MakeCylinder(shape.radius_mm, shape.length_mm).Shape();
     const gp_Pnt low(-shape.half_x_mm, -shape.half_y_mm, 0.0);
     return BRepPrimAPI_MakeBox(low, 2.0 * shape.half_x_mm, 2.0 * shape.half_y_mm, shape.length_mm).Shape();
@@ -49,6 +51,7 @@ TopoDS_Shape solid_of(const solid::Extrusion& shape) {
         const gp_Ax2 axis(gp_Pnt(hole.x_mm, hole.y_mm, -1.0), gp_Dir(0.0, 0.0, 1.0));
         holes.Append(BRepPrimAPI_MakeCylinder(axis, hole.radius_mm, shape.length_mm + 2.0).Shape());
     }
+    for (const solid::Outline& bore : shape.bores) holes.Append(prism({"", bore, -1.0, shape.length_mm + 1.0, false}));
     if (!holes.IsEmpty()) {
         BRepAlgoAPI_Cut cut;
         body = boolean(cut, body, holes);
@@ -75,8 +78,11 @@ core::Finding not_the_sum(std::string what, double measured, double expected) {
 }
 
 double designed_mm3(const solid::Extrusion& shape) {
-    double area = shape.radius_mm > 0.0 ? core::kPi * shape.radius_mm * shape.radius_mm : 4.0 * shape.half_x_mm * shape.half_y_mm;
+    double area = !shape.outline.empty()  ? solid::area_mm2(shape.outline)
+                  : shape.radius_mm > 0.0 ? core::kPi * shape.radius_mm * shape.radius_mm
+                                          : 4.0 * shape.half_x_mm * shape.half_y_mm;
     for (const solid::RoundHole& hole : shape.holes) area -= core::kPi * hole.radius_mm * hole.radius_mm;
+    for (const solid::Outline& bore : shape.bores) area -= solid::area_mm2(bore);
     return area * shape.length_mm;
 }
 

@@ -42,6 +42,34 @@ Outline bore_outline(const HubOptions& hub) {
     return circle(radius);
 }
 
+Outline flat_shaft_outline(const HubOptions& hub) {
+    HubOptions without = hub;
+    without.bore_clearance = 0.0;
+    return bore_outline(without);
+}
+
+double area_mm2(const Outline& outline) {  // the polygon of the arcs' ends, and the segments between arc and chord
+    double twice = 0.0;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        const Arc &arc = outline[i], &next = outline[(i + 1) % outline.size()];
+        const Point2 from = arc.at(arc.begin), to = arc.at(arc.end), then = next.at(next.begin);
+        twice += from[0] * to[1] - to[0] * from[1] + to[0] * then[1] - then[0] * to[1];
+        twice += arc.radius_mm * arc.radius_mm * (arc.end - arc.begin - std::sin(arc.end - arc.begin));
+    }
+    return 0.5 * twice;
+}
+
+Outline mirrored_in_y(const Outline& outline) {
+    Outline image(outline.rbegin(), outline.rend());
+    for (Arc& arc : image) {
+        const double turn = arc.end - arc.begin;
+        arc.centre_mm[1] = -arc.centre_mm[1];
+        arc.begin = arc.full() ? 0.0 : std::fmod(4.0 * core::kPi - arc.end, 2.0 * core::kPi);
+        arc.end = arc.begin + turn;
+    }
+    return image;
+}
+
 Ring ring_of(const Outline& outline, double tolerance_mm) {
     Ring ring;
     for (const Arc& arc : outline) {

@@ -1,6 +1,8 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <random>
 
 #include "fixture.h"
 #include "fusee/assembly/bill.h"
@@ -80,6 +82,24 @@ TEST(Assemblies, AGuideWithoutAPlaceIsNotModelled) {
     EXPECT_EQ(refused.refusal().front().where, "k_pe");
 }
 
+// Area of the section of all drums of a body: that of circle less bore.
+TEST(Assemblies, TheCapstanHasTheKeywayOfItsShaft) {
+    const auto bore_area = [](const Assembly& a) {
+        const Extrusion& floor = a.find("capstan_antagonist")->shapes.front();
+        return core::kPi * floor.radius_mm * floor.radius_mm - solid::volume_mm3(mesh_of(floor)) / floor.length_mm;
+    };
+    const solid::HubOptions& hub = pnrvsa().drive.k_pe->options.hub;
+    ASSERT_EQ(hub.lock, solid::HubLock::kKeyway);
+    EXPECT_NEAR(bore_area(pnrvsa()), solid::area_mm2(solid::bore_outline(hub)), 3.0)
+        << "a keyway has 6 mm^2; the rim is a polygon within 0.02 mm";
+    Drive drive = pnrvsa().drive;
+    solid::Part wide = *drive.k_pe;
+    wide.options.hub.key_depth = 0.03;
+    drive.k_pe = std::make_shared<solid::Part>(wide);
+    const Assembly round = assemble(drive, 0.03, 0.03, {}).value();
+    EXPECT_TRUE(round.find("capstan_agonist")->shapes.front().bores.front().front().full()) << "no keyway beyond the rim";
+}
+
 TEST(Rules, MotorsThatAreTooNearMeetTheCarriage) {
     EXPECT_EQ(finding(pnrvsa(), "joint.body_gap").severity, core::Severity::kPass);
     const core::Finding near = finding(with({.motor_distance = 0.180}), "joint.body_gap");
@@ -107,6 +127,52 @@ TEST(Stops, ArePlacedAtTheEndsOfTheRange) {
     }
 }
 
+/// A thin rod along z, far from all else.
+Body thin_rod(const std::string& name, Motion motion, double x_mm, double y_mm) {
+    Body body{name, Side::kAgonist, motion, Eigen::Isometry3d(Eigen::Translation3d(x_mm, y_mm, 0.0)), {round(0.1, 0.0, 5.0)}, nullptr, {}};
+    body.prisms = {prism_of(body.shapes.front(), Eigen::Isometry3d::Identity())};
+    return body;
+}
+
+// Two rods of 0.1 mm, one of which slides past the other: none of the 33 sampled poses, 1.5 mm apart, sees that they meet.
+TEST(Gaps, WhatMeetsBetweenTheSamplesIsFound) {
+    Assembly a = pnrvsa();
+    const double way = a.capstan_radius_mm * a.greatest_turn, met = -way * 10.5 / 32.0;
+    a.bodies = {thin_rod("slider_agonist", Motion::kCarriage, 300.0, 0.0), thin_rod("post_agonist", Motion::kFixed, 300.0, met)};
+    const std::vector<Gap> meet = body_gaps(a, 0.9);
+    ASSERT_EQ(meet.size(), 1U);
+    EXPECT_LT(meet.front().mm, 0.06);
+    EXPECT_LT(meet.front().proven_mm, 0.06);
+    EXPECT_NEAR(meet.front().pose.agonist.turn, a.greatest_turn * 10.5 / 32.0, 0.02);
+    a.bodies[1] = thin_rod("post_agonist", Motion::kFixed, 301.2, met);
+    const std::vector<Gap> apart = body_gaps(a, 0.9);
+    EXPECT_GE(apart.front().proven_mm, 0.9);
+    EXPECT_LE(apart.front().proven_mm, 1.0 + 1e-9);
+    EXPECT_TRUE(is_proven(apart.front(), 0.9));
+}
+
+TEST(Gaps, NoPoseIsNearerThanProven) {
+    for (const char* profile : {"pnrvsa", "paper/new_cams"}) {
+        const Assembly& a = shipped_joint(profile).assembly;
+        std::mt19937_64 random(7);
+        std::uniform_real_distribution<double> share(0.0, 1.0);
+        std::vector<Pose> poses;
+        for (int i = 0; i < 60; ++i)
+            poses.push_back({{share(random) * a.greatest_turn, share(random) * a.greatest_payout_mm},
+                             {share(random) * a.greatest_turn, share(random) * a.greatest_payout_mm}});
+        for (const Gap& gap : body_gaps(a, 0.9)) {
+            EXPECT_TRUE(is_proven(gap, 0.9)) << gap.a << " and " << gap.b;
+            const Body &one = *a.find(gap.a), &other = *a.find(gap.b);
+            for (const Pose& pose : poses)
+                for (const Prism& p : one.prisms)
+                    for (const Prism& q : other.prisms)
+                        EXPECT_GE(distance_mm(placed(p, placement(a, one, pose)), placed(q, placement(a, other, pose)), 20.0) + 1e-9,
+                                  gap.proven_mm)
+                            << gap.a << " and " << gap.b;
+        }
+    }
+}
+
 TEST(Rules, ARodInTheWayOfACableIsFound) {
     EXPECT_EQ(finding(pnrvsa(), "joint.cable_gap").severity, core::Severity::kPass);
     Assembly bad = pnrvsa();
@@ -123,6 +189,14 @@ TEST(Rules, ASmallPulleyWindsMoreThanATurn) {
     const Assembly small = assemble(pnrvsa().drive, 0.03, 0.012, {.joint_range = 8.0}).value();
     EXPECT_EQ(finding(small, "joint.winding").severity, core::Severity::kWarning);
     EXPECT_NEAR(finding(small, "joint.winding").measured, 30.0 + 2.0 * 89.82 * 2.5, 0.5) << "all that the springs allow, below 8 rad";
+}
+
+TEST(Rules, ACapstanOfMoreThanATurnNeedsAHelicalGroove) {
+    const core::Finding f = finding(shipped_joint("paper/new_cams").assembly, "joint.winding");
+    EXPECT_EQ(f.severity, core::Severity::kWarning);
+    EXPECT_NEAR(f.measured, 525.9, 0.1);
+    EXPECT_NE(f.suggestion.find("1.50 turns, 1 mm apart, which is not modelled; or a law that ends at 315 deg"), std::string::npos)
+        << f.suggestion;
 }
 
 TEST(Bill, HasEveryCableWithItsLength) {
@@ -155,11 +229,35 @@ TEST(Bill, NamesTheWireOfASpringAndItsHand) {
 
 TEST(Bill, NamesHowACableEnds) {
     Assembly crimped = pnrvsa();
-    crimped.drive.termination = checks::Termination::kCrimp;
+    crimped.drive.cable.termination = checks::Termination::kCrimp;
     for (const char* cable : {"drive cable", "series cable", "parallel cable"}) {
         EXPECT_EQ(count_of(pnrvsa(), cable, "30 mm for the knot at each end"), 1U) << cable;
         EXPECT_EQ(count_of(crimped, cable, "30 mm for the crimp at each end"), 1U) << cable;
     }
+}
+
+TEST(Bill, NamesTheCableAndTheLoadThatItHolds) {
+    Assembly unstated = pnrvsa();
+    unstated.drive.cable.breaking_load = 0.0, unstated.drive.cable.construction = "7x19";
+    EXPECT_EQ(count_of(pnrvsa(), "series cable", "0.8 mm fibre, cut to"), 1U);
+    EXPECT_EQ(count_of(pnrvsa(), "series cable", fmt::format("breaking load at least {:g} N", pnrvsa().drive.cable.breaking_load)), 1U);
+    EXPECT_EQ(count_of(unstated, "series cable", "0.8 mm 7x19, cut to"), 1U);
+    EXPECT_EQ(count_of(unstated, "series cable", "that of a usual cable"), 1U);
+}
+
+// Along the axis the leg reaches through half the gap to the slot's bottom; the other one ends behind the pin.
+TEST(Bill, NamesTheLegsOfTheTorsionSpringAndTheScrews) {
+    const solid::FeatureOptions& slot = pnrvsa().drive.k_se->options.features;
+    EXPECT_EQ(count_of(pnrvsa(), "torsion spring", fmt::format("a leg along the axis, {:.1f} mm long", 1e3 * slot.leg_slot_depth + 0.5)),
+              1U);
+    EXPECT_EQ(count_of(pnrvsa(), "torsion spring",
+                       fmt::format("a radial leg that ends {:.1f} mm from the axis",
+                                   pnrvsa().leg_pin_mm + 2.0 + 1e3 * pnrvsa().drive.k_se_spring.wire_diameter)),
+              1U);
+    for (const char* screw : {"rod screw", "seat screw", "screws of frame and motors"})
+        EXPECT_EQ(count_of(pnrvsa(), screw, ""), 1U) << screw;
+    const Assembly& paper = shipped_joint("paper/new_cams").assembly;
+    EXPECT_EQ(count_of(paper, "guide tube", "4 mm, bore of 1.2 mm at least"), 1U);
 }
 
 TEST(Bill, KeysHaveALengthThatIsSold) {

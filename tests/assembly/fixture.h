@@ -20,8 +20,8 @@ inline const Joint& shipped_joint(const std::string& name) {
     const auto design = pipeline::make_figures(profile::read_profile(fixtures::shipped(name)));
     const auto& profile = design->resolved.profile;
     const auto& parts = design->report.parts;
-    Assembly assembly = assemble({parts[0].part, parts[1].part, profile.k_se.spring, profile.k_pe.spring}, profile.rig.capstan_radius,
-                                 profile.rig.joint_radius, {})
+    Assembly assembly = assemble({parts[0].part, parts[1].part, profile.k_se.spring, profile.k_pe.spring, profile.cable},
+                                 profile.rig.capstan_radius, profile.rig.joint_radius, {})
                             .value();
     return made.emplace(name, Joint{std::move(assembly), design->resolved.law()}).first->second;
 }

@@ -73,6 +73,67 @@ TEST(Suggestion, SofterSpringKeepsLoadAndStress) {
     expect_pass("spring.stress", stress);
 }
 
+/// The change with all its keys, taken over.
+void rewind(Fixture& b, const core::Finding& f, const std::string& keys) {
+    b.spring.wire_diameter = kMm * suggested(f, keys + "wire_mm");
+    b.spring.coil_diameter = kMm * suggested(f, keys + "coil_mm");
+    b.spring.active_coils = suggested(f, keys + "active_coils");
+}
+
+bool names(const core::Finding& f, const std::string& text) { return f.suggestion.find(text) != std::string::npos; }
+
+// Rates that are far off: turns and wire that nobody can wind are not suggested.
+TEST(Suggestion, CoilsForARateCanBeWound) {
+    for (const double factor : {1e-4, 1e-3, 0.5, 2.0, 30.0, 1e3}) {
+        SCOPED_TRACE(factor);
+        for (Fixture b : {spool(), pusher()}) {
+            const std::string keys = b.spring.kind == spring::BaseKind::kTorsion ? "k_se.spring." : "k_pe.spring.";
+            if (b.spring.active_coils <= 0.0) b.spring.active_coils = spring::turns_for_rate(b.spring);
+            b.spring.rate *= factor;
+            const core::Finding f = worst("spring.rate", b);
+            ASSERT_EQ(f.severity, core::Severity::kError) << core::to_line(f);
+            if (names(f, "can be wound"))
+                rewind(b, f, keys);
+            else if (names(f, "active_coils"))
+                b.spring.active_coils = suggested(f, keys + "active_coils");
+            else if (names(f, "wire_mm"))
+                b.spring.wire_diameter = kMm * suggested(f, keys + "wire_mm");
+            else {
+                EXPECT_TRUE(names(f, "no wound spring")) << f.suggestion;
+                continue;
+            }
+            EXPECT_EQ(worst("spring.rate", b).severity, core::Severity::kPass) << f.suggestion;
+            EXPECT_NE(worst("spring.index", b).severity, core::Severity::kError) << f.suggestion;
+            EXPECT_NE(worst("spring.active_coils", b).severity, core::Severity::kError) << f.suggestion;
+        }
+    }
+    Fixture far = pusher();
+    far.spring.rate = 1e9;
+    EXPECT_TRUE(names(worst("spring.rate", far), "no wound spring")) << worst("spring.rate", far).suggestion;
+    EXPECT_FALSE(names(worst("spring.rate", far), "active_coils ="));
+}
+
+TEST(Suggestion, NoWireIsStrongerThanTheStandards) {
+    Fixture b = spool();
+    b.spring.tensile_strength = 100e6;
+    b.spring.wire_class = spring::WireClass::kUnknown;
+    Fixture near = b;
+    near.spring.tensile_strength = 1100e6;
+    EXPECT_TRUE(names(worst("spring.stress", near), "tensile_strength_MPa = "));
+    b.spring.wire_diameter *= 0.25;
+    EXPECT_TRUE(names(worst("spring.stress", b), "no stronger wire")) << worst("spring.stress", b).suggestion;
+    EXPECT_FALSE(names(worst("spring.stress", b), "tensile_strength_MPa ="));
+}
+
+TEST(Suggestion, ASlenderSpringIsShortenedOnlyWhereItsTravelFits) {
+    Fixture b = pusher();
+    b.spring.free_length = 200.0 * kMm;
+    EXPECT_TRUE(names(worst("spring.buckling", b), "guide tube"));
+    b.spring.active_coils = 200.0;
+    EXPECT_TRUE(names(worst("spring.buckling", b), "no shorter spring")) << worst("spring.buckling", b).suggestion;
+    EXPECT_FALSE(names(worst("spring.buckling", b), "free_length_mm ="));
+}
+
 /// r = sqrt((k_t phi0)^2 + 2 k_t U)/U' and U'/sqrt((k y0)^2 + 2 k U): the suggested spring scales every arm alike.
 TEST(Suggestion, ScaledSpringScalesEveryArm) {
     Fixture b = spool();

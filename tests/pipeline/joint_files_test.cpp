@@ -88,21 +88,10 @@ TEST_P(WholeJoint, EachBodyIsOneSolidButForPairsAndBushes) {
     for (const exchange::StepBody& body : made().solids) EXPECT_EQ(body.solids, expected(body.name)) << body.name;
 }
 
-/// Axles are round: the segment beyond a bore's flat is in the cam [mm^3].
-double beyond_flat_mm3(const solid::Part& part) {
-    const solid::HubOptions& hub = part.options.hub;
-    if (hub.lock != solid::HubLock::kDFlat) return 0.0;
-    const double radius = 0.5 * hub.bore_diameter, flat = radius + 0.5 * hub.bore_clearance - hub.flat_depth,
-                 half = std::acos(flat / radius);
-    return 1e9 * radius * radius * (half - std::sin(half) * std::cos(half)) * (part.z_high - part.z_low);
-}
-
 // Bodies that touch by design (an axle in its bore, a spring on its plate) have no volume in common.
 TEST_P(WholeJoint, NoTwoSolidsInterfere) {
-    const double expected = beyond_flat_mm3(*made().design.report.assembly->drive.k_se);
     for (const exchange::Interference& found : exchange::interferences(made().solids, 1e-3))
-        EXPECT_NEAR(found.common_mm3, found.a.starts_with("k_se_a") && found.b.starts_with("axle") ? expected : 0.0, 1e-3)
-            << found.a << " and " << found.b;
+        ADD_FAILURE() << found.a << " and " << found.b << " share " << found.common_mm3 << " mm^3";
 }
 
 TEST_P(WholeJoint, ThreeMfHoldsTheSameBodies) {

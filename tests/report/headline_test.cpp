@@ -62,6 +62,21 @@ TEST(HeadFigures, BeginWithTheDeadBandAndTheArms) {
     EXPECT_EQ(all[3].value, "within rounding (-2e-06 to -6e-07)");
 }
 
+// Sampled bands are the ones to believe: they are quoted where joints were sampled, and the label says which it is.
+TEST(HeadFigures, QuoteTheSampledBandWhereJointsWereSampled) {
+    Headline o = printed_design();
+    o.budget.emplace();
+    for (budget::PartBudget& part : o.budget->parts) part.places = {budget::TorqueError{}};
+    budget::TorqueError& worst = o.budget->parts[0].places.front();
+    worst.sigma[0] = 0.08, worst.band = {-0.136, 0.136}, worst.sampled = {-0.117, 0.109};
+    EXPECT_EQ(head_figures(o, {})[1].value, "-13.6 to +13.6 %");
+    expect_all(head_figures(o, {})[1].label, {"5 to 95 % of joints, first order"});
+    o.budget->draws = 200;
+    EXPECT_EQ(head_figures(o, {})[1].value, "-11.7 to +10.9 %");
+    expect_all(head_figures(o, {})[1].label, {"5 to 95 % of 200 sampled joints"});
+    expect_all(head_figures(o, {})[0].label, {"of 200 sampled joints as built"});
+}
+
 TEST(HeadFigures, UnknownFiguresAreNamedOrLeftOut) {
     Headline o = printed_design();
     o.least.nominal = o.joint_torque = std::nan("");

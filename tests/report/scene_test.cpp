@@ -33,8 +33,9 @@ const DesignReport& pnrvsa() {
         DesignReport report = design.report;
         report.law.samples = spring::sample_by_load(*design.resolved.law(), 61);
         report.dead_band = actuator::dead_band_curve(report.actuator, 21);
-        auto assembly = assembly::assemble({report.parts[0].part, report.parts[1].part, profile.k_se.spring, profile.k_pe.spring},
-                                           profile.rig.capstan_radius, profile.rig.joint_radius, profile.assembly);
+        auto assembly =
+            assembly::assemble({report.parts[0].part, report.parts[1].part, profile.k_se.spring, profile.k_pe.spring, profile.cable},
+                               profile.rig.capstan_radius, profile.rig.joint_radius, profile.assembly);
         report.assembly = std::make_shared<const assembly::Assembly>(std::move(assembly).value());
         return report;
     }();

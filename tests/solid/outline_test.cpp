@@ -9,7 +9,7 @@
 namespace fusee::solid {
 namespace {
 
-double area(const Ring &ring) {
+double area(const Ring& ring) {
     double twice = 0.0;
     for (std::size_t i = 0; i < ring.size(); ++i) {
         const Point2 &a = ring[i], &b = ring[(i + 1) % ring.size()];
@@ -46,6 +46,27 @@ TEST(Outline, BoresHaveTheirAreas) {
 
 // Law: the flange's support function holds both the offset contour and the boss, and stays within 2^(1/8) of the larger; its rho is h +
 // h''.
+TEST(Outline, AnOutlinesAreaIsThatOfItsPolygonAndItsImagesKeepIt) {
+    HubOptions hub;
+    for (const HubLock lock : {HubLock::kSetScrew, HubLock::kKeyway, HubLock::kDFlat}) {
+        hub.lock = lock;
+        const Outline bore = bore_outline(hub);
+        EXPECT_NEAR(area_mm2(bore), area(ring_of(bore, 1e-6)), 1e-4);
+        EXPECT_NEAR(area(ring_of(mirrored_in_y(bore), 1e-6)), area_mm2(bore), 1e-4) << "counter-clockwise, too";
+    }
+    const Outline slot = stadium(2.0, 6.0, 5.0, 0.5), image = mirrored_in_y(slot);
+    EXPECT_NEAR(area_mm2(image), area_mm2(slot), 1e-9);
+    const Ring one = ring_of(slot, 1e-3), other = ring_of(image, 1e-3);
+    const auto low = [](const Ring& ring) {
+        return *std::min_element(ring.begin(), ring.end(), [](const Point2& a, const Point2& b) { return a[1] < b[1]; });
+    };
+    const auto high = [](const Ring& ring) {
+        return *std::max_element(ring.begin(), ring.end(), [](const Point2& a, const Point2& b) { return a[1] < b[1]; });
+    };
+    EXPECT_NEAR(low(other)[1], -high(one)[1], 2e-3);
+    EXPECT_NEAR(low(other)[0], high(one)[0], 0.1);
+}
+
 TEST(Outline, FlangeHoldsContourAndBoss) {
     const cam::Cam cam = test::disc(0.010, 0.007);
     for (double psi = 0.0; psi < 6.28; psi += 0.1) {

@@ -80,7 +80,7 @@ inline constexpr double kCableEnd_mm = 30.0;
 struct Drive {
     std::shared_ptr<const solid::Part> k_se, k_pe;
     spring::BaseSpring k_se_spring, k_pe_spring;
-    checks::Termination termination = checks::Termination::kKnot;  ///< of each end of its cables
+    checks::Cable cable;  ///< of all its cables
 };
 
 /// One place on a cam's table: angle since the lowest load, cable paid out or drawn in since then.
@@ -96,6 +96,7 @@ struct Assembly {
     double capstan_radius_mm = 0.0, joint_radius_mm = 0.0, cable_mm = 0.0;
     double motor_distance_mm = 0.0;
     double carriage_rear_mm = 0.0;  ///< from K_SE's axis to the wall that the drive cable pulls
+    double leg_pin_mm = 0.0;        ///< from K_SE's axis to the axis of the pin that holds its spring's leg
     double plane_mm = 0.0;          ///< height of the agonist's cables; the antagonist's are at its negative
     double greatest_turn = 0.0;     ///< of a capstan from the law's lowest load: the working range of K_PE [rad]
     double greatest_payout_mm = 0;  ///< of K_SE: its working range

@@ -31,13 +31,18 @@ struct Prism {
     solid::Ring outline_mm;
     double z_low_mm = 0.0, z_high_mm = 0.0;
 };
-/// A shape placed in the assembly: exact for shapes along z, a box of heights for others.
+/// A shape placed in the assembly: for shapes along z, round ones as a polygon around them; a box of heights for others.
 [[nodiscard]] Prism prism_of(const Extrusion& shape, const Eigen::Isometry3d& placement);
 /// A cam as hulls of horizontal layers, larger than it by at most 0.3 % of its radius. @param z_levels_mm heights in the mesh's frame,
 /// rising
 [[nodiscard]] std::vector<Prism> layers_of(const solid::Mesh& mesh, const std::vector<double>& z_levels_mm);
 /// @pre the placement turns z to +z or -z
 [[nodiscard]] Prism placed(const Prism& prism, const Eigen::Isometry3d& placement);
+
+/// The disc about the z axis that holds a prism in every turn, as a polygon around it.
+[[nodiscard]] Prism disc_around(const Prism& prism);
+/// The hull of a prism shifted by `from_mm` and by `to_mm`, both along the plane: all that it passes between them.
+[[nodiscard]] Prism hull_between(const Prism& prism, const Eigen::Vector3d& from_mm, const Eigen::Vector3d& to_mm);
 
 /// Distance of two prisms, 0 if they meet, or `most_mm` if it is that much or more.
 [[nodiscard]] double distance_mm(const Prism& a, const Prism& b, double most_mm);

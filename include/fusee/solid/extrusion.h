@@ -2,19 +2,23 @@
 #include <Eigen/Geometry>
 #include <vector>
 
+#include "fusee/solid/outline.h"
+
 namespace fusee::solid {
 
 struct RoundHole {
     double x_mm = 0.0, y_mm = 0.0, radius_mm = 0.0;
 };
 
-/// A disc, ring, rod or plate: from z = 0 to `length_mm` of its own frame, with round holes along z. [mm]
+/// A disc, ring, rod or plate: from z = 0 to `length_mm` of its own frame, with holes along z. [mm]
 struct Extrusion {
     Eigen::Isometry3d frame = Eigen::Isometry3d::Identity();  ///< from its own frame to that of its body
     double radius_mm = 0.0;                                   ///< round; 0: rectangular
     double half_x_mm = 0.0, half_y_mm = 0.0;                  ///< rectangular
     double length_mm = 0.0;
+    Outline outline;               ///< not empty: neither round nor rectangular; within `radius_mm` of the axis
     std::vector<RoundHole> holes;  ///< inside the outline, apart from each other
+    std::vector<Outline> bores;    ///< holes that are not round, as `holes`
 };
 
 }  // namespace fusee::solid

@@ -24,6 +24,11 @@ using Outline = std::vector<Arc>;  ///< counter-clockwise; each piece is joined 
 [[nodiscard]] Outline stadium(double width_mm, double length_mm, double radius_mm, double angle);
 /// The bore with its keyway or flat; key and flat towards +x, where the timing mark is.
 [[nodiscard]] Outline bore_outline(const HubOptions& hub);
+/// The bore's outline without clearance: a shaft's where it has a flat. @pre its lock is a D-flat
+[[nodiscard]] Outline flat_shaft_outline(const HubOptions& hub);
+[[nodiscard]] double area_mm2(const Outline& outline);
+/// The mirror image in y = 0.
+[[nodiscard]] Outline mirrored_in_y(const Outline& outline);
 /// Inscribed polygon that stays within `tolerance_mm` of the outline; that of a circle begins at angle 0.
 [[nodiscard]] Ring ring_of(const Outline& outline, double tolerance_mm);
 /// Largest distance of the bore's outline from the axis (corner of the key) [mm].

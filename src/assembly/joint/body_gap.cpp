@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "fusee/assembly/gaps.h"
 #include "measure.h"
 
@@ -7,16 +9,34 @@ namespace fusee::assembly {
 
 namespace {
 
+/// Pairs that keep apart at the samples, but are not proven to between them.
+std::optional<core::Finding> unproven(const std::vector<Gap>& gaps, double enough_mm) {
+    const auto count = std::count_if(gaps.begin(), gaps.end(), [&](const Gap& gap) { return !is_proven(gap, enough_mm); });
+    if (count == 0) return std::nullopt;
+    const auto worst = std::min_element(gaps.begin(), gaps.end(), [&](const Gap& a, const Gap& b) {
+        return std::pair(is_proven(a, enough_mm), a.proven_mm) < std::pair(is_proven(b, enough_mm), b.proven_mm);
+    });
+    return core::not_judged(
+        "joint.body_gap",
+        fmt::format("{} pairs of bodies between the sampled poses; least proven distance {:.2f} mm, of {} and {}, sampled "
+                    "{:.2f} mm",
+                    count, worst->proven_mm, worst->a, worst->b, worst->mm),
+        "another place of one of them, with more space");
+}
+
 core::Findings measure_joint_body_gap(const Assembly& assembly, const Allowed& allowed) {
-    const std::vector<Gap> gaps = body_gaps(assembly);
+    const double enough = allowed("review").value();
+    const std::vector<Gap> gaps = body_gaps(assembly, enough);
     if (gaps.empty()) return {};
     const Gap& least = gaps.front();
     core::Finding f = checks::judge(least.mm, {allowed("required"), allowed("review")});
-    f.what = fmt::format("distance of {} and {}", least.a, least.b);
+    f.what = fmt::format("distance of {} and {}, proven between all poses: at least {:.2f} mm", least.a, least.b, least.proven_mm);
     f.where = place_text(least.pose);
     f.suggestion = assembly.options.motor_distance > 0.0 ? "assembly.motor_distance_mm = 0, which takes the least that the bodies need"
                                                          : "another assembly.k_pe_direction_deg, or a farther guide";
-    return {f};
+    core::Findings all{f};
+    if (const auto open = unproven(gaps, enough); open) all.push_back(*open);
+    return all;
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ core::Findings measure_joint_cable_gap(const Assembly& assembly, const Allowed& 
     if (gaps.empty()) return {};
     const Gap& least = gaps.front();
     core::Finding f = checks::judge(least.mm, {allowed("required"), allowed("review")});
-    f.what = fmt::format("the {} passes {}", least.a, least.b);
+    f.what = fmt::format("the {} passes {}, at sampled poses", least.a, least.b);
     f.where = place_text(least.pose);
     f.suggestion =
         least.a.starts_with(to_string(CableKind::kParallel))

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "fusee/core/units.h"
+#include "fusee/spring/coil.h"
 #include "measure.h"
 #include "needs.h"
 #include "spring_change.h"
@@ -25,6 +26,22 @@ double critical_compression(const spring::BaseSpring& s) {
     return s.free_length * kC1 * (1.0 - std::sqrt(1.0 - kC2 / (slenderness * slenderness)));
 }
 
+/// A shorter spring where its travel still fits in; a guide in any case. The cable runs through the coils, so that a rod is a tube.
+std::string change_of(const Design& design) {
+    const spring::BaseSpring& s = design.spring;
+    const double stable = core::mm_from_m(stable_length(s)), outside = core::mm_from_m(s.coil_diameter + s.wire_diameter);
+    const auto travel = spring::travel_to_solid(s);
+    const double solid = travel ? core::mm_from_m(s.free_length - *travel) : 0.0, least = solid + core::mm_from_m(largest_state(design));
+    const std::string guide =
+        s.rod_diameter > 0.0
+            ? fmt::format("the stated rod of {:g} mm as a tube around the cable, over the whole spring", core::mm_from_m(s.rod_diameter))
+            : std::string("a guide tube inside, around the cable, over the whole spring");
+    const std::string guides = fmt::format("{}, or a sleeve of more than {:.3g} mm around the coils", guide, outside);
+    if (least > stable)
+        return fmt::format("{}; no shorter spring: stable below {:.1f} mm, but its turns and travel need {:.1f} mm", guides, stable, least);
+    return fmt::format("{}.spring.free_length_mm = {}, or {}", name(design), down(stable), guides);
+}
+
 core::Findings measure_spring_buckling(const Design& design, const Allowed& allowed) {
     const spring::BaseSpring& s = design.spring;
     core::Finding f;
@@ -35,7 +52,7 @@ core::Findings measure_spring_buckling(const Design& design, const Allowed& allo
     }
     f = judge(core::mm_from_m(largest_state(design)), {allowed("review", core::mm_from_m(critical_compression(s)))});
     f.what = "largest compression of the slender base spring, against its buckling compression between flat plates";
-    f.suggestion = fmt::format("{}.spring.free_length_mm = {}, or a guide rod", name(design), down(core::mm_from_m(stable_length(s))));
+    f.suggestion = change_of(design);
     return {f};
 }
 

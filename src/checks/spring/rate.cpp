@@ -6,6 +6,7 @@
 #include "fusee/spring/coil.h"
 #include "measure.h"
 #include "needs.h"
+#include "spring_form.h"
 
 namespace fusee::checks {
 
@@ -15,7 +16,6 @@ core::Findings measure_spring_rate(const Design& design, const Allowed& allowed)
     const spring::BaseSpring& s = design.spring;
     const double coils = spring::rate_of_coils(s);
     const char* unit = is_torsion(design) ? "Nm/rad" : "N/m";
-    const std::string keys = name(design) + ".spring.";
     const double off = 100.0 * std::abs(coils / s.rate - 1.0);
     // A measured rate is true; only its coils may be stated wrongly.
     const bool measured = s.rate_origin == spring::RateOrigin::kMeasured;
@@ -23,8 +23,7 @@ core::Findings measure_spring_rate(const Design& design, const Allowed& allowed)
     f.what = fmt::format("{} rate {:.4g} {} against {:.4g} {} of {:g} mm wire, {:.4g} mm coils and {:.4g} turns",
                          measured ? "measured" : "stated", s.rate, unit, coils, unit, core::mm_from_m(s.wire_diameter),
                          core::mm_from_m(s.coil_diameter), s.active_coils);
-    f.suggestion = fmt::format("{0}active_coils = {1:.4g}, or {0}wire_mm = {2:.4g}, or {0}{3} = {4:.4g}", keys, spring::turns_for_rate(s),
-                               core::mm_from_m(spring::wire_for_rate(s)), is_torsion(design) ? "rate_Nm_per_rad" : "rate_N_per_m", coils);
+    f.suggestion = form_for_rate(design);
     return {f};
 }
 

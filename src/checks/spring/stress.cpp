@@ -6,6 +6,7 @@
 #include "measure.h"
 #include "needs.h"
 #include "spring_change.h"
+#include "spring_form.h"
 
 namespace fusee::checks {
 
@@ -20,8 +21,7 @@ core::Findings measure_spring_stress(const Design& design, const Allowed& allowe
         judge(spring::wire_stress(s, load) / kPaPerMPa, {allowed("required", share * spring::tensile_strength(s) / kPaPerMPa)});
     f.what = fmt::format("{} stress of the wire at {:.4g} {}, allowed {:.0f} % of its strength", torsion ? "bending" : "shear", load,
                          torsion ? "Nm" : "N", 100.0 * share);
-    f.suggestion = fmt::format("{}, or {}.spring.tensile_strength_MPa = {}", limit_load(design, load * f.allowed / f.measured),
-                               name(design), up(f.measured / share));
+    f.suggestion = limit_load(design, load * f.allowed / f.measured) + ", or " + stronger_wire(design, f.measured / share * kPaPerMPa);
     return {f};
 }
 

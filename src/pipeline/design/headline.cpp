@@ -50,7 +50,13 @@ Headline headline_of(const ResolvedDesign& design, const Simulation& simulation,
     headline.least = width_at(drawing, profile.rig.least_torque, shop_scatter(profile));
     headline.overdrive = width_at(drawing, profile.rig.overdrive_torque, shop_scatter(profile));
     headline.budget = budget_of(design, parts, draws);
-    if (headline.budget) headline.least.built = headline.budget->widths[0].band, headline.overdrive.built = headline.budget->widths[1].band;
+    if (headline.budget) {
+        const auto built = [&](std::size_t i) {
+            const budget::WidthBudget& width = headline.budget->widths[i];
+            return headline.budget->draws > 0 ? width.sampled : width.band;
+        };
+        headline.least.built = built(0), headline.overdrive.built = built(1);
+    }
     headline.joint_torque = simulation.survey.torque;
     headline.condition = simulation.condition;
     return headline;

@@ -110,8 +110,8 @@ std::string assembly_guide(const pipeline::DesignReport& design) {
         "{:.1f} mm. The joint's stops are at {:.1f} deg on both sides of its middle: a pin in the pulley meets two posts of the frame "
         "(joint_stops).\n",
         design.provenance.name, 2.0 * a.plane_mm, places(a), a.motor_distance_mm, cables(a), assembly::kCableEnd_mm,
-        checks::to_string(a.drive.termination), marks(a), preloads(a), deg_from_rad(a.greatest_turn), a.capstan_radius_mm * a.greatest_turn,
-        a.greatest_payout_mm, 0.5 * deg_from_rad(a.joint_range));
+        checks::to_string(a.drive.cable.termination), marks(a), preloads(a), deg_from_rad(a.greatest_turn),
+        a.capstan_radius_mm * a.greatest_turn, a.greatest_payout_mm, 0.5 * deg_from_rad(a.joint_range));
 }
 
 std::vector<pipeline::FileRow> write_assembly(const pipeline::DesignReport& design, const std::filesystem::path& folder) {

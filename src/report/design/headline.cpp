@@ -21,6 +21,12 @@ std::string width_text(const ExpectedWidth& width) {
     return std::isfinite(width.nominal) ? deg(width.nominal, 3) + " deg" : "not covered by the springs";
 }
 
+/// What the dead-band's range is taken of.
+std::string built_by(const Headline& o) {
+    if (!o.budget) return "joints as built";
+    return o.budget->draws > 0 ? fmt::format("{} sampled joints as built", o.budget->draws) : "joints as built, first order";
+}
+
 HeadFigure dead_band_figure(const Headline& o) {
     const std::string low = newton_metres(o.least.tau), high = newton_metres(o.overdrive.tau);
     const bool known = std::isfinite(o.least.nominal) && std::isfinite(o.overdrive.nominal);
@@ -30,7 +36,7 @@ HeadFigure dead_band_figure(const Headline& o) {
     std::string built;
     for (const ExpectedWidth* width : {&o.least, &o.overdrive})
         if (std::isfinite(width->built.width())) built += (built.empty() ? "" : ", ") + built_text(*width);
-    if (!built.empty()) figure.label += "; 5 to 95 % of joints as built: " + built;
+    if (!built.empty()) figure.label += "; 5 to 95 % of " + built_by(o) + ": " + built;
     return figure;
 }
 
@@ -53,23 +59,30 @@ HeadFigure arms_figure(const Headline& o, const FileErrors& files) {
     return figure.label += files_text(files), figure;
 }
 
-/// The part with the widest band of torque, its place and what contributes most.
+/// The part with the widest band of torque, its place and what contributes most; the sampled band where there is one.
 HeadFigure torque_figure(const Headline& o, const FileErrors& files) {
-    const auto wider = [](const budget::PartBudget& a, const budget::PartBudget& b) { return a.worst().whole() < b.worst().whole(); };
     const auto& parts = o.budget->parts;
-    const budget::PartBudget& widest = *std::max_element(parts.begin(), parts.end(), wider);
-    const budget::PartBudget& other = &widest == &parts[0] ? parts[1] : parts[0];
-    const auto band = [](const budget::PartBudget& part) {
-        return fmt::format("{:+.1f} to {:+.1f} %", 100.0 * part.worst().band.low, 100.0 * part.worst().band.high);
+    const bool sampled = o.budget->draws > 0;
+    const auto range = [&](const budget::TorqueError& place) { return sampled ? place.sampled : place.band; };
+    const auto worst = [&](const budget::PartBudget& part) {
+        const auto wider = [&](const auto& a, const auto& b) { return range(a).width() < range(b).width(); };
+        return *std::max_element(part.places.begin(), part.places.end(), wider);
     };
+    const bool first = range(worst(parts[0])).width() >= range(worst(parts[1])).width();
+    const budget::PartBudget &widest = parts[first ? 0 : 1], &other = parts[first ? 1 : 0];
+    const budget::TorqueError place = worst(widest);
+    const auto band = [&](const budget::TorqueError& at) {
+        return fmt::format("{:+.1f} to {:+.1f} %", 100.0 * range(at).low, 100.0 * range(at).high);
+    };
+    const std::string joints = sampled ? fmt::format("{} sampled joints", o.budget->draws) : "joints, first order";
     std::array<std::size_t, budget::kSources> order{};
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return widest.worst().sigma[a] > widest.worst().sigma[b]; });
-    HeadFigure figure{band(widest), fmt::format("torque of {} as built by {}, 5 to 95 % of joints, where it is least certain ({}: {}):",
-                                                to_string(widest.kind), o.process, to_string(other.kind), band(other))};
+    std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return place.sigma[a] > place.sigma[b]; });
+    HeadFigure figure{band(place), fmt::format("torque of {} as built by {}, 5 to 95 % of {}, where it is least certain ({}: {}):",
+                                               to_string(widest.kind), o.process, joints, to_string(other.kind), band(worst(other)))};
     for (std::size_t i = 0; i < 3; ++i)
         figure.label += fmt::format("{} {} {:.1f} %", i == 0 ? "" : ",", to_string(static_cast<budget::Source>(order[i])),
-                                    100.0 * budget::kPercentile * widest.worst().sigma[order[i]]);
+                                    100.0 * budget::kPercentile * place.sigma[order[i]]);
     return figure.label += files_text(files), figure;
 }
 

@@ -50,6 +50,7 @@ _fusee() {
                 *:--least) ;;
                 *:--ratio) ;;
                 *:--range) ;;
+                *:--law) ;;
                 *:--joint-stiffness) ;;
                 *:--friction) ;;
                 *:--friction-constant) ;;
@@ -61,7 +62,7 @@ _fusee() {
                 *:--bed) ;;
                 *:-j | *:--jobs) ;;
                 *:--color) _fusee_words "$word" auto always never ;;
-                -*) _fusee_words "$word" --help --torque --overdrive --least --ratio --range --joint-stiffness --friction --friction-constant --cable --breaking-load --shaft --process --material --bed --yes --jobs --json --color --quiet --verbose ;;
+                -*) _fusee_words "$word" --help --torque --overdrive --least --ratio --range --law --joint-stiffness --friction --friction-constant --cable --breaking-load --shaft --process --material --bed --yes --jobs --json --color --quiet --verbose ;;
                 *) _fusee_files "$word" toml ;;
             esac ;;
         ' make')

@@ -63,6 +63,7 @@ complete -c fusee -n "__fusee_at ' init'" -l overdrive -x -d 'Torque of one moto
 complete -c fusee -n "__fusee_at ' init'" -l least -x -d 'Least co-contraction in use, at the joint'
 complete -c fusee -n "__fusee_at ' init'" -l ratio -x -d 'Turns of a capstan for one turn of the joint (0.2 to 5)'
 complete -c fusee -n "__fusee_at ' init'" -l range -x -d 'Range of the joint between its stops'
+complete -c fusee -n "__fusee_at ' init'" -l law -x -d 'Springs that you measured at the capstan'
 complete -c fusee -n "__fusee_at ' init'" -l joint-stiffness -x -d 'Stiffness of the joint at the torque, capstans held'
 complete -c fusee -n "__fusee_at ' init'" -l friction -x -d 'Friction of each gear'
 complete -c fusee -n "__fusee_at ' init'" -l friction-constant -x -d 'Part of the gear friction that does not grow with the load, at the capstan, Nm (0 to 100)'

@@ -58,6 +58,7 @@ _fusee_init() {
         '(--least)'--least='[Least co-contraction in use, at the joint]'':VALUE: ' \
         '(--ratio)'--ratio='[Turns of a capstan for one turn of the joint (0.2 to 5)]'':VALUE: ' \
         '(--range)'--range='[Range of the joint between its stops]'':VALUE: ' \
+        '(--law)'--law='[Springs that you measured at the capstan]'':VALUE: ' \
         '(--joint-stiffness)'--joint-stiffness='[Stiffness of the joint at the torque, capstans held]'':VALUE: ' \
         '(--friction)'--friction='[Friction of each gear]'':VALUE: ' \
         '(--friction-constant)'--friction-constant='[Part of the gear friction that does not grow with the load, at the capstan, Nm (0 to 100)]'':VALUE: ' \

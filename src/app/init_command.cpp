@@ -83,19 +83,7 @@ init::Answers answers_of(const InitArguments& arguments, const Reply& reply) {
     return answers;
 }
 
-/// A line for each new step, or a bar with the time left on a terminal.
-class Shown {
-public:
-    Shown() : progress_("init", kSteps) {}
-    void reach(double share, const std::string& step) {
-        for (; done_ < static_cast<int>(share * kSteps) && done_ < kSteps; ++done_) progress_.advance(step);
-    }
-
-private:
-    static constexpr int kSteps = 20;
-    core::Progress progress_;
-    int done_ = 0;
-};
+constexpr std::size_t kSteps = 20;  ///< of the bar
 
 int run_init(const InitArguments& arguments, Reply& reply) {
     require_thread();
@@ -105,16 +93,16 @@ int run_init(const InitArguments& arguments, Reply& reply) {
     const std::string name = arguments.profile.stem().string();
     init::Result result;
     {
-        Shown shown;
-        result = init::find_design(name, answers,
-                                   {.jobs = arguments.jobs,
-                                    .progress = [&](double share, const std::string& step) { shown.reach(share, step); },
-                                    .stop = core::interrupted});
+        core::Progress progress("init", kSteps);
+        const auto show = [&](double share, const std::string& step) { progress.reach(std::size_t(share * kSteps), step); };
+        result = init::find_design(name, answers, {.jobs = arguments.jobs, .progress = show, .stop = core::interrupted});
     }
     if (!result.design) {
         reply.warn(report::init_text(result, arguments.profile.string()));
         return kRefused;
     }
+    if (auto* law = std::get_if<profile::TablePair>(&result.design->profile.law.curves))  // as seen from the profile's folder
+        law->file = fs::proximate(law->file, fs::absolute(arguments.profile).parent_path());
     core::require_new_file(arguments.profile, false);  // it may have appeared since
     core::write_file(arguments.profile, init::profile_text(*result.design, answers));
     reply.result = {{"profile", arguments.profile.string()}};

@@ -42,6 +42,14 @@ void Progress::advance(const std::string& label) {
     draw(label);
 }
 
+void Progress::reach(std::size_t done, const std::string& label) {
+    const std::scoped_lock lock(mutex_);
+    if (done == done_ && label == reached_) return;
+    done_ = done;
+    if (terminal_ || label != reached_) draw(label);
+    reached_ = label;
+}
+
 void Progress::note(const std::string& label) {
     const std::scoped_lock lock(mutex_);
     draw(label);

@@ -17,7 +17,7 @@ namespace fusee::init {
 
 namespace {
 
-constexpr int kShortGenerations = 60;
+constexpr int kShortGenerations = 150;
 constexpr std::uint64_t kSeeds = 2;                        // searches before a joint counts as impossible
 constexpr double kSearchShare = 0.6, kSpringShare = 0.75;  // of the time
 

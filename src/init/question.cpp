@@ -15,6 +15,7 @@
 #include "fusee/core/file.h"
 #include "fusee/core/text.h"
 #include "fusee/core/units.h"
+#include "fusee/friction/law.h"
 #include "fusee/identification/identification.h"
 
 namespace fusee::init {
@@ -22,6 +23,8 @@ namespace fusee::init {
 namespace {
 
 constexpr const char* kFrictionOption = "--friction";
+constexpr const char* kLawOption = "--law";
+constexpr const char* kNoLaw = "none";
 
 const std::vector<std::string> kProcesses{"fdm", "sla", "sls", "mill", "mill4"};  // edm and laser cut plates, which have no boss
 
@@ -98,6 +101,15 @@ void enter_friction(Answers& a, const std::string& entered) {
     a.friction_constant = std::stod(plain(report.law->constant));
 }
 
+/// The measured law is read now, so that a bad row is told before the search.
+void enter_law(Answers& a, const std::string& entered) {
+    if (entered == kNoLaw) return a.law.reset();
+    if (!entered.ends_with(".csv"))
+        throw core::InvalidInput(kLawOption, core::printable(entered, 60),
+                                 "a CSV file (.csv) with angle_rad,series_Nm,parallel_Nm, or none");
+    a.law = profile::read_measured_law(entered);
+}
+
 std::vector<std::string> materials() {
     std::vector<std::string> names{checks::kByProcess};
     for (const checks::Material& material : checks::material_table()) names.emplace_back(material.name);
@@ -113,6 +125,8 @@ std::vector<Question> joint_questions() {
         number("--ratio", "Turns of a capstan for one turn of the joint", "", 1.0, {0.2, 5}, &Answers::ratio),
         number("--range", "Range of the joint between its stops; 0 = what the springs allow", "deg", core::rad_from_deg(1.0), {0, 720},
                &Answers::joint_range),
+        {kLawOption, "Springs that you measured at the capstan: a CSV file with angle_rad,series_Nm,parallel_Nm", "", "FILE.csv, or none",
+         [](const Answers& a) { return a.law ? a.law->file.string() : kNoLaw; }, enter_law},
         number("--joint-stiffness", "Stiffness of the joint at the torque, capstans held; 0 = chosen", "Nm/rad", 1.0, {0, 1e5},
                &Answers::joint_stiffness),
         {kFrictionOption, "Friction of each gear: share of the load, or a CSV file of break-away tests", "", "0.005 to 0.6, or FILE.csv",
@@ -165,7 +179,27 @@ std::string options_text(const Answers& answers) {
     return fmt::format("{}", fmt::join(words, " "));
 }
 
+namespace {
+
+/// The greatest load of a capstan that rests, at the overdrive torque, must stand in the measured law.
+void require_covered(const Answers& a) {
+    if (a.joint_stiffness > 0.0)
+        throw core::InvalidInput("--joint-stiffness", plain(a.joint_stiffness), "0 with --law: the measured springs have their stiffness");
+    const friction::Law friction = friction::Law::affine(a.friction_constant, a.friction);
+    const double most = a.law->series.back() + a.law->parallel.back();
+    if (const double needed = friction.resting_loads(a.overdrive_torque()).high; needed > most)
+        throw core::InvalidInput(
+            "--law", core::printable(a.law->file.string(), 60),
+            fmt::format("springs of at least {:.4g} Nm together, since stiction holds that load at an overdrive torque "
+                        "of {:.4g} Nm at the capstan; these end at {:.4g} Nm: measure further, or state a smaller "
+                        "--torque or --overdrive",
+                        needed, a.overdrive_torque(), most));
+}
+
+}  // namespace
+
 void require_consistent(const Answers& a) {
+    if (a.law) require_covered(a);
     if (a.overdrive > 0.0 && a.overdrive < a.torque)
         throw core::InvalidInput("--overdrive", plain(a.overdrive), fmt::format("0, or at least --torque {:g} Nm", a.torque));
     if (a.least >= a.torque) throw core::InvalidInput("--least", plain(a.least), fmt::format("0, or below --torque {:g} Nm", a.torque));

@@ -24,6 +24,7 @@ constexpr double kHole = 1.5;                            // anchor hole, in cabl
 constexpr double kIdleBend = 2.5, kIdleShare = 0.25;     // radius over the cable's diameter: at least; over its critical D/d
 constexpr double kBoss = 2.7, kBossLength = 2.1, kThickBoss = 1.6;  // over the shaft
 constexpr double kLeastCable = 0.5e-3;                              // [m]
+constexpr double kWithin = 0.999;                                   // of the greatest measured load: it is noisy
 constexpr int kDigits = 6;
 
 const profile::Profile& start_design() {
@@ -50,13 +51,49 @@ double k_of(const profile::Profile& p, const Answers& answers, double own, doubl
     return own / (torques * softness);
 }
 
-/// @returns by how much the capstan's angles are larger than those of the start design
-double set_law(profile::Profile& p, const Answers& answers, const Scale& scale, double torques) {
+/// A pair of springs from its least to its greatest load.
+struct LawSize {
+    double angle = 0.0;                             ///< of the capstan [rad]
+    double series_work = 0.0, parallel_work = 0.0;  ///< that the springs take up [J]
+};
+
+LawSize size_of(const spring::LawPoint& low, const spring::LawPoint& high) {
+    return {high.theta - low.theta, high.u_se - low.u_se, high.u_pe - low.u_pe};
+}
+
+const LawSize& start_size() {
+    static const LawSize size = [] {
+        const auto start = pipeline::resolve(start_design());
+        const spring::SpringLaw& law = *start->law();
+        return size_of(law.at_load(start_design().law.start_torque), law.at_load(start_design().law.end_torque));
+    }();
+    return size;
+}
+
+/// By trapezia over the rows between two loads; noise averages out.
+LawSize size_of(const profile::TablePair& rows, core::Range loads) {
+    LawSize size;
+    for (std::size_t i = 1; i < rows.angle.size(); ++i) {
+        const double load = 0.5 * (rows.series[i - 1] + rows.parallel[i - 1] + rows.series[i] + rows.parallel[i]);
+        if (load < loads.low || load > loads.high) continue;
+        const double step = rows.angle[i] - rows.angle[i - 1];
+        size.angle += step;
+        size.series_work += 0.5 * step * (rows.series[i - 1] + rows.series[i]);
+        size.parallel_work += 0.5 * step * (rows.parallel[i - 1] + rows.parallel[i]);
+    }
+    return size;
+}
+
+/// Ratios of a law to that of the start design.
+LawSize relative(const LawSize& size) {
+    const LawSize& start = start_size();
+    return {size.angle / start.angle, size.series_work / start.series_work, size.parallel_work / start.parallel_work};
+}
+
+/// A law of the paper's kind.
+LawSize set_stiction_law(profile::Profile& p, const Answers& answers, const Scale& scale, const friction::Law& friction, double torques) {
     auto& law = std::get<spring::StictionLawOptions>(p.law.curves);
     const double own = law.k;
-    const friction::Law friction = pipeline::gear_friction(p);
-    p.law.start_torque = scale.start * friction.resting_loads(p.rig.least_torque).low;
-    p.law.end_torque = scale.end * friction.resting_loads(p.rig.overdrive_torque).high;
     law.mu = friction.mu();
     law.k = k_of(p, answers, own, torques, scale.softness);
     // T tau_f = mu C + u^2/tau, here at the start; for tau_f = mu tau: T = C/tau + u^2/(mu tau^2)
@@ -65,17 +102,29 @@ double set_law(profile::Profile& p, const Answers& answers, const Scale& scale, 
     law.u = std::sqrt(scale.u_share * passed * p.law.start_torque);
     law.start_torque = p.law.start_torque;
     law.end_torque = p.law.end_torque;
-    return own / (torques * law.k);
+    const double angle = own / (torques * law.k);
+    return {angle, torques * angle, torques * angle};
 }
 
-void set_springs(profile::Profile& p, const Scale& scale, double energy, double angle) {
+/// @returns ratios to the law of the start design
+LawSize set_law(profile::Profile& p, const Answers& answers, const Scale& scale, double torques) {
+    const friction::Law friction = pipeline::gear_friction(p);
+    p.law.start_torque = scale.start * friction.resting_loads(p.rig.least_torque).low;
+    p.law.end_torque = scale.end * friction.resting_loads(p.rig.overdrive_torque).high;
+    if (!answers.law) return set_stiction_law(p, answers, scale, friction, torques);
+    p.law.end_torque = std::min(p.law.end_torque, kWithin * (answers.law->series.back() + answers.law->parallel.back()));
+    p.law.curves = *answers.law;
+    return relative(size_of(*answers.law, {p.law.start_torque, p.law.end_torque}));
+}
+
+void set_springs(profile::Profile& p, const Scale& scale, const LawSize& law) {
     for (spring::BaseSpring* s : {&p.k_se.spring, &p.k_pe.spring}) {
         s->max_state = s->max_load = s->wire_diameter = s->coil_diameter = s->active_coils = s->free_length = s->rod_diameter = 0.0;
     }
-    const double turn = angle * scale.capstan, travel = angle * scale.k_pe;
-    p.k_se.spring.rate *= energy / (turn * turn);
+    const double turn = law.angle * scale.capstan, travel = law.angle * scale.k_pe;
+    p.k_se.spring.rate *= law.series_work / (turn * turn);
     p.k_se.spring.preload *= turn * scale.preload_se;
-    p.k_pe.spring.rate *= energy / (travel * travel);
+    p.k_pe.spring.rate *= law.parallel_work / (travel * travel);
     p.k_pe.spring.preload *= travel * scale.preload_pe;
 }
 
@@ -147,15 +196,16 @@ profile::Profile scaled(const std::string& name, const Answers& answers, const S
     p.outputs.formats = formats_of(answers.process);
     const double torques = answers.peak_torque() / p.rig.peak_torque;
     set_rig(p, answers, scale);
-    const double angle = set_law(p, answers, scale, torques);
-    p.law.lead_in_travel *= angle;
-    set_springs(p, scale, torques * angle, angle);
+    const LawSize law = set_law(p, answers, scale, torques);
+    p.law.lead_in_travel *= law.angle;
+    set_springs(p, scale, law);
     set_parts(p, answers, scale);
     p = profile::rounded(p, kDigits);
-    auto& law = std::get<spring::StictionLawOptions>(p.law.curves);  // complete: the torques of its profile
-    law.mu = pipeline::gear_friction(p).mu();
-    law.start_torque = p.law.start_torque;
-    law.end_torque = p.law.end_torque;
+    if (auto* kind = std::get_if<spring::StictionLawOptions>(&p.law.curves)) {  // complete: the torques of its profile
+        kind->mu = pipeline::gear_friction(p).mu();
+        kind->start_torque = p.law.start_torque;
+        kind->end_torque = p.law.end_torque;
+    }
     return p;
 }
 

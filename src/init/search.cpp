@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <vector>
 
 #include "fusee/checks/limits.h"
 #include "fusee/core/progress.h"
@@ -32,27 +32,28 @@ struct Number {
     bool logarithmic;
 };
 
-std::array<Number, 10> numbers_of(const Answers& answers) {
+std::vector<Number> numbers_of(const Answers& answers) {
     const Sizes sizes = least_sizes(answers);
-    return {Number{&Scale::k_pe, {0.7 * sizes.k_pe, 6.0 * sizes.k_pe}, true},
-            Number{&Scale::k_se, {0.8 * sizes.k_se, 4.0 * sizes.k_se}, true},
-            Number{&Scale::capstan, {0.35, 1.1}, true},
-            Number{&Scale::softness, {0.6, 1.4}, true},
-            Number{&Scale::preload_pe, {0.05, 1.3}, true},
-            Number{&Scale::preload_se, {0.3, 0.9}, true},
-            Number{&Scale::transmission, {0.25, 0.7}, false},
-            Number{&Scale::u_share, {0.0, 0.2}, false},
-            Number{&Scale::start, {0.8, 0.98}, false},
-            Number{&Scale::end, {1.01, 1.15}, false}};
+    std::vector<Number> numbers{Number{&Scale::k_pe, {0.7 * sizes.k_pe, 6.0 * sizes.k_pe}, true},
+                                Number{&Scale::k_se, {0.8 * sizes.k_se, 4.0 * sizes.k_se}, true},
+                                Number{&Scale::capstan, {0.35, 1.1}, true},
+                                Number{&Scale::preload_pe, {0.05, 1.3}, true},
+                                Number{&Scale::preload_se, {0.3, 0.9}, true},
+                                Number{&Scale::start, {0.8, 0.98}, false},
+                                Number{&Scale::end, {1.01, 1.15}, false}};
+    if (!answers.law)
+        numbers.insert(numbers.end(), {Number{&Scale::softness, {0.6, 1.4}, true}, Number{&Scale::transmission, {0.25, 0.7}, false},
+                                       Number{&Scale::u_share, {0.0, 0.2}, false}});
+    return numbers;
 }
 
-std::vector<Range> bounds_of(const std::array<Number, 10>& numbers) {
+std::vector<Range> bounds_of(const std::vector<Number>& numbers) {
     std::vector<Range> bounds;
     for (const Number& n : numbers) bounds.push_back(n.logarithmic ? Range{std::log(n.box.low), std::log(n.box.high)} : n.box);
     return bounds;
 }
 
-Scale scale_of(const std::array<Number, 10>& numbers, std::span<const double> x) {
+Scale scale_of(const std::vector<Number>& numbers, std::span<const double> x) {
     Scale scale;
     for (std::size_t i = 0; i < numbers.size(); ++i) scale.*numbers[i].member = numbers[i].logarithmic ? std::exp(x[i]) : x[i];
     return scale;
@@ -101,7 +102,7 @@ public:
 private:
     std::string name_;
     Answers answers_;
-    std::array<Number, 10> numbers_;
+    std::vector<Number> numbers_;
     codesign::Problem errors_, warnings_;
 };
 
@@ -125,7 +126,8 @@ private:
 core::Findings binding_limits(const codesign::Trial& trial, const profile::Profile& profile) {
     core::Findings findings = codesign::broken(trial);
     std::erase_if(findings, [](const core::Finding& f) {
-        return !f.rule.starts_with("limit.") && !f.rule.starts_with("cover.") && !f.rule.starts_with("demand.");
+        return !f.rule.starts_with("limit.") && !f.rule.starts_with("cover.") && !f.rule.starts_with("demand.") &&
+               !f.rule.starts_with("law.");
     });
     for (core::Finding& f : findings) f.suggestion.clear();  // keys of a search that nobody has written
     for (const core::Finding& f : pipeline::outline_findings(profile))

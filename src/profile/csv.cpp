@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "fusee/core/csv.h"
+#include "fusee/core/file.h"
 
 namespace fusee::profile {
 
@@ -29,6 +30,13 @@ void read_table(std::string_view csv, const std::string& file, TablePair& table)
                 faults.add(rows.fault(i, column, fmt::format("{:g}", value), fmt::format("{:g} to {:g}", -most, most)));
     }
     faults.throw_if_any();
+}
+
+TablePair read_measured_law(const std::filesystem::path& file) {
+    TablePair table;
+    table.file = file;
+    read_table(core::read_file(file, kLargestFile), file.string(), table);
+    return table;
 }
 
 }  // namespace fusee::profile

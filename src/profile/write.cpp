@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <type_traits>
 
 #include "key.h"
 #include "overrides.h"
@@ -29,7 +30,8 @@ std::string to_toml(const Profile& profile) {
 }
 
 std::string to_commented_toml(const Profile& profile) {
-    const Profile untouched;
+    Profile untouched;  // of the same kind of law
+    std::visit([&](const auto& curves) { untouched.law.curves = std::decay_t<decltype(curves)>{}; }, profile.law.curves);
     std::string toml, table;
     for (const Key& key : keys()) {
         if (!applies(key, profile) || !is_stated(key, profile, untouched)) continue;

@@ -36,6 +36,24 @@ TEST(FindDesign, TheDefaultAnswersGiveAJointThatTheFileReproduces) {
     EXPECT_NE(text.find("# r_c, radius at which the capstan takes the joint's cable\n"), std::string::npos);
 }
 
+/// The measured springs stay as they are; cams and base springs are searched for them.
+TEST(FindDesign, AMeasuredLawStaysThatOfTheFile) {
+    Answers answers;
+    const std::filesystem::path file = std::filesystem::path(FUSEE_SOURCE_DIR) / "profiles/measured_table.csv";
+    answers.law = profile::read_measured_law(file);
+    answers.torque = 0.8;
+    answers.overdrive = 1.0;
+    answers.least = 0.4;
+    answers.friction = 0.2;
+    const Searched found = search_scales("measured", answers, {.first = true}, {});
+    EXPECT_TRUE(found.makeable) << core::to_line(found.binding.front());
+    const auto& law = std::get<profile::TablePair>(found.profile.law.curves);
+    EXPECT_EQ(law.file, file);
+    EXPECT_EQ(law.series, answers.law->series);
+    EXPECT_GE(found.profile.law.end_torque, 1.0 / (1.0 - 0.2)) << "stiction holds as much at 1 Nm";
+    EXPECT_NE(profile_text({found.profile, {}}, answers).find("kind = \"table\""), std::string::npos);
+}
+
 TEST(FindDesign, ATinyJoint) {
     Answers answers;
     answers.torque = 0.1;

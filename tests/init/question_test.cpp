@@ -40,6 +40,26 @@ TEST(Question, AnswersAreInSi) {
     EXPECT_EQ(options_text(answers), "--range '180' --cable '7x49 3' --shaft '8' --process 'mill'");
 }
 
+TEST(Question, AMeasuredLawMustReachTheLoadThatStictionHolds) {
+    Answers answers;
+    asked("--law").enter(answers, FUSEE_SOURCE_DIR "/profiles/measured_table.csv");  // ends at 1.952 Nm
+    EXPECT_EQ(asked("--law").shown(answers), FUSEE_SOURCE_DIR "/profiles/measured_table.csv");
+    answers.friction = 0.25;
+    answers.torque = 0.97;  // 1.5 * 0.97 / (1 - 0.25) = 1.94 Nm
+    EXPECT_NO_THROW(require_consistent(answers));
+    answers.torque = 0.98;  // 1.96 Nm
+    try {
+        require_consistent(answers);
+        ADD_FAILURE();
+    } catch (const core::InvalidInput& e) {
+        EXPECT_NE(std::string(e.what()).find("--law"), std::string::npos) << e.what();
+        EXPECT_NE(std::string(e.what()).find("at least 1.96 Nm"), std::string::npos) << e.what();
+        EXPECT_NE(std::string(e.what()).find("end at 1.952 Nm"), std::string::npos) << e.what();
+    }
+    asked("--law").enter(answers, "none");
+    EXPECT_FALSE(answers.law);
+}
+
 TEST(Question, BadAnswersNameTheOptionAndWhatIsAllowed) {
     for (const auto& [option, text] : std::vector<std::pair<std::string, std::string>>{{"--torque", "0"},
                                                                                        {"--torque", "nan"},

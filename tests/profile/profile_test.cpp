@@ -77,6 +77,17 @@ TEST_F(ProfileTest, WrittenAndReadAgainGivesTheSameNumbersBitForBit) {
     }
 }
 
+/// With comments, only keys that differ from their defaults; the same profile whatever the kind of its law.
+TEST_F(ProfileTest, CommentedTextReadAgainIsTheSameProfile) {
+    for (const char* name : {"pnrvsa", "first_prototype", "measured_table", "from_dead_band", "free_curve"}) {
+        const std::filesystem::path file = std::filesystem::path(FUSEE_SOURCE_DIR) / "profiles" / (std::string(name) + ".toml");
+        const Profile shipped = read_profile(file);
+        const std::string text = to_commented_toml(shipped);
+        EXPECT_EQ(to_toml(parse_profile(text, file)), to_toml(shipped)) << name;
+        EXPECT_NE(text.find("# r_c, radius at which the capstan takes the joint's cable"), std::string::npos) << name;
+    }
+}
+
 TEST_F(ProfileTest, TheShippedProfileIsThePapersActuator) {
     const Profile p = read_profile(std::filesystem::path(FUSEE_SOURCE_DIR) / "profiles" / "pnrvsa.toml");
     EXPECT_EQ(p.rig.gear_friction, 0.28);

@@ -25,13 +25,15 @@ public:
 
     /// Counts one finished item, or a stage that begins; `label` names it.
     void advance(const std::string& label);
+    /// Sets the count of finished items, for work whose parts differ in size; without a terminal, a line only for a new label.
+    void reach(std::size_t done, const std::string& label);
     /// Announces a long step: shown behind the bar, or as a line.
     void note(const std::string& label);
 
 private:
     void draw(const std::string& label) const;
 
-    std::string title_;
+    std::string title_, reached_;
     std::size_t total_, done_ = 0;
     Of of_;
     bool terminal_;

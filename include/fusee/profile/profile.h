@@ -171,6 +171,9 @@ inline constexpr std::size_t kLargestFile = 10'000'000;
 /// The same from the text of `path`, which need not exist yet. @throws as read_profile
 [[nodiscard]] Profile parse_profile(std::string toml, const std::filesystem::path& path);
 
+/// The curves of a CSV file as `law.file` names it, with the default smoothing. @throws core::IoError; as read_profile for its rows
+[[nodiscard]] TablePair read_measured_law(const std::filesystem::path& file);
+
 /// The profile as TOML with every key that applies. Read from the same folder it gives the same numbers, bit for bit.
 [[nodiscard]] std::string to_toml(const Profile& profile);
 

@@ -36,8 +36,8 @@ std::string figures(const init::Design& found) {
     const auto design = pipeline::resolve(p);
     std::string text;
     if (design)
-        text += fmt::format("  dead-band, full width at the joint: {}, {}\n", band_text(*design, p.rig.peak_torque),
-                            band_text(*design, p.rig.overdrive_torque));
+        text += fmt::format("  dead-band, full width at the joint: {}, {}, {}\n", band_text(*design, p.rig.least_torque),
+                            band_text(*design, p.rig.peak_torque), band_text(*design, p.rig.overdrive_torque));
     text += fmt::format("  radius of capstan {:.4g} mm, of the joint's pulley {:.4g} mm\n", mm_from_m(p.rig.capstan_radius),
                         mm_from_m(p.rig.joint_radius));
     text += coil_line("K_SE", "torsion", p.k_se.spring) + coil_line("K_PE", "compression", p.k_pe.spring);

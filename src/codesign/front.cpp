@@ -1,73 +1,24 @@
 #include "front.h"
 
+#include <dlfcn.h>
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <memory>
-#include <pagmo/algorithm.hpp>
-#include <pagmo/algorithms/nsga2.hpp>
-#include <pagmo/batch_evaluators/thread_bfe.hpp>
-#include <pagmo/bfe.hpp>
-#include <pagmo/population.hpp>
-#include <pagmo/problem.hpp>
-#include <pagmo/utils/multi_objective.hpp>
+#include <filesystem>
 
 #include "fusee/core/error.h"
 #include "fusee/core/parallel.h"
+#include "nsga2.h"
 
 namespace fusee::codesign {
 
 namespace {
 
-constexpr unsigned kPart = 5;                                                      // generations between two looks at progress and Ctrl-C
-constexpr double kCrossover = 0.9, kCrossoverIndex = 10.0, kMutationIndex = 20.0;  // Deb et al. 2002
-
-/// pagmo copies problems freely: the costs themselves are shared.
-struct CostsProblem {
-    std::shared_ptr<const Costs> costs;
-    pagmo::vector_double low, high;
-
-    [[nodiscard]] pagmo::vector_double fitness(const pagmo::vector_double& x) const {
-        const auto values = (*costs)(x);
-        return {values[0], values[1]};
-    }
-    [[nodiscard]] pagmo::vector_double::size_type get_nobj() const { return 2; }
-    [[nodiscard]] std::pair<pagmo::vector_double, pagmo::vector_double> get_bounds() const { return {low, high}; }
-    [[nodiscard]] pagmo::thread_safety get_thread_safety() const { return pagmo::thread_safety::constant; }
-};
+namespace fs = std::filesystem;
 
 void validate(const FrontOptions& o) {
     if (o.population < 8 || o.population % 4 != 0)
         throw core::InvalidInput("design.population", fmt::format("{}", o.population), "a multiple of 4, at least 8, for a Pareto front");
     core::require_within("design.generations", o.generations, 1, 1'000'000);
-}
-
-pagmo::population first_population(const Costs& costs, const FrontOptions& o, const pagmo::bfe& evaluator) {
-    CostsProblem problem{std::make_shared<const Costs>(costs), {}, {}};
-    for (const core::Range& range : o.bounds) {
-        problem.low.push_back(range.low);
-        problem.high.push_back(range.high);
-    }
-    pagmo::population all(pagmo::problem(problem), evaluator, static_cast<std::size_t>(o.population), o.seed);
-    for (std::size_t i = 0; i < std::min(o.seeds.size(), all.size()); ++i) all.set_x(i, o.seeds[i]);
-    return all;
-}
-
-double least_first(const pagmo::population& population) {
-    double least = population.get_f().front()[0];
-    for (const auto& f : population.get_f()) least = std::min(least, f[0]);
-    return least;
-}
-
-Front front_of(const pagmo::population& population) {
-    Front front;
-    const auto& f = population.get_f();
-    std::vector<std::size_t> best = pagmo::non_dominated_front_2d(f);
-    std::stable_sort(best.begin(), best.end(), [&](std::size_t a, std::size_t b) { return f[a] < f[b]; });
-    best.erase(std::unique(best.begin(), best.end(), [&](std::size_t a, std::size_t b) { return f[a] == f[b]; }), best.end());
-    for (const std::size_t i : best) front.members.push_back(population.get_x()[i]);
-    front.evaluations = population.get_problem().get_fevals();
-    return front;
 }
 
 /// NSGA-II crosses and mutates only numbers that have a range.
@@ -100,25 +51,39 @@ private:
     std::vector<std::size_t> free_;
 };
 
-Front search(const Costs& costs, const FrontOptions& o) {
-    const pagmo::bfe evaluator{pagmo::thread_bfe{}};
-    pagmo::population population = first_population(costs, o, evaluator);
-    int done = 0;
-    bool stopped = false;
-    while (done < o.generations && !stopped) {
-        const unsigned part = std::min(kPart, static_cast<unsigned>(o.generations - done));
-        // A stream of its own for each part, so that where a run is parted from outside does not matter.
-        pagmo::nsga2 algorithm(part, kCrossover, kCrossoverIndex, 1.0 / static_cast<double>(o.bounds.size()), kMutationIndex,
-                               o.seed + static_cast<unsigned>(done) + 1);
-        algorithm.set_bfe(evaluator);
-        population = algorithm.evolve(population);
-        done += static_cast<int>(part);
-        if (o.progress) o.progress(done, least_first(population));
-        stopped = o.stop && o.stop();
+/// Where the module may be: beside the program or Python's module, in the library folder of their prefix or build, or where it was
+/// installed.
+std::vector<fs::path> module_files() {
+    std::vector<fs::path> files;
+    Dl_info self{};
+    if (::dladdr(reinterpret_cast<const void*>(&find_front), &self) != 0 && self.dli_fname != nullptr) {
+        std::error_code ignored;
+        const fs::path folder = fs::canonical(self.dli_fname, ignored).parent_path();
+        for (const char* below : {"", "../" FUSEE_LIBDIR "/fusee", "../../" FUSEE_LIBDIR "/fusee"})
+            if (!folder.empty()) files.push_back((folder / below / "fusee_nsga2.so").lexically_normal());
     }
-    Front front = front_of(population);
-    front.generations = done;
-    front.interrupted = done < o.generations;
+    files.emplace_back(FUSEE_FULL_LIBDIR "/fusee/fusee_nsga2.so");
+    return files;
+}
+
+/// pagmo takes 70 ms to start: it is loaded when a front is searched, and stays. @throws IoError naming where the module is missing
+decltype(&fusee_nsga2) nsga2() {
+    static const auto loaded = [] {
+        std::string reasons;
+        for (const fs::path& file : module_files()) {
+            if (void* module = ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL))
+                if (void* function = ::dlsym(module, "fusee_nsga2")) return reinterpret_cast<decltype(&fusee_nsga2)>(function);
+            reasons += fmt::format("{}{}", reasons.empty() ? "" : "; ", ::dlerror());
+        }
+        throw core::IoError("fusee_nsga2.so", reasons);
+    }();
+    return loaded;
+}
+
+Front search(const Costs& costs, const FrontOptions& options) {
+    Front front;
+    const auto function = nsga2();
+    core::with_threads(options.jobs, [&] { function(costs, options, front); });
     return front;
 }
 
@@ -127,17 +92,13 @@ Front search(const Costs& costs, const FrontOptions& o) {
 Front find_front(const Costs& costs, const FrontOptions& options) {
     validate(options);
     const Free free(options.bounds);
-    Front front;
-    if (free.all()) {
-        core::with_threads(options.jobs, [&] { front = search(costs, options); });
-        return front;
-    }
+    if (free.all()) return search(costs, options);
     if (free.none()) return {.members = {free.with_fixed({})}, .evaluations = 0};
     FrontOptions of_free = options;
     of_free.bounds = free.of(options.bounds);
     for (std::vector<double>& seed : of_free.seeds) seed = free.of(seed);
     const Costs costs_of_free = [&](std::span<const double> some) { return costs(free.with_fixed(some)); };
-    core::with_threads(options.jobs, [&] { front = search(costs_of_free, of_free); });
+    Front front = search(costs_of_free, of_free);
     for (std::vector<double>& member : front.members) member = free.with_fixed(member);
     return front;
 }

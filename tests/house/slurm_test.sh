@@ -1,9 +1,9 @@
 #!/bin/bash
 # A study as a job array on two nodes, one of which is lost half way, ends with the index of one process.
-# slurm_test.sh PROGRAM SOURCE [DESIGNS]     60 designs, or as many as are named
+# slurm_test.sh PROGRAM SOURCE [DESIGNS]     200 designs, or as many as are named
 . "$(dirname -- "$0")/lib.sh"
 . "$(dirname -- "$0")/slurm_cluster.sh"
-program=$1 source=$2 designs=${3:-60}
+program=$1 source=$2 designs=${3:-200}
 [ "$(id -u)" = 0 ] || skip 'starting Slurm needs root'
 for tool in $cluster_programs; do command -v "$tool" >/dev/null || skip "$tool is not installed"; done
 

@@ -9,6 +9,7 @@
 #include "arguments.h"
 #include "commands.h"
 #include "exit_codes.h"
+#include "fusee/codesign/run.h"
 #include "fusee/core/destination.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
@@ -101,8 +102,7 @@ int run_init(const InitArguments& arguments, Reply& reply) {
         reply.warn(report::init_text(result, arguments.profile.string()));
         return kRefused;
     }
-    if (auto* law = std::get_if<profile::TablePair>(&result.design->profile.law.curves))  // as seen from the profile's folder
-        law->file = fs::proximate(law->file, fs::absolute(arguments.profile).parent_path());
+    result.design->profile = codesign::moved(result.design->profile, fs::absolute(arguments.profile).parent_path());
     core::require_new_file(arguments.profile, false);  // it may have appeared since
     core::write_file(arguments.profile, init::profile_text(*result.design, answers));
     reply.result = {{"profile", arguments.profile.string()}};

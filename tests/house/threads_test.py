@@ -26,7 +26,7 @@ LONG = {
     "diagnose, second table": "diagnose profiles/gap/paper_table_2 --out o/diagnosis",
     "paper": "paper --profiles profiles --out o",
 }
-TIMES = re.compile(r"[0-9.]+ s\b|[0-9.]+ designs/s")
+TIMES = re.compile(r"(?<= )[ 0-9]{3}\.[0-9]{2} s\b|[0-9.]+ s\b|[0-9.]+ designs/s")  # first the table's column of 6 characters
 SKIPPED = re.compile(r"rows/|index\.sqlite|\.fusee\.json$|held_out\.json$")  # hold times, or a database's pages
 
 

@@ -78,6 +78,12 @@ node_tasks() { # NODE
     grep -lsz "^SLURMD_NODENAME=$1\$" /proc/[0-9]*/environ | cut -d / -f 3
 }
 
+# Stops the clock of a node's tasks, so that none ends before the crash. Fails if it has none.
+cluster_freeze() { # NODE
+    node_tasks "$1" | xargs -r kill -STOP 2>/dev/null || true
+    [ -n "$(node_tasks "$1")" ]
+}
+
 # Ends a node as a power cut does: its daemon first, so that nothing is started any more, then what waits for the tasks, then the tasks.
 # The controller is told, as an operator would: its own pings can need minutes on a busy machine.
 cluster_crash() { # NODE

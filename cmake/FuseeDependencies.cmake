@@ -1,5 +1,5 @@
 # Everything comes from Debian 12 packages (packages.txt); nothing is downloaded at configure time.
-# fuseeConfig.cmake.in names the same packages for those who link an installed fusee.
+# fuseeConfig.cmake.in names those that an installed module links, for those who use it.
 find_package(Threads REQUIRED)
 find_package(fmt REQUIRED)
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)

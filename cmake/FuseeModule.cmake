@@ -35,6 +35,21 @@ function(fusee_module module)
           FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT dev)
 endfunction()
 
+# fusee_loaded_library(nsga2 codesign SOURCES nsga2.cpp LINKS fusee::core Pagmo::pagmo): the shared library fusee_nsga2.so, which the module
+# codesign loads when it needs it (core::loaded_function). Nothing of it is seen but its functions with C linkage.
+function(fusee_loaded_library name module)
+  cmake_parse_arguments(L "" "" "SOURCES;LINKS" ${ARGN})
+  add_library(fusee_${name} MODULE ${L_SOURCES})
+  set_target_properties(fusee_${name} PROPERTIES PREFIX "" LIBRARY_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}/fusee"
+                        CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON UNITY_BUILD ${FUSEE_UNITY} UNITY_BUILD_BATCH_SIZE 0)
+  target_include_directories(fusee_${name} PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}")
+  target_link_libraries(fusee_${name} PRIVATE ${L_LINKS} fusee_options)
+  target_link_options(fusee_${name} PRIVATE -Wl,--exclude-libs,ALL)
+  add_dependencies(fusee_${module} fusee_${name})
+  set_property(GLOBAL APPEND PROPERTY fusee_loaded_libraries fusee_${name})
+  install(TARGETS fusee_${name} LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}/fusee" COMPONENT program)
+endfunction()
+
 # Every `#include "fusee/X/..."` of a module must name the module itself or one that it declares in USES, and no include may climb
 # out of its folder, which would go round that rule. Linking is transitive, including is not.
 function(fusee_check_layering module uses)

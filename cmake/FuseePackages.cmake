@@ -53,7 +53,7 @@ endforeach()
 list(JOIN libraries ", " libraries)
 fusee_package(dev libfusee-dev libdevel "modules of fusee as static libraries"
   "Headers, static libraries and find_package(fusee) of the modules behind the\nprogram fusee: spring laws, cams, solids, diagnosis.")
-set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "fusee (= ${PROJECT_VERSION}), ${libraries}, pkg-config")  # fusee: fusee_nsga2.so
+set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "fusee (= ${PROJECT_VERSION}), ${libraries}, pkg-config")  # fusee: the libraries that are loaded
 
 if(TARGET fusee_python)
   fusee_package(python python3-fusee python "Python module of fusee"

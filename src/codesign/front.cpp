@@ -1,19 +1,15 @@
 #include "front.h"
 
-#include <dlfcn.h>
 #include <fmt/format.h>
 
-#include <filesystem>
-
 #include "fusee/core/error.h"
+#include "fusee/core/module.h"
 #include "fusee/core/parallel.h"
 #include "nsga2.h"
 
 namespace fusee::codesign {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 void validate(const FrontOptions& o) {
     if (o.population < 8 || o.population % 4 != 0)
@@ -51,39 +47,11 @@ private:
     std::vector<std::size_t> free_;
 };
 
-/// Where the module may be: beside the program or Python's module, in the library folder of their prefix or build, or where it was
-/// installed.
-std::vector<fs::path> module_files() {
-    std::vector<fs::path> files;
-    Dl_info self{};
-    if (::dladdr(reinterpret_cast<const void*>(&find_front), &self) != 0 && self.dli_fname != nullptr) {
-        std::error_code ignored;
-        const fs::path folder = fs::canonical(self.dli_fname, ignored).parent_path();
-        for (const char* below : {"", "../" FUSEE_LIBDIR "/fusee", "../../" FUSEE_LIBDIR "/fusee"})
-            if (!folder.empty()) files.push_back((folder / below / "fusee_nsga2.so").lexically_normal());
-    }
-    files.emplace_back(FUSEE_FULL_LIBDIR "/fusee/fusee_nsga2.so");
-    return files;
-}
-
-/// pagmo takes 70 ms to start: it is loaded when a front is searched, and stays. @throws IoError naming where the module is missing
-decltype(&fusee_nsga2) nsga2() {
-    static const auto loaded = [] {
-        std::string reasons;
-        for (const fs::path& file : module_files()) {
-            if (void* module = ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL))
-                if (void* function = ::dlsym(module, "fusee_nsga2")) return reinterpret_cast<decltype(&fusee_nsga2)>(function);
-            reasons += fmt::format("{}{}", reasons.empty() ? "" : "; ", ::dlerror());
-        }
-        throw core::IoError("fusee_nsga2.so", reasons);
-    }();
-    return loaded;
-}
-
 Front search(const Costs& costs, const FrontOptions& options) {
+    // pagmo takes 70 ms to start: it is loaded when a front is searched.
+    static const auto nsga2 = reinterpret_cast<decltype(&fusee_nsga2)>(core::loaded_function("fusee_nsga2.so", "fusee_nsga2"));
     Front front;
-    const auto function = nsga2();
-    core::with_threads(options.jobs, [&] { function(costs, options, front); });
+    core::with_threads(options.jobs, [&] { nsga2(costs, options, front); });
     return front;
 }
 

@@ -21,6 +21,8 @@ struct StepMaterial {
 void write_step(const std::filesystem::path& path, const brep::Brep& solid, const std::string& name, const std::string& provenance,
                 const StepMaterial& material = {});
 
+class StepSolid;
+
 /// A STEP file with one solid, read by OpenCASCADE.
 class StepFile {
 public:
@@ -35,8 +37,7 @@ public:
     [[nodiscard]] std::optional<double> outermost(double azimuth, double z_mm) const;
 
 private:
-    struct Shape;
-    std::unique_ptr<Shape> shape_;
+    std::unique_ptr<StepSolid> solid_;
 };
 
 }  // namespace fusee::exchange

@@ -7,8 +7,8 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
 
-#include "foreign.h"
 #include "fusee/core/error.h"
+#include "kernel.h"
 #include "step_shape.h"
 #include "weld.h"
 
@@ -36,9 +36,9 @@ void append(Welder& welder, const TopoDS_Face& face, const std::filesystem::path
 
 }  // namespace
 
-MeshFile read_foreign_step(const std::filesystem::path& path) {
+MeshFile read_step_mesh(const std::filesystem::path& path, const std::string& bytes) {
     Welder welder;
-    with_step_shape(path, read_foreign_bytes(path), [&](const TopoDS_Shape& shape, const STEPControl_Reader&) {
+    with_step_shape(path, bytes, [&](const TopoDS_Shape& shape, const STEPControl_Reader&) {
         const BRepMesh_IncrementalMesh tessellation(shape, kTessellation_mm, false, kTessellation_rad);
         for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next()) append(welder, TopoDS::Face(face.Current()), path);
     });

@@ -1,7 +1,6 @@
 #include <cairo.h>
 #include <fmt/format.h>
 
-#include "fusee/core/base64.h"
 #include "fusee/core/error.h"
 #include "fusee/render/picture.h"
 #include "surface.h"
@@ -38,7 +37,5 @@ std::string png(const Picture& picture) {
     cairo_surface_mark_dirty(surface.get());
     return png_of(surface.get(), "picture");
 }
-
-std::string data_uri(const std::string& png) { return "data:image/png;base64," + core::base64(png); }
 
 }  // namespace fusee::render

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::string_view kBegin = "ISO-10303-21", kEnd = "END-ISO-10303-21";
 constexpr std::size_t kHeader = 1000;  // bytes that must contain kBegin
-constexpr int kDeepest = 100;
+constexpr int kDeepestNesting = 100;
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_'; }
@@ -61,7 +61,7 @@ private:
         if (c == '#') return entity();
         if (depth_ > 0 && (is_digit(c) || c == '+' || c == '-' || c == '.')) return value();
         if (depth_ > 0 && is_letter(c)) return word();
-        if (c == '(' && ++depth_ > kDeepest) fail(fmt::format("parentheses are nested more than {} deep", kDeepest));
+        if (c == '(' && ++depth_ > kDeepestNesting) fail(fmt::format("parentheses are nested more than {} deep", kDeepestNesting));
         if (c == ')' && --depth_ < 0) fail("a closing parenthesis has no opening one");
         if (c == ';' && depth_ != 0) fail("a parenthesis is not closed");
         advance(1);

@@ -12,7 +12,7 @@
 #include "fusee/brep/measure.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
-#include "fusee/exchange/step.h"
+#include "kernel.h"
 #include "step_rays.h"
 #include "step_scan.h"
 #include "step_session.h"
@@ -30,13 +30,25 @@ std::mutex& step_session() {
     return mutex;
 }
 
-struct StepFile::Shape {
-    TopoDS_Shape solid;
-    std::string product;
-    std::unique_ptr<StepRays> rays;
-};
-
 namespace {
+
+class OpenCascadeSolid : public StepSolid {
+public:
+    OpenCascadeSolid(const TopoDS_Shape& solid, std::string product) : solid_(solid), product_(std::move(product)), rays_(solid) {}
+    [[nodiscard]] std::size_t faces() const override { return brep::count_faces(solid_); }
+    [[nodiscard]] double volume_mm3() const override { return brep::volume_mm3(solid_); }
+    [[nodiscard]] std::string product() const override { return product_; }
+    [[nodiscard]] std::optional<double> outermost(double azimuth, double z_mm) const override {
+        std::optional<double> found;
+        brep::guard([&] { found = rays_.outermost(azimuth, z_mm); });
+        return found;
+    }
+
+private:
+    TopoDS_Shape solid_;
+    std::string product_;
+    StepRays rays_;
+};
 
 std::string product_of(const STEPControl_Reader& reader) {
     const Handle(StepData_StepModel) model = reader.StepModel();
@@ -64,27 +76,13 @@ void with_step_shape(const std::filesystem::path& path, const std::string& bytes
     }
 }
 
-StepFile::StepFile(const std::filesystem::path& path) : shape_(std::make_unique<Shape>()) {
+std::unique_ptr<StepSolid> read_step(const std::filesystem::path& path) {
+    std::unique_ptr<StepSolid> solid;
     with_step_shape(path, core::read_file(path), [&](const TopoDS_Shape& shape, const STEPControl_Reader& reader) {
-        shape_->solid = shape;
         if (!brep::is_one_solid(shape)) throw core::IoError(path.string(), "does not contain exactly one valid solid");
-        shape_->product = product_of(reader);
-        shape_->rays = std::make_unique<StepRays>(shape);
+        solid = std::make_unique<OpenCascadeSolid>(shape, product_of(reader));
     });
-}
-
-StepFile::~StepFile() = default;
-
-std::size_t StepFile::faces() const { return brep::count_faces(shape_->solid); }
-
-double StepFile::volume_mm3() const { return brep::volume_mm3(shape_->solid); }
-
-std::string StepFile::product() const { return shape_->product; }
-
-std::optional<double> StepFile::outermost(double azimuth, double z_mm) const {
-    std::optional<double> found;
-    brep::guard([&] { found = shape_->rays->outermost(azimuth, z_mm); });
-    return found;
+    return solid;
 }
 
 }  // namespace fusee::exchange

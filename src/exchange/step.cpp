@@ -1,0 +1,50 @@
+#include "fusee/exchange/step.h"
+
+#include "foreign.h"
+#include "fusee/core/module.h"
+#include "step/kernel.h"
+
+namespace fusee::exchange {
+
+namespace {
+
+/// OpenCASCADE takes 60 ms to start: it is loaded when a STEP file is read or written.
+const StepKernel& kernel() {
+    static const StepKernel& loaded =
+        *reinterpret_cast<decltype(&fusee_step_kernel)>(core::loaded_function("fusee_step.so", "fusee_step_kernel"))();
+    return loaded;
+}
+
+}  // namespace
+
+void write_step(const std::filesystem::path& path, const brep::Brep& solid, const std::string& name, const std::string& provenance,
+                const StepMaterial& material) {
+    kernel().write(path, solid, name, provenance, material);
+}
+
+StepFile::StepFile(const std::filesystem::path& path) : solid_(kernel().read(path)) {}
+
+StepFile::~StepFile() = default;
+
+std::size_t StepFile::faces() const { return solid_->faces(); }
+
+double StepFile::volume_mm3() const { return solid_->volume_mm3(); }
+
+std::string StepFile::product() const { return solid_->product(); }
+
+std::optional<double> StepFile::outermost(double azimuth, double z_mm) const { return solid_->outermost(azimuth, z_mm); }
+
+void write_step_assembly(const std::filesystem::path& path, const std::vector<StepInstance>& instances, const std::string& name,
+                         const std::string& provenance) {
+    kernel().write_assembly(path, instances, name, provenance);
+}
+
+std::vector<StepBody> read_step_assembly(const std::filesystem::path& path) { return kernel().read_assembly(path); }
+
+std::vector<Interference> interferences(const std::vector<StepBody>& bodies, double least_mm3) {
+    return kernel().interferences(bodies, least_mm3);
+}
+
+MeshFile read_foreign_step(const std::filesystem::path& path) { return kernel().read_mesh(path, read_foreign_bytes(path)); }
+
+}  // namespace fusee::exchange

@@ -19,6 +19,13 @@ constexpr double kStep = 8.0;                       // samples by which the dept
 constexpr double kAmbient = 0.42, kDiffuse = 0.58, kEdgeLight = 0.25;
 constexpr std::uint32_t kNothing = std::numeric_limits<std::uint32_t>::max();
 
+/// As std::ceil and std::lround, which are calls of functions. @pre x >= 0, below 2^31
+int ceil_of(double x) {
+    const int whole = static_cast<int>(x);
+    return whole + (whole < x ? 1 : 0);
+}
+std::uint8_t rounded(double x) { return static_cast<std::uint8_t>(x + 0.5); }
+
 /// A triangle as seen: x to the right and y up [mm], depth towards the eye.
 struct Face {
     std::array<Vector3d, 3> corner;
@@ -68,7 +75,7 @@ public:
         }
         const Vector3d depth = share[0] * face.corner[0].z() + share[1] * face.corner[1].z() + share[2] * face.corner[2].z();
         const auto [low_y, high_y] = std::minmax({p[0].y(), p[1].y(), p[2].y()});
-        for (int y = std::max(0, static_cast<int>(std::ceil(low_y))); y <= std::min(height_ - 1, static_cast<int>(high_y)); ++y)
+        for (int y = ceil_of(std::max(0.0, low_y)); y <= std::min(height_ - 1, static_cast<int>(high_y)); ++y)
             fill_row(y, share, depth, index);
     }
     [[nodiscard]] std::size_t index_of(int x, int y) const {
@@ -97,7 +104,7 @@ private:
         }
         if (high < low) return;
         const int last = static_cast<int>(high);
-        for (int x = static_cast<int>(std::ceil(low)); x <= last; ++x) {
+        for (int x = ceil_of(low); x <= last; ++x) {
             const auto z = static_cast<float>(depth.x() * x + depth.y() * y + depth.z());
             const std::size_t at = index_of(x, y);
             if (z > depth_[at]) depth_[at] = z, face_[at] = index;
@@ -129,8 +136,7 @@ public:
         Vector3d sum = Vector3d::Zero();
         for (int k = 0; k < kFine * kFine; ++k) sum += sample(px * kFine + k % kFine, py * kFine + k / kFine);
         sum /= kFine * kFine;
-        return {static_cast<std::uint8_t>(std::lround(sum[0])), static_cast<std::uint8_t>(std::lround(sum[1])),
-                static_cast<std::uint8_t>(std::lround(sum[2]))};
+        return {rounded(sum[0]), rounded(sum[1]), rounded(sum[2])};
     }
 
 private:

@@ -99,7 +99,7 @@ void Answer::rank() {
         if (!left_out.x.empty()) row.left_out = root_mean_square(problem_, left_out.residual.cwiseQuotient(sigma_));
         for (std::size_t c = 0; c < fit.causes.size(); ++c) {
             const int k = problem_.size_at(fit.causes, c);
-            const effects::EffectParameter& size = effects::find_effect(fit.causes[c].id).parameters.front();
+            const effects::EffectParameter& size = problem_.effect(fit.causes[c].id).parameters.front();
             row.parameters.push_back(parameter_of(fit.x[k], inference::half_interval(fit, left_out, k), size));
         }
         diagnosis_.ranking.push_back(std::move(row));
@@ -111,7 +111,7 @@ void Answer::found_effects() {
     const inference::Fit& best = found_.best();
     const bool named = verdict_.verdict == VerdictKind::kIdentified || verdict_.verdict == VerdictKind::kAmbiguous;
     for (std::size_t c = 0; named && c < best.causes.size(); ++c) {
-        const effects::Effect& effect = effects::find_effect(best.causes[c].id);
+        const effects::Effect& effect = problem_.effect(best.causes[c].id);
         const auto k = static_cast<std::size_t>(problem_.size_at(best.causes, c));
         FoundEffect found{best.causes[c], 0.0, diagnosis_.ranking.front().parameters[c], {}};
         for (std::size_t h = 0; h < found_.fits.size(); ++h) {

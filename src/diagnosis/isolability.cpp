@@ -128,14 +128,14 @@ Isolability isolability(const inference::Problem& problem, const inference::Fit&
     core::parallel_for(n, jobs, [&](std::size_t i) {
         inference::Causes all = null.causes;
         all.push_back(causes[i]);
-        const effects::Effect& effect = effects::find_effect(causes[i].id);
+        const effects::Effect& effect = problem.effect(causes[i].id);
         marks[i] = (is_limit(effect.parameters.front()) ? mark_of_limit : mark_of_size)(projection, all, effect);
     });
     Isolability result{causes, std::vector(n, std::vector<double>(n, 0.0)), {}, {}, {}};
     std::vector<std::vector<bool>> linked(n, std::vector<bool>(n, false));
     for (std::size_t i = 0; i < n; ++i) {
         result.detectable.push_back(marks[i].detectable);
-        result.units.push_back(effects::find_effect(causes[i].id).parameters.front().unit);
+        result.units.push_back(problem.effect(causes[i].id).parameters.front().unit);
         result.signature_similarity[i][i] = 1.0;
         for (std::size_t j = 0; j < i; ++j) {
             const double lengths = marks[i].length * marks[j].length;

@@ -166,7 +166,7 @@ std::string enlarged(const inference::Problem& problem, const std::vector<const 
         *rivals[static_cast<std::size_t>(std::max_element(probabilities.begin(), probabilities.end()) - probabilities.begin())];
     if (rival.causes.empty()) return "";
     const effects::Cause& cause = rival.causes.front();
-    const effects::EffectParameter& size = effects::find_effect(cause.id).parameters.front();
+    const effects::EffectParameter& size = problem.effect(cause.id).parameters.front();
     const double value = factor * size.scale * rival.x[static_cast<int>(problem.build().size())];
     if (size.allowed.low > 0.0 || !size.allowed.holds(value)) return "";
     return fmt::format(": {} ({}) of {:.2g} {}", cause.id, cause.side, value, size.unit);

@@ -164,7 +164,7 @@ std::vector<Guess> screen(const Problem& problem, const Fit& base, const std::ve
     core::parallel_for(causes.size(), jobs, [&](std::size_t i) {
         Causes all = base.causes;
         all.push_back(causes[i]);
-        guesses[i] = improved(problem, base, best_start(problem, base, all, effects::find_effect(causes[i].id)));
+        guesses[i] = improved(problem, base, best_start(problem, base, all, problem.effect(causes[i].id)));
     });
     std::stable_sort(guesses.begin(), guesses.end(), [](const Guess& a, const Guess& b) { return a.cost < b.cost; });
     return guesses;

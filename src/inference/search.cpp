@@ -114,7 +114,7 @@ bool stands(const Problem& problem, const Fit& fit) {
     for (std::size_t c = 0; c < fit.causes.size(); ++c) {
         const int k = problem.size_at(fit.causes, c);
         const double least = std::max(kLeastSize, kStandsOff * std::sqrt(fit.covariance(k, k)));
-        if (!effects::find_effect(fit.causes[c].id).is_limit() && std::abs(fit.x[k]) < least) return false;
+        if (!problem.effect(fit.causes[c].id).is_limit() && std::abs(fit.x[k]) < least) return false;
     }
     return true;
 }

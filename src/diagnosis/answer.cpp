@@ -1,5 +1,8 @@
 #include "answer.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,6 +12,7 @@
 #include "gap_map.h"
 #include "isolability.h"
 #include "next_experiment.h"
+#include "power.h"
 
 namespace fusee::diagnosis {
 
@@ -127,6 +131,19 @@ void Answer::found_effects() {
             diagnosis_.alternatives.push_back({found_.fits[h].causes, found_.probability[h]});
 }
 
+std::vector<effects::Cause> Answer::weigh_power() {
+    if (verdict_.verdict != VerdictKind::kNone) return {};
+    diagnosis_.power = powers_of(problem_, diagnosis_.isolability);
+    const std::vector<effects::Cause> unseen = not_shown(diagnosis_.power);
+    if (unseen.empty()) return unseen;
+    diagnosis_.verdict = VerdictKind::kInconclusive;
+    std::vector<std::string> ids;
+    for (const effects::Cause& cause : unseen)
+        if (ids.empty() || ids.back() != cause.id) ids.push_back(cause.id);
+    diagnosis_.remarks.push_back(fmt::format("these rows would not show a usual size of: {}", fmt::join(ids, ", ")));
+    return unseen;
+}
+
 void Answer::plan_next_experiment(unsigned jobs) {
     const std::vector<effects::Cause> causes = inference::possible_causes(problem_.gap_case().rows);
     diagnosis_.isolability = isolability(problem_, found_.fits[found_.null], causes, jobs);
@@ -141,7 +158,10 @@ void Answer::plan_next_experiment(unsigned jobs) {
         rivals.push_back(&found_.fits[h]);
         probabilities.push_back(probability);
     }
-    if (rivals.size() > 1) diagnosis_.next = next_experiments(problem_, rivals, probabilities, jobs);
+    if (const std::vector<effects::Cause> unseen = weigh_power(); !unseen.empty())
+        diagnosis_.next = showing_experiments(problem_, found_.fits[found_.null], unseen, jobs);
+    else if (rivals.size() > 1)
+        diagnosis_.next = next_experiments(problem_, rivals, probabilities, jobs);
     if (!diagnosis_.next.empty()) diagnosis_.next_experiment = diagnosis_.next.front().text;
 }
 

@@ -7,7 +7,6 @@ namespace fusee::inference {
 
 namespace {
 
-constexpr double kEffectPrior = 3.0;  ///< one sigma of an effect's size, in its scale
 constexpr double kStep = 0.3;         ///< of a difference: in sigmas of a build parameter
 constexpr double kEffectStep = 0.04;  ///< in scales of an effect's parameter
 

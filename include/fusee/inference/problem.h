@@ -8,6 +8,8 @@
 
 namespace fusee::inference {
 
+inline constexpr double kEffectPrior = 3.0;  ///< one sigma of an effect's size, in its scale
+
 /// One or two effects, each on its side; none at all for the nominal rig.
 using Causes = std::vector<effects::Cause>;
 

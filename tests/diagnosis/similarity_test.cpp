@@ -33,7 +33,8 @@ protected:
     void expect_similar(const Parameter& wanted, const Parameter& found, const std::string& what) const {
         EXPECT_EQ(wanted.unit, found.unit);
         const double f = factor(wanted.unit), size = std::abs(wanted.value);
-        for (const auto& [a, b] : {std::pair{wanted.value, found.value}, {wanted.ci95.low, found.ci95.low}, {wanted.ci95.high, found.ci95.high}})
+        for (const auto& [a, b] :
+             {std::pair{wanted.value, found.value}, {wanted.ci95.low, found.ci95.low}, {wanted.ci95.high, found.ci95.high}})
             EXPECT_LE(std::abs(b / f - a), GetParam().tolerance * std::max(size, std::abs(a))) << what << ": " << a << ", " << b / f;
     }
     void expect_same_answer(const gap_case::Case& reference) const {

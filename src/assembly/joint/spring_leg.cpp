@@ -70,9 +70,12 @@ std::string slot_for(const spring::BaseSpring& s) {
 
 core::Findings measure_joint_spring_leg(const Assembly& assembly, const Allowed& allowed) {
     const spring::BaseSpring& s = assembly.drive.k_se_spring;
-    if (assembly.leg_slot.width_mm <= 0.0)
-        return {core::not_judged("joint.spring_leg", "a leg of a torsion spring that nothing holds",
-                                 "k_se.spring.wire_mm, k_se.spring.coil_mm and k_se.spring.active_coils")};
+    if (assembly.leg_slot.width_mm <= 0.0) {
+        core::Finding f = core::not_judged("joint.spring_leg", "a leg of a torsion spring that nothing holds",
+                                           "k_se.spring.wire_mm, k_se.spring.coil_mm and k_se.spring.active_coils");
+        f.where = "k_se";
+        return {f};
+    }
     const double wire = mm_from_m(s.wire_diameter);
     core::Finding spool = judged(in_spool(assembly), "axial", "k_se", allowed, wire);
     spool.suggestion = slot_for(s);

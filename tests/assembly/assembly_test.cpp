@@ -245,14 +245,14 @@ TEST(Bill, NamesTheCableAndTheLoadThatItHolds) {
     EXPECT_EQ(count_of(unstated, "series cable", "that of a usual cable"), 1U);
 }
 
-// Along the axis the leg reaches through half the gap to the slot's bottom; the other one ends behind the pin.
+// Along the axis the leg reaches through half the gap to the slot's bottom; the other one ends behind the post.
 TEST(Bill, NamesTheLegsOfTheTorsionSpringAndTheScrews) {
     const solid::FeatureOptions& slot = pnrvsa().drive.k_se->options.features;
     EXPECT_EQ(count_of(pnrvsa(), "torsion spring", fmt::format("a leg along the axis, {:.1f} mm long", 1e3 * slot.leg_slot_depth + 0.5)),
               1U);
     EXPECT_EQ(count_of(pnrvsa(), "torsion spring",
                        fmt::format("a radial leg that ends {:.1f} mm from the axis",
-                                   pnrvsa().leg_pin_mm + 2.0 + 1e3 * pnrvsa().drive.k_se_spring.wire_diameter)),
+                                   pnrvsa().leg_post_mm + 2.0 + 1e3 * pnrvsa().drive.k_se_spring.wire_diameter)),
               1U);
     for (const char* screw : {"rod screw", "seat screw", "screws of frame and motors"})
         EXPECT_EQ(count_of(pnrvsa(), screw, ""), 1U) << screw;

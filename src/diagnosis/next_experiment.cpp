@@ -247,7 +247,9 @@ std::vector<NextExperiment> showing_experiments(const inference::Problem& proble
         all.push_back(offered(m, bits / static_cast<double>(changes.size())));
     }
     std::vector<NextExperiment> best = best_of_each(all, 1.0);
-    if (best.empty()) best.push_back(*std::max_element(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.information < b.information; }));
+    if (best.empty())
+        best.push_back(
+            *std::max_element(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.information < b.information; }));
     return best;
 }
 

@@ -44,9 +44,10 @@ double log_steps(const std::vector<gap_case::LogRow>& rows, const gap_case::Prot
 }  // namespace
 
 std::array<double, gap_case::kExperiments> motion_steps(const gap_case::NominalRig& rig, const gap_case::Rows& rows,
-                                                            const gap_case::Protocol& p) {
+                                                        const gap_case::Protocol& p) {
     const gap_case::Reference reference = gap_case::reference_of(rig);
-    const double slow = joint_model::step_on(reference, p, joint_model::kSlowStep), log = joint_model::step_on(reference, p, joint_model::kLogStep);
+    const double slow = joint_model::step_on(reference, p, joint_model::kSlowStep),
+                 log = joint_model::step_on(reference, p, joint_model::kLogStep);
     std::array<double, gap_case::kExperiments> steps{};
     const double test = p.motor_ramp + p.motor_settle + 2.0 * (p.dead_band_push + p.dead_band_release);
     steps[static_cast<std::size_t>(gap_case::Experiment::kDeadBand)] =

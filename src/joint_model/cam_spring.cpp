@@ -39,7 +39,10 @@ double CamSpring::deflection(double torque) const {
 }
 
 NominalCams::NominalCams(const gap_case::NominalRig& rig)
-    : capstan_radius_(rig.capstan_radius), least_arm_(kLeastArm * gap_case::reference_of(rig).radius), k_se_(rig.se_torsion_rate), k_pe_(rig.pe_compression_rate) {
+    : capstan_radius_(rig.capstan_radius),
+      least_arm_(kLeastArm * gap_case::reference_of(rig).radius),
+      k_se_(rig.se_torsion_rate),
+      k_pe_(rig.pe_compression_rate) {
     std::vector<double> x, se, pe;
     for (const gap_case::NominalRig::SpringRow& row : rig.springs) {
         x.push_back(row.deflection);

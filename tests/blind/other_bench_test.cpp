@@ -27,7 +27,8 @@ plant::TestRig rig_on(const Bench& bench, std::uint64_t index) {
     rig.sensors.encoder_step = bench.encoder_step;
     for (double* noise : {&rig.sensors.encoder_noise, &rig.sensors.torque_noise, &rig.sensors.torque_noise_relative}) *noise *= bench.noise;
     plant::Protocol& p = rig.protocol;
-    for (double* phase : {&p.motor_ramp, &p.motor_settle, &p.dead_band_push, &p.dead_band_release, &p.joint_stiffness_phase, &p.cocontraction_phase})
+    for (double* phase :
+         {&p.motor_ramp, &p.motor_settle, &p.dead_band_push, &p.dead_band_release, &p.joint_stiffness_phase, &p.cocontraction_phase})
         *phase *= bench.duration;
     return rig;
 }
@@ -44,7 +45,8 @@ protected:
             *side = effect.side;
         }
         const double scale = plant::range_of(rig.nominal).scale;
-        gap_case::CaseTexts texts = plant::experiment_files(plant::measure(rig, plant::set_points(GetParam().other_set_points, scale), noise));
+        gap_case::CaseTexts texts =
+            plant::experiment_files(plant::measure(rig, plant::set_points(GetParam().other_set_points, scale), noise));
         texts["case.toml"] = plant::case_toml(rig);
         texts["nominal_springs.csv"] = plant::springs_csv(rig.nominal);
         return gap_case::read_case({"bench", texts});

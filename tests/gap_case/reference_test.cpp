@@ -24,13 +24,14 @@ NominalRig rig_of(double torque, double radius, double inertia) {
 
 TEST(Reference, OfTheReferenceRigIsOneInEveryUnit) {
     const Reference one = reference_of(rig_of(2.6, 0.015, 0.002));
-    for (const char* unit : {"Nm", "Nms", "Nm/rad", "1/Nm", "m", "N/m", "s", "rad/s", "kg m^2", "rad", "1", ""}) EXPECT_EQ(one.of(unit), 1.0) << unit;
+    for (const char* unit : {"Nm", "Nms", "Nm/rad", "1/Nm", "m", "N/m", "s", "rad/s", "kg m^2", "rad", "1", ""})
+        EXPECT_EQ(one.of(unit), 1.0) << unit;
 }
 
 TEST(Reference, OfAnotherRigIsAProductOfItsTorqueRadiusAndTime) {
     // 8 times the torque, twice the radius, 32 times the inertia: sqrt(32/8) = 2 times as slow
     const Reference r = reference_of(rig_of(20.8, 0.03, 0.064));
-    const std::map<std::string, double> wanted{{"Nm", 8.0}, {"Nms", 16.0},    {"Nm/rad", 8.0}, {"1/Nm", 1.0 / 8.0}, {"m", 2.0},
+    const std::map<std::string, double> wanted{{"Nm", 8.0},  {"Nms", 16.0},    {"Nm/rad", 8.0}, {"1/Nm", 1.0 / 8.0}, {"m", 2.0},
                                                {"N/m", 2.0}, {"kg m^2", 32.0}, {"s", 2.0},      {"rad/s", 0.5},      {"rad", 1.0}};
     for (const auto& [unit, factor] : wanted) EXPECT_NEAR(r.of(unit), factor, 1e-11 * factor) << unit;
     EXPECT_EQ(r.decade(), 10.0);
@@ -41,7 +42,9 @@ TEST(Reference, OfARigThatStatesNothingIsThatOfTheReferenceRig) {
     EXPECT_EQ(none.torque * none.radius * none.time, 1.0);
 }
 
-TEST(Reference, RefusesAUnitThatItDoesNotKnow) { EXPECT_EQ(field_refused([] { return Reference{}.of("furlong"); }), "unit"); }
+TEST(Reference, RefusesAUnitThatItDoesNotKnow) {
+    EXPECT_EQ(field_refused([] { return Reference{}.of("furlong"); }), "unit");
+}
 
 TEST(Usual, TolerancesAndSensorsFollowTheRig) {
     const NominalRig rig = rig_of(20.8, 0.03, 0.064);

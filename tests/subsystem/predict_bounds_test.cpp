@@ -54,7 +54,8 @@ TEST_F(Possible, FurtherParametersUnitsAndNamesAreChecked) {
     stop.extra = {{"k_s", 60.0}, {"zeta", 0.5}};
     EXPECT_EQ(said({stop}), "accepted");
     stop.extra = {{"k_s", -1e300}};
-    EXPECT_NE(said({stop}).find("effects[0]: joint.stop: k_s: -1e+300 (allowed: 2.30769 to 384.615 Nm/rad)"), std::string::npos) << said({stop});
+    EXPECT_NE(said({stop}).find("effects[0]: joint.stop: k_s: -1e+300 (allowed: 2.30769 to 384.615 Nm/rad)"), std::string::npos)
+        << said({stop});
     stop.extra = {{"stiffness", 60.0}};
     EXPECT_NE(said({stop}).find("extra: stiffness (allowed: k_s, zeta)"), std::string::npos) << said({stop});
     diagnosis::FoundEffect radius = found("se.radius", "both", 0.5);

@@ -86,10 +86,11 @@ struct Isolability {
 /// What the rows of a case would have shown of a cause, if it were there.
 struct Power {
     effects::Cause cause;
-    double least = kNoFigure;  ///< size that would have been named in 95 of 100 cases (of a limit, as a stop: the greatest); kNoFigure: none
-    double usual = 0.0;        ///< size of such an effect on rigs that have it
-    std::string unit;          ///< of both
-    bool shown = false;        ///< the usual size would have been named
+    double least =
+        kNoFigure;       ///< size that would have been named in 95 of 100 cases (of a limit, as a stop: the greatest); kNoFigure: none
+    double usual = 0.0;  ///< size of such an effect on rigs that have it
+    std::string unit;    ///< of both
+    bool shown = false;  ///< the usual size would have been named
 };
 /// A further measurement that distinguishes the alternatives.
 struct NextExperiment {

@@ -136,8 +136,8 @@ std::string verdict_sentence(const diagnosis::Diagnosis& diagnosis) {
         case diagnosis::VerdictKind::kNone:
             return "Model and rig agree within build tolerance and noise.";
         case diagnosis::VerdictKind::kInconclusive:
-            return fmt::format("Model and rig agree, but these rows would not show a usual size of {} of {} causes.", count_not_shown(diagnosis.power),
-                               diagnosis.power.size());
+            return fmt::format("Model and rig agree, but these rows would not show a usual size of {} of {} causes.",
+                               count_not_shown(diagnosis.power), diagnosis.power.size());
         case diagnosis::VerdictKind::kAmbiguous:
             return fmt::format("Model and rig diverge; these experiments do not distinguish the possible causes: {}.",
                                fmt::format("{}", fmt::join(choices(diagnosis), "; or ")));

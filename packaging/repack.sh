@@ -14,6 +14,10 @@ for package in "$@"; do
     dpkg-deb --raw-extract "$package" "$work/root"
     find "$work/root" -name '*.a' -exec strip --strip-debug --remove-section=.comment --enable-deterministic-archives {} +
     find "$work/root" -type f \( -path '*/bin/*' -o -name '*.so' \) -exec strip --strip-unneeded --remove-section=.comment {} +
+    # cpack asks for ldconfig, which the libraries that fusee loads itself do not need.
+    for script in postinst postrm; do
+        if grep -qsx '	ldconfig' "$work/root/DEBIAN/$script"; then rm "$work/root/DEBIAN/$script"; fi
+    done
     # The changelog has the time of the configuration.
     changelog=$(echo "$work"/root/usr/share/doc/*/changelog.gz)
     zcat "$changelog" | sed "s/^\( -- .*>  \).*/\1$date/" | gzip -9n >"$work/changelog.gz"

@@ -736,7 +736,7 @@ class Diagnosis:
     @property
     def verdict(self) -> str:
         """
-        "identified", "none", "ambiguous", "unknown"
+        "identified", "none", "ambiguous", "unknown", "inconclusive"
         """
     @property
     def effects(self) -> list[FoundEffect]:

@@ -116,10 +116,10 @@ std::array<std::uint8_t, 3> colour_of(const Body& body) {
     static constexpr Colour kSeries{63, 127, 208}, kParallel{208, 96, 63}, kDrum{154, 165, 177}, kShaft{125, 134, 144}, kRod{185, 191, 198},
         kPlate{217, 210, 195}, kSpring{121, 181, 138}, kBrass{196, 168, 90};
     static const std::map<std::string, Colour> kColours{
-        {"k_se", kSeries},      {"k_pe", kParallel},     {"capstan", kDrum},       {"joint_pulley", kDrum},
-        {"axle", kShaft},       {"motor_shaft", kShaft}, {"rods", kRod},           {"carriage", kPlate},
-        {"k_pe_seat", kPlate},  {"k_pe_cap", kPlate},    {"k_se_spring", kSpring}, {"k_pe_spring", kSpring},
-        {"shaft_collar", kRod}, {"axle_sleeve", kBrass}, {"axle_rings", kRod},     {"joint_stops", kRod}};
+        {"k_se", kSeries},        {"k_pe", kParallel},      {"capstan", kDrum},           {"joint_pulley", kDrum}, {"axle", kShaft},
+        {"motor_shaft", kShaft},  {"rods", kRod},           {"carriage", kPlate},         {"k_pe_seat", kPlate},   {"k_pe_cap", kPlate},
+        {"k_se_spring", kSpring}, {"k_pe_spring", kSpring}, {"shaft_collar", kRod},       {"axle_sleeve", kBrass}, {"axle_rings", kRod},
+        {"joint_stops", kRod},    {"leg_in_k_se", kSpring}, {"leg_in_carriage", kSpring}, {"spring_arbor", kBrass}};
     return kColours.at(body.base_name());
 }
 
@@ -151,7 +151,8 @@ core::Outcome<Assembly> assemble(Drive drive, double capstan_radius, double join
     const Layout l = lay_out(a.drive, capstan_radius, joint_radius, options, a.greatest_turn);
     a.capstan_radius_mm = l.capstan, a.joint_radius_mm = l.joint, a.cable_mm = l.cable;
     a.motor_distance_mm = -l.motor_axis.y(), a.carriage_rear_mm = l.carriage_rear;
-    a.plane_mm = l.plane, a.leg_pin_mm = l.leg_pin;
+    a.plane_mm = l.plane;
+    a.leg_post_mm = l.leg_post, a.leg_slot = l.leg_slot, a.spring_low_mm = l.spring_low;
     a.joint_range = 2.0 * l.capstan * a.greatest_turn / l.joint;  // one capstan at each end of its range
     a.joint_range = std::min(a.joint_range, options.joint_range > 0.0 ? options.joint_range : kMostRange);
     const Eigen::Vector3d up(0.0, 0.0, a.plane_mm);

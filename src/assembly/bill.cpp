@@ -49,17 +49,17 @@ std::string torsion_size(const spring::BaseSpring& s) {
     return fmt::format("{:g} Nm/rad, wire {}{}, mean coil {}, coils {}", s.rate, stated(mm_from_m(s.wire_diameter), " mm"), wire_of(s),
                        stated(mm_from_m(s.coil_diameter), " mm"), stated(s.active_coils, ""));
 }
-/// Straight lengths of the legs from the coil on: along the axis into the slot of K_SE, and past the pin of the carriage.
+/// Straight lengths of the legs from the coil on: along the axis into the slot of K_SE, and through the post of the carriage.
 std::string legs_of(const Assembly& a) {
     const spring::BaseSpring& s = a.drive.k_se_spring;
     const solid::FeatureOptions& slot = a.drive.k_se->options.features;
     if (s.wire_diameter <= 0.0 || s.coil_diameter <= 0.0 || slot.leg_slot_depth <= 0.0)
         return "ends: straight legs, their lengths not stated";
     const double coil = mm_from_m(0.5 * s.coil_diameter), in_slot = mm_from_m(slot.leg_slot_depth) + 0.5 * mm_from_m(a.options.gap);
-    const double beyond = a.leg_pin_mm + kLegPin_mm + mm_from_m(s.wire_diameter);
+    const double beyond = leg_end_mm(a.leg_post_mm, s);
     return fmt::format(
         "ends: a leg along the axis, {:.1f} mm long, {:g} mm from the axis, for the slot of k_se; a radial leg that ends {:.1f} "
-        "mm from the axis, {:.1f} mm from the coil, for the pin of the carriage",
+        "mm from the axis, {:.1f} mm from the coil, for the slotted post of the carriage",
         in_slot, mm_from_m(slot.leg_slot_radius), beyond, beyond - coil);
 }
 
@@ -83,13 +83,21 @@ std::string breaking_text(const checks::Cable& cable) {
                        checks::usual_cable(cable.construction, cable.diameter));
 }
 
+double length_of(const Assembly& a, const char* body) {
+    const Body& found = *a.find(body);
+    double low = INFINITY, high = -INFINITY;
+    for (const Prism& prism : found.prisms) low = std::min(low, prism.z_low_mm), high = std::max(high, prism.z_high_mm);
+    return high - low;
+}
+
 /// What stands inside the coils, where the profile states its diameter.
 void add_rods(const Assembly& a, std::vector<BillRow>& rows) {
-    const double arbor = mm_from_m(a.drive.k_se_spring.rod_diameter), tube = mm_from_m(a.drive.k_pe_spring.rod_diameter),
-                 axle = mm_from_m(a.drive.k_se->options.hub.bore_diameter);
-    if (arbor > axle)
+    const double tube = mm_from_m(a.drive.k_pe_spring.rod_diameter), axle = mm_from_m(a.drive.k_se->options.hub.bore_diameter);
+    if (a.find("spring_arbor_agonist") != nullptr)
         rows.push_back(
-            {"spring arbor", 2, fmt::format("sleeve, {:g} x {:g} mm", axle, arbor), "on the spool axle, inside the torsion spring"});
+            {"spring arbor", 2,
+             fmt::format("sleeve, {:g} x {:g} mm, {:.1f} mm long", axle, arbor_mm(a.drive), length_of(a, "spring_arbor_agonist")),
+             "on the spool axle, inside the torsion spring"});
     if (tube > 0.0)
         rows.push_back({"guide tube", 2, fmt::format("{:g} mm, bore of {:.1f} mm at least", tube, 1.5 * a.cable_mm),
                         "around the parallel cable, inside the compression spring; not modelled"});
@@ -104,13 +112,6 @@ void add_screws(const Assembly& a, std::vector<BillRow>& rows) {
                         fmt::format("ISO 4762, M3, {:.0f} mm longer than the frame is thick there", mm_from_m(a.options.wall)),
                         "two in each k_pe_seat; their holes of 3.4 mm are not modelled, they follow the frame"});
     rows.push_back({"screws of frame and motors", 0, "not known", "frame and motors are not modelled: count and size follow them"});
-}
-
-double length_of(const Assembly& a, const char* body) {
-    const Body& found = *a.find(body);
-    double low = INFINITY, high = -INFINITY;
-    for (const Prism& prism : found.prisms) low = std::min(low, prism.z_low_mm), high = std::max(high, prism.z_high_mm);
-    return high - low;
 }
 
 constexpr const char* kMirrorImage = "one is the mirror image of the other";
@@ -156,17 +157,39 @@ std::string flat_of(const solid::HubOptions& hub) {
     return hub.lock == solid::HubLock::kDFlat ? fmt::format(", with a flat {:g} mm deep", mm_from_m(hub.flat_depth)) : "";
 }
 
+/// ", turned down to 5 mm over the upper 31.3 mm, for the spring"; "" where the axle is as thick inside it.
+std::string neck_of(const Assembly& a) {
+    const double axle = mm_from_m(a.drive.k_se->options.hub.bore_diameter), arbor = arbor_mm(a.drive);
+    if (!has_through_axle(*a.drive.k_se) || arbor >= axle) return "";
+    const std::vector<Prism>& prisms = a.find("axle_agonist")->prisms;
+    return fmt::format(", turned down to {:g} mm over the upper {:.1f} mm, for the spring", arbor,
+                       prisms.back().z_high_mm - prisms.back().z_low_mm);
+}
+
+/// One below the sleeve of each axle, and one at the end of a through axle.
+void add_rings(const Assembly& a, double axle, std::vector<BillRow>& rows) {
+    const double end = std::min(axle, arbor_mm(a.drive));
+    const auto add = [&](int count, double size, const char* note) {
+        rows.push_back({"retaining ring", count, fmt::format("DIN 471, {:g} x {:g} mm", size, ring_mm(size)), note});
+    };
+    if (!has_through_axle(*a.drive.k_se)) return add(2, axle, "one for each spool axle");
+    if (end == axle) return add(4, axle, "two for each spool axle");
+    add(2, axle, "one for each spool axle, below"), add(2, end, "one for each spool axle, above");
+}
+
 void add_shafts(const Assembly& a, std::vector<BillRow>& rows) {
     const double shaft = mm_from_m(a.drive.k_pe->options.hub.bore_diameter), axle = mm_from_m(a.drive.k_se->options.hub.bore_diameter);
     rows.push_back(
         {"motor shaft", 2,
          fmt::format("{:g} mm, {:.1f} mm long{}", shaft, length_of(a, "motor_shaft_agonist"), flat_of(a.drive.k_pe->options.hub)), ""});
-    rows.push_back({"spool axle", 2,
-                    fmt::format("{:g} mm, {:.1f} mm long{}", axle, length_of(a, "axle_agonist"), flat_of(a.drive.k_se->options.hub)), ""});
+    rows.push_back(
+        {"spool axle", 2,
+         fmt::format("{:g} mm, {:.1f} mm long{}{}", axle, length_of(a, "axle_agonist"), flat_of(a.drive.k_se->options.hub), neck_of(a)),
+         has_through_axle(*a.drive.k_se) ? "" : "ends in the blind bore of k_se, bonded"});
     rows.push_back({"joint shaft", 1, fmt::format("{:g} mm", shaft), "its length depends on the frame"});
     rows.push_back({"ball bearing", 6, bearing_of(shaft), "two for each motor shaft and the joint"});
     rows.push_back({"sleeve bearing", 2, sleeve_of(axle), "ISO 2795, one for each spool axle, in the carriage"});
-    rows.push_back({"retaining ring", 4, fmt::format("DIN 471, {:g} x {:g} mm", axle, ring_mm(axle)), "two for each spool axle"});
+    add_rings(a, axle, rows);
     const Collar collar = collar_of(shaft);
     rows.push_back({"set collar", 2, fmt::format("DIN 705, {:g} x {:g} x {:g} mm", shaft, collar.outside_mm, collar.width_mm),
                     "on each motor shaft, beside the capstan"});

@@ -66,7 +66,27 @@ Body cam_body(std::string name, Motion motion, const Eigen::Isometry3d& rest, co
 
 double bore_radius_mm(const solid::Part& part) { return 0.5 * core::mm_from_m(part.options.hub.bore_diameter); }
 
-/// Base plate, wall with the cable's hole, wall that the drive cable pulls, pin for the spring's leg, and two pairs of bushes below.
+/// A post for the spring's leg, with a slot from its top.
+void add_leg_post(const Layout& l, std::vector<Extrusion>& shapes) {
+    const LegSlot& slot = l.leg_slot;
+    const double half = 0.5 * slot.width_mm, side = half + kProng_mm, near = -l.leg_post + kLegPost_mm, far = -l.leg_post - kLegPost_mm;
+    const double foot = slot.width_mm > 0.0 ? slot.floor_mm : slot.top_mm;
+    shapes.push_back(box({far, -side, l.base_high}, {near, side, foot}));
+    if (slot.width_mm <= 0.0) return;
+    shapes.push_back(box({far, -side, foot}, {near, -half, slot.top_mm}));
+    shapes.push_back(box({far, half, foot}, {near, side, slot.top_mm}));
+}
+
+/// A column beyond the leg's end and an arm over the spring, from which its arbor hangs: the axle of an overhung spool ends below.
+void add_bridge(const Layout& l, const Drive& drive, std::vector<Extrusion>& shapes) {
+    const double radius = 0.5 * arbor_mm(drive), half = radius + 1.0, foot = l.leg_slot.top_mm + l.gap;
+    const double column = -leg_end_mm(l.leg_post, drive.k_se_spring) - l.gap;
+    shapes.push_back(box({column - l.wall, -half, l.base_high}, {column, half, foot}));
+    shapes.push_back(box({column - l.wall, -half, foot}, {half, half, foot + l.wall}));
+    shapes.push_back(round(radius, l.spool_high + l.gap, foot));
+}
+
+/// Base plate, wall with the cable's hole, wall that the drive cable pulls, post for the spring's leg, and two pairs of bushes below.
 Body carriage(const Layout& l, const Drive& drive) {
     const double half = l.carriage_half, shift = l.line - l.spool_axis.x(), wall_high = wall_height_mm(l.cable);
     const double front = l.guide_distance + (l.idler > 0.0 ? l.idler + l.gap : 0.0), rear = -l.carriage_rear;
@@ -82,7 +102,8 @@ Body carriage(const Layout& l, const Drive& drive) {
         wall.holes = {{-0.5 * (wall_high + l.base_high), shift, hole}};
         shapes.push_back(wall);
     }
-    shapes.push_back(rod({-l.leg_pin, 0.0, l.base_high}, Vector3d::UnitZ(), kLegPin_mm, l.spool_high + 4.0 - l.base_high));
+    add_leg_post(l, shapes);
+    if (has_bridge(drive)) add_bridge(l, drive, shapes);
     for (const double x : {-half + kBush_mm, half - kBush_mm})
         for (const double y : {rear, front + l.wall - 19.0})
             shapes.push_back(rod({x, y, low - kBush_mm}, Vector3d::UnitY(), kBush_mm, 19.0, kRod_mm));
@@ -99,19 +120,42 @@ Body rods(const Layout& l) {
     return shaped("rods", Motion::kFixed, Eigen::Isometry3d::Identity(), std::move(shapes));
 }
 
-/// The axle of a spool, the sleeve in which it turns, and the rings that hold it and the spool along the axis. A flat reaches from the
-/// spool to the upper end, over which the spool is put on; in the sleeve the axle is round.
-void add_axle(const Layout& l, const solid::HubOptions& hub, std::vector<Body>& to) {
-    const double radius = 0.5 * core::mm_from_m(hub.bore_diameter);
-    const double low = l.base_high - l.wall, ring = ring_mm(2.0 * radius), above = l.carriage_high - kAxleEnd_mm;
-    to.push_back(
-        shaped("axle", Motion::kSpool, at(l.spool_axis),
-               shaft_with_flat(hub, lock_angle(l.k_se), low - kAxleEnd_mm, l.carriage_high, l.spool_low - 0.5 * l.gap, l.carriage_high)));
+/// The hub of the axle where it is turned down to the spring's arbor: what is left there of a flat.
+solid::HubOptions turned_down(const solid::HubOptions& hub, double arbor_mm) {
+    solid::HubOptions neck = hub;
+    neck.bore_diameter = core::m_from_mm(arbor_mm);
+    neck.flat_depth = hub.flat_depth - 0.5 * (hub.bore_diameter - neck.bore_diameter);
+    if (neck.flat_depth <= 0.0) neck.lock = solid::HubLock::kPlain;
+    return neck;
+}
+
+/// A flat reaches from the spool to the upper end, over which the spool is put on; in the sleeve the axle is round. Inside a spring with a
+/// thinner arbor the axle is turned down.
+std::vector<Extrusion> axle_shapes(const Layout& l, const Drive& drive, double low) {
+    const solid::HubOptions& hub = drive.k_se->options.hub;
+    const bool thinner = has_through_axle(*drive.k_se) && arbor_mm(drive) < core::mm_from_m(hub.bore_diameter);
+    const double end = thinner ? l.spool_high : l.axle_end, lock = lock_angle(l.k_se);
+    std::vector<Extrusion> shapes = shaft_with_flat(hub, lock, low, end, l.spool_low - 0.5 * l.gap, end);
+    if (thinner)
+        for (const Extrusion& neck : shaft_with_flat(turned_down(hub, arbor_mm(drive)), lock, end, l.axle_end, end, l.axle_end))
+            shapes.push_back(neck);
+    return shapes;
+}
+
+/// The axle of a spool, the sleeve in which it turns, the rings that hold it and the spool along the axis, and a sleeve inside a wider
+/// spring. The axle of an overhung spool ends in it, and has one ring.
+void add_axle(const Layout& l, const Drive& drive, std::vector<Body>& to) {
+    const double radius = 0.5 * core::mm_from_m(drive.k_se->options.hub.bore_diameter), arbor = 0.5 * arbor_mm(drive);
+    const double low = l.base_high - l.wall, above = l.axle_end - kAxleEnd_mm, neck = std::min(radius, arbor);
+    const bool through = has_through_axle(*drive.k_se);
+    to.push_back(shaped("axle", Motion::kSpool, at(l.spool_axis), axle_shapes(l, drive, low - kAxleEnd_mm)));
     to.push_back(
         shaped("axle_sleeve", Motion::kCarriage, at(l.spool_axis), {round(0.5 * sleeve_mm(2.0 * radius), low, l.base_high, radius)}));
-    to.push_back(
-        shaped("axle_rings", Motion::kSpool, at(l.spool_axis),
-               {round(radius + kRingHeight_mm, low - ring, low, radius), round(radius + kRingHeight_mm, above, above + ring, radius)}));
+    std::vector<Extrusion> rings{round(radius + kRingHeight_mm, low - ring_mm(2.0 * radius), low, radius)};
+    if (through) rings.push_back(round(neck + kRingHeight_mm, above, above + ring_mm(2.0 * neck), neck));
+    to.push_back(shaped("axle_rings", Motion::kSpool, at(l.spool_axis), std::move(rings)));
+    if (through && arbor > radius)
+        to.push_back(shaped("spring_arbor", Motion::kSpool, at(l.spool_axis), {round(arbor, l.spool_high, above, radius)}));
 }
 
 /// The collar that holds the capstan on the motor's side of its shaft; K_PE is on the other side.
@@ -130,12 +174,28 @@ Body seat(const Layout& l, double half) {
     return shaped("k_pe_seat", Motion::kFixed, Eigen::Isometry3d::Identity(), {plate});
 }
 
+/// The torsion spring's legs: a radial one at its upper end, for the carriage's post; one along the axis at the coils' mean radius, which
+/// turns in the slot of the spool.
+void add_legs(const Layout& l, const Drive& drive, std::vector<Body>& to) {
+    const spring::BaseSpring& s = drive.k_se_spring;
+    const double wire = 0.5 * core::mm_from_m(s.wire_diameter), height = l.spring_low + l.spring_length - wire;
+    to.push_back(shaped("leg_in_carriage", Motion::kCarriage, at(l.spool_axis),
+                        {rod({-outer_mm(s), 0.0, height}, -Vector3d::UnitX(), wire, leg_end_mm(l.leg_post, s) - outer_mm(s))}));
+    const solid::FeatureOptions& slot = drive.k_se->options.features;
+    if (slot.leg_slot_width <= 0.0) return;
+    const double angle = lock_angle(l.k_se) + slot.leg_slot_angle, radius = 0.5 * core::mm_from_m(s.coil_diameter);
+    const double low = l.spool_high - core::mm_from_m(slot.leg_slot_depth);
+    to.push_back(shaped("leg_in_k_se", Motion::kSpool, at(l.spool_axis),
+                        {rod({radius * std::cos(angle), radius * std::sin(angle), low}, Vector3d::UnitZ(), wire, l.spring_low - low)}));
+}
+
 void add_springs(const Layout& l, const Drive& drive, std::vector<Body>& to) {
     const spring::BaseSpring &torsion = drive.k_se_spring, &pressed = drive.k_pe_spring;
     if (outer_mm(torsion) > 0.0 && torsion.active_coils > 0.0) {
-        const double low = l.spool_high + 0.5 * l.gap;
+        const double low = l.spring_low;
         to.push_back(shaped("k_se_spring", Motion::kCarriage, at(l.spool_axis),
-                            {round(outer_mm(torsion), low, low + wound_length_mm(torsion, *drive.k_se), inner_mm(torsion))}));
+                            {round(outer_mm(torsion), low, low + l.spring_length, inner_mm(torsion))}));
+        add_legs(l, drive, to);
     }
     const double outer = outer_mm(pressed) > 0.0 ? outer_mm(pressed) : 6.0;
     to.push_back(seat(l, outer + 2.0));
@@ -162,7 +222,7 @@ std::vector<Body> side_bodies(const Layout& l, const Drive& drive) {
     all.push_back(carriage(l, drive));
     all.push_back(rods(l));
     all.push_back(cam_body("k_se", Motion::kSpool, l.k_se, *drive.k_se));
-    add_axle(l, drive.k_se->options.hub, all);
+    add_axle(l, drive, all);
     add_springs(l, drive, all);
     return all;
 }

@@ -30,19 +30,38 @@ double offset_mm(const cam::Guide& guide) {
     return guide.kind == cam::GuideKind::kIdler ? guide.sense * core::mm_from_m(guide.radius) : 0.0;
 }
 
-void place_k_se(Layout& l, const solid::Part& part, const spring::BaseSpring& spring) {
+/// The spring stands on the spool. Its upper leg rises as it is wound: the slot holds it from the least to the largest state.
+void place_leg_post(Layout& l, const solid::Part& part, const spring::BaseSpring& s) {
+    l.leg_post = l.spool_reach + l.gap + kLegPost_mm;
+    l.spring_low = l.spool_high + 0.5 * l.gap;
+    l.spring_length = wound_length_mm(s, most_wound(s, part));
+    l.leg_slot.top_mm = l.spool_high + 4.0;
+    if (outer_mm(s) <= 0.0 || l.spring_length <= 0.0) return;
+    const double wire = core::mm_from_m(s.wire_diameter);
+    l.leg_slot = {wire + kLegPlay_mm, l.spring_low + wound_length_mm(s, s.preload) - wire - 0.5 * l.gap,
+                  l.spring_low + l.spring_length + 0.5 * wire, l.leg_post - kLegPost_mm, l.leg_post + kLegPost_mm};
+}
+
+void place_k_se(Layout& l, const Drive& drive) {
+    const solid::Part& part = *drive.k_se;
+    const spring::BaseSpring& spring = drive.k_se_spring;
     const cam::Guide& guide = part.cam.options.guide;
     const solid::Box box = solid::bounding_box(part.mesh);
     const double height = core::mm_from_m(guide.z);
     l.spool_reach = reach_mm(part.mesh);
     l.spool_low = box.low_mm[2] - height, l.spool_high = box.high_mm[2] - height;
-    l.leg_pin = l.spool_reach + l.gap + kLegPin_mm;
+    place_leg_post(l, part, spring);
     l.guide_distance = core::mm_from_m(guide.distance);
     l.idler = guide.kind == cam::GuideKind::kIdler ? core::mm_from_m(guide.radius) : 0.0;
     l.base_high = l.spool_low - l.gap;
     const double ring_reach = 0.5 * core::mm_from_m(part.options.hub.bore_diameter) + kRingHeight_mm;
-    l.carriage_high = std::max(wall_height_mm(l.cable), l.spool_high + std::max(4.0, l.gap + wound_length_mm(spring, part)) + kAxleEnd_mm);
-    l.carriage_half = std::max(l.spool_reach + l.gap + l.wall + 2.0, ring_reach + l.gap + 2.0 * kBush_mm);  // a ring between the bushes
+    l.carriage_high = std::max({wall_height_mm(l.cable), l.spool_high + std::max(4.0, 1.5 * l.gap + l.spring_length) + kAxleEnd_mm,
+                                l.leg_slot.top_mm + (has_bridge(drive) ? l.gap + l.wall : 0.0)});
+    const double column = has_bridge(drive) ? leg_end_mm(l.leg_post, spring) + l.gap + l.wall : 0.0;
+    l.carriage_half =
+        std::max({l.spool_reach + l.gap + l.wall + 2.0, ring_reach + l.gap + 2.0 * kBush_mm, column});  // a ring between the bushes
+    l.axle_end =
+        has_through_axle(part) ? l.carriage_high : core::mm_from_m(part.z_low + part.options.groove.rib - part.options.hub.web) - height;
     l.carriage_rear = l.spool_reach + l.gap + l.wall;
     l.carriage_low = l.base_high - l.wall - 2.0 * kBush_mm;
     l.spool_axis = Vector3d(l.line - offset_mm(guide), l.top - l.wall - l.gap - l.guide_distance - l.idler, 0.0);
@@ -91,10 +110,22 @@ double inner_mm(const spring::BaseSpring& s) {
     return spring::coil_known(s) ? 0.5 * core::mm_from_m(s.coil_diameter - s.wire_diameter) : 0.0;
 }
 
-double wound_length_mm(const spring::BaseSpring& s, const solid::Part& spool) {
+double wound_length_mm(const spring::BaseSpring& s, double state) {
     if (s.wire_diameter <= 0.0 || s.active_coils <= 0.0) return 0.0;
-    return core::mm_from_m(spring::wound_length(s, s.preload + spool.cam.working.back().arm.travel));
+    return core::mm_from_m(spring::wound_length(s, state));
 }
+double most_wound(const spring::BaseSpring& s, const solid::Part& spool) { return s.preload + spool.cam.working.back().arm.travel; }
+
+bool has_through_axle(const solid::Part& spool) { return spool.options.hub.kind == solid::HubKind::kThrough; }
+double arbor_mm(const Drive& drive) {
+    const double rod = core::mm_from_m(drive.k_se_spring.rod_diameter);
+    return rod > 0.0 || !has_through_axle(*drive.k_se) ? rod : core::mm_from_m(drive.k_se->options.hub.bore_diameter);
+}
+bool has_bridge(const Drive& drive) {
+    const spring::BaseSpring& s = drive.k_se_spring;
+    return !has_through_axle(*drive.k_se) && arbor_mm(drive) > 0.0 && outer_mm(s) > 0.0 && s.active_coils > 0.0;
+}
+double leg_end_mm(double leg_post_mm, const spring::BaseSpring& s) { return leg_post_mm + kLegPost_mm + core::mm_from_m(s.wire_diameter); }
 
 Layout lay_out(const Drive& drive, double capstan_radius, double joint_radius, const Options& options, double greatest_turn) {
     Layout l;
@@ -104,7 +135,7 @@ Layout lay_out(const Drive& drive, double capstan_radius, double joint_radius, c
     l.drum = 2.0 * l.cable;
     l.line = l.joint;
     l.top = -flange_mm(l.joint, l.cable) - l.gap;
-    place_k_se(l, *drive.k_se, drive.k_se_spring);
+    place_k_se(l, drive);
     const bool side_by_side = l.line - offset_mm(drive.k_se->cam.options.guide) >= l.carriage_half + 0.5 * l.gap;
     l.plane = l.drum + 0.5 * kFlange_mm;
     if (!side_by_side) l.plane = std::max(l.plane, 0.5 * (l.carriage_high - l.carriage_low + l.gap));  // one above the other

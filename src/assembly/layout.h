@@ -16,9 +16,12 @@ struct Layout {
     double carriage_rear = 0.0;         ///< from K_SE's axis to the outside of its rear wall
     double spool_reach = 0.0;           ///< radius of K_SE's body
     double spool_low = 0.0, spool_high = 0.0;
-    double leg_pin = 0.0;         ///< from K_SE's axis to that of the pin for its spring's leg
-    double guide_distance = 0.0;  ///< spool axis to the hole along y
-    double idler = 0.0;           ///< pitch radius of K_SE's idler; 0: a hole
+    double leg_post = 0.0;                         ///< from K_SE's axis to that of the post for its spring's leg
+    LegSlot leg_slot;                              ///< of that post; no width: spring not stated
+    double spring_low = 0.0, spring_length = 0.0;  ///< of the torsion spring: its lower end, and its length wound most
+    double axle_end = 0.0;                         ///< highest point of the spool's axle
+    double guide_distance = 0.0;                   ///< spool axis to the hole along y
+    double idler = 0.0;                            ///< pitch radius of K_SE's idler; 0: a hole
     Eigen::Vector3d spool_axis, motor_axis;
     double base_high = 0.0;     ///< of the carriage's base plate
     double carriage_low = 0.0;  ///< lowest and highest points of carriage, rods and spool
@@ -34,7 +37,9 @@ struct Layout {
 inline constexpr double kFlange_mm = 2.0;   ///< thickness of a drum's flanges
 inline constexpr double kRod_mm = 3.0;      ///< radius of the carriage's rods
 inline constexpr double kBush_mm = 6.0;     ///< radius of its linear bushes (ISO 10285, 6 x 12 x 19)
-inline constexpr double kLegPin_mm = 2.0;   ///< radius of the pin for the torsion spring's leg
+inline constexpr double kLegPost_mm = 2.0;  ///< half the post for the torsion spring's leg, in the leg's direction
+inline constexpr double kProng_mm = 2.0;    ///< on each side of its slot
+inline constexpr double kLegPlay_mm = 0.2;  ///< of the leg in that slot: rule assembly.leg_width allows 0 to 0.5 mm
 inline constexpr double kCap_mm = 3.0;      ///< thickness of the cap on K_PE's spring
 inline constexpr double kAxleEnd_mm = 2.0;  ///< of the spool's axle beyond what it holds, with the groove of a retaining ring
 inline constexpr double kStop_mm = 2.0;     ///< radius of the joint's stop pin and posts
@@ -54,8 +59,18 @@ inline constexpr double kRingHeight_mm = 2.0;  ///< of a retaining ring over its
 [[nodiscard]] inline double flange_mm(double radius_mm, double cable_mm) { return radius_mm + 1.5 * cable_mm; }
 [[nodiscard]] double outer_mm(const spring::BaseSpring& spring);  ///< radius; 0: not stated
 [[nodiscard]] double inner_mm(const spring::BaseSpring& spring);
-/// Length of a torsion spring's body when it is wound most; 0: not stated.
-[[nodiscard]] double wound_length_mm(const spring::BaseSpring& spring, const solid::Part& spool);
+/// Length of a torsion spring's body wound to `state`; 0: not stated.
+[[nodiscard]] double wound_length_mm(const spring::BaseSpring& spring, double state);
+/// State in which the spring behind this spool is wound most [rad].
+[[nodiscard]] double most_wound(const spring::BaseSpring& spring, const solid::Part& spool);
+/// Does the spool's axle go through it, with the spring around it?
+[[nodiscard]] bool has_through_axle(const solid::Part& spool);
+/// Diameter of what stands inside the torsion spring: as stated, else a through axle; 0: nothing.
+[[nodiscard]] double arbor_mm(const Drive& drive);
+/// Does an arm of the carriage hold that arbor from above? The axle of an overhung spool ends below the spring.
+[[nodiscard]] bool has_bridge(const Drive& drive);
+/// How far the radial leg reaches from the axis: beyond its post by its own thickness.
+[[nodiscard]] double leg_end_mm(double leg_post_mm, const spring::BaseSpring& spring);
 /// Of the carriage's walls over the cables.
 [[nodiscard]] inline double wall_height_mm(double cable_mm) { return std::max(3.0, 3.0 * cable_mm); }
 

@@ -20,18 +20,20 @@ namespace bg = boost::geometry;
 using Point = bg::model::d2::point_xy<double>;
 using Polygon = bg::model::polygon<Point, false>;
 
-constexpr double kChordal_mm = 0.02;
+constexpr double kChordal_mm = 0.02, kChordalShare = 0.01;  // at most; of the radius of wires and small holes
+
+double chordal_mm(double radius_mm) { return std::min(kChordal_mm, kChordalShare * radius_mm); }
 
 solid::Ring outline_of(const Extrusion& shape) {
     if (!shape.outline.empty()) return solid::ring_of(shape.outline, kChordal_mm);
-    if (shape.radius_mm > 0.0) return solid::ring_of(solid::circle(shape.radius_mm), kChordal_mm);
+    if (shape.radius_mm > 0.0) return solid::ring_of(solid::circle(shape.radius_mm), chordal_mm(shape.radius_mm));
     const double x = shape.half_x_mm, y = shape.half_y_mm;
     return {{-x, -y}, {x, -y}, {x, y}, {-x, y}};
 }
 
 /// The regular polygon around a circle, within 0.02 mm.
 solid::Ring around_circle(double radius_mm) {
-    solid::Ring ring = solid::ring_of(solid::circle(radius_mm), kChordal_mm);
+    solid::Ring ring = solid::ring_of(solid::circle(radius_mm), chordal_mm(radius_mm));
     const double wider = 1.0 / std::cos(core::kPi / static_cast<double>(ring.size()));
     for (solid::Point2& p : ring) p[0] *= wider, p[1] *= wider;
     return ring;
@@ -117,10 +119,11 @@ solid::Mesh mesh_of(const Extrusion& shape) {
     const solid::Ring outline = outline_of(shape);
     const solid::VertexRing low = solid::add_ring(mesh, outline, 0.0), high = solid::add_ring(mesh, outline, shape.length_mm);
     std::vector<solid::VertexRing> low_holes, high_holes;
-    std::vector<solid::Outline> holes = shape.bores;
-    for (const RoundHole& hole : shape.holes) holes.push_back(solid::circle(hole.radius_mm, {hole.x_mm, hole.y_mm}));
-    for (const solid::Outline& hole : holes) {
-        const solid::Ring ring = solid::ring_of(hole, kChordal_mm);
+    std::vector<solid::Ring> holes;
+    for (const solid::Outline& bore : shape.bores) holes.push_back(solid::ring_of(bore, kChordal_mm));
+    for (const RoundHole& hole : shape.holes)
+        holes.push_back(solid::ring_of(solid::circle(hole.radius_mm, {hole.x_mm, hole.y_mm}), chordal_mm(hole.radius_mm)));
+    for (const solid::Ring& ring : holes) {
         low_holes.push_back(solid::add_ring(mesh, ring, 0.0));
         high_holes.push_back(solid::add_ring(mesh, ring, shape.length_mm));
         solid::add_wall_between(mesh, low_holes.back(), high_holes.back(), false);

@@ -27,6 +27,7 @@ std::size_t ids_in_common(const Label& label, const Answer& answer) {
 
 std::string wrong_name(const Label& label, const Answer& answer) {
     if (answer.verdict == diagnosis::VerdictKind::kNone) return "not seen";
+    if (answer.verdict == diagnosis::VerdictKind::kInconclusive) return "called inconclusive";
     if (answer.verdict == diagnosis::VerdictKind::kUnknown) return "called unknown";
     if (answer.verdict == diagnosis::VerdictKind::kAmbiguous)
         return leaves_open(answer, label) ? "left open" : "left open without the truth";

@@ -9,6 +9,13 @@ namespace fusee::checks {
 inline bool is_torsion(const Design& d) { return d.spring.kind == spring::BaseKind::kTorsion; }
 inline bool is_compression(const Design& d) { return d.spring.kind == spring::BaseKind::kCompression; }
 inline bool works(const Design& d) { return !d.part.cam.working.empty(); }
+/// The axle that goes through a spool, with its torsion spring around it [m]; 0: that of an overhung spool ends below the spring.
+inline double through_axle(const Design& d) {
+    const solid::HubOptions& hub = d.part.options.hub;
+    return is_torsion(d) && hub.kind == solid::HubKind::kThrough ? hub.bore_diameter : 0.0;
+}
+/// Diameter of what stands inside the coils [m]: as stated, else that axle; 0: not known.
+inline double inner_rod(const Design& d) { return d.spring.rod_diameter > 0.0 ? d.spring.rod_diameter : through_axle(d); }
 inline bool has_leg_slot(const Design& d) { return has_slot(d.part.options.features); }
 inline bool has_torsion_leg_slot(const Design& d) { return is_torsion(d) && has_leg_slot(d); }
 inline bool has_torsion_anchor(const Design& d) { return is_torsion(d) && anchor_hole(d.part).has_value(); }
@@ -29,7 +36,7 @@ inline constexpr Need kStrength{"spring.tensile_strength_MPa",
                                 [](const Design& d) { return spring::tensile_strength(d.spring) > 0.0; },
                                 nullptr,
                                 {"spring.wire_class"}};
-inline constexpr Need kRod{"spring.rod_mm", of_spring<&spring::BaseSpring::rod_diameter>};
+inline constexpr Need kRod{"spring.rod_mm", [](const Design& d) { return inner_rod(d) > 0.0; }};
 inline constexpr Need kCycles{"spring.cycles", of_spring<&spring::BaseSpring::cycles>};
 inline constexpr Need kHand{"spring.hand", [](const Design& d) { return d.spring.hand != spring::Hand::kUnknown; }};
 inline constexpr Need kContactModulus{"roller.contact_modulus_MPa",

@@ -14,16 +14,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// The file that holds this code: Python's module, else the program. The linker knows the program by its first argument only, which has no
+/// folder where the shell found it in PATH.
+fs::path own_file() {
+    Dl_info self{};
+    const bool known = ::dladdr(reinterpret_cast<const void*>(&loaded_function), &self) != 0 && self.dli_fname != nullptr;
+    std::error_code ignored;
+    return fs::canonical(known && fs::path(self.dli_fname).has_parent_path() ? self.dli_fname : "/proc/self/exe", ignored);
+}
+
 /// Where a library of fusee's own may be.
 std::vector<fs::path> library_files(const std::string& name) {
     std::vector<fs::path> files;
-    Dl_info self{};
-    if (::dladdr(reinterpret_cast<const void*>(&loaded_function), &self) != 0 && self.dli_fname != nullptr) {
-        std::error_code ignored;
-        const fs::path folder = fs::canonical(self.dli_fname, ignored).parent_path();
+    if (const fs::path folder = own_file().parent_path(); !folder.empty())
         for (const char* below : {"", "../" FUSEE_LIBDIR "/fusee", "../../" FUSEE_LIBDIR "/fusee"})
-            if (!folder.empty()) files.push_back((folder / below / name).lexically_normal());
-    }
+            files.push_back((folder / below / name).lexically_normal());
     files.push_back(fs::path(FUSEE_FULL_LIBDIR "/fusee") / name);
     return files;
 }

@@ -1,5 +1,8 @@
 #include "answer.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,6 +12,7 @@
 #include "gap_map.h"
 #include "isolability.h"
 #include "next_experiment.h"
+#include "power.h"
 
 namespace fusee::diagnosis {
 
@@ -99,7 +103,7 @@ void Answer::rank() {
         if (!left_out.x.empty()) row.left_out = root_mean_square(problem_, left_out.residual.cwiseQuotient(sigma_));
         for (std::size_t c = 0; c < fit.causes.size(); ++c) {
             const int k = problem_.size_at(fit.causes, c);
-            const effects::EffectParameter& size = effects::find_effect(fit.causes[c].id).parameters.front();
+            const effects::EffectParameter& size = problem_.effect(fit.causes[c].id).parameters.front();
             row.parameters.push_back(parameter_of(fit.x[k], inference::half_interval(fit, left_out, k), size));
         }
         diagnosis_.ranking.push_back(std::move(row));
@@ -111,7 +115,7 @@ void Answer::found_effects() {
     const inference::Fit& best = found_.best();
     const bool named = verdict_.verdict == VerdictKind::kIdentified || verdict_.verdict == VerdictKind::kAmbiguous;
     for (std::size_t c = 0; named && c < best.causes.size(); ++c) {
-        const effects::Effect& effect = effects::find_effect(best.causes[c].id);
+        const effects::Effect& effect = problem_.effect(best.causes[c].id);
         const auto k = static_cast<std::size_t>(problem_.size_at(best.causes, c));
         FoundEffect found{best.causes[c], 0.0, diagnosis_.ranking.front().parameters[c], {}};
         for (std::size_t h = 0; h < found_.fits.size(); ++h) {
@@ -125,6 +129,19 @@ void Answer::found_effects() {
     for (std::size_t h = named || verdict_.verdict == VerdictKind::kNone ? 1 : 0; h < found_.fits.size(); ++h)
         if (found_.probability[h] >= kLeastAlternative || (h == 0 && verdict_.verdict == VerdictKind::kUnknown))
             diagnosis_.alternatives.push_back({found_.fits[h].causes, found_.probability[h]});
+}
+
+std::vector<effects::Cause> Answer::weigh_power() {
+    if (verdict_.verdict != VerdictKind::kNone) return {};
+    diagnosis_.power = powers_of(problem_, diagnosis_.isolability);
+    const std::vector<effects::Cause> unseen = not_shown(diagnosis_.power);
+    if (unseen.empty()) return unseen;
+    diagnosis_.verdict = VerdictKind::kInconclusive;
+    std::vector<std::string> ids;
+    for (const effects::Cause& cause : unseen)
+        if (ids.empty() || ids.back() != cause.id) ids.push_back(cause.id);
+    diagnosis_.remarks.push_back(fmt::format("these rows would not show a usual size of: {}", fmt::join(ids, ", ")));
+    return unseen;
 }
 
 void Answer::plan_next_experiment(unsigned jobs) {
@@ -141,7 +158,10 @@ void Answer::plan_next_experiment(unsigned jobs) {
         rivals.push_back(&found_.fits[h]);
         probabilities.push_back(probability);
     }
-    if (rivals.size() > 1) diagnosis_.next = next_experiments(problem_, rivals, probabilities, jobs);
+    if (const std::vector<effects::Cause> unseen = weigh_power(); !unseen.empty())
+        diagnosis_.next = showing_experiments(problem_, found_.fits[found_.null], unseen, jobs);
+    else if (rivals.size() > 1)
+        diagnosis_.next = next_experiments(problem_, rivals, probabilities, jobs);
     if (!diagnosis_.next.empty()) diagnosis_.next_experiment = diagnosis_.next.front().text;
 }
 

@@ -14,7 +14,8 @@ public:
     void compare(const inference::Split& kept);
     /// Ranking and intervals; experiments left out may widen the intervals.
     void rank();
-    /// Isolability of the causes, and the next experiment that distinguishes the rivals.
+    /// Isolability of the causes, the power of a verdict without effects, and the next experiment: the one that distinguishes the rivals,
+    /// or that shows what these rows do not.
     void plan_next_experiment(unsigned jobs);
     [[nodiscard]] Diagnosis take() { return std::move(diagnosis_); }
 
@@ -22,6 +23,8 @@ private:
     void found_effects();
     void build();
     void traces();
+    /// Where a usual size of some effect would stay unseen, `none` becomes `inconclusive`. @return those effects
+    [[nodiscard]] std::vector<effects::Cause> weigh_power();
 
     const inference::Problem& problem_;
     const inference::Search& found_;

@@ -25,7 +25,7 @@ constexpr std::size_t kLeastRows = 4;  ///< least number of rows of a diagnosis:
 class Steps {
 public:
     Steps(const DiagnoseOptions& options, const gap_case::Case& gap_case) : options_(options) {
-        const auto steps = motion_steps(gap_case.rows, gap_case.protocol);
+        const auto steps = motion_steps(gap_case.rig, gap_case.rows, gap_case.protocol);
         const double usual = std::accumulate(steps.begin(), steps.end(), 0.0) / kUsualSteps;
         if (usual > kLong) warning_ = fmt::format("; this case takes {:.2g} times as long as a usual one", usual);
     }
@@ -48,7 +48,7 @@ Diagnosis diagnose(const gap_case::Case& gap_case, const DiagnoseOptions& option
     if (gap_case.rows.size() < kLeastRows)
         throw core::InvalidInput("experiments", std::to_string(gap_case.rows.size()) + " rows",
                                  fmt::format("at least {} rows in all", kLeastRows));
-    require_feasible(gap_case.rows, gap_case.protocol, kMostSteps);
+    require_feasible(gap_case.rig, gap_case.rows, gap_case.protocol, kMostSteps);
     Steps progress(options, gap_case);
     const unsigned jobs = options.jobs;
     const inference::Problem problem(gap_case);

@@ -105,6 +105,18 @@ Json isolability_json(const Isolability& isolability) {
             {"classes", isolability.classes}};
 }
 
+Json power_json(const std::vector<Power>& power) {
+    Json all = Json::array();
+    for (const Power& own : power)
+        all.push_back({{"id", own.cause.id},
+                       {"side", own.cause.side},
+                       {"least", own.least},
+                       {"usual", own.usual},
+                       {"unit", own.unit},
+                       {"shown", own.shown}});
+    return all;
+}
+
 Json next_json(const std::vector<NextExperiment>& next) {
     Json all = Json::array();
     for (const NextExperiment& n : next)
@@ -120,7 +132,7 @@ Json next_json(const std::vector<NextExperiment>& next) {
 }  // namespace
 
 const char* to_string(VerdictKind verdict) {
-    static constexpr std::array<const char*, 4> kNames{"identified", "none", "ambiguous", "unknown"};
+    static constexpr std::array<const char*, 5> kNames{"identified", "none", "ambiguous", "unknown", "inconclusive"};
     return kNames.at(static_cast<std::size_t>(verdict));
 }
 
@@ -139,6 +151,7 @@ std::string diagnosis_json(const Diagnosis& d) {
            {"map", map_json(d.map)},
            {"ranking", ranking_json(d.ranking)},
            {"isolability", isolability_json(d.isolability)},
+           {"power", power_json(d.power)},
            {"remarks", d.remarks},
            {"case", d.case_name},
            {"case_sha256", d.case_sha256}};

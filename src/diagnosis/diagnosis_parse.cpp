@@ -12,7 +12,7 @@ using core::JsonNode;
 constexpr double kProbabilityRounding = 1e-9;  // of a sum of probabilities
 const std::vector<std::string> kKeys{"verdict", "effects", "alternatives", "where",        "gap",           "next_experiment",
                                      "next",    "build",   "experiments",  "map",          "ranking",       "isolability",
-                                     "remarks", "case",    "case_sha256",  "unknown_term", "renamed_fields"};
+                                     "power",   "remarks", "case",         "case_sha256",  "unknown_term",  "renamed_fields"};
 
 Parameter parameter_of(const JsonNode& node) {
     node.allow_keys({"value", "ci95", "unit"});
@@ -36,9 +36,10 @@ FoundEffect effect_of(const JsonNode& node) {
 }
 
 VerdictKind verdict_of(const JsonNode& node) {
-    for (const VerdictKind verdict : {VerdictKind::kIdentified, VerdictKind::kNone, VerdictKind::kAmbiguous, VerdictKind::kUnknown})
+    for (const VerdictKind verdict :
+         {VerdictKind::kIdentified, VerdictKind::kNone, VerdictKind::kAmbiguous, VerdictKind::kUnknown, VerdictKind::kInconclusive})
         if (node.text() == to_string(verdict)) return verdict;
-    node.refuse("identified, none, ambiguous or unknown");
+    node.refuse("identified, none, ambiguous, unknown or inconclusive");
 }
 
 }  // namespace

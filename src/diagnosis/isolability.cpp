@@ -6,13 +6,15 @@
 #include <numeric>
 
 #include "fusee/core/parallel.h"
+#include "fusee/inference/search.h"
+#include "power.h"
 
 namespace fusee::diagnosis {
 
 namespace {
 
 constexpr double kNothing = 1e-12;  ///< a product of lengths that is rounding alone
-constexpr int kHalvings = 6;        ///< of the range in which a limit's detectable size lies: to 2 % of its logarithm
+constexpr int kHalvings = 6;        ///< of the range in which a limit's size lies
 
 /// What a cause changes and the fit cannot follow. Priors count as rows of their own, on which no cause leaves a mark: so the least-squares
 /// projection of (change, 0) has the length that the evidence sees, s^T (I - J (J^T J + prior)^-1 J^T) s.
@@ -51,6 +53,7 @@ struct Mark {
     double length = 0.0;
     bool both_ways = false;         ///< its size may have either sign
     double detectable = kNoFigure;  ///< in the parameter's unit
+    double named = kNoFigure;       ///< the same
 };
 
 /// 0 is no effect of most parameters; a limit never is 0, and does the more the smaller it is.
@@ -68,8 +71,24 @@ Mark mark_of_size(const Projection& projection, const inference::Causes& causes,
     mark.length = mark.change.norm();
     mark.both_ways = size.allowed.low < 0.0;
     const double least = kSeen * size.scale / mark.length;
-    if (least <= std::max(-size.allowed.low, size.allowed.high)) mark.detectable = least;
+    const double most = std::max(-size.allowed.low, size.allowed.high);
+    if (least <= most) mark.detectable = least;
+    if (!(mark.length > kNothing)) return mark;
+    const double named = size.scale * std::max(inference::kLeastSize, named_length(mark.length) / mark.length);
+    if (named <= most) mark.named = named;
     return mark;
+}
+
+/// The greatest size of a limit of which `enough` of a mark is left, to 2 % of its logarithm. @param seen one that has enough
+template <typename Enough>
+double greatest(const Projection& projection, const inference::Causes& causes, const effects::EffectParameter& size, double seen,
+                const Enough& enough) {
+    double unseen = size.allowed.high / size.scale;
+    for (int i = 0; i < kHalvings; ++i) {
+        const double middle = std::sqrt(seen * unseen);
+        (enough(projection.mark(causes, middle).norm()) ? seen : unseen) = middle;
+    }
+    return seen * size.scale;
 }
 
 /// At the start that is nearest to one scale among those that are seen, or at the strictest.
@@ -78,22 +97,21 @@ Mark mark_of_limit(const Projection& projection, const inference::Causes& causes
     std::vector<double> starts = effect.starts;
     std::sort(starts.begin(), starts.end(), std::greater<>());
     starts.erase(starts.begin(), std::find(starts.begin(), starts.end(), nearest_to_one(starts)));
+    const auto seen = [](double length) { return length >= kSeen; };
+    const auto named = [](double length) { return length > kNothing && length >= named_length(length); };
     Mark mark;
-    double seen = 0.0;
-    for (const double start : starts) {
-        mark.change = projection.mark(causes, start);
-        mark.length = mark.change.norm();
-        if (mark.length < kSeen) continue;
-        seen = start;
+    for (const double start : starts) {  // the loosest first
+        Eigen::VectorXd change = projection.mark(causes, start);
+        const double length = change.norm();
+        if (!seen(mark.length)) {
+            mark.change = std::move(change);
+            mark.length = length;
+            if (seen(length)) mark.detectable = greatest(projection, causes, size, start, seen);
+        }
+        if (!named(length)) continue;
+        mark.named = greatest(projection, causes, size, start, named);
         break;
     }
-    if (seen == 0.0) return mark;
-    double unseen = size.allowed.high / size.scale;
-    for (int i = 0; i < kHalvings; ++i) {
-        const double middle = std::sqrt(seen * unseen);
-        (projection.mark(causes, middle).norm() >= kSeen ? seen : unseen) = middle;
-    }
-    mark.detectable = seen * size.scale;
     return mark;
 }
 
@@ -128,14 +146,15 @@ Isolability isolability(const inference::Problem& problem, const inference::Fit&
     core::parallel_for(n, jobs, [&](std::size_t i) {
         inference::Causes all = null.causes;
         all.push_back(causes[i]);
-        const effects::Effect& effect = effects::find_effect(causes[i].id);
+        const effects::Effect& effect = problem.effect(causes[i].id);
         marks[i] = (is_limit(effect.parameters.front()) ? mark_of_limit : mark_of_size)(projection, all, effect);
     });
-    Isolability result{causes, std::vector(n, std::vector<double>(n, 0.0)), {}, {}, {}};
+    Isolability result{causes, std::vector(n, std::vector<double>(n, 0.0)), {}, {}, {}, {}};
     std::vector<std::vector<bool>> linked(n, std::vector<bool>(n, false));
     for (std::size_t i = 0; i < n; ++i) {
         result.detectable.push_back(marks[i].detectable);
-        result.units.push_back(effects::find_effect(causes[i].id).parameters.front().unit);
+        result.named.push_back(marks[i].named);
+        result.units.push_back(problem.effect(causes[i].id).parameters.front().unit);
         result.signature_similarity[i][i] = 1.0;
         for (std::size_t j = 0; j < i; ++j) {
             const double lengths = marks[i].length * marks[j].length;

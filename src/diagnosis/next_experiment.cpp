@@ -140,6 +140,40 @@ bool serves_better(const NextExperiment& a, const NextExperiment& b, double enou
     return a.information * b.cost > b.information * a.cost;
 }
 
+/// The best of each experiment that gives some of the `most` bits: first the cheapest that is expected to decide, then by bits per minute.
+std::vector<NextExperiment> best_of_each(const std::vector<NextExperiment>& all, double most) {
+    std::vector<NextExperiment> best;
+    for (const NextExperiment& next : all) {
+        if (next.information < kWorthwhile * most) continue;
+        const auto same = std::find_if(best.begin(), best.end(), [&](const NextExperiment& b) { return b.experiment == next.experiment; });
+        if (same == best.end())
+            best.push_back(next);
+        else if (serves_better(next, *same, kDecides * most))
+            *same = next;
+    }
+    if (best.empty()) return best;
+    std::stable_sort(best.begin(), best.end(), [&](const auto& a, const auto& b) { return serves_better(a, b, kDecides * most); });
+    std::stable_sort(best.begin() + 1, best.end(),
+                     [](const auto& a, const auto& b) { return a.information * b.cost > b.information * a.cost; });
+    return best;
+}
+
+/// What a usual size of each cause changes in every value of the menu, all else as in the `null` fit.
+std::vector<Eigen::VectorXd> changes_by(const inference::Problem& problem, const Menu& menu, const inference::Fit& null,
+                                        const std::vector<effects::Cause>& causes, unsigned jobs) {
+    const std::vector<joint_model::Signals> first = predict_sheets(problem, menu, null.causes, null.x);
+    const Layout layout(first);
+    const Eigen::VectorXd without = layout.joined(first);
+    std::vector<Eigen::VectorXd> changes(causes.size());
+    core::parallel_for(causes.size(), jobs, [&](std::size_t i) {
+        Eigen::VectorXd x = problem.start({causes[i]});
+        x.head(null.x.size()) = null.x;
+        x[null.x.size()] = 1.0;
+        changes[i] = layout.joined(predict_sheets(problem, menu, {causes[i]}, x)) - without;
+    });
+    return changes;
+}
+
 std::string sentence(const std::string& what, double bits, double minutes) {
     return fmt::format("{}: {:.2f} bit, {:.0f} min.", what, bits, minutes);
 }
@@ -166,7 +200,7 @@ std::string enlarged(const inference::Problem& problem, const std::vector<const 
         *rivals[static_cast<std::size_t>(std::max_element(probabilities.begin(), probabilities.end()) - probabilities.begin())];
     if (rival.causes.empty()) return "";
     const effects::Cause& cause = rival.causes.front();
-    const effects::EffectParameter& size = effects::find_effect(cause.id).parameters.front();
+    const effects::EffectParameter& size = problem.effect(cause.id).parameters.front();
     const double value = factor * size.scale * rival.x[static_cast<int>(problem.build().size())];
     if (size.allowed.low > 0.0 || !size.allowed.holds(value)) return "";
     return fmt::format(": {} ({}) of {:.2g} {}", cause.id, cause.side, value, size.unit);
@@ -191,6 +225,32 @@ std::vector<double> expected_bits(const inference::Problem& problem, const Menu&
     return bits;
 }
 
+std::vector<NextExperiment> showing_experiments(const inference::Problem& problem, const inference::Fit& null,
+                                                const std::vector<effects::Cause>& unseen, unsigned jobs) {
+    const Menu menu = measurement_menu(problem.gap_case());
+    const std::vector<Eigen::VectorXd> changes = changes_by(problem, menu, null, unseen, jobs);
+    const std::vector<joint_model::Signals> first = predict_sheets(problem, menu, null.causes, null.x);
+    const Layout layout(first);
+    const Eigen::VectorXd precision = precisions(problem, menu, layout, first);
+    const Eigen::MatrixXd spread = predicted_outcome(problem, menu, layout, null, jobs).spread;
+    const std::vector<double> even{0.5, 0.5};
+    std::vector<NextExperiment> all;
+    for (const Measurement& m : menu.measurements) {
+        const std::vector<int> places = layout.places(menu, m);
+        const Eigen::VectorXd weight = precision(places) * std::sqrt(m.repeats);
+        const Eigen::MatrixXd open = weight.asDiagonal() * spread(places, Eigen::all);
+        double bits = 0.0;
+        for (const Eigen::VectorXd& change : changes) {
+            const double square = squared_distance(weight.cwiseProduct(change(places)), open, open);
+            bits += expected_information(even, square * (Eigen::MatrixXd::Ones(2, 2) - Eigen::MatrixXd::Identity(2, 2)));
+        }
+        all.push_back(offered(m, bits / static_cast<double>(changes.size())));
+    }
+    std::vector<NextExperiment> best = best_of_each(all, 1.0);
+    if (best.empty()) best.push_back(*std::max_element(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.information < b.information; }));
+    return best;
+}
+
 std::vector<NextExperiment> next_experiments(const inference::Problem& problem, const std::vector<const inference::Fit*>& rivals,
                                              std::span<const double> probabilities, unsigned jobs) {
     std::vector<double> p(probabilities.begin(), probabilities.end());
@@ -200,24 +260,14 @@ std::vector<NextExperiment> next_experiments(const inference::Problem& problem, 
     if (rivals.size() < 2 || !(most > 0.0)) return {};
     const Menu menu = measurement_menu(problem.gap_case());
     const std::vector<Eigen::MatrixXd> squared = distances(problem, menu, rivals, jobs);
-    std::vector<NextExperiment> best;  // of each experiment
     std::size_t tells_most = 0;
     std::vector<NextExperiment> all;
     for (std::size_t m = 0; m < squared.size(); ++m) {
         all.push_back(offered(menu.measurements[m], expected_information(p, squared[m])));
         if (all[m].information > all[tells_most].information) tells_most = m;
-        if (all[m].information < kWorthwhile * most) continue;
-        const auto same =
-            std::find_if(best.begin(), best.end(), [&](const NextExperiment& b) { return b.experiment == all[m].experiment; });
-        if (same == best.end())
-            best.push_back(all[m]);
-        else if (serves_better(all[m], *same, kDecides * most))
-            *same = all[m];
     }
-    if (best.empty()) return {none_tells(problem, rivals, p, all[tells_most], squared[tells_most])};
-    std::stable_sort(best.begin(), best.end(), [&](const auto& a, const auto& b) { return serves_better(a, b, kDecides * most); });
-    std::stable_sort(best.begin() + 1, best.end(),
-                     [](const auto& a, const auto& b) { return a.information * b.cost > b.information * a.cost; });
+    std::vector<NextExperiment> best = best_of_each(all, most);
+    if (best.empty()) best.push_back(none_tells(problem, rivals, p, all[tells_most], squared[tells_most]));
     return best;
 }
 

@@ -24,4 +24,10 @@ namespace fusee::diagnosis {
                                                            const std::vector<const inference::Fit*>& rivals,
                                                            std::span<const double> probabilities, unsigned jobs);
 
+/// Further measurements that would show `unseen` causes: whether a usual size of one is there, a priori as likely as not. Information is the
+/// mean over the causes, what is known of the build parameters is that of the `null` fit. The best of each experiment, in the order of
+/// next_experiments. @pre at least one cause
+[[nodiscard]] std::vector<NextExperiment> showing_experiments(const inference::Problem& problem, const inference::Fit& null,
+                                                              const std::vector<effects::Cause>& unseen, unsigned jobs);
+
 }  // namespace fusee::diagnosis

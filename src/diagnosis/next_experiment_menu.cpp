@@ -11,6 +11,7 @@
 #include <set>
 
 #include "fusee/gap_case/case_template.h"
+#include "fusee/gap_case/reference.h"
 
 namespace fusee::diagnosis {
 
@@ -75,10 +76,11 @@ void thin_pulls(std::vector<gap_case::SpringPull>& rows) {
 /// Only dead-bands, pushed harder within the range of K_SE; other levels are left out.
 gap_case::Rows harder(const gap_case::Rows& usual, const gap_case::NominalRig& rig) {
     gap_case::Rows rows;
+    const double digit = 1e4 / gap_case::reference_of(rig).decade();
     for (gap_case::DeadBandRow row : usual.dead_band) {
         const double push = std::min(kStronger * row.push_torque, kSafePush * rig.ratio() * rig.springs.back().se_torque);
         if (push < 0.5 * (1.0 + kStronger) * row.push_torque) continue;
-        row.push_torque = std::round(push * 1e4) / 1e4;
+        row.push_torque = std::round(push * digit) / digit;
         rows.dead_band.push_back(row);
     }
     return rows;

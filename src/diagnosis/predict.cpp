@@ -18,12 +18,12 @@ namespace fusee::diagnosis {
 namespace {
 
 /// Parameter values of an effect: its size, and further ones as found or at their start.
-std::vector<double> values_of(const effects::Effect& effect, const FoundEffect& found) {
+std::vector<double> values_of(const effects::Effect& effect, const FoundEffect& found, const gap_case::Reference& reference) {
     std::vector<double> values{found.parameter.value};
     for (std::size_t k = 1; k < effect.parameters.size(); ++k) {
         const effects::EffectParameter& law = effect.parameters[k];
         const auto known = std::find_if(found.extra.begin(), found.extra.end(), [&](const auto& extra) { return extra.first == law.name; });
-        values.push_back(known == found.extra.end() ? law.at_first : known->second);
+        values.push_back(known == found.extra.end() ? law.on(reference).at_first : known->second);
     }
     return values;
 }
@@ -37,12 +37,12 @@ joint_model::BuiltRig rig_of(const gap_case::Case& nominal, const Diagnosis& fou
     }
     for (const FoundEffect& effect : found.effects) {
         const effects::Effect& law = effects::find_effect(effect.cause.id);
-        effects::apply_effect(law, effect.cause, values_of(law, effect), rig);
+        effects::apply_effect(law, effect.cause, values_of(law, effect, rig.reference), rig);
     }
     return rig;
 }
 
-constexpr double kMostArm = 0.1;        // [m]
+constexpr double kMostArm = 0.1;        // of the reference rig [m]
 constexpr double kSizeRounding = 1e-9;  // of a size written at a bound of its range
 
 void require_allowed(const std::string& what, const effects::EffectParameter& law, double value) {
@@ -53,9 +53,9 @@ void require_allowed(const std::string& what, const effects::EffectParameter& la
 }
 
 /// Checks one effect with its further parameters.
-void require_possible(const std::string& place, const FoundEffect& found) {
+void require_possible(const std::string& place, const FoundEffect& found, const gap_case::Reference& reference) {
     const effects::Effect& law = effects::find_effect(found.cause.id);
-    const effects::EffectParameter& size = law.parameters.front();
+    const effects::EffectParameter size = law.parameters.front().on(reference);
     const std::string name = place + ": " + found.cause.id;
     require_allowed(name, size, found.parameter.value);
     if (const std::string& unit = found.parameter.unit; !unit.empty() && unit != size.unit)
@@ -64,7 +64,7 @@ void require_possible(const std::string& place, const FoundEffect& found) {
         std::vector<std::string> known;
         for (std::size_t k = 1; k < law.parameters.size(); ++k) {
             known.push_back(law.parameters[k].name);
-            if (extra == known.back()) require_allowed(name + ": " + extra, law.parameters[k], value);
+            if (extra == known.back()) require_allowed(name + ": " + extra, law.parameters[k].on(reference), value);
         }
         if (std::find(known.begin(), known.end(), extra) == known.end())
             throw core::InvalidInput(name + ": extra", extra,
@@ -74,7 +74,7 @@ void require_possible(const std::string& place, const FoundEffect& found) {
 
 /// Rejects a rig that cannot be built, whatever the effect or build parameter behind it.
 void require_buildable(const joint_model::BuiltRig& rig, const joint_model::NominalCams& cams) {
-    const auto require = [](bool holds, const char* what, double value, const char* allowed) {
+    const auto require = [](bool holds, const char* what, double value, const std::string& allowed) {
         if (!holds || !std::isfinite(value))
             throw core::InvalidInput("the rig with these effects: " + std::string(what), fmt::format("{:g}", value), allowed);
     };
@@ -87,7 +87,9 @@ void require_buildable(const joint_model::BuiltRig& rig, const joint_model::Nomi
         require(side.pe_build.rate > -1.0, "relative change of K_PE's rate", side.pe_build.rate, "above -1");
         const double arm = cams.shortest_series_arm() + side.se_build.radius;
         require(arm > 0.0, "shortest arm of K_SE [m]", arm, "above 0");
-        require(std::abs(side.pe_build.radius) < kMostArm, "arms of K_PE, longer by [m]", side.pe_build.radius, "within 0.1");
+        const double most = kMostArm * rig.reference.radius;
+        require(std::abs(side.pe_build.radius) < most, "arms of K_PE, longer by [m]", side.pe_build.radius,
+                fmt::format("within {:g}", most));
     }
     require(rig.ratio > 0.0, "joint radius over capstan radius", rig.ratio, "above 0");
     require(rig.capstan_scale > 0.0, "capstan radius over the nominal one", rig.capstan_scale, "above 0");
@@ -111,13 +113,14 @@ void require_finite(const joint_model::Signals& signals) {
 
 void require_possible(const gap_case::Case& nominal, const Diagnosis& found, const std::string& file) {
     std::set<std::pair<std::string, std::string>> seen;
+    const gap_case::Reference reference = gap_case::reference_of(nominal.rig);
     for (std::size_t i = 0; i < found.effects.size(); ++i) {
         const FoundEffect& effect = found.effects[i];
         const std::string place = fmt::format("{}: effects[{}]", file, i);
         if (!seen.insert({effect.cause.id, effect.cause.side}).second)
             throw core::InvalidInput(place, fmt::format("{} on {} again", effect.cause.id, effect.cause.side),
                                      "each effect once on a side");
-        require_possible(place, effect);
+        require_possible(place, effect, reference);
     }
     std::vector<std::string> names;
     for (const joint_model::BuildParameter& build : joint_model::build_parameters(nominal)) names.push_back(build.name);
@@ -127,7 +130,7 @@ void require_possible(const gap_case::Case& nominal, const Diagnosis& found, con
 }
 
 gap_case::Rows predict(const gap_case::Case& nominal, const Diagnosis& found, const gap_case::Rows& inputs) {
-    require_feasible(inputs, nominal.protocol, kMostPredicted);
+    require_feasible(nominal.rig, inputs, nominal.protocol, kMostPredicted);
     joint_model::BuiltRig rig = rig_of(nominal, found);
     const joint_model::NominalCams cams(nominal.rig);
     require_buildable(rig, cams);

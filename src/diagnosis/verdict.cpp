@@ -15,7 +15,6 @@ namespace fusee::diagnosis {
 
 namespace {
 
-constexpr double kSure = 0.75;   ///< probability from which one hypothesis is the answer
 constexpr double kRival = 0.08;  ///< least probability of an alternative that counts
 constexpr double kSlip = 1.5;    ///< spread of a row that sticks and slips
 constexpr double kSlips = 0.25;  ///< share of such rows from which an experiment is no evidence against the model

@@ -7,6 +7,8 @@
 
 namespace fusee::diagnosis {
 
+inline constexpr double kSure = 0.75;  ///< probability from which one hypothesis is the answer
+
 /// Result of ranking, splits and remaining gap.
 struct Verdict {
     VerdictKind verdict = VerdictKind::kNone;

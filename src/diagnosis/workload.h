@@ -10,9 +10,10 @@ inline constexpr double kMostSteps = 4e6;      ///< limit of a diagnosis with so
 inline constexpr double kMostPredicted = 2e9;  ///< limit of one prediction: a minute
 
 /// Steps of motion (motion.h) that one prediction of each experiment takes, about.
-[[nodiscard]] std::array<double, gap_case::kExperiments> motion_steps(const gap_case::Rows& rows, const gap_case::Protocol& protocol);
+[[nodiscard]] std::array<double, gap_case::kExperiments> motion_steps(const gap_case::NominalRig& rig, const gap_case::Rows& rows,
+                                                                         const gap_case::Protocol& protocol);
 
 /// @throws core::InvalidInput naming the longest experiment if the case needs more than `most` steps
-void require_feasible(const gap_case::Rows& rows, const gap_case::Protocol& protocol, double most);
+void require_feasible(const gap_case::NominalRig& rig, const gap_case::Rows& rows, const gap_case::Protocol& protocol, double most);
 
 }  // namespace fusee::diagnosis

@@ -21,6 +21,21 @@ const std::vector<Effect>& effect_library() {
     return library;
 }
 
+EffectParameter EffectParameter::on(const gap_case::Reference& reference) const {
+    EffectParameter own = *this;
+    const double factor = reference.of(unit);
+    for (double* value : {&own.scale, &own.allowed.low, &own.allowed.high, &own.at_first}) *value *= factor;
+    for (double& value : own.tries) value *= factor;
+    return own;
+}
+
+std::vector<Effect> effects_on(const gap_case::Reference& reference) {
+    std::vector<Effect> all = effect_library();
+    for (Effect& effect : all)
+        for (EffectParameter& parameter : effect.parameters) parameter = parameter.on(reference);
+    return all;
+}
+
 const Effect* effect_or_none(std::string_view id) {
     const std::vector<Effect>& library = effect_library();
     const auto found = std::find_if(library.begin(), library.end(), [&](const Effect& effect) { return effect.id == id; });

@@ -7,6 +7,7 @@
 #include "csv.h"
 #include "fields.h"
 #include "fusee/core/file.h"
+#include "fusee/gap_case/reference.h"
 #include "fusee/gap_case/toml.h"
 #include "fusee/math/curve.h"
 #include "keys.h"
@@ -59,12 +60,18 @@ std::map<Experiment, std::vector<std::string>> read_files(const CaseToml& toml) 
     return files;
 }
 
-void read_toml(const CaseToml& toml, Case& gap_case) {
+void require_case(const CaseToml& toml) {
     if (toml.has("bench")) throw toml.fault("bench", "a subsystem case", "a case with [rig]; a case with [bench] is a subsystem case");
     toml.allow_tables({"rig", "tolerance", "sensors", "protocol", "experiments"});
-    toml.require_numbers("rig", rig_keys(gap_case.rig), {"springs"});
-    read_or_default(toml, "tolerance", tolerance_keys(gap_case.tolerance), {}, gap_case.remarks);
-    read_or_default(toml, "sensors", sensor_keys(gap_case.sensors), {}, gap_case.remarks);
+}
+
+/// @pre the springs are read: they give the rig's torque
+void read_toml(const CaseToml& toml, Case& gap_case) {
+    toml.require_numbers("rig", on_rig(rig_keys(gap_case.rig), gap_case.rig), {"springs"});
+    gap_case.tolerance = usual_tolerance(gap_case.rig);
+    gap_case.sensors = usual_sensors(gap_case.rig);
+    read_or_default(toml, "tolerance", on_rig(tolerance_keys(gap_case.tolerance), gap_case.rig), {}, gap_case.remarks);
+    read_or_default(toml, "sensors", on_rig(sensor_keys(gap_case.sensors), gap_case.rig), {}, gap_case.remarks);
     read_or_default(toml, "protocol", protocol_keys(gap_case.protocol), {"log_start", "motor_ramp"}, gap_case.remarks);
     if (toml.has("protocol.motor_ramp")) gap_case.protocol.smooth_motor_ramp = read_ramp(toml);
     require_noise(toml, gap_case.sensors);
@@ -116,13 +123,15 @@ Case read_case(const CaseFiles& files) {
     const CaseToml toml(files);
     Case gap_case;
     gap_case.name = files.name();
-    read_toml(toml, gap_case);
+    require_case(toml);
+    if (!toml.has("rig.springs")) toml.require_numbers("rig", rig_keys(gap_case.rig), {"springs"});  // names the first that is missing
     core::Sha256 hash;
     hash.add(toml.bytes());
     const auto seen = [&hash](std::string_view bytes) { hash.add(bytes); };
     const std::string springs = toml.text("rig.springs", kSpringsAllowed);
     (void)toml.files("rig.springs");
     gap_case.rig.springs = read_springs(files, springs, seen);
+    read_toml(toml, gap_case);
     gap_case.rows = read_tables(gap_case, files, {.seen = seen, .remarks = &gap_case.remarks});
     gap_case.sha256 = hash.hex();
     for (std::string& remark : check_rows(gap_case, files.folder(), springs)) gap_case.remarks.push_back(std::move(remark));

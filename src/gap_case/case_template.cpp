@@ -37,11 +37,11 @@ std::string case_toml(CaseTemplate t) {
         "# A gap case of {}: nominal rig, and the files with the measurements (BENCH.md).\n"
         "# SI: metres, newtons, radians, seconds, Nm; the unit stands at the end of each name.\n",
         t.name);
-    text += table_text("rig", "the nominal rig", rig_keys(t.rig));
+    text += table_text("rig", "the nominal rig", on_rig(rig_keys(t.rig), t.rig));
     text +=
         fmt::format("{:<44} # {}\n", fmt::format("springs = \"{}\"", kSprings), "torques at the capstan over deflection, both sides equal");
-    text += table_text("tolerance", "one sigma of build tolerances: a gap within them is not an effect", tolerance_keys(t.tolerance));
-    text += table_text("sensors", "put in those of the rig", sensor_keys(t.sensors));
+    text += table_text("tolerance", "one sigma of build tolerances: a gap within them is not an effect", on_rig(tolerance_keys(t.tolerance), t.rig));
+    text += table_text("sensors", "put in those of the rig", on_rig(sensor_keys(t.sensors), t.rig));
     text += table_text("protocol", "how long each phase takes [s]", protocol_keys(t.protocol));
     text += fmt::format("{:<44} # {}\n", fmt::format("motor_ramp = \"{}\"", t.protocol.smooth_motor_ramp ? "smooth" : "straight"),
                         "or smooth: 3 s^2 - 2 s^3");

@@ -9,6 +9,7 @@
 
 #include "fields.h"
 #include "fusee/core/error.h"
+#include "fusee/gap_case/reference.h"
 #include "fusee/math/statistics.h"
 
 namespace fs = std::filesystem;
@@ -129,14 +130,15 @@ private:
     }
 
     void check_travel() const {
-        constexpr double kMostAngle = 30.0, kMostTravel = 0.25, kLeastTravel = 1e-4;
+        constexpr double kMostAngle = 30.0, kMostTravel = 0.25, kLeastTravel = 1e-4;  // [m], of the reference rig
+        const double radius = reference_of(gap_case_.rig).radius;
         const BaseTravel travel = base_travel(gap_case_.rig);
         const std::string file = (folder_ / "case.toml").string();
         if (travel.spool_angle > kMostAngle)
             throw core::InvalidInput(
                 file + ": rig.se_torsion_rate_Nm_per_rad", fmt::format("{:g}", gap_case_.rig.se_torsion_rate),
                 fmt::format("a rate in Nm/rad, and springs in Nm over rad: the spool would turn by {:.3g} rad", travel.spool_angle));
-        if (travel.compression > kMostTravel || travel.compression < kLeastTravel)
+        if (travel.compression > kMostTravel * radius || travel.compression < kLeastTravel * radius)
             throw core::InvalidInput(
                 file + ": rig.pe_compression_rate_N_per_m", fmt::format("{:g}", gap_case_.rig.pe_compression_rate),
                 fmt::format("a rate in N/m, and springs in Nm over rad: the spring would deflect by {:.3g} m", travel.compression));

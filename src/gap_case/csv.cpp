@@ -223,7 +223,7 @@ Rows read_tables(const Case& gap_case, const CaseFiles& files, const TablesOptio
 std::vector<NominalRig::SpringRow> read_springs(const CaseFiles& files, const std::string& file,
                                                 const std::function<void(std::string_view)>& seen) {
     constexpr std::size_t kLeast = 8;
-    constexpr double kMostTorque = 1000.0;  // [Nm]
+    constexpr double kMostTorque = 1e6;  // [Nm], far above any joint
     const core::CsvTable table = files.read_csv(file, {{"deflection_rad"}, {"se_torque_Nm"}, {"pe_torque_Nm"}},
                                                 {.least_rows = kLeast, .most_rows = kLongestTable}, seen);
     const std::vector<double>& deflection = table.numbers("deflection_rad");

@@ -1,6 +1,17 @@
 #include "keys.h"
 
+#include "fusee/gap_case/reference.h"
+
 namespace fusee::gap_case {
+
+std::vector<NumberKey> on_rig(std::vector<NumberKey> keys, const NominalRig& rig) {
+    const Reference torque{.torque = reference_of(rig).torque};
+    for (NumberKey& key : keys) {
+        key.low *= torque.of(key.unit);
+        key.high *= torque.of(key.unit);
+    }
+    return keys;
+}
 
 std::vector<NumberKey> rig_keys(NominalRig& rig) {
     constexpr double kLeastRadius = 5e-4, kMostRadius = 0.5, kLeastInertia = 1e-9;

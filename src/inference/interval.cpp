@@ -45,7 +45,7 @@ Causes contradicted(const Problem& problem, const Fit& fit, const Split& left_ou
     for (std::size_t c = 0; c < fit.causes.size(); ++c) {
         const int k = problem.size_at(fit.causes, c);
         const bool stands_off = std::abs(fit.x[k]) >= kStandOff * half_interval(fit, left_out, k);
-        if (!stands_off && !effects::find_effect(fit.causes[c].id).is_limit()) causes.push_back(fit.causes[c]);
+        if (!stands_off && !problem.effect(fit.causes[c].id).is_limit()) causes.push_back(fit.causes[c]);
     }
     return causes;
 }
@@ -56,7 +56,7 @@ Causes at_bounds(const Problem& problem, const Fit& fit) {
         const int k = problem.size_at(fit.causes, c);
         const core::Range allowed = problem.allowed(fit.causes, k);
         const bool inside = fit.x[k] > allowed.low + kAtEnd * allowed.width() && fit.x[k] < allowed.high - kAtEnd * allowed.width();
-        if (!inside && !effects::find_effect(fit.causes[c].id).is_limit()) causes.push_back(fit.causes[c]);
+        if (!inside && !problem.effect(fit.causes[c].id).is_limit()) causes.push_back(fit.causes[c]);
     }
     return causes;
 }

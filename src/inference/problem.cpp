@@ -7,7 +7,6 @@ namespace fusee::inference {
 
 namespace {
 
-constexpr double kEffectPrior = 3.0;  ///< one sigma of an effect's size, in its scale
 constexpr double kStep = 0.3;         ///< of a difference: in sigmas of a build parameter
 constexpr double kEffectStep = 0.04;  ///< in scales of an effect's parameter
 
@@ -15,6 +14,7 @@ constexpr double kEffectStep = 0.04;  ///< in scales of an effect's parameter
 
 Problem::Problem(const gap_case::Case& gap_case)
     : gap_case_(gap_case),
+      library_(effects::effects_on(gap_case::reference_of(gap_case.rig))),
       cams_(gap_case.rig),
       build_(joint_model::build_parameters(gap_case)),
       known_(uncertainty(gap_case)),
@@ -38,7 +38,7 @@ Problem::Problem(const gap_case::Case& gap_case)
 
 int Problem::size(const Causes& causes) const {
     std::size_t n = build_.size();
-    for (const effects::Cause& cause : causes) n += effects::find_effect(cause.id).parameters.size();
+    for (const effects::Cause& cause : causes) n += effect(cause.id).parameters.size();
     return static_cast<int>(n);
 }
 
@@ -48,22 +48,24 @@ gap_case::Experiment Problem::experiment_of(int residual) const {
     return static_cast<gap_case::Experiment>(e);
 }
 
-namespace {
+const effects::Effect& Problem::effect(const std::string& id) const {
+    const auto found = std::find_if(library_.begin(), library_.end(), [&](const effects::Effect& effect) { return effect.id == id; });
+    return found == library_.end() ? effects::find_effect(id) : *found;
+}
 
-/// Calls visit(parameter, index in x, is it the size of its effect) for the parameters of all causes.
+/// Calls visit(effect, number of its parameter, index in x) for the parameters of all causes.
 template <typename Visit>
-void visit_parameters(const Causes& causes, std::size_t first, const Visit& visit) {
+void Problem::visit_parameters(const Causes& causes, const Visit& visit) const {
+    std::size_t first = build_.size();
     for (const effects::Cause& cause : causes) {
-        const effects::Effect& effect = effects::find_effect(cause.id);
-        for (std::size_t k = 0; k < effect.parameters.size(); ++k) visit(effect, k, static_cast<int>(first++));
+        const effects::Effect& own = effect(cause.id);
+        for (std::size_t k = 0; k < own.parameters.size(); ++k) visit(own, k, static_cast<int>(first++));
     }
 }
 
-}  // namespace
-
 core::Range Problem::allowed(const Causes& causes, int parameter) const {
     core::Range range{-8.0, 8.0};
-    visit_parameters(causes, build_.size(), [&](const effects::Effect& effect, std::size_t k, int i) {
+    visit_parameters(causes, [&](const effects::Effect& effect, std::size_t k, int i) {
         const effects::EffectParameter& p = effect.parameters[k];
         if (i == parameter) range = {p.allowed.low / p.scale, p.allowed.high / p.scale};
     });
@@ -72,7 +74,7 @@ core::Range Problem::allowed(const Causes& causes, int parameter) const {
 
 Eigen::VectorXd Problem::start(const Causes& causes) const {
     Eigen::VectorXd x = prior_mean(causes);
-    visit_parameters(causes, build_.size(), [&](const effects::Effect& effect, std::size_t k, int i) {
+    visit_parameters(causes, [&](const effects::Effect& effect, std::size_t k, int i) {
         if (k == 0) x[i] = effect.starts.front();
     });
     return x;
@@ -80,7 +82,7 @@ Eigen::VectorXd Problem::start(const Causes& causes) const {
 
 Eigen::VectorXd Problem::prior_mean(const Causes& causes) const {
     Eigen::VectorXd mean = Eigen::VectorXd::Zero(size(causes));
-    visit_parameters(causes, build_.size(), [&](const effects::Effect& effect, std::size_t k, int i) {
+    visit_parameters(causes, [&](const effects::Effect& effect, std::size_t k, int i) {
         if (k > 0) mean[i] = effect.parameters[k].at_first / effect.parameters[k].scale;
     });
     return mean;
@@ -105,7 +107,7 @@ double Problem::prior_sigma(const Causes& causes, int parameter) const {
 
 Problem::Role Problem::role(const Causes& causes, int parameter) const {
     Role role = Role::kBuild;
-    visit_parameters(causes, build_.size(), [&](const effects::Effect&, std::size_t k, int i) {
+    visit_parameters(causes, [&](const effects::Effect&, std::size_t k, int i) {
         if (i == parameter) role = k == 0 ? Role::kSize : Role::kFurther;
     });
     return role;
@@ -116,11 +118,11 @@ joint_model::BuiltRig Problem::rig(const Causes& causes, const Eigen::VectorXd& 
     for (std::size_t i = 0; i < build_.size(); ++i) build_[i].add(rig, x[static_cast<int>(i)] * build_[i].sigma);
     auto next = static_cast<int>(build_.size());
     for (const effects::Cause& cause : causes) {
-        const effects::Effect& effect = effects::find_effect(cause.id);
+        const effects::Effect& own = effect(cause.id);
         std::vector<double> values;
-        for (const effects::EffectParameter& p : effect.parameters)
+        for (const effects::EffectParameter& p : own.parameters)
             values.push_back(std::clamp(x[next++] * p.scale, p.allowed.low, p.allowed.high));
-        effects::apply_effect(effect, cause, values, rig);
+        effects::apply_effect(own, cause, values, rig);
     }
     rig.assemble(cams_);
     return rig;

@@ -148,14 +148,22 @@ Guess improved(const Problem& problem, const Fit& base, Guess guess) {
 
 }  // namespace
 
-std::vector<effects::Cause> possible_causes(const gap_case::Rows& rows) {
+std::vector<effects::Cause> causes_of_library() {
     std::vector<effects::Cause> causes;
     for (const effects::Effect& effect : effects::effect_library()) {
-        if (std::none_of(effect.seen_by.begin(), effect.seen_by.end(), [&](gap_case::Experiment e) { return rows.size(e) > 0; })) continue;
         if (!effect.sided) causes.push_back({effect.id, "none"});
         if (effect.sided)
             for (const char* side : {"agonist", "antagonist", "both"}) causes.push_back({effect.id, side});
     }
+    return causes;
+}
+
+std::vector<effects::Cause> possible_causes(const gap_case::Rows& rows) {
+    std::vector<effects::Cause> causes = causes_of_library();
+    std::erase_if(causes, [&](const effects::Cause& cause) {
+        const effects::Effect& effect = effects::find_effect(cause.id);
+        return std::none_of(effect.seen_by.begin(), effect.seen_by.end(), [&](gap_case::Experiment e) { return rows.size(e) > 0; });
+    });
     return causes;
 }
 
@@ -164,7 +172,7 @@ std::vector<Guess> screen(const Problem& problem, const Fit& base, const std::ve
     core::parallel_for(causes.size(), jobs, [&](std::size_t i) {
         Causes all = base.causes;
         all.push_back(causes[i]);
-        guesses[i] = improved(problem, base, best_start(problem, base, all, effects::find_effect(causes[i].id)));
+        guesses[i] = improved(problem, base, best_start(problem, base, all, problem.effect(causes[i].id)));
     });
     std::stable_sort(guesses.begin(), guesses.end(), [](const Guess& a, const Guess& b) { return a.cost < b.cost; });
     return guesses;

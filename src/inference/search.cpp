@@ -15,7 +15,6 @@ namespace fusee::inference {
 
 namespace {
 
-constexpr double kEffectOdds = 15.0;    ///< log odds against an effect: some sixty candidates, and rigs are mostly as designed [nats]
 constexpr double kSecondOdds = 17.0;    ///< against a second one, which also tends to correct errors of the first law
 constexpr std::size_t kSingles = 5;     ///< fitted in full
 constexpr double kNearEnough = 0.5;     ///< of the way from the best back to no effect, within which a rival of what explains all is fitted
@@ -27,7 +26,6 @@ constexpr double kStretched = 3.5;      ///< sigmas of a build parameter: among 
 constexpr double kStandsOff = 3.0;      ///< sigmas from 0 that an effect's size has to stand
 constexpr std::size_t kLeftOut = 4;     ///< hypotheses of the ranking whose experiments are left out
 constexpr double kContradicted = 30.0;  ///< against a hypothesis of which the experiments disagree about a size [nats]
-constexpr double kLeastSize = 0.1;      ///< of what is usual: less is what a law leaves open, not an effect
 
 /// docs/theory/diagnosis.md, eq. 13 and 14.
 double score(const Fit& fit) {
@@ -114,7 +112,7 @@ bool stands(const Problem& problem, const Fit& fit) {
     for (std::size_t c = 0; c < fit.causes.size(); ++c) {
         const int k = problem.size_at(fit.causes, c);
         const double least = std::max(kLeastSize, kStandsOff * std::sqrt(fit.covariance(k, k)));
-        if (!effects::find_effect(fit.causes[c].id).is_limit() && std::abs(fit.x[k]) < least) return false;
+        if (!problem.effect(fit.causes[c].id).is_limit() && std::abs(fit.x[k]) < least) return false;
     }
     return true;
 }

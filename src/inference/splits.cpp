@@ -6,6 +6,7 @@
 #include <set>
 
 #include "fusee/core/parallel.h"
+#include "fusee/gap_case/reference.h"
 
 namespace fusee::inference {
 
@@ -13,7 +14,7 @@ namespace {
 
 constexpr int kSteps = 2;            ///< of each refit
 constexpr std::size_t kStretch = 8;  ///< rows of a path that are held out together
-constexpr double kLogStretch = 0.5;  ///< [s]
+constexpr double kLogStretch = 0.5;  ///< of the reference rig [s]
 
 template <typename RowList, typename Figure>
 std::vector<double> levels(const RowList& rows, const Figure& figure) {
@@ -80,7 +81,8 @@ std::vector<int> folds(const Problem& problem) {
     for (const gap_case::DeadBandRow& row : rows.dead_band) add(place(widths, row.cocontraction), rows.dead_band_width_only ? 1 : 2);
     for (std::size_t i = 0; i < rows.joint_stiffness.size(); ++i) add(static_cast<int>(i / kStretch), 1);
     for (std::size_t i = 0; i < rows.cocontraction.size(); ++i) add(static_cast<int>(i / kStretch), 3);
-    for (const gap_case::LogRow& row : rows.log) add(static_cast<int>(std::abs(row.time - rows.log.front().time) / kLogStretch), 3);
+    const double stretch = kLogStretch * gap_case::reference_of(problem.gap_case().rig).time;
+    for (const gap_case::LogRow& row : rows.log) add(static_cast<int>(std::abs(row.time - rows.log.front().time) / stretch), 3);
     return fold;
 }
 

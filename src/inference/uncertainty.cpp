@@ -5,6 +5,8 @@
 #include <limits>
 #include <map>
 
+#include "fusee/gap_case/reference.h"
+
 namespace fusee::inference {
 
 namespace {
@@ -14,7 +16,7 @@ constexpr double kDeadBandAccuracy = 0.025;      ///< of the width
 constexpr double kStiffnessAccuracy = 0.003;     ///< of q's range at that co-contraction
 constexpr double kCocontractionAccuracy = 8e-4;  ///< of the capstans' range
 constexpr double kLogAccuracy = 1.5e-3;          ///< of the greatest range, at the beginning
-constexpr double kLogGrowth = 1.5e-3;            ///< and more of it every second: small errors grow on the way
+constexpr double kLogGrowth = 1.5e-3;            ///< and more of it every second of the reference rig: small errors grow on the way
 /// The same on a rig that sticks and slips, where the moment of a slip is random.
 constexpr double kSlippingDeadBand = 0.05, kSlippingStiffness = 0.01, kSlippingCocontraction = 0.02;
 constexpr double kStands = 4.0, kMoves = 15.0;  ///< encoder steps from row to row
@@ -121,11 +123,12 @@ private:
         const double swing = std::max({range_of(rows_.log, [](const auto& r) { return r.theta_agonist; }),
                                        range_of(rows_.log, [](const auto& r) { return r.theta_antagonist; }),
                                        range_of(rows_.log, [](const auto& r) { return r.q; })});
+        const double growth = kLogGrowth / gap_case::reference_of(gap_case_.rig).time;
         double begin = 0.0, last = std::numeric_limits<double>::infinity();
         for (const gap_case::LogRow& row : rows_.log) {
             if (row.time < last) begin = row.time;  // the first row, and each further part whose clock begins anew
             last = row.time;
-            for (int i = 0; i < 3; ++i) add(gap_case::Experiment::kLog, encoder_, swing * (kLogAccuracy + kLogGrowth * (row.time - begin)));
+            for (int i = 0; i < 3; ++i) add(gap_case::Experiment::kLog, encoder_, swing * (kLogAccuracy + growth * (row.time - begin)));
         }
     }
 

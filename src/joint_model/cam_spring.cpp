@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "fusee/gap_case/reference.h"
 #include "fusee/math/curve.h"
 
 namespace fusee::joint_model {
@@ -12,7 +13,7 @@ namespace {
 
 constexpr std::size_t kCells = 400;                                      ///< of a table: linear between them, 1e-5 of the greatest torque
 constexpr std::size_t kRefinement = gap_case::NominalRig::kSpringSteps;  ///< grid of the nominal cams
-constexpr double kLeastArm = 1e-5;   ///< [m], least arm: a fit that tries a shorter one sees a very stiff spring
+constexpr double kLeastArm = 1e-5;   ///< least arm, on the reference rig [m]: a fit that tries a shorter one sees a very stiff spring
 constexpr double kLeastTurn = 1e-9;  ///< [rad], least step of a table, which must rise
 
 }  // namespace
@@ -38,7 +39,7 @@ double CamSpring::deflection(double torque) const {
 }
 
 NominalCams::NominalCams(const gap_case::NominalRig& rig)
-    : capstan_radius_(rig.capstan_radius), k_se_(rig.se_torsion_rate), k_pe_(rig.pe_compression_rate) {
+    : capstan_radius_(rig.capstan_radius), least_arm_(kLeastArm * gap_case::reference_of(rig).radius), k_se_(rig.se_torsion_rate), k_pe_(rig.pe_compression_rate) {
     std::vector<double> x, se, pe;
     for (const gap_case::NominalRig::SpringRow& row : rig.springs) {
         x.push_back(row.deflection);
@@ -71,7 +72,7 @@ NominalCams::NominalCams(const gap_case::NominalRig& rig)
 CamSpring NominalCams::series(const SpringBuild& build) const {
     std::vector<double> x(x_.size()), torque(x_.size());
     for (std::size_t i = 0; i < x_.size(); ++i) {
-        const double arm = std::max(kLeastArm, se_arm_[i] + build.radius);
+        const double arm = std::max(least_arm_, se_arm_[i] + build.radius);
         torque[i] = std::max(0.0, capstan_radius_ * k_se_ * (1.0 + build.rate) * (phi_[i] + build.preload) / arm);
         x[i] = x_[i] + build.radius * phi_[i] / capstan_radius_ + build.stretch * torque[i];
         if (i > 0) x[i] = std::max(x[i], x[i - 1] + kLeastTurn);

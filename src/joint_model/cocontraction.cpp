@@ -9,8 +9,9 @@ namespace fusee::joint_model {
 namespace {
 
 /// One file from rest. The greatest torque of all files takes one phase.
-void follow(const BuiltRig& rig, std::span<const gap_case::CocontractionRow> rows, double seconds_per_torque, std::vector<double>& read) {
-    Motion motion(rig, kSlowStep);
+void follow(const BuiltRig& rig, std::span<const gap_case::CocontractionRow> rows, double seconds_per_torque, double step,
+            std::vector<double>& read) {
+    Motion motion(rig, step);
     Reading reading(rig);
     double torque = 0.0;
     for (const gap_case::CocontractionRow& row : rows) {
@@ -23,11 +24,11 @@ void follow(const BuiltRig& rig, std::span<const gap_case::CocontractionRow> row
 }  // namespace
 
 std::vector<double> predict_cocontraction(const BuiltRig& rig, const gap_case::Rows& rows, const gap_case::Protocol& protocol) {
-    double most = 1e-9;
+    double most = 1e-9 * rig.reference.torque;
     for (const gap_case::CocontractionRow& row : rows.cocontraction) most = std::max(most, std::abs(row.motor_torque));
     std::vector<double> read;
     for (const std::span<const gap_case::CocontractionRow> file : files_of(rows, gap_case::Experiment::kCocontraction, rows.cocontraction))
-        follow(rig, file, protocol.cocontraction_phase / most, read);
+        follow(rig, file, protocol.cocontraction_phase / most, step_on(rig.reference, protocol, kSlowStep), read);
     return read;
 }
 

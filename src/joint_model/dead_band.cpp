@@ -35,7 +35,7 @@ std::vector<double> predict_dead_band(const BuiltRig& rig, const gap_case::Rows&
     std::vector<double> read;
     for (const gap_case::DeadBandRow& row : rows.dead_band) {
         const double push = std::isfinite(row.push_torque) ? row.push_torque : kStrongPush * rig.ratio * row.cocontraction;
-        Motion motion(rig, kDeadBandStep);
+        Motion motion(rig, step_on(rig.reference, protocol, kDeadBandStep));
         begin_at(motion, {row.cocontraction, row.cocontraction, 0.0}, protocol);
         motion.hand_damping = 2.0 * rig.hand.damping * std::sqrt(held_stiffness(rig, motion) * rig.joint_inertia);
         const double high = push_and_release(motion, rig.hand, row.cocontraction, push, protocol);

@@ -27,13 +27,14 @@ Ramp straight(std::span<const gap_case::StiffnessRow> rows, std::size_t first, s
 /// One file: each co-contraction from rest, then its phases in order.
 void follow(const BuiltRig& rig, std::span<const gap_case::StiffnessRow> rows, const gap_case::Protocol& protocol,
             std::vector<double>& read) {
-    Motion motion(rig, kSlowStep);
+    const double step = step_on(rig.reference, protocol, kSlowStep);
+    Motion motion(rig, step);
     for (std::size_t first = 0, last = 0; first < rows.size(); first = last) {
         const gap_case::StiffnessRow& begin = rows[first];
         while (last < rows.size() && rows[last].cocontraction == begin.cocontraction && rows[last].phase == begin.phase) ++last;
         const double tau = begin.cocontraction;
         if (first == 0 || tau != rows[first - 1].cocontraction) {
-            motion = Motion(rig, kSlowStep);
+            motion = Motion(rig, step);
             begin_at(motion, {tau, tau, 0.0}, protocol);
         }
         const Ramp ramp = straight(rows, first, last);

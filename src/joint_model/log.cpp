@@ -13,7 +13,7 @@ Motion::Torques torques_of(const gap_case::LogRow& row) { return {row.torque_ago
 
 /// One log from rest: the motor ramp reaches the torques of the first row, which settle before the log begins.
 void follow(const BuiltRig& rig, std::span<const gap_case::LogRow> rows, const gap_case::Protocol& protocol, std::vector<double>& read) {
-    Motion motion(rig, kLogStep);
+    Motion motion(rig, step_on(rig.reference, protocol, kLogStep));
     Reading reading(rig);
     const gap_case::LogRow& first = rows.front();
     begin_at(motion, torques_of(first), protocol);

@@ -82,6 +82,14 @@ private:
 
 }  // namespace
 
+double step_on(const gap_case::Reference& reference, const gap_case::Protocol& protocol, double step) {
+    const auto duration = [](const gap_case::Protocol& p) {
+        return p.motor_ramp + p.motor_settle + p.dead_band_push + p.dead_band_release + p.joint_stiffness_phase + p.cocontraction_phase;
+    };
+    const double phases = duration(protocol) / duration({});
+    return step * std::clamp(reference.time, phases / kStepRange, phases * kStepRange);
+}
+
 Motion::Motion(const BuiltRig& rig, double longest_step) : rig_(&rig), longest_step_(longest_step) {}
 
 void Motion::lead_to(const Torques& torques, double seconds) {

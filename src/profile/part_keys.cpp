@@ -70,8 +70,11 @@ std::vector<Key> spring_keys(const std::string& part, PartSpec Profile::*member)
                "allowed share of it; 0 = 0.7 of torsion springs, 0.8 of compression springs, over sqrt 3 in shear; 0.6 for stainless 302",
                OF(spring.stress_share)));
     all.push_back(choice(t + "hand", {"unknown", "right", "left"}, "of the coil; right: like a common screw", OF(spring.hand)));
-    all.push_back(
-        number(t + "rod_mm", kMm, within(0, 1000), "diameter of the arbor or rod inside the coils; 0 = unknown", OF(spring.rod_diameter)));
+    all.push_back(number(t + "rod_mm", kMm, within(0, 1000),
+                         part == "k_se" ? "diameter of the arbor inside the coils: more than hub.bore_mm is a sleeve on the axle, less is "
+                                          "the axle turned down; 0 = the axle itself, of an overhung hub unknown"
+                                        : "diameter of the guide rod inside the coils; 0 = unknown",
+                         OF(spring.rod_diameter)));
     all.push_back(number(t + "cycles", kPure, within(0, 1e12), "wanted load cycles over the working range; 0 = fatigue not checked",
                          OF(spring.cycles)));
     all.push_back(

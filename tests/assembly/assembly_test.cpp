@@ -46,7 +46,7 @@ TEST(Assemblies, BothSidesAreMirrorImages) {
         const solid::Box one = solid::bounding_box(placed_mesh(a, body, pose)), two = solid::bounding_box(placed_mesh(a, other, pose));
         EXPECT_NEAR(one.low_mm[0], -two.high_mm[0], 0.05) << body.name << ": circles begin at different corners";
         EXPECT_NEAR(one.high_mm[1], two.high_mm[1], 0.05) << body.name;
-        EXPECT_NEAR(one.low_mm[2], two.low_mm[2] + 2.0 * a.plane_mm, 1e-4) << body.name;
+        EXPECT_NEAR(one.low_mm[2], two.low_mm[2] + 2.0 * a.plane_mm, 0.01) << body.name << ": the same of wires across";
         EXPECT_GT(placement(a, other, pose).linear().determinant(), 0.0) << "a body cannot be reflected";
     }
 }
@@ -245,14 +245,14 @@ TEST(Bill, NamesTheCableAndTheLoadThatItHolds) {
     EXPECT_EQ(count_of(unstated, "series cable", "that of a usual cable"), 1U);
 }
 
-// Along the axis the leg reaches through half the gap to the slot's bottom; the other one ends behind the pin.
+// Along the axis the leg reaches through half the gap to the slot's bottom; the other one ends behind the post.
 TEST(Bill, NamesTheLegsOfTheTorsionSpringAndTheScrews) {
     const solid::FeatureOptions& slot = pnrvsa().drive.k_se->options.features;
     EXPECT_EQ(count_of(pnrvsa(), "torsion spring", fmt::format("a leg along the axis, {:.1f} mm long", 1e3 * slot.leg_slot_depth + 0.5)),
               1U);
     EXPECT_EQ(count_of(pnrvsa(), "torsion spring",
                        fmt::format("a radial leg that ends {:.1f} mm from the axis",
-                                   pnrvsa().leg_pin_mm + 2.0 + 1e3 * pnrvsa().drive.k_se_spring.wire_diameter)),
+                                   pnrvsa().leg_post_mm + 2.0 + 1e3 * pnrvsa().drive.k_se_spring.wire_diameter)),
               1U);
     for (const char* screw : {"rod screw", "seat screw", "screws of frame and motors"})
         EXPECT_EQ(count_of(pnrvsa(), screw, ""), 1U) << screw;

@@ -25,11 +25,15 @@ cable.diameter_mm = [0.7, 0.8]
 END
 "$program" make "$source/profiles/pnrvsa.toml" -o made >make.log 2>&1 || fail "make: $(cat make.log)"
 "$program" diagnose "$source/profiles/gap/paper_table_1" -o diagnosed >diagnose.log 2>&1 || fail "diagnose: $(cat diagnose.log)"
+"$program" case-template "$source/profiles/pnrvsa.toml" --out monday >template.log 2>&1 || fail "case-template: $(cat template.log)"
+cp "$source"/profiles/examples/bench_monday/*.csv monday
+"$program" diagnose monday -o marked --profile "$source/profiles/pnrvsa.toml" >marked.log 2>&1 || fail "diagnose --profile: $(cat marked.log)"
 "$program" identify "$source/profiles/examples/break_away.csv" -o identified >identify.log 2>&1 || fail "identify: $(cat identify.log)"
 "$program" batch small.toml -o study >batch.log 2>&1 || fail "batch: $(cat batch.log)"
 
 pages=
 for page in report=made/pnrvsa/report.html simulation=made/pnrvsa/simulation.html diagnosis=diagnosed/diagnosis.html \
+    diagnosis_joint=marked/diagnosis.html \
     "identification=$(ls identified/*.html identified/*/*.html 2>/dev/null | head -n 1)" "study=$(find study -name index.html | head -n 1)"; do
     [ -s "${page#*=}" ] || fail "${page%%=*}: there is no page ${page#*=}"
     pages="$pages ${page%%=*}=$work/${page#*=}"

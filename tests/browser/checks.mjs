@@ -78,8 +78,8 @@ export async function checkPrint(page, name, expect) {
 
 /** The joint in 3D of a report: drawn, moved by its slider, its findings linked with their rows both ways. */
 export async function checkScene(page, name, expect, notes) {
-  if (name !== "report") return;
-  if (!(await page.evaluate(() => "fuseeScene" in window))) return notes.push("NO 3D on report.html: its scene was not tested");
+  if (!["report", "diagnosis_joint"].includes(name)) return;
+  if (!(await page.evaluate(() => "fuseeScene" in window))) return notes.push(`NO 3D on the page ${name}: its scene was not tested`);
   const state = () => page.evaluate(() => window.fuseeScene.state);
   await page.locator("#joint-3d canvas").first().scrollIntoViewIfNeeded();
   expect((await page.evaluate(() => window.fuseeScene.drawnShare())) > 0.01, "the scene is blank");
@@ -91,6 +91,11 @@ export async function checkScene(page, name, expect, notes) {
   for (const body of ["k_pe_agonist", "k_se_agonist", "k_pe_antagonist"])
     expect(Math.abs(after.angles_deg[body] - before.angles_deg[body]) > 1, `the slider does not turn ${body}`);
   expect(Math.abs(after.angles_deg.k_pe_agonist + after.angles_deg.k_pe_antagonist) < 1e-3, "both sides are not mirror images");
+  if (name === "report") await checkMarkers(page, expect, state);
+}
+
+/** A finding is linked to its place on the part, in both directions. */
+async function checkMarkers(page, expect, state) {
   const marker = page.locator("#joint-3d .joint3d-marker:visible").last(), number = Number(await marker.getAttribute("data-finding"));
   await marker.click();
   expect((await state()).finding === number, `a click on marker ${number} does not select it`);

@@ -68,8 +68,9 @@ std::vector<Case> spring_cases() {
          [](Fixture& b) { without_slot(b), b.spring.coil_diameter = 4.2 * kMm, b.spring.tensile_strength = 0.0; }, kRequired, 3.5, 4.0},
         {"spring.index", "slack coil", pusher,
          [](Fixture& b) { b.spring.coil_diameter = 34 * kMm, b.spring.tensile_strength = 0.0, match_rate(b); }, kReview, 17.0, 16.0},
-        {"spring.active_coils", "two", spool, [](Fixture& b) { wind(b, 2.0); }, kReview, 2.0, 3.0},
-        {"spring.active_coils", "one and a half", spool, [](Fixture& b) { wind(b, 1.5); }, kRequired, 1.5, 2.0},
+        {"spring.active_coils", "two", spool, [](Fixture& b) { wind(b, 2.0), b.spring.rod_diameter = 3 * kMm; }, kReview, 2.0, 3.0},
+        {"spring.active_coils", "one and a half", spool, [](Fixture& b) { wind(b, 1.5), b.spring.rod_diameter = 3 * kMm; }, kRequired, 1.5,
+         2.0},
         // 12 x 10/(10 + 10/(2 pi)) - 1.2 = 9.152370
         {"spring.rod", "close", spool, [](Fixture& b) { wind(b, 10), b.spring.rod_diameter = 9 * kMm; }, kReview, 1.0169300, 1.1},
         {"spring.rod", "seizes", spool, [](Fixture& b) { wind(b, 10), b.spring.rod_diameter = 9.5 * kMm; }, kRequired, 0.9634074, 1.0},

@@ -40,7 +40,7 @@ const FoundEffect* found(const Diagnosis& diagnosis, const effects::Cause& cause
 
 TEST(Diagnose, ARigAsDesignedHasNoEffect) {
     const Diagnosis none = diagnosed(measured_case(few_rows(), {}, {}, 1.0, 3));
-    EXPECT_EQ(none.verdict, VerdictKind::kNone) << diagnosis_json(none);
+    EXPECT_EQ(none.verdict, VerdictKind::kInconclusive) << diagnosis_json(none);  // few rows: small effects would not be seen
     EXPECT_TRUE(none.effects.empty());
     EXPECT_LT(none.gap.before, 2.0);
 }
@@ -130,10 +130,10 @@ TEST(Diagnose, WhatWasFoundPredictsWhatWasNotMeasured) {
     EXPECT_LT(off(diagnosed(gap_case)), 0.2 * off({}));
 }
 
-// 20,000 rows would take hours; a reader is told before the first minute is gone.
+// 10,000 rows would take hours; a reader is told before the first minute is gone.
 TEST(Diagnose, ACaseThatWouldTakeHoursIsRefusedAtOnce) {
     gap_case::Rows rows = few_rows();
-    for (int i = 0; i < 3000; ++i) rows.joint_stiffness.push_back({0.5 + 1e-4 * i, gap_case::StiffnessPhase::kLoadUp, 0.1, 0.01});
+    for (int i = 0; i < 10000; ++i) rows.joint_stiffness.push_back({0.5 + 1e-4 * i, gap_case::StiffnessPhase::kLoadUp, 0.1, 0.01});
     gap_case::Case gap_case = measured_case(parts_alone(), {}, {}, 1.0, 3);
     gap_case.rows.joint_stiffness = rows.joint_stiffness;
     try {
@@ -141,7 +141,7 @@ TEST(Diagnose, ACaseThatWouldTakeHoursIsRefusedAtOnce) {
         FAIL() << "diagnosed";
     } catch (const core::InvalidInput& e) {
         EXPECT_EQ(e.field(), "experiments.joint_stiffness");
-        EXPECT_NE(std::string(e.what()).find("3000 rows with a motion 37"), std::string::npos) << e.what();
+        EXPECT_NE(std::string(e.what()).find("10000 rows with a motion "), std::string::npos) << e.what();
         EXPECT_NE(e.allowed().find("begins a loop from rest"), std::string::npos) << e.what();
     }
 }

@@ -25,7 +25,8 @@ Diagnosis example() {
     d.experiments = {{"dead_band", 21, {.before = 8.0}, 1.1}};
     d.map = {{"dead_band", "cocontraction_Nm", {0.1, 0.2}, 3.0, 1.0, 6}};
     d.ranking = {{{{"gear.coulomb", "agonist"}}, 0.0, 0.98, 1800.0, kNoFigure, {{0.05, {0.04, 0.06}, "Nm"}}}};
-    d.isolability = {{{"a", "none"}, {"b", "both"}}, {{1.0, 0.5}, {0.5, 1.0}}, {0.1, 0.2}, {"Nm", ""}, {{0, 1}}};
+    d.isolability = {{{"a", "none"}, {"b", "both"}}, {{1.0, 0.5}, {0.5, 1.0}}, {0.1, 0.2}, {0.2, 0.4}, {"Nm", ""}, {{0, 1}}};
+    d.power = {{{"loop.delay", "none"}, kNoFigure, 0.02, "s", false}};
     d.traces = {{"log", "q", "t_s", "q_rad", {0.0}, {0.0}, {0.0}, {0.0}, {1.0}}};
     d.next = {{"pull", "spring_pull", {0.5, 1.0}, "deflection_rad", 1.5, 20.0}};
     d.remarks = {"ten rows"};
@@ -48,10 +49,13 @@ TEST(DiagnosisJson, HasTheKeysThatOthersRead) {
     EXPECT_EQ(j["gap"]["unit"], "sigma");
     EXPECT_TRUE(j["gap"]["heldout_after"].is_null());
     EXPECT_EQ(j["next_experiment"], "break-away at 0.2 Nm");
-    for (const char* key : {"build", "experiments", "map", "ranking", "isolability", "next", "remarks", "case", "case_sha256"})
+    for (const char* key : {"build", "experiments", "map", "ranking", "isolability", "power", "next", "remarks", "case", "case_sha256"})
         EXPECT_TRUE(j.contains(key)) << key;
     EXPECT_FALSE(j.contains("traces"));
     EXPECT_TRUE(j["ranking"][0]["left_out"].is_null());
+    EXPECT_EQ(j["power"][0]["id"], "loop.delay");
+    EXPECT_TRUE(j["power"][0]["least"].is_null());
+    EXPECT_EQ(j["power"][0]["usual"], 0.02);
 }
 
 TEST(DiagnosisJson, AnEmptyOneHasEmptyLists) {

@@ -183,6 +183,22 @@ TEST(EffectLibrary, HasEachIdOnceAndNoMoreThanThePageTells) {
     EXPECT_EQ(documented().size(), ids.size());
 }
 
+TEST(EffectLibrary, IsThatOfTheReferenceRigAndScalesWithAnother) {
+    const gap_case::Reference other{.torque = 8.0, .radius = 2.0, .time = 0.5};
+    const std::vector<Effect> scaled = effects_on(other), same = effects_on({});
+    for (std::size_t i = 0; i < effect_library().size(); ++i)
+        for (std::size_t k = 0; k < effect_library()[i].parameters.size(); ++k) {
+            const EffectParameter &of_library = effect_library()[i].parameters[k], &on_rig = scaled[i].parameters[k];
+            const double factor = other.of(of_library.unit);
+            EXPECT_EQ(on_rig.scale, factor * of_library.scale) << effect_library()[i].id;
+            EXPECT_EQ(on_rig.allowed.low, factor * of_library.allowed.low);
+            EXPECT_EQ(on_rig.allowed.high, factor * of_library.allowed.high);
+            EXPECT_EQ(on_rig.at_first, factor * of_library.at_first);
+            for (std::size_t t = 0; t < of_library.tries.size(); ++t) EXPECT_EQ(on_rig.tries[t], factor * of_library.tries[t]);
+            EXPECT_EQ(same[i].parameters[k].scale, of_library.scale);
+        }
+}
+
 TEST(EffectLibrary, AnUnknownIdIsRefusedWithThoseThatThereAre) {
     try {
         (void)find_effect("gear.magic");

@@ -232,8 +232,10 @@ TEST_F(FixTest, AThinnerCableKeepsItsStrengthPerArea) {
 /// It was 28.2 mm.
 TEST_F(FixTest, AShaftStaysAStandardOne) {
     const std::string toml =
-        fixtures::with_keys(core::read_file(fixtures::shipped("first_prototype")),
-                            {{"k_se.hub.bore_mm", "29"}, {"k_se.features.anchor_hole_mm", "0"}, {"k_se.hub.lock", "\"plain\""}});
+        fixtures::with_keys(core::read_file(fixtures::shipped("first_prototype")), {{"k_se.hub.bore_mm", "29"},
+                                                                                    {"k_se.features.anchor_hole_mm", "0"},
+                                                                                    {"k_se.features.leg_slot_width_mm", "0"},
+                                                                                    {"k_se.hub.lock", "\"plain\""}});
     const Fix fixed = drawn(toml, {});
     ASSERT_EQ(fixed.changes.size(), 1u) << report::fix_text(fixed);
     EXPECT_EQ(fixed.changes.front().key, "k_se.hub.bore_mm");

@@ -40,5 +40,8 @@ expect_in python3-fusee 'python3-numpy' "$work/python3-fusee.control"
 for package in fusee python3-fusee; do dpkg-deb -x "$work/one/$package"_*.deb "$work/root"; done
 expect_same 'the unpacked program' "$("$build/bin/fusee" --version)" "$("$work/root/usr/bin/fusee" --version)"
 "$work/root/usr/bin/fusee" check "$work/root/usr/share/fusee/profiles/pnrvsa.toml" >"$work/log" || { cat "$work/log" >&2; fail 'the unpacked program'; }
+# Found in PATH, it finds its libraries.
+(cd "$work" && PATH="$work/root/usr/bin:$PATH" fusee render "$work/root/usr/share/fusee/profiles/pnrvsa.toml" --view cams -o cams.png) >"$work/log" 2>&1 ||
+    { cat "$work/log" >&2; fail 'a picture by the unpacked program'; }
 PYTHONDONTWRITEBYTECODE=1 PYTHONPATH="$work/root/usr/lib/python3/dist-packages" /usr/bin/python3 -c 'import fusee; print(fusee.__file__)' >"$work/log"
 expect_in 'the unpacked module' "$work/root" "$work/log"

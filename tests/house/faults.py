@@ -30,7 +30,7 @@ COMMANDS = {  # name: arguments; o is the output folder, which exists
     "coupons": "coupons fast.toml --out o",
     "calibrate": "calibrate profiles/examples/coupon.csv --profile fast.toml --write-profile o/calibrated.toml",
     "springs": "springs fast.toml --out o/springs.toml",
-    "render": "render fast.toml --view cams -o o/cams.png",
+    "render": "render fast.toml --view cams -o o/cams.png --force",
     "check": "check box.stl --process fdm --out o",
     "case-template": "case-template fast.toml --out o/case",
     "identify": "identify profiles/examples/break_away.csv --out o",

@@ -221,6 +221,20 @@ TEST(Motion, HalvingTheStepHalvesTheError) {
     EXPECT_NEAR(coarse / fine, 2.0, 0.3);
 }
 
+TEST(StepOn, FollowsTheTimeOfTheRigWithinItsPhases) {
+    const gap_case::Protocol usual;
+    EXPECT_EQ(step_on({}, usual, kSlowStep), kSlowStep);
+    EXPECT_EQ(step_on({.time = 2.0}, usual, kSlowStep), 2.0 * kSlowStep);
+    EXPECT_EQ(step_on({.time = 100.0}, usual, kSlowStep), kStepRange * kSlowStep);
+    EXPECT_EQ(step_on({.time = 0.01}, usual, kSlowStep), kSlowStep / kStepRange);
+    gap_case::Protocol fast{.motor_ramp = 0.3, .motor_settle = 0.2};  // half as long in all
+    fast.dead_band_push = 0.8;
+    fast.dead_band_release = 1.575;
+    fast.joint_stiffness_phase = 1.0;
+    fast.cocontraction_phase = 2.5;
+    EXPECT_NEAR(step_on({.time = 0.01}, fast, kSlowStep), 0.5 * kSlowStep / kStepRange, 1e-15);
+}
+
 TEST(Motion, LedSlowlyItIsTheQuasiStaticStickSlip) {
     const gap_case::NominalRig nominal = straight_rig();
     const BuiltRig rig = built(nominal, [](BuiltRig& r) {

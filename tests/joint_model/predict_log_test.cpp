@@ -29,7 +29,7 @@ TEST(PredictLog, BeginsCoContractedAtRestAndFollowsItsCommands) {
     const gap_case::Rows rows = first_rows(200);
     const BuiltRig rig = faultless(kLogTemplate.rig);
     const std::vector<double> angles = read(rig, rows);
-    Motion motion(rig, kLogStep);
+    Motion motion(rig, step_on(rig.reference, kLogTemplate.protocol, kLogStep));
     const double tau = rows.log[0].torque_agonist;
     motion.lead_to({tau, tau, 0.0}, kLogTemplate.protocol.motor_ramp);
     motion.hold(kLogTemplate.protocol.motor_settle);
@@ -49,7 +49,7 @@ TEST(PredictLog, BeginsAsTheMotorRampWasLed) {
     const std::vector<double> straight = read(rig, rows), led = predict_experiment(rig, rows, smooth, gap_case::Experiment::kLog);
     EXPECT_GT(std::abs(led[0] - straight[0]), 1e-3) << "a gear that is left in another way rests elsewhere";
     EXPECT_NEAR(led[0], straight[0], 0.2 * straight[0]);
-    Motion motion(rig, kLogStep);
+    Motion motion(rig, step_on(rig.reference, smooth, kLogStep));
     motion.lead_smoothly_to({rows.log[0].torque_agonist, rows.log[0].torque_antagonist, 0.0}, smooth.motor_ramp);
     motion.hold(smooth.motor_settle);
     EXPECT_EQ(led[0], motion.theta(gap_case::Side::kAgonist));

@@ -89,6 +89,13 @@ struct Travel {
     double length_mm = 0.0;  ///< integral of the arm over the angle
 };
 
+/// The slot of the carriage's post, in which the torsion spring's radial leg lies. Heights are over the side's cables.
+struct LegSlot {
+    double width_mm = 0.0;  ///< 0: the spring is not stated
+    double floor_mm = 0.0, top_mm = 0.0;
+    double near_mm = 0.0, far_mm = 0.0;  ///< from K_SE's axis, along the leg
+};
+
 /// The joint with all bodies at rest and the figures of its motion. Immutable.
 struct Assembly {
     Drive drive;
@@ -96,7 +103,9 @@ struct Assembly {
     double capstan_radius_mm = 0.0, joint_radius_mm = 0.0, cable_mm = 0.0;
     double motor_distance_mm = 0.0;
     double carriage_rear_mm = 0.0;  ///< from K_SE's axis to the wall that the drive cable pulls
-    double leg_pin_mm = 0.0;        ///< from K_SE's axis to the axis of the pin that holds its spring's leg
+    double leg_post_mm = 0.0;       ///< from K_SE's axis to that of the post that holds its spring's leg
+    LegSlot leg_slot;               ///< of that post
+    double spring_low_mm = 0.0;     ///< height of the torsion spring's lower end over its side's cables
     double plane_mm = 0.0;          ///< height of the agonist's cables; the antagonist's are at its negative
     double greatest_turn = 0.0;     ///< of a capstan from the law's lowest load: the working range of K_PE [rad]
     double greatest_payout_mm = 0;  ///< of K_SE: its working range

@@ -13,8 +13,8 @@ namespace fusee::diagnosis {
 /// A missing value.
 inline constexpr double kNoFigure = std::numeric_limits<double>::quiet_NaN();
 
-enum class VerdictKind { kIdentified, kNone, kAmbiguous, kUnknown };
-[[nodiscard]] const char* to_string(VerdictKind verdict);  ///< "identified", "none", "ambiguous", "unknown"
+enum class VerdictKind { kIdentified, kNone, kAmbiguous, kUnknown, kInconclusive };
+[[nodiscard]] const char* to_string(VerdictKind verdict);  ///< "identified", "none", "ambiguous", "unknown", "inconclusive"
 
 struct Parameter {
     double value = 0.0;
@@ -79,8 +79,17 @@ struct Isolability {
     std::vector<effects::Cause> causes;
     std::vector<std::vector<double>> signature_similarity;  ///< [i][j], 1 on the diagonal
     std::vector<double> detectable;                         ///< least size detected at 3 sigma, in the unit of the parameter
+    std::vector<double> named;                              ///< least size that would be named in 95 of 100 cases, the same unit
     std::vector<std::string> units;
     std::vector<std::vector<std::size_t>> classes;  ///< causes that these experiments cannot distinguish, two or more each
+};
+/// What the rows of a case would have shown of a cause, if it were there.
+struct Power {
+    effects::Cause cause;
+    double least = kNoFigure;  ///< size that would have been named in 95 of 100 cases (of a limit, as a stop: the greatest); kNoFigure: none
+    double usual = 0.0;        ///< size of such an effect on rigs that have it
+    std::string unit;          ///< of both
+    bool shown = false;        ///< the usual size would have been named
 };
 /// A further measurement that distinguishes the alternatives.
 struct NextExperiment {
@@ -106,6 +115,7 @@ struct Diagnosis {
     std::vector<GapCell> map;
     std::vector<Hypothesis> ranking;
     Isolability isolability;
+    std::vector<Power> power;  ///< of every effect of the library on each side; for the verdicts none and inconclusive
     std::vector<Trace> traces;
     std::vector<NextExperiment> next;
     std::vector<std::string> remarks;  ///< limitations, disagreeing splits, gaps at the noise floor

@@ -22,13 +22,16 @@ inline std::vector<Experiment> spring_experiments() {
     return {Experiment::kSpringPull, Experiment::kDeadBand, Experiment::kJointStiffness, Experiment::kCocontraction, Experiment::kLog};
 }
 
-/// A parameter of an effect.
+/// A parameter of an effect, on the reference rig (gap_case::Reference).
 struct EffectParameter {
     std::string name, unit;
     double scale = 1.0;              ///< usual size, in `unit`: the prior is normal with 3 of it
     core::Range allowed;             ///< hard limits
     double at_first = 0.0;           ///< start value of a further parameter
     std::vector<double> tries = {};  ///< values of a further parameter to try before a fit, in `unit`; empty: only at_first
+
+    /// On a rig with this reference.
+    [[nodiscard]] EffectParameter on(const gap_case::Reference& reference) const;
 };
 
 /// A possible cause of a gap: behaviour of the rig that the nominal model lacks. Each effect is one file in src/effects, which registers
@@ -52,6 +55,8 @@ struct Effect {
 
 /// All of them, by id.
 [[nodiscard]] const std::vector<Effect>& effect_library();
+/// The same with the parameters of a rig.
+[[nodiscard]] std::vector<Effect> effects_on(const gap_case::Reference& reference);
 /// Null if the id is unknown.
 [[nodiscard]] const Effect* effect_or_none(std::string_view id);
 /// @throws core::InvalidInput listing the known ids

@@ -8,6 +8,8 @@
 
 namespace fusee::inference {
 
+inline constexpr double kEffectPrior = 3.0;  ///< one sigma of an effect's size, in its scale
+
 /// One or two effects, each on its side; none at all for the nominal rig.
 using Causes = std::vector<effects::Cause>;
 
@@ -20,6 +22,8 @@ public:
     [[nodiscard]] const gap_case::Case& gap_case() const { return gap_case_; }
     [[nodiscard]] const std::vector<joint_model::BuildParameter>& build() const { return build_; }
     [[nodiscard]] const joint_model::NominalCams& cams() const { return cams_; }
+    /// The library's effect with the parameters of this rig. @throws core::InvalidInput if the id is unknown
+    [[nodiscard]] const effects::Effect& effect(const std::string& id) const;
     [[nodiscard]] const Uncertainty& known() const { return known_; }
     [[nodiscard]] const joint_model::Signals& measured() const { return measured_; }
     [[nodiscard]] int size(const Causes& causes) const;    ///< of x
@@ -56,7 +60,11 @@ public:
 private:
     [[nodiscard]] joint_model::Signals predict_thin(const Causes& causes, const Eigen::VectorXd& x) const;
 
+    template <typename Visit>
+    void visit_parameters(const Causes& causes, const Visit& visit) const;
+
     const gap_case::Case& gap_case_;
+    std::vector<effects::Effect> library_;  // of this rig
     joint_model::NominalCams cams_;
     std::vector<joint_model::BuildParameter> build_;
     Uncertainty known_;

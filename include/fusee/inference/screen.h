@@ -12,6 +12,8 @@ struct Guess {
     double cost = 0.0;  ///< estimated: build parameters follow in the linear model
 };
 
+/// Every effect of the library on every side.
+[[nodiscard]] std::vector<effects::Cause> causes_of_library();
 /// Every effect on every side that the experiments of the case can see.
 [[nodiscard]] std::vector<effects::Cause> possible_causes(const gap_case::Rows& rows);
 

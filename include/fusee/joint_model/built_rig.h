@@ -4,6 +4,7 @@
 #include <limits>
 #include <vector>
 
+#include "fusee/gap_case/reference.h"
 #include "fusee/joint_model/cam_spring.h"
 
 namespace fusee::joint_model {
@@ -42,6 +43,7 @@ struct BuiltSide {
 struct BuiltRig {
     explicit BuiltRig(const gap_case::NominalRig& nominal);
 
+    gap_case::Reference reference;  ///< of the nominal rig
     std::array<BuiltSide, 2> sides;
     double ratio = 1.0;             ///< g = r_j/r_c, both as built over the nominal r_c
     double capstan_scale = 1.0;     ///< r_c as built over the nominal one
@@ -52,7 +54,7 @@ struct BuiltRig {
     double joint_viscous = 0.0;     ///< [Nms/rad]
     double delay = 0.0;             ///< of every command of a log [s]
     double stop = kNever;           ///< |q| at which a stop begins [rad]
-    double stop_stiffness = 60.0;   ///< of the stop [Nm/rad]
+    double stop_stiffness = 60.0;   ///< of the stop, on the reference rig [Nm/rad]
     double stop_damping = 0.5;      ///< of the stop, of the critical one
     double gravity = 0.0;           ///< m g l: torque -m g l sin q [Nm]
     double joint_offset = 0.0;      ///< added to q as read [rad]

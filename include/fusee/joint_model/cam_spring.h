@@ -48,7 +48,7 @@ public:
     /// @throws core::InvalidInput if a curve does not rise
     explicit NominalCams(const gap_case::NominalRig& rig);
     /// Exact: x = x0 + dr phi/r_c, F = r_c k (phi + phi0)/(r + dr) (docs/theory/springs.md, eq. 24 to 27). Where r + dr is not a valid arm
-    /// of a spool, 0.01 mm replaces it, so that a fit may try any dr.
+    /// of a spool, 0.01 mm (of the reference rig) replaces it, so that a fit may try any dr.
     [[nodiscard]] CamSpring series(const SpringBuild& build) const;
     /// y = y0 + dr x, F = k (y + preload)(r + dr).
     [[nodiscard]] CamSpring parallel(const SpringBuild& build) const;
@@ -57,7 +57,7 @@ public:
     [[nodiscard]] double shortest_series_arm() const;                        ///< of the nominal spool [m]
 
 private:
-    double capstan_radius_, k_se_, k_pe_;
+    double capstan_radius_, least_arm_, k_se_, k_pe_;
     std::vector<double> x_, phi_, y_, se_arm_, pe_arm_;
 };
 

@@ -6,9 +6,15 @@
 
 namespace fusee::joint_model {
 
+// Steps of the reference rig.
 inline constexpr double kSlowStep = 2e-3;      ///< of a slow experiment [s]: error at most 2 mrad
 inline constexpr double kDeadBandStep = 3e-3;  ///< of a dead-band test, of which only the end is read [s]: error at most 2 %
 inline constexpr double kLogStep = 5e-4;       ///< of a log [s]: error 2 mrad after 8 s of fast motion
+
+/// The same step on a rig: as much longer as its time is (gap_case::Reference), at most kStepRange times as long or short beside its
+/// phases, so that neither light motors make a diagnosis endless nor heavy ones end a phase in a few steps.
+[[nodiscard]] double step_on(const gap_case::Reference& reference, const gap_case::Protocol& protocol, double step);
+inline constexpr double kStepRange = 4.0;
 
 /// Positions and speeds of the three bodies, and the hysteresis state of each spring.
 struct MotionState {

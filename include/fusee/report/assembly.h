@@ -11,9 +11,9 @@ namespace fusee::report {
 
 /// assembly.json: every body with its placement at rest, axes, guides, cables and ranges, so that anybody can recompute the joint.
 [[nodiscard]] std::string assembly_json(const pipeline::DesignReport& design);
-/// bom.csv: item, count, size, note.
-[[nodiscard]] std::string bill_csv(const assembly::Assembly& assembly);
-/// assembly.md: order of assembly, cable lengths, preloads, timing marks, torques to check.
+/// bom.csv: item, count, size, note; the parts with the sheets by which they are inspected.
+[[nodiscard]] std::string bill_csv(const pipeline::DesignReport& design);
+/// assembly.md: sheets for the inspection, order of assembly, cable lengths, preloads, timing marks.
 [[nodiscard]] std::string assembly_guide(const pipeline::DesignReport& design);
 
 /// SVG of the joint seen along its axis, at the lowest and at the highest load: hulls without grooves and holes, and free cables.

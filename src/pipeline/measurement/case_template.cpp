@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "fusee/core/error.h"
+#include "fusee/gap_case/reference.h"
 #include "fusee/pipeline/design.h"
 #include "fusee/pipeline/simulate.h"
 
@@ -88,6 +89,9 @@ core::Outcome<gap_case::CaseTemplate> case_template(const profile::Profile& prof
                 .se_torsion_rate = profile.k_se.spring.rate,
                 .pe_compression_rate = profile.k_pe.spring.rate,
                 .springs = std::move(springs.rows)};
+    constexpr int kDigits = 3;
+    made.tolerance = gap_case::usual_tolerance(made.rig, kDigits);
+    made.sensors = gap_case::usual_sensors(made.rig, kDigits);
     made.torques = {profile.rig.least_torque, profile.rig.overdrive_torque};
     made.rest_deflection = springs.rest_deflection;
     const actuator::ReleaseTest test{.push_torque = profile.simulate.push_torque};

@@ -3,10 +3,9 @@
 #include <cmath>
 #include <map>
 
-#include "fusee/assembly/bill.h"
+#include "assembly/bill.h"
 #include "fusee/assembly/motion.h"
 #include "fusee/checks/limits.h"
-#include "fusee/core/csv.h"
 #include "fusee/core/file.h"
 #include "fusee/pipeline/export.h"
 #include "fusee/report/assembly.h"
@@ -60,7 +59,8 @@ std::string preloads(const Assembly& a) {
     const spring::BaseSpring &torsion = a.drive.k_se_spring, &pressed = a.drive.k_pe_spring;
     const double force = pressed.rate * pressed.preload;
     return fmt::format(
-        "- **K_SE**: hook the spring's leg into the slot of the spool and lay the other one on the carriage's pin. Wind the spool {} by "
+        "- **K_SE**: put the spring's axial leg into the slot of the spool and the radial one into the slot of the carriage's post. Wind "
+        "the spool {} by "
         "{:.0f} deg\n  ({:.2f} turns; {:.3f} Nm), seen from above on the agonist's side, and pin it. Then knot the series cable.\n"
         "- **K_PE**: push the cap towards the seat by {:.2f} mm ({:.1f} N) and clamp it. Then knot the parallel cable, so that it is just "
         "taut.\n",
@@ -68,22 +68,25 @@ std::string preloads(const Assembly& a) {
         torsion.preload / (2.0 * core::kPi), torsion.rate * torsion.preload, mm_from_m(pressed.preload), force);
 }
 
-/// The bill of materials below the guide, for paper.
-std::string bill_table(const Assembly& a) {
-    std::string table = "\n## Bill of materials\n| item | count | size | note |\n|---|---|---|---|\n";
-    for (const assembly::BillRow& row : assembly::bill_of(a))
-        table += fmt::format("| {} | {} | {} | {} |\n", row.item, row.count, row.size, row.note);
-    return table;
+/// What holds the axle: an overhung spool is bonded to it.
+const char* axle_step(const Assembly& a) {
+    if (a.drive.k_se->options.hub.kind == solid::HubKind::kThrough) return "close it with both retaining rings";
+    return "bond the axle into the spool's blind bore, close it below with its retaining ring";
+}
+
+/// The sheets by which the parts are measured before they are mounted; "" without the format "drawing".
+std::string inspection(const pipeline::DesignReport& design) {
+    std::string sheets;
+    for (const std::string& name : inspection_sheets(design)) sheets += fmt::format("{}[{}]({})", sheets.empty() ? "" : ", ", name, name);
+    if (sheets.empty()) return "";
+    return fmt::format(
+        "## Inspection\nMeasure the parts before they are mounted, and fill in their sheets: {}.\n`fusee calibrate` reads a sheet and "
+        "states "
+        "what to change ([drawing](k_se_drawing.svg): the rows are numbered there).\n\n",
+        sheets);
 }
 
 }  // namespace
-
-std::string bill_csv(const Assembly& a) {
-    std::string csv = "item,count,size,note\n";
-    for (const assembly::BillRow& row : assembly::bill_of(a))
-        csv += fmt::format("{},{},{},{}\n", core::csv_cell(row.item), row.count, core::csv_cell(row.size), core::csv_cell(row.note));
-    return csv;
-}
 
 std::string assembly_guide(const pipeline::DesignReport& design) {
     const Assembly& a = *design.assembly;
@@ -93,13 +96,13 @@ std::string assembly_guide(const pipeline::DesignReport& design) {
         "its cables\n{:.2f} mm lower. Lengths in mm. [bom.csv](bom.csv) lists the pieces; the frame, the motors and the fasteners are not "
         "modelled.\n\n"
         "![Exploded view](assembly_exploded.png)\n\n![Seen along the joint's axis](assembly_plan.svg)\n\n"
-        "## Places, agonist\n{}\n"
+        "{}## Places, agonist\n{}\n"
         "## Order\n"
         "1. Set the bearings, the joint's pulley and the rods into the frame; the motors' axes are {:.2f} mm from the joint's.\n"
         "2. Lock the capstan and K_PE on each motor's shaft, as bom.csv states; K_PE's boss is towards the capstan. The set collar "
         "holds the capstan; bond an overhung K_PE to its shaft.\n"
-        "3. Press the sleeve into each carriage, put the axle with the spool and its spring in it, close it with both retaining rings, and "
-        "put each carriage on its rods.\n"
+        "3. Press the sleeve into each carriage, put the axle with the spool and its spring in it, {}, and put each carriage on its "
+        "rods.\n"
         "4. Turn every part to its timing mark, and preload the springs as below.\n"
         "5. Lay the cables: K_PE to its spring, K_SE through its hole to the pulley, the carriage to the capstan.\n"
         "6. Remove the pins. Each motor now holds the lowest load of its springs.\n\n"
@@ -109,8 +112,8 @@ std::string assembly_guide(const pipeline::DesignReport& design) {
         "## Range\nA capstan turns by {:.1f} deg from the lowest load; its carriage then has travelled {:.1f} mm. K_SE pays out at most "
         "{:.1f} mm. The joint's stops are at {:.1f} deg on both sides of its middle: a pin in the pulley meets two posts of the frame "
         "(joint_stops).\n",
-        design.provenance.name, 2.0 * a.plane_mm, places(a), a.motor_distance_mm, cables(a), assembly::kCableEnd_mm,
-        checks::to_string(a.drive.cable.termination), marks(a), preloads(a), deg_from_rad(a.greatest_turn),
+        design.provenance.name, 2.0 * a.plane_mm, inspection(design), places(a), a.motor_distance_mm, axle_step(a), cables(a),
+        assembly::kCableEnd_mm, checks::to_string(a.drive.cable.termination), marks(a), preloads(a), deg_from_rad(a.greatest_turn),
         a.capstan_radius_mm * a.greatest_turn, a.greatest_payout_mm, 0.5 * deg_from_rad(a.joint_range));
 }
 
@@ -125,13 +128,13 @@ std::vector<pipeline::FileRow> write_assembly(const pipeline::DesignReport& desi
     std::map<std::string, std::string> svgs{{"assembly_plan", assembly_plan(a)}};
     write("assembly.json", assembly_json(design));
     write("assembly.md", guide);
-    write("bom.csv", bill_csv(a));
+    write("bom.csv", bill_csv(design));
     write("assembly_plan.svg", svgs.at("assembly_plan"));
     for (const PictureFile& file : assembly_pictures(a)) {
         write(file.name, file.bytes);
         if (file.name.ends_with(".svg")) svgs[file.name.substr(0, file.name.size() - 4)] = file.bytes;
     }
-    write("assembly.pdf", guide_pdf(guide + bill_table(a), "Assembly of " + design.provenance.name, svgs));
+    write("assembly.pdf", guide_pdf(guide + bill_table(design), "Assembly of " + design.provenance.name, svgs));
     return rows;
 }
 

@@ -96,8 +96,8 @@ std::string cause_lines(const Causes& causes) {
 
 Marked marked_causes(const diagnosis::Diagnosis& diagnosis) {
     const bool named = diagnosis.verdict == diagnosis::VerdictKind::kIdentified;
-    Marked all{named ? found_causes(diagnosis) : Causes{},
-               named || diagnosis.verdict == diagnosis::VerdictKind::kNone ? Causes{} : possible_causes(diagnosis)};
+    const bool agrees = diagnosis.verdict == diagnosis::VerdictKind::kNone || diagnosis.verdict == diagnosis::VerdictKind::kInconclusive;
+    Marked all{named ? found_causes(diagnosis) : Causes{}, named || agrees ? Causes{} : possible_causes(diagnosis)};
     const auto outside = [](const effects::Cause& cause) { return effects::effect_or_none(cause.id) == nullptr; };
     std::erase_if(all.found, outside);
     std::erase_if(all.possible, outside);

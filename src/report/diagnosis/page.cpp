@@ -25,6 +25,8 @@ std::string diagnosis_verdict(diagnosis::VerdictKind verdict) {
             return verdict_tag(core::Severity::kPass, "No gap beyond tolerance and noise");
         case diagnosis::VerdictKind::kAmbiguous:
             return verdict_tag(core::Severity::kWarning, "Cause ambiguous");
+        case diagnosis::VerdictKind::kInconclusive:
+            return verdict_tag(core::Severity::kWarning, "Too few data for a verdict");
         case diagnosis::VerdictKind::kUnknown:
             return verdict_tag(core::Severity::kError, "Cause unknown");
     }
@@ -109,7 +111,8 @@ std::string next_section(const Diagnosis& diagnosis) {
     }
     std::string out = listed ? "" : paragraph(diagnosis.next_experiment);
     if (!rows.empty())
-        out += card_table("Measurements that distinguish the causes",
+        out += card_table(diagnosis.verdict == diagnosis::VerdictKind::kInconclusive ? "Measurements that show what these rows do not"
+                                                                                : "Measurements that distinguish the causes",
                           {"measurement", "experiment", "set points", "bits expected", "minutes"}, rows);
     return section("Next experiment", out);
 }
@@ -121,7 +124,8 @@ std::string diagnosis_html(const Diagnosis& diagnosis, const std::string& extra_
     return html_page(diagnosis.case_name, diagnosis_head(diagnosis),
                      trace_section(diagnosis) + where_section(diagnosis) + place_section(diagnosis) + marked + which_section(diagnosis) +
                          how_far_section(diagnosis) + next_section(diagnosis) + extra_section_html +
-                         section("Remarks", bullet_list(diagnosis.remarks)) + isolability_section(diagnosis) + build_section(diagnosis),
+                         section("Remarks", bullet_list(diagnosis.remarks)) + power_section(diagnosis) +
+                         isolability_section(diagnosis) + build_section(diagnosis),
                      marked.empty() || !joint->assembly ? "" : joint_bundle());
 }
 

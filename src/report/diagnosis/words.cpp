@@ -60,6 +60,10 @@ std::vector<std::string> choices(const diagnosis::Diagnosis& diagnosis) {
     return names;
 }
 
+std::size_t count_not_shown(const std::vector<diagnosis::Power>& power) {
+    return static_cast<std::size_t>(std::count_if(power.begin(), power.end(), [](const diagnosis::Power& own) { return !own.shown; }));
+}
+
 }  // namespace
 
 std::string chance(double probability) { return probability < 1e-3 ? "< 0.001" : number(probability, 3); }
@@ -131,6 +135,9 @@ std::string verdict_sentence(const diagnosis::Diagnosis& diagnosis) {
                                causes_name(found_causes(diagnosis)));
         case diagnosis::VerdictKind::kNone:
             return "Model and rig agree within build tolerance and noise.";
+        case diagnosis::VerdictKind::kInconclusive:
+            return fmt::format("Model and rig agree, but these rows would not show a usual size of {} of {} causes.", count_not_shown(diagnosis.power),
+                               diagnosis.power.size());
         case diagnosis::VerdictKind::kAmbiguous:
             return fmt::format("Model and rig diverge; these experiments do not distinguish the possible causes: {}.",
                                fmt::format("{}", fmt::join(choices(diagnosis), "; or ")));
@@ -145,7 +152,7 @@ double verdict_probability(const diagnosis::Diagnosis& diagnosis) {
     double least = diagnosis::kNoFigure;
     if (diagnosis.verdict == diagnosis::VerdictKind::kIdentified)
         for (const diagnosis::FoundEffect& effect : diagnosis.effects) least = std::fmin(least, effect.probability);
-    if (diagnosis.verdict == diagnosis::VerdictKind::kNone)
+    if (diagnosis.verdict == diagnosis::VerdictKind::kNone || diagnosis.verdict == diagnosis::VerdictKind::kInconclusive)
         for (const diagnosis::Hypothesis& hypothesis : diagnosis.ranking)
             if (hypothesis.effects.empty()) least = hypothesis.probability;
     return least;

@@ -1,0 +1,46 @@
+#include "power.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fusee/inference/screen.h"
+#include "fusee/inference/search.h"
+#include "verdict.h"
+
+namespace fusee::diagnosis {
+
+namespace {
+
+constexpr double kInMostCases = 1.645;  ///< sigmas of the noise that 95 of 100 cases do not exceed in one direction
+constexpr double kMargin = 1.15;        ///< a cause that shares its mark with those of other sides needs more than the linear model says
+
+}  // namespace
+
+double named_length(double per_scale) {
+    const double known = std::pow(inference::kEffectPrior * per_scale, 2);  // information on the size over that of its prior
+    const double needed = inference::kEffectOdds + std::log(kSure / (1.0 - kSure)) + 0.5 * std::log1p(known);
+    return kMargin * (std::sqrt(2.0 * needed * (1.0 + 1.0 / known)) + kInMostCases);
+}
+
+std::vector<Power> powers_of(const inference::Problem& problem, const Isolability& isolability) {
+    std::vector<Power> all;
+    for (const effects::Cause& cause : inference::causes_of_library()) {
+        const effects::Effect& effect = problem.effect(cause.id);
+        const effects::EffectParameter& size = effect.parameters.front();
+        Power& own = all.emplace_back(Power{cause, kNoFigure, size.scale, size.unit, false});
+        const auto found = std::find(isolability.causes.begin(), isolability.causes.end(), cause);
+        if (found == isolability.causes.end()) continue;
+        own.least = isolability.named[static_cast<std::size_t>(found - isolability.causes.begin())];
+        own.shown = effect.is_limit() ? own.least >= size.scale : own.least <= size.scale;
+    }
+    return all;
+}
+
+std::vector<effects::Cause> not_shown(const std::vector<Power>& powers) {
+    std::vector<effects::Cause> causes;
+    for (const Power& own : powers)
+        if (!own.shown) causes.push_back(own.cause);
+    return causes;
+}
+
+}  // namespace fusee::diagnosis

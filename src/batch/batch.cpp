@@ -155,8 +155,7 @@ std::vector<Row> make_all(const std::vector<fs::path>& profiles, const MakeOptio
 }
 
 std::vector<SimulationRow> simulate_all(const std::vector<fs::path>& profiles, const fs::path& out,
-                                        const pipeline::SimulateOptions& options, unsigned jobs, bool force,
-                                        const fs::path& mjcf) {
+                                        const pipeline::SimulateOptions& options, unsigned jobs, bool force, const fs::path& mjcf) {
     const auto progress = bar("simulate", profiles.size());
     std::vector<SimulationRow> rows(profiles.size());
     const auto work = [&](const profile::Profile& profile, std::size_t place) {

@@ -11,11 +11,11 @@ namespace fusee::mjcf {
 
 namespace {
 
-constexpr std::size_t kRows = 201;   ///< of the fit, even over the curve
-constexpr int kCandidates = 400;     ///< values of `free`
-constexpr int kRefinements = 40;     ///< halvings of the step between them
-constexpr double kSlackest = 0.8;    ///< of the curve's width: the greatest `free`, for springs that begin slack
-constexpr double kFarthest = 3.0;    ///< of the curve's width below its first row, or of the length on which its end slope loses the preload
+constexpr std::size_t kRows = 201;  ///< of the fit, even over the curve
+constexpr int kCandidates = 400;    ///< values of `free`
+constexpr int kRefinements = 40;    ///< halvings of the step between them
+constexpr double kSlackest = 0.8;   ///< of the curve's width: the greatest `free`, for springs that begin slack
+constexpr double kFarthest = 3.0;   ///< of the curve's width below its first row, or of the length on which its end slope loses the preload
 
 struct Rows {
     Eigen::VectorXd x, torque;

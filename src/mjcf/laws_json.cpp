@@ -47,14 +47,9 @@ Json side_json(const TwinSide& side) {
 }
 
 Json joint_json(const Twin& twin) {
-    return {{"friction_Nm", twin.joint_friction},
-            {"tension_share", twin.tension_share},
-            {"viscous_Nms", twin.joint_viscous},
-            {"gravity_Nm", twin.gravity},
-            {"stop_rad", limit(twin.stop)},
-            {"stop_stiffness_Nm_per_rad", twin.stop_stiffness},
-            {"stop_damping", twin.stop_damping},
-            {"offset_rad", twin.joint_offset}};
+    return {{"friction_Nm", twin.joint_friction}, {"tension_share", twin.tension_share}, {"viscous_Nms", twin.joint_viscous},
+            {"gravity_Nm", twin.gravity},         {"stop_rad", limit(twin.stop)},        {"stop_stiffness_Nm_per_rad", twin.stop_stiffness},
+            {"stop_damping", twin.stop_damping},  {"offset_rad", twin.joint_offset}};
 }
 
 }  // namespace

@@ -27,15 +27,15 @@ std::string comment(std::string text) {
 }
 
 std::string spring_comment(const char* what, const Cubic& fit, const Curve& curve) {
-    return fmt::format("    <!-- {}: worst error of the cubic {:.3g} Nm ({:.3g} % of the greatest torque) at {:.4g} rad -->\n", what, fit.worst,
-                       100.0 * fit.worst / curve.greatest(), fit.worst_at);
+    return fmt::format("    <!-- {}: worst error of the cubic {:.3g} Nm ({:.3g} % of the greatest torque) at {:.4g} rad -->\n", what,
+                       fit.worst, 100.0 * fit.worst / curve.greatest(), fit.worst_at);
 }
 
 std::string tendon(const std::string& name, const Curve& curve, const std::string& arms) {
     const Cubic fit = fit_cubic(curve);
     return spring_comment(name.c_str(), fit, curve) +
-           fmt::format("    <fixed name=\"{}\" springlength=\"{} {}\" stiffness=\"{} {} {}\">{}</fixed>\n", name, fit.free - kSlack, fit.free,
-                       fit.linear, fit.square, fit.cube, arms);
+           fmt::format("    <fixed name=\"{}\" springlength=\"{} {}\" stiffness=\"{} {} {}\">{}</fixed>\n", name, fit.free - kSlack,
+                       fit.free, fit.linear, fit.square, fit.cube, arms);
 }
 
 std::string arm(const char* joint, double coef) { return fmt::format("<joint joint=\"{}\" coef=\"{}\"/>", joint, coef); }
@@ -108,8 +108,10 @@ std::string actuators(const Twin& twin) {
 std::string head(const Twin& twin) {
     std::string text = fmt::format(
         "<!-- {}\n"
-        "     Angles, signs and torques: winding its own cable in is positive at a capstan; q stretches the agonist's K_SE. SI units, radians.\n"
-        "     Without companion this model has each spring as a cubic (errors below), and the friction that gears and bearing have at {} Nm of\n"
+        "     Angles, signs and torques: winding its own cable in is positive at a capstan; q stretches the agonist's K_SE. SI units, "
+        "radians.\n"
+        "     Without companion this model has each spring as a cubic (errors below), and the friction that gears and bearing have at {} "
+        "Nm of\n"
         "     co-contraction. {} and {} apply the exact laws of {}. -->\n",
         comment(twin.source), twin.reference_torque, kJavaScriptFile, kPythonFile, kLawsFile);
     for (const std::string& sentence : twin.not_expressed) text += fmt::format("<!-- not in this model: {} -->\n", comment(sentence));
@@ -123,13 +125,16 @@ std::string model_xml(const Twin& twin) {
     std::string text = head(twin);
     text += fmt::format("<mujoco model=\"{}\">\n", core::escape(twin.name));
     text += "  <compiler angle=\"radian\" autolimits=\"true\"/>\n";
-    text += fmt::format("  <option timestep=\"{}\" integrator=\"Euler\" solver=\"Newton\" iterations=\"100\" tolerance=\"1e-12\"/>\n", step);
-    text += fmt::format("  <default>\n    <joint solreffriction=\"{} 1\" solimpfriction=\"{} {} 0.001 0.5 2\"/>\n", 2.0 * step, kHardest, kHardest);
+    text +=
+        fmt::format("  <option timestep=\"{}\" integrator=\"Euler\" solver=\"Newton\" iterations=\"100\" tolerance=\"1e-12\"/>\n", step);
+    text += fmt::format("  <default>\n    <joint solreffriction=\"{} 1\" solimpfriction=\"{} {} 0.001 0.5 2\"/>\n", 2.0 * step, kHardest,
+                        kHardest);
     text += "    <geom contype=\"0\" conaffinity=\"0\"/>\n  </default>\n  <worldbody>\n";
     text += fmt::format("    <light pos=\"0 0 {}\"/>\n", 20.0 * twin.capstan_radius);
     text += capstan(twin, 0) + capstan(twin, 1) + output(twin) + "  </worldbody>\n" + tendons(twin) + actuators(twin);
     text += "  <sensor>\n";
-    for (const char* const name : {kNames[0], kNames[1], "joint"}) text += fmt::format("    <jointpos name=\"angle_{0}\" joint=\"{0}\"/>\n", name);
+    for (const char* const name : {kNames[0], kNames[1], "joint"})
+        text += fmt::format("    <jointpos name=\"angle_{0}\" joint=\"{0}\"/>\n", name);
     return text + "  </sensor>\n</mujoco>\n";
 }
 

@@ -79,7 +79,8 @@ Twin twin_of(const actuator::Joint& joint, const TwinMotion& motion) {
         const friction::Law& law = joint.gear_friction[i];
         const double most = kLoads * greatest_load(side);
         set_rows(side.gear, most, law.rows().empty(), [&](double load) { return law.in_motion(load); });
-        if (const double moving = law.in_motion(most); moving > 0.0) side.gear.rest_excess = std::max(0.0, law.at_rest(most) / moving - 1.0);
+        if (const double moving = law.in_motion(most); moving > 0.0)
+            side.gear.rest_excess = std::max(0.0, law.at_rest(most) / moving - 1.0);
     }
     for (TwinSide& side : twin.sides)
         for (Curve* curve : {&side.se, &side.pe}) curve->stop_travel = stop_travel(twin, *curve);

@@ -54,7 +54,7 @@ TEST(MjcfCurve, IsTheSpringOfABuiltRig) {
 TEST(MjcfCubic, ACubicSpringIsExact) {
     const Curve curve = mjcf::tabulate(*cubic_spring(), 1e-4);
     const Cubic fit = mjcf::fit_cubic(curve);
-    EXPECT_LT(fit.worst, 2e-5);  // the table's own error
+    EXPECT_LT(fit.worst, 2e-5);                                                            // the table's own error
     EXPECT_NEAR(0.1 + 0.2 * fit.free + 0.05 * fit.free * fit.free * fit.free, 0.0, 2e-4);  // its only real zero
     EXPECT_NEAR(fit.cube, 0.05, 1e-4);
     EXPECT_EQ(fit.at(fit.free - 0.1), 0.0);

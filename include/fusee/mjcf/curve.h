@@ -16,9 +16,9 @@ struct Curve {
     double hysteresis = 0.0;       ///< a of F (1 + a z), docs/theory/diagnosis.md
     double table_error = 0.0;      ///< greatest difference from the spring, between two rows [Nm]
 
-    [[nodiscard]] double at(double x) const;           ///< without hysteresis [Nm]
-    [[nodiscard]] double greatest() const;             ///< torque of the last row [Nm]
-    [[nodiscard]] double greatest_stiffness() const;   ///< over the rows [Nm/rad]
+    [[nodiscard]] double at(double x) const;          ///< without hysteresis [Nm]
+    [[nodiscard]] double greatest() const;            ///< torque of the last row [Nm]
+    [[nodiscard]] double greatest_stiffness() const;  ///< over the rows [Nm/rad]
 };
 
 /// Rows until the error between them is below 1e-5 of the greatest torque. @throws core::InvalidInput unless stop_travel > 0
@@ -28,9 +28,9 @@ struct Curve {
 
 /// What MuJoCo itself can hold of a spring: F(x) = k d + k2 d^2 + k3 d^3, d = x - free, and no torque below `free`.
 struct Cubic {
-    double free = 0.0;                           ///< no torque up to this deflection [rad]
+    double free = 0.0;                              ///< no torque up to this deflection [rad]
     double linear = 0.0, square = 0.0, cube = 0.0;  ///< [Nm/rad], [Nm/rad^2], [Nm/rad^3]
-    double worst = 0.0, worst_at = 0.0;          ///< greatest error over the rows [Nm], and its deflection [rad]
+    double worst = 0.0, worst_at = 0.0;             ///< greatest error over the rows [Nm], and its deflection [rad]
     [[nodiscard]] double at(double x) const;
 };
 /// Least squares over the rows, among the cubics that do not fall at `free` and are nowhere negative over the rows.

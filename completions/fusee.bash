@@ -184,9 +184,10 @@ _fusee() {
                 *:--levels) ;;
                 *:--push-torque) ;;
                 *:--at) ;;
+                *:--write-mjcf) _fusee_folders "$word" ;;
                 *:-j | *:--jobs) ;;
                 *:--color) _fusee_words "$word" auto always never ;;
-                -*) _fusee_words "$word" --help --out --levels --push-torque --at --force --jobs --json --color --quiet --verbose ;;
+                -*) _fusee_words "$word" --help --out --levels --push-torque --at --write-mjcf --force --jobs --json --color --quiet --verbose ;;
                 *) _fusee_files "$word" toml ;;
             esac ;;
         ' case-template')

@@ -231,6 +231,7 @@ complete -c fusee -n "__fusee_at ' simulate'" -s o -l out -x -a '(__fish_complet
 complete -c fusee -n "__fusee_at ' simulate'" -l levels -x -d 'Number of levels of co-contraction'
 complete -c fusee -n "__fusee_at ' simulate'" -l push-torque -x -d 'Joint torque of the push-and-release test [Nm]'
 complete -c fusee -n "__fusee_at ' simulate'" -l at -x -d 'Torques of agonist, antagonist and joint [Nm], such as 1,0.8,0'
+complete -c fusee -n "__fusee_at ' simulate'" -l write-mjcf -x -a '(__fish_complete_directories)' -d 'Folder of the joints as models for MuJoCo, with companion programs that apply the exact laws'
 complete -c fusee -n "__fusee_at ' simulate'" -l force -d 'Also replace files of another source and changed files'
 complete -c fusee -n "__fusee_at ' simulate'" -s j -l jobs -x -d 'Number of profiles simulated at the same time'
 complete -c fusee -n "__fusee_at ' simulate'" -l json -d 'Print one JSON object instead of text (docs/json.md)'

@@ -265,6 +265,7 @@ _fusee_simulate() {
         '(--levels)'--levels='[Number of levels of co-contraction]'':2 to 1000: ' \
         '(--push-torque)'--push-torque='[Joint torque of the push-and-release test \[Nm\]]'':0 to 10000: ' \
         '*'--at='[Torques of agonist, antagonist and joint \[Nm\], such as 1,0.8,0]'':T1,T2,TQ: ' \
+        '(--write-mjcf)'--write-mjcf='[Folder of the joints as models for MuJoCo, with companion programs that apply the exact laws]'':folder:_files -/' \
         '(--force)'--force'[Also replace files of another source and changed files]' \
         '(-j --jobs)'{-j+,--jobs=}'[Number of profiles simulated at the same time]'':0 to 1024: ' \
         '(--json)'--json'[Print one JSON object instead of text (docs/json.md)]' \

@@ -20,7 +20,7 @@ namespace {
 
 struct SimulateArguments {
     std::vector<std::filesystem::path> paths;
-    std::filesystem::path out = "out";
+    std::filesystem::path out = "out", mjcf;
     pipeline::SimulateOptions options;
     std::vector<std::string> at;  ///< checked by parse_torques
     unsigned jobs = 0;
@@ -52,6 +52,7 @@ std::string three_torques(const std::string& text) {
 Json row_json(const batch::SimulationRow& row) {
     Json j{{"profile", row.profile.string()}, {"outcome", batch::to_string(row.outcome)}};
     j["folder"] = row.folder.empty() ? Json() : Json(row.folder.string());
+    j["mjcf"] = row.mjcf.empty() ? Json() : Json(row.mjcf.string());
     j["error"] = row.error.empty() ? Json() : Json{{"message", row.error}, {"mistakes", mistakes_json(row.mistakes)}};
     j["findings"] = Json::parse(report::findings_list_json(row.refusal));
     j["simulation"] = row.simulation ? Json::parse(report::simulation_json(*row.simulation)) : Json();
@@ -62,7 +63,8 @@ int simulate(const SimulateArguments& arguments, Reply& reply) {
     if (arguments.paths.empty()) throw core::InvalidInput("simulate", "no profile", "at least one profile (*.toml) or folder of profiles");
     pipeline::SimulateOptions options = arguments.options;
     for (const std::string& torques : arguments.at) options.at.push_back(*parse_torques(torques));
-    const auto rows = batch::simulate_all(profile::find_profiles(arguments.paths), arguments.out, options, arguments.jobs, arguments.force);
+    const auto rows = batch::simulate_all(profile::find_profiles(arguments.paths), arguments.out, options, arguments.jobs, arguments.force,
+                                          arguments.mjcf);
     const int code = batch::exit_code(rows);
     if (reply.json()) reply.result["joints"] = Json::array();
     for (const batch::SimulationRow& row : rows) {
@@ -98,6 +100,11 @@ void add_simulate(CLI::App& app, Action& action) {
         ->allow_extra_args(false)
         ->type_name("T1,T2,TQ")
         ->check(CLI::Validator(three_torques, ""));
+    command
+        ->add_option("--write-mjcf", arguments->mjcf,
+                     "Folder of the joints as models for MuJoCo, with companion programs that apply the exact laws; each profile gets a "
+                     "folder in it")
+        ->type_name("FOLDER");
     add_force(*command, arguments->force);
     add_jobs(*command, arguments->jobs, "Number of profiles simulated at the same time; 0: one per processor");
     command->footer(

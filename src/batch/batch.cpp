@@ -7,6 +7,8 @@
 #include "fusee/core/file.h"
 #include "fusee/core/output_folder.h"
 #include "fusee/core/units.h"
+#include "fusee/mjcf/write.h"
+#include "fusee/pipeline/twin.h"
 #include "fusee/report/report.h"
 #include "fusee/report/simulation.h"
 #include "run_each.h"
@@ -29,6 +31,45 @@ void write_relatives(const std::vector<pipeline::Simulation>& done, const fs::pa
     core::OutputFolder output(out, {.command = "simulate", .source = out, .force = force, .stays = true, .among_others = true});
     core::write_file(output.path() / "relatives.csv", report::relatives_csv(done));
     output.commit();
+}
+
+/// A folder of the joint's model for MuJoCo, checked before the work.
+core::OutputFolder mjcf_folder(const fs::path& folder, const profile::Profile& profile, bool force) {
+    return {folder / profile.name,
+            {.command = "simulate",
+             .source = profile.file,
+             .force = force,
+             .files = {mjcf::kModelFile, mjcf::kLawsFile, mjcf::kJavaScriptFile, mjcf::kPythonFile},
+             .stays = true}};
+}
+
+/// One profile of `simulate_all`. @return true if it is simulated
+bool simulate_into(SimulationRow& row, const profile::Profile& profile, const fs::path& out, const pipeline::SimulateOptions& options,
+                   bool force, const fs::path& mjcf) {
+    core::OutputFolder output(out / profile.name, {.command = "simulate",
+                                                   .source = profile.file,
+                                                   .force = force,
+                                                   .files = {"simulation.json", "simulation.html", "dead_band.csv"},
+                                                   .stays = true});
+    std::optional<core::OutputFolder> model;
+    if (!mjcf.empty()) model.emplace(mjcf_folder(mjcf, profile, force));
+    const auto design = pipeline::resolve(profile);
+    if (!design) {
+        row.refusal = design.refusal();
+        return false;
+    }
+    if (model) mjcf::write(pipeline::twin_of(*design), model->path());
+    pipeline::Simulation simulation = pipeline::simulate(*design, options);
+    (void)report::write_simulation(simulation, output.path());
+    output.commit();
+    row.folder = output.target();
+    if (model) {
+        model->commit();
+        row.mjcf = model->target();
+    }
+    row.refusal = pipeline::refusals(simulation);
+    row.simulation = std::move(simulation);
+    return row.refusal.empty();
 }
 
 /// A progress bar for several profiles.
@@ -114,27 +155,11 @@ std::vector<Row> make_all(const std::vector<fs::path>& profiles, const MakeOptio
 }
 
 std::vector<SimulationRow> simulate_all(const std::vector<fs::path>& profiles, const fs::path& out,
-                                        const pipeline::SimulateOptions& options, unsigned jobs, bool force) {
+                                        const pipeline::SimulateOptions& options, unsigned jobs, bool force, const fs::path& mjcf) {
     const auto progress = bar("simulate", profiles.size());
     std::vector<SimulationRow> rows(profiles.size());
     const auto work = [&](const profile::Profile& profile, std::size_t place) {
-        SimulationRow& row = rows[place];
-        core::OutputFolder output(out / profile.name, {.command = "simulate",
-                                                       .source = profile.file,
-                                                       .force = force,
-                                                       .files = {"simulation.json", "simulation.html", "dead_band.csv"},
-                                                       .stays = true});
-        auto simulation = pipeline::simulate(profile, options);
-        if (!simulation) {
-            row.refusal = simulation.refusal();
-            return false;
-        }
-        (void)report::write_simulation(*simulation, output.path());
-        output.commit();
-        row.folder = output.target();
-        row.simulation = std::move(simulation).value();
-        row.refusal = pipeline::refusals(*row.simulation);
-        return row.refusal.empty();
+        return simulate_into(rows[place], profile, out, options, force, mjcf);
     };
     const std::vector<Ended> ended = run_each(profiles, work, jobs, progress.get());
     std::vector<pipeline::Simulation> done;

@@ -105,6 +105,7 @@ std::string closing_table(const std::vector<SimulationRow>& rows) {
         table += beginning(row, rows, "simulated") + (row.simulation ? row.folder.string() + "/" : "") + "\n" + details(row, row.refusal);
         if (!row.simulation) continue;
         table += report::simulation_text(*row.simulation);
+        if (!row.mjcf.empty()) table += "  model for MuJoCo: " + core::printable(row.mjcf.string()) + "/\n";
         done.push_back(*row.simulation);
     }
     return done.size() > 1 ? table + report::survey_text(done) : table;

@@ -73,6 +73,7 @@ struct Row : Ended {
 struct SimulationRow : Ended {
     std::optional<pipeline::Simulation> simulation;
     std::filesystem::path folder;  ///< where its files are
+    std::filesystem::path mjcf;    ///< where its model for MuJoCo is; empty: not asked for
     core::Findings refusal;        ///< why there is none, or why it lacks an equilibrium that was asked for
 };
 
@@ -83,9 +84,11 @@ struct SimulationRow : Ended {
 
 /// Simulates every profile in the same manner and writes its files into out/NAME; other files there stay. If one of the paper's relatives
 /// is among them, also writes their comparison, out/relatives.csv. @param force as MakeOptions::force
+/// @param mjcf not empty: the model of each joint for MuJoCo goes to mjcf/NAME
 /// @throws core::IoError if the comparison cannot be written
 [[nodiscard]] std::vector<SimulationRow> simulate_all(const std::vector<std::filesystem::path>& profiles, const std::filesystem::path& out,
-                                                      const pipeline::SimulateOptions& options, unsigned jobs, bool force = false);
+                                                      const pipeline::SimulateOptions& options, unsigned jobs, bool force = false,
+                                                      const std::filesystem::path& mjcf = {});
 
 /// 0 made, 1 refused, 2 bad input, 3 internal error, 130 interrupted.
 [[nodiscard]] int exit_code(Outcome outcome);

@@ -35,7 +35,8 @@ diagnosis::Diagnosis effects_of(const fs::path& file) {
     return diagnosis::parse_diagnosis(core::read_file(file, kLargestDiagnosis), file.string());
 }
 
-int predict(const PredictArguments& arguments, Reply& reply) {
+int predict(PredictArguments arguments, Reply& reply) {
+    if (arguments.inputs.empty()) arguments.inputs = arguments.folder;
     require_other_folder(arguments.out, arguments.inputs);
     require_other_folder(arguments.out, arguments.folder);
     core::OutputFolder output(arguments.out, {.command = "predict", .source = arguments.folder, .force = arguments.force});
@@ -73,9 +74,8 @@ void add_predict(CLI::App& app, Action& action) {
         ->type_name("FILE.json");
     command
         ->add_option("--inputs", arguments->inputs,
-                     "Folder of CSV files with the same names as in the case; only their input columns are read")
-        ->type_name("FOLDER")
-        ->required();
+                     "Folder of CSV files with the same names as in the case; only their input columns are read; default: CASE")
+        ->type_name("FOLDER");
     command->add_option("-o,--out", arguments->out, "Folder of the same files with predicted values in the measured columns")
         ->type_name("FOLDER")
         ->required();

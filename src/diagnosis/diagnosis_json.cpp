@@ -117,6 +117,24 @@ Json power_json(const std::vector<Power>& power) {
     return all;
 }
 
+Json transfer_json(const std::vector<Transfer>& transfer) {
+    Json all = Json::array();
+    for (const Transfer& t : transfer) {
+        Json values = Json::array();
+        for (const Parameter& parameter : t.parameters) values.push_back({{"value", parameter.value}, {"unit", parameter.unit}});
+        all.push_back({{"effects", causes_json(t.effects)},
+                       {"fitted", t.fitted},
+                       {"heldout", t.heldout},
+                       {"fit_before", t.fit_before},
+                       {"fit_after", t.fit_after},
+                       {"heldout_before", t.heldout_before},
+                       {"heldout_after", t.heldout_after},
+                       {"parameters", std::move(values)},
+                       {"unit", t.unit}});
+    }
+    return all;
+}
+
 Json next_json(const std::vector<NextExperiment>& next) {
     Json all = Json::array();
     for (const NextExperiment& n : next)
@@ -150,6 +168,7 @@ std::string diagnosis_json(const Diagnosis& d) {
            {"experiments", experiments_json(d.experiments)},
            {"map", map_json(d.map)},
            {"ranking", ranking_json(d.ranking)},
+           {"transfer", transfer_json(d.transfer)},
            {"isolability", isolability_json(d.isolability)},
            {"power", power_json(d.power)},
            {"remarks", d.remarks},

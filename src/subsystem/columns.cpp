@@ -50,6 +50,15 @@ const std::vector<KindKeys>& all_keys() {
           {"encoder_step_rad", 0.0, 1.0, "rad"},
           {"encoder_noise_rad", 0.0, 1.0, "rad"},
           {"log_rate_Hz", 0.1, 1e6, "Hz"}}},
+        {Kind::kCamJoint,
+         "cam_joint",
+         "pull",
+         {{"t_s", false, true, false, -1e9, 1e9},
+          {"q_rad", false, true, false, -100.0, 100.0},
+          {"torque_Nm", true, true, false, -1e6, 1e6}},
+         {{"dynamometer_Nm_per_rad", 1e-3, 1e12, "Nm/rad"}},
+         {{"torque_noise_Nm", 1e-9, 1e6, "Nm"}},
+         true},
     };
     return kKinds;
 }

@@ -24,6 +24,7 @@ struct KindKeys {
     const char* experiment;
     std::vector<ColumnKey> columns;
     std::vector<ParameterKey> parameters, sensors;
+    bool laws = false;  ///< each record has a file with its nominal law
 };
 [[nodiscard]] const KindKeys& keys_of(Kind kind);
 [[nodiscard]] const std::vector<KindKeys>& all_keys();

@@ -9,6 +9,7 @@
 #include "fusee/core/error.h"
 #include "fusee/math/statistics.h"
 #include "study.h"
+#include "transfer.h"
 #include "verdicts.h"
 
 namespace fusee::subsystem {
@@ -51,8 +52,12 @@ diagnosis::Parameter parameter_of(const Law& law, const Study& study, const Cand
     }
     const double half = math::student_quantile(0.95, static_cast<std::size_t>(freedom)) * std::sqrt(variance);
     const double value = candidate.fit.values[parameter];
+    core::Range ci95{value - half, value + half};
+    if (law.each_fold && !candidate.refits.empty())  // few files: what each part alone says
+        for (const Values& refit : candidate.refits[0])
+            ci95 = {std::min(ci95.low, refit[parameter]), std::max(ci95.high, refit[parameter])};
     return {value,
-            {std::max(law.parameters[parameter].low, value - half), std::min(law.parameters[parameter].high, value + half)},
+            {std::max(law.parameters[parameter].low, ci95.low), std::min(law.parameters[parameter].high, ci95.high)},
             law.parameters[parameter].unit};
 }
 
@@ -68,7 +73,7 @@ const Candidate* preferred_by_evidence(const Law& law, const Study& study) {
     if (law.rows_independent || best.seen_gap() <= kStructure * law.setup_floor) return nullptr;
     const Candidate* most = &best;
     for (const Candidate& t : study.candidates)
-        if (t.effects.size() <= law.most_effects && t.log_evidence > most->log_evidence) most = &t;
+        if (t.effects.size() <= law.most_effects && !t.unlikely && t.log_evidence > most->log_evidence) most = &t;
     return most->log_evidence > best.log_evidence + kDisagreement ? most : nullptr;
 }
 
@@ -237,11 +242,13 @@ void put_traces(const Case& subsystem_case, const Law& law, const Values& before
         trace.label = fmt::format("{} of {}", law.measured_name, subsystem_case.records[r].file);
         trace.y_name = law.measured_name;
         const auto& columns = subsystem_case.records[r].columns;
-        trace.x_name = columns.contains("t_s") ? "t_s" : law.region_name;
+        trace.x_name = columns.contains("t_s") && !law.over_region ? "t_s" : law.region_name;
         const std::vector<double>& x = columns.at(trace.x_name);
         const std::size_t rows = target.measured.size(), thin = x.size() / rows + (x.size() % rows > rows / 2 ? 1 : 0);
         for (std::size_t i = 0; i < rows; i += (rows + kTraceRows - 1) / kTraceRows) {
-            trace.x.push_back(x[std::min(i * std::max<std::size_t>(1, thin), x.size() - 1)]);
+            const double at = x[std::min(i * std::max<std::size_t>(1, thin), x.size() - 1)];
+            if (law.over_region && !trace.x.empty() && trace.x.back() == at) continue;  // at rest
+            trace.x.push_back(at);
             trace.measured.push_back(target.measured[i]);
             trace.before.push_back(nominal[i]);
             trace.after.push_back(found[i]);
@@ -249,6 +256,19 @@ void put_traces(const Case& subsystem_case, const Law& law, const Values& before
         }
         out.traces.push_back(std::move(trace));
     }
+}
+
+/// Where most of what the answer leaves lies, if that is above the floor.
+void put_rest_remark(const Law& law, diagnosis::Diagnosis& out) {
+    const auto most = std::max_element(out.map.begin(), out.map.end(), [](const diagnosis::GapCell& a, const diagnosis::GapCell& b) {
+        return a.after * a.after * static_cast<double>(a.rows) < b.after * b.after * static_cast<double>(b.rows);
+    });
+    if (!law.each_fold || most == out.map.end() || out.gap.heldout_after <= kAtFloor * law.setup_floor) return;
+    out.remarks.push_back(
+        fmt::format("what remains: {:.3g} {} in the fit and {:.3g} {} on held-out rows (root mean square), most of it in {} at {} {:.3g} "
+                    "to {:.3g}: {:.3g} {} there",
+                    out.gap.after * law.unit_sigma, law.unit, out.gap.heldout_after * law.unit_sigma, law.unit, most->experiment,
+                    most->variable, most->region.low, most->region.high, most->after * law.unit_sigma, law.unit));
 }
 
 void put_floor_remarks(const Law& law, const Study& study, diagnosis::Diagnosis& out) {
@@ -264,6 +284,11 @@ void put_floor_remarks(const Law& law, const Study& study, diagnosis::Diagnosis&
         out.remarks.push_back(
             fmt::format("above the floor: the held-out error is {:.4g} {}, the floor {:.4g} {}: no known cause explains part of the gap",
                         kept * unit, law.unit, law.setup_floor * unit, law.unit));
+}
+
+void put_split_remarks(const Law& law, const Study& study, diagnosis::Diagnosis& out) {
+    const Candidate& best = study.candidates[study.best];
+    const double unit = law.unit_sigma;
     for (std::size_t s = 0; s < law.schemes.size(); ++s)
         out.remarks.push_back(fmt::format("held out by {}: {:.4g} {} before, {:.4g} {} after", law.schemes[s].name,
                                           study.candidates.front().unseen_gap(s) * unit, law.unit, best.unseen_gap(s) * unit, law.unit));
@@ -299,7 +324,12 @@ diagnosis::Diagnosis diagnose(const Case& subsystem_case, const diagnosis::Diagn
     }
     put_map(*law, residuals, out);
     put_traces(subsystem_case, *law, before, after, out);
+    put_rest_remark(*law, out);
+    out.transfer = transfers_of(*law, study);
+    const std::vector<std::string> transfer = transfer_remarks(*law, out.transfer, causes_of(*law, study.candidates[study.best]));
+    out.remarks.insert(out.remarks.end(), transfer.begin(), transfer.end());
     put_floor_remarks(*law, study, out);
+    put_split_remarks(*law, study, out);
     for (const auto& more : {study.remarks, law->remarks(), law->floor_remarks})
         out.remarks.insert(out.remarks.end(), more.begin(), more.end());
     out.next.push_back(law->next());

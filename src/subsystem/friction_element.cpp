@@ -18,9 +18,8 @@ struct ElementParameter {
     enum : std::size_t { kCoulomb, kDeflection, kBacklash, kSeat, kAsymmetry, kViscous, kStribeck, kStribeckSpeed, kLoad, kPlaces };
 };
 
-constexpr std::size_t kMostRows = 12'000;  // of all files together in a fit; loops keep their shape, the fit takes a quarter of the time
-constexpr double kRigid = 1e-7;            // [m], elastic deflection of an element without presliding
-constexpr double kRigidPlay = 0.1;         // the same with play, of a row's travel: a fit then sees which way to go
+constexpr double kRigid = 1e-7;     // [m], elastic deflection of an element without presliding
+constexpr double kRigidPlay = 0.1;  // the same with play, of a row's travel: a fit then sees which way to go
 
 struct Drive {
     std::vector<double> x, speed;
@@ -56,12 +55,6 @@ std::vector<double> speed_of(const Record& record) {
     return speed;
 }
 
-std::vector<double> every(const std::vector<double>& column, std::size_t step) {
-    std::vector<double> out;
-    for (std::size_t i = 0; i < column.size(); i += step) out.push_back(column[i]);
-    return out;
-}
-
 double mean_travel(const std::vector<double>& x) {
     double travel = 0.0;
     for (std::size_t i = 1; i < x.size(); ++i) travel += std::abs(x[i] - x[i - 1]);
@@ -89,9 +82,7 @@ FrictionElement::FrictionElement(const Case& subsystem_case, bool for_inputs) {
     region_name = "travel_since_reversal_m";
     unit = "N";
     most_effects = 3;
-    std::size_t rows = 0;
-    for (const Record& record : subsystem_case.records) rows += record.rows();
-    const std::size_t thin = for_inputs ? 1 : (rows + kMostRows - 1) / kMostRows;
+    const std::size_t thin = for_inputs ? 1 : thinning(subsystem_case.records);
     set_preloads(subsystem_case);
     for (std::size_t r = 0; r < subsystem_case.records.size(); ++r) {
         drives_[r].x = every(subsystem_case.records[r].columns.at("x_m"), thin);

@@ -9,16 +9,32 @@
 
 namespace fusee::subsystem {
 
-std::unique_ptr<Law> law_of(const Case& subsystem_case, bool for_inputs) {
+std::unique_ptr<Law> law_of(const Case& subsystem_case, const Case* inputs) {
+    const Case& rows = inputs != nullptr ? *inputs : subsystem_case;
     switch (subsystem_case.kind) {
         case Kind::kFrictionElement:
-            return friction_element(subsystem_case, for_inputs);
+            return friction_element(rows, inputs != nullptr);
         case Kind::kServoPendulum:
-            return servo_pendulum(subsystem_case, for_inputs);
+            return servo_pendulum(rows, inputs != nullptr);
         case Kind::kMotorBreakaway:
-            return motor_breakaway(subsystem_case, for_inputs);
+            return motor_breakaway(rows, inputs != nullptr);
+        case Kind::kCamJoint:
+            return cam_joint(subsystem_case, inputs);
     }
     throw core::InvalidInput("bench.kind", "unknown", "a kind of subsystem");
+}
+
+std::size_t thinning(const std::vector<Record>& records) {
+    constexpr std::size_t kMostRows = 12'000;
+    std::size_t rows = 0;
+    for (const Record& record : records) rows += record.rows();
+    return std::max<std::size_t>(1, (rows + kMostRows - 1) / kMostRows);
+}
+
+std::vector<double> every(const std::vector<double>& column, std::size_t step) {
+    std::vector<double> out;
+    for (std::size_t i = 0; i < column.size(); i += step) out.push_back(column[i]);
+    return out;
 }
 
 double number_of(const Record& record, const std::vector<std::string>& names) {
@@ -28,8 +44,8 @@ double number_of(const Record& record, const std::vector<std::string>& names) {
                              "a number in [bench] or a word key=value in the file's '#' line");
 }
 
-void make_blocks(Law& law, const Case& subsystem_case) {
-    const std::size_t parts = subsystem_case.records.size() < 3 ? 3 : 1;
+void make_blocks(Law& law, const Case& subsystem_case, std::size_t least_files) {
+    const std::size_t parts = subsystem_case.records.size() < least_files ? 3 : 1;
     Scheme scheme{parts == 1 ? "file" : "part", {}};
     for (std::size_t r = 0; r < subsystem_case.records.size(); ++r) {
         const std::size_t rows = law.targets[r].measured.size();

@@ -60,26 +60,35 @@ public:
     std::vector<Parameter> parameters;
     std::size_t nominal = 0;  ///< the first so many parameters are the nominal law's
     std::vector<LawEffect> effects;
-    std::size_t most_effects = 2;  ///< in one hypothesis
-    std::vector<Target> targets;   ///< one for each record
+    std::vector<std::vector<std::size_t>> own = {};  ///< of each record: parameters of it alone, as a sensor's zero: the rows of a record
+                                                     ///< that is held out as a whole fit them too. Empty: none
+    std::size_t most_effects = 2;                    ///< in one hypothesis
+    std::vector<Target> targets;                     ///< one for each record
     std::vector<Block> blocks;
     std::vector<Scheme> schemes;  ///< the first holds out one block at a time
     double cycle_floor = 1.0;     ///< scatter from cycle to cycle, or of the sensor [sigma]
     double setup_floor = 1.0;     ///< from one file to the next of the same motion, at least cycle_floor [sigma]
     std::vector<std::string> floor_remarks;
     bool rows_independent = false;  ///< rows without autocorrelation
+    bool each_fold = false;    ///< few files that differ in their law: of a split in two, an effect must lower the error of both halves
+    bool over_region = false;  ///< charts over the region's variable, not over time
 };
 
-/// The law of a case; `for_inputs`: for `predict` only: measured columns may be absent.
-[[nodiscard]] std::unique_ptr<Law> law_of(const Case& subsystem_case, bool for_inputs = false);
+/// The law of a case; with `inputs`, for `predict` only: of these files, whose measured columns may be absent, with the case's parameters.
+[[nodiscard]] std::unique_ptr<Law> law_of(const Case& subsystem_case, const Case* inputs = nullptr);
 [[nodiscard]] std::unique_ptr<Law> friction_element(const Case& subsystem_case, bool for_inputs);
 [[nodiscard]] std::unique_ptr<Law> servo_pendulum(const Case& subsystem_case, bool for_inputs);
 [[nodiscard]] std::unique_ptr<Law> motor_breakaway(const Case& subsystem_case, bool for_inputs);
+[[nodiscard]] std::unique_ptr<Law> cam_joint(const Case& subsystem_case, const Case* inputs);
 
+/// 1, or so much that every so many-th row of all records together is at most 12,000: loops keep their shape, a fit ends in time.
+[[nodiscard]] std::size_t thinning(const std::vector<Record>& records);
+/// Every `step`-th number, the first one too.
+[[nodiscard]] std::vector<double> every(const std::vector<double>& column, std::size_t step);
 /// A number of the record under one of several names. @throws core::InvalidInput naming the file and the first name if there is none
 [[nodiscard]] double number_of(const Record& record, const std::vector<std::string>& names);
-/// Blocks of whole files; of three parts in time of each if there are fewer than three files. With the scheme "file" or "part".
-void make_blocks(Law& law, const Case& subsystem_case);
+/// Blocks of whole files; of three parts in time of each if there are fewer than `least_files`. With the scheme "file" or "part".
+void make_blocks(Law& law, const Case& subsystem_case, std::size_t least_files = 3);
 /// Adds a scheme that holds out blocks by label, if there are two labels or more and the split differs from the
 /// existing schemes.
 void add_scheme(Law& law, const std::string& name, const std::vector<std::string>& label_of_record);

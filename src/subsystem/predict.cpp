@@ -90,6 +90,8 @@ const char* measured_column(Kind kind) {
             return "q_rad";
         case Kind::kMotorBreakaway:
             return "load_torque_Nm";
+        case Kind::kCamJoint:
+            return "torque_Nm";
     }
     return "";
 }
@@ -98,7 +100,7 @@ const char* measured_column(Kind kind) {
 
 Case predict(const Case& subsystem_case, const diagnosis::Diagnosis& found, const Case& inputs) {
     const Values values = values_of(subsystem_case, found);
-    const auto law = law_of(inputs, true);
+    const auto law = law_of(subsystem_case, &inputs);
     if (law->parameters.size() != values.size())
         throw core::InvalidInput("inputs", "motors that the case does not have", "the sides of the case");
     Case out = inputs;

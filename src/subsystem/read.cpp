@@ -10,6 +10,7 @@
 #include "fusee/core/destination.h"
 #include "fusee/core/file.h"
 #include "fusee/gap_case/toml.h"
+#include "law_files.h"
 
 namespace fs = std::filesystem;
 
@@ -134,13 +135,15 @@ Case read_case(const fs::path& folder) {
     for (const char* table : {"tolerance", "protocol"})
         if (toml.has(table)) subsystem_case.remarks.push_back(fmt::format("[{}] is not used by a subsystem case", table));
     for (const std::string& key : toml.keys_of("experiments"))
-        if (key != keys.experiment) throw toml.fault("experiments." + key, "unknown key", keys.experiment);
+        if (key != keys.experiment && !(keys.laws && key == "law"))
+            throw toml.fault("experiments." + key, "unknown key", std::string(keys.experiment) + (keys.laws ? ", law" : ""));
     std::string all = toml.bytes();
     for (const std::string& file : toml.files(std::string("experiments.") + keys.experiment)) {
         Record record{keys.experiment, file, subsystem_case.parameters, {}, {}, {}};
         all += take_file(folder / file, keys, false, record);
         subsystem_case.records.push_back(std::move(record));
     }
+    if (keys.laws) all += take_laws(toml, folder, subsystem_case);
     subsystem_case.sha256 = core::sha256_hex(all);
     return subsystem_case;
 }
@@ -148,9 +151,11 @@ Case read_case(const fs::path& folder) {
 Case read_inputs(const Case& subsystem_case, const fs::path& folder) {
     if (!fs::is_directory(folder)) throw core::IoError(folder.string(), "is no folder");
     const KindKeys& keys = keys_of(subsystem_case.kind);
-    std::vector<fs::path> files;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder))
-        if (entry.is_regular_file() && entry.path().extension() == ".csv") files.push_back(entry.path());
+    std::vector<fs::path> files, laws;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+        if (!entry.is_regular_file() || entry.path().extension() != ".csv") continue;
+        (keys.laws && is_law_file(entry.path()) ? laws : files).push_back(entry.path());
+    }
     std::sort(files.begin(), files.end());
     Case inputs = subsystem_case;
     inputs.records.clear();
@@ -161,7 +166,8 @@ Case read_inputs(const Case& subsystem_case, const fs::path& folder) {
         (void)take_file(file, keys, true, record);
         inputs.records.push_back(std::move(record));
     }
-    if (inputs.records.empty()) throw core::IoError(folder.string(), "no CSV file in this folder");
+    if (inputs.records.empty()) throw core::IoError(folder.string(), fmt::format("no CSV file of a {} in this folder", keys.experiment));
+    if (keys.laws) take_laws_of_inputs(subsystem_case, folder, laws, inputs);
     return inputs;
 }
 

@@ -89,6 +89,18 @@ std::vector<std::vector<std::size_t>> folds_of(const Scheme& scheme) {
     return folds;
 }
 
+/// Own parameters of the records that a fold holds as a whole, fitted on its rows with all other values held.
+Values with_own(const Law& law, const std::vector<std::size_t>& fold, const Values& values) {
+    std::vector<std::size_t> own;
+    for (std::size_t r = 0; r < law.own.size(); ++r) {
+        const auto of_record = [&](std::size_t b) { return law.blocks[b].record == r; };
+        const auto all = all_blocks(law);
+        if (std::count_if(fold.begin(), fold.end(), of_record) == std::count_if(all.begin(), all.end(), of_record))
+            own.insert(own.end(), law.own[r].begin(), law.own[r].end());
+    }
+    return own.empty() ? values : fit(law, fold, own, values, kRefitSteps).values;
+}
+
 void keep_back(const Law& law, Candidate& candidate) {
     for (const Scheme& scheme : law.schemes) {
         Misfit unseen = candidate.seen;
@@ -99,9 +111,9 @@ void keep_back(const Law& law, Candidate& candidate) {
             std::set_difference(all.begin(), all.end(), fold.begin(), fold.end(), std::back_inserter(rest));
             if (rest.empty()) continue;
             const Fit refit = fit(law, rest, candidate.fit.free, candidate.fit.values, kRefitSteps);
-            const Misfit there = misfit(law, refit.values);
+            refits.push_back(with_own(law, fold, refit.values));
+            const Misfit there = misfit(law, refits.back());
             for (const std::size_t b : fold) unseen.squares[b] = there.squares[b];
-            refits.push_back(refit.values);
         }
         candidate.unseen.push_back(std::move(unseen));
         candidate.refits.push_back(std::move(refits));
@@ -145,9 +157,10 @@ double log_evidence(const Law& law, const Study& study, const Candidate& candida
 }
 
 /// Sets whose evidence is above that of each set with one effect less, those sets, and the nominal law: the others are refused anyway.
-std::vector<bool> worth_refits(const Study& study) {
+/// With few files, also each effect alone: the answer states how it transfers.
+std::vector<bool> worth_refits(const Law& law, const Study& study) {
     std::vector<bool> needed(study.candidates.size(), false);
-    needed[0] = true;
+    for (std::size_t i = 0; i < needed.size(); ++i) needed[i] = study.candidates[i].effects.size() <= (law.each_fold ? 1u : 0u);
     for (std::size_t i = 0; i < needed.size(); ++i) {
         std::vector<std::size_t> less;
         bool rises = true;
@@ -180,6 +193,8 @@ void try_beside_best(const Law& law, Study& study, const diagnosis::DiagnoseOpti
         fit_all(law, study, study.candidates.front().fit.values, more[i]);
         more[i].log_evidence = log_evidence(law, study, more[i]);
         keep_back(law, more[i]);
+        if (law.each_fold) refuse(law, study, more[i]);
+        if (!more[i].refused.empty()) return;
         more[i].refused = study.candidates[study.best].unseen_gap(0) <= law.setup_floor ? "without it the model is at the floor"
                                                                                         : "no set has so many effects";
     });
@@ -251,7 +266,7 @@ Study study(const Law& law, const diagnosis::DiagnoseOptions& options) {
                                           [](const Candidate& a, const Candidate& b) { return a.seen_gap() < b.seen_gap(); });
     study.effective_rows = effective_rows(law, closest->fit.values);
     for (Candidate& candidate : study.candidates) candidate.log_evidence = log_evidence(law, study, candidate);
-    const std::vector<bool> needed = worth_refits(study);
+    const std::vector<bool> needed = worth_refits(law, study);
     core::parallel_for(study.candidates.size(), options.jobs, [&](std::size_t i) {
         if (needed[i]) keep_back(law, study.candidates[i]);
         progress("held-out files");

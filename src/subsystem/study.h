@@ -14,9 +14,10 @@ struct Candidate {
     Fit fit;
     Misfit seen;                              ///< each block, by the fit on all
     std::vector<Misfit> unseen;               ///< for each scheme: each block, by the fit without it; empty: not refitted
-    std::vector<std::vector<Values>> refits;  ///< for each scheme: the values of each of its fits
+    std::vector<std::vector<Values>> refits;  ///< for each scheme: the values of each of its fits, own parameters of held-out files too
     double log_evidence = 0.0;                ///< -BIC/2, with the effective number of rows [nats]
     std::string refused;                      ///< why it is excluded; empty: it is a candidate
+    bool unlikely = false;                    ///< refused for its evidence alone
     double probability = 0.0;
 
     /// Root mean square over the blocks [sigma].
@@ -40,9 +41,10 @@ struct Study {
 };
 
 /// Sets of up to law.most_effects effects. An effect of a set counts if, against the set without it, the evidence rises by 5 nats, the
-/// held-out gap falls in every scheme, and over the blocks it falls by more than its standard error, unless the set without it is
-/// at the floor already. The probability of the sets that are left is the mean of two: pseudo-BMA+ on the held-out blocks (Y. Yao,
-/// A. Vehtari, D. Simpson, A. Gelman, Bayesian Analysis 13, 2018) and the share of folds that each predicts best.
+/// held-out gap falls in every scheme (with Law::each_fold, in each half of a split in two), and over the blocks it falls by more than its
+/// standard error, unless the set without it is at the floor already. The probability of the sets that are left is the mean of two:
+/// pseudo-BMA+ on the held-out blocks (Y. Yao, A. Vehtari, D. Simpson, A. Gelman, Bayesian Analysis 13, 2018) and the share of folds that
+/// each predicts best.
 [[nodiscard]] Study study(const Law& law, const diagnosis::DiagnoseOptions& options);
 
 }  // namespace fusee::subsystem

@@ -13,8 +13,9 @@ namespace fusee::subsystem {
 namespace {
 
 constexpr double kLeastEvidence = 5.0;  // [nats]: 150 to 1
-constexpr double kLeastErrors = 1.0;    // standard errors of the mean fall of the held-out gap
-constexpr double kLeastGain = 0.005;    // least relevant change of the held-out mean square
+constexpr const char* kNoEvidence = "the evidence does not rise by 5 nats";
+constexpr double kLeastErrors = 1.0;  // standard errors of the mean fall of the held-out gap
+constexpr double kLeastGain = 0.005;  // least relevant change of the held-out mean square
 constexpr int kDraws = 2000;
 constexpr std::uint64_t kSeed = 20240518;
 
@@ -33,15 +34,42 @@ double standard_errors(const Candidate& with, const Candidate& without) {
     return mean / std::sqrt(square / static_cast<double>(n * (n - 1)) + 1e-18);
 }
 
+/// Sums of squares over rows of each fold of a scheme, in the order of the labels.
+std::map<std::string, double> squares_of(const Scheme& scheme, const Misfit& m) {
+    std::map<std::string, double> squares, rows;
+    for (std::size_t b = 0; b < scheme.labels.size(); ++b) squares[scheme.labels[b]] += m.squares[b], rows[scheme.labels[b]] += m.rows[b];
+    for (auto& [label, square] : squares) square /= rows[label];
+    return squares;
+}
+
+std::string from_to(const Law& law, double from, double to) {
+    return fmt::format("from {:.4g} to {:.4g} {}", from * law.unit_sigma, to * law.unit_sigma, law.unit);
+}
+
+/// The half of a split in two whose held-out error does not fall; "" if both fall.
+std::string not_lowered(const Law& law, const Candidate& with, const Candidate& without) {
+    for (std::size_t s = 0; s < law.schemes.size(); ++s) {
+        const auto after = squares_of(law.schemes[s], with.unseen[s]), before = squares_of(law.schemes[s], without.unseen[s]);
+        if (after.size() != 2) continue;
+        for (const auto& [label, square] : after)
+            if (square > (1.0 - kLeastGain) * before.at(label))
+                return fmt::format("it does not transfer: on {}, held out, it changes the error {}", label,
+                                   from_to(law, std::sqrt(before.at(label)), std::sqrt(square)));
+    }
+    return "";
+}
+
 /// Why an effect is not justified against the set without it; "" if it is.
 std::string refusal(const Law& law, const LawEffect& effect, const Candidate& with, const Candidate& without) {
-    if (with.log_evidence - without.log_evidence < kLeastEvidence) return "the evidence does not rise by 5 nats";
+    if (with.log_evidence - without.log_evidence < kLeastEvidence) return kNoEvidence;
     if (with.unseen.empty() || without.unseen.empty()) return "";  // another of its effects does not raise the evidence
     const double floor = effect.moves_setups ? 1.0 : law.setup_floor;
     if (!law.rows_independent && without.unseen_gap(0) <= floor) return "without it the model is at the floor";
     for (std::size_t s = 0; s < law.schemes.size(); ++s)
         if (std::pow(with.unseen_gap(s) / without.unseen_gap(s), 2) > 1.0 - kLeastGain)
             return fmt::format("it does not predict the rows held out by {}", law.schemes[s].name);
+    if (law.each_fold)
+        if (std::string half = not_lowered(law, with, without); !half.empty()) return half;
     if (!law.rows_independent && standard_errors(with, without) < kLeastErrors)
         return fmt::format("on held-out files its gain is below {:g} standard error: it comes from a few files", kLeastErrors);
     return "";
@@ -145,10 +173,6 @@ void weigh(const Law& law, Study& study) {
     study.heldout_after_95 = {gaps[kDraws / 40], gaps[kDraws - 1 - kDraws / 40]};
 }
 
-std::string from_to(const Law& law, double from, double to) {
-    return fmt::format("from {:.4g} to {:.4g} {}", from * law.unit_sigma, to * law.unit_sigma, law.unit);
-}
-
 /// The set in which the effect improves the fit and worsens the held-out rows most, if any: a false cause.
 std::string false_cause(const Law& law, const Study& study, std::size_t e) {
     std::string text;
@@ -188,6 +212,7 @@ void remark_on_refused(const Law& law, Study& study) {
                                        name_of(law, best.effects), from_to(law, best.seen_gap(), with->seen_gap()));
         if (!with->unseen.empty()) text += fmt::format(", held-out rows {}", from_to(law, best.unseen_gap(0), with->unseen_gap(0)));
         study.remarks.push_back(text + "; " + with->refused);
+        if (law.each_fold) continue;  // transfer_remarks state it file by file
         if (const std::string lure = false_cause(law, study, e); !lure.empty()) study.remarks.push_back(lure);
     }
 }
@@ -234,6 +259,7 @@ void refuse(const Law& law, const Study& study, Candidate& candidate) {
         const std::string why = refusal(law, law.effects[e], candidate, *study.find(less));
         if (why.empty()) continue;
         candidate.refused = name_of(law.effects[e]) + ": " + why;
+        candidate.unlikely = why == kNoEvidence;
         return;
     }
 }

@@ -57,6 +57,21 @@ TEST_F(Gap, DiagnosesACaseAndPredictsOtherInputs) {
     EXPECT_EQ(rows.find(",\n"), std::string::npos) << "an empty cell";
 }
 
+TEST_F(Gap, PredictsASubsystemCaseIntoANewFolder) {
+    write("cams/case.toml", "[bench]\nkind = \"cam_joint\"\n[experiments]\npull = \"pull_a.csv\"\n");
+    write("cams/law_a.csv", "q_rad,torque_Nm\n-0.3,-30\n0.3,30\n");
+    write("cams/pull_a.csv", "t_s,q_rad,torque_Nm\n0,0,0.5\n1,0.1,10.5\n2,0.2,20.5\n3,0.1,10.5\n4,0,0.5\n");
+    const Ended own = run("predict cams --out 'new/of its own'");  // without --inputs: the case's files
+    ASSERT_EQ(own.code, 0) << own.all();
+    expect_words(own.out, {"5 rows predicted by the nominal model", "written: new/of its own/"});
+    const std::string rows = core::read_file(folder_ / "new" / "of its own" / "pull_a.csv");
+    EXPECT_NE(rows.find("2,0.2,20.5"), std::string::npos) << rows;  // the law, and the sensor's zero of the case's rows
+    write("others/pull_b.csv", "t_s,q_rad\n0,0\n1,0.1\n");
+    write("others/law_b.csv", "q_rad,torque_Nm\n-0.3,-60\n0.3,60\n");
+    ASSERT_EQ(run("predict cams --inputs others --out predicted").code, 0);
+    EXPECT_NE(core::read_file(folder_ / "predicted" / "pull_b.csv").find("1,0.1,20.5"), std::string::npos);
+}
+
 TEST_F(Gap, RefusesBadInputAndWritesNothing) {
     const auto expect_refused = [&](const std::string& arguments, std::initializer_list<std::string> words) {
         const Ended refused = run(arguments);

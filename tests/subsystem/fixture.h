@@ -141,6 +141,70 @@ inline subsystem::Case measure(const std::vector<std::pair<std::string, Motor>>&
     return subsystem_case;
 }
 
+/// A joint with one cam or the other, turned by a dynamometer: 0, low, high, 0, at rest. Its friction turns round over 4 mrad.
+struct CamRig {
+    double scale = 0.0, series = 0.0, preload = 0.0, hysteresis = 0.0, coulomb = 0.0;
+    double tilt = 0.0, bow = 0.0;  ///< of the arm over the angle: tilt at the ends; bow at +- 0.2 rad more than in the middle; both scale
+                                   ///< nothing, weighted by the square of the torque
+    double zero = 0.8;             ///< of the sensor in the first file [Nm]; the next have -1, -2, ... times as much
+    double noise = 0.3;            ///< [Nm]
+    int rows = 500;
+};
+
+inline double cam_torque(bool second, double q) {
+    return second ? 120.0 * q + 35.0 * (std::tanh(25.0 * (q - 0.1)) + std::tanh(2.5)) : 22.0 * std::sinh(8.0 * q);
+}
+
+inline subsystem::Record cam_pull(const CamRig& rig, bool second, double zero, const std::string& name, std::mt19937_64& random) {
+    std::normal_distribution<double> normal(0.0, 1.0);
+    subsystem::Record record{"pull", "pull_" + name + ".csv", {}, {}, {}, {}, {"law_" + name + ".csv", {}, {}}};
+    for (int i = -260; i <= 260; ++i) {
+        record.law.q_rad.push_back(i * 1e-3);
+        record.law.torque_Nm.push_back(cam_torque(second, i * 1e-3));
+    }
+    const auto curve = [&](double q) { return rig.tilt * q / 0.2 + rig.bow * 25.0 * q * q; };
+    double sum = 0.0, weights = 0.0;
+    for (double q = -0.17; q <= 0.2; q += 1e-3)
+        for (const bool cam : {false, true}) {
+            sum += std::pow(cam_torque(cam, q), 2) * curve(q);
+            weights += std::pow(cam_torque(cam, q), 2);
+        }
+    const auto spring = [&](double q) {
+        const double arm = 1.0 + curve(q) - sum / weights;
+        return (1.0 + rig.scale) * arm * cam_torque(second, q + rig.preload);
+    };
+    double before = 0.0, turn = 0.0;
+    for (int i = 0; i <= rig.rows; ++i) {
+        const double t = static_cast<double>(i) / rig.rows;
+        const double q = t < 0.2 ? -0.85 * t : t < 0.6 ? -0.17 + 0.925 * (t - 0.2) : t < 0.9 ? 0.2 - (t - 0.6) * 0.2 / 0.3 : 0.0;
+        double low = q - 1.0, high = q + 1.0;  // the cam's angle
+        for (int k = 0; k < 60; ++k) {
+            const double middle = 0.5 * (low + high);
+            (middle + rig.series * spring(middle) < q ? low : high) = middle;
+        }
+        turn = std::clamp(turn + (q - before) / 0.002, -1.0, 1.0);
+        before = q;
+        const double torque = spring(0.5 * (low + high));
+        record.columns["t_s"].push_back(15.0 * t);
+        record.columns["q_rad"].push_back(q);
+        record.columns["torque_Nm"].push_back(zero + torque + turn * (rig.coulomb + rig.hysteresis * std::abs(torque)) +
+                                              rig.noise * normal(random));
+    }
+    return record;
+}
+
+/// Each cam alone, once.
+inline subsystem::Case measure(const CamRig& rig, unsigned seed) {
+    std::mt19937_64 random(seed);
+    subsystem::Case subsystem_case;
+    subsystem_case.kind = subsystem::Kind::kCamJoint;
+    subsystem_case.name = "cams";
+    subsystem_case.sensors["torque_noise_Nm"] = rig.noise;
+    subsystem_case.records.push_back(cam_pull(rig, false, rig.zero, "first", random));
+    subsystem_case.records.push_back(cam_pull(rig, true, -rig.zero, "second", random));
+    return subsystem_case;
+}
+
 inline std::string names_of(const diagnosis::Diagnosis& d) {
     std::vector<std::string> names;
     for (const diagnosis::FoundEffect& e : d.effects) names.push_back(e.cause.id + (e.cause.side == "none" ? "" : " " + e.cause.side));

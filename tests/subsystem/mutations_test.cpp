@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 
 #include "fusee/core/error.h"
@@ -113,10 +114,18 @@ TEST_F(Mutated, SubsystemCasesAreDiagnosedOrRefused) {
          "0.0015\n[experiments]\npendulum_log = [\"a.csv\", \"b.csv\"]\n"},
         {"a.csv", "# kp=100 trajectory=swing\n" + record_csv(servo, thinned(servo.records[0], 40), folder_)},
         {"b.csv", "# kp=300 trajectory=drop\n" + record_csv(servo, thinned(servo.records[3], 40), folder_)}};
+    const Case cam = fixtures::measure(fixtures::CamRig{.rows = 40}, 1);
+    const std::map<std::string, std::string> cams{
+        {"case.toml",
+         "[bench]\nkind = \"cam_joint\"\ndynamometer_Nm_per_rad = 12500\n[sensors]\ntorque_noise_Nm = 0.3\n"
+         "[experiments]\npull = [\"a.csv\", \"b.csv\"]\nlaw = \"law.csv\"\n"},
+        {"a.csv", record_csv(cam, cam.records[0], folder_)},
+        {"b.csv", "# law=law.csv\n" + record_csv(cam, cam.records[1], folder_)},
+        {"law.csv", "q_rad,torque_Nm\n-0.26,-40\n-0.1,-15\n0.0,0\n0.1,16\n0.26,100\n"}};
     std::size_t read = 0;
-    const unsigned count = fixtures::mutations(90);
+    const unsigned count = fixtures::mutations(120);
     for (unsigned seed = 0; seed < count; ++seed) {
-        const auto& good = seed % 3 == 0 ? motors : seed % 3 == 1 ? elements : servos;
+        const auto& good = *std::array{&motors, &elements, &servos, &cams}[seed % 4];
         const std::string done = mutate(good, seed);
         SCOPED_TRACE(fmt::format("{}: {}", seed, done));
         const std::string said = outcome([&] {

@@ -92,6 +92,15 @@ struct Power {
     std::string unit;    ///< of both
     bool shown = false;  ///< the usual size would have been named
 };
+/// What effects fitted on some files of a case do on the file that is held out; a false cause fits its own file alone.
+struct Transfer {
+    std::vector<effects::Cause> effects;
+    std::string fitted, heldout;                                   ///< names of files
+    double fit_before = kNoFigure, fit_after = kNoFigure;          ///< root mean square error on the files of the fit [unit]
+    double heldout_before = kNoFigure, heldout_after = kNoFigure;  ///< on the held-out file [unit]
+    std::vector<Parameter> parameters;                             ///< the size of each effect in this fit, without an interval
+    std::string unit;                                              ///< of the errors
+};
 /// A further measurement that distinguishes the alternatives.
 struct NextExperiment {
     std::string text;  ///< one sentence with its set points
@@ -116,7 +125,8 @@ struct Diagnosis {
     std::vector<GapCell> map;
     std::vector<Hypothesis> ranking;
     Isolability isolability;
-    std::vector<Power> power;  ///< of every effect of the library on each side; for the verdicts none and inconclusive
+    std::vector<Power> power;        ///< of every effect of the library on each side; for the verdicts none and inconclusive
+    std::vector<Transfer> transfer;  ///< of subsystem cases with two files of different laws
     std::vector<Trace> traces;
     std::vector<NextExperiment> next;
     std::vector<std::string> remarks;  ///< limitations, disagreeing splits, gaps at the noise floor

@@ -16,17 +16,25 @@ enum class Kind : int {
     kFrictionElement,  ///< a friction element driven by displacement: Coulomb
     kServoPendulum,    ///< a position servo that swings a mass: Coulomb and viscous friction, kt, R, inertia, angle offset
     kMotorBreakaway,   ///< break-away of a motor with its gear: friction in proportion to the load
+    kCamJoint,         ///< a joint whose torque comes from a cam, turned by a dynamometer: the law of its file
 };
-[[nodiscard]] const char* to_string(Kind kind);  ///< "friction_element", "servo_pendulum", "motor_breakaway"
+[[nodiscard]] const char* to_string(Kind kind);  ///< "friction_element", "servo_pendulum", "motor_breakaway", "cam_joint"
+
+/// Nominal torque of a joint over its angle, as designed; straight between rows. Empty: the kind has none.
+struct LawCurve {
+    std::string file;
+    std::vector<double> q_rad, torque_Nm;  ///< angles ascending
+};
 
 /// One file of an experiment.
 struct Record {
-    std::string experiment;                                 ///< "force_loop", "pendulum_log", "breakaway"
+    std::string experiment;                                 ///< "force_loop", "pendulum_log", "breakaway", "pull"
     std::string file;                                       ///< as [experiments] names it
     std::map<std::string, double> parameters;               ///< "kp", "preload_N", ...: [bench], overridden by the words of the file
     std::map<std::string, std::string> words;               ///< non-numeric words of its '#' lines, e.g. "trajectory"
     std::map<std::string, std::vector<double>> columns;     ///< by name, all of one length; a measured column may be absent in inputs
     std::map<std::string, std::vector<std::string>> texts;  ///< "side", "direction"
+    LawCurve law = {};                                      ///< of the cam in a pull
     [[nodiscard]] std::size_t rows() const;
 };
 
@@ -49,10 +57,12 @@ struct Case {
 [[nodiscard]] diagnosis::Diagnosis diagnose(const Case& subsystem_case, const diagnosis::DiagnoseOptions& options = {});
 
 /// Every CSV file in `folder`; measured columns may be missing. A file's parameters are those of [bench], those of the case's file of the
-/// same name over them, and the words of its own '#' lines over all. @throws as read_case; core::IoError if there is no CSV file
+/// same name over them, and the words of its own '#' lines over all. A CSV file of a law is no input: a pull takes its law from the file
+/// that its word names, from law_X.csv for pull_X.csv, or from the case. @throws as read_case; core::IoError if there is no CSV file
 [[nodiscard]] Case read_inputs(const Case& subsystem_case, const std::filesystem::path& folder);
 /// `inputs` with the measured column as the law says, row by row: with `found.build` and `found.effects`; without `found.build` the
-/// nominal parameters are fitted on the rows of `subsystem_case` first, the effects held.
+/// nominal parameters are fitted on the rows of `subsystem_case` first, the effects held. The zero of a file that the case does not have
+/// is the mean of the case's.
 /// @throws core::InvalidInput naming an unknown effect
 [[nodiscard]] Case predict(const Case& subsystem_case, const diagnosis::Diagnosis& found, const Case& inputs);
 /// Writes one CSV for each record, under its file name: the columns of the subsystem.

@@ -12,6 +12,8 @@ namespace fusee::report {
 [[nodiscard]] std::string where_section(const diagnosis::Diagnosis& diagnosis);        ///< contributions to the gap, map before and after
 [[nodiscard]] std::string which_section(const diagnosis::Diagnosis& diagnosis);        ///< effects found, alternatives, ranking
 [[nodiscard]] std::string isolability_section(const diagnosis::Diagnosis& diagnosis);  ///< similarities, classes, detectable sizes
+/// What effects fitted on a part of the files do on the held-out file.
+[[nodiscard]] std::string transfer_section(const diagnosis::Diagnosis& diagnosis);
 /// The least size of each effect that a verdict without effects excludes.
 [[nodiscard]] std::string power_section(const diagnosis::Diagnosis& diagnosis);
 [[nodiscard]] std::string trace_section(const diagnosis::Diagnosis& diagnosis);  ///< measured against predicted, the most telling first

@@ -18,13 +18,22 @@ namespace {
 using Words = std::pair<std::string_view, std::string_view>;
 
 /// Effects of subsystem cases; those of a joint state their meaning in their own file.
-constexpr std::array kSubsystemMeanings{Words{"element.presliding", "The contact yields like a spring before it slides."},
-                                        Words{"element.backlash", "The element moves by this much before it grips in the other direction."},
-                                        Words{"element.asymmetry", "The friction differs between the two directions."},
-                                        Words{"element.viscous", "The friction grows with speed."},
-                                        Words{"element.stribeck", "The friction is greater at rest than in motion."},
-                                        Words{"element.load", "The friction follows the load on the element."},
-                                        Words{"loop.gain", "The position loop is stiffer (+) or softer (-) than its nominal gain."}};
+constexpr std::array kSubsystemMeanings{
+    Words{"element.presliding", "The contact yields like a spring before it slides."},
+    Words{"element.backlash", "The element moves by this much before it grips in the other direction."},
+    Words{"element.asymmetry", "The friction differs between the two directions."},
+    Words{"element.viscous", "The friction grows with speed."},
+    Words{"element.stribeck", "The friction is greater at rest than in motion."},
+    Words{"element.load", "The friction follows the load on the element."},
+    Words{"law.scale",
+          "The torque is this much greater (+) or smaller (-) than designed at every angle: another "
+          "rate of the spring, or another seat of the slider that sets it."},
+    Words{"law.series", "Something between cam and dynamometer yields under the torque."},
+    Words{"law.preload", "The cam starts this far along its law: wound (+) or slack (-)."},
+    Words{"law.hysteresis", "Unloading gives back less torque than loading takes, in proportion to it."},
+    Words{"law.coulomb", "A constant friction opposes the motion of the joint."},
+    Words{"law.arm", "The cam's arm differs from the designed one by a smooth curve over the angle."},
+    Words{"loop.gain", "The position loop is stiffer (+) or softer (-) than its nominal gain."}};
 
 constexpr std::array kUnits{Words{"_Nms", "Nms"}, Words{"_Nm", "Nm"}, Words{"_m_s", "m/s"}, Words{"_rad", "rad"},
                             Words{"_N", "N"},     Words{"_m", "m"},   Words{"_s", "s"},     Words{"_kg", "kg"}};
@@ -81,6 +90,7 @@ std::string experiment_name(const std::string& id) {
     if (id == "breakaway") return "break-away";
     if (id == "dead_band") return "dead-band";
     if (id == "cocontraction") return "co-contraction";
+    if (id.find(".csv") != std::string::npos) return id;  // names a file
     return id == "log" ? "time log" : spaced(id);
 }
 

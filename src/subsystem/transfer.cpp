@@ -1,0 +1,122 @@
+#include "transfer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "verdicts.h"
+
+namespace fusee::subsystem {
+
+namespace {
+
+constexpr double kRaised = 1.02;  // times the error before: beyond it, the effect is a false cause
+
+/// The last scheme that holds out whole files: by law, if several files have one.
+const Scheme* scheme_of(const Law& law) {
+    if (!law.each_fold || law.schemes.empty() || law.schemes.front().name != "file") return nullptr;
+    return &law.schemes.back();
+}
+
+std::vector<std::string> labels_of(const Scheme& scheme) {
+    std::vector<std::string> labels;
+    for (const std::string& label : scheme.labels)
+        if (std::find(labels.begin(), labels.end(), label) == labels.end()) labels.push_back(label);
+    return labels;
+}
+
+/// Root mean square of the blocks with the label, or of all others.
+double error_of(const Law& law, const Scheme& scheme, const Misfit& m, const std::string& label, bool with) {
+    double squares = 0.0, rows = 0.0;
+    for (std::size_t b = 0; b < scheme.labels.size(); ++b)
+        if ((scheme.labels[b] == label) == with) squares += m.squares[b], rows += m.rows[b];
+    return std::sqrt(squares / rows) * law.unit_sigma;
+}
+
+diagnosis::Transfer transfer_of(const Law& law, const Candidate& nominal, const Candidate& candidate, std::size_t s, std::size_t fold) {
+    const Scheme& scheme = law.schemes[s];
+    const std::vector<std::string> labels = labels_of(scheme);
+    diagnosis::Transfer t;
+    for (const std::size_t e : candidate.effects) t.effects.push_back(law.effects[e].cause);
+    t.heldout = labels[fold];
+    for (const std::string& label : labels)
+        if (label != t.heldout) t.fitted += (t.fitted.empty() ? "" : ", ") + label;
+    const Misfit before = misfit(law, nominal.refits[s][fold]), after = misfit(law, candidate.refits[s][fold]);
+    t.fit_before = error_of(law, scheme, before, t.heldout, false);
+    t.fit_after = error_of(law, scheme, after, t.heldout, false);
+    t.heldout_before = error_of(law, scheme, before, t.heldout, true);
+    t.heldout_after = error_of(law, scheme, after, t.heldout, true);
+    for (const std::size_t e : candidate.effects) {
+        const std::size_t k = law.effects[e].parameters.front();
+        t.parameters.push_back({candidate.refits[s][fold][k], {}, law.parameters[k].unit});
+    }
+    t.unit = law.unit;
+    return t;
+}
+
+bool is_false(const diagnosis::Transfer& t) { return t.fit_after < t.fit_before && t.heldout_after > kRaised * t.heldout_before; }
+
+std::string sizes_of(const diagnosis::Transfer& t) {
+    std::string out;
+    for (const diagnosis::Parameter& p : t.parameters)
+        out += fmt::format("{}{:.3g}{}{}", out.empty() ? "" : ", ", p.value, p.unit.empty() ? "" : " ", p.unit);
+    return out;
+}
+
+bool holds(const std::vector<effects::Cause>& causes, const effects::Cause& cause) {
+    return std::find(causes.begin(), causes.end(), cause) != causes.end();
+}
+
+/// @param answer the effects of the answer: one that needs the others beside it is no false cause
+std::string sentence(const Law& law, const std::vector<diagnosis::Transfer>& folds, const std::vector<effects::Cause>& answer) {
+    std::vector<std::size_t> effects;
+    for (std::size_t e = 0; e < law.effects.size(); ++e)
+        if (holds(folds.front().effects, law.effects[e].cause)) effects.push_back(e);
+    const auto refuted = std::find_if(folds.begin(), folds.end(), is_false);
+    if (refuted != folds.end() && !holds(answer, folds.front().effects.front()))
+        return fmt::format(
+            "{} is a false cause: fitted to {} ({}) it lowers the error there from {:.3g} to {:.3g} {} and raises it on {}, held out, from "
+            "{:.3g} to {:.3g} {}",
+            name_of(law, effects), refuted->fitted, sizes_of(*refuted), refuted->fit_before, refuted->fit_after, law.unit, refuted->heldout,
+            refuted->heldout_before, refuted->heldout_after, law.unit);
+    std::string out = name_of(law, effects) + (effects.size() > 1 ? " from the other files:" : " alone, from the other files:");
+    for (const diagnosis::Transfer& t : folds)
+        out += fmt::format(" {}, held out, from {:.3g} to {:.3g} {} ({});", t.heldout, t.heldout_before, t.heldout_after, law.unit,
+                           sizes_of(t));
+    out.pop_back();
+    return out;
+}
+
+}  // namespace
+
+std::vector<diagnosis::Transfer> transfers_of(const Law& law, const Study& study) {
+    const Scheme* const scheme = scheme_of(law);
+    std::vector<diagnosis::Transfer> all;
+    if (scheme == nullptr) return all;
+    const auto s = static_cast<std::size_t>(scheme - law.schemes.data());
+    for (std::size_t i = 1; i < study.candidates.size(); ++i) {
+        const Candidate& candidate = study.candidates[i];
+        if ((candidate.effects.size() > 1 && i != study.best) || candidate.refits.empty()) continue;
+        for (std::size_t fold = 0; fold < candidate.refits[s].size(); ++fold)
+            all.push_back(transfer_of(law, study.candidates.front(), candidate, s, fold));
+    }
+    return all;
+}
+
+std::vector<std::string> transfer_remarks(const Law& law, const std::vector<diagnosis::Transfer>& transfer,
+                                          const std::vector<effects::Cause>& answer) {
+    std::vector<std::string> refuted, named, others;
+    for (std::size_t begin = 0, end = 0; begin < transfer.size(); begin = end) {
+        while (end < transfer.size() && transfer[end].effects == transfer[begin].effects) ++end;
+        const std::vector<diagnosis::Transfer> folds(transfer.begin() + static_cast<std::ptrdiff_t>(begin),
+                                                     transfer.begin() + static_cast<std::ptrdiff_t>(end));
+        const bool in_answer = holds(answer, folds.front().effects.front());
+        (in_answer ? named : std::any_of(folds.begin(), folds.end(), is_false) ? refuted : others).push_back(sentence(law, folds, answer));
+    }
+    refuted.insert(refuted.end(), named.begin(), named.end());
+    refuted.insert(refuted.end(), others.begin(), others.end());
+    return refuted;
+}
+
+}  // namespace fusee::subsystem

@@ -18,9 +18,10 @@ struct CamTerm {
     enum : std::size_t { kScale, kSeries, kPreload, kHysteresis, kHysteresisTravel, kCoulomb, kCoulombTravel, kArm, kArm2, kArm3, kTerms };
 };
 
-constexpr std::size_t kBends = 3;      // polynomials of the arm
-constexpr double kBeyond = 0.1;        // of the law's range: how far beyond its ends a pull may go
-constexpr double kLeastFactor = 0.05;  // of the law's torque: a cam that turns its torque round is no cam of this law
+constexpr std::size_t kBends = 3;         // polynomials of the arm
+constexpr double kLongestReversal = 0.1;  // of half the range of angles: a longer one is no reversal
+constexpr double kBeyond = 0.1;           // of the law's range: how far beyond its ends a pull may go
+constexpr double kLeastFactor = 0.05;     // of the law's torque: a cam that turns its torque round is no cam of this law
 
 /// The driven angle of one file, thinned for a fit.
 struct Pull {
@@ -169,9 +170,9 @@ void CamJoint::set_parameters(const Case& subsystem_case) {
                                               {"compliance", "rad/Nm", 0.0, 0.0, 2.0 * yielding, {0.02 * yielding, 0.2 * yielding}},
                                               {"preload", "rad", 0.0, -0.8 * half_, 0.8 * half_, {-0.05 * half_, 0.05 * half_}},
                                               {"hysteresis", "", 0.0, 0.0, 0.9, {0.02}},
-                                              {"reversal_rad", "rad", least_travel, least_travel, 0.5 * half_, {0.01 * half_, 0.1 * half_}},
+                                              {"reversal_rad", "rad", least_travel, least_travel, kLongestReversal * half_, {0.02 * half_}},
                                               {"coulomb", "Nm", 0.0, 0.0, 0.5 * torque_, {0.01 * torque_}},
-                                              {"reversal_rad", "rad", least_travel, least_travel, 0.5 * half_, {0.01 * half_, 0.1 * half_}},
+                                              {"reversal_rad", "rad", least_travel, least_travel, kLongestReversal * half_, {0.02 * half_}},
                                               {"arm_1", "", 0.0, -0.9, 0.9, {0.02}},
                                               {"arm_2", "", 0.0, -0.9, 0.9, {0.02}},
                                               {"arm_3", "", 0.0, -0.9, 0.9, {0.02}}};

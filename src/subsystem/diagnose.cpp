@@ -73,7 +73,7 @@ const Candidate* preferred_by_evidence(const Law& law, const Study& study) {
     if (law.rows_independent || best.seen_gap() <= kStructure * law.setup_floor) return nullptr;
     const Candidate* most = &best;
     for (const Candidate& t : study.candidates)
-        if (t.effects.size() <= law.most_effects && !t.unlikely && t.log_evidence > most->log_evidence) most = &t;
+        if (t.effects.size() <= law.most_effects && !t.refused.empty() && !t.unlikely && t.log_evidence > most->log_evidence) most = &t;
     return most->log_evidence > best.log_evidence + kDisagreement ? most : nullptr;
 }
 
@@ -294,6 +294,17 @@ void put_split_remarks(const Law& law, const Study& study, diagnosis::Diagnosis&
                                           study.candidates.front().unseen_gap(s) * unit, law.unit, best.unseen_gap(s) * unit, law.unit));
 }
 
+void put_remarks(const Law& law, const Study& study, diagnosis::Diagnosis& out) {
+    put_rest_remark(law, out);
+    out.transfer = transfers_of(law, study);
+    const std::vector<std::string> transfer = transfer_remarks(law, out.transfer, causes_of(law, study.candidates[study.best]));
+    out.remarks.insert(out.remarks.end(), transfer.begin(), transfer.end());
+    put_floor_remarks(law, study, out);
+    put_split_remarks(law, study, out);
+    for (const auto& more : {study.remarks, law.remarks(), law.floor_remarks})
+        out.remarks.insert(out.remarks.end(), more.begin(), more.end());
+}
+
 double entropy_bits(const Study& study) {
     double bits = 0.0;
     for (const Candidate& t : study.candidates)
@@ -324,14 +335,7 @@ diagnosis::Diagnosis diagnose(const Case& subsystem_case, const diagnosis::Diagn
     }
     put_map(*law, residuals, out);
     put_traces(subsystem_case, *law, before, after, out);
-    put_rest_remark(*law, out);
-    out.transfer = transfers_of(*law, study);
-    const std::vector<std::string> transfer = transfer_remarks(*law, out.transfer, causes_of(*law, study.candidates[study.best]));
-    out.remarks.insert(out.remarks.end(), transfer.begin(), transfer.end());
-    put_floor_remarks(*law, study, out);
-    put_split_remarks(*law, study, out);
-    for (const auto& more : {study.remarks, law->remarks(), law->floor_remarks})
-        out.remarks.insert(out.remarks.end(), more.begin(), more.end());
+    put_remarks(*law, study, out);
     out.next.push_back(law->next());
     out.next.back().information = entropy_bits(study);
     out.next_experiment = out.next.back().text;

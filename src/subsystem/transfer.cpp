@@ -106,15 +106,21 @@ std::vector<diagnosis::Transfer> transfers_of(const Law& law, const Study& study
 
 std::vector<std::string> transfer_remarks(const Law& law, const std::vector<diagnosis::Transfer>& transfer,
                                           const std::vector<effects::Cause>& answer) {
-    std::vector<std::string> refuted, named, others;
+    std::vector<std::string> refuted, others;
+    std::vector<std::pair<std::size_t, std::string>> named;
     for (std::size_t begin = 0, end = 0; begin < transfer.size(); begin = end) {
         while (end < transfer.size() && transfer[end].effects == transfer[begin].effects) ++end;
         const std::vector<diagnosis::Transfer> folds(transfer.begin() + static_cast<std::ptrdiff_t>(begin),
                                                      transfer.begin() + static_cast<std::ptrdiff_t>(end));
-        const bool in_answer = holds(answer, folds.front().effects.front());
-        (in_answer ? named : std::any_of(folds.begin(), folds.end(), is_false) ? refuted : others).push_back(sentence(law, folds, answer));
+        std::string text = sentence(law, folds, answer);
+        if (holds(answer, folds.front().effects.front()))
+            named.emplace_back(folds.front().effects.size(), std::move(text));
+        else
+            (std::any_of(folds.begin(), folds.end(), is_false) ? refuted : others).push_back(std::move(text));
     }
-    refuted.insert(refuted.end(), named.begin(), named.end());
+    std::stable_sort(named.begin(), named.end(),
+                     [](const auto& a, const auto& b) { return a.first > b.first; });  // the answer itself first
+    for (auto& [effects, text] : named) refuted.push_back(std::move(text));
     refuted.insert(refuted.end(), others.begin(), others.end());
     return refuted;
 }

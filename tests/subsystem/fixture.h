@@ -162,12 +162,16 @@ inline subsystem::Record cam_pull(const CamRig& rig, bool second, double zero, c
         record.law.q_rad.push_back(i * 1e-3);
         record.law.torque_Nm.push_back(cam_torque(second, i * 1e-3));
     }
+    const auto driven = [&](int i) {
+        const double t = static_cast<double>(i) / rig.rows;
+        return t < 0.2 ? -0.85 * t : t < 0.6 ? -0.17 + 0.925 * (t - 0.2) : t < 0.9 ? 0.2 - (t - 0.6) * 0.2 / 0.3 : 0.0;
+    };
     const auto curve = [&](double q) { return rig.tilt * q / 0.2 + rig.bow * 25.0 * q * q; };
     double sum = 0.0, weights = 0.0;
-    for (double q = -0.17; q <= 0.2; q += 1e-3)
+    for (int i = 0; i <= rig.rows; ++i)
         for (const bool cam : {false, true}) {
-            sum += std::pow(cam_torque(cam, q), 2) * curve(q);
-            weights += std::pow(cam_torque(cam, q), 2);
+            sum += std::pow(cam_torque(cam, driven(i)), 2) * curve(driven(i));
+            weights += std::pow(cam_torque(cam, driven(i)), 2);
         }
     const auto spring = [&](double q) {
         const double arm = 1.0 + curve(q) - sum / weights;
@@ -175,8 +179,7 @@ inline subsystem::Record cam_pull(const CamRig& rig, bool second, double zero, c
     };
     double before = 0.0, turn = 0.0;
     for (int i = 0; i <= rig.rows; ++i) {
-        const double t = static_cast<double>(i) / rig.rows;
-        const double q = t < 0.2 ? -0.85 * t : t < 0.6 ? -0.17 + 0.925 * (t - 0.2) : t < 0.9 ? 0.2 - (t - 0.6) * 0.2 / 0.3 : 0.0;
+        const double q = driven(i);
         double low = q - 1.0, high = q + 1.0;  // the cam's angle
         for (int k = 0; k < 60; ++k) {
             const double middle = 0.5 * (low + high);
@@ -185,7 +188,7 @@ inline subsystem::Record cam_pull(const CamRig& rig, bool second, double zero, c
         turn = std::clamp(turn + (q - before) / 0.002, -1.0, 1.0);
         before = q;
         const double torque = spring(0.5 * (low + high));
-        record.columns["t_s"].push_back(15.0 * t);
+        record.columns["t_s"].push_back(15.0 * i / rig.rows);
         record.columns["q_rad"].push_back(q);
         record.columns["torque_Nm"].push_back(zero + torque + turn * (rig.coulomb + rig.hysteresis * std::abs(torque)) +
                                               rig.noise * normal(random));

@@ -62,7 +62,7 @@ Answer::Answer(const inference::Problem& problem, const inference::Search& found
 
 void Answer::compare(const inference::Split& kept) {
     const Eigen::VectorXd after = found_.best().residual.cwiseQuotient(sigma_), held = kept.residual.cwiseQuotient(sigma_);
-    const Eigen::VectorXd floor = sigma_.cwiseInverse();
+    const Eigen::VectorXd floor = sigma_.cwiseInverse(), expected = kept.expected.cwiseQuotient(sigma_);
     const auto gap = [&](const gap_case::Experiment* only) {
         Gap g;
         g.before = g.heldout_before = root_mean_square(problem_, before_, only);
@@ -77,7 +77,7 @@ void Answer::compare(const inference::Split& kept) {
         const std::size_t rows = problem_.gap_case().rows.size(experiment);
         if (rows == 0) continue;
         const Gap own = gap(&experiment);
-        diagnosis_.experiments.push_back({to_string(experiment), rows, own, own.after});
+        diagnosis_.experiments.push_back({to_string(experiment), rows, own, root_mean_square(problem_, expected, &experiment)});
     }
     diagnosis_.map = gap_map(problem_, before_, after);
     diagnosis_.where = gap_contributions(problem_, verdict_.verdict == VerdictKind::kUnknown ? after : before_);

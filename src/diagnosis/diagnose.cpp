@@ -55,7 +55,7 @@ Diagnosis diagnose(const gap_case::Case& gap_case, const DiagnoseOptions& option
     const inference::Search found = search(problem, {jobs, std::ref(progress)});
     const Verdict verdict = judge(problem, found);
     Answer answer(problem, found, verdict);
-    answer.compare(held_out(problem, found.best(), jobs));
+    answer.compare(held_out(problem, found.fits[found.null], found.best(), jobs));
     progress("held-out rows");
     answer.rank();
     answer.plan_next_experiment(jobs);

@@ -132,11 +132,13 @@ void sort_by_score(std::vector<Ranked>& ranking) {
 void ask_the_splits(const Problem& problem, std::vector<Ranked>& ranking, const SearchOptions& options) {
     const auto first = [&] { return ranking.begin() + static_cast<std::ptrdiff_t>(std::min(kLeftOut, ranking.size())); };
     const auto unasked = [](const Ranked& h) { return h.left_out.x.empty(); };
+    const auto is_null = [](const Ranked& h) { return h.fit.causes.empty(); };
+    const Fit null = std::find_if(ranking.begin(), ranking.end(), is_null)->fit;
     const auto ask = [&](Ranked& h) {
-        h.left_out = experiments_left_out(problem, h.fit, options.jobs);
+        h.left_out = experiments_left_out(problem, null, h.fit, options.jobs);
         if (!contradicted(problem, h.fit, h.left_out).empty()) h.score -= kContradicted;
     };
-    ask(*std::find_if(ranking.begin(), ranking.end(), [](const Ranked& h) { return h.fit.causes.empty(); }));
+    ask(*std::find_if(ranking.begin(), ranking.end(), is_null));
     for (auto next = std::find_if(ranking.begin(), first(), unasked); next != first();
          next = std::find_if(ranking.begin(), first(), unasked)) {
         ask(*next);

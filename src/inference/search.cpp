@@ -105,18 +105,6 @@ std::vector<Fit> singles_of(const Problem& problem, const Fit& null, const std::
     return singles;
 }
 
-/// Every effect of the hypothesis is there: its size stands off 0, or it is a limit (a stop), which has no size of 0; and no build
-/// parameter is so far off that no workshop can cause it.
-bool stands(const Problem& problem, const Fit& fit) {
-    if (!fit.causes.empty() && std::abs(worst_nuisance_pull(problem, fit).sigmas) > kImpossible) return false;
-    for (std::size_t c = 0; c < fit.causes.size(); ++c) {
-        const int k = problem.size_at(fit.causes, c);
-        const double least = std::max(kLeastSize, kStandsOff * std::sqrt(fit.covariance(k, k)));
-        if (!problem.effect(fit.causes[c].id).is_limit() && std::abs(fit.x[k]) < least) return false;
-    }
-    return true;
-}
-
 /// A hypothesis before ranking.
 struct Ranked {
     Fit fit;
@@ -183,6 +171,16 @@ Search ranked(const Problem& problem, std::vector<Fit> fits, const SearchOptions
 }
 
 }  // namespace
+
+bool stands(const Problem& problem, const Fit& fit) {
+    if (!fit.causes.empty() && std::abs(worst_nuisance_pull(problem, fit).sigmas) > kImpossible) return false;
+    for (std::size_t c = 0; c < fit.causes.size(); ++c) {
+        const int k = problem.size_at(fit.causes, c);
+        const double least = std::max(kLeastSize, kStandsOff * std::sqrt(fit.covariance(k, k)));
+        if (!problem.effect(fit.causes[c].id).is_limit() && std::abs(fit.x[k]) < least) return false;
+    }
+    return true;
+}
 
 void discount_unfounded(std::span<const std::size_t> effects, std::span<double> scores) {
     double none = -std::numeric_limits<double>::infinity(), one = none;

@@ -20,6 +20,8 @@ inline constexpr double kStepRange = 4.0;
 struct MotionState {
     std::array<double, 3> place{}, speed{};  ///< of the agonist's capstan, the antagonist's, the joint [rad], [rad/s]
     std::array<Hysteresis, 4> memory;        ///< SE, PE of the agonist, SE, PE of the antagonist
+    std::array<double, 4> relaxed{};         ///< torque of each, as its relaxation follows it [Nm]
+    std::array<double, 2> slipped{};         ///< cable that slipped on each capstan [rad]
     [[nodiscard]] bool at_rest() const { return speed[0] == 0.0 && speed[1] == 0.0 && speed[2] == 0.0; }
 };
 

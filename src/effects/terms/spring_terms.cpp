@@ -1,0 +1,83 @@
+#include "terms.h"
+
+namespace fusee::effects {
+
+namespace {
+
+/// The terms of K_SE or K_PE.
+template <joint_model::SpringTerms joint_model::BuiltSide::*kSpring>
+std::vector<Term> terms_of(const std::string& id, const std::string& name) {
+    const auto confused = [&](const char* effect) { return std::vector<std::string>{id.substr(2) + effect}; };
+    return {
+        {{.id = "term." + id + ".step",
+          .law = "From a deflection on, the torque is (1 + a) times.",
+          .meaning = "The torque of " + name + " changes at one deflection: a crack or a dent of its cam.",
+          .sided = true,
+          .parameters = {{"share", "1", 0.15, {-0.9, 3.0}, 0.0}, {"at", "1", 0.3, {0.02, 0.98}, 0.5, {0.2, 0.4, 0.6, 0.8}}},
+          .starts = {1.0, -1.0},
+          .seen_by = spring_experiments(),
+          .confused_with = confused(".radius"),
+          .apply =
+              [](BuiltRig& rig, int side, std::span<const double> v) {
+                  (rig.sides[side].*kSpring).step = v[0];
+                  (rig.sides[side].*kSpring).step_at = v[1];
+              }},
+         name,
+         "angle",
+         "The torque of the {side} " + name + " is {share} % off from {second} of its cam's end on."},
+        {{.id = "term." + id + ".slope",
+          .law = "The torque is (1 + a x/x_end) times.",
+          .meaning = "The torque of " + name + " is off by a share that grows with its deflection.",
+          .sided = true,
+          .parameters = {{"share", "1", 0.15, {-0.9, 3.0}, 0.0}},
+          .starts = {1.0, -1.0},
+          .seen_by = spring_experiments(),
+          .confused_with = confused(".rate"),
+          .apply = [](BuiltRig& rig, int side, std::span<const double> v) { (rig.sides[side].*kSpring).slope = v[0]; }},
+         name,
+         "angle",
+         "The torque of the {side} " + name + " is off by a share that grows with its deflection, to {share} % at the cam's end."},
+        {{.id = "term." + id + ".relaxation",
+          .law = "A share a of the torque is lost with the time constant T.",
+          .meaning = name + " relaxes as it is held: a printed spring or a rope that creeps.",
+          .sided = true,
+          .parameters = {{"share", "1", 0.3, {-0.2, 0.9}, 0.0}, {"time", "s", 2.0, {0.05, 20.0}, 1.5, {0.5, 1.5, 5.0}}},
+          .starts = {1.0},
+          .seen_by = spring_experiments(),
+          .confused_with = confused(".hysteresis"),
+          .apply =
+              [](BuiltRig& rig, int side, std::span<const double> v) {
+                  (rig.sides[side].*kSpring).relaxation = v[0];
+                  (rig.sides[side].*kSpring).relaxation_time = v[1];
+              }},
+         name,
+         "time",
+         "The {side} " + name + " loses {share} % of its torque with a time constant of {second} s."},
+    };
+}
+
+}  // namespace
+
+std::vector<Term> spring_terms() {
+    std::vector<Term> all = terms_of<&joint_model::BuiltSide::se_terms>("k_se", "K_SE");
+    for (Term& term : terms_of<&joint_model::BuiltSide::pe_terms>("k_pe", "K_PE")) all.push_back(std::move(term));
+    all.push_back({{.id = "term.cable.slip",
+                    .law = "Above the torque F_0 the cable slips by (F - F_0)/d, and does not come back.",
+                    .meaning = "The cable of K_SE slips on its capstan.",
+                    .sided = true,
+                    .parameters = {{"torque", "Nm", 1.0, {0.02, 20.0}, 0.0}, {"drag", "Nms", 1.0, {0.05, 20.0}, 1.2, {0.4, 1.2}}},
+                    .starts = {0.4, 0.8, 1.3},
+                    .seen_by = moving_experiments(),
+                    .confused_with = {},
+                    .apply =
+                        [](BuiltRig& rig, int side, std::span<const double> v) {
+                            rig.sides[side].se_terms.slip_at = v[0];
+                            rig.sides[side].se_terms.slip_drag = v[1];
+                        }},
+                   "cable",
+                   "load and time",
+                   "The {side} cable slips on its capstan above {size} Nm."});
+    return all;
+}
+
+}  // namespace fusee::effects

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "fusee/effects/term.h"
 #include "fusee/inference/interval.h"
 #include "fusee/inference/screen.h"
 #include "gap_map.h"
@@ -48,7 +49,7 @@ Parameter parameter_of(double value, double half, const effects::EffectParameter
 }  // namespace
 
 Answer::Answer(const inference::Problem& problem, const inference::Search& found, const Verdict& verdict)
-    : problem_(problem), found_(found), verdict_(verdict) {
+    : problem_(problem), found_(found), verdict_(verdict), shown_(&found.best()) {
     sigma_ = tolerance_sigma(problem, found.fits[found.null].jacobian);
     nominal_ = problem.predict({}, problem.start({}));
     before_ = problem.residual(nominal_).cwiseQuotient(sigma_);
@@ -60,8 +61,29 @@ Answer::Answer(const inference::Problem& problem, const inference::Search& found
     diagnosis_.remarks.insert(diagnosis_.remarks.end(), verdict.remarks.begin(), verdict.remarks.end());
 }
 
+void Answer::name(const inference::FoundTerm& term) {
+    const effects::Cause& cause = term.fit.causes.front();
+    const effects::Term& law = *effects::term_or_none(cause.id);
+    const effects::Effect& effect = problem_.effect(cause.id);
+    const auto first = static_cast<Eigen::Index>(problem_.size_at(term.fit.causes, 0));
+    std::vector<double> values;
+    for (std::size_t p = 0; p < effect.parameters.size(); ++p)
+        values.push_back(term.fit.x[first + static_cast<Eigen::Index>(p)] * effect.parameters[p].scale);
+    const double half = inference::half_interval(term.fit, term.left_out, static_cast<int>(first));
+    UnknownTerm unknown{{cause, term.probability, parameter_of(term.fit.x[first], half, effect.parameters.front()), {}},
+                        law.port,
+                        law.depends_on,
+                        effect.law,
+                        effects::sentence_of(law, cause.side, values),
+                        term.log_odds};
+    for (std::size_t p = 1; p < values.size(); ++p) unknown.found.extra.emplace_back(effect.parameters[p].name, values[p]);
+    diagnosis_.verdict = VerdictKind::kUnknown;
+    diagnosis_.unknown_term = std::move(unknown);
+    shown_ = &term.fit;
+}
+
 void Answer::compare(const inference::Split& kept) {
-    const Eigen::VectorXd after = found_.best().residual.cwiseQuotient(sigma_), held = kept.residual.cwiseQuotient(sigma_);
+    const Eigen::VectorXd after = shown_->residual.cwiseQuotient(sigma_), held = kept.residual.cwiseQuotient(sigma_);
     const Eigen::VectorXd floor = sigma_.cwiseInverse(), expected = kept.expected.cwiseQuotient(sigma_);
     const auto gap = [&](const gap_case::Experiment* only) {
         Gap g;
@@ -80,13 +102,14 @@ void Answer::compare(const inference::Split& kept) {
         diagnosis_.experiments.push_back({to_string(experiment), rows, own, root_mean_square(problem_, expected, &experiment)});
     }
     diagnosis_.map = gap_map(problem_, before_, after);
-    diagnosis_.where = gap_contributions(problem_, verdict_.verdict == VerdictKind::kUnknown ? after : before_);
+    diagnosis_.where =
+        gap_contributions(problem_, diagnosis_.verdict == VerdictKind::kUnknown && !diagnosis_.unknown_term ? after : before_);
     build();
     traces();
 }
 
 void Answer::build() {
-    const inference::Fit& best = found_.best();
+    const inference::Fit& best = *shown_;
     for (std::size_t k = 0; k < problem_.build().size(); ++k) {
         const joint_model::BuildParameter& build = problem_.build()[k];
         const auto i = static_cast<Eigen::Index>(k);
@@ -127,12 +150,12 @@ void Answer::found_effects() {
         diagnosis_.effects.push_back(std::move(found));
     }
     for (std::size_t h = named || verdict_.verdict == VerdictKind::kNone ? 1 : 0; h < found_.fits.size(); ++h)
-        if (found_.probability[h] >= kLeastAlternative || (h == 0 && verdict_.verdict == VerdictKind::kUnknown))
+        if (found_.probability[h] >= kLeastAlternative || (h == 0 && diagnosis_.verdict == VerdictKind::kUnknown))
             diagnosis_.alternatives.push_back({found_.fits[h].causes, found_.probability[h]});
 }
 
 std::vector<effects::Cause> Answer::weigh_power() {
-    if (verdict_.verdict != VerdictKind::kNone) return {};
+    if (diagnosis_.verdict != VerdictKind::kNone) return {};
     diagnosis_.power = powers_of(problem_, diagnosis_.isolability);
     const std::vector<effects::Cause> unseen = not_shown(diagnosis_.power);
     if (unseen.empty()) return unseen;

@@ -1,5 +1,7 @@
 #include "fusee/inference/descend.h"
 
+#include <cmath>
+
 namespace fusee::inference {
 
 Eigen::MatrixXd joined(const Eigen::MatrixXd& first, const Eigen::MatrixXd& others) {
@@ -22,14 +24,16 @@ Guess descend(const Problem& problem, const Eigen::VectorXd& spread, const Eigen
     const Eigen::MatrixXd first = spread.cwiseInverse().asDiagonal() * held;
     Eigen::VectorXd residual = seen(start.x);
     start.cost = cost_of(problem, start.causes, residual, start.x, kept);
+    if (!std::isfinite(start.cost)) return start;  // a rig that runs away, as with a negative spring at the joint
     for (int i = 0; i < options.steps; ++i) {
         const Eigen::MatrixXd own = spread.cwiseInverse().asDiagonal() * columns_from(problem, start.causes, start.x, held.cols());
         const Eigen::VectorXd step = linear_step(problem, start.causes, start.x, residual, joined(first, own), kept) - start.x;
+        if (!step.allFinite()) break;
         const double before = start.cost;
         for (double share = 1.0; share >= options.smallest && start.cost == before; share *= 0.4) {
             const Eigen::VectorXd x = start.x + share * step, left = seen(x);
             const double cost = cost_of(problem, start.causes, left, x, kept);
-            if (cost >= before) continue;
+            if (!(cost < before)) continue;
             start.x = x;
             start.cost = cost;
             residual = left;

@@ -36,12 +36,13 @@ std::vector<effects::Cause> possible_terms(const gap_case::Rows& rows) {
 std::optional<FoundTerm> pursue_term(const Problem& problem, const Fit& null, double least, const SearchOptions& options) {
     const std::vector<effects::Cause> causes = possible_terms(problem.gap_case().rows);
     std::vector<Guess> guesses = screen(problem, null, causes, options.jobs);
+    std::erase_if(guesses, [](const Guess& guess) { return !std::isfinite(guess.cost); });
     guesses.resize(std::min(kFitted, guesses.size()));
     std::vector<Fit> fits(guesses.size());
     const unsigned jobs_of_one = std::max(1U, options.jobs / std::max(1U, static_cast<unsigned>(guesses.size())));
     core::parallel_for(guesses.size(), options.jobs,
                        [&](std::size_t i) { fits[i] = fit(problem, guesses[i].causes, guesses[i].x, {.jobs = jobs_of_one}); });
-    std::erase_if(fits, [&](const Fit& fit) { return !stands(problem, fit); });
+    std::erase_if(fits, [&](const Fit& fit) { return !std::isfinite(fit.log_evidence) || !stands(problem, fit); });
     if (fits.empty()) return std::nullopt;
     std::stable_sort(fits.begin(), fits.end(), [](const Fit& a, const Fit& b) { return a.log_evidence > b.log_evidence; });
     FoundTerm found;

@@ -1,6 +1,7 @@
 #include "fusee/inference/screen.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "fusee/core/parallel.h"
 
@@ -76,9 +77,10 @@ Eigen::VectorXd directed(const Problem& problem, const Fit& base, const Causes& 
             columns.col(k) = (problem.direct_residual(causes, near) - residual) / kDirectStep;
         }
         const Eigen::VectorXd next = linear_step(problem, causes, x, residual, joined(base.jacobian, columns), &direct);
+        if (!next.allFinite()) break;
         const Eigen::VectorXd left = problem.direct_residual(causes, next);
         const double now = cost_of(problem, causes, left, next, &direct);
-        if (now >= cost) break;
+        if (!(now < cost)) break;
         x = next;
         residual = left;
         cost = now;
@@ -154,7 +156,8 @@ Guess guess_upon(const Problem& problem, const Fit& base, const effects::Cause& 
 std::vector<Guess> screen(const Problem& problem, const Fit& base, const std::vector<effects::Cause>& causes, unsigned jobs) {
     std::vector<Guess> guesses(causes.size());
     core::parallel_for(causes.size(), jobs, [&](std::size_t i) { guesses[i] = guess_upon(problem, base, causes[i]); });
-    std::stable_sort(guesses.begin(), guesses.end(), [](const Guess& a, const Guess& b) { return a.cost < b.cost; });
+    std::stable_sort(guesses.begin(), guesses.end(),
+                     [](const Guess& a, const Guess& b) { return a.cost < b.cost || (std::isfinite(a.cost) && !std::isfinite(b.cost)); });
     return guesses;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -92,6 +93,15 @@ struct Power {
     std::string unit;    ///< of both
     bool shown = false;  ///< the usual size would have been named
 };
+/// The form of an effect that the library does not hold: a generic term (effects::Term) that explains the gap.
+struct UnknownTerm {
+    FoundEffect found;       ///< its cause has the id of the term
+    std::string port;        ///< where it enters: "gear", "motor", "K_SE", "joint", ...
+    std::string depends_on;  ///< "angle", "time", "load and time", "other motor"
+    std::string law;         ///< with its symbols
+    std::string sentence;    ///< the law with its values
+    double log_odds = 0.0;   ///< against no term and against the library, what a term costs included [nats]
+};
 /// A further measurement that distinguishes the alternatives.
 struct NextExperiment {
     std::string text;  ///< one sentence with its set points
@@ -116,7 +126,8 @@ struct Diagnosis {
     std::vector<GapCell> map;
     std::vector<Hypothesis> ranking;
     Isolability isolability;
-    std::vector<Power> power;  ///< of every effect of the library on each side; for the verdicts none and inconclusive
+    std::optional<UnknownTerm> unknown_term;  ///< only for the verdict unknown; `gap` and `traces` are then with this term
+    std::vector<Power> power;                 ///< of every effect of the library on each side; for the verdicts none and inconclusive
     std::vector<Trace> traces;
     std::vector<NextExperiment> next;
     std::vector<std::string> remarks;  ///< limitations, disagreeing splits, gaps at the noise floor

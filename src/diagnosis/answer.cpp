@@ -7,13 +7,13 @@
 #include <array>
 #include <cmath>
 
-#include "fusee/effects/term.h"
 #include "fusee/inference/interval.h"
 #include "fusee/inference/screen.h"
 #include "gap_map.h"
 #include "isolability.h"
 #include "next_experiment.h"
 #include "power.h"
+#include "unknown_terms.h"
 
 namespace fusee::diagnosis {
 
@@ -40,12 +40,6 @@ core::Range interval_over_folds(const inference::Problem& problem, const Eigen::
     return {std::max(0.0, mean - half), mean + half};
 }
 
-Parameter parameter_of(double value, double half, const effects::EffectParameter& law) {
-    return {value * law.scale,
-            {std::max(law.allowed.low, (value - half) * law.scale), std::min(law.allowed.high, (value + half) * law.scale)},
-            law.unit};
-}
-
 }  // namespace
 
 Answer::Answer(const inference::Problem& problem, const inference::Search& found, const Verdict& verdict)
@@ -61,25 +55,10 @@ Answer::Answer(const inference::Problem& problem, const inference::Search& found
     diagnosis_.remarks.insert(diagnosis_.remarks.end(), verdict.remarks.begin(), verdict.remarks.end());
 }
 
-void Answer::name(const inference::FoundTerm& term) {
-    const effects::Cause& cause = term.fit.causes.front();
-    const effects::Term& law = *effects::term_or_none(cause.id);
-    const effects::Effect& effect = problem_.effect(cause.id);
-    const auto first = static_cast<Eigen::Index>(problem_.size_at(term.fit.causes, 0));
-    std::vector<double> values;
-    for (std::size_t p = 0; p < effect.parameters.size(); ++p)
-        values.push_back(term.fit.x[first + static_cast<Eigen::Index>(p)] * effect.parameters[p].scale);
-    const double half = inference::half_interval(term.fit, term.left_out, static_cast<int>(first));
-    UnknownTerm unknown{{cause, term.probability, parameter_of(term.fit.x[first], half, effect.parameters.front()), {}},
-                        law.port,
-                        law.depends_on,
-                        effect.law,
-                        effects::sentence_of(law, cause.side, values),
-                        term.log_odds};
-    for (std::size_t p = 1; p < values.size(); ++p) unknown.found.extra.emplace_back(effect.parameters[p].name, values[p]);
+void Answer::name(const inference::FoundTerms& terms) {
     diagnosis_.verdict = VerdictKind::kUnknown;
-    diagnosis_.unknown_term = std::move(unknown);
-    shown_ = &term.fit;
+    diagnosis_.unknown_terms = unknown_terms(problem_, terms);
+    shown_ = &terms.fit;
 }
 
 void Answer::compare(const inference::Split& kept) {
@@ -103,7 +82,7 @@ void Answer::compare(const inference::Split& kept) {
     }
     diagnosis_.map = gap_map(problem_, before_, after);
     diagnosis_.where =
-        gap_contributions(problem_, diagnosis_.verdict == VerdictKind::kUnknown && !diagnosis_.unknown_term ? after : before_);
+        gap_contributions(problem_, diagnosis_.verdict == VerdictKind::kUnknown && diagnosis_.unknown_terms.empty() ? after : before_);
     build();
     traces();
 }

@@ -11,8 +11,8 @@ namespace fusee::diagnosis {
 class Answer {
 public:
     Answer(const inference::Problem& problem, const inference::Search& found, const Verdict& verdict);
-    /// The gap is explained by a generic term: the verdict is `unknown`, and all that follows is with this term.
-    void name(const inference::FoundTerm& term);
+    /// Generic terms explain the gap: the verdict is `unknown`, and all that follows is with these terms.
+    void name(const inference::FoundTerms& terms);
     /// The fit that the figures of the gap are of.
     [[nodiscard]] const inference::Fit& shown() const { return *shown_; }
     /// Reduction of the gap, on the rows of the fit and on held-out rows.
@@ -37,7 +37,7 @@ private:
     joint_model::Signals nominal_;  ///< prediction of the nominal rig
     Eigen::VectorXd sigma_;         ///< of each row, with build tolerances
     Eigen::VectorXd before_;        ///< (measured - nominal)/sigma
-    const inference::Fit* shown_;   ///< the best hypothesis, or a generic term
+    const inference::Fit* shown_;   ///< the best hypothesis, or that with generic terms
     Diagnosis diagnosis_;
 };
 

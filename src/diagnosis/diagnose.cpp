@@ -44,13 +44,13 @@ private:
     std::size_t done_ = 0;
 };
 
-/// A generic term where the library explains nothing. It has to beat every hypothesis of the library.
-std::optional<inference::FoundTerm> term_of(const inference::Problem& problem, const inference::Search& found, VerdictKind verdict,
-                                            unsigned jobs) {
+/// Generic terms where the library explains nothing. The first has to beat every hypothesis of the library.
+std::optional<inference::FoundTerms> terms_of(const inference::Problem& problem, const inference::Search& found, VerdictKind verdict,
+                                              unsigned jobs) {
     if (verdict != VerdictKind::kUnknown && verdict != VerdictKind::kNone) return std::nullopt;
     const inference::Fit& null = found.fits[found.null];
     const double best = null.log_evidence - found.log_posterior[found.null];  // of the library, its odds included
-    return inference::pursue_term(problem, null, best, {.jobs = jobs, .progress = {}});
+    return inference::pursue_terms(problem, null, best, {.jobs = jobs, .progress = {}});
 }
 
 }  // namespace
@@ -67,8 +67,8 @@ Diagnosis diagnose(const gap_case::Case& gap_case, const DiagnoseOptions& option
     const Verdict verdict = judge(problem, found);
     Answer answer(problem, found, verdict);
     const inference::Fit& null = found.fits[found.null];
-    const std::optional<inference::FoundTerm> term = term_of(problem, found, verdict.verdict, jobs);
-    if (term) answer.name(*term);
+    const std::optional<inference::FoundTerms> terms = terms_of(problem, found, verdict.verdict, jobs);
+    if (terms) answer.name(*terms);
     progress("generic terms");
     answer.compare(held_out(problem, null, answer.shown(), jobs));
     progress("held-out rows");

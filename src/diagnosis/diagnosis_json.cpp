@@ -37,15 +37,22 @@ Json effects_json(const std::vector<FoundEffect>& effects) {
     return all;
 }
 
-/// An effect with its port, dependence and law; null without a term.
-Json unknown_term_json(const std::optional<UnknownTerm>& term) {
-    if (!term) return nullptr;
-    Json j = effect_json(term->found);
-    j["port"] = term->port;
-    j["depends_on"] = term->depends_on;
-    j["law"] = term->law;
-    j["sentence"] = term->sentence;
-    j["log_odds"] = term->log_odds;
+Json term_json(const UnknownTerm& term) {
+    Json j = effect_json(term.found);
+    j["port"] = term.port;
+    j["depends_on"] = term.depends_on;
+    j["law"] = term.law;
+    j["sentence"] = term.sentence;
+    j["log_odds"] = term.log_odds;
+    j["curve"] = {{"x_name", term.x_name}, {"y_name", term.y_name}, {"x", term.x}, {"y", term.y}};
+    return j;
+}
+
+/// The first term, the second as its member; null without terms.
+Json unknown_term_json(const std::vector<UnknownTerm>& terms) {
+    if (terms.empty()) return nullptr;
+    Json j = term_json(terms.front());
+    if (terms.size() > 1) j["second"] = term_json(terms[1]);
     return j;
 }
 
@@ -155,7 +162,7 @@ std::string diagnosis_json(const Diagnosis& d) {
     for (const auto& [name, parameter] : d.build) build[name] = parameter_json(parameter);
     Json j{{"verdict", to_string(d.verdict)},
            {"effects", effects_json(d.effects)},
-           {"unknown_term", unknown_term_json(d.unknown_term)},
+           {"unknown_term", unknown_term_json(d.unknown_terms)},
            {"alternatives", alternatives_json(d.alternatives)},
            {"where", where_json(d.where)},
            {"gap", gap_json(d.gap)},

@@ -39,7 +39,8 @@ FoundEffect effect_of(const JsonNode& node, const std::vector<std::string>& more
 }
 
 UnknownTerm term_of(const JsonNode& node) {
-    UnknownTerm term{effect_of(node, {"port", "depends_on", "law", "sentence", "log_odds"}), "", "", "", "", 0.0};
+    UnknownTerm term;
+    term.found = effect_of(node, {"port", "depends_on", "law", "sentence", "log_odds", "curve", "second"});
     const effects::Term* const law = effects::term_or_none(term.found.cause.id);
     if (law == nullptr) node["id"].refuse("the id of a generic term");
     term.port = law->port;
@@ -66,7 +67,11 @@ Diagnosis parse_diagnosis(std::string_view json, const std::string& file) {
     for (const JsonNode& effect : root["effects"].cells()) diagnosis.effects.push_back(effect_of(effect));
     diagnosis.verdict = diagnosis.effects.empty() ? VerdictKind::kNone : VerdictKind::kIdentified;
     if (root.has("verdict")) diagnosis.verdict = verdict_of(root["verdict"]);
-    if (root.has("unknown_term") && !root["unknown_term"].is_null()) diagnosis.unknown_term = term_of(root["unknown_term"]);
+    if (root.has("unknown_term") && !root["unknown_term"].is_null()) {
+        const JsonNode first = root["unknown_term"];
+        diagnosis.unknown_terms.push_back(term_of(first));
+        if (first.has("second")) diagnosis.unknown_terms.push_back(term_of(first["second"]));
+    }
     if (root.has("build"))
         for (const auto& [name, parameter] : root["build"].members()) diagnosis.build.emplace_back(name, parameter_of(parameter));
     if (root.has("case")) diagnosis.case_name = root["case"].text();

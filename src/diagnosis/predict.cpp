@@ -40,7 +40,7 @@ joint_model::BuiltRig rig_of(const gap_case::Case& nominal, const Diagnosis& fou
         effects::apply_effect(law, effect.cause, values_of(law, effect, rig.reference), rig);
     };
     for (const FoundEffect& effect : found.effects) add(effect);
-    if (found.unknown_term) add(found.unknown_term->found);
+    for (const UnknownTerm& term : found.unknown_terms) add(term.found);
     return rig;
 }
 
@@ -124,7 +124,7 @@ void require_possible(const gap_case::Case& nominal, const Diagnosis& found, con
                                      "each effect once on a side");
         require_possible(place, effect, reference);
     }
-    if (found.unknown_term) require_possible(file + ": unknown_term", found.unknown_term->found, reference);
+    for (const UnknownTerm& term : found.unknown_terms) require_possible(file + ": unknown_term", term.found, reference);
     std::vector<std::string> names;
     for (const joint_model::BuildParameter& build : joint_model::build_parameters(nominal)) names.push_back(build.name);
     for (const auto& [name, parameter] : found.build)

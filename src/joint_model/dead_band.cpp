@@ -44,8 +44,8 @@ std::vector<double> predict_dead_band(const BuiltRig& rig, const gap_case::Rows&
             read.push_back((1.0 + rig.terms.reading) * (high - low));
             continue;
         }
-        read.push_back(rig.read_q(low));
-        read.push_back(rig.read_q(high));
+        read.push_back(rig.read_q(low, 0.0));
+        read.push_back(rig.read_q(high, 0.0));
     }
     return read;
 }

@@ -41,7 +41,7 @@ void follow(const BuiltRig& rig, std::span<const gap_case::StiffnessRow> rows, c
         for (std::size_t i = first; i < last; ++i) {
             motion.lead_to({tau, tau, ramp.from + ramp.per_row * static_cast<double>(i - first)},
                            protocol.joint_stiffness_phase / static_cast<double>(last - first));
-            read.push_back(rig.read_q(motion.q()));
+            read.push_back(rig.read_q(motion.q(), motion.joint_torque()));
         }
     }
 }

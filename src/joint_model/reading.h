@@ -19,7 +19,7 @@ public:
             read_[i] = std::clamp(read_[i], theta - half, theta + half);
             read.push_back(read_[i] + rig_.sides[i].gear.terms.reading(theta));
         }
-        read.push_back(rig_.read_q(motion.q()));
+        read.push_back(rig_.read_q(motion.q(), motion.joint_torque()));
     }
 
 private:

@@ -1,6 +1,5 @@
 #pragma once
 #include <limits>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -101,6 +100,9 @@ struct UnknownTerm {
     std::string law;         ///< with its symbols
     std::string sentence;    ///< the law with its values
     double log_odds = 0.0;   ///< against no term and against the library, what a term costs included [nats]
+    std::string x_name,
+        y_name;  ///< of its curve: "capstan_rad", "joint_rad", "end_share", "time_s", "torque_Nm"; "share", "torque_Nm", ...
+    std::vector<double> x, y;
 };
 /// A further measurement that distinguishes the alternatives.
 struct NextExperiment {
@@ -126,8 +128,8 @@ struct Diagnosis {
     std::vector<GapCell> map;
     std::vector<Hypothesis> ranking;
     Isolability isolability;
-    std::optional<UnknownTerm> unknown_term;  ///< only for the verdict unknown; `gap` and `traces` are then with this term
-    std::vector<Power> power;                 ///< of every effect of the library on each side; for the verdicts none and inconclusive
+    std::vector<UnknownTerm> unknown_terms;  ///< at most two, only for the verdict unknown; `gap`, `build` and `traces` are then with them
+    std::vector<Power> power;                ///< of every effect of the library on each side; for the verdicts none and inconclusive
     std::vector<Trace> traces;
     std::vector<NextExperiment> next;
     std::vector<std::string> remarks;  ///< limitations, disagreeing splits, gaps at the noise floor

@@ -13,7 +13,10 @@ struct Term {
     Effect effect;
     std::string port;        ///< "motor", "gear", "capstan encoder", "K_SE", "K_PE", "cable", "joint", "joint encoder"
     std::string depends_on;  ///< "angle", "other motor", "time", "load and time"
-    std::string sentence;    ///< subject and verb; {side}, {size}, {share} in %, {turns}, {second} stand for side and values
+    std::string over,
+        gives;  ///< of the curve: "capstan_rad", "joint_rad", "end_share", "time_s", "torque_Nm"; "share", "torque_Nm", "rad", ...
+    double (*curve)(std::span<const double> values, double x) = nullptr;  ///< the law
+    std::string sentence;  ///< subject and verb; {side}, {size}, {share} in %, {turns}, {second} stand for side and values
 };
 
 /// All of them, in fixed order.

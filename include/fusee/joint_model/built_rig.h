@@ -63,7 +63,10 @@ struct BuiltRig {
     double joint_offset = 0.0;      ///< added to q as read [rad]
     Hand hand;
     JointTerms terms;
-    [[nodiscard]] double read_q(double q) const { return (1.0 + terms.reading) * q + joint_offset; }  ///< of the joint's encoder [rad]
+    /// Of the joint's encoder [rad], at a joint torque [Nm].
+    [[nodiscard]] double read_q(double q, double torque) const {
+        return (1.0 + terms.reading) * q + terms.flexibility * torque + joint_offset;
+    }
     /// A spring or cable depends on time: a joint at rest may still move.
     [[nodiscard]] bool has_memory() const;
 

@@ -57,12 +57,14 @@ struct SpringTerms {
 
 /// Of the joint.
 struct JointTerms {
-    double spring = 0.0;     ///< to ground: torque -spring q [Nm/rad]
-    double hardening = 0.0;  ///< torque -hardening q^3 [Nm/rad^3]
-    Ripple torque;           ///< added to the joint torque [Nm], over q
-    Ripple arm;              ///< both cables' arms at the joint are (1 + ripple) times, over q
-    Bump friction;           ///< added to the joint friction [Nm], over q
-    double reading = 0.0;    ///< the joint's encoder reads (1 + reading) q
+    double spring = 0.0;       ///< to ground: torque -spring q [Nm/rad]
+    double hardening = 0.0;    ///< torque -hardening q^3 [Nm/rad^3]
+    Ripple torque;             ///< added to the joint torque [Nm], over q
+    Ripple arm;                ///< both cables' arms at the joint are (1 + ripple) times, over q
+    Bump friction;             ///< added to the joint friction [Nm], over q
+    double reading = 0.0;      ///< the joint's encoder reads (1 + reading) q
+    double flexibility = 0.0;  ///< and this times the joint torque more [rad/Nm]
+    double lag = 0.0;          ///< of a log: q was read so much earlier [s]
     [[nodiscard]] double torque_at(double q) const { return torque(q) - (spring + hardening * q * q) * q; }
 };
 

@@ -44,6 +44,7 @@ public:
 
     [[nodiscard]] double theta(gap_case::Side side) const { return state_.place[static_cast<std::size_t>(side)]; }  ///< [rad]
     [[nodiscard]] double q() const { return state_.place[2]; }                                                      ///< [rad]
+    [[nodiscard]] double joint_torque() const { return torques_.joint; }                                            ///< commanded [Nm]
     double hand_damping = 0.0;  ///< at the joint, of a hand that follows it [Nms/rad]
 
 private:

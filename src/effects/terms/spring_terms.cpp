@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <cmath>
+
 #include "terms.h"
 
 namespace fusee::effects {
@@ -24,6 +27,9 @@ std::vector<Term> terms_of(const std::string& id, const std::string& name) {
               }},
          name,
          "angle",
+         "end_share",
+         "share",
+         [](std::span<const double> v, double x) { return joint_model::SpringTerms{.step = v[0], .step_at = v[1]}.factor(x); },
          "The torque of the {side} " + name + " is {share} % off from {second} of its cam's end on."},
         {{.id = "term." + id + ".slope",
           .law = "The torque is (1 + a x/x_end) times.",
@@ -36,6 +42,9 @@ std::vector<Term> terms_of(const std::string& id, const std::string& name) {
           .apply = [](BuiltRig& rig, int side, std::span<const double> v) { (rig.sides[side].*kSpring).slope = v[0]; }},
          name,
          "angle",
+         "end_share",
+         "share",
+         [](std::span<const double> v, double x) { return joint_model::SpringTerms{.slope = v[0]}.factor(x); },
          "The torque of the {side} " + name + " is off by a share that grows with its deflection, to {share} % at the cam's end."},
         {{.id = "term." + id + ".relaxation",
           .law = "A share a of the torque is lost with the time constant T.",
@@ -52,6 +61,9 @@ std::vector<Term> terms_of(const std::string& id, const std::string& name) {
               }},
          name,
          "time",
+         "time_s",
+         "share",
+         [](std::span<const double> v, double x) { return 1.0 + v[0] * std::expm1(-x / v[1]); },
          "The {side} " + name + " loses {share} % of its torque with a time constant of {second} s."},
     };
 }
@@ -76,6 +88,9 @@ std::vector<Term> spring_terms() {
                         }},
                    "cable",
                    "load and time",
+                   "torque_Nm",
+                   "rad_per_s",
+                   [](std::span<const double> v, double x) { return std::max(0.0, x - v[0]) / v[1]; },
                    "The {side} cable slips on its capstan above {size} Nm."});
     return all;
 }

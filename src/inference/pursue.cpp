@@ -12,7 +12,8 @@ namespace fusee::inference {
 
 namespace {
 
-constexpr std::size_t kFitted = 4;     ///< terms fitted in full
+constexpr std::size_t kImproved = 12;  ///< terms that make a step in the screening
+constexpr std::size_t kFitted = 3;     ///< terms fitted in full
 constexpr std::size_t kMostTerms = 2;  ///< of an answer
 
 std::vector<const char*> sides_of(const effects::Term& term) {
@@ -48,7 +49,7 @@ std::optional<Added> added_upon(const Problem& problem, const Fit& base, double 
             return there == cause || (there.id == cause.id && (there.side == "both" || cause.side == "both"));
         });
     });
-    std::vector<Fit> fits = in_full(problem, screen(problem, base, causes, options.jobs), options);
+    std::vector<Fit> fits = in_full(problem, screen(problem, base, causes, options.jobs, kImproved), options);
     if (fits.empty()) return std::nullopt;
     Added added{{}, fits.front().log_evidence - kTermOdds - least, 0.0};
     if (!(added.log_odds > 0.0)) return std::nullopt;
@@ -83,6 +84,7 @@ std::optional<FoundTerms> pursue_terms(const Problem& problem, const Fit& null, 
         found.fit = std::move(next->fit);
         found.left_out = std::move(left_out);
         least = found.fit.log_evidence;
+        if (explained(problem, found.fit)) break;
     }
     if (found.log_odds.empty()) return std::nullopt;
     return found;

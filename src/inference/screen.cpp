@@ -97,8 +97,11 @@ void drop_like(std::vector<Eigen::VectorXd>& starts) {
     starts = std::move(kept);
 }
 
-Guess best_start(const Problem& problem, const Fit& base, const Causes& causes, const effects::Effect& effect,
-                 const std::vector<bool>* kept) {
+/// `cause` upon `base` from the best of its starts.
+Guess best_start(const Problem& problem, const Fit& base, const effects::Cause& cause, const std::vector<bool>* kept) {
+    const effects::Effect& effect = problem.effect(cause.id);
+    Causes causes = base.causes;
+    causes.push_back(cause);
     Guess best{causes, {}, 1e300};
     const auto own = static_cast<Eigen::Index>(problem.size(causes)) - base.x.size();
     const Eigen::MatrixXd held =
@@ -125,6 +128,16 @@ Guess best_start(const Problem& problem, const Fit& base, const Causes& causes, 
     return best;
 }
 
+/// A few steps with the columns of the effect.
+Guess improved(const Problem& problem, const Fit& base, Guess guess, const std::vector<bool>* kept) {
+    return descend(problem, base.spread, base.jacobian, std::move(guess), {.steps = kScreenRounds, .least = 0.0, .smallest = 0.2}, kept);
+}
+
+void sort_by_cost(std::vector<Guess>& guesses) {
+    std::stable_sort(guesses.begin(), guesses.end(),
+                     [](const Guess& a, const Guess& b) { return a.cost < b.cost || (std::isfinite(a.cost) && !std::isfinite(b.cost)); });
+}
+
 }  // namespace
 
 std::vector<effects::Cause> causes_of_library() {
@@ -147,17 +160,19 @@ std::vector<effects::Cause> possible_causes(const gap_case::Rows& rows) {
 }
 
 Guess guess_upon(const Problem& problem, const Fit& base, const effects::Cause& cause, const std::vector<bool>* kept) {
-    Causes all = base.causes;
-    all.push_back(cause);
-    return descend(problem, base.spread, base.jacobian, best_start(problem, base, all, problem.effect(cause.id), kept),
-                   {.steps = kScreenRounds, .least = 0.0, .smallest = 0.2}, kept);
+    return improved(problem, base, best_start(problem, base, cause, kept), kept);
 }
 
-std::vector<Guess> screen(const Problem& problem, const Fit& base, const std::vector<effects::Cause>& causes, unsigned jobs) {
+std::vector<Guess> screen(const Problem& problem, const Fit& base, const std::vector<effects::Cause>& causes, unsigned jobs,
+                          std::size_t improved_ones) {
     std::vector<Guess> guesses(causes.size());
-    core::parallel_for(causes.size(), jobs, [&](std::size_t i) { guesses[i] = guess_upon(problem, base, causes[i]); });
-    std::stable_sort(guesses.begin(), guesses.end(),
-                     [](const Guess& a, const Guess& b) { return a.cost < b.cost || (std::isfinite(a.cost) && !std::isfinite(b.cost)); });
+    core::parallel_for(causes.size(), jobs, [&](std::size_t i) { guesses[i] = best_start(problem, base, causes[i], nullptr); });
+    if (improved_ones < guesses.size()) {
+        sort_by_cost(guesses);
+        guesses.resize(improved_ones);
+    }
+    core::parallel_for(guesses.size(), jobs, [&](std::size_t i) { guesses[i] = improved(problem, base, std::move(guesses[i]), nullptr); });
+    sort_by_cost(guesses);
     return guesses;
 }
 

@@ -70,14 +70,6 @@ void add_pairs(const Problem& problem, const std::vector<effects::Cause>& causes
     }
 }
 
-/// Nothing is left for a second effect: every experiment agrees within its accuracy, and no build parameter deviates enough to
-/// replace one.
-bool explained(const Problem& problem, const Fit& fit) {
-    if (std::abs(worst_nuisance_pull(problem, fit).sigmas) > kStretched) return false;
-    const std::array<double, gap_case::kExperiments> misfit = misfits(problem, fit.seen());
-    return std::all_of(misfit.begin(), misfit.end(), [](double t) { return t < kNothingLeft; });
-}
-
 /// The best pair without one of its effects, started at the pair: a single fit that stopped elsewhere would make its
 /// partner look necessary.
 void step_back(const Problem& problem, const SearchOptions& options, std::vector<Fit>& fits) {
@@ -171,6 +163,12 @@ Search ranked(const Problem& problem, std::vector<Fit> fits, const SearchOptions
 }
 
 }  // namespace
+
+bool explained(const Problem& problem, const Fit& fit) {
+    if (std::abs(worst_nuisance_pull(problem, fit).sigmas) > kStretched) return false;
+    const std::array<double, gap_case::kExperiments> misfit = misfits(problem, fit.seen());
+    return std::all_of(misfit.begin(), misfit.end(), [](double t) { return t < kNothingLeft; });
+}
 
 bool stands(const Problem& problem, const Fit& fit) {
     if (!fit.causes.empty() && std::abs(worst_nuisance_pull(problem, fit).sigmas) > kImpossible) return false;

@@ -60,8 +60,8 @@ std::vector<EffectKind> capstan_kinds() {
         // Under tension the cable leaves its groove for the next one, once in a run.
         {"outside.groove_jump",
          [](R range, Random& random, Effect& e) {
-             e.size = range.series * random.uniform(0.45, 0.7);
-             e.extra = {{"lost_rad", random.uniform(0.08, 0.2)}};
+             e.size = range.series * random.uniform(0.3, 0.55);
+             e.extra = {{"lost_rad", random.uniform(0.15, 0.3)}};
          },
          [](const Effect& e, SideTruth& s) {
              s.jump_torque = e.size;
@@ -170,7 +170,7 @@ std::vector<EffectKind> output_kinds() {
          }},
         // The link bends between the encoder and the torque.
         {"outside.joint_flexibility",
-         [](R range, Random& random, Effect& e) { e.size = random.uniform(0.05, 0.12) * range.reach / range.most_push; }, nullptr,
+         [](R range, Random& random, Effect& e) { e.size = random.uniform(0.12, 0.25) * range.reach / range.most_push; }, nullptr,
          [](const Effect& e, JointTruth& j) { j.flexibility = e.size; }},
         // The log's channel of the joint is late.
         {"outside.clock_skew", [](R, Random& random, Effect& e) { e.size = random.uniform(0.03, 0.08); }, nullptr,

@@ -17,6 +17,8 @@ namespace fusee::inference {
 
 /// Adds each of `causes` to what `base` has, at its sizes to start with and one Gauss-Newton step, the rest of x following in
 /// the linear model of `base`. Sorted by cost.
-[[nodiscard]] std::vector<Guess> screen(const Problem& problem, const Fit& base, const std::vector<effects::Cause>& causes, unsigned jobs);
+/// @param improved only the best so many make the step
+[[nodiscard]] std::vector<Guess> screen(const Problem& problem, const Fit& base, const std::vector<effects::Cause>& causes, unsigned jobs,
+                                        std::size_t improved = static_cast<std::size_t>(-1));
 
 }  // namespace fusee::inference

@@ -59,10 +59,14 @@ private:
         const BuiltSide& side = rig_.sides[kSide];
         const auto relax = [this](double& relaxed, double& torque, const SpringTerms& terms) {
             relaxed += h_ / (terms.relaxation_time + h_) * (torque - relaxed);
-            torque -= terms.relaxation * relaxed;
+            torque = terms.relaxed(torque, relaxed);
         };
         relax(s.relaxed[2 * kSide], pull, side.se_terms);
         relax(s.relaxed[2 * kSide + 1], parallel, side.pe_terms);
+        if (!s.jumped[kSide] && pull > side.se_terms.jump_at) {
+            s.jumped[kSide] = true;
+            s.slipped[kSide] += side.se_terms.jump;
+        }
         s.slipped[kSide] += h_ * std::max(0.0, pull - side.se_terms.slip_at) / side.se_terms.slip_drag;
     }
     /// The joint angle that would wind as much cable on the nominal arm.

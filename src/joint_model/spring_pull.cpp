@@ -20,7 +20,7 @@ public:
         if (terms.relaxation == 0.0) return torque;
         const double step = seconds_ / static_cast<double>(rows_of_[place]);
         relaxed_[place] -= std::expm1(-step / terms.relaxation_time) * (torque - relaxed_[place]);
-        return torque - terms.relaxation * relaxed_[place];
+        return terms.relaxed(torque, relaxed_[place]);
     }
 
 private:

@@ -194,7 +194,7 @@ TEST(TermLibrary, EachTellsItsPlaceItsVariableAndItsValues) {
 TEST(TermLibrary, TheSentenceOfARippleCountsTurns) {
     const Term& term = *term_or_none("term.motor.ripple");
     EXPECT_EQ(sentence_of(term, "antagonist", {0.04, 12.0 / (2.0 * core::kPi), 0.3}),
-              "The torque of the antagonist motor ripples 12 times a turn of its capstan, by 0.04 Nm.");
+              "The torque of the antagonist's motor ripples 12 times a turn of its capstan, by 0.04 Nm.");
 }
 
 TEST(EffectLibrary, HasEachIdOnceAndNoMoreThanThePageTells) {

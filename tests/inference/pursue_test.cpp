@@ -9,13 +9,10 @@ namespace {
 
 using namespace fixtures;
 
-/// Pulls of the springs, a co-contraction and some dead-bands.
+/// Pulls of the springs and break-aways: they need no motion.
 gap_case::Rows some_rows() {
-    gap_case::Rows rows = pulls(3);
-    const gap_case::Rows all = set_points(small_template());
-    rows.cocontraction = all.cocontraction;
-    for (const gap_case::DeadBandRow& row : all.dead_band)
-        if (row.repeat == 1) rows.dead_band.push_back(row);
+    gap_case::Rows rows = pulls(2);
+    rows.breakaway = break_aways({0.2, 0.6, 1.0, 1.4}, 3, true).breakaway;
     return rows;
 }
 
@@ -43,11 +40,11 @@ TEST(PursueTerms, AStepOfACamIsFoundOnItsSideWithItsSizeAndPlace) {
 }
 
 TEST(PursueTerms, TwoTermsAreFoundOneAfterTheOther) {
-    const effects::Cause scale{"term.joint_encoder.scale", "none"}, relaxation{"term.k_pe.relaxation", "agonist"};
-    const std::optional<FoundTerms> found = pursued({scale, relaxation}, {0.15, 0.3}, 8);
+    const effects::Cause crack{"term.k_se.step", "agonist"}, relaxation{"term.k_pe.relaxation", "antagonist"};
+    const std::optional<FoundTerms> found = pursued({crack, relaxation}, {0.3, 0.4}, 8);
     ASSERT_TRUE(found);
     ASSERT_EQ(found->fit.causes.size(), 2U);
-    for (const effects::Cause& cause : {scale, relaxation})
+    for (const effects::Cause& cause : {crack, relaxation})
         EXPECT_EQ(std::count(found->fit.causes.begin(), found->fit.causes.end(), cause), 1) << cause.id;
 }
 

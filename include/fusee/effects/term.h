@@ -16,7 +16,8 @@ struct Term {
     std::string over,
         gives;  ///< of the curve: "capstan_rad", "joint_rad", "end_share", "time_s", "torque_Nm"; "share", "torque_Nm", "rad", ...
     double (*curve)(std::span<const double> values, double x) = nullptr;  ///< the law
-    std::string sentence;  ///< subject and verb; {side}, {size}, {share} in %, {turns}, {second} stand for side and values
+    std::string sentence;  ///< subject and verb; {side} or {Side} ("the agonist's"), {size}, {share} in %, {turns}, {second} stand for side
+                           ///< and values
 };
 
 /// All of them, in fixed order.

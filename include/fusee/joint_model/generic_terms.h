@@ -43,11 +43,18 @@ struct SpringTerms {
     double slope = 0.0;                                        ///< torque is (1 + slope x/end) times
     double step = 0.0;                                         ///< torque is (1 + step) times from a deflection on
     double step_at = 0.0;                                      ///< of the cam's end
-    double relaxation = 0.0;                                   ///< share of the torque that is lost as held
+    double relaxation = 0.0;                                   ///< a: share of the torque that is lost as held
     double relaxation_time = 1.0;                              ///< [s]
+    double fast_share = 0.0;                                   ///< w: the law is that of the fast torque (0), or of the settled one (1)
     double slip_at = std::numeric_limits<double>::infinity();  ///< torque from which the cable slips on its capstan [Nm]
     double slip_drag = 1.0;                                    ///< slip speed is (torque - slip_at)/slip_drag [Nms/rad]
-    [[nodiscard]] bool have_memory() const { return relaxation != 0.0 || std::isfinite(slip_at); }
+    double jump_at = std::numeric_limits<double>::infinity();  ///< torque at which the cable leaves its groove, once in a run [Nm]
+    double jump = 0.0;                                         ///< and loses this [rad]
+    [[nodiscard]] bool have_memory() const { return relaxation != 0.0 || std::isfinite(slip_at) || jump != 0.0; }
+    /// Torque F (1 + a w) - a R, of the elastic one F and of R, which follows it with the time constant. [Nm]
+    [[nodiscard]] double relaxed(double elastic, double following) const {
+        return elastic * (1.0 + relaxation * fast_share) - relaxation * following;
+    }
     /// Factor of the torque at `share` of the cam's end; a step takes 0.02 of it.
     [[nodiscard]] double factor(double share) const {
         const double in = std::fmin(1.0, std::fmax(0.0, (share - step_at) / 0.02 + 0.5));

@@ -22,6 +22,7 @@ struct MotionState {
     std::array<Hysteresis, 4> memory;        ///< SE, PE of the agonist, SE, PE of the antagonist
     std::array<double, 4> relaxed{};         ///< torque of each, as its relaxation follows it [Nm]
     std::array<double, 2> slipped{};         ///< cable that slipped on each capstan [rad]
+    std::array<bool, 2> jumped{};            ///< each cable has left its groove
     [[nodiscard]] bool at_rest() const { return speed[0] == 0.0 && speed[1] == 0.0 && speed[2] == 0.0; }
 };
 

@@ -34,7 +34,7 @@ std::vector<Term> gear_terms() {
          "capstan_rad",
          "share",
          [](std::span<const double> v, double x) { return ripple_of(v)(x); },
-         "The friction of the {side} gear ripples {turns} times a turn of its capstan, by {share} %."},
+         "The friction of {side} gear ripples {turns} times a turn of its capstan, by {share} %."},
         {{.id = "term.motor.ripple",
           .law = "The motor torque has a sin(n theta + p) more.",
           .meaning = "The torque of the motor ripples over the angle of its capstan.",
@@ -49,7 +49,7 @@ std::vector<Term> gear_terms() {
          "capstan_rad",
          "torque_Nm",
          [](std::span<const double> v, double x) { return ripple_of(v)(x); },
-         "The torque of the {side} motor ripples {turns} times a turn of its capstan, by {size} Nm."},
+         "The torque of {side} motor ripples {turns} times a turn of its capstan, by {size} Nm."},
         {{.id = "term.motor.crosstalk",
           .law = "The motor torque has c times the command of the other motor more.",
           .meaning = "The command of the other motor leaks into the motor.",
@@ -64,7 +64,7 @@ std::vector<Term> gear_terms() {
          "torque_Nm",
          "torque_Nm",
          [](std::span<const double> v, double x) { return v[0] * x; },
-         "The {side} motor also gets {share} % of the command of the other one."},
+         "{Side} motor also gets {share} % of the command of the other one."},
         {{.id = "term.capstan_encoder.ripple",
           .law = "The encoder of the capstan reads theta + e sin(n theta + p).",
           .meaning = "The encoder of the capstan ripples over its angle: a disc off its centre once a turn.",
@@ -79,7 +79,7 @@ std::vector<Term> gear_terms() {
          "capstan_rad",
          "rad",
          [](std::span<const double> v, double x) { return ripple_of(v)(x); },
-         "The encoder of the {side} capstan ripples {turns} times a turn, by {size} rad."},
+         "The encoder of {side} capstan ripples {turns} times a turn, by {size} rad."},
     };
 }
 

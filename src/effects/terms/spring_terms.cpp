@@ -30,7 +30,7 @@ std::vector<Term> terms_of(const std::string& id, const std::string& name) {
          "end_share",
          "share",
          [](std::span<const double> v, double x) { return joint_model::SpringTerms{.step = v[0], .step_at = v[1]}.factor(x); },
-         "The torque of the {side} " + name + " is {share} % off from {second} of its cam's end on."},
+         "The torque of {side} " + name + " is {share} % off from {second} of its cam's end on."},
         {{.id = "term." + id + ".slope",
           .law = "The torque is (1 + a x/x_end) times.",
           .meaning = "The torque of " + name + " is off by a share that grows with its deflection.",
@@ -45,12 +45,14 @@ std::vector<Term> terms_of(const std::string& id, const std::string& name) {
          "end_share",
          "share",
          [](std::span<const double> v, double x) { return joint_model::SpringTerms{.slope = v[0]}.factor(x); },
-         "The torque of the {side} " + name + " is off by a share that grows with its deflection, to {share} % at the cam's end."},
+         "The torque of {side} " + name + " is off by a share that grows with its deflection, to {share} % at the cam's end."},
         {{.id = "term." + id + ".relaxation",
-          .law = "A share a of the torque is lost with the time constant T.",
+          .law = "A share a of the torque is lost with the time constant T; w = 0: from that of the law, w = 1: down to it.",
           .meaning = name + " relaxes as it is held: a printed spring or a rope that creeps.",
           .sided = true,
-          .parameters = {{"share", "1", 0.3, {-0.2, 0.9}, 0.0}, {"time", "s", 2.0, {0.05, 20.0}, 1.5, {0.5, 1.5, 5.0}}},
+          .parameters = {{"share", "1", 0.3, {-0.2, 0.9}, 0.0},
+                         {"time", "s", 2.0, {0.05, 20.0}, 1.5, {0.5, 1.5, 5.0}},
+                         {"fast", "1", 1.0, {0.0, 1.0}, 0.5, {0.0, 1.0}}},
           .starts = {1.0},
           .seen_by = spring_experiments(),
           .confused_with = confused(".hysteresis"),
@@ -58,13 +60,14 @@ std::vector<Term> terms_of(const std::string& id, const std::string& name) {
               [](BuiltRig& rig, int side, std::span<const double> v) {
                   (rig.sides[side].*kSpring).relaxation = v[0];
                   (rig.sides[side].*kSpring).relaxation_time = v[1];
+                  (rig.sides[side].*kSpring).fast_share = v[2];
               }},
          name,
          "time",
          "time_s",
          "share",
-         [](std::span<const double> v, double x) { return 1.0 + v[0] * std::expm1(-x / v[1]); },
-         "The {side} " + name + " loses {share} % of its torque with a time constant of {second} s."},
+         [](std::span<const double> v, double x) { return 1.0 + v[0] * v[2] + v[0] * std::expm1(-x / v[1]); },
+         "{Side} " + name + " loses {share} % of its torque with a time constant of {second} s."},
     };
 }
 
@@ -91,7 +94,26 @@ std::vector<Term> spring_terms() {
                    "torque_Nm",
                    "rad_per_s",
                    [](std::span<const double> v, double x) { return std::max(0.0, x - v[0]) / v[1]; },
-                   "The {side} cable slips on its capstan above {size} Nm."});
+                   "{Side} cable slips on its capstan above {size} Nm."});
+    all.push_back({{.id = "term.cable.jump",
+                    .law = "At the torque F_0 the cable loses an angle, once in a run.",
+                    .meaning = "The cable of K_SE leaves its groove for the next one.",
+                    .sided = true,
+                    .parameters = {{"torque", "Nm", 1.0, {0.02, 20.0}, 0.0}, {"lost", "rad", 0.15, {0.01, 2.0}, 0.2, {0.1, 0.3}}},
+                    .starts = {0.3, 0.6, 1.0},
+                    .seen_by = moving_experiments(),
+                    .confused_with = {},
+                    .apply =
+                        [](BuiltRig& rig, int side, std::span<const double> v) {
+                            rig.sides[side].se_terms.jump_at = v[0];
+                            rig.sides[side].se_terms.jump = v[1];
+                        }},
+                   "cable",
+                   "load and time",
+                   "torque_Nm",
+                   "rad",
+                   [](std::span<const double> v, double x) { return x > v[0] ? v[1] : 0.0; },
+                   "{Side} cable leaves its groove at {size} Nm, and loses {second} rad."});
     return all;
 }
 

@@ -41,7 +41,11 @@ const Effect& find_effect_or_term(const std::string& id) {
 
 std::string sentence_of(const Term& term, const std::string& side, const std::vector<double>& values) {
     const double second = values.size() > 1 ? values[1] : 0.0;
-    return fmt::format(fmt::runtime(term.sentence), fmt::arg("side", side), fmt::arg("size", fmt::format("{:.2g}", std::abs(values[0]))),
+    const std::string owner = side == "both" ? "each side's" : "the " + side + "'s";
+    std::string capital = owner;
+    capital.front() = owner.front() == 't' ? 'T' : 'E';
+    return fmt::format(fmt::runtime(term.sentence), fmt::arg("side", owner), fmt::arg("Side", capital),
+                       fmt::arg("size", fmt::format("{:.2g}", std::abs(values[0]))),
                        fmt::arg("share", fmt::format("{:.2g}", 100.0 * values[0])), fmt::arg("second", fmt::format("{:.2g}", second)),
                        fmt::arg("turns", fmt::format("{:.3g}", 2.0 * core::kPi * second)));
 }

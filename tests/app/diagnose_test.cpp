@@ -55,6 +55,9 @@ TEST_F(Gap, DiagnosesACaseAndPredictsOtherInputs) {
     const std::string rows = core::read_file(folder_ / "nominal" / "breakaway.csv");
     EXPECT_EQ(std::count(rows.begin(), rows.end(), '\n'), 97);
     EXPECT_EQ(rows.find(",\n"), std::string::npos) << "an empty cell";
+    write("case/breakaway.csv", inputs_);  // an empty template says what to expect
+    expect_words(run("predict case --out expected").out, {"96 rows predicted by the nominal model"});
+    EXPECT_EQ(core::read_file(folder_ / "expected" / "breakaway.csv"), rows);
 }
 
 TEST_F(Gap, RefusesBadInputAndWritesNothing) {
@@ -66,6 +69,7 @@ TEST_F(Gap, RefusesBadInputAndWritesNothing) {
     };
     expect_refused("diagnose case", {"--out"});
     expect_refused("diagnose missing --out out", {"missing/case.toml"});
+    expect_refused("predict case --out case", {"--out", "a folder other than"});
     expect_refused("predict case --inputs inputs --out inputs", {"--out", "a folder other than"});
     expect_refused("predict case --inputs inputs --out case", {"--out", "a folder other than"});
     expect_refused("predict case --inputs nowhere --out out", {"nowhere", "none of the case's files"});

@@ -143,26 +143,31 @@ private:
         return own == maps_.end() ? ColumnMap{} : own->second;
     }
 
+    /// The first measured column of the file that has no number in a row; null: none.
+    [[nodiscard]] const Field<Row>* gap_in(std::size_t row) const {
+        const auto& all = fields<Row>();
+        const auto gap = std::find_if(all.begin(), all.end(), [&](const Field<Row>& field) {
+            return field.measured && table_.has(field.column) && std::isnan(table_.numbers(field.column)[row]);
+        });
+        return gap == all.end() ? nullptr : &*gap;
+    }
+
     /// Removes the rows that have a measured column without a number. A row of a loop keeps its place in time.
     void leave_out_gaps(std::vector<Row>& rows) {
+        std::vector<std::size_t> gaps;
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            if (gap_in(i) != nullptr) gaps.push_back(i);
+        if (gaps.empty()) return;
+        if (2 * gaps.size() > rows.size())
+            throw table_.fault(gaps.front(), gap_in(gaps.front())->column,
+                               fmt::format("{} of {} rows have no number in a measured column", gaps.size(), rows.size()),
+                               "at least half of the rows complete; `fusee predict` reads empty templates");
+        for (const std::size_t i : gaps) left_out_.push_back(table_.line(i));
         std::vector<Row> whole;
         for (std::size_t i = 0; i < rows.size(); ++i) {
-            const auto& all = fields<Row>();
-            const bool gap = std::any_of(all.begin(), all.end(), [&](const Field<Row>& field) {
-                return field.measured && table_.has(field.column) && std::isnan(table_.numbers(field.column)[i]);
-            });
             if constexpr (std::is_same_v<Row, StiffnessRow>) rows[i].row = i + 1;
-            gap ? left_out_.push_back(table_.line(i)) : whole.push_back(rows[i]);
+            if (gap_in(i) == nullptr) whole.push_back(rows[i]);
         }
-        if (left_out_.empty()) {
-            if constexpr (std::is_same_v<Row, StiffnessRow>)
-                for (Row& row : rows) row.row = 0;
-            return;
-        }
-        if (2 * left_out_.size() > rows.size())
-            throw core::InvalidInput((files_.folder() / name_).string() + ": rows",
-                                     fmt::format("{} of {} without a number in a measured column", left_out_.size(), rows.size()),
-                                     "at least half of the rows complete; `fusee predict` reads empty templates");
         rows = std::move(whole);
     }
 

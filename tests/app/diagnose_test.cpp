@@ -89,7 +89,7 @@ TEST_F(Gap, RefusesBadInputAndWritesNothing) {
     write("case/breakaway.csv", inputs_.substr(0, inputs_.find('\n')) + "\nagonist,drive,1,0.7\nagonist,backdrive,1,1.4\n");
     expect_refused("diagnose case --out out", {"case: experiments: 2 rows (allowed: at least 4 rows in all)"});
     write("case/breakaway.csv", inputs_);
-    expect_refused("diagnose case --out out", {"case/breakaway.csv:2:", "load_torque_Nm: (missing)"});
+    expect_refused("diagnose case --out out", {"case/breakaway.csv:2:", "load_torque_Nm: 96 of 96 rows have no number"});
 }
 
 }  // namespace

@@ -590,8 +590,9 @@ class Case:
         """
         Reads DIR/case.toml and the CSV files that it names. Implausible values (a mu of 22, a radius of 15: another unit) are
         rejected with the required unit. Of a log longer than `kLongestLog` only the beginning is used; a file above
-        `kLongestTable` rows is thinned; a remark says so. Raises InvalidInput "file:line:column: key", IoError The same from a
-        folder or from memory. Raises as read_case
+        `kLongestTable` rows is thinned; a remark says so. A row without a number in a measured column is left out, and a remark
+        counts them. Raises InvalidInput "file:line:column: key", IoError The same from a folder or from memory. Raises as
+        read_case
         """
     @staticmethod
     def from_arrays(name: str, rig: dict[str, Any], experiments: dict[str, Any], *, sensors: dict[str, Any] = {}, tolerance: dict[str, Any] = {}, protocol: dict[str, Any] = {}) -> Case:

@@ -35,22 +35,22 @@ diagnosis::Diagnosis effects_of(const fs::path& file) {
     return diagnosis::parse_diagnosis(core::read_file(file, kLargestDiagnosis), file.string());
 }
 
-int predict(PredictArguments arguments, Reply& reply) {
-    if (arguments.inputs.empty()) arguments.inputs = arguments.folder;
-    require_other_folder(arguments.out, arguments.inputs);
+int predict(const PredictArguments& arguments, Reply& reply) {
+    const fs::path& inputs = arguments.inputs.empty() ? arguments.folder : arguments.inputs;
+    require_other_folder(arguments.out, inputs);
     require_other_folder(arguments.out, arguments.folder);
     core::OutputFolder output(arguments.out, {.command = "predict", .source = arguments.folder, .force = arguments.force});
     const diagnosis::Diagnosis found = effects_of(arguments.effects);
     std::size_t rows = 0;
     if (gap_case::is_subsystem_case(arguments.folder)) {
         const subsystem::Case bench = subsystem::read_case(arguments.folder);
-        const subsystem::Case predicted = subsystem::predict(bench, found, subsystem::read_inputs(bench, arguments.inputs));
+        const subsystem::Case predicted = subsystem::predict(bench, found, subsystem::read_inputs(bench, inputs));
         subsystem::write_rows(predicted, output.path());
         for (const subsystem::Record& record : predicted.records) rows += record.rows();
     } else {
-        const gap_case::Case bench = gap_case::read_case(arguments.folder);
+        const gap_case::Case bench = gap_case::read_nominal(arguments.folder);
         diagnosis::require_possible(bench, found, arguments.effects.string());
-        const gap_case::Rows predicted = diagnosis::predict(bench, found, gap_case::read_inputs(bench, arguments.inputs));
+        const gap_case::Rows predicted = diagnosis::predict(bench, found, gap_case::read_inputs(bench, inputs));
         gap_case::write_rows(bench, predicted, output.path());
         rows = predicted.size();
     }
@@ -73,15 +73,18 @@ void add_predict(CLI::App& app, Action& action) {
     command->add_option("--effects", arguments->effects, "diagnosis.json with the effects; default: the nominal model")
         ->type_name("FILE.json");
     command
-        ->add_option("--inputs", arguments->inputs,
-                     "Folder of CSV files with the same names as in the case; only their input columns are read; default: CASE")
+        ->add_option(
+            "--inputs", arguments->inputs,
+            "Folder of CSV files with the same names as in the case; only their input columns are read. Default: the case itself, which "
+            "may be an empty template")
         ->type_name("FOLDER");
     command->add_option("-o,--out", arguments->out, "Folder of the same files with predicted values in the measured columns")
         ->type_name("FOLDER")
         ->required();
     add_force(*command, arguments->force);
     command->footer(
-        "Example:\n  fusee predict bench/monday --effects bench/monday/diagnosis/diagnosis.json --inputs bench/tuesday --out "
+        "Examples:\n  fusee predict bench/monday --out /tmp/expected\n  fusee predict bench/monday --effects "
+        "bench/monday/diagnosis/diagnosis.json --inputs bench/tuesday --out "
         "/tmp/predicted\n\n"
         "Exit code: 0 the predictions are written, 2 bad input (file, line and key are named), 3 internal error.");
     command->callback([arguments, &action] { action = [arguments](Reply& reply) { return predict(*arguments, reply); }; });

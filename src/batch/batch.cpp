@@ -58,7 +58,10 @@ bool simulate_into(SimulationRow& row, const profile::Profile& profile, const fs
         row.refusal = design.refusal();
         return false;
     }
-    if (model) mjcf::write(pipeline::twin_of(*design), model->path());
+    if (model) {
+        const mjcf::Twin twin = pipeline::twin_of(*design);  // refuses other arrangements before a folder is made
+        mjcf::write(twin, model->path());
+    }
     pipeline::Simulation simulation = pipeline::simulate(*design, options);
     (void)report::write_simulation(simulation, output.path());
     output.commit();

@@ -88,6 +88,7 @@ public:
         });
         answer_.verdict = found.verdict;
         answer_.effects = found.effects;
+        answer_.form = found.unknown_terms;
         hold_out(found, core::sha256_hex(text));
         return answer_;
     }

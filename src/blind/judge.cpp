@@ -1,6 +1,9 @@
 #include "judge.h"
 
 #include <algorithm>
+#include <array>
+
+#include "fusee/core/error.h"
 
 namespace fusee::blind {
 
@@ -44,7 +47,40 @@ bool misses_a_size(const Label& label, const Answer& answer) {
     });
 }
 
+/// Where each outside effect of the plant enters, and on what it depends, in the words of effects::Term.
+struct Form {
+    const char *id, *port, *depends_on;
+};
+constexpr std::array kForms{Form{"outside.gear_ripple", "gear", "angle"},
+                            Form{"outside.friction_drift", "gear", "time"},
+                            Form{"outside.crosstalk", "motor", "other motor"},
+                            Form{"outside.cogging", "motor", "angle"},
+                            Form{"outside.groove_jump", "cable", "load and time"},
+                            Form{"outside.encoder_eccentricity", "capstan encoder", "angle"},
+                            Form{"outside.capstan_slip", "cable", "load and time"},
+                            Form{"outside.se_crack", "K_SE", "angle"},
+                            Form{"outside.pe_crack", "K_PE", "angle"},
+                            Form{"outside.pe_creep", "K_PE", "time"},
+                            Form{"outside.harness", "joint", "angle"},
+                            Form{"outside.joint_rough_spot", "joint", "angle"},
+                            Form{"outside.eccentric_pulley", "joint", "angle"},
+                            Form{"outside.joint_flexibility", "joint encoder", "load"},
+                            Form{"outside.clock_skew", "joint encoder", "time"},
+                            Form{"outside.encoder_scale", "joint encoder", "angle"}};
+
+const Form& form_of(const Label& label) {
+    const auto found = std::find_if(kForms.begin(), kForms.end(), [&](const Form& form) { return form.id == label.effects.front().id; });
+    if (found == kForms.end()) throw core::InvalidInput("effect", label.effects.front().id, "an outside effect whose form is known");
+    return *found;
+}
+
 }  // namespace
+
+bool has_port(const Answer& answer, const Label& label) { return !answer.form.empty() && answer.form.front().port == form_of(label).port; }
+
+bool has_dependence(const Answer& answer, const Label& label) {
+    return !answer.form.empty() && answer.form.front().depends_on == form_of(label).depends_on;
+}
 
 bool knows_effects(const Label& label) { return label.in_library && !label.effects.empty(); }
 

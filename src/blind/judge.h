@@ -13,6 +13,10 @@ namespace fusee::blind {
 [[nodiscard]] bool leaves_open(const Answer& answer, const Label& label);
 [[nodiscard]] bool has_verdict(const Answer& answer, diagnosis::VerdictKind verdict);
 [[nodiscard]] bool halves_the_gap(const Answer& answer);
+/// The answer's first generic term enters where the outside effect does.
+[[nodiscard]] bool has_port(const Answer& answer, const Label& label);
+/// And depends on the same quantity.
+[[nodiscard]] bool has_dependence(const Answer& answer, const Label& label);
 /// The label's effect that this one is, same side; nullptr: none.
 [[nodiscard]] const LabelEffect* found_in(const Label& label, const diagnosis::FoundEffect& effect);
 /// Description of the error; "" if the answer is right.

@@ -30,6 +30,8 @@ bool one(const Label& label) { return label.in_library && label.effects.size() =
 bool two(const Label& label) { return label.in_library && label.effects.size() == 2; }
 bool none(const Label& label) { return label.effects.empty(); }
 bool outside(const Label& label) { return !label.in_library; }
+bool inside(const Label& label) { return label.in_library; }
+bool has_form(const Label&, const Answer& answer) { return !answer.form.empty(); }
 bool named(const Label& label, const Answer& answer) { return names(answer, label, false); }
 bool named_with_side(const Label& label, const Answer& answer) { return names(answer, label, true); }
 template <diagnosis::VerdictKind verdict>
@@ -38,7 +40,7 @@ bool says(const Label&, const Answer& answer) {
 }
 
 constexpr core::Range kAny{0.0, 1.0};
-constexpr std::array<Question, 10> kQuestions{{
+constexpr std::array<Question, 15> kQuestions{{
     {"effect_named", "effect named", {0.95, 1.0}, true, one, named},
     {"effect_and_side", "effect and side named", {0.90, 1.0}, true, one, named_with_side},
     {"effect_left_open", "effect named, or among those that an ambiguous answer leaves", kAny, true, one,
@@ -55,6 +57,26 @@ constexpr std::array<Question, 10> kQuestions{{
     {"unknown_called_unknown", "unknown effects called unknown", {0.85, 1.0}, true, outside, says<diagnosis::VerdictKind::kUnknown>},
     {"known_called_unknown", "known effects called unknown", {0.0, 0.05}, true, knows_effects, says<diagnosis::VerdictKind::kUnknown>},
     {"known_not_seen", "known effects called none", kAny, true, knows_effects, says<diagnosis::VerdictKind::kNone>},
+    {"form_given", "unknown effects with a form", kAny, true, outside, has_form},
+    {"port_right",
+     "unknown effects whose form enters at the right place",
+     {0.8, 1.0},
+     true,
+     outside,
+     [](const Label& label, const Answer& answer) { return has_port(answer, label); }},
+    {"dependence_right",
+     "unknown effects whose form depends on the right quantity",
+     {0.7, 1.0},
+     true,
+     outside,
+     [](const Label& label, const Answer& answer) { return has_dependence(answer, label); }},
+    {"unknown_halved",
+     "unknown effects whose held-out gap is at least halved",
+     {0.6, 1.0},
+     false,
+     outside,
+     [](const Label&, const Answer& answer) { return halves_the_gap(answer); }},
+    {"form_invented", "faultless rigs and known effects with a form", {0.0, 0.02}, true, inside, has_form},
 }};
 
 Share ask(const Question& question, const std::vector<const Label*>& labels, const std::vector<Answer>& answers) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <utility>
@@ -67,7 +68,7 @@ public:
     CsvParser(const std::string& file, const std::vector<CsvColumn>& columns, const CsvOptions& options)
         : known_(columns), options_(options), faults_(file) {
         table_.file_ = file;
-        for (const CsvColumn& column : known_) names_ += (names_.empty() ? "" : ",") + column.name;
+        for (const CsvColumn& column : known_) names_ += (names_.empty() ? "" : ",") + column.in_header();
     }
 
     /// The next bytes of the file, cut anywhere.
@@ -127,7 +128,8 @@ private:
             const auto end = cells_.begin() + static_cast<std::ptrdiff_t>(i);
             if (!cell.text.empty() && std::find_if(cells_.begin(), end, same) != end && !std::exchange(repeated, true))
                 faults_.add(fault(cell.place, "header", in_quotes(cell.text), "every column once"));
-            const auto known = std::find_if(known_.begin(), known_.end(), [&cell](const CsvColumn& c) { return c.name == cell.text; });
+            const auto known =
+                std::find_if(known_.begin(), known_.end(), [&cell](const CsvColumn& c) { return c.in_header() == cell.text; });
             if (known != known_.end()) {
                 if (known->name == options_.span_column) span_column_ = table_.columns_.size();
                 table_.columns_.push_back({*known, i, {}, {}, {}});
@@ -137,7 +139,7 @@ private:
         }
         std::string missing;
         for (const CsvColumn& column : known_)
-            if (column.required && !table_.has(column.name)) missing += (missing.empty() ? "" : ",") + column.name;
+            if (column.required && !table_.has(column.name)) missing += (missing.empty() ? "" : ",") + column.in_header();
         if (!missing.empty()) faults_.add(fault(text.size() + 1, "header", in_quotes(missing) + " (missing)", in_quotes(names_)));
         faults_.throw_if_any();  // without its columns no row can be read
         width_ = cells_.size();
@@ -167,7 +169,7 @@ private:
             double value = 0.0;
             if (!lacking || !reported)
                 faults_.collect([&] {
-                    column.known.kind == CsvColumn::Kind::kText ? require_words(cell, column.known.name)
+                    column.known.kind == CsvColumn::Kind::kText ? require_words(cell, column.known.in_header())
                                                                 : void(value = number(cell, column.known));
                 });
             reported = reported || (lacking && !column.known.gaps);
@@ -211,8 +213,8 @@ private:
     }
 
     [[nodiscard]] double number(const CsvCell& cell, const CsvColumn& column) const {
-        const std::string& name = column.name;
-        if (cell.text.empty() && column.gaps) return std::numeric_limits<double>::quiet_NaN();
+        const std::string& name = column.in_header();
+        if (column.gaps && is_gap(cell.text)) return std::numeric_limits<double>::quiet_NaN();
         if (cell.text.empty()) throw fault(cell.place, name, "(missing)", "a finite number in every row");
         std::string_view digits = cell.text;
         if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-') digits.remove_prefix(1);
@@ -221,6 +223,16 @@ private:
         if (error != std::errc() || end != digits.data() + digits.size() || !std::isfinite(value))
             throw fault(cell.place, name, in_quotes(cell.text), "a finite number with a decimal point");
         return value;
+    }
+
+    /// Empty, or what programs write for no number.
+    [[nodiscard]] static bool is_gap(std::string_view text) {
+        if (text.starts_with('-') || text.starts_with('+')) text.remove_prefix(1);
+        constexpr std::size_t kLongest = 8;  // "infinity"
+        if (text.size() > kLongest) return false;
+        std::string word(text);
+        std::transform(word.begin(), word.end(), word.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+        return word.empty() || word == "nan" || word == "inf" || word == "infinity";
     }
 
     void require_words(const CsvCell& cell, const std::string& name) const {
@@ -265,7 +277,8 @@ const std::vector<std::string>& CsvTable::texts(std::string_view name) const {
 }
 
 InvalidInput CsvTable::fault(std::size_t row, std::string_view name, std::string value, std::string allowed) const {
-    return fault_at(file_, lines_.at(row), column(name).places.at(row), name, std::move(value), std::move(allowed));
+    const Column& faulty = column(name);
+    return fault_at(file_, lines_.at(row), faulty.places.at(row), faulty.known.in_header(), std::move(value), std::move(allowed));
 }
 
 CsvTable parse_csv(std::string_view bytes, const std::string& file, const std::vector<CsvColumn>& columns, const CsvOptions& options) {

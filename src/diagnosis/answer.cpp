@@ -13,6 +13,7 @@
 #include "isolability.h"
 #include "next_experiment.h"
 #include "power.h"
+#include "unknown_terms.h"
 
 namespace fusee::diagnosis {
 
@@ -39,16 +40,10 @@ core::Range interval_over_folds(const inference::Problem& problem, const Eigen::
     return {std::max(0.0, mean - half), mean + half};
 }
 
-Parameter parameter_of(double value, double half, const effects::EffectParameter& law) {
-    return {value * law.scale,
-            {std::max(law.allowed.low, (value - half) * law.scale), std::min(law.allowed.high, (value + half) * law.scale)},
-            law.unit};
-}
-
 }  // namespace
 
 Answer::Answer(const inference::Problem& problem, const inference::Search& found, const Verdict& verdict)
-    : problem_(problem), found_(found), verdict_(verdict) {
+    : problem_(problem), found_(found), verdict_(verdict), shown_(&found.best()) {
     sigma_ = tolerance_sigma(problem, found.fits[found.null].jacobian);
     nominal_ = problem.predict({}, problem.start({}));
     before_ = problem.residual(nominal_).cwiseQuotient(sigma_);
@@ -60,9 +55,15 @@ Answer::Answer(const inference::Problem& problem, const inference::Search& found
     diagnosis_.remarks.insert(diagnosis_.remarks.end(), verdict.remarks.begin(), verdict.remarks.end());
 }
 
+void Answer::name(const inference::FoundTerms& terms) {
+    diagnosis_.verdict = VerdictKind::kUnknown;
+    diagnosis_.unknown_terms = unknown_terms(problem_, terms);
+    shown_ = &terms.fit;
+}
+
 void Answer::compare(const inference::Split& kept) {
-    const Eigen::VectorXd after = found_.best().residual.cwiseQuotient(sigma_), held = kept.residual.cwiseQuotient(sigma_);
-    const Eigen::VectorXd floor = sigma_.cwiseInverse();
+    const Eigen::VectorXd after = shown_->residual.cwiseQuotient(sigma_), held = kept.residual.cwiseQuotient(sigma_);
+    const Eigen::VectorXd floor = sigma_.cwiseInverse(), expected = kept.expected.cwiseQuotient(sigma_);
     const auto gap = [&](const gap_case::Experiment* only) {
         Gap g;
         g.before = g.heldout_before = root_mean_square(problem_, before_, only);
@@ -77,16 +78,17 @@ void Answer::compare(const inference::Split& kept) {
         const std::size_t rows = problem_.gap_case().rows.size(experiment);
         if (rows == 0) continue;
         const Gap own = gap(&experiment);
-        diagnosis_.experiments.push_back({to_string(experiment), rows, own, own.after});
+        diagnosis_.experiments.push_back({to_string(experiment), rows, own, root_mean_square(problem_, expected, &experiment)});
     }
     diagnosis_.map = gap_map(problem_, before_, after);
-    diagnosis_.where = gap_contributions(problem_, verdict_.verdict == VerdictKind::kUnknown ? after : before_);
+    diagnosis_.where =
+        gap_contributions(problem_, diagnosis_.verdict == VerdictKind::kUnknown && diagnosis_.unknown_terms.empty() ? after : before_);
     build();
     traces();
 }
 
 void Answer::build() {
-    const inference::Fit& best = found_.best();
+    const inference::Fit& best = *shown_;
     for (std::size_t k = 0; k < problem_.build().size(); ++k) {
         const joint_model::BuildParameter& build = problem_.build()[k];
         const auto i = static_cast<Eigen::Index>(k);
@@ -127,12 +129,12 @@ void Answer::found_effects() {
         diagnosis_.effects.push_back(std::move(found));
     }
     for (std::size_t h = named || verdict_.verdict == VerdictKind::kNone ? 1 : 0; h < found_.fits.size(); ++h)
-        if (found_.probability[h] >= kLeastAlternative || (h == 0 && verdict_.verdict == VerdictKind::kUnknown))
+        if (found_.probability[h] >= kLeastAlternative || (h == 0 && diagnosis_.verdict == VerdictKind::kUnknown))
             diagnosis_.alternatives.push_back({found_.fits[h].causes, found_.probability[h]});
 }
 
 std::vector<effects::Cause> Answer::weigh_power() {
-    if (verdict_.verdict != VerdictKind::kNone) return {};
+    if (diagnosis_.verdict != VerdictKind::kNone) return {};
     diagnosis_.power = powers_of(problem_, diagnosis_.isolability);
     const std::vector<effects::Cause> unseen = not_shown(diagnosis_.power);
     if (unseen.empty()) return unseen;

@@ -1,5 +1,6 @@
 #pragma once
 #include "fusee/diagnosis/diagnosis.h"
+#include "fusee/inference/pursue.h"
 #include "fusee/inference/search.h"
 #include "fusee/inference/splits.h"
 #include "verdict.h"
@@ -10,6 +11,10 @@ namespace fusee::diagnosis {
 class Answer {
 public:
     Answer(const inference::Problem& problem, const inference::Search& found, const Verdict& verdict);
+    /// Generic terms explain the gap: the verdict is `unknown`, and all that follows is with these terms.
+    void name(const inference::FoundTerms& terms);
+    /// The fit that the figures of the gap are of.
+    [[nodiscard]] const inference::Fit& shown() const { return *shown_; }
     /// Reduction of the gap, on the rows of the fit and on held-out rows.
     void compare(const inference::Split& kept);
     /// Ranking and intervals; experiments left out may widen the intervals.
@@ -32,6 +37,7 @@ private:
     joint_model::Signals nominal_;  ///< prediction of the nominal rig
     Eigen::VectorXd sigma_;         ///< of each row, with build tolerances
     Eigen::VectorXd before_;        ///< (measured - nominal)/sigma
+    const inference::Fit* shown_;   ///< the best hypothesis, or that with generic terms
     Diagnosis diagnosis_;
 };
 

@@ -50,7 +50,7 @@ Trace thinned(const Trace& trace) {
 
 void Answer::traces() {
     const gap_case::Rows& rows = problem_.gap_case().rows;
-    const inference::Fit& best = found_.best();
+    const inference::Fit& best = shown();
     TraceMaker maker{problem_, nominal_, problem_.predict(best.causes, best.x), {}};
     const std::vector<Place> all = places(rows);
     std::array<std::size_t, gap_case::kExperiments> next{};

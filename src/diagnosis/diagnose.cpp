@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <future>
 #include <numeric>
+#include <optional>
 #include <system_error>
 #include <thread>
 
 #include "answer.h"
 #include "fusee/core/error.h"
+#include "fusee/inference/pursue.h"
 #include "fusee/inference/search.h"
 #include "fusee/inference/splits.h"
 #include "verdict.h"
@@ -35,12 +37,21 @@ public:
     }
 
 private:
-    static constexpr std::size_t kSteps = 7;  // five of the search, two below
+    static constexpr std::size_t kSteps = 8;  // five of the search, three below
     static constexpr double kLong = 3.0;      // times the usual
     const DiagnoseOptions& options_;
     std::string warning_;
     std::size_t done_ = 0;
 };
+
+/// Generic terms where the library explains nothing. The first has to beat every hypothesis of the library.
+std::optional<inference::FoundTerms> terms_of(const inference::Problem& problem, const inference::Search& found, VerdictKind verdict,
+                                              unsigned jobs) {
+    if (verdict != VerdictKind::kUnknown && verdict != VerdictKind::kNone) return std::nullopt;
+    const inference::Fit& null = found.fits[found.null];
+    const double best = null.log_evidence - found.log_posterior[found.null];  // of the library, its odds included
+    return inference::pursue_terms(problem, null, best, {.jobs = jobs, .progress = {}});
+}
 
 }  // namespace
 
@@ -55,7 +66,11 @@ Diagnosis diagnose(const gap_case::Case& gap_case, const DiagnoseOptions& option
     const inference::Search found = search(problem, {jobs, std::ref(progress)});
     const Verdict verdict = judge(problem, found);
     Answer answer(problem, found, verdict);
-    answer.compare(held_out(problem, found.best(), jobs));
+    const inference::Fit& null = found.fits[found.null];
+    const std::optional<inference::FoundTerms> terms = terms_of(problem, found, verdict.verdict, jobs);
+    if (terms) answer.name(*terms);
+    progress("generic terms");
+    answer.compare(held_out(problem, null, answer.shown(), jobs));
     progress("held-out rows");
     answer.rank();
     answer.plan_next_experiment(jobs);

@@ -22,17 +22,38 @@ Json parameter_json(const Parameter& parameter) {
     return {{"value", parameter.value}, {"ci95", range(parameter.ci95)}, {"unit", parameter.unit}};
 }
 
+Json effect_json(const FoundEffect& effect) {
+    Json j{{"id", effect.cause.id},
+           {"side", effect.cause.side},
+           {"probability", effect.probability},
+           {"parameter", parameter_json(effect.parameter)}};
+    for (const auto& [name, value] : effect.extra) j["extra"][name] = value;
+    return j;
+}
+
 Json effects_json(const std::vector<FoundEffect>& effects) {
     Json all = Json::array();
-    for (const FoundEffect& effect : effects) {
-        Json j{{"id", effect.cause.id},
-               {"side", effect.cause.side},
-               {"probability", effect.probability},
-               {"parameter", parameter_json(effect.parameter)}};
-        for (const auto& [name, value] : effect.extra) j["extra"][name] = value;
-        all.push_back(std::move(j));
-    }
+    for (const FoundEffect& effect : effects) all.push_back(effect_json(effect));
     return all;
+}
+
+Json term_json(const UnknownTerm& term) {
+    Json j = effect_json(term.found);
+    j["port"] = term.port;
+    j["depends_on"] = term.depends_on;
+    j["law"] = term.law;
+    j["sentence"] = term.sentence;
+    j["log_odds"] = term.log_odds;
+    j["curve"] = {{"x_name", term.x_name}, {"y_name", term.y_name}, {"x", term.x}, {"y", term.y}};
+    return j;
+}
+
+/// The first term, the second as its member; null without terms.
+Json unknown_term_json(const std::vector<UnknownTerm>& terms) {
+    if (terms.empty()) return nullptr;
+    Json j = term_json(terms.front());
+    if (terms.size() > 1) j["second"] = term_json(terms[1]);
+    return j;
 }
 
 Json where_json(const std::vector<GapContribution>& where) {
@@ -159,6 +180,7 @@ std::string diagnosis_json(const Diagnosis& d) {
     for (const auto& [name, parameter] : d.build) build[name] = parameter_json(parameter);
     Json j{{"verdict", to_string(d.verdict)},
            {"effects", effects_json(d.effects)},
+           {"unknown_term", unknown_term_json(d.unknown_terms)},
            {"alternatives", alternatives_json(d.alternatives)},
            {"where", where_json(d.where)},
            {"gap", gap_json(d.gap)},

@@ -2,6 +2,7 @@
 
 #include "fusee/core/json.h"
 #include "fusee/diagnosis/diagnosis.h"
+#include "fusee/effects/term.h"
 
 namespace fusee::diagnosis {
 
@@ -26,14 +27,28 @@ Parameter parameter_of(const JsonNode& node) {
     return parameter;
 }
 
-FoundEffect effect_of(const JsonNode& node) {
-    node.allow_keys({"id", "side", "probability", "parameter", "extra"});
+FoundEffect effect_of(const JsonNode& node, const std::vector<std::string>& more = {}) {
+    std::vector<std::string> keys{"id", "side", "probability", "parameter", "extra"};
+    keys.insert(keys.end(), more.begin(), more.end());
+    node.allow_keys(keys);
     FoundEffect effect{{node["id"].text(), node.has("side") ? node["side"].text() : "none"}, 1.0, parameter_of(node["parameter"]), {}};
     if (node.has("probability") && !node["probability"].is_null())
         effect.probability = node["probability"].number_within(0.0, 1.0 + kProbabilityRounding);
     if (node.has("extra"))
         for (const auto& [name, value] : node["extra"].members()) effect.extra.emplace_back(name, value.number());
     return effect;
+}
+
+UnknownTerm term_of(const JsonNode& node) {
+    UnknownTerm term;
+    term.found = effect_of(node, {"port", "depends_on", "law", "sentence", "log_odds", "curve", "second"});
+    const effects::Term* const law = effects::term_or_none(term.found.cause.id);
+    if (law == nullptr) node["id"].refuse("the id of a generic term");
+    term.port = law->port;
+    term.depends_on = law->depends_on;
+    term.law = law->effect.law;
+    if (node.has("sentence")) term.sentence = node["sentence"].text();
+    return term;
 }
 
 VerdictKind verdict_of(const JsonNode& node) {
@@ -53,6 +68,11 @@ Diagnosis parse_diagnosis(std::string_view json, const std::string& file) {
     for (const JsonNode& effect : root["effects"].cells()) diagnosis.effects.push_back(effect_of(effect));
     diagnosis.verdict = diagnosis.effects.empty() ? VerdictKind::kNone : VerdictKind::kIdentified;
     if (root.has("verdict")) diagnosis.verdict = verdict_of(root["verdict"]);
+    if (root.has("unknown_term") && !root["unknown_term"].is_null()) {
+        const JsonNode first = root["unknown_term"];
+        diagnosis.unknown_terms.push_back(term_of(first));
+        if (first.has("second")) diagnosis.unknown_terms.push_back(term_of(first["second"]));
+    }
     if (root.has("build"))
         for (const auto& [name, parameter] : root["build"].members()) diagnosis.build.emplace_back(name, parameter_of(parameter));
     if (root.has("case")) diagnosis.case_name = root["case"].text();

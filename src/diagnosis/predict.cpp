@@ -8,7 +8,7 @@
 
 #include "fusee/core/error.h"
 #include "fusee/diagnosis/diagnose.h"
-#include "fusee/effects/effect.h"
+#include "fusee/effects/term.h"
 #include "fusee/joint_model/build_parameters.h"
 #include "fusee/joint_model/signals.h"
 #include "workload.h"
@@ -35,10 +35,12 @@ joint_model::BuiltRig rig_of(const gap_case::Case& nominal, const Diagnosis& fou
             std::find_if(found.build.begin(), found.build.end(), [&](const auto& entry) { return entry.first == build.name; });
         build.add(rig, known == found.build.end() ? 0.0 : known->second.value);
     }
-    for (const FoundEffect& effect : found.effects) {
-        const effects::Effect& law = effects::find_effect(effect.cause.id);
+    const auto add = [&](const FoundEffect& effect) {
+        const effects::Effect& law = effects::find_effect_or_term(effect.cause.id);
         effects::apply_effect(law, effect.cause, values_of(law, effect, rig.reference), rig);
-    }
+    };
+    for (const FoundEffect& effect : found.effects) add(effect);
+    for (const UnknownTerm& term : found.unknown_terms) add(term.found);
     return rig;
 }
 
@@ -54,7 +56,7 @@ void require_allowed(const std::string& what, const effects::EffectParameter& la
 
 /// Checks one effect with its further parameters.
 void require_possible(const std::string& place, const FoundEffect& found, const gap_case::Reference& reference) {
-    const effects::Effect& law = effects::find_effect(found.cause.id);
+    const effects::Effect& law = effects::find_effect_or_term(found.cause.id);
     const effects::EffectParameter size = law.parameters.front().on(reference);
     const std::string name = place + ": " + found.cause.id;
     require_allowed(name, size, found.parameter.value);
@@ -122,6 +124,7 @@ void require_possible(const gap_case::Case& nominal, const Diagnosis& found, con
                                      "each effect once on a side");
         require_possible(place, effect, reference);
     }
+    for (const UnknownTerm& term : found.unknown_terms) require_possible(file + ": unknown_term", term.found, reference);
     std::vector<std::string> names;
     for (const joint_model::BuildParameter& build : joint_model::build_parameters(nominal)) names.push_back(build.name);
     for (const auto& [name, parameter] : found.build)

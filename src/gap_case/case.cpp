@@ -7,6 +7,7 @@
 #include "csv.h"
 #include "fields.h"
 #include "fusee/core/file.h"
+#include "fusee/gap_case/columns.h"
 #include "fusee/gap_case/reference.h"
 #include "fusee/gap_case/toml.h"
 #include "fusee/math/curve.h"
@@ -62,7 +63,9 @@ std::map<Experiment, std::vector<std::string>> read_files(const CaseToml& toml) 
 
 void require_case(const CaseToml& toml) {
     if (toml.has("bench")) throw toml.fault("bench", "a subsystem case", "a case with [rig]; a case with [bench] is a subsystem case");
-    toml.allow_tables({"rig", "tolerance", "sensors", "protocol", "experiments"});
+    std::vector<std::string> tables{"rig", "tolerance", "sensors", "protocol", "experiments"};
+    for (std::string& table : column_tables()) tables.push_back(std::move(table));
+    toml.allow_tables(tables);
 }
 
 /// @pre the springs are read: they give the rig's torque
@@ -76,6 +79,21 @@ void read_toml(const CaseToml& toml, Case& gap_case) {
     if (toml.has("protocol.motor_ramp")) gap_case.protocol.smooth_motor_ramp = read_ramp(toml);
     require_noise(toml, gap_case.sensors);
     gap_case.files = read_files(toml);
+    gap_case.columns = read_columns(toml);
+}
+
+/// All but the rows. @param hash gets the bytes read @return the name of the springs' file
+std::string read_rig(const CaseFiles& files, Case& gap_case, core::Sha256& hash) {
+    const CaseToml toml(files);
+    gap_case.name = files.name();
+    require_case(toml);
+    if (!toml.has("rig.springs")) toml.require_numbers("rig", rig_keys(gap_case.rig), {"springs"});  // names the first that is missing
+    hash.add(toml.bytes());
+    std::string springs = toml.text("rig.springs", kSpringsAllowed);
+    (void)toml.files("rig.springs");
+    gap_case.rig.springs = read_springs(files, springs, [&hash](std::string_view bytes) { hash.add(bytes); });
+    read_toml(toml, gap_case);
+    return springs;
 }
 
 }  // namespace
@@ -120,21 +138,21 @@ std::size_t Rows::size() const {
 }
 
 Case read_case(const CaseFiles& files) {
-    const CaseToml toml(files);
     Case gap_case;
-    gap_case.name = files.name();
-    require_case(toml);
-    if (!toml.has("rig.springs")) toml.require_numbers("rig", rig_keys(gap_case.rig), {"springs"});  // names the first that is missing
     core::Sha256 hash;
-    hash.add(toml.bytes());
+    const std::string springs = read_rig(files, gap_case, hash);
     const auto seen = [&hash](std::string_view bytes) { hash.add(bytes); };
-    const std::string springs = toml.text("rig.springs", kSpringsAllowed);
-    (void)toml.files("rig.springs");
-    gap_case.rig.springs = read_springs(files, springs, seen);
-    read_toml(toml, gap_case);
     gap_case.rows = read_tables(gap_case, files, {.seen = seen, .remarks = &gap_case.remarks});
     gap_case.sha256 = hash.hex();
     for (std::string& remark : check_rows(gap_case, files.folder(), springs)) gap_case.remarks.push_back(std::move(remark));
+    return gap_case;
+}
+
+Case read_nominal(const fs::path& folder) {
+    Case gap_case;
+    core::Sha256 hash;
+    (void)read_rig(CaseFiles(folder), gap_case, hash);
+    gap_case.sha256 = hash.hex();
     return gap_case;
 }
 

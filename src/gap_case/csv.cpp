@@ -66,10 +66,13 @@ Allowed allowed(Quantity quantity, const NominalRig& rig) {
 template <class Row>
 class TableReader {
 public:
-    TableReader(const CaseFiles& files, std::string name, const NominalRig& rig, const TablesOptions& options)
-        : files_(files), name_(std::move(name)), rig_(rig), options_(options), table_(read()) {}
+    TableReader(const CaseFiles& files, std::string name, const Case& gap_case, Experiment experiment, const TablesOptions& options)
+        : files_(files), name_(std::move(name)), rig_(gap_case.rig), options_(options) {
+        if (const auto own = gap_case.columns.find(experiment); own != gap_case.columns.end()) maps_ = own->second;
+        table_ = read();
+    }
 
-    [[nodiscard]] std::vector<Row> rows() const {
+    [[nodiscard]] std::vector<Row> rows() {
         std::vector<Row> rows(table_.rows());
         for (const Field<Row>& field : fields<Row>()) {
             if (table_.has(field.column))
@@ -78,9 +81,12 @@ public:
                 for (Row& row : rows) field.set(row, kNothing);
         }
         finish(rows);
+        if (!options_.inputs_only) leave_out_gaps(rows);
         return rows;
     }
     [[nodiscard]] const core::CsvTable& table() const { return table_; }
+    /// Lines of rows without a number in a measured column.
+    [[nodiscard]] const std::vector<std::size_t>& left_out() const { return left_out_; }
 
 private:
     [[nodiscard]] core::CsvTable read() const {
@@ -89,8 +95,9 @@ private:
             const bool lax = options_.inputs_only && field.measured;
             columns.push_back({.name = field.column,
                                .kind = field.words.empty() ? core::CsvColumn::Kind::kNumber : core::CsvColumn::Kind::kText,
-                               .required = field.required && !lax,
-                               .gaps = lax});
+                               .required = (field.required || maps_.contains(field.column)) && !lax,
+                               .gaps = field.measured,
+                               .header = map_of(field.column).header});
         }
         core::CsvOptions limits;
         limits.most_kept = options_.inputs_only ? limits.most_rows : kLongestTable;
@@ -99,7 +106,7 @@ private:
             limits.largest_bytes = kLargestTable;
             if constexpr (std::is_same_v<Row, LogRow>) {
                 limits.span_column = "t_s";
-                limits.longest_span = kLongestLog;
+                limits.longest_span = kLongestLog / map_of("t_s").factor;
             }
         }
         return files_.read_csv(name_, columns, limits, options_.seen);
@@ -118,12 +125,50 @@ private:
     void fill_numbers(std::vector<Row>& rows, const Field<Row>& field) const {
         const std::vector<double>& numbers = table_.numbers(field.column);
         const Allowed limits = allowed(field.quantity, rig_);
+        const double factor = map_of(field.column).factor;
         for (std::size_t i = 0; i < rows.size(); ++i) {
-            const bool whole = field.quantity != Quantity::kCount || numbers[i] == std::floor(numbers[i]);
-            if (!std::isnan(numbers[i]) && (!limits.range.holds(numbers[i]) || !whole))
-                throw table_.fault(i, field.column, fmt::format("{:g}", numbers[i]), limits.text);
-            field.set(rows[i], numbers[i]);
+            const double number = factor == 1.0 ? numbers[i] : factor * numbers[i];
+            const bool whole = field.quantity != Quantity::kCount || number == std::floor(number);
+            if (!std::isnan(number) && (!limits.range.holds(number) || !whole))
+                throw table_.fault(i, field.column,
+                                   factor == 1.0 ? fmt::format("{:g}", number)
+                                                 : fmt::format("{:g}, which is {:g} as {}", numbers[i], number, field.column),
+                                   limits.text);
+            field.set(rows[i], number);
         }
+    }
+
+    [[nodiscard]] ColumnMap map_of(const std::string& column) const {
+        const auto own = maps_.find(column);
+        return own == maps_.end() ? ColumnMap{} : own->second;
+    }
+
+    /// The first measured column of the file that has no number in a row; null: none.
+    [[nodiscard]] const Field<Row>* gap_in(std::size_t row) const {
+        const auto& all = fields<Row>();
+        const auto gap = std::find_if(all.begin(), all.end(), [&](const Field<Row>& field) {
+            return field.measured && table_.has(field.column) && std::isnan(table_.numbers(field.column)[row]);
+        });
+        return gap == all.end() ? nullptr : &*gap;
+    }
+
+    /// Removes the rows that have a measured column without a number. A row of a loop keeps its place in time.
+    void leave_out_gaps(std::vector<Row>& rows) {
+        std::vector<std::size_t> gaps;
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            if (gap_in(i) != nullptr) gaps.push_back(i);
+        if (gaps.empty()) return;
+        if (2 * gaps.size() > rows.size())
+            throw table_.fault(gaps.front(), gap_in(gaps.front())->column,
+                               fmt::format("{} of {} rows have no number in a measured column", gaps.size(), rows.size()),
+                               "at least half of the rows complete; `fusee predict` reads empty templates");
+        for (const std::size_t i : gaps) left_out_.push_back(table_.line(i));
+        std::vector<Row> whole;
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            if constexpr (std::is_same_v<Row, StiffnessRow>) rows[i].row = i + 1;
+            if (gap_in(i) == nullptr) whole.push_back(rows[i]);
+        }
+        rows = std::move(whole);
     }
 
     void finish(std::vector<Row>& rows) const {
@@ -182,8 +227,19 @@ private:
     std::string name_;
     const NominalRig& rig_;
     const TablesOptions& options_;
+    std::map<std::string, ColumnMap> maps_;
     core::CsvTable table_;
+    std::vector<std::size_t> left_out_;
 };
+
+/// "12 of 240 rows are left out, without a number in a measured column: lines 14, 15, ...".
+void tell_gaps(const std::string& file, const std::vector<std::size_t>& lines, std::size_t rows, std::vector<std::string>& remarks) {
+    constexpr std::size_t kShown = 5;
+    if (lines.empty()) return;
+    const std::vector<std::size_t> first(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(std::min(kShown, lines.size())));
+    remarks.push_back(fmt::format("{}: {} of {} rows are left out, without a number in a measured column: line{} {}{}", file, lines.size(),
+                                  rows, lines.size() > 1 ? "s" : "", fmt::join(first, ", "), lines.size() > kShown ? ", ..." : ""));
+}
 
 void tell_left_out(const std::string& file, const core::CsvTable& table, std::vector<std::string>& remarks) {
     if (table.rows_beyond_span() > 0)
@@ -202,11 +258,14 @@ void read_experiment(const Case& gap_case, const CaseFiles& files, const TablesO
     for (const std::string& name : named->second) {
         std::size_t& part = all.parts[experiment].emplace_back(0);
         if (options.inputs_only && !files.has(name)) continue;
-        const TableReader<Row> reader(files, name, gap_case.rig, options);
+        TableReader<Row> reader(files, name, gap_case, experiment, options);
         const std::vector<Row> read = reader.rows();
         part = read.size();
         rows.insert(rows.end(), read.begin(), read.end());
-        if (options.remarks != nullptr) tell_left_out(name, reader.table(), *options.remarks);
+        if (options.remarks != nullptr) {
+            tell_left_out(name, reader.table(), *options.remarks);
+            tell_gaps(name, reader.left_out(), reader.table().rows(), *options.remarks);
+        }
         if constexpr (std::is_same_v<Row, DeadBandRow>)
             all.dead_band_width_only |= reader.table().has("width_rad") && std::isnan(read.front().q_low);
     }

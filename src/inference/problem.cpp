@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fusee/effects/term.h"
+
 namespace fusee::inference {
 
 namespace {
@@ -10,11 +12,17 @@ namespace {
 constexpr double kStep = 0.3;         ///< of a difference: in sigmas of a build parameter
 constexpr double kEffectStep = 0.04;  ///< in scales of an effect's parameter
 
+std::vector<effects::Effect> effects_and_terms(const gap_case::Reference& reference) {
+    std::vector<effects::Effect> all = effects::effects_on(reference);
+    for (effects::Effect& term : effects::terms_on(reference)) all.push_back(std::move(term));
+    return all;
+}
+
 }  // namespace
 
 Problem::Problem(const gap_case::Case& gap_case)
     : gap_case_(gap_case),
-      library_(effects::effects_on(gap_case::reference_of(gap_case.rig))),
+      library_(effects_and_terms(gap_case::reference_of(gap_case.rig))),
       cams_(gap_case.rig),
       build_(joint_model::build_parameters(gap_case)),
       known_(uncertainty(gap_case)),

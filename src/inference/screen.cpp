@@ -1,6 +1,7 @@
 #include "fusee/inference/screen.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "fusee/core/parallel.h"
 
@@ -51,21 +52,21 @@ std::vector<Eigen::VectorXd> starts_upon(const Problem& problem, const Fit& base
     return all;
 }
 
-/// Columns of `jacobian` for the base, and `own` for the rest.
-Eigen::MatrixXd joined(const Eigen::MatrixXd& jacobian, const Eigen::MatrixXd& own) {
-    Eigen::MatrixXd all(jacobian.rows(), jacobian.cols() + own.cols());
-    all << jacobian, own;
-    return all;
-}
-
-/// x fitted to break-away and spring pulls, which need no motion: a far better start where they see the effect.
-Eigen::VectorXd directed(const Problem& problem, const Fit& base, const Causes& causes, Eigen::VectorXd x) {
-    const auto first = static_cast<int>(base.x.size());
+/// The rows of break-away and spring pulls, of those `kept`.
+std::vector<bool> direct_rows(const Problem& problem, const std::vector<bool>* kept) {
     std::vector<bool> direct(static_cast<std::size_t>(problem.residuals()));
     for (std::size_t i = 0; i < direct.size(); ++i) {
         const gap_case::Experiment experiment = problem.experiment_of(static_cast<int>(i));
-        direct[i] = experiment == gap_case::Experiment::kBreakAway || experiment == gap_case::Experiment::kSpringPull;
+        direct[i] = (experiment == gap_case::Experiment::kBreakAway || experiment == gap_case::Experiment::kSpringPull) &&
+                    (kept == nullptr || (*kept)[i]);
     }
+    return direct;
+}
+
+/// x fitted to the rows `direct`, which need no motion: a far better start where they see the effect.
+Eigen::VectorXd directed(const Problem& problem, const Fit& base, const Causes& causes, const std::vector<bool>& direct,
+                         Eigen::VectorXd x) {
+    const auto first = static_cast<int>(base.x.size());
     Eigen::VectorXd residual = problem.direct_residual(causes, x);
     double cost = cost_of(problem, causes, residual, x, &direct);
     for (int round = 0; round < kDirectRounds; ++round) {
@@ -76,9 +77,10 @@ Eigen::VectorXd directed(const Problem& problem, const Fit& base, const Causes& 
             columns.col(k) = (problem.direct_residual(causes, near) - residual) / kDirectStep;
         }
         const Eigen::VectorXd next = linear_step(problem, causes, x, residual, joined(base.jacobian, columns), &direct);
+        if (!next.allFinite()) break;
         const Eigen::VectorXd left = problem.direct_residual(causes, next);
         const double now = cost_of(problem, causes, left, next, &direct);
-        if (now >= cost) break;
+        if (!(now < cost)) break;
         x = next;
         residual = left;
         cost = now;
@@ -95,55 +97,45 @@ void drop_like(std::vector<Eigen::VectorXd>& starts) {
     starts = std::move(kept);
 }
 
-Guess best_start(const Problem& problem, const Fit& base, const Causes& causes, const effects::Effect& effect) {
+/// `cause` upon `base` from the best of its starts.
+Guess best_start(const Problem& problem, const Fit& base, const effects::Cause& cause, const std::vector<bool>* kept) {
+    const effects::Effect& effect = problem.effect(cause.id);
+    Causes causes = base.causes;
+    causes.push_back(cause);
     Guess best{causes, {}, 1e300};
     const auto own = static_cast<Eigen::Index>(problem.size(causes)) - base.x.size();
     const Eigen::MatrixXd held =
         joined(base.spread.cwiseInverse().asDiagonal() * base.jacobian, Eigen::MatrixXd::Zero(base.jacobian.rows(), own));
     std::vector<Eigen::VectorXd> starts = starts_upon(problem, base, causes, effect);
-    const bool direct = std::any_of(effect.seen_by.begin(), effect.seen_by.end(), [&](gap_case::Experiment e) {
-        return (e == gap_case::Experiment::kBreakAway || e == gap_case::Experiment::kSpringPull) && problem.gap_case().rows.size(e) > 0;
+    const std::vector<bool> direct = direct_rows(problem, kept);
+    const bool seen = std::any_of(effect.seen_by.begin(), effect.seen_by.end(), [&](gap_case::Experiment e) {
+        for (std::size_t i = 0; i < direct.size(); ++i)
+            if (direct[i] && problem.experiment_of(static_cast<int>(i)) == e) return true;
+        return false;
     });
-    if (direct) {
-        for (Eigen::VectorXd& x : starts) x = directed(problem, base, causes, x);
+    if (seen) {
+        for (Eigen::VectorXd& x : starts) x = directed(problem, base, causes, direct, x);
         drop_like(starts);
     }
     best.x = starts.front();
     for (const Eigen::VectorXd& x : starts) {
         const Eigen::VectorXd residual = problem.thin_residual(causes, x).cwiseQuotient(base.spread);
-        Eigen::VectorXd next = linear_step(problem, causes, x, residual, held);
+        Eigen::VectorXd next = linear_step(problem, causes, x, residual, held, kept);
         next.tail(own) = x.tail(own);
-        const double cost = cost_of(problem, causes, residual + held * (next - x), next);
+        const double cost = cost_of(problem, causes, residual + held * (next - x), next, kept);
         if (cost < best.cost) best = {causes, next, cost};
     }
     return best;
 }
 
-/// Steps with the columns of the effect, taken if they lower the true cost.
-Guess improved(const Problem& problem, const Fit& base, Guess guess) {
-    const auto own = guess.x.size() - base.x.size();
-    const auto seen = [&](const Eigen::VectorXd& x) -> Eigen::VectorXd {
-        return problem.thin_residual(guess.causes, x).cwiseQuotient(base.spread);
-    };
-    const Eigen::MatrixXd held = base.spread.cwiseInverse().asDiagonal() * base.jacobian;
-    Eigen::VectorXd residual = seen(guess.x);
-    guess.cost = cost_of(problem, guess.causes, residual, guess.x);
-    for (int round = 0; round < kScreenRounds; ++round) {
-        Eigen::MatrixXd columns(residual.size(), own);
-        for (int k = 0; k < own; ++k)
-            columns.col(k) = problem.slope(guess.causes, guess.x, static_cast<int>(base.x.size()) + k).cwiseQuotient(base.spread);
-        const Eigen::VectorXd step = linear_step(problem, guess.causes, guess.x, residual, joined(held, columns)) - guess.x;
-        for (double share = 1.0; share > 0.2; share *= 0.4) {
-            const Eigen::VectorXd x = guess.x + share * step, left = seen(x);
-            const double cost = cost_of(problem, guess.causes, left, x);
-            if (cost >= guess.cost) continue;
-            guess.x = x;
-            guess.cost = cost;
-            residual = left;
-            break;
-        }
-    }
-    return guess;
+/// A few steps with the columns of the effect.
+Guess improved(const Problem& problem, const Fit& base, Guess guess, const std::vector<bool>* kept) {
+    return descend(problem, base.spread, base.jacobian, std::move(guess), {.steps = kScreenRounds, .least = 0.0, .smallest = 0.2}, kept);
+}
+
+void sort_by_cost(std::vector<Guess>& guesses) {
+    std::stable_sort(guesses.begin(), guesses.end(),
+                     [](const Guess& a, const Guess& b) { return a.cost < b.cost || (std::isfinite(a.cost) && !std::isfinite(b.cost)); });
 }
 
 }  // namespace
@@ -167,14 +159,20 @@ std::vector<effects::Cause> possible_causes(const gap_case::Rows& rows) {
     return causes;
 }
 
-std::vector<Guess> screen(const Problem& problem, const Fit& base, const std::vector<effects::Cause>& causes, unsigned jobs) {
+Guess guess_upon(const Problem& problem, const Fit& base, const effects::Cause& cause, const std::vector<bool>* kept) {
+    return improved(problem, base, best_start(problem, base, cause, kept), kept);
+}
+
+std::vector<Guess> screen(const Problem& problem, const Fit& base, const std::vector<effects::Cause>& causes, unsigned jobs,
+                          std::size_t improved_ones) {
     std::vector<Guess> guesses(causes.size());
-    core::parallel_for(causes.size(), jobs, [&](std::size_t i) {
-        Causes all = base.causes;
-        all.push_back(causes[i]);
-        guesses[i] = improved(problem, base, best_start(problem, base, all, problem.effect(causes[i].id)));
-    });
-    std::stable_sort(guesses.begin(), guesses.end(), [](const Guess& a, const Guess& b) { return a.cost < b.cost; });
+    core::parallel_for(causes.size(), jobs, [&](std::size_t i) { guesses[i] = best_start(problem, base, causes[i], nullptr); });
+    if (improved_ones < guesses.size()) {
+        sort_by_cost(guesses);
+        guesses.resize(improved_ones);
+    }
+    core::parallel_for(guesses.size(), jobs, [&](std::size_t i) { guesses[i] = improved(problem, base, std::move(guesses[i]), nullptr); });
+    sort_by_cost(guesses);
     return guesses;
 }
 

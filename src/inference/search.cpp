@@ -70,14 +70,6 @@ void add_pairs(const Problem& problem, const std::vector<effects::Cause>& causes
     }
 }
 
-/// Nothing is left for a second effect: every experiment agrees within its accuracy, and no build parameter deviates enough to
-/// replace one.
-bool explained(const Problem& problem, const Fit& fit) {
-    if (std::abs(worst_nuisance_pull(problem, fit).sigmas) > kStretched) return false;
-    const std::array<double, gap_case::kExperiments> misfit = misfits(problem, fit.seen());
-    return std::all_of(misfit.begin(), misfit.end(), [](double t) { return t < kNothingLeft; });
-}
-
 /// The best pair without one of its effects, started at the pair: a single fit that stopped elsewhere would make its
 /// partner look necessary.
 void step_back(const Problem& problem, const SearchOptions& options, std::vector<Fit>& fits) {
@@ -105,18 +97,6 @@ std::vector<Fit> singles_of(const Problem& problem, const Fit& null, const std::
     return singles;
 }
 
-/// Every effect of the hypothesis is there: its size stands off 0, or it is a limit (a stop), which has no size of 0; and no build
-/// parameter is so far off that no workshop can cause it.
-bool stands(const Problem& problem, const Fit& fit) {
-    if (!fit.causes.empty() && std::abs(worst_nuisance_pull(problem, fit).sigmas) > kImpossible) return false;
-    for (std::size_t c = 0; c < fit.causes.size(); ++c) {
-        const int k = problem.size_at(fit.causes, c);
-        const double least = std::max(kLeastSize, kStandsOff * std::sqrt(fit.covariance(k, k)));
-        if (!problem.effect(fit.causes[c].id).is_limit() && std::abs(fit.x[k]) < least) return false;
-    }
-    return true;
-}
-
 /// A hypothesis before ranking.
 struct Ranked {
     Fit fit;
@@ -132,11 +112,13 @@ void sort_by_score(std::vector<Ranked>& ranking) {
 void ask_the_splits(const Problem& problem, std::vector<Ranked>& ranking, const SearchOptions& options) {
     const auto first = [&] { return ranking.begin() + static_cast<std::ptrdiff_t>(std::min(kLeftOut, ranking.size())); };
     const auto unasked = [](const Ranked& h) { return h.left_out.x.empty(); };
+    const auto is_null = [](const Ranked& h) { return h.fit.causes.empty(); };
+    const Fit null = std::find_if(ranking.begin(), ranking.end(), is_null)->fit;
     const auto ask = [&](Ranked& h) {
-        h.left_out = experiments_left_out(problem, h.fit, options.jobs);
+        h.left_out = experiments_left_out(problem, null, h.fit, options.jobs);
         if (!contradicted(problem, h.fit, h.left_out).empty()) h.score -= kContradicted;
     };
-    ask(*std::find_if(ranking.begin(), ranking.end(), [](const Ranked& h) { return h.fit.causes.empty(); }));
+    ask(*std::find_if(ranking.begin(), ranking.end(), is_null));
     for (auto next = std::find_if(ranking.begin(), first(), unasked); next != first();
          next = std::find_if(ranking.begin(), first(), unasked)) {
         ask(*next);
@@ -181,6 +163,22 @@ Search ranked(const Problem& problem, std::vector<Fit> fits, const SearchOptions
 }
 
 }  // namespace
+
+bool explained(const Problem& problem, const Fit& fit) {
+    if (std::abs(worst_nuisance_pull(problem, fit).sigmas) > kStretched) return false;
+    const std::array<double, gap_case::kExperiments> misfit = misfits(problem, fit.seen());
+    return std::all_of(misfit.begin(), misfit.end(), [](double t) { return t < kNothingLeft; });
+}
+
+bool stands(const Problem& problem, const Fit& fit) {
+    if (!fit.causes.empty() && std::abs(worst_nuisance_pull(problem, fit).sigmas) > kImpossible) return false;
+    for (std::size_t c = 0; c < fit.causes.size(); ++c) {
+        const int k = problem.size_at(fit.causes, c);
+        const double least = std::max(kLeastSize, kStandsOff * std::sqrt(fit.covariance(k, k)));
+        if (!problem.effect(fit.causes[c].id).is_limit() && std::abs(fit.x[k]) < least) return false;
+    }
+    return true;
+}
 
 void discount_unfounded(std::span<const std::size_t> effects, std::span<double> scores) {
     double none = -std::numeric_limits<double>::infinity(), one = none;

@@ -7,12 +7,12 @@
 
 #include "fusee/core/parallel.h"
 #include "fusee/gap_case/reference.h"
+#include "fusee/inference/screen.h"
 
 namespace fusee::inference {
 
 namespace {
 
-constexpr int kSteps = 2;            ///< of each refit
 constexpr std::size_t kStretch = 8;  ///< rows of a path that are held out together
 constexpr double kLogStretch = 0.5;  ///< of the reference rig [s]
 
@@ -28,43 +28,76 @@ int place(const std::vector<double>& levels, double value) {
 }
 
 struct Refit {
-    Eigen::VectorXd x, sigma;
+    Guess end;
+    double improvement = 0.0;  ///< by the start at the fit of all rows
 };
 
-/// x refitted on the rows with kept[i], from `fit`.
-Refit refitted(const Problem& problem, const Fit& fit, const std::vector<bool>& kept) {
-    const Eigen::MatrixXd jacobian = fit.spread.cwiseInverse().asDiagonal() * fit.jacobian;
-    Eigen::VectorXd x = fit.x, seen = fit.seen();
-    double cost = cost_of(problem, fit.causes, seen, x, &kept);
-    for (int i = 0; i < kSteps; ++i) {
-        const Eigen::VectorXd next = linear_step(problem, fit.causes, x, seen, jacobian, &kept);
-        const Eigen::VectorXd left = problem.residual(fit.causes, next).cwiseQuotient(fit.spread);
-        const double now = cost_of(problem, fit.causes, left, next, &kept);
-        if (now >= cost) break;
-        x = next;
-        seen = left;
-        cost = now;
+/// Refits of one hypothesis, each on some of the rows.
+class Refits {
+public:
+    Refits(const Problem& problem, const Fit& null, const Fit& fit) : problem_(problem), null_(null), fit_(fit) {}
+
+    /// From the nominal rig: build parameters first, then each cause upon them. Looks at the rows `kept` only.
+    [[nodiscard]] Guess from_nominal(const std::vector<bool>& kept) const {
+        Fit base = null_;
+        base.x = descend(problem_, base.spread, null_.jacobian, {{}, problem_.start({}), 0.0}, {}, &kept).x;
+        for (const effects::Cause& cause : fit_.causes) {
+            Guess with = guess_upon(problem_, base, cause, &kept);
+            base.causes = std::move(with.causes);
+            base.x = std::move(with.x);
+            base.jacobian = joined(null_.jacobian, columns_from(problem_, base.causes, base.x, null_.jacobian.cols()));
+        }
+        return settled({base.causes, base.x, 0.0}, kept);
     }
-    const Eigen::MatrixXd known = information(problem, fit, seen, &kept);
-    return {x, known.llt().solve(Eigen::MatrixXd::Identity(x.size(), x.size())).diagonal().cwiseSqrt()};
+    [[nodiscard]] Refit on(const std::vector<bool>& kept) const {
+        Refit refit{from_nominal(kept)};
+        if (const Guess other = settled({fit_.causes, fit_.x, 0.0}, kept); other.cost < refit.end.cost) {
+            refit.improvement = refit.end.cost - other.cost;
+            refit.end = other;
+        }
+        return refit;
+    }
+
+private:
+    [[nodiscard]] Guess settled(Guess start, const std::vector<bool>& kept) const {
+        const auto build = static_cast<Eigen::Index>(problem_.build().size());
+        return descend(problem_, fit_.spread, fit_.jacobian.leftCols(build), std::move(start), {}, &kept);
+    }
+    const Problem& problem_;
+    const Fit &null_, &fit_;
+};
+
+/// Adds what the refit without group `g` says about the rows of that group.
+void predict_group(const Problem& problem, const Fit& fit, const std::vector<int>& group, int g, const Refit& refit, Split& split) {
+    std::vector<bool> kept(group.size());
+    for (std::size_t i = 0; i < group.size(); ++i) kept[i] = group[i] != g;
+    const Eigen::VectorXd residual = problem.residual(fit.causes, refit.end.x);
+    const Eigen::MatrixXd covariance = information(problem, fit, residual.cwiseQuotient(fit.spread), &kept)
+                                           .llt()
+                                           .solve(Eigen::MatrixXd::Identity(fit.x.size(), fit.x.size()));
+    const auto part = static_cast<std::size_t>(g);
+    split.x[part] = refit.end.x;
+    split.sigma[part] = covariance.diagonal().cwiseSqrt();
+    split.improvement[part] = refit.improvement;
+    for (Eigen::Index i = 0; i < residual.size(); ++i) {
+        if (kept[static_cast<std::size_t>(i)]) continue;
+        split.residual[i] = residual[i];
+        const Eigen::RowVectorXd slope = fit.jacobian.row(i);
+        split.expected[i] = std::sqrt(fit.spread[i] * fit.spread[i] + slope.dot(covariance * slope.transpose()));
+    }
 }
 
-Split by_groups(const Problem& problem, const Fit& fit, const std::vector<int>& group, int groups, unsigned jobs) {
-    std::vector<Eigen::VectorXd> left(static_cast<std::size_t>(groups));
-    Split split;
-    split.x.resize(left.size());
-    split.sigma.resize(left.size());
-    core::parallel_for(left.size(), jobs, [&](std::size_t g) {
+Split by_groups(const Problem& problem, const Fit& null, const Fit& fit, const std::vector<int>& group, int groups, unsigned jobs) {
+    const auto parts = static_cast<std::size_t>(groups);
+    Split split{Eigen::VectorXd::Zero(problem.residuals()), Eigen::VectorXd::Zero(problem.residuals()), std::vector<Eigen::VectorXd>(parts),
+                std::vector<Eigen::VectorXd>(parts), std::vector<double>(parts)};
+    const Refits refits(problem, null, fit);
+    core::parallel_for(parts, jobs, [&](std::size_t part) {
+        const int g = static_cast<int>(part);
         std::vector<bool> kept(group.size());
-        for (std::size_t i = 0; i < group.size(); ++i) kept[i] = group[i] != static_cast<int>(g);
-        if (std::find(kept.begin(), kept.end(), false) == kept.end()) return;
-        Refit refit = refitted(problem, fit, kept);
-        left[g] = problem.residual(fit.causes, refit.x);
-        split.x[g] = std::move(refit.x);
-        split.sigma[g] = std::move(refit.sigma);
+        for (std::size_t i = 0; i < group.size(); ++i) kept[i] = group[i] != g;
+        if (std::find(kept.begin(), kept.end(), false) != kept.end()) predict_group(problem, fit, group, g, refits.on(kept), split);
     });
-    split.residual.resize(problem.residuals());
-    for (int i = 0; i < problem.residuals(); ++i) split.residual[i] = left[static_cast<std::size_t>(group[static_cast<std::size_t>(i)])][i];
     return split;
 }
 
@@ -86,12 +119,14 @@ std::vector<int> folds(const Problem& problem) {
     return fold;
 }
 
-Split held_out(const Problem& problem, const Fit& fit, unsigned jobs) { return by_groups(problem, fit, folds(problem), kFolds, jobs); }
+Split held_out(const Problem& problem, const Fit& null, const Fit& fit, unsigned jobs) {
+    return by_groups(problem, null, fit, folds(problem), kFolds, jobs);
+}
 
-Split experiments_left_out(const Problem& problem, const Fit& fit, unsigned jobs) {
+Split experiments_left_out(const Problem& problem, const Fit& null, const Fit& fit, unsigned jobs) {
     std::vector<int> group;
     for (int i = 0; i < problem.residuals(); ++i) group.push_back(static_cast<int>(problem.experiment_of(i)));
-    return by_groups(problem, fit, group, static_cast<int>(gap_case::kExperiments), jobs);
+    return by_groups(problem, null, fit, group, static_cast<int>(gap_case::kExperiments), jobs);
 }
 
 }  // namespace fusee::inference

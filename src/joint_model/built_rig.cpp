@@ -1,5 +1,7 @@
 #include "fusee/joint_model/built_rig.h"
 
+#include <algorithm>
+
 namespace fusee::joint_model {
 
 BuiltRig::BuiltRig(const gap_case::NominalRig& nominal)
@@ -17,9 +19,14 @@ BuiltRig::BuiltRig(const gap_case::NominalRig& nominal)
 
 void BuiltRig::assemble(const NominalCams& cams) {
     for (BuiltSide& side : sides) {
-        side.se = cams.series(side.se_build);
-        side.pe = cams.parallel(side.pe_build);
+        side.se = cams.series(side.se_build).scaled([&](double share) { return side.se_terms.factor(share); });
+        side.pe = cams.parallel(side.pe_build).scaled([&](double share) { return side.pe_terms.factor(share); });
     }
+}
+
+bool BuiltRig::has_memory() const {
+    return std::any_of(sides.begin(), sides.end(),
+                       [](const BuiltSide& side) { return side.se_terms.have_memory() || side.pe_terms.have_memory(); });
 }
 
 }  // namespace fusee::joint_model

@@ -41,11 +41,11 @@ std::vector<double> predict_dead_band(const BuiltRig& rig, const gap_case::Rows&
         const double high = push_and_release(motion, rig.hand, row.cocontraction, push, protocol);
         const double low = push_and_release(motion, rig.hand, row.cocontraction, -push, protocol);
         if (rows.dead_band_width_only) {
-            read.push_back(high - low);
+            read.push_back((1.0 + rig.terms.reading) * (high - low));
             continue;
         }
-        read.push_back(low + rig.joint_offset);
-        read.push_back(high + rig.joint_offset);
+        read.push_back(rig.read_q(low, 0.0));
+        read.push_back(rig.read_q(high, 0.0));
     }
     return read;
 }

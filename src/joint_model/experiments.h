@@ -34,7 +34,9 @@ template <class Row>
 }
 
 [[nodiscard]] std::vector<double> predict_break_away(const BuiltRig& rig, const std::vector<identification::BreakAway>& rows);
-[[nodiscard]] std::vector<double> predict_spring_pull(const BuiltRig& rig, const std::vector<gap_case::SpringPull>& rows);
+/// A spring that relaxes needs times, which the rows do not have: loading or unloading takes one phase of a co-contraction.
+[[nodiscard]] std::vector<double> predict_spring_pull(const BuiltRig& rig, const std::vector<gap_case::SpringPull>& rows,
+                                                      const gap_case::Protocol& protocol);
 [[nodiscard]] std::vector<double> predict_dead_band(const BuiltRig& rig, const gap_case::Rows& rows, const gap_case::Protocol& protocol);
 [[nodiscard]] std::vector<double> predict_joint_stiffness(const BuiltRig& rig, const gap_case::Rows& rows,
                                                           const gap_case::Protocol& protocol);

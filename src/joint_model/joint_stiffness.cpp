@@ -7,16 +7,25 @@ namespace fusee::joint_model {
 
 namespace {
 
+/// Rows from row `first` to row `i`, those that were left out included.
+double place_in(std::span<const gap_case::StiffnessRow> rows, std::size_t first, std::size_t i) {
+    return static_cast<double>(rows[i].row > 0 ? rows[i].row - rows[first].row : i - first);
+}
+
 /// Line through the torques of a phase: the command without the scatter of its reading.
 struct Ramp {
     double from = 0.0, per_row = 0.0;
 };
 Ramp straight(std::span<const gap_case::StiffnessRow> rows, std::size_t first, std::size_t last) {
-    const double n = static_cast<double>(last - first), middle = 0.5 * (n - 1.0);
-    double mean = 0.0, lever = 0.0, weight = 0.0;
+    const double n = static_cast<double>(last - first);
+    double mean = 0.0, middle = 0.0, lever = 0.0, weight = 0.0;
     for (std::size_t i = first; i < last; ++i) {
-        const double place = static_cast<double>(i - first) - middle;
         mean += rows[i].joint_torque / n;
+        middle += place_in(rows, first, i);
+    }
+    middle /= n;
+    for (std::size_t i = first; i < last; ++i) {
+        const double place = place_in(rows, first, i) - middle;
         lever += place * rows[i].joint_torque;
         weight += place * place;
     }
@@ -38,10 +47,11 @@ void follow(const BuiltRig& rig, std::span<const gap_case::StiffnessRow> rows, c
             begin_at(motion, {tau, tau, 0.0}, protocol);
         }
         const Ramp ramp = straight(rows, first, last);
+        const double of_phase = place_in(rows, first, last - 1) + 1.0;
         for (std::size_t i = first; i < last; ++i) {
-            motion.lead_to({tau, tau, ramp.from + ramp.per_row * static_cast<double>(i - first)},
-                           protocol.joint_stiffness_phase / static_cast<double>(last - first));
-            read.push_back(motion.q() + rig.joint_offset);
+            const double place = place_in(rows, first, i), steps = i == first ? 1.0 : place - place_in(rows, first, i - 1);
+            motion.lead_to({tau, tau, ramp.from + ramp.per_row * place}, steps * (protocol.joint_stiffness_phase / of_phase));
+            read.push_back(rig.read_q(motion.q(), motion.joint_torque()));
         }
     }
 }

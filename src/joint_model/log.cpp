@@ -11,6 +11,21 @@ namespace {
 
 Motion::Torques torques_of(const gap_case::LogRow& row) { return {row.torque_agonist, row.torque_antagonist, row.joint_torque}; }
 
+/// Every third of `read`, q, as it was `lag` before its row.
+void delay_q(std::span<const gap_case::LogRow> rows, double lag, std::span<double> read) {
+    std::vector<double> q;
+    for (std::size_t i = 2; i < read.size(); i += 3) q.push_back(read[i]);
+    std::size_t after = 0;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const double time = rows[i].time - lag;
+        while (after + 1 < rows.size() && rows[after].time < time) ++after;
+        const std::size_t before = after > 0 ? after - 1 : 0;
+        const double width = rows[after].time - rows[before].time;
+        const double share = width > 0.0 ? std::clamp((time - rows[before].time) / width, 0.0, 1.0) : 0.0;
+        read[3 * i + 2] = std::lerp(q[before], q[after], share);
+    }
+}
+
 /// One log from rest: the motor ramp reaches the torques of the first row, which settle before the log begins.
 void follow(const BuiltRig& rig, std::span<const gap_case::LogRow> rows, const gap_case::Protocol& protocol, std::vector<double>& read) {
     Motion motion(rig, step_on(rig.reference, protocol, kLogStep));
@@ -37,6 +52,7 @@ void follow(const BuiltRig& rig, std::span<const gap_case::LogRow> rows, const g
         }
         reading.append(motion, read);
     }
+    if (rig.terms.lag > 0.0) delay_q(rows, rig.terms.lag, std::span(read).last(3 * rows.size()));
 }
 
 }  // namespace

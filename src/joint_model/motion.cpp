@@ -26,7 +26,8 @@ public:
 
     /// Equations 1 to 4 of docs/theory/diagnosis.md.
     void step(MotionState& s, const Torques& torques) const {
-        const std::array<double, 2> pull{turn_capstan<0>(s, torques.agonist), turn_capstan<1>(s, torques.antagonist)};
+        const std::array<double, 2> pull{turn_capstan<0>(s, torques.agonist, torques.antagonist),
+                                         turn_capstan<1>(s, torques.antagonist, torques.agonist)};
         turn_joint(s, pull, torques.joint);
         for (std::size_t i = 0; i < 3; ++i) s.place[i] += h_ * s.speed[i];
         for (std::size_t i = 0; i < 2; ++i)
@@ -36,21 +37,49 @@ public:
 private:
     /// New speed of a capstan. @return torque of its K_SE [Nm of nominal capstan]
     template <std::size_t kSide>
-    double turn_capstan(MotionState& s, double command) const {
+    double turn_capstan(MotionState& s, double command, double other_command) const {
         const BuiltSide& side = rig_.sides[kSide];
-        const double theta = s.place[kSide], wound = rig_.capstan_scale * theta, stretch = rig_.ratio * s.place[2];
-        const double x = kSide == 0 ? wound + stretch : wound - stretch;
-        const double pull = s.memory[2 * kSide].torque(x, side.se.torque(x), side.se_build.hysteresis);
-        const double parallel = s.memory[2 * kSide + 1].torque(theta, side.pe.torque(theta), side.pe_build.hysteresis);
-        s.speed[kSide] = gear_speed(side.gear, per_mass_[kSide], s.speed[kSide], rig_.capstan_scale * pull + parallel, command);
+        const double theta = s.place[kSide], wound = rig_.capstan_scale * theta, stretch = rig_.ratio * wound_on_joint(s.place[2]);
+        const double x = (kSide == 0 ? wound + stretch : wound - stretch) - s.slipped[kSide];
+        double pull = s.memory[2 * kSide].torque(x, side.se.torque(x), side.se_build.hysteresis);
+        double parallel = s.memory[2 * kSide + 1].torque(theta, side.pe.torque(theta), side.pe_build.hysteresis);
+        if (memory_) remember<kSide>(s, pull, parallel);
+        double extra = 0.0, factor = 1.0;
+        if (const GearTerms& terms = side.gear.terms; terms.move()) {
+            extra = terms.torque(theta) + terms.crosstalk * other_command;
+            factor = std::max(0.0, 1.0 + terms.friction(theta));
+        }
+        s.speed[kSide] =
+            gear_speed(side.gear, per_mass_[kSide], s.speed[kSide], rig_.capstan_scale * pull + parallel, {command, extra, factor});
         return pull;
     }
-    [[nodiscard]] double gear_speed(const Gear& gear, double per_mass, double before, double load, double command) const {
-        const double torque = std::clamp(command * (1.0 + gear.torque_scale), -gear.saturation, gear.saturation);
+    /// Relaxation of both springs and slip of the cable, from the torques of this step.
+    template <std::size_t kSide>
+    void remember(MotionState& s, double& pull, double& parallel) const {
+        const BuiltSide& side = rig_.sides[kSide];
+        const auto relax = [this](double& relaxed, double& torque, const SpringTerms& terms) {
+            relaxed += h_ / (terms.relaxation_time + h_) * (torque - relaxed);
+            torque = terms.relaxed(torque, relaxed);
+        };
+        relax(s.relaxed[2 * kSide], pull, side.se_terms);
+        relax(s.relaxed[2 * kSide + 1], parallel, side.pe_terms);
+        if (!s.jumped[kSide] && pull > side.se_terms.jump_at) {
+            s.jumped[kSide] = true;
+            s.slipped[kSide] += side.se_terms.jump;
+        }
+        s.slipped[kSide] += h_ * std::max(0.0, pull - side.se_terms.slip_at) / side.se_terms.slip_drag;
+    }
+    /// The joint angle that would wind as much cable on the nominal arm.
+    [[nodiscard]] double wound_on_joint(double q) const { return rig_.terms.arm.is_on() ? q + rig_.terms.arm.integral(q) : q; }
+    struct Drive {
+        double command, extra, friction;  // [Nm], [Nm] of generic terms, factor of the friction
+    };
+    [[nodiscard]] double gear_speed(const Gear& gear, double per_mass, double before, double load, const Drive& drive) const {
+        const double torque = std::clamp(drive.command * (1.0 + gear.torque_scale), -gear.saturation, gear.saturation) + drive.extra;
         const double momentum = rig_.motor_inertia * before + h_ * (torque - load);
         const double way = momentum < 0.0 ? -1.0 : 1.0;
-        const double sliding =
-            h_ * (gear.coulomb + gear.load_friction * std::abs(load) + gear.quadratic * load * load) * (1.0 + way * gear.asymmetry);
+        const double sliding = h_ * drive.friction * (gear.coulomb + gear.load_friction * std::abs(load) + gear.quadratic * load * load) *
+                               (1.0 + way * gear.asymmetry);
         const double left = std::abs(momentum) - sliding;
         if (left <= 0.0 || (left <= sliding * gear.stribeck && before * way <= 0.0)) return 0.0;
         double speed = left * per_mass;
@@ -63,7 +92,9 @@ private:
     }
     void turn_joint(MotionState& s, const std::array<double, 2>& pull, double command) const {
         const double q = s.place[2];
-        double drive = rig_.ratio * (pull[1] - pull[0]) + command;
+        const JointTerms& terms = rig_.terms;
+        const double ratio = terms.arm.is_on() ? rig_.ratio * (1.0 + terms.arm(q)) : rig_.ratio;
+        double drive = ratio * (pull[1] - pull[0]) + command + terms.torque_at(q);
         double per_mass = per_free_mass_;
         if (const double inside = std::abs(q) - rig_.stop; inside > 0.0) {
             drive -= std::copysign(rig_.stop_stiffness * inside, q);
@@ -71,12 +102,14 @@ private:
         }
         if (rig_.gravity != 0.0) drive -= rig_.gravity * std::sin(q);
         const double momentum = rig_.joint_inertia * s.speed[2] + h_ * drive;
-        const double friction = h_ * (rig_.joint_coulomb + rig_.tension_friction * rig_.ratio * (pull[0] + pull[1]));
+        double friction = h_ * (rig_.joint_coulomb + rig_.tension_friction * rig_.ratio * (pull[0] + pull[1]));
+        if (terms.friction.is_on()) friction = std::max(0.0, friction + h_ * terms.friction(q));
         s.speed[2] = std::copysign(std::max(0.0, std::abs(momentum) - friction), momentum) * per_mass;
     }
 
     const BuiltRig& rig_;
     double h_, free_mass_ = 1.0, per_free_mass_ = 1.0;
+    bool memory_ = rig_.has_memory();
     std::array<double, 2> per_mass_{};
 };
 
@@ -98,7 +131,7 @@ void Motion::lead_to(const Torques& torques, double seconds) {
         return;
     }
     const int steps = std::max(1, static_cast<int>(std::ceil(seconds / longest_step_)));
-    const bool held = torques_ == torques;
+    const bool held = torques_ == torques && !rig_->has_memory();
     const Stepper stepper(*rig_, hand_damping, seconds / steps);
     MotionState state = state_;
     for (int i = 1; i <= steps && !(held && i > 1 && state.at_rest()); ++i)

@@ -8,7 +8,7 @@ std::vector<double> predict_experiment(const BuiltRig& rig, const gap_case::Rows
         case gap_case::Experiment::kBreakAway:
             return predict_break_away(rig, rows.breakaway);
         case gap_case::Experiment::kSpringPull:
-            return predict_spring_pull(rig, rows.spring_pull);
+            return predict_spring_pull(rig, rows.spring_pull, protocol);
         case gap_case::Experiment::kDeadBand:
             return predict_dead_band(rig, rows, protocol);
         case gap_case::Experiment::kJointStiffness:

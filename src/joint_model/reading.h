@@ -7,7 +7,7 @@
 
 namespace fusee::joint_model {
 
-/// Encoder readings of a rig: motors with gear backlash, joint with its offset.
+/// Encoder readings of a rig: motors with gear backlash, joint with its offset; generic terms of both.
 class Reading {
 public:
     explicit Reading(const BuiltRig& rig) : rig_(rig) {}
@@ -17,9 +17,9 @@ public:
             const auto i = static_cast<std::size_t>(side);
             const double theta = motion.theta(side), half = 0.5 * rig_.sides[i].gear.backlash;
             read_[i] = std::clamp(read_[i], theta - half, theta + half);
-            read.push_back(read_[i]);
+            read.push_back(read_[i] + rig_.sides[i].gear.terms.reading(theta));
         }
-        read.push_back(motion.q() + rig_.joint_offset);
+        read.push_back(rig_.read_q(motion.q(), motion.joint_torque()));
     }
 
 private:

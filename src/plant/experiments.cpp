@@ -188,11 +188,15 @@ std::vector<LogRow> Session::log() {
     constexpr double kSeconds = 8.0;
     std::vector<LogRow> rows;
     const double knock = random_.either_sign(points_.log_knock), rate = test_rig_.sensors.log_rate;
+    std::vector<double> late;  // q as read, before the lag
+    const auto behind = static_cast<std::size_t>(std::lround(test_rig_.truth.joint.encoder_lag * rate));
     Machine machine = co_contracted(points_.log_torque, 0.0);
     const long samples = std::lround(kSeconds * rate);
     for (long i = 0; i <= samples; ++i) {
         const double time = static_cast<double>(i) / rate;
         rows.push_back({time, log_command(time, knock), {read_theta(machine, 0), read_theta(machine, 1)}, read_q(machine)});
+        late.push_back(rows.back().q);
+        rows.back().q = late[late.size() - 1 - std::min(late.size() - 1, behind)];
         if (i < samples) machine.run(1.0 / rate, [&](double t) { return log_command(time + t, knock); });
     }
     end(machine);

@@ -47,8 +47,12 @@ void Machine::warm_up() {
 
 double Machine::cable(std::size_t i) {
     Side& side = sides_[i];
-    const double turned = truth_.sides[i].ratio() * q_;
+    const double turned = truth_.sides[i].ratio() * truth_.joint.wound(q_);
     const double pull = side.se.pull(side.theta + (i == 0 ? turned : -turned) - side.slipped, kStep);
+    if (!side.jumped && pull > truth_.sides[i].jump_torque) {
+        side.jumped = true;
+        side.slipped += truth_.sides[i].jump;
+    }
     side.slipped += kStep * std::max(0.0, pull - truth_.sides[i].slip_torque) / truth_.sides[i].slip_drag;
     return pull;
 }
@@ -57,7 +61,8 @@ void Machine::turn_motor(std::size_t i, double series, const Command& command) {
     Side& side = sides_[i];
     const SideTruth& built = truth_.sides[i];
     const double load = series + side.pe.pull(side.theta, kStep);
-    const double motor = built.torque_scale * command.motor[i] + built.crosstalk * command.motor[1 - i];
+    const double cogging = built.cogging == 0.0 ? 0.0 : built.cogging * std::sin(built.cogging_turns * side.theta + built.cogging_phase);
+    const double motor = built.torque_scale * command.motor[i] + built.crosstalk * command.motor[1 - i] + cogging;
     const double stop = stop_torque(-side.theta, -side.speed, kMotorStop, kMotorStopDamping);
     side.speed += kStep / built.inertia * (motor - load - side.gear.torque() - built.viscous * side.speed + stop);
     side.theta += kStep * side.speed;
@@ -66,7 +71,9 @@ void Machine::turn_motor(std::size_t i, double series, const Command& command) {
 
 void Machine::turn_joint(const std::array<double, 2>& series, const Command& command) {
     const JointTruth& joint = truth_.joint;
-    const double up = truth_.sides[1].ratio() * series[1], down = truth_.sides[0].ratio() * series[0];
+    const double arm = joint.pulley == 0.0 ? 1.0 : joint.arm_factor(q_);
+    const double up = arm * truth_.sides[1].ratio() * series[1], down = arm * truth_.sides[0].ratio() * series[0];
+    joint_torque_ = command.joint;
     double torque = command.joint + up - down - bearing_.torque() - (joint.viscous + command.hand) * joint_speed_;
     torque -= (joint.harness + joint.hardening * q_ * q_) * q_;
     if (joint.gravity != 0.0) torque -= joint.gravity * std::sin(q_);

@@ -45,6 +45,29 @@ std::vector<EffectKind> capstan_kinds() {
         // The other motor's current leaks into this one's command.
         {"outside.crosstalk", [](R, Random& random, Effect& e) { e.size = random.either_sign(random.uniform(0.12, 0.2)); },
          [](const Effect& e, SideTruth& s) { s.crosstalk = e.size; }, nullptr},
+        // The magnets of the motor pull it to some angles.
+        {"outside.cogging",
+         [](R range, Random& random, Effect& e) {
+             e.size = range.scale * random.uniform(0.03, 0.08);
+             e.extra = {{"turns_per_rad", random.uniform(4.0, 14.0)}, {"phase_rad", phase(random)}};
+         },
+         [](const Effect& e, SideTruth& s) {
+             s.cogging = e.size;
+             s.cogging_turns = e.parameter("turns_per_rad");
+             s.cogging_phase = e.parameter("phase_rad");
+         },
+         nullptr},
+        // Under tension the cable leaves its groove for the next one, once in a run.
+        {"outside.groove_jump",
+         [](R range, Random& random, Effect& e) {
+             e.size = range.series * random.uniform(0.3, 0.55);
+             e.extra = {{"lost_rad", random.uniform(0.15, 0.3)}};
+         },
+         [](const Effect& e, SideTruth& s) {
+             s.jump_torque = e.size;
+             s.jump = e.parameter("lost_rad");
+         },
+         nullptr},
         // The encoder's disc sits off its centre.
         {"outside.encoder_eccentricity",
          [](R, Random& random, Effect& e) {
@@ -134,6 +157,24 @@ std::vector<EffectKind> output_kinds() {
              j.rough_at = e.parameter("at_rad");
              j.rough_width = e.parameter("width_rad");
          }},
+        // The pulley of the joint turns about a point off its centre.
+        {"outside.eccentric_pulley",
+         [](R, Random& random, Effect& e) {
+             e.size = random.uniform(0.12, 0.25);
+             e.extra = {{"phase_rad", phase(random)}};
+         },
+         nullptr,
+         [](const Effect& e, JointTruth& j) {
+             j.pulley = e.size;
+             j.pulley_phase = e.parameter("phase_rad");
+         }},
+        // The link bends between the encoder and the torque.
+        {"outside.joint_flexibility",
+         [](R range, Random& random, Effect& e) { e.size = random.uniform(0.12, 0.25) * range.reach / range.most_push; }, nullptr,
+         [](const Effect& e, JointTruth& j) { j.flexibility = e.size; }},
+        // The log's channel of the joint is late.
+        {"outside.clock_skew", [](R, Random& random, Effect& e) { e.size = random.uniform(0.03, 0.08); }, nullptr,
+         [](const Effect& e, JointTruth& j) { j.encoder_lag = e.size; }},
         // The joint's encoder counts too many or too few.
         {"outside.encoder_scale", [](R, Random& random, Effect& e) { e.size = random.either_sign(random.uniform(0.08, 0.15)); }, nullptr,
          [](const Effect& e, JointTruth& j) { j.encoder_scale = 1.0 + e.size; }},

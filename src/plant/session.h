@@ -42,7 +42,7 @@ private:
     }
     [[nodiscard]] double read_q(const Machine& machine) {
         const JointTruth& joint = test_rig_.truth.joint;
-        return encoder(joint.encoder_scale * machine.q() + joint.encoder_offset);
+        return encoder(joint.encoder_scale * machine.q() + joint.flexibility * machine.joint_torque() + joint.encoder_offset);
     }
     // Phases.
     [[nodiscard]] Machine co_contracted(double torque, double hand);

@@ -55,6 +55,9 @@ TEST_F(Gap, DiagnosesACaseAndPredictsOtherInputs) {
     const std::string rows = core::read_file(folder_ / "nominal" / "breakaway.csv");
     EXPECT_EQ(std::count(rows.begin(), rows.end(), '\n'), 97);
     EXPECT_EQ(rows.find(",\n"), std::string::npos) << "an empty cell";
+    write("case/breakaway.csv", inputs_);  // an empty template says what to expect
+    expect_words(run("predict case --out expected").out, {"96 rows predicted by the nominal model"});
+    EXPECT_EQ(core::read_file(folder_ / "expected" / "breakaway.csv"), rows);
 }
 
 TEST_F(Gap, PredictsASubsystemCaseIntoANewFolder) {
@@ -81,6 +84,7 @@ TEST_F(Gap, RefusesBadInputAndWritesNothing) {
     };
     expect_refused("diagnose case", {"--out"});
     expect_refused("diagnose missing --out out", {"missing/case.toml"});
+    expect_refused("predict case --out case", {"--out", "a folder other than"});
     expect_refused("predict case --inputs inputs --out inputs", {"--out", "a folder other than"});
     expect_refused("predict case --inputs inputs --out case", {"--out", "a folder other than"});
     expect_refused("predict case --inputs nowhere --out out", {"nowhere", "none of the case's files"});
@@ -100,7 +104,7 @@ TEST_F(Gap, RefusesBadInputAndWritesNothing) {
     write("case/breakaway.csv", inputs_.substr(0, inputs_.find('\n')) + "\nagonist,drive,1,0.7\nagonist,backdrive,1,1.4\n");
     expect_refused("diagnose case --out out", {"case: experiments: 2 rows (allowed: at least 4 rows in all)"});
     write("case/breakaway.csv", inputs_);
-    expect_refused("diagnose case --out out", {"case/breakaway.csv:2:", "load_torque_Nm: (missing)"});
+    expect_refused("diagnose case --out out", {"case/breakaway.csv:2:", "load_torque_Nm: 96 of 96 rows have no number"});
 }
 
 }  // namespace

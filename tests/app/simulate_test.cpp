@@ -36,6 +36,15 @@ TEST_F(Program, EquilibriaAreFoundAtAnyTorques) {
     expect_words(refused.err, {"pnrvsa.toml  refused", "equilibrium.outside", "at 5, 1, 0 Nm", "nearest feasible: tau_1 = 2."});
 }
 
+TEST_F(Program, ARelativeHasNoModelForMuJoCoAndLeavesNoFolder) {
+    const fs::path relative = fs::path(FUSEE_SOURCE_DIR) / "profiles" / "relatives" / "bidirectional.toml";
+    const Ended refused = run("simulate '" + relative.string() + "' --levels 2 --write-mjcf models");
+    EXPECT_EQ(refused.code, 2) << refused.all();
+    expect_words(refused.err, {"rig.arrangement", "for a model for MuJoCo"});
+    EXPECT_FALSE(fs::exists(folder_ / "models"));
+    EXPECT_FALSE(fs::exists(folder_ / "out"));
+}
+
 TEST_F(Program, RelativesEndInOneTable) {
     const Ended done = run("simulate '" + (fs::path(FUSEE_SOURCE_DIR) / "profiles" / "relatives").string() + "' --levels 2");
     EXPECT_EQ(done.code, 0) << done.all();

@@ -42,6 +42,13 @@ struct Table {
 const LabelEffect kCoulomb{"gear.coulomb", "agonist", 0.5, {}}, kRate{"se.rate", "both", 0.5, {}},
     kHarness{"outside.harness", "none", 1.0, {}};
 
+diagnosis::UnknownTerm form(const std::string& port, const std::string& depends_on) {
+    diagnosis::UnknownTerm term;
+    term.port = port;
+    term.depends_on = depends_on;
+    return term;
+}
+
 /// Two of each kind of case, one of them answered well.
 Table mixed() {
     Table t;
@@ -50,10 +57,10 @@ Table mixed() {
     t.add({kRate}, VerdictKind::kIdentified, {found("se.rate", "both", 0.6, 0.6, 0.9)});
     t.add({kRate}, VerdictKind::kAmbiguous, {found("se.radius", "both", 0.6)}).alternatives = {{{{"se.rate", "both"}}, 0.4}};
     t.add({}, VerdictKind::kNone);
-    t.add({}, VerdictKind::kUnknown);
+    t.add({}, VerdictKind::kUnknown).form = {form("motor", "angle")};
     t.add({kCoulomb, kRate}, VerdictKind::kIdentified, {found("se.rate", "both", 1.0), found("gear.coulomb", "agonist", 1.0)});
     t.add({kCoulomb, kRate}, VerdictKind::kIdentified, {found("gear.coulomb", "agonist", 1.0)});
-    t.add({kHarness}, VerdictKind::kUnknown);
+    t.add({kHarness}, VerdictKind::kUnknown).form = {form("joint", "time")};
     t.add({kHarness}, VerdictKind::kIdentified, {found("joint.gravity", "none", 0.3)});
     return t;
 }
@@ -91,6 +98,10 @@ TEST(ScoreAnswers, CountsEachFigureOverItsCases) {
     expect_share(score, "unknown_called_unknown", 1, 2);
     expect_share(score, "known_called_unknown", 0, 6);
     expect_share(score, "known_not_seen", 0, 6);
+    expect_share(score, "form_given", 1, 2);
+    expect_share(score, "port_right", 1, 2);
+    expect_share(score, "dependence_right", 0, 2);
+    expect_share(score, "form_invented", 1, 8);
     expect_share(score, "intervals_hold", 4, 5);
     EXPECT_EQ(score.coverage.at("se.rate").hits, 1u);
     EXPECT_EQ(score.coverage.at("se.rate").of, 2u);

@@ -33,6 +33,43 @@ Diagnosis example() {
     return d;
 }
 
+UnknownTerm ripple() {
+    UnknownTerm term;
+    term.found = {{"term.motor.ripple", "antagonist"}, 0.97, {0.04, {0.03, 0.05}, "Nm"}, {{"per_rad", 8.0}, {"phase", 0.5}}};
+    term.port = "motor";
+    term.depends_on = "angle";
+    term.sentence = "It ripples.";
+    term.log_odds = 80.0;
+    term.x_name = "capstan_rad";
+    term.x = {0.0, 1.0};
+    term.y = {0.01, 0.02};
+    return term;
+}
+
+TEST(DiagnosisJson, TheFormOfAnUnknownEffectIsWrittenAndReadBack) {
+    EXPECT_TRUE(nlohmann::json::parse(diagnosis_json(example()))["unknown_term"].is_null());
+    Diagnosis d;
+    d.verdict = VerdictKind::kUnknown;
+    d.unknown_terms = {ripple(), ripple()};
+    d.unknown_terms[1].found.cause.side = "agonist";
+    const std::string text = diagnosis_json(d);
+    const nlohmann::json term = nlohmann::json::parse(text)["unknown_term"];
+    EXPECT_EQ(term["port"], "motor");
+    EXPECT_EQ(term["depends_on"], "angle");
+    EXPECT_EQ(term["parameter"]["value"], 0.04);
+    EXPECT_EQ(term["extra"]["per_rad"], 8.0);
+    EXPECT_EQ(term["curve"]["y"][1], 0.02);
+    EXPECT_EQ(term["second"]["side"], "agonist");
+    const Diagnosis read = parse_diagnosis(text, "x");
+    ASSERT_EQ(read.unknown_terms.size(), 2U);
+    EXPECT_EQ(read.unknown_terms[0].found.cause, d.unknown_terms[0].found.cause);
+    EXPECT_EQ(read.unknown_terms[0].found.extra, d.unknown_terms[0].found.extra);
+    EXPECT_EQ(read.unknown_terms[1].found.parameter.value, 0.04);
+    EXPECT_EQ(read.unknown_terms[0].port, "motor");
+    const std::string other = R"({"effects": [], "unknown_term": {"id": "term.moon", "parameter": {"value": 1}}})";
+    EXPECT_THROW((void)parse_diagnosis(other, "x"), core::InvalidInput);
+}
+
 TEST(DiagnosisJson, HasTheKeysThatOthersRead) {
     const nlohmann::json j = nlohmann::json::parse(diagnosis_json(example()));
     EXPECT_EQ(j["verdict"], "identified");

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "fusee/core/file.h"
-#include "fusee/effects/effect.h"
+#include "fusee/effects/term.h"
 #include "fusee/joint_model/signals.h"
 #include "inference/fixture.h"
 #include "joint_model/fixture.h"
@@ -75,7 +75,7 @@ private:
     static constexpr double kRounding = 1e-9;
     [[nodiscard]] joint_model::Signals signals(const std::vector<Cause>& causes, const std::vector<double>& values) const {
         joint_model::BuiltRig rig(small_template().rig);
-        for (const Cause& cause : causes) apply_effect(find_effect(cause.id), cause, values, rig);
+        for (const Cause& cause : causes) apply_effect(find_effect_or_term(cause.id), cause, values, rig);
         rig.assemble(cams_);
         return joint_model::predict_signals(rig, rows_, small_template().protocol);
     }
@@ -105,6 +105,11 @@ protected:
 };
 
 TEST_P(Library, IsDocumentedWithItsUnit) {
+    if (term_or_none(GetParam().id) != nullptr) {
+        const std::string page = core::read_file(std::filesystem::path(FUSEE_SOURCE_DIR) / "docs/theory/unknown.md");
+        EXPECT_NE(page.find("| `" + GetParam().id + "` |"), std::string::npos) << GetParam().id;
+        return;
+    }
     const std::map<std::string, std::string> page = documented();
     const auto row = page.find(GetParam().id);
     ASSERT_NE(row, page.end()) << "docs/gap.md lacks " << GetParam().id;
@@ -165,11 +170,32 @@ TEST_P(Library, RefusesASideThatItDoesNotHave) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Library, ::testing::ValuesIn(effect_library()), [](const auto& test) {
+const auto name_of = [](const auto& test) {
     std::string name = test.param.id;
     std::replace(name.begin(), name.end(), '.', '_');
     return name;
-});
+};
+INSTANTIATE_TEST_SUITE_P(All, Library, ::testing::ValuesIn(effect_library()), name_of);
+INSTANTIATE_TEST_SUITE_P(Terms, Library, ::testing::ValuesIn(terms_on({})), name_of);
+
+TEST(TermLibrary, EachTellsItsPlaceItsVariableAndItsValues) {
+    std::set<std::string> ids;
+    for (const Term& term : term_library()) {
+        EXPECT_TRUE(ids.insert(term.effect.id).second) << term.effect.id;
+        EXPECT_EQ(effect_or_none(term.effect.id), nullptr) << term.effect.id;
+        EXPECT_FALSE(term.port.empty() || term.depends_on.empty() || term.over.empty() || term.gives.empty()) << term.effect.id;
+        const std::vector<double> values = values_at(term.effect, term.effect.parameters[0].scale);
+        EXPECT_TRUE(std::isfinite(term.curve(values, 0.5))) << term.effect.id;
+        const std::string sentence = sentence_of(term, "agonist", values);
+        EXPECT_TRUE(sentence.ends_with('.') && sentence.find('{') == std::string::npos) << sentence;
+    }
+}
+
+TEST(TermLibrary, TheSentenceOfARippleCountsTurns) {
+    const Term& term = *term_or_none("term.motor.ripple");
+    EXPECT_EQ(sentence_of(term, "antagonist", {0.04, 12.0 / (2.0 * core::kPi), 0.3}),
+              "The torque of the antagonist's motor ripples 12 times a turn of its capstan, by 0.04 Nm.");
+}
 
 TEST(EffectLibrary, HasEachIdOnceAndNoMoreThanThePageTells) {
     std::set<std::string> ids;

@@ -122,7 +122,7 @@ TEST_F(CaseFolder, ALongFileIsThinnedByAConstantStride) {
     for (std::size_t i = 0; i < read.rows.joint_stiffness.size(); ++i)
         ASSERT_EQ(read.rows.joint_stiffness[i].q, 1e-5 * static_cast<double>(4 * i));
     EXPECT_TRUE(remarked("every 4th row is used, 10002 of 40007"));
-    write("joint_stiffness.csv", csv + "1,load+,0.4,nan\n");
+    write("joint_stiffness.csv", csv + "1,load+,0.4,none\n");
     EXPECT_NE(refusal().find("joint_stiffness.csv:40009:"), std::string::npos) << refusal();
 }
 

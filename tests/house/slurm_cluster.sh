@@ -78,10 +78,17 @@ node_tasks() { # NODE
     grep -lsz "^SLURMD_NODENAME=$1\$" /proc/[0-9]*/environ | cut -d / -f 3
 }
 
-# Stops the clock of a node's tasks, so that none ends before the crash. Fails if it has none.
-cluster_freeze() { # NODE
-    node_tasks "$1" | xargs -r kill -STOP 2>/dev/null || true
-    [ -n "$(node_tasks "$1")" ]
+# Stops the clock of a node's tasks, so that none ends before the crash. Fails, and lets them run on, if none is in the program: a task whose
+# program has ended is complete for the controller, which does not run it again.
+cluster_freeze() { # NODE PROGRAM
+    local tasks task
+    tasks=$(node_tasks "$1")
+    echo "$tasks" | xargs -r kill -STOP 2>/dev/null || true
+    for task in $tasks; do
+        case $(ps -o state=,comm= -p "$task" 2>/dev/null) in T*"$2") return 0 ;; esac
+    done
+    echo "$tasks" | xargs -r kill -CONT 2>/dev/null || true
+    return 1
 }
 
 # Ends a node as a power cut does: its daemon first, so that nothing is started any more, then what waits for the tasks, then the tasks.

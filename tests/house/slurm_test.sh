@@ -30,7 +30,7 @@ index_job=$(sed -n 's/.* job \([0-9]*\) for the index.*/\1/p' "$work/submitted")
 
 for _ in $(seq 600); do # under way, and the node has a task
     rows=$(cat array/study/rows/*.jsonl 2>/dev/null | wc -l)
-    if [ "$rows" -ge $((designs / 5)) ] && cluster_freeze n2; then break; fi
+    if [ "$rows" -ge $((designs / 5)) ] && cluster_freeze n2 "${program##*/}"; then break; fi
     sleep 0.1
 done
 cluster_crash n2

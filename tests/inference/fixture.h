@@ -2,6 +2,7 @@
 #include <memory>
 #include <random>
 
+#include "fusee/effects/term.h"
 #include "fusee/inference/fit.h"
 #include "gap_case/fixture.h"
 
@@ -25,6 +26,14 @@ inline gap_case::Case small_case(const gap_case::Rows& rows) {
     return gap_case;
 }
 
+/// The size with the further parameters at their start.
+inline std::vector<double> values_at(const effects::Cause& cause, double size) {
+    const effects::Effect& effect = effects::find_effect_or_term(cause.id);
+    std::vector<double> values{size};
+    for (std::size_t k = 1; k < effect.parameters.size(); ++k) values.push_back(effect.parameters[k].at_first);
+    return values;
+}
+
 /// What a rig shows that has `causes` at `sizes` (in their units), with `noise` times the sensors' noise.
 inline gap_case::Case measured_case(const gap_case::Rows& set_points, const inference::Causes& causes, const std::vector<double>& sizes,
                                     double noise, unsigned seed) {
@@ -32,7 +41,7 @@ inline gap_case::Case measured_case(const gap_case::Rows& set_points, const infe
     joint_model::BuiltRig rig(gap_case.rig);
     rig.joint_coulomb = gap_case.tolerance.joint_coulomb;
     for (std::size_t i = 0; i < causes.size(); ++i)
-        effects::apply_effect(effects::find_effect(causes[i].id), causes[i], std::vector{sizes[i]}, rig);
+        effects::apply_effect(effects::find_effect_or_term(causes[i].id), causes[i], values_at(causes[i], sizes[i]), rig);
     rig.assemble(joint_model::NominalCams(gap_case.rig));
     joint_model::Signals signals = joint_model::predict_signals(rig, gap_case.rows, gap_case.protocol);
     gap_case.rows = joint_model::with_measured(gap_case.rows, signals);

@@ -95,7 +95,7 @@ TEST(ExperimentsLeftOut, SayHowWellTheOthersSeeASize) {
     const gap_case::Case gap_case = measured_case(rows, {kCoulomb}, {0.06}, 1.0, 4);
     const Problem problem(gap_case);
     const Fit fit = best_fit(problem, {kCoulomb});
-    const Split left_out = experiments_left_out(problem, fit, 1);
+    const Split left_out = experiments_left_out(problem, best_fit(problem, {}), fit, 1);
     const int k = problem.size_at(fit.causes, 0);
     const auto of = [&](gap_case::Experiment e) { return left_out.sigma[static_cast<std::size_t>(e)][k]; };
     EXPECT_NEAR(of(gap_case::Experiment::kBreakAway), 3.0, 1e-6);

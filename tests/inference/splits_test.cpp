@@ -43,13 +43,48 @@ TEST(HeldOut, RowsThatNoRefitSawArePredictedAsWellAsThoseThatItSaw) {
     const gap_case::Case gap_case = measured_case(rows, {{"gear.coulomb", "agonist"}}, {0.06}, 1.0, 7);
     const Problem problem(gap_case);
     const Fit found = best_fit(problem, {{"gear.coulomb", "agonist"}});
-    const Split split = held_out(problem, found, 1);
+    const Fit null = best_fit(problem, {});
+    const Split split = held_out(problem, null, found, 1);
     EXPECT_EQ(split.x.size(), static_cast<std::size_t>(kFolds));
     const double seen = found.residual.norm(), unseen = split.residual.norm();
     EXPECT_GT(unseen, seen);
     EXPECT_LT(unseen, 1.3 * seen);  // one figure from 12 rows, three quarters of them kept
-    const Split four = held_out(problem, found, 4);
+    const Split four = held_out(problem, null, found, 4);
     EXPECT_EQ(four.residual, split.residual);
+}
+
+/// Break-aways and pulls of a rig with Coulomb friction on one side.
+gap_case::Case with_friction(unsigned seed) {
+    gap_case::Rows rows = pulls(3);
+    rows.breakaway = break_aways({0.2, 0.5, 0.8, 1.1}, 3, true).breakaway;
+    return measured_case(rows, {kCoulomb}, {0.06}, 1.0, seed);
+}
+
+TEST(HeldOut, WhatTheRowsOfAFoldSayDoesNotReachItsRefit) {
+    const gap_case::Case honest = with_friction(7);
+    gap_case::Case spoilt = honest;
+    const std::vector<int> fold = folds(Problem(honest));
+    for (std::size_t i = 0; i < honest.rows.breakaway.size(); ++i)
+        if (fold[i] == 0) spoilt.rows.breakaway[i].load_torque *= 0.7;
+    const auto refit_of = [](const gap_case::Case& gap_case) {
+        const Problem problem(gap_case);
+        return held_out(problem, best_fit(problem, {}), best_fit(problem, {kCoulomb}), 1);
+    };
+    const Split a = refit_of(honest), b = refit_of(spoilt);
+    for (Eigen::Index k = 0; k < a.x[0].size(); ++k) EXPECT_NEAR(a.x[0][k], b.x[0][k], 0.1 * a.sigma[0][k]) << k;
+    EXPECT_GT((a.x[1] - b.x[1]).cwiseQuotient(a.sigma[1]).cwiseAbs().maxCoeff(), 0.5);  // the other refits have these rows
+}
+
+TEST(HeldOut, TheExpectedResidualIsThatOfManyCases) {
+    double measured = 0.0, expected = 0.0;
+    for (unsigned seed = 1; seed <= 8; ++seed) {
+        const gap_case::Case gap_case = with_friction(seed);
+        const Problem problem(gap_case);
+        const Split split = held_out(problem, best_fit(problem, {}), best_fit(problem, {kCoulomb}), 1);
+        measured += split.residual.squaredNorm();
+        expected += split.expected.squaredNorm();
+    }
+    EXPECT_NEAR(std::sqrt(measured / expected), 1.0, 0.1);
 }
 
 }  // namespace

@@ -64,7 +64,22 @@ function width({ tau_Nm, push_torque_Nm }) {
   return high - low;
 }
 
+/** A joint with a stop and slack cables rests where the stop bears its torque. */
+function checkStop() {
+  const stop_rad = 0.2, stiffness = 60, torque = 6;
+  const own = structuredClone(laws);
+  Object.assign(own.joint, { stop_rad, stop_stiffness_Nm_per_rad: stiffness, stop_damping: 0.5 });
+  const ranged = xml.replace('<joint name="joint" ', `<joint name="joint" range="-${stop_rad} ${stop_rad}" `);
+  const model = mujoco.MjModel.from_xml_string(ranged), data = new mujoco.MjData(model), twin = new JointTwin(mujoco, model, data, own);
+  model.dof_damping[twin.dofs[2]] = kHand_Nms;
+  const steps = Math.ceil(10 / model.opt.timestep);
+  for (let i = 1; i <= steps; ++i) twin.step([0, 0, torque * Math.min(1, (2 * i) / steps)]);
+  const q = data.qpos[twin.places[2]], wanted = stop_rad + torque / stiffness;
+  expect(Math.abs(q - wanted) < 2e-3, `joint with a stop rests at ${q.toFixed(4)} rad, balance at ${wanted.toFixed(4)} rad`);
+}
+
 checkSprings();
+checkStop();
 const { levels } = JSON.parse(text(simulation_folder, "simulation.json"));
 const tested = scope === "all" ? levels : [levels[0], levels.at(-1)];
 for (const level of tested) {

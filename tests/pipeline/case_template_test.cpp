@@ -74,8 +74,8 @@ TEST_F(TemplateOfProfile, IsACaseWhoseFirstEmptyCellIsNamed) {
     try {
         (void)gap_case::read_case(folder_ / "case");
         FAIL() << "a sheet without a measurement was taken";
-    } catch (const core::InvalidInputs& refused) {
-        const std::string field = refused.all().front().field();
+    } catch (const core::InvalidInput& refused) {
+        const std::string field = refused.field();
         EXPECT_NE(field.find("breakaway.csv:2:"), std::string::npos) << field;
         EXPECT_NE(field.find("load_torque_Nm"), std::string::npos) << field;
     }

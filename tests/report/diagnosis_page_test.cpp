@@ -46,6 +46,27 @@ TEST(DiagnosisHtml, AnAmbiguousVerdictMarksTheMostProbableCauseToo) {
     expect_all(place_section(d), {"none is certain", "gear.coulomb (agonist): ", "gear.stribeck (agonist): "});
 }
 
+TEST(DiagnosisHtml, TheFormOfAnUnknownEffectIsASentenceALawAndACurve) {
+    diagnosis::Diagnosis d = diagnosis();
+    EXPECT_EQ(form_section(d), "");
+    d.verdict = diagnosis::VerdictKind::kUnknown;
+    d.effects.clear();
+    diagnosis::UnknownTerm& term = d.unknown_terms.emplace_back();
+    term.found = {{"term.motor.ripple", "antagonist"}, 0.97, {0.04, {0.03, 0.05}, "Nm"}, {{"per_rad", 1.91}, {"phase", 0.5}}};
+    term.port = "motor";
+    term.depends_on = "angle";
+    term.law = "The motor torque has a sin(n theta + p) more.";
+    term.sentence = "The torque of the antagonist's motor ripples 12 times a turn of its capstan, by 0.04 Nm.";
+    term.x_name = "capstan_rad";
+    term.y_name = "torque_Nm";
+    term.x = {0.0, 1.0, 2.0};
+    term.y = {0.01, -0.02, 0.03};
+    expect_all(form_section(d), {"motor ripples 12 times a turn of its capstan, by 0.04 Nm.", "enters at the motor", "capstan angle [rad]",
+                                 "torque [Nm]", "<svg", "per_rad", "0.97"});
+    expect_all(diagnosis_html(d), {"Cause unknown", "but its form is known", "motor ripples 12 times"});
+    EXPECT_NE(diagnosis_text(d).find(term.sentence), std::string::npos);
+}
+
 TEST(DiagnosisHtml, EscapesEveryText) {
     diagnosis::Diagnosis d = diagnosis();
     const std::string evil = "<i>&\"";

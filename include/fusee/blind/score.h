@@ -30,6 +30,7 @@ struct Answer {
     diagnosis::VerdictKind verdict = diagnosis::VerdictKind::kUnknown;
     std::vector<diagnosis::FoundEffect> effects;
     std::vector<diagnosis::Alternative> alternatives;
+    std::vector<diagnosis::UnknownTerm> form;  ///< of an unknown effect
     double claimed_before = diagnosis::kNoFigure,
            claimed_after = diagnosis::kNoFigure;  ///< heldout_before, heldout_after of the diagnosis [sigma]
     double held_out_before = diagnosis::kNoFigure, held_out_after = diagnosis::kNoFigure;  ///< on the case's folder heldout/ [sigma]

@@ -16,10 +16,12 @@ namespace fusee::core {
 /// A column that a reader knows.
 struct CsvColumn {
     enum class Kind { kNumber, kText };
-    std::string name;  ///< as in the header line
+    std::string name;  ///< as in the header line, unless `header` is given
     Kind kind = Kind::kNumber;
-    bool required = true;  ///< an optional column may be absent as a whole; if present, every row fills it
-    bool gaps = false;     ///< of numbers: an empty cell is NaN
+    bool required = true;     ///< an optional column may be absent as a whole; if present, every row fills it
+    bool gaps = false;        ///< of numbers: an empty cell, "nan" and "inf" (any case, any sign) are NaN
+    std::string header = {};  ///< other name in the header line; "": `name`
+    [[nodiscard]] const std::string& in_header() const { return header.empty() ? name : header; }
 };
 
 struct CsvOptions {

@@ -101,6 +101,18 @@ struct Transfer {
     std::vector<Parameter> parameters;                             ///< the size of each effect in this fit, without an interval
     std::string unit;                                              ///< of the errors
 };
+/// The form of an effect that the library does not hold: a generic term (effects::Term) that explains the gap.
+struct UnknownTerm {
+    FoundEffect found;       ///< its cause has the id of the term
+    std::string port;        ///< where it enters: "gear", "motor", "K_SE", "joint", ...
+    std::string depends_on;  ///< "angle", "time", "load and time", "other motor"
+    std::string law;         ///< with its symbols
+    std::string sentence;    ///< the law with its values
+    double log_odds = 0.0;   ///< against no term and against the library, what a term costs included [nats]
+    std::string x_name,
+        y_name;  ///< of its curve: "capstan_rad", "joint_rad", "end_share", "time_s", "torque_Nm"; "share", "torque_Nm", ...
+    std::vector<double> x, y;
+};
 /// A further measurement that distinguishes the alternatives.
 struct NextExperiment {
     std::string text;  ///< one sentence with its set points
@@ -125,8 +137,9 @@ struct Diagnosis {
     std::vector<GapCell> map;
     std::vector<Hypothesis> ranking;
     Isolability isolability;
-    std::vector<Power> power;        ///< of every effect of the library on each side; for the verdicts none and inconclusive
-    std::vector<Transfer> transfer;  ///< of subsystem cases with two files of different laws
+    std::vector<UnknownTerm> unknown_terms;  ///< at most two, only for the verdict unknown; `gap`, `build` and `traces` are then with them
+    std::vector<Power> power;                ///< of every effect of the library on each side; for the verdicts none and inconclusive
+    std::vector<Transfer> transfer;          ///< of subsystem cases with few files of different laws
     std::vector<Trace> traces;
     std::vector<NextExperiment> next;
     std::vector<std::string> remarks;  ///< limitations, disagreeing splits, gaps at the noise floor

@@ -90,6 +90,7 @@ struct StiffnessRow {
     double cocontraction = 0.0;
     StiffnessPhase phase = StiffnessPhase::kLoadUp;
     double joint_torque = 0.0, q = 0.0;
+    std::size_t row = 0;  ///< of its file, from 1, so that rows that were left out keep their time; 0: none was
 };
 struct CocontractionRow {
     bool up = true;
@@ -126,6 +127,14 @@ struct Rows {
     [[nodiscard]] std::size_t size() const;
 };
 
+/// How a column of a lab's file stands for one of the format. Table [columns.EXPERIMENT].
+struct ColumnMap {
+    std::string header;   ///< its name in the file
+    double factor = 1.0;  ///< from the number in the file to the format's unit
+};
+/// Of each experiment, by the format's column name.
+using ColumnMaps = std::map<Experiment, std::map<std::string, ColumnMap>>;
+
 struct Case {
     std::string name;    ///< of its folder
     std::string sha256;  ///< over every file of it that was read
@@ -134,17 +143,20 @@ struct Case {
     Sensors sensors;
     Protocol protocol;
     std::map<Experiment, std::vector<std::string>> files;  ///< as named in [experiments]
+    ColumnMaps columns;                                    ///< of files with other column names or units
     Rows rows;
     std::vector<std::string> remarks;  ///< limitations: few rows, thinned log, a table with defaults
 };
 
 /// Reads DIR/case.toml and the CSV files that it names. Implausible values (a mu of 22, a radius of 15: another unit) are
 /// rejected with the required unit. Of a log longer than `kLongestLog` only the beginning is used; a file above `kLongestTable` rows is
-/// thinned; a remark says so.
+/// thinned; a remark says so. A row without a number in a measured column is left out, and a remark counts them.
 /// @throws core::InvalidInput "file:line:column: key", core::IoError
 [[nodiscard]] Case read_case(const std::filesystem::path& folder);
 /// The same from a folder or from memory. @throws as read_case
 [[nodiscard]] Case read_case(const CaseFiles& files);
+/// The same without the rows of the experiments: for a prediction. Measured cells may be empty. @throws as read_case
+[[nodiscard]] Case read_nominal(const std::filesystem::path& folder);
 /// True if DIR/case.toml has [bench] in place of [rig] (fusee/subsystem/subsystem.h).
 [[nodiscard]] bool is_subsystem_case(const std::filesystem::path& folder);
 

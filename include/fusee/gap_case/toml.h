@@ -29,6 +29,7 @@ public:
 
     [[nodiscard]] const std::string& bytes() const { return bytes_; }
     [[nodiscard]] bool has(const std::string& path) const { return leaves_.contains(path) || tables_.contains(path); }
+    [[nodiscard]] bool has_table(const std::string& path) const { return tables_.contains(path); }
     [[nodiscard]] const Value& at(const std::string& path) const { return leaves_.at(path).value; }
 
     /// @throws core::InvalidInput naming what stands outside of these tables

@@ -1,24 +1,24 @@
 #pragma once
 #include <vector>
 
-#include "fusee/inference/fit.h"
+#include "fusee/inference/descend.h"
 
 namespace fusee::inference {
-
-/// A hypothesis with approximate parameters.
-struct Guess {
-    Causes causes;
-    Eigen::VectorXd x;
-    double cost = 0.0;  ///< estimated: build parameters follow in the linear model
-};
 
 /// Every effect of the library on every side.
 [[nodiscard]] std::vector<effects::Cause> causes_of_library();
 /// Every effect on every side that the experiments of the case can see.
 [[nodiscard]] std::vector<effects::Cause> possible_causes(const gap_case::Rows& rows);
 
+/// Adds `cause` to what `base` has, fitted to the rows `kept` in a few steps from the best of its starts; the parameters of `base` follow
+/// in its linear model. No row that is not kept is looked at.
+[[nodiscard]] Guess guess_upon(const Problem& problem, const Fit& base, const effects::Cause& cause,
+                               const std::vector<bool>* kept = nullptr);
+
 /// Adds each of `causes` to what `base` has, at its sizes to start with and one Gauss-Newton step, the rest of x following in
 /// the linear model of `base`. Sorted by cost.
-[[nodiscard]] std::vector<Guess> screen(const Problem& problem, const Fit& base, const std::vector<effects::Cause>& causes, unsigned jobs);
+/// @param improved only the best so many make the step
+[[nodiscard]] std::vector<Guess> screen(const Problem& problem, const Fit& base, const std::vector<effects::Cause>& causes, unsigned jobs,
+                                        std::size_t improved = static_cast<std::size_t>(-1));
 
 }  // namespace fusee::inference

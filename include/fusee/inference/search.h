@@ -26,6 +26,13 @@ struct SearchOptions {
     std::function<void(const std::string&)> progress;  ///< of each part that is finished: five
 };
 
+/// Nothing is left for a second effect: every experiment agrees within its accuracy, and no build parameter deviates enough to
+/// replace one.
+[[nodiscard]] bool explained(const Problem& problem, const Fit& fit);
+/// Every effect of the hypothesis is there: its size stands off 0, or it is a limit (a stop), which has no size of 0; and no build
+/// parameter is so far off that no workshop can cause it.
+[[nodiscard]] bool stands(const Problem& problem, const Fit& fit);
+
 /// Applies the cost of a contradiction to every pair if no single effect beats none after the splits: pairs were sought for
 /// a single effect, and sizes that only compensate each other are not a pair of causes.
 /// @param effects how many each hypothesis has

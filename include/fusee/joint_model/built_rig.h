@@ -6,6 +6,7 @@
 
 #include "fusee/gap_case/reference.h"
 #include "fusee/joint_model/cam_spring.h"
+#include "fusee/joint_model/generic_terms.h"
 
 namespace fusee::joint_model {
 
@@ -23,6 +24,7 @@ struct Gear {
     double backlash = 0.0;         ///< play between the capstan and the encoder of its motor [rad]
     double torque_scale = 0.0;     ///< delivered torque is (1 + e) times the command
     double saturation = kNever;    ///< greatest torque delivered [Nm]
+    GearTerms terms;
 };
 
 /// Hand motion of the joint in a dead-band test. It is not measured: defaults from faultless rigs, fitted with the build tolerances.
@@ -36,6 +38,7 @@ struct Hand {
 struct BuiltSide {
     Gear gear;
     SpringBuild se_build, pe_build;
+    SpringTerms se_terms, pe_terms;
     CamSpring se, pe;
 };
 
@@ -59,6 +62,13 @@ struct BuiltRig {
     double gravity = 0.0;           ///< m g l: torque -m g l sin q [Nm]
     double joint_offset = 0.0;      ///< added to q as read [rad]
     Hand hand;
+    JointTerms terms;
+    /// Of the joint's encoder [rad], at a joint torque [Nm].
+    [[nodiscard]] double read_q(double q, double torque) const {
+        return (1.0 + terms.reading) * q + terms.flexibility * torque + joint_offset;
+    }
+    /// A spring or cable depends on time: a joint at rest may still move.
+    [[nodiscard]] bool has_memory() const;
 
     /// Tabulates the springs. Call it after changing the builds.
     void assemble(const NominalCams& cams);

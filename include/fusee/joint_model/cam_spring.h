@@ -34,6 +34,13 @@ public:
     /// Least deflection that gives `torque`; below the first: 0.
     [[nodiscard]] double deflection(double torque) const;
     [[nodiscard]] double end() const { return (last_ + 1.0) / per_step_; }  ///< [rad]
+    /// The same with the torque times `factor` of the share of the end, 0 to 1.
+    template <class Factor>
+    [[nodiscard]] CamSpring scaled(const Factor& factor) const {
+        CamSpring other = *this;
+        for (std::size_t i = 0; i < torque_.size(); ++i) other.torque_[i] *= factor(static_cast<double>(i) / (last_ + 1.0));
+        return other;
+    }
 
 private:
     static constexpr double kStop = 0.01;  ///< travel in which a preloaded cable goes slack [rad]

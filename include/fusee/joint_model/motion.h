@@ -20,6 +20,9 @@ inline constexpr double kStepRange = 4.0;
 struct MotionState {
     std::array<double, 3> place{}, speed{};  ///< of the agonist's capstan, the antagonist's, the joint [rad], [rad/s]
     std::array<Hysteresis, 4> memory;        ///< SE, PE of the agonist, SE, PE of the antagonist
+    std::array<double, 4> relaxed{};         ///< torque of each, as its relaxation follows it [Nm]
+    std::array<double, 2> slipped{};         ///< cable that slipped on each capstan [rad]
+    std::array<bool, 2> jumped{};            ///< each cable has left its groove
     [[nodiscard]] bool at_rest() const { return speed[0] == 0.0 && speed[1] == 0.0 && speed[2] == 0.0; }
 };
 
@@ -42,6 +45,7 @@ public:
 
     [[nodiscard]] double theta(gap_case::Side side) const { return state_.place[static_cast<std::size_t>(side)]; }  ///< [rad]
     [[nodiscard]] double q() const { return state_.place[2]; }                                                      ///< [rad]
+    [[nodiscard]] double joint_torque() const { return torques_.joint; }                                            ///< commanded [Nm]
     double hand_damping = 0.0;  ///< at the joint, of a hand that follows it [Nms/rad]
 
 private:

@@ -40,6 +40,7 @@ public:
     }
     [[nodiscard]] double theta(std::size_t side) const { return sides_[side].theta; }
     [[nodiscard]] double q() const { return q_; }
+    [[nodiscard]] double joint_torque() const { return joint_torque_; }  ///< of the last command [Nm]
     [[nodiscard]] double session() const { return session_; }
     /// Kinetic, of springs and of bristles [J], for springs without memory and a joint without stop, gravity and harness.
     [[nodiscard]] double energy() const;
@@ -50,6 +51,7 @@ private:
         Bristles gear;
         Spring se, pe;
         double theta = 0.0, speed = 0.0, warm = 1.0, slipped = 0.0;
+        bool jumped = false;
     };
     [[nodiscard]] static Side side_of(const Truth& truth, const BuiltSprings& springs, std::size_t i);
     [[nodiscard]] double cable(std::size_t i);
@@ -60,7 +62,7 @@ private:
     Truth truth_;
     std::array<Side, 2> sides_;
     Bristles bearing_;
-    double q_ = 0.0, joint_speed_ = 0.0, session_ = 0.0;
+    double q_ = 0.0, joint_speed_ = 0.0, joint_torque_ = 0.0, session_ = 0.0;
 };
 
 }  // namespace fusee::plant

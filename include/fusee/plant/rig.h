@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -76,16 +77,18 @@ enum class Presliding { kElastoPlastic, kLuGre };
 struct SideTruth {
     double capstan_radius = 0.0, joint_radius = 0.0;  ///< [m]
     double mu = 0.0;
-    double coulomb = 0.0;                                         ///< on top of mu load [Nm]
-    double stribeck = 0.0, stribeck_speed = 0.1;                  ///< s, v_s [rad/s]
-    double viscous = 0.0;                                         ///< [Nms]
-    double inertia = 0.0;                                         ///< [kg m^2]
-    double torque_scale = 1.0;                                    ///< delivered over commanded
-    double crosstalk = 0.0;                                       ///< share of the other motor's torque that is added
-    double ripple = 0.0, ripple_turns = 1.0, ripple_phase = 0.0;  ///< friction (1 + ripple sin(turns theta + phase))
-    double drift = 0.0, drift_time = 1.0;                         ///< friction (1 + drift (1 - exp(-t/time))) with the session's time
-    double eccentricity = 0.0, eccentricity_phase = 0.0;          ///< encoder reads theta + e sin(theta + phase) [rad]
-    double slip_torque = kNever, slip_drag = 1.0;                 ///< K_SE's cable slips at (F - slip_torque)/drag [Nm], [Nms]
+    double coulomb = 0.0;                                            ///< on top of mu load [Nm]
+    double stribeck = 0.0, stribeck_speed = 0.1;                     ///< s, v_s [rad/s]
+    double viscous = 0.0;                                            ///< [Nms]
+    double inertia = 0.0;                                            ///< [kg m^2]
+    double torque_scale = 1.0;                                       ///< delivered over commanded
+    double crosstalk = 0.0;                                          ///< share of the other motor's torque that is added
+    double ripple = 0.0, ripple_turns = 1.0, ripple_phase = 0.0;     ///< friction (1 + ripple sin(turns theta + phase))
+    double drift = 0.0, drift_time = 1.0;                            ///< friction (1 + drift (1 - exp(-t/time))) with the session's time
+    double cogging = 0.0, cogging_turns = 1.0, cogging_phase = 0.0;  ///< motor torque + cogging sin(turns theta + phase) [Nm]
+    double jump_torque = kNever, jump = 0.0;              ///< K_SE's cable leaves its groove once above it [Nm], and loses this [rad]
+    double eccentricity = 0.0, eccentricity_phase = 0.0;  ///< encoder reads theta + e sin(theta + phase) [rad]
+    double slip_torque = kNever, slip_drag = 1.0;         ///< K_SE's cable slips at (F - slip_torque)/drag [Nm], [Nms]
     SpringTruth se, pe;
     [[nodiscard]] double ratio() const { return joint_radius / capstan_radius; }
 };
@@ -97,7 +100,12 @@ struct JointTruth {
     double gravity = 0.0;                                   ///< m g l: pulls back to q = 0 [Nm]
     double harness = 0.0, hardening = 0.0;                  ///< torque harness q + hardening q^3, to ground
     double rough = 0.0, rough_at = 0.0, rough_width = 1.0;  ///< friction that peaks at one angle [Nm], [rad], [rad]
+    double pulley = 0.0, pulley_phase = 0.0;                ///< both cables' arm is (1 + pulley sin(q + phase)) times
+    double flexibility = 0.0;                               ///< the encoder reads q + flexibility times the joint torque [rad/Nm]
+    double encoder_lag = 0.0;                               ///< of a log: q was read so much earlier [s]
     double encoder_offset = 0.0, encoder_scale = 1.0;
+    [[nodiscard]] double arm_factor(double q) const { return 1.0 + pulley * std::sin(q + pulley_phase); }
+    [[nodiscard]] double wound(double q) const { return q + pulley * (std::cos(pulley_phase) - std::cos(q + pulley_phase)); }
 };
 
 /// The rig as built: both sides different.

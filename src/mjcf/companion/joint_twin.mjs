@@ -53,8 +53,8 @@ export class JointTwin {
         model.tendon_stiffness[tendon] = 0;
         for (let i = 0; i < 2; ++i) model.tendon_stiffnesspoly[2 * tendon + i] = 0;
       }
-    const stop = laws.joint.stop_rad;
-    if (stop !== null) model.jnt_limited[joints[2]] = 0;  // a spring with damping, below
+    // The stop is a spring with damping, below: MuJoCo's own moves away. (WebAssembly has no jnt_limited.)
+    if (laws.joint.stop_rad !== null) [-1e3, 1e3].forEach((end, i) => { model.jnt_range[2 * joints[2] + i] = end; });
     this.reset();
   }
 

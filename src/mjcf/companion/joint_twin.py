@@ -67,8 +67,8 @@ class JointTwin:
                 tendon = find("mjOBJ_TENDON", spring + name)
                 model.tendon_stiffness[tendon] = 0.0
                 model.tendon_stiffnesspoly[tendon] = 0.0
-        if laws["joint"]["stop_rad"] is not None:
-            model.jnt_limited[joints[2]] = 0  # a spring with damping, below
+        if laws["joint"]["stop_rad"] is not None:  # a spring with damping, below: MuJoCo's own moves away
+            model.jnt_range[joints[2]] = (-1e3, 1e3)
         self.reset()
 
     def reset(self):

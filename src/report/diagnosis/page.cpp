@@ -122,10 +122,10 @@ std::string next_section(const Diagnosis& diagnosis) {
 std::string diagnosis_html(const Diagnosis& diagnosis, const std::string& extra_section_html, const DesignReport* joint) {
     const std::string marked = joint != nullptr ? marked_joint_section(diagnosis, *joint) : "";
     return html_page(diagnosis.case_name, diagnosis_head(diagnosis),
-                     trace_section(diagnosis) + where_section(diagnosis) + place_section(diagnosis) + marked + which_section(diagnosis) +
-                         transfer_section(diagnosis) + how_far_section(diagnosis) + next_section(diagnosis) + extra_section_html +
-                         section("Remarks", bullet_list(diagnosis.remarks)) + power_section(diagnosis) + isolability_section(diagnosis) +
-                         build_section(diagnosis),
+                     form_section(diagnosis) + trace_section(diagnosis) + where_section(diagnosis) + place_section(diagnosis) + marked +
+                         which_section(diagnosis) + transfer_section(diagnosis) + how_far_section(diagnosis) + next_section(diagnosis) +
+                         extra_section_html + section("Remarks", bullet_list(diagnosis.remarks)) + power_section(diagnosis) +
+                         isolability_section(diagnosis) + build_section(diagnosis),
                      marked.empty() || !joint->assembly ? "" : joint_bundle());
 }
 

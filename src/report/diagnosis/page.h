@@ -17,6 +17,8 @@ namespace fusee::report {
 /// The least size of each effect that a verdict without effects excludes.
 [[nodiscard]] std::string power_section(const diagnosis::Diagnosis& diagnosis);
 [[nodiscard]] std::string trace_section(const diagnosis::Diagnosis& diagnosis);  ///< measured against predicted, the most telling first
+/// The generic terms that explain the gap of an unknown effect: sentence, law, values, curve.
+[[nodiscard]] std::string form_section(const diagnosis::Diagnosis& diagnosis);
 /// A schematic of the joint with the bodies in which the effects lie; "" for a subsystem case and without effects.
 [[nodiscard]] std::string place_section(const diagnosis::Diagnosis& diagnosis);
 /// The causes that a picture of the joint marks.

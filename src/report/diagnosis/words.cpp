@@ -137,6 +137,12 @@ std::vector<effects::Cause> found_causes(const diagnosis::Diagnosis& diagnosis) 
     return causes;
 }
 
+std::string form_of(const diagnosis::Diagnosis& diagnosis) {
+    std::string out;
+    for (const diagnosis::UnknownTerm& term : diagnosis.unknown_terms) out += (out.empty() ? "" : " ") + term.sentence;
+    return out;
+}
+
 std::string verdict_sentence(const diagnosis::Diagnosis& diagnosis) {
     switch (diagnosis.verdict) {
         case diagnosis::VerdictKind::kIdentified:
@@ -152,6 +158,8 @@ std::string verdict_sentence(const diagnosis::Diagnosis& diagnosis) {
             return fmt::format("Model and rig diverge; these experiments do not distinguish the possible causes: {}.",
                                fmt::format("{}", fmt::join(choices(diagnosis), "; or ")));
         case diagnosis::VerdictKind::kUnknown:
+            if (!diagnosis.unknown_terms.empty())
+                return "Model and rig diverge; no effect of the library explains the gap, but its form is known. " + form_of(diagnosis);
             return "Model and rig diverge; no effect of the library explains the gap" +
                    (diagnosis.where.empty() ? std::string(".") : ", which lies in: " + place(diagnosis.where.front()) + ".");
     }

@@ -33,6 +33,8 @@ namespace fusee::report {
 [[nodiscard]] std::string place(const diagnosis::GapContribution& where);
 [[nodiscard]] std::vector<effects::Cause> found_causes(const diagnosis::Diagnosis& diagnosis);
 /// The verdict in a sentence.
+/// The sentences of the generic terms, one after the other.
+[[nodiscard]] std::string form_of(const diagnosis::Diagnosis& diagnosis);
 [[nodiscard]] std::string verdict_sentence(const diagnosis::Diagnosis& diagnosis);
 /// Probability of the verdict: of its least certain effect, or of none. NaN where the ranking does not state it.
 [[nodiscard]] double verdict_probability(const diagnosis::Diagnosis& diagnosis);

@@ -1,0 +1,53 @@
+#include "fusee/effects/term.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "fusee/core/units.h"
+#include "terms.h"
+
+namespace fusee::effects {
+
+const std::vector<Term>& term_library() {
+    static const std::vector<Term> library = [] {
+        std::vector<Term> all = gear_terms();
+        for (const auto& more : {spring_terms(), joint_terms()}) all.insert(all.end(), more.begin(), more.end());
+        return all;
+    }();
+    return library;
+}
+
+std::vector<Effect> terms_on(const gap_case::Reference& reference) {
+    std::vector<Effect> all;
+    for (const Term& term : term_library()) {
+        all.push_back(term.effect);
+        for (EffectParameter& parameter : all.back().parameters) parameter = parameter.on(reference);
+    }
+    return all;
+}
+
+const Term* term_or_none(std::string_view id) {
+    const std::vector<Term>& library = term_library();
+    const auto found = std::find_if(library.begin(), library.end(), [&](const Term& term) { return term.effect.id == id; });
+    return found == library.end() ? nullptr : &*found;
+}
+
+const Effect& find_effect_or_term(const std::string& id) {
+    const Term* const term = term_or_none(id);
+    return term == nullptr ? find_effect(id) : term->effect;
+}
+
+std::string sentence_of(const Term& term, const std::string& side, const std::vector<double>& values) {
+    const double second = values.size() > 1 ? values[1] : 0.0;
+    const std::string owner = side == "both" ? "each side's" : "the " + side + "'s";
+    std::string capital = owner;
+    capital.front() = owner.front() == 't' ? 'T' : 'E';
+    return fmt::format(fmt::runtime(term.sentence), fmt::arg("side", owner), fmt::arg("Side", capital),
+                       fmt::arg("size", fmt::format("{:.2g}", std::abs(values[0]))),
+                       fmt::arg("share", fmt::format("{:.2g}", 100.0 * values[0])), fmt::arg("second", fmt::format("{:.2g}", second)),
+                       fmt::arg("turns", fmt::format("{:.3g}", 2.0 * core::kPi * second)));
+}
+
+}  // namespace fusee::effects

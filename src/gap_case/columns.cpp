@@ -1,0 +1,118 @@
+#include "fusee/gap_case/columns.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "fields.h"
+#include "fusee/core/units.h"
+
+namespace fusee::gap_case {
+
+namespace {
+
+/// A unit and its factor to the format's unit; with `constant`, the key of the number that makes the factor.
+struct Unit {
+    const char* name;
+    double factor;
+    const char* constant = nullptr;
+    bool divides = false;  ///< the factor is over that number
+};
+using Units = std::vector<Unit>;
+
+const Units& units_of(Quantity quantity) {
+    static const Units angles{{"rad", 1.0},
+                              {"mrad", 1e-3},
+                              {"deg", core::kPi / 180.0},
+                              {"turn", 2.0 * core::kPi},
+                              {"count", 2.0 * core::kPi, "counts_per_turn", true}},
+        torques{{"Nm", 1.0}, {"mNm", 1e-3}, {"Ncm", 1e-2}, {"kgfcm", 0.0980665}, {"ozfin", 0.00706155181}, {"A", 1.0, "Nm_per_A"}},
+        times{{"s", 1.0}, {"ms", 1e-3}, {"us", 1e-6}}, none;
+    switch (quantity) {
+        case Quantity::kTime:
+            return times;
+        case Quantity::kDeflection:
+        case Quantity::kCapstanAngle:
+        case Quantity::kJointAngle:
+            return angles;
+        case Quantity::kPull:
+        case Quantity::kTorque:
+        case Quantity::kJointTorque:
+            return torques;
+        case Quantity::kWord:
+        case Quantity::kCount:
+            break;
+    }
+    return none;
+}
+
+double number_at(const CaseToml& toml, const std::string& path, const char* allowed) {
+    double value = std::numeric_limits<double>::quiet_NaN();
+    if (toml.has(path))
+        if (const auto* number = std::get_if<double>(&toml.at(path))) value = *number;
+    if (!std::isfinite(value) || value == 0.0) throw toml.fault(path, toml.has(path) ? "no such number" : "missing", allowed);
+    return value;
+}
+
+double factor_of(const CaseToml& toml, const std::string& path, const Units& units) {
+    double factor = toml.has(path + ".factor") ? number_at(toml, path + ".factor", "a finite number other than 0") : 1.0;
+    if (!toml.has(path + ".unit")) return factor;
+    std::vector<const char*> names;
+    for (const Unit& unit : units) names.push_back(unit.name);
+    const std::string allowed = names.empty() ? "no unit: this column has none" : fmt::format("{}", fmt::join(names, ", "));
+    const std::string name = toml.text(path + ".unit", allowed);
+    const auto unit = std::find_if(units.begin(), units.end(), [&](const Unit& u) { return name == u.name; });
+    if (unit == units.end()) throw toml.fault(path + ".unit", '"' + name + '"', allowed);
+    factor *= unit->factor;
+    if (unit->constant == nullptr) return factor;
+    const double constant = number_at(toml, path + "." + unit->constant, "a finite number other than 0: the unit needs it");
+    return unit->divides ? factor / constant : factor * constant;
+}
+
+ColumnMap map_at(const CaseToml& toml, const std::string& path, const Units& units) {
+    const char* const allowed = "the column's name in the file";
+    if (!toml.has_table(path)) return {toml.text(path, allowed), 1.0};
+    std::vector<std::string> keys{"column", "unit", "factor"};
+    for (const Unit& unit : units)
+        if (unit.constant != nullptr) keys.emplace_back(unit.constant);
+    (void)toml.read_numbers(path, {}, keys);
+    return {toml.text(path + ".column", allowed), factor_of(toml, path, units)};
+}
+
+template <class Visit>
+void for_each_column(const Visit& visit) {
+    Rows none;
+    for_each_experiment(none, [&]<class Row>(Experiment experiment, const std::vector<Row>&) {
+        for (const Field<Row>& field : fields<Row>()) visit(experiment, field.column, field.quantity);
+    });
+}
+
+std::string table_of(Experiment experiment) { return std::string("columns.") + to_string(experiment); }
+
+}  // namespace
+
+ColumnMaps read_columns(const CaseToml& toml) {
+    ColumnMaps maps;
+    std::map<Experiment, std::vector<std::string>> known;
+    for_each_column([&](Experiment experiment, const std::string& column, Quantity quantity) {
+        known[experiment].push_back(column);
+        const std::string path = table_of(experiment) + "." + column;
+        if (toml.has(path)) maps[experiment][column] = map_at(toml, path, units_of(quantity));
+    });
+    for (const auto& [experiment, names] : known) (void)toml.read_numbers(table_of(experiment), {}, names);
+    return maps;
+}
+
+std::vector<std::string> column_tables() {
+    std::vector<std::string> names{"columns"};
+    for (const Experiment experiment : kAllExperiments) names.push_back(table_of(experiment));
+    for_each_column(
+        [&](Experiment experiment, const std::string& column, Quantity) { names.push_back(table_of(experiment) + "." + column); });
+    return names;
+}
+
+}  // namespace fusee::gap_case

@@ -1,0 +1,52 @@
+#include "fusee/inference/pursue.h"
+
+#include <gtest/gtest.h>
+
+#include "inference/fixture.h"
+
+namespace fusee::inference {
+namespace {
+
+using namespace fixtures;
+
+/// Pulls of the springs and break-aways: they need no motion.
+gap_case::Rows some_rows() {
+    gap_case::Rows rows = pulls(2);
+    rows.breakaway = break_aways({0.2, 0.6, 1.0, 1.4}, 3, true).breakaway;
+    return rows;
+}
+
+/// The terms of a rig with `cause` at `size`, or of a faultless one.
+std::optional<FoundTerms> pursued(const Causes& causes, const std::vector<double>& sizes, unsigned seed) {
+    const gap_case::Case gap_case = measured_case(some_rows(), causes, sizes, 1.0, seed);
+    const Problem problem(gap_case);
+    const Fit null = best_fit(problem, {});
+    return pursue_terms(problem, null, null.log_evidence, {.jobs = 2, .progress = {}});
+}
+
+TEST(PursueTerms, AFaultlessRigHasNone) { EXPECT_FALSE(pursued({}, {}, 3)); }
+
+TEST(PursueTerms, AStepOfACamIsFoundOnItsSideWithItsSizeAndPlace) {
+    const effects::Cause step{"term.k_pe.step", "antagonist"};
+    const std::optional<FoundTerms> found = pursued({step}, {-0.2}, 5);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->fit.causes.front(), step);
+    const Eigen::Index size = found->fit.x.size() - 2;
+    ASSERT_EQ(found->fit.causes.size(), 1U);
+    EXPECT_NEAR(found->fit.x[size] * 0.15, -0.2, 0.02);
+    EXPECT_NEAR(found->fit.x[size + 1] * 0.3, 0.5, 0.02);
+    EXPECT_GT(found->log_odds.front(), 0.0);
+    EXPECT_GT(found->probability.front(), 0.9);
+}
+
+TEST(PursueTerms, TwoTermsAreFoundOneAfterTheOther) {
+    const effects::Cause crack{"term.k_se.step", "agonist"}, relaxation{"term.k_pe.relaxation", "antagonist"};
+    const std::optional<FoundTerms> found = pursued({crack, relaxation}, {0.3, 0.4}, 8);
+    ASSERT_TRUE(found);
+    ASSERT_EQ(found->fit.causes.size(), 2U);
+    for (const effects::Cause& cause : {crack, relaxation})
+        EXPECT_EQ(std::count(found->fit.causes.begin(), found->fit.causes.end(), cause), 1) << cause.id;
+}
+
+}  // namespace
+}  // namespace fusee::inference

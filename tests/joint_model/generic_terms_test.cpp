@@ -1,0 +1,128 @@
+#include <gtest/gtest.h>
+
+#include "fusee/joint_model/motion.h"
+#include "fusee/joint_model/signals.h"
+#include "joint_model/fixture.h"
+
+namespace fusee::joint_model {
+namespace {
+
+using namespace fixtures;
+
+/// Both capstans at a torque, for long enough to rest.
+Motion held(const BuiltRig& rig, double torque, double seconds = 3.0) {
+    Motion motion(rig, 1e-3);
+    motion.lead_to({torque, torque, 0.0}, 20.0);
+    motion.hold(seconds);
+    return motion;
+}
+BuiltRig without_friction(const std::function<void(BuiltRig&)>& change) {
+    return built(straight_rig(), [&](BuiltRig& rig) {
+        for (BuiltSide& side : rig.sides) {
+            side.gear.load_friction = 0.0;
+            side.gear.viscous = 0.02;
+        }
+        change(rig);
+    });
+}
+double agonist_at_rest(const BuiltRig& rig, double torque) { return held(rig, torque, 20.0).theta(gap_case::Side::kAgonist); }
+
+TEST(GenericTerms, ARippleOfTheMotorTorqueIsInTheBalanceOfACapstanAtRest) {
+    const Ripple ripple{0.1, 3.0, 0.4};
+    BuiltRig rig = without_friction([&](BuiltRig& r) { r.sides[0].gear.terms.torque = ripple; });
+    rig.joint_coulomb = 10.0;  // the joint is held
+    const double theta = agonist_at_rest(rig, 0.8);
+    EXPECT_NEAR((kSeries + kParallel) * theta, 0.8 + ripple(theta), 1e-4);
+}
+
+TEST(GenericTerms, CrosstalkAddsAShareOfTheOtherCommand) {
+    BuiltRig rig = without_friction([](BuiltRig& r) { r.sides[0].gear.terms.crosstalk = 0.2; });
+    rig.joint_coulomb = 10.0;  // the joint is held
+    EXPECT_NEAR((kSeries + kParallel) * agonist_at_rest(rig, 0.5), 0.6, 1e-4);
+}
+
+TEST(GenericTerms, RippledFrictionStopsACapstanWhereItIsHigh) {
+    BuiltRig rig = built(straight_rig(), [](BuiltRig& r) { r.sides[0].gear.terms.friction = {-0.5, 0.0, 1.5707963267948966}; });
+    rig.joint_coulomb = 10.0;
+    // A ripple of 0 turns at its crest: half of the friction. Wound in slowly: tau = L (1 + mu/2).
+    EXPECT_NEAR((kSeries + kParallel) * held(rig, 0.9, 0.0).theta(gap_case::Side::kAgonist), 0.9 / 1.125, 0.01);
+}
+
+TEST(GenericTerms, TheSpringToGroundAndTheRippleActAtTheJoint) {
+    BuiltRig rig = without_friction([](BuiltRig& r) {
+        r.terms.spring = 0.5;
+        r.terms.hardening = 2.0;
+    });
+    Motion motion(rig, 1e-3);
+    motion.hand_damping = 0.5;
+    motion.lead_to({0.0, 0.0, 0.3}, 1.0);
+    motion.hold(20.0);
+    const double q = motion.q(), slack = rig.ratio * kSeries * rig.ratio * std::abs(q);  // one cable, its capstan at its stop
+    EXPECT_NEAR(0.5 * q + 2.0 * q * q * q + slack, 0.3, 2e-3);
+    EXPECT_GT(q, 0.0);
+}
+
+TEST(GenericTerms, StepAndSlopeScaleTheTableOfASpring) {
+    const SpringTerms terms{.slope = 0.3, .step = -0.2, .step_at = 0.5};
+    const BuiltRig plain = faultless(stiffening_rig()), changed = built(stiffening_rig(), [&](BuiltRig&r) { r.sides[1].pe_terms = terms; });
+    const double end = plain.sides[1].pe.end();
+    for (const double share : {0.1, 0.3, 0.45, 0.6, 0.9}) {
+        const double factor = (1.0 + 0.3 * share) + (share > 0.5 ? -0.2 : 0.0);
+        EXPECT_NEAR(changed.sides[1].pe.torque(share * end) / plain.sides[1].pe.torque(share * end), factor, 2e-3) << share;
+    }
+}
+
+TEST(GenericTerms, ASpringThatIsHeldLosesItsShareWithItsTimeConstant) {
+    const double a = 0.4, time = 0.5;
+    BuiltRig rig = without_friction([&](BuiltRig& r) {
+        r.sides[0].pe_terms.relaxation = a;
+        r.sides[0].pe_terms.relaxation_time = time;
+    });
+    rig.joint_coulomb = 10.0;
+    EXPECT_NEAR(agonist_at_rest(rig, 0.8), 0.8 / (kSeries + (1.0 - a) * kParallel), 1e-3);  // long after
+    gap_case::Rows rows;  // up in 5 s as the protocol's phase, then held for 5 s
+    for (int i = 0; i < 200; ++i)
+        rows.spring_pull.push_back({false, gap_case::Side::kAgonist, i < 100, 2.0 * std::min(1.0, i / 100.0), 0.0});
+    const double last = predict_experiment(rig, rows, {}, gap_case::Experiment::kSpringPull).back();
+    EXPECT_NEAR(last / (2.0 * kParallel), 1.0 - a, 1e-3);
+}
+
+TEST(GenericTerms, ACableSlipsUntilItsTorqueIsAtTheLimit) {
+    BuiltRig rig = without_friction([](BuiltRig& r) {
+        r.sides[0].se_terms.slip_at = 0.25;
+        r.sides[0].se_terms.slip_drag = 0.1;
+    });
+    rig.joint_coulomb = 10.0;
+    EXPECT_NEAR(agonist_at_rest(rig, 0.8), (0.8 - 0.25) / kParallel, 0.02);  // K_PE bears the rest
+}
+
+TEST(GenericTerms, ReadingsOfTheEncodersAreThoseOfTheirLaws) {
+    gap_case::Rows rows;
+    for (int i = 0; i <= 40; ++i) rows.log.push_back({0.05 * i, 0.6 + 0.2 * std::sin(0.3 * i), 0.6 - 0.2 * std::sin(0.3 * i), 0.1, {}, {}});
+    const auto log = [&](const std::function<void(BuiltRig&)>& change) {
+        return predict_experiment(without_friction(change), rows, {}, gap_case::Experiment::kLog);
+    };
+    const std::vector<double> plain = log([](BuiltRig&) {});
+    const Ripple ripple{0.05, 1.0, 0.2};
+    const std::vector<double> rippled = log([&](BuiltRig& r) { r.sides[1].gear.terms.reading = ripple; });
+    const std::vector<double> scaled = log([](BuiltRig& r) { r.terms.reading = 0.1; });
+    const std::vector<double> soft = log([](BuiltRig& r) { r.terms.flexibility = 0.2; });
+    const std::vector<double> late = log([](BuiltRig& r) { r.terms.lag = 0.1; });
+    for (std::size_t i = 0; i < plain.size(); i += 3) {
+        EXPECT_NEAR(rippled[i + 1], plain[i + 1] + ripple(plain[i + 1]), 1e-12);
+        EXPECT_NEAR(scaled[i + 2], 1.1 * plain[i + 2], 1e-12);
+        EXPECT_NEAR(soft[i + 2], plain[i + 2] + 0.02, 1e-12);
+        EXPECT_NEAR(late[i + 2], plain[i < 6 ? 2 : i + 2 - 6], 1e-12);
+    }
+}
+
+TEST(GenericTerms, AnEccentricPulleyKeepsTheEnergy) {
+    // What the arm winds is the integral of its factor.
+    const Ripple arm{0.2, 1.0, 0.7};
+    double sum = 0.0;
+    for (int i = 0; i < 1000; ++i) sum += arm((i + 0.5) * 1e-3) * 1e-3;
+    EXPECT_NEAR(arm.integral(1.0), sum, 1e-7);
+}
+
+}  // namespace
+}  // namespace fusee::joint_model

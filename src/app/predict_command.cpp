@@ -44,7 +44,8 @@ int predict(const PredictArguments& arguments, Reply& reply) {
     std::size_t rows = 0;
     if (gap_case::is_subsystem_case(arguments.folder)) {
         const subsystem::Case bench = subsystem::read_case(arguments.folder);
-        const subsystem::Case predicted = subsystem::predict(bench, found, subsystem::read_inputs(bench, inputs));
+        const subsystem::Case predicted =
+            subsystem::predict(bench, found, arguments.inputs.empty() ? bench : subsystem::read_inputs(bench, inputs));
         subsystem::write_rows(predicted, output.path());
         for (const subsystem::Record& record : predicted.records) rows += record.rows();
     } else {

@@ -26,6 +26,7 @@ Diagnosis example() {
     d.map = {{"dead_band", "cocontraction_Nm", {0.1, 0.2}, 3.0, 1.0, 6}};
     d.ranking = {{{{"gear.coulomb", "agonist"}}, 0.0, 0.98, 1800.0, kNoFigure, {{0.05, {0.04, 0.06}, "Nm"}}}};
     d.isolability = {{{"a", "none"}, {"b", "both"}}, {{1.0, 0.5}, {0.5, 1.0}}, {0.1, 0.2}, {0.2, 0.4}, {"Nm", ""}, {{0, 1}}};
+    d.transfer = {{{{"law.series", "none"}}, "a.csv", "b.csv", 10.4, 3.0, 6.9, 7.9, {{9e-4, {}, "rad/Nm"}}, "Nm"}};
     d.power = {{{"loop.delay", "none"}, kNoFigure, 0.02, "s", false}};
     d.traces = {{"log", "q", "t_s", "q_rad", {0.0}, {0.0}, {0.0}, {0.0}, {1.0}}};
     d.next = {{"pull", "spring_pull", {0.5, 1.0}, "deflection_rad", 1.5, 20.0}};
@@ -90,6 +91,10 @@ TEST(DiagnosisJson, HasTheKeysThatOthersRead) {
         EXPECT_TRUE(j.contains(key)) << key;
     EXPECT_FALSE(j.contains("traces"));
     EXPECT_TRUE(j["ranking"][0]["left_out"].is_null());
+    EXPECT_EQ(j["transfer"][0]["effects"][0]["id"], "law.series");
+    EXPECT_EQ(j["transfer"][0]["heldout"], "b.csv");
+    EXPECT_EQ(j["transfer"][0]["heldout_after"], 7.9);
+    EXPECT_EQ(j["transfer"][0]["parameters"][0]["value"], 9e-4);
     EXPECT_EQ(j["power"][0]["id"], "loop.delay");
     EXPECT_TRUE(j["power"][0]["least"].is_null());
     EXPECT_EQ(j["power"][0]["usual"], 0.02);

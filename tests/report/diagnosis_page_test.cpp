@@ -67,6 +67,20 @@ TEST(DiagnosisHtml, TheFormOfAnUnknownEffectIsASentenceALawAndACurve) {
     EXPECT_NE(diagnosis_text(d).find(term.sentence), std::string::npos);
 }
 
+TEST(DiagnosisHtml, SaysOnWhichHeldOutFileAnEffectFails) {
+    diagnosis::Diagnosis d = diagnosis();
+    EXPECT_EQ(transfer_section(d), "");
+    d.transfer = {{{{"law.series", "none"}}, "a.csv", "b.csv", 10.4, 3.0, 6.9, 7.9, {{9e-4, {}, "rad/Nm"}}, "Nm"},
+                  {{{"law.scale", "none"}}, "a.csv", "b.csv", 10.4, 4.2, 6.9, 3.5, {{-0.24, {}, ""}}, "Nm"}};
+    const std::string html = transfer_section(d);
+    EXPECT_TRUE(holds(diagnosis_html(d), html));
+    const std::vector<std::string> cells = elements(html, "td");
+    ASSERT_EQ(cells.size(), 14u);
+    EXPECT_EQ(cells[5], "6.9 \u2192 7.9");
+    EXPECT_EQ(cells[6], "worse");
+    EXPECT_EQ(cells[13], "better");
+}
+
 TEST(DiagnosisHtml, EscapesEveryText) {
     diagnosis::Diagnosis d = diagnosis();
     const std::string evil = "<i>&\"";
@@ -81,6 +95,7 @@ TEST(DiagnosisHtml, EscapesEveryText) {
     d.ranking[0].effects[0].id = d.ranking[0].parameters[0].unit = evil;
     d.isolability.causes[0].id = d.isolability.units[1] = evil;
     d.traces[0].experiment = d.traces[0].label = d.traces[0].x_name = d.traces[0].y_name = evil;
+    d.transfer = {{{{evil, "none"}}, evil, evil, 1.0, 1.0, 1.0, 1.0, {{1.0, {}, evil}}, evil}};
     d.next[0].text = d.next[0].experiment = d.next[0].variable = d.remarks[0] = evil;
     const std::string page = diagnosis_html(d);
     EXPECT_FALSE(holds(page, "<i>"));

@@ -71,4 +71,15 @@ Entry effect_entry(const effects::Effect& effect) {
     return entry;
 }
 
+Entry generic_entry(const effects::Term& term) {
+    Entry entry = effect_entry(term.effect);
+    entry.kind = "generic term";
+    entry.json["kind"] = "generic term";
+    entry.json["port"] = term.port;
+    entry.json["depends_on"] = term.depends_on;
+    entry.lines.emplace_back("enters at", term.port);
+    entry.lines.emplace_back("depends on", term.depends_on);
+    return entry;
+}
+
 }  // namespace fusee::app

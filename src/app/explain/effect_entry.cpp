@@ -38,7 +38,8 @@ Json parameters_json(const effects::Effect& effect) {
 }  // namespace
 
 Entry effect_entry(const effects::Effect& effect) {
-    const std::vector<std::string> keys = redesign::keys_of_effect(effect.id);
+    std::vector<std::string> keys;  // a generic term has none
+    if (effects::effect_or_none(effect.id) != nullptr) keys = redesign::keys_of_effect(effect.id);
     Entry entry{"effect", effect.id, {}, {}};
     entry.json = {{"kind", "effect"},
                   {"name", effect.id},

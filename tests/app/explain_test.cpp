@@ -13,6 +13,7 @@ TEST_F(Program, ExplainsRulesKeysEffectsAndTerms) {
     expect_words(run("explain law.start_torque_Nm").out,
                  {"law.start_torque_Nm: key", "unit: Nm", "allowed: ", "good: law.start_torque_Nm = 0.6, as in profiles/pnrvsa.toml",
                   "bad: law.start_torque_Nm = 0\n"});
+    expect_words(run("explain term.motor.ripple").out, {"term.motor.ripple: generic term", "enters at: motor", "depends on: angle"});
     expect_words(run("explain gear.coulomb").out, {"gear.coulomb: effect", "seen by: breakaway", "distinguished from gear.load_friction",
                                                    "profile key: rig.gear_friction_constant_Nm"});
     expect_words(run("explain gear.backlash").out, {"advice: remove the play"});

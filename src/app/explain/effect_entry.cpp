@@ -38,7 +38,8 @@ Json parameters_json(const effects::Effect& effect) {
 }  // namespace
 
 Entry effect_entry(const effects::Effect& effect) {
-    const std::vector<std::string> keys = redesign::keys_of_effect(effect.id);
+    std::vector<std::string> keys;  // a generic term has none
+    if (effects::effect_or_none(effect.id) != nullptr) keys = redesign::keys_of_effect(effect.id);
     Entry entry{"effect", effect.id, {}, {}};
     entry.json = {{"kind", "effect"},
                   {"name", effect.id},
@@ -68,6 +69,17 @@ Entry effect_entry(const effects::Effect& effect) {
     if (!keys.empty())
         entry.lines.emplace_back("profile key", fmt::format("{}; fusee diagnose --write-profile sets it", fmt::join(keys, ", ")));
     if (keys.empty() || effect.advice != effects::Effect{}.advice) entry.lines.emplace_back("advice", effect.advice);
+    return entry;
+}
+
+Entry generic_entry(const effects::Term& term) {
+    Entry entry = effect_entry(term.effect);
+    entry.kind = "generic term";
+    entry.json["kind"] = "generic term";
+    entry.json["port"] = term.port;
+    entry.json["depends_on"] = term.depends_on;
+    entry.lines.emplace_back("enters at", term.port);
+    entry.lines.emplace_back("depends on", term.depends_on);
     return entry;
 }
 

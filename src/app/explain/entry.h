@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "explain/rules.h"
-#include "fusee/effects/effect.h"
+#include "fusee/effects/term.h"
 #include "fusee/profile/keys.h"
 #include "reply.h"
 
@@ -12,7 +12,7 @@
 namespace fusee::app {
 
 struct Entry {
-    std::string kind;  ///< "rule", "key", "effect", "term", "table", "group"
+    std::string kind;  ///< "rule", "key", "effect", "generic term", "term", "table", "group"
     std::string name;
     std::vector<std::pair<std::string, std::string>> lines;  ///< label, text
     Json json;                                               ///< kind, name, and the same as `lines`
@@ -21,6 +21,7 @@ struct Entry {
 [[nodiscard]] Entry rule_entry(const ListedRule& rule);
 [[nodiscard]] Entry key_entry(const profile::KeyInfo& key);
 [[nodiscard]] Entry effect_entry(const effects::Effect& effect);
+[[nodiscard]] Entry generic_entry(const effects::Term& term);
 
 /// A row of a table of docs/glossary.md.
 struct Term {

@@ -62,6 +62,7 @@ std::vector<std::string> all_names() {
         names.insert(names.end(), {rule.info->id, std::string(rule.info->group()), leaf_of(rule.info->id)});
     for (const profile::KeyInfo& key : profile::key_infos()) names.insert(names.end(), {key.path, key.table, leaf_of(key.path)});
     for (const effects::Effect& effect : effects::effect_library()) names.push_back(effect.id);
+    for (const effects::Term& term : effects::term_library()) names.push_back(term.effect.id);
     for (const Term& term : glossary_terms()) names.push_back(term.name);
     return names;
 }
@@ -121,6 +122,7 @@ std::vector<Entry> explain(const std::string& name) {
     }
     for (const effects::Effect& effect : effects::effect_library())
         if (same(effect.id, name)) found.push_back(effect_entry(effect));
+    if (const effects::Term* term = effects::term_or_none(name)) found.push_back(generic_entry(*term));
     for (const profile::KeyInfo& key : profile::key_infos()) {
         if (same(key.path, name)) found.push_back(key_entry(key));
         if (same(key.table, name)) table.push_back(key.path);

@@ -132,7 +132,7 @@ TEST_F(SubsystemFolder, ServoHasLoadFrictionAndNoDelay) {
     const diagnosis::Diagnosis d = diagnose(read_case(folder_), {.jobs = 1, .progress = {}});
     EXPECT_EQ(names_of(d).find("gear.load_friction"), 0u) << names_of(d);
     EXPECT_EQ(d.verdict, diagnosis::VerdictKind::kAmbiguous);
-    EXPECT_TRUE(says(d, "loop.delay is a false cause"));
+    EXPECT_TRUE(says(d, "loop.delay is refused"));
     EXPECT_TRUE(says(d, "the ranking changes"));
     EXPECT_TRUE(says(d, "partly confounded"));
 }

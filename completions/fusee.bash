@@ -209,9 +209,10 @@ _fusee() {
                 *:-o | *:--out) _fusee_folders "$word" ;;
                 *:--profile) _fusee_files "$word" toml ;;
                 *:--write-profile) _fusee_files "$word" toml ;;
+                *:--write-mjcf) _fusee_folders "$word" ;;
                 *:-j | *:--jobs) ;;
                 *:--color) _fusee_words "$word" auto always never ;;
-                -*) _fusee_words "$word" --help --out --profile --write-profile --jobs --force --json --color --quiet --verbose ;;
+                -*) _fusee_words "$word" --help --out --profile --write-profile --write-mjcf --jobs --force --json --color --quiet --verbose ;;
                 *) _fusee_folders "$word" ;;
             esac ;;
         ' predict')
@@ -219,8 +220,9 @@ _fusee() {
                 *:--effects) _fusee_files "$word" json ;;
                 *:--inputs) _fusee_folders "$word" ;;
                 *:-o | *:--out) _fusee_folders "$word" ;;
+                *:--write-mjcf) _fusee_folders "$word" ;;
                 *:--color) _fusee_words "$word" auto always never ;;
-                -*) _fusee_words "$word" --help --effects --inputs --out --force --json --color --quiet --verbose ;;
+                -*) _fusee_words "$word" --help --effects --inputs --out --write-mjcf --force --json --color --quiet --verbose ;;
                 *) _fusee_folders "$word" ;;
             esac ;;
         ' blind')

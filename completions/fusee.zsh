@@ -305,6 +305,7 @@ _fusee_diagnose() {
         '(-o --out)'{-o+,--out=}'[Folder of diagnosis.json and diagnosis.html]'':folder:_files -/' \
         '(--profile)'--profile='[Profile of the rig]'':file:_files -g "*.(toml)(-.)"' \
         '(--write-profile)'--write-profile='[File of the profile that suits the rig as diagnosed, with --profile]'':file:_files -g "*.(toml)(-.)"' \
+        '(--write-mjcf)'--write-mjcf='[Folder of the rig with its effects as a model for MuJoCo, with companion programs that apply the exact laws]'':folder:_files -/' \
         '(-j --jobs)'{-j+,--jobs=}'[Number of threads]'':0 to 1024: ' \
         '(--force)'--force'[Also replace files of another source and changed files]' \
         '(--json)'--json'[Print one JSON object instead of text (docs/json.md)]' \
@@ -320,6 +321,7 @@ _fusee_predict() {
         '(--effects)'--effects='[diagnosis.json with the effects]'':file:_files -g "*.(json)(-.)"' \
         '(--inputs)'--inputs='[Folder of CSV files with the same names as in the case]'':folder:_files -/' \
         '(-o --out)'{-o+,--out=}'[Folder of the same files with predicted values in the measured columns]'':folder:_files -/' \
+        '(--write-mjcf)'--write-mjcf='[Folder of the rig with its effects as a model for MuJoCo, with companion programs that apply the exact laws]'':folder:_files -/' \
         '(--force)'--force'[Also replace files of another source and changed files]' \
         '(--json)'--json'[Print one JSON object instead of text (docs/json.md)]' \
         '(--color)'--color='[Colour of severity words]'':choice:(auto always never)' \

@@ -1,5 +1,6 @@
 #pragma once
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <string>
 #include <system_error>
 #include <thread>
@@ -31,5 +32,15 @@ inline void add_force(CLI::App& command, bool& force) {
 
 /// --force of a command that writes a file that the user names.
 inline void add_force_file(CLI::App& command, bool& force) { command.add_flag("--force", force, "Replace the file if it exists"); }
+
+/// Two sets of files of one run go to two folders: in one folder the later set would replace the earlier.
+/// @param allowed completes "a folder other than". @throws core::InvalidInput naming `option`
+inline void require_other_folder(const char* option, const std::filesystem::path& folder, const std::filesystem::path& other,
+                                 const std::string& allowed) {
+    const auto place = [](const std::filesystem::path& path) {
+        return std::filesystem::weakly_canonical(std::filesystem::absolute(path) / ".");
+    };
+    if (place(folder) == place(other)) throw core::InvalidInput(option, folder.string(), "a folder other than " + allowed);
+}
 
 }  // namespace fusee::app

@@ -14,6 +14,7 @@
 #include "fusee/report/diagnosis.h"
 #include "fusee/subsystem/subsystem.h"
 #include "redesign_step.h"
+#include "rig_twin.h"
 
 namespace fusee::app {
 
@@ -22,7 +23,7 @@ namespace fs = std::filesystem;
 namespace {
 
 struct DiagnoseArguments {
-    fs::path folder, out, profile, corrected;
+    fs::path folder, out, profile, corrected, mjcf;
     bool force = false;
     unsigned jobs = 0;
 };
@@ -71,6 +72,7 @@ int diagnose(const DiagnoseArguments& arguments, Reply& reply) {
     require_thread();
     const std::optional<RedesignStep> redesign = redesign_step(arguments.profile, arguments.corrected, arguments.folder, arguments.force);
     core::OutputFolder output(arguments.out, run_of(arguments));
+    std::optional<RigTwin> twin = rig_twin(arguments.mjcf, arguments.out, run_of(arguments));
     const RigJoint joint = rig_joint(arguments.profile, arguments.folder);
     const pipeline::DesignReport* const shown = joint.design ? &*joint.design : nullptr;
     const diagnosis::Diagnosis found = diagnosis_of(arguments.folder, arguments.jobs);
@@ -89,12 +91,15 @@ int diagnose(const DiagnoseArguments& arguments, Reply& reply) {
         }
     write_page();
     output.commit();
+    if (twin) twin->write(found);
     reply.result = {{"folder", arguments.out.string()}};
+    if (twin) reply.result["mjcf"] = arguments.mjcf.string();
     reply.set("diagnosis", json);
     if (redesign) reply.set("redesign", redesigned.json);
     const std::string unshown = joint.refusal.empty() ? "" : "joint in 3D: not shown, " + joint.refusal + "\n";
     reply.say(fmt::format("{}{}{}written: {}/diagnosis.html, diagnosis.json{}\n", report::diagnosis_text(found), redesigned.text, unshown,
                           arguments.out.string(), redesign ? ", redesign.json" : ""));
+    if (twin) reply.say(twin->line());
     return 0;
 }
 
@@ -114,6 +119,7 @@ void add_diagnose(CLI::App& app, Action& action) {
         ->add_option("--write-profile", arguments->corrected,
                      "File of the profile that suits the rig as diagnosed, with --profile; fusee make turns it into new cams")
         ->type_name("FILE.toml");
+    add_mjcf(*command, arguments->mjcf);
     add_jobs(*command, arguments->jobs, "Number of threads; 0: one per processor. The result does not depend on it");
     add_force(*command, arguments->force);
     command->footer(

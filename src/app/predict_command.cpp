@@ -9,6 +9,7 @@
 #include "fusee/core/output_folder.h"
 #include "fusee/diagnosis/diagnose.h"
 #include "fusee/subsystem/subsystem.h"
+#include "rig_twin.h"
 
 namespace fusee::app {
 
@@ -17,18 +18,11 @@ namespace fs = std::filesystem;
 namespace {
 
 struct PredictArguments {
-    fs::path folder, effects, inputs, out;
+    fs::path folder, effects, inputs, out, mjcf;
     bool force = false;
 };
 
 constexpr std::size_t kLargestDiagnosis = 50'000'000;  // bytes
-
-/// Predictions have the file names of the measurements: they go to another folder.
-void require_other_folder(const fs::path& out, const fs::path& measured) {
-    std::error_code error;
-    if (fs::equivalent(out, measured, error))
-        throw core::InvalidInput("--out", out.string(), "a folder other than that of the measurements");
-}
 
 diagnosis::Diagnosis effects_of(const fs::path& file) {
     if (file.empty()) return {};
@@ -37,9 +31,11 @@ diagnosis::Diagnosis effects_of(const fs::path& file) {
 
 int predict(const PredictArguments& arguments, Reply& reply) {
     const fs::path& inputs = arguments.inputs.empty() ? arguments.folder : arguments.inputs;
-    require_other_folder(arguments.out, inputs);
-    require_other_folder(arguments.out, arguments.folder);
-    core::OutputFolder output(arguments.out, {.command = "predict", .source = arguments.folder, .force = arguments.force});
+    for (const fs::path& measured : {inputs, arguments.folder})  // predictions have the file names of the measurements
+        require_other_folder("--out", arguments.out, measured, "that of the measurements");
+    const core::OutputRun run{.command = "predict", .source = arguments.folder, .force = arguments.force};
+    core::OutputFolder output(arguments.out, run);
+    std::optional<RigTwin> twin = rig_twin(arguments.mjcf, arguments.out, run);
     const diagnosis::Diagnosis found = effects_of(arguments.effects);
     std::size_t rows = 0;
     if (gap_case::is_subsystem_case(arguments.folder)) {
@@ -56,11 +52,14 @@ int predict(const PredictArguments& arguments, Reply& reply) {
         rows = predicted.size();
     }
     output.commit();
+    if (twin) twin->write(found);
     const std::size_t effects = found.effects.size();
     reply.result = {{"rows", rows}, {"effects", effects}, {"folder", arguments.out.string()}};
+    if (twin) reply.result["mjcf"] = arguments.mjcf.string();
     reply.say(fmt::format("{} rows predicted by the {}\nwritten: {}\n", rows,
                           effects == 0 ? "nominal model" : fmt::format("model with {} effect{}", effects, effects > 1 ? "s" : ""),
                           (arguments.out / "").string()));
+    if (twin) reply.say(twin->line());
     return 0;
 }
 
@@ -82,6 +81,7 @@ void add_predict(CLI::App& app, Action& action) {
     command->add_option("-o,--out", arguments->out, "Folder of the same files with predicted values in the measured columns")
         ->type_name("FOLDER")
         ->required();
+    add_mjcf(*command, arguments->mjcf);
     add_force(*command, arguments->force);
     command->footer(
         "Examples:\n  fusee predict bench/monday --out /tmp/expected\n  fusee predict bench/monday --effects "

@@ -61,6 +61,7 @@ Json row_json(const batch::SimulationRow& row) {
 
 int simulate(const SimulateArguments& arguments, Reply& reply) {
     if (arguments.paths.empty()) throw core::InvalidInput("simulate", "no profile", "at least one profile (*.toml) or folder of profiles");
+    if (!arguments.mjcf.empty()) require_other_folder("--write-mjcf", arguments.mjcf, arguments.out, "--out");
     pipeline::SimulateOptions options = arguments.options;
     for (const std::string& torques : arguments.at) options.at.push_back(*parse_torques(torques));
     const auto rows = batch::simulate_all(profile::find_profiles(arguments.paths), arguments.out, options, arguments.jobs, arguments.force,

@@ -132,12 +132,17 @@ void require_possible(const gap_case::Case& nominal, const Diagnosis& found, con
             throw core::InvalidInput(file + ": build", name, fmt::format("{}", fmt::join(names, ", ")));
 }
 
-gap_case::Rows predict(const gap_case::Case& nominal, const Diagnosis& found, const gap_case::Rows& inputs) {
-    require_feasible(nominal.rig, inputs, nominal.protocol, kMostPredicted);
+joint_model::BuiltRig built_rig(const gap_case::Case& nominal, const Diagnosis& found) {
     joint_model::BuiltRig rig = rig_of(nominal, found);
     const joint_model::NominalCams cams(nominal.rig);
     require_buildable(rig, cams);
     rig.assemble(cams);
+    return rig;
+}
+
+gap_case::Rows predict(const gap_case::Case& nominal, const Diagnosis& found, const gap_case::Rows& inputs) {
+    require_feasible(nominal.rig, inputs, nominal.protocol, kMostPredicted);
+    const joint_model::BuiltRig rig = built_rig(nominal, found);
     const joint_model::Signals signals = joint_model::predict_signals(rig, inputs, nominal.protocol);
     require_finite(signals);
     return joint_model::with_measured(inputs, signals);

@@ -34,11 +34,11 @@ std::string spring_comment(const char* what, const Cubic& fit, const Curve& curv
 std::string tendon(const std::string& name, const Curve& curve, const std::string& arms) {
     const Cubic fit = fit_cubic(curve);
     return spring_comment(name.c_str(), fit, curve) +
-           fmt::format("    <fixed name=\"{}\" springlength=\"{} {}\" stiffness=\"{} {} {}\">{}</fixed>\n", name, fit.free - kSlack,
-                       fit.free, fit.linear, fit.square, fit.cube, arms);
+           fmt::format("    <fixed name=\"{}\" springlength=\"{:.10g} {:.10g}\" stiffness=\"{:.10g} {:.10g} {:.10g}\">{}</fixed>\n", name,
+                       fit.free - kSlack, fit.free, fit.linear, fit.square, fit.cube, arms);
 }
 
-std::string arm(const char* joint, double coef) { return fmt::format("<joint joint=\"{}\" coef=\"{}\"/>", joint, coef); }
+std::string arm(const char* joint, double coef) { return fmt::format("<joint joint=\"{}\" coef=\"{:.10g}\"/>", joint, coef); }
 
 std::string tendons(const Twin& twin) {
     std::string text = "  <tendon>\n";
@@ -55,11 +55,11 @@ std::string tendons(const Twin& twin) {
 std::string capstan(const Twin& twin, std::size_t i) {
     const TwinGear& gear = twin.sides[i].gear;
     return fmt::format(
-        "    <body name=\"capstan_{0}\" pos=\"{1} 0 0\">\n"
-        "      <inertial pos=\"0 0 0\" mass=\"1\" diaginertia=\"{2} {2} {2}\"/>\n"
-        "      <joint name=\"{0}\" type=\"hinge\" axis=\"0 0 {3}\" damping=\"{4}\" frictionloss=\"{5}\"{6}/>\n"
-        "      <geom type=\"cylinder\" size=\"{7} {8}\" rgba=\".75 .5 .25 1\"/>\n"
-        "      <geom type=\"box\" pos=\"{9} 0 {8}\" size=\"{9} {10} {10}\" rgba=\".2 .2 .2 1\"/>\n"
+        "    <body name=\"capstan_{0}\" pos=\"{1:.6g} 0 0\">\n"
+        "      <inertial pos=\"0 0 0\" mass=\"1\" diaginertia=\"{2:.10g} {2:.10g} {2:.10g}\"/>\n"
+        "      <joint name=\"{0}\" type=\"hinge\" axis=\"0 0 {3}\" damping=\"{4:.10g}\" frictionloss=\"{5:.10g}\"{6}/>\n"
+        "      <geom type=\"cylinder\" size=\"{7:.6g} {8:.6g}\" rgba=\".75 .5 .25 1\"/>\n"
+        "      <geom type=\"box\" pos=\"{9:.6g} 0 {8:.6g}\" size=\"{9:.6g} {10:.6g} {10:.6g}\" rgba=\".2 .2 .2 1\"/>\n"
         "    </body>\n",
         kNames[i], (i == 0 ? -kApart : kApart) * twin.capstan_radius, twin.motor_inertia, i == 0 ? 1 : -1, gear.viscous,
         gear.at(twin.reference_torque), twin.capstan_stops ? fmt::format(" range=\"0 {}\"", kSlack) : "", twin.capstan_radius,
@@ -81,13 +81,13 @@ double joint_friction(const Twin& twin) {
 }
 
 std::string output(const Twin& twin) {
-    const std::string range = std::isfinite(twin.stop) ? fmt::format(" range=\"{} {}\"", -twin.stop, twin.stop) : "";
+    const std::string range = std::isfinite(twin.stop) ? fmt::format(" range=\"{:.10g} {:.10g}\"", -twin.stop, twin.stop) : "";
     return fmt::format(
         "    <body name=\"output\">\n"
-        "      <inertial pos=\"0 0 0\" mass=\"1\" diaginertia=\"{0} {0} {0}\"/>\n"
-        "      <joint name=\"joint\" type=\"hinge\" axis=\"0 0 1\" damping=\"{1}\" frictionloss=\"{2}\"{3}/>\n"
-        "      <geom type=\"cylinder\" size=\"{4} {5}\" rgba=\".3 .5 .75 1\"/>\n"
-        "      <geom type=\"box\" pos=\"0 {6} 0\" size=\"{5} {6} {5}\" rgba=\".3 .5 .75 1\"/>\n"
+        "      <inertial pos=\"0 0 0\" mass=\"1\" diaginertia=\"{0:.10g} {0:.10g} {0:.10g}\"/>\n"
+        "      <joint name=\"joint\" type=\"hinge\" axis=\"0 0 1\" damping=\"{1:.10g}\" frictionloss=\"{2:.10g}\"{3}/>\n"
+        "      <geom type=\"cylinder\" size=\"{4:.6g} {5:.6g}\" rgba=\".3 .5 .75 1\"/>\n"
+        "      <geom type=\"box\" pos=\"0 {6:.6g} 0\" size=\"{5:.6g} {6:.6g} {5:.6g}\" rgba=\".3 .5 .75 1\"/>\n"
         "    </body>\n",
         twin.joint_inertia, twin.joint_viscous, joint_friction(twin), range, twin.ratio * twin.capstan_radius, 0.2 * twin.capstan_radius,
         2.0 * twin.ratio * twin.capstan_radius);
@@ -95,8 +95,8 @@ std::string output(const Twin& twin) {
 
 std::string motor(const char* name, double scale, double saturation) {
     const std::string limit =
-        std::isfinite(saturation) ? fmt::format(" forcelimited=\"true\" forcerange=\"{} {}\"", -saturation, saturation) : "";
-    return fmt::format("    <general name=\"torque_{0}\" joint=\"{0}\" gainprm=\"{1}\"{2}/>\n", name, scale, limit);
+        std::isfinite(saturation) ? fmt::format(" forcelimited=\"true\" forcerange=\"{:.10g} {:.10g}\"", -saturation, saturation) : "";
+    return fmt::format("    <general name=\"torque_{0}\" joint=\"{0}\" gainprm=\"{1:.10g}\"{2}/>\n", name, scale, limit);
 }
 
 std::string actuators(const Twin& twin) {
@@ -110,7 +110,8 @@ std::string head(const Twin& twin) {
         "<!-- {}\n"
         "     Angles, signs and torques: winding its own cable in is positive at a capstan; q stretches the agonist's K_SE. SI units, "
         "radians.\n"
-        "     Without companion this model has each spring as a cubic (errors below), and the friction that gears and bearing have at {} "
+        "     Without companion this model has each spring as a cubic (errors below), and the friction that gears and bearing have at "
+        "{:.4g} "
         "Nm of\n"
         "     co-contraction. {} and {} apply the exact laws of {}. -->\n",
         comment(twin.source), twin.reference_torque, kJavaScriptFile, kPythonFile, kLawsFile);

@@ -75,6 +75,35 @@ TEST_F(Gap, PredictsASubsystemCaseIntoANewFolder) {
     EXPECT_NE(core::read_file(folder_ / "predicted" / "pull_b.csv").find("1,0.1,20.5"), std::string::npos);
 }
 
+TEST_F(Gap, WritesTheDiagnosedRigForMujoco) {
+    write("d.json", R"({"effects": [{"id": "joint.coulomb", "side": "none", "parameter": {"value": 0.07}}]})");
+    const Ended done = run("predict case --effects d.json --inputs inputs --out rows --write-mjcf 'to simulate/rig'");
+    ASSERT_EQ(done.code, 0) << done.all();
+    expect_words(done.out, {"96 rows predicted", "model for MuJoCo: to simulate/rig/"});
+    EXPECT_EQ(fixtures::contents(folder_ / "rows").size(), 1u);
+    EXPECT_EQ(fixtures::contents(folder_ / "to simulate" / "rig").size(), 4u);
+    const std::string model = core::read_file(folder_ / "to simulate" / "rig" / "joint.xml");
+    EXPECT_NE(model.find("case case, joint.coulomb 0.07 Nm"), std::string::npos) << model;
+    const auto laws = nlohmann::json::parse(core::read_file(folder_ / "to simulate" / "rig" / "laws.json"));
+    ASSERT_EQ(run("predict case --inputs inputs --out rows2 --write-mjcf nominal").code, 0);
+    const auto nominal = nlohmann::json::parse(core::read_file(folder_ / "nominal" / "laws.json"));
+    const auto friction = [](const nlohmann::json& twin) { return twin.at("joint").at("friction_Nm").get<double>(); };
+    EXPECT_NEAR(friction(laws) - friction(nominal), 0.07, 1e-12);  // that of a good bearing is the nominal one
+    EXPECT_EQ(nominal.at("agonist").at("k_se"), laws.at("agonist").at("k_se"));
+
+    ASSERT_EQ(run("diagnose case --out found --write-mjcf found/rig").code, 0);
+    EXPECT_TRUE(fs::exists(folder_ / "found" / "rig" / "joint_twin.py"));
+    for (const char* arguments :
+         {"predict case --inputs inputs --out same --write-mjcf ./same/", "diagnose case --out same --write-mjcf same"}) {
+        const Ended refused = run(arguments);
+        EXPECT_EQ(refused.code, 2) << refused.all();
+        expect_words(refused.err, {"--write-mjcf", "a folder other than --out"});
+        EXPECT_FALSE(fs::exists(folder_ / "same"));
+    }
+    write("cams/case.toml", "[bench]\nkind = \"cam_joint\"\n[experiments]\npull = \"pull_a.csv\"\n");
+    expect_words(run("predict cams --out same --write-mjcf rig").err, {"--write-mjcf", "a subsystem case has no joint"});
+}
+
 TEST_F(Gap, RefusesBadInputAndWritesNothing) {
     const auto expect_refused = [&](const std::string& arguments, std::initializer_list<std::string> words) {
         const Ended refused = run(arguments);

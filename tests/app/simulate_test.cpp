@@ -16,6 +16,13 @@ TEST_F(Program, SimulatesAJointAndSaysSo) {
         EXPECT_TRUE(fs::exists(folder_ / "my joints" / "pnrvsa" / file)) << file;
 }
 
+TEST_F(Program, ResultsAndModelsForMujocoGoToTwoFolders) {
+    const Ended refused = run("simulate '" + fixtures::shipped("pnrvsa").string() + "' --levels 2 --out same --write-mjcf same");
+    EXPECT_EQ(refused.code, 2) << refused.all();
+    expect_words(refused.err, {"--write-mjcf", "a folder other than --out"});
+    EXPECT_FALSE(fs::exists(folder_ / "same"));
+}
+
 TEST_F(Program, EquilibriaAreFoundAtAnyTorques) {
     const std::string profile = "simulate '" + fixtures::shipped("pnrvsa").string() + "' --levels 2 ";
     const Ended done = run(profile + "--at 1.5,1.5,0 --at 1,0.9,-0.02");

@@ -21,3 +21,13 @@ cp made/pnrvsa/springs.csv out/pnrvsa
 python3 -c 'import ast, sys; ast.parse(open(sys.argv[1]).read())' mjcf/pnrvsa/joint_twin.py || fail 'joint_twin.py is not Python'
 cp "$source/tests/mujoco/twin_test.mjs" "$modules"  # beside its node_modules
 node "$modules/twin_test.mjs" "$work/mjcf/pnrvsa" "$work/out/pnrvsa" "${4-}"
+
+"$program" case-template pnrvsa.toml --out case >log 2>&1 || fail "case-template: $(cat log)"
+cat >effects.json <<'END'
+{"effects": [{"id": "joint.coulomb", "side": "none", "parameter": {"value": 0.05}},
+             {"id": "se.hysteresis", "side": "agonist", "parameter": {"value": 0.1}},
+             {"id": "gear.backlash", "side": "antagonist", "parameter": {"value": 0.05}}]}
+END
+"$program" predict case --effects effects.json --out rows --write-mjcf rig >log 2>&1 || fail "predict: $(cat log)"
+cp "$source/tests/mujoco/rig_test.mjs" "$source/tests/mujoco/experiments.mjs" rig/joint_twin.mjs "$modules"
+node "$modules/rig_test.mjs" rig case rows

@@ -5,6 +5,7 @@
 
 #include "fusee/diagnosis/diagnosis.h"
 #include "fusee/gap_case/case.h"
+#include "fusee/joint_model/built_rig.h"
 
 namespace fusee::diagnosis {
 
@@ -23,10 +24,13 @@ struct DiagnoseOptions {
 /// @param file the name used in messages. @throws core::InvalidInput naming the effect, its size and what is allowed
 void require_possible(const gap_case::Case& nominal, const Diagnosis& found, const std::string& file);
 
-/// Predicts the measured columns at the inputs of `inputs`, row by row: the nominal rig with `found.effects` and
-/// `found.build` (an empty Diagnosis: the nominal rig).
-/// @throws core::InvalidInput naming an effect or side that the library does not know; a value of the rig with these effects that cannot
-/// be built (friction or arm below 0); an experiment without a finite prediction
+/// The nominal rig with `found.effects`, `found.unknown_terms` and `found.build` (an empty Diagnosis: the nominal rig), its springs tabulated.
+/// @throws core::InvalidInput naming an effect or side that the library does not know, or a value that cannot be built (friction or arm
+/// below 0)
+[[nodiscard]] joint_model::BuiltRig built_rig(const gap_case::Case& nominal, const Diagnosis& found);
+
+/// Predicts the measured columns at the inputs of `inputs`, row by row, by `built_rig`.
+/// @throws core::InvalidInput as built_rig; naming an experiment without a finite prediction
 [[nodiscard]] gap_case::Rows predict(const gap_case::Case& nominal, const Diagnosis& found, const gap_case::Rows& inputs);
 
 }  // namespace fusee::diagnosis

@@ -23,6 +23,15 @@ export function springTorque(spring, x) {
   return rows[i] + (place - i) * (rows[i + 1] - rows[i]);
 }
 
+/** The same with hysteresis, of a spring that was pulled to x from where `memory` has it. A new memory: { z: -1, last: 0 }. */
+export function pullSpring(spring, memory, x) {
+  const torque = springTorque(spring, x);
+  if (spring.hysteresis === 0) return torque;
+  memory.z = Math.min(1, Math.max(-1, memory.z + 2 * (x - memory.last) / TURNOVER));
+  memory.last = x;
+  return torque * (1 + spring.hysteresis * memory.z);
+}
+
 /** Greatest friction of a gear under a load, turning at `speed` or, at rest, driven towards `way` (1: winding in, -1: paying out) [Nm]. */
 export function gearFriction(gear, load, speed, way) {
   const rows = gear.load_Nm, size = Math.abs(load);
@@ -86,6 +95,7 @@ export class JointTwin {
   apply() {
     const { model, data, laws } = this;
     const g = laws.ratio, s = laws.capstan_scale;
+    this.#followEncoders();
     const place = this.places.map((i) => data.qpos[i]), speed = this.dofs.map((i) => data.qvel[i]);
     const pull = [s * place[0] + g * place[2], s * place[1] - g * place[2]].map((x, i) => this.#spring(i, 'k_se', x));
     for (let i = 0; i < 2; ++i) {
@@ -99,21 +109,20 @@ export class JointTwin {
 
   /** Angles of agonist, antagonist and joint as the encoders of the rig read them, without noise and steps [rad]. */
   read() {
-    const { data, laws } = this;
+    this.#followEncoders();
+    return [...this.encoders, this.data.qpos[this.places[2]] + this.laws.joint.offset_rad];
+  }
+
+  /** An encoder behind backlash stays until its capstan takes it along. */
+  #followEncoders() {
     for (let i = 0; i < 2; ++i) {
-      const theta = data.qpos[this.places[i]], half = 0.5 * laws[SIDES[i]].gear.backlash_rad;
+      const theta = this.data.qpos[this.places[i]], half = 0.5 * this.laws[SIDES[i]].gear.backlash_rad;
       this.encoders[i] = Math.min(Math.max(this.encoders[i], theta - half), theta + half);
     }
-    return [...this.encoders, data.qpos[this.places[2]] + laws.joint.offset_rad];
   }
 
   #spring(side, name, x) {
-    const spring = this.laws[SIDES[side]][name], torque = springTorque(spring, x);
-    if (spring.hysteresis === 0) return torque;
-    const memory = this.memory[side][name];
-    memory.z = Math.min(1, Math.max(-1, memory.z + 2 * (x - memory.last) / TURNOVER));
-    memory.last = x;
-    return torque * (1 + spring.hysteresis * memory.z);
+    return pullSpring(this.laws[SIDES[side]][name], this.memory[side][name], x);
   }
 
   /** The way in which a capstan turns or, creeping at rest, is driven. */

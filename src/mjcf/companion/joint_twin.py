@@ -29,6 +29,16 @@ def spring_torque(spring, x):
     return rows[i] + (place - i) * (rows[i + 1] - rows[i])
 
 
+def pull_spring(spring, memory, x):
+    """The same with hysteresis, of a spring that was pulled to x from where memory has it. A new memory: [-1.0, 0.0]."""
+    torque = spring_torque(spring, x)
+    if spring["hysteresis"] == 0.0:
+        return torque
+    memory[0] = min(1.0, max(-1.0, memory[0] + 2.0 * (x - memory[1]) / TURNOVER))
+    memory[1] = x
+    return torque * (1.0 + spring["hysteresis"] * memory[0])
+
+
 def gear_friction(gear, load, speed, way):
     """Greatest friction under a load, turning at speed or, at rest, driven towards way (1: winding in, -1: paying out) [Nm]."""
     rows, friction, size = gear["load_Nm"], gear["friction_Nm"], abs(load)
@@ -99,6 +109,7 @@ class JointTwin:
         """Springs, friction, gravity and stop at the present state, for the next mj_step."""
         model, data, laws = self.model, self.data, self.laws
         g, s = laws["ratio"], laws["capstan_scale"]
+        self._follow_encoders()
         place = [float(data.qpos[i]) for i in self.places]
         speed = [float(data.qvel[i]) for i in self.dofs]
         pull = [self._spring(0, "k_se", s * place[0] + g * place[2]), self._spring(1, "k_se", s * place[1] - g * place[2])]
@@ -112,20 +123,17 @@ class JointTwin:
 
     def read(self):
         """Angles of agonist, antagonist and joint as the encoders of the rig read them, without noise and steps [rad]."""
+        self._follow_encoders()
+        return [*self.encoders, float(self.data.qpos[self.places[2]]) + self.laws["joint"]["offset_rad"]]
+
+    def _follow_encoders(self):
+        """An encoder behind backlash stays until its capstan takes it along."""
         for i, name in enumerate(SIDES):
             theta, half = float(self.data.qpos[self.places[i]]), 0.5 * self.laws[name]["gear"]["backlash_rad"]
             self.encoders[i] = min(max(self.encoders[i], theta - half), theta + half)
-        return [*self.encoders, float(self.data.qpos[self.places[2]]) + self.laws["joint"]["offset_rad"]]
 
     def _spring(self, side, name, x):
-        spring = self.laws[SIDES[side]][name]
-        torque = spring_torque(spring, x)
-        if spring["hysteresis"] == 0.0:
-            return torque
-        memory = self.memory[side][name]
-        memory[0] = min(1.0, max(-1.0, memory[0] + 2.0 * (x - memory[1]) / TURNOVER))
-        memory[1] = x
-        return torque * (1.0 + spring["hysteresis"] * memory[0])
+        return pull_spring(self.laws[SIDES[side]][name], self.memory[side][name], x)
 
     def _way(self, side, speed, load):
         """The way in which a capstan turns or, creeping at rest, is driven."""

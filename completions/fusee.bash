@@ -192,9 +192,10 @@ _fusee() {
             esac ;;
         ' case-template')
             case $word:$before in
+                *:--next) _fusee_files "$word" json ;;
                 *:-o | *:--out) _fusee_folders "$word" ;;
                 *:--color) _fusee_words "$word" auto always never ;;
-                -*) _fusee_words "$word" --help --out --force --json --color --quiet --verbose ;;
+                -*) _fusee_words "$word" --help --next --out --force --json --color --quiet --verbose ;;
                 *) _fusee_files "$word" toml ;;
             esac ;;
         ' identify')

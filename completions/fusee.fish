@@ -241,6 +241,7 @@ complete -c fusee -n "__fusee_at ' simulate'" -s v -l verbose -d 'Print more'
 
 complete -c fusee -n "__fusee_at ' case-template'" -a '(__fusee_files toml)'
 complete -c fusee -n "__fusee_at ' case-template'" -s h -l help -d 'Print this help message and exit'
+complete -c fusee -n "__fusee_at ' case-template'" -l next -x -a '(__fusee_files json)' -d 'diagnosis.json of a case'
 complete -c fusee -n "__fusee_at ' case-template'" -s o -l out -x -a '(__fish_complete_directories)' -d 'Folder of the case'
 complete -c fusee -n "__fusee_at ' case-template'" -l force -d 'Also replace files of another source and changed files'
 complete -c fusee -n "__fusee_at ' case-template'" -l json -d 'Print one JSON object instead of text (docs/json.md)'

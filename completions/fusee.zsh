@@ -278,6 +278,7 @@ _fusee_simulate() {
 _fusee_case-template() {
     _arguments -s \
         '(- *)'{-h,--help}'[Print this help message and exit]' \
+        '(--next)'--next='[diagnosis.json of a case]'':file:_files -g "*.(json)(-.)"' \
         '(-o --out)'{-o+,--out=}'[Folder of the case]'':folder:_files -/' \
         '(--force)'--force'[Also replace files of another source and changed files]' \
         '(--json)'--json'[Print one JSON object instead of text (docs/json.md)]' \

@@ -765,8 +765,8 @@ class Diagnosis:
     @staticmethod
     def parse(json: str, file: str = "diagnosis.json") -> Diagnosis:
         """
-        Reads what a prediction needs: verdict, effects with extra parameters, build. Third-party files may have only `effects`.
-        file: the name used in messages. Raises InvalidInput naming the key
+        Reads what a prediction and the next case need: verdict, effects with extra parameters, build, next measurements. Third-
+        party files may have only `effects`. file: the name used in messages. Raises InvalidInput naming the key
         """
     def __repr__(self) -> str:
         ...

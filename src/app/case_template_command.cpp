@@ -5,7 +5,9 @@
 #include "arguments.h"
 #include "commands.h"
 #include "exit_codes.h"
+#include "fusee/core/file.h"
 #include "fusee/core/output_folder.h"
+#include "fusee/diagnosis/next_case.h"
 #include "fusee/pipeline/case_template.h"
 #include "places.h"
 
@@ -16,27 +18,47 @@ namespace fs = std::filesystem;
 namespace {
 
 struct CaseTemplateArguments {
-    fs::path profile, out;
+    fs::path source, next, out;
     bool force = false;
-    pipeline::CaseTemplateOptions options;
 };
 
+core::OutputRun run_of(const CaseTemplateArguments& arguments) {
+    return {.command = "case-template", .source = arguments.source, .force = arguments.force, .sheets = gap_case::case_template_files()};
+}
+
+void say_written(const CaseTemplateArguments& arguments, const std::string& name, std::size_t points, Reply& reply) {
+    reply.result = {{"case", name}, {"set_points", points}, {"folder", arguments.out.string()}};
+    reply.say(fmt::format("{}: an empty case with {} set points; begin with BENCH.md\nwritten: {}\n", name, points,
+                          (arguments.out / "").string()));
+}
+
+/// All six experiments of the joint of a profile.
 int write_template(const CaseTemplateArguments& arguments, Reply& reply) {
-    const profile::Profile profile = profile::read_profile(arguments.profile);
-    core::OutputFolder output(
-        arguments.out,
-        {.command = "case-template", .source = arguments.profile, .force = arguments.force, .sheets = gap_case::case_template_files()});
-    const auto made = with_places(profile, [&] { return pipeline::case_template(profile, arguments.options); });
+    const profile::Profile profile = profile::read_profile(arguments.source);
+    core::OutputFolder output(arguments.out, run_of(arguments));
+    const auto made = with_places(profile, [&] { return pipeline::case_template(profile); });
     if (!made) {
         reply.show(made.refusal());
         return kRefused;
     }
     gap_case::write_case_template(*made, output.path());
     output.commit();
-    const std::size_t points = gap_case::set_points(*made).size();
-    reply.result = {{"case", made->name}, {"set_points", points}, {"folder", arguments.out.string()}};
-    reply.say(fmt::format("{}: an empty case with {} set points; begin with BENCH.md\nwritten: {}\n", made->name, points,
-                          (arguments.out / "").string()));
+    say_written(arguments, made->name, gap_case::set_points(*made).size(), reply);
+    return 0;
+}
+
+/// The one measurement that a diagnosis of a case asks for.
+int write_next(const CaseTemplateArguments& arguments, Reply& reply) {
+    require_other_folder("--out", arguments.out, arguments.source, "that of the case");
+    const gap_case::Case measured = gap_case::read_case(arguments.source);
+    core::OutputFolder output(arguments.out, run_of(arguments));
+    const std::string file = arguments.next.string();
+    const diagnosis::NextCase next =
+        diagnosis::next_case(measured, diagnosis::parse_diagnosis(core::read_file(arguments.next, diagnosis::kLargestFile), file), file);
+    gap_case::write_case_template(next.empty, next.set_points, output.path());
+    output.commit();
+    reply.say(next.experiment.text + "\n");
+    say_written(arguments, next.empty.name, next.set_points.size(), reply);
     return 0;
 }
 
@@ -47,18 +69,31 @@ void add_case_template(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand(
         "case-template",
         "Write an empty gap case for the joint of a profile: nominal rig, set points and sheets to fill in during the tests");
-    command->add_option("profile", arguments->profile, "Profile (*.toml) with the base springs of the parts")
+    command
+        ->add_option("profile", arguments->source,
+                     "Profile (*.toml) with the base springs of the parts; with --next: the folder of the case")
         ->type_name("FILE.toml")
         ->required();
+    command
+        ->add_option(
+            "--next", arguments->next,
+            "diagnosis.json of a case: write only the measurement that it asks for, which decides between causes or confirms an unknown "
+            "effect")
+        ->type_name("FILE.json");
     command->add_option("-o,--out", arguments->out, "Folder of the case; filled-in sheets are never replaced")
         ->type_name("FOLDER")
         ->required();
     add_force(*command, arguments->force);
     command->footer(
-        "Example:\n  fusee case-template profiles/pnrvsa.toml --out bench/monday\n\n"
+        "Examples:\n  fusee case-template profiles/pnrvsa.toml --out bench/monday\n"
+        "  fusee case-template bench/monday --next found/diagnosis.json --out bench/tuesday\n\n"
         "Exit code: 0 the case is written, 1 the law is not possible (the binding limit and the nearest feasible change are printed),\n"
         "2 bad input (file, line and key are named), 3 internal error.");
-    command->callback([arguments, &action] { action = [arguments](Reply& reply) { return write_template(*arguments, reply); }; });
+    command->callback([arguments, &action] {
+        action = [arguments](Reply& reply) {
+            return arguments->next.empty() ? write_template(*arguments, reply) : write_next(*arguments, reply);
+        };
+    });
 }
 
 }  // namespace fusee::app

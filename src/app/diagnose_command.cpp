@@ -99,6 +99,9 @@ int diagnose(const DiagnoseArguments& arguments, Reply& reply) {
     const std::string unshown = joint.refusal.empty() ? "" : "joint in 3D: not shown, " + joint.refusal + "\n";
     reply.say(fmt::format("{}{}{}written: {}/diagnosis.html, diagnosis.json{}\n", report::diagnosis_text(found), redesigned.text, unshown,
                           arguments.out.string(), redesign ? ", redesign.json" : ""));
+    if (!found.next.empty() && !gap_case::is_subsystem_case(arguments.folder))
+        reply.say(fmt::format("sheets for the next measurement: fusee case-template {} --next {} --out FOLDER\n", arguments.folder.string(),
+                              (arguments.out / "diagnosis.json").string()));
     if (twin) reply.say(twin->line());
     return 0;
 }

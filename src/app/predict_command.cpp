@@ -22,11 +22,9 @@ struct PredictArguments {
     bool force = false;
 };
 
-constexpr std::size_t kLargestDiagnosis = 50'000'000;  // bytes
-
 diagnosis::Diagnosis effects_of(const fs::path& file) {
     if (file.empty()) return {};
-    return diagnosis::parse_diagnosis(core::read_file(file, kLargestDiagnosis), file.string());
+    return diagnosis::parse_diagnosis(core::read_file(file, diagnosis::kLargestFile), file.string());
 }
 
 int predict(const PredictArguments& arguments, Reply& reply) {

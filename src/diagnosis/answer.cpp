@@ -160,7 +160,10 @@ void Answer::plan_next_experiment(unsigned jobs) {
         rivals.push_back(&found_.fits[h]);
         probabilities.push_back(probability);
     }
-    if (const std::vector<effects::Cause> unseen = weigh_power(); !unseen.empty())
+    if (!diagnosis_.unknown_terms.empty()) {  // what would confirm the form
+        const std::vector<double> even{0.5, 0.5};
+        diagnosis_.next = next_experiments(problem_, {shown_, &found_.fits[found_.null]}, even, jobs);
+    } else if (const std::vector<effects::Cause> unseen = weigh_power(); !unseen.empty())
         diagnosis_.next = showing_experiments(problem_, found_.fits[found_.null], unseen, jobs);
     else if (rivals.size() > 1)
         diagnosis_.next = next_experiments(problem_, rivals, probabilities, jobs);

@@ -51,6 +51,14 @@ UnknownTerm term_of(const JsonNode& node) {
     return term;
 }
 
+NextExperiment next_of(const JsonNode& node) {
+    node.allow_keys({"text", "experiment", "variable", "set_points", "information_bit", "cost_min"});
+    NextExperiment next{node["text"].text(),     node["experiment"].text(),        {},
+                        node["variable"].text(), node["information_bit"].number(), node["cost_min"].number()};
+    for (const JsonNode& point : node["set_points"].cells()) next.set_points.push_back(point.number());
+    return next;
+}
+
 VerdictKind verdict_of(const JsonNode& node) {
     for (const VerdictKind verdict :
          {VerdictKind::kIdentified, VerdictKind::kNone, VerdictKind::kAmbiguous, VerdictKind::kUnknown, VerdictKind::kInconclusive})
@@ -75,6 +83,9 @@ Diagnosis parse_diagnosis(std::string_view json, const std::string& file) {
     }
     if (root.has("build"))
         for (const auto& [name, parameter] : root["build"].members()) diagnosis.build.emplace_back(name, parameter_of(parameter));
+    if (root.has("next"))
+        for (const JsonNode& next : root["next"].cells()) diagnosis.next.push_back(next_of(next));
+    if (root.has("next_experiment")) diagnosis.next_experiment = root["next_experiment"].text();
     if (root.has("case")) diagnosis.case_name = root["case"].text();
     if (root.has("case_sha256")) diagnosis.case_sha256 = root["case_sha256"].text();
     return diagnosis;

@@ -174,12 +174,8 @@ std::vector<Eigen::VectorXd> changes_by(const inference::Problem& problem, const
     return changes;
 }
 
-std::string sentence(const std::string& what, double bits, double minutes) {
-    return fmt::format("{}: {:.2f} bit, {:.0f} min.", what, bits, minutes);
-}
-
 NextExperiment offered(const Measurement& m, double bits) {
-    return {sentence(m.what, bits, m.cost), to_string(m.experiment), m.set_points, m.variable, bits, m.cost};
+    return {sentence_of(m, bits), to_string(m.experiment), m.set_points, m.variable, bits, m.cost};
 }
 
 /// Factor by which the rivals would have to differ more to be decided; above kLargestFactor: never.

@@ -10,7 +10,6 @@
 #include <optional>
 #include <set>
 
-#include "fusee/gap_case/case_template.h"
 #include "fusee/gap_case/reference.h"
 
 namespace fusee::diagnosis {
@@ -42,16 +41,6 @@ core::Range torques(const gap_case::Case& gap_case) {
     if (range.high <= 0.0) range.high = kUsualLoad * (end.se_torque + end.pe_torque);
     range.low = std::clamp(range.low, 0.0, kLowest * range.high);
     return range;
-}
-
-gap_case::Rows usual_rows(const gap_case::Case& gap_case) {
-    gap_case::CaseTemplate t{gap_case.name, gap_case.rig, gap_case.tolerance, gap_case.sensors, gap_case.protocol, torques(gap_case)};
-    if (!gap_case.rows.spring_pull.empty())
-        t.rest_deflection = std::max(
-            0.0, std::min_element(gap_case.rows.spring_pull.begin(), gap_case.rows.spring_pull.end(), [](const auto& a, const auto& b) {
-                     return a.deflection < b.deflection;
-                 })->deflection);
-    return set_points(t);
 }
 
 template <typename Row, typename Same>
@@ -132,7 +121,7 @@ int count_of(Sides side) { return side ? 1 : 2; }
 class MenuWriter {
 public:
     explicit MenuWriter(const gap_case::Case& gap_case) {
-        gap_case::Rows usual = usual_rows(gap_case);
+        gap_case::Rows usual = set_points(template_of(gap_case));
         thin_pulls(usual.spring_pull);
         break_away_repeats_ = drop_repeats(usual.breakaway, [](const identification::BreakAway& a, const identification::BreakAway& b) {
             return a.side == b.side && a.backdrive == b.backdrive && a.motor_torque == b.motor_torque;
@@ -259,6 +248,20 @@ private:
 };
 
 }  // namespace
+
+gap_case::CaseTemplate template_of(const gap_case::Case& gap_case) {
+    gap_case::CaseTemplate t{gap_case.name, gap_case.rig, gap_case.tolerance, gap_case.sensors, gap_case.protocol, torques(gap_case)};
+    if (!gap_case.rows.spring_pull.empty())
+        t.rest_deflection = std::max(
+            0.0, std::min_element(gap_case.rows.spring_pull.begin(), gap_case.rows.spring_pull.end(), [](const auto& a, const auto& b) {
+                     return a.deflection < b.deflection;
+                 })->deflection);
+    return t;
+}
+
+std::string sentence_of(const Measurement& measurement, double bits) {
+    return fmt::format("{}: {:.2f} bit, {:.0f} min.", measurement.what, bits, measurement.cost);
+}
 
 Menu measurement_menu(const gap_case::Case& gap_case) { return MenuWriter(gap_case).write(); }
 

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "fusee/gap_case/case.h"
+#include "fusee/gap_case/case_template.h"
 
 namespace fusee::diagnosis {
 
@@ -27,5 +27,9 @@ struct Menu {
 /// Every experiment with the set points of a case template, and its parts: one side, one spring, the lowest and the highest level alone, a
 /// stronger push, a faster and a slower log. Torques stay within the range of the case.
 [[nodiscard]] Menu measurement_menu(const gap_case::Case& gap_case);
+/// The empty template of the rig of a case: motor torques and stops as its rows have them.
+[[nodiscard]] gap_case::CaseTemplate template_of(const gap_case::Case& gap_case);
+/// Instruction, expected information [bit] and cost as one sentence.
+[[nodiscard]] std::string sentence_of(const Measurement& measurement, double bits);
 
 }  // namespace fusee::diagnosis

@@ -32,7 +32,7 @@ std::string table_text(const std::string& name, const char* comment, const std::
 }
 
 /// @param t by value: the keys point into it
-std::string case_toml(CaseTemplate t) {
+std::string case_toml(CaseTemplate t, const Rows& rows) {
     std::string text = fmt::format(
         "# A gap case of {}: nominal rig, and the files with the measurements (BENCH.md).\n"
         "# SI: metres, newtons, radians, seconds, Nm; the unit stands at the end of each name.\n",
@@ -47,7 +47,8 @@ std::string case_toml(CaseTemplate t) {
     text += fmt::format("{:<44} # {}\n", fmt::format("motor_ramp = \"{}\"", t.protocol.smooth_motor_ramp ? "smooth" : "straight"),
                         "or smooth: 3 s^2 - 2 s^3");
     text += "\n[experiments] # remove what was not measured\n";
-    for (const Experiment experiment : kAllExperiments) text += fmt::format("{0} = \"{0}.csv\"\n", to_string(experiment));
+    for (const Experiment experiment : kAllExperiments)
+        if (rows.size(experiment) > 0) text += fmt::format("{0} = \"{0}.csv\"\n", to_string(experiment));
     return text;
 }
 
@@ -65,20 +66,24 @@ std::vector<std::string> case_template_files() {
     return names;
 }
 
-CaseTexts case_template_texts(const CaseTemplate& empty) {
+CaseTexts case_template_texts(const CaseTemplate& empty) { return case_template_texts(empty, set_points(empty)); }
+
+CaseTexts case_template_texts(const CaseTemplate& empty, const Rows& set_points) {
     if (empty.rig.springs.empty()) throw core::InvalidInput("rig.springs", "no rows", "the springs' torques over deflection");
     Case files;
-    for (const Experiment experiment : kAllExperiments) files.files[experiment] = {csv_of(experiment)};
-    const Rows rows = set_points(empty);
-    CaseTexts texts = row_texts(files, rows);
-    texts["case.toml"] = case_toml(empty);
+    for (const Experiment experiment : kAllExperiments)
+        if (set_points.size(experiment) > 0) files.files[experiment] = {csv_of(experiment)};
+    CaseTexts texts = row_texts(files, set_points);
+    texts["case.toml"] = case_toml(empty, set_points);
     texts[kSprings] = springs_csv(empty.rig);
-    texts["BENCH.md"] = experiment_sheets(empty, rows);
+    texts["BENCH.md"] = experiment_sheets(empty, set_points);
     return texts;
 }
 
-void write_case_template(const CaseTemplate& empty, const fs::path& folder) {
-    const CaseTexts texts = case_template_texts(empty);
+void write_case_template(const CaseTemplate& empty, const fs::path& folder) { write_case_template(empty, set_points(empty), folder); }
+
+void write_case_template(const CaseTemplate& empty, const Rows& set_points, const fs::path& folder) {
+    const CaseTexts texts = case_template_texts(empty, set_points);
     core::make_folder(folder);
     for (const auto& [name, text] : texts) core::write_file(folder / name, text);
 }

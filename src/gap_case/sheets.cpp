@@ -12,7 +12,7 @@ namespace fusee::gap_case {
 namespace {
 
 constexpr const char* kHead = R"(# At the bench: {name}
-Fill in the empty cells of the CSV files; every line of a file is one reading, in the order in which it is taken. Then
+{purpose}Fill in the empty cells of the CSV files; every line of a file is one reading, in the order in which it is taken. Then
 
     fusee diagnose THIS_FOLDER --out RESULT
 
@@ -118,32 +118,44 @@ std::string zero_text(double rest) {
         rest);
 }
 
+std::ptrdiff_t repeats_of_first(const std::vector<identification::BreakAway>& rows) {
+    return std::count_if(rows.begin(), rows.end(), [&first = rows.front()](const identification::BreakAway& row) {
+        return row.side == first.side && row.backdrive == first.backdrive && row.motor_torque == first.motor_torque;
+    });
+}
+
 }  // namespace
 
 std::string experiment_sheets(const CaseTemplate& t, const Rows& rows) {
     using fmt::arg;
     const Protocol& p = t.protocol;
-    const auto first_repeats = std::count_if(rows.breakaway.begin(), rows.breakaway.end(), [&](const identification::BreakAway& row) {
-        const identification::BreakAway& first = rows.breakaway.front();
-        return row.side == first.side && row.backdrive == first.backdrive && row.motor_torque == first.motor_torque;
-    });
-    std::string text = fmt::format(kHead, arg("name", t.name), arg("zero", zero_text(t.rest_deflection)));
-    text +=
-        fmt::format(kBreakAway, arg("rows", rows.breakaway.size()),
-                    arg("torques", torques_of(rows.breakaway, &identification::BreakAway::motor_torque)), arg("repeats", first_repeats));
-    text += fmt::format(kSpringPull, arg("rows", rows.spring_pull.size()), arg("first", rows.spring_pull.front().deflection),
-                        arg("last", rows.spring_pull[rows.spring_pull.size() / 8 - 1].deflection));
-    text +=
-        fmt::format(kDeadBand, arg("rows", rows.dead_band.size()), arg("torques", torques_of(rows.dead_band, &DeadBandRow::cocontraction)),
-                    arg("repeats", rows.dead_band.back().repeat), arg("ramp", p.motor_ramp), arg("settle", p.motor_settle),
-                    arg("push", p.dead_band_push), arg("release", p.dead_band_release), arg("push_text", push_text(t, rows.dead_band)));
-    text +=
-        fmt::format(kStiffness, arg("rows", rows.joint_stiffness.size()),
-                    arg("torques", torques_of(rows.joint_stiffness, &StiffnessRow::cocontraction)), arg("phase", p.joint_stiffness_phase));
-    text += fmt::format(kCocontraction, arg("rows", rows.cocontraction.size()), arg("most", t.torques.high),
-                        arg("phase", p.cocontraction_phase));
-    text += fmt::format(kLog, arg("rows", rows.log.size()), arg("rate", t.sensors.log_rate), arg("ramp", p.motor_ramp),
-                        arg("settle", p.motor_settle));
+    std::string text = fmt::format(kHead, arg("name", t.name), arg("purpose", t.purpose), arg("zero", zero_text(t.rest_deflection)));
+    if (!rows.breakaway.empty())
+        text += fmt::format(kBreakAway, arg("rows", rows.breakaway.size()),
+                            arg("torques", torques_of(rows.breakaway, &identification::BreakAway::motor_torque)),
+                            arg("repeats", repeats_of_first(rows.breakaway)));
+    if (!rows.spring_pull.empty()) {
+        const auto [least, most] =
+            std::minmax_element(rows.spring_pull.begin(), rows.spring_pull.end(),
+                                [](const SpringPull& a, const SpringPull& b) { return a.deflection < b.deflection; });
+        text +=
+            fmt::format(kSpringPull, arg("rows", rows.spring_pull.size()), arg("first", least->deflection), arg("last", most->deflection));
+    }
+    if (!rows.dead_band.empty())
+        text += fmt::format(
+            kDeadBand, arg("rows", rows.dead_band.size()), arg("torques", torques_of(rows.dead_band, &DeadBandRow::cocontraction)),
+            arg("repeats", rows.dead_band.back().repeat), arg("ramp", p.motor_ramp), arg("settle", p.motor_settle),
+            arg("push", p.dead_band_push), arg("release", p.dead_band_release), arg("push_text", push_text(t, rows.dead_band)));
+    if (!rows.joint_stiffness.empty())
+        text += fmt::format(kStiffness, arg("rows", rows.joint_stiffness.size()),
+                            arg("torques", torques_of(rows.joint_stiffness, &StiffnessRow::cocontraction)),
+                            arg("phase", p.joint_stiffness_phase));
+    if (!rows.cocontraction.empty())
+        text += fmt::format(kCocontraction, arg("rows", rows.cocontraction.size()), arg("most", t.torques.high),
+                            arg("phase", p.cocontraction_phase));
+    if (!rows.log.empty())
+        text += fmt::format(kLog, arg("rows", rows.log.size()), arg("rate", t.sensors.log_rate), arg("ramp", p.motor_ramp),
+                            arg("settle", p.motor_settle));
     return text;
 }
 

@@ -75,6 +75,48 @@ TEST_F(Gap, PredictsASubsystemCaseIntoANewFolder) {
     EXPECT_NE(core::read_file(folder_ / "predicted" / "pull_b.csv").find("1,0.1,20.5"), std::string::npos);
 }
 
+TEST_F(Gap, WritesTheMeasurementThatADiagnosisAsksFor) {
+    ASSERT_EQ(run("diagnose case --out found").code, 0);
+    const auto found = nlohmann::json::parse(core::read_file(folder_ / "found" / "diagnosis.json"));
+    const auto asked = found.at("next").at(0);
+    const std::string experiment = asked.at("experiment");
+    const Ended done = run("case-template case --next found/diagnosis.json --out tuesday");
+    ASSERT_EQ(done.code, 0) << done.all();
+    expect_words(done.out, {asked.at("text").get<std::string>(), "an empty case with", "written: tuesday/"});
+    EXPECT_EQ(fixtures::contents(folder_ / "tuesday").size(), 4u);  // BENCH.md, case.toml, springs, one sheet
+    const std::string toml = core::read_file(folder_ / "tuesday" / "case.toml");
+    EXPECT_EQ(toml.substr(toml.find("[experiments]")),
+              fmt::format("[experiments] # remove what was not measured\n{0} = \"{0}.csv\"\n", experiment));
+    expect_words(core::read_file(folder_ / "tuesday" / "BENCH.md"),
+                 {"The diagnosis asks for", asked.at("text").get<std::string>(), "## " + experiment});
+
+    // Measured and named beside the first file, it is part of the next diagnosis.
+    ASSERT_EQ(run("predict tuesday --out expected").code, 0);
+    write("case/" + experiment + "_next.csv", core::read_file(folder_ / "expected" / (experiment + ".csv")));
+    const std::string first = core::read_file(folder_ / "case" / "case.toml");
+    write("case/case.toml", first + (experiment == "breakaway" ? "" : experiment + " = [\"" + experiment + "_next.csv\"]\n"));
+    const Ended again = run("diagnose case --out again");
+    EXPECT_EQ(again.code, 0) << again.all();
+
+    const auto expect_refused = [&](const std::string& arguments, std::initializer_list<std::string> words) {
+        const Ended refused = run(arguments);
+        EXPECT_EQ(refused.code, 2) << refused.all();
+        expect_words(refused.err, words);
+        EXPECT_FALSE(fs::exists(folder_ / "out"));
+    };
+    expect_refused("case-template case --next found/diagnosis.json --out out", {"case_sha256", "diagnose the case as it is now"});
+    write("case/case.toml", first);
+    expect_refused("case-template case --next found/diagnosis.json --out ./case", {"--out", "a folder other than that of the case"});
+    nlohmann::json none = found;
+    none["next"] = nlohmann::json::array();
+    write("none.json", none.dump());
+    expect_refused("case-template case --next none.json --out out", {"none.json: next", "no measurement"});
+    none["next"] = {asked};
+    none["next"][0]["text"] = "Sing to the joint: 1.00 bit, 3 min.";
+    write("none.json", none.dump());
+    expect_refused("case-template case --next none.json --out out", {"none.json: next", "diagnose the case again"});
+}
+
 TEST_F(Gap, WritesTheDiagnosedRigForMujoco) {
     write("d.json", R"({"effects": [{"id": "joint.coulomb", "side": "none", "parameter": {"value": 0.07}}]})");
     const Ended done = run("predict case --effects d.json --inputs inputs --out rows --write-mjcf 'to simulate/rig'");

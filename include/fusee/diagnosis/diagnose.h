@@ -24,7 +24,8 @@ struct DiagnoseOptions {
 /// @param file the name used in messages. @throws core::InvalidInput naming the effect, its size and what is allowed
 void require_possible(const gap_case::Case& nominal, const Diagnosis& found, const std::string& file);
 
-/// The nominal rig with `found.effects`, `found.unknown_terms` and `found.build` (an empty Diagnosis: the nominal rig), its springs tabulated.
+/// The nominal rig with `found.effects`, `found.unknown_terms` and `found.build` (an empty Diagnosis: the nominal rig), its springs
+/// tabulated.
 /// @throws core::InvalidInput naming an effect or side that the library does not know, or a value that cannot be built (friction or arm
 /// below 0)
 [[nodiscard]] joint_model::BuiltRig built_rig(const gap_case::Case& nominal, const Diagnosis& found);

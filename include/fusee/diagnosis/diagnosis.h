@@ -145,9 +145,12 @@ struct Diagnosis {
     std::vector<std::string> remarks;  ///< limitations, disagreeing splits, gaps at the noise floor
 };
 
+inline constexpr std::size_t kLargestFile = 50'000'000;  ///< bytes of a diagnosis.json
+
 /// Keys as docs/gap.md gives them. NaN is written as null.
 [[nodiscard]] std::string diagnosis_json(const Diagnosis& diagnosis);
-/// Reads what a prediction needs: verdict, effects with extra parameters, build. Third-party files may have only `effects`.
+/// Reads what a prediction and the next case need: verdict, effects with extra parameters, build, next measurements. Third-party files may
+/// have only `effects`.
 /// @param file the name used in messages. @throws core::InvalidInput naming the key
 [[nodiscard]] Diagnosis parse_diagnosis(std::string_view json, const std::string& file);
 

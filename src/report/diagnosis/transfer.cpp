@@ -14,11 +14,9 @@ std::string transfer_section(const diagnosis::Diagnosis& diagnosis) {
         std::string sizes;
         for (const diagnosis::Parameter& p : t.parameters) sizes += (sizes.empty() ? "" : ", ") + amount(for_reading(p));
         rows.push_back({num(causes_name(t.effects)),
-                        plain(t.fitted),
                         num(sizes),
-                        num(change(t.fit_before, t.fit_after)),
-                        plain(t.heldout),
-                        num(change(t.heldout_before, t.heldout_after)),
+                        plain(t.fitted + ": " + change(t.fit_before, t.fit_after)),
+                        plain(t.heldout + ": " + change(t.heldout_before, t.heldout_after)),
                         {falls ? "better" : "<b>worse</b>", ""}});
     }
     return section("Does it transfer",
@@ -26,7 +24,7 @@ std::string transfer_section(const diagnosis::Diagnosis& diagnosis) {
                                          "square error in {}, before \u2192 after. A false cause fits its own file and worsens the other.",
                                          diagnosis.transfer.front().unit)) +
                        html_table("Error on the files of the fit and on the held-out file",
-                                  {"effects", "fitted to", "size", "error there", "held out", "error there", "held out"}, rows));
+                                  {"effects", "size", "fitted to", "held out", "held out is"}, rows));
 }
 
 }  // namespace fusee::report

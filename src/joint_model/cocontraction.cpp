@@ -12,12 +12,11 @@ namespace {
 void follow(const BuiltRig& rig, std::span<const gap_case::CocontractionRow> rows, double seconds_per_torque, double step,
             std::vector<double>& read) {
     Motion motion(rig, step);
-    Reading reading(rig);
     double torque = 0.0;
     for (const gap_case::CocontractionRow& row : rows) {
         motion.lead_to({row.motor_torque, row.motor_torque, 0.0}, seconds_per_torque * std::abs(row.motor_torque - torque));
         torque = row.motor_torque;
-        reading.append(motion, read);
+        append_reading(rig, motion, read);
     }
 }
 

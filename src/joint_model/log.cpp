@@ -29,7 +29,6 @@ void delay_q(std::span<const gap_case::LogRow> rows, double lag, std::span<doubl
 /// One log from rest: the motor ramp reaches the torques of the first row, which settle before the log begins.
 void follow(const BuiltRig& rig, std::span<const gap_case::LogRow> rows, const gap_case::Protocol& protocol, std::vector<double>& read) {
     Motion motion(rig, step_on(rig.reference, protocol, kLogStep));
-    Reading reading(rig);
     const gap_case::LogRow& first = rows.front();
     begin_at(motion, torques_of(first), protocol);
     std::size_t next = 1;
@@ -50,7 +49,7 @@ void follow(const BuiltRig& rig, std::span<const gap_case::LogRow> rows, const g
                      std::lerp(before.joint_torque, after.joint_torque, share)},
                     sent);
         }
-        reading.append(motion, read);
+        append_reading(rig, motion, read);
     }
     if (rig.terms.lag > 0.0) delay_q(rows, rig.terms.lag, std::span(read).last(3 * rows.size()));
 }

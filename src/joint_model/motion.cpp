@@ -32,6 +32,7 @@ public:
         for (std::size_t i = 0; i < 3; ++i) s.place[i] += h_ * s.speed[i];
         for (std::size_t i = 0; i < 2; ++i)
             if (s.place[i] < 0.0) s.place[i] = s.speed[i] = 0.0;  // the preload stop
+        if (backlash_) take_encoders_along(s);
     }
 
 private:
@@ -52,6 +53,12 @@ private:
         s.speed[kSide] =
             gear_speed(side.gear, per_mass_[kSide], s.speed[kSide], rig_.capstan_scale * pull + parallel, {command, extra, factor});
         return pull;
+    }
+    void take_encoders_along(MotionState& s) const {
+        for (std::size_t i = 0; i < 2; ++i) {
+            const double half = 0.5 * rig_.sides[i].gear.backlash;
+            s.encoder[i] = std::clamp(s.encoder[i], s.place[i] - half, s.place[i] + half);
+        }
     }
     /// Relaxation of both springs and slip of the cable, from the torques of this step.
     template <std::size_t kSide>
@@ -110,6 +117,7 @@ private:
     const BuiltRig& rig_;
     double h_, free_mass_ = 1.0, per_free_mass_ = 1.0;
     bool memory_ = rig_.has_memory();
+    bool backlash_ = rig_.sides[0].gear.backlash > 0.0 || rig_.sides[1].gear.backlash > 0.0;
     std::array<double, 2> per_mass_{};
 };
 
@@ -138,6 +146,11 @@ void Motion::lead_to(const Torques& torques, double seconds) {
         stepper.step(state, between(torques_, torques, static_cast<double>(i) / steps));
     state_ = state;
     torques_ = torques;
+}
+
+double Motion::encoder(gap_case::Side side) const {
+    const auto i = static_cast<std::size_t>(side);
+    return rig_->sides[i].gear.backlash > 0.0 ? state_.encoder[i] : state_.place[i];
 }
 
 void Motion::lead_smoothly_to(const Torques& torques, double seconds) {

@@ -60,6 +60,30 @@ private:
     Motion& motion_;
 };
 
+TEST(Motion, AnEncoderBehindBacklashKeepsTheFarthestThatItsCapstanCame) {
+    BuiltRig rig = free_rig();
+    rig.sides[0].gear.backlash = 0.05;
+    Motion motion(rig, kFine), step_by_step(rig, kFine);
+    motion.lead_to({1.0, 1.0, 0.0}, 200 * kFine);  // a quick pull overshoots
+    double most = 0.0;
+    for (int i = 1; i <= 200; ++i) {
+        step_by_step.lead_to({i / 200.0, i / 200.0, 0.0}, kFine);
+        most = std::max(most, step_by_step.theta(gap_case::Side::kAgonist));
+    }
+    for (int i = 0; i < 4000; ++i) {
+        motion.hold(2 * kFine);
+        step_by_step.hold(kFine);
+        most = std::max(most, step_by_step.theta(gap_case::Side::kAgonist));
+        step_by_step.hold(kFine);
+        most = std::max(most, step_by_step.theta(gap_case::Side::kAgonist));
+        const double theta = motion.theta(gap_case::Side::kAgonist), encoder = motion.encoder(gap_case::Side::kAgonist);
+        ASSERT_NEAR(encoder, step_by_step.encoder(gap_case::Side::kAgonist), 1e-9) << i;
+        ASSERT_LE(std::abs(encoder - theta), 0.025 + 1e-12);
+    }
+    EXPECT_GT(most - motion.theta(gap_case::Side::kAgonist), 0.01) << "no overshoot: the test shows nothing";
+    EXPECT_EQ(motion.encoder(gap_case::Side::kAntagonist), motion.theta(gap_case::Side::kAntagonist));
+}
+
 TEST(Motion, EnergyStaysWithoutFrictionAndFallsWithAny) {
     const auto with = [](double mu, double coulomb, double viscous) {
         BuiltRig rig = free_rig();

@@ -23,6 +23,7 @@ struct MotionState {
     std::array<double, 4> relaxed{};         ///< torque of each, as its relaxation follows it [Nm]
     std::array<double, 2> slipped{};         ///< cable that slipped on each capstan [rad]
     std::array<bool, 2> jumped{};            ///< each cable has left its groove
+    std::array<double, 2> encoder{};         ///< of each motor, as its gear's backlash takes it along; 0 without backlash [rad]
     [[nodiscard]] bool at_rest() const { return speed[0] == 0.0 && speed[1] == 0.0 && speed[2] == 0.0; }
 };
 
@@ -44,9 +45,11 @@ public:
     void hold(double seconds) { lead_to(torques_, seconds); }
 
     [[nodiscard]] double theta(gap_case::Side side) const { return state_.place[static_cast<std::size_t>(side)]; }  ///< [rad]
-    [[nodiscard]] double q() const { return state_.place[2]; }                                                      ///< [rad]
-    [[nodiscard]] double joint_torque() const { return torques_.joint; }                                            ///< commanded [Nm]
-    double hand_damping = 0.0;  ///< at the joint, of a hand that follows it [Nms/rad]
+    /// Angle of a capstan as the encoder of its motor has it, behind the backlash of the gear [rad].
+    [[nodiscard]] double encoder(gap_case::Side side) const;
+    [[nodiscard]] double q() const { return state_.place[2]; }            ///< [rad]
+    [[nodiscard]] double joint_torque() const { return torques_.joint; }  ///< commanded [Nm]
+    double hand_damping = 0.0;                                            ///< at the joint, of a hand that follows it [Nms/rad]
 
 private:
     const BuiltRig* rig_;

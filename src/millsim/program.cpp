@@ -17,7 +17,10 @@ namespace fusee::millsim {
 namespace {
 
 constexpr double kChord_mm = 2e-3;
+constexpr double kLargest = 1e12;  // of a number in a word
 constexpr double kRapid_mm_per_min = 3000.0;
+constexpr double kMostTurns = 100.0;           // of one arc
+constexpr std::size_t kMostMoves = 4'000'000;  // of a program: some 350 MB
 constexpr std::string_view kReadOver = "GHMSQRPD";
 
 using Vec = std::array<double, 2>;
@@ -40,7 +43,7 @@ public:
         if (line.starts_with("#<")) return assign(line);
         const Block block = parse(line);
         for (const int code : block.codes) set_mode(code);
-        if (block.has('T')) tool_ = static_cast<int>(block.words.at('T'));
+        if (block.has('T')) tool_ = static_cast<int>(std::lround(block.words.at('T')));
         if (block.has('F')) feed_ = block.words.at('F');
         if (has_code(block, 411)) offset_ = 0.5 * block.get('D', 0.0);
         if (has_code(block, 400)) offset_ = 0.0;
@@ -50,6 +53,7 @@ public:
 
 private:
     [[noreturn]] void refuse(const std::string& why) const { throw core::IoError(program_.name, fmt::format("line {}: {}", line_, why)); }
+    [[noreturn]] void refuse_length() const { refuse(fmt::format("more than {} moves, chords of arcs included", kMostMoves)); }
     static bool has_code(const Block& block, int code) {
         return std::find(block.codes.begin(), block.codes.end(), code) != block.codes.end();
     }
@@ -85,6 +89,7 @@ private:
             rest.remove_prefix(1);
             double value = 0.0;
             if (!take_value(rest, parameters_, value)) refuse(fmt::format("the word {} is not understood", letter));
+            if (!(std::abs(value) <= kLargest)) refuse(fmt::format("{}{:g}: at most {:g} is allowed", letter, value, kLargest));
             if (letter == 'G')
                 block.codes.push_back(static_cast<int>(std::lround(10.0 * value)));
             else if (std::string_view("XYZAIJPFTD").find(letter) != std::string_view::npos)
@@ -147,6 +152,7 @@ private:
     }
 
     void push(const Pose& to) {
+        if (program_.moves.size() >= kMostMoves) refuse_length();
         program_.moves.push_back({line_, motion_ == 0, tool_, here_, to, 0.0});
         here_ = to;
     }
@@ -162,13 +168,18 @@ private:
     void arc(const Pose& next, const Block& block) {
         const Vec centre{programmed_.x + block.get('I', 0.0), programmed_.y + block.get('J', 0.0)};
         const double sense = motion_ == 3 ? 1.0 : -1.0;
+        const double turns = block.get('P', 1.0);
+        if (!(turns >= 1.0 && turns <= kMostTurns && turns == std::floor(turns)))
+            refuse(fmt::format("an arc of P{:g} turns: a whole number from 1 to {:g} is allowed", turns, kMostTurns));
         const double radius = std::hypot(programmed_.x - centre[0], programmed_.y - centre[1]) - sense * offset_;
         if (!(radius > 0.0)) refuse("an arc that the cutter's radius does not fit into");
         const double begin = std::atan2(programmed_.y - centre[1], programmed_.x - centre[0]);
         double sweep = std::atan2(next.y - centre[1], next.x - centre[0]) - begin;
         while (sense * sweep <= 1e-9) sweep += sense * core::kTurn;
-        sweep += sense * core::kTurn * (block.get('P', 1.0) - 1.0);
-        const int count = 1 + static_cast<int>(std::abs(sweep) / std::min(0.5, 2.0 * std::sqrt(2.0 * kChord_mm / radius)));
+        sweep += sense * core::kTurn * (turns - 1.0);
+        const double chords = std::abs(sweep) / std::min(0.5, 2.0 * std::sqrt(2.0 * kChord_mm / radius));
+        if (!(chords < static_cast<double>(kMostMoves))) refuse_length();
+        const int count = 1 + static_cast<int>(chords);
         const Pose start = here_;
         for (int i = 1; i <= count; ++i) {
             const double s = static_cast<double>(i) / count, angle = begin + s * sweep;

@@ -115,7 +115,9 @@ TEST(Millsim, CompensationOffsetsArcsAndExpressionsAreRead) {
 }
 
 TEST(Millsim, WhatIsNotUnderstoodIsRefusedWithItsLine) {
-    for (const char* text : {"G21\nG5 X1\n", "G21\nG20\n", "G21\nX#<a>\n", "G21\nG1 X1 Y1\n", "G21\nW3\n"}) {
+    for (const char* text :
+         {"G21\nG5 X1\n", "G21\nG20\n", "G21\nX#<a>\n", "G21\nG1 X1 Y1\n", "G21\nW3\n", "G21\nX1e13\n", "G21\nX[1/0]\n",
+          "G0 X1 Y0 F100\nG3 X1 Y0 I-1 P839899\n", "G0 X1 Y0 F100\nG3 X1 Y0 I-1 P0.5\n", "G0 X1 Y0 F100\nG3 X1 Y1 I-1e12\n"}) {
         try {
             (void)read_program(text, "a.ngc");
             ADD_FAILURE() << text;

@@ -34,7 +34,8 @@ struct Program {
 
 /// Interprets G0 G1 G2 G3 (X Y Z A I J P), G40 and G41.1 D, G93 G94, T, F, named parameters and expressions in brackets; words that set
 /// no path (G17 G21 G43 H, G64, S, M) are read over. Tangent joints are assumed under compensation.
-/// @throws IoError naming program and line: a word that is not understood, inches, a feed of 0
+/// @throws IoError naming program and line: a word that is not understood, inches, a feed of 0, a number above 1e12, an arc of more than
+/// 100 turns, more than 4,000,000 moves
 [[nodiscard]] Program read_program(const std::string& text, const std::string& name);
 
 }  // namespace fusee::millsim

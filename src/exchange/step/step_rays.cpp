@@ -48,8 +48,8 @@ StepRays::StepRays(const TopoDS_Shape& shape) {
     for (TopExp_Explorer at(shape, TopAbs_FACE); at.More(); at.Next()) {
         Face face{
             TopoDS::Face(at.Current()), Handle(Geom_BSplineSurface)::DownCast(BRep_Tool::Surface(TopoDS::Face(at.Current()))), {}, {}, {}};
-        constexpr int kMost = BezierPatch::kMostPoles;
-        const bool divisible = !face.spline.IsNull() && face.spline->UDegree() < kMost && face.spline->VDegree() < kMost &&
+        constexpr int kPoles = BezierPatch::kMostPoles;
+        const bool divisible = !face.spline.IsNull() && face.spline->UDegree() < kPoles && face.spline->VDegree() < kPoles &&
                                !face.spline->IsUPeriodic() && !face.spline->IsVPeriodic();
         if (divisible) {
             face.trim = std::make_unique<BRepTopAdaptor_FClass2d>(face.face, kRay_mm);

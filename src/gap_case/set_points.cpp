@@ -130,6 +130,7 @@ std::vector<LogRow> log(const CaseTemplate& t) {
 Rows set_points(const CaseTemplate& empty) {
     if (!(empty.torques.low >= 0.0 && empty.torques.low < empty.torques.high))
         throw core::InvalidInput("torques", "no range", "a least co-contraction of at least 0 Nm below the greatest");
+    if (empty.rig.springs.empty()) throw core::InvalidInput("rig.springs", "no rows", "the springs' torques over deflection");
     Rows rows;
     rows.breakaway = breakaway(empty);
     rows.spring_pull = spring_pull(empty);

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <string>
 
+#include "core/sanitizer.h"
 #include "fusee/core/file.h"
 #include "pipeline/fixture.h"
 
@@ -13,6 +14,9 @@ namespace fusee::core {
 namespace {
 
 namespace fs = std::filesystem;
+
+// The handler ends on a stack of its own, where the address sanitizer of clang 14 fails a check: asan_poisoning.cpp:35.
+const char* const kNotChecked = "not checked: the address sanitizer cannot end on another stack";
 
 class CrashReport : public fixtures::TempFolder {
 protected:
@@ -34,6 +38,7 @@ protected:
 TEST_F(CrashReport, IsNotWrittenBeforeItIsPrepared) { EXPECT_STREQ(write_crash_report("nothing"), ""); }
 
 TEST_F(CrashReport, OfAFatalSignalHoldsCommandInputsAndStackAndEndsWith3) {
+    if (kAddressSanitizer) GTEST_SKIP() << kNotChecked;
     for (const int signal : {SIGSEGV, SIGABRT, SIGFPE}) {
         const fs::path input = write("profiles/a b.toml", "x = 1\n");
         EXPECT_EXIT(crash_in_folder(input.string(), signal), testing::ExitedWithCode(3), "internal error.*\n.*fusee-crash-");
@@ -52,6 +57,7 @@ TEST_F(CrashReport, OfAFatalSignalHoldsCommandInputsAndStackAndEndsWith3) {
 }
 
 TEST_F(CrashReport, GoesToTheFolderForTemporaryFilesWhereTheWorkingFolderCannotBeWritten) {
+    if (kAddressSanitizer) GTEST_SKIP() << kNotChecked;
     const fs::path temporary = folder_ / "tmp";
     fs::create_directory(temporary);
     const auto crash = [&] {

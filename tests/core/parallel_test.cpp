@@ -9,6 +9,7 @@
 #include <limits>
 #include <vector>
 
+#include "core/sanitizer.h"
 #include "fusee/core/error.h"
 
 namespace fusee::core {
@@ -46,12 +47,6 @@ TEST(Parallel, AnExceptionReachesTheCaller) {
                      InvalidInput)
             << jobs;
 }
-
-#if defined(__has_feature)
-constexpr bool kAddressSanitizer = __has_feature(address_sanitizer);
-#else
-constexpr bool kAddressSanitizer = false;
-#endif
 
 // The address space ends before the stacks of so many threads fit into it.
 TEST(Parallel, FewerThreadsDoItWhereTheSystemGivesNoMore) {

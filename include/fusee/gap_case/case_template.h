@@ -46,7 +46,7 @@ void write_case_template(const CaseTemplate& empty, const Rows& set_points, cons
 /// The names of its files, which the user fills in or corrects.
 [[nodiscard]] std::vector<std::string> case_template_files();
 
-/// The set points of every experiment; what is measured is NaN.
+/// The set points of every experiment; what is measured is NaN. @throws core::InvalidInput without springs or a range of torques
 [[nodiscard]] Rows set_points(const CaseTemplate& empty);
 
 }  // namespace fusee::gap_case

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <mutex>
 #include <sstream>
+#include <string_view>
 
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
@@ -101,6 +103,38 @@ private:
     unsigned knots_ = 0, poles_ = 0;
 };
 
+/// Group codes of the counts for which dxflib makes room.
+bool counts_parts(std::string_view entity, std::string_view code) {
+    if (entity == "SPLINE") return code == "72" || code == "73" || code == "74";  // knots, control points, fit points
+    if (entity == "LWPOLYLINE") return code == "90";                              // vertices
+    return (entity == "LEADER" && code == "76") || (entity == "HATCH" && (code == "91" || code == "93"));
+}
+
+std::string_view trimmed(std::string_view line) {
+    const std::size_t first = line.find_first_not_of(" \t\r");
+    return first == std::string_view::npos ? std::string_view() : line.substr(first, line.find_last_not_of(" \t\r") - first + 1);
+}
+
+/// dxflib makes room for as many knots, points and vertices as an entity states before it reads one of them: each takes lines of its own.
+void require_possible_counts(const std::string& bytes, const std::filesystem::path& path) {
+    const auto lines = std::count(bytes.begin(), bytes.end(), '\n') + 1;
+    std::string_view entity, before;
+    std::size_t line = 0;
+    for (std::size_t at = 0; at < bytes.size(); ++line) {
+        const std::size_t end = std::min(bytes.find('\n', at), bytes.size());
+        const std::string_view text = trimmed(std::string_view(bytes).substr(at, end - at));
+        at = end + 1;
+        if (before == "0") entity = text;
+        if (counts_parts(entity, before)) {
+            const long count = std::strtol(std::string(text).c_str(), nullptr, 10);
+            if (count < 0 || count > lines)
+                throw core::IoError(path.string(),
+                                    fmt::format("line {}: a {} of {} parts in a file of {} lines", line + 1, entity, text, lines));
+        }
+        before = text;
+    }
+}
+
 /// dxflib counts lines in one variable for all readers.
 void collect(const std::string& bytes, Collector& collector) {
     static std::mutex mutex;
@@ -118,6 +152,7 @@ DxfDrawing read_dxf(const std::filesystem::path& path) {
     const std::size_t end = bytes.find_last_not_of(" \r\n");
     if (end == std::string::npos || end < 2 || bytes.compare(end - 2, 3, "EOF") != 0)
         throw core::IoError(path.string(), "is not a DXF file or is cut short: EOF is missing");
+    require_possible_counts(bytes, path);
     Collector collector(path);
     collect(bytes, collector);
     collector.finish();

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <mutex>
@@ -103,35 +104,34 @@ private:
     unsigned knots_ = 0, poles_ = 0;
 };
 
-/// Group codes of the counts for which dxflib makes room.
-bool counts_parts(std::string_view entity, std::string_view code) {
-    if (entity == "SPLINE") return code == "72" || code == "73" || code == "74";  // knots, control points, fit points
-    if (entity == "LWPOLYLINE") return code == "90";                              // vertices
-    return (entity == "LEADER" && code == "76") || (entity == "HATCH" && (code == "91" || code == "93"));
+/// Group codes of the numbers of parts for which dxflib takes memory.
+bool counts_parts(std::string_view entity, long code) {
+    if (entity == "SPLINE") return code == 72 || code == 73 || code == 74;  // knots, control points, fit points
+    if (entity == "LWPOLYLINE") return code == 90;                          // vertices
+    return (entity == "LEADER" && code == 76) || (entity == "HATCH" && (code == 91 || code == 93));
 }
 
-std::string_view trimmed(std::string_view line) {
-    const std::size_t first = line.find_first_not_of(" \t\r");
-    return first == std::string_view::npos ? std::string_view() : line.substr(first, line.find_last_not_of(" \t\r") - first + 1);
-}
+constexpr std::size_t kLongestLine =
+    1023;  // dxflib does not end on a longer one: its getline fails and its loop waits for the end of the file
 
-/// dxflib makes room for as many knots, points and vertices as an entity states before it reads one of them: each takes lines of its own.
-void require_possible_counts(const std::string& bytes, const std::filesystem::path& path) {
+/// What dxflib does not survive is refused first. It takes memory for as many knots, points and vertices as an entity states before it
+/// reads one of them: each takes lines of its own. As dxflib does, a group code is what the line begins with, and 0 if that is no number.
+void require_readable(const std::string& bytes, const std::filesystem::path& path) {
     const auto lines = std::count(bytes.begin(), bytes.end(), '\n') + 1;
-    std::string_view entity, before;
-    std::size_t line = 0;
-    for (std::size_t at = 0; at < bytes.size(); ++line) {
-        const std::size_t end = std::min(bytes.find('\n', at), bytes.size());
-        const std::string_view text = trimmed(std::string_view(bytes).substr(at, end - at));
-        at = end + 1;
-        if (before == "0") entity = text;
-        if (counts_parts(entity, before)) {
-            const long count = std::strtol(std::string(text).c_str(), nullptr, 10);
-            if (count < 0 || count > lines)
-                throw core::IoError(path.string(),
-                                    fmt::format("line {}: a {} of {} parts in a file of {} lines", line + 1, entity, text, lines));
-        }
-        before = text;
+    std::istringstream in(bytes);
+    std::string entity, text;
+    long code = -1;  // of the line before
+    for (long line = 1; std::getline(in, text); ++line) {
+        if (text.size() >= kLongestLine)
+            throw core::IoError(path.string(),
+                                fmt::format("line {}: {} characters, at most {} are allowed", line, text.size(), kLongestLine - 1));
+        text.erase(text.find_last_not_of(" \t\r") + 1);
+        text.erase(0, text.find_first_not_of(" \t"));
+        const long number = std::strtol(text.c_str(), nullptr, 10);
+        if (code == 0 && !text.empty() && std::isalpha(static_cast<unsigned char>(text[0])) != 0) entity = text;
+        if (counts_parts(entity, code) && (number < 0 || number > lines))
+            throw core::IoError(path.string(), fmt::format("line {}: a {} of {} parts in a file of {} lines", line, entity, text, lines));
+        code = number;
     }
 }
 
@@ -152,7 +152,7 @@ DxfDrawing read_dxf(const std::filesystem::path& path) {
     const std::size_t end = bytes.find_last_not_of(" \r\n");
     if (end == std::string::npos || end < 2 || bytes.compare(end - 2, 3, "EOF") != 0)
         throw core::IoError(path.string(), "is not a DXF file or is cut short: EOF is missing");
-    require_possible_counts(bytes, path);
+    require_readable(bytes, path);
     Collector collector(path);
     collect(bytes, collector);
     collector.finish();

@@ -123,10 +123,13 @@ TEST_F(DxfTest, SplinesComeBackExactlyAndBrokenOnesAreRefused) {
     fixtures::expect_refusal([&] { (void)read_dxf(folder_ / "fewer.dxf"); }, {"fewer.dxf", "SPLINE"});
     bytes = core::read_file(folder_ / "a.dxf");
     const std::size_t knots = bytes.find('\n', bytes.find(" 72\n", bytes.find("SPLINE\n  5"))) + 1;
-    bytes.replace(knots, bytes.find('\n', knots) - knots, "888888888");  // room for 7 GB
+    bytes.replace(knots, bytes.find('\n', knots) - knots, "888888888");  // 7 GB
     core::write_file(folder_ / "more.dxf", bytes);
     fixtures::expect_refusal([&] { (void)read_dxf(folder_ / "more.dxf"); },
                              {"more.dxf", "line ", "a SPLINE of 888888888 parts in a file of"});
+    bytes = core::read_file(folder_ / "a.dxf");
+    core::write_file(folder_ / "long.dxf", bytes.insert(bytes.find('\n'), 3000, ' '));  // dxflib would not end
+    fixtures::expect_refusal([&] { (void)read_dxf(folder_ / "long.dxf"); }, {"long.dxf", "line 1: 300", "at most 1022"});
 }
 
 // Law: half the kerf outwards on the flange, inwards on every side of the bore and its key.

@@ -1,6 +1,10 @@
 #include "fusee/diagnosis/next_case.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
+#include <type_traits>
 
 #include "fusee/core/error.h"
 #include "next_experiment_menu.h"
@@ -9,42 +13,25 @@ namespace fusee::diagnosis {
 
 namespace {
 
-/// The rows of a measurement of one kind, each as often as it is repeated.
-template <typename Row, typename Number>
-std::vector<Row> repeated(const std::vector<Row>& sheet, const Measurement& m, const Number& number) {
-    std::vector<Row> rows;
-    for (const std::size_t i : m.rows)
-        for (int repeat = 1; repeat <= m.repeats; ++repeat) {
-            rows.push_back(sheet[i]);
-            number(rows.back(), repeat);
-        }
-    return rows;
-}
-
+/// The rows of a measurement alone, each as often as it is repeated.
 gap_case::Rows rows_of(const Menu& menu, const Measurement& m) {
     const gap_case::Rows& sheet = menu.sheets[m.sheet];
-    const auto unnumbered = [](const auto&, int) {};
     gap_case::Rows rows;
-    switch (m.experiment) {
-        case gap_case::Experiment::kBreakAway:
-            rows.breakaway = repeated(sheet.breakaway, m, unnumbered);
-            break;
-        case gap_case::Experiment::kSpringPull:
-            rows.spring_pull = repeated(sheet.spring_pull, m, unnumbered);
-            break;
-        case gap_case::Experiment::kDeadBand:
-            rows.dead_band = repeated(sheet.dead_band, m, [](gap_case::DeadBandRow& row, int repeat) { row.repeat = repeat; });
-            break;
-        case gap_case::Experiment::kJointStiffness:
-            rows.joint_stiffness = repeated(sheet.joint_stiffness, m, unnumbered);
-            break;
-        case gap_case::Experiment::kCocontraction:
-            rows.cocontraction = repeated(sheet.cocontraction, m, unnumbered);
-            break;
-        case gap_case::Experiment::kLog:
-            rows.log = repeated(sheet.log, m, unnumbered);
-            break;
-    }
+    const auto take = [&](auto table) {
+        for (const std::size_t i : m.rows)
+            for (int repeat = 1; repeat <= m.repeats; ++repeat) {
+                auto row = (sheet.*table)[i];
+                if constexpr (std::is_same_v<decltype(row), gap_case::DeadBandRow>) row.repeat = repeat;
+                (rows.*table).push_back(row);
+            }
+    };
+    using gap_case::Experiment, gap_case::Rows;
+    if (m.experiment == Experiment::kBreakAway) take(&Rows::breakaway);
+    if (m.experiment == Experiment::kSpringPull) take(&Rows::spring_pull);
+    if (m.experiment == Experiment::kDeadBand) take(&Rows::dead_band);
+    if (m.experiment == Experiment::kJointStiffness) take(&Rows::joint_stiffness);
+    if (m.experiment == Experiment::kCocontraction) take(&Rows::cocontraction);
+    if (m.experiment == Experiment::kLog) take(&Rows::log);
     return rows;
 }
 
@@ -53,10 +40,20 @@ bool asks_for(const NextExperiment& next, const Measurement& m) {
     return next.experiment == to_string(m.experiment) && next.text.ends_with(sentence_of(m, next.information));
 }
 
-std::string purpose_of(const NextExperiment& next) {
-    return "The diagnosis asks for this measurement: " + next.text + " Diagnose it with the earlier ones: copy " + next.experiment +
-           ".csv into\nthe folder of the earlier case as " + next.experiment + "_next.csv, and name both in its case.toml, as in `" +
-           next.experiment + " = [\"" + next.experiment + ".csv\", \"" + next.experiment + "_next.csv\"]`.\n\n";
+/// What to measure, and how the new file joins those of the case.
+std::string purpose_of(const gap_case::Case& measured, const Measurement& m, const std::string& text) {
+    const std::string name = to_string(m.experiment), file = name + "_next.csv";
+    std::vector<std::string> files{file};
+    if (const auto earlier = measured.files.find(m.experiment); earlier != measured.files.end())
+        files.insert(files.begin(), earlier->second.begin(), earlier->second.end());
+    std::string purpose = fmt::format(
+        "The diagnosis asks for this measurement: {} To diagnose it with the earlier ones, copy\n{}.csv into the folder of the earlier "
+        "case as "
+        "{}, and write `{} = [\"{}\"]` into the table\n`[experiments]` of its case.toml.",
+        text, name, file, name, fmt::join(files, "\", \""));
+    if (measured.columns.contains(m.experiment))
+        purpose += fmt::format(" `[columns.{}]` of that case holds for the new file too: give it the same header.", name);
+    return purpose + "\n\n";
 }
 
 }  // namespace
@@ -75,7 +72,7 @@ NextCase next_case(const gap_case::Case& measured, const Diagnosis& found, const
     if (asked == menu.measurements.end())
         throw core::InvalidInput(file + ": next", next.text, "a measurement of this version of fusee: diagnose the case again");
     NextCase made{template_of(measured), rows_of(menu, *asked), next};
-    made.empty.purpose = purpose_of(next);
+    made.empty.purpose = purpose_of(measured, *asked, next.text);
     return made;
 }
 

@@ -88,7 +88,8 @@ TEST_F(Gap, WritesTheMeasurementThatADiagnosisAsksFor) {
     EXPECT_EQ(toml.substr(toml.find("[experiments]")),
               fmt::format("[experiments] # remove what was not measured\n{0} = \"{0}.csv\"\n", experiment));
     expect_words(core::read_file(folder_ / "tuesday" / "BENCH.md"),
-                 {"The diagnosis asks for", asked.at("text").get<std::string>(), "## " + experiment});
+                 {"The diagnosis asks for", asked.at("text").get<std::string>(), "## " + experiment,
+                  fmt::format("`{0} = [\"{0}_next.csv\"]`", experiment)});  // the case has break-aways alone
 
     // Measured and named beside the first file, it is part of the next diagnosis.
     ASSERT_EQ(run("predict tuesday --out expected").code, 0);
@@ -112,7 +113,7 @@ TEST_F(Gap, WritesTheMeasurementThatADiagnosisAsksFor) {
     write("none.json", none.dump());
     expect_refused("case-template case --next none.json --out out", {"none.json: next", "no measurement"});
     none["next"] = {asked};
-    none["next"][0]["text"] = "Sing to the joint: 1.00 bit, 3 min.";
+    none["next"][0]["text"] = "Weigh the joint: 1.00 bit, 3 min.";
     write("none.json", none.dump());
     expect_refused("case-template case --next none.json --out out", {"none.json: next", "diagnose the case again"});
 }

@@ -5,7 +5,6 @@
 #include "arguments.h"
 #include "commands.h"
 #include "exit_codes.h"
-#include "fusee/core/file.h"
 #include "fusee/core/output_folder.h"
 #include "fusee/diagnosis/next_case.h"
 #include "fusee/pipeline/case_template.h"
@@ -52,9 +51,7 @@ int write_next(const CaseTemplateArguments& arguments, Reply& reply) {
     require_other_folder("--out", arguments.out, arguments.source, "that of the case");
     const gap_case::Case measured = gap_case::read_case(arguments.source);
     core::OutputFolder output(arguments.out, run_of(arguments));
-    const std::string file = arguments.next.string();
-    const diagnosis::NextCase next =
-        diagnosis::next_case(measured, diagnosis::parse_diagnosis(core::read_file(arguments.next, diagnosis::kLargestFile), file), file);
+    const diagnosis::NextCase next = diagnosis::next_case(measured, diagnosis::read_diagnosis(arguments.next), arguments.next.string());
     gap_case::write_case_template(next.empty, next.set_points, output.path());
     output.commit();
     reply.say(next.experiment.text + "\n");

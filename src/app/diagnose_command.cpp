@@ -91,7 +91,7 @@ int diagnose(const DiagnoseArguments& arguments, Reply& reply) {
         }
     write_page();
     output.commit();
-    if (twin) twin->write(found);
+    if (twin) twin->write(found);  // may lie in the folder of the results: only after they are there
     reply.result = {{"folder", arguments.out.string()}};
     if (twin) reply.result["mjcf"] = arguments.mjcf.string();
     reply.set("diagnosis", json);
@@ -100,8 +100,7 @@ int diagnose(const DiagnoseArguments& arguments, Reply& reply) {
     reply.say(fmt::format("{}{}{}written: {}/diagnosis.html, diagnosis.json{}\n", report::diagnosis_text(found), redesigned.text, unshown,
                           arguments.out.string(), redesign ? ", redesign.json" : ""));
     if (!found.next.empty() && !gap_case::is_subsystem_case(arguments.folder))
-        reply.say(fmt::format("sheets for the next measurement: fusee case-template {} --next {} --out FOLDER\n", arguments.folder.string(),
-                              (arguments.out / "diagnosis.json").string()));
+        reply.say("sheets for the next measurement: fusee case-template CASE --next diagnosis.json --out FOLDER\n");
     if (twin) reply.say(twin->line());
     return 0;
 }

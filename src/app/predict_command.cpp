@@ -5,7 +5,6 @@
 #include "arguments.h"
 #include "commands.h"
 #include "fusee/core/error.h"
-#include "fusee/core/file.h"
 #include "fusee/core/output_folder.h"
 #include "fusee/diagnosis/diagnose.h"
 #include "fusee/subsystem/subsystem.h"
@@ -22,11 +21,6 @@ struct PredictArguments {
     bool force = false;
 };
 
-diagnosis::Diagnosis effects_of(const fs::path& file) {
-    if (file.empty()) return {};
-    return diagnosis::parse_diagnosis(core::read_file(file, diagnosis::kLargestFile), file.string());
-}
-
 int predict(const PredictArguments& arguments, Reply& reply) {
     const fs::path& inputs = arguments.inputs.empty() ? arguments.folder : arguments.inputs;
     for (const fs::path& measured : {inputs, arguments.folder})  // predictions have the file names of the measurements
@@ -34,7 +28,7 @@ int predict(const PredictArguments& arguments, Reply& reply) {
     const core::OutputRun run{.command = "predict", .source = arguments.folder, .force = arguments.force};
     core::OutputFolder output(arguments.out, run);
     std::optional<RigTwin> twin = rig_twin(arguments.mjcf, arguments.out, run);
-    const diagnosis::Diagnosis found = effects_of(arguments.effects);
+    const diagnosis::Diagnosis found = arguments.effects.empty() ? diagnosis::Diagnosis{} : diagnosis::read_diagnosis(arguments.effects);
     std::size_t rows = 0;
     if (gap_case::is_subsystem_case(arguments.folder)) {
         const subsystem::Case bench = subsystem::read_case(arguments.folder);
@@ -50,7 +44,7 @@ int predict(const PredictArguments& arguments, Reply& reply) {
         rows = predicted.size();
     }
     output.commit();
-    if (twin) twin->write(found);
+    if (twin) twin->write(found);  // may lie in the folder of the results: only after they are there
     const std::size_t effects = found.effects.size();
     reply.result = {{"rows", rows}, {"effects", effects}, {"folder", arguments.out.string()}};
     if (twin) reply.result["mjcf"] = arguments.mjcf.string();

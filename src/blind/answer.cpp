@@ -21,7 +21,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 constexpr const char *kDiagnosis = "diagnosis.json", *kHeldOut = "held_out.json",
                      *kOldHeldOut = "kept_back.json";  // read for one more version
-constexpr std::size_t kLargestDiagnosis = 50'000'000;  // bytes of a diagnosis
 
 /// Why a case has no diagnosis.
 struct Failure {
@@ -45,7 +44,7 @@ double number(const Json& j) { return j.is_number() ? j.get<double>() : diagnosi
 /// A file that is not a JSON object is ignored and written again.
 Json object_or_none(const fs::path& file) {
     try {
-        Json found = core::parse_json(core::read_file(file, kLargestDiagnosis), file.string());
+        Json found = core::parse_json(core::read_file(file, diagnosis::kLargestFile), file.string());
         return found.is_object() ? found : Json::object();
     } catch (const core::InvalidInput&) {
         return Json::object();
@@ -78,7 +77,7 @@ public:
 
     Answer answer() {
         if (options_.again || !holds_this_case()) diagnose();
-        const std::string text = core::read_file(diagnosis_file(), kLargestDiagnosis);
+        const std::string text = core::read_file(diagnosis_file(), diagnosis::kLargestFile);
         const diagnosis::Diagnosis found = or_failure([&] {
             const std::string file = diagnosis_file().string();
             diagnosis::Diagnosis read = diagnosis::parse_diagnosis(text, file);

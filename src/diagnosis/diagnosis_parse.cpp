@@ -1,5 +1,6 @@
 #include <nlohmann/json.hpp>
 
+#include "fusee/core/file.h"
 #include "fusee/core/json.h"
 #include "fusee/diagnosis/diagnosis.h"
 #include "fusee/effects/term.h"
@@ -90,5 +91,7 @@ Diagnosis parse_diagnosis(std::string_view json, const std::string& file) {
     if (root.has("case_sha256")) diagnosis.case_sha256 = root["case_sha256"].text();
     return diagnosis;
 }
+
+Diagnosis read_diagnosis(const std::filesystem::path& file) { return parse_diagnosis(core::read_file(file, kLargestFile), file.string()); }
 
 }  // namespace fusee::diagnosis

@@ -51,8 +51,7 @@ def measure(program, source, to, label, modules, seed):
     (work / "truth.json").write_text(json.dumps(truth_of(label, toml, seed)))
     subprocess.run([program, "predict", source, "--effects", work / "truth.json", "--out", work / "expected", "--write-mjcf", work / "mjcf", "-q"],
                    check=True, stdout=subprocess.DEVNULL)
-    for name in ("joint_twin.mjs",):
-        shutil.copy(work / "mjcf" / name, modules)
+    shutil.copy(work / "mjcf/joint_twin.mjs", modules)
     subprocess.run(["node", modules / "blind_rig.mjs", work / "mjcf", source, to, str(seed)], check=True)
     shutil.rmtree(work)
 

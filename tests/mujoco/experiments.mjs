@@ -1,6 +1,6 @@
 // The six experiments of a gap case (docs/gap.md) on a rig in MuJoCo: reads the inputs of a case, fills in what its sensors would read.
 import { readFileSync, writeFileSync, existsSync } from "node:fs";
-import { gearFriction, pullSpring, springTorque } from "./joint_twin.mjs";
+import { JointTwin, gearFriction, pullSpring, springTorque } from "./joint_twin.mjs";
 
 const SIDES = ["agonist", "antagonist"];
 const HAND = { damping: 0.36, push_share: 0.72, settle_share: 0.11 };  // as in fusee/joint_model/built_rig.h
@@ -19,7 +19,7 @@ export function randomNumbers(seed) {
 }
 
 /** Numbers of the tables [sensors] and [protocol] of a case.toml, by name. */
-export function numbersOf(toml) {
+function numbersOf(toml) {
   return Object.fromEntries([...toml.matchAll(/^(\w+) *= *([-+.\deE]+) *(?:#.*)?$/gm)].map(([, name, value]) => [name, Number(value)]));
 }
 
@@ -30,7 +30,7 @@ export function readTable(file) {
 }
 
 /** `fresh()` makes a rig at rest: { model, data, twin }. `figures`: numbersOf(case.toml). `random`: null for readings without noise. */
-export class Bench {
+class Bench {
   constructor(fresh, laws, figures, random) {
     Object.assign(this, { fresh, laws, figures, random });
   }
@@ -148,6 +148,20 @@ export class Bench {
       [row.theta_agonist_rad, row.theta_antagonist_rad, row.q_rad] = rig.twin.read().map((angle) => this.#encoder(angle));
     });
   }
+}
+
+/** The bench of a model that fusee wrote, with the sensors and the protocol of a case. */
+export function openBench(mujoco, model_folder, case_folder, random) {
+  const text = (file) => readFileSync(file, "utf8"), laws = JSON.parse(text(`${model_folder}/laws.json`));
+  const model = mujoco.MjModel.from_xml_string(text(`${model_folder}/joint.xml`)), data = new mujoco.MjData(model), damping = [...model.dof_damping];
+  const twin = new JointTwin(mujoco, model, data, laws);
+  const fresh = () => {
+    mujoco.mj_resetData(model, data);
+    damping.forEach((value, i) => { model.dof_damping[i] = value; });
+    twin.reset();
+    return { model, data, twin };
+  };
+  return new Bench(fresh, laws, numbersOf(text(`${case_folder}/case.toml`)), random);
 }
 
 export const EXPERIMENTS = ["breakaway", "spring_pull", "dead_band", "joint_stiffness", "cocontraction", "log"];

@@ -1,26 +1,14 @@
 // A rig with the effects of a diagnosis in MuJoCo, against what fusee predicts for it.
 // node rig_test.mjs MODEL CASE PREDICTED     readings without noise of each experiment of CASE, against the same files in PREDICTED
 import load from "@mujoco/mujoco";
-import { readFileSync } from "node:fs";
-import { Bench, measureFolder, numbersOf, readTable } from "./experiments.mjs";
-import { JointTwin } from "./joint_twin.mjs";
+import { measureFolder, openBench, readTable } from "./experiments.mjs";
 
 const [model_folder, case_folder, predicted] = process.argv.slice(2);
-const mujoco = await load();
-const xml = readFileSync(`${model_folder}/joint.xml`, "utf8"), laws = JSON.parse(readFileSync(`${model_folder}/laws.json`, "utf8"));
-const model = mujoco.MjModel.from_xml_string(xml), data = new mujoco.MjData(model), damping = [...model.dof_damping];
-const twin = new JointTwin(mujoco, model, data, laws);
-const fresh = () => {
-  mujoco.mj_resetData(model, data);
-  damping.forEach((value, i) => { model.dof_damping[i] = value; });
-  twin.reset();
-  return { model, data, twin };
-};
 const measured = {
   breakaway: ["load_torque_Nm"], spring_pull: ["torque_Nm"], dead_band: ["q_high_rad", "q_low_rad"], joint_stiffness: ["q_rad"],
   cocontraction: ["theta_agonist_rad", "theta_antagonist_rad", "q_rad"], log: ["theta_agonist_rad", "theta_antagonist_rad", "q_rad"],
 };
-const bench = new Bench(fresh, laws, numbersOf(readFileSync(`${case_folder}/case.toml`, "utf8")), null);
+const bench = openBench(await load(), model_folder, case_folder, null);
 const done = measureFolder(bench, case_folder, null);
 const kApart = 0.005;  // root mean square, of the greatest reading of the experiment: the creep of MuJoCo's friction
 let failures = 0;

@@ -1,4 +1,5 @@
 #pragma once
+#include <filesystem>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -153,5 +154,7 @@ inline constexpr std::size_t kLargestFile = 50'000'000;  ///< bytes of a diagnos
 /// have only `effects`.
 /// @param file the name used in messages. @throws core::InvalidInput naming the key
 [[nodiscard]] Diagnosis parse_diagnosis(std::string_view json, const std::string& file);
+/// The same from a file. @throws core::InvalidInput naming the key, core::IoError
+[[nodiscard]] Diagnosis read_diagnosis(const std::filesystem::path& file);
 
 }  // namespace fusee::diagnosis

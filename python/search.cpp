@@ -5,10 +5,7 @@
 #include <map>
 
 #include "arrays.h"
-#include "fusee/codesign/algorithm_1_run.h"
-#include "fusee/codesign/co_design_run.h"
-#include "fusee/codesign/pareto_run.h"
-#include "fusee/core/error.h"
+#include "fusee/codesign/find_springs.h"
 #include "fusee/profile/places.h"
 #include "results.h"
 #include "work.h"
@@ -26,29 +23,8 @@ struct Search {
     fs::path place;                                    ///< the folder from which the found profiles reach their files
 };
 
-codesign::RunResult searched(const profile::Profile& profile, const codesign::RunOptions& options) {
-    switch (profile.search.method) {
-        case design::Method::kAlgorithm1:
-            return codesign::run_algorithm_1(profile, options);
-        case design::Method::kCoDesign:
-            return codesign::run_co_design(profile, options);
-        case design::Method::kPareto:
-            break;
-    }
-    return codesign::run_pareto(profile, options);
-}
-
-void choose_method(profile::Profile& profile, const std::string& word) {
-    static const std::map<std::string, design::Method> kMethods{
-        {"algorithm_1", design::Method::kAlgorithm1}, {"co_design", design::Method::kCoDesign}, {"pareto", design::Method::kPareto}};
-    const auto method = kMethods.find(word);
-    if (method == kMethods.end()) throw core::InvalidInput("method", word, "algorithm_1, co_design or pareto");
-    profile.search.method = method->second;
-}
-
 struct SearchArguments {
-    std::optional<std::string> method;
-    std::optional<int> population, generations, seed;
+    codesign::SearchChanges changes;
     std::optional<fs::path> out;
     unsigned jobs;
     bool resume, force;
@@ -57,7 +33,7 @@ struct SearchArguments {
 Search in_folder(const profile::Profile& profile, codesign::RunOptions options, const fs::path& out) {
     options.out = out;
     core::OutputFolder output(codesign::result_folder(profile, options), codesign::output_run(profile, options));
-    Search search{std::make_shared<const codesign::RunResult>(searched(profile, options)), {}, output.target()};
+    Search search{std::make_shared<const codesign::RunResult>(codesign::find_springs(profile, options)), {}, output.target()};
     if (!search.value->found() || search.value->interrupted) return search;
     report::write_search(*search.value, output.path());
     output.commit();
@@ -75,16 +51,12 @@ Search find(const profile::Profile& profile, const SearchArguments& arguments, W
     options.stop = [&watch] { return watch.stopped(); };
     if (arguments.out) return in_folder(profile, options, *arguments.out);
     const fs::path place = codesign::result_folder(profile, options);
-    return {std::make_shared<const codesign::RunResult>(searched(profile, options)), {}, place};
+    return {std::make_shared<const codesign::RunResult>(codesign::find_springs(profile, options)), {}, place};
 }
 
 Search design(const py::object& given, const SearchArguments& arguments, const py::object& progress) {
     LoadedProfile loaded = profile_of(given);
-    design::SearchOptions& search = loaded.value.search;
-    if (arguments.method) choose_method(loaded.value, *arguments.method);
-    search.population = arguments.population.value_or(search.population);
-    search.generations = arguments.generations.value_or(search.generations);
-    search.seed = arguments.seed.value_or(search.seed);
+    codesign::change_search(loaded.value.search, arguments.changes);
     return run(progress,
                [&](Watch& watch) { return profile::with_places(loaded.value, [&] { return find(loaded.value, arguments, watch); }); });
 }
@@ -160,7 +132,7 @@ void bind_search(py::module_& module) {
         "design",
         [](const py::object& profile, std::optional<std::string> method, std::optional<int> population, std::optional<int> generations,
            std::optional<int> seed, std::optional<fs::path> out, unsigned jobs, bool resume, bool force, const py::object& progress) {
-            return design(profile, {std::move(method), population, generations, seed, std::move(out), jobs, resume, force}, progress);
+            return design(profile, {{std::move(method), population, generations, seed}, std::move(out), jobs, resume, force}, progress);
         },
         py::arg("profile"), py::kw_only(), py::arg("method") = py::none(), py::arg("population") = py::none(),
         py::arg("generations") = py::none(), py::arg("seed") = py::none(), py::arg("out") = py::none(), py::arg("jobs") = 0,

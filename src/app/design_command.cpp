@@ -1,16 +1,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 #include <memory>
 #include <optional>
 
 #include "arguments.h"
 #include "commands.h"
 #include "exit_codes.h"
-#include "fusee/codesign/algorithm_1_run.h"
-#include "fusee/codesign/co_design_run.h"
-#include "fusee/codesign/pareto_run.h"
+#include "fusee/codesign/find_springs.h"
 #include "fusee/core/error.h"
 #include "fusee/core/progress.h"
 #include "fusee/profile/profile.h"
@@ -26,36 +23,9 @@ namespace {
 
 struct DesignArguments {
     std::filesystem::path profile;
-    std::string method;  // empty: that of the profile
-    std::optional<int> population, generations, seed;
+    codesign::SearchChanges changes;
     codesign::RunOptions options;
 };
-
-const std::map<std::string, design::Method> kMethods{
-    {"algorithm_1", design::Method::kAlgorithm1}, {"co_design", design::Method::kCoDesign}, {"pareto", design::Method::kPareto}};
-
-/// The profile with the values of the command line.
-profile::Profile read(const DesignArguments& arguments) {
-    profile::Profile profile = profile::read_profile(arguments.profile);
-    design::SearchOptions& search = profile.search;
-    if (!arguments.method.empty()) search.method = kMethods.at(arguments.method);
-    search.population = arguments.population.value_or(search.population);
-    search.generations = arguments.generations.value_or(search.generations);
-    search.seed = arguments.seed.value_or(search.seed);
-    return profile;
-}
-
-codesign::RunResult run(const profile::Profile& profile, const codesign::RunOptions& options) {
-    switch (profile.search.method) {
-        case design::Method::kAlgorithm1:
-            return codesign::run_algorithm_1(profile, options);
-        case design::Method::kCoDesign:
-            return codesign::run_co_design(profile, options);
-        case design::Method::kPareto:
-            break;
-    }
-    return codesign::run_pareto(profile, options);
-}
 
 /// A progress bar of at most 25 steps; without a terminal each step is a line.
 class Steps {
@@ -76,7 +46,7 @@ private:
 codesign::RunResult watched(const profile::Profile& profile, codesign::RunOptions options) {
     Steps steps(profile.search.generations);
     options.progress = [&steps](int generation, double best) { steps.reach(generation, best); };
-    return run(profile, options);
+    return codesign::find_springs(profile, options);
 }
 
 int say(const codesign::RunResult& result, const std::filesystem::path& folder, Reply& reply) {
@@ -97,7 +67,8 @@ int say(const codesign::RunResult& result, const std::filesystem::path& folder, 
 
 int design(const DesignArguments& arguments, Reply& reply) {
     require_thread();
-    const profile::Profile profile = read(arguments);
+    profile::Profile profile = profile::read_profile(arguments.profile);
+    codesign::change_search(profile.search, arguments.changes);
     return with_places(profile, [&] {
         core::OutputFolder output(codesign::result_folder(profile, arguments.options), codesign::output_run(profile, arguments.options));
         const codesign::RunResult result = watched(profile, arguments.options);
@@ -119,16 +90,16 @@ void add_design(CLI::App& app, Action& action) {
     command->add_option("profile", arguments->profile, "Profile (*.toml); [design] and the table of the method state the goal")
         ->type_name("FILE.toml")
         ->required();
-    command->add_option("--method", arguments->method, "Method of the search; replaces that of the profile")
-        ->check(one_of({"algorithm_1", "co_design", "pareto"}));
+    command->add_option("--method", arguments->changes.method, "Method of the search; replaces that of the profile")
+        ->check(one_of({design::kMethodNames.begin(), design::kMethodNames.end()}));
     command->add_option("-o,--out", arguments->options.out, "Folder of NAME-design and NAME-design.checkpoint")
         ->type_name("FOLDER")
         ->capture_default_str();
-    command->add_option("--population", arguments->population, "Size of a generation; replaces that of the profile")
+    command->add_option("--population", arguments->changes.population, "Size of a generation; replaces that of the profile")
         ->check(number_within(8, 100000));
-    command->add_option("--generations", arguments->generations, "Number of generations; replaces that of the profile")
+    command->add_option("--generations", arguments->changes.generations, "Number of generations; replaces that of the profile")
         ->check(number_within(1, kMost));
-    command->add_option("--seed", arguments->seed, "Seed; replaces that of the profile. The same seed gives the same result")
+    command->add_option("--seed", arguments->changes.seed, "Seed; replaces that of the profile. The same seed gives the same result")
         ->check(number_within(0, 1'000'000'000));
     add_jobs(*command, arguments->options.jobs, "Number of threads; 0: one per processor. The result does not depend on it");
     command->add_flag("--resume", arguments->options.resume, "Continue a stopped search from its checkpoint");

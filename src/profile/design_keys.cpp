@@ -9,7 +9,7 @@ namespace {
 
 std::vector<Key> search_keys() {
     return {
-        choice("design.method", {"algorithm_1", "co_design", "pareto"},
+        choice("design.method", {design::kMethodNames.begin(), design::kMethodNames.end()},
                "method of `fusee design`: the paper's Algorithm 1; law, springs and cams together; a front of such designs",
                FIELD(search.method)),
         integer("design.population", within(8, 100000), "members of a generation", FIELD(search.population)),

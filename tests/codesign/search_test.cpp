@@ -4,6 +4,7 @@
 
 #include "fusee/actuator/dead_band.h"
 #include "fusee/codesign/co_design_run.h"
+#include "fusee/codesign/find_springs.h"
 #include "fusee/codesign/pareto_run.h"
 #include "fusee/codesign/problem.h"
 #include "fusee/core/csv.h"
@@ -145,6 +146,21 @@ TEST_F(CoDesignRun, AFrontAgainstSizeTradesOneForTheOther) {
         EXPECT_GE(table.numbers("figure_deg")[i], table.numbers("figure_deg")[i - 1]);
         EXPECT_LE(table.numbers("radius_mm")[i], table.numbers("radius_mm")[i - 1]);
     }
+}
+
+TEST(SearchChanges, ReplaceOnlyWhatTheyName) {
+    design::SearchOptions search{.method = design::Method::kPareto, .population = 20, .generations = 30, .seed = 4};
+    change_search(search, {.generations = 5});
+    EXPECT_EQ(search.method, design::Method::kPareto);
+    EXPECT_EQ(search.population, 20);
+    EXPECT_EQ(search.generations, 5);
+    EXPECT_EQ(search.seed, 4);
+    for (const auto& [name, method] : std::map<std::string, design::Method>{
+             {"algorithm_1", design::Method::kAlgorithm1}, {"co_design", design::Method::kCoDesign}, {"pareto", design::Method::kPareto}}) {
+        change_search(search, {.method = name});
+        EXPECT_EQ(search.method, method) << name;
+    }
+    EXPECT_THROW(change_search(search, {.method = "luck"}), core::InvalidInput);
 }
 
 }  // namespace

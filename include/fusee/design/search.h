@@ -1,4 +1,6 @@
 #pragma once
+#include <array>
+
 #include "fusee/design/algorithm_1.h"
 
 namespace fusee::design {
@@ -9,6 +11,9 @@ enum class Method {
     kCoDesign,    ///< a law together with base springs, radius and lead-in, inside what can be made
     kPareto,      ///< the same for two objectives: a front of designs
 };
+
+/// Their names in profiles and on the command line, in the order of the enumeration.
+inline constexpr std::array kMethodNames{"algorithm_1", "co_design", "pareto"};
 
 /// Settings of every method.
 struct SearchOptions {

@@ -1,4 +1,3 @@
-#include "fusee/core/units.h"
 #include "terms.h"
 
 namespace fusee::effects {
@@ -7,80 +6,85 @@ namespace {
 
 constexpr double kMostCount = 20.0;
 
-/// Amplitude, count and phase of a ripple over an angle. A ripple of either sign and two phases covers the circle.
+/// Amplitude, count and phase of a ripple over an angle.
 std::vector<EffectParameter> ripple(const std::string& unit, double scale, double most, double most_count) {
-    return {{"amplitude", unit, scale, {-most, most}, 0.0},
-            {"per_rad", "1", 10.0, {0.3, 40.0}, 8.0, ripple_counts(most_count)},
-            {"phase", "rad", 2.0, {-2.0 * core::kPi, 2.0 * core::kPi}, 0.0, {0.0, 0.5 * core::kPi}}};
+    return {{"amplitude", unit, scale, {-most, most}, 0.0}, ripple_count(10.0, 8.0, most_count), ripple_phase()};
 }
 
-joint_model::Ripple ripple_of(std::span<const double> values) { return {values[0], values[1], values[2]}; }
+Term gear_ripple() {
+    return {{.id = "term.gear.ripple",
+             .law = "Friction is (1 + a sin(n theta + p)) times.",
+             .meaning = "The friction of the gear ripples over the angle of its capstan.",
+             .sided = true,
+             .parameters = ripple("1", 0.4, 1.5, kMostCount),
+             .starts = {1.0, -1.0},
+             .seen_by = moving_experiments(),
+             .confused_with = {},
+             .apply = [](BuiltRig& rig, int side, std::span<const double> v) { rig.sides[side].gear.terms.friction = ripple_of(v); }},
+            "gear",
+            "angle",
+            "capstan_rad",
+            "share",
+            [](std::span<const double> v, double x) { return ripple_of(v)(x); },
+            "The friction of {side} gear ripples {turns} times a turn of its capstan, by {share} %."};
+}
+
+Term motor_ripple() {
+    return {{.id = "term.motor.ripple",
+             .law = "The motor torque has a sin(n theta + p) more.",
+             .meaning = "The torque of the motor ripples over the angle of its capstan.",
+             .sided = true,
+             .parameters = ripple("Nm", 0.04, 0.5, kMostCount),
+             .starts = {1.0, -1.0},
+             .seen_by = moving_experiments(),
+             .confused_with = {},
+             .apply = [](BuiltRig& rig, int side, std::span<const double> v) { rig.sides[side].gear.terms.torque = ripple_of(v); }},
+            "motor",
+            "angle",
+            "capstan_rad",
+            "torque_Nm",
+            [](std::span<const double> v, double x) { return ripple_of(v)(x); },
+            "The torque of {side} motor ripples {turns} times a turn of its capstan, by {size} Nm."};
+}
+
+Term motor_crosstalk() {
+    return {{.id = "term.motor.crosstalk",
+             .law = "The motor torque has c times the command of the other motor more.",
+             .meaning = "The command of the other motor leaks into the motor.",
+             .sided = true,
+             .parameters = {{"share", "1", 0.1, {-0.5, 0.5}, 0.0}},
+             .starts = {0.7, -0.7},
+             .seen_by = moving_experiments(),
+             .confused_with = {"sensor.torque_scale"},
+             .apply = [](BuiltRig& rig, int side, std::span<const double> v) { rig.sides[side].gear.terms.crosstalk = v[0]; }},
+            "motor",
+            "other motor",
+            "torque_Nm",
+            "torque_Nm",
+            [](std::span<const double> v, double x) { return v[0] * x; },
+            "{Side} motor also gets {share} % of the command of the other one."};
+}
+
+Term capstan_encoder_ripple() {
+    return {{.id = "term.capstan_encoder.ripple",
+             .law = "The encoder of the capstan reads theta + e sin(n theta + p).",
+             .meaning = "The encoder of the capstan ripples over its angle: a disc off its centre once a turn.",
+             .sided = true,
+             .parameters = ripple("rad", 0.08, 0.5, 5.0),
+             .starts = {1.0, -1.0},
+             .seen_by = {Experiment::kCocontraction, Experiment::kLog},
+             .confused_with = {"gear.backlash"},
+             .apply = [](BuiltRig& rig, int side, std::span<const double> v) { rig.sides[side].gear.terms.reading = ripple_of(v); }},
+            "capstan encoder",
+            "angle",
+            "capstan_rad",
+            "rad",
+            [](std::span<const double> v, double x) { return ripple_of(v)(x); },
+            "The encoder of {side} capstan ripples {turns} times a turn, by {size} rad."};
+}
 
 }  // namespace
 
-std::vector<Term> gear_terms() {
-    return {
-        {{.id = "term.gear.ripple",
-          .law = "Friction is (1 + a sin(n theta + p)) times.",
-          .meaning = "The friction of the gear ripples over the angle of its capstan.",
-          .sided = true,
-          .parameters = ripple("1", 0.4, 1.5, kMostCount),
-          .starts = {1.0, -1.0},
-          .seen_by = moving_experiments(),
-          .confused_with = {},
-          .apply = [](BuiltRig& rig, int side, std::span<const double> v) { rig.sides[side].gear.terms.friction = ripple_of(v); }},
-         "gear",
-         "angle",
-         "capstan_rad",
-         "share",
-         [](std::span<const double> v, double x) { return ripple_of(v)(x); },
-         "The friction of {side} gear ripples {turns} times a turn of its capstan, by {share} %."},
-        {{.id = "term.motor.ripple",
-          .law = "The motor torque has a sin(n theta + p) more.",
-          .meaning = "The torque of the motor ripples over the angle of its capstan.",
-          .sided = true,
-          .parameters = ripple("Nm", 0.04, 0.5, kMostCount),
-          .starts = {1.0, -1.0},
-          .seen_by = moving_experiments(),
-          .confused_with = {},
-          .apply = [](BuiltRig& rig, int side, std::span<const double> v) { rig.sides[side].gear.terms.torque = ripple_of(v); }},
-         "motor",
-         "angle",
-         "capstan_rad",
-         "torque_Nm",
-         [](std::span<const double> v, double x) { return ripple_of(v)(x); },
-         "The torque of {side} motor ripples {turns} times a turn of its capstan, by {size} Nm."},
-        {{.id = "term.motor.crosstalk",
-          .law = "The motor torque has c times the command of the other motor more.",
-          .meaning = "The command of the other motor leaks into the motor.",
-          .sided = true,
-          .parameters = {{"share", "1", 0.1, {-0.5, 0.5}, 0.0}},
-          .starts = {0.7, -0.7},
-          .seen_by = moving_experiments(),
-          .confused_with = {"sensor.torque_scale"},
-          .apply = [](BuiltRig& rig, int side, std::span<const double> v) { rig.sides[side].gear.terms.crosstalk = v[0]; }},
-         "motor",
-         "other motor",
-         "torque_Nm",
-         "torque_Nm",
-         [](std::span<const double> v, double x) { return v[0] * x; },
-         "{Side} motor also gets {share} % of the command of the other one."},
-        {{.id = "term.capstan_encoder.ripple",
-          .law = "The encoder of the capstan reads theta + e sin(n theta + p).",
-          .meaning = "The encoder of the capstan ripples over its angle: a disc off its centre once a turn.",
-          .sided = true,
-          .parameters = ripple("rad", 0.08, 0.5, 5.0),
-          .starts = {1.0, -1.0},
-          .seen_by = {Experiment::kCocontraction, Experiment::kLog},
-          .confused_with = {"gear.backlash"},
-          .apply = [](BuiltRig& rig, int side, std::span<const double> v) { rig.sides[side].gear.terms.reading = ripple_of(v); }},
-         "capstan encoder",
-         "angle",
-         "capstan_rad",
-         "rad",
-         [](std::span<const double> v, double x) { return ripple_of(v)(x); },
-         "The encoder of {side} capstan ripples {turns} times a turn, by {size} rad."},
-    };
-}
+std::vector<Term> gear_terms() { return {gear_ripple(), motor_ripple(), motor_crosstalk(), capstan_encoder_ripple()}; }
 
 }  // namespace fusee::effects

@@ -1,132 +1,146 @@
-#include "fusee/core/units.h"
 #include "terms.h"
 
 namespace fusee::effects {
 
+namespace {
+
+EffectParameter joint_count() { return ripple_count(5.0, 4.0, 8.0); }
+
+Term joint_spring() {
+    return {{.id = "term.joint.spring",
+             .law = "The joint has the torque -k q - h q^3 more.",
+             .meaning = "A spring from the joint to ground, as wires to the hand.",
+             .parameters = {{"rate", "Nm/rad", 0.1, {-1.0, 3.0}, 0.0}, {"hardening", "Nm/rad", 0.5, {-5.0, 20.0}, 0.0, {0.0, 1.0}}},
+             .starts = {1.0, -1.0},
+             .seen_by = moving_experiments(),
+             .confused_with = {"joint.gravity"},
+             .apply =
+                 [](BuiltRig& rig, int, std::span<const double> v) {
+                     rig.terms.spring = v[0];
+                     rig.terms.hardening = v[1];
+                 }},
+            "joint",
+            "angle",
+            "joint_rad",
+            "torque_Nm",
+            [](std::span<const double> v, double x) { return -(v[0] + v[1] * x * x) * x; },
+            "A spring of {size} Nm/rad acts between the joint and ground."};
+}
+
+Term joint_ripple() {
+    return {{.id = "term.joint.ripple",
+             .law = "The joint has the torque a sin(n q + p) more.",
+             .meaning = "The torque at the joint ripples over its angle.",
+             .parameters = {{"amplitude", "Nm", 0.08, {-1.0, 1.0}, 0.0}, joint_count(), ripple_phase()},
+             .starts = {1.0, -1.0},
+             .seen_by = moving_experiments(),
+             .confused_with = {},
+             .apply = [](BuiltRig& rig, int, std::span<const double> v) { rig.terms.torque = ripple_of(v); }},
+            "joint",
+            "angle",
+            "joint_rad",
+            "torque_Nm",
+            [](std::span<const double> v, double x) { return ripple_of(v)(x); },
+            "The torque at the joint ripples {turns} times a turn, by {size} Nm."};
+}
+
+Term joint_arm() {
+    return {{.id = "term.joint.arm",
+             .law = "The arms of both cables at the joint are (1 + a sin(n q + p)) times.",
+             .meaning = "The pulley of the joint is off its centre or not round.",
+             .parameters = {{"share", "1", 0.08, {-0.6, 0.6}, 0.0}, joint_count(), ripple_phase()},
+             .starts = {1.0, -1.0},
+             .seen_by = moving_experiments(),
+             .confused_with = {},
+             .apply = [](BuiltRig& rig, int, std::span<const double> v) { rig.terms.arm = ripple_of(v); }},
+            "joint",
+            "angle",
+            "joint_rad",
+            "share",
+            [](std::span<const double> v, double x) { return 1.0 + ripple_of(v)(x); },
+            "The arms of the cables at the joint vary {turns} times a turn, by {share} %."};
+}
+
+Term joint_rough_spot() {
+    return {{.id = "term.joint.rough_spot",
+             .law = "The friction of the joint is h exp(-((q - q_0)/w)^2) higher.",
+             .meaning = "The friction of the joint peaks at one angle: a dent of its bearing.",
+             .parameters = {{"height", "Nm", 0.15, {0.0, 2.0}, 0.0},
+                            {"at", "rad", 0.3, {-3.0, 3.0}, 0.0, {-0.5, -0.3, -0.15, 0.0, 0.15, 0.3, 0.5}},
+                            {"width", "rad", 0.1, {0.01, 1.0}, 0.1, {0.1, 0.3}}},
+             .starts = {1.0},
+             .seen_by = moving_experiments(),
+             .confused_with = {"joint.coulomb"},
+             .apply =
+                 [](BuiltRig& rig, int, std::span<const double> v) {
+                     rig.terms.friction = {v[0], v[1], v[2]};
+                 }},
+            "joint",
+            "angle",
+            "joint_rad",
+            "torque_Nm",
+            [](std::span<const double> v, double x) {
+                return joint_model::Bump{v[0], v[1], v[2]}(x);
+            },
+            "The friction of the joint is {size} Nm higher near {second} rad."};
+}
+
+Term joint_encoder_flexibility() {
+    return {{.id = "term.joint_encoder.flexibility",
+             .law = "The encoder of the joint reads q + c tau_q.",
+             .meaning = "The link bends between the encoder of the joint and the torque on it.",
+             .parameters = {{"compliance", "1/Nm", 0.04, {-0.5, 0.5}, 0.0}},
+             .starts = {1.0, -1.0},
+             .seen_by = {Experiment::kJointStiffness, Experiment::kLog},
+             .confused_with = {},
+             .apply = [](BuiltRig& rig, int, std::span<const double> v) { rig.terms.flexibility = v[0]; }},
+            "joint encoder",
+            "load",
+            "torque_Nm",
+            "rad",
+            [](std::span<const double> v, double x) { return v[0] * x; },
+            "The encoder of the joint is {size} rad/Nm softer than the joint it shows."};
+}
+
+Term joint_encoder_lag() {
+    return {{.id = "term.joint_encoder.lag",
+             .law = "The encoder of the joint reads q of a time T before, in a log.",
+             .meaning = "The channel of the joint is late in a log: clocks that differ.",
+             .parameters = {{"time", "s", 0.03, {0.0, 0.5}, 0.0}},
+             .starts = {1.0, 2.5},
+             .seen_by = {Experiment::kLog},
+             .confused_with = {"loop.delay"},
+             .apply = [](BuiltRig& rig, int, std::span<const double> v) { rig.terms.lag = v[0]; }},
+            "joint encoder",
+            "time",
+            "time_s",
+            "s",
+            [](std::span<const double> v, double x) { return 0.0 * x + v[0]; },
+            "The encoder of the joint is {size} s late in a log."};
+}
+
+Term joint_encoder_scale() {
+    return {{.id = "term.joint_encoder.scale",
+             .law = "The encoder of the joint reads (1 + e) q.",
+             .meaning = "The encoder of the joint counts too many or too few.",
+             .parameters = {{"share", "1", 0.1, {-0.6, 0.6}, 0.0}},
+             .starts = {0.7, -0.7},
+             .seen_by = moving_experiments(),
+             .confused_with = {},
+             .apply = [](BuiltRig& rig, int, std::span<const double> v) { rig.terms.reading = v[0]; }},
+            "joint encoder",
+            "angle",
+            "joint_rad",
+            "rad",
+            [](std::span<const double> v, double x) { return v[0] * x; },
+            "The encoder of the joint reads {share} % too much."};
+}
+
+}  // namespace
+
 std::vector<Term> joint_terms() {
-    const std::vector<EffectParameter> counts{{"per_rad", "1", 5.0, {0.3, 40.0}, 4.0, ripple_counts(8.0)},
-                                              {"phase", "rad", 2.0, {-2.0 * core::kPi, 2.0 * core::kPi}, 0.0, {0.0, 0.5 * core::kPi}}};
-    return {
-        {{.id = "term.joint.spring",
-          .law = "The joint has the torque -k q - h q^3 more.",
-          .meaning = "A spring from the joint to ground, as wires to the hand.",
-          .parameters = {{"rate", "Nm/rad", 0.1, {-1.0, 3.0}, 0.0}, {"hardening", "Nm/rad", 0.5, {-5.0, 20.0}, 0.0, {0.0, 1.0}}},
-          .starts = {1.0, -1.0},
-          .seen_by = moving_experiments(),
-          .confused_with = {"joint.gravity"},
-          .apply =
-              [](BuiltRig& rig, int, std::span<const double> v) {
-                  rig.terms.spring = v[0];
-                  rig.terms.hardening = v[1];
-              }},
-         "joint",
-         "angle",
-         "joint_rad",
-         "torque_Nm",
-         [](std::span<const double> v, double x) { return -(v[0] + v[1] * x * x) * x; },
-         "A spring of {size} Nm/rad acts between the joint and ground."},
-        {{.id = "term.joint.ripple",
-          .law = "The joint has the torque a sin(n q + p) more.",
-          .meaning = "The torque at the joint ripples over its angle.",
-          .parameters = {{"amplitude", "Nm", 0.08, {-1.0, 1.0}, 0.0}, counts[0], counts[1]},
-          .starts = {1.0, -1.0},
-          .seen_by = moving_experiments(),
-          .confused_with = {},
-          .apply =
-              [](BuiltRig& rig, int, std::span<const double> v) {
-                  rig.terms.torque = {v[0], v[1], v[2]};
-              }},
-         "joint",
-         "angle",
-         "joint_rad",
-         "torque_Nm",
-         [](std::span<const double> v, double x) {
-             return joint_model::Ripple{v[0], v[1], v[2]}(x);
-         },
-         "The torque at the joint ripples {turns} times a turn, by {size} Nm."},
-        {{.id = "term.joint.arm",
-          .law = "The arms of both cables at the joint are (1 + a sin(n q + p)) times.",
-          .meaning = "The pulley of the joint is off its centre or not round.",
-          .parameters = {{"share", "1", 0.08, {-0.6, 0.6}, 0.0}, counts[0], counts[1]},
-          .starts = {1.0, -1.0},
-          .seen_by = moving_experiments(),
-          .confused_with = {},
-          .apply =
-              [](BuiltRig& rig, int, std::span<const double> v) {
-                  rig.terms.arm = {v[0], v[1], v[2]};
-              }},
-         "joint",
-         "angle",
-         "joint_rad",
-         "share",
-         [](std::span<const double> v, double x) {
-             return 1.0 + joint_model::Ripple{v[0], v[1], v[2]}(x);
-         },
-         "The arms of the cables at the joint vary {turns} times a turn, by {share} %."},
-        {{.id = "term.joint.rough_spot",
-          .law = "The friction of the joint is h exp(-((q - q_0)/w)^2) higher.",
-          .meaning = "The friction of the joint peaks at one angle: a dent of its bearing.",
-          .parameters = {{"height", "Nm", 0.15, {0.0, 2.0}, 0.0},
-                         {"at", "rad", 0.3, {-3.0, 3.0}, 0.0, {-0.5, -0.3, -0.15, 0.0, 0.15, 0.3, 0.5}},
-                         {"width", "rad", 0.1, {0.01, 1.0}, 0.1, {0.1, 0.3}}},
-          .starts = {1.0},
-          .seen_by = moving_experiments(),
-          .confused_with = {"joint.coulomb"},
-          .apply =
-              [](BuiltRig& rig, int, std::span<const double> v) {
-                  rig.terms.friction = {v[0], v[1], v[2]};
-              }},
-         "joint",
-         "angle",
-         "joint_rad",
-         "torque_Nm",
-         [](std::span<const double> v, double x) {
-             return joint_model::Bump{v[0], v[1], v[2]}(x);
-         },
-         "The friction of the joint is {size} Nm higher near {second} rad."},
-        {{.id = "term.joint_encoder.flexibility",
-          .law = "The encoder of the joint reads q + c tau_q.",
-          .meaning = "The link bends between the encoder of the joint and the torque on it.",
-          .parameters = {{"compliance", "1/Nm", 0.04, {-0.5, 0.5}, 0.0}},
-          .starts = {1.0, -1.0},
-          .seen_by = {Experiment::kJointStiffness, Experiment::kLog},
-          .confused_with = {},
-          .apply = [](BuiltRig& rig, int, std::span<const double> v) { rig.terms.flexibility = v[0]; }},
-         "joint encoder",
-         "load",
-         "torque_Nm",
-         "rad",
-         [](std::span<const double> v, double x) { return v[0] * x; },
-         "The encoder of the joint is {size} rad/Nm softer than the joint it shows."},
-        {{.id = "term.joint_encoder.lag",
-          .law = "The encoder of the joint reads q of a time T before, in a log.",
-          .meaning = "The channel of the joint is late in a log: clocks that differ.",
-          .parameters = {{"time", "s", 0.03, {0.0, 0.5}, 0.0}},
-          .starts = {1.0, 2.5},
-          .seen_by = {Experiment::kLog},
-          .confused_with = {"loop.delay"},
-          .apply = [](BuiltRig& rig, int, std::span<const double> v) { rig.terms.lag = v[0]; }},
-         "joint encoder",
-         "time",
-         "time_s",
-         "s",
-         [](std::span<const double> v, double x) { return 0.0 * x + v[0]; },
-         "The encoder of the joint is {size} s late in a log."},
-        {{.id = "term.joint_encoder.scale",
-          .law = "The encoder of the joint reads (1 + e) q.",
-          .meaning = "The encoder of the joint counts too many or too few.",
-          .parameters = {{"share", "1", 0.1, {-0.6, 0.6}, 0.0}},
-          .starts = {0.7, -0.7},
-          .seen_by = moving_experiments(),
-          .confused_with = {},
-          .apply = [](BuiltRig& rig, int, std::span<const double> v) { rig.terms.reading = v[0]; }},
-         "joint encoder",
-         "angle",
-         "joint_rad",
-         "rad",
-         [](std::span<const double> v, double x) { return v[0] * x; },
-         "The encoder of the joint reads {share} % too much."},
-    };
+    return {joint_spring(),      joint_ripple(),       joint_arm(), joint_rough_spot(), joint_encoder_flexibility(),
+            joint_encoder_lag(), joint_encoder_scale()};
 }
 
 }  // namespace fusee::effects

@@ -1,4 +1,5 @@
 #pragma once
+#include "fusee/core/units.h"
 #include "fusee/effects/term.h"
 
 /// The terms of each place.
@@ -20,5 +21,17 @@ inline std::vector<Experiment> moving_experiments() {
     for (double n = 1.0; n <= most; n += 1.25) counts.push_back(n);
     return counts;
 }
+
+/// The count of a ripple, per rad, tried up to `most`.
+[[nodiscard]] inline EffectParameter ripple_count(double scale, double at_first, double most) {
+    return {"per_rad", "1", scale, {0.3, 40.0}, at_first, ripple_counts(most)};
+}
+
+/// The phase of a ripple: an amplitude of either sign and two phases cover the circle.
+[[nodiscard]] inline EffectParameter ripple_phase() {
+    return {"phase", "rad", 2.0, {-2.0 * core::kPi, 2.0 * core::kPi}, 0.0, {0.0, 0.5 * core::kPi}};
+}
+
+[[nodiscard]] inline joint_model::Ripple ripple_of(std::span<const double> values) { return {values[0], values[1], values[2]}; }
 
 }  // namespace fusee::effects

@@ -89,7 +89,7 @@ int open(const char* path, int flags, ...) {
 }
 
 int posix_spawn(pid_t* pid, const char* path, const posix_spawn_file_actions_t* actions, const posix_spawnattr_t* attributes,
-                char* const arguments[], char* const environment[]) noexcept {
+                char* const arguments[], char* const environment[]) {
     using Spawn = int (*)(pid_t*, const char*, const posix_spawn_file_actions_t*, const posix_spawnattr_t*, char* const[], char* const[]);
     static const auto call = next<Spawn>("posix_spawn");
     if (fault().hits("spawn")) return fault().error;
@@ -97,7 +97,7 @@ int posix_spawn(pid_t* pid, const char* path, const posix_spawn_file_actions_t* 
 }
 
 int posix_spawnp(pid_t* pid, const char* path, const posix_spawn_file_actions_t* actions, const posix_spawnattr_t* attributes,
-                 char* const arguments[], char* const environment[]) noexcept {
+                 char* const arguments[], char* const environment[]) {
     using Spawn = int (*)(pid_t*, const char*, const posix_spawn_file_actions_t*, const posix_spawnattr_t*, char* const[], char* const[]);
     static const auto call = next<Spawn>("posix_spawnp");
     if (fault().hits("spawn")) return fault().error;

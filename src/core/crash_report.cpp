@@ -43,8 +43,8 @@ struct Prepared {
     std::array<std::atomic<const char*>, kMostInputs> inputs{};
     std::array<Thrown, kThrows> thrown{};
     std::atomic<unsigned> throws = 0;
-    std::array<char, kPath> report{};  // the folder written
-    std::array<char, 65536> stack{};   // of the handler, for a stack overflow
+    std::array<char, kPath> report{};             // the folder written
+    alignas(16) std::array<char, 65536> stack{};  // of the handler, for a stack overflow
 };
 
 std::atomic<Prepared*> g_prepared = nullptr;

@@ -101,7 +101,7 @@ TEST_F(Program, BadInputIsOneObjectWithItsPlaceAndALineOnStandardError) {
 }
 
 TEST_F(Program, TheResultOfMakeIsTheSameAtEachRun) {
-    const std::string line = "make --json '" + fixtures::shipped("first_prototype").string() + "'";
+    const std::string line = "make --quiet --json '" + fixtures::shipped("first_prototype").string() + "'";
     const Ended made = run(line);
     EXPECT_EQ(made.err, "");
     const Json design = result_of(made).at("designs").at(0);

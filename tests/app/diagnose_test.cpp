@@ -112,7 +112,7 @@ TEST_F(Gap, WritesTheMeasurementThatADiagnosisAsksFor) {
     none["next"] = nlohmann::json::array();
     write("none.json", none.dump());
     expect_refused("case-template case --next none.json --out out", {"none.json: next", "no measurement"});
-    none["next"] = {asked};
+    none["next"] = nlohmann::json::array({asked});
     none["next"][0]["text"] = "Weigh the joint: 1.00 bit, 3 min.";
     write("none.json", none.dump());
     expect_refused("case-template case --next none.json --out out", {"none.json: next", "diagnose the case again"});

@@ -1,24 +1,25 @@
 #include "fusee/core/parallel.h"
 
-#include <tbb/global_control.h>
-#include <tbb/info.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cstdlib>
 #include <exception>
 #include <future>
+#include <mutex>
 #include <optional>
 #include <thread>
 #include <vector>
 
 #if defined(__has_feature)
 #if __has_feature(thread_sanitizer)
-#include <sanitizer/tsan_interface.h>
 #define FUSEE_TSAN
 #endif
+#endif
+#ifndef FUSEE_TSAN
+#include <tbb/global_control.h>
+#include <tbb/info.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 #endif
 
 namespace fusee::core {
@@ -52,6 +53,36 @@ unsigned available_threads(unsigned wanted) {
     return available;
 }
 
+#ifdef FUSEE_TSAN
+// Debian's oneTBB is not instrumented, so that the thread sanitizer would report its hand-over of tasks. Plain threads take its place
+// there.
+
+/// Calls `work` alone: the loops in it have their own threads.
+template <class Work>
+void in_arena(unsigned, const Work& work) {
+    work();
+}
+
+/// `body` for 0 .. count - 1 on `threads` threads, this one included. Throws what a body threw first; the others then end early.
+void loop(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& body) {
+    std::atomic<std::size_t> next{0};
+    std::exception_ptr failure;
+    std::once_flag failed;
+    const auto take = [&] {
+        try {
+            for (std::size_t i = next++; i < count; i = next++) body(i);
+        } catch (...) {
+            next = count;
+            std::call_once(failed, [&] { failure = std::current_exception(); });
+        }
+    };
+    std::vector<std::jthread> others(threads - 1);
+    for (std::jthread& other : others) other = std::jthread(take);
+    take();
+    others.clear();  // joins them
+    if (failure) std::rethrow_exception(failure);
+}
+#else
 template <class Work>
 void in_arena(unsigned threads, const Work& work) {
     // oneTBB allows as many threads as processors; of several limits the least holds, so a small loop must not set one for the loop around
@@ -62,24 +93,10 @@ void in_arena(unsigned threads, const Work& work) {
     tbb::task_arena(static_cast<int>(threads)).execute(work);
 }
 
-/// Tells the thread sanitizer what oneTBB, which is not instrumented, guarantees: the bodies see what was written before the loop, and the
-/// caller sees what they wrote. Nothing in other builds.
-struct Order {
-#ifdef FUSEE_TSAN
-    static inline char before = 0, after = 0;  // one pair for all loops: a body reads no pointer to them
-    static void release(char& point) { __tsan_release(&point); }
-    static void acquire(char& point) { __tsan_acquire(&point); }
-    static void loop() { release(before); }
-    static void begin() { acquire(before); }
-    static void end() { release(after); }
-    static void joined() { acquire(after); }
-#else
-    static void loop() {}
-    static void begin() {}
-    static void end() {}
-    static void joined() {}
+void loop(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& body) {
+    in_arena(threads, [&] { tbb::parallel_for(std::size_t{0}, count, body, tbb::simple_partitioner()); });
+}
 #endif
-};
 
 }  // namespace
 
@@ -94,14 +111,7 @@ void parallel_for(std::size_t count, unsigned jobs, const std::function<void(std
         for (std::size_t i = 0; i < count; ++i) body(i);
         return;
     }
-    Order::loop();
-    const auto ordered = [&](std::size_t i) {
-        Order::begin();
-        body(i);
-        Order::end();
-    };
-    in_arena(threads, [&] { tbb::parallel_for(std::size_t{0}, count, ordered, tbb::simple_partitioner()); });
-    Order::joined();
+    loop(count, threads, body);
 }
 
 void with_threads(unsigned jobs, const std::function<void()>& work) { in_arena(available_threads(worker_count(jobs, kMostWorkers)), work); }

@@ -29,7 +29,8 @@ struct Added {
     double log_odds = 0.0, probability = 0.0;
 };
 
-std::vector<Fit> in_full(const Problem& problem, std::vector<Guess> guesses, const SearchOptions& options) {
+/// Full fits of the best guesses that stand, the likeliest first.
+std::vector<Fit> standing_fits(const Problem& problem, std::vector<Guess> guesses, const SearchOptions& options) {
     std::erase_if(guesses, [](const Guess& guess) { return !std::isfinite(guess.cost); });
     guesses.resize(std::min(kFitted, guesses.size()));
     std::vector<Fit> fits(guesses.size());
@@ -49,7 +50,7 @@ std::optional<Added> added_upon(const Problem& problem, const Fit& base, double 
             return there == cause || (there.id == cause.id && (there.side == "both" || cause.side == "both"));
         });
     });
-    std::vector<Fit> fits = in_full(problem, screen(problem, base, causes, options.jobs, kImproved), options);
+    std::vector<Fit> fits = standing_fits(problem, screen(problem, base, causes, options.jobs, kImproved), options);
     if (fits.empty()) return std::nullopt;
     Added added{{}, fits.front().log_evidence - kTermOdds - least, 0.0};
     if (!(added.log_odds > 0.0)) return std::nullopt;

@@ -57,17 +57,47 @@ std::vector<effects::Cause> partners(const std::vector<effects::Cause>& causes, 
 
 bool same_causes(const Causes& a, const Causes& b) { return a.size() == b.size() && std::is_permutation(a.begin(), a.end(), b.begin()); }
 
+/// The guesses whose causes no fit has yet.
+std::vector<Guess> unknown_to(const std::vector<Fit>& fits, std::vector<Guess> guesses) {
+    std::erase_if(guesses, [&](const Guess& guess) {
+        return std::any_of(fits.begin(), fits.end(), [&](const Fit& known) { return same_causes(known.causes, guess.causes); });
+    });
+    return guesses;
+}
+
+void add_best(const Problem& problem, std::vector<Guess> guesses, const SearchOptions& options, std::vector<Fit>& fits) {
+    guesses = unknown_to(fits, std::move(guesses));
+    append(fits, in_full(problem, std::span(guesses).first(std::min(kPairs, guesses.size())), options));
+}
+
+/// Pairs of any cause with the best single ones.
 void add_pairs(const Problem& problem, const std::vector<effects::Cause>& causes, const std::vector<Fit>& singles,
                const SearchOptions& options, std::vector<Fit>& fits) {
     for (std::size_t i = 0; i < std::min(kBases, singles.size()); ++i) {
         const Fit& base = singles[i];
         if (score(base) < score(singles.front()) - kWorthAPair) break;
-        std::vector<Guess> guesses = screen(problem, base, partners(causes, base), options.jobs);
-        std::erase_if(guesses, [&](const Guess& guess) {
-            return std::any_of(fits.begin(), fits.end(), [&](const Fit& known) { return same_causes(known.causes, guess.causes); });
-        });
-        append(fits, in_full(problem, std::span(guesses).first(std::min(kPairs, guesses.size())), options));
+        add_best(problem, screen(problem, base, partners(causes, base), options.jobs), options, fits);
     }
+}
+
+/// Pairs of the single ones with each other: two great effects hide each other, so that each alone may be far from the best.
+void add_pairs_of_singles(const Problem& problem, const std::vector<Fit>& singles, const SearchOptions& options, std::vector<Fit>& fits) {
+    std::vector<effects::Cause> causes;
+    for (const Fit& single : singles) causes.push_back(single.causes.front());
+    std::vector<Guess> guesses;
+    for (const Fit& base : singles)
+        for (Guess& guess : screen(problem, base, partners(causes, base), options.jobs)) guesses.push_back(std::move(guess));
+    std::stable_sort(guesses.begin(), guesses.end(), [](const Guess& a, const Guess& b) { return a.cost < b.cost; });
+    std::vector<Guess> different;
+    for (Guess& guess : guesses)
+        if (std::none_of(different.begin(), different.end(), [&](const Guess& d) { return same_causes(d.causes, guess.causes); }))
+            different.push_back(std::move(guess));
+    add_best(problem, std::move(different), options, fits);
+}
+
+/// Does a hypothesis that stands explain all?
+bool any_explains(const Problem& problem, const std::vector<Fit>& fits) {
+    return std::any_of(fits.begin(), fits.end(), [&](const Fit& fit) { return stands(problem, fit) && explained(problem, fit); });
 }
 
 /// The best pair without one of its effects, started at the pair: a single fit that stopped elsewhere would make its
@@ -203,7 +233,10 @@ Search search(const Problem& problem, const SearchOptions& options) {
     tell("single effects");
     const bool found = !singles.empty() && score(singles.front()) > score(fits.front());
     for (const Fit& single : singles) fits.push_back(single);
-    if (found && !explained(problem, singles.front())) add_pairs(problem, causes, singles, options, fits);
+    if (found && !explained(problem, singles.front())) {
+        add_pairs(problem, causes, singles, options, fits);
+        if (!any_explains(problem, fits)) add_pairs_of_singles(problem, singles, options, fits);
+    }
     step_back(problem, options, fits);
     tell("pairs of effects");
     Search result = ranked(problem, std::move(fits), options);

@@ -50,7 +50,7 @@ TEST(Parallel, AnExceptionReachesTheCaller) {
 
 // The address space ends before the stacks of so many threads fit into it.
 TEST(Parallel, FewerThreadsDoItWhereTheSystemGivesNoMore) {
-    if (kAddressSanitizer) GTEST_SKIP() << "the address sanitizer reserves terabytes of address space";
+    if (kAddressSanitizer || kThreadSanitizer) GTEST_SKIP() << "the sanitizer reserves terabytes of address space";
     const pid_t child = ::fork();
     if (child == 0) {
         const rlimit little{500'000'000, 500'000'000};

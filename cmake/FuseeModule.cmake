@@ -2,7 +2,7 @@
 # One module: static library fusee_<module> with alias fusee::<module>; its headers are include/fusee/<module>/**.h and each must
 # compile alone; it may include only the modules it USES (checked at configure time), and only modules declared before it.
 # UNITY n: compile the sources n at a time (0: all at once), so that their common headers are read once. Names in the anonymous namespaces
-# of a module must differ. -DFUSEE_UNITY=OFF compiles each source alone.
+# of a module must differ (tests/house/unity_names_test.py). -DFUSEE_UNITY=OFF compiles each source alone.
 # OPTIMIZE 1: -O1 instead of -O2 in a Release build, for a module that computes little. Floating-point results are the same.
 include(GNUInstallDirs)
 

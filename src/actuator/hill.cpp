@@ -13,7 +13,7 @@ namespace fusee::actuator {
 
 namespace {
 
-void validate(const LinearMuscle& muscle) {
+void validate_muscle(const LinearMuscle& muscle) {
     core::require_positive("k_se", muscle.k_se);
     core::require_within("k_pe", muscle.k_pe, 0.0, std::numeric_limits<double>::max());
 }
@@ -86,7 +86,7 @@ void require_stiff(const char* field, const spring::PotentialPtr& spring) {
 }  // namespace
 
 double series_contractile(const LinearMuscle& muscle, double length, double active) {
-    validate(muscle);
+    validate_muscle(muscle);
     return (muscle.k_se * length - active) / (muscle.k_se + muscle.k_pe);  // eq. 1
 }
 
@@ -95,24 +95,24 @@ double series_force(const LinearMuscle& muscle, double length, double active) {
 }
 
 double parallel_force(const LinearMuscle& muscle, double length, double contractile) {
-    validate(muscle);
+    validate_muscle(muscle);
     return muscle.k_pe * length + muscle.k_se * (length - contractile);  // eq. 2
 }
 
 LinearMuscle parallel_from_series(const LinearMuscle& muscle) {
-    validate(muscle);
+    validate_muscle(muscle);
     const double sum = muscle.k_se + muscle.k_pe;
     return {.k_se = muscle.k_se * muscle.k_se / sum, .k_pe = muscle.k_se * muscle.k_pe / sum};  // eq. 3
 }
 
 LinearMuscle series_from_parallel(const LinearMuscle& muscle) {
-    validate(muscle);
+    validate_muscle(muscle);
     const double sum = muscle.k_se + muscle.k_pe;
     return {.k_se = sum, .k_pe = sum * muscle.k_pe / muscle.k_se};
 }
 
 double contractile_from_active(const LinearMuscle& series, double length, double active) {
-    validate(series);
+    validate_muscle(series);
     return length - active / series.k_se;  // eq. 4
 }
 

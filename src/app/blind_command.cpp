@@ -28,7 +28,7 @@ struct ScoreArguments {
 };
 
 /// The seal is printed before the first case is written.
-int make(blind::BenchmarkOptions options, Reply& reply) {
+int make_benchmark(blind::BenchmarkOptions options, Reply& reply) {
     require_thread();
     core::Progress progress("blind make", options.cases);
     options.progress = [&](std::size_t done, std::size_t, const std::string& what) {
@@ -43,7 +43,7 @@ int make(blind::BenchmarkOptions options, Reply& reply) {
     return 0;
 }
 
-blind::Score watched(blind::ScoreOptions options, const std::string& title) {
+blind::Score watched_score(blind::ScoreOptions options, const std::string& title) {
     std::optional<core::Progress> progress;
     options.progress = [&](std::size_t, std::size_t of, const std::string& what) {
         if (!progress) progress.emplace(title, of);
@@ -58,13 +58,13 @@ int write_score(const ScoreArguments& arguments, Reply& reply) {
                                               .source = arguments.options.folder,
                                               .force = arguments.options.force,
                                               .files = {"score.json", "score.html"}});
-    const blind::Score score = watched(arguments.options, "blind score");
+    const blind::Score score = watched_score(arguments.options, "blind score");
     std::optional<blind::Score> model;
     if (!arguments.model.empty()) {
         blind::ScoreOptions other = arguments.options;
         other.folder = arguments.model;
         other.hash.clear();
-        model = watched(other, "model = plant");
+        model = watched_score(other, "model = plant");
     }
     const std::string json = blind::score_json(score, model);
     core::write_file(output.path() / "score.json", json);
@@ -106,7 +106,7 @@ void add_blind_make(CLI::App& blind, Action& action) {
         "Exit code: 0 the benchmark is made, 2 bad input, 3 internal error, 130 stopped by Ctrl-C: nothing is written.");
     command->callback([options, maker, &action] {
         options->maker = *maker == "plant" ? blind::Maker::kPlant : blind::Maker::kModel;
-        action = [options](Reply& reply) { return make(*options, reply); };
+        action = [options](Reply& reply) { return make_benchmark(*options, reply); };
     });
 }
 

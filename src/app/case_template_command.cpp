@@ -21,7 +21,7 @@ struct CaseTemplateArguments {
     bool force = false;
 };
 
-core::OutputRun run_of(const CaseTemplateArguments& arguments) {
+core::OutputRun template_run_of(const CaseTemplateArguments& arguments) {
     return {.command = "case-template", .source = arguments.source, .force = arguments.force, .sheets = gap_case::case_template_files()};
 }
 
@@ -34,7 +34,7 @@ void say_written(const CaseTemplateArguments& arguments, const std::string& name
 /// All six experiments of the joint of a profile.
 int write_template(const CaseTemplateArguments& arguments, Reply& reply) {
     const profile::Profile profile = profile::read_profile(arguments.source);
-    core::OutputFolder output(arguments.out, run_of(arguments));
+    core::OutputFolder output(arguments.out, template_run_of(arguments));
     const auto made = with_places(profile, [&] { return pipeline::case_template(profile); });
     if (!made) {
         reply.show(made.refusal());
@@ -50,7 +50,7 @@ int write_template(const CaseTemplateArguments& arguments, Reply& reply) {
 int write_next(const CaseTemplateArguments& arguments, Reply& reply) {
     require_other_folder("--out", arguments.out, arguments.source, "that of the case");
     const gap_case::Case measured = gap_case::read_case(arguments.source);
-    core::OutputFolder output(arguments.out, run_of(arguments));
+    core::OutputFolder output(arguments.out, template_run_of(arguments));
     const diagnosis::NextCase next = diagnosis::next_case(measured, diagnosis::read_diagnosis(arguments.next), arguments.next.string());
     gap_case::write_case_template(next.empty, next.set_points, output.path());
     output.commit();

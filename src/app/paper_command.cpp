@@ -20,7 +20,7 @@ struct PaperArguments {
     bool force = false;
 };
 
-paper::Result watched(paper::Options options) {
+paper::Result watched_paper(paper::Options options) {
     core::Progress progress("paper", paper::kPieces);
     options.note = [&progress](const std::string& piece) { progress.advance(piece); };
     return paper::run(options);
@@ -31,7 +31,7 @@ int make_paper(const PaperArguments& arguments, Reply& reply) {
     core::OutputFolder output(
         arguments.out / "paper",
         {.command = "paper", .source = arguments.options.profiles, .force = arguments.force, .files = {"paper.html", "paper.json"}});
-    const paper::Result result = watched(arguments.options);
+    const paper::Result result = watched_paper(arguments.options);
     reply.show(result.findings);
     if (result.interrupted) throw core::Stopped();
     if (!result.paper) return kRefused;

@@ -49,7 +49,7 @@ std::string three_torques(const std::string& text) {
                        -kLargestTorque, kLargestTorque);
 }
 
-Json row_json(const batch::SimulationRow& row) {
+Json simulation_json(const batch::SimulationRow& row) {
     Json j{{"profile", row.profile.string()}, {"outcome", batch::to_string(row.outcome)}};
     j["folder"] = row.folder.empty() ? Json() : Json(row.folder.string());
     j["mjcf"] = row.mjcf.empty() ? Json() : Json(row.mjcf.string());
@@ -69,7 +69,7 @@ int simulate(const SimulateArguments& arguments, Reply& reply) {
     const int code = batch::exit_code(rows);
     if (reply.json()) reply.result["joints"] = Json::array();
     for (const batch::SimulationRow& row : rows) {
-        if (reply.json()) reply.result["joints"].push_back(row_json(row));
+        if (reply.json()) reply.result["joints"].push_back(simulation_json(row));
         if (!row.error.empty()) reply.fail(row.error, row.mistakes);
     }
     reply.close(code, batch::closing_table(rows));

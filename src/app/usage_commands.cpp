@@ -15,7 +15,7 @@ std::string completion_of(const std::string& shell, const Command& program) {
     return shell == "zsh" ? zsh_completion(program) : fish_completion(program);
 }
 
-int answer(const std::string& text, Reply& reply) {
+int answer_text(const std::string& text, Reply& reply) {
     reply.result = {{"text", text}};
     reply.print(text);
     return 0;
@@ -34,13 +34,14 @@ void add_usage(CLI::App& app, Action& action) {
     completion->add_option("shell", *shell, "Shell that reads the script")->required()->check(one_of({"bash", "zsh", "fish"}));
     completion->footer("Example:\n  source <(fusee completion bash)");
     completion->callback([shell, &app, &action] {
-        action = [shell, &app](Reply& reply) { return answer(completion_of(*shell, read_command_tree(app)), reply); };
+        action = [shell, &app](Reply& reply) { return answer_text(completion_of(*shell, read_command_tree(app)), reply); };
     });
 
     CLI::App* man = add_hidden(app, "man", "Print the manual page");
     man->footer("Example:\n  fusee man | man -l -");
-    man->callback(
-        [&app, &action] { action = [&app](Reply& reply) { return answer(man_page(read_command_tree(app), core::version()), reply); }; });
+    man->callback([&app, &action] {
+        action = [&app](Reply& reply) { return answer_text(man_page(read_command_tree(app), core::version()), reply); };
+    });
 }
 
 }  // namespace fusee::app

@@ -33,7 +33,7 @@ struct PoseBox {
 std::size_t first_of(const Body& body) { return body.side == Side::kAntagonist ? 2 : 0; }
 bool slides(const Body& body) { return body.motion == Motion::kCarriage || body.motion == Motion::kSpool; }
 bool turns(const Body& body) { return body.motion == Motion::kCapstan || body.motion == Motion::kSpool || body.motion == Motion::kJoint; }
-double reach_mm(const Body& body) {
+double body_reach_mm(const Body& body) {
     double reach = 0.0;
     for (const Prism& prism : body.prisms)
         for (const solid::Point2& p : prism.outline_mm) reach = std::max(reach, std::hypot(p[0], p[1]));
@@ -62,7 +62,7 @@ Enclosure enclose(const Assembly& a, const Body& body, const PoseBox& box) {
     const bool round = body.cam == nullptr;  // about its axis: drums, shafts, rings, the joint's pulley with its pin
     bool disc = turns(body) && round;
     if (turns(body) && !round) {
-        all.loss_mm = turn_from_middle(a, body, box) * reach_mm(body);
+        all.loss_mm = turn_from_middle(a, body, box) * body_reach_mm(body);
         if (all.loss_mm > kMostTurn_mm) disc = true, all.loss_mm = 0.0;
     }
     const Isometry3d middle = placement(a, body, box.middle()), low = placement(a, body, box.low()), high = placement(a, body, box.high());
@@ -73,7 +73,7 @@ Enclosure enclose(const Assembly& a, const Body& body, const PoseBox& box) {
     return all;
 }
 
-double distance(const Enclosure& one, const Enclosure& other, double most_mm) {
+double enclosure_distance(const Enclosure& one, const Enclosure& other, double most_mm) {
     const double loss = one.loss_mm + other.loss_mm;
     double least = most_mm + loss;
     for (const Prism& p : one.prisms)
@@ -98,7 +98,7 @@ struct Pair {
         return box;
     }
     [[nodiscard]] double bound(const PoseBox& box, double most_mm) const {
-        return distance(enclose(a, one, box), enclose(a, other, box), most_mm);
+        return enclosure_distance(enclose(a, one, box), enclose(a, other, box), most_mm);
     }
     /// Of the bodies in a pose, without loss.
     [[nodiscard]] double sample(const Pose& pose, double most_mm) const {
@@ -113,9 +113,9 @@ struct Pair {
         for (const Body* body : {&one, &other}) {
             const std::size_t first = first_of(*body);
             const bool cam = body->cam != nullptr;
-            if (body->motion == Motion::kCapstan && cam) ways[first] += box.of[first].width() * reach_mm(*body);
+            if (body->motion == Motion::kCapstan && cam) ways[first] += box.of[first].width() * body_reach_mm(*body);
             if (slides(*body) || body->motion == Motion::kSpringEnd) ways[first] += box.of[first].width() * a.capstan_radius_mm;
-            if (body->motion == Motion::kSpool && cam) ways[first + 1] += 2.0 * turn_from_middle(a, *body, box) * reach_mm(*body);
+            if (body->motion == Motion::kSpool && cam) ways[first + 1] += 2.0 * turn_from_middle(a, *body, box) * body_reach_mm(*body);
         }
         return static_cast<std::size_t>(std::max_element(ways.begin(), ways.end()) - ways.begin());
     }

@@ -95,7 +95,7 @@ std::string earlier_end(const ArmFunction& arm, const CamOptions& options, const
     return fmt::format("law.end_torque_Nm = {:.4g}", (1.0 - kInside) * inside);
 }
 
-std::string joined(const std::string& a, const std::string& b) {
+std::string joined_text(const std::string& a, const std::string& b) {
     if (a.empty() && b.empty()) return "another base spring or law: neither preload nor rate alone makes every contact possible";
     return a.empty() || b.empty() ? a + b : a + ", or " + b;
 }
@@ -120,7 +120,7 @@ core::Finding arm_beyond(const ArmFunction& arm, const CamOptions& options, cons
     f.bound = shorter ? core::Bound::kAtLeast : core::Bound::kAtMost;
     if (!std::isfinite(f.measured)) state_tension(f, arm, at);
     f.source = "docs/theory/cams.md, table 1: springs and law of matching size";
-    f.suggestion = joined(earlier_end(arm, options, contacts, possible_arm), other_spring(arm, options));
+    f.suggestion = joined_text(earlier_end(arm, options, contacts, possible_arm), other_spring(arm, options));
     return f;
 }
 
@@ -152,7 +152,7 @@ core::Findings check_contacts(const ArmFunction& arm, const CamOptions& options,
     core::Finding f = broken(arm, "cam.convexity", "no convex contour has this arm: its radius of curvature would not be above 0",
                              *sharpest, core::mm_from_m(sharpest->path.rho), 0.0);
     const bool roller = options.family == Family::kRoller;
-    f.suggestion = joined(earlier_end(arm, options, contacts, convex), roller ? wider_base(arm, options) : other_spring(arm, options));
+    f.suggestion = joined_text(earlier_end(arm, options, contacts, convex), roller ? wider_base(arm, options) : other_spring(arm, options));
     return {f};
 }
 

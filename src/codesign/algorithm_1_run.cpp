@@ -67,7 +67,8 @@ std::string identity(const design::Algorithm1& algorithm) {
                        o.weight_sensitivity);
 }
 
-design::EvolutionResult search(const design::Algorithm1& algorithm, const profile::Profile& profile, const RunOptions& run, Watch& watch) {
+design::EvolutionResult search_algorithm_1(const design::Algorithm1& algorithm, const profile::Profile& profile, const RunOptions& run,
+                                           Watch& watch) {
     design::EvolutionOptions options;
     options.bounds = algorithm.bounds();
     options.population = profile.search.population;
@@ -129,7 +130,7 @@ RunResult run_algorithm_1(const profile::Profile& profile, const RunOptions& opt
     const Judge judge(profile);
     const design::Algorithm1& algorithm = judge.algorithm();
     Watch watch(algorithm);
-    const design::EvolutionResult found = search(algorithm, profile, options, watch);
+    const design::EvolutionResult found = search_algorithm_1(algorithm, profile, options, watch);
     RunResult result;
     result.interrupted = found.interrupted;
     const design::Algorithm1Terms terms = algorithm.terms(found.best);

@@ -22,7 +22,7 @@ namespace {
 
 using core::deg_from_rad;
 
-design::EvolutionResult search(const Problem& problem, const RunOptions& run) {
+design::EvolutionResult search_co_design(const Problem& problem, const RunOptions& run) {
     const profile::Profile& base = problem.base();
     design::EvolutionOptions options;
     options.bounds = problem.bounds();
@@ -117,7 +117,7 @@ SearchReport report_of(const profile::Profile& profile, const Problem& problem, 
 RunResult run_co_design(const profile::Profile& profile, const RunOptions& options) {
     const Problem problem(profile);
     core::make_folder(options.out);
-    const design::EvolutionResult found = search(problem, options);
+    const design::EvolutionResult found = search_co_design(problem, options);
     RunResult result;
     result.interrupted = found.interrupted;
     profile::Profile best = problem.candidate(found.best);

@@ -59,7 +59,7 @@ Front front_of(const pagmo::population& population) {
     return front;
 }
 
-Front search(const Costs& costs, const FrontOptions& o) {
+Front evolve(const Costs& costs, const FrontOptions& o) {
     const pagmo::bfe evaluator{pagmo::thread_bfe{}};
     pagmo::population population = first_population(costs, o, evaluator);
     int done = 0;
@@ -87,5 +87,5 @@ Front search(const Costs& costs, const FrontOptions& o) {
 
 extern "C" void fusee_nsga2(const fusee::codesign::Costs& costs, const fusee::codesign::FrontOptions& options,
                             fusee::codesign::Front& front) {
-    front = fusee::codesign::search(costs, options);
+    front = fusee::codesign::evolve(costs, options);
 }

@@ -91,7 +91,7 @@ Made make_all(const Problem& problem, const Front& front, const fs::path& folder
     return made;
 }
 
-ParetoReport report_of(const profile::Profile& profile, const Problem& problem, const Front& front, const Made& made) {
+ParetoReport pareto_report_of(const profile::Profile& profile, const Problem& problem, const Front& front, const Made& made) {
     ParetoReport report;
     report.provenance = {profile.name + "-design", profile.sha256, "method=pareto"};
     report.against_size = against_size(problem);
@@ -108,7 +108,7 @@ ParetoReport report_of(const profile::Profile& profile, const Problem& problem, 
     return report;
 }
 
-Front search(const Problem& problem, const Problem& demanded, const RunOptions& run) {
+Front search_pareto(const Problem& problem, const Problem& demanded, const RunOptions& run) {
     FrontOptions options;
     options.bounds = problem.bounds();
     options.population = problem.base().search.population;
@@ -133,7 +133,7 @@ Front search(const Problem& problem, const Problem& demanded, const RunOptions& 
 RunResult run_pareto(const profile::Profile& profile, const RunOptions& options) {
     const Problem demanded(profile);
     const Problem problem(with_share(demanded, against_size(demanded) ? kRadii.front() : kTravels.front()));
-    const Front front = search(problem, demanded, options);
+    const Front front = search_pareto(problem, demanded, options);
     RunResult result;
     result.interrupted = front.interrupted;
     Made made = make_all(problem, front, result_folder(profile, options));
@@ -141,7 +141,7 @@ RunResult run_pareto(const profile::Profile& profile, const RunOptions& options)
         result.findings = broken(problem.evaluate(front.members.front()));
         return result;
     }
-    const ParetoReport& report = result.pareto.emplace(report_of(profile, problem, front, made));
+    const ParetoReport& report = result.pareto.emplace(pareto_report_of(profile, problem, front, made));
     result.profiles = std::move(made.profiles);
     const ParetoPoint &least = report.points.front(), &most = report.points.back();
     result.summary = {

@@ -94,7 +94,7 @@ private:
     const core::CsvTable& table_;
 };
 
-std::string line(const std::string& part, const InspectionRow& r) {
+std::string row_line(const std::string& part, const InspectionRow& r) {
     const auto item = std::find_if(kItems.begin(), kItems.end(), [&r](const ItemName& i) { return i.item == r.item; });
     const std::string normal = std::isnan(r.normal) ? "" : fmt::format("{:.4f}", core::deg_from_rad(r.normal));
     return fmt::format("{},{},{},{:.4f},{:.4f},{:.4f},{},{:.4f},{:.4g},{:.4g},\n", part, item->name, r.number, mm_from_m(r.x),
@@ -131,7 +131,7 @@ std::string empty_inspection(const InspectionSheet& sheet, const std::string& pr
         "across, nominal_mm its\n# width. face: its height near the edge.\n",
         sheet.part, provenance, kMeasured, sheet.part);
     text += inspection_header();
-    for (const InspectionRow& row : sheet.rows) text += line(sheet.part, row);
+    for (const InspectionRow& row : sheet.rows) text += row_line(sheet.part, row);
     return text;
 }
 

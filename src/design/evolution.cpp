@@ -20,7 +20,7 @@ namespace {
 constexpr int kLeastPopulation = 8, kMost = 1'000'000;
 constexpr double kDither = 0.2;
 
-void validate(const EvolutionOptions& o) {
+void validate_options(const EvolutionOptions& o) {
     if (o.bounds.empty()) throw core::InvalidInput("bounds", "none", "a range for each variable");
     constexpr double kLargest = std::numeric_limits<double>::max();
     for (std::size_t i = 0; i < o.bounds.size(); ++i) {
@@ -151,7 +151,7 @@ private:
 }  // namespace
 
 EvolutionResult evolve(const Cost& cost, const EvolutionOptions& options) {
-    validate(options);
+    validate_options(options);
     Search search(cost, options);
     std::optional<Generation> stored;
     if (options.resume)

@@ -29,7 +29,7 @@ using Eigen::Vector3d;
 
 constexpr double kPercentile = 1.6448536269514722;  ///< 95 % of a normal distribution lie below that many standard deviations
 
-void validate(const Drawing& drawing, double tau, const ShopScatter& scatter) {
+void validate_drawing(const Drawing& drawing, double tau, const ShopScatter& scatter) {
     actuator::validate(drawing.actuator);
     core::require_positive("tau", tau, "Nm");
     core::require_positive("base_se.rate", drawing.base_se.rate);
@@ -191,7 +191,7 @@ std::vector<double> widths_of(const Shop& shop, const SampleOptions& options) {
 }  // namespace
 
 RobustBand robust_dead_band(const Drawing& drawing, double tau, const ShopScatter& scatter) {
-    validate(drawing, tau, scatter);
+    validate_drawing(drawing, tau, scatter);
     RobustBand band{.tau = tau,
                     .nominal = core::kNan,
                     .sigma = core::kNan,
@@ -226,7 +226,7 @@ double percentile_95(const Drawing& drawing, double tau, const ShopScatter& scat
 }
 
 SampledBand sample_dead_band(const Drawing& drawing, double tau, const ShopScatter& scatter, const SampleOptions& options) {
-    validate(drawing, tau, scatter);
+    validate_drawing(drawing, tau, scatter);
     if (options.count < 20) throw core::InvalidInput("count", fmt::format("{}", options.count), "at least 20 actuators");
     std::vector<double> widths = widths_of(Shop(drawing, tau, scatter, options.seed), options);
     std::erase_if(widths, [](double width) { return std::isnan(width); });

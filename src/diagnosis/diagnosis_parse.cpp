@@ -60,7 +60,7 @@ NextExperiment next_of(const JsonNode& node) {
     return next;
 }
 
-VerdictKind verdict_of(const JsonNode& node) {
+VerdictKind parse_verdict(const JsonNode& node) {
     for (const VerdictKind verdict :
          {VerdictKind::kIdentified, VerdictKind::kNone, VerdictKind::kAmbiguous, VerdictKind::kUnknown, VerdictKind::kInconclusive})
         if (node.text() == to_string(verdict)) return verdict;
@@ -76,7 +76,7 @@ Diagnosis parse_diagnosis(std::string_view json, const std::string& file) {
     Diagnosis diagnosis;
     for (const JsonNode& effect : root["effects"].cells()) diagnosis.effects.push_back(effect_of(effect));
     diagnosis.verdict = diagnosis.effects.empty() ? VerdictKind::kNone : VerdictKind::kIdentified;
-    if (root.has("verdict")) diagnosis.verdict = verdict_of(root["verdict"]);
+    if (root.has("verdict")) diagnosis.verdict = parse_verdict(root["verdict"]);
     if (root.has("unknown_term") && !root["unknown_term"].is_null()) {
         const JsonNode first = root["unknown_term"];
         diagnosis.unknown_terms.push_back(term_of(first));

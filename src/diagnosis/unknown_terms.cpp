@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kPoints = 201;  ///< of a curve
 
 /// The range of what a term depends on, on this rig.
-core::Range range_of(const inference::Problem& problem, const effects::Term& term, const std::vector<double>& values) {
+core::Range curve_range_of(const inference::Problem& problem, const effects::Term& term, const std::vector<double>& values) {
     const gap_case::Rows& rows = problem.gap_case().rows;
     if (term.over == "capstan_rad") return {0.0, problem.cams().end()};
     if (term.over == "end_share") return {0.0, 1.0};
@@ -59,7 +59,7 @@ std::vector<UnknownTerm> unknown_terms(const inference::Problem& problem, const 
         own.log_odds = found.log_odds[c];
         own.x_name = term.over;
         own.y_name = term.gives;
-        const core::Range range = range_of(problem, term, values);
+        const core::Range range = curve_range_of(problem, term, values);
         for (std::size_t i = 0; i < kPoints; ++i) {
             own.x.push_back(range.low + range.width() * static_cast<double>(i) / (kPoints - 1));
             own.y.push_back(term.curve(values, own.x.back()));

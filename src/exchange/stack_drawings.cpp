@@ -17,7 +17,7 @@ constexpr double kTicksApart_mm = 0.8;
 bool is_core(const solid::Plate& plate) { return plate.offset_mm < 0.0; }
 
 /// Layers are found by name: all dowels are on one layer.
-void add(DxfDrawing& drawing, DxfLayer layer) {
+void add_layer(DxfDrawing& drawing, DxfLayer layer) {
     for (DxfLayer& there : drawing.layers)
         if (there.name == layer.name) {
             there.polylines.insert(there.polylines.end(), layer.polylines.begin(), layer.polylines.end());
@@ -48,7 +48,7 @@ void add_openings(DxfDrawing& drawing, const solid::Part& part, const solid::Pla
         if (!outline)
             throw core::InvalidInput("outputs.kerf_mm", fmt::format("{}", kerf_mm),
                                      "less than the width of every opening: the " + opening.name + " would close");
-        add(drawing, layer_of(layer_name(opening.name), *outline));
+        add_layer(drawing, layer_of(layer_name(opening.name), *outline));
     }
 }
 

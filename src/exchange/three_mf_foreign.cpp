@@ -17,7 +17,7 @@ struct Unit {
 constexpr std::array kUnits = {Unit{"micrometre", 1e-3}, Unit{"millimetre", 1.0}, Unit{"centimetre", 10.0},
                                Unit{"inch", 25.4},       Unit{"foot", 304.8},     Unit{"metre", 1000.0}};
 
-void append(solid::Mesh& to, const solid::Mesh& more, double scale) {
+void append_scaled(solid::Mesh& to, const solid::Mesh& more, double scale) {
     const auto first = static_cast<std::uint32_t>(to.points_mm.size());
     for (const solid::Vec3& p : more.points_mm) to.points_mm.push_back({scale * p[0], scale * p[1], scale * p[2]});
     for (const solid::Triangle& t : more.triangles) to.triangles.push_back({first + t[0], first + t[1], first + t[2]});
@@ -44,7 +44,7 @@ MeshFile read_foreign_3mf(const std::filesystem::path& path) {
          require(NMR::lib3mf_resourceiterator_movenext(objects.get(), &more), objects, path, "listing the meshes")) {
         Handle object;
         require(NMR::lib3mf_resourceiterator_getcurrent(objects.get(), object.out()), objects, path, "taking a mesh");
-        append(file.mesh, take_mesh(object, path), kUnits[unit].mm);
+        append_scaled(file.mesh, take_mesh(object, path), kUnits[unit].mm);
     }
     return file;
 }

@@ -20,7 +20,7 @@ constexpr std::size_t kLargestToml = 1'000'000;  // bytes
 constexpr std::size_t kLongestShown = 80;        // of a refused value
 
 std::string leaf_of(const std::string& path) { return path.substr(path.rfind('.') + 1); }
-std::string table_of(const std::string& path) { return path.substr(0, path.find('.') == std::string::npos ? 0 : path.rfind('.')); }
+std::string table_name_of(const std::string& path) { return path.substr(0, path.find('.') == std::string::npos ? 0 : path.rfind('.')); }
 
 /// All cells of one type, or nothing.
 template <class T>
@@ -91,7 +91,7 @@ core::InvalidInput CaseToml::fault(const std::string& path, std::string value, s
     Place place;
     if (const auto leaf = leaves_.find(path); leaf != leaves_.end())
         place = leaf->second.place;
-    else if (const auto table = tables_.find(tables_.contains(path) ? path : table_of(path)); table != tables_.end())
+    else if (const auto table = tables_.find(tables_.contains(path) ? path : table_name_of(path)); table != tables_.end())
         place = table->second;
     return {fmt::format("{}:{}:{}: {}", file_, place.line, place.column, path), std::move(value), std::move(allowed)};
 }
@@ -107,7 +107,7 @@ void CaseToml::allow_tables(const std::vector<std::string>& names) const {
 std::vector<std::string> CaseToml::keys_of(const std::string& table) const {
     std::vector<std::string> keys;
     for (const auto& [path, leaf] : leaves_)
-        if (table_of(path) == table) keys.push_back(leaf_of(path));
+        if (table_name_of(path) == table) keys.push_back(leaf_of(path));
     return keys;
 }
 

@@ -9,8 +9,8 @@ namespace fusee::joint_model {
 namespace {
 
 /// One file from rest. The greatest torque of all files takes one phase.
-void follow(const BuiltRig& rig, std::span<const gap_case::CocontractionRow> rows, double seconds_per_torque, double step,
-            std::vector<double>& read) {
+void follow_cocontraction(const BuiltRig& rig, std::span<const gap_case::CocontractionRow> rows, double seconds_per_torque, double step,
+                          std::vector<double>& read) {
     Motion motion(rig, step);
     double torque = 0.0;
     for (const gap_case::CocontractionRow& row : rows) {
@@ -27,7 +27,7 @@ std::vector<double> predict_cocontraction(const BuiltRig& rig, const gap_case::R
     for (const gap_case::CocontractionRow& row : rows.cocontraction) most = std::max(most, std::abs(row.motor_torque));
     std::vector<double> read;
     for (const std::span<const gap_case::CocontractionRow> file : files_of(rows, gap_case::Experiment::kCocontraction, rows.cocontraction))
-        follow(rig, file, protocol.cocontraction_phase / most, step_on(rig.reference, protocol, kSlowStep), read);
+        follow_cocontraction(rig, file, protocol.cocontraction_phase / most, step_on(rig.reference, protocol, kSlowStep), read);
     return read;
 }
 

@@ -34,8 +34,8 @@ Ramp straight(std::span<const gap_case::StiffnessRow> rows, std::size_t first, s
 }
 
 /// One file: each co-contraction from rest, then its phases in order.
-void follow(const BuiltRig& rig, std::span<const gap_case::StiffnessRow> rows, const gap_case::Protocol& protocol,
-            std::vector<double>& read) {
+void follow_stiffness(const BuiltRig& rig, std::span<const gap_case::StiffnessRow> rows, const gap_case::Protocol& protocol,
+                      std::vector<double>& read) {
     const double step = step_on(rig.reference, protocol, kSlowStep);
     Motion motion(rig, step);
     for (std::size_t first = 0, last = 0; first < rows.size(); first = last) {
@@ -61,7 +61,7 @@ void follow(const BuiltRig& rig, std::span<const gap_case::StiffnessRow> rows, c
 std::vector<double> predict_joint_stiffness(const BuiltRig& rig, const gap_case::Rows& rows, const gap_case::Protocol& protocol) {
     std::vector<double> read;
     for (const std::span<const gap_case::StiffnessRow> file : files_of(rows, gap_case::Experiment::kJointStiffness, rows.joint_stiffness))
-        follow(rig, file, protocol, read);
+        follow_stiffness(rig, file, protocol, read);
     return read;
 }
 

@@ -27,7 +27,8 @@ void delay_q(std::span<const gap_case::LogRow> rows, double lag, std::span<doubl
 }
 
 /// One log from rest: the motor ramp reaches the torques of the first row, which settle before the log begins.
-void follow(const BuiltRig& rig, std::span<const gap_case::LogRow> rows, const gap_case::Protocol& protocol, std::vector<double>& read) {
+void follow_log(const BuiltRig& rig, std::span<const gap_case::LogRow> rows, const gap_case::Protocol& protocol,
+                std::vector<double>& read) {
     Motion motion(rig, step_on(rig.reference, protocol, kLogStep));
     const gap_case::LogRow& first = rows.front();
     begin_at(motion, torques_of(first), protocol);
@@ -59,7 +60,7 @@ void follow(const BuiltRig& rig, std::span<const gap_case::LogRow> rows, const g
 std::vector<double> predict_log(const BuiltRig& rig, const gap_case::Rows& rows, const gap_case::Protocol& protocol) {
     std::vector<double> read;
     for (const std::span<const gap_case::LogRow> file : files_of(rows, gap_case::Experiment::kLog, rows.log))
-        follow(rig, file, protocol, read);
+        follow_log(rig, file, protocol, read);
     return read;
 }
 

@@ -15,7 +15,7 @@ namespace fusee::redesign {
 
 namespace {
 
-spring::BuildError departure(const profile::PartSpec& cut_for, const profile::PartSpec& as_is) {
+spring::BuildError departure_of_part(const profile::PartSpec& cut_for, const profile::PartSpec& as_is) {
     const spring::BaseSpring drawn = pipeline::pulled_spring(cut_for), is = pipeline::pulled_spring(as_is);
     return {is.rate / drawn.rate - 1.0, as_is.allowance.radius - cut_for.allowance.radius, is.preload - drawn.preload};
 }
@@ -38,7 +38,7 @@ spring::PotentialPtr series_as_built(const Cams& cams, const profile::Profile& a
     const double radius = as_is.rig.capstan_radius;
     const spring::PotentialPtr spool =
         spring::with_compliance(spring::resampled(spring::series_spring(cams.law)), -cut_for.allowance.behind_spool(radius));
-    const spring::PotentialPtr built = spring::make_built_spring(spool, cut_for.spring, radius, departure(cut_for, as_is.k_se));
+    const spring::PotentialPtr built = spring::make_built_spring(spool, cut_for.spring, radius, departure_of_part(cut_for, as_is.k_se));
     return spring::resampled(spring::with_compliance(built, as_is.k_se.allowance.behind_spool(radius)));
 }
 
@@ -46,7 +46,7 @@ spring::PotentialPtr parallel_as_built(const Cams& cams, const profile::Profile&
     const profile::PartSpec& cut_for = cams.profile->k_pe;
     return spring::resampled(spring::make_built_spring(spring::resampled(spring::parallel_spring(cams.law)),
                                                        pipeline::pulled_spring(cut_for), as_is.rig.capstan_radius,
-                                                       departure(cut_for, as_is.k_pe)));
+                                                       departure_of_part(cut_for, as_is.k_pe)));
 }
 
 actuator::Joint joint_as_built(const std::array<Cams, 2>& cams, const std::array<profile::Profile, 2>& as_is) {

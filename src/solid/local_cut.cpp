@@ -53,7 +53,7 @@ struct Surface {
     }
 };
 
-bool apart(const Box& a, const Box& b) {
+bool boxes_apart(const Box& a, const Box& b) {
     for (std::size_t i = 0; i < 3; ++i)
         if (a.high_mm[i] < b.low_mm[i] || a.low_mm[i] > b.high_mm[i]) return true;
     return false;
@@ -75,7 +75,7 @@ Box box_of(const Mesh& mesh, const Triangle& t) {
     std::vector<Triangle> far;
     std::vector<std::uint32_t> place(body.mesh.points_mm.size(), kNone);
     for (const Triangle& t : body.mesh.triangles) {
-        if (apart(box_of(body.mesh, t), box)) {
+        if (boxes_apart(box_of(body.mesh, t), box)) {
             far.push_back(t);
             continue;
         }

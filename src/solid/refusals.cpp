@@ -70,7 +70,7 @@ Refusal misses_axis(const Geometry& geometry) {
                        ", or a base spring whose arms differ less");
 }
 
-Refusal anchor(const Geometry& geometry) {
+Refusal anchor_fault(const Geometry& geometry) {
     const double hole = mm_from_m(geometry.options.features.anchor_hole_diameter);
     const double inside = geometry.options.hub.kind == HubKind::kThrough ? bore_reach_mm(geometry.options.hub) : kLeastLip_mm;
     const double left = mm_from_m(geometry.cam.path(geometry.cam.anchor_psi).h) - inside - kLeastLip_mm, widest = std::max(0.0, left);
@@ -115,7 +115,7 @@ core::Findings check_geometry(const cam::Cam& cam, const PartOptions& options, c
             findings.push_back(*f);
             return findings;
         }
-    for (const auto& rule : {anchor, bore})
+    for (const auto& rule : {anchor_fault, bore})
         if (const Refusal f = rule(geometry)) findings.push_back(*f);
     return findings;
 }

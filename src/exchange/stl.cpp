@@ -22,7 +22,7 @@ using Float3 = std::array<float, 3>;
 
 Float3 rounded(const solid::Vec3& p) { return {static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])}; }
 
-void append(std::string& bytes, const void* data, std::size_t size) { bytes.append(static_cast<const char*>(data), size); }
+void append_bytes(std::string& bytes, const void* data, std::size_t size) { bytes.append(static_cast<const char*>(data), size); }
 
 /// The normal of the rounded triangle, so that it agrees with the vertices; zero if rounding leaves no area.
 Float3 normal(const Float3& a, const Float3& b, const Float3& c) {
@@ -41,15 +41,15 @@ void write_stl(const std::filesystem::path& path, const solid::Mesh& mesh, const
     bytes.resize(kStlHeader, ' ');
     bytes.reserve(kStlHeader + 4 + kStlTriangle * mesh.triangles.size());
     const auto count = static_cast<std::uint32_t>(mesh.triangles.size());
-    append(bytes, &count, sizeof count);
+    append_bytes(bytes, &count, sizeof count);
     for (const solid::Triangle& t : mesh.triangles) {
         for (const std::uint32_t index : t)
             if (index >= mesh.points_mm.size())
                 throw core::InvalidInput("mesh.triangles", fmt::format("{}", index), fmt::format("below {}", mesh.points_mm.size()));
         const std::array<Float3, 3> corner{rounded(mesh.points_mm[t[0]]), rounded(mesh.points_mm[t[1]]), rounded(mesh.points_mm[t[2]])};
         const Float3 n = normal(corner[0], corner[1], corner[2]);
-        append(bytes, n.data(), sizeof n);
-        append(bytes, corner.data(), sizeof corner);
+        append_bytes(bytes, n.data(), sizeof n);
+        append_bytes(bytes, corner.data(), sizeof corner);
         bytes.append(2, '\0');  // attribute byte count
     }
     core::write_file(path, bytes);

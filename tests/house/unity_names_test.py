@@ -33,7 +33,7 @@ def main(sources):
     count, twice = 0, []
     for module in sorted(folder for folder in sources.iterdir() if folder.is_dir()):
         files = collections.defaultdict(list)
-        for path in sorted(module.glob("*.cpp")):
+        for path in sorted(module.rglob("*.cpp")):
             for name in functions(path):
                 files[name].append(path.name)
         count += len(files)

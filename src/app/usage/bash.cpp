@@ -57,7 +57,7 @@ complete -F _fusee fusee
 )script";
 // clang-format on
 
-std::string values(const Argument& argument) {
+std::string bash_values(const Argument& argument) {
     switch (argument.takes) {
         case Takes::kChoice:
             return fmt::format("_fusee_words \"$word\" {} ", fmt::join(argument.words, " "));
@@ -86,12 +86,12 @@ std::string branch(const Command& command) {
     std::string text = fmt::format("        '{}')\n            case $word:$before in\n", command.path.empty() ? "" : " " + command.path);
     for (const Argument& option : command.options)
         if (option.takes != Takes::kNothing)
-            text += fmt::format("                *:{}) {};;\n", fmt::join(option.names, " | *:"), values(option));
+            text += fmt::format("                *:{}) {};;\n", fmt::join(option.names, " | *:"), bash_values(option));
     if (command.positionals.empty()) {
         text += fmt::format("                *) {};;\n", menu(command));
     } else {
         text += fmt::format("                -*) {};;\n", menu(command));
-        text += fmt::format("                *) {};;\n", values(command.positionals.front()));
+        text += fmt::format("                *) {};;\n", bash_values(command.positionals.front()));
     }
     return text + "            esac ;;\n";
 }

@@ -48,7 +48,7 @@ std::string quoted(const std::string& text) {
 }
 
 /// The arguments of `complete` that offer the values.
-std::string values(const Argument& argument) {
+std::string fish_values(const Argument& argument) {
     switch (argument.takes) {
         case Takes::kChoice:
             return fmt::format(" -a '{}'", fmt::join(argument.words, " "));
@@ -68,7 +68,7 @@ std::string values(const Argument& argument) {
 std::string option_line(const std::string& at, const Argument& option) {
     std::string line = at;
     for (const std::string& name : option.names) line += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
-    if (option.takes != Takes::kNothing) line += " -x" + values(option);
+    if (option.takes != Takes::kNothing) line += " -x" + fish_values(option);
     return line + " -d " + quoted(headline(option.meaning)) + "\n";
 }
 
@@ -76,7 +76,7 @@ std::string lines(const Command& command) {
     const std::string at = fmt::format("complete -c fusee -n \"__fusee_at '{}'\"", command.path.empty() ? "" : " " + command.path);
     std::string text = "\n";
     for (const Command& below : command.commands) text += at + " -a " + below.name + " -d " + quoted(headline(below.description)) + "\n";
-    for (const Argument& positional : command.positionals) text += at + values(positional) + "\n";
+    for (const Argument& positional : command.positionals) text += at + fish_values(positional) + "\n";
     for (const Argument& option : command.options) text += option_line(at, option);
     return text;
 }

@@ -41,7 +41,7 @@ std::string bracketed(std::string_view text) {
 }
 
 /// ":MESSAGE:ACTION" of _arguments.
-std::string values(const Argument& argument) {
+std::string zsh_values(const Argument& argument) {
     switch (argument.takes) {
         case Takes::kNothing:
             return "";
@@ -67,11 +67,11 @@ std::string option_spec(const Argument& option) {
     const std::string excluded = option.ends ? "- *" : fmt::format("{}", fmt::join(option.names, " "));
     std::string spec = option.repeats ? "'*'" : "'(" + excluded + ")'";
     spec += names.size() == 1 ? names.front() : fmt::format("{{{}}}", fmt::join(names, ","));
-    return spec + core::shell_word(bracketed(headline(option.meaning))) + values(option);
+    return spec + core::shell_word(bracketed(headline(option.meaning))) + zsh_values(option);
 }
 
 std::string positional_spec(const Argument& positional, std::size_t number) {
-    return (positional.repeats ? "'*'" : fmt::format("'{}'", number)) + values(positional);
+    return (positional.repeats ? "'*'" : fmt::format("'{}'", number)) + zsh_values(positional);
 }
 
 std::string function_name(const Command& command) {

@@ -28,7 +28,7 @@ double outer_offset(const Design& design) {
     return above ? lip_offset(part) : -0.5 * design.cable.diameter;
 }
 
-Walls walls(const Design& design) {
+Walls slot_walls(const Design& design) {
     const Slot slot = leg_slot(design.part.options.features);
     const solid::HubOptions& hub = design.part.options.hub;
     const std::vector<cam::PathPoint> path = contour(design.part.cam);
@@ -50,7 +50,7 @@ constexpr double kShortest = 1.05;  // length of a slot over its width, at least
 core::Findings measure_structure_leg_slot(const Design& design, const Allowed& allowed) {
     const solid::FeatureOptions& features = design.part.options.features;
     if (!has_slot(features) || design.part.cam.working.empty()) return {};
-    const Walls w = walls(design);
+    const Walls w = slot_walls(design);
     const ProcessLimits process = process_limits(design.process);
     const bool inwards = w.bored && w.inner < w.outer;
     core::Finding f = judge(core::mm_from_m(inwards ? w.inner : w.outer),

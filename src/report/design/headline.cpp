@@ -17,7 +17,7 @@ std::string built_text(const ExpectedWidth& width) {
     return fmt::format("{} to {} deg at {}", deg(width.built.low, 3), deg(width.built.high, 3), newton_metres(width.tau));
 }
 
-std::string width_text(const ExpectedWidth& width) {
+std::string headline_width_text(const ExpectedWidth& width) {
     return std::isfinite(width.nominal) ? deg(width.nominal, 3) + " deg" : "not covered by the springs";
 }
 
@@ -31,7 +31,7 @@ HeadFigure dead_band_figure(const Headline& o) {
     const std::string low = newton_metres(o.least.tau), high = newton_metres(o.overdrive.tau);
     const bool known = std::isfinite(o.least.nominal) && std::isfinite(o.overdrive.nominal);
     HeadFigure figure{known ? fmt::format("{} to {} deg", deg(o.least.nominal, 3), deg(o.overdrive.nominal, 3))
-                            : fmt::format("{} at {}, {} at {}", width_text(o.least), low, width_text(o.overdrive), high),
+                            : fmt::format("{} at {}, {} at {}", headline_width_text(o.least), low, headline_width_text(o.overdrive), high),
                       fmt::format("exact dead-band at the joint, from {} to {} of co-contraction", low, high)};
     std::string built;
     for (const ExpectedWidth* width : {&o.least, &o.overdrive})

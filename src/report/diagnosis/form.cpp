@@ -9,7 +9,7 @@ namespace fusee::report {
 
 namespace {
 
-std::string axis(const std::string& name) {
+std::string form_axis(const std::string& name) {
     if (name == "capstan_rad") return "capstan angle [rad]";
     if (name == "joint_rad") return "joint angle [rad]";
     if (name == "end_share") return "deflection over that of the cam's end";
@@ -28,7 +28,7 @@ Rows parameters_of(const diagnosis::UnknownTerm& term) {
 }
 
 std::string term_part(const diagnosis::UnknownTerm& term) {
-    Plot plot(cause_name(term.found.cause), axis(term.x_name), axis(term.y_name));
+    Plot plot(cause_name(term.found.cause), form_axis(term.x_name), form_axis(term.y_name));
     if (!term.x.empty()) plot.curve("law as fitted", term.x, term.y, "se");
     return paragraph(term.sentence) +
            paragraph(fmt::format("It enters at the {}, and depends on: {}. Law: {} Probability among the forms that were tried: {}.",

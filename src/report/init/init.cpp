@@ -27,7 +27,7 @@ std::string coil_line(const char* part, const char* kind, const spring::BaseSpri
                        mm_from_m(s.wire_diameter), mm_from_m(s.coil_diameter), s.active_coils, mm_from_m(s.free_length));
 }
 
-std::string band_text(const pipeline::ResolvedDesign& design, double tau) {
+std::string dead_band_range_text(const pipeline::ResolvedDesign& design, double tau) {
     return fmt::format("{:.1f} deg at {:g} Nm", core::deg_from_rad(actuator::dead_band(design.actuator, tau).exact_width), tau);
 }
 
@@ -36,8 +36,8 @@ std::string figures(const init::Design& found) {
     const auto design = pipeline::resolve(p);
     std::string text;
     if (design)
-        text += fmt::format("  dead-band, full width at the joint: {}, {}, {}\n", band_text(*design, p.rig.least_torque),
-                            band_text(*design, p.rig.peak_torque), band_text(*design, p.rig.overdrive_torque));
+        text += fmt::format("  dead-band, full width at the joint: {}, {}, {}\n", dead_band_range_text(*design, p.rig.least_torque),
+                            dead_band_range_text(*design, p.rig.peak_torque), dead_band_range_text(*design, p.rig.overdrive_torque));
     text += fmt::format("  radius of capstan {:.4g} mm, of the joint's pulley {:.4g} mm\n", mm_from_m(p.rig.capstan_radius),
                         mm_from_m(p.rig.joint_radius));
     text += coil_line("K_SE", "torsion", p.k_se.spring) + coil_line("K_PE", "compression", p.k_pe.spring);

@@ -56,7 +56,7 @@ std::string chart(const DesignReport& design, const ChartView& view, Theme theme
 }
 
 /// A shaded picture as an SVG in millimetres.
-std::string shaded(const std::vector<render::Object>& objects, int longest_px) {
+std::string shaded_view(const std::vector<render::Object>& objects, int longest_px) {
     const render::Picture picture =
         render::draw(objects, render::from_direction(core::rad_from_deg(-55.0), core::rad_from_deg(32.0)), longest_px);
     const Eigen::Vector2d size = picture.high_mm - picture.low_mm;
@@ -80,7 +80,7 @@ std::string cams(const DesignReport& design, int longest_px) {
         right = shift + box.high_mm[0] + kApart_mm;
         objects.push_back(std::move(object));
     }
-    return shaded(objects, longest_px);
+    return shaded_view(objects, longest_px);
 }
 
 std::string joint(const DesignReport& design, const std::string& view, const PictureOptions& options) {

@@ -27,7 +27,7 @@ solid::Mesh shown_cam(const solid::Part& part) {
     return coarse ? std::move(coarse).value().mesh : part.mesh;
 }
 
-Json mesh_json(const solid::Mesh& mesh) {
+Json scene_mesh_json(const solid::Mesh& mesh) {
     const PackedMesh packed_mesh = packed(mesh);
     return {{"low_mm", packed_mesh.low_mm},
             {"step_mm", packed_mesh.step_mm},
@@ -42,9 +42,9 @@ Json meshes_json(const Assembly& a) {
     const solid::Mesh k_pe = shown_cam(*a.drive.k_pe);
     Json all = Json::object();
     for (const Body& body : a.bodies)
-        if (body.side != Side::kAntagonist && !body.cam && !coil_of(a, body)) all[body.base_name()] = mesh_json(body.mesh());
-    all["k_pe"] = mesh_json(k_pe);
-    all["k_se"] = mesh_json(k_se.get());
+        if (body.side != Side::kAntagonist && !body.cam && !coil_of(a, body)) all[body.base_name()] = scene_mesh_json(body.mesh());
+    all["k_pe"] = scene_mesh_json(k_pe);
+    all["k_se"] = scene_mesh_json(k_se.get());
     return all;
 }
 
@@ -55,7 +55,7 @@ Json curve_json(const std::vector<Row>& rows, const Of& of) {
     return all;
 }
 
-Json columns_json(const Eigen::Isometry3d& m) {  // by columns, as three.js reads it
+Json scene_columns_json(const Eigen::Isometry3d& m) {  // by columns, as three.js reads it
     Json all = Json::array();
     for (int column = 0; column < 4; ++column)
         for (int row = 0; row < 4; ++row) all.push_back(m.matrix()(row, column));
@@ -67,7 +67,7 @@ Json coil_json(const Assembly& a, const Body& body) {
     if (!coil) return nullptr;
     const int first = body.side == Side::kAntagonist ? kTurnAntagonist : kTurnAgonist;
     const bool torsion = body.base_name() == "k_se_spring";
-    return {{"frame", columns_json(body.shapes.front().frame)},
+    return {{"frame", scene_columns_json(body.shapes.front().frame)},
             {"radius_mm", coil->mean_radius_mm},
             {"wire_mm", coil->wire_mm},
             {"length_mm", coil->length_mm},
@@ -90,7 +90,7 @@ Json scene_body_json(const Assembly& a, const Body& body, const Marks* marks) {
             {"mesh", body.base_name()},
             {"side", to_string(body.side)},
             {"mirror", mirrored ? (body.cam ? "y" : "x") : ""},
-            {"rest", columns_json(body.rest)},
+            {"rest", scene_columns_json(body.rest)},
             {"turn", f.turn},
             {"gain", f.gain},
             {"slide", f.slide},

@@ -90,7 +90,7 @@ std::string arm_plot(const CamCurve& cam) {
 }
 
 /// Findings about the design found, passes left out.
-std::vector<NumberedFinding> open_findings(const SearchReport& report) {
+std::vector<NumberedFinding> numbered_open_findings(const SearchReport& report) {
     std::vector<NumberedFinding> all;
     const auto add = [&all](const core::Findings& findings, const std::string& part) {
         for (const core::Finding& f : findings)
@@ -131,7 +131,7 @@ std::string springs_section(const SearchReport& report) {
 
 std::string cams_section(const SearchReport& report) {
     if (report.cams.empty()) return section("Cams", paragraph("Not judged: the profile has no parts, or the law is refused."));
-    const std::vector<NumberedFinding> findings = open_findings(report);
+    const std::vector<NumberedFinding> findings = numbered_open_findings(report);
     std::string charts;
     for (const CamCurve& cam : report.cams) charts += arm_plot(cam);
     for (const CamCurve& cam : report.cams) {
@@ -146,7 +146,7 @@ std::string cams_section(const SearchReport& report) {
 std::string search_html(const SearchReport& report) {
     return html_page(report.provenance.name, search_head(report),
                      comparison_section(report) + costs_section(report) + springs_section(report) + cams_section(report) +
-                         findings_section(open_findings(report)));
+                         findings_section(numbered_open_findings(report)));
 }
 
 }  // namespace fusee::report

@@ -111,7 +111,7 @@ double mean_error(const std::vector<MeasuredRow>& rows, double DeadBand::*figure
     return count == 0 ? kUnknown : sum / static_cast<double>(count);
 }
 
-std::optional<std::string> measured_text(const Simulation& s) {
+std::optional<std::string> measured_remark(const Simulation& s) {
     if (s.measured.empty()) return std::nullopt;
     const auto& rows = s.measured;
     return fmt::format(
@@ -131,7 +131,7 @@ std::vector<std::string> remarks(const Simulation& s) {
     all.push_back(condition_text(s.condition));
     for (const auto& text : {linear_text(s), push_and_release_text(s), push_text(s), beyond_text(s),
                              unknown_levels_text(s, &DeadBand::exact_width, "The exact dead-band is unknown"),
-                             unknown_levels_text(s, &DeadBand::measured_width, "The test measures nothing"), measured_text(s)})
+                             unknown_levels_text(s, &DeadBand::measured_width, "The test measures nothing"), measured_remark(s)})
         if (text) all.push_back(*text);
     all.push_back(frame_text(s));
     if (!s.stretches.empty()) all.push_back(stretch_remark(s));

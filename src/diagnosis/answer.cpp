@@ -56,6 +56,9 @@ Answer::Answer(const inference::Problem& problem, const inference::Search& found
 }
 
 void Answer::name(const inference::FoundTerms& terms) {
+    if (verdict_.verdict == VerdictKind::kIdentified || verdict_.verdict == VerdictKind::kAmbiguous)
+        diagnosis_.remarks.push_back(fmt::format("one unknown effect explains the gap better than {} with {}",
+                                                 found_.best().causes.front().id, found_.best().causes.back().id));
     diagnosis_.verdict = VerdictKind::kUnknown;
     diagnosis_.unknown_terms = unknown_terms(problem_, terms);
     shown_ = &terms.fit;
@@ -115,7 +118,7 @@ void Answer::rank() {
 
 void Answer::found_effects() {
     const inference::Fit& best = found_.best();
-    const bool named = verdict_.verdict == VerdictKind::kIdentified || verdict_.verdict == VerdictKind::kAmbiguous;
+    const bool named = diagnosis_.verdict == VerdictKind::kIdentified || diagnosis_.verdict == VerdictKind::kAmbiguous;
     for (std::size_t c = 0; named && c < best.causes.size(); ++c) {
         const effects::Effect& effect = problem_.effect(best.causes[c].id);
         const auto k = static_cast<std::size_t>(problem_.size_at(best.causes, c));
@@ -128,7 +131,7 @@ void Answer::found_effects() {
             found.extra.emplace_back(effect.parameters[p].name, best.x[static_cast<Eigen::Index>(k + p)] * effect.parameters[p].scale);
         diagnosis_.effects.push_back(std::move(found));
     }
-    for (std::size_t h = named || verdict_.verdict == VerdictKind::kNone ? 1 : 0; h < found_.fits.size(); ++h)
+    for (std::size_t h = named || diagnosis_.verdict == VerdictKind::kNone ? 1 : 0; h < found_.fits.size(); ++h)
         if (found_.probability[h] >= kLeastAlternative || (h == 0 && diagnosis_.verdict == VerdictKind::kUnknown))
             diagnosis_.alternatives.push_back({found_.fits[h].causes, found_.probability[h]});
 }

@@ -44,10 +44,12 @@ private:
     std::size_t done_ = 0;
 };
 
-/// Generic terms where the library explains nothing. The first has to beat every hypothesis of the library.
+/// Generic terms where the library explains nothing, or only two of its effects together do: one unknown effect often looks like two known
+/// ones. The first has to beat every hypothesis of the library.
 std::optional<inference::FoundTerms> terms_of(const inference::Problem& problem, const inference::Search& found, VerdictKind verdict,
                                               unsigned jobs) {
-    if (verdict != VerdictKind::kUnknown && verdict != VerdictKind::kNone) return std::nullopt;
+    const bool named = verdict == VerdictKind::kIdentified || verdict == VerdictKind::kAmbiguous;
+    if (named && found.best().causes.size() < 2) return std::nullopt;
     const inference::Fit& null = found.fits[found.null];
     const double best = null.log_evidence - found.log_posterior[found.null];  // of the library, its odds included
     return inference::pursue_terms(problem, null, best, {.jobs = jobs, .progress = {}});

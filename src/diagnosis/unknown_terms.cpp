@@ -17,7 +17,7 @@ core::Range curve_range_of(const inference::Problem& problem, const effects::Ter
     const gap_case::Rows& rows = problem.gap_case().rows;
     if (term.over == "capstan_rad") return {0.0, problem.cams().end()};
     if (term.over == "end_share") return {0.0, 1.0};
-    if (term.over == "time_s") return {0.0, 4.0 * (values.size() > 1 ? values[1] : values[0])};
+    if (term.over == "time_s" || term.over == "session_s") return {0.0, 4.0 * (values.size() > 1 ? values[1] : values[0])};
     if (term.over == "torque_Nm") {
         const gap_case::NominalRig::SpringRow& end = problem.gap_case().rig.springs.back();
         return {0.0, end.se_torque + end.pe_torque};

@@ -20,7 +20,7 @@ constexpr double kSlip = 1.5;    ///< spread of a row that sticks and slips
 constexpr double kSlips = 0.25;  ///< share of such rows from which an experiment is no evidence against the model
 /// T of each experiment above which the model lacks something [sigma]: a break-away scatters with the built friction, spring pulls
 /// are known best, paths that stick and slip least.
-constexpr std::array<double, gap_case::kExperiments> kUnexplained{2.0, 1.35, 3.5, 3.0, 2.0, 2.75};
+constexpr std::array<double, gap_case::kExperiments> kUnexplained{2.0, 1.35, 3.5, 3.25, 2.0, 2.75};
 
 /// Share of the rows of an experiment whose prediction is ill-conditioned.
 double share_of_slips(const inference::Problem& problem, const inference::Fit& fit, gap_case::Experiment experiment) {
@@ -71,10 +71,12 @@ void look_at_tolerances(Scrutiny& said, const inference::Problem& problem, const
                     problem.build()[most.parameter].name, most.sigmas));
 }
 
+/// A contradicted single effect is refuted. A pair that leads although the contradiction cost it its odds is still better than every other
+/// hypothesis; what only looks like two effects is found by comparing it with generic terms.
 void look_at_sizes(Scrutiny& said, const inference::Problem& problem, const inference::Search& search) {
     const inference::Fit& best = search.best();
     for (const effects::Cause& cause : inference::contradicted(problem, best, search.left_out.front())) {
-        said.unexplained = true;
+        said.unexplained = said.unexplained || best.causes.size() < 2;
         said.remarks.push_back(fmt::format("{} ({}): refits without one experiment each disagree on its size", cause.id, cause.side));
     }
     for (const effects::Cause& cause : inference::at_bounds(problem, best)) {

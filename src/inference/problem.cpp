@@ -34,6 +34,7 @@ Problem::Problem(const gap_case::Case& gap_case)
                                        [&](const gap_case::DeadBandRow& other) { return other.cocontraction == row.cocontraction; });
         like_.push_back(static_cast<std::size_t>(same - thin_.dead_band.begin()));
         if (same == thin_.dead_band.end()) thin_.dead_band.push_back(row);
+        thin_.dead_band[like_.back()].row = like_.size();
     }
     for (std::size_t e = 0; e < gap_case::kExperiments; ++e) {
         first_[e] = rows_;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fusee/core/parallel.h"
 #include "fusee/effects/term.h"
 #include "fusee/inference/interval.h"
 #include "fusee/inference/screen.h"
@@ -33,10 +32,7 @@ struct Added {
 std::vector<Fit> standing_fits(const Problem& problem, std::vector<Guess> guesses, const SearchOptions& options) {
     std::erase_if(guesses, [](const Guess& guess) { return !std::isfinite(guess.cost); });
     guesses.resize(std::min(kFitted, guesses.size()));
-    std::vector<Fit> fits(guesses.size());
-    const unsigned jobs_of_one = std::max(1U, options.jobs / std::max(1U, static_cast<unsigned>(guesses.size())));
-    core::parallel_for(guesses.size(), options.jobs,
-                       [&](std::size_t i) { fits[i] = fit(problem, guesses[i].causes, guesses[i].x, {.jobs = jobs_of_one}); });
+    std::vector<Fit> fits = fits_of(problem, guesses, options.jobs);
     std::erase_if(fits, [&](const Fit& fit) { return !std::isfinite(fit.log_evidence) || !stands(problem, fit); });
     std::stable_sort(fits.begin(), fits.end(), [](const Fit& a, const Fit& b) { return a.log_evidence > b.log_evidence; });
     return fits;

@@ -176,4 +176,12 @@ std::vector<Guess> screen(const Problem& problem, const Fit& base, const std::ve
     return guesses;
 }
 
+std::vector<Fit> fits_of(const Problem& problem, std::span<const Guess> guesses, unsigned jobs) {
+    std::vector<Fit> fits(guesses.size());
+    const unsigned jobs_of_one = std::max(1U, jobs / std::max(1U, static_cast<unsigned>(guesses.size())));
+    core::parallel_for(guesses.size(), jobs,
+                       [&](std::size_t i) { fits[i] = fit(problem, guesses[i].causes, guesses[i].x, {.jobs = jobs_of_one}); });
+    return fits;
+}
+
 }  // namespace fusee::inference

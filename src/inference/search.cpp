@@ -7,7 +7,6 @@
 #include <limits>
 #include <span>
 
-#include "fusee/core/parallel.h"
 #include "fusee/inference/interval.h"
 #include "fusee/inference/screen.h"
 
@@ -36,15 +35,6 @@ void sort_by_score(std::vector<Fit>& fits) {
     std::stable_sort(fits.begin(), fits.end(), [](const Fit& a, const Fit& b) { return score(a) > score(b); });
 }
 
-/// Full fits of all guesses, in parallel.
-std::vector<Fit> in_full(const Problem& problem, std::span<const Guess> guesses, const SearchOptions& options) {
-    std::vector<Fit> fits(guesses.size());
-    const unsigned jobs_of_one = std::max(1U, options.jobs / std::max(1U, static_cast<unsigned>(guesses.size())));
-    core::parallel_for(guesses.size(), options.jobs,
-                       [&](std::size_t i) { fits[i] = fit(problem, guesses[i].causes, guesses[i].x, {.jobs = jobs_of_one}); });
-    return fits;
-}
-
 void append(std::vector<Fit>& fits, std::vector<Fit> more) { std::move(more.begin(), more.end(), std::back_inserter(fits)); }
 
 /// Causes that may join `base`: of another effect.
@@ -67,7 +57,7 @@ std::vector<Guess> unknown_to(const std::vector<Fit>& fits, std::vector<Guess> g
 
 void add_best(const Problem& problem, std::vector<Guess> guesses, const SearchOptions& options, std::vector<Fit>& fits) {
     guesses = unknown_to(fits, std::move(guesses));
-    append(fits, in_full(problem, std::span(guesses).first(std::min(kPairs, guesses.size())), options));
+    append(fits, fits_of(problem, std::span(guesses).first(std::min(kPairs, guesses.size())), options.jobs));
 }
 
 /// Pairs of any cause with the best single ones.
@@ -118,11 +108,11 @@ void step_back(const Problem& problem, const SearchOptions& options, std::vector
 /// The best single effects, best first. If one explains all, only those close to it in the screening are rivals.
 std::vector<Fit> singles_of(const Problem& problem, const Fit& null, const std::vector<Guess>& guesses, const SearchOptions& options) {
     if (guesses.empty()) return {};
-    std::vector<Fit> singles = in_full(problem, std::span(guesses).first(1), options);
+    std::vector<Fit> singles = fits_of(problem, std::span(guesses).first(1), options.jobs);
     const double enough = singles.front().cost + kNearEnough * (null.cost - singles.front().cost);
     std::vector<Guess> rivals(guesses.begin() + 1, guesses.begin() + static_cast<std::ptrdiff_t>(std::min(kSingles, guesses.size())));
     if (explained(problem, singles.front())) std::erase_if(rivals, [&](const Guess& guess) { return guess.cost >= enough; });
-    append(singles, in_full(problem, rivals, options));
+    append(singles, fits_of(problem, rivals, options.jobs));
     sort_by_score(singles);
     return singles;
 }

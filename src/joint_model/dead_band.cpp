@@ -33,9 +33,11 @@ double push_and_release(Motion& motion, const Hand& hand, double cocontraction, 
 
 std::vector<double> predict_dead_band(const BuiltRig& rig, const gap_case::Rows& rows, const gap_case::Protocol& protocol) {
     std::vector<double> read;
-    for (const gap_case::DeadBandRow& row : rows.dead_band) {
+    const double begin = session_at(rows, protocol, gap_case::Experiment::kDeadBand);
+    for (std::size_t i = 0; i < rows.dead_band.size(); ++i) {
+        const gap_case::DeadBandRow& row = rows.dead_band[i];
         const double push = std::isfinite(row.push_torque) ? row.push_torque : kStrongPush * rig.ratio * row.cocontraction;
-        Motion motion(rig, step_on(rig.reference, protocol, kDeadBandStep));
+        Motion motion(rig, step_on(rig.reference, protocol, kDeadBandStep), begin + (i > 0 ? dead_band_until(rows, protocol, i - 1) : 0.0));
         begin_at(motion, {row.cocontraction, row.cocontraction, 0.0}, protocol);
         motion.hand_damping = 2.0 * rig.hand.damping * std::sqrt(held_stiffness(rig, motion) * rig.joint_inertia);
         const double high = push_and_release(motion, rig.hand, row.cocontraction, push, protocol);

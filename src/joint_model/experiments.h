@@ -4,6 +4,7 @@
 
 #include "fusee/joint_model/motion.h"
 #include "fusee/joint_model/signals.h"
+#include "session_clock.h"
 
 /// One prediction per experiment, each in its file.
 namespace fusee::joint_model {
@@ -33,7 +34,8 @@ template <class Row>
     return files;
 }
 
-[[nodiscard]] std::vector<double> predict_break_away(const BuiltRig& rig, const std::vector<identification::BreakAway>& rows);
+[[nodiscard]] std::vector<double> predict_break_away(const BuiltRig& rig, const std::vector<identification::BreakAway>& rows,
+                                                     const gap_case::Protocol& protocol);
 /// A spring that relaxes needs times, which the rows do not have: loading or unloading takes one phase of a co-contraction.
 [[nodiscard]] std::vector<double> predict_spring_pull(const BuiltRig& rig, const std::vector<gap_case::SpringPull>& rows,
                                                       const gap_case::Protocol& protocol);

@@ -34,16 +34,16 @@ Ramp straight(std::span<const gap_case::StiffnessRow> rows, std::size_t first, s
 }
 
 /// One file: each co-contraction from rest, then its phases in order.
-void follow_stiffness(const BuiltRig& rig, std::span<const gap_case::StiffnessRow> rows, const gap_case::Protocol& protocol,
+void follow_stiffness(const BuiltRig& rig, std::span<const gap_case::StiffnessRow> rows, const gap_case::Protocol& protocol, double session,
                       std::vector<double>& read) {
     const double step = step_on(rig.reference, protocol, kSlowStep);
-    Motion motion(rig, step);
+    Motion motion(rig, step, session);
     for (std::size_t first = 0, last = 0; first < rows.size(); first = last) {
         const gap_case::StiffnessRow& begin = rows[first];
         while (last < rows.size() && rows[last].cocontraction == begin.cocontraction && rows[last].phase == begin.phase) ++last;
         const double tau = begin.cocontraction;
         if (first == 0 || tau != rows[first - 1].cocontraction) {
-            motion = Motion(rig, step);
+            motion = Motion(rig, step, motion.session());
             begin_at(motion, {tau, tau, 0.0}, protocol);
         }
         const Ramp ramp = straight(rows, first, last);
@@ -60,8 +60,9 @@ void follow_stiffness(const BuiltRig& rig, std::span<const gap_case::StiffnessRo
 
 std::vector<double> predict_joint_stiffness(const BuiltRig& rig, const gap_case::Rows& rows, const gap_case::Protocol& protocol) {
     std::vector<double> read;
+    const double session = session_at(rows, protocol, gap_case::Experiment::kJointStiffness);
     for (const std::span<const gap_case::StiffnessRow> file : files_of(rows, gap_case::Experiment::kJointStiffness, rows.joint_stiffness))
-        follow_stiffness(rig, file, protocol, read);
+        follow_stiffness(rig, file, protocol, session, read);
     return read;
 }
 

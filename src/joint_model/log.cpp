@@ -27,9 +27,9 @@ void delay_q(std::span<const gap_case::LogRow> rows, double lag, std::span<doubl
 }
 
 /// One log from rest: the motor ramp reaches the torques of the first row, which settle before the log begins.
-void follow_log(const BuiltRig& rig, std::span<const gap_case::LogRow> rows, const gap_case::Protocol& protocol,
+void follow_log(const BuiltRig& rig, std::span<const gap_case::LogRow> rows, const gap_case::Protocol& protocol, double session,
                 std::vector<double>& read) {
-    Motion motion(rig, step_on(rig.reference, protocol, kLogStep));
+    Motion motion(rig, step_on(rig.reference, protocol, kLogStep), session);
     const gap_case::LogRow& first = rows.front();
     begin_at(motion, torques_of(first), protocol);
     std::size_t next = 1;
@@ -59,8 +59,9 @@ void follow_log(const BuiltRig& rig, std::span<const gap_case::LogRow> rows, con
 
 std::vector<double> predict_log(const BuiltRig& rig, const gap_case::Rows& rows, const gap_case::Protocol& protocol) {
     std::vector<double> read;
+    const double session = session_at(rows, protocol, gap_case::Experiment::kLog);
     for (const std::span<const gap_case::LogRow> file : files_of(rows, gap_case::Experiment::kLog, rows.log))
-        follow_log(rig, file, protocol, read);
+        follow_log(rig, file, protocol, session, read);
     return read;
 }
 

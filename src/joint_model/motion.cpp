@@ -18,8 +18,11 @@ Torques between(const Torques& from, const Torques& to, double share) {
 /// the innermost loop of a diagnosis.
 class Stepper {
 public:
-    Stepper(const BuiltRig& rig, double hand_damping, double h) : rig_(rig), h_(h) {
-        for (std::size_t i = 0; i < 2; ++i) per_mass_[i] = 1.0 / (rig.motor_inertia + h * rig.sides[i].gear.viscous);
+    Stepper(const BuiltRig& rig, double hand_damping, double h, double session) : rig_(rig), h_(h) {
+        for (std::size_t i = 0; i < 2; ++i) {
+            per_mass_[i] = 1.0 / (rig.motor_inertia + h * rig.sides[i].gear.viscous);
+            drifted_[i] = rig.sides[i].gear.terms.drifted(session);
+        }
         free_mass_ = rig.joint_inertia + h * (rig.joint_viscous + hand_damping);
         per_free_mass_ = 1.0 / free_mass_;
     }
@@ -45,10 +48,10 @@ private:
         double pull = s.memory[2 * kSide].torque(x, side.se.torque(x), side.se_build.hysteresis);
         double parallel = s.memory[2 * kSide + 1].torque(theta, side.pe.torque(theta), side.pe_build.hysteresis);
         if (memory_) remember<kSide>(s, pull, parallel);
-        double extra = 0.0, factor = 1.0;
+        double extra = 0.0, factor = drifted_[kSide];
         if (const GearTerms& terms = side.gear.terms; terms.move()) {
             extra = terms.torque(theta) + terms.crosstalk * other_command;
-            factor = std::max(0.0, 1.0 + terms.friction(theta));
+            factor *= std::max(0.0, 1.0 + terms.friction(theta));
         }
         s.speed[kSide] =
             gear_speed(side.gear, per_mass_[kSide], s.speed[kSide], rig_.capstan_scale * pull + parallel, {command, extra, factor});
@@ -118,7 +121,7 @@ private:
     double h_, free_mass_ = 1.0, per_free_mass_ = 1.0;
     bool memory_ = rig_.has_memory();
     bool backlash_ = rig_.sides[0].gear.backlash > 0.0 || rig_.sides[1].gear.backlash > 0.0;
-    std::array<double, 2> per_mass_{};
+    std::array<double, 2> per_mass_{}, drifted_{};  ///< the factor of the friction changes slowly: constant within these steps
 };
 
 }  // namespace
@@ -131,7 +134,7 @@ double step_on(const gap_case::Reference& reference, const gap_case::Protocol& p
     return step * std::clamp(reference.time, phases / kStepRange, phases * kStepRange);
 }
 
-Motion::Motion(const BuiltRig& rig, double longest_step) : rig_(&rig), longest_step_(longest_step) {}
+Motion::Motion(const BuiltRig& rig, double longest_step, double session) : rig_(&rig), longest_step_(longest_step), session_(session) {}
 
 void Motion::lead_to(const Torques& torques, double seconds) {
     if (seconds <= 0.0) {
@@ -140,12 +143,13 @@ void Motion::lead_to(const Torques& torques, double seconds) {
     }
     const int steps = std::max(1, static_cast<int>(std::ceil(seconds / longest_step_)));
     const bool held = torques_ == torques && !rig_->has_memory();
-    const Stepper stepper(*rig_, hand_damping, seconds / steps);
+    const Stepper stepper(*rig_, hand_damping, seconds / steps, session_);
     MotionState state = state_;
     for (int i = 1; i <= steps && !(held && i > 1 && state.at_rest()); ++i)
         stepper.step(state, between(torques_, torques, static_cast<double>(i) / steps));
     state_ = state;
     torques_ = torques;
+    session_ += seconds;
 }
 
 double Motion::encoder(gap_case::Side side) const {

@@ -6,7 +6,7 @@ std::vector<double> predict_experiment(const BuiltRig& rig, const gap_case::Rows
                                        gap_case::Experiment experiment) {
     switch (experiment) {
         case gap_case::Experiment::kBreakAway:
-            return predict_break_away(rig, rows.breakaway);
+            return predict_break_away(rig, rows.breakaway, protocol);
         case gap_case::Experiment::kSpringPull:
             return predict_spring_pull(rig, rows.spring_pull, protocol);
         case gap_case::Experiment::kDeadBand:

@@ -81,6 +81,22 @@ TEST(Diagnose, ABumpInOneSpringIsUnknownAndFoundWhereItIs) {
     EXPECT_EQ(diagnosis.where[0].component, "se agonist");
 }
 
+TEST(Diagnose, OneUnknownEffectThatTwoKnownOnesImitateIsUnknown) {
+    gap_case::Rows rows = few_rows();
+    rows.breakaway = break_aways({0.2, 0.6, 1.0, 1.4}, 6, true).breakaway;
+    const effects::Cause drift{"term.gear.drift", "antagonist"};
+    const Diagnosis diagnosis = diagnosed(measured_case(rows, {drift}, {-0.4}, 1.0, 9), 2);
+    EXPECT_EQ(diagnosis.verdict, VerdictKind::kUnknown) << diagnosis_json(diagnosis);
+    EXPECT_TRUE(diagnosis.effects.empty());
+    ASSERT_EQ(diagnosis.unknown_terms.size(), 1U);
+    EXPECT_EQ(diagnosis.unknown_terms[0].found.cause, drift);
+    EXPECT_NEAR(diagnosis.unknown_terms[0].found.parameter.value, -0.4, 0.1);
+    ASSERT_FALSE(diagnosis.alternatives.empty());
+    EXPECT_EQ(diagnosis.alternatives[0].effects.size(), 2U) << diagnosis_json(diagnosis);
+    EXPECT_TRUE(std::any_of(diagnosis.remarks.begin(), diagnosis.remarks.end(),
+                            [](const std::string& r) { return r.find("explains the gap better than gear.") != std::string::npos; }));
+}
+
 TEST(Diagnose, OneLoadAloneLeavesFrictionLawsAmbiguousAndAsksForAnother) {
     const gap_case::Case gap_case = measured_case(break_aways({0.8}, 8, false), {kCoulomb}, {0.12}, 1.0, 8);
     const Diagnosis diagnosis = diagnosed(gap_case);

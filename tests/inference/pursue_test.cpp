@@ -39,6 +39,17 @@ TEST(PursueTerms, AStepOfACamIsFoundOnItsSideWithItsSizeAndPlace) {
     EXPECT_GT(found->probability.front(), 0.9);
 }
 
+TEST(PursueTerms, FrictionThatDriftsOverTheSessionIsFoundInTheOrderOfTheRows) {
+    const effects::Cause drift{"term.gear.drift", "agonist"};
+    const gap_case::Case gap_case = measured_case(break_aways({0.2, 0.6, 1.0, 1.4}, 8, true), {drift}, {-0.5}, 1.0, 4);
+    const Problem problem(gap_case);
+    const Fit null = best_fit(problem, {});
+    const std::optional<FoundTerms> found = pursue_terms(problem, null, null.log_evidence, {.jobs = 2, .progress = {}});
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->fit.causes, Causes{drift});
+    EXPECT_NEAR(found->fit.x[found->fit.x.size() - 2] * 0.4, -0.5, 0.15);
+}
+
 TEST(PursueTerms, TwoTermsAreFoundOneAfterTheOther) {
     const effects::Cause crack{"term.k_se.step", "agonist"}, relaxation{"term.k_pe.relaxation", "antagonist"};
     const std::optional<FoundTerms> found = pursued({crack, relaxation}, {0.3, 0.4}, 8);

@@ -48,6 +48,50 @@ TEST(GenericTerms, RippledFrictionStopsACapstanWhereItIsHigh) {
     EXPECT_NEAR((kSeries + kParallel) * held(rig, 0.9, 0.0).theta(gap_case::Side::kAgonist), 0.9 / 1.125, 0.01);
 }
 
+TEST(GenericTerms, FrictionDriftsFromOneBreakAwayToTheNext) {
+    const double d = -0.5, time = 30.0, torque = 0.8, mu = straight_rig().gear_load_friction;
+    const BuiltRig rig = built(straight_rig(), [&](BuiltRig& r) {
+        r.sides[0].gear.terms.drift = d;
+        r.sides[0].gear.terms.drift_time = time;
+    });
+    gap_case::Rows rows;
+    rows.breakaway.assign(20, {"agonist", true, torque, 0.0});
+    const std::vector<double> loads = predict_experiment(rig, rows, {}, gap_case::Experiment::kBreakAway);
+    for (std::size_t i = 0; i < loads.size(); ++i)  // 3 s each: tau = L (1 - mu)
+        EXPECT_NEAR(loads[i], torque / (1.0 - mu * (1.0 + d * (1.0 - std::exp(-3.0 * static_cast<double>(i) / time)))), 1e-12);
+}
+
+TEST(GenericTerms, ADeadBandLongAfterTheDriftHasTheFrictionAtItsEnd) {
+    gap_case::Rows rows;
+    rows.breakaway.assign(200, {"agonist", true, 0.8, 0.0});
+    for (const double torque : {0.6, 1.0}) rows.dead_band.push_back({torque, 1, 1.2, 0.0, 0.0});
+    const auto of = [&](const std::function<void(BuiltRig&)>& change) {
+        return predict_experiment(built(stiffening_rig(), change), rows, {}, gap_case::Experiment::kDeadBand);
+    };
+    const std::vector<double> drifted = of([](BuiltRig& r) {
+        r.sides[1].gear.terms.drift = -0.4;
+        r.sides[1].gear.terms.drift_time = 10.0;
+    });
+    const std::vector<double> less = of([](BuiltRig&r) { r.sides[1].gear.load_friction *= 0.6; }), as_built = of([](BuiltRig&) {});
+    for (std::size_t i = 0; i < drifted.size(); ++i) EXPECT_NEAR(drifted[i], less[i], 1e-6) << i;
+    EXPECT_GT(std::abs(drifted[1] - as_built[1]), 0.01);
+}
+
+TEST(GenericTerms, RepeatsThatAreComputedOnceKeepTheTimeOfTheSession) {
+    gap_case::Rows all, once;
+    for (std::size_t i = 0; i < 6; ++i) all.dead_band.push_back({i < 3 ? 0.6 : 1.0, 1, 1.2, 0.0, 0.0});
+    once.dead_band = {all.dead_band[2], all.dead_band[5]};
+    once.dead_band[0].row = 3;
+    once.dead_band[1].row = 6;
+    all.cocontraction = once.cocontraction = {{true, 0.5, 0.0, 0.0, 0.0}, {true, 1.0, 0.0, 0.0, 0.0}};
+    const BuiltRig rig =
+        built(stiffening_rig(), [](BuiltRig& r) { r.sides[0].gear.terms.drift = -0.4, r.sides[0].gear.terms.drift_time = 60.0; });
+    const auto experiment = gap_case::Experiment::kCocontraction;
+    EXPECT_EQ(predict_experiment(rig, all, {}, experiment), predict_experiment(rig, once, {}, experiment));
+    once.dead_band[1].row = 0;
+    EXPECT_NE(predict_experiment(rig, all, {}, experiment), predict_experiment(rig, once, {}, experiment));
+}
+
 TEST(GenericTerms, TheSpringToGroundAndTheRippleActAtTheJoint) {
     BuiltRig rig = without_friction([](BuiltRig& r) {
         r.terms.spring = 0.5;

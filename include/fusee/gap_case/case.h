@@ -84,6 +84,7 @@ struct DeadBandRow {
     double push_torque = kNotGiven;                ///< NaN: not given, a strong push
     double q_low = kNotGiven, q_high = kNotGiven;  ///< NaN where the table has only the width
     double width = kNotGiven;                      ///< q_high - q_low
+    std::size_t row = 0;  ///< of its table, from 1, of the last one where this row stands for its repeats too; 0: it stands for itself
 };
 enum class StiffnessPhase : int { kLoadUp, kUnloadUp, kLoadDown, kUnloadDown };  ///< load+, unload+, load-, unload-
 struct StiffnessRow {

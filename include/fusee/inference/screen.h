@@ -1,4 +1,5 @@
 #pragma once
+#include <span>
 #include <vector>
 
 #include "fusee/inference/descend.h"
@@ -20,5 +21,8 @@ namespace fusee::inference {
 /// @param improved only the best so many make the step
 [[nodiscard]] std::vector<Guess> screen(const Problem& problem, const Fit& base, const std::vector<effects::Cause>& causes, unsigned jobs,
                                         std::size_t improved = static_cast<std::size_t>(-1));
+
+/// Full fits of guesses, in their order. They share the threads.
+[[nodiscard]] std::vector<Fit> fits_of(const Problem& problem, std::span<const Guess> guesses, unsigned jobs);
 
 }  // namespace fusee::inference

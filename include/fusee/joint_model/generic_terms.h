@@ -31,10 +31,16 @@ struct Bump {
 
 /// Of a gear with its motor and capstan.
 struct GearTerms {
-    Ripple friction;         ///< friction is (1 + ripple) times, over the capstan angle
-    Ripple torque;           ///< added to the motor torque [Nm], over the capstan angle
-    Ripple reading;          ///< added to the capstan's encoder [rad], over the capstan angle
-    double crosstalk = 0.0;  ///< share of the other motor's command that is added to the motor torque
+    Ripple friction;          ///< friction is (1 + ripple) times, over the capstan angle
+    Ripple torque;            ///< added to the motor torque [Nm], over the capstan angle
+    Ripple reading;           ///< added to the capstan's encoder [rad], over the capstan angle
+    double crosstalk = 0.0;   ///< share of the other motor's command that is added to the motor torque
+    double drift = 0.0;       ///< friction is (1 + drift (1 - exp(-t/drift_time))) times at the time t of the session
+    double drift_time = 1.0;  ///< [s]
+    /// Factor of the friction at a time of the session [s], at least 0.
+    [[nodiscard]] double drifted(double session) const {
+        return drift == 0.0 ? 1.0 : std::fmax(0.0, 1.0 - drift * std::expm1(-session / drift_time));
+    }
     [[nodiscard]] bool move() const { return friction.is_on() || torque.is_on() || crosstalk != 0.0; }
 };
 

@@ -31,8 +31,8 @@ struct MotionState {
 /// Symplectic Euler with the friction's impulse solved body by body (Moreau 1988): no numerical damping, no creep.
 class Motion {
 public:
-    /// At rest at angle 0, no torque. `rig` must outlive it.
-    Motion(const BuiltRig& rig, double longest_step);
+    /// At rest at angle 0, no torque, at a time of the session [s]. `rig` must outlive it.
+    Motion(const BuiltRig& rig, double longest_step, double session = 0.0);
 
     struct Torques {
         double agonist = 0.0, antagonist = 0.0, joint = 0.0;  ///< commanded [Nm]
@@ -49,11 +49,12 @@ public:
     [[nodiscard]] double encoder(gap_case::Side side) const;
     [[nodiscard]] double q() const { return state_.place[2]; }            ///< [rad]
     [[nodiscard]] double joint_torque() const { return torques_.joint; }  ///< commanded [Nm]
+    [[nodiscard]] double session() const { return session_; }             ///< [s]
     double hand_damping = 0.0;                                            ///< at the joint, of a hand that follows it [Nms/rad]
 
 private:
     const BuiltRig* rig_;
-    double longest_step_;
+    double longest_step_, session_;
     Torques torques_;
     MotionState state_;
 };

@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <cmath>
+
 #include "terms.h"
 
 namespace fusee::effects {
@@ -27,6 +30,35 @@ Term gear_ripple() {
             "share",
             [](std::span<const double> v, double x) { return ripple_of(v)(x); },
             "The friction of {side} gear ripples {turns} times a turn of its capstan, by {share} %."};
+}
+
+std::vector<Experiment> gear_experiments() {
+    std::vector<Experiment> all = moving_experiments();
+    all.push_back(Experiment::kBreakAway);
+    return all;
+}
+
+Term gear_drift() {
+    return {
+        {.id = "term.gear.drift",
+         .law = "Friction is (1 + d (1 - exp(-t/T))) times at the time t of a session that makes the experiments in the format's order.",
+         .meaning = "The friction of the gear changes over the session: grease that warms, a gear that runs in.",
+         .sided = true,
+         .parameters = {{"share", "1", 0.4, {-0.8, 2.0}, 0.0}, {"time", "s", 200.0, {20.0, 2000.0}, 250.0, {80.0, 250.0, 800.0}}},
+         .starts = {1.0, -1.0},
+         .seen_by = gear_experiments(),
+         .confused_with = {"gear.load_friction", "gear.stribeck"},
+         .apply =
+             [](BuiltRig& rig, int side, std::span<const double> v) {
+                 rig.sides[side].gear.terms.drift = v[0];
+                 rig.sides[side].gear.terms.drift_time = v[1];
+             }},
+        "gear",
+        "time",
+        "session_s",
+        "share",
+        [](std::span<const double> v, double x) { return std::max(0.0, 1.0 - v[0] * std::expm1(-x / v[1])); },
+        "The friction of {side} gear changes by {share} % over the session, with a time constant of {second} s."};
 }
 
 Term motor_ripple() {
@@ -85,6 +117,6 @@ Term capstan_encoder_ripple() {
 
 }  // namespace
 
-std::vector<Term> gear_terms() { return {gear_ripple(), motor_ripple(), motor_crosstalk(), capstan_encoder_ripple()}; }
+std::vector<Term> gear_terms() { return {gear_ripple(), gear_drift(), motor_ripple(), motor_crosstalk(), capstan_encoder_ripple()}; }
 
 }  // namespace fusee::effects

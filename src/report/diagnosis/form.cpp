@@ -14,6 +14,7 @@ std::string form_axis(const std::string& name) {
     if (name == "joint_rad") return "joint angle [rad]";
     if (name == "end_share") return "deflection over that of the cam's end";
     if (name == "time_s") return "time [s]";
+    if (name == "session_s") return "time of the session [s]";
     if (name == "torque_Nm") return "torque [Nm]";
     if (name == "rad_per_s") return "speed [rad/s]";
     if (name == "rad") return "angle [rad]";

@@ -197,6 +197,11 @@ TEST(TermLibrary, TheSentenceOfARippleCountsTurns) {
               "The torque of the antagonist's motor ripples 12 times a turn of its capstan, by 0.04 Nm.");
 }
 
+TEST(TermLibrary, ASentenceHasTwoDigitsAndNoExponent) {
+    EXPECT_EQ(sentence_of(*term_or_none("term.gear.drift"), "agonist", {-0.573, 337.0}),
+              "The friction of the agonist's gear changes by -57 % over the session, with a time constant of 340 s.");
+}
+
 TEST(EffectLibrary, HasEachIdOnceAndNoMoreThanThePageTells) {
     std::set<std::string> ids;
     for (const Effect& effect : effect_library()) EXPECT_TRUE(ids.insert(effect.id).second) << effect.id << " twice";

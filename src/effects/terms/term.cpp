@@ -10,6 +10,17 @@
 
 namespace fusee::effects {
 
+namespace {
+
+/// Two digits, without an exponent up to a million.
+std::string two_digits(double value) {
+    if (std::abs(value) < 100.0 || std::abs(value) >= 1e6) return fmt::format("{:.2g}", value);
+    const double step = std::pow(10.0, std::floor(std::log10(std::abs(value))) - 1.0);
+    return fmt::format("{:.0f}", step * std::round(value / step));
+}
+
+}  // namespace
+
 const std::vector<Term>& term_library() {
     static const std::vector<Term> library = [] {
         std::vector<Term> all = gear_terms();
@@ -45,9 +56,8 @@ std::string sentence_of(const Term& term, const std::string& side, const std::ve
     std::string capital = owner;
     capital.front() = owner.front() == 't' ? 'T' : 'E';
     return fmt::format(fmt::runtime(term.sentence), fmt::arg("side", owner), fmt::arg("Side", capital),
-                       fmt::arg("size", fmt::format("{:.2g}", std::abs(values[0]))),
-                       fmt::arg("share", fmt::format("{:.2g}", 100.0 * values[0])), fmt::arg("second", fmt::format("{:.2g}", second)),
-                       fmt::arg("turns", fmt::format("{:.3g}", 2.0 * core::kPi * second)));
+                       fmt::arg("size", two_digits(std::abs(values[0]))), fmt::arg("share", two_digits(100.0 * values[0])),
+                       fmt::arg("second", two_digits(second)), fmt::arg("turns", fmt::format("{:.3g}", 2.0 * core::kPi * second)));
 }
 
 }  // namespace fusee::effects

@@ -2,6 +2,7 @@
 
 #include "diagnosis/page.h"
 #include "diagnosis/words.h"
+#include "fusee/effects/term.h"
 #include "page/html.h"
 #include "page/svg_plot.h"
 
@@ -24,7 +25,9 @@ std::string form_axis(const std::string& name) {
 Rows parameters_of(const diagnosis::UnknownTerm& term) {
     const diagnosis::Parameter p = for_reading(term.found.parameter);
     Rows rows{{plain("size"), num(p.value, 3), num(span(p.ci95)), plain(p.unit)}};
-    for (const auto& [name, value] : term.found.extra) rows.push_back({plain(name), num(value, 3), plain(""), plain("")});
+    const std::vector<effects::EffectParameter>& law = effects::find_effect_or_term(term.found.cause.id).parameters;
+    for (std::size_t i = 0; i < term.found.extra.size(); ++i)
+        rows.push_back({plain(term.found.extra[i].first), num(term.found.extra[i].second, 3), plain(""), plain(law[i + 1].unit)});
     return rows;
 }
 

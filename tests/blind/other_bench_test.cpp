@@ -54,7 +54,7 @@ protected:
     static void expect_named(const gap_case::Case& gap_case, const std::string& id, const std::string& side) {
         const diagnosis::Diagnosis found = diagnosis::diagnose(gap_case, {.jobs = 2, .progress = {}});
         ASSERT_EQ(found.verdict, diagnosis::VerdictKind::kIdentified) << id << ": " << diagnosis::diagnosis_json(found).substr(0, 600);
-        ASSERT_EQ(found.effects.size(), 1U) << id << " and " << found.effects.back().cause.id;
+        ASSERT_EQ(found.effects.size(), 1U) << id << ": " << diagnosis::diagnosis_json(found).substr(0, 1200);
         EXPECT_EQ(found.effects[0].cause, (effects::Cause{id, side}));
     }
 };

@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <cmath>
-
 #include "terms.h"
 
 namespace fusee::effects {
@@ -57,7 +54,12 @@ Term gear_drift() {
         "time",
         "session_s",
         "share",
-        [](std::span<const double> v, double x) { return std::max(0.0, 1.0 - v[0] * std::expm1(-x / v[1])); },
+        [](std::span<const double> v, double x) {
+            joint_model::GearTerms terms;
+            terms.drift = v[0];
+            terms.drift_time = v[1];
+            return terms.drifted(x);
+        },
         "The friction of {side} gear changes by {share} % over the session, with a time constant of {second} s."};
 }
 

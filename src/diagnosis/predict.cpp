@@ -81,6 +81,9 @@ void require_buildable(const joint_model::BuiltRig& rig, const joint_model::Nomi
             throw core::InvalidInput("the rig with these effects: " + std::string(what), fmt::format("{:g}", value), allowed);
     };
     for (const joint_model::BuiltSide& side : rig.sides) {
+        require(side.ratio > 0.0, "joint radius over capstan radius", side.ratio, "above 0");
+        require(side.capstan_scale > 0.0, "capstan radius over the nominal one", side.capstan_scale, "above 0");
+        require(side.motor_inertia > 0.0, "motor inertia [kg m^2]", side.motor_inertia, "above 0");
         require(side.gear.load_friction >= 0.0, "gear friction over load", side.gear.load_friction, "at least 0");
         require(side.gear.coulomb >= 0.0, "gear friction [Nm]", side.gear.coulomb, "at least 0");
         require(std::abs(side.gear.asymmetry) <= 1.0, "asymmetry of the gear friction", side.gear.asymmetry, "-1 to 1");
@@ -93,9 +96,6 @@ void require_buildable(const joint_model::BuiltRig& rig, const joint_model::Nomi
         require(std::abs(side.pe_build.radius) < most, "arms of K_PE, longer by [m]", side.pe_build.radius,
                 fmt::format("within {:g}", most));
     }
-    require(rig.ratio > 0.0, "joint radius over capstan radius", rig.ratio, "above 0");
-    require(rig.capstan_scale > 0.0, "capstan radius over the nominal one", rig.capstan_scale, "above 0");
-    require(rig.motor_inertia > 0.0, "motor inertia [kg m^2]", rig.motor_inertia, "above 0");
     require(rig.joint_inertia > 0.0, "joint inertia [kg m^2]", rig.joint_inertia, "above 0");
     require(rig.joint_coulomb >= 0.0, "joint friction [Nm]", rig.joint_coulomb, "at least 0");
     require(std::abs(rig.joint_offset) < core::kPi, "zero of the joint encoder [rad]", rig.joint_offset, "-pi to pi");

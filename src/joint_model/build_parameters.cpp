@@ -18,6 +18,7 @@ double positive(double x, double corner) {
 
 void add_side(const gap_case::Case& gap_case, int side, std::vector<BuildParameter>& all) {
     const gap_case::Tolerance& t = gap_case.tolerance;
+    const double ratio = gap_case.rig.ratio(), inertia = gap_case.rig.motor_inertia;
     const std::string of = std::string(" ") + to_string(static_cast<gap_case::Side>(side));
     const auto add = [&](const char* name, const char* unit, double sigma, std::function<void(BuiltSide&, double)> change) {
         all.push_back({name + of, unit, sigma, [side, change](BuiltRig& rig, double x) { change(rig.sides[side], x); }, true});
@@ -31,6 +32,9 @@ void add_side(const gap_case::Case& gap_case, int side, std::vector<BuildParamet
     add("K_SE preload", "rad", t.se_preload, [](BuiltSide& s, double x) { s.se_build.preload += x; });
     add("K_PE preload", "m", t.pe_preload, [](BuiltSide& s, double x) { s.pe_build.preload += x; });
     add("torque scale", "1", t.torque_scale, [](BuiltSide& s, double x) { s.gear.torque_scale += x; });
+    add("joint radius", "1", t.radii, [ratio](BuiltSide& s, double x) { s.ratio += ratio * x; });
+    add("capstan radius", "1", t.radii, [](BuiltSide& s, double x) { s.capstan_scale += x; });
+    add("motor inertia", "1", t.inertia, [inertia](BuiltSide& s, double x) { s.motor_inertia += inertia * x; });
 }
 
 }  // namespace
@@ -39,10 +43,7 @@ std::vector<BuildParameter> build_parameters(const gap_case::Case& gap_case) {
     std::vector<BuildParameter> all;
     const gap_case::Tolerance& t = gap_case.tolerance;
     for (const int side : {0, 1}) add_side(gap_case, side, all);
-    const double ratio = gap_case.rig.ratio(), motor = gap_case.rig.motor_inertia, joint = gap_case.rig.joint_inertia;
-    all.push_back({"joint radius", "1", t.radii, [ratio](BuiltRig& r, double x) { r.ratio += ratio * x; }});
-    all.push_back({"capstan radius", "1", t.radii, [](BuiltRig& r, double x) { r.capstan_scale += x; }});
-    all.push_back({"motor inertia", "1", t.inertia, [motor](BuiltRig& r, double x) { r.motor_inertia += motor * x; }});
+    const double joint = gap_case.rig.joint_inertia;
     all.push_back({"joint inertia", "1", t.inertia, [joint](BuiltRig& r, double x) { r.joint_inertia += joint * x; }});
     all.push_back({"joint bearing friction", "Nm", t.joint_coulomb,
                    [usual = t.joint_coulomb](BuiltRig& r, double x) { r.joint_coulomb += positive(usual + x, 0.5 * usual); }});

@@ -5,13 +5,11 @@
 namespace fusee::joint_model {
 
 BuiltRig::BuiltRig(const gap_case::NominalRig& nominal)
-    : reference(gap_case::reference_of(nominal)),
-      ratio(nominal.ratio()),
-      motor_inertia(nominal.motor_inertia),
-      joint_inertia(nominal.joint_inertia),
-      joint_viscous(nominal.joint_viscous) {
+    : reference(gap_case::reference_of(nominal)), joint_inertia(nominal.joint_inertia), joint_viscous(nominal.joint_viscous) {
     stop_stiffness *= reference.of("Nm/rad");
     for (BuiltSide& side : sides) {
+        side.ratio = nominal.ratio();
+        side.motor_inertia = nominal.motor_inertia;
         side.gear.load_friction = nominal.gear_load_friction;
         side.gear.viscous = nominal.motor_viscous;
     }

@@ -13,11 +13,12 @@ double held_stiffness(const BuiltRig& rig, const Motion& motion) {
     constexpr double kReach = 0.02;  // rad
     double sum = 0.0;
     for (const gap_case::Side side : {gap_case::Side::kAgonist, gap_case::Side::kAntagonist}) {
-        const CamSpring& spring = rig.sides[static_cast<std::size_t>(side)].se;
-        const double x = rig.capstan_scale * motion.theta(side);
-        sum += (spring.torque(x + kReach) - spring.torque(x - kReach)) / (2.0 * kReach);
+        const BuiltSide& built = rig.sides[static_cast<std::size_t>(side)];
+        const CamSpring& spring = built.se;
+        const double x = built.capstan_scale * motion.theta(side);
+        sum += built.ratio * built.ratio * (spring.torque(x + kReach) - spring.torque(x - kReach)) / (2.0 * kReach);
     }
-    return rig.ratio * rig.ratio * sum;
+    return sum;
 }
 
 /// Pushes, holds, releases slowly, reads q.
@@ -36,7 +37,7 @@ std::vector<double> predict_dead_band(const BuiltRig& rig, const gap_case::Rows&
     const double begin = session_at(rows, protocol, gap_case::Experiment::kDeadBand);
     for (std::size_t i = 0; i < rows.dead_band.size(); ++i) {
         const gap_case::DeadBandRow& row = rows.dead_band[i];
-        const double push = std::isfinite(row.push_torque) ? row.push_torque : kStrongPush * rig.ratio * row.cocontraction;
+        const double push = std::isfinite(row.push_torque) ? row.push_torque : kStrongPush * rig.mean_ratio() * row.cocontraction;
         Motion motion(rig, step_on(rig.reference, protocol, kDeadBandStep), begin + (i > 0 ? dead_band_until(rows, protocol, i - 1) : 0.0));
         begin_at(motion, {row.cocontraction, row.cocontraction, 0.0}, protocol);
         motion.hand_damping = 2.0 * rig.hand.damping * std::sqrt(held_stiffness(rig, motion) * rig.joint_inertia);

@@ -20,7 +20,7 @@ class Stepper {
 public:
     Stepper(const BuiltRig& rig, double hand_damping, double h, double session) : rig_(rig), h_(h) {
         for (std::size_t i = 0; i < 2; ++i) {
-            per_mass_[i] = 1.0 / (rig.motor_inertia + h * rig.sides[i].gear.viscous);
+            per_mass_[i] = 1.0 / (rig.sides[i].motor_inertia + h * rig.sides[i].gear.viscous);
             drifted_[i] = rig.sides[i].gear.terms.drifted(session);
         }
         free_mass_ = rig.joint_inertia + h * (rig.joint_viscous + hand_damping);
@@ -43,7 +43,7 @@ private:
     template <std::size_t kSide>
     double turn_capstan(MotionState& s, double command, double other_command) const {
         const BuiltSide& side = rig_.sides[kSide];
-        const double theta = s.place[kSide], wound = rig_.capstan_scale * theta, stretch = rig_.ratio * wound_on_joint(s.place[2]);
+        const double theta = s.place[kSide], wound = side.capstan_scale * theta, stretch = side.ratio * wound_on_joint(s.place[2]);
         const double x = (kSide == 0 ? wound + stretch : wound - stretch) - s.slipped[kSide];
         double pull = s.memory[2 * kSide].torque(x, side.se.torque(x), side.se_build.hysteresis);
         double parallel = s.memory[2 * kSide + 1].torque(theta, side.pe.torque(theta), side.pe_build.hysteresis);
@@ -53,8 +53,8 @@ private:
             extra = terms.torque(theta) + terms.crosstalk * other_command;
             factor *= std::max(0.0, 1.0 + terms.friction(theta));
         }
-        s.speed[kSide] =
-            gear_speed(side.gear, per_mass_[kSide], s.speed[kSide], rig_.capstan_scale * pull + parallel, {command, extra, factor});
+        const double load = side.capstan_scale * pull + parallel;
+        s.speed[kSide] = gear_speed(side, per_mass_[kSide], s.speed[kSide], load, {command, extra, factor});
         return pull;
     }
     void take_encoders_along(MotionState& s) const {
@@ -84,9 +84,10 @@ private:
     struct Drive {
         double command, extra, friction;  // [Nm], [Nm] of generic terms, factor of the friction
     };
-    [[nodiscard]] double gear_speed(const Gear& gear, double per_mass, double before, double load, const Drive& drive) const {
+    [[nodiscard]] double gear_speed(const BuiltSide& side, double per_mass, double before, double load, const Drive& drive) const {
+        const Gear& gear = side.gear;
         const double torque = std::clamp(drive.command * (1.0 + gear.torque_scale), -gear.saturation, gear.saturation) + drive.extra;
-        const double momentum = rig_.motor_inertia * before + h_ * (torque - load);
+        const double momentum = side.motor_inertia * before + h_ * (torque - load);
         const double way = momentum < 0.0 ? -1.0 : 1.0;
         const double sliding = h_ * drive.friction * (gear.coulomb + gear.load_friction * std::abs(load) + gear.quadratic * load * load) *
                                (1.0 + way * gear.asymmetry);
@@ -103,8 +104,9 @@ private:
     void turn_joint(MotionState& s, const std::array<double, 2>& pull, double command) const {
         const double q = s.place[2];
         const JointTerms& terms = rig_.terms;
-        const double ratio = terms.arm.is_on() ? rig_.ratio * (1.0 + terms.arm(q)) : rig_.ratio;
-        double drive = ratio * (pull[1] - pull[0]) + command + terms.torque_at(q);
+        const std::array<double, 2> torque{rig_.sides[0].ratio * pull[0], rig_.sides[1].ratio * pull[1]};
+        const double arm = terms.arm.is_on() ? 1.0 + terms.arm(q) : 1.0;
+        double drive = arm * (torque[1] - torque[0]) + command + terms.torque_at(q);
         double per_mass = per_free_mass_;
         if (const double inside = std::abs(q) - rig_.stop; inside > 0.0) {
             drive -= std::copysign(rig_.stop_stiffness * inside, q);
@@ -112,7 +114,7 @@ private:
         }
         if (rig_.gravity != 0.0) drive -= rig_.gravity * std::sin(q);
         const double momentum = rig_.joint_inertia * s.speed[2] + h_ * drive;
-        double friction = h_ * (rig_.joint_coulomb + rig_.tension_friction * rig_.ratio * (pull[0] + pull[1]));
+        double friction = h_ * (rig_.joint_coulomb + rig_.tension_friction * (torque[0] + torque[1]));
         if (terms.friction.is_on()) friction = std::max(0.0, friction + h_ * terms.friction(q));
         s.speed[2] = std::copysign(std::max(0.0, std::abs(momentum) - friction), momentum) * per_mass;
     }

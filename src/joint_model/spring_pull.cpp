@@ -41,7 +41,7 @@ std::vector<double> predict_spring_pull(const BuiltRig& rig, const std::vector<g
         const BuiltSide& built = rig.sides[static_cast<std::size_t>(row.side)];
         const CamSpring& spring = row.series ? built.se : built.pe;
         const double a = row.series ? built.se_build.hysteresis : built.pe_build.hysteresis;
-        const double scale = row.series ? rig.capstan_scale : 1.0, x = scale * row.deflection;
+        const double scale = row.series ? built.capstan_scale : 1.0, x = scale * row.deflection;
         const double torque = memory[place].torque(x, scale * spring.torque(x), a);
         torques.push_back(relaxations.after(place, torque, row.series ? built.se_terms : built.pe_terms));
     }

@@ -43,7 +43,8 @@ Json gear_json(const TwinGear& gear) {
 }
 
 Json side_json(const TwinSide& side) {
-    return {{"gear", gear_json(side.gear)}, {"k_se", spring_json(side.se)}, {"k_pe", spring_json(side.pe)}};
+    return {{"ratio", side.ratio},          {"capstan_scale", side.capstan_scale}, {"motor_inertia_kgm2", side.motor_inertia},
+            {"gear", gear_json(side.gear)}, {"k_se", spring_json(side.se)},        {"k_pe", spring_json(side.pe)}};
 }
 
 Json joint_json(const Twin& twin) {
@@ -59,9 +60,6 @@ std::string laws_json(const Twin& twin) {
                    {"name", twin.name},
                    {"source", twin.source},
                    {"timestep_s", time_step(twin)},
-                   {"ratio", twin.ratio},
-                   {"capstan_scale", twin.capstan_scale},
-                   {"motor_inertia_kgm2", twin.motor_inertia},
                    {"joint_inertia_kgm2", twin.joint_inertia},
                    {"reference_torque_Nm", twin.reference_torque},
                    {"delay_s", twin.delay},

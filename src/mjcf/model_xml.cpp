@@ -44,9 +44,10 @@ std::string tendons(const Twin& twin) {
     std::string text = "  <tendon>\n";
     for (std::size_t i = 0; i < 2; ++i) {
         const char* const name = kNames[i];
-        const double g = i == 0 ? twin.ratio : -twin.ratio;
-        text += tendon(fmt::format("k_se_{}", name), twin.sides[i].se, arm(name, twin.capstan_scale) + arm("joint", g));
-        text += tendon(fmt::format("k_pe_{}", name), twin.sides[i].pe, arm(name, 1.0));
+        const TwinSide& side = twin.sides[i];
+        const double g = i == 0 ? side.ratio : -side.ratio;
+        text += tendon(fmt::format("k_se_{}", name), side.se, arm(name, side.capstan_scale) + arm("joint", g));
+        text += tendon(fmt::format("k_pe_{}", name), side.pe, arm(name, 1.0));
     }
     return text + "  </tendon>\n";
 }
@@ -61,7 +62,7 @@ std::string capstan(const Twin& twin, std::size_t i) {
         "      <geom type=\"cylinder\" size=\"{7:.6g} {8:.6g}\" rgba=\".75 .5 .25 1\"/>\n"
         "      <geom type=\"box\" pos=\"{9:.6g} 0 {8:.6g}\" size=\"{9:.6g} {10:.6g} {10:.6g}\" rgba=\".2 .2 .2 1\"/>\n"
         "    </body>\n",
-        kNames[i], (i == 0 ? -kApart : kApart) * twin.capstan_radius, twin.motor_inertia, i == 0 ? 1 : -1, gear.viscous,
+        kNames[i], (i == 0 ? -kApart : kApart) * twin.capstan_radius, twin.sides[i].motor_inertia, i == 0 ? 1 : -1, gear.viscous,
         gear.at(twin.reference_torque), twin.capstan_stops ? fmt::format(" range=\"0 {}\"", kSlack) : "", twin.capstan_radius,
         0.2 * twin.capstan_radius, 0.4 * twin.capstan_radius, 0.05 * twin.capstan_radius);
 }
@@ -73,14 +74,15 @@ double joint_friction(const Twin& twin) {
         double low = side.se.low, high = side.se.high;
         for (int i = 0; i < 60; ++i) {  // halves the bracket of the capstan's angle at that load
             const double middle = 0.5 * (low + high);
-            (side.se.at(twin.capstan_scale * middle) + side.pe.at(middle) < twin.reference_torque ? low : high) = middle;
+            (side.se.at(side.capstan_scale * middle) + side.pe.at(middle) < twin.reference_torque ? low : high) = middle;
         }
-        tension += twin.ratio * side.se.at(twin.capstan_scale * low);
+        tension += side.ratio * side.se.at(side.capstan_scale * low);
     }
     return twin.joint_friction + twin.tension_share * tension;
 }
 
 std::string output(const Twin& twin) {
+    const double radius = 0.5 * (twin.sides[0].ratio + twin.sides[1].ratio) * twin.capstan_radius;  // as pictured
     const std::string range = std::isfinite(twin.stop) ? fmt::format(" range=\"{:.10g} {:.10g}\"", -twin.stop, twin.stop) : "";
     return fmt::format(
         "    <body name=\"output\">\n"
@@ -89,8 +91,7 @@ std::string output(const Twin& twin) {
         "      <geom type=\"cylinder\" size=\"{4:.6g} {5:.6g}\" rgba=\".3 .5 .75 1\"/>\n"
         "      <geom type=\"box\" pos=\"0 {6:.6g} 0\" size=\"{5:.6g} {6:.6g} {5:.6g}\" rgba=\".3 .5 .75 1\"/>\n"
         "    </body>\n",
-        twin.joint_inertia, twin.joint_viscous, joint_friction(twin), range, twin.ratio * twin.capstan_radius, 0.2 * twin.capstan_radius,
-        2.0 * twin.ratio * twin.capstan_radius);
+        twin.joint_inertia, twin.joint_viscous, joint_friction(twin), range, radius, 0.2 * twin.capstan_radius, 2.0 * radius);
 }
 
 std::string motor(const char* name, double scale, double saturation) {

@@ -29,17 +29,17 @@ void set_rows(TwinGear& gear, double most, bool straight, const Friction& fricti
 double fastest(const Twin& twin) {
     double joint = 0.0, most = 0.0;
     for (const TwinSide& side : twin.sides) {
-        const double s = side.se.greatest_stiffness(), scale = twin.capstan_scale;
-        joint += twin.ratio * twin.ratio * s;
-        most = std::max(most, (scale * scale * s + side.pe.greatest_stiffness()) / twin.motor_inertia);
+        const double s = side.se.greatest_stiffness(), scale = side.capstan_scale;
+        joint += side.ratio * side.ratio * s;
+        most = std::max(most, (scale * scale * s + side.pe.greatest_stiffness()) / side.motor_inertia);
     }
     if (std::isfinite(twin.stop)) joint += twin.stop_stiffness;
     return std::sqrt(std::max(most, joint / twin.joint_inertia));
 }
 
 /// A preload stop so soft that a step of the simulation resolves it.
-double stop_travel(const Twin& twin, const Curve& curve) {
-    const double lightest = std::min(twin.motor_inertia, twin.joint_inertia / std::max(1.0, twin.ratio * twin.ratio));
+double stop_travel(const Twin& twin, const TwinSide& side, const Curve& curve) {
+    const double lightest = std::min(side.motor_inertia, twin.joint_inertia / std::max(1.0, side.ratio * side.ratio));
     const double share = time_step(twin) / kStopPhase;
     return std::max(kLeastStop, curve.torque.front() * share * share / lightest);
 }
@@ -64,8 +64,6 @@ double time_step(const Twin& twin) {
 Twin twin_of(const actuator::Joint& joint, const TwinMotion& motion) {
     Twin twin;
     twin.capstan_radius = joint.capstan_radius;
-    twin.ratio = joint.ratio();
-    twin.motor_inertia = motion.motor_inertia;
     twin.joint_inertia = motion.joint_inertia;
     twin.joint_viscous = motion.joint_viscous;
     twin.joint_friction = joint.output_friction.constant;
@@ -75,6 +73,8 @@ Twin twin_of(const actuator::Joint& joint, const TwinMotion& motion) {
         TwinSide& side = twin.sides[i];  // springs in the order K_PE, K_SE of the agonist, K_SE, K_PE of the antagonist
         side.pe = tabulate(*joint.springs[i == 0 ? 0 : 3].potential, kLeastStop);
         side.se = tabulate(*joint.springs[i == 0 ? 1 : 2].potential, kLeastStop);
+        side.ratio = joint.ratio();
+        side.motor_inertia = motion.motor_inertia;
         side.gear.viscous = motion.motor_viscous;
         const friction::Law& law = joint.gear_friction[i];
         const double most = kLoads * greatest_load(side);
@@ -83,16 +83,13 @@ Twin twin_of(const actuator::Joint& joint, const TwinMotion& motion) {
             side.gear.rest_excess = std::max(0.0, law.at_rest(most) / moving - 1.0);
     }
     for (TwinSide& side : twin.sides)
-        for (Curve* curve : {&side.se, &side.pe}) curve->stop_travel = stop_travel(twin, *curve);
+        for (Curve* curve : {&side.se, &side.pe}) curve->stop_travel = stop_travel(twin, side, *curve);
     return twin;
 }
 
 Twin twin_of(const joint_model::BuiltRig& rig, double capstan_radius, double reference_torque) {
     Twin twin;
     twin.capstan_radius = capstan_radius;
-    twin.ratio = rig.ratio;
-    twin.capstan_scale = rig.capstan_scale;
-    twin.motor_inertia = rig.motor_inertia;
     twin.joint_inertia = rig.joint_inertia;
     twin.joint_viscous = rig.joint_viscous;
     twin.joint_friction = rig.joint_coulomb;
@@ -109,6 +106,9 @@ Twin twin_of(const joint_model::BuiltRig& rig, double capstan_radius, double ref
         const joint_model::BuiltSide& built = rig.sides[i];
         const joint_model::Gear& gear = built.gear;
         TwinSide& side = twin.sides[i];
+        side.ratio = built.ratio;
+        side.capstan_scale = built.capstan_scale;
+        side.motor_inertia = built.motor_inertia;
         side.se = tabulate(built.se, built.se_build.hysteresis);
         side.pe = tabulate(built.pe, built.pe_build.hysteresis);
         side.gear = {.load = {},

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Dense>
+#include <array>
+
 #include "fusee/actuator/stick_slip.h"
 #include "fusee/core/units.h"
 #include "joint_model/fixture.h"
@@ -47,9 +50,9 @@ public:
         const double t1 = motion_.theta(gap_case::Side::kAgonist), t2 = motion_.theta(gap_case::Side::kAntagonist), q = motion_.q();
         motion_.hold(kFine);
         const double n1 = motion_.theta(gap_case::Side::kAgonist), n2 = motion_.theta(gap_case::Side::kAntagonist), nq = motion_.q();
-        const double moving = 0.5 * rig_.motor_inertia * (square((n1 - t1) / kFine) + square((n2 - t2) / kFine)) +
+        const double moving = 0.5 * rig_.sides[0].motor_inertia * (square((n1 - t1) / kFine) + square((n2 - t2) / kFine)) +
                               0.5 * rig_.joint_inertia * square((nq - q) / kFine);
-        const double g = rig_.ratio;
+        const double g = rig_.mean_ratio();
         return moving + 0.5 * kSeries * (square(n1 + g * nq) + square(n2 - g * nq)) + 0.5 * kParallel * (square(n1) + square(n2)) -
                motor_torque * (n1 + n2);
     }
@@ -187,7 +190,7 @@ TEST(Motion, ViscousDragAtACapstanFollowsTheEquationOfSecondOrder) {
     const double drag = 0.2, torque = 0.6, k = kSeries + kParallel;
     BuiltRig rig = free_rig();
     for (BuiltSide& side : rig.sides) side.gear.viscous = drag;
-    const double j = rig.motor_inertia, root = std::sqrt(drag * drag - 4.0 * j * k);
+    const double j = rig.sides[0].motor_inertia, root = std::sqrt(drag * drag - 4.0 * j * k);
     const double slow = (-drag + root) / (2.0 * j), fast = (-drag - root) / (2.0 * j);
     Motion motion(rig, kFine);
     motion.lead_to({torque, torque, 0.0}, 0.0);
@@ -226,7 +229,31 @@ TEST(Motion, ACapstanPaysOutNoFartherThanItsStop) {
     motion.hold(3.0);
     EXPECT_EQ(motion.theta(gap_case::Side::kAgonist), 0.0);
     EXPECT_EQ(motion.theta(gap_case::Side::kAntagonist), 0.0);
-    EXPECT_NEAR(motion.q(), 0.5 / (rig.ratio * rig.ratio * kSeries), 1e-6);  // the antagonist's cable hangs loose
+    EXPECT_NEAR(motion.q(), 0.5 / (rig.mean_ratio() * rig.mean_ratio() * kSeries), 1e-6);  // the antagonist's cable hangs loose
+}
+
+TEST(Motion, EachSideHasItsOwnRadii) {
+    constexpr std::array<double, 2> kRatio{2.1, 1.9}, kScale{1.02, 0.97};
+    BuiltRig rig = free_rig();
+    rig.joint_viscous = 0.1;
+    for (std::size_t i = 0; i < 2; ++i) {
+        rig.sides[i].ratio = kRatio[i];
+        rig.sides[i].capstan_scale = kScale[i];
+        rig.sides[i].gear.viscous = 0.05;
+    }
+    Motion motion(rig, kFine);
+    motion.lead_to({0.6, 0.8, 0.1}, 1.0);
+    motion.hold(20.0);
+    // At rest s_i F_i + k_PE theta_i = tau_i and g_1 F_1 - g_2 F_2 = tau_q, with F_i = k_SE (s_i theta_i +- g_i q).
+    const double s1 = kScale[0], s2 = kScale[1], g1 = kRatio[0], g2 = kRatio[1];
+    Eigen::Matrix3d stiffness;
+    stiffness << s1 * s1 * kSeries + kParallel, 0.0, s1 * g1 * kSeries,  //
+        0.0, s2 * s2 * kSeries + kParallel, -s2 * g2 * kSeries,          //
+        s1 * g1 * kSeries, -s2 * g2 * kSeries, (g1 * g1 + g2 * g2) * kSeries;
+    const Eigen::Vector3d rest = stiffness.ldlt().solve(Eigen::Vector3d(0.6, 0.8, 0.1));
+    EXPECT_NEAR(motion.theta(gap_case::Side::kAgonist), rest[0], 1e-6);
+    EXPECT_NEAR(motion.theta(gap_case::Side::kAntagonist), rest[1], 1e-6);
+    EXPECT_NEAR(motion.q(), rest[2], 1e-6);
 }
 
 /// Where a damped swing of all three bodies is after 0.4 s.

@@ -51,7 +51,9 @@ TEST(PredictSpringPull, HysteresisAddsItsShareOnTheWayUpAndTakesItOnTheWayDown) 
 
 TEST(PredictSpringPull, AWiderCapstanDeflectsKSEMoreAndHasTheLongerLever) {
     const double scale = 1.01;
-    const BuiltRig rig = built(straight_rig(), [&](BuiltRig& r) { r.capstan_scale = scale; });
+    const BuiltRig rig = built(straight_rig(), [&](BuiltRig& r) {
+        for (BuiltSide& side : r.sides) side.capstan_scale = scale;
+    });
     const gap_case::Rows series = pulled(true, gap_case::Side::kAgonist), parallel = pulled(false, gap_case::Side::kAgonist);
     const std::vector<double> se = torques(rig, series), pe = torques(rig, parallel);
     for (std::size_t i = 0; i < se.size(); ++i) {

@@ -25,10 +25,10 @@ def tolerances(toml):
     of = lambda name: number_of(table, name)
     friction = of("gear_load_friction") * number_of(rig, "gear_load_friction")
     sided = {"gear load friction": friction, "K_SE rate": of("spring_rate"), "K_PE rate": of("spring_rate"), "K_SE radius": of("se_radius_m"),
-             "K_PE radius": of("pe_radius_m"), "K_SE preload": of("se_preload_rad"), "K_PE preload": of("pe_preload_m"), "torque scale": of("torque_scale")}
+             "K_PE radius": of("pe_radius_m"), "K_SE preload": of("se_preload_rad"), "K_PE preload": of("pe_preload_m"), "torque scale": of("torque_scale"),
+             "joint radius": of("radii"), "capstan radius": of("radii"), "motor inertia": of("inertia")}
     sigmas = {f"{name} {side}": sigma for side in ("agonist", "antagonist") for name, sigma in sided.items()}
-    return sigmas | {"joint radius": of("radii"), "capstan radius": of("radii"), "motor inertia": of("inertia"), "joint inertia": of("inertia"),
-                     "joint bearing friction": of("joint_coulomb_Nm"), "joint encoder zero": of("joint_offset_rad")}
+    return sigmas | {"joint inertia": of("inertia"), "joint bearing friction": of("joint_coulomb_Nm"), "joint encoder zero": of("joint_offset_rad")}
 
 
 def truth_of(label, toml, seed):

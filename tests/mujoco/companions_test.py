@@ -30,7 +30,8 @@ def stub():
 def laws_of(file):
     """Those of the shipped joint, with every effect that the companions have."""
     laws = json.loads(file.read_text())
-    laws |= {"capstan_scale": 1.07, "delay_s": 0.004}
+    laws |= {"delay_s": 0.004}
+    laws["agonist"] |= {"ratio": 1.3, "capstan_scale": 1.07}
     laws["joint"] |= {"friction_Nm": 0.05, "tension_share": 0.03, "gravity_Nm": 0.2, "stop_rad": 0.9, "stop_stiffness_Nm_per_rad": 40.0, "stop_damping": 0.4, "offset_rad": 0.02}
     laws["agonist"]["gear"] |= {"asymmetry": 0.2, "rest_excess": 0.3, "torque_scale": 0.9, "saturation_Nm": 1.2, "backlash_rad": 0.03}
     laws["antagonist"]["gear"] |= {"asymmetry": -0.1, "rest_excess": 0.1, "saturation_Nm": None, "backlash_rad": 0.0}

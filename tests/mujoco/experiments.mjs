@@ -83,12 +83,12 @@ class Bench {
   /** Damping at the joint by the hand that pushes it [Nms/rad]. Without noise: as fusee expects it, a share of critical damping. */
   #hand(c, top, grip) {
     if (this.random) return grip * (0.035 + (0.1 * c) / top);
-    const { data, twin } = this.#coContracted([c, c]), reach = 0.02, x = this.laws.capstan_scale;
+    const { data, twin } = this.#coContracted([c, c]), reach = 0.02;
     const stiffness = SIDES.map((side, i) => {
-      const at = x * data.qpos[twin.places[i]], law = this.laws[side].k_se;
-      return (springTorque(law, at + reach) - springTorque(law, at - reach)) / (2 * reach);
+      const at = this.laws[side].capstan_scale * data.qpos[twin.places[i]], law = this.laws[side].k_se;
+      return (this.laws[side].ratio ** 2 * (springTorque(law, at + reach) - springTorque(law, at - reach))) / (2 * reach);
     });
-    return 2 * HAND.damping * Math.sqrt(this.laws.ratio ** 2 * (stiffness[0] + stiffness[1]) * this.laws.joint_inertia_kgm2);
+    return 2 * HAND.damping * Math.sqrt((stiffness[0] + stiffness[1]) * this.laws.joint_inertia_kgm2);
   }
 
   /** Push, hold, release, read q; then the same to the other side. */

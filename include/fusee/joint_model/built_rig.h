@@ -36,6 +36,9 @@ struct Hand {
 
 /// One side as built: springs are made of `se_build`, `pe_build` by BuiltRig::assemble.
 struct BuiltSide {
+    double ratio = 1.0;          ///< g = r_j/r_c, both as built over the nominal r_c
+    double capstan_scale = 1.0;  ///< r_c as built over the nominal one
+    double motor_inertia = 0.0;  ///< [kg m^2]
     Gear gear;
     SpringBuild se_build, pe_build;
     SpringTerms se_terms, pe_terms;
@@ -48,9 +51,6 @@ struct BuiltRig {
 
     gap_case::Reference reference;  ///< of the nominal rig
     std::array<BuiltSide, 2> sides;
-    double ratio = 1.0;             ///< g = r_j/r_c, both as built over the nominal r_c
-    double capstan_scale = 1.0;     ///< r_c as built over the nominal one
-    double motor_inertia = 0.0;     ///< [kg m^2]
     double joint_inertia = 0.0;     ///< [kg m^2]
     double joint_coulomb = 0.0;     ///< [Nm]
     double tension_friction = 0.0;  ///< c: friction c g (F_SE1 + F_SE2) at the joint
@@ -67,6 +67,7 @@ struct BuiltRig {
     [[nodiscard]] double read_q(double q, double torque) const {
         return (1.0 + terms.reading) * q + terms.flexibility * torque + joint_offset;
     }
+    [[nodiscard]] double mean_ratio() const { return 0.5 * (sides[0].ratio + sides[1].ratio); }
     /// A spring or cable depends on time: a joint at rest may still move.
     [[nodiscard]] bool has_memory() const;
 

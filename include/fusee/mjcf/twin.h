@@ -27,6 +27,9 @@ struct TwinGear {
 };
 
 struct TwinSide {
+    double ratio = 1.0;          ///< g of this side: x_1 = s theta_1 + g q, x_2 = s theta_2 - g q
+    double capstan_scale = 1.0;  ///< s
+    double motor_inertia = 0.0;  ///< [kg m^2]
     TwinGear gear;
     Curve se, pe;
 };
@@ -36,12 +39,10 @@ struct Twin {
     std::string name, source;                               ///< of the model; the line that says what it was made from
     std::array<TwinSide, 2> sides;                          ///< agonist, antagonist
     double capstan_radius = 0.0;                            ///< [m], for the picture only
-    double ratio = 1.0;                                     ///< g: x_1 = s theta_1 + g q, x_2 = s theta_2 - g q
-    double capstan_scale = 1.0;                             ///< s
-    double motor_inertia = 0.0, joint_inertia = 0.0;        ///< [kg m^2]
+    double joint_inertia = 0.0;                             ///< [kg m^2]
     double joint_viscous = 0.0;                             ///< [Nms/rad]
     double joint_friction = 0.0;                            ///< constant friction of the joint [Nm]
-    double tension_share = 0.0;                             ///< c of its friction c g (F_SE,1 + F_SE,2)
+    double tension_share = 0.0;                             ///< c of its friction c (g_1 F_SE,1 + g_2 F_SE,2)
     double gravity = 0.0;                                   ///< m g l of -m g l sin q [Nm]
     double stop = std::numeric_limits<double>::infinity();  ///< |q| at which a stop begins [rad]
     double stop_stiffness = 0.0, stop_damping = 0.0;        ///< [Nm/rad]; share of the critical damping

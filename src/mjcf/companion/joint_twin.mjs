@@ -94,17 +94,17 @@ export class JointTwin {
   /** Springs, friction, gravity and stop at the present state, for the next mj_step. */
   apply() {
     const { model, data, laws } = this;
-    const g = laws.ratio, s = laws.capstan_scale;
+    const [g1, g2] = SIDES.map((name) => laws[name].ratio), s = SIDES.map((name) => laws[name].capstan_scale);
     this.#followEncoders();
     const place = this.places.map((i) => data.qpos[i]), speed = this.dofs.map((i) => data.qvel[i]);
-    const pull = [s * place[0] + g * place[2], s * place[1] - g * place[2]].map((x, i) => this.#spring(i, 'k_se', x));
+    const pull = [s[0] * place[0] + g1 * place[2], s[1] * place[1] - g2 * place[2]].map((x, i) => this.#spring(i, 'k_se', x));
     for (let i = 0; i < 2; ++i) {
-      const load = s * pull[i] + this.#spring(i, 'k_pe', place[i]);
+      const load = s[i] * pull[i] + this.#spring(i, 'k_pe', place[i]);
       data.qfrc_applied[this.dofs[i]] = -load;
       model.dof_frictionloss[this.dofs[i]] = gearFriction(laws[SIDES[i]].gear, load, speed[i], this.#way(i, speed[i], load));
     }
-    data.qfrc_applied[this.dofs[2]] = g * (pull[1] - pull[0]) + this.#outside(place[2], speed[2]);
-    model.dof_frictionloss[this.dofs[2]] = laws.joint.friction_Nm + laws.joint.tension_share * g * (pull[0] + pull[1]);
+    data.qfrc_applied[this.dofs[2]] = g2 * pull[1] - g1 * pull[0] + this.#outside(place[2], speed[2]);
+    model.dof_frictionloss[this.dofs[2]] = laws.joint.friction_Nm + laws.joint.tension_share * (g1 * pull[0] + g2 * pull[1]);
   }
 
   /** Angles of agonist, antagonist and joint as the encoders of the rig read them, without noise and steps [rad]. */

@@ -108,18 +108,18 @@ class JointTwin:
     def apply(self):
         """Springs, friction, gravity and stop at the present state, for the next mj_step."""
         model, data, laws = self.model, self.data, self.laws
-        g, s = laws["ratio"], laws["capstan_scale"]
+        (g1, g2), s = [laws[name]["ratio"] for name in SIDES], [laws[name]["capstan_scale"] for name in SIDES]
         self._follow_encoders()
         place = [float(data.qpos[i]) for i in self.places]
         speed = [float(data.qvel[i]) for i in self.dofs]
-        pull = [self._spring(0, "k_se", s * place[0] + g * place[2]), self._spring(1, "k_se", s * place[1] - g * place[2])]
+        pull = [self._spring(0, "k_se", s[0] * place[0] + g1 * place[2]), self._spring(1, "k_se", s[1] * place[1] - g2 * place[2])]
         for i, name in enumerate(SIDES):
-            load = s * pull[i] + self._spring(i, "k_pe", place[i])
+            load = s[i] * pull[i] + self._spring(i, "k_pe", place[i])
             data.qfrc_applied[self.dofs[i]] = -load
             model.dof_frictionloss[self.dofs[i]] = gear_friction(laws[name]["gear"], load, speed[i], self._way(i, speed[i], load))
         joint = laws["joint"]
-        data.qfrc_applied[self.dofs[2]] = g * (pull[1] - pull[0]) + self._outside(place[2], speed[2])
-        model.dof_frictionloss[self.dofs[2]] = joint["friction_Nm"] + joint["tension_share"] * g * (pull[0] + pull[1])
+        data.qfrc_applied[self.dofs[2]] = g2 * pull[1] - g1 * pull[0] + self._outside(place[2], speed[2])
+        model.dof_frictionloss[self.dofs[2]] = joint["friction_Nm"] + joint["tension_share"] * (g1 * pull[0] + g2 * pull[1])
 
     def read(self):
         """Angles of agonist, antagonist and joint as the encoders of the rig read them, without noise and steps [rad]."""

@@ -53,7 +53,7 @@ struct BuiltRig {
     std::array<BuiltSide, 2> sides;
     double joint_inertia = 0.0;     ///< [kg m^2]
     double joint_coulomb = 0.0;     ///< [Nm]
-    double tension_friction = 0.0;  ///< c: friction c g (F_SE1 + F_SE2) at the joint
+    double tension_friction = 0.0;  ///< c: friction c (g_1 F_SE1 + g_2 F_SE2) at the joint
     double joint_viscous = 0.0;     ///< [Nms/rad]
     double delay = 0.0;             ///< of every command of a log [s]
     double stop = kNever;           ///< |q| at which a stop begins [rad]
@@ -67,6 +67,7 @@ struct BuiltRig {
     [[nodiscard]] double read_q(double q, double torque) const {
         return (1.0 + terms.reading) * q + terms.flexibility * torque + joint_offset;
     }
+    /// g of the joint as a whole, for a push that both sides share.
     [[nodiscard]] double mean_ratio() const { return 0.5 * (sides[0].ratio + sides[1].ratio); }
     /// A spring or cable depends on time: a joint at rest may still move.
     [[nodiscard]] bool has_memory() const;

@@ -76,11 +76,14 @@ void require_possible(const std::string& place, const FoundEffect& found, const 
 
 /// Rejects a rig that cannot be built, whatever the effect or build parameter behind it.
 void require_buildable(const joint_model::BuiltRig& rig, const joint_model::NominalCams& cams) {
-    const auto require = [](bool holds, const char* what, double value, const std::string& allowed) {
-        if (!holds || !std::isfinite(value))
-            throw core::InvalidInput("the rig with these effects: " + std::string(what), fmt::format("{:g}", value), allowed);
+    const std::string whole = "the rig with these effects: ";
+    std::string part;  // whose figure it is
+    const auto require = [&part](bool holds, const char* what, double value, const std::string& allowed) {
+        if (!holds || !std::isfinite(value)) throw core::InvalidInput(part + what, fmt::format("{:g}", value), allowed);
     };
-    for (const joint_model::BuiltSide& side : rig.sides) {
+    for (const gap_case::Side name : {gap_case::Side::kAgonist, gap_case::Side::kAntagonist}) {
+        const joint_model::BuiltSide& side = rig.sides[static_cast<std::size_t>(name)];
+        part = fmt::format("{}{}: ", whole, to_string(name));
         require(side.ratio > 0.0, "joint radius over capstan radius", side.ratio, "above 0");
         require(side.capstan_scale > 0.0, "capstan radius over the nominal one", side.capstan_scale, "above 0");
         require(side.motor_inertia > 0.0, "motor inertia [kg m^2]", side.motor_inertia, "above 0");
@@ -96,6 +99,7 @@ void require_buildable(const joint_model::BuiltRig& rig, const joint_model::Nomi
         require(std::abs(side.pe_build.radius) < most, "arms of K_PE, longer by [m]", side.pe_build.radius,
                 fmt::format("within {:g}", most));
     }
+    part = whole;
     require(rig.joint_inertia > 0.0, "joint inertia [kg m^2]", rig.joint_inertia, "above 0");
     require(rig.joint_coulomb >= 0.0, "joint friction [Nm]", rig.joint_coulomb, "at least 0");
     require(std::abs(rig.joint_offset) < core::kPi, "zero of the joint encoder [rad]", rig.joint_offset, "-pi to pi");

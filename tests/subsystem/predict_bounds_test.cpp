@@ -81,6 +81,15 @@ TEST_F(Possible, BuildParametersAreKnownAndCanBeBuilt) {
     EXPECT_NE(
         field_refused([&] { return diagnosis::predict(subsystem_case, diagnosis, subsystem_case.rows); }).find("shortest arm of K_SE"),
         std::string::npos);
+    for (const char* radius : {"joint radius", "capstan radius"}) {
+        diagnosis.build = {{std::string(radius) + " antagonist", {-1.5, {}, "1"}}};
+        EXPECT_NE(field_refused([&] {
+                      return diagnosis::predict(subsystem_case, diagnosis, subsystem_case.rows);
+                  }).find("antagonist: " + std::string(radius)),
+                  std::string::npos);
+    }
+    diagnosis.build = {{"capstan radius", {1e-3, {}, "1"}}};  // of both sides, as older versions wrote it
+    EXPECT_NE(said(subsystem_case, diagnosis).find("build: capstan radius (allowed: "), std::string::npos);
     diagnosis.build = {{"joint inertia", {-2.0, {}, "1"}}};
     EXPECT_NE(field_refused([&] { return diagnosis::predict(subsystem_case, diagnosis, subsystem_case.rows); }).find("joint inertia"),
               std::string::npos);

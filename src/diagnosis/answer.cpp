@@ -40,6 +40,12 @@ core::Range interval_over_folds(const inference::Problem& problem, const Eigen::
     return {std::max(0.0, mean - half), mean + half};
 }
 
+std::string names_of(const inference::Causes& causes) {
+    std::string names;
+    for (const effects::Cause& cause : causes) names += (names.empty() ? "" : " with ") + cause.id;
+    return names;
+}
+
 }  // namespace
 
 Answer::Answer(const inference::Problem& problem, const inference::Search& found, const Verdict& verdict)
@@ -57,8 +63,7 @@ Answer::Answer(const inference::Problem& problem, const inference::Search& found
 
 void Answer::name(const inference::FoundTerms& terms) {
     if (verdict_.verdict == VerdictKind::kIdentified || verdict_.verdict == VerdictKind::kAmbiguous)
-        diagnosis_.remarks.push_back(fmt::format("one unknown effect explains the gap better than {} with {}",
-                                                 found_.best().causes.front().id, found_.best().causes.back().id));
+        diagnosis_.remarks.push_back(fmt::format("an unknown effect explains the gap better than {}", names_of(found_.best().causes)));
     diagnosis_.verdict = VerdictKind::kUnknown;
     diagnosis_.unknown_terms = unknown_terms(problem_, terms);
     shown_ = &terms.fit;

@@ -45,14 +45,18 @@ private:
 };
 
 /// Generic terms where the library explains nothing, or only two of its effects together do: one unknown effect often looks like two known
-/// ones. The first has to beat every hypothesis of the library.
+/// ones. One effect competes with the terms that resemble it. The first term has to beat every hypothesis of the library.
 std::optional<inference::FoundTerms> terms_of(const inference::Problem& problem, const inference::Search& found, VerdictKind verdict,
                                               unsigned jobs) {
     const bool named = verdict == VerdictKind::kIdentified || verdict == VerdictKind::kAmbiguous;
-    if (named && found.best().causes.size() < 2) return std::nullopt;
+    const gap_case::Rows& rows = problem.gap_case().rows;
+    const std::vector<effects::Cause> terms = named && found.best().causes.size() == 1
+                                                  ? inference::terms_like(rows, found.best().causes.front().id)
+                                                  : inference::possible_terms(rows);
+    if (terms.empty() || (named && found.best().causes.empty())) return std::nullopt;
     const inference::Fit& null = found.fits[found.null];
     const double best = null.log_evidence - found.log_posterior[found.null];  // of the library, its odds included
-    return inference::pursue_terms(problem, null, best, {.jobs = jobs, .progress = {}});
+    return inference::pursue_terms(problem, null, best, terms, {.jobs = jobs, .progress = {}});
 }
 
 }  // namespace

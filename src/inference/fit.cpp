@@ -19,7 +19,9 @@ constexpr std::size_t kPairsOfDraws = 3;  ///< of the spread
 constexpr double kBuildDraw = 0.7;        ///< size of a draw in sigmas of a build parameter
 constexpr double kEffectDraw = 0.03;      ///< in shares of an effect's size
 constexpr double kFurtherDraw = 0.2;      ///< in shares of its further parameters
-constexpr int kRounds = 2;                ///< of fits, each at the scales that the last one left
+constexpr int kLeastRounds = 2;           ///< of fits, each at the scales and slopes that the last one left
+constexpr int kMostRounds = 6;
+constexpr double kSettled = 1.0;  ///< fall of the cost in a round that ends them: half a nat
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
@@ -241,6 +243,14 @@ void solve(const Problem& problem, Fit& fit, const Scales& scales, const Eigen::
     ceres::Solve(how, &solver, &summary);
 }
 
+/// Residual, spread and cost at x.
+void look(const Problem& problem, Fit& fit, const FitOptions& options) {
+    fit.residual = problem.residual(fit.causes, fit.x);
+    fit.spread = spread_of(problem, fit.causes, fit.x, options.jobs);
+    const Eigen::VectorXd weight = problem.root_weight().cwiseAbs2();
+    fit.cost = cost_of(problem, fit.causes, fit.seen(), fit.x) + 2.0 * weight.dot(fit.spread.array().log().matrix());
+}
+
 }  // namespace
 
 Fit fit(const Problem& problem, const Causes& causes, const Eigen::VectorXd& start, const FitOptions& options) {
@@ -248,16 +258,17 @@ Fit fit(const Problem& problem, const Causes& causes, const Eigen::VectorXd& sta
     fit.causes = causes;
     fit.x = start;
     const auto build = static_cast<int>(problem.build().size());
-    for (int round = 0;; ++round) {
-        fit.residual = problem.residual(causes, fit.x);
-        fit.spread = spread_of(problem, causes, fit.x, options.jobs);
-        if (round == kRounds) break;
-        const Eigen::MatrixXd held = columns_at(problem, causes, fit.x, 0, build, options.jobs);
-        solve(problem, fit, scales_of(problem, fit.seen()), held, options);
+    look(problem, fit, options);
+    Fit now = fit;
+    for (int round = 1; round <= kMostRounds; ++round) {
+        const double before = now.cost;
+        const Eigen::MatrixXd held = columns_at(problem, causes, now.x, 0, build, options.jobs);
+        solve(problem, now, scales_of(problem, now.seen()), held, options);
+        look(problem, now, options);
+        if (now.cost < fit.cost) fit = now;
+        if (round >= kLeastRounds && std::abs(before - now.cost) < kSettled) break;
     }
     fit.jacobian = columns_at(problem, causes, fit.x, 0, static_cast<int>(fit.x.size()), options.jobs);
-    const Eigen::VectorXd weight = problem.root_weight().cwiseAbs2();
-    fit.cost = cost_of(problem, causes, fit.seen(), fit.x) + 2.0 * weight.dot(fit.spread.array().log().matrix());
     weigh(problem, fit);
     return fit;
 }

@@ -13,7 +13,6 @@ constexpr int kDirectRounds = 6;      ///< of steps on break-away and spring pul
 constexpr double kDirectStep = 0.01;  ///< of their differences, in scales
 constexpr double kLike = 0.05;        ///< distance, in x, of starts that are one
 constexpr int kScreenRounds = 2;      ///< of steps with the effect's own columns
-constexpr double kStrained = 3.0;     ///< sigmas of a build parameter beyond which it may replace the effect under test
 
 /// The same starts with deviating build parameters back at 0: the effect replaces them now. Stick-slip friction
 /// gives a fit no slope in that direction.

@@ -191,7 +191,10 @@ bool explained(const Problem& problem, const Fit& fit) {
 }
 
 bool stands(const Problem& problem, const Fit& fit) {
-    if (!fit.causes.empty() && std::abs(worst_nuisance_pull(problem, fit).sigmas) > kImpossible) return false;
+    return sizes_stand(problem, fit) && (fit.causes.empty() || std::abs(worst_nuisance_pull(problem, fit).sigmas) <= kImpossible);
+}
+
+bool sizes_stand(const Problem& problem, const Fit& fit) {
     for (std::size_t c = 0; c < fit.causes.size(); ++c) {
         const int k = problem.size_at(fit.causes, c);
         const double least = std::max(kLeastSize, kStandsOff * std::sqrt(fit.covariance(k, k)));

@@ -12,11 +12,11 @@ namespace fusee::inference {
 namespace {
 
 // Accuracy of the prediction, one sigma, found on faultless rigs (docs/theory/diagnosis.md, eq. 7); of the range of what moves.
-constexpr double kDeadBandAccuracy = 0.025;      ///< of the width
-constexpr double kStiffnessAccuracy = 0.003;     ///< of q's range at that co-contraction
-constexpr double kCocontractionAccuracy = 8e-4;  ///< of the capstans' range
-constexpr double kLogAccuracy = 1.5e-3;          ///< of the greatest range, at the beginning
-constexpr double kLogGrowth = 1.5e-3;            ///< and more of it every second of the reference rig: small errors grow on the way
+constexpr double kDeadBandAccuracy = 0.015;      ///< of the width
+constexpr double kStiffnessAccuracy = 0.002;     ///< of q's range at that co-contraction
+constexpr double kCocontractionAccuracy = 6e-4;  ///< of the capstans' range
+constexpr double kLogAccuracy = 1.2e-3;          ///< of the greatest range, at the beginning
+constexpr double kLogGrowth = 1.2e-3;            ///< and more of it every second of the reference rig: small errors grow on the way
 /// The same on a rig that sticks and slips, where the moment of a slip is random.
 constexpr double kSlippingDeadBand = 0.05, kSlippingStiffness = 0.01, kSlippingCocontraction = 0.02;
 constexpr double kStands = 4.0, kMoves = 15.0;  ///< encoder steps from row to row

@@ -11,15 +11,16 @@ namespace fusee::joint_model {
 
 namespace {
 
-constexpr std::size_t kCells = 400;                                      ///< of a table: linear between them, 1e-5 of the greatest torque
+constexpr std::size_t kCells =
+    1200;  ///< of a table: linear between them, 1e-3 of the greatest torque for the steepest stiction-compensating law
 constexpr std::size_t kRefinement = gap_case::NominalRig::kSpringSteps;  ///< grid of the nominal cams
 constexpr double kLeastArm = 1e-5;   ///< least arm, on the reference rig [m]: a fit that tries a shorter one sees a very stiff spring
 constexpr double kLeastTurn = 1e-9;  ///< [rad], least step of a table, which must rise
 
 }  // namespace
 
-CamSpring::CamSpring(const std::vector<double>& x, const std::vector<double>& torque)
-    : torque_(kCells + 1), per_step_(kCells / x.back()), last_(kCells - 1) {
+CamSpring::CamSpring(const std::vector<double>& x, const std::vector<double>& torque, double stiffness)
+    : torque_(kCells + 1), per_step_(kCells / x.back()), last_(kCells) {
     assert(x.size() >= 2 && x.size() == torque.size() && x.back() > 0.0 && std::isfinite(x.back()));
     std::size_t row = 0;
     for (std::size_t i = 0; i <= kCells; ++i) {
@@ -28,6 +29,7 @@ CamSpring::CamSpring(const std::vector<double>& x, const std::vector<double>& to
         const double share = (place - x[row]) / (x[row + 1] - x[row]);
         torque_[i] = std::max(0.0, torque[row] + share * (torque[row + 1] - torque[row]));
     }
+    torque_.push_back(torque_.back() + stiffness / per_step_);
 }
 
 double CamSpring::deflection(double torque) const {
@@ -80,7 +82,9 @@ CamSpring NominalCams::series(const SpringBuild& build) const {
         x[i] = x_[i] + build.radius * phi_[i] / capstan_radius_ + build.stretch * torque[i];
         if (i > 0) x[i] = std::max(x[i], x[i - 1] + kLeastTurn);
     }
-    return {x, torque};
+    const double lever = capstan_radius_ / std::max(least_arm_, se_arm_.back() + build.radius);
+    const double stiffness = k_se_ * (1.0 + build.rate) * lever * lever;
+    return {x, torque, stiffness / (1.0 + stiffness * build.stretch)};
 }
 
 double NominalCams::shortest_series_arm() const { return *std::min_element(se_arm_.begin(), se_arm_.end()); }
@@ -92,7 +96,9 @@ CamSpring NominalCams::parallel(const SpringBuild& build) const {
         const double force = std::max(0.0, y + build.preload) + build.binding_rate * std::max(0.0, y - build.binds_at);
         torque[i] = k_pe_ * (1.0 + build.rate) * force * (pe_arm_[i] + build.radius);
     }
-    return {x_, torque};
+    const double arm = pe_arm_.back() + build.radius;
+    const double rate = k_pe_ * (1.0 + build.rate) * (y_.back() > build.binds_at ? 1.0 + build.binding_rate : 1.0);
+    return {x_, torque, rate * arm * arm};
 }
 
 }  // namespace fusee::joint_model

@@ -10,9 +10,9 @@ namespace fusee::mjcf {
 namespace {
 
 constexpr std::size_t kFirstCells = 128, kMostCells = 8192;
-constexpr double kTableShare = 1e-5;    ///< of the greatest torque: a tenth of what the encoders of a rig would show
-constexpr double kCamStop = 0.01;       ///< [rad], as joint_model::CamSpring (a test compares both)
-constexpr std::size_t kCamCells = 400;  ///< as joint_model::CamSpring
+constexpr double kTableShare = 1e-5;     ///< of the greatest torque: a tenth of what the encoders of a rig would show
+constexpr double kCamStop = 0.01;        ///< [rad], as joint_model::CamSpring (a test compares both)
+constexpr std::size_t kCamCells = 1200;  ///< as joint_model::CamSpring
 
 double row_of(const Curve& curve, std::size_t i) {
     return curve.low + (curve.high - curve.low) * static_cast<double>(i) / static_cast<double>(curve.torque.size() - 1);
@@ -67,7 +67,7 @@ Curve tabulate(const joint_model::CamSpring& spring, double hysteresis) {
     curve.torque.resize(kCamCells + 1);
     for (std::size_t i = 0; i <= kCamCells; ++i) curve.torque[i] = spring.torque(row_of(curve, i));
     curve.torque.front() = spring.torque(1e-12 * curve.high);  // at 0 itself, not on its stop below
-    curve.end_stiffness = (curve.torque[kCamCells] - curve.torque[kCamCells - 1]) * kCamCells / curve.high;
+    curve.end_stiffness = (spring.torque(2.0 * curve.high) - curve.torque.back()) / curve.high;
     curve.stop_travel = kCamStop;
     curve.hysteresis = hysteresis;
     return curve;

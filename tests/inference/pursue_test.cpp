@@ -21,7 +21,7 @@ std::optional<FoundTerms> pursued(const Causes& causes, const std::vector<double
     const gap_case::Case gap_case = measured_case(some_rows(), causes, sizes, 1.0, seed);
     const Problem problem(gap_case);
     const Fit null = best_fit(problem, {});
-    return pursue_terms(problem, null, null.log_evidence, {.jobs = 2, .progress = {}});
+    return pursue_terms(problem, null, null.log_evidence, possible_terms(problem.gap_case().rows), {.jobs = 2, .progress = {}});
 }
 
 TEST(PursueTerms, AFaultlessRigHasNone) { EXPECT_FALSE(pursued({}, {}, 3)); }
@@ -44,10 +44,19 @@ TEST(PursueTerms, FrictionThatDriftsOverTheSessionIsFoundInTheOrderOfTheRows) {
     const gap_case::Case gap_case = measured_case(break_aways({0.2, 0.6, 1.0, 1.4}, 8, true), {drift}, {-0.5}, 1.0, 4);
     const Problem problem(gap_case);
     const Fit null = best_fit(problem, {});
-    const std::optional<FoundTerms> found = pursue_terms(problem, null, null.log_evidence, {.jobs = 2, .progress = {}});
+    const std::optional<FoundTerms> found =
+        pursue_terms(problem, null, null.log_evidence, possible_terms(problem.gap_case().rows), {.jobs = 2, .progress = {}});
     ASSERT_TRUE(found);
     EXPECT_EQ(found->fit.causes, Causes{drift});
     EXPECT_NEAR(found->fit.x[found->fit.x.size() - 2] * 0.4, -0.5, 0.15);
+}
+
+TEST(TermsLike, NameTheEffectAmongThoseTheyAreConfusedWith) {
+    gap_case::Rows rows = some_rows();
+    EXPECT_TRUE(terms_like(rows, "joint.gravity").empty());  // no experiment moves the joint
+    rows.dead_band.push_back({});
+    EXPECT_EQ(terms_like(rows, "joint.gravity"), (Causes{{"term.joint.spring", "none"}}));
+    EXPECT_TRUE(terms_like(rows, "joint.stop").empty());
 }
 
 TEST(PursueTerms, TwoTermsAreFoundOneAfterTheOther) {

@@ -20,7 +20,7 @@ TEST(CamSpring, WithoutAFaultIsTheNominalCurve) {
     const CamSpring se = cams.series({}), pe = cams.parallel({});
     for (int i = 0; i <= kPlaces; ++i) {
         const double x = kEnd * i / kPlaces;
-        EXPECT_NEAR(se.torque(x), kSe.torque(x), 1e-4 * kSe.torque(kEnd));  // linear within 1/400 of the range: 3e-6 of the end's torque
+        EXPECT_NEAR(se.torque(x), kSe.torque(x), 1e-4 * kSe.torque(kEnd));  // linear within 1/1200 of the range: 3e-7 of the end's torque
         EXPECT_NEAR(pe.torque(x), kPe.torque(x), 1e-4 * kPe.torque(kEnd));
     }
 }
@@ -31,8 +31,22 @@ TEST(CamSpring, ACableCannotPushAndItsDeflectionIsTheInverseOfItsTorque) {
     EXPECT_EQ(se.torque(-3.0), 0.0);
     EXPECT_EQ(se.deflection(0.0), 0.0);
     for (const double x : {0.05, 0.7, 2.0, 3.99}) EXPECT_NEAR(se.deflection(se.torque(x)), x, 1e-9);
-    const double slope = kSe.a + 2.0 * kSe.b * kEnd;  // goes on with the last cell's, half a cell before the end: b kEnd/400 less
-    EXPECT_NEAR(se.torque(kEnd + 0.5), kSe.torque(kEnd) + 0.5 * slope, 0.5 * 2.0 * kSe.b * kEnd / 400.0);
+}
+
+// With a constant arm r a spool has F = k r_c/r (phi_end + dx r_c/r), a cam F = k r (y_end + r dx).
+TEST(CamSpring, ItsArmStaysBeyondTheEnd) {
+    const NominalCams cams(kStiffening);
+    constexpr double kBeyond = 0.5, kWound = 0.1, kDeeper = 0.001;  // [rad], [rad], [m]
+    const double phi = std::sqrt(2.0 * kSe.energy(kEnd) / kStiffening.se_torsion_rate), y = cams.greatest_compression();
+    const double lever = kSe.torque(kEnd) / (kStiffening.se_torsion_rate * phi),
+                 arm = kPe.torque(kEnd) / (kStiffening.pe_compression_rate * y);
+    const CamSpring se = cams.series({.rate = 0.1, .preload = kWound}), pe = cams.parallel({.rate = 0.1, .preload = kDeeper});
+    EXPECT_NEAR(se.torque(kEnd + kBeyond), 1.1 * kStiffening.se_torsion_rate * lever * (phi + kWound + lever * kBeyond), 1e-6);
+    EXPECT_NEAR(pe.torque(kEnd + kBeyond), 1.1 * kStiffening.pe_compression_rate * arm * (y + kDeeper + arm * kBeyond), 1e-6);
+    const double stiffness = kStiffening.se_torsion_rate * lever * lever, compliance = 0.2;
+    const CamSpring stretched = cams.series({.stretch = compliance});
+    EXPECT_NEAR(stretched.torque(stretched.end() + 1.0) - stretched.torque(stretched.end()), stiffness / (1.0 + compliance * stiffness),
+                1e-6);
 }
 
 struct Fault {

@@ -34,7 +34,7 @@ struct NominalRig {
     };
     std::vector<SpringRow> springs;                                               ///< both sides equal, deflection ascending from 0
     [[nodiscard]] double ratio() const { return joint_radius / capstan_radius; }  ///< g
-    static constexpr std::size_t kSpringSteps = 600;  ///< of a spring curve: places at which it is looked at and integrated
+    static constexpr std::size_t kSpringSteps = 2400;  ///< of a spring curve: places at which it is looked at and integrated
     /// @throws core::InvalidInput naming the deflection if a curve does not rise there
     void require_rising_springs() const;
 };

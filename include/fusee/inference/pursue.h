@@ -9,6 +9,8 @@ inline constexpr double kTermOdds = 25.0;  ///< log odds against a generic term:
 
 /// Every generic term on every side that the experiments of the case can see. A ripple has a phase of its own on each side.
 [[nodiscard]] std::vector<effects::Cause> possible_terms(const gap_case::Rows& rows);
+/// Those of them that are easily confused with the effect of this id.
+[[nodiscard]] std::vector<effects::Cause> terms_like(const gap_case::Rows& rows, const std::string& effect);
 
 /// Generic terms that explain what no effect of the library does.
 struct FoundTerms {
@@ -17,9 +19,10 @@ struct FoundTerms {
     std::vector<double> probability;  ///< of each among those that were fitted in its place, and none
     Split left_out;                   ///< with experiments left out
 };
-/// Matching pursuit: the best generic term upon the rig with build tolerances alone, every one screened and the best four fitted in full;
-/// then a second one upon it in the same way. None if the first does not exceed `least` (log evidence to beat) by kTermOdds, if its size
-/// does not stand off 0 or is at a bound, or if experiments that would each see it disagree about its size.
-[[nodiscard]] std::optional<FoundTerms> pursue_terms(const Problem& problem, const Fit& null, double least, const SearchOptions& options);
+/// Matching pursuit: the best generic term upon the rig with build tolerances alone, each of `terms` screened and the best three fitted in
+/// full; then a second one upon it in the same way. None if the first does not exceed `least` (log evidence to beat) by kTermOdds, if its
+/// size does not stand off 0 or is at a bound, or if experiments that would each see it disagree about its size.
+[[nodiscard]] std::optional<FoundTerms> pursue_terms(const Problem& problem, const Fit& null, double least,
+                                                     const std::vector<effects::Cause>& terms, const SearchOptions& options);
 
 }  // namespace fusee::inference

@@ -6,6 +6,8 @@
 
 namespace fusee::inference {
 
+inline constexpr double kStrained = 3.0;  ///< sigmas of a build parameter beyond which it may replace the effect under test
+
 /// Every effect of the library on every side.
 [[nodiscard]] std::vector<effects::Cause> causes_of_library();
 /// Every effect on every side that the experiments of the case can see.

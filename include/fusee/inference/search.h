@@ -32,6 +32,8 @@ struct SearchOptions {
 /// Every effect of the hypothesis is there: its size stands off 0, or it is a limit (a stop), which has no size of 0; and no build
 /// parameter is so far off that no workshop can cause it.
 [[nodiscard]] bool stands(const Problem& problem, const Fit& fit);
+/// Of these two the first alone: the size of every effect stands off 0.
+[[nodiscard]] bool sizes_stand(const Problem& problem, const Fit& fit);
 
 /// Applies the cost of a contradiction to every pair if no single effect beats none after the splits: pairs were sought for
 /// a single effect, and sizes that only compensate each other are not a pair of causes.

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <vector>
 
 #include "fusee/core/units.h"
@@ -18,12 +19,14 @@ struct SpringBuild {
 };
 
 /// One spring of a rig with its cam and cable: torque over deflection at the capstan, tabulated uniformly, so that one evaluation costs a
-/// few nanoseconds. A cable cannot push: 0 below deflection 0; beyond the end of the cam the torque continues linearly.
+/// few nanoseconds. A cable cannot push: 0 below deflection 0. Beyond the drawn end of the cam its arm stays that of the end, so that the
+/// torque continues linearly with the rate of the base spring at that arm.
 class CamSpring {
 public:
     CamSpring() = default;
+    /// @param stiffness beyond the end [Nm/rad]
     /// @pre x rises to an end above 0; all finite
-    CamSpring(const std::vector<double>& x, const std::vector<double>& torque);
+    CamSpring(const std::vector<double>& x, const std::vector<double>& torque, double stiffness);
 
     [[nodiscard]] double torque(double x) const {
         if (x <= 0.0) return x <= -kStop ? 0.0 : torque_[0] * (1.0 + x / kStop);
@@ -33,18 +36,18 @@ public:
     }
     /// Least deflection that gives `torque`; below the first: 0.
     [[nodiscard]] double deflection(double torque) const;
-    [[nodiscard]] double end() const { return (last_ + 1.0) / per_step_; }  ///< [rad]
+    [[nodiscard]] double end() const { return last_ / per_step_; }  ///< of the drawn cam [rad]
     /// The same with the torque times `factor` of the share of the end, 0 to 1.
     template <class Factor>
     [[nodiscard]] CamSpring scaled(const Factor& factor) const {
         CamSpring other = *this;
-        for (std::size_t i = 0; i < torque_.size(); ++i) other.torque_[i] *= factor(static_cast<double>(i) / (last_ + 1.0));
+        for (std::size_t i = 0; i < torque_.size(); ++i) other.torque_[i] *= factor(std::min(1.0, static_cast<double>(i) / last_));
         return other;
     }
 
 private:
-    static constexpr double kStop = 0.01;  ///< travel in which a preloaded cable goes slack [rad]
-    std::vector<double> torque_{0.0, 0.0};
+    static constexpr double kStop = 0.01;   ///< travel in which a preloaded cable goes slack [rad]
+    std::vector<double> torque_{0.0, 0.0};  // at the ends of the cells; the last one, at last_, lies beyond the drawn cam
     double per_step_ = 1.0, last_ = 0.0;
 };
 

@@ -17,7 +17,7 @@ namespace {
 constexpr double kFair = 1.5;             ///< T up to which the prediction of an experiment is as accurate as expected
 constexpr std::size_t kPairsOfDraws = 3;  ///< of the spread
 constexpr double kBuildDraw = 0.7;        ///< size of a draw in sigmas of a build parameter
-constexpr double kEffectDraw = 0.03;      ///< in shares of an effect's size
+constexpr double kEffectDraw = 0.03;      ///< in shares of an effect's size or a ripple's count
 constexpr double kFurtherDraw = 0.2;      ///< in shares of its further parameters
 constexpr int kLeastRounds = 2;           ///< of fits, each at the scales and slopes that the last one left
 constexpr int kMostRounds = 6;
@@ -94,8 +94,18 @@ void weigh(const Problem& problem, Fit& fit) {
 
 /// Size of a draw.
 double reach_of(Problem::Role role, double x) {
-    if (role == Problem::Role::kBuild) return kBuildDraw;
-    return (role == Problem::Role::kSize ? kEffectDraw : kFurtherDraw) * std::abs(x);
+    switch (role) {
+        case Problem::Role::kBuild:
+            return kBuildDraw;
+        case Problem::Role::kFurther:
+            return kFurtherDraw * std::abs(x);
+        case Problem::Role::kPhase:
+            return kEffectDraw;  // where a phase is 0 says nothing about its accuracy
+        case Problem::Role::kSize:
+        case Problem::Role::kCount:
+            break;
+    }
+    return kEffectDraw * std::abs(x);
 }
 
 /// A sign for draw `i` of parameter `k`, the same in every run: bits of a multiplicative hash.
@@ -238,6 +248,7 @@ void solve(const Problem& problem, Fit& fit, const Scales& scales, const Eigen::
     how.initial_trust_region_radius = 1e6;  // the problem is nearly linear: the first step is Gauss and Newton's
     how.function_tolerance = 2e-5;          // a step that is refused by a hair ends it too
     how.parameter_tolerance = 1e-4;
+    how.max_num_line_search_step_size_iterations = 0;  // at bounds a step is cut; a search along it takes eight Jacobians
     how.logging_type = ceres::SILENT;
     ceres::Solver::Summary summary;
     ceres::Solve(how, &solver, &summary);
@@ -245,6 +256,7 @@ void solve(const Problem& problem, Fit& fit, const Scales& scales, const Eigen::
 
 /// Residual, spread and cost at x.
 void look(const Problem& problem, Fit& fit, const FitOptions& options) {
+    fit.x = problem.with_positive_ripples(fit.causes, fit.x);
     fit.residual = problem.residual(fit.causes, fit.x);
     fit.spread = spread_of(problem, fit.causes, fit.x, options.jobs);
     const Eigen::VectorXd weight = problem.root_weight().cwiseAbs2();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fusee/core/units.h"
 #include "fusee/effects/term.h"
 
 namespace fusee::inference {
@@ -110,14 +111,29 @@ Eigen::VectorXd Problem::without_others(const Causes& causes, const Eigen::Vecto
     return own;
 }
 
+Eigen::VectorXd Problem::with_positive_ripples(const Causes& causes, Eigen::VectorXd x) const {
+    for (std::size_t c = 0; c < causes.size(); ++c) {
+        const effects::Effect& own = effect(causes[c].id);
+        if (!own.has_phase()) continue;
+        double& amplitude = x[size_at(causes, c)];
+        double& phase = x[size_at(causes, c + 1) - 1];
+        const double scale = own.parameters.back().scale, turned = scale * phase + (amplitude < 0.0 ? core::kPi : 0.0);
+        phase = std::remainder(turned, 2.0 * core::kPi) / scale;
+        amplitude = std::abs(amplitude);
+    }
+    return x;
+}
+
 double Problem::prior_sigma(const Causes& causes, int parameter) const {
     return role(causes, parameter) == Role::kSize ? kEffectPrior : 1.0;
 }
 
 Problem::Role Problem::role(const Causes& causes, int parameter) const {
     Role role = Role::kBuild;
-    visit_parameters(causes, [&](const effects::Effect&, std::size_t k, int i) {
-        if (i == parameter) role = k == 0 ? Role::kSize : Role::kFurther;
+    visit_parameters(causes, [&](const effects::Effect& effect, std::size_t k, int i) {
+        if (i != parameter) return;
+        role = k == 0 ? Role::kSize : Role::kFurther;
+        if (k > 0 && effect.has_phase()) role = k + 1 == effect.parameters.size() ? Role::kPhase : Role::kCount;
     });
     return role;
 }

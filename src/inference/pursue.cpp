@@ -17,16 +17,9 @@ constexpr std::size_t kMostTerms = 2;  ///< of an answer
 
 std::vector<const char*> sides_of(const effects::Term& term) {
     if (!term.effect.sided) return {"none"};
-    const bool ripple = term.effect.id.find("ripple") != std::string::npos;
-    if (ripple) return {"agonist", "antagonist"};
+    if (term.effect.has_phase()) return {"agonist", "antagonist"};
     return {"agonist", "antagonist", "both"};
 }
-
-/// A term upon a base.
-struct Added {
-    Fit fit;
-    double log_odds = 0.0, probability = 0.0;
-};
 
 /// A fit that strains a build parameter is tried again with such parameters at 0: they had replaced what the term explains now.
 Fit relaxed(const Problem& problem, Fit found, unsigned jobs) {
@@ -38,34 +31,91 @@ Fit relaxed(const Problem& problem, Fit found, unsigned jobs) {
     return again.log_evidence > found.log_evidence ? again : found;
 }
 
-/// Full fits of the best guesses whose sizes stand, the likeliest first.
+/// The fit without cause `c`, where it is: not fitted again.
+Fit without(const Problem& problem, const Fit& fit, std::size_t c) {
+    const int from = problem.size_at(fit.causes, c), to = problem.size_at(fit.causes, c + 1), left = static_cast<int>(fit.x.size()) - to;
+    Fit base = fit;
+    base.causes.erase(base.causes.begin() + static_cast<std::ptrdiff_t>(c));
+    base.x.resize(fit.x.size() - (to - from));
+    base.x << fit.x.head(from), fit.x.tail(left);
+    base.jacobian = joined(fit.jacobian.leftCols(from), fit.jacobian.rightCols(left));
+    return base;
+}
+
+/// A fit whose terms are looked for once more, one after the other, now that all else is where it belongs: laws over an angle have
+/// many local minima.
+Fit searched_again(const Problem& problem, Fit found, unsigned jobs) {
+    for (std::size_t c = found.causes.size(); c-- > 0 && !explained(problem, found);) {
+        const Guess guess = guess_upon(problem, without(problem, found, c), found.causes[c]);
+        Fit again = fit(problem, guess.causes, guess.x, {.jobs = jobs});
+        if (again.log_evidence > found.log_evidence) found = std::move(again);
+    }
+    return found;
+}
+
+/// Full fits of the best guesses whose sizes stand.
 std::vector<Fit> standing_fits(const Problem& problem, std::vector<Guess> guesses, const SearchOptions& options) {
     std::erase_if(guesses, [](const Guess& guess) { return !std::isfinite(guess.cost); });
     guesses.resize(std::min(kFitted, guesses.size()));
     std::vector<Fit> fits = fits_of(problem, guesses, options.jobs);
     for (Fit& fit : fits) fit = relaxed(problem, std::move(fit), options.jobs);
     std::erase_if(fits, [&](const Fit& fit) { return !std::isfinite(fit.log_evidence) || !sizes_stand(problem, fit); });
-    std::stable_sort(fits.begin(), fits.end(), [](const Fit& a, const Fit& b) { return a.log_evidence > b.log_evidence; });
     return fits;
 }
 
-/// The best term upon `base`, if it exceeds `least` by its odds.
-std::optional<Added> added_upon(const Problem& problem, const Fit& base, double least, std::vector<effects::Cause> causes,
-                                const SearchOptions& options) {
+/// Terms that may join `base`.
+std::vector<effects::Cause> terms_beside(std::vector<effects::Cause> causes, const Fit& base) {
     std::erase_if(causes, [&](const effects::Cause& cause) {
         return std::any_of(base.causes.begin(), base.causes.end(), [&](const effects::Cause& there) {
             return there == cause || (there.id == cause.id && (there.side == "both" || cause.side == "both"));
         });
     });
-    std::vector<Fit> fits = standing_fits(problem, screen(problem, base, causes, options.jobs, kImproved), options);
-    if (fits.empty()) return std::nullopt;
-    Added added{{}, fits.front().log_evidence - kTermOdds - least, 0.0};
-    if (!(added.log_odds > 0.0)) return std::nullopt;
-    double sum = std::exp(-added.log_odds);
-    for (const Fit& other : fits) sum += std::exp(other.log_evidence - fits.front().log_evidence);
-    added.probability = 1.0 / sum;
-    added.fit = std::move(fits.front());
-    return added;
+    return causes;
+}
+
+/// Those of them that are the last term of `base` on its other side.
+std::vector<effects::Cause> on_other_side(std::vector<effects::Cause> causes, const Fit& base) {
+    std::erase_if(causes, [&](const effects::Cause& cause) { return cause.id != base.causes.back().id; });
+    return causes;
+}
+
+/// Fits with one term more, the likeliest first: any term upon the best base; upon each other base its own term on the other side,
+/// since of a term on both sides either half alone may look worse than something else.
+std::vector<Fit> fits_upon(const Problem& problem, const std::vector<Fit>& bases, const std::vector<effects::Cause>& terms,
+                           const SearchOptions& options) {
+    std::vector<Fit> fits;
+    for (const Fit& base : bases) {
+        std::vector<effects::Cause> causes = terms_beside(terms, base);
+        if (&base != &bases.front()) causes = on_other_side(std::move(causes), base);
+        for (Fit& fit : standing_fits(problem, screen(problem, base, causes, options.jobs, kImproved), options))
+            fits.push_back(std::move(fit));
+    }
+    const auto likelier = [](const Fit& a, const Fit& b) { return a.log_evidence > b.log_evidence; };
+    std::stable_sort(fits.begin(), fits.end(), likelier);
+    if (!fits.empty()) fits.front() = searched_again(problem, std::move(fits.front()), options.jobs);
+    return fits;
+}
+
+/// Probability of the first among the fits and the hypothesis that it exceeds by its odds.
+double share_of_first(const std::vector<Fit>& fits, double log_odds) {
+    double sum = std::exp(-log_odds);
+    for (const Fit& fit : fits) sum += std::exp(fit.log_evidence - fits.front().log_evidence);
+    return 1.0 / sum;
+}
+
+/// Puts the first of `fits` in the place of the terms that were found so far. Terms that are new have the figures of this step.
+void add_first(const std::vector<Fit>& fits, double log_odds, FoundTerms& found) {
+    const Fit& first = fits.front();
+    std::vector<double> odds(first.causes.size(), log_odds), probability(first.causes.size(), share_of_first(fits, log_odds));
+    for (std::size_t c = 0; c < found.fit.causes.size(); ++c) {
+        const auto at = std::find(first.causes.begin(), first.causes.end(), found.fit.causes[c]) - first.causes.begin();
+        if (at == std::ssize(first.causes)) continue;
+        odds[static_cast<std::size_t>(at)] = found.log_odds[c];
+        probability[static_cast<std::size_t>(at)] = found.probability[c];
+    }
+    found.fit = first;
+    found.log_odds = std::move(odds);
+    found.probability = std::move(probability);
 }
 
 /// A term whose partner is still missing may strain the build parameters and differ from experiment to experiment; an answer may not.
@@ -98,17 +148,22 @@ std::optional<FoundTerms> pursue_terms(const Problem& problem, const Fit& null, 
                                        const SearchOptions& options) {
     FoundTerms found{null, {}, {}, {}};
     std::optional<FoundTerms> good;
-    while (found.log_odds.size() < kMostTerms) {
-        std::optional<Added> next = added_upon(problem, found.fit, least, terms, options);
-        if (!next) break;
-        if (!at_bounds(problem, next->fit).empty()) break;
-        found.log_odds.push_back(next->log_odds);
-        found.probability.push_back(next->probability);
-        found.fit = std::move(next->fit);
-        found.left_out = experiments_left_out(problem, null, found.fit, options.jobs);
-        least = found.fit.log_evidence;
-        if (trusted(problem, found)) good = found;
-        if (explained(problem, found.fit)) break;
+    std::vector<Fit> bases{null};
+    double cost = 0.0;  // of the terms upon what is to be beaten [nats]
+    for (std::size_t terms_of_fit = 1; terms_of_fit <= kMostTerms; ++terms_of_fit) {
+        std::vector<Fit> fits = fits_upon(problem, bases, terms, options);
+        if (fits.empty() || !at_bounds(problem, fits.front()).empty()) break;
+        cost += kTermOdds;
+        // A first term that is not worth its cost may be one half of a term on both sides, which is worth the cost of two.
+        if (const double log_odds = fits.front().log_evidence - cost - least; log_odds > 0.0) {
+            add_first(fits, log_odds, found);
+            found.left_out = experiments_left_out(problem, null, found.fit, options.jobs);
+            least = found.fit.log_evidence;
+            cost = 0.0;
+            if (trusted(problem, found)) good = found;
+            if (explained(problem, found.fit)) break;
+        }
+        bases = std::move(fits);
     }
     return good;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fusee/core/parallel.h"
+#include "starts.h"
 
 namespace fusee::inference {
 
@@ -13,43 +14,6 @@ constexpr int kDirectRounds = 6;      ///< of steps on break-away and spring pul
 constexpr double kDirectStep = 0.01;  ///< of their differences, in scales
 constexpr double kLike = 0.05;        ///< distance, in x, of starts that are one
 constexpr int kScreenRounds = 2;      ///< of steps with the effect's own columns
-
-/// The same starts with deviating build parameters back at 0: the effect replaces them now. Stick-slip friction
-/// gives a fit no slope in that direction.
-void add_relaxed(const Problem& problem, std::vector<Eigen::VectorXd>& starts) {
-    const auto build = static_cast<Eigen::Index>(problem.build().size());
-    Eigen::ArrayXd free = starts.front().head(build).array();
-    free = (free.abs() > kStrained).select(0.0, free);
-    if ((free == starts.front().head(build).array()).all()) return;
-    for (std::size_t i = 0, n = starts.size(); i < n; ++i) {
-        starts.push_back(starts[i]);
-        starts.back().head(build) = free;
-    }
-}
-
-/// Every start: x of the base with each start of the effect size and each try of its further parameters.
-std::vector<Eigen::VectorXd> starts_upon(const Problem& problem, const Fit& base, const Causes& causes, const effects::Effect& effect) {
-    Eigen::VectorXd first = problem.start(causes);
-    first.head(base.x.size()) = base.x;
-    std::vector<Eigen::VectorXd> all;
-    for (const double size : effect.starts) {
-        first[base.x.size()] = size;
-        all.push_back(first);
-    }
-    for (std::size_t k = 1; k < effect.parameters.size(); ++k) {
-        const effects::EffectParameter& p = effect.parameters[k];
-        if (p.tries.empty()) continue;
-        std::vector<Eigen::VectorXd> more;
-        for (const Eigen::VectorXd& x : all)
-            for (const double value : p.tries) {
-                more.push_back(x);
-                more.back()[base.x.size() + static_cast<Eigen::Index>(k)] = value / p.scale;
-            }
-        all = std::move(more);
-    }
-    add_relaxed(problem, all);
-    return all;
-}
 
 /// The rows of break-away and spring pulls, of those `kept`.
 std::vector<bool> direct_rows(const Problem& problem, const std::vector<bool>* kept) {
@@ -105,7 +69,7 @@ Guess best_start(const Problem& problem, const Fit& base, const effects::Cause& 
     const auto own = static_cast<Eigen::Index>(problem.size(causes)) - base.x.size();
     const Eigen::MatrixXd held =
         joined(base.spread.cwiseInverse().asDiagonal() * base.jacobian, Eigen::MatrixXd::Zero(base.jacobian.rows(), own));
-    std::vector<Eigen::VectorXd> starts = starts_upon(problem, base, causes, effect);
+    std::vector<Eigen::VectorXd> starts = starts_upon(problem, base, causes, kept);
     const std::vector<bool> direct = direct_rows(problem, kept);
     const bool seen = std::any_of(effect.seen_by.begin(), effect.seen_by.end(), [&](gap_case::Experiment e) {
         for (std::size_t i = 0; i < direct.size(); ++i)

@@ -55,6 +55,7 @@ public:
             refit.improvement = refit.end.cost - other.cost;
             refit.end = other;
         }
+        refit.end.x = problem_.with_positive_ripples(refit.end.causes, refit.end.x);
         return refit;
     }
 

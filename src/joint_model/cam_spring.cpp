@@ -15,9 +15,15 @@ constexpr std::size_t kCells =
     1200;  ///< of a table: linear between them, 1e-3 of the greatest torque for the steepest stiction-compensating law
 constexpr std::size_t kRefinement = gap_case::NominalRig::kSpringSteps;  ///< grid of the nominal cams
 constexpr double kLeastArm = 1e-5;   ///< least arm, on the reference rig [m]: a fit that tries a shorter one sees a very stiff spring
+constexpr double kStepWidth = 0.02;  ///< of the cam's end
 constexpr double kLeastTurn = 1e-9;  ///< [rad], least step of a table, which must rise
 
 }  // namespace
+
+double SpringBuild::arm_factor(double share) const {
+    const double in = std::clamp((share - step_at) / kStepWidth + 0.5, 0.0, 1.0);
+    return 1.0 + step * in * in * (3.0 - 2.0 * in);
+}
 
 CamSpring::CamSpring(const std::vector<double>& x, const std::vector<double>& torque, double stiffness)
     : torque_(kCells + 1), per_step_(kCells / x.back()), last_(kCells) {
@@ -76,13 +82,16 @@ NominalCams::NominalCams(const gap_case::NominalRig& rig)
 
 CamSpring NominalCams::series(const SpringBuild& build) const {
     std::vector<double> x(x_.size()), torque(x_.size());
+    double arm = 0.0, gained = 0.0;  // cable that the step gains [m]
     for (std::size_t i = 0; i < x_.size(); ++i) {
-        const double arm = std::max(least_arm_, se_arm_[i] + build.radius);
+        const double whole = se_arm_[i] + build.radius, factor = build.arm_factor(phi_[i] / phi_.back());
+        if (i > 0) gained += whole * (factor - 1.0) * (phi_[i] - phi_[i - 1]);
+        arm = std::max(least_arm_, whole * factor);
         torque[i] = std::max(0.0, capstan_radius_ * k_se_ * (1.0 + build.rate) * (phi_[i] + build.preload) / arm);
-        x[i] = x_[i] + build.radius * phi_[i] / capstan_radius_ + build.stretch * torque[i];
+        x[i] = x_[i] + (build.radius * phi_[i] + gained) / capstan_radius_ + build.stretch * torque[i];
         if (i > 0) x[i] = std::max(x[i], x[i - 1] + kLeastTurn);
     }
-    const double lever = capstan_radius_ / std::max(least_arm_, se_arm_.back() + build.radius);
+    const double lever = capstan_radius_ / arm;
     const double stiffness = k_se_ * (1.0 + build.rate) * lever * lever;
     return {x, torque, stiffness / (1.0 + stiffness * build.stretch)};
 }
@@ -91,12 +100,15 @@ double NominalCams::shortest_series_arm() const { return *std::min_element(se_ar
 
 CamSpring NominalCams::parallel(const SpringBuild& build) const {
     std::vector<double> torque(x_.size());
+    double arm = 0.0, gained = 0.0;  // compression that the step gains [m]
     for (std::size_t i = 0; i < x_.size(); ++i) {
-        const double y = y_[i] + build.radius * x_[i];
+        const double whole = pe_arm_[i] + build.radius, factor = build.arm_factor(x_[i] / x_.back());
+        if (i > 0) gained += whole * (factor - 1.0) * (x_[i] - x_[i - 1]);
+        arm = whole * factor;
+        const double y = y_[i] + build.radius * x_[i] + gained;
         const double force = std::max(0.0, y + build.preload) + build.binding_rate * std::max(0.0, y - build.binds_at);
-        torque[i] = k_pe_ * (1.0 + build.rate) * force * (pe_arm_[i] + build.radius);
+        torque[i] = k_pe_ * (1.0 + build.rate) * force * arm;
     }
-    const double arm = pe_arm_.back() + build.radius;
     const double rate = k_pe_ * (1.0 + build.rate) * (y_.back() > build.binds_at ? 1.0 + build.binding_rate : 1.0);
     return {x_, torque, rate * arm * arm};
 }

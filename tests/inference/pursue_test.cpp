@@ -51,6 +51,26 @@ TEST(PursueTerms, FrictionThatDriftsOverTheSessionIsFoundInTheOrderOfTheRows) {
     EXPECT_NEAR(found->fit.x[found->fit.x.size() - 2] * 0.4, -0.5, 0.15);
 }
 
+// One half alone is not worth its cost: 20 nats of 25; both are worth 130.
+TEST(PursueTerms, ATermOfBothSidesIsFoundOnBoth) {
+    const Causes both{{"term.motor.ripple", "agonist"}, {"term.motor.ripple", "antagonist"}};
+    gap_case::Rows rows = short_log(4.0);
+    rows.cocontraction = set_points(small_template()).cocontraction;
+    const gap_case::Case gap_case = measured_case(rows, both, {0.06, 0.06}, 1.0, 6);
+    const Problem problem(gap_case);
+    const Fit null = best_fit(problem, {});
+    const std::optional<FoundTerms> found =
+        pursue_terms(problem, null, null.log_evidence, possible_terms(problem.gap_case().rows), {.jobs = 2, .progress = {}});
+    ASSERT_TRUE(found);
+    ASSERT_EQ(found->fit.causes.size(), 2U);
+    for (const effects::Cause& cause : both) EXPECT_EQ(std::count(found->fit.causes.begin(), found->fit.causes.end(), cause), 1);
+    for (std::size_t c = 0; c < 2; ++c) {
+        const Eigen::Index size = problem.size_at(found->fit.causes, c);
+        const effects::Effect& effect = problem.effect(both[c].id);
+        EXPECT_NEAR(found->fit.x[size] * effect.parameters[0].scale, 0.06, 0.006);
+    }
+}
+
 TEST(TermsLike, NameTheEffectAmongThoseTheyAreConfusedWith) {
     gap_case::Rows rows = some_rows();
     EXPECT_TRUE(terms_like(rows, "joint.gravity").empty());  // no experiment moves the joint

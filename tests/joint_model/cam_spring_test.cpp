@@ -116,10 +116,29 @@ TEST(CamSpring, BoundCoilsTakeOverPastTheirCompression) {
     EXPECT_NEAR(cams.greatest_compression(), std::sqrt(2.0 * kPe.energy(kEnd) / kStiffening.pe_compression_rate), 1e-7);
 }
 
+// Beyond the step the state gains a share of the cable or compression that the whole cam takes from there on.
+TEST(CamSpring, AStepOfTheArmsChangesTorqueAtOnceAndDeflectionFromThereOn) {
+    const double a = -0.15, at = 0.5, compression = std::sqrt(2.0 / kStiffening.pe_compression_rate);
+    const NominalCams cams(kStiffening);
+    const CamSpring se = cams.series({.step = a, .step_at = at}), pe = cams.parallel({.step = a, .step_at = at});
+    double of_step = 0.0;  // the deflection at half the spool's turn: a quarter of the energy
+    while (kSe.energy(of_step) < at * at * kSe.energy(kEnd)) of_step += 1e-4;
+    for (const double share : {0.1, 0.3, 0.45}) {
+        EXPECT_NEAR(pe.torque(share * kEnd), kPe.torque(share * kEnd), 1e-4 * kPe.torque(kEnd)) << share;
+        EXPECT_NEAR(se.torque(share * of_step), kSe.torque(share * of_step), 1e-4 * kSe.torque(kEnd)) << share;
+    }
+    for (const double share : {0.56, 0.75, 0.95}) {
+        const double x = share * kEnd, y = compression * std::sqrt(kPe.energy(x)), y_step = compression * std::sqrt(kPe.energy(at * kEnd));
+        EXPECT_NEAR(pe.torque(x) / kPe.torque(x), (1.0 + a) * (1.0 + a * (1.0 - y_step / y)), 2e-3) << share;
+        const double wound = of_step + (kEnd - of_step) * (2.0 * share - 1.0);
+        EXPECT_NEAR(se.torque(wound + a * (wound - of_step)) / kSe.torque(wound), 1.0 / (1.0 + a), 2e-3) << share;
+    }
+}
+
 TEST(CamSpring, ArmsThatNoSpoolHasGiveAStiffSpringThatCanBeReadEverywhere) {
     const NominalCams cams(kStiffening);
     ASSERT_GT(cams.shortest_series_arm(), 0.005);
-    for (const SpringBuild build :
+    for (const SpringBuild& build :
          {SpringBuild{.radius = -0.02}, {.radius = -0.5}, {.preload = -1.0, .stretch = 5.0}, {.radius = -cams.shortest_series_arm()}}) {
         const CamSpring se = cams.series(build);
         EXPECT_GT(se.end(), 0.0);

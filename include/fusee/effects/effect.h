@@ -51,6 +51,8 @@ struct Effect {
 
     /// Its size is a limit (for example the angle of a stop), which is never 0.
     [[nodiscard]] bool is_limit() const { return parameters.front().allowed.low > 0.0; }
+    /// Its last parameter is the phase of a ripple [rad]: the opposite size is the same law half a turn on.
+    [[nodiscard]] bool has_phase() const { return parameters.back().name == "phase"; }
 };
 
 /// All of them, by id.

@@ -38,8 +38,10 @@ public:
     /// `x` of `causes` reduced to the hypothesis with the cause `kept` only.
     [[nodiscard]] Eigen::VectorXd without_others(const Causes& causes, const Eigen::VectorXd& x, const effects::Cause& kept) const;
     [[nodiscard]] double prior_sigma(const Causes& causes, int parameter) const;
-    enum class Role { kBuild, kSize, kFurther };
-    /// What x[parameter] is: a build parameter, the size of an effect, or a further parameter of one.
+    /// The same hypothesis with one of the two ways to write a ripple: its size is positive, its phase within half a turn of 0.
+    [[nodiscard]] Eigen::VectorXd with_positive_ripples(const Causes& causes, Eigen::VectorXd x) const;
+    enum class Role { kBuild, kSize, kFurther, kCount, kPhase };
+    /// What x[parameter] is: a build parameter, the size of an effect, a further parameter of one, or the count or phase of a ripple.
     [[nodiscard]] Role role(const Causes& causes, int parameter) const;
 
     [[nodiscard]] joint_model::BuiltRig rig(const Causes& causes, const Eigen::VectorXd& x) const;

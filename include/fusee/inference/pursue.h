@@ -20,8 +20,9 @@ struct FoundTerms {
     Split left_out;                   ///< with experiments left out
 };
 /// Matching pursuit: the best generic term upon the rig with build tolerances alone, each of `terms` screened and the best three fitted in
-/// full; then a second one upon it in the same way. None if the first does not exceed `least` (log evidence to beat) by kTermOdds, if its
-/// size does not stand off 0 or is at a bound, or if experiments that would each see it disagree about its size.
+/// full; then a second one upon it in the same way, or the same term on the other side upon any of the three. None if they do not exceed
+/// `least` (log evidence to beat) by kTermOdds each, if a size does not stand off 0 or is at a bound, or if experiments that would each
+/// see it disagree about its size.
 [[nodiscard]] std::optional<FoundTerms> pursue_terms(const Problem& problem, const Fit& null, double least,
                                                      const std::vector<effects::Cause>& terms, const SearchOptions& options);
 

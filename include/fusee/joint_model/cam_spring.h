@@ -12,10 +12,14 @@ struct SpringBuild {
     double rate = 0.0;           ///< relative change of the base spring's rate
     double radius = 0.0;         ///< added to every arm [m]
     double preload = 0.0;        ///< base spring wound (+) or slack (-) at deflection 0 [rad of spool] or [m]
+    double step = 0.0;           ///< every arm is (1 + step) times from one place of the cam on: a crack or a dent
+    double step_at = 1.0;        ///< that place, of the cam's end: turn of the spool (K_SE) or of the capstan (K_PE)
     double stretch = 0.0;        ///< compliance in series [rad/Nm] at the capstan
     double binds_at = 1e9;       ///< compression past which the coils bind [m]; K_PE only
     double binding_rate = 15.0;  ///< rate of bound coils, of the spring's own
     double hysteresis = 0.0;     ///< a of F (1 + a z)
+    /// Factor of the arm at `share` of the cam's end; a step takes 0.02 of it.
+    [[nodiscard]] double arm_factor(double share) const;
 };
 
 /// One spring of a rig with its cam and cable: torque over deflection at the capstan, tabulated uniformly, so that one evaluation costs a

@@ -47,8 +47,6 @@ struct GearTerms {
 /// Of a spring with its cam and cable.
 struct SpringTerms {
     double slope = 0.0;                                        ///< torque is (1 + slope x/end) times
-    double step = 0.0;                                         ///< torque is (1 + step) times from a deflection on
-    double step_at = 0.0;                                      ///< of the cam's end
     double relaxation = 0.0;                                   ///< a: share of the torque that is lost as held
     double relaxation_time = 1.0;                              ///< [s]
     double fast_share = 0.0;                                   ///< w: the law is that of the fast torque (0), or of the settled one (1)
@@ -61,11 +59,8 @@ struct SpringTerms {
     [[nodiscard]] double relaxed(double elastic, double following) const {
         return elastic * (1.0 + relaxation * fast_share) - relaxation * following;
     }
-    /// Factor of the torque at `share` of the cam's end; a step takes 0.02 of it.
-    [[nodiscard]] double factor(double share) const {
-        const double in = std::fmin(1.0, std::fmax(0.0, (share - step_at) / 0.02 + 0.5));
-        return 1.0 + slope * share + step * in * in * (3.0 - 2.0 * in);
-    }
+    /// Factor of the torque at `share` of the cam's end.
+    [[nodiscard]] double factor(double share) const { return 1.0 + slope * share; }
 };
 
 /// Of the joint.

@@ -13,11 +13,11 @@ struct SpringName {
     [[nodiscard]] std::string effect(const char* what) const { return id.substr(2) + what; }
 };
 
-template <joint_model::SpringTerms joint_model::BuiltSide::*kSpring>
+template <joint_model::SpringBuild joint_model::BuiltSide::*kBuild>
 Term spring_step(const SpringName& spring) {
     return {{.id = "term." + spring.id + ".step",
-             .law = "From a deflection on, the torque is (1 + a) times.",
-             .meaning = "The torque of " + spring.name + " changes at one deflection: a crack or a dent of its cam.",
+             .law = "From one place of the cam on, its arm is (1 + a) times.",
+             .meaning = "The arm of " + spring.name + " changes at one place of its cam: a crack or a dent.",
              .sided = true,
              .parameters = {{"share", "1", 0.15, {-0.9, 3.0}, 0.0}, {"at", "1", 0.3, {0.02, 0.98}, 0.5, {0.2, 0.4, 0.6, 0.8}}},
              .starts = {1.0, -1.0},
@@ -25,15 +25,15 @@ Term spring_step(const SpringName& spring) {
              .confused_with = {spring.effect(".radius")},
              .apply =
                  [](BuiltRig& rig, int side, std::span<const double> v) {
-                     (rig.sides[side].*kSpring).step = v[0];
-                     (rig.sides[side].*kSpring).step_at = v[1];
+                     (rig.sides[side].*kBuild).step = v[0];
+                     (rig.sides[side].*kBuild).step_at = v[1];
                  }},
             spring.name,
             "angle",
             "end_share",
             "share",
-            [](std::span<const double> v, double x) { return joint_model::SpringTerms{.step = v[0], .step_at = v[1]}.factor(x); },
-            "The torque of {side} " + spring.name + " is {share} % off from {second} of its cam's end on."};
+            [](std::span<const double> v, double x) { return joint_model::SpringBuild{.step = v[0], .step_at = v[1]}.arm_factor(x); },
+            "The arm of {side} " + spring.name + " is {share} % off from {second} of its cam's end on."};
 }
 
 template <joint_model::SpringTerms joint_model::BuiltSide::*kSpring>
@@ -81,9 +81,9 @@ Term spring_relaxation(const SpringName& spring) {
             "{Side} " + spring.name + " loses {share} % of its torque with a time constant of {second} s."};
 }
 
-template <joint_model::SpringTerms joint_model::BuiltSide::*kSpring>
+template <joint_model::SpringBuild joint_model::BuiltSide::*kBuild, joint_model::SpringTerms joint_model::BuiltSide::*kSpring>
 std::vector<Term> terms_of(const SpringName& spring) {
-    return {spring_step<kSpring>(spring), spring_slope<kSpring>(spring), spring_relaxation<kSpring>(spring)};
+    return {spring_step<kBuild>(spring), spring_slope<kSpring>(spring), spring_relaxation<kSpring>(spring)};
 }
 
 Term cable_slip() {
@@ -133,8 +133,9 @@ Term cable_jump() {
 }  // namespace
 
 std::vector<Term> spring_terms() {
-    std::vector<Term> all = terms_of<&joint_model::BuiltSide::se_terms>({"k_se", "K_SE"});
-    for (Term& term : terms_of<&joint_model::BuiltSide::pe_terms>({"k_pe", "K_PE"})) all.push_back(std::move(term));
+    std::vector<Term> all = terms_of<&joint_model::BuiltSide::se_build, &joint_model::BuiltSide::se_terms>({"k_se", "K_SE"});
+    for (Term& term : terms_of<&joint_model::BuiltSide::pe_build, &joint_model::BuiltSide::pe_terms>({"k_pe", "K_PE"}))
+        all.push_back(std::move(term));
     all.push_back(cable_slip());
     all.push_back(cable_jump());
     return all;

@@ -21,7 +21,7 @@ constexpr double kEffectDraw = 0.03;      ///< in shares of an effect's size or 
 constexpr double kFurtherDraw = 0.2;      ///< in shares of its further parameters
 constexpr int kLeastRounds = 2;           ///< of fits, each at the scales and slopes that the last one left
 constexpr int kMostRounds = 6;
-constexpr double kSettled = 1.0;  ///< fall of the cost in a round that ends them: half a nat
+constexpr double kSettled = 1.0;  ///< fall of the cost in a round that ends them: a change of the log evidence by 0.5
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 

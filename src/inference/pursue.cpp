@@ -6,6 +6,7 @@
 #include "fusee/effects/term.h"
 #include "fusee/inference/interval.h"
 #include "fusee/inference/screen.h"
+#include "refine.h"
 
 namespace fusee::inference {
 
@@ -14,43 +15,12 @@ namespace {
 constexpr std::size_t kImproved = 12;  ///< terms that make a step in the screening
 constexpr std::size_t kFitted = 3;     ///< terms fitted in full
 constexpr std::size_t kMostTerms = 2;  ///< of an answer
+constexpr double kHalf = 0.5;          ///< of its cost, which one half of a term on both sides has to be worth alone
 
 std::vector<const char*> sides_of(const effects::Term& term) {
     if (!term.effect.sided) return {"none"};
     if (term.effect.has_phase()) return {"agonist", "antagonist"};
     return {"agonist", "antagonist", "both"};
-}
-
-/// A fit that strains a build parameter is tried again with such parameters at 0: they had replaced what the term explains now.
-Fit relaxed(const Problem& problem, Fit found, unsigned jobs) {
-    if (std::abs(worst_nuisance_pull(problem, found).sigmas) <= kImpossible) return found;
-    Eigen::VectorXd x = found.x;
-    for (std::size_t k = 0; k < problem.build().size(); ++k)
-        if (double& value = x[static_cast<Eigen::Index>(k)]; std::abs(value) > kStrained) value = 0.0;
-    Fit again = fit(problem, found.causes, x, {.jobs = jobs});
-    return again.log_evidence > found.log_evidence ? again : found;
-}
-
-/// The fit without cause `c`, where it is: not fitted again.
-Fit without(const Problem& problem, const Fit& fit, std::size_t c) {
-    const int from = problem.size_at(fit.causes, c), to = problem.size_at(fit.causes, c + 1), left = static_cast<int>(fit.x.size()) - to;
-    Fit base = fit;
-    base.causes.erase(base.causes.begin() + static_cast<std::ptrdiff_t>(c));
-    base.x.resize(fit.x.size() - (to - from));
-    base.x << fit.x.head(from), fit.x.tail(left);
-    base.jacobian = joined(fit.jacobian.leftCols(from), fit.jacobian.rightCols(left));
-    return base;
-}
-
-/// A fit whose terms are looked for once more, one after the other, now that all else is where it belongs: laws over an angle have
-/// many local minima.
-Fit searched_again(const Problem& problem, Fit found, unsigned jobs) {
-    for (std::size_t c = found.causes.size(); c-- > 0 && !explained(problem, found);) {
-        const Guess guess = guess_upon(problem, without(problem, found, c), found.causes[c]);
-        Fit again = fit(problem, guess.causes, guess.x, {.jobs = jobs});
-        if (again.log_evidence > found.log_evidence) found = std::move(again);
-    }
-    return found;
 }
 
 /// Full fits of the best guesses whose sizes stand.
@@ -154,8 +124,9 @@ std::optional<FoundTerms> pursue_terms(const Problem& problem, const Fit& null, 
         std::vector<Fit> fits = fits_upon(problem, bases, terms, options);
         if (fits.empty() || !at_bounds(problem, fits.front()).empty()) break;
         cost += kTermOdds;
-        // A first term that is not worth its cost may be one half of a term on both sides, which is worth the cost of two.
-        if (const double log_odds = fits.front().log_evidence - cost - least; log_odds > 0.0) {
+        const double log_odds = fits.front().log_evidence - cost - least;
+        if (log_odds < (kHalf - 1.0) * kTermOdds) break;
+        if (log_odds > 0.0) {
             add_first(fits, log_odds, found);
             found.left_out = experiments_left_out(problem, null, found.fit, options.jobs);
             least = found.fit.log_evidence;

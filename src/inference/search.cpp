@@ -9,6 +9,7 @@
 
 #include "fusee/inference/interval.h"
 #include "fusee/inference/screen.h"
+#include "refine.h"
 
 namespace fusee::inference {
 
@@ -19,6 +20,7 @@ constexpr std::size_t kSingles = 5;     ///< fitted in full
 constexpr double kNearEnough = 0.5;     ///< of the way from the best back to no effect, within which a rival of what explains all is fitted
 constexpr std::size_t kPairs = 3;       ///< upon each base
 constexpr std::size_t kBases = 2;       ///< single effects upon which pairs are sought
+constexpr std::size_t kRefined = 2;     ///< hypotheses that are searched again
 constexpr double kWorthAPair = 60.0;    ///< a base is left out when it is so far behind the best one [nats]
 constexpr double kNothingLeft = 1.15;   ///< T of every experiment at which no second effect is sought
 constexpr double kStretched = 3.5;      ///< sigmas of a build parameter: among 25, one time in a hundred on a faultless rig
@@ -88,6 +90,14 @@ void add_pairs_of_singles(const Problem& problem, const std::vector<Fit>& single
 /// Does a hypothesis that stands explain all?
 bool any_explains(const Problem& problem, const std::vector<Fit>& fits) {
     return std::any_of(fits.begin(), fits.end(), [&](const Fit& fit) { return stands(problem, fit) && explained(problem, fit); });
+}
+
+/// The best hypotheses that do not explain all are searched again: a fit in a local minimum may be strained, and would be left out.
+void search_again(const Problem& problem, const SearchOptions& options, std::vector<Fit>& fits) {
+    sort_by_score(fits);
+    for (std::size_t i = 0; i < std::min(kRefined, fits.size()); ++i)
+        if (!fits[i].causes.empty() && !explained(problem, fits[i]))
+            fits[i] = searched_again(problem, relaxed(problem, std::move(fits[i]), options.jobs), options.jobs);
 }
 
 /// The best pair without one of its effects, started at the pair: a single fit that stopped elsewhere would make its
@@ -230,6 +240,7 @@ Search search(const Problem& problem, const SearchOptions& options) {
         add_pairs(problem, causes, singles, options, fits);
         if (!any_explains(problem, fits)) add_pairs_of_singles(problem, singles, options, fits);
     }
+    if (!any_explains(problem, fits)) search_again(problem, options, fits);
     step_back(problem, options, fits);
     tell("pairs of effects");
     Search result = ranked(problem, std::move(fits), options);

@@ -55,14 +55,21 @@ TEST(Power, ASizeThatItStatesIsNamedAndATenthIsNot) {
 }
 
 TEST(Power, OfDeadBandsAloneIsTooLittleForAVerdict) {
-    const Diagnosis found = answer_to(measured_case(only_dead_bands(), {kCoulomb}, {0.04}, 1.0, 4));
-    EXPECT_EQ(found.verdict, VerdictKind::kInconclusive) << diagnosis_json(found);
+    const Diagnosis found = answer_to(measured_case(only_dead_bands(), {kCoulomb}, {0.02}, 1.0, 4));
+    ASSERT_EQ(found.verdict, VerdictKind::kInconclusive) << diagnosis_json(found);
     EXPECT_TRUE(found.effects.empty());
     EXPECT_FALSE(of(found, kCoulomb).shown);
     EXPECT_TRUE(std::isnan(of(found, {"loop.delay", "none"}).least));  // no dead-band can show it
     ASSERT_FALSE(found.next.empty());
     EXPECT_EQ(found.next_experiment, found.next.front().text);
     for (const NextExperiment& next : found.next) EXPECT_TRUE(next.information > 0.0 && next.information <= 1.0) << next.text;
+}
+
+TEST(Power, OfDeadBandsAloneIsEnoughToDoubtTwiceThatSize) {
+    const Diagnosis found = answer_to(measured_case(only_dead_bands(), {kCoulomb}, {0.04}, 1.0, 4));
+    EXPECT_EQ(found.verdict, VerdictKind::kAmbiguous);
+    ASSERT_FALSE(found.alternatives.empty());
+    EXPECT_EQ(found.alternatives.front().effects, inference::Causes{kCoulomb});
 }
 
 TEST(Power, ListsEveryEffectOfTheLibraryOnEverySide) {

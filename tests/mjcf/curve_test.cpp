@@ -45,10 +45,10 @@ TEST(MjcfCurve, TakesTheStopThatItIsGiven) {
 }
 
 TEST(MjcfCurve, IsTheSpringOfABuiltRig) {
-    const joint_model::CamSpring spring({0.0, 0.5, 1.5}, {0.02, 0.1, 0.5});
+    const joint_model::CamSpring spring({0.0, 0.5, 1.5}, {0.02, 0.1, 0.5}, 0.3);  // flatter beyond the end
     const Curve curve = mjcf::tabulate(spring, 0.1);
     EXPECT_EQ(curve.hysteresis, 0.1);
-    for (const double x : {-0.02, -0.004, 0.0011, 0.3, 0.7501, 1.5, 1.7}) EXPECT_NEAR(curve.at(x), spring.torque(x), 1e-9) << x;
+    for (const double x : {-0.02, -0.004, 0.0011, 0.3, 0.7501, 1.5, 1.7, 3.0}) EXPECT_NEAR(curve.at(x), spring.torque(x), 1e-9) << x;
 }
 
 TEST(MjcfCubic, ACubicSpringIsExact) {

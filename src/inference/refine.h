@@ -1,0 +1,14 @@
+#pragma once
+#include "fusee/inference/fit.h"
+
+namespace fusee::inference {
+
+/// A fit that strains a build parameter beyond what a workshop causes is tried again with such parameters at 0: they had replaced what
+/// its causes explain now. @return the likelier one
+[[nodiscard]] Fit relaxed(const Problem& problem, Fit found, unsigned jobs);
+
+/// A fit whose causes are looked for once more, one after the other, now that all else is where it belongs: laws over an angle and
+/// friction that sticks have many local minima. It ends where nothing is left to explain. @return the likeliest one
+[[nodiscard]] Fit searched_again(const Problem& problem, Fit found, unsigned jobs);
+
+}  // namespace fusee::inference

@@ -1,6 +1,7 @@
 #include "fusee/inference/fit.h"
 
 #include <ceres/ceres.h>
+#include <glog/logging.h>
 
 #include <Eigen/Cholesky>
 #include <algorithm>
@@ -234,6 +235,12 @@ Eigen::VectorXd linear_step(const Problem& problem, const Causes& causes, const 
 
 namespace {
 
+/// Ceres tells about points where a rig runs away on stderr through glog, even if it is to be silent. Its summary has the same.
+void silence_glog() {
+    static const bool kSilent = (FLAGS_minloglevel = google::GLOG_FATAL) == google::GLOG_FATAL;
+    static_cast<void>(kSilent);
+}
+
 void solve(const Problem& problem, Fit& fit, const Scales& scales, const Eigen::MatrixXd& held, const FitOptions& options) {
     ceres::Problem solver;
     solver.AddResidualBlock(new Block(problem, fit.causes, fit.spread, scales, held, options.jobs), nullptr, fit.x.data());
@@ -250,6 +257,7 @@ void solve(const Problem& problem, Fit& fit, const Scales& scales, const Eigen::
     how.parameter_tolerance = 1e-4;
     how.max_num_line_search_step_size_iterations = 0;  // at bounds a step is cut; a search along it takes eight Jacobians
     how.logging_type = ceres::SILENT;
+    silence_glog();
     ceres::Solver::Summary summary;
     ceres::Solve(how, &solver, &summary);
 }

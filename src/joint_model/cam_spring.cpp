@@ -11,8 +11,8 @@ namespace fusee::joint_model {
 
 namespace {
 
-constexpr std::size_t kCells =
-    1200;  ///< of a table: linear between them, 1e-3 of the greatest torque for the steepest stiction-compensating law
+/// Cells of a table. Linear between them: 1e-3 of the greatest torque for the steepest stiction-compensating law.
+constexpr std::size_t kCells = 1200;
 constexpr std::size_t kRefinement = gap_case::NominalRig::kSpringSteps;  ///< grid of the nominal cams
 constexpr double kLeastArm = 1e-5;   ///< least arm, on the reference rig [m]: a fit that tries a shorter one sees a very stiff spring
 constexpr double kStepWidth = 0.02;  ///< of the cam's end

@@ -51,7 +51,7 @@ struct Effect {
 
     /// Its size is a limit (for example the angle of a stop), which is never 0.
     [[nodiscard]] bool is_limit() const { return parameters.front().allowed.low > 0.0; }
-    /// Its last parameter is the phase of a ripple [rad]: the opposite size is the same law half a turn on.
+    /// It is a ripple: its parameters are amplitude, count and phase [rad]. The opposite amplitude is the same law half a turn on.
     [[nodiscard]] bool has_phase() const { return parameters.back().name == "phase"; }
 };
 

@@ -42,7 +42,8 @@ struct SearchOptions {
 void discount_unfounded(std::span<const std::size_t> effects, std::span<double> scores);
 
 /// No effect, then each effect on each side, then pairs upon the best single ones: screened in the linear model, the best fitted in full.
-/// Pairs are sought only if a single effect was found; a second one must improve on the accuracy of the first.
+/// Pairs are sought only if a single effect was found; a second one must improve on the accuracy of the first. If nothing explains all,
+/// the effects of the best two hypotheses are looked for once more.
 /// A hypothesis that the splits contradict (interval.h) needs far more evidence.
 [[nodiscard]] Search search(const Problem& problem, const SearchOptions& options);
 

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <numeric>
 
+#include "edge_ahead.h"
 #include "fusee/core/error.h"
 #include "fusee/core/parallel.h"
-#include "fusee/core/units.h"
 #include "spread.h"
 #include "vector.h"
 
@@ -39,12 +39,10 @@ int held_by(const Body& body, std::uint32_t triangle) {
     return held;
 }
 
-constexpr int kShrinkings = 40;                              // each at most halves the radius
-constexpr double kTouches = 1e-4;                            // of the radius
-constexpr double kWall = -0.5, kSlot = -0.8660254037844386;  // cosines of 120 and 150 degrees
-constexpr double kParallel = core::rad_from_deg(5.0);
-constexpr double kRounding = 1e-10;  // of the coordinates: a nearer hit is the neighbouring triangle at the edge where the ray starts
-constexpr double kFeather = 0.6;     // of the distance to where flat faces would meet; curved ones meet earlier
+constexpr int kShrinkings = 40;                    // each at most halves the radius
+constexpr double kTouches = 1e-3;                  // of the radius; a ball in a sphere is near to each of its triangles
+constexpr double kOpposite = -0.8660254037844386;  // cosine of 150 degrees: a wall inside, a slot outside
+constexpr double kRounding = 1e-9;  // of the coordinates: a nearer hit is the neighbouring triangle at the edge where the ray starts
 
 constexpr std::size_t kOverlapping = 100'000;  // visits for a sample
 constexpr std::size_t kOverlappingShare = 4, kComponentsShare = 16;
@@ -114,18 +112,13 @@ void Body::keep_measured(const std::vector<bool>& measured) {
 
 void Body::measure_sample(Sample& s) const {
     const Vec3 outward = normals_[s.triangle];
-    if (const auto outside = ball_at(*this, s.triangle, s.at_mm, outward, kSlot)) s.gap_mm = outside->opposite_mm;
-    const auto inside = ball_at(*this, s.triangle, s.at_mm, -1.0 * outward, kWall);
+    if (const auto outside = ball_at(*this, s.triangle, s.at_mm, outward, kOpposite)) s.gap_mm = outside->opposite_mm;
+    const auto inside = ball_at(*this, s.triangle, s.at_mm, -1.0 * outward, kOpposite);
     if (!inside) return;
-    s.ball_mm = inside->touching_mm, s.wall_mm = inside->opposite_mm, s.middle_mm = inside->middle_mm;
-    if (std::isnan(s.wall_mm)) return;
-    // Two faces at an angle would meet at a distance of the ball's radius over the sine of half the angle.
-    const Vec3 ahead = outward + normals_[inside->contact];
-    const double half_sine = 0.5 * length(ahead);
-    s.taper = 2.0 * std::asin(std::min(1.0, half_sine));
-    if (s.taper < kParallel) return;
-    const auto end = rays_.first(s.middle_mm, unit(ahead), kNone);
-    s.feather = end && end->distance_mm >= kFeather * 0.5 * s.wall_mm / half_sine;
+    s.ball_mm = inside->touching_mm, s.middle_mm = inside->middle_mm;
+    if (std::isnan(inside->opposite_mm)) return;
+    s.edge = edge_ahead(*this, inside->middle_mm, outward, inside->opposite, inside->opposite_mm);
+    if (!s.edge) s.wall_mm = inside->opposite_mm;
 }
 
 void Body::measure_facets() {
@@ -164,29 +157,34 @@ void Body::place_components(std::size_t most_visits) {
 }
 
 std::optional<Ball> ball_at(const Body& body, std::uint32_t triangle, const Vec3& at, const Vec3& side, double least_apart) {
+    const double least = kRounding * farthest(body.box());
     const auto hit = body.rays().first(at, side, triangle);
-    if (!hit || !(hit->distance_mm > kRounding * farthest(body.box()))) return std::nullopt;
-    const double above = 0.5 * hit->distance_mm;
-    double radius = above, apart = 1.0;  // cosine between the two contacts, seen from the ball's middle
-    std::uint32_t contact = kNone;
+    if (!hit || !(hit->distance_mm > least)) return std::nullopt;
+    double radius = 0.5 * hit->distance_mm, apart = 1.0;  // cosine between the two contacts, seen from the ball's middle
+    Vec3 second = side, chord{};
     for (int i = 0; i < kShrinkings; ++i) {
         const auto inside = body.rays().nearest(at + radius * side, radius * (1.0 - kTouches));
         if (!inside) break;
-        const auto& [nearest, there] = *inside;
-        const Vec3 chord = nearest - at;
+        chord = inside->first - at;
         const double ahead = dot(chord, side);
-        if (!(ahead > 0.0)) return std::nullopt;  // by rounding the point itself, or its neighbour, is nearest
+        if (!(ahead > 0.0) || !(length(chord) > least)) return std::nullopt;  // by rounding the point itself, or its neighbour, is nearest
         radius = dot(chord, chord) / (2.0 * ahead);
-        const Vec3 middle = at + radius * side;
-        apart = dot(at - middle, nearest - middle) / (radius * radius);
-        contact = there;
+        const Vec3 to_second = inside->first - (at + radius * side);
+        apart = -dot(side, to_second) / radius;
+        second = unit(to_second);
     }
     Ball ball;
     ball.touching_mm = 2.0 * radius;
-    if (apart <= least_apart) return Ball{2.0 * radius, 2.0 * radius, at + radius * side, contact};
-    if (dot(body.normals()[hit->triangle], body.normals()[triangle]) <= least_apart)  // only an edge is nearer
-        return Ball{2.0 * radius, 2.0 * above, at + above * side, hit->triangle};
-    return ball;
+    if (apart <= least_apart) return Ball{2.0 * radius, length(chord), at + radius * side, second};
+    if (dot(body.normals()[hit->triangle], body.normals()[triangle]) > least_apart) return ball;
+    // Only an edge is nearer. The width is that from face to face, across the middle between both.
+    const Vec3& facing = body.normals()[hit->triangle];
+    second = (dot(facing, side) > 0.0 ? 1.0 : -1.0) * facing;
+    const Vec3 across = unit(side + second);
+    const auto there = body.rays().first(at, across, triangle);
+    if (!there || !(there->distance_mm > least) || dot(body.normals()[there->triangle], body.normals()[triangle]) > least_apart)
+        return ball;
+    return Ball{2.0 * radius, there->distance_mm, at + 0.5 * there->distance_mm * across, second};
 }
 
 }  // namespace fusee::inspect

@@ -11,17 +11,24 @@
 
 namespace fusee::inspect {
 
+/// The edge in which two faces meet ahead of a ball between them.
+struct SharpEdge {
+    double angle = 0.0;     ///< between the faces, in the material, where they are a tenth as far apart [rad]
+    double width_mm = 0.0;  ///< of the material at the ball
+    double way_mm = 0.0;    ///< from the ball to the edge
+};
+
 /// A point of the surface at which the thickness of the material below and the width of the gap above are measured.
 struct Sample {
     std::uint32_t triangle = 0;
     solid::Vec3 at_mm{};
     double share_mm2 = 0.0;  ///< of the surface; all shares together are its area
-    /// Diameter of the largest ball in the material that touches the surface here and again at least 120 deg away; NaN where none does.
+    /// Distance between the two places where the largest ball in the material touches the surface: here, and at least 150 deg away. NaN
+    /// where none does, and where the two faces meet in an edge ahead: an edge has no least thickness, so it is no wall.
     double wall_mm = std::numeric_limits<double>::quiet_NaN();
-    double taper = 0.0;       ///< angle between the two faces that it touches [rad]
-    bool feather = false;     ///< the faces meet in an edge, so that the wall has no least thickness
-    solid::Vec3 middle_mm{};  ///< of that ball
-    double ball_mm = 0.0;     ///< diameter of the largest ball in the material that touches the surface here, with any second contact
+    solid::Vec3 middle_mm{};             ///< of that ball
+    std::optional<SharpEdge> edge = {};  ///< in which the two faces meet
+    double ball_mm = 0.0;  ///< diameter of the largest ball in the material that touches the surface here, with any second contact
     /// Like the wall, but outside and with contacts at least 150 deg apart: a slot, not the corner between two faces.
     double gap_mm = std::numeric_limits<double>::quiet_NaN();
 };
@@ -78,15 +85,16 @@ private:
 };
 
 /// Balls that touch the surface at `at` on the side of the unit vector `side`. The ray along `side` bounds them from above; points inside
-/// shrink them.
+/// shrink them, by more than a thousandth of the radius.
 /// Shrinking ball: J. Ma, S. W. Bae, S. Choi, "3D medial axis point approximation using nearest neighbors and the normal field", The
 /// Visual Computer 28 (2012). It also measures edges. A second contact nearer than `apart` is an edge, not a wall, and
 /// there the ray decides, if it ends on a face that is turned away by as much.
 struct Ball {
-    double touching_mm = 0.0;                                       ///< diameter of the largest
-    double opposite_mm = std::numeric_limits<double>::quiet_NaN();  ///< of the largest with a second contact opposite; NaN: none
-    solid::Vec3 middle_mm{};                                        ///< of the latter
-    std::uint32_t contact = kNone;                                  ///< the triangle opposite
+    double touching_mm = 0.0;  ///< diameter of the largest
+    double opposite_mm =
+        std::numeric_limits<double>::quiet_NaN();  ///< between the contacts of one with a second contact opposite; NaN: none
+    solid::Vec3 middle_mm{};                       ///< between these
+    solid::Vec3 opposite{};                        ///< unit, from the middle to its second contact
 };
 /// @param apart cosine of the least angle between the two contacts @returns nothing where the ray meets no surface
 [[nodiscard]] std::optional<Ball> ball_at(const Body& body, std::uint32_t triangle, const solid::Vec3& at, const solid::Vec3& side,

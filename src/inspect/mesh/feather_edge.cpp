@@ -8,14 +8,13 @@ namespace {
 
 std::optional<Marked> measure_mesh_feather_edge(const Foreign& part, const Allowed& allowed) {
     const double thin = core::mm_from_m(checks::process_limits(part.process).wall);
-    const auto counts = [thin](const Sample& s) { return s.feather && s.wall_mm < thin; };
+    const auto counts = [thin](const Sample& s) { return s.edge && s.edge->width_mm < thin; };
     const Sample* sharpest = nullptr;
     for (const Sample& s : part.body.samples())
-        if (counts(s) && (!sharpest || s.taper < sharpest->taper)) sharpest = &s;
+        if (counts(s) && (!sharpest || s.edge->angle < sharpest->edge->angle)) sharpest = &s;
     if (!sharpest) return std::nullopt;
-    core::Finding f = judge(core::deg_from_rad(sharpest->taper), {allowed("review")});
-    f.what = fmt::format("angle of the sharpest edge, thinner than {:g} mm up to {:.2f} mm from it", thin,
-                         0.5 * thin / std::tan(0.5 * sharpest->taper));
+    core::Finding f = judge(core::deg_from_rad(sharpest->edge->angle), {allowed("review")});
+    f.what = fmt::format("angle of the sharpest edge, {:.2f} mm thick {:.2f} mm from it", sharpest->edge->width_mm, sharpest->edge->way_mm);
     set_place(f, sharpest->at_mm);
     f.suggestion = fmt::format("edge cut off at a thickness of {:g} mm, or opened to {} deg", thin, up(f.allowed));
     return Marked{f, triangles_of(part.body, counts)};

@@ -26,7 +26,7 @@ std::optional<Marked> measure_mesh_gap(const Foreign& part, const Allowed& allow
 Rule mesh_gap() {
     return {{"mesh.gap",
              "a slot too narrow to make or to keep open",
-             "least diameter of the balls outside the material that touch two faces up to 30 deg off parallel",
+             "least distance between two faces up to 30 deg off parallel, where a ball outside the material touches both",
              "the process's least detail",
              {review(kAtLeast, "mm", "the process's detail; none for plates")}},
             measure_mesh_gap};

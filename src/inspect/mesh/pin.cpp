@@ -34,7 +34,7 @@ std::optional<Marked> measure_mesh_pin(const Foreign& part, const Allowed& allow
     std::vector<char> slender(samples.size(), 0);
     core::parallel_for(samples.size(), body.jobs(), [&](std::size_t i) {
         const Sample& s = samples[i];
-        if (!(s.wall_mm < least.value()) || s.feather) return;  // most samples are thick enough
+        if (!(s.wall_mm < least.value())) return;  // most samples are thick enough
         slender[i] = width_across(body, s.middle_mm, body.normals()[s.triangle]) <= kSlender * s.wall_mm ? 1 : 0;
     });
     const Sample* thinnest = nullptr;

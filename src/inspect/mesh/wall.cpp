@@ -12,7 +12,7 @@ namespace {
 const Sample* thinnest_of(const Body& body, double area_mm2) {
     std::vector<const Sample*> walls;
     for (const Sample& s : body.samples())
-        if (!std::isnan(s.wall_mm) && !s.feather) walls.push_back(&s);
+        if (!std::isnan(s.wall_mm)) walls.push_back(&s);
     std::stable_sort(walls.begin(), walls.end(), [](const Sample* a, const Sample* b) { return a->wall_mm < b->wall_mm; });
     double held = 0.0;
     for (const Sample* s : walls)
@@ -29,7 +29,7 @@ std::optional<Marked> measure_mesh_wall(const Foreign& part, const Allowed& allo
     f.what = f.severity == core::Severity::kWarning ? "thinnest wall, sufficient unless it carries load" : "thinnest wall";
     set_place(f, thinnest->at_mm);
     f.suggestion = fmt::format("{} mm thick there ({} mm more)", up(f.allowed), up(f.allowed - f.measured));
-    return Marked{f, triangles_of(part.body, [&](const Sample& s) { return s.wall_mm < f.allowed && !s.feather; })};
+    return Marked{f, triangles_of(part.body, [&](const Sample& s) { return s.wall_mm < f.allowed; })};
 }
 
 }  // namespace
@@ -37,8 +37,8 @@ std::optional<Marked> measure_mesh_wall(const Foreign& part, const Allowed& allo
 Rule mesh_wall() {
     return {{"mesh.wall",
              "a wall too thin to make",
-             "least diameter of the balls in the material that touch two faces up to 60 deg off parallel; where these meet in an edge: "
-             "mesh.feather_edge",
+             "least distance between two faces up to 30 deg off parallel, where a ball in the material touches both; none where these "
+             "meet in an edge: mesh.feather_edge",
              "the process's walls: thin required, loaded recommended",
              {required(kAtLeast, "mm", "the process's wall"), review(kAtLeast, "mm", "the process's loaded wall")}},
             measure_mesh_wall};

@@ -24,13 +24,10 @@ struct FixArguments {
     fix::Options options;
 };
 
-/// In the folder of the profile: "x-fixed.toml" for "x.toml".
-fs::path beside(const fs::path& profile) { return profile.parent_path() / (profile.stem().string() + "-fixed.toml"); }
-
 int run_fix(const FixArguments& arguments, Reply& reply) {
     require_thread();
     fix::Options options = arguments.options;
-    if (options.file.empty()) options.file = beside(arguments.profile);
+    if (options.file.empty()) options.file = beside(arguments.profile, "-fixed");
     if (!reply.quiet()) options.progress = [&reply](const std::string& step) { reply.warn(fmt::format("fix: {}\n", step)); };
     options.stop = core::interrupted;
     for (const std::string& key : options.keep) profile::require_key("--keep", key);

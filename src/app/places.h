@@ -4,11 +4,17 @@
 
 #include "fusee/core/destination.h"
 #include "fusee/core/error.h"
+#include "fusee/profile/edit.h"
 #include "fusee/profile/places.h"
 
 namespace fusee::app {
 
 using profile::with_places;
+
+/// In the folder of the profile: "x-fixed.toml" for "x.toml" and "-fixed".
+inline std::filesystem::path beside(const std::filesystem::path& profile, const std::string& ending) {
+    return profile.parent_path() / (profile::derived_name(profile.stem().string(), ending) + ".toml");
+}
 
 /// Refuses to write a profile over an old one unless forced, or to a file that is not a .toml file.
 /// @throws core::InvalidInput naming the option; core::IoError

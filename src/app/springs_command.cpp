@@ -34,9 +34,6 @@ spring::WireClass class_of(const std::string& name) {
     return static_cast<spring::WireClass>(found - spring::kWireClassNames.begin());
 }
 
-/// In the folder of the profile: "x-springs.toml" for "x.toml".
-fs::path sprung_beside(const fs::path& profile) { return profile.parent_path() / (profile.stem().string() + "-springs.toml"); }
-
 /// @returns exit code; prints the binding findings of the design with its new springs
 int judge_again(const profile::Profile& profile, Reply& reply) {
     const pipeline::Checked checked = pipeline::check(profile, std::array{profile.process.kind});
@@ -69,6 +66,7 @@ int search_springs(const SpringsArguments& arguments, const fs::path& out, const
     options.within = 0.01 * arguments.within_percent;
     options.wire_class = class_of(arguments.wire_class);
     std::vector<profile::Edit> edits = profile::file_edits(profile, fs::absolute(out).parent_path());
+    edits.push_back(profile::name_edit(profile, "-springs"));
     for (const cam::PartKind part : {cam::PartKind::kSeries, cam::PartKind::kParallel}) {
         const auto search = pipeline::find_springs(part, *design, catalogue, options);
         if (!search) return refuse_search(search.refusal(), reply);
@@ -88,7 +86,7 @@ int search_springs(const SpringsArguments& arguments, const fs::path& out, const
 }
 
 int run_springs(const SpringsArguments& arguments, Reply& reply) {
-    const fs::path out = arguments.out.empty() ? sprung_beside(arguments.profile) : arguments.out;
+    const fs::path out = arguments.out.empty() ? beside(arguments.profile, "-springs") : arguments.out;
     const std::string toml = core::read_file(arguments.profile, profile::kLargestFile);
     const profile::Profile profile = profile::parse_profile(toml, arguments.profile);
     require_new_profile("--out", out, arguments.profile, arguments.force);

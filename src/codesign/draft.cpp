@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "fusee/pipeline/design.h"
+#include "fusee/profile/edit.h"
 #include "fusee/spring/lead_in.h"
 
 namespace fusee::codesign {
@@ -44,8 +45,7 @@ profile::Profile finished(Draft draft) {
 }
 
 profile::Profile renamed(profile::Profile profile, const std::string& ending) {
-    constexpr std::size_t kLongestName = 64;
-    profile.name = profile.name.substr(0, kLongestName - ending.size()) + ending;
+    profile.name = profile::derived_name(profile.name, ending);
     return profile;
 }
 

@@ -74,6 +74,7 @@ std::optional<profile::Profile> Drafts::read(const Choices& choices) const {
 
 std::string Drafts::text(const Choices& choices) const {
     std::vector<profile::Edit> all = edits(choices);
+    all.push_back(profile::name_edit(original_, "-fixed"));
     const auto files = profile::file_edits(original_, fs::absolute(file_).parent_path());
     all.insert(all.end(), files.begin(), files.end());
     return profile::with_edits(toml_, original_, all,

@@ -166,6 +166,19 @@ Edit text_edit(const Profile& profile, const std::string& path, const std::strin
     return {path, toml_text(key, changed), toml_text(key, profile), std::move(why)};
 }
 
+std::string derived_name(const std::string& name, const std::string& ending) {
+    const std::size_t at = name.rfind(ending);
+    const std::string behind = at == std::string::npos ? "" : name.substr(at + ending.size());
+    const bool numbered = behind.size() > 1 && behind.size() < 8 && behind.front() == '-' && behind.find_first_not_of("0123456789", 1) == std::string::npos;
+    const bool again = at != std::string::npos && at > 0 && (behind.empty() || numbered);
+    const std::string last = again ? fmt::format("{}-{}", ending, numbered ? std::stol(behind.substr(1)) + 1 : 2) : ending;
+    return name.substr(0, std::min(again ? at : name.size(), kLongestName - last.size())) + last;
+}
+
+Edit name_edit(const Profile& profile, const std::string& ending) {
+    return text_edit(profile, "name", derived_name(profile.name, ending), "");
+}
+
 std::vector<Edit> file_edits(const Profile& profile, const fs::path& folder) {
     const fs::path from = fs::absolute(profile.file).parent_path(), to = fs::absolute(folder);
     std::vector<Edit> edits;

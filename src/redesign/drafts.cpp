@@ -14,7 +14,6 @@ namespace fusee::redesign {
 namespace {
 
 constexpr const char* kSides[] = {"agonist", "antagonist"};
-constexpr std::size_t kLongestName = 64;  // of a profile
 
 bool same(const std::vector<profile::Edit>& a, const std::vector<profile::Edit>& b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(),
@@ -133,7 +132,7 @@ std::string Drafter::head(const std::string& sides) const {
 
 Draft Drafter::draft(const std::string& sides, const Edits& own, double share, bool of_two) const {
     const std::string suffix = sides == "both" ? "-redesign" : "-redesign-" + sides;
-    const std::string name = profile_.name.substr(0, kLongestName - suffix.size()) + suffix;
+    const std::string name = profile::derived_name(profile_.name, suffix);
     Draft draft;
     draft.report.sides = sides;
     draft.report.file = file_;

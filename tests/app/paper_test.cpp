@@ -1,4 +1,5 @@
 #include "app/run.h"
+#include "shipped.h"
 
 // The paper anew, as a user sees it.
 namespace fusee::app {
@@ -24,7 +25,7 @@ TEST_F(Program, PaperRefusesWrongArgumentsAndMissingProfiles) {
 }
 
 TEST_F(Program, APaperOfImpossibleSpringsEndsWith1) {
-    fs::copy(fs::path(FUSEE_SOURCE_DIR) / "profiles", folder_ / "profiles", fs::copy_options::recursive);
+    fixtures::copy_shipped("profiles", folder_);
     write("profiles/pnrvsa.toml", fixtures::with_key(core::read_file(fixtures::shipped("pnrvsa")), "algorithm_1.c_Nm", "[0.7, 0.8]"));
     const Ended refused = run("paper");
     EXPECT_EQ(refused.code, 1) << refused.all();

@@ -64,6 +64,25 @@ TEST_F(Program, RelativesEndInOneTable) {
     expect_words(csv, {"name,arrangement,stiffness_low_Nm_per_rad,"});
 }
 
+// A written profile has a name of its own, so that it can lie beside its source and both are made into one folder.
+TEST_F(Program, WrittenProfilesLieBesideTheirSource) {
+    fs::create_directory(folder_ / "mine");
+    write("mine/pnrvsa.toml", core::read_file(fixtures::shipped("pnrvsa")));
+    for (const char* command : {"springs mine/pnrvsa.toml", "springs mine/pnrvsa-springs.toml"}) {
+        const Ended found = run(command);
+        EXPECT_EQ(found.code, 0) << found.all();
+    }
+    EXPECT_TRUE(fs::exists(folder_ / "mine" / "pnrvsa-springs-2.toml"));
+    std::string bad = fixtures::with_key(core::read_file(fixtures::shipped("pnrvsa")), "k_se.features.anchor_hole_mm", "0.5");
+    write("mine/pnrvsa.toml", bad);
+    const Ended fixed = run("fix mine/pnrvsa.toml");
+    EXPECT_EQ(fixed.code, 0) << fixed.all();
+    const Ended done = run("simulate mine --levels 2");
+    EXPECT_EQ(done.code, 0) << done.all();
+    for (const char* name : {"pnrvsa", "pnrvsa-springs", "pnrvsa-springs-2", "pnrvsa-fixed"})
+        EXPECT_TRUE(fs::exists(folder_ / "out" / name / "simulation.json")) << name;
+}
+
 TEST_F(Program, SimulateRefusesWithTheKeyAndWritesNothing) {
     const std::string text = core::read_file(fs::path(FUSEE_SOURCE_DIR) / "profiles" / "relatives" / "pnrvsa.toml");
     const auto expect_refused = [&](const std::string& key, const std::string& value, int code, std::initializer_list<std::string> words) {

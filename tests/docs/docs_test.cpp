@@ -10,6 +10,7 @@
 #include "fusee/core/file.h"
 #include "fusee/core/toml.h"
 #include "fusee/profile/profile.h"
+#include "shipped.h"
 
 // README.md and docs/**/*.md: every TOML block is read, every command is run in a folder like a clone, and a text block below a command is
 // its output. Blocks of TOML are whole profiles, which must be free of errors, or part of the profile that their mark names:
@@ -39,7 +40,7 @@ protected:
         std::string pattern = (fs::path(::testing::TempDir()) / "fusee_docs_XXXXXX").string();
         ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
         folder_ = pattern;
-        fs::copy(kSource / "profiles", folder_ / "profiles", fs::copy_options::recursive);
+        fixtures::copy_shipped("profiles", folder_);
         fs::create_symlink(FUSEE_PROGRAM, folder_ / "fusee");
     }
     void TearDown() override { fs::remove_all(folder_); }

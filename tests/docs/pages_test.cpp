@@ -12,6 +12,7 @@
 
 #include "docs/markdown.h"
 #include "fusee/core/file.h"
+#include "shipped.h"
 
 // What the documents promise without a command: links, pages that sources name, the module table, and the words of the glossary.
 namespace fusee::docs {
@@ -57,13 +58,11 @@ TEST(Pages, LinkToFilesThatExist) {
 TEST(Pages, ThatSourcesNameExist) {
     std::size_t named = 0;
     for (const char* folder : {"src", "include", "tests", "cmake", "templates", "profiles"})
-        for (const auto& entry : fs::recursive_directory_iterator(kRoot / folder)) {
-            if (!entry.is_regular_file()) continue;
-            for (const std::string& page : matches_of(core::read_file(entry.path()), R"(\b(docs/[a-z0-9_/-]+\.md)\b)")) {
+        for (const fs::path& file : fixtures::shipped_files(folder))
+            for (const std::string& page : matches_of(core::read_file(kRoot / file), R"(\b(docs/[a-z0-9_/-]+\.md)\b)")) {
                 ++named;
-                EXPECT_TRUE(fs::exists(kRoot / page)) << fs::relative(entry.path(), kRoot) << ": " << page;
+                EXPECT_TRUE(fs::exists(kRoot / page)) << file << ": " << page;
             }
-        }
     EXPECT_GT(named, 50u);
 }
 
@@ -145,12 +144,10 @@ TEST(Pages, ContainNoWordThatTheGlossaryReplaces) {
 TEST(Sources, ContainNoWordThatTheGlossaryReplaces) {
     std::size_t files = 0;
     for (const char* folder : {"src", "include", "templates", "profiles"})
-        for (const auto& entry : fs::recursive_directory_iterator(kRoot / folder)) {
-            const std::string type = entry.path().extension().string();
-            if (!entry.is_regular_file() || !std::set<std::string>{".h", ".cpp", ".scad", ".toml", ".csv", ".txt", ".in"}.contains(type))
-                continue;
+        for (const fs::path& file : fixtures::shipped_files(folder)) {
+            if (!std::set<std::string>{".h", ".cpp", ".scad", ".toml", ".csv", ".txt", ".in"}.contains(file.extension().string())) continue;
             ++files;
-            expect_no_match(entry.path(), {&kReplacedWords, &kReplacedTerms, &kReplacedTypes});
+            expect_no_match(kRoot / file, {&kReplacedWords, &kReplacedTerms, &kReplacedTypes});
         }
     EXPECT_GT(files, 500u);
 }

@@ -8,7 +8,9 @@ golden=$source/tests/golden/exports.sha256
 stamp='s/fusee [0-9][0-9.]*/fusee VERSION/g;s/profile [0-9a-f]\{12\}/profile HASH/g;s/"sha256": "[0-9a-f]*"/"sha256": "HASH"/g'
 stamp+=';s/"profile_sha256": "[0-9a-f]*"/"profile_sha256": "HASH"/g;s/UUID="[-0-9a-f]*"/UUID="ID"/g'
 
-"$program" make "$source"/profiles/*.toml --out "$work/out" >"$work/log" 2>&1 || {
+# The profiles whose hashes are stored: a user's own profile beside them is none of these.
+mapfile -t profiles < <(sed "s|.* \./\([^/]*\)/.*|$source/profiles/\1.toml|" "$golden" | LC_ALL=C sort -u)
+"$program" make "${profiles[@]}" --out "$work/out" >"$work/log" 2>&1 || {
     cat "$work/log" >&2
     fail 'a shipped profile cannot be made'
 }

@@ -6,6 +6,7 @@
 #include "fusee/report/paper.h"
 #include "pipeline/fixture.h"
 #include "report/page_structure.h"
+#include "shipped.h"
 
 namespace fusee::paper {
 namespace {
@@ -28,7 +29,7 @@ protected:
     }
     /// The shipped profiles in the test's folder, to be changed.
     [[nodiscard]] fs::path copied() const {
-        fs::copy(fs::path(FUSEE_SOURCE_DIR) / "profiles", folder_ / "profiles", fs::copy_options::recursive);
+        fixtures::copy_shipped("profiles", folder_);
         return folder_ / "profiles";
     }
 };

@@ -111,5 +111,19 @@ TEST_F(ProfileEdit, FilesAreNamedFromTheNewFolder) {
     EXPECT_EQ(parse_profile(text, folder_ / "deeper" / "q.toml").rig.gear_friction_table.y, p.rig.gear_friction_table.y);
 }
 
+// Two profiles of one folder are made into one folder: their names differ, also after a command that was run twice.
+TEST(DerivedName, IsAnotherName) {
+    EXPECT_EQ(derived_name("elbow", "-fixed"), "elbow-fixed");
+    EXPECT_EQ(derived_name("elbow-fixed", "-fixed"), "elbow-fixed-2");
+    EXPECT_EQ(derived_name("elbow-fixed-9", "-fixed"), "elbow-fixed-10");
+    EXPECT_EQ(derived_name("elbow-springs", "-fixed"), "elbow-springs-fixed");
+    EXPECT_EQ(derived_name("elbow-fixed-springs", "-fixed"), "elbow-fixed-springs-fixed");
+    EXPECT_EQ(derived_name("elbow-fixed-99999999999", "-fixed"), "elbow-fixed-99999999999-fixed");
+    EXPECT_EQ(derived_name("-fixed", "-fixed"), "-fixed-fixed");
+    const std::string longest(kLongestName, 'x');
+    EXPECT_EQ(derived_name(longest, "-fixed"), std::string(kLongestName - 6, 'x') + "-fixed");
+    EXPECT_EQ(derived_name(derived_name(longest, "-fixed"), "-fixed"), std::string(kLongestName - 8, 'x') + "-fixed-2");
+}
+
 }  // namespace
 }  // namespace fusee::profile

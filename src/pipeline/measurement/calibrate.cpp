@@ -13,8 +13,6 @@ namespace fusee::pipeline {
 
 namespace {
 
-constexpr const char* kEnding = "-calibrated";
-
 void require_same_cable(const profile::Profile& profile, const coupon::Sheet& sheet) {
     const double own = core::mm_from_m(profile.cable.diameter), sheets = sheet.cable_diameter_mm;
     if (sheets > 0.0 && std::abs(sheets - own) > 1e-6)
@@ -42,8 +40,7 @@ std::string why(const coupon::Figure& figure, const char* source) {
 /// @param source of the figures: "coupons"
 std::string with_figures(const profile::Profile& profile, const std::string& toml, const coupon::Calibration& calibration,
                          const fs::path& file, const char* source) {
-    std::vector<profile::Edit> edits;
-    if (!profile.name.ends_with(kEnding)) edits.push_back(profile::text_edit(profile, "name", profile.name + kEnding, ""));
+    std::vector<profile::Edit> edits{profile::name_edit(profile, "-calibrated")};
     for (auto f = calibration.figures.rbegin(); f != calibration.figures.rend(); ++f)  // each is inserted below its table's heading
         if (f->changes()) {
             edits.push_back(profile::number_edit(profile, f->key, f->value, why(*f, source)));

@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "fusee/core/error.h"
-#include "fusee/math/statistics.h"
 #include "law.h"
+#include "pull.h"
 
 namespace fusee::subsystem {
 
@@ -20,8 +20,14 @@ struct CamTerm {
 
 constexpr std::size_t kBends = 3;         // polynomials of the arm
 constexpr double kLongestReversal = 0.1;  // of half the range of angles: a longer one is no reversal
-constexpr double kBeyond = 0.1;           // of the law's range: how far beyond its ends a pull may go
+constexpr double kAccuracy = 0.005;       // of the greatest torque: class of a torque sensor
+constexpr double kShift = 0.4;            // of the law's range: beyond it, a preload has left the law
+constexpr double kNarrow = 0.4;           // of the law's range: pulls over less of it are told
+constexpr double kZero = 0.02;            // of the greatest torque: deviation of a sensor's zero
 constexpr double kLeastFactor = 0.05;     // of the law's torque: a cam that turns its torque round is no cam of this law
+
+constexpr const char* kOneWay =
+    "no file turns back over the same angles; in one direction, friction looks like the sensor's zero, and hysteresis like another rate";
 
 /// The driven angle of one file, thinned for a fit.
 struct Pull {
@@ -36,6 +42,7 @@ public:
     void predict(std::size_t record, const Values& values, std::vector<double>& predicted) const override;
     [[nodiscard]] std::vector<std::string> remarks() const override;
     [[nodiscard]] diagnosis::NextExperiment next() const override;
+    [[nodiscard]] std::string split(const std::vector<std::size_t>& open) const override;
 
 private:
     void set_range(const Case& subsystem_case);
@@ -49,8 +56,12 @@ private:
     [[nodiscard]] LawCurve measured_curve(const LawCurve& law, const Values& values) const;
 
     std::vector<Pull> pulls_;
+    double sign_ = 1.0;                   // of torques in the files against those of the drive on the spring
+    bool two_way_ = false;                // a file turns back
+    core::Range law_range_;               // of the angles of all laws [rad]
     double middle_ = 0.0, half_ = 0.0;    // of the angles in all files of the case [rad]
     double torque_ = 0.0;                 // the greatest of the case's laws [Nm]
+    double measured_ = 0.0;               // the greatest measured [Nm]
     double yield_ = 0.0;                  // of the dynamometer [rad/Nm]
     std::array<double, kBends> means_{};  // of the bends over the case's rows, weighted by the square of the law
 };
@@ -67,29 +78,20 @@ std::vector<double> turn_of(const std::vector<double>& q, double travel) {
     return turn;
 }
 
-/// Straight between rows, and beyond the ends along the end rows.
-double torque_at(const LawCurve& curve, double q) {
-    const auto inside = std::upper_bound(curve.q_rad.begin() + 1, curve.q_rad.end() - 1, q);
-    const auto i = static_cast<std::size_t>(inside - curve.q_rad.begin());
-    const double share = (q - curve.q_rad[i - 1]) / (curve.q_rad[i] - curve.q_rad[i - 1]);
-    return curve.torque_Nm[i - 1] + share * (curve.torque_Nm[i] - curve.torque_Nm[i - 1]);
-}
-
-/// Scatter of a row about the straight line through its neighbours: that of the sensor where the torque changes slowly.
-double scatter_of(const std::vector<double>& torque) {
-    std::vector<double> sizes;
-    for (std::size_t i = 1; i + 1 < torque.size(); ++i) sizes.push_back(std::abs(torque[i - 1] - 2.0 * torque[i] + torque[i + 1]));
-    return sizes.empty() ? 0.0 : 1.4826 * math::upper_median(std::move(sizes)) / std::sqrt(6.0);
-}
-
-void require_covered(const Record& record) {
-    const LawCurve& law = record.law;
-    if (law.q_rad.size() < 2) throw core::InvalidInput(record.file + ": law", "missing", "a law of two rows or more");
-    const double slack = kBeyond * (law.q_rad.back() - law.q_rad.front());
-    for (const double q : record.columns.at("q_rad"))
-        if (q < law.q_rad.front() - slack || q > law.q_rad.back() + slack)
-            throw core::InvalidInput(record.file + ": q_rad", fmt::format("{:g}", q),
-                                     fmt::format("angles of {}: {:g} to {:g} rad", law.file, law.q_rad.front(), law.q_rad.back()));
+/// The same straight pieces with rows in between: the arm bends there too.
+LawCurve dense(const LawCurve& law) {
+    constexpr double kRows = 100.0;
+    const double step = (law.q_rad.back() - law.q_rad.front()) / kRows;
+    LawCurve out{law.file, {law.q_rad.front()}, {law.torque_Nm.front()}};
+    for (std::size_t i = 1; i < law.q_rad.size(); ++i) {
+        const double width = law.q_rad[i] - law.q_rad[i - 1], rise = law.torque_Nm[i] - law.torque_Nm[i - 1];
+        const double pieces = std::max(1.0, std::round(width / step));
+        for (double piece = 1.0; piece <= pieces; ++piece) {
+            out.q_rad.push_back(piece == pieces ? law.q_rad[i] : law.q_rad[i - 1] + width * piece / pieces);
+            out.torque_Nm.push_back(piece == pieces ? law.torque_Nm[i] : law.torque_Nm[i - 1] + rise * piece / pieces);
+        }
+    }
+    return out;
 }
 
 CamJoint::CamJoint(const Case& subsystem_case, const Case* inputs) {
@@ -97,7 +99,7 @@ CamJoint::CamJoint(const Case& subsystem_case, const Case* inputs) {
     region_name = "q_rad";
     unit = "Nm";
     most_effects = 3;
-    each_fold = over_region = true;
+    each_fold = over_region = weighs_equals = true;
     const Case& rows = inputs != nullptr ? *inputs : subsystem_case;
     const std::size_t thin = inputs != nullptr ? 1 : thinning(rows.records);
     set_range(subsystem_case);
@@ -105,6 +107,7 @@ CamJoint::CamJoint(const Case& subsystem_case, const Case* inputs) {
     set_pulls(subsystem_case, rows, thin);
     set_parameters(subsystem_case);
     if (inputs != nullptr) return;
+    for (const Record& record : subsystem_case.records) require_same_units(record);
     set_targets(subsystem_case, thin);
     make_blocks(*this, subsystem_case, 2);
     std::vector<std::string> laws;
@@ -114,15 +117,22 @@ CamJoint::CamJoint(const Case& subsystem_case, const Case* inputs) {
 
 void CamJoint::set_range(const Case& subsystem_case) {
     double low = std::numeric_limits<double>::infinity(), high = -low;
+    law_range_ = {low, high};
     for (const Record& record : subsystem_case.records) {
         require_covered(record);
+        law_range_ = {std::min(law_range_.low, record.law.q_rad.front()), std::max(law_range_.high, record.law.q_rad.back())};
         for (const double q : record.columns.at("q_rad")) low = std::min(low, q), high = std::max(high, q);
         for (const double torque : record.law.torque_Nm) torque_ = std::max(torque_, std::abs(torque));
+        if (const auto column = record.columns.find("torque_Nm"); column != record.columns.end())
+            for (const double torque : column->second) measured_ = std::max(measured_, std::abs(torque));
+        two_way_ = two_way_ || turns_back(record.columns.at("q_rad"));
     }
     middle_ = 0.5 * (low + high);
     half_ = 0.5 * (high - low);
     if (!(half_ > 0.0)) throw core::InvalidInput("q_rad", "no motion in any file", "a joint that is turned back and forth");
+    if (!(measured_ > 0.0)) measured_ = torque_;
     if (!(torque_ > 0.0)) throw core::InvalidInput("law", "no torque in any file", "the torque of a cam over its angle");
+    sign_ = orientation_of(subsystem_case.records);
     if (const auto given = subsystem_case.parameters.find("dynamometer_Nm_per_rad"); given != subsystem_case.parameters.end())
         yield_ = 1.0 / given->second;
 }
@@ -145,7 +155,8 @@ void CamJoint::set_pulls(const Case& subsystem_case, const Case& rows, std::size
     for (const Record& record : rows.records) {
         require_covered(record);
         const std::vector<double>& q = record.columns.at("q_rad");
-        Pull pull{every(q, thin), record.law, {}};
+        Pull pull{every(q, thin), dense(record.law), {}};
+        for (double& torque : pull.law.torque_Nm) torque *= sign_;
         for (std::size_t f = 0; f < subsystem_case.records.size(); ++f)
             if (subsystem_case.records[f].file == record.file) pull.zeros = {f};
         if (pull.zeros.empty())
@@ -156,19 +167,17 @@ void CamJoint::set_pulls(const Case& subsystem_case, const Case& rows, std::size
 
 void CamJoint::set_parameters(const Case& subsystem_case) {
     nominal = subsystem_case.records.size();
-    double measured = torque_;
-    for (const Record& record : subsystem_case.records)
-        if (const auto column = record.columns.find("torque_Nm"); column != record.columns.end())
-            for (const double torque : column->second) measured = std::max(measured, std::abs(torque));
     for (std::size_t f = 0; f < nominal; ++f) {
-        parameters.push_back({"sensor.torque_offset " + subsystem_case.records[f].file, "Nm", 0.0, -measured, measured, {}});
+        parameters.push_back(
+            {"sensor.torque_offset " + subsystem_case.records[f].file, "Nm", 0.0, -measured_, measured_, {}, kZero * measured_});
         own.push_back({f});
     }
     const double yielding = half_ / torque_;  // the joint's compliance as a whole, about
     const double least_travel = 1e-3 * half_;
+    const double shift = kShift * (law_range_.high - law_range_.low);
     const Parameter terms[CamTerm::kTerms] = {{"scale", "", 0.0, -0.9, 4.0, {-0.1}},
                                               {"compliance", "rad/Nm", 0.0, 0.0, 2.0 * yielding, {0.02 * yielding, 0.2 * yielding}},
-                                              {"preload", "rad", 0.0, -0.8 * half_, 0.8 * half_, {-0.05 * half_, 0.05 * half_}},
+                                              {"preload", "rad", 0.0, -shift, shift, {-0.05 * half_, 0.05 * half_}},
                                               {"hysteresis", "", 0.0, 0.0, 0.9, {0.02}},
                                               {"reversal_rad", "rad", least_travel, least_travel, kLongestReversal * half_, {0.02 * half_}},
                                               {"coulomb", "Nm", 0.0, 0.0, 0.5 * torque_, {0.01 * torque_}},
@@ -181,20 +190,21 @@ void CamJoint::set_parameters(const Case& subsystem_case) {
     effects = {{{"law.scale"}, {n + CamTerm::kScale}, false, ""},
                {{"law.series"}, {n + CamTerm::kSeries}, false, ""},
                {{"law.preload"}, {n + CamTerm::kPreload}, false, ""},
-               {{"law.hysteresis"}, {n + CamTerm::kHysteresis, n + CamTerm::kHysteresisTravel}, false, ""},
-               {{"law.coulomb"}, {n + CamTerm::kCoulomb, n + CamTerm::kCoulombTravel}, false, ""},
+               {{"law.hysteresis"}, {n + CamTerm::kHysteresis, n + CamTerm::kHysteresisTravel}, false, two_way_ ? "" : kOneWay},
+               {{"law.coulomb"}, {n + CamTerm::kCoulomb, n + CamTerm::kCoulombTravel}, false, two_way_ ? "" : kOneWay},
                {{"law.arm"}, {n + CamTerm::kArm, n + CamTerm::kArm2, n + CamTerm::kArm3}, false, ""}};
 }
 
 void CamJoint::set_targets(const Case& subsystem_case, std::size_t thin) {
     double squares = 0.0;
-    for (const Record& record : subsystem_case.records) squares += std::pow(scatter_of(record.columns.at("torque_Nm")), 2);
+    for (const Record& record : subsystem_case.records) squares += std::pow(scatter_of(record), 2);
     const double scatter = std::sqrt(squares / static_cast<double>(subsystem_case.records.size()));
     const auto given = subsystem_case.sensors.find("torque_noise_Nm");
-    unit_sigma = given != subsystem_case.sensors.end() ? given->second : std::max(scatter, 1e-6 * torque_);
+    const double least = kAccuracy * measured_;
+    unit_sigma = given != subsystem_case.sensors.end() ? given->second : std::max(scatter, least);
     if (given == subsystem_case.sensors.end())
-        floor_remarks.push_back(
-            fmt::format("sigma is the scatter from row to row, {:.3g} Nm: no sensors.torque_noise_Nm is given", unit_sigma));
+        floor_remarks.push_back(fmt::format("sigma is {}, {:.3g} Nm: no sensors.torque_noise_Nm is given",
+                                            scatter > least ? "the scatter from row to row" : "0.5 % of the greatest torque", unit_sigma));
     if (thin > 1) floor_remarks.push_back(fmt::format("the fits use every {}th row", thin));
     for (const Record& record : subsystem_case.records) {
         Target target;
@@ -221,17 +231,25 @@ double CamJoint::factor(const Values& values, double q) const {
 }
 
 /// The torque over the angle as the dynamometer reads it, without friction: what yields in series turns by c T on top of the cam's angle.
-/// Where the law falls so steeply that the angle would turn back, the joint snaps to the next row.
+/// Where the law falls so steeply that the angle would turn back, the joint snaps over the rows that it would meet twice.
 LawCurve CamJoint::measured_curve(const LawCurve& law, const Values& values) const {
     const double yields = yield_ + term(values, CamTerm::kSeries), preload = term(values, CamTerm::kPreload);
-    LawCurve curve;
+    LawCurve all, curve;
     for (std::size_t i = 0; i < law.q_rad.size(); ++i) {
-        const double q = law.q_rad[i] - preload, torque = factor(values, q) * law.torque_Nm[i], read = q + yields * torque;
-        if (!curve.q_rad.empty() && !(read > curve.q_rad.back())) continue;
-        curve.q_rad.push_back(read);
-        curve.torque_Nm.push_back(torque);
+        all.torque_Nm.push_back(factor(values, law.q_rad[i] - preload) * law.torque_Nm[i]);
+        all.q_rad.push_back(law.q_rad[i] - preload + yields * all.torque_Nm.back());
     }
-    if (curve.q_rad.size() == 1) curve.q_rad.push_back(curve.q_rad.back() + half_), curve.torque_Nm.push_back(curve.torque_Nm.back());
+    std::vector<double> least(all.q_rad);  // of a row and all behind it
+    for (std::size_t i = least.size() - 1; i-- > 0;) least[i] = std::min(least[i], least[i + 1]);
+    double most = -std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < all.q_rad.size(); ++i) {
+        const bool once = all.q_rad[i] > most && (i + 1 == least.size() || all.q_rad[i] < least[i + 1]);
+        most = std::max(most, all.q_rad[i]);
+        if (!once) continue;
+        curve.q_rad.push_back(all.q_rad[i]);
+        curve.torque_Nm.push_back(all.torque_Nm[i]);
+    }
+    if (curve.q_rad.size() < 2) return {law.file, {law.q_rad.front(), law.q_rad.back()}, {0.0, 0.0}};  // it snaps over all of them
     return curve;
 }
 
@@ -251,12 +269,19 @@ void CamJoint::predict(std::size_t record, const Values& values, std::vector<dou
         const std::vector<double> turn = turn_of(pull.q, term(values, CamTerm::kCoulombTravel));
         for (std::size_t i = 0; i < predicted.size(); ++i) predicted[i] += c * turn[i];
     }
-    for (double& torque : predicted) torque += zero;
+    for (double& torque : predicted) torque = zero + sign_ * torque;
 }
 
 std::vector<std::string> CamJoint::remarks() const {
     std::vector<std::string> all{
-        "law.scale: another rate of the spring and another seat of a slider scale the law alike; pulls at two seats distinguish them"};
+        "law.scale: another rate of the spring, another seat of a slider and another gain of the torque sensor scale the law alike; pulls "
+        "at "
+        "two seats, and weights on the sensor, distinguish them"};
+    if (const double share = 2.0 * half_ / (law_range_.high - law_range_.low); share < kNarrow)
+        all.push_back(
+            fmt::format("the pulls go over {:.0f} % of the law's angles: what is another rate there may be the arm's error at these "
+                        "angles, and says nothing of the others",
+                        100.0 * share));
     if (yield_ == 0.0)
         all.emplace_back("no bench.dynamometer_Nm_per_rad: what the dynamometer yields is in the angle, and a law.series would hold it");
     if (pulls_.size() < 2) all.emplace_back("one file: no other cam is held out, so that a false cause can pass");
@@ -277,6 +302,29 @@ diagnosis::NextExperiment CamJoint::next() const {
         "compliance",
         next.set_points.front(), next.set_points.back());
     return next;
+}
+
+/// What each open effect needs, in the order of the effects.
+std::string CamJoint::split(const std::vector<std::size_t>& open) const {
+    const std::string needs[] = {
+        fmt::format(
+            "a pull over more of the law, {:.3g} to {:.3g} rad and to both sides of its least torque: a rate scales the torque there, a "
+            "preload shifts the angle",
+            law_range_.low, law_range_.high),
+        "the cam's own angle under torque, or the dynamometer against a rigid bar: what yields in series shows there, another rate does "
+        "not",
+        "the torque with the drive uncoupled: it is the sensor's zero; what is left of the offset is a preload, or an angle's offset",
+        "loops to a small and to a great torque: hysteresis grows with the torque, Coulomb friction does not",
+        "loops to a small and to a great torque: hysteresis grows with the torque, Coulomb friction does not",
+        "the spring alone on the bench, without a cam: what its rate does not explain is the cam's arm"};
+    std::string text;
+    for (std::size_t e = 0; e < effects.size(); ++e) {
+        const bool asked = std::find(open.begin(), open.end(), e) != open.end();
+        if (asked && text.find(needs[e]) == std::string::npos) text += (text.empty() ? "" : "; ") + needs[e];
+    }
+    if (!two_way_)
+        text += std::string(text.empty() ? "" : "; ") + "a pull that turns back over the same angles, for hysteresis and friction";
+    return text;
 }
 
 }  // namespace

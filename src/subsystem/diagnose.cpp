@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "equals.h"
 #include "fusee/core/error.h"
 #include "fusee/math/statistics.h"
 #include "study.h"
@@ -78,7 +79,7 @@ const Candidate* preferred_by_evidence(const Law& law, const Study& study) {
 }
 
 void share_with_refused(const Law& law, Study& study, diagnosis::Diagnosis& out) {
-    const Candidate* other = preferred_by_evidence(law, study);
+    const Candidate* other = study.equals.empty() ? preferred_by_evidence(law, study) : nullptr;
     if (other == nullptr) return;
     const auto place = static_cast<std::size_t>(other - study.candidates.data());
     for (Candidate& t : study.candidates) t.probability *= 1.0 - kRefusedShare;
@@ -301,7 +302,7 @@ void put_remarks(const Law& law, const Study& study, diagnosis::Diagnosis& out) 
     out.remarks.insert(out.remarks.end(), transfer.begin(), transfer.end());
     put_floor_remarks(law, study, out);
     put_split_remarks(law, study, out);
-    for (const auto& more : {study.remarks, law.remarks(), law.floor_remarks})
+    for (const auto& more : {equals_remarks(law, study), study.remarks, law.remarks(), law.floor_remarks})
         out.remarks.insert(out.remarks.end(), more.begin(), more.end());
 }
 
@@ -337,6 +338,8 @@ diagnosis::Diagnosis diagnose(const Case& subsystem_case, const diagnosis::Diagn
     put_traces(subsystem_case, *law, before, after, out);
     put_remarks(*law, study, out);
     out.next.push_back(law->next());
+    if (const std::string split = law->split(open_effects(study)); !split.empty())
+        out.next.back().text = split + "; " + out.next.back().text;
     out.next.back().information = entropy_bits(study);
     out.next_experiment = out.next.back().text;
     if (out.verdict == diagnosis::VerdictKind::kNone || out.verdict == diagnosis::VerdictKind::kUnknown) out.effects.clear();

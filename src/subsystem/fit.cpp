@@ -27,10 +27,12 @@ public:
             rows.insert(rows.end(), law.blocks[b].rows.begin(), law.blocks[b].rows.end());
             count_ += law.blocks[b].rows.size();
         }
+        for (std::size_t k = 0; k < law.parameters.size(); ++k)
+            if (law.parameters[k].prior > 0.0) priors_.push_back(k);
     }
     [[nodiscard]] std::size_t count() const { return count_; }
     [[nodiscard]] VectorXd residuals(const Values& values) const {
-        VectorXd out(static_cast<Eigen::Index>(count_));
+        VectorXd out(static_cast<Eigen::Index>(count_ + priors_.size()));
         Eigen::Index at = 0;
         std::vector<double> predicted;
         for (std::size_t r = 0; r < of_record_.size(); ++r) {
@@ -39,6 +41,7 @@ public:
             const Target& target = law_.targets[r];
             for (const std::size_t i : of_record_[r]) out[at++] = (target.measured[i] - predicted[i]) / target.sigma[i];
         }
+        for (const std::size_t k : priors_) out[at++] = prior_residual(law_.parameters[k], values[k]);
         return out;
     }
 
@@ -46,6 +49,7 @@ private:
     const Law& law_;
     std::vector<std::vector<std::size_t>> of_record_;
     std::size_t count_ = 0;
+    std::vector<std::size_t> priors_;  // parameters whose plausible values count as one more row
 };
 
 double robust_deviation(const VectorXd& residuals) {
@@ -117,6 +121,10 @@ bool descend(const Law& law, const FitRows& rows, const MatrixXd& A, const Vecto
 }
 
 }  // namespace
+
+double prior_residual(const Parameter& parameter, double value) {
+    return parameter.prior > 0.0 ? (parameter.null_value - value) / parameter.prior : 0.0;
+}
 
 std::vector<double> residuals_of(const Law& law, std::size_t record, const Values& values) {
     std::vector<double> out;

@@ -22,6 +22,9 @@ struct Misfit {
 /// (measured - predicted)/sigma of a record.
 [[nodiscard]] std::vector<double> residuals_of(const Law& law, std::size_t record, const Values& values);
 
+/// (null value - value)/prior of a parameter; 0 if any value is plausible.
+[[nodiscard]] double prior_residual(const Parameter& parameter, double value);
+
 /// All parameters at their null values, the nominal ones at their starts.
 [[nodiscard]] Values start_values(const Law& law);
 /// The free parameters of a hypothesis: the nominal ones and those of its effects (indices into law.effects).

@@ -14,6 +14,7 @@ struct Parameter {
     double null_value = 0.0;  ///< the value without its effect; the start of a nominal parameter
     double low = 0.0, high = 0.0;
     std::vector<double> starts;  ///< of an effect: starts of the fits, of which the best counts
+    double prior = 0.0;          ///< deviation of plausible values about the null value; 0: any value is
 };
 using Values = std::vector<double>;  ///< one for each parameter
 
@@ -54,6 +55,9 @@ public:
     [[nodiscard]] virtual std::vector<std::string> remarks() const { return {}; }
     /// The measurement that distinguishes the remaining alternatives, and the one that shows what this case cannot.
     [[nodiscard]] virtual diagnosis::NextExperiment next() const = 0;
+    /// The measurement that tells sets of effects apart that predict the rows equally well; `open`: what some of these sets hold and others
+    /// do not; empty: there are no such sets. "": next() says it.
+    [[nodiscard]] virtual std::string split(const std::vector<std::size_t>& open) const { return (void)open, ""; }
 
     std::string measured_name, region_name, unit;  ///< unit of the measured column
     double unit_sigma = 1.0;                       ///< a typical sigma in `unit`: converts a gap in sigma
@@ -70,8 +74,9 @@ public:
     double setup_floor = 1.0;     ///< from one file to the next of the same motion, at least cycle_floor [sigma]
     std::vector<std::string> floor_remarks;
     bool rows_independent = false;  ///< rows without autocorrelation
-    bool each_fold = false;    ///< few files that differ in their law: of a split in two, an effect must lower the error of both halves
-    bool over_region = false;  ///< charts over the region's variable, not over time
+    bool each_fold = false;      ///< few files that differ in their law: of a split in two, an effect must lower the error of both halves
+    bool weighs_equals = false;  ///< sets of effects that predict the rows equally well share the probability (equals.h)
+    bool over_region = false;    ///< charts over the region's variable, not over time
 };
 
 /// The law of a case; with `inputs`, for `predict` only: of these files, whose measured columns may be absent, with the case's parameters.

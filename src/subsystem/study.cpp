@@ -40,27 +40,6 @@ std::vector<std::size_t> all_blocks(const Law& law) {
 
 double sum(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
 
-/// The fit on all rows: from every start, and from the best of the sets without one of the effects.
-void fit_all(const Law& law, const Study& study, const Values& nominal, Candidate& candidate) {
-    const auto all = all_blocks(law), free = free_parameters(law, candidate.effects);
-    candidate.fit = fit_from_all_starts(law, all, free, nominal);
-    const Candidate* best = nullptr;
-    for (const std::size_t e : candidate.effects) {
-        std::vector<std::size_t> less = candidate.effects;
-        std::erase(less, e);
-        const Candidate* without = study.find(less);
-        if (without != nullptr && (best == nullptr || without->fit.cost < best->fit.cost)) best = without;
-    }
-    if (best != nullptr) {
-        Values start = best->fit.values;
-        for (const std::size_t k : free)
-            if (start[k] == law.parameters[k].null_value && !law.parameters[k].starts.empty()) start[k] = law.parameters[k].starts.front();
-        Fit other = fit(law, all, free, start);
-        if (other.cost < candidate.fit.cost) candidate.fit = std::move(other);
-    }
-    candidate.seen = misfit(law, candidate.fit.values);
-}
-
 /// If a set with one effect at its null value has a lower cost than the set without that effect, the smaller set stopped too
 /// early: it continues from there.
 void lower_subsets(const Law& law, Study& study) {
@@ -146,16 +125,6 @@ std::vector<double> effective_rows(const Law& law, const Values& values) {
     return counts;
 }
 
-/// -BIC/2 with the scale of the residuals fitted too, but never below the floor.
-double log_evidence(const Law& law, const Study& study, const Candidate& candidate) {
-    const double rows = sum(study.effective_rows);
-    double square = 0.0;
-    for (std::size_t b = 0; b < law.blocks.size(); ++b)
-        square += study.effective_rows[b] * candidate.seen.squares[b] / candidate.seen.rows[b] / rows;
-    const double scale = law.rows_independent ? 1.0 : std::max(square, law.cycle_floor * law.cycle_floor);
-    return -0.5 * rows * (std::log(scale) + square / scale) - 0.5 * static_cast<double>(candidate.fit.free.size()) * std::log(rows);
-}
-
 /// Sets whose evidence is above that of each set with one effect less, those sets, and the nominal law: the others are refused anyway.
 /// With few files, also each effect alone: the answer states how it transfers.
 std::vector<bool> worth_refits(const Law& law, const Study& study) {
@@ -191,7 +160,7 @@ void try_beside_best(const Law& law, Study& study, const diagnosis::DiagnoseOpti
     }
     core::parallel_for(more.size(), options.jobs, [&](std::size_t i) {
         fit_all(law, study, study.candidates.front().fit.values, more[i]);
-        more[i].log_evidence = log_evidence(law, study, more[i]);
+        set_evidence(law, study, more[i]);
         keep_back(law, more[i]);
         if (law.each_fold) refuse(law, study, more[i]);
         if (!more[i].refused.empty()) return;
@@ -214,6 +183,40 @@ void require_rows(const Law& law) {
 }
 
 }  // namespace
+
+void fit_all(const Law& law, const Study& study, const Values& nominal, Candidate& candidate) {
+    const auto all = all_blocks(law), free = free_parameters(law, candidate.effects);
+    candidate.fit = fit_from_all_starts(law, all, free, nominal);
+    const Candidate* best = nullptr;
+    for (const std::size_t e : candidate.effects) {
+        std::vector<std::size_t> less = candidate.effects;
+        std::erase(less, e);
+        const Candidate* without = study.find(less);
+        if (without != nullptr && (best == nullptr || without->fit.cost < best->fit.cost)) best = without;
+    }
+    if (best != nullptr) {
+        Values start = best->fit.values;
+        for (const std::size_t k : free)
+            if (start[k] == law.parameters[k].null_value && !law.parameters[k].starts.empty()) start[k] = law.parameters[k].starts.front();
+        Fit other = fit(law, all, free, start);
+        if (other.cost < candidate.fit.cost) candidate.fit = std::move(other);
+    }
+    candidate.seen = misfit(law, candidate.fit.values);
+}
+
+void set_evidence(const Law& law, const Study& study, Candidate& candidate) {
+    const double rows = sum(study.effective_rows);
+    double square = 0.0;
+    for (std::size_t b = 0; b < law.blocks.size(); ++b)
+        square += study.effective_rows[b] * candidate.seen.squares[b] / candidate.seen.rows[b] / rows;
+    const double scale = law.rows_independent ? 1.0 : std::max(square, law.cycle_floor * law.cycle_floor);
+    candidate.log_likelihood = -0.5 * rows * (std::log(scale) + square / scale);
+    double priors = 0.0;
+    for (std::size_t k = 0; k < law.parameters.size(); ++k)
+        priors += std::pow(prior_residual(law.parameters[k], candidate.fit.values[k]), 2);
+    candidate.log_evidence =
+        candidate.log_likelihood - 0.5 * static_cast<double>(candidate.fit.free.size()) * std::log(rows) - 0.5 * priors;
+}
 
 double Candidate::seen_gap() const { return gap_of(seen); }
 double Candidate::unseen_gap(std::size_t scheme) const { return gap_of(unseen[scheme]); }
@@ -265,7 +268,7 @@ Study study(const Law& law, const diagnosis::DiagnoseOptions& options) {
     const auto closest = std::min_element(study.candidates.begin(), study.candidates.end(),
                                           [](const Candidate& a, const Candidate& b) { return a.seen_gap() < b.seen_gap(); });
     study.effective_rows = effective_rows(law, closest->fit.values);
-    for (Candidate& candidate : study.candidates) candidate.log_evidence = log_evidence(law, study, candidate);
+    for (Candidate& candidate : study.candidates) set_evidence(law, study, candidate);
     const std::vector<bool> needed = worth_refits(law, study);
     core::parallel_for(study.candidates.size(), options.jobs, [&](std::size_t i) {
         if (needed[i]) keep_back(law, study.candidates[i]);

@@ -15,7 +15,8 @@ struct Candidate {
     Misfit seen;                              ///< each block, by the fit on all
     std::vector<Misfit> unseen;               ///< for each scheme: each block, by the fit without it; empty: not refitted
     std::vector<std::vector<Values>> refits;  ///< for each scheme: the values of each of its fits, own parameters of held-out files too
-    double log_evidence = 0.0;                ///< -BIC/2, with the effective number of rows [nats]
+    double log_likelihood = 0.0;              ///< of the rows, with the effective number of them [nats]
+    double log_evidence = 0.0;                ///< -BIC/2: log_likelihood less priors and parameters [nats]
     std::string refused;                      ///< why it is excluded; empty: it is a candidate
     bool unlikely = false;                    ///< refused for its evidence alone
     double probability = 0.0;
@@ -31,6 +32,7 @@ struct Study {
     std::vector<Candidate> candidates;   ///< the nominal law first
     std::vector<double> effective_rows;  ///< of each block
     std::size_t best = 0;                ///< the most probable one
+    std::vector<std::size_t> equals;     ///< sets that the rows do not tell from the best one, the best first; empty: there are none
     double stability = 0.0;              ///< share of the folds whose held-out rows `best` predicts best of those not refused
     std::vector<std::string> remarks;    ///< on effects that were refused, and on splits that disagree
     core::Range heldout_after_95;        ///< of best's gap on held-out blocks [sigma]
@@ -39,6 +41,11 @@ struct Study {
     /// The probability that an effect is in the answer.
     [[nodiscard]] double probability_of(std::size_t effect) const;
 };
+
+/// The fit of the candidate's effects on all rows: from every start, and from the best of the sets without one of the effects.
+void fit_all(const Law& law, const Study& study, const Values& nominal, Candidate& candidate);
+/// Its likelihood and its evidence, -BIC/2 with the scale of the residuals fitted too, but never below the floor. @pre it is fitted
+void set_evidence(const Law& law, const Study& study, Candidate& candidate);
 
 /// Sets of up to law.most_effects effects. An effect of a set counts if, against the set without it, the evidence rises by 5 nats, the
 /// held-out gap falls in every scheme (with Law::each_fold, in each half of a split in two), and over the blocks it falls by more than its

@@ -8,11 +8,12 @@
 #include <numeric>
 #include <random>
 
+#include "equals.h"
+
 namespace fusee::subsystem {
 
 namespace {
 
-constexpr double kLeastEvidence = 5.0;  // [nats]: 150 to 1
 constexpr const char* kNoEvidence = "the evidence does not rise by 5 nats";
 constexpr double kLeastErrors = 1.0;  // standard errors of the mean fall of the held-out gap
 constexpr double kLeastGain = 0.005;  // least relevant change of the held-out mean square
@@ -163,9 +164,10 @@ void weigh(const Law& law, Study& study) {
     }
     study.best = static_cast<std::size_t>(sets[best] - study.candidates.data());
     study.stability = folds[best];
+    share_among_equals(law, study);
     std::vector<double> gaps;
     for (const auto& draw : draws) {
-        const Misfit& m = sets[best]->unseen[0];
+        const Misfit& m = study.candidates[study.best].unseen[0];
         gaps.push_back(std::sqrt(std::inner_product(draw.begin(), draw.end(), m.squares.begin(), 0.0) /
                                  std::inner_product(draw.begin(), draw.end(), m.rows.begin(), 0.0)));
     }

@@ -304,7 +304,7 @@ diagnosis::NextExperiment CamJoint::next() const {
     return next;
 }
 
-/// What each open effect needs, in the order of the effects.
+/// What each open effect needs, in the order of the effects; where only one of two is open, the other answers too.
 std::string CamJoint::split(const std::vector<std::size_t>& open) const {
     const std::string needs[] = {
         fmt::format(
@@ -315,12 +315,12 @@ std::string CamJoint::split(const std::vector<std::size_t>& open) const {
         "not",
         "the torque with the drive uncoupled: it is the sensor's zero; what is left of the offset is a preload, or an angle's offset",
         "loops to a small and to a great torque: hysteresis grows with the torque, Coulomb friction does not",
-        "loops to a small and to a great torque: hysteresis grows with the torque, Coulomb friction does not",
-        "the spring alone on the bench, without a cam: what its rate does not explain is the cam's arm"};
+        "",   // that of law.hysteresis
+        ""};  // next() says it
     std::string text;
     for (std::size_t e = 0; e < effects.size(); ++e) {
         const bool asked = std::find(open.begin(), open.end(), e) != open.end();
-        if (asked && text.find(needs[e]) == std::string::npos) text += (text.empty() ? "" : "; ") + needs[e];
+        if (asked && !needs[e].empty()) text += (text.empty() ? "" : "; ") + needs[e];
     }
     if (!two_way_)
         text += std::string(text.empty() ? "" : "; ") + "a pull that turns back over the same angles, for hysteresis and friction";

@@ -296,13 +296,15 @@ void put_split_remarks(const Law& law, const Study& study, diagnosis::Diagnosis&
 }
 
 void put_remarks(const Law& law, const Study& study, diagnosis::Diagnosis& out) {
+    const std::vector<std::string> equals = equals_remarks(law, study);
+    out.remarks.insert(out.remarks.end(), equals.begin(), equals.end());
     put_rest_remark(law, out);
     out.transfer = transfers_of(law, study);
     const std::vector<std::string> transfer = transfer_remarks(law, out.transfer, causes_of(law, study.candidates[study.best]));
     out.remarks.insert(out.remarks.end(), transfer.begin(), transfer.end());
     put_floor_remarks(law, study, out);
     put_split_remarks(law, study, out);
-    for (const auto& more : {equals_remarks(law, study), study.remarks, law.remarks(), law.floor_remarks})
+    for (const auto& more : {study.remarks, law.remarks(), law.floor_remarks})
         out.remarks.insert(out.remarks.end(), more.begin(), more.end());
 }
 

@@ -94,18 +94,28 @@ void weigh_by_evidence(Study& study) {
 /// Effects that this case cannot show, alone, where they explain the rows better than the best set does: that one is no sure answer then.
 void doubt(const Law& law, Study& study) {
     Candidate& best = study.candidates[study.best];
-    for (std::size_t e = 0; e < law.effects.size() && !best.effects.empty(); ++e) {
+    if (best.unseen_gap(0) <= kNearFloor * law.setup_floor) return;
+    for (std::size_t e = 0; e < law.effects.size(); ++e) {
         if (law.effects[e].unseen.empty()) continue;
         Candidate hidden;
         hidden.effects = {e};
         fit_all(law, study, study.candidates.front().fit.values, hidden);
         set_evidence(law, study, hidden);
         if (hidden.log_evidence < best.log_evidence + kLeastEvidence) continue;
-        best.probability = std::min(best.probability, kMostShare);
+        if (!best.effects.empty()) best.probability = std::min(best.probability, kMostShare);
         study.remarks.push_back(fmt::format("{} would explain the rows better than {}: {:.3g} instead of {:.3g} {} are left in the fit",
                                             name_of(law.effects[e]), name_of(law, best.effects), hidden.seen_gap() * law.unit_sigma,
                                             best.seen_gap() * law.unit_sigma, law.unit));
     }
+}
+
+/// ", with sensor.torque_offset a.csv at 3 Nm": its nominal parameters that are not plausible.
+std::string odd_values(const Law& law, const Candidate& set) {
+    std::string text;
+    for (std::size_t k = 0; k < law.nominal; ++k)
+        if (const Parameter& p = law.parameters[k]; std::abs(prior_residual(p, set.fit.values[k])) > kPlausible)
+            text += fmt::format("{} {} at {:.3g} {}", text.empty() ? ", with" : " and", p.name, set.fit.values[k], p.unit);
+    return text;
 }
 
 }  // namespace
@@ -159,14 +169,12 @@ std::vector<std::string> equals_remarks(const Law& law, const Study& study) {
     std::vector<std::string> all;
     if (!study.equals.empty()) {
         std::vector<std::string> names;
-        for (const std::size_t i : study.equals) names.push_back(name_of(law, study.candidates[i].effects));
+        for (const std::size_t i : study.equals)
+            names.push_back(name_of(law, study.candidates[i].effects) + odd_values(law, study.candidates[i]));
         all.push_back(fmt::format("equal in these rows, none of them is chosen: {}", fmt::join(names, "; ")));
     }
     const Candidate& best = study.candidates[study.best];
-    for (std::size_t k = 0; k < law.nominal; ++k)
-        if (const Parameter& p = law.parameters[k]; std::abs(prior_residual(p, best.fit.values[k])) > kPlausible)
-            all.push_back(fmt::format("{} is {:.3g} {} with {}: more than {:.3g} {} is not plausible", p.name, best.fit.values[k], p.unit,
-                                      name_of(law, best.effects), kPlausible * p.prior, p.unit));
+    if (!plausible(law, best)) all.push_back("not plausible: " + name_of(law, best.effects) + odd_values(law, best));
     return all;
 }
 

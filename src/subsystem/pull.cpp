@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "fusee/core/error.h"
+#include "fusee/core/units.h"
 #include "fusee/math/statistics.h"
 
 namespace fusee::subsystem {
@@ -19,7 +20,7 @@ constexpr std::size_t kLeastReturnRows = 4;        // in each direction
 constexpr double kLowGain = 0.1, kHighGain = 5.0;  // measured torque over that of the law: beyond them, one of the two has another unit
 constexpr double kFollows = 0.8;                   // explained share of a torque that follows a law
 constexpr double kFarBetter = 0.05;                // of the squares that the law leaves as it is read
-constexpr double kDegree = 3.14159265358979323846 / 180.0;
+constexpr double kDegree = core::kPi / 180.0;
 
 /// Another unit or sign in which a pull or its law may be.
 struct Reading {

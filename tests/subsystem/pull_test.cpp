@@ -22,7 +22,7 @@ constexpr double kRate = 145.4;  // Nm/rad
 /// What one pull of a joint does: torque over angle, in the files' sign `torque_sign` and `angle_sign`.
 struct Twin {
     std::function<double(double)> law = [](double q) { return kRate * q; };
-    double scale = 0.0, series = 0.0, preload = 0.0, coulomb = 0.0, zero = 0.1;
+    double scale = 0.0, series = 0.0, preload = 0.0, hysteresis = 0.0, coulomb = 0.0, zero = 0.1;
     double angle_sign = 1.0, torque_sign = 1.0, torque_unit = 1.0, angle_unit = 1.0;
 };
 
@@ -57,8 +57,9 @@ Record pull_of(const Twin& twin, const std::vector<double>& angles, const std::s
         before = q;
         record.columns["t_s"].push_back(t += 0.05);
         record.columns["q_rad"].push_back(twin.angle_sign * twin.angle_unit * q);
-        record.columns["torque_Nm"].push_back(twin.torque_sign * twin.torque_unit *
-                                              (torque + twin.coulomb * turn + twin.zero + noise(random)));
+        record.columns["torque_Nm"].push_back(
+            twin.torque_sign * twin.torque_unit *
+            (torque + (twin.coulomb + twin.hysteresis * std::abs(torque)) * turn + twin.zero + noise(random)));
     }
     return record;
 }
@@ -138,7 +139,7 @@ TEST(Pull, LeavesPreloadAndALargeZeroOpen) {
 TEST(Pull, SaysThatAZeroIsNotPlausible) {
     const diagnosis::Diagnosis d = diagnosed(case_of({pull_of({.law = hardening, .zero = 4.0}, loops(0.14, 300), "a", 5)}));
     EXPECT_EQ(d.verdict, VerdictKind::kNone);
-    EXPECT_TRUE(says(d, " Nm with no effect: more than"));
+    EXPECT_TRUE(says(d, "not plausible: no effect, with sensor.torque_offset pull_a.csv at "));
 }
 
 struct Flip {
@@ -182,6 +183,14 @@ TEST(Pull, IsTheSameInAnyOrderOfFiles) {
     EXPECT_EQ(one.verdict, other.verdict);
     ASSERT_EQ(names_of(other), names_of(one));
     EXPECT_NEAR(one.effects.at(0).parameter.value, other.effects.at(0).parameter.value, 1e-6);
+}
+
+// Friction that one-way files cannot show makes no other effect sure.
+TEST(OneWayPull, SaysWhatAnUnseenHysteresisWouldExplain) {
+    const diagnosis::Diagnosis d = diagnosed(case_of({pull_of({.hysteresis = 0.06}, one_way(-0.14, 0.14, 60), "a", 11)}));
+    EXPECT_NE(d.verdict, VerdictKind::kIdentified) << names_of(d);
+    EXPECT_TRUE(says(d, "law.hysteresis would explain the rows better than"));
+    expect_no_friction(d);
 }
 
 /// The question with which a case is refused; "" if it is not.

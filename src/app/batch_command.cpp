@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iostream>
+#include <chrono>
 #include <memory>
 
 #include "arguments.h"
@@ -9,6 +9,7 @@
 #include "fusee/batch/slurm.h"
 #include "fusee/batch/study.h"
 #include "fusee/core/error.h"
+#include "fusee/core/progress.h"
 #include "fusee/core/text.h"
 #include "fusee/profile/find_profiles.h"
 #include "fusee/study/index.h"
@@ -39,7 +40,8 @@ study::Study study_of(const BatchArguments& arguments) {
 int list_designs(const study::Plan& plan, Reply& reply) {
     std::size_t excluded = 0;
     Json designs = Json::array();
-    for (std::size_t i = 0; i < plan.size(); ++i) {
+    for (std::size_t i = 0; i < plan.size() && reply.is_heard(); ++i) {
+        if (core::interrupted()) throw core::Stopped();
         const study::Planned planned = plan.at(i);
         std::string values;
         Json keys = Json::object();
@@ -129,13 +131,16 @@ int run_batch(BatchArguments arguments, Reply& reply) {
 struct QueryArguments {
     std::filesystem::path study;
     std::string sql;
+    unsigned seconds = 60;
 };
+
+constexpr std::size_t kMostRowsOfJson = 1'000'000;  // they stand in memory
 
 int run_query(const QueryArguments& arguments, Reply& reply) {
     const auto file = std::filesystem::is_directory(arguments.study) ? arguments.study / "index.sqlite" : arguments.study;
     bool head = true;
     reply.result = {{"columns", Json::array()}, {"rows", Json::array()}};
-    study::query(file, arguments.sql, [&](const std::vector<std::string>& cells) {
+    study::query(file, arguments.sql, std::chrono::seconds(arguments.seconds), [&](const std::vector<std::string>& cells) {
         std::string line;
         for (std::size_t i = 0; i < cells.size(); ++i) line += (i > 0 ? "\t" : "") + core::printable(cells[i]);
         reply.print(line + "\n");
@@ -143,7 +148,10 @@ int run_query(const QueryArguments& arguments, Reply& reply) {
             reply.result["columns"] = cells;
         else if (reply.json())
             reply.result["rows"].push_back(cells);
+        if (reply.json() && reply.result["rows"].size() > kMostRowsOfJson)
+            throw core::InvalidInput("SQL", "more rows", fmt::format("{} rows with --json: LIMIT, or text", kMostRowsOfJson));
         head = false;
+        return reply.is_heard();
     });
     return 0;
 }
@@ -194,6 +202,9 @@ void add_query(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand("query", "Ask the index of a study in SQL, read-only; prints columns separated by tabs");
     command->add_option("study", arguments->study, "Folder of a study, out/NAME")->type_name("FOLDER")->required();
     command->add_option("sql", arguments->sql, "A SELECT on the tables designs and columns")->required();
+    command->add_option("--seconds", arguments->seconds, "Longest time of the query [s]")
+        ->check(number_within(1U, 86'400U))
+        ->capture_default_str();
     command->footer(
         "Example:\n  fusee query out/pnrvsa \"SELECT name, mass_g FROM designs ORDER BY mass_g LIMIT 5\"\n\n"
         "Exit code: 0, or 2 for bad input.");

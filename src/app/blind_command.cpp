@@ -15,6 +15,7 @@
 #include "fusee/core/progress.h"
 #include "fusee/report/score.h"
 #include "numbers.h"
+#include "output.h"
 
 namespace fusee::app {
 
@@ -35,7 +36,7 @@ int make_benchmark(blind::BenchmarkOptions options, Reply& reply) {
         if (core::interrupted()) throw core::Stopped();
         if (done > 0) return progress.advance(what);
         reply.print(what + "\n");
-        std::fflush(stdout);
+        (void)flush_out();
     };
     const std::string seal = blind::make_benchmark(options);
     reply.result = {{"seal", "sha256:" + seal}, {"cases", options.cases}, {"folder", options.out.string()}};

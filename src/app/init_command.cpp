@@ -18,6 +18,7 @@
 #include "fusee/init/init.h"
 #include "fusee/init/question.h"
 #include "fusee/report/init.h"
+#include "output.h"
 
 namespace fusee::app {
 
@@ -52,18 +53,17 @@ bool is_answered() {
 /// Asks again until the answer is allowed. @throws core::Stopped at the end of the input and after Ctrl-C
 void ask(const init::Question& question, init::Answers& answers) {
     while (true) {
-        fmt::print("{}", question.prompt(answers));
-        std::fflush(stdout);
+        print_out(question.prompt(answers));
         std::string line;
-        if (!is_answered() || !std::getline(std::cin, line)) {
-            fmt::print("\n");
+        if (!flush_out() || !is_answered() || !std::getline(std::cin, line)) {
+            print_out("\n");
             throw core::Stopped();
         }
         if (line.empty()) return;
         try {
             return question.enter(answers, line);
         } catch (const core::InputError& e) {
-            fmt::print("  {}\n", e.what());
+            print_out(fmt::format("  {}\n", e.what()));
         }
     }
 }
@@ -77,7 +77,7 @@ init::Answers answers_of(const InitArguments& arguments, const Reply& reply) {
             mistakes.collect([&] { question.enter(answers, given->second); });
     mistakes.throw_if_any();
     if (!arguments.yes && !reply.json() && ::isatty(STDIN_FILENO) != 0) {
-        fmt::print("Enter takes the value in brackets; Ctrl-C leaves no file.\n");
+        print_out("Enter takes the value in brackets; Ctrl-C leaves no file.\n");
         for (const init::Question& question : init::questions())
             if (!arguments.answers.contains(question.option)) ask(question, answers);
     }

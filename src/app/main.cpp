@@ -1,16 +1,13 @@
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <chrono>
 #include <csignal>
-#include <cstdio>
-#include <cstring>
-#include <iostream>
+#include <functional>
 #include <new>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -25,7 +22,9 @@
 #include "fusee/core/error.h"
 #include "fusee/core/progress.h"
 #include "fusee/core/provenance.h"
+#include "fusee/core/stop.h"
 #include "fusee/exchange/mesh_isolated.h"
+#include "output.h"
 
 namespace fusee::app {
 
@@ -71,23 +70,8 @@ int refuse(const std::exception& e, Reply& reply) {
     return kBadInput;
 }
 
-/// Flushes standard output; reports a table that could not be written.
-int with_output(int code) {
-    std::cout.flush();
-    const bool lost = std::fflush(stdout) != 0 || std::ferror(stdout) != 0 || !std::cout;
-    if (!lost) return code;
-    errno = 0;
-    // The streams do not keep the reason: writing one more line end gives it.
-    const bool told = ::write(STDOUT_FILENO, "\n", 1) < 0 && errno != EBADF;
-    fmt::print(stderr, "fusee: standard output cannot be written: {}\n", told ? std::strerror(errno) : "it is closed");
-    return std::max(code, kBadInput);
-}
-
-/// Opens closed standard files: otherwise the next opened file would take their number and receive the output.
-void keep_standard_files() {
-    for (const int file : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
-        if (::fcntl(file, F_GETFD) < 0) (void)::open("/dev/null", O_RDONLY);  // takes the lowest free number; writing to it fails
-}
+/// What the user's limit of processor time ends (SIGXCPU) is bad input, as other limits are.
+constexpr const char* kOutOfTime = "out of processor time: the limit (ulimit -t) is less than this needs";
 
 int run(const Action& action, Reply& reply) {
     try {
@@ -99,6 +83,7 @@ int run(const Action& action, Reply& reply) {
     } catch (const std::bad_alloc&) {
         return refuse(core::InputError("out of memory: the machine or its limit (ulimit -v) has less than this needs"), reply);
     } catch (const core::Stopped&) {
+        if (core::stop_signal() == SIGXCPU) return refuse(core::InputError(kOutOfTime), reply);
         reply.fail(std::string("stopped: nothing was written"));
         reply.warn("stopped: nothing was written\n");
         return kInterrupted;
@@ -126,14 +111,32 @@ int timed_run(const Action& action, Reply& reply) {
 
 /// The end of every command: under --json the envelope is all of standard output.
 int finish(const Reply& reply, const std::string& command, int code) {
-    const std::string envelope = reply.json() ? reply.envelope(command, code) : "";
-    std::fwrite(envelope.data(), 1, envelope.size(), stdout);  // with_output tells of a loss; fmt::print would throw here
-    return with_output(code);
+    if (reply.json()) print_out(reply.envelope(command, code));
+    return close_out(code);
+}
+
+/// What a command says that did not end by itself after a signal (fusee/core/stop.h).
+std::function<int(int)> farewell(const Settings& settings, const std::string& command) {
+    const auto texts = [&](const std::string& message, int code) {
+        Reply reply(settings);
+        reply.fail(message);
+        return std::pair(message + "\n", settings.json ? reply.envelope(command, code) : "");
+    };
+    return [stopped = texts("stopped: unfinished work is dropped", kInterrupted), late = texts(kOutOfTime, kBadInput)](int signal) {
+        const auto& [message, envelope] = signal == SIGXCPU ? late : stopped;
+        put_without_waiting(STDERR_FILENO, message);
+        if (!envelope.empty()) put_without_waiting(STDOUT_FILENO, envelope);
+        return signal == SIGXCPU ? kBadInput : kInterrupted;
+    };
 }
 
 /// Help and version are printed; any other word that the line should not have is refused.
 int finish_unparsed(const CLI::App& app, const CLI::ParseError& e, bool json) {
-    if (e.get_exit_code() == 0) return app.exit(e), with_output(0);
+    if (e.get_exit_code() == 0) {
+        std::ostringstream text;
+        app.exit(e, text, text);
+        return print_out(text.str()), close_out(0);
+    }
     Settings settings;
     settings.json = json;
     Reply reply(settings);
@@ -151,7 +154,7 @@ int finish_unparsed(const CLI::App& app, const CLI::ParseError& e, bool json) {
 int main(int argc, char** argv) {
     using namespace fusee;
     app::keep_standard_files();
-    std::signal(SIGPIPE, SIG_IGN);  // a reader that ends early is output that cannot be written: a message and exit code 2
+    std::signal(SIGPIPE, SIG_IGN);  // a reader that leaves is noticed when it is written to (output.h)
     if (argc == 3 && std::string_view(argv[1]) == exchange::kReadMesh) return exchange::serve_mesh_file(argv[2]);  // for mesh_check.cpp
     core::catch_interrupts();
     CLI::App app("Turn the spring energies of a variable-stiffness joint into cams, check and export them, and diagnose the built joint",
@@ -160,7 +163,7 @@ int main(int argc, char** argv) {
     app.require_subcommand(0, 1);  // a missing command is refused below: CLI11 would not name a wrong word
     app.footer(
         "Example:\n  fusee make profiles/pnrvsa.toml\n  fusee explain cable.bend_ratio\n\n"
-        "Exit code: 0 done, 1 a design cannot be made, 2 bad input, 3 internal error, 130 stopped by Ctrl-C.\n\n"
+        "Exit code: 0 done, 1 a design cannot be made, 2 bad input, 3 internal error, 130 stopped by Ctrl-C or a signal.\n\n"
         "Help of a command:\n  fusee COMMAND --help\nCompletion in bash (also zsh, fish):\n  source <(fusee completion bash)");
     core::begin_crash_reports(fmt::format("fusee {} ({})", core::version(), app::build_name()), {argv, argv + argc});
     app::Action action;
@@ -173,6 +176,7 @@ int main(int argc, char** argv) {
         return app::finish_unparsed(app, e, app::asks_for_json(argc, argv));
     }
     app::Reply reply(settings);
+    core::end_after_signal(app::farewell(settings, app::command_path(app)));
     if (settings.quiet) core::hide_progress();
     if (settings.quiet && settings.verbose)
         action = [](app::Reply&) -> int { throw core::InvalidInput("--quiet", "with --verbose", "one of the two"); };

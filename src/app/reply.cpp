@@ -6,6 +6,7 @@
 #include "exit_codes.h"
 #include "fusee/core/provenance.h"
 #include "fusee/report/findings.h"
+#include "output.h"
 
 namespace fusee::app {
 
@@ -19,10 +20,7 @@ core::Colour colour_of(const std::string& word) {
 void put(std::FILE* file, std::string_view text, const std::string& colour) {
     const bool marked = core::is_coloured(colour_of(colour), file == stdout ? STDOUT_FILENO : STDERR_FILENO);
     const std::string shown = marked ? core::coloured(text) : std::string(text);
-    if (file == stderr)
-        std::fwrite(shown.data(), 1, shown.size(), file);  // what cannot be said on a lost standard error must not end the command
-    else
-        fmt::print(file, "{}", shown);
+    file == stderr ? core::say_error(shown) : print_out(shown);
 }
 
 const char* verdict_of(int code) {
@@ -60,6 +58,8 @@ Json mistakes_json(const std::vector<core::InvalidInput>& mistakes) {
     }
     return all;
 }
+
+bool Reply::is_heard() const { return settings_.json || is_output_open(); }
 
 void Reply::print(std::string_view text) const {
     if (!settings_.json) put(stdout, text, settings_.colour);

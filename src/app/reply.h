@@ -28,6 +28,8 @@ public:
     [[nodiscard]] bool quiet() const { return settings_.quiet; }
     [[nodiscard]] bool verbose() const { return settings_.verbose; }
 
+    /// Does anybody take what is printed? false once a reader has left or a write has failed.
+    [[nodiscard]] bool is_heard() const;
     /// What was asked for, on standard output; not under --json.
     void print(std::string_view text) const;
     /// What was done, on standard output; not under --json or -q.

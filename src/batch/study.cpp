@@ -130,6 +130,8 @@ private:
             case Outcome::kBadInput:
                 ++result_.bad_input;
                 break;
+            case Outcome::kInterrupted:
+                break;  // as if it had not begun
             default:
                 ++result_.failed;
         }

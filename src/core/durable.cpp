@@ -23,13 +23,17 @@ void begin_sync(const fs::path& path) {
 }
 }  // namespace
 
+std::string write_failure(int error) {
+    return std::string(std::strerror(error)) + (error == EFBIG ? " (ulimit -f states the largest size of a file)" : "");
+}
+
 void sync(const fs::path& path) {
     const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
     if (file < 0) return;
     const int failed = ::fsync(file) != 0 ? errno : 0;
     ::close(file);
     if (failed == EIO || failed == ENOSPC || failed == EDQUOT)
-        throw IoError(path.string(), std::string("cannot be written: ") + std::strerror(failed));
+        throw IoError(path.string(), "cannot be written: " + write_failure(failed));
 }
 
 void sync_tree(const fs::path& folder) {

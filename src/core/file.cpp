@@ -11,10 +11,13 @@
 #include <cstring>
 #include <fstream>
 #include <limits>
+#include <optional>
 #include <system_error>
 
+#include "durable.h"
 #include "fusee/core/crash_report.h"
 #include "fusee/core/error.h"
+#include "fusee/core/stop.h"
 #include "fusee/core/temporary_folder.h"
 
 namespace fs = std::filesystem;
@@ -53,13 +56,15 @@ int write_new(const fs::path& path, std::string_view bytes, bool to_disk) {
 
 void write_file(const fs::path& path, std::string_view bytes) {
     const bool to_disk = !is_in_temporary_folder(path);  // an output folder flushes all its files at once
+    std::optional<StopHold> hold;  // a stop leaves no file of a temporary name
+    if (to_disk) hold.emplace();
     fs::path temporary;
     int failed = EEXIST;  // the name exists: left by a killed process
     for (int i = 0; i < kNames && failed == EEXIST; ++i) failed = write_new(temporary = hidden_sibling(path, "part"), bytes, to_disk);
     std::error_code error;
     if (failed != 0) {
         if (failed != EEXIST) fs::remove(temporary, error);
-        throw IoError(path.string(), std::string("cannot be written: ") + std::strerror(failed));
+        throw IoError(path.string(), "cannot be written: " + write_failure(failed));
     }
     fs::rename(temporary, path, error);
     if (!error) return;

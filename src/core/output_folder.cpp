@@ -16,6 +16,7 @@
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/core/progress.h"
+#include "fusee/core/stop.h"
 #include "fusee/core/temporary_folder.h"
 #include "manifest.h"
 
@@ -200,7 +201,7 @@ std::set<std::string> files_below(const fs::path& folder) {
 class Commit {
 public:
     Commit(const fs::path& target, const fs::path& place, const fs::path& staging, const OutputRun& run, const std::string& source)
-        : target_(target), place_(place), staging_(staging), judge_(target, place, run, source), next_(judge_.manifest()) {
+        : target_(target), place_(place), staging_(staging), stays_(run.stays), judge_(target, place, run, source), next_(judge_.manifest()) {
         for (const std::string& name : files_below(staging)) plan(name, run, source);
         for (const auto& [name, made] : judge_.manifest()) {
             if (made_.contains(name) || !judge_.is_stale(made)) continue;
@@ -214,6 +215,8 @@ public:
     /// Writes the manifest first, with old and new files: after a crash it names them all.
     void carry_out() {
         sync_tree(staging_);
+        const StopHold hold;  // a stop finds all moves made, or none
+        if (interrupted() && !stays_) throw Stopped();
         put_manifest();
         for (const std::string& name : made_) {
             make_folder((place_ / name).parent_path());
@@ -260,6 +263,7 @@ private:
     }
 
     const fs::path &target_, &place_, &staging_;
+    bool stays_;
     Judge judge_;
     Manifest next_;
     std::set<std::string> made_, stale_;
@@ -268,25 +272,8 @@ private:
 }  // namespace
 
 struct OutputFolder::Staged {
-    /// Removes the target again if it is new and empty.
-    struct NewTarget {
-        explicit NewTarget(const fs::path& place) : path(place) {
-            std::error_code ignored;
-            is_new = !fs::exists(place, ignored);
-            make_folder(place);
-        }
-        ~NewTarget() {
-            std::error_code ignored;
-            if (is_new) fs::remove(path, ignored);  // fails unless it is empty
-        }
-        NewTarget(const NewTarget&) = delete;
-        NewTarget& operator=(const NewTarget&) = delete;
-        fs::path path;
-        bool is_new = false;
-    };
-
     explicit Staged(const fs::path& place) : target(place), folder(place, kStagingPrefix) {}
-    NewTarget target;
+    NewFolder target;
     TemporaryFolder folder;  // destroyed first
 };
 

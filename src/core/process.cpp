@@ -19,6 +19,7 @@
 #include <utility>
 
 #include "fusee/core/error.h"
+#include "fusee/core/progress.h"
 
 extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX asks the caller to declare it
 
@@ -70,7 +71,7 @@ public:
         sigset_t set;
         ::sigemptyset(&set);
         ::posix_spawnattr_setsigmask(&value_, &set);
-        for (const int signal : {SIGINT, SIGTERM, SIGPIPE}) ::sigaddset(&set, signal);
+        for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGXCPU, SIGXFSZ, SIGPIPE}) ::sigaddset(&set, signal);
         ::posix_spawnattr_setsigdefault(&value_, &set);
     }
     ~Attributes() { ::posix_spawnattr_destroy(&value_); }
@@ -81,6 +82,15 @@ public:
 private:
     posix_spawnattr_t value_{};
 };
+
+/// The words that end the program with fusee, even after kill -9: util-linux's setpriv asks the kernel for that, which posix_spawn cannot.
+std::vector<std::string> bound(std::vector<std::string> words) {
+    static const bool can = on_path("setpriv");
+    const std::string& program = words.front();
+    if (!can || (program.find('/') == std::string::npos && !on_path(program))) return words;  // the error names the program
+    words.insert(words.begin(), {"setpriv", "--pdeathsig", "KILL", "--"});
+    return words;
+}
 
 /// Starts a program with `output` as its output. @returns 0 or errno
 int spawn(pid_t& pid, std::vector<std::string> words, int output) {
@@ -104,7 +114,7 @@ public:
         std::array<int, 2> ends{};
         if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw IoError(about, std::strerror(errno));
         read_ = ends[0];
-        const int failed = spawn(pid_, words, ends[1]);
+        const int failed = spawn(pid_, bound(words), ends[1]);
         ::close(ends[1]);
         if (failed == 0) {
             note_group(0, pid_);
@@ -131,6 +141,7 @@ public:
             if (over) return true;
             const auto left = std::chrono::duration_cast<milliseconds>(end - Clock::now());
             if (left.count() <= 0) return false;
+            if (interrupted()) throw Stopped();
             pollfd waiting{read_, POLLIN, 0};  // a negative descriptor is ignored
             (void)::poll(&waiting, 1, static_cast<int>(std::min(left, kLook).count()));
         }

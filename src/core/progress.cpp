@@ -4,15 +4,13 @@
 #include <unistd.h>
 
 #include <atomic>
-#include <csignal>
 
-#include "fusee/core/process.h"
+#include "fusee/core/terminal.h"
 #include "fusee/core/text.h"
 
 namespace fusee::core {
 
 namespace {
-volatile std::sig_atomic_t g_interrupted = 0;
 std::atomic<bool> g_hidden = false;
 constexpr std::size_t kBarWidth = 30;
 constexpr std::size_t kLeastRated = 20;  ///< items from which on a rate says more than the items themselves
@@ -33,7 +31,7 @@ Progress::Progress(std::string title, std::size_t total, Of of)
     : title_(std::move(title)), total_(total), of_(of), terminal_(::isatty(STDERR_FILENO) != 0) {}
 
 Progress::~Progress() {
-    if (terminal_ && !g_hidden) fmt::print(stderr, "{}", of_ == Of::kStages ? "\r\x1b[K" : "\n");
+    if (terminal_ && !g_hidden) say_error(of_ == Of::kStages ? "\r\x1b[K" : "\n");
 }
 
 void Progress::advance(const std::string& label) {
@@ -61,28 +59,12 @@ void Progress::draw(const std::string& label) const {
     const std::string shown = printable(label);  // it may contain a file's name
     if (!terminal_) {
         if (of_ == Of::kStages && seconds < kSlow) return;
-        fmt::print(stderr, "{} {}/{}: {}\n", title_, done_, total_, shown);
+        say_error(fmt::format("{} {}/{}: {}\n", title_, done_, total_, shown));
         return;
     }
     const std::size_t filled = total_ == 0 ? kBarWidth : kBarWidth * done_ / total_;
-    fmt::print(stderr, "\r\x1b[K{} [{}{}] {}/{}{} {}", title_, std::string(filled, '#'), std::string(kBarWidth - filled, '.'), done_,
-               total_, rate_text(done_, total_, seconds), shown);
-    std::fflush(stderr);
+    say_error(fmt::format("\r\x1b[K{} [{}{}] {}/{}{} {}", title_, std::string(filled, '#'), std::string(kBarWidth - filled, '.'), done_,
+                          total_, rate_text(done_, total_, seconds), shown));
 }
-
-void catch_interrupts() {
-    const auto handler = [](int signal) {
-        if (g_interrupted != 0) {
-            end_processes();
-            std::signal(signal, SIG_DFL);
-            (void)std::raise(signal);
-        }
-        g_interrupted = 1;
-    };
-    std::signal(SIGINT, handler);
-    std::signal(SIGTERM, handler);
-}
-
-bool interrupted() { return g_interrupted != 0; }
 
 }  // namespace fusee::core

@@ -11,10 +11,13 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <mutex>
+#include <set>
 #include <system_error>
 #include <utility>
 #include <vector>
 
+#include "fusee/core/destination.h"
 #include "fusee/core/error.h"
 
 namespace fs = std::filesystem;
@@ -24,6 +27,16 @@ namespace fusee::core {
 namespace {
 
 constexpr std::size_t kRandom = 6;  // characters that mkdtemp chooses
+
+/// The folders of this process, for an end without destructors.
+struct Living {
+    std::mutex mutex;
+    std::set<fs::path> whole, if_empty;
+};
+Living& living() {
+    static auto* const one = new Living;  // outlives the statics, as threads do
+    return *one;
+}
 
 /// An open folder, closed by the destructor.
 class Descriptor {
@@ -96,6 +109,8 @@ void TemporaryFolder::make(const fs::path& parent, const std::string& prefix) {
         if ((!open.lock() && errno == EWOULDBLOCK) || !open.is(pattern)) continue;
         path_ = pattern;
         lock_ = open.release();
+        const std::scoped_lock lock(living().mutex);
+        living().whole.insert(path_);
         return;
     }
     throw IoError(parent.string(), "no folder for temporary files can be created here: another process removes it");
@@ -105,6 +120,33 @@ TemporaryFolder::~TemporaryFolder() {
     std::error_code ignored;
     fs::remove_all(path_, ignored);
     if (lock_ >= 0) ::close(lock_);
+    const std::scoped_lock lock(living().mutex);
+    living().whole.erase(path_);
+}
+
+NewFolder::NewFolder(const fs::path& place) : path_(place) {
+    std::error_code ignored;
+    is_new_ = !fs::exists(place, ignored);
+    make_folder(place);
+    const std::scoped_lock lock(living().mutex);
+    if (is_new_) living().if_empty.insert(path_);
+}
+
+NewFolder::~NewFolder() {
+    if (!is_new_) return;
+    std::error_code ignored;
+    fs::remove(path_, ignored);  // fails unless it is empty
+    const std::scoped_lock lock(living().mutex);
+    living().if_empty.erase(path_);
+}
+
+void remove_temporary_folders() {
+    constexpr int kTries = 3;  // another thread may write there still
+    std::error_code ignored;
+    const std::scoped_lock lock(living().mutex);
+    for (int i = 0; i < kTries; ++i)
+        for (const fs::path& folder : living().whole) fs::remove_all(folder, ignored);
+    for (const fs::path& folder : living().if_empty) fs::remove(folder, ignored);
 }
 
 }  // namespace fusee::core

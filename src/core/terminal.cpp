@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cstdio>
 #include <cstdlib>
 
 #include "fusee/core/text.h"
@@ -70,6 +71,11 @@ std::string wrapped(std::string_view text, std::size_t columns, std::size_t inde
         empty = false;
     }
     return out + line;
+}
+
+void say_error(std::string_view text) noexcept {
+    std::fwrite(text.data(), 1, text.size(), stderr);
+    std::fflush(stderr);
 }
 
 bool is_coloured(Colour colour, int file) {

@@ -26,7 +26,7 @@ std::string cell_of(const Figure& figure) {
 /// SQLite opens a file of any kind and reports what it is when it is read.
 void require_index(Database& database, const fs::path& file) {
     try {
-        Statement tables = database.prepare("SELECT count(*) FROM sqlite_schema WHERE name IN ('designs', 'columns')");
+        Statement tables = database.prepare("SELECT count(*) FROM sqlite_schema WHERE type = 'table' AND name IN ('designs', 'columns')");
         if (tables.step() && tables.text(0) == "2") return;
     } catch (const core::InputError&) {  // reported below
     }
@@ -62,7 +62,7 @@ void write_csv(const fs::path& file, const std::vector<Column>& columns, const E
 
 void write_sqlite(const fs::path& file, const std::vector<Column>& columns, const EachRow& rows) {
     fs::remove(file);
-    Database database(file, false);
+    Database database(file);
     database.run("PRAGMA journal_mode = OFF; PRAGMA synchronous = OFF; BEGIN");  // a new file: a killed run leaves none
     std::string table = "CREATE TABLE designs (number INTEGER PRIMARY KEY, name TEXT NOT NULL", places = "?, ?";
     for (const Column& column : columns) {
@@ -95,19 +95,17 @@ void write_sqlite(const fs::path& file, const std::vector<Column>& columns, cons
     database.run("COMMIT");
 }
 
-void query(const fs::path& file, const std::string& sql, const std::function<void(const std::vector<std::string>&)>& take) {
+void query(const fs::path& file, const std::string& sql, std::chrono::seconds most,
+           const std::function<bool(const std::vector<std::string>&)>& take) {
     if (!fs::is_regular_file(file)) throw core::IoError(file.string(), "is not there; `fusee batch` writes the index of a study");
-    Database database(file, true);
+    Database database(file, most);
     require_index(database, file);
     Statement statement = database.prepare(sql);
     if (statement.writes()) throw core::InvalidInput("SQL", sql, "a statement that only reads");
     std::vector<std::string> cells;
     for (int i = 0; i < statement.columns(); ++i) cells.push_back(statement.name(i));
-    take(cells);
-    while (statement.step()) {
+    for (bool goes_on = take(cells); goes_on && statement.step(); goes_on = take(cells))
         for (int i = 0; i < statement.columns(); ++i) cells[static_cast<std::size_t>(i)] = statement.text(i);
-        take(cells);
-    }
 }
 
 }  // namespace fusee::study

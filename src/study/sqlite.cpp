@@ -1,8 +1,14 @@
 #include "sqlite.h"
 
+#include <fmt/format.h>
+
+#include <cctype>
 #include <cmath>
+#include <string_view>
+#include <utility>
 
 #include "fusee/core/error.h"
+#include "fusee/core/progress.h"
 
 namespace fusee::study {
 
@@ -10,6 +16,25 @@ namespace {
 
 void require(bool good, sqlite3* database, const std::string& file) {
     if (!good) throw core::IoError(file, database != nullptr ? sqlite3_errmsg(database) : "out of memory");
+}
+
+constexpr int kLongestText = 1'000'000;              // [bytes] of one value
+constexpr sqlite3_int64 kMostMemory = 500'000'000;  // [bytes] of a query
+
+/// Only what a SELECT on tables does; PRAGMA only to list columns.
+int may(void*, int action, const char* first, const char*, const char*, const char*) {
+    const std::string_view name = first != nullptr ? first : "";
+    const bool reads = action == SQLITE_SELECT || action == SQLITE_READ || action == SQLITE_FUNCTION || action == SQLITE_RECURSIVE ||
+                       (action == SQLITE_PRAGMA && (name == "table_info" || name == "table_list"));
+    return reads ? SQLITE_OK : SQLITE_DENY;
+}
+
+/// Every byte of the path that is not a letter, digit or '/' as %XX.
+std::string uri_of(const std::filesystem::path& file) {
+    std::string uri = "file:";
+    for (const unsigned char c : std::filesystem::absolute(file).string())
+        uri += (std::isalnum(c) != 0 && c < 0x80) || c == '/' ? std::string(1, static_cast<char>(c)) : fmt::format("%{:02x}", c);
+    return uri + "?immutable=1";
 }
 
 }  // namespace
@@ -39,6 +64,10 @@ void Statement::bind(int place, const std::string& text) {
 
 bool Statement::step() {
     const int result = sqlite3_step(statement_.get());
+    if (result == SQLITE_INTERRUPT) {
+        if (core::interrupted()) throw core::Stopped();
+        throw core::InvalidInput("SQL", "it takes longer than the query's time", "less work, or more time: --seconds");
+    }
     require(result == SQLITE_ROW || result == SQLITE_DONE, sqlite3_db_handle(statement_.get()), file_);
     return result == SQLITE_ROW;
 }
@@ -50,12 +79,41 @@ std::string Statement::text(int column) const {
     return text != nullptr ? reinterpret_cast<const char*>(text) : "";
 }
 
-Database::Database(const std::filesystem::path& file, bool read_only) : file_(file.string()), database_(nullptr, sqlite3_close) {
+Database::Database(const std::filesystem::path& file) : file_(file.string()), database_(nullptr, sqlite3_close) {
+    open(file_, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
+}
+
+Database::Database(const std::filesystem::path& file, std::chrono::seconds most)
+    : file_(file.string()), database_(nullptr, sqlite3_close), end_(std::chrono::steady_clock::now() + most) {
+    // immutable: SQLite looks for no journal beside it, which may be a pipe. An index is replaced whole, never changed.
+    open(uri_of(file), SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
+    restrain();
+}
+
+void Database::open(const std::string& name, int flags) {
     sqlite3* database = nullptr;
-    const int flags = read_only ? SQLITE_OPEN_READONLY : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
-    const int result = sqlite3_open_v2(file.c_str(), &database, flags, nullptr);
+    const int result = sqlite3_open_v2(name.c_str(), &database, flags, nullptr);
     database_.reset(database);
     require(result == SQLITE_OK, database, file_);
+}
+
+/// https://www.sqlite.org/security.html
+void Database::restrain() {
+    constexpr int kSteps = 10'000;  // of SQLite's machine: some 0.1 ms
+    run("PRAGMA temp_store = MEMORY");  // an endless sort meets the limit of memory, not a full disk
+    sqlite3* database = database_.get();
+    const auto over = [](void* end) {
+        return int(core::interrupted() || std::chrono::steady_clock::now() > *static_cast<std::chrono::steady_clock::time_point*>(end));
+    };
+    sqlite3_progress_handler(database, kSteps, over, &end_);
+    sqlite3_set_authorizer(database, may, nullptr);
+    for (const auto& [option, on] : {std::pair{SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0}, {SQLITE_DBCONFIG_DEFENSIVE, 1},
+                                    {SQLITE_DBCONFIG_ENABLE_VIEW, 0}, {SQLITE_DBCONFIG_ENABLE_TRIGGER, 0}})
+        sqlite3_db_config(database, option, on, nullptr);
+    for (const auto& [limit, most] : {std::pair{SQLITE_LIMIT_LENGTH, kLongestText}, {SQLITE_LIMIT_SQL_LENGTH, kLongestText},
+                                     {SQLITE_LIMIT_LIKE_PATTERN_LENGTH, 1000}, {SQLITE_LIMIT_ATTACHED, 0}, {SQLITE_LIMIT_EXPR_DEPTH, 200}})
+        sqlite3_limit(database, limit, most);
+    sqlite3_hard_heap_limit64(kMostMemory);
 }
 
 void Database::run(const std::string& sql) {

@@ -54,7 +54,10 @@ TEST_F(Studies, EachDesignIsARowAndARefusalOneWithItsReason) {
     EXPECT_EQ(exit_code(result), 0);
     std::vector<std::string> lines;
     study::query(folder_ / "out/four/index.sqlite", "SELECT outcome, worst_rule, k_se_hub_bore_mm FROM designs WHERE outcome <> 'made'",
-                 [&](const auto& cells) { lines.push_back(cells[0] + " " + cells[1] + " " + cells[2]); });
+                 std::chrono::seconds(60), [&](const auto& cells) {
+                     lines.push_back(cells[0] + " " + cells[1] + " " + cells[2]);
+                     return true;
+                 });
     ASSERT_EQ(lines.size(), 2U);
     EXPECT_TRUE(lines[1].starts_with("refused ") && lines[1].ends_with(" 60.0")) << lines[1];
 }
@@ -75,7 +78,10 @@ TEST_F(Studies, FiguresAreThoseOfTheStudyWithFiles) {
             folder_ / out / "four/index.sqlite",
             "SELECT outcome, dead_band_least_deg, dead_band_overdrive_deg, dead_band_built_high_deg, joint_torque_Nm, condition_6, "
             "shop_arm_error_percent, mass_g, k_se_triangles, k_pe_triangles, warnings, not_judged, worst_finding FROM designs",
-            [&](const auto& cells) { all.emplace_back(cells.begin(), cells.end()); });
+            std::chrono::seconds(60), [&](const auto& cells) {
+                all.emplace_back(cells.begin(), cells.end());
+                return true;
+            });
         return all;
     };
     EXPECT_EQ(rows("figures").size(), 6U) << "the heads and five designs";

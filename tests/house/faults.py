@@ -111,11 +111,11 @@ class House:
             return "the next run leaves other bytes"
         return f"the next run leaves {self.left()}" if self.left() else ""
 
-    def judge(self, command, code, said, complete_ok=True, repeat=True):
-        """What is wrong with a disturbed end; "" if nothing."""
-        if code not in (0, 2, 130):
+    def judge(self, command, code, said, repeat=True, silent=False, codes=(0, 2, 130)):
+        """What is wrong with a disturbed end; "" if nothing. @param silent: standard error is lost too"""
+        if code not in codes:
             return f"exit code {code}: {said[-300:]}"
-        if code != 0 and not said.strip():
+        if code != 0 and not said.strip() and not silent:
             return f"exit code {code} and no message"
         if "internal error" in said:
             return said[-300:]
@@ -145,10 +145,16 @@ def shim_fault(call, error, counts):
     return trial
 
 
-def started(**how):
+def started(silent=False, codes=(0, 2, 130), files=False, json=False, **how):
+    """@param files: all that the command writes must be there, whatever it ends with"""
     def trial(house, command):
         house.clear()
-        return house.judge(command, *house.run(command, **how))
+        code, said = house.run(command, **how, **({"extra": ["--json"]} if json else {}))
+        if files and house.files() != house.wanted[command]:
+            return f"exit code {code}, and other files: {said[-300:]}"
+        if files and said.count("standard output cannot be written") > 1:
+            return f"told twice: {said}"
+        return house.judge(command, code, said, silent=silent, codes=codes)
     return trial
 
 
@@ -211,9 +217,14 @@ def faults(long):
         "EROFS": shim_fault("open", 30, [1]),
         "EMFILE": started(before=limit(resource.RLIMIT_NOFILE, 8)),
         "ENOMEM": started(before=limit(memory, 400_000_000)),
-        "closed stdout": started(shell='exec "$@" >&-'),
-        "full stdout": started(shell='exec "$@" >/dev/full'),
-        "SIGPIPE": started(shell='exec 3> >(true); wait $!; "$@" >&3'),
+        "closed stdout": started(shell='exec "$@" >&-', codes=(0, 2), files=True),
+        "full stdout": started(shell='exec "$@" >/dev/full', codes=(0, 2), files=True),
+        "full stdout, --json": started(shell='exec "$@" >/dev/full', codes=(2,), files=True, json=True),
+        "both closed": started(shell='exec "$@" >&- 2>&-', codes=(0, 2), files=True, silent=True),
+        "both full": started(shell='exec "$@" >/dev/full 2>&1', codes=(0, 2), files=True, silent=True),
+        "a reader that left": started(shell='exec 3> >(true); wait $!; "$@" >&3', codes=(0,), files=True),
+        "both readers left, --json": started(shell='exec 3> >(true); wait $!; "$@" >&3 2>&3', codes=(0,), files=True, silent=True, json=True),
+        "EFBIG": started(before=limit(resource.RLIMIT_FSIZE, 512)),
         "SIGTERM": stopped(signal.SIGTERM, 5 if long else 1),
     }
     if long:

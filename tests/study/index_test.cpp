@@ -1,9 +1,15 @@
 #include "fusee/study/index.h"
 
+#include <sqlite3.h>
+#include <sys/stat.h>
+
+#include <chrono>
 #include <cmath>
 
 #include "fixture.h"
 #include "refused.h"
+
+namespace fs = std::filesystem;
 
 namespace fusee::study {
 namespace {
@@ -20,12 +26,34 @@ class Index : public StudyFolder {
 protected:
     std::string answer(const std::string& sql) const {
         std::string text;
-        query(folder_.path() / "i.sqlite", sql, [&](const std::vector<std::string>& cells) {
-            for (const std::string& cell : cells) text += cell + "|";
+        rows_ = 0;
+        query(folder_.path() / "i.sqlite", sql, kTime, [&](const std::vector<std::string>& cells) {
+            for (const std::string& cell : cells) text += cell.substr(0, 20) + "|";
             text += "\n";
+            return ++rows_ < 1000;
         });
         return text;
     }
+    bool is_refused(const std::string& sql) const {
+        try {
+            return (void)answer(sql), false;
+        } catch (const core::InputError&) {
+            return true;
+        }
+    }
+    /// The index of another person, who also wrote `sql` into it.
+    void forge(const std::string& sql) const {
+        const fs::path file = folder_.path() / "i.sqlite";
+        write_sqlite(file, kColumns, rows);
+        sqlite3* database = nullptr;
+        ASSERT_EQ(sqlite3_open(file.c_str(), &database), SQLITE_OK);
+        char* why = nullptr;
+        EXPECT_EQ(sqlite3_exec(database, sql.c_str(), nullptr, nullptr, &why), SQLITE_OK) << why;
+        sqlite3_close(database);
+    }
+
+    static constexpr std::chrono::seconds kTime{1};
+    mutable int rows_ = 0;
 };
 
 TEST_F(Index, CsvHasOneLineForEachDesign) {
@@ -48,6 +76,55 @@ TEST_F(Index, AQueryOnlyReads) {
     for (const char* sql : {"DELETE FROM designs", "DROP TABLE designs", "SELECT 1; DELETE FROM designs", "SELEC 1", ""})
         EXPECT_NE(field_refused([&] { return answer(sql); }), "accepted") << sql;
     EXPECT_EQ(core::read_file(folder_.path() / "i.sqlite"), before);
+}
+
+constexpr const char* kEndless = "WITH RECURSIVE n(x) AS (SELECT 1 UNION ALL SELECT x + 1 FROM n) SELECT ";
+
+TEST_F(Index, AQueryEnds) {
+    write_sqlite(folder_.path() / "i.sqlite", kColumns, rows);
+    for (const char* what : {"max(x) FROM n", "x FROM n ORDER BY x DESC", "count(*) FROM n, n AS m, designs"}) {
+        const auto begin = std::chrono::steady_clock::now();
+        EXPECT_TRUE(is_refused(std::string(kEndless) + what)) << what;
+        EXPECT_LT(std::chrono::steady_clock::now() - begin, 10 * kTime) << what;
+    }
+    EXPECT_NE(answer(std::string(kEndless) + "x FROM n").find("999|"), std::string::npos);
+    EXPECT_EQ(rows_, 1000) << "until nobody takes more: a head and 999 numbers";
+    for (const char* sql : {"SELECT zeroblob(900000000)", "SELECT length(randomblob(1e9))"})
+        EXPECT_TRUE(is_refused(sql)) << sql;
+}
+
+TEST_F(Index, AQueryReadsTablesOfThisFileOnly) {
+    write_sqlite(folder_.path() / "i.sqlite", kColumns, rows);
+    const std::string other = (folder_.path() / "other.sqlite").string();
+    for (const std::string& sql : {"ATTACH '" + other + "' AS o", std::string("PRAGMA temp_store_directory = '/'"),
+                                   std::string("SELECT load_extension('x')"), "VACUUM INTO '" + other + "'"})
+        EXPECT_TRUE(is_refused(sql)) << sql;
+    EXPECT_FALSE(fs::exists(other));
+    EXPECT_NE(answer("PRAGMA table_info(designs)").find("mass_g"), std::string::npos);
+}
+
+TEST_F(Index, AForgedViewIsNotAsked) {
+    forge("ALTER TABLE designs RENAME TO d; CREATE VIEW designs AS " + std::string(kEndless) + "x AS mass_g FROM n");
+    EXPECT_TRUE(is_refused("SELECT mass_g FROM designs"));
+    forge("CREATE VIEW more AS " + std::string(kEndless) + "x FROM n");
+    EXPECT_TRUE(is_refused("SELECT * FROM more"));
+    EXPECT_NE(answer("SELECT name FROM designs").find("a|"), std::string::npos) << "the rest can be asked";
+}
+
+// SQLite would look into a journal beside the file, and wait for the pipe's writer.
+TEST_F(Index, APipeAsJournalIsNotOpened) {
+    write_sqlite(folder_.path() / "i.sqlite", kColumns, rows);
+    for (const char* name : {"i.sqlite-journal", "i.sqlite-wal"}) ASSERT_EQ(::mkfifo((folder_.path() / name).c_str(), 0600), 0);
+    EXPECT_NE(answer("SELECT name FROM designs").find("a|"), std::string::npos);
+}
+
+TEST_F(Index, ANameOfAnyLettersIsFound) {
+    const fs::path odd = folder_.path() / "50 % of #1?mode=rwc&x";
+    fs::create_directory(odd);
+    write_sqlite(odd / "i.sqlite", kColumns, rows);
+    int count = 0;
+    query(odd / "i.sqlite", "SELECT name FROM designs", kTime, [&](const auto&) { return ++count > 0; });
+    EXPECT_EQ(count, 4);
 }
 
 }  // namespace

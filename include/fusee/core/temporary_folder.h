@@ -25,6 +25,24 @@ private:
     int lock_ = -1;  ///< descriptor of the folder
 };
 
+/// A folder that is made unless it is there; the destructor removes it again if it is new and empty.
+class NewFolder {
+public:
+    /// @throws IoError
+    explicit NewFolder(const std::filesystem::path& place);
+    ~NewFolder();
+    NewFolder(const NewFolder&) = delete;
+    NewFolder& operator=(const NewFolder&) = delete;
+
+private:
+    std::filesystem::path path_;
+    bool is_new_ = false;
+};
+
+/// Does what the destructors of all living folders of this process do, while other threads may still use them: for an end without
+/// destructors (stop.h).
+void remove_temporary_folders();
+
 /// Removes the temporary folders of this parent and prefix whose process has ended.
 void remove_left_behind(const std::filesystem::path& parent, const std::string& prefix);
 

@@ -16,6 +16,9 @@ namespace fusee::core {
 /// `hang` more. A word that is longer stays whole. Without end of line.
 [[nodiscard]] std::string wrapped(std::string_view text, std::size_t columns, std::size_t indent = 0, std::size_t hang = 0);
 
+/// Writes to standard error; what it does not take is dropped: a message must not end the work that it is about.
+void say_error(std::string_view text) noexcept;
+
 /// When severity words are coloured.
 enum class Colour { kAuto, kAlways, kNever };
 /// kAuto: on a terminal, unless the variable NO_COLOR is set and not empty (no-color.org) or TERM is "dumb".

@@ -1,4 +1,5 @@
 #pragma once
+#include <chrono>
 #include <cstddef>
 #include <filesystem>
 #include <functional>
@@ -27,9 +28,12 @@ void write_csv(const std::filesystem::path& file, const std::vector<Column>& col
 /// @throws core::IoError
 void write_sqlite(const std::filesystem::path& file, const std::vector<Column>& columns, const EachRow& rows);
 
-/// Runs one SQL statement on an index, read-only, and passes the header and each row as texts.
-/// @throws core::IoError if the file is not an index; core::InvalidInput for a statement that is wrong or writes
-void query(const std::filesystem::path& file, const std::string& sql, const std::function<void(const std::vector<std::string>&)>& take);
+/// Runs one SQL statement on an index, read-only, and passes the header and each row as texts until `take` returns false. The file may be
+/// anybody's: only its tables are read, no view and no other file.
+/// @throws core::IoError if the file is not an index; core::InvalidInput for a statement that is wrong, writes or runs longer than `most`;
+/// core::Stopped
+void query(const std::filesystem::path& file, const std::string& sql, std::chrono::seconds most,
+           const std::function<bool(const std::vector<std::string>&)>& take);
 
 /// A key of a profile as a column's name: "cable.diameter_mm" is cable_diameter_mm.
 [[nodiscard]] std::string column_name(const std::string& key);

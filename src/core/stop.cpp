@@ -1,0 +1,96 @@
+#include "fusee/core/stop.h"
+
+#include <pthread.h>
+#include <semaphore.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <chrono>
+#include <thread>
+#include <utility>
+
+#include "fusee/core/process.h"
+#include "fusee/core/progress.h"
+#include "fusee/core/temporary_folder.h"
+
+namespace fusee::core {
+
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr std::size_t kStack = 1 << 18;  // [bytes] of the thread: a limit of memory should not feel it
+constexpr milliseconds kAfterHold{300};  // the work ended by itself, most likely
+constexpr std::chrono::seconds kLongestHold{20};
+
+volatile std::sig_atomic_t g_signal = 0;
+sem_t g_asked;  // the one call of POSIX's that a handler may use to wake a thread
+bool g_waiting = false;
+std::function<int(int)> g_farewell;
+
+std::shared_timed_mutex& holds() {
+    static auto* const one = new std::shared_timed_mutex;  // never destroyed: threads outlive the statics
+    return *one;
+}
+
+void on_signal(int signal) {
+    const int kept = errno;
+    if (g_signal != 0 && signal != SIGXCPU) {
+        end_processes();
+        std::signal(signal, SIG_DFL);
+        (void)std::raise(signal);
+    }
+    if (g_signal == 0) g_signal = signal;
+    if (g_waiting) (void)::sem_post(&g_asked);
+    errno = kept;
+}
+
+/// Waits until no step that belongs together is under way, and lets none begin. After such a step the work may end by itself.
+void close_holds() {
+    std::unique_lock lock(holds(), std::try_to_lock);
+    while (!lock.owns_lock()) {
+        if (!lock.try_lock_for(kLongestHold)) return;  // a disk that does not answer
+        lock.unlock();
+        std::this_thread::sleep_for(kAfterHold);
+        (void)lock.try_lock();
+    }
+    (void)lock.release();
+}
+
+void* wait_for_signal(void*) {
+    while (::sem_wait(&g_asked) != 0) {
+    }
+    std::this_thread::sleep_for(milliseconds(kGrace_ms));
+    close_holds();
+    end_processes();
+    remove_temporary_folders();
+    ::_exit(g_farewell(g_signal));
+}
+
+}  // namespace
+
+void catch_interrupts() {
+    for (const int signal : {SIGINT, SIGTERM, SIGXCPU}) std::signal(signal, on_signal);
+    if (std::signal(SIGHUP, on_signal) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);  // of nohup
+    std::signal(SIGXFSZ, SIG_IGN);  // a file above `ulimit -f` is a write that fails: an error as of a full disk
+}
+
+bool interrupted() { return g_signal != 0; }
+
+int stop_signal() { return g_signal; }
+
+void end_after_signal(std::function<int(int)> farewell) {
+    g_farewell = std::move(farewell);
+    pthread_attr_t attributes;
+    pthread_t thread{};
+    if (::sem_init(&g_asked, 0, 0) != 0 || ::pthread_attr_init(&attributes) != 0) return;
+    ::pthread_attr_setstacksize(&attributes, kStack);
+    ::pthread_attr_setdetachstate(&attributes, PTHREAD_CREATE_DETACHED);
+    g_waiting = ::pthread_create(&thread, &attributes, wait_for_signal, nullptr) == 0;
+    ::pthread_attr_destroy(&attributes);
+    if (g_waiting && interrupted()) (void)::sem_post(&g_asked);  // it came before the thread
+}
+
+StopHold::StopHold() : lock_(holds()) {}
+
+}  // namespace fusee::core

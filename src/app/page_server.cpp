@@ -1,12 +1,21 @@
 #include "page_server.h"
 
 #include <fmt/format.h>
-#include <httplib.h>
 
+#include <array>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/post.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <boost/asio/write.hpp>
+#include <boost/beast/core.hpp>
+#include <boost/beast/http.hpp>
 #include <chrono>
-#include <condition_variable>
-#include <mutex>
+#include <deque>
+#include <list>
+#include <optional>
 #include <thread>
+#include <utility>
 
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
@@ -15,10 +24,19 @@ namespace fusee::app {
 
 namespace {
 
+namespace asio = boost::asio;
+namespace beast = boost::beast;
 namespace fs = std::filesystem;
+namespace http = beast::http;
+using asio::ip::tcp;
+using Failure = beast::error_code;
 
 constexpr std::size_t kLargestPage = 200'000'000;
-constexpr std::chrono::seconds kBeat{1};  // the stream says that it lives, and learns that the server ends
+constexpr std::size_t kMostClients = 128;  // the oldest connection makes room for one more
+constexpr std::size_t kMostEvents = 16;    // that a page has not taken: it is gone
+constexpr unsigned kLargestHeader = 8192;
+constexpr std::chrono::seconds kToAsk{10}, kToTake{60};  // for a whole request, for a whole answer: a drip of bytes gains nothing
+constexpr std::chrono::milliseconds kToAccept{100};      // until the next try, without a free file descriptor
 
 /// Reloads the page, and shows the verdict of a save that has not been made.
 constexpr const char* kScript = R"(<script>
@@ -37,6 +55,9 @@ constexpr const char* kScript = R"(<script>
 constexpr const char* kWaiting =
     "<!DOCTYPE html><html lang=\"en\"><meta charset=\"utf-8\"><title>fusee watch</title><body><p>No design has been made yet. This page "
     "loads itself when there is one.</p></body></html>";
+
+constexpr const char* kEvents =
+    "HTTP/1.1 200 OK\r\nContent-Type: text/event-stream\r\nCache-Control: no-store\r\nConnection: close\r\n\r\n: alive\n\n";
 
 std::string type_of(const fs::path& file) {
     const std::string ending = file.extension().string();
@@ -62,104 +83,218 @@ std::string json_text(const std::string& text) {
     return out + "\"";
 }
 
+/// The path of a request without its query, %XX decoded. None for what no browser asks.
+std::optional<std::string> path_of(std::string_view target) {
+    target = target.substr(0, target.find('?'));
+    if (!target.starts_with('/')) return std::nullopt;
+    std::string path;
+    for (std::size_t i = 0; i < target.size(); ++i) {
+        if (target[i] != '%') {
+            path += target[i];
+            continue;
+        }
+        const auto digit = [&](std::size_t at) {
+            return at < target.size() ? std::string_view("0123456789abcdef").find(static_cast<char>(target[at] | 0x20)) : std::string::npos;
+        };
+        const std::size_t high = digit(i + 1), low = digit(i + 2);
+        if (high == std::string::npos || low == std::string::npos || high + low == 0) return std::nullopt;
+        path += static_cast<char>(16 * high + low);
+        i += 2;
+    }
+    return path;
+}
+
+class Client;
+
+/// What is served, and to whom. Used by the server's one thread only.
+struct Site {
+    int port = 0;
+    fs::path folder;
+    std::list<std::shared_ptr<Client>> clients;  ///< from the oldest
+
+    /// Is it asked by a name of this machine? A page of another host must not read these files.
+    [[nodiscard]] bool is_own(const http::fields& header) const {
+        const auto [begin, end] = header.equal_range(http::field::host);
+        if (begin == end || std::next(begin) != end) return false;
+        const std::string host(begin->value().data(), begin->value().size());
+        return host == fmt::format("127.0.0.1:{}", port) || host == fmt::format("localhost:{}", port);
+    }
+    /// The file of a path, inside the folder, links followed.
+    [[nodiscard]] std::optional<fs::path> file_of(const std::string& path) const {
+        std::error_code error;
+        const fs::path file = fs::weakly_canonical(folder / (path == "/" ? "report.html" : path.substr(1)), error);
+        const std::string inside = error ? "" : (fs::weakly_canonical(folder, error) / "").string();
+        if (error || !file.string().starts_with(inside) || !fs::is_regular_file(file, error)) return std::nullopt;
+        return file;
+    }
+};
+
+/// One connection: requests one after the other, or the events of one page.
+class Client : public std::enable_shared_from_this<Client> {
+public:
+    Client(tcp::socket socket, Site& site) : stream_(std::move(socket)), site_(site) {}
+
+    void read() {
+        parser_.emplace();
+        parser_->header_limit(kLargestHeader);
+        parser_->body_limit(0);
+        stream_.expires_after(kToAsk);
+        http::async_read(stream_, buffer_, *parser_, [self = shared_from_this()](Failure failure, std::size_t) {
+            failure ? self->close() : self->answer();
+        });
+    }
+    /// Also when another connection needs its place.
+    void close() {
+        Failure ignored;
+        stream_.socket().close(ignored);
+        site_.clients.remove(shared_from_this());
+    }
+    /// An event of the page's stream; nothing for other connections.
+    void send(const std::string& event) {
+        if (!listens_) return;
+        if (events_.size() == kMostEvents) return close();
+        events_.push_back(event);
+        if (events_.size() == 1) write_event();
+    }
+
+private:
+    void answer() {
+        const auto& request = parser_->get();
+        const std::optional<std::string> path = path_of({request.target().data(), request.target().size()});
+        if (!site_.is_own(request)) return refuse(http::status::forbidden);
+        if (request.method() != http::verb::get) return refuse(http::status::method_not_allowed);
+        if (!path) return refuse(http::status::bad_request);
+        if (*path == "/events") return listen();
+        if (site_.folder.empty()) return put(page_response(kWaiting));
+        const std::optional<fs::path> file = site_.file_of(*path);
+        if (!file) return refuse(http::status::not_found);
+        try {
+            file->extension() == ".html" ? put(page_response(core::read_file(*file, kLargestPage))) : put_file(*file);
+        } catch (const std::exception&) {  // it is gone, too large, or there is no memory
+            refuse(http::status::internal_server_error);
+        }
+    }
+    void refuse(http::status status) { put(http::response<http::string_body>(status, 11)); }
+
+    static http::response<http::string_body> page_response(std::string page) {
+        http::response<http::string_body> response(http::status::ok, 11, with_script(std::move(page)));
+        response.set(http::field::content_type, type_of("x.html"));
+        return response;
+    }
+    void put_file(const fs::path& file) {
+        http::response<http::file_body> response(http::status::ok, 11);
+        Failure failure;
+        response.body().open(file.c_str(), beast::file_mode::scan, failure);
+        if (failure) return refuse(http::status::not_found);
+        response.set(http::field::content_type, type_of(file));
+        put(std::move(response));
+    }
+    /// The whole answer: a Range is not served, as the standard allows.
+    template <class Body>
+    void put(http::response<Body>&& response) {
+        response.set(http::field::cache_control, "no-store");
+        response.set("X-Content-Type-Options", "nosniff");
+        response.set("Cross-Origin-Resource-Policy", "same-origin");
+        response.keep_alive(parser_->get().keep_alive());
+        response.prepare_payload();
+        const auto kept = std::make_shared<http::response<Body>>(std::move(response));
+        stream_.expires_after(kToTake);
+        http::async_write(stream_, *kept, [self = shared_from_this(), kept](Failure failure, std::size_t) {
+            failure || !kept->keep_alive() ? self->close() : self->read();
+        });
+    }
+
+    void listen() {
+        stream_.expires_never();
+        listens_ = true;
+        send(kEvents);
+        wait_for_end();
+    }
+    /// A page that listens says nothing more: what can be read is its end.
+    void wait_for_end() {
+        stream_.async_read_some(asio::buffer(ignored_), [self = shared_from_this()](Failure failure, std::size_t) {
+            failure ? self->close() : self->wait_for_end();
+        });
+    }
+    void write_event() {
+        asio::async_write(stream_, asio::buffer(events_.front()), [self = shared_from_this()](Failure failure, std::size_t) {
+            if (failure) return self->close();
+            self->events_.pop_front();
+            if (!self->events_.empty()) self->write_event();
+        });
+    }
+
+    beast::tcp_stream stream_;
+    Site& site_;
+    beast::flat_buffer buffer_{kLargestHeader};
+    std::optional<http::request_parser<http::empty_body>> parser_;
+    bool listens_ = false;
+    std::deque<std::string> events_;
+    std::array<char, 256> ignored_{};
+};
+
 }  // namespace
 
 struct PageServer::State {
-    httplib::Server server;
-    int port = 0;
-    std::mutex mutex;
-    std::condition_variable changed;
-    fs::path folder;
-    std::string verdict;
-    long verdicts = 0, reloads = 0;
-    bool ends = false;
+    asio::io_context context{1};
+    tcp::acceptor acceptor{context};
+    asio::steady_timer again{context};
+    Site site;
     std::jthread thread;
 
-    /// The page or file of a request, inside the folder; 404 otherwise.
-    void answer(const httplib::Request& request, httplib::Response& response) {
-        const std::string name = request.path == "/" ? "report.html" : request.path.substr(1);
-        fs::path place;
-        {
-            const std::scoped_lock lock(mutex);
-            place = folder;
-        }
-        if (place.empty()) return response.set_content(with_script(kWaiting), type_of("x.html"));
-        const fs::path file = fs::weakly_canonical(place / name);
-        const std::string inside = (fs::weakly_canonical(place) / "").string();
-        if (!file.string().starts_with(inside) || !fs::is_regular_file(file)) {
-            response.status = 404;
-            return;
-        }
-        std::string bytes = core::read_file(file, kLargestPage);
-        response.set_header("Cache-Control", "no-store");
-        response.set_content(file.extension() == ".html" ? with_script(std::move(bytes)) : std::move(bytes), type_of(file));
+    ~State() {
+        context.stop();
+        if (thread.joinable()) thread.join();
+        site.clients.clear();
     }
-
-    /// The next event of one page's stream; waits for it at most kBeat. @returns false when the server ends
-    bool next_event(long& seen_verdict, long& seen_reload, httplib::DataSink& sink) {
-        std::string event = ": alive\n\n";
-        {
-            std::unique_lock lock(mutex);
-            changed.wait_for(lock, kBeat, [&] { return ends || verdicts != seen_verdict || reloads != seen_reload; });
-            if (ends) return false;
-            if (reloads != seen_reload)
-                event = "event: reload\ndata: 1\n\n";
-            else if (verdicts != seen_verdict)
-                event = fmt::format("event: verdict\ndata: {}\n\n", json_text(verdict));
-            seen_reload = reloads, seen_verdict = verdicts;
-        }
-        return sink.write(event.data(), event.size());
+    /// Only one server listens: no SO_REUSEPORT. SO_REUSEADDR lets the next one begin where old connections are about to end.
+    Failure listen(int port) {
+        Failure failure;
+        acceptor.open(tcp::v4(), failure);
+        if (!failure) acceptor.set_option(tcp::acceptor::reuse_address(true), failure);
+        if (!failure) acceptor.bind({asio::ip::address_v4::loopback(), static_cast<std::uint16_t>(port)}, failure);
+        if (!failure) acceptor.listen(asio::socket_base::max_listen_connections, failure);
+        if (!failure) site.port = acceptor.local_endpoint(failure).port();
+        return failure;
     }
-
-    void stream(httplib::Response& response) {
-        const std::scoped_lock lock(mutex);
-        response.set_header("Cache-Control", "no-store");
-        response.set_chunked_content_provider(
-            "text/event-stream",
-            [this, v = verdicts, r = reloads](std::size_t, httplib::DataSink& sink) mutable { return next_event(v, r, sink); });
+    void accept() {
+        acceptor.async_accept([this](Failure failure, tcp::socket socket) {
+            if (failure) {
+                again.expires_after(kToAccept);
+                return again.async_wait([this](Failure) { accept(); });
+            }
+            if (site.clients.size() == kMostClients) std::shared_ptr(site.clients.front())->close();
+            site.clients.push_back(std::make_shared<Client>(std::move(socket), site));
+            site.clients.back()->read();
+            accept();
+        });
+    }
+    void send(const std::string& event) {
+        for (const auto& client : std::list(site.clients)) client->send(event);
     }
 };
 
 PageServer::PageServer(int port) : state_(std::make_unique<State>()) {
     State& s = *state_;
-    s.server.set_pre_routing_handler([&s](const httplib::Request& request, httplib::Response& response) {
-        const std::string host = request.get_header_value("Host");  // a page of another host must not read these files
-        if (host == fmt::format("127.0.0.1:{}", s.port) || host == fmt::format("localhost:{}", s.port))
-            return httplib::Server::HandlerResponse::Unhandled;
-        response.status = 403;
-        return httplib::Server::HandlerResponse::Handled;
-    });
-    s.server.Get("/events", [&s](const httplib::Request&, httplib::Response& response) { s.stream(response); });
-    s.server.Get("/.*", [&s](const httplib::Request& request, httplib::Response& response) { s.answer(request, response); });
-    s.port = port == 0 ? s.server.bind_to_any_port("127.0.0.1") : (s.server.bind_to_port("127.0.0.1", port) ? port : -1);
-    if (s.port < 0) throw core::IoError(fmt::format("--serve {}", port), "this port of 127.0.0.1 is taken or not allowed");
-    s.thread = std::jthread([&s] { s.server.listen_after_bind(); });
-    while (!s.server.is_running()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    if (const Failure failure = s.listen(port))
+        throw core::IoError(fmt::format("--serve {}", port), "this port of 127.0.0.1 is taken or not allowed: " + failure.message());
+    s.accept();
+    s.thread = std::jthread([&s] { s.context.run(); });
 }
 
-PageServer::~PageServer() {
-    {
-        const std::scoped_lock lock(state_->mutex);
-        state_->ends = true;
-    }
-    state_->changed.notify_all();
-    state_->server.stop();
-}
+PageServer::~PageServer() = default;
 
-std::string PageServer::address() const { return fmt::format("http://127.0.0.1:{}/", state_->port); }
+std::string PageServer::address() const { return fmt::format("http://127.0.0.1:{}/", state_->site.port); }
 
 void PageServer::tell(const std::string& verdict) {
-    const std::scoped_lock lock(state_->mutex);
-    state_->verdict = verdict;
-    ++state_->verdicts;
-    state_->changed.notify_all();
+    asio::post(state_->context, [&s = *state_, event = fmt::format("event: verdict\ndata: {}\n\n", json_text(verdict))] { s.send(event); });
 }
 
 void PageServer::show(const fs::path& folder) {
-    const std::scoped_lock lock(state_->mutex);
-    state_->folder = folder;
-    ++state_->reloads;
-    state_->changed.notify_all();
+    asio::post(state_->context, [&s = *state_, folder] {
+        s.site.folder = folder;
+        s.send("event: reload\ndata: 1\n\n");
+    });
 }
 
 }  // namespace fusee::app

@@ -7,6 +7,7 @@
 #include "exit_codes.h"
 #include "fusee/batch/watch.h"
 #include "fusee/core/progress.h"
+#include "output.h"
 #include "page_server.h"
 
 namespace fusee::app {
@@ -27,7 +28,7 @@ int run_watch(const WatchArguments& arguments, Reply& reply) {
     options.stop = core::interrupted;
     options.say = [&reply](const std::string& text) {
         reply.say(text + "\n");
-        std::fflush(stdout);
+        (void)flush_out();
     };
     if (pages) {
         options.say("page: " + pages->address() + " (it reloads itself; only this machine sees it)");

@@ -18,6 +18,7 @@ await() {
     fail "'$2' was not said $1 times"
 }
 
+: >log
 "$program" watch mine.toml --serve >log 2>&1 &
 watch=$!
 await 1 'law, contours and rules without a solid in'
@@ -34,6 +35,40 @@ if command -v curl >/dev/null; then
     grep -q EventSource out/mine/report.html && fail 'the file itself was changed'
     expect_same 'another host' 403 "$(fetch -o /dev/null -w '%{http_code}' -H 'Host: example.org' "$address")"
     expect_same 'a file above the folder' 404 "$(fetch -o /dev/null -w '%{http_code}' --path-as-is "${address}../../mine.toml")"
+    status() { fetch -o /dev/null -w '%{http_code}' --path-as-is "$@"; }
+    expect_same 'a file above the folder, encoded' 404 "$(status "${address}%2e%2e/%2e%2e/mine.toml")"
+    ln -s /etc/hostname out/mine/link.txt
+    expect_same 'a link out of the folder' 404 "$(status "${address}link.txt")"
+    rm out/mine/link.txt
+    two_names() {
+        exec 4<>"/dev/tcp/127.0.0.1/$1"
+        printf 'GET / HTTP/1.1\r\nHost: 127.0.0.1:%s\r\nHost: example.org\r\nConnection: close\r\n\r\n' "$1" >&4
+        head -n 1 <&4 | tr -d '\r'
+    }
+    port=${address##*:} port=${port%/}
+    expect_same 'two names' 'HTTP/1.1 403 Forbidden' "$(two_names "$port")"
+    expect_same 'no name' 403 "$(status -H 'Host:' "$address")"
+    expect_same 'the address of another server' 403 "$(status --request-target http://example.org/ -H 'Host: example.org' "$address")"
+    expect_same 'a proxy for this one' 400 "$(status --request-target "${address}report.html" "$address")"
+    expect_same 'what is no request' 405 "$(status -X POST "$address")"
+    code=0
+    "$program" watch mine.toml --serve --port "$port" --out second >second.log 2>&1 || code=$?
+    expect_same 'a second one on its port' 2 "$code"
+    expect_in 'a second one on its port' 'taken' second.log
+    # A range of 4 kB that names the file a thousand times: it is sent once.
+    ranges=$(printf '0-,%.0s' $(seq 1000))
+    expect_same 'ranges' "200 $(stat -c %s out/mine/k_se.stl)" \
+        "$(fetch -o /dev/null -w '%{http_code} %{size_download}' -H "Range: bytes=${ranges%,}" "${address}k_se.stl")"
+    # Tabs that stay open, and clients that never finish a request.
+    for _ in $(seq 40); do
+        (curl -sN --max-time 60 "${address}events" >/dev/null || true) &
+        (
+            exec 3<>"/dev/tcp/127.0.0.1/$port"
+            while printf 'G' >&3 && kill -0 "$watch"; do sleep 0.3; done
+        ) 2>/dev/null &
+    done
+    sleep 1
+    expect_same 'one more tab' 200 "$(status "$address")"
     (curl -sN --max-time 60 "${address}events" >events || true) &
     sleep 0.5
 fi

@@ -56,9 +56,8 @@ private:
     [[nodiscard]] double number(const toml::node& node) const {
         if (!node.is_number()) return refuse(node), 0.0;
         const double value = node.is_integer() ? static_cast<double>(node.as_integer()->get()) : node.as_floating_point()->get();
-        const bool high_enough = key_.limits.low_allowed ? value >= key_.limits.low : value > key_.limits.low;
         const double least = key_.limits.low == 0.0 && !key_.limits.low_allowed ? kLeastAbove0 : kLeastSize;
-        if (!std::isfinite(value) || !high_enough || value > key_.limits.high)
+        if (!std::isfinite(value) || !key_.limits.hold(value))
             refuse(node);
         else if (value != 0.0 && std::abs(value) < least)
             refuse(node, fmt::format("; not so close to 0: at least {:g} in magnitude", least));

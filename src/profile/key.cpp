@@ -44,8 +44,9 @@ std::vector<std::string> all_quoted(const std::vector<std::string>& texts) {
 std::string range_text(const Limits& limits, const Unit& unit) {
     const std::string name = unit.name;
     return fmt::format("{}{}",
-                       limits.low_allowed ? fmt::format("{:g} to {:g}", limits.low, limits.high)
-                                          : fmt::format("above {:g}, at most {:g}", limits.low, limits.high),
+                       limits.zero_allowed  ? fmt::format("0, or {:g} to {:g}", limits.low, limits.high)
+                       : limits.low_allowed ? fmt::format("{:g} to {:g}", limits.low, limits.high)
+                                            : fmt::format("above {:g}, at most {:g}", limits.low, limits.high),
                        name.empty() ? "" : " " + name);
 }
 

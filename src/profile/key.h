@@ -29,10 +29,16 @@ inline constexpr Unit kPure{""}, kNm{"Nm"}, kNewton{"N"}, kRad{"rad"}, kPerRad{"
 /// Allowed numbers, in the key's unit; always finite.
 struct Limits {
     double low = 0.0, high = 0.0;
-    bool low_allowed = true;
+    bool low_allowed = true, zero_allowed = false;
+    [[nodiscard]] bool hold(double value) const {  // false for NaN
+        return (zero_allowed && value == 0.0) || ((low_allowed ? value >= low : value > low) && value <= high);
+    }
 };
 constexpr Limits within(double low, double high) { return {low, high, true}; }
 constexpr Limits above(double low, double high) { return {low, high, false}; }
+/// 0 has a meaning of its own, such as unknown. `low` is the least that anybody builds or buys: a smaller figure, such as 1e-9 load cycles,
+/// would only make a rule pass.
+constexpr Limits or_zero(double low, double high) { return {low, high, true, true}; }
 
 /// Letters of a Kind::kText: the longest that a field of a title block holds in letters of 1.8 mm.
 inline constexpr std::size_t kLongestLine = 40;

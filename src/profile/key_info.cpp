@@ -13,6 +13,7 @@ namespace {
 
 /// A number outside the limits: below them where that is not far, else above.
 std::string outside(const Limits& limits) {
+    if (limits.zero_allowed) return fmt::format("{:g}", 0.5 * limits.low);
     if (!limits.low_allowed) return fmt::format("{:g}", limits.low);
     return fmt::format("{:g}", limits.low > -1e6 ? limits.low - 1.0 : limits.high + 1.0);
 }

@@ -8,7 +8,7 @@ namespace fusee::profile {
 std::vector<Key> machining_keys() {
     const std::string t = "machining.";
     const std::vector<std::string> methods{"stack", "wrap"};
-    const Limits feed = within(0, 1e5), rpm = above(0, 1e6), length = above(0, 100);
+    const Limits feed = within(0, 1e5), rpm = above(0, 1e6), length = within(0.01, 100);
     return {
         choice(t + "controller", {"linuxcnc"}, "reader of the G-code", FIELD(controller)),
         choice(t + "k_se", methods, "groove of a planar K_SE: two half plates on three axes, or one piece on a rotary axis", FIELD(k_se)),
@@ -23,17 +23,17 @@ std::vector<Key> machining_keys() {
         number(t + "wrap_feed_mm_per_min", kMmPerMin, feed, "of the groove's cutter along the part; 0: by chip load", FIELD(wrap_feed)),
         number(t + "wrap_rpm", kPerMin, rpm, "with the groove's cutter", FIELD(wrap_rpm)),
         number(t + "wrap_depth_mm", kMm, length, "of one pass of the groove's cutter", FIELD(wrap_depth)),
-        number(t + "safe_height_mm", kMm, above(0, 1000), "above the stock: rapids stay there", FIELD(safe_height)),
+        number(t + "safe_height_mm", kMm, within(0.1, 1000), "above the stock: rapids stay there", FIELD(safe_height)),
         number(t + "breakthrough_mm", kMm, within(0, 100), "below the stock, into the board under it", FIELD(breakthrough)),
         number(t + "tolerance_mm", kMm, within(1e-4, 0.1), "largest distance between contour and G-code", FIELD(tolerance)),
         number(t + "spindle_max_rpm", kPerMin, rpm, "of the machine", FIELD(spindle_max_rpm)),
         integer(t + "flutes", within(1, 8), "teeth of each cutter", FIELD(flutes)),
         number(t + "flute_length_mm", kMm, length, "of the end mill", FIELD(flute_length)),
-        number(t + "stick_out_mm", kMm, length, "of every cutter below its holder", FIELD(stick_out)),
-        number(t + "holder_diameter_mm", kMm, length, "of the holder; 19: nut of an ER11 collet", FIELD(holder_diameter)),
-        number(t + "chuck_diameter_mm", kMm, above(0, 500), "of the rotary axis; 42: nut of an ER25 collet chuck", FIELD(chuck_diameter)),
+        number(t + "stick_out_mm", kMm, within(1, 100), "of every cutter below its holder", FIELD(stick_out)),
+        number(t + "holder_diameter_mm", kMm, within(1, 100), "of the holder; 19: nut of an ER11 collet", FIELD(holder_diameter)),
+        number(t + "chuck_diameter_mm", kMm, within(1, 500), "of the rotary axis; 42: nut of an ER25 collet chuck", FIELD(chuck_diameter)),
         number(t + "chuck_grip_mm", kMm, length, "length of the boss inside the chuck", FIELD(chuck_grip)),
-        number(t + "dowel_diameter_mm", kMm, within(0, 20), "of the two pins that register half plates, ISO 8734; 0: none",
+        number(t + "dowel_diameter_mm", kMm, or_zero(0.1, 20), "of the two pins that register half plates, ISO 8734; 0: none",
                FIELD(dowel_diameter)),
         integer(t + "tabs", within(0, 12), "that hold a plate in its sheet; 0: none", FIELD(tabs)),
         number(t + "tab_width_mm", kMm, length, "of a tab along the outline", FIELD(tab_width)),

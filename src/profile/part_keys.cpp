@@ -46,13 +46,13 @@ std::vector<Key> spring_keys(const std::string& part, PartSpec Profile::*member)
     }
     all.push_back(choice(t + "rate_origin", {"nominal", "measured"}, "nominal: that of wire, coil and turns; measured: of this spring",
                          OF(spring.rate_origin)));
-    all.push_back(number(t + "wire_mm", kMm, within(0, 100), "wire diameter; 0 = unknown, stress not checked", OF(spring.wire_diameter)));
-    all.push_back(number(t + "coil_mm", kMm, within(0, 1000), "mean coil diameter; 0 = unknown", OF(spring.coil_diameter)));
-    all.push_back(number(t + "active_coils", kPure, within(0, 1000), "0 = unknown", OF(spring.active_coils)));
-    all.push_back(number(t + "free_length_mm", kMm, within(0, 1e4),
+    all.push_back(number(t + "wire_mm", kMm, or_zero(0.02, 100), "wire diameter; 0 = unknown, stress not checked", OF(spring.wire_diameter)));
+    all.push_back(number(t + "coil_mm", kMm, or_zero(0.1, 1000), "mean coil diameter; 0 = unknown", OF(spring.coil_diameter)));
+    all.push_back(number(t + "active_coils", kPure, or_zero(0.1, 1000), "0 = unknown", OF(spring.active_coils)));
+    all.push_back(number(t + "free_length_mm", kMm, or_zero(0.1, 1e4),
                          part == "k_se" ? "axial space for the body; 0 = unknown" : "0 = unknown, buckling not checked",
                          OF(spring.free_length)));
-    all.push_back(number(t + "tensile_strength_MPa", kMPa, within(0, 1e4), "of the wire; 0 = by wire_class", OF(spring.tensile_strength)));
+    all.push_back(number(t + "tensile_strength_MPa", kMPa, or_zero(100, 5000), "of the wire; 0 = by wire_class", OF(spring.tensile_strength)));
     all.push_back(choice(t + "wire_class", {spring::kWireClassNames.begin(), spring::kWireClassNames.end()},
                          "of EN 10270-1: its least strength at this diameter; unknown: stress not checked without tensile_strength_MPa",
                          OF(spring.wire_class)));
@@ -60,7 +60,7 @@ std::vector<Key> spring_keys(const std::string& part, PartSpec Profile::*member)
         all.push_back(
             number(t + "youngs_modulus_MPa", kMPa, above(0, 1e6), "E of the wire, for the rate of its coils", OF(spring.youngs_modulus)));
         all.push_back(
-            number(t + "leg_bend_mm", kMm, within(0, 100), "inner radius of the bend to the leg; 0 = wire_mm", OF(spring.leg_bend_radius)));
+            number(t + "leg_bend_mm", kMm, or_zero(0.01, 100), "inner radius of the bend to the leg; 0 = wire_mm", OF(spring.leg_bend_radius)));
     } else {
         all.push_back(
             number(t + "shear_modulus_MPa", kMPa, above(0, 1e6), "G of the wire, for the rate of its coils", OF(spring.shear_modulus)));
@@ -70,15 +70,15 @@ std::vector<Key> spring_keys(const std::string& part, PartSpec Profile::*member)
                "allowed share of it; 0 = 0.7 of torsion springs, 0.8 of compression springs, over sqrt 3 in shear; 0.6 for stainless 302",
                OF(spring.stress_share)));
     all.push_back(choice(t + "hand", {"unknown", "right", "left"}, "of the coil; right: like a common screw", OF(spring.hand)));
-    all.push_back(number(t + "rod_mm", kMm, within(0, 1000),
+    all.push_back(number(t + "rod_mm", kMm, or_zero(0.1, 1000),
                          part == "k_se" ? "diameter of the arbor inside the coils: more than hub.bore_mm is a sleeve on the axle, less is "
                                           "the axle turned down; 0 = the axle itself, of an overhung hub unknown"
                                         : "diameter of the guide rod inside the coils; 0 = unknown",
                          OF(spring.rod_diameter)));
-    all.push_back(number(t + "cycles", kPure, within(0, 1e12), "wanted load cycles over the working range; 0 = fatigue not checked",
+    all.push_back(number(t + "cycles", kPure, or_zero(1, 1e12), "wanted load cycles over the working range; 0 = fatigue not checked",
                          OF(spring.cycles)));
     all.push_back(
-        number(t + "motion_Hz", kHertz, above(0, 1e4), "fastest motion that loads the spring; default assumed", OF(spring.motion)));
+        number(t + "motion_Hz", kHertz, within(0.01, 1e4), "fastest motion that loads the spring; default assumed", OF(spring.motion)));
     return all;
 }
 
@@ -131,9 +131,9 @@ std::vector<Key> roller_keys(const std::string& part, PartSpec Profile::*member)
                OF(cam.roller.direction)),
         number(t + "width_mm", kMm, above(0, 1000), "of the roller", OF(cam.roller.width)),
         number(t + "rim_width_mm", kMm, above(0, 1000), "thickness of the cam's plate, two ribs included", OF(solid.rim_width)),
-        number(t + "contact_modulus_MPa", kMPa, within(0, 1e6), "E* of cam and roller: 1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2",
+        number(t + "contact_modulus_MPa", kMPa, or_zero(10, 1e6), "E* of cam and roller: 1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2",
                OF(cam.roller.contact_modulus)),
-        number(t + "max_pressure_MPa", kMPa, within(0, 1e5), "allowed contact pressure of cam and roller; 0 = not checked",
+        number(t + "max_pressure_MPa", kMPa, or_zero(0.1, 1e4), "allowed contact pressure of cam and roller; 0 = not checked",
                OF(cam.roller.max_pressure)),
     };
     for (Key& key : all) key = when(part + ".family", {"roller"}, std::move(key));

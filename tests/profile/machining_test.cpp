@@ -28,9 +28,9 @@ TEST_F(MachiningKeys, AreReadInMillimetresAndMinutes) {
 
 TEST_F(MachiningKeys, BadOnesAreRefusedByName) {
     const auto with = [this](const std::string& line) { return refusal(std::string(kShort) + "[machining]\n" + line + "\n"); };
-    expect_words(with("tool_diameter_mm = 0"), {"p.toml:28:20: machining.tool_diameter_mm", "above 0"});
+    expect_words(with("tool_diameter_mm = 0"), {"p.toml:28:20: machining.tool_diameter_mm", "0.01 to 100 mm"});
     expect_words(with("feed_mm_per_min = -5"), {"machining.feed_mm_per_min", "mm/min"});
-    expect_words(with("safe_height_mm = 0"), {"machining.safe_height_mm", "above 0"});
+    expect_words(with("safe_height_mm = 0"), {"machining.safe_height_mm", "0.1 to 1000 mm"});
     expect_words(with("tolerance_mm = 0.00001"), {"machining.tolerance_mm", "0.0001 to 0.1"});
     expect_words(with("controller = \"grbl\""), {"machining.controller", "\"linuxcnc\""});
     expect_words(with("k_se = \"lathe\""), {"machining.k_se", "\"stack\" or \"wrap\""});

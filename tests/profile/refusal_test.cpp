@@ -46,6 +46,24 @@ TEST_F(RefusalTest, WrongTypeNotANumberAndOutOfRange) {
     expect_words(refusal("rig = 3\n" + edited("[rig]\n", "[law.rig]\n")), {"p.toml"});
 }
 
+// Each of these would make a rule pass that needs the figure: fatigue, surge, buckling, walls, bend, ranges, stress, contact.
+TEST_F(RefusalTest, AnAbsurdFigureIsRefusedBeforeARuleTakesIt) {
+    const auto in = [this](const std::string& table, const std::string& line) {
+        return refusal(edited("[" + table + "]\n", "[" + table + "]\n" + line + "\n"));
+    };
+    for (const char* value : {"1e-9", "-1", "1e300", "0.0001", "-0.5"}) {
+        for (const char* key : {"cycles", "motion_Hz", "free_length_mm", "rod_mm", "wire_mm", "coil_mm", "active_coils"})
+            expect_words(in("k_pe.spring", std::string(key) + " = " + value), {"p.toml:25:", key, " to "});
+        for (const char* key : {"min_wall_mm", "min_hole_mm", "cutter_radius_mm", "layer_mm", "tolerance_mm", "max_overhang_deg"})
+            expect_words(in("process", std::string(key) + " = " + value), {"p.toml:20:", key, "0, or "});
+        for (const char* key : {"min_bend_ratio", "breaking_load_N", "max_pressure_MPa", "max_fleet_deg"})
+            expect_words(in("cable", std::string(key) + " = " + value), {"p.toml:18:", key, "0, or "});
+    }
+    expect_words(in("k_pe.spring", "tensile_strength_MPa = 9999"), {"k_pe.spring.tensile_strength_MPa", "0, or 100 to 5000 MPa"});
+    EXPECT_EQ(in("k_pe.spring", "cycles = 1"), "");
+    EXPECT_EQ(in("process", "min_wall_mm = 0"), "");
+}
+
 TEST_F(RefusalTest, ATextOfATitleBlockIsOneLineOfLimitedLength) {
     const auto owner = [this](const std::string& text) { return refusal(std::string(kShort) + "[drawing]\nowner = \"" + text + "\"\n"); };
     EXPECT_EQ(owner(std::string(39, 'a') + "\u00e4"), "") << "a letter of two bytes counts once";

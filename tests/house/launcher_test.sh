@@ -74,9 +74,43 @@ expect_same 'a broken build runs nothing' '' "$(cat "$work/out")"
 expect_in 'the compiler is quoted' 'invalid conversion' "$work/err"
 expect_in 'the log is named' 'fusee-build.log' "$work/err"
 
+# A build folder that cannot be used: said at once, with exit code 3 (docs/guides/build.md).
+sed -i '$d' "$house/main.cpp"
+refuse() { # refuse WHAT WORDS [COMMAND...]: the last runs it
+    code=0
+    "${@:3}" "$house/fusee" >"$work/out" 2>"$work/err" || code=$?
+    expect_same "$1" 3 "$code"
+    expect_in "$1" "$2" "$work/err"
+}
+echo >"$work/file"
+FUSEE_BUILD_DIR="$work/file" refuse 'a file' 'cannot be made'
+FUSEE_BUILD_DIR="$work/file/below" refuse 'below a file' 'cannot be made'
+FUSEE_BUILD_DIR="$house" refuse 'the sources' 'folder of the sources'
+mkdir "$work/mounted"
+if unshare -m true 2>/dev/null; then
+    on_disk() { FUSEE_BUILD_DIR="$work/mounted" refuse "$1" "$2" unshare -m sh -c 'mount -t tmpfs -o "$1" tmpfs "$FUSEE_BUILD_DIR" && exec "$2"' sh "$1"; }
+    on_disk size=16k 'cannot be written'
+    on_disk ro 'cannot be written'
+    on_disk noexec 'runs no program'
+fi
+# Without flock.
+mkdir "$work/few"
+for tool in sh readlink dirname mkdir printf head wc chmod rm env; do ln -s "$(command -v "$tool")" "$work/few/$tool"; done
+refuse 'no flock' 'flock is missing' env PATH="$work/few"
+
+# A signal ends the build too.
+printf '#!/bin/sh\nexec sleep 100\n' >"$work/few/ninja"
+chmod +x "$work/few/ninja"
+PATH="$work/few:$PATH" "$house/fusee" 2>"$work/err" &
+waiting=$!
+sleep 2
+kill "$waiting"
+code=0
+wait "$waiting" || code=$?
+expect_same 'a signal' 130 "$code"
+
 # A missing package, with a pretended package system.
 mkdir "$work/fake"
-sed -i '$d' "$house/main.cpp"
 echo 'libabsent-dev' >>"$house/packages.txt"
 cat >"$work/fake/dpkg-query" <<END
 #!/bin/sh
@@ -116,7 +150,7 @@ expect_in 'a program that cannot be installed' 'could not install: viewer' "$wor
 
 # Neither root nor sudo: it says what to do.
 rm "$work/fake/absent"
-for tool in sh printenv readlink dirname sed tr mkdir flock grep cat tail; do ln -s "$(command -v $tool)" "$work/fake/$tool"; done
+for tool in sh printenv readlink dirname sed tr mkdir flock grep cat tail head wc chmod rm; do ln -s "$(command -v $tool)" "$work/fake/$tool"; done
 code=0
 FAKE_ID=1000 PATH="$work/fake" "$house/fusee" 2>"$work/err" || code=$?
 expect_same 'no rights' 3 "$code"

@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
-"""The software bill of materials, CycloneDX 1.5: packaging/sbom.json.
+"""The software bill of materials, CycloneDX 1.5, as on the system where it runs: packaging/sbom.json.
 
-sbom.py            prints the committed form: Debian packages of packages.txt and npm parts, with their licences (docs/licences.md, package-lock.json)
-sbom.py --release  the form of a release: with the versions that are installed here, and every shared library that PROGRAM loads
-                   sbom.py --release PROGRAM
+sbom.py PROGRAM          prints it: the Debian packages of packages.txt and the npm parts of the pages, and the package of each shared library that
+                         the program loads, at its start or when it needs one of its own (../lib/fusee/*.so: STEP, pictures, Pareto fronts), each
+                         with its version and its licence
+sbom.py --check PROGRAM [FILE...]  exit code 1 unless packaging/sbom.json names the same parts, each with a version, and the packages of these
+                         further FILEs, such as libraries that a run has loaded. A version may be another one
 """
 import json
 import pathlib
@@ -35,58 +37,89 @@ def licences():
     return rows
 
 
-def component(name, purl, licence, use, version=None):
-    item = {"type": "application" if use in ("called", "build") else "library", "name": name}
-    if version:
-        item["version"] = version
-    item["purl"] = purl + (f"@{version}" if version and "@" not in purl else "")
+def stated_licence(package):
+    """Licences that Debian's copyright file of a package names, where a program can read it."""
+    try:
+        text = pathlib.Path(f"/usr/share/doc/{package}/copyright").read_text(errors="replace")
+    except OSError:
+        return None
+    names = sorted(set(re.findall(r"(?m)^License: *(\S.*?) *$", text)))
+    return " and ".join(names) if names and len(names) <= 12 else f"/usr/share/doc/{package}/copyright"
+
+
+def component(name, purl, licence, use, version):
+    item = {"type": "application" if use in ("called", "build") else "library", "name": name, "version": version,
+            "purl": purl + (f"@{version}" if version and "@" not in purl else "")}
     if licence:
         item["licenses"] = [{"license": {"name": licence}}]
-    item["scope"] = "required" if use in ("program", "python", "pages") else "excluded"
+    item["scope"] = "required" if use in ("program", "python", "pages", "loaded") else "excluded"
     item["properties"] = [{"name": "fusee:use", "value": use}]
     return item
 
 
-def installed(name):
-    found = subprocess.run(["dpkg-query", "-W", "-f=${Version}", name], capture_output=True, text=True)
-    return found.stdout or None
+def query(*words):
+    return subprocess.run(["dpkg-query", *words], capture_output=True, text=True).stdout
 
 
-def loaded(program):
-    """Packages of the shared libraries that the program loads."""
-    lines = subprocess.run(["ldd", program], capture_output=True, text=True, check=True).stdout
-    files = sorted(set(re.findall(r"=> (/\S+)", lines)))
-    owners = set()
-    for file in files:
-        for path in (file, str(pathlib.Path(file).resolve()), re.sub("^/usr", "", str(pathlib.Path(file).resolve()))):
-            found = subprocess.run(["dpkg-query", "-S", path], capture_output=True, text=True).stdout
-            if found:
-                owners.add(found.split(":")[0])
-                break
-    return sorted(owners)
+def versions(names):
+    lines = query("-W", "-f=${Package} ${Version}\n", *names).splitlines()
+    return dict(line.split(" ", 1) for line in lines if " " in line)
 
 
-def sbom(program=None):
+def libraries(program):
+    """The shared libraries of the program, and of those of its own that it loads when it needs them."""
+    program = pathlib.Path(program).resolve()
+    files = set()
+    for loader in (program, *sorted((program.parent.parent / "lib/fusee").glob("*.so"))):
+        lines = subprocess.run(["ldd", loader], capture_output=True, text=True, check=True).stdout
+        files |= set(re.findall(r"(?:=> |^\s)(/\S+)", lines, re.M))
+    return files
+
+
+def loaded(files):
+    """The packages of these files."""
+    real = {str(pathlib.Path(file).resolve()) for file in files}
+    paths = real | {re.sub("^/usr", "", path) for path in real} | set(map(str, files))
+    return sorted({line.split(":")[0] for line in query("-S", *paths).splitlines()})
+
+
+def sbom(program):
     licence = licences()
-    items = [component(name, f"pkg:deb/debian/{name}", licence.get(name), use, installed(name) if program else None)
-             for name, use in packages()]
+    used = [*packages(), *((name, "loaded") for name in loaded(libraries(program)))]
+    version = versions([name for name, _ in used])
+    items = [component(name, f"pkg:deb/debian/{name}", licence.get(name) or stated_licence(name), use, version.get(name)) for name, use in used]
     lock = json.loads((SOURCE / "web/package-lock.json").read_text())["packages"]
     for name in sorted(lock[""]["devDependencies"]):
         part = lock[f"node_modules/{name}"]
         items.append(component(name, f"pkg:npm/{name}@{part['version']}", part.get("license"), "pages" if name in PAGES else "build",
                                part["version"]))
-    if program:
-        items += [component(name, f"pkg:deb/debian/{name}", None, "program", installed(name)) for name in loaded(program)]
     version = re.search(r"project\(fusee VERSION (\S+)", (SOURCE / "CMakeLists.txt").read_text()).group(1)
     return {"bomFormat": "CycloneDX", "specVersion": "1.5", "version": 1,
             "metadata": {"component": {"type": "application", "name": "fusee", "version": version}}, "components": items}
 
 
+def check(program, files):
+    """What is wrong with the committed one."""
+    committed, now = json.loads((SOURCE / "packaging/sbom.json").read_text()), sbom(program)
+    parts = [{(p["name"], p["properties"][0]["value"]) for p in one["components"]} for one in (committed, now)]
+    wrong = [f"{name} ({use}) is missing" for name, use in sorted(parts[1] - parts[0])]
+    wrong += [f"{name} ({use}) is no part any more" for name, use in sorted(parts[0] - parts[1])]
+    wrong += [f"{p['name']} has no version" for p in committed["components"] if not p.get("version")]
+    wrong += [f"{p['name']} has no licence" for p in committed["components"] if p["scope"] == "required" and "licenses" not in p]
+    names = {p["name"] for p in committed["components"]}
+    return wrong + [f"{name}, which a run loads, is missing" for name in loaded(files) if name not in names]
+
+
 def main():
-    program = sys.argv[2] if len(sys.argv) == 3 and sys.argv[1] == "--release" else None
-    if len(sys.argv) > 1 and not program:
-        sys.exit("usage: sbom.py [--release PROGRAM]")
-    print(json.dumps(sbom(program), indent=1))
+    words = sys.argv[1:]
+    if len(words) == 1 and not words[0].startswith("-"):
+        print(json.dumps(sbom(words[0]), indent=1))
+    elif len(words) >= 2 and words[0] == "--check":
+        wrong = check(words[1], words[2:])
+        print("\n".join(wrong))
+        sys.exit(1 if wrong else 0)
+    else:
+        sys.exit("usage: sbom.py PROGRAM\n       sbom.py --check PROGRAM [FILE...]")
 
 
 main()

@@ -116,8 +116,9 @@ _fusee() {
             esac ;;
         ' query')
             case $word:$before in
+                *:--seconds) ;;
                 *:--color) _fusee_words "$word" auto always never ;;
-                -*) _fusee_words "$word" --help --json --color --quiet --verbose ;;
+                -*) _fusee_words "$word" --help --seconds --json --color --quiet --verbose ;;
                 *) _fusee_folders "$word" ;;
             esac ;;
         ' design')

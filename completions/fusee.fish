@@ -147,6 +147,7 @@ complete -c fusee -n "__fusee_at ' batch'" -s v -l verbose -d 'Print more'
 complete -c fusee -n "__fusee_at ' query'" -a '(__fish_complete_directories)'
 complete -c fusee -n "__fusee_at ' query'"
 complete -c fusee -n "__fusee_at ' query'" -s h -l help -d 'Print this help message and exit'
+complete -c fusee -n "__fusee_at ' query'" -l seconds -x -d 'Longest time of the query [s]'
 complete -c fusee -n "__fusee_at ' query'" -l json -d 'Print one JSON object instead of text (docs/json.md)'
 complete -c fusee -n "__fusee_at ' query'" -l color -x -a 'auto always never' -d 'Colour of severity words'
 complete -c fusee -n "__fusee_at ' query'" -s q -l quiet -d 'Print errors and what was asked for'

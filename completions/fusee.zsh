@@ -159,6 +159,7 @@ _fusee_batch() {
 _fusee_query() {
     _arguments -s \
         '(- *)'{-h,--help}'[Print this help message and exit]' \
+        '(--seconds)'--seconds='[Longest time of the query \[s\]]'':1 to 86400: ' \
         '(--json)'--json'[Print one JSON object instead of text (docs/json.md)]' \
         '(--color)'--color='[Colour of severity words]'':choice:(auto always never)' \
         '(-q --quiet)'{-q,--quiet}'[Print errors and what was asked for]' \

@@ -53,7 +53,8 @@ int close_out(int code) {
 
 void put_without_waiting(int file, std::string_view text) noexcept {
     pollfd ready{file, POLLOUT, 0};  // a pipe that is ready takes PIPE_BUF bytes at once
-    if (::poll(&ready, 1, 0) > 0 && (ready.revents & POLLOUT) != 0) (void)!::write(file, text.data(), std::min<std::size_t>(text.size(), 4096));
+    if (::poll(&ready, 1, 0) > 0 && (ready.revents & POLLOUT) != 0)
+        (void)!::write(file, text.data(), std::min<std::size_t>(text.size(), 4096));
 }
 
 }  // namespace fusee::app

@@ -139,9 +139,8 @@ public:
         parser_->header_limit(kLargestHeader);
         parser_->body_limit(0);
         stream_.expires_after(kToAsk);
-        http::async_read(stream_, buffer_, *parser_, [self = shared_from_this()](Failure failure, std::size_t) {
-            failure ? self->close() : self->answer();
-        });
+        http::async_read(stream_, buffer_, *parser_,
+                         [self = shared_from_this()](Failure failure, std::size_t) { failure ? self->close() : self->answer(); });
     }
     /// Also when another connection needs its place.
     void close() {

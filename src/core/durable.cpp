@@ -32,8 +32,7 @@ void sync(const fs::path& path) {
     if (file < 0) return;
     const int failed = ::fsync(file) != 0 ? errno : 0;
     ::close(file);
-    if (failed == EIO || failed == ENOSPC || failed == EDQUOT)
-        throw IoError(path.string(), "cannot be written: " + write_failure(failed));
+    if (failed == EIO || failed == ENOSPC || failed == EDQUOT) throw IoError(path.string(), "cannot be written: " + write_failure(failed));
 }
 
 void sync_tree(const fs::path& folder) {

@@ -56,7 +56,7 @@ int write_new(const fs::path& path, std::string_view bytes, bool to_disk) {
 
 void write_file(const fs::path& path, std::string_view bytes) {
     const bool to_disk = !is_in_temporary_folder(path);  // an output folder flushes all its files at once
-    std::optional<StopHold> hold;  // a stop leaves no file of a temporary name
+    std::optional<StopHold> hold;                        // a stop leaves no file of a temporary name
     if (to_disk) hold.emplace();
     fs::path temporary;
     int failed = EEXIST;  // the name exists: left by a killed process

@@ -47,7 +47,8 @@ FileWatch::Target FileWatch::target_of(const fs::path& file) {
 void FileWatch::watch(const std::vector<fs::path>& files) {
     for (const fs::path& file : files) {
         const fs::path folder = fs::absolute(file).parent_path();
-        if (::access(folder.c_str(), R_OK | X_OK) != 0) throw IoError(folder.string(), std::string("cannot be watched: ") + std::strerror(errno));
+        if (::access(folder.c_str(), R_OK | X_OK) != 0)
+            throw IoError(folder.string(), std::string("cannot be watched: ") + std::strerror(errno));
     }
     std::map<fs::path, Target> next;
     for (const fs::path& file : files) {

@@ -201,7 +201,12 @@ std::set<std::string> files_below(const fs::path& folder) {
 class Commit {
 public:
     Commit(const fs::path& target, const fs::path& place, const fs::path& staging, const OutputRun& run, const std::string& source)
-        : target_(target), place_(place), staging_(staging), stays_(run.stays), judge_(target, place, run, source), next_(judge_.manifest()) {
+        : target_(target),
+          place_(place),
+          staging_(staging),
+          stays_(run.stays),
+          judge_(target, place, run, source),
+          next_(judge_.manifest()) {
         for (const std::string& name : files_below(staging)) plan(name, run, source);
         for (const auto& [name, made] : judge_.manifest()) {
             if (made_.contains(name) || !judge_.is_stale(made)) continue;

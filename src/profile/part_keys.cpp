@@ -46,21 +46,23 @@ std::vector<Key> spring_keys(const std::string& part, PartSpec Profile::*member)
     }
     all.push_back(choice(t + "rate_origin", {"nominal", "measured"}, "nominal: that of wire, coil and turns; measured: of this spring",
                          OF(spring.rate_origin)));
-    all.push_back(number(t + "wire_mm", kMm, or_zero(0.02, 100), "wire diameter; 0 = unknown, stress not checked", OF(spring.wire_diameter)));
+    all.push_back(
+        number(t + "wire_mm", kMm, or_zero(0.02, 100), "wire diameter; 0 = unknown, stress not checked", OF(spring.wire_diameter)));
     all.push_back(number(t + "coil_mm", kMm, or_zero(0.1, 1000), "mean coil diameter; 0 = unknown", OF(spring.coil_diameter)));
     all.push_back(number(t + "active_coils", kPure, or_zero(0.1, 1000), "0 = unknown", OF(spring.active_coils)));
     all.push_back(number(t + "free_length_mm", kMm, or_zero(0.1, 1e4),
                          part == "k_se" ? "axial space for the body; 0 = unknown" : "0 = unknown, buckling not checked",
                          OF(spring.free_length)));
-    all.push_back(number(t + "tensile_strength_MPa", kMPa, or_zero(100, 5000), "of the wire; 0 = by wire_class", OF(spring.tensile_strength)));
+    all.push_back(
+        number(t + "tensile_strength_MPa", kMPa, or_zero(100, 5000), "of the wire; 0 = by wire_class", OF(spring.tensile_strength)));
     all.push_back(choice(t + "wire_class", {spring::kWireClassNames.begin(), spring::kWireClassNames.end()},
                          "of EN 10270-1: its least strength at this diameter; unknown: stress not checked without tensile_strength_MPa",
                          OF(spring.wire_class)));
     if (part == "k_se") {
         all.push_back(
             number(t + "youngs_modulus_MPa", kMPa, above(0, 1e6), "E of the wire, for the rate of its coils", OF(spring.youngs_modulus)));
-        all.push_back(
-            number(t + "leg_bend_mm", kMm, or_zero(0.01, 100), "inner radius of the bend to the leg; 0 = wire_mm", OF(spring.leg_bend_radius)));
+        all.push_back(number(t + "leg_bend_mm", kMm, or_zero(0.01, 100), "inner radius of the bend to the leg; 0 = wire_mm",
+                             OF(spring.leg_bend_radius)));
     } else {
         all.push_back(
             number(t + "shear_modulus_MPa", kMPa, above(0, 1e6), "G of the wire, for the rate of its coils", OF(spring.shear_modulus)));

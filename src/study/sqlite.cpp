@@ -18,7 +18,7 @@ void require(bool good, sqlite3* database, const std::string& file) {
     if (!good) throw core::IoError(file, database != nullptr ? sqlite3_errmsg(database) : "out of memory");
 }
 
-constexpr int kLongestText = 1'000'000;              // [bytes] of one value
+constexpr int kLongestText = 1'000'000;             // [bytes] of one value
 constexpr sqlite3_int64 kMostMemory = 500'000'000;  // [bytes] of a query
 
 /// Only what a SELECT on tables does; PRAGMA only to list columns.
@@ -99,7 +99,7 @@ void Database::open(const std::string& name, int flags) {
 
 /// https://www.sqlite.org/security.html
 void Database::restrain() {
-    constexpr int kSteps = 10'000;  // of SQLite's machine: some 0.1 ms
+    constexpr int kSteps = 10'000;      // of SQLite's machine: some 0.1 ms
     run("PRAGMA temp_store = MEMORY");  // an endless sort meets the limit of memory, not a full disk
     sqlite3* database = database_.get();
     const auto over = [](void* end) {
@@ -107,11 +107,16 @@ void Database::restrain() {
     };
     sqlite3_progress_handler(database, kSteps, over, &end_);
     sqlite3_set_authorizer(database, may, nullptr);
-    for (const auto& [option, on] : {std::pair{SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0}, {SQLITE_DBCONFIG_DEFENSIVE, 1},
-                                    {SQLITE_DBCONFIG_ENABLE_VIEW, 0}, {SQLITE_DBCONFIG_ENABLE_TRIGGER, 0}})
+    for (const auto& [option, on] : {std::pair{SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0},
+                                     {SQLITE_DBCONFIG_DEFENSIVE, 1},
+                                     {SQLITE_DBCONFIG_ENABLE_VIEW, 0},
+                                     {SQLITE_DBCONFIG_ENABLE_TRIGGER, 0}})
         sqlite3_db_config(database, option, on, nullptr);
-    for (const auto& [limit, most] : {std::pair{SQLITE_LIMIT_LENGTH, kLongestText}, {SQLITE_LIMIT_SQL_LENGTH, kLongestText},
-                                     {SQLITE_LIMIT_LIKE_PATTERN_LENGTH, 1000}, {SQLITE_LIMIT_ATTACHED, 0}, {SQLITE_LIMIT_EXPR_DEPTH, 200}})
+    for (const auto& [limit, most] : {std::pair{SQLITE_LIMIT_LENGTH, kLongestText},
+                                      {SQLITE_LIMIT_SQL_LENGTH, kLongestText},
+                                      {SQLITE_LIMIT_LIKE_PATTERN_LENGTH, 1000},
+                                      {SQLITE_LIMIT_ATTACHED, 0},
+                                      {SQLITE_LIMIT_EXPR_DEPTH, 200}})
         sqlite3_limit(database, limit, most);
     sqlite3_hard_heap_limit64(kMostMemory);
 }

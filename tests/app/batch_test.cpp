@@ -39,6 +39,19 @@ TEST_F(Batch, AStudyIsMadeIndexedAndAsked) {
     expect_words(run("batch two.toml --merge").out, {"index of 1 designs; 0 are missing"});
 }
 
+// Of an endless statement a reader takes what it wants; --seconds ends one that prints nothing.
+TEST_F(Batch, AQueryWithoutEndEnds) {
+    write("figures.toml", "[study]\nbase = \"base.toml\"\noutputs = \"figures\"\n[vary]\nk_se.hub.bore_mm = [5.0]\n");
+    ASSERT_EQ(run("batch figures.toml").code, 0);
+    const std::string endless = "\"WITH RECURSIVE n(x) AS (SELECT 1 UNION ALL SELECT x + 1 FROM n) SELECT ";
+    write("ask.sh", "set -o pipefail\n'" FUSEE_PROGRAM "' query out/figures " + endless + "x FROM n\" | head -n 3\n");
+    const std::string command = "cd '" + folder_.string() + "' && timeout 60 bash ask.sh >answer 2>said";
+    EXPECT_EQ(std::system(command.c_str()), 0);
+    EXPECT_EQ(core::read_file(folder_ / "answer"), "x\n1\n2\n");
+    EXPECT_EQ(core::read_file(folder_ / "said"), "");
+    expect_bad("query out/figures --seconds 1 " + endless + "max(x) FROM n\"", {"longer", "--seconds"});
+}
+
 TEST_F(Batch, OptionsThatContradictEachOtherAreRefused) {
     expect_bad("batch two.toml --dry-run --merge", {"--dry-run", "--merge"});
     expect_bad("batch two.toml --shard 1/2 --merge", {"--shard", "--merge"});

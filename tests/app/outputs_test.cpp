@@ -121,9 +121,37 @@ TEST_F(Outputs, StandardOutputThatIsLostIsTold) {
     }
     EXPECT_EQ(shell("$FUSEE rules >&-").code, 2);
     EXPECT_EQ(shell("$FUSEE no_command 2>/dev/full").code, 2);
-    const Ended gone = shell("bash -c 'exec 3> >(true); wait $!; \"$FUSEE\" rules >&3'");  // the reader has ended before a line is written
-    EXPECT_EQ(gone.code, 2);
-    expect_words(gone.err, {"standard output cannot be written", "Broken pipe"});
+    for (const char* command : {"rules", "--help", "no_command", "rules --json"}) {  // standard error is lost too
+        EXPECT_EQ(shell(std::string("$FUSEE ") + command + " >/dev/full 2>&1").code, 2) << command;
+        EXPECT_EQ(shell(std::string("$FUSEE ") + command + " >&- 2>&-").code, 2) << command;
+    }
+    EXPECT_EQ(shell("ls -d fusee-crash-*").code, 2) << "there is none";
+}
+
+TEST_F(Outputs, AReaderThatLeavesIsNoError) {
+    const std::string gone = "bash -c 'exec 3> >(true); wait $!; ";  // it has ended before a line is written
+    for (const char* command : {"rules", "rules --json", "keys", "--help", "completion bash"}) {
+        const Ended ended = shell(gone + "$FUSEE " + command + " >&3'");
+        EXPECT_EQ(ended.code, 0) << command;
+        EXPECT_EQ(ended.err, "") << command;
+        EXPECT_EQ(shell(gone + "$FUSEE " + command + " >&3 2>&3'").code, 0) << command;
+    }
+    lay("a.toml", "arm");
+    EXPECT_EQ(shell(gone + "$FUSEE make a.toml >&3'").code, 0);
+    EXPECT_TRUE(fs::exists(folder_ / "out/arm/report.html")) << "what was asked for is written";
+    EXPECT_EQ(shell(gone + "$FUSEE check missing.toml >&3 2>&3'").code, 2) << "the command's own code";
+    EXPECT_EQ(shell("ls -d fusee-crash-*").code, 2) << "there is none";
+}
+
+TEST_F(Outputs, ALimitOfTheShellIsNamed) {
+    lay("a.toml", "arm");
+    const Ended large = shell("bash -c 'ulimit -f 20; $FUSEE make a.toml'");
+    EXPECT_EQ(large.code, 2) << large.all();
+    expect_words(large.err, {"File too large", "ulimit -f"});
+    EXPECT_FALSE(fs::exists(folder_ / "out"));
+    const Ended late = shell("bash -c 'ulimit -t 1; $FUSEE budget a.toml --draws 100000'");
+    EXPECT_EQ(late.code, 2) << late.all();
+    expect_words(late.err, {"out of processor time", "ulimit -t"});
 }
 
 TEST_F(Outputs, WhatTheEnvironmentLacksIsNamed) {

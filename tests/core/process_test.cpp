@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <chrono>
@@ -10,6 +11,7 @@
 #include <string>
 
 #include "fusee/core/error.h"
+#include "fusee/core/temporary_folder.h"
 
 namespace fusee::core {
 namespace {
@@ -56,6 +58,32 @@ TEST(Process, EndsItsChildrenToo) {
     std::string state = "gone";
     std::ifstream("/proc/" + std::to_string(grandchild) + "/stat") >> state >> state >> state;
     EXPECT_TRUE(state == "gone" || state == "Z") << state;
+}
+
+/// Is a process of this number there, and no zombie?
+bool lives(pid_t process) {
+    std::string state = "gone";
+    std::ifstream("/proc/" + std::to_string(process) + "/stat") >> state >> state >> state;
+    return state != "gone" && state != "Z";
+}
+
+// kill -9 leaves nobody who could end the called program: the kernel does.
+TEST(Process, AProgramEndsWithTheProcessThatIsKilled) {
+    if (!on_path("setpriv")) GTEST_SKIP() << "no setpriv (util-linux)";
+    const TemporaryFolder folder;
+    const std::string file = (folder.path() / "pid").string();
+    const pid_t caller = ::fork();
+    if (caller == 0) {
+        (void)run_process({"sh", "-c", "echo $$ >'" + file + "'; exec sleep 600"}, "a file", seconds(600));
+        ::_exit(0);
+    }
+    pid_t program = 0;
+    for (int i = 0; i < 5000 && !(std::ifstream(file) >> program); ++i) ::usleep(1000);
+    ASSERT_GT(program, 0);
+    ::kill(caller, SIGKILL);
+    for (int i = 0; i < 5000 && lives(program); ++i) ::usleep(1000);
+    EXPECT_FALSE(lives(program));
+    (void)::waitpid(caller, nullptr, 0);
 }
 
 TEST(Process, KeepsTheEndOfWhatIsPrintedWithoutEnd) {

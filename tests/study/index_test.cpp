@@ -89,8 +89,7 @@ TEST_F(Index, AQueryEnds) {
     }
     EXPECT_NE(answer(std::string(kEndless) + "x FROM n").find("999|"), std::string::npos);
     EXPECT_EQ(rows_, 1000) << "until nobody takes more: a head and 999 numbers";
-    for (const char* sql : {"SELECT zeroblob(900000000)", "SELECT length(randomblob(1e9))"})
-        EXPECT_TRUE(is_refused(sql)) << sql;
+    for (const char* sql : {"SELECT zeroblob(900000000)", "SELECT length(randomblob(1e9))"}) EXPECT_TRUE(is_refused(sql)) << sql;
 }
 
 TEST_F(Index, AQueryReadsTablesOfThisFileOnly) {

@@ -18,7 +18,8 @@ struct ProcessResult {
 inline constexpr std::size_t kKeptOutput = 1'000'000;
 
 /// Runs a program found on PATH without a shell, with empty input and LC_ALL=C.UTF-8, in a separate process group: Ctrl-C does not reach
-/// it, and its children end with it; it ends when fusee does, also by kill -9. It is ended if still running after `timeout`, whether it prints or not.
+/// it, and its children end with it; it ends when fusee does, also by kill -9. It is ended if still running after `timeout`, whether it
+/// prints or not.
 /// @param words the program and its arguments
 /// @param about the file that an error names
 /// @param kept bytes of output; earlier output is dropped

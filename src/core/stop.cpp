@@ -2,8 +2,10 @@
 
 #include <pthread.h>
 #include <semaphore.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <thread>
@@ -57,6 +59,14 @@ void close_holds() {
     (void)lock.release();
 }
 
+/// `ulimit -t` sets both limits, and the hard one kills without a word: the soft one comes a second earlier.
+void leave_a_second() {
+    rlimit time{};
+    if (::getrlimit(RLIMIT_CPU, &time) != 0 || time.rlim_max == RLIM_INFINITY || time.rlim_max < 2) return;
+    time.rlim_cur = std::min(time.rlim_cur, time.rlim_max - 1);
+    (void)::setrlimit(RLIMIT_CPU, &time);
+}
+
 void* wait_for_signal(void*) {
     while (::sem_wait(&g_asked) != 0) {
     }
@@ -70,6 +80,7 @@ void* wait_for_signal(void*) {
 }  // namespace
 
 void catch_interrupts() {
+    leave_a_second();
     for (const int signal : {SIGINT, SIGTERM, SIGXCPU}) std::signal(signal, on_signal);
     if (std::signal(SIGHUP, on_signal) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);  // of nohup
     std::signal(SIGXFSZ, SIG_IGN);  // a file above `ulimit -f` is a write that fails: an error as of a full disk

@@ -37,6 +37,9 @@ COMMANDS = {
     "budget": "budget profiles/pnrvsa.toml --draws 100000",
     "springs": "springs profiles/pnrvsa.toml --out o/springs.toml",
     "render": "render profiles/pnrvsa.toml --view cams -o o/cams.png",
+    "identify": "identify pulls.csv --out o",
+    "predict": "predict profiles/gap/paper_table_1 --out o/rows",
+    "coupons": "coupons profiles/pnrvsa.toml --out o",
     "diagnose": "diagnose profiles/gap/paper_table_1 --out o/d",
     "blind make": "blind make --seed 1 --cases 500 --out o/blind",
     "paper": "paper --out o/paper",
@@ -98,6 +101,8 @@ class House:
         (folder / "million.toml").write_text(
             '[study]\nbase = "profiles/pnrvsa.toml"\n[vary]\nk_se.hub.bore_mm = {from = 4.0, to = 6.0, steps = 1000}\n'
             "k_pe.hub.bore_mm = {from = 4.0, to = 6.0, steps = 3000}\n")
+        pulls = (folder / "profiles/examples/break_away.csv").read_text().splitlines()
+        (folder / "pulls.csv").write_text("\n".join(pulls + 4000 * [line for line in pulls[1:] if line[:1].isdigit()]) + "\n")
         big_mesh(folder / "big.stl", 700 if long else 400)
         os.mkfifo(folder / "pipe.toml")
         with sqlite3.connect(folder / "index.sqlite") as database:

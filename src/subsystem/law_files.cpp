@@ -51,7 +51,7 @@ bool is_law_file(const fs::path& file) {
 }
 
 LawCurve read_law(const fs::path& folder, const std::string& file, std::string& bytes) {
-    constexpr double kMostAngle = 4.0 * core::kPi, kMostTorque = 1e6;  // two turns; beyond them, the column is in another unit
+    constexpr double kMostAngle = 2.0 * core::kPi, kMostTorque = 1e6;  // one turn; beyond them, the column is in another unit
     const std::string text = core::read_file(folder / file, kLargestLaw);
     core::CsvOptions options;
     options.least_rows = 2;
@@ -59,7 +59,7 @@ LawCurve read_law(const fs::path& folder, const std::string& file, std::string& 
     LawCurve law{file, table.numbers("q_rad"), table.numbers("torque_Nm")};
     for (std::size_t i = 0; i < law.q_rad.size(); ++i) {
         if (std::abs(law.q_rad[i]) > kMostAngle)
-            throw table.fault(i, "q_rad", fmt::format("{:g}", law.q_rad[i]), "two turns at most, -12.57 to 12.57 rad; are these degrees?");
+            throw table.fault(i, "q_rad", fmt::format("{:g}", law.q_rad[i]), "one turn at most, -6.28 to 6.28 rad; are these degrees?");
         if (std::abs(law.torque_Nm[i]) > kMostTorque)
             throw table.fault(i, "torque_Nm", fmt::format("{:g}", law.torque_Nm[i]), "-1e+06 to 1e+06 Nm");
         if (i > 0 && !(law.q_rad[i] > law.q_rad[i - 1]))

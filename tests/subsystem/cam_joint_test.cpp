@@ -130,6 +130,8 @@ TEST_F(CamFolder, RefusesWithThePlace) {
     EXPECT_EQ(field_of("pull = \"pull_a.csv\"\n"), "pull_a.csv: law");
     put("law_a.csv", "q_rad,torque_Nm\n-0.3,-30\n-0.3,30\n");
     EXPECT_NE(field_of("pull = \"pull_a.csv\"\n").find("law_a.csv:3:1: q_rad"), std::string::npos);
+    put("law_a.csv", "q_rad,torque_Nm\n-8.6,-30\n8.6,30\n");
+    EXPECT_NE(field_of("pull = \"pull_a.csv\"\n").find("law_a.csv:2:1: q_rad"), std::string::npos) << "are these degrees?";
     put("law_a.csv", "q_rad,torque_Nm\n-0.1,-30\n0.1,30\n");
     EXPECT_EQ(field_of("pull = \"pull_a.csv\"\n"), "accepted");
     EXPECT_EQ(field_refused([&] { return diagnose(read_case(folder_)); }), "pull_a.csv: q_rad") << "beyond the law";

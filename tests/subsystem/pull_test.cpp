@@ -174,6 +174,25 @@ TEST(Pull, IsTheSameWithAnySigns) {
     }
 }
 
+double error_of(const Case& predicted, const Case& measured) {
+    double squares = 0.0;
+    const auto &a = predicted.records[0].columns.at("torque_Nm"), &b = measured.records[0].columns.at("torque_Nm");
+    for (std::size_t i = 0; i < a.size(); ++i) squares += std::pow(a[i] - b[i], 2) / static_cast<double>(a.size());
+    return std::sqrt(squares);
+}
+
+// What a case was found to have predicts another pull, with the signs of the case.
+TEST(Pull, PredictsWithAnySigns) {
+    for (const Flip flip : {Flip{1.0, 1.0}, Flip{1.0, -1.0}, Flip{-1.0, 1.0}, Flip{-1.0, -1.0}}) {
+        const Twin twin{.law = hardening, .series = 5e-4, .coulomb = 0.5, .angle_sign = flip.angle, .torque_sign = flip.torque};
+        const Case known = case_of({pull_of(twin, loops(0.12, 240), "a", 6)}), other = case_of({pull_of(twin, loops(0.09, 100), "b", 7)});
+        const diagnosis::Diagnosis found = diagnosed(known);
+        EXPECT_EQ(names_of(found), "law.coulomb, law.series");
+        EXPECT_LT(error_of(predict(known, found, other), other), 0.08) << flip.angle << flip.torque;
+        EXPECT_GT(error_of(predict(known, {}, other), other), 0.3);
+    }
+}
+
 TEST(Pull, IsTheSameInAnyOrderOfFiles) {
     const Record a = pull_of({.scale = 0.1}, loops(0.09, 120), "a", 7),
                  b = pull_of({.scale = 0.1, .zero = -0.2}, one_way(-0.1, 0.1, 40), "b", 8),

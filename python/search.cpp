@@ -32,7 +32,7 @@ struct SearchArguments {
 
 Search in_folder(const profile::Profile& profile, codesign::RunOptions options, const fs::path& out) {
     options.out = out;
-    core::OutputFolder output(codesign::result_folder(profile, options), codesign::output_run(profile, options));
+    core::OutputFolder output(options.out, codesign::result_folder(profile, options).filename(), codesign::output_run(profile, options));
     Search search{std::make_shared<const codesign::RunResult>(codesign::find_springs(profile, options)), {}, output.target()};
     if (!search.value->found() || search.value->interrupted) return search;
     report::write_search(*search.value, output.path());

@@ -70,7 +70,8 @@ int design(const DesignArguments& arguments, Reply& reply) {
     profile::Profile profile = profile::read_profile(arguments.profile);
     codesign::change_search(profile.search, arguments.changes);
     return with_places(profile, [&] {
-        core::OutputFolder output(codesign::result_folder(profile, arguments.options), codesign::output_run(profile, arguments.options));
+        core::OutputFolder output(arguments.options.out, codesign::result_folder(profile, arguments.options).filename(),
+                                  codesign::output_run(profile, arguments.options));
         const codesign::RunResult result = watched(profile, arguments.options);
         if (result.found()) {
             report::write_search(result, output.path());

@@ -19,7 +19,7 @@ struct IdentifyArguments {
 };
 
 int identify(const IdentifyArguments& arguments, Reply& reply) {
-    core::OutputFolder output(arguments.out / ("identify-" + arguments.csv.stem().string()),
+    core::OutputFolder output(arguments.out, "identify-" + arguments.csv.stem().string(),
                               {.command = "identify",
                                .source = arguments.csv,
                                .force = arguments.force,

@@ -29,7 +29,7 @@ paper::Result watched_paper(paper::Options options) {
 int make_paper(const PaperArguments& arguments, Reply& reply) {
     require_thread();
     core::OutputFolder output(
-        arguments.out / "paper",
+        arguments.out, "paper",
         {.command = "paper", .source = arguments.options.profiles, .force = arguments.force, .files = {"paper.html", "paper.json"}});
     const paper::Result result = watched_paper(arguments.options);
     reply.show(result.findings);

@@ -73,8 +73,7 @@ void require_picture_file(const RenderArguments& arguments) {
     const std::string ending = arguments.out.extension().string();
     if (ending != ".svg" && ending != ".png")
         throw core::InvalidInput("--out", arguments.out.string(), "a file name that ends in .svg or .png");
-    if (fs::is_directory(arguments.out) || (fs::exists(arguments.out) && !arguments.force))
-        throw core::InvalidInput("--out", arguments.out.string(), "a new file; --force replaces an existing one");
+    core::require_new_file(arguments.out, arguments.force);
 }
 
 int run_render(const RenderArguments& arguments, Reply& reply) {

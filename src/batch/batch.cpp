@@ -35,7 +35,8 @@ void write_relatives(const std::vector<pipeline::Simulation>& done, const fs::pa
 
 /// A folder of the joint's model for MuJoCo, checked before the work.
 core::OutputFolder mjcf_folder(const fs::path& folder, const profile::Profile& profile, bool force) {
-    return {folder / profile.name,
+    return {folder,
+            profile.name,
             {.command = "simulate",
              .source = profile.file,
              .force = force,
@@ -46,11 +47,12 @@ core::OutputFolder mjcf_folder(const fs::path& folder, const profile::Profile& p
 /// One profile of `simulate_all`. @return true if it is simulated
 bool simulate_into(SimulationRow& row, const profile::Profile& profile, const fs::path& out, const pipeline::SimulateOptions& options,
                    bool force, const fs::path& mjcf) {
-    core::OutputFolder output(out / profile.name, {.command = "simulate",
-                                                   .source = profile.file,
-                                                   .force = force,
-                                                   .files = {"simulation.json", "simulation.html", "dead_band.csv"},
-                                                   .stays = true});
+    core::OutputFolder output(out, profile.name,
+                              {.command = "simulate",
+                               .source = profile.file,
+                               .force = force,
+                               .files = {"simulation.json", "simulation.html", "dead_band.csv"},
+                               .stays = true});
     std::optional<core::OutputFolder> model;
     if (!mjcf.empty()) model.emplace(mjcf_folder(mjcf, profile, force));
     const auto design = pipeline::resolve(profile);
@@ -129,13 +131,14 @@ void make_into(MakeResult& result, core::OutputFolder& output, const profile::Pr
 
 MakeResult make(const profile::Profile& profile, const MakeOptions& options) {
     pipeline::require_parts(profile);
-    core::OutputFolder output(options.out / profile.name, {.command = "make",
-                                                           .source = profile.file,
-                                                           .force = options.force,
-                                                           .files = {"report.json", "report.html", "springs.csv", "simulation.json",
-                                                                     "simulation.html", "dead_band.csv"},
-                                                           .sheets = pipeline::sheets_of(profile),
-                                                           .stays = true});
+    core::OutputFolder output(
+        options.out, profile.name,
+        {.command = "make",
+         .source = profile.file,
+         .force = options.force,
+         .files = {"report.json", "report.html", "springs.csv", "simulation.json", "simulation.html", "dead_band.csv"},
+         .sheets = pipeline::sheets_of(profile),
+         .stays = true});
     MakeResult result;
     result.name = profile.name;
     make_into(result, output, profile, options);

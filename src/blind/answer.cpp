@@ -131,11 +131,12 @@ private:
 
     /// Writes one file next to existing ones; a third-party diagnosis is not replaced.
     void put(const char* name, const std::string& bytes) const {
-        core::OutputFolder output(place_, {.command = std::string("blind score, ") + name,
-                                           .source = options_.folder / answer_.case_name,
-                                           .force = options_.force,
-                                           .stays = true,
-                                           .among_others = true});
+        core::OutputFolder output(options_.folder, fs::path("diagnoses") / place_.filename(),
+                                  {.command = std::string("blind score, ") + name,
+                                   .source = options_.folder / answer_.case_name,
+                                   .force = options_.force,
+                                   .stays = true,
+                                   .among_others = true});
         core::write_file(output.path() / name, bytes);
         output.commit();
     }

@@ -1,17 +1,14 @@
 #include "fusee/core/destination.h"
 
-#include <fcntl.h>
-#include <fmt/format.h>
-#include <unistd.h>
-
 #include <cerrno>
 #include <csignal>
-#include <cstdlib>
-#include <cstring>
+#include <cstdio>
 #include <system_error>
 #include <vector>
 
 #include "fusee/core/error.h"
+#include "fusee/core/open_folder.h"
+#include "fusee/core/stop.h"
 
 namespace fs = std::filesystem;
 
@@ -32,8 +29,9 @@ void remove_parts(const fs::path& file) {
     for (auto entry = fs::directory_iterator(file.has_parent_path() ? file.parent_path() : ".", ignored);
          !ignored && entry != fs::directory_iterator(); entry.increment(ignored)) {
         const std::string name = entry->path().filename().string();
-        if (!name.starts_with(prefix)) continue;
-        const int process = std::atoi(name.c_str() + prefix.size());
+        int process = 0, serial = 0, end = 0;
+        if (!name.starts_with(prefix) || std::sscanf(name.c_str() + prefix.size(), "%d-%d%n", &process, &serial, &end) != 2) continue;
+        if (prefix.size() + static_cast<std::size_t>(end) != name.size() || !fs::is_regular_file(entry->symlink_status(ignored))) continue;
         if (process > 0 && ::kill(process, 0) != 0 && errno == ESRCH) parts.push_back(entry->path());
     }
     for (const fs::path& part : parts) fs::remove(part, ignored);
@@ -44,11 +42,8 @@ void require_writable(const fs::path& file) {
     std::error_code error;
     if (file.filename().empty() || fs::is_directory(file, error)) throw IoError(file.string(), "is a folder, not a file");
     remove_parts(file);
-    const fs::path trial = file.parent_path() / fmt::format(".{}.trial-{}", file.filename().string(), ::getpid());
-    const int open = ::open(trial.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
-    if (open < 0) throw IoError(file.string(), std::string("cannot be written: ") + std::strerror(errno));
-    ::close(open);
-    fs::remove(trial, error);
+    const StopHold hold;
+    const NewFile trial(file);  // removed again
 }
 
 void require_new_file(const fs::path& file, bool force) {

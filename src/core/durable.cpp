@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "fusee/core/error.h"
+#include "fusee/core/open_folder.h"
 
 namespace fs = std::filesystem;
 

@@ -1,22 +1,17 @@
 #include "fusee/core/file.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <openssl/evp.h>
-#include <unistd.h>
 
 #include <array>
-#include <atomic>
-#include <cerrno>
-#include <cstring>
 #include <fstream>
 #include <limits>
 #include <optional>
 #include <system_error>
 
-#include "durable.h"
 #include "fusee/core/crash_report.h"
 #include "fusee/core/error.h"
+#include "fusee/core/open_folder.h"
 #include "fusee/core/stop.h"
 #include "fusee/core/temporary_folder.h"
 
@@ -24,53 +19,12 @@ namespace fs = std::filesystem;
 
 namespace fusee::core {
 
-namespace {
-
-constexpr int kNames = 1000;  // tried for a temporary file
-
-/// A name in the folder of `path` that no other process or thread uses.
-fs::path hidden_sibling(const fs::path& path, std::string_view purpose) {
-    static std::atomic<unsigned> serial{0};
-    return path.parent_path() / fmt::format(".{}.{}-{}-{}", path.filename().string(), purpose, ::getpid(), serial++);
-}
-
-/// Writes all bytes to a new file and flushes them to the disk. @returns 0 or errno
-int write_new(const fs::path& path, std::string_view bytes, bool to_disk) {
-    const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (file < 0) return errno;
-    int failed = 0;
-    while (!bytes.empty() && failed == 0) {
-        const ssize_t count = ::write(file, bytes.data(), bytes.size());
-        if (count >= 0)
-            bytes.remove_prefix(static_cast<std::size_t>(count));
-        else if (errno != EINTR)
-            failed = errno;
-    }
-    if (to_disk && failed == 0 && ::fsync(file) != 0 && errno != EINVAL && errno != EROFS)
-        failed = errno;  // some file systems have no fsync
-    if (::close(file) != 0 && failed == 0) failed = errno;
-    return failed;
-}
-
-}  // namespace
-
 void write_file(const fs::path& path, std::string_view bytes) {
-    const bool to_disk = !is_in_temporary_folder(path);  // an output folder flushes all its files at once
-    std::optional<StopHold> hold;                        // a stop leaves no file of a temporary name
-    if (to_disk) hold.emplace();
-    fs::path temporary;
-    int failed = EEXIST;  // the name exists: left by a killed process
-    for (int i = 0; i < kNames && failed == EEXIST; ++i) failed = write_new(temporary = hidden_sibling(path, "part"), bytes, to_disk);
-    std::error_code error;
-    if (failed != 0) {
-        if (failed != EEXIST) fs::remove(temporary, error);
-        throw IoError(path.string(), "cannot be written: " + write_failure(failed));
-    }
-    fs::rename(temporary, path, error);
-    if (!error) return;
-    const std::string why = error.message();
-    fs::remove(temporary, error);
-    throw IoError(path.string(), "cannot be written: " + why);
+    std::optional<StopHold> hold;  // a stop leaves no file of a temporary name
+    if (!is_in_temporary_folder(path)) hold.emplace();
+    NewFile file(path);
+    file.add(bytes);
+    file.commit();
 }
 
 namespace {

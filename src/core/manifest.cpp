@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 
 #include "fusee/core/error.h"
-#include "fusee/core/file.h"
 #include "fusee/core/output_folder.h"
 #include "fusee/core/provenance.h"
 
@@ -75,16 +74,19 @@ MadeFile made_file(const Json& json) {
 
 }  // namespace
 
-std::optional<Manifest> read_manifest(const fs::path& folder) {
-    const fs::path path = folder / kManifestName;
-    std::error_code error;
-    if (!fs::exists(fs::symlink_status(path, error))) return std::nullopt;
-    const auto damaged = [&path](const std::string& why) {
-        return IoError(path.string(), "the list of files that fusee made here is damaged (" + why +
-                                          "): restore it, move the folder away or choose another one; nothing was written");
+std::optional<Manifest> read_manifest(const OpenFolder& folder) {
+    const OpenFolder::Kind kind = folder.kind(kManifestName);
+    if (kind == OpenFolder::Kind::kNone) return std::nullopt;
+    const auto damaged = [&folder](const std::string& why) {
+        return IoError((folder.shown() / kManifestName).string(),
+                       "the list of files that fusee made here is damaged (" + why +
+                           "): restore it, move the folder away or choose another one; nothing was written");
     };
-    if (!fs::is_regular_file(fs::symlink_status(path, error))) throw damaged("it is not a file");
-    const std::string text = read_file(path, kLargestManifest);
+    if (kind != OpenFolder::Kind::kFile) throw damaged("it is not a file");
+    std::string text;
+    folder.read(kManifestName, [&](std::string_view piece) {
+        if (text.append(piece).size() > kLargestManifest) throw damaged(fmt::format("it is larger than {} bytes", kLargestManifest));
+    });
     const auto shallow = [](int depth, Json::parse_event_t, const Json&) { return depth <= kManifestDepth; };
     const Json json = Json::parse(text, shallow, false);
     if (!json.is_object() || !json.contains("files") || !json["files"].is_object()) throw damaged("no files");

@@ -1,8 +1,9 @@
 #pragma once
-#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
+
+#include "fusee/core/open_folder.h"
 
 namespace fusee::core {
 
@@ -20,7 +21,7 @@ struct MadeFile {
 using Manifest = std::map<std::string, MadeFile>;
 
 /// None if the folder has none. @throws IoError if it is damaged or names a file outside the folder
-[[nodiscard]] std::optional<Manifest> read_manifest(const std::filesystem::path& folder);
+[[nodiscard]] std::optional<Manifest> read_manifest(const OpenFolder& folder);
 
 /// As JSON. Bytes that are not UTF-8 are written as %XX.
 [[nodiscard]] std::string manifest_text(const Manifest& manifest);

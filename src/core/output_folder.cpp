@@ -1,20 +1,20 @@
 #include "fusee/core/output_folder.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <optional>
 #include <set>
 #include <system_error>
 #include <utility>
 
 #include "durable.h"
-#include "fusee/core/destination.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
+#include "fusee/core/open_folder.h"
 #include "fusee/core/progress.h"
 #include "fusee/core/stop.h"
 #include "fusee/core/temporary_folder.h"
@@ -48,30 +48,22 @@ std::string relative_source(const fs::path& source, const fs::path& place) {
 }
 
 /// The first entry that is not a scratch file of fusee; empty if there is none.
-std::string first_entry(const fs::path& folder) {
-    std::set<std::string> names;
-    std::error_code error;
-    for (auto entry = fs::directory_iterator(folder, error); !error && entry != fs::directory_iterator(); entry.increment(error))
-        if (std::string name = entry->path().filename().string(); !is_temporary_name(name, kStagingPrefix)) names.insert(std::move(name));
-    if (error) throw IoError(folder.string(), "cannot be read: " + error.message());
-    return names.empty() ? "" : *names.begin();
+std::string first_entry(const OpenFolder& folder) {
+    for (const std::string& name : folder.names())
+        if (!is_temporary_name(name, kStagingPrefix)) return name;
+    return "";
 }
 
 /// Lets one run at a time into a folder.
 class Lock {
 public:
-    explicit Lock(const fs::path& folder) : file_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
-        while (file_ >= 0 && ::flock(file_, LOCK_EX) != 0 && errno == EINTR) {
+    explicit Lock(const OpenFolder& folder) : folder_(folder.reading()) {
+        while (::flock(folder_.get(), LOCK_EX) != 0 && errno == EINTR) {
         }
     }
-    ~Lock() {
-        if (file_ >= 0) ::close(file_);
-    }
-    Lock(const Lock&) = delete;
-    Lock& operator=(const Lock&) = delete;
 
 private:
-    int file_;
+    Descriptor folder_;
 };
 
 /// The present file of a name.
@@ -81,29 +73,25 @@ struct Standing {
 };
 
 /// @throws IoError if a part of the path is a link or a file: the file would be written elsewhere
-Standing standing(const fs::path& folder, const std::string& name, const std::string& shown) {
-    std::error_code ignored;
-    fs::path at = folder;
-    const fs::path relative(name);
-    for (const fs::path& part : relative.parent_path()) {
-        const fs::file_status status = fs::symlink_status(at /= part, ignored);
-        if (!fs::exists(status)) return {};
-        if (!fs::is_directory(status)) throw IoError(shown, fmt::format("{} is not a folder; {}", part.string(), kElsewhere));
-    }
-    const fs::file_status status = fs::symlink_status(folder / relative, ignored);
-    Standing found{fs::exists(status), fs::is_regular_file(status), {}};
-    if (found.regular) found.hash = sha256_of_file(folder / relative);
+Standing standing(const OpenFolder* place, const fs::path& name) {
+    const auto folder = place != nullptr ? place->find_inside(name.parent_path()) : std::nullopt;
+    if (!folder) return {};
+    const std::string leaf = name.filename().string();
+    const OpenFolder::Kind kind = folder->kind(leaf);
+    Standing found{kind != OpenFolder::Kind::kNone, kind == OpenFolder::Kind::kFile, {}};
+    if (found.regular) found.hash = folder->sha256(leaf);
     return found;
 }
 
 /// Decides what a run may do to the files of a folder.
 class Judge {
 public:
-    Judge(const fs::path& target, const fs::path& place, const OutputRun& run, const std::string& source)
+    /// @param place nullptr: it does not exist
+    Judge(const fs::path& target, const OpenFolder* place, const OutputRun& run, const std::string& source)
         : target_(target), place_(place), run_(run), source_(source) {
-        if (auto read = read_manifest(place)) {
+        if (auto read = place != nullptr ? read_manifest(*place) : std::nullopt) {
             manifest_ = std::move(*read);
-        } else if (!run.among_others) {
+        } else if (place != nullptr && !run.among_others) {
             require_empty();
         }
         require_owner();
@@ -114,7 +102,7 @@ public:
     /// @param hash of the bytes that will be written; empty if not known yet @returns the hash of the present file; empty: none
     [[nodiscard]] std::string require_replaceable(const std::string& name, const std::string& hash) const {
         const std::string shown = (target_ / name).string();
-        const Standing found = standing(place_, name, shown);
+        const Standing found = standing(place_, name);
         if (!found.there) return "";
         if (!found.regular) throw IoError(shown, fmt::format("is not a regular file, and a file is written here; {}", kElsewhere));
         const auto made = manifest_.find(name);
@@ -137,7 +125,7 @@ public:
     /// May a file that is no longer made be removed? A filled-in sheet stays. @throws IoError if it was changed, unless forced
     [[nodiscard]] bool require_removable(const std::string& name, const MadeFile& made) const {
         const std::string shown = (target_ / name).string();
-        const Standing found = standing(place_, name, shown);
+        const Standing found = standing(place_, name);
         if (!found.there || made.holds(found.hash)) return true;
         if (made.sheet || !found.regular) return false;
         require_unchanged(made, found.hash, shown, false);
@@ -150,9 +138,7 @@ public:
 
 private:
     void require_empty() const {
-        std::error_code ignored;
-        if (!fs::exists(place_, ignored)) return;
-        if (const std::string entry = first_entry(place_); !entry.empty())
+        if (const std::string entry = first_entry(*place_); !entry.empty())
             throw IoError(target_.string(), fmt::format("fusee did not make this folder: it holds {} and no {}. Nothing was written. Move "
                                                         "the folder away, or choose another one",
                                                         entry, kManifestName));
@@ -183,7 +169,8 @@ private:
         return source.empty() ? "another source" : (target_ / source).lexically_normal().string();
     }
 
-    const fs::path &target_, &place_;
+    const fs::path& target_;
+    const OpenFolder* place_;
     const OutputRun& run_;
     const std::string& source_;
     Manifest manifest_;
@@ -200,12 +187,12 @@ std::set<std::string> files_below(const fs::path& folder) {
 /// The steps that move staged files into their places.
 class Commit {
 public:
-    Commit(const fs::path& target, const fs::path& place, const fs::path& staging, const OutputRun& run, const std::string& source)
-        : target_(target),
-          place_(place),
-          staging_(staging),
+    Commit(const fs::path& target, const OpenFolder& place, const fs::path& staging, const OutputRun& run, const std::string& source)
+        : place_(place),
+          staging_path_(staging),
           stays_(run.stays),
-          judge_(target, place, run, source),
+          staging_(*place_.find_inside(staging.filename())),
+          judge_(target, &place, run, source),
           next_(judge_.manifest()) {
         for (const std::string& name : files_below(staging)) plan(name, run, source);
         for (const auto& [name, made] : judge_.manifest()) {
@@ -219,56 +206,57 @@ public:
 
     /// Writes the manifest first, with old and new files: after a crash it names them all.
     void carry_out() {
-        sync_tree(staging_);
+        sync_tree(staging_path_);
         const StopHold hold;  // a stop finds all moves made, or none
         if (interrupted() && !stays_) throw Stopped();
         put_manifest();
-        for (const std::string& name : made_) {
-            make_folder((place_ / name).parent_path());
-            move(staging_ / name, name);
-        }
+        for (const std::string& name : made_) move(name, !next_[name].earlier.empty());
         for (const std::string& name : stale_) remove(name);
         for (auto& [name, made] : next_) made.earlier.clear();
         sync_folders();
         put_manifest();
-        sync(place_);
+        place_.sync();
     }
 
 private:
     void plan(const std::string& name, const OutputRun& run, const std::string& source) {
-        MadeFile made{run.command, source, sha256_of_file(staging_ / name), {}, judge_.is_sheet(name)};
+        const fs::path path(name);
+        const auto folder = staging_.find_inside(path.parent_path());
+        MadeFile made{run.command, source, folder ? folder->sha256(path.filename().string()) : "", {}, judge_.is_sheet(name)};
         made.earlier = judge_.require_replaceable(name, made.sha256);
         next_[name] = std::move(made);
         made_.insert(name);
     }
-    void put_manifest() const {
-        const fs::path text = staging_ / kManifestName;
-        write_file(text, manifest_text(next_));
-        sync(text);
-        move(text, kManifestName);
-        sync(place_);
+    void put_manifest() {
+        write_file(staging_path_ / kManifestName, manifest_text(next_));
+        sync(staging_path_ / kManifestName);
+        move(kManifestName, true);
+        place_.sync();
     }
-    void move(const fs::path& from, const std::string& name) const {
-        std::error_code error;
-        fs::rename(from, place_ / name, error);
-        if (error) throw IoError((target_ / name).string(), "cannot be written: " + error.message());
+    void move(const fs::path& name, bool replaces) {
+        const auto from = staging_.find_inside(name.parent_path());
+        if (!from) throw IoError((place_.shown() / name).string(), "was removed while fusee ran");
+        from->move(name.filename().string(), place_.make_inside(name.parent_path()), name.filename().string(), replaces);
     }
-    void remove(const std::string& name) {
-        std::error_code error;
-        fs::remove(place_ / name, error);
-        if (error) throw IoError((target_ / name).string(), "cannot be removed: " + error.message());
-        for (fs::path folder = (place_ / name).parent_path(); folder != place_; folder = folder.parent_path())
-            if (!fs::remove(folder, error) || error) break;  // not empty
-        next_.erase(name);
+    void remove(const fs::path& name) {
+        if (const auto folder = place_.find_inside(name.parent_path())) folder->remove(name.filename().string());
+        for (fs::path empty = name.parent_path(); !empty.empty(); empty = empty.parent_path()) {
+            const auto parent = place_.find_inside(empty.parent_path());
+            if (parent && !parent->remove_folder(empty.filename().string())) break;
+        }
+        next_.erase(name.generic_string());
     }
     void sync_folders() const {
-        std::set<fs::path> folders{place_};
-        for (const std::string& name : made_) folders.insert((place_ / name).parent_path());
-        for (const fs::path& folder : folders) sync(folder);
+        std::set<fs::path> folders{""};
+        for (const std::string& name : made_) folders.insert(fs::path(name).parent_path());
+        for (const fs::path& name : folders)
+            if (const auto folder = place_.find_inside(name)) folder->sync();
     }
 
-    const fs::path &target_, &place_, &staging_;
+    const OpenFolder& place_;
+    const fs::path& staging_path_;
     bool stays_;
+    OpenFolder staging_;
     Judge judge_;
     Manifest next_;
     std::set<std::string> made_, stale_;
@@ -277,17 +265,28 @@ private:
 }  // namespace
 
 struct OutputFolder::Staged {
-    explicit Staged(const fs::path& place) : target(place), folder(place, kStagingPrefix) {}
+    Staged(const fs::path& place, const fs::path& shown) : target(place, shown), folder(place, kStagingPrefix) { require_same(place); }
+    /// @throws IoError if the folder's name leads to another one now
+    void require_same(const fs::path& place) const {
+        const OpenFolder& mine = target.folder();
+        const auto now = OpenFolder::find(place, mine.shown());
+        if (!now || !now->is(mine) || mine.kind(folder.path().filename().string()) != OpenFolder::Kind::kFolder)
+            throw IoError(mine.shown().string(), "was moved or replaced while fusee ran; nothing was written");
+    }
     NewFolder target;
     TemporaryFolder folder;  // destroyed first
 };
 
-OutputFolder::OutputFolder(fs::path target, OutputRun run)
-    : target_(std::move(target)), place_(place_of(target_)), run_(std::move(run)), source_(relative_source(run_.source, place_)) {
-    std::error_code ignored;
-    if (fs::exists(place_, ignored) && !fs::is_directory(place_, ignored)) throw IoError(target_.string(), "is a file, not a folder");
-    remove_left_behind(place_, kStagingPrefix);
-    const Judge judge(target_, place_, run_, source_);
+OutputFolder::OutputFolder(fs::path target, OutputRun run) : OutputFolder(std::move(target), {}, std::move(run)) {}
+
+OutputFolder::OutputFolder(const fs::path& out, const fs::path& below, OutputRun run)
+    : target_(below.empty() ? out : out / below),
+      place_(below.empty() ? place_of(out) : place_of(out) / below),
+      run_(std::move(run)),
+      source_(relative_source(run_.source, place_)) {
+    const std::optional<OpenFolder> place = OpenFolder::find(place_, target_);
+    if (place) remove_left_behind(place_, kStagingPrefix);
+    const Judge judge(target_, place ? &*place : nullptr, run_, source_);
     for (const std::string& name : run_.files) (void)judge.require_replaceable(name, "");
     for (const std::string& name : run_.sheets) (void)judge.require_replaceable(name, "");
     for (const auto& [name, made] : judge.manifest())
@@ -298,16 +297,20 @@ OutputFolder::~OutputFolder() = default;
 OutputFolder::OutputFolder(OutputFolder&&) noexcept = default;
 
 const fs::path& OutputFolder::path() {
-    if (!staged_) staged_ = std::make_unique<Staged>(place_);
+    if (!staged_) staged_ = std::make_unique<Staged>(place_, target_);
     return staged_->folder.path();
 }
+
+OpenFolder OutputFolder::open() const { return OpenFolder::make(place_, target_); }
+std::optional<OpenFolder> OutputFolder::find() const { return OpenFolder::find(place_, target_); }
 
 void OutputFolder::commit() {
     if (interrupted() && !run_.stays) throw Stopped();
     const fs::path& staging = path();
-    const Lock lock(place_);
+    const Lock lock(staged_->target.folder());
+    staged_->require_same(place_);
     try {
-        Commit(target_, place_, staging, run_, source_).carry_out();
+        Commit(target_, staged_->target.folder(), staging, run_, source_).carry_out();
     } catch (const fs::filesystem_error& e) {
         throw IoError(target_.string(), e.what());
     }

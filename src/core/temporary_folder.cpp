@@ -14,11 +14,10 @@
 #include <mutex>
 #include <set>
 #include <system_error>
-#include <utility>
 #include <vector>
 
-#include "fusee/core/destination.h"
 #include "fusee/core/error.h"
+#include "fusee/core/open_folder.h"
 
 namespace fs = std::filesystem;
 
@@ -38,28 +37,25 @@ Living& living() {
     return *one;
 }
 
-/// An open folder, closed by the destructor.
-class Descriptor {
-public:
-    explicit Descriptor(const fs::path& folder) : value_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC | O_NOFOLLOW)) {}
-    ~Descriptor() {
-        if (value_ >= 0) ::close(value_);
-    }
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
+Descriptor open_folder(const fs::path& folder) {
+    return Descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC | O_NOFOLLOW));
+}
 
-    [[nodiscard]] bool lock() const { return value_ >= 0 && ::flock(value_, LOCK_EX | LOCK_NB) == 0; }
-    [[nodiscard]] bool is(const fs::path& folder) const {
-        struct stat open {
-        }, named{};
-        return ::fstat(value_, &open) == 0 && ::lstat(folder.c_str(), &named) == 0 && open.st_dev == named.st_dev &&
-               open.st_ino == named.st_ino;
-    }
-    [[nodiscard]] int release() { return std::exchange(value_, -1); }
+bool try_lock(const Descriptor& folder) { return folder && ::flock(folder.get(), LOCK_EX | LOCK_NB) == 0; }
 
-private:
-    int value_;
-};
+/// Does the folder still have this name?
+bool has_name(const Descriptor& folder, const fs::path& name) {
+    struct stat open {
+    }, named{};
+    return ::fstat(folder.get(), &open) == 0 && ::lstat(name.c_str(), &named) == 0 && open.st_dev == named.st_dev &&
+           open.st_ino == named.st_ino;
+}
+
+/// Was it made by mkdtemp for this user? A folder that a user makes lets others in.
+bool is_private(const Descriptor& folder) {
+    struct stat open {};
+    return ::fstat(folder.get(), &open) == 0 && open.st_uid == ::geteuid() && (open.st_mode & (S_IRWXG | S_IRWXO)) == 0;
+}
 
 }  // namespace
 
@@ -82,8 +78,8 @@ void remove_left_behind(const fs::path& parent, const std::string& prefix) {
     for (auto entry = fs::directory_iterator(parent, ignored); !ignored && entry != fs::directory_iterator(); entry.increment(ignored))
         if (is_temporary_name(entry->path().filename().string(), prefix)) found.push_back(entry->path());
     for (const fs::path& folder : found) {
-        const Descriptor open(folder);
-        if (open.lock()) fs::remove_all(folder, ignored);
+        const Descriptor open = open_folder(folder);
+        if (try_lock(open) && is_private(open) && has_name(open, folder)) fs::remove_all(folder, ignored);
     }
 }
 
@@ -94,7 +90,7 @@ TemporaryFolder::TemporaryFolder() {
     const fs::path parent = fs::temp_directory_path(error);  // fails if TMPDIR is not a folder
     const char* named = std::getenv("TMPDIR");
     if (error) throw IoError(fmt::format("TMPDIR={}", named == nullptr ? "" : named), "no folder for temporary files: " + error.message());
-    make(parent, kTemporaryPrefix);
+    make(fs::canonical(parent), kTemporaryPrefix);
 }
 
 void TemporaryFolder::make(const fs::path& parent, const std::string& prefix) {
@@ -104,9 +100,9 @@ void TemporaryFolder::make(const fs::path& parent, const std::string& prefix) {
         std::string pattern = (parent / (prefix + std::string(kRandom, 'X'))).string();
         if (::mkdtemp(pattern.data()) == nullptr)
             throw IoError(parent.string(), fmt::format("no folder for temporary files can be created here: {}", std::strerror(errno)));
-        Descriptor open(pattern);
+        Descriptor open = open_folder(pattern);
         // Before it is locked, another process may remove it as one left behind. A file system without locks is accepted.
-        if ((!open.lock() && errno == EWOULDBLOCK) || !open.is(pattern)) continue;
+        if ((!try_lock(open) && errno == EWOULDBLOCK) || !has_name(open, pattern)) continue;
         path_ = pattern;
         lock_ = open.release();
         const std::scoped_lock lock(living().mutex);
@@ -118,24 +114,23 @@ void TemporaryFolder::make(const fs::path& parent, const std::string& prefix) {
 
 TemporaryFolder::~TemporaryFolder() {
     std::error_code ignored;
-    fs::remove_all(path_, ignored);
-    if (lock_ >= 0) ::close(lock_);
+    {
+        const Descriptor open(lock_);
+        if (has_name(open, path_)) fs::remove_all(path_, ignored);  // another folder may have its name now
+    }
     const std::scoped_lock lock(living().mutex);
     living().whole.erase(path_);
 }
 
-NewFolder::NewFolder(const fs::path& place) : path_(place) {
-    std::error_code ignored;
-    is_new_ = !fs::exists(place, ignored);
-    make_folder(place);
+NewFolder::NewFolder(const fs::path& place, const fs::path& shown)
+    : path_(place), is_new_(!OpenFolder::find(place, shown)), folder_(OpenFolder::make(place, shown)) {
     const std::scoped_lock lock(living().mutex);
     if (is_new_) living().if_empty.insert(path_);
 }
 
 NewFolder::~NewFolder() {
     if (!is_new_) return;
-    std::error_code ignored;
-    fs::remove(path_, ignored);  // fails unless it is empty
+    (void)::rmdir(path_.c_str());  // fails unless it is an empty folder
     const std::scoped_lock lock(living().mutex);
     living().if_empty.erase(path_);
 }
@@ -146,7 +141,7 @@ void remove_temporary_folders() {
     const std::scoped_lock lock(living().mutex);
     for (int i = 0; i < kTries; ++i)
         for (const fs::path& folder : living().whole) fs::remove_all(folder, ignored);
-    for (const fs::path& folder : living().if_empty) fs::remove(folder, ignored);
+    for (const fs::path& folder : living().if_empty) (void)::rmdir(folder.c_str());
 }
 
 }  // namespace fusee::core

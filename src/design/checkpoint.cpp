@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <system_error>
 
 #include "fusee/core/destination.h"
 #include "fusee/core/error.h"
@@ -48,6 +49,13 @@ bool plausible(const Generation& state, const EvolutionOptions& options) {
     return std::none_of(state.costs.begin(), state.costs.end(), [](double cost) { return std::isnan(cost); });
 }
 
+/// A checkpoint is replaced again and again: a link would be, too.
+void refuse_link(const std::filesystem::path& file) {
+    std::error_code ignored;
+    if (std::filesystem::is_symlink(std::filesystem::symlink_status(file, ignored)))
+        throw core::IoError(file.string(), "is a link, and fusee follows only links that you name yourself: remove it");
+}
+
 Json parsed(const std::string& bytes, const std::string& file) {
     try {
         return core::parse_json(bytes, file);
@@ -72,6 +80,7 @@ void write_checkpoint(const EvolutionOptions& options, const Generation& state, 
 void require_replaceable(const EvolutionOptions& options) {
     const std::string file = options.checkpoint.string();
     core::require_writable(options.checkpoint);
+    refuse_link(options.checkpoint);
     if (!std::filesystem::exists(options.checkpoint)) return;
     const auto shallow = [](int depth, Json::parse_event_t, const Json&) { return depth <= kCheckpointDepth; };
     const Json json = Json::parse(core::read_file(options.checkpoint, kLargestCheckpoint), shallow, false);
@@ -85,6 +94,7 @@ void require_replaceable(const EvolutionOptions& options) {
 }
 
 std::optional<Generation> read_checkpoint(const EvolutionOptions& options) {
+    refuse_link(options.checkpoint);
     if (!std::filesystem::exists(options.checkpoint)) return std::nullopt;
     const std::string file = options.checkpoint.string();
     const Json json = parsed(core::read_file(options.checkpoint, kLargestCheckpoint), file);

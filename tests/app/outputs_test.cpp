@@ -111,6 +111,11 @@ TEST_F(Outputs, AStoppedSearchIsNotLost) {
     EXPECT_EQ(run(design + "2 --force").code, 0);
     write("out/arm-design.checkpoint", "mine");
     expect_refused(design + "2 --force", {"out/arm-design.checkpoint", "did not make this file"});
+    write("mine.checkpoint", checkpoint);
+    fs::remove(folder_ / "out/arm-design.checkpoint");
+    fs::create_symlink(folder_ / "mine.checkpoint", folder_ / "out/arm-design.checkpoint");
+    for (const char* how : {"2 --force", "4 --resume"}) expect_refused(design + how, {"out/arm-design.checkpoint", "is a link"});
+    EXPECT_TRUE(fs::is_symlink(folder_ / "out/arm-design.checkpoint"));
 }
 
 TEST_F(Outputs, StandardOutputThatIsLostIsTold) {

@@ -41,6 +41,9 @@ TEST_F(Render, NamesTheViewsAndKeepsTheUsersFiles) {
     EXPECT_EQ(kept.code, 2);
     expect_words(kept.err, {"mine.png", "--force"});
     EXPECT_EQ(core::read_file(folder_ / "mine.png"), "mine");
+    fs::create_symlink(folder_ / "gone", folder_ / "link.png");
+    EXPECT_EQ(run("render pnrvsa.toml --view law -o link.png").code, 2) << "a link to nothing";
+    EXPECT_TRUE(fs::is_symlink(folder_ / "link.png"));
     EXPECT_EQ(run("render pnrvsa.toml --view law -o law.gif").code, 2);
     EXPECT_EQ(run("render pnrvsa.toml --view gap-map -o gap.svg").code, 2) << "no folder of a case";
 }

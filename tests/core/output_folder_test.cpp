@@ -178,7 +178,7 @@ TEST_F(OutputFolderTest, FoldersInsideComeAndGo) {
     fs::remove_all(out_ / "case_1");
     fs::create_directories(folder_ / "elsewhere");
     fs::create_directory_symlink(folder_ / "elsewhere", out_ / "case_1");
-    expect_refused({{"case_1/case.toml", "3"}}, run(), {"case_1", "is not a folder"});
+    expect_refused({{"case_1/case.toml", "3"}}, run(), {"case_1", "is a link"});
     EXPECT_TRUE(fs::is_empty(folder_ / "elsewhere"));
 }
 
@@ -249,6 +249,99 @@ TEST_F(OutputFolderTest, RunsAtTheSameTimeAllEndWell) {
     const Files end = standing();
     EXPECT_EQ(end.size(), 2u);
     EXPECT_EQ(end.at("a"), end.at("b"));
+}
+
+// The folder that the user names may be a link; below it a link, even to nothing, and a file are refused.
+TEST_F(OutputFolderTest, ALinkIsFollowedOnlyWhereTheUserNamesIt) {
+    const fs::path victim = folder_ / "victim", named = folder_ / "named";
+    fs::create_directories(victim);
+    fs::create_directories(out_);
+    fs::create_directory_symlink(out_, named);
+    {
+        OutputFolder output(named, "design", run());
+        write_file(output.path() / "k_se.stl", "1");
+        output.commit();
+    }
+    EXPECT_EQ(read_file(out_ / "design/k_se.stl"), "1");
+    const std::vector<std::pair<std::string, fs::path>> links{
+        {"folder", victim}, {"nothing", folder_ / "gone"}, {"file", folder_ / "a.toml"}};
+    for (const auto& [name, to] : links) {
+        fs::create_symlink(to, out_ / name);
+        EXPECT_THROW(OutputFolder(named, name, run()), IoError) << name;
+        EXPECT_THROW(OutputFolder(named, fs::path(name) / "deeper", run()), IoError) << name;
+    }
+    write_file(out_ / "plain", "mine");
+    EXPECT_THROW(OutputFolder(named, "plain", run()), IoError);
+    EXPECT_TRUE(fs::is_empty(victim));
+    EXPECT_FALSE(fs::exists(folder_ / "gone"));
+    EXPECT_EQ(read_file(folder_ / "a.toml"), "a");
+}
+
+TEST_F(OutputFolderTest, ALinkThatAppearsWhileItRunsIsNotFollowed) {
+    const fs::path victim = folder_ / "victim";
+    fs::create_directories(victim);
+    write_file(victim / "k_se.stl", "mine");
+    OutputFolder output(out_, "design", run());
+    const fs::path staging = output.path();
+    write_file(staging / "k_se.stl", "1");
+    fs::rename(out_ / "design", out_ / "moved");
+    fs::create_directories(victim / staging.filename());  // the attacker knows its name
+    fs::create_directory_symlink(victim, out_ / "design");
+    EXPECT_THROW(write_file(staging / "k_pe.stl", "1"), IoError);
+    EXPECT_THROW(output.commit(), IoError);
+    EXPECT_EQ(read_file(victim / "k_se.stl"), "mine");
+    EXPECT_TRUE(fs::is_empty(victim / staging.filename()));
+}
+
+TEST_F(OutputFolderTest, AHardLinkIsNotWrittenThrough) {
+    put({{"k_se.stl", "1"}}, run());
+    fs::create_hard_link(out_ / "k_se.stl", folder_ / "mine.stl");
+    put({{"k_se.stl", "2"}}, run());
+    EXPECT_EQ(read_file(folder_ / "mine.stl"), "1");
+    EXPECT_EQ(read_file(out_ / "k_se.stl"), "2");
+}
+
+TEST_F(OutputFolderTest, AForgedManifestReachesNothingThroughLinks) {
+    put({{"k_se.stl", "1"}}, run());
+    const fs::path victim = folder_ / "victim";
+    fs::create_directories(victim);
+    write_file(victim / "thesis", "mine");
+    fs::create_directory_symlink(victim, out_ / "link");
+    fs::create_symlink(victim / "thesis", out_ / "thesis");
+    for (const std::string name : {"link/thesis", "thesis"}) {
+        write_file(out_ / kManifestName, R"({"files":{")" + name + R"(":{"command":"make","source":"../a.toml","sha256":")" +
+                                             sha256_hex("mine") + R"("},"k_se.stl":{"command":"make","source":"../a.toml","sha256":")" +
+                                             sha256_hex("1") + R"("}}})");
+        try {
+            put({{"k_se.stl", "1"}}, run());
+        } catch (const IoError&) {  // refused, or the name is left alone
+        }
+        EXPECT_EQ(read_file(victim / "thesis"), "mine");
+        EXPECT_TRUE(fs::is_symlink(out_ / "thesis"));
+    }
+    fs::remove(out_ / kManifestName);
+    fs::create_symlink(victim / "thesis", out_ / kManifestName);
+    expect_refused({{"k_se.stl", "2"}}, run(), {kManifestName, "not a file"});
+    EXPECT_EQ(read_file(victim / "thesis"), "mine");
+}
+
+TEST_F(OutputFolderTest, AFileThatAppearsWhileItRunsIsNotReplaced) {
+    const OpenFolder place = OpenFolder::named(folder_);
+    write_file(folder_ / "new", "1");
+    write_file(folder_ / "taken", "mine");
+    EXPECT_THROW(place.move("new", place, "taken", false), IoError);
+    EXPECT_EQ(read_file(folder_ / "taken"), "mine");
+    place.move("new", place, "free", false);
+    EXPECT_EQ(read_file(folder_ / "free"), "1");
+}
+
+// The name is that of a staging folder; a user's folder lets others in.
+TEST_F(OutputFolderTest, AFolderOfTheUsersWithAScratchNameStays) {
+    put({{"k_se.stl", "1"}}, run());
+    fs::create_directories(out_ / ".fusee-staging-abcdef");
+    write_file(out_ / ".fusee-staging-abcdef/thesis", "mine");
+    put({{"k_se.stl", "2"}}, run());
+    EXPECT_EQ(read_file(out_ / ".fusee-staging-abcdef/thesis"), "mine");
 }
 
 /// Runs `work` in a separate process and kills it after so many microseconds.

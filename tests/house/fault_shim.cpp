@@ -72,6 +72,34 @@ int rename(const char* from, const char* to) noexcept {
     return call(from, to);
 }
 
+int renameat(int from_folder, const char* from, int to_folder, const char* to) noexcept {
+    static const auto call = next<int (*)(int, const char*, int, const char*)>("renameat");
+    if (fault().hits("rename")) return errno = fault().error, -1;
+    return call(from_folder, from, to_folder, to);
+}
+
+int renameat2(int from_folder, const char* from, int to_folder, const char* to, unsigned flags) noexcept {
+    static const auto call = next<int (*)(int, const char*, int, const char*, unsigned)>("renameat2");
+    if (fault().hits("rename")) return errno = fault().error, -1;
+    return call(from_folder, from, to_folder, to, flags);
+}
+
+int mkdirat(int folder, const char* path, mode_t mode) noexcept {
+    static const auto call = next<int (*)(int, const char*, mode_t)>("mkdirat");
+    if (fault().hits("mkdir")) return errno = fault().error, -1;
+    return call(folder, path, mode);
+}
+
+int openat(int folder, const char* path, int flags, ...) {
+    static const auto call = next<int (*)(int, const char*, int, ...)>("openat");
+    va_list rest;
+    va_start(rest, flags);
+    const auto mode = (flags & O_CREAT) != 0 ? va_arg(rest, unsigned) : 0U;
+    va_end(rest);
+    if ((flags & O_CREAT) != 0 && fault().hits("open")) return errno = fault().error, -1;
+    return call(folder, path, flags, mode);
+}
+
 int mkdir(const char* path, mode_t mode) noexcept {
     static const auto call = next<int (*)(const char*, mode_t)>("mkdir");
     if (fault().hits("mkdir")) return errno = fault().error, -1;

@@ -2,6 +2,8 @@
 #include <filesystem>
 #include <string>
 
+#include "fusee/core/open_folder.h"
+
 namespace fusee::core {
 
 /// A new folder PARENT/PREFIXxxxxxx (six random characters), removed with its contents by the destructor.
@@ -28,15 +30,18 @@ private:
 /// A folder that is made unless it is there; the destructor removes it again if it is new and empty.
 class NewFolder {
 public:
-    /// @throws IoError
-    explicit NewFolder(const std::filesystem::path& place);
+    /// @throws IoError as OpenFolder::make
+    NewFolder(const std::filesystem::path& place, const std::filesystem::path& shown);
     ~NewFolder();
     NewFolder(const NewFolder&) = delete;
     NewFolder& operator=(const NewFolder&) = delete;
 
+    [[nodiscard]] const OpenFolder& folder() const { return folder_; }
+
 private:
     std::filesystem::path path_;
     bool is_new_ = false;
+    OpenFolder folder_;
 };
 
 /// Does what the destructors of all living folders of this process do, while other threads may still use them: for an end without

@@ -135,7 +135,7 @@ private:
 
 Coupons make_coupons(const profile::Profile& profile, const fs::path& out, bool force) {
     require_parts(profile);
-    core::OutputFolder output(out / (profile.name + "-coupons"), run_of(profile, force));
+    core::OutputFolder output(out, profile.name + "-coupons", run_of(profile, force));
     const coupon::Options options = options_of(profile);
     const auto bodies = bodies_of(options);
     Coupons made;

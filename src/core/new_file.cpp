@@ -1,0 +1,78 @@
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <cstring>
+
+#include "fusee/core/error.h"
+#include "fusee/core/open_folder.h"
+#include "fusee/core/temporary_folder.h"
+
+namespace fs = std::filesystem;
+
+namespace fusee::core {
+
+namespace {
+
+constexpr int kNames = 1000;  // tried for a temporary file
+
+/// The folder of a file to write. A staging folder's path has no links: one that is there now was put there while fusee ran.
+OpenFolder folder_of(const fs::path& file) {
+    const fs::path folder = file.parent_path();
+    std::error_code ignored;
+    const auto is_staging = [](const fs::path& part) { return is_temporary_name(part.string(), kStagingPrefix); };
+    try {
+        const bool is_named = std::none_of(folder.begin(), folder.end(), is_staging);
+        if (is_named && (folder.empty() || fs::exists(folder, ignored))) return OpenFolder::named(folder);
+        if (auto found = is_named ? std::nullopt : OpenFolder::find(folder, folder)) return std::move(*found);
+    } catch (const IoError& e) {
+        throw IoError(file.string(), std::string("cannot be written: ") + e.what());
+    }
+    throw IoError(file.string(), std::string("cannot be written: ") + std::strerror(ENOENT));
+}
+
+}  // namespace
+
+int write_all(int file, std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t count = ::write(file, bytes.data(), bytes.size());
+        if (count >= 0)
+            bytes.remove_prefix(static_cast<std::size_t>(count));
+        else if (errno != EINTR)
+            return errno;
+    }
+    return 0;
+}
+
+NewFile::NewFile(fs::path path) : path_(std::move(path)), folder_(folder_of(path_)) {
+    static std::atomic<unsigned> serial{0};
+    for (int i = 0; i < kNames && !file_; ++i) {  // a name may have been left by a killed process
+        temporary_ = fmt::format(".{}.part-{}-{}", path_.filename().string(), ::getpid(), serial++);
+        file_ = Descriptor(::openat(folder_.get(), temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666));
+        if (!file_ && errno != EEXIST) break;
+    }
+    if (!file_) require(errno);
+}
+
+NewFile::~NewFile() {
+    if (file_ && !temporary_.empty()) (void)::unlinkat(folder_.get(), temporary_.c_str(), 0);
+}
+
+void NewFile::require(int error) const {
+    if (error != 0) throw IoError(path_.string(), "cannot be written: " + write_failure(error));
+}
+
+void NewFile::add(std::string_view bytes) { require(write_all(file_.get(), bytes)); }
+
+void NewFile::commit() {
+    // An output folder flushes all its files at once. Some file systems have no fsync.
+    if (!is_in_temporary_folder(path_) && ::fsync(file_.get()) != 0 && errno != EINVAL && errno != EROFS) require(errno);
+    if (::renameat(folder_.get(), temporary_.c_str(), folder_.get(), path_.filename().c_str()) != 0) require(errno);
+    temporary_.clear();
+}
+
+}  // namespace fusee::core

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
@@ -6,6 +7,7 @@
 
 #include "arguments.h"
 #include "commands.h"
+#include "exit_codes.h"
 #include "fusee/batch/slurm.h"
 #include "fusee/batch/study.h"
 #include "fusee/core/error.h"
@@ -74,6 +76,15 @@ Json result_json(const batch::StudyResult& result) {
             {"reasons", result.reasons}};
 }
 
+/// Says which lines of the logs are not taken.
+void print(const study::BadRows& bad, Reply& reply) {
+    if (bad.count == 0) return;
+    reply.result["bad_rows"] = bad.count;
+    reply.warn(fmt::format("rows not taken: {}. A design without another row is made again:\n", bad.count));
+    for (const std::string& why : bad.first) reply.warn(fmt::format("    {}\n", core::printable(why)));
+    if (bad.count > bad.first.size()) reply.warn(fmt::format("    and {} more\n", bad.count - bad.first.size()));
+}
+
 void print(const batch::StudyResult& result, Reply& reply) {
     reply.result = result_json(result);
     std::string text =
@@ -81,6 +92,7 @@ void print(const batch::StudyResult& result, Reply& reply) {
                     core::printable(result.folder.string()), result.planned, result.made, result.refused, result.earlier, result.excluded);
     if (result.bad_input + result.failed > 0)
         text += fmt::format(", {} with bad input, {} with an internal error", result.bad_input, result.failed);
+    print(result.bad_rows, reply);
     reply.say(text + "\n");
     for (const std::string& reason : result.reasons) {
         reply.fail(reason);
@@ -100,20 +112,38 @@ int submit(const study::Plan& plan, BatchArguments& arguments, Reply& reply) {
     batch::SlurmOptions& options = arguments.cluster;
     options.paths = arguments.paths, options.name = arguments.name;
     options.out = arguments.options.out, options.force = arguments.options.force;
+    options.submitted = [&reply](const batch::SlurmJobs& jobs) {
+        reply.say(
+            fmt::format("submitted: job {} with {} tasks ({})\n", jobs.array_job, jobs.tasks, core::printable(jobs.array_script.string())));
+    };
     const batch::SlurmJobs jobs = batch::submit_slurm(plan, options);
     reply.result = {{"step", "slurm"}, {"array_job", jobs.array_job}, {"tasks", jobs.tasks}, {"merge_job", jobs.merge_job}};
-    reply.say(fmt::format("submitted: job {} with {} tasks ({}), job {} for the index ({})\n", jobs.array_job, jobs.tasks,
-                          core::printable(jobs.array_script.string()), jobs.merge_job, core::printable(jobs.merge_script.string())));
+    reply.say(fmt::format("submitted: job {} for the index ({})\n", jobs.merge_job, core::printable(jobs.merge_script.string())));
     return 0;
+}
+
+/// "3 of 8 (25 designs), 5 of 8 (1 design)"
+std::string shards_text(const batch::IndexSize& index) {
+    std::string text;
+    for (const auto& [number, designs] : index.missing_of_shard)
+        text += fmt::format("{}--shard {}/{} ({})", text.empty() ? "" : ", ", number, index.shards, designs);
+    return text;
 }
 
 int merge(const study::Plan& plan, const batch::StudyOptions& options, Reply& reply) {
     const batch::IndexSize index = batch::write_index(plan, options.out, options.force);
+    print(index.bad_rows, reply);
     if (index.designs == 0)
         throw core::InvalidInput("--merge", core::printable((options.out / plan.study().name).string()), "a study with finished designs");
-    reply.result = {{"step", "merge"}, {"indexed", index.designs}, {"missing", index.missing}};
+    reply.result.update({{"step", "merge"}, {"indexed", index.designs}, {"missing", index.missing}});
     reply.say(fmt::format("index of {} designs; {} are missing\n", index.designs, index.missing));
-    return 0;
+    if (index.missing == 0) return 0;
+    std::string text = fmt::format("{} designs have no row, and the index lacks them: {}", index.missing, fmt::join(index.names, ", "));
+    if (index.missing > index.names.size()) text += fmt::format(" and {} more", index.missing - index.names.size());
+    if (index.shards > 0) text += ". Designs to make, by shard: " + shards_text(index);
+    reply.fail(text);
+    reply.warn(text + ". The same command without --merge makes them\n");
+    return kBadInput;
 }
 
 int run_batch(BatchArguments arguments, Reply& reply) {
@@ -192,7 +222,8 @@ void add_batch(CLI::App& app, Action& action) {
     add_jobs(*command, arguments->options.jobs, "Designs made at the same time; 0 = one for each processor");
     command->footer(
         "Example:\n  fusee batch profiles/studies/pnrvsa.toml\n  fusee batch profiles --dry-run\n\n"
-        "Exit code: 0 every design is made or refused, 2 bad input of the study or of a design, 3 internal error, 130 stopped by Ctrl-C.\n"
+        "Exit code: 0 every design is made or refused, 2 bad input of the study or of a design, or a merge that lacks designs, 3 internal "
+        "error, 130 stopped by Ctrl-C.\n"
         "The same command again makes only the designs that are missing.");
     command->callback([arguments, &action] { action = [arguments](Reply& reply) { return run_batch(*arguments, reply); }; });
 }

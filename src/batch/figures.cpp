@@ -6,9 +6,13 @@
 #include <charconv>
 #include <cmath>
 #include <functional>
+#include <map>
+#include <variant>
 
 #include "fusee/actuator/dead_band.h"
+#include "fusee/batch/batch.h"
 #include "fusee/checks/material.h"
+#include "fusee/core/text.h"
 #include "fusee/core/units.h"
 #include "fusee/pipeline/check.h"
 #include "fusee/solid/mesh.h"
@@ -16,6 +20,8 @@
 namespace fusee::batch {
 
 namespace {
+
+constexpr std::size_t kShownName = 80;  // characters
 
 /// "dead_band_at_0_85_Nm_deg"
 std::string dead_band_column(double torque) {
@@ -216,6 +222,28 @@ Figures varied_figures(const study::Plan& plan, const study::Planned& planned) {
         figures.emplace_back(study::column_name(plan.study().vary[i].key), std::move(figure));
     }
     return figures;
+}
+
+study::RowFault row_fault(const study::Plan& plan) {
+    enum class Kind { kNumber, kText, kAny };
+    std::map<std::string, Kind> known{{"k_se_outline", Kind::kText}, {"k_pe_outline", Kind::kText}};
+    for (const study::Column& column : index_columns(plan)) known[column.name] = column.is_text ? Kind::kText : Kind::kNumber;
+    for (const study::Variation& v : plan.study().vary) known[study::column_name(v.key)] = Kind::kAny;
+    return [known](const study::Row& row) -> std::string {
+        for (const auto& [name, figure] : row.figures) {
+            const auto found = known.find(name);
+            if (found == known.end())
+                return fmt::format("has a figure \"{}\", which this study has not", core::printable(name, kShownName));
+            const auto* number = std::get_if<double>(&figure);
+            if (number != nullptr && std::isnan(*number)) continue;  // not known
+            if (found->second == (number != nullptr ? Kind::kText : Kind::kNumber))
+                return fmt::format("its figure {} is a {}", name, number != nullptr ? "number, not a text" : "text, not a number");
+        }
+        const study::Figure* outcome = row.find("outcome");
+        const bool has_ended = outcome != nullptr && (*outcome == study::Figure(to_string(Outcome::kMade)) ||
+                                                      *outcome == study::Figure(to_string(Outcome::kRefused)));
+        return has_ended ? "" : "its outcome is neither made nor refused";
+    };
 }
 
 Figures finding_figures(const core::Findings& findings) {

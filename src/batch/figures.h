@@ -21,4 +21,7 @@ using Figures = decltype(study::Row::figures);
 /// What a design that cannot be made says: the worst finding.
 [[nodiscard]] Figures finding_figures(const core::Findings& findings);
 
+/// What is wrong with the figures of a row of the study: their names, or their kinds.
+[[nodiscard]] study::RowFault row_fault(const study::Plan& plan);
+
 }  // namespace fusee::batch

@@ -9,6 +9,8 @@
 #include <map>
 #include <mutex>
 #include <optional>
+#include <set>
+#include <utility>
 
 #include "figures.h"
 #include "fusee/core/file.h"
@@ -50,16 +52,18 @@ void choose_outputs(profile::Outputs& outputs, study::Outputs chosen) {
     outputs.kerf = 0.0;
 }
 
-/// Makes one design; its files appear together in `folder`, or not at all.
-Figures make_design(profile::Profile asked, const study::Study& study, const fs::path& folder, bool force, Outcome& outcome) {
+/// Makes one design; its files appear together in its folder, or not at all.
+Figures make_design(profile::Profile asked, const study::Study& study, const StudyOptions& options, const std::string& name,
+                    Outcome& outcome) {
     choose_outputs(asked.outputs, study.outputs);
     pipeline::require_parts(asked);
     const bool all = study.outputs == study::Outputs::kAll;
     std::optional<core::OutputFolder> output;  // none: no files
     if (study.outputs != study::Outputs::kFigures)
         output.emplace(
-            folder,
-            core::OutputRun{.command = "make", .source = asked.file, .force = force, .sheets = pipeline::sheets_of(asked), .stays = true});
+            options.out, fs::path(study.name) / "designs" / name,
+            core::OutputRun{
+                .command = "make", .source = asked.file, .force = options.force, .sheets = pipeline::sheets_of(asked), .stays = true});
     const auto made = output ? pipeline::make_parts(asked, *output, {.reported = all}) : pipeline::make_figures(asked);
     const core::Findings findings = made ? made->report.all_findings() : made.refusal();
     outcome = made && !core::any_error(findings) ? Outcome::kMade : Outcome::kRefused;
@@ -72,11 +76,10 @@ Figures make_design(profile::Profile asked, const study::Study& study, const fs:
 /// One run over a study: shares the counters between its threads.
 class Run {
 public:
-    Run(const study::Plan& plan, const StudyOptions& options, const fs::path& folder)
+    Run(const study::Plan& plan, const StudyOptions& options, const core::OutputFolder& folder)
         : plan_(plan),
           options_(options),
-          folder_(folder),
-          earlier_(folder),
+          earlier_(folder, row_fault(plan)),
           log_(folder, fmt::format("{}-of-{}", options.shard.number, options.shard.count)) {}
 
     void make_all(core::Progress& progress) {
@@ -87,6 +90,7 @@ public:
         });
     }
     [[nodiscard]] StudyResult result() && {
+        result_.bad_rows = earlier_.bad();
         for (auto& [index, reason] : reasons_) result_.reasons.push_back(std::move(reason));
         return std::move(result_);
     }
@@ -101,9 +105,8 @@ private:
         bool known = false;
         guarded(ended, [&] {
             row.key = key_of(plan_, planned);
-            if ((known = earlier_.find(row.key).has_value())) return;
-            const Figures figures =
-                make_design(plan_.profile(planned), plan_.study(), folder_ / "designs" / planned.name, options_.force, ended.outcome);
+            if ((known = earlier_.find(row.key, row.name).has_value())) return;
+            const Figures figures = make_design(plan_.profile(planned), plan_.study(), options_, planned.name, ended.outcome);
             row.figures = varied_figures(plan_, planned);
             row.figures.insert(row.figures.begin(), {"outcome", std::string(to_string(ended.outcome))});
             row.figures.insert(row.figures.end(), figures.begin(), figures.end());
@@ -147,7 +150,6 @@ private:
 
     const study::Plan& plan_;
     const StudyOptions& options_;
-    fs::path folder_;
     study::RowIndex earlier_;
     study::RowLog log_;
     std::mutex mutex_;
@@ -155,19 +157,74 @@ private:
     std::map<std::size_t, std::string> reasons_;
 };
 
-/// Where the rows of the plan's designs stand, in order; none: not finished.
-std::vector<std::optional<study::RowIndex::Place>> find_rows(const study::Plan& plan, const study::RowIndex& rows) {
-    std::vector<std::optional<study::RowIndex::Place>> places;
+/// A design that is not left out, and where its row stands; none: not finished.
+struct Finished {
+    std::size_t index = 0;
+    std::optional<study::RowIndex::Place> place;
+};
+
+/// In the order of the plan.
+std::vector<Finished> find_rows(const study::Plan& plan, const study::RowIndex& rows) {
+    std::vector<Finished> found;
     for (std::size_t i = 0; i < plan.size(); ++i) {
+        if (core::interrupted()) throw core::Stopped();
         const study::Planned planned = plan.at(i);
         if (!planned.excluded_by.empty()) continue;
+        found.push_back({i, {}});
         try {
-            places.push_back(rows.find(key_of(plan, planned)));
+            found.back().place = rows.find(key_of(plan, planned), planned.name);
         } catch (const core::InputError&) {  // a profile that cannot be read has no row
-            places.emplace_back();
         }
     }
-    return places;
+    return found;
+}
+
+/// Adds the rows that are of no design.
+void add_foreign(study::BadRows& bad, const study::RowIndex& rows, const std::vector<Finished>& designs) {
+    using Line = std::pair<std::uint32_t, std::uint64_t>;
+    std::set<Line> used;
+    for (const Finished& design : designs)
+        if (design.place) used.insert({design.place->file, design.place->line});
+    if (used.size() == rows.size()) return;
+    std::map<Line, study::RowIndex::Place> foreign;
+    rows.each([&](const auto& place) {
+        if (const Line line{place.file, place.line}; !used.contains(line)) foreign[line] = place;
+    });
+    for (const auto& [line, place] : foreign)
+        bad.add(fmt::format("{}: is of no design of this study as it is: of other inputs or another study, or by another version of fusee",
+                            rows.named(place)));
+}
+
+/// The most shards that a log's name states: 8 of "3-of-8.jsonl"; 0: none.
+std::size_t shards_of(const std::vector<std::string>& logs) {
+    std::size_t most = 0;
+    for (const std::string& log : logs) {
+        Shard shard;
+        const std::size_t of = log.find("-of-"), end = log.find('.');
+        if (of == std::string::npos || end == std::string::npos || of > end) continue;
+        try {
+            shard = parse_shard(log.substr(0, of) + '/' + log.substr(of + 4, end - of - 4));
+        } catch (const core::InvalidInput&) {
+            continue;  // a log of another name
+        }
+        most = std::max(most, shard.count);
+    }
+    return most > 1 ? most : 0;
+}
+
+/// Counts and names the designs without a row.
+IndexSize size_of(const study::Plan& plan, const study::RowIndex& rows, const std::vector<Finished>& designs) {
+    IndexSize size{.shards = shards_of(rows.logs()), .bad_rows = rows.bad()};
+    for (const Finished& design : designs) {
+        if (design.place) {
+            ++size.designs;
+            continue;
+        }
+        if (size.missing++ < kMostReasons) size.names.push_back(plan.at(design.index).name);
+        if (size.shards > 0) ++size.missing_of_shard[design.index % size.shards + 1];
+    }
+    add_foreign(size.bad_rows, rows, designs);
+    return size;
 }
 
 }  // namespace
@@ -178,43 +235,54 @@ Shard parse_shard(const std::string& text) {
     const auto first = std::from_chars(text.data(), end, shard.number);
     const bool slash = first.ec == std::errc() && first.ptr != end && *first.ptr == '/';
     const auto second = slash ? std::from_chars(first.ptr + 1, end, shard.count) : first;
-    if (!slash || second.ec != std::errc() || second.ptr != end || shard.number < 1 || shard.number > shard.count)
-        throw core::InvalidInput("--shard", text, "NUMBER/COUNT with 1 <= NUMBER <= COUNT, e.g. 3/8");
+    if (!slash || second.ec != std::errc() || second.ptr != end || shard.number < 1 || shard.number > shard.count ||
+        shard.count > study::kMostDesigns)
+        throw core::InvalidInput("--shard", text,
+                                 fmt::format("NUMBER/COUNT with 1 <= NUMBER <= COUNT <= {}, e.g. 3/8", study::kMostDesigns));
     return shard;
 }
 
 std::size_t Shard::size(std::size_t designs) const { return (designs + count - number) / count; }
 
 StudyResult run_study(const study::Plan& plan, const StudyOptions& options) {
-    const fs::path folder = claim_study_folder(plan, options.out, options.force);
+    const core::OutputFolder folder = claim_study_folder(plan, options.out, options.force);
     core::Progress progress("batch", options.shard.size(plan.size()));
     Run run(plan, options, folder);
     run.make_all(progress);
     StudyResult result = std::move(run).result();
-    result.folder = folder;
+    result.folder = folder.target();
     result.planned = plan.size();
     result.interrupted = core::interrupted();
-    if (options.shard.count == 1) result.indexed = write_index(plan, options.out, options.force).designs;
+    if (options.shard.count == 1 && !result.interrupted) {
+        IndexSize index = write_index(plan, options.out, options.force);
+        result.indexed = index.designs;
+        result.bad_rows = std::move(index.bad_rows);
+    }
     return result;
 }
 
 IndexSize write_index(const study::Plan& plan, const fs::path& out, bool force) {
     core::OutputFolder output = study_folder(plan, out, force);
-    const study::RowIndex rows(output.target());
-    const auto places = find_rows(plan, rows);
-    const auto missing = static_cast<std::size_t>(std::count(places.begin(), places.end(), std::nullopt));
-    if (missing == places.size()) return {0, missing};
+    const study::RowIndex rows(output, row_fault(plan));
+    const std::vector<Finished> designs = find_rows(plan, rows);
+    IndexSize size = size_of(plan, rows, designs);
+    if (size.designs == 0) return size;
     const std::vector<study::Column> columns = index_columns(plan);
     const study::EachRow each = [&](const auto& take) {
-        for (const auto& place : places)
-            if (place) take(rows.read(*place));
+        for (const Finished& design : designs) {
+            if (core::interrupted()) throw core::Stopped();
+            if (!design.place) continue;
+            study::Row row = rows.read(*design.place);
+            row.index = design.index;  // a list of profiles may have grown since
+            take(row);
+        }
     };
     write_study_file(plan, output.path());
     study::write_csv(output.path() / "index.csv", columns, each);
     study::write_sqlite(output.path() / "index.sqlite", columns, each);
     report::write_study_page(output.path() / "index.html", plan.study(), columns, each);
     output.commit();
-    return {places.size() - missing, missing};
+    return size;
 }
 
 Cost usual_cost(study::Outputs outputs) {

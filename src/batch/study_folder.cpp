@@ -1,18 +1,21 @@
 #include "study_folder.h"
 
 #include "fusee/core/file.h"
+#include "fusee/core/open_folder.h"
 
 namespace fs = std::filesystem;
 
 namespace fusee::batch {
 
-core::OutputFolder study_folder(const study::Plan& plan, const fs::path& out, bool force) {
+core::OutputFolder study_folder(const study::Plan& plan, const fs::path& out, bool force, const std::string& command,
+                                std::vector<std::string> files) {
     const study::Study& study = plan.study();
-    return {out / study.name,
-            {.command = "batch",
+    return {out,
+            study.name,
+            {.command = command,
              .source = study.varies() ? study.file : study.profiles.front(),
              .force = force,
-             .files = {"study.toml", "index.csv", "index.sqlite", "index.html"},
+             .files = std::move(files),
              .stays = true}};
 }
 
@@ -26,13 +29,14 @@ void write_study_file(const study::Plan& plan, const fs::path& folder) {
     core::write_file(folder / "study.toml", text);
 }
 
-fs::path claim_study_folder(const study::Plan& plan, const fs::path& out, bool force) {
+core::OutputFolder claim_study_folder(const study::Plan& plan, const fs::path& out, bool force) {
     core::OutputFolder output = study_folder(plan, out, force);
-    if (!fs::exists(output.target() / core::kManifestName)) {
+    const auto place = output.find();
+    if (!place || place->kind(core::kManifestName) == core::OpenFolder::Kind::kNone) {
         write_study_file(plan, output.path());
         output.commit();
     }
-    return output.target();
+    return output;
 }
 
 }  // namespace fusee::batch

@@ -3,13 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <fstream>
 
 #include "fusee/core/csv.h"
 #include "fusee/core/error.h"
+#include "fusee/core/open_folder.h"
 #include "sqlite.h"
 
 namespace fs = std::filesystem;
@@ -44,20 +42,24 @@ std::string column_name(const std::string& key) {
 }
 
 void write_csv(const fs::path& file, const std::vector<Column>& columns, const EachRow& rows) {
-    std::ofstream out(file, std::ios::binary);
-    out << "number,name";
-    for (const Column& column : columns) out << ',' << column.name;
-    out << '\n';
+    constexpr std::size_t kPiece = 1 << 16;
+    core::NewFile out(file);
+    std::string text = "number,name";
+    for (const Column& column : columns) text += ',' + column.name;
+    text += '\n';
     rows([&](const Row& row) {
-        out << row.index << ',' << row.name;
+        text += fmt::format("{},{}", row.index, core::csv_cell(row.name));
         for (const Column& column : columns) {
             const Figure* figure = row.find(column.name);
-            out << ',' << (figure != nullptr ? cell_of(*figure) : "");
+            text += ',' + (figure != nullptr ? cell_of(*figure) : "");
         }
-        out << '\n';
+        text += '\n';
+        if (text.size() < kPiece) return;
+        out.add(text);
+        text.clear();
     });
-    out.close();
-    if (!out) throw core::IoError(file.string(), std::strerror(errno));
+    out.add(text);
+    out.commit();
 }
 
 void write_sqlite(const fs::path& file, const std::vector<Column>& columns, const EachRow& rows) {

@@ -80,7 +80,7 @@ std::string Statement::text(int column) const {
 }
 
 Database::Database(const std::filesystem::path& file) : file_(file.string()), database_(nullptr, sqlite3_close) {
-    open(file_, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
+    open(file_, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_NOFOLLOW);
 }
 
 Database::Database(const std::filesystem::path& file, std::chrono::seconds most)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <map>
+#include <sstream>
 
 #include "fusee/checks/check.h"
 #include "fusee/core/error.h"
@@ -31,6 +32,12 @@ protected:
     }
     StudyResult run(const study::Plan& plan, const std::string& out, Shard shard = {}, unsigned jobs = 2) const {
         return run_study(plan, {.out = folder_ / out, .jobs = jobs, .shard = shard});
+    }
+    static std::vector<std::string> lines_of(const std::string& text) {
+        std::vector<std::string> lines;
+        std::istringstream in(text);
+        for (std::string line; std::getline(in, line);) lines.push_back(line);
+        return lines;
     }
     /// Every file of a study but the log of its rows, which has times.
     std::map<std::string, std::string> bytes(const std::string& out) const {
@@ -157,13 +164,77 @@ TEST_F(Studies, AFolderOfDesignsHasTheNameOfItsRow) {
     for (const char* name : {"left", "right"}) EXPECT_TRUE(fs::exists(folder_ / "out/four/designs" / name / "report.html")) << name;
 }
 
-TEST_F(Studies, ADamagedRowIsReported) {
+// A changed row, one of another program, of other inputs and of another design: said, and their designs are made again.
+TEST_F(Studies, BadRowsAreNamedAndMadeAgain) {
     (void)run(plan(), "out");
+    const auto before = bytes("out");
     const fs::path log = folder_ / "out/four/rows/1-of-1.jsonl";
-    std::string text = core::read_file(log);
-    text.replace(text.find("\"name\""), 6, "\"game\"");
+    std::vector<std::string> lines = lines_of(core::read_file(log));
+    ASSERT_EQ(lines.size(), 5U);
+    lines[0].replace(lines[0].find("\"made\""), 6, "\"mude\"");
+    lines[1] = R"({"key":"zzz)";
+    lines[2] = std::string(300, '\0');
+    lines.push_back(study::to_json_line({core::sha256_hex("other"), 1, "pnrvsa", {{"outcome", "made"}}, 0.0}));
+    std::string text;
+    for (const std::string& line : lines) text += line.ends_with('\n') ? line : line + '\n';
     core::write_file(log, text);
-    EXPECT_THROW((void)write_index(plan(), folder_ / "out", false), core::InvalidInput);
+    const StudyResult again = run(plan(), "out");
+    EXPECT_EQ(again.earlier, 2U);
+    EXPECT_EQ(again.made + again.refused, 3U);
+    EXPECT_EQ(exit_code(again), 0);
+    EXPECT_EQ(bytes("out"), before);
+    ASSERT_EQ(again.bad_rows.count, 4U);
+    for (const char* place : {"1-of-1.jsonl:1: was changed", ":2: has no checksum", ":3: has no checksum", ":6: is of no design"})
+        EXPECT_TRUE(std::any_of(again.bad_rows.first.begin(), again.bad_rows.first.end(), [&](const std::string& why) {
+            return why.find(place) != std::string::npos;
+        })) << place;
+}
+
+TEST_F(Studies, AnIndexThatLacksDesignsNamesThemAndTheirShards) {
+    (void)run(plan(), "out", {2, 3});
+    const IndexSize size = write_index(plan(), folder_ / "out", false);
+    EXPECT_EQ(size.designs, 2U);
+    EXPECT_EQ(size.missing, 3U);
+    EXPECT_EQ(size.names.size(), 3U);
+    EXPECT_EQ(size.shards, 3U);
+    EXPECT_EQ(size.missing_of_shard, (std::map<std::size_t, std::size_t>{{1, 2}, {3, 1}}));
+}
+
+// A list of profiles that grows at its front keeps its rows, with their new numbers.
+TEST_F(Studies, AListThatGrowsKeepsItsRows) {
+    const std::string text = fixtures::with_keys(core::read_file(fixtures::shipped("pnrvsa")), {{"tolerances.chordal_error_mm", "0.005"}});
+    const fs::path right = write("right.toml", text), left = write("left.toml", text);
+    EXPECT_EQ(run(study::Plan(study::study_of({right}, "four")), "out").made, 1U);
+    const StudyResult both =
+        run_study(study::Plan(study::study_of({left, right}, "four")), {.out = folder_ / "out", .jobs = 2, .shard = {}, .force = true});
+    EXPECT_EQ(both.earlier, 1U);
+    EXPECT_EQ(both.indexed, 2U);
+    EXPECT_EQ(lines_of(core::read_file(folder_ / "out/four/index.csv"))[2].substr(0, 8), "1,right,");
+}
+
+// A link below --out leads a write elsewhere: each place is tried, and nothing is written through it.
+TEST_F(Studies, NoLinkBelowOutIsFollowed) {
+    const fs::path out = folder_ / "out", four = out / "four", victim = folder_ / "victim";
+    fs::create_directories(victim);
+    const auto refused = [&](const fs::path& link, const std::string& outputs) {
+        fs::create_directories(link.parent_path());
+        fs::create_directory_symlink(victim, link);
+        std::size_t bad = 0;
+        try {
+            bad = run(plan(outputs), "out").bad_input;
+        } catch (const core::IoError& e) {
+            bad = std::string(e.what()).find(link.filename().string()) != std::string::npos ? 1 : 0;
+        }
+        EXPECT_GT(bad, 0U) << link;
+        EXPECT_TRUE(fs::is_empty(victim)) << link;
+        fs::remove(link);
+    };
+    refused(four, "figures");
+    (void)run(plan(), "out");
+    fs::remove_all(four / "rows");
+    refused(four / "rows", "figures");
+    refused(four / "designs", "meshes");
+    refused(four / "designs" / plan().at(0).name, "meshes");
 }
 
 TEST_F(Studies, AFolderOfTheUsersIsNotTouched) {
@@ -176,7 +247,8 @@ TEST_F(Studies, AFolderOfTheUsersIsNotTouched) {
 TEST(Shards, AreReadAndRefused) {
     EXPECT_EQ(parse_shard("3/8").number, 3U);
     EXPECT_EQ(parse_shard("3/8").count, 8U);
-    for (const char* wrong : {"", "3", "0/8", "9/8", "a/b", "1/2/3", "1/", "-1/2"})
+    for (const char* wrong : {"", "3", "0/8", "9/8", "a/b", "1/2/3", "1/", "-1/2", "0/0", "3/2", "1/2^64", "1/18446744073709551615",
+                              "1/18446744073709551616", "1/10000001", " 1/2", "1/ 2"})
         EXPECT_EQ(field_refused([&] { return parse_shard(wrong); }), "--shard") << wrong;
 }
 

@@ -62,6 +62,17 @@ TEST_F(Index, CsvHasOneLineForEachDesign) {
               "number,name,outcome,mass_g\n0,a,made,2.5\n3,b,\"refused, \"\"why\"\"\",\n4,c,made,\n");
 }
 
+// A spreadsheet would run it: the apostrophe makes it a text.
+TEST_F(Index, AFormulaIsAText) {
+    write_csv(folder_.path() / "i.csv", {{"outcome", "", true}}, [](const auto& take) {
+        for (const char* text : {"=1+1", "+cmd|' /C calc'!A0", "-2+3", "@SUM(A1)", "\t=1", "\r=1", "-2.5", "+3e4", "-", "a=1"})
+            take({"", 0, "a", {{"outcome", text}}, 0.0});
+    });
+    EXPECT_EQ(core::read_file(folder_.path() / "i.csv"),
+              "number,name,outcome\n0,a,\"'=1+1\"\n0,a,\"'+cmd|' /C calc'!A0\"\n0,a,\"'-2+3\"\n0,a,\"'@SUM(A1)\"\n0,a,\"'\t=1\"\n"
+              "0,a,\"'\r=1\"\n0,a,-2.5\n0,a,+3e4\n0,a,-\n0,a,a=1\n");
+}
+
 TEST_F(Index, SqliteAnswersAndHasTheSameBytesEachTime) {
     for (const char* name : {"i.sqlite", "j.sqlite"}) write_sqlite(folder_.path() / name, kColumns, rows);
     EXPECT_EQ(answer("SELECT number, name, mass_g FROM designs WHERE mass_g IS NULL ORDER BY number"),

@@ -1,6 +1,8 @@
 #pragma once
+#include <chrono>
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -19,6 +21,8 @@ struct SlurmOptions {
     std::size_t tasks = 0;  ///< of the job array; 0: about an hour for each
     std::string sbatch;     ///< further options of sbatch, e.g. "--partition=long --cpus-per-task=8"
     bool force = false;
+    std::chrono::seconds patience{60};                         ///< with sbatch: it waits for a controller that does not answer
+    std::function<void(const struct SlurmJobs&)> submitted{};  ///< called when the array is submitted; may be empty
 };
 
 /// The scripts of the two jobs, in out/NAME/slurm, and their numbers.
@@ -29,7 +33,9 @@ struct SlurmJobs {
 };
 
 /// Writes the scripts and submits them: an array of one task for each shard, and a job that writes the index when all tasks have ended.
-/// @throws core::IoError, also if sbatch is not there or refuses
+/// The numbers of the jobs are kept in out/NAME/slurm/jobs.txt, each as soon as it is known.
+/// @throws core::IoError, also if sbatch is not there, refuses or does not answer: with the array's number if that one is submitted;
+/// core::InvalidInput for a path that a script for Slurm cannot name
 [[nodiscard]] SlurmJobs submit_slurm(const study::Plan& plan, const SlurmOptions& options);
 
 }  // namespace fusee::batch

@@ -1,11 +1,13 @@
 #pragma once
 #include <cstddef>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
 #include "fusee/core/error.h"
 #include "fusee/study/plan.h"
+#include "fusee/study/store.h"
 
 namespace fusee::batch {
 
@@ -17,7 +19,7 @@ struct Shard {
     /// The design at `place` of the share, counted from 0.
     [[nodiscard]] std::size_t index(std::size_t place) const { return number - 1 + place * count; }
 };
-/// "3/8". @throws core::InvalidInput naming --shard
+/// "3/8"; at most study::kMostDesigns shards. @throws core::InvalidInput naming --shard
 [[nodiscard]] Shard parse_shard(const std::string& text);
 
 struct StudyOptions {
@@ -38,10 +40,11 @@ struct StudyResult {
     std::size_t failed = 0;     ///< internal errors; made again by the next run
     std::size_t indexed = 0;    ///< designs in the index; 0: it was not written
     bool interrupted = false;
+    study::BadRows bad_rows;           ///< lines of the logs that are not taken
     std::vector<std::string> reasons;  ///< of the first designs with bad input or an internal error: "NAME: reason"
 };
 
-/// Makes the designs that have no row yet, one row for each (study::RowLog); a design that fails is one row, the others go on. Ctrl-C
+/// Makes the designs that have no good row yet, one row for each (study::RowLog); a design that fails is one row, the others go on. Ctrl-C
 /// finishes the designs that are being made. Then writes the index, unless the study is sharded. Every file is the same for any number of
 /// jobs and shards, and after any number of killed runs. Shows progress.
 /// @throws core::IoError if out/NAME cannot be written
@@ -50,10 +53,15 @@ struct StudyResult {
 /// The designs of an index.
 struct IndexSize {
     std::size_t designs = 0;
-    std::size_t missing = 0;  ///< not finished, or with bad input
+    std::size_t missing = 0;           ///< not finished, or with bad input
+    std::vector<std::string> names{};  ///< of the first missing designs
+    /// The shards that miss designs, with how many, by the numbers of the logs' names: of `shards`; 0: the study was not sharded.
+    std::map<std::size_t, std::size_t> missing_of_shard{};
+    std::size_t shards = 0;
+    study::BadRows bad_rows{};  ///< lines of the logs that are not taken, or of no design of the study
 };
 /// Writes index.csv, index.sqlite and index.html of the rows that exist; nothing if there is none.
-/// @throws core::IoError; core::InvalidInput naming a damaged row
+/// @throws core::IoError
 IndexSize write_index(const study::Plan& plan, const std::filesystem::path& out, bool force);
 
 /// What one design takes on the shipped profiles, with about 10,000 triangles a cam (docs/performance.md).

@@ -110,7 +110,8 @@ private:
     const std::filesystem::path& path, const std::vector<CsvColumn>& columns, const CsvOptions& options = {},
     const std::function<void(std::string_view)>& seen = [](std::string_view) {});
 
-/// A cell for a CSV file: quoted where it holds a comma, a quote or a line end (RFC 4180).
+/// A cell for a CSV file: quoted where it holds a comma, a quote or a line end (RFC 4180). A text that a spreadsheet would take for a
+/// formula (it begins with = + - @, a tab or a carriage return and is no number) gets an apostrophe before it.
 [[nodiscard]] std::string csv_cell(std::string_view text);
 
 }  // namespace fusee::core

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -12,6 +13,9 @@
 #include <utility>
 #include <variant>
 #include <vector>
+
+#include "fusee/core/open_folder.h"
+#include "fusee/core/output_folder.h"
 
 /// The results of a study on disk: one row for each design (docs/guides/batch.md, "What is on disk").
 namespace fusee::study {
@@ -32,18 +36,18 @@ struct Row {
     bool operator==(const Row&) const = default;
 };
 
+/// Ends with the SHA-256 of what stands before it: the same row has the same line, byte for byte.
 [[nodiscard]] std::string to_json_line(const Row& row);
-/// @throws core::InvalidInput naming `file` if it is not a row
-[[nodiscard]] Row parse_row(const std::string& line, const std::string& file);
+/// @throws core::InvalidInput naming `place` unless it is a line of to_json_line without its line end
+[[nodiscard]] Row parse_row(const std::string& line, const std::string& place);
 
-/// The finished rows of one study: STUDY/rows/*.jsonl, one file for each process that makes designs. A row is appended with one write and
-/// flushed to the disk; of a file whose process was killed, an unfinished last line is ignored.
+/// The finished rows of one study: STUDY/rows/*.jsonl, one new file for each process that makes designs: no file that exists is written to.
+/// A row is appended with one write and flushed to the disk.
 class RowLog {
 public:
-    /// Opens the log of one process; a further one if another process holds it, e.g. a task that a cluster has given up but that still
-    /// runs. @param shard "1-of-4"
-    /// @throws core::IoError
-    RowLog(const std::filesystem::path& study, const std::string& shard);
+    /// Makes no file before the first row. @param shard "1-of-4": the file is 1-of-4.jsonl, or 1-of-4.2.jsonl, ...
+    /// @throws core::IoError, also if such a name is a link, a folder or a pipe
+    RowLog(const core::OutputFolder& study, std::string shard);
     ~RowLog();
     RowLog(const RowLog&) = delete;
     RowLog& operator=(const RowLog&) = delete;
@@ -52,33 +56,60 @@ public:
     void append(const Row& row);
 
 private:
-    std::filesystem::path path_;
-    int file_ = -1;
+    void create();
+
+    std::unique_ptr<core::OpenFolder> study_;
+    std::string shard_, name_;
+    std::unique_ptr<core::Descriptor> file_;  // none before the first row
     std::mutex mutex_;
 };
 
-/// Where the rows of a study stand. Holds about 80 bytes a row, not the rows.
+/// The lines of logs that are not taken.
+struct BadRows {
+    static constexpr std::size_t kShown = 20;
+    std::size_t count = 0;
+    std::vector<std::string> first;  ///< "rows/1-of-1.jsonl:17: why", at most kShown
+
+    void add(std::string place_and_why);
+};
+
+/// What is wrong with the figures of a row; empty: nothing.
+using RowFault = std::function<std::string(const Row&)>;
+
+/// Where the rows of a study stand. Holds about 120 bytes a row, not the rows.
 class RowIndex {
 public:
     struct Place {
-        std::uint32_t file = 0;
-        std::uint64_t offset = 0;
+        std::uint32_t file = 0, length = 0;  ///< bytes of the line
+        std::uint64_t offset = 0, line = 0;  ///< line: from 1
+        std::uint64_t figures = 0;           ///< hash
         bool operator==(const Place&) const = default;
     };
 
-    /// Reads all logs of the study's folder, if there are any; of two rows with one key the first counts. @throws core::IoError
-    explicit RowIndex(const std::filesystem::path& study);
+    /// Reads all logs of the study's folder, if there are any, and checks each line; what is no row of fusee's is left out (`bad`).
+    /// Of two rows of one design the first counts. @param fault may be empty
+    /// @throws core::IoError if a log cannot be read; core::Stopped
+    explicit RowIndex(const core::OutputFolder& study, const RowFault& fault = {});
+    ~RowIndex();
 
-    [[nodiscard]] std::optional<Place> find(const std::string& key) const;
+    [[nodiscard]] std::optional<Place> find(const std::string& key, const std::string& name) const;
     [[nodiscard]] std::size_t size() const { return places_.size(); }
-    /// @throws core::IoError; core::InvalidInput if the line is damaged
+    [[nodiscard]] const BadRows& bad() const { return bad_; }
+    [[nodiscard]] const std::vector<std::string>& logs() const { return files_; }  ///< names, sorted
+    /// @throws core::IoError; core::InvalidInput if the line is another one now
     [[nodiscard]] Row read(const Place& place) const;
+    [[nodiscard]] std::string named(const Place& place) const;  ///< "out/study/rows/1-of-1.jsonl:17"
+    /// Calls `take` with each place, in no order.
+    void each(const std::function<void(const Place&)>& take) const;
 
 private:
-    void scan(std::uint32_t file);
+    void scan(std::uint32_t file, const RowFault& fault);
+    void take(const std::string& line, Place place, const RowFault& fault);
 
-    std::vector<std::filesystem::path> files_;
-    std::map<std::array<std::uint64_t, 2>, Place> places_;  ///< by the first 128 bits of the key
+    std::unique_ptr<core::OpenFolder> folder_;  // none: no logs
+    std::vector<std::string> files_;
+    std::map<std::array<std::uint64_t, 2>, Place> places_;  ///< by a hash of key and name
+    BadRows bad_;
 };
 
 }  // namespace fusee::study

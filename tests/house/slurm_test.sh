@@ -45,5 +45,6 @@ done
 for file in index.csv index.sqlite index.html; do
     cmp "one/study/$file" "$array/study/$file" || fail "$file differs from that of one process"
 done
+for log in 1.log index.log; do [ -e "$array/study/slurm/$log" ] || fail "no $log in $array/study/slurm: $(ls "$array/study/slurm")"; done
 again=$(grep -c 'requeue job .* due to failure of node n2' cluster/log/slurmctld.log) || fail 'the lost node had no task'
 printf '%s designs in 8 tasks, %s ended by the lost node and run again, index as of one process\n' "$designs" "$again"

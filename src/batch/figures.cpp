@@ -233,7 +233,8 @@ study::RowFault row_fault(const study::Plan& plan) {
         for (const auto& [name, figure] : row.figures) {
             const auto found = known.find(name);
             if (found == known.end())
-                return fmt::format("has a figure \"{}\", which this study has not", core::printable(name, kShownName));
+                return fmt::format("has a figure \"{}\", which this study has not: a row of another study or version",
+                                   core::printable(name, kShownName));
             const auto* number = std::get_if<double>(&figure);
             if (number != nullptr && std::isnan(*number)) continue;  // not known
             if (found->second == (number != nullptr ? Kind::kText : Kind::kNumber))

@@ -45,8 +45,8 @@ struct StudyResult {
 };
 
 /// Makes the designs that have no good row yet, one row for each (study::RowLog); a design that fails is one row, the others go on. Ctrl-C
-/// finishes the designs that are being made. Then writes the index, unless the study is sharded. Every file is the same for any number of
-/// jobs and shards, and after any number of killed runs. Shows progress.
+/// finishes the designs that are being made. Then writes the index, unless the study is sharded or was stopped. Every file is the same for
+/// any number of jobs and shards, and after any number of killed runs. Shows progress.
 /// @throws core::IoError if out/NAME cannot be written
 [[nodiscard]] StudyResult run_study(const study::Plan& plan, const StudyOptions& options);
 

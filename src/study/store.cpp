@@ -7,7 +7,6 @@
 #include <array>
 #include <cerrno>
 #include <cmath>
-#include <cstring>
 #include <functional>
 #include <nlohmann/json.hpp>
 
@@ -15,6 +14,7 @@
 #include "fusee/core/file.h"
 #include "fusee/core/json.h"
 #include "fusee/core/progress.h"
+#include "fusee/core/stop.h"
 #include "fusee/core/text.h"
 
 namespace fs = std::filesystem;
@@ -107,13 +107,14 @@ void RowLog::create() {
 void RowLog::append(const Row& row) {
     const std::string line = to_json_line(row);
     const std::lock_guard lock(mutex_);
+    const core::StopHold hold;  // a stop leaves no half of a line
     if (!file_) create();
     const off_t end = ::lseek(file_->get(), 0, SEEK_END);
     int failed = core::write_all(file_->get(), line);
     if (failed == 0 && ::fdatasync(file_->get()) != 0) failed = errno;
     if (failed == 0) return;
     (void)!::ftruncate(file_->get(), end);  // a full disk: half a line would spoil the next one
-    throw core::IoError(name_, std::strerror(failed));
+    throw core::IoError(name_, "cannot be written: " + core::write_failure(failed));
 }
 
 void BadRows::add(std::string place_and_why) {

@@ -119,8 +119,9 @@ class House:
             (self.work / name).mkdir()
         if command == "batch, a pipe among the rows":
             subprocess.run([self.program, "batch", "study.toml", "--out", "rows", "--shard", "90/90"], cwd=self.work, capture_output=True)
-            rows = next((self.work / "rows").rglob("*.jsonl"))
-            os.mkfifo(rows.with_name("other.jsonl"))
+            rows = self.work / "rows/study/rows"
+            rows.mkdir()
+            os.mkfifo(rows / "other.jsonl")
         env = dict(os.environ, TMPDIR=str(self.work / "tmp"), PATH=f"{self.work}/bin:{os.environ['PATH']}")
         words, _, sql = COMMANDS[command].partition("|")
         out = subprocess.PIPE if "reader" in command or "watch" in command else (self.work / "out").open("wb")

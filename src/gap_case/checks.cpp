@@ -3,12 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <set>
 
 #include "fields.h"
 #include "fusee/core/error.h"
+#include "fusee/gap_case/likely_unit.h"
 #include "fusee/gap_case/reference.h"
 #include "fusee/math/statistics.h"
 
@@ -47,19 +46,6 @@ double correlation(const std::vector<double>& a, const std::vector<double>& b) {
     return aa > 0.0 && bb > 0.0 ? ab / std::sqrt(aa * bb) : 0.0;
 }
 
-/// True if the readings are multiples of `step`, and of many different ones.
-bool counted_in(const std::vector<double>& readings, double step) {
-    constexpr double kOff = 0.05;          // of a step: by chance one reading in ten is as near
-    constexpr std::size_t kDifferent = 8;  // counts: an axis that stays where it is may stand near one or two
-    std::set<double> counts;
-    for (const double reading : readings) {
-        const double count = std::round(reading / step);
-        if (std::abs(reading / step - count) > kOff) return false;
-        counts.insert(count);
-    }
-    return counts.size() >= kDifferent;
-}
-
 double nominal_torque(const NominalRig& rig, bool series, double deflection) {
     const auto torque = [series](const NominalRig::SpringRow& row) { return series ? row.se_torque : row.pe_torque; };
     const auto above = std::find_if(rig.springs.begin() + 1, rig.springs.end() - 1,
@@ -68,18 +54,14 @@ double nominal_torque(const NominalRig& rig, bool series, double deflection) {
     return torque(a) + (torque(b) - torque(a)) * (deflection - a.deflection) / (b.deflection - a.deflection);
 }
 
-/// A question about the likely unit of values that are `ratio` times those in Nm over rad.
+/// Of values that are `ratio` times those in Nm over rad.
 std::string likely_unit(double ratio) {
-    struct Unit {
-        double factor;
-        const char* question;
-    };
-    static constexpr std::array kUnits{Unit{1000.0, "are the torques Nmm"}, Unit{100.0, "are the torques Ncm"},
-                                       Unit{10.2, "are the torques kgf cm"}, Unit{core::kPi / 180.0, "are the deflections degrees"},
-                                       Unit{0.001, "are the deflections milliradians"}};
-    const auto far = [ratio](const Unit& unit) { return std::abs(std::log(ratio / unit.factor)); };
-    const auto nearest = std::min_element(kUnits.begin(), kUnits.end(), [&](const Unit& a, const Unit& b) { return far(a) < far(b); });
-    return ratio > 0.0 ? fmt::format("; {}?", nearest->question) : "";
+    static const std::vector<OtherUnit> kUnits{{1000.0, "are the torques Nmm"},
+                                               {100.0, "are the torques Ncm"},
+                                               {10.2, "are the torques kgf cm"},
+                                               {core::kPi / 180.0, "are the deflections degrees"},
+                                               {0.001, "are the deflections milliradians"}};
+    return likely_unit(ratio, kUnits);
 }
 
 class Checker {

@@ -57,7 +57,8 @@ std::string shown(const CaseToml::Value& value) {
 }
 
 std::string allowed_text(const NumberKey& key) {
-    return fmt::format("a number{}{}, {:g} to {:g}", *key.unit == '\0' ? "" : " in ", key.unit, key.low, key.high);
+    return fmt::format("a number{}{}, {:g} to {:g}{}{}{}", *key.unit == '\0' ? "" : " in ", key.unit, key.low, key.high,
+                       *key.other == '\0' ? "" : "; is it in ", key.other, *key.other == '\0' ? "" : "?");
 }
 
 }  // namespace

@@ -17,6 +17,7 @@ struct NumberKey {
     const char* unit = "";         ///< asked for; "" for a pure number
     double* to = nullptr;
     const char* meaning = "";  ///< for the person who fills it in
+    const char* other = "";    ///< unit in which a figure beyond the range may be: "grams"
 };
 
 /// A case.toml, flattened: every leaf under its path "rig.capstan_radius_m", with the place where it stands.

@@ -196,6 +196,7 @@ std::string diagnosis_json(const Diagnosis& d) {
            {"remarks", d.remarks},
            {"case", d.case_name},
            {"case_sha256", d.case_sha256}};
+    if (!d.doubts.empty()) j["doubts"] = d.doubts;
     core::keep_old_spelling(j, {{"alike", "signature_similarity"}});
     // A folder's name may be no UTF-8.
     return j.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

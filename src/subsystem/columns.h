@@ -10,13 +10,20 @@ namespace fusee::subsystem {
 struct ColumnKey {
     const char* name;
     bool measured, required, text;
-    double low, high;  ///< limits of a number: beyond them it is in another unit
+    double low, high;        ///< limits of a number: beyond them it is in another unit
+    const char* other = "";  ///< which
 };
 /// A number of [bench] or of a file's '#' lines.
 struct ParameterKey {
     const char* name;
-    double low, high;
+    double low, high;  ///< beyond them it is in another unit
     const char* unit;
+    const char* other = "";  ///< which
+};
+/// A text of [bench] or of a file's '#' lines.
+struct WordKey {
+    const char* name;
+    std::vector<std::string> allowed;  ///< empty: any
 };
 struct KindKeys {
     Kind kind;
@@ -25,6 +32,7 @@ struct KindKeys {
     std::vector<ColumnKey> columns;
     std::vector<ParameterKey> parameters, sensors;
     bool laws = false;  ///< each record has a file with its nominal law
+    std::vector<WordKey> words = {};
 };
 [[nodiscard]] const KindKeys& keys_of(Kind kind);
 [[nodiscard]] const std::vector<KindKeys>& all_keys();

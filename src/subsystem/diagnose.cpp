@@ -74,7 +74,8 @@ const Candidate* preferred_by_evidence(const Law& law, const Study& study) {
     if (law.rows_independent || best.seen_gap() <= kStructure * law.setup_floor) return nullptr;
     const Candidate* most = &best;
     for (const Candidate& t : study.candidates)
-        if (t.effects.size() <= law.most_effects && !t.refused.empty() && !t.unlikely && t.log_evidence > most->log_evidence) most = &t;
+        if (t.effects.size() <= law.most_effects && !t.refused.empty() && !t.unlikely && !t.stopped && t.log_evidence > most->log_evidence)
+            most = &t;
     return most->log_evidence > best.log_evidence + kDisagreement ? most : nullptr;
 }
 
@@ -89,13 +90,55 @@ void share_with_refused(const Law& law, Study& study, diagnosis::Diagnosis& out)
                                       other->refused));
 }
 
-diagnosis::VerdictKind verdict_of(const Law& law, const Study& study) {
+/// The set that the evidence prefers although the search for one of its effects stopped at an end, if a gap remains.
+const Candidate* beyond_range(const Law& law, const Study& study) {
+    const Candidate& best = study.candidates[study.best];
+    if (!law.rows_independent && best.seen_gap() <= law.setup_floor) return nullptr;
+    const Candidate* most = nullptr;
+    for (const Candidate& t : study.candidates)
+        if (t.stopped && t.log_evidence > (most != nullptr ? most->log_evidence : best.log_evidence + kDisagreement)) most = &t;
+    return most;
+}
+
+/// What forbids a certain answer.
+std::vector<std::string> doubts_of(const Law& law, const Study& study) {
+    const Candidate& best = study.candidates[study.best];
+    std::vector<std::string> doubts = law.defaults;
+    if (const Candidate* other = beyond_range(law, study)) {
+        const LawEffect& effect = law.effects[*other->stopped];
+        doubts.push_back(fmt::format("the rows prefer {} by {:.0f} nats, with {} {}: that is no size of an effect{}",
+                                     name_of(law, other->effects), other->log_evidence - best.log_evidence, name_of(effect),
+                                     stopped_at(law, effect.parameters, other->fit.values),
+                                     effect.figures.empty() ? "" : "; check " + effect.figures));
+    }
+    for (std::size_t k = 0; k < law.nominal; ++k)
+        if (const std::string end = stopped_at(law, {k}, best.fit.values); !end.empty())
+            doubts.push_back(fmt::format("{} is {}: the model does not hold there", law.parameters[k].name, end));
+    for (const std::size_t e : best.effects) {
+        const std::size_t k = law.effects[e].parameters.front();
+        const diagnosis::Parameter size = parameter_of(law, study, best, k);
+        if (size.ci95.low <= law.parameters[k].low && size.ci95.high >= law.parameters[k].high)
+            doubts.push_back(fmt::format("the rows leave the size of {} open: its interval is its whole range, {:.4g} to {:.4g}{}{}",
+                                         name_of(law.effects[e]), size.ci95.low, size.ci95.high, size.unit.empty() ? "" : " ", size.unit));
+    }
+    return doubts;
+}
+
+diagnosis::VerdictKind likely_verdict(const Law& law, const Study& study) {
     const Candidate& best = study.candidates[study.best];
     const double limit = law.rows_independent ? kIndependentStructure : kStructure * law.setup_floor;
     if (best.probability < kSure) return diagnosis::VerdictKind::kAmbiguous;
     if (!best.effects.empty() && best.unseen_gap(0) > limit && study.stability < kStable) return diagnosis::VerdictKind::kAmbiguous;
     if (!best.effects.empty()) return diagnosis::VerdictKind::kIdentified;
     return best.unseen_gap(0) > limit ? diagnosis::VerdictKind::kUnknown : diagnosis::VerdictKind::kNone;
+}
+
+/// With a doubt there is no certain answer: `identified` becomes `ambiguous`, and `none` `inconclusive`.
+diagnosis::VerdictKind verdict_of(const Law& law, const Study& study, const std::vector<std::string>& doubts) {
+    const diagnosis::VerdictKind likely = likely_verdict(law, study);
+    if (doubts.empty()) return likely;
+    if (likely == diagnosis::VerdictKind::kIdentified) return diagnosis::VerdictKind::kAmbiguous;
+    return likely == diagnosis::VerdictKind::kNone ? diagnosis::VerdictKind::kInconclusive : likely;
 }
 
 void put_effects(const Law& law, const Study& study, diagnosis::Diagnosis& out) {
@@ -108,6 +151,10 @@ void put_effects(const Law& law, const Study& study, diagnosis::Diagnosis& out) 
         out.effects.push_back(std::move(found));
     }
     for (std::size_t k = 0; k < law.nominal; ++k) out.build.emplace_back(law.parameters[k].name, parameter_of(law, study, best, k));
+    if (law.open_input) {
+        const double choice = law.open_input->choices[study.choice].first;
+        out.build.emplace_back(law.parameters[law.open_input->parameter].name, diagnosis::Parameter{choice, {choice, choice}, ""});
+    }
     for (const Candidate& t : study.candidates)
         if (&t != &best && t.probability >= kLeastAlternative) out.alternatives.push_back({causes_of(law, t), t.probability});
     std::sort(out.alternatives.begin(), out.alternatives.end(),
@@ -295,7 +342,19 @@ void put_split_remarks(const Law& law, const Study& study, diagnosis::Diagnosis&
                                           study.candidates.front().unseen_gap(s) * unit, law.unit, best.unseen_gap(s) * unit, law.unit));
 }
 
+/// Which choice of the open input was taken, and how far ahead it is.
+void put_choice_remark(const Law& law, const Study& study, diagnosis::Diagnosis& out) {
+    if (!law.open_input) return;
+    std::vector<const char*> others;
+    for (std::size_t c = 0; c < law.open_input->choices.size(); ++c)
+        if (c != study.choice) others.push_back(law.open_input->choices[c].second);
+    out.remarks.push_back(fmt::format("{} is not given: {} is taken, tried beside {} and ahead by {:.1f} nats{}", law.open_input->key,
+                                      law.open_input->choices[study.choice].second, fmt::join(others, " and "), study.choice_lead,
+                                      study.choice_lead < kDisagreement ? "; the rows hardly tell them apart" : ""));
+}
+
 void put_remarks(const Law& law, const Study& study, diagnosis::Diagnosis& out) {
+    put_choice_remark(law, study, out);
     const std::vector<std::string> equals = equals_remarks(law, study);
     out.remarks.insert(out.remarks.end(), equals.begin(), equals.end());
     put_rest_remark(law, out);
@@ -326,7 +385,8 @@ diagnosis::Diagnosis diagnose(const Case& subsystem_case, const diagnosis::Diagn
     out.case_sha256 = subsystem_case.sha256;
     out.remarks = subsystem_case.remarks;
     share_with_refused(*law, study, out);
-    out.verdict = verdict_of(*law, study);
+    out.doubts = doubts_of(*law, study);
+    out.verdict = verdict_of(*law, study, out.doubts);
     put_effects(*law, study, out);
     put_ranking(*law, study, out);
     put_gaps(*law, study, out);
@@ -344,7 +404,7 @@ diagnosis::Diagnosis diagnose(const Case& subsystem_case, const diagnosis::Diagn
         out.next.back().text = split + "; " + out.next.back().text;
     out.next.back().information = entropy_bits(study);
     out.next_experiment = out.next.back().text;
-    if (out.verdict == diagnosis::VerdictKind::kNone || out.verdict == diagnosis::VerdictKind::kUnknown) out.effects.clear();
+    if (out.verdict != diagnosis::VerdictKind::kIdentified && out.verdict != diagnosis::VerdictKind::kAmbiguous) out.effects.clear();
     return out;
 }
 

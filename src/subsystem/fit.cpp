@@ -37,6 +37,7 @@ public:
         std::vector<double> predicted;
         for (std::size_t r = 0; r < of_record_.size(); ++r) {
             if (of_record_[r].empty()) continue;
+            stop_if_asked();
             law_.predict(r, values, predicted);
             const Target& target = law_.targets[r];
             for (const std::size_t i : of_record_[r]) out[at++] = (target.measured[i] - predicted[i]) / target.sigma[i];
@@ -64,8 +65,6 @@ double huber_cost(const VectorXd& residuals, double limit) {
     return cost;
 }
 
-double range_of(const Parameter& parameter) { return parameter.high - parameter.low; }
-
 /// Columns d residual / d z, z = parameter over its range.
 MatrixXd jacobian(const Law& law, const FitRows& rows, const std::vector<std::size_t>& free, const Values& values, const VectorXd& at) {
     MatrixXd J(at.size(), static_cast<Eigen::Index>(free.size()));
@@ -73,9 +72,9 @@ MatrixXd jacobian(const Law& law, const FitRows& rows, const std::vector<std::si
         const Parameter& parameter = law.parameters[free[j]];
         Values moved = values;
         const double step =
-            kDifference * range_of(parameter) * (values[free[j]] + kDifference * range_of(parameter) > parameter.high ? -1.0 : 1.0);
+            kDifference * parameter.range() * (values[free[j]] + kDifference * parameter.range() > parameter.high ? -1.0 : 1.0);
         moved[free[j]] += step;
-        J.col(static_cast<Eigen::Index>(j)) = (rows.residuals(moved) - at) * (range_of(parameter) / step);
+        J.col(static_cast<Eigen::Index>(j)) = (rows.residuals(moved) - at) * (parameter.range() / step);
     }
     return J;
 }
@@ -85,7 +84,7 @@ Values stepped(const Law& law, const std::vector<std::size_t>& free, const Value
     for (std::size_t j = 0; j < free.size(); ++j) {
         const Parameter& parameter = law.parameters[free[j]];
         moved[free[j]] =
-            std::clamp(values[free[j]] + step[static_cast<Eigen::Index>(j)] * range_of(parameter), parameter.low, parameter.high);
+            std::clamp(values[free[j]] + step[static_cast<Eigen::Index>(j)] * parameter.range(), parameter.low, parameter.high);
     }
     return moved;
 }
@@ -97,8 +96,25 @@ void set_covariance(const Law& law, const MatrixXd& A, Fit& fit) {
     fit.covariance.assign(fit.free.size(), std::vector<double>(fit.free.size()));
     for (std::size_t i = 0; i < fit.free.size(); ++i)
         for (std::size_t j = 0; j < fit.free.size(); ++j)
-            fit.covariance[i][j] = C(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) * range_of(law.parameters[fit.free[i]]) *
-                                   range_of(law.parameters[fit.free[j]]);
+            fit.covariance[i][j] = C(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) * law.parameters[fit.free[i]].range() *
+                                   law.parameters[fit.free[j]].range();
+}
+
+/// The step of least damped cost; a parameter at an end of its range that the step would leave stays there.
+VectorXd bounded_step(const Law& law, const Fit& fit, MatrixXd damped, VectorXd b) {
+    VectorXd step = -damped.ldlt().solve(b);
+    bool held = false;
+    for (Eigen::Index j = 0; j < step.size(); ++j) {
+        const std::size_t k = fit.free[static_cast<std::size_t>(j)];
+        const bool leaves = step[j] > 0.0 ? fit.values[k] >= law.parameters[k].high : fit.values[k] <= law.parameters[k].low;
+        if (!leaves || step[j] == 0.0) continue;
+        damped.row(j).setZero();
+        damped.col(j).setZero();
+        damped(j, j) = 1.0;
+        b[j] = 0.0;
+        held = true;
+    }
+    return held ? VectorXd(-damped.ldlt().solve(b)) : step;
 }
 
 /// One damped step that lowers the cost, or none: the damping rises until one does.
@@ -107,7 +123,7 @@ bool descend(const Law& law, const FitRows& rows, const MatrixXd& A, const Vecto
     for (int tries = 0; tries < 8; ++tries, damping *= 6.0) {
         MatrixXd damped = A;
         damped.diagonal() += damping * A.diagonal() + VectorXd::Constant(A.rows(), 1e-12 * (A.diagonal().maxCoeff() + 1e-300));
-        const Values moved = stepped(law, fit.free, fit.values, -damped.ldlt().solve(b));
+        const Values moved = stepped(law, fit.free, fit.values, bounded_step(law, fit, damped, b));
         const VectorXd there = rows.residuals(moved);
         const double cost = huber_cost(there, limit);
         if (!(cost < fit.cost)) continue;
@@ -127,6 +143,7 @@ double prior_residual(const Parameter& parameter, double value) {
 }
 
 std::vector<double> residuals_of(const Law& law, std::size_t record, const Values& values) {
+    stop_if_asked();
     std::vector<double> out;
     law.predict(record, values, out);
     const Target& target = law.targets[record];
@@ -184,7 +201,7 @@ Fit fit(const Law& law, const std::vector<std::size_t>& kept, const std::vector<
 Fit fit_from_all_starts(const Law& law, const std::vector<std::size_t>& kept, const std::vector<std::size_t>& free, const Values& nominal) {
     std::vector<Values> starts{nominal};
     for (const std::size_t k : free) {
-        if (law.parameters[k].starts.empty()) continue;
+        if (law.parameters[k].starts.empty() || (k < law.nominal && free.size() > law.nominal)) continue;
         std::vector<Values> more;
         for (const Values& values : starts)
             for (const double at : law.parameters[k].starts) {

@@ -34,7 +34,7 @@ struct Misfit {
 /// loss by reweighting. @param kept the blocks to fit, by index
 [[nodiscard]] Fit fit(const Law& law, const std::vector<std::size_t>& kept, const std::vector<std::size_t>& free, const Values& start,
                       int most_steps = 40);
-/// The best fit from all combinations of starts of the effect parameters.
+/// The best fit from all combinations of starts: of the effect parameters, or of the nominal ones where no other is free.
 [[nodiscard]] Fit fit_from_all_starts(const Law& law, const std::vector<std::size_t>& kept, const std::vector<std::size_t>& free,
                                       const Values& nominal);
 

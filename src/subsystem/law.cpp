@@ -3,11 +3,25 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "fusee/core/error.h"
+#include "fusee/core/progress.h"
+#include "fusee/math/statistics.h"
 
 namespace fusee::subsystem {
+
+bool Parameter::stops_at(double value) const {
+    constexpr double kNear = 1e-3;  // of the range: a fit that is drawn to an end stops this near
+    if (own_ends == OwnEnds::kBoth) return false;
+    const bool own_low = own_ends == OwnEnds::kLow || null_value == low;
+    return value >= high - kNear * range() || (!own_low && value <= low + kNear * range());
+}
+
+void stop_if_asked() {
+    if (core::interrupted()) throw core::Stopped();
+}
 
 std::unique_ptr<Law> law_of(const Case& subsystem_case, const Case* inputs) {
     const Case& rows = inputs != nullptr ? *inputs : subsystem_case;
@@ -35,6 +49,20 @@ std::vector<double> every(const std::vector<double>& column, std::size_t step) {
     std::vector<double> out;
     for (std::size_t i = 0; i < column.size(); i += step) out.push_back(column[i]);
     return out;
+}
+
+double scatter_of(const std::vector<double>& column) {
+    std::vector<double> sizes;
+    for (std::size_t i = 1; i + 1 < column.size(); ++i) sizes.push_back(std::abs(column[i - 1] - 2.0 * column[i] + column[i + 1]));
+    return sizes.empty() ? 0.0 : 1.4826 * math::upper_median(std::move(sizes)) / std::sqrt(6.0);
+}
+
+double step_of(std::vector<double> column) {
+    std::sort(column.begin(), column.end());
+    double least = 0.0;
+    for (std::size_t i = 1; i < column.size(); ++i)
+        if (const double step = column[i] - column[i - 1]; step > 0.0 && (least == 0.0 || step < least)) least = step;
+    return least;
 }
 
 double number_of(const Record& record, const std::vector<std::string>& names) {

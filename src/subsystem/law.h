@@ -1,7 +1,9 @@
 #pragma once
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "fusee/subsystem/subsystem.h"
@@ -9,12 +11,21 @@
 /// Law of a subsystem: prediction from its inputs, with a value for each nominal parameter and for each parameter of each effect.
 namespace fusee::subsystem {
 
+/// Which ends of a range belong to the quantity, as no friction or a share of 1: a fit may rest there. At any other end the search has
+/// stopped, and the value is no finding.
+enum class OwnEnds { kNone, kLow, kBoth };
+
 struct Parameter {
     std::string name, unit;
     double null_value = 0.0;  ///< the value without its effect; the start of a nominal parameter
     double low = 0.0, high = 0.0;
-    std::vector<double> starts;  ///< of an effect: starts of the fits, of which the best counts
+    std::vector<double> starts;  ///< starts of the fits, of which the best counts; of a nominal one: of the nominal law's
     double prior = 0.0;          ///< deviation of plausible values about the null value; 0: any value is
+    OwnEnds own_ends = OwnEnds::kNone;
+    double usual = 0.0;  ///< range in which it usually lies: measures a fit's steps; 0: high - low
+    [[nodiscard]] double range() const { return usual > 0.0 ? usual : high - low; }
+    /// The search stopped at `value`. A low end that is the null value counts as an end of the quantity.
+    [[nodiscard]] bool stops_at(double value) const;
 };
 using Values = std::vector<double>;  ///< one for each parameter
 
@@ -24,6 +35,14 @@ struct LawEffect {
     std::vector<std::size_t> parameters;
     bool moves_setups = false;  ///< makes files of the same motion differ: the set-up floor does not refuse it
     std::string unseen;         ///< reason why this case cannot show it; empty: it can
+    std::string figures = {};   ///< of the case, of which one is wrong where the size has no end; empty: none is known
+};
+
+/// What the case leaves open about its inputs: each choice is tried as a whole, and the rows decide.
+struct OpenInput {
+    std::size_t parameter = 0;                            ///< holds the choice
+    std::vector<std::pair<double, const char*>> choices;  ///< its values and their names, at least two
+    const char* key = "";                                 ///< of the case, which would have told
 };
 
 /// Which blocks are held out together, e.g. by "kp": a label for each block.
@@ -64,6 +83,7 @@ public:
     std::vector<Parameter> parameters;
     std::size_t nominal = 0;  ///< the first so many parameters are the nominal law's
     std::vector<LawEffect> effects;
+    std::optional<OpenInput> open_input = {};
     std::vector<std::vector<std::size_t>> own = {};  ///< of each record: parameters of it alone, as a sensor's zero: the rows of a record
                                                      ///< that is held out as a whole fit them too. Empty: none
     std::size_t most_effects = 2;                    ///< in one hypothesis
@@ -73,7 +93,8 @@ public:
     double cycle_floor = 1.0;     ///< scatter from cycle to cycle, or of the sensor [sigma]
     double setup_floor = 1.0;     ///< from one file to the next of the same motion, at least cycle_floor [sigma]
     std::vector<std::string> floor_remarks;
-    bool rows_independent = false;  ///< rows without autocorrelation
+    std::vector<std::string> defaults = {};  ///< in place of what the case does not give, where they decide the answer: one sentence each
+    bool rows_independent = false;           ///< rows without autocorrelation
     bool each_fold = false;      ///< few files that differ in their law: of a split in two, an effect must lower the error of both halves
     bool weighs_equals = false;  ///< sets of effects that predict the rows equally well share the probability (equals.h)
     bool over_region = false;    ///< charts over the region's variable, not over time
@@ -86,10 +107,16 @@ public:
 [[nodiscard]] std::unique_ptr<Law> motor_breakaway(const Case& subsystem_case, bool for_inputs);
 [[nodiscard]] std::unique_ptr<Law> cam_joint(const Case& subsystem_case, const Case* inputs);
 
+/// Long loops call it. @throws core::Stopped after Ctrl-C or SIGTERM
+void stop_if_asked();
 /// 1, or so much that every so many-th row of all records together is at most 12,000: loops keep their shape, a fit ends in time.
 [[nodiscard]] std::size_t thinning(const std::vector<Record>& records);
 /// Every `step`-th number, the first one too.
 [[nodiscard]] std::vector<double> every(const std::vector<double>& column, std::size_t step);
+/// Scatter of a row about the straight line through its neighbours: that of the sensor where the column changes slowly.
+[[nodiscard]] double scatter_of(const std::vector<double>& column);
+/// The least difference of two different readings: the step of a sensor that counts. 0 if all are equal.
+[[nodiscard]] double step_of(std::vector<double> column);
 /// A number of the record under one of several names. @throws core::InvalidInput naming the file and the first name if there is none
 [[nodiscard]] double number_of(const Record& record, const std::vector<std::string>& names);
 /// Blocks of whole files; of three parts in time of each if there are fewer than `least_files`. With the scheme "file" or "part".

@@ -11,9 +11,11 @@ namespace fusee::subsystem {
 
 namespace {
 
-std::size_t parameter_named(const Law& law, const std::string& name, std::size_t first, std::size_t last) {
-    for (std::size_t k = first; k < last; ++k)
+/// A nominal parameter, or the choice of the open input.
+std::size_t build_parameter(const Law& law, const std::string& name) {
+    for (std::size_t k = 0; k < law.nominal; ++k)
         if (law.parameters[k].name == name) return k;
+    if (law.open_input && law.parameters[law.open_input->parameter].name == name) return law.open_input->parameter;
     throw core::InvalidInput("diagnosis", "\"" + name + "\"", "a parameter of this subsystem");
 }
 
@@ -68,7 +70,13 @@ void fit_nominal(const Case& subsystem_case, Values& values) {
     Values start = values;
     const Values own = start_values(*law);
     std::copy_n(own.begin(), law->nominal, start.begin());
-    values = fit(*law, all, free_parameters(*law, {}), start).values;
+    Fit best = fit(*law, all, free_parameters(*law, {}), start);
+    for (const auto& [choice, name] : law->open_input ? law->open_input->choices : std::vector<std::pair<double, const char*>>{}) {
+        start[law->open_input->parameter] = choice;
+        Fit other = fit(*law, all, free_parameters(*law, {}), start);
+        if (other.cost < best.cost) best = std::move(other);
+    }
+    values = best.values;
 }
 
 /// A case's law, or that of its inputs, with the case's own scale: starts and bounds do not matter for a prediction.
@@ -77,7 +85,7 @@ Values values_of(const Case& subsystem_case, const diagnosis::Diagnosis& found) 
     Values values = start_values(*law);
     for (const diagnosis::FoundEffect& effect : found.effects) put_effect(*law, effect, values);
     for (const auto& [name, parameter] : found.build)
-        put_value(*law, parameter_named(*law, name, 0, law->nominal), "build: " + name, parameter.value, values);
+        put_value(*law, build_parameter(*law, name), "build: " + name, parameter.value, values);
     if (found.build.empty()) fit_nominal(subsystem_case, values);
     return values;
 }

@@ -11,6 +11,7 @@
 #include "fusee/core/file.h"
 #include "fusee/gap_case/toml.h"
 #include "law_files.h"
+#include "units.h"
 
 namespace fs = std::filesystem;
 
@@ -41,12 +42,39 @@ std::map<std::string, double> numbers_of(const gap_case::CaseToml& toml, const s
                                          const std::vector<std::string>& others) {
     std::vector<double> values(known.size());
     std::vector<gap_case::NumberKey> keys;
-    for (std::size_t i = 0; i < known.size(); ++i) keys.push_back({known[i].name, known[i].low, known[i].high, known[i].unit, &values[i]});
+    for (std::size_t i = 0; i < known.size(); ++i)
+        keys.push_back({known[i].name, known[i].low, known[i].high, known[i].unit, &values[i], "", known[i].other});
     (void)toml.read_numbers(table, keys, others);
     std::map<std::string, double> numbers;
     for (std::size_t i = 0; i < known.size(); ++i)
         if (toml.has(table + "." + known[i].name)) numbers[known[i].name] = values[i];
     return numbers;
+}
+
+std::string allowed_text(double low, double high, const char* unit, const char* other) {
+    return fmt::format("{:g} to {:g} {}{}{}{}", low, high, unit, *other == '\0' ? "" : "; is it in ", other, *other == '\0' ? "" : "?");
+}
+
+/// @param fault makes the error to throw from what is allowed
+template <class Fault>
+void check_word(const KindKeys& keys, const std::string& key, const std::string& text, const Fault& fault) {
+    for (const WordKey& known : keys.words)
+        if (key == known.name && !known.allowed.empty() &&
+            std::find(known.allowed.begin(), known.allowed.end(), text) == known.allowed.end())
+            throw fault(fmt::format("{}", fmt::join(known.allowed, ", ")));
+}
+
+/// The texts of [bench] that the kind knows.
+std::map<std::string, std::string> words_of(const gap_case::CaseToml& toml, const KindKeys& keys) {
+    std::map<std::string, std::string> words;
+    for (const WordKey& known : keys.words) {
+        const std::string path = std::string("bench.") + known.name;
+        if (!toml.has(path)) continue;
+        words[known.name] = toml.text(path, known.allowed.empty() ? "a text" : fmt::format("{}", fmt::join(known.allowed, ", ")));
+        check_word(keys, known.name, words[known.name],
+                   [&](const std::string& allowed) { return toml.fault(path, '"' + words[known.name] + '"', allowed); });
+    }
+    return words;
 }
 
 /// A word key=value of a '#' line: a known parameter within its range, or any other word.
@@ -61,10 +89,11 @@ void take_word(std::string_view word, const KindKeys& keys, const std::string& p
     for (const ParameterKey& known : keys.parameters) {
         if (key != known.name) continue;
         if (!number || !(value >= known.low && value <= known.high))
-            throw core::InvalidInput(place + key, "'" + text + "'", fmt::format("{:g} to {:g} {}", known.low, known.high, known.unit));
+            throw core::InvalidInput(place + key, "'" + text + "'", allowed_text(known.low, known.high, known.unit, known.other));
         record.parameters[key] = value;
         return;
     }
+    check_word(keys, key, text, [&](const std::string& allowed) { return core::InvalidInput(place + key, "'" + text + "'", allowed); });
     record.words[key] = text;
 }
 
@@ -92,7 +121,7 @@ void take_column(const core::CsvTable& table, const ColumnKey& key, Record& reco
     const std::vector<double>& numbers = table.numbers(key.name);
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         if (numbers[i] < key.low || numbers[i] > key.high)
-            throw table.fault(i, key.name, fmt::format("{:g}", numbers[i]), fmt::format("{:g} to {:g}", key.low, key.high));
+            throw table.fault(i, key.name, fmt::format("{:g}", numbers[i]), allowed_text(key.low, key.high, "", key.other));
         if (i > 0 && std::string_view(key.name) == "t_s" && !(numbers[i] > numbers[i - 1]))
             throw table.fault(i, key.name, fmt::format("{:g}", numbers[i]), "a time after the row before");
     }
@@ -130,7 +159,10 @@ Case read_case(const fs::path& folder) {
     Case subsystem_case;
     subsystem_case.name = fs::absolute(folder / "").parent_path().filename().string();
     subsystem_case.kind = keys.kind;
-    subsystem_case.parameters = numbers_of(toml, "bench", keys.parameters, {std::begin(kKindKeys), std::end(kKindKeys)});
+    std::vector<std::string> texts{std::begin(kKindKeys), std::end(kKindKeys)};
+    for (const WordKey& word : keys.words) texts.emplace_back(word.name);
+    subsystem_case.parameters = numbers_of(toml, "bench", keys.parameters, texts);
+    subsystem_case.words = words_of(toml, keys);
     subsystem_case.sensors = numbers_of(toml, "sensors", keys.sensors, {});
     for (const char* table : {"tolerance", "protocol"})
         if (toml.has(table)) subsystem_case.remarks.push_back(fmt::format("[{}] is not used by a subsystem case", table));
@@ -139,12 +171,15 @@ Case read_case(const fs::path& folder) {
             throw toml.fault("experiments." + key, "unknown key", std::string(keys.experiment) + (keys.laws ? ", law" : ""));
     std::string all = toml.bytes();
     for (const std::string& file : toml.files(std::string("experiments.") + keys.experiment)) {
-        Record record{keys.experiment, file, subsystem_case.parameters, {}, {}, {}};
+        Record record{keys.experiment, file, subsystem_case.parameters, subsystem_case.words, {}, {}};
         all += take_file(folder / file, keys, false, record);
         subsystem_case.records.push_back(std::move(record));
     }
     if (keys.laws) all += take_laws(toml, folder, subsystem_case);
     subsystem_case.sha256 = core::sha256_hex(all);
+    std::sort(subsystem_case.records.begin(), subsystem_case.records.end(),
+              [](const Record& a, const Record& b) { return a.file < b.file; });  // no answer depends on the order in case.toml
+    ask_units(subsystem_case, folder);
     return subsystem_case;
 }
 
@@ -160,7 +195,7 @@ Case read_inputs(const Case& subsystem_case, const fs::path& folder) {
     Case inputs = subsystem_case;
     inputs.records.clear();
     for (const fs::path& file : files) {
-        Record record{keys.experiment, file.filename().string(), subsystem_case.parameters, {}, {}, {}};
+        Record record{keys.experiment, file.filename().string(), subsystem_case.parameters, subsystem_case.words, {}, {}};
         for (const Record& known : subsystem_case.records)
             if (known.file == record.file) record.parameters = known.parameters, record.words = known.words;
         (void)take_file(file, keys, true, record);
@@ -168,6 +203,7 @@ Case read_inputs(const Case& subsystem_case, const fs::path& folder) {
     }
     if (inputs.records.empty()) throw core::IoError(folder.string(), fmt::format("no CSV file of a {} in this folder", keys.experiment));
     if (keys.laws) take_laws_of_inputs(subsystem_case, folder, laws, inputs);
+    ask_units(inputs, folder);
     return inputs;
 }
 

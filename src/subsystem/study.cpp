@@ -240,17 +240,15 @@ double Study::probability_of(std::size_t effect) const {
     return probability;
 }
 
-Study study(const Law& law, const diagnosis::DiagnoseOptions& options) {
-    require_rows(law);
+namespace {
+
+std::size_t choices_of(const Law& law) { return law.open_input ? law.open_input->choices.size() : 1; }
+
+/// Every set on all rows, from `nominal` on; without evidence.
+Study fitted_sets(const Law& law, Values nominal, const diagnosis::DiagnoseOptions& options,
+                  const std::function<void(const char*)>& progress) {
     Study study;
     const auto sets = sets_of(law);
-    std::size_t done = 0;
-    std::mutex mutex;
-    const auto progress = [&](const char* what) {
-        const std::lock_guard lock(mutex);
-        if (options.progress) options.progress(++done, 2 * sets.size(), what);
-    };
-    Values nominal = start_values(law);
     for (std::size_t begin = 0; begin < sets.size();) {  // sets of one size at a time: they begin from the smaller ones
         std::size_t end = begin;
         while (end < sets.size() && sets[end].size() == sets[begin].size()) ++end;
@@ -265,10 +263,51 @@ Study study(const Law& law, const diagnosis::DiagnoseOptions& options) {
         begin = end;
     }
     lower_subsets(law, study);
-    const auto closest = std::min_element(study.candidates.begin(), study.candidates.end(),
-                                          [](const Candidate& a, const Candidate& b) { return a.seen_gap() < b.seen_gap(); });
-    study.effective_rows = effective_rows(law, closest->fit.values);
-    for (Candidate& candidate : study.candidates) set_evidence(law, study, candidate);
+    return study;
+}
+
+/// The sets with their evidence, for the choice of law.open_input that has most of it; on a tie the first.
+Study best_choice(const Law& law, const diagnosis::DiagnoseOptions& options, const std::function<void(const char*)>& progress) {
+    std::vector<Study> tried;
+    for (std::size_t c = 0; c < choices_of(law); ++c) {
+        Values nominal = start_values(law);
+        if (law.open_input) nominal[law.open_input->parameter] = law.open_input->choices[c].first;
+        tried.push_back(fitted_sets(law, nominal, options, progress));
+        tried.back().choice = c;
+    }
+    const Candidate* closest = &tried.front().candidates.front();
+    for (const Study& study : tried)
+        for (const Candidate& candidate : study.candidates)
+            if (candidate.seen_gap() < closest->seen_gap()) closest = &candidate;
+    const std::vector<double> rows = effective_rows(law, closest->fit.values);
+    std::vector<double> most;
+    for (Study& study : tried) {
+        study.effective_rows = rows;
+        for (Candidate& candidate : study.candidates) set_evidence(law, study, candidate);
+        most.push_back(std::max_element(study.candidates.begin(), study.candidates.end(), [](const Candidate& a, const Candidate& b) {
+                           return a.log_evidence < b.log_evidence;
+                       })->log_evidence);
+    }
+    const auto best = static_cast<std::size_t>(std::max_element(most.begin(), most.end()) - most.begin());
+    Study study = std::move(tried[best]);
+    study.choice_lead = most[best];
+    most.erase(most.begin() + static_cast<std::ptrdiff_t>(best));
+    if (!most.empty()) study.choice_lead -= *std::max_element(most.begin(), most.end());
+    return study;
+}
+
+}  // namespace
+
+Study study(const Law& law, const diagnosis::DiagnoseOptions& options) {
+    require_rows(law);
+    const std::size_t parts = sets_of(law).size() * (1 + choices_of(law));
+    std::size_t done = 0;
+    std::mutex mutex;
+    const std::function<void(const char*)> progress = [&](const char* what) {
+        const std::lock_guard lock(mutex);
+        if (options.progress) options.progress(++done, parts, what);
+    };
+    Study study = best_choice(law, options, progress);
     const std::vector<bool> needed = worth_refits(law, study);
     core::parallel_for(study.candidates.size(), options.jobs, [&](std::size_t i) {
         if (needed[i]) keep_back(law, study.candidates[i]);

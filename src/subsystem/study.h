@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,7 @@ struct Candidate {
     double log_evidence = 0.0;                ///< -BIC/2: log_likelihood less priors and parameters [nats]
     std::string refused;                      ///< why it is excluded; empty: it is a candidate
     bool unlikely = false;                    ///< refused for its evidence alone
+    std::optional<std::size_t> stopped = {};  ///< of a refused set: its effect whose search stopped at an end of its range
     double probability = 0.0;
 
     /// Root mean square over the blocks [sigma].
@@ -35,6 +37,8 @@ struct Study {
     std::vector<std::size_t> equals;     ///< sets that the rows do not tell from the best one, the best first; empty: there are none
     double stability = 0.0;              ///< share of the folds whose held-out rows `best` predicts best of those not refused
     std::vector<std::string> remarks;    ///< on effects that were refused, and on splits that disagree
+    std::size_t choice = 0;              ///< of law.open_input, which the rows prefer
+    double choice_lead = 0.0;            ///< its evidence above that of the next choice [nats]
     core::Range heldout_after_95;        ///< of best's gap on held-out blocks [sigma]
 
     [[nodiscard]] const Candidate* find(std::vector<std::size_t> effects) const;
@@ -47,11 +51,12 @@ void fit_all(const Law& law, const Study& study, const Values& nominal, Candidat
 /// Its likelihood and its evidence, -BIC/2 with the scale of the residuals fitted too, but never below the floor. @pre it is fitted
 void set_evidence(const Law& law, const Study& study, Candidate& candidate);
 
-/// Sets of up to law.most_effects effects. An effect of a set counts if, against the set without it, the evidence rises by 5 nats, the
-/// held-out gap falls in every scheme (with Law::each_fold, in each half of a split in two), and over the blocks it falls by more than its
-/// standard error, unless the set without it is at the floor already. The probability of the sets that are left is the mean of two:
-/// pseudo-BMA+ on the held-out blocks (Y. Yao, A. Vehtari, D. Simpson, A. Gelman, Bayesian Analysis 13, 2018) and the share of folds that
-/// each predicts best.
+/// Sets of up to law.most_effects effects, for each choice of law.open_input; the choice of most evidence stands. An effect of a set counts
+/// if, against the set without it, the evidence rises by 5 nats, the search did not stop at an end of the effect's range, the held-out gap
+/// falls in every scheme (with Law::each_fold, in each half of a split in two), and over the blocks it falls by more than its standard
+/// error, unless the set without it is at the floor already. The probability of the sets that are left is the mean of two: pseudo-BMA+ on
+/// the held-out blocks (Y. Yao, A. Vehtari, D. Simpson, A. Gelman, Bayesian Analysis 13, 2018) and the share of folds that each predicts
+/// best.
 [[nodiscard]] Study study(const Law& law, const diagnosis::DiagnoseOptions& options);
 
 }  // namespace fusee::subsystem

@@ -63,6 +63,8 @@ std::string not_lowered(const Law& law, const Candidate& with, const Candidate& 
 /// Why an effect is not justified against the set without it; "" if it is.
 std::string refusal(const Law& law, const LawEffect& effect, const Candidate& with, const Candidate& without) {
     if (with.log_evidence - without.log_evidence < kLeastEvidence) return kNoEvidence;
+    if (const std::string end = stopped_at(law, effect.parameters, with.fit.values); !end.empty())
+        return fmt::format("the search stopped {}: no size is found", end);
     if (with.unseen.empty() || without.unseen.empty()) return "";  // another of its effects does not raise the evidence
     const double floor = effect.moves_setups ? 1.0 : law.setup_floor;
     if (!law.rows_independent && without.unseen_gap(0) <= floor) return "without it the model is at the floor";
@@ -243,6 +245,17 @@ void remark_on_splits(const Law& law, Study& study) {
 
 }  // namespace
 
+std::string stopped_at(const Law& law, const std::vector<std::size_t>& parameters, const Values& values) {
+    for (const std::size_t k : parameters) {
+        const Parameter& p = law.parameters[k];
+        if (!p.stops_at(values[k])) continue;
+        const std::string unit = p.unit.empty() ? "" : " " + p.unit;
+        return fmt::format("{}at {:.4g}{}, an end of its range ({:.4g} to {:.4g}{})", k == parameters.front() ? "" : "with " + p.name + " ",
+                           values[k], unit, p.low, p.high, unit);
+    }
+    return "";
+}
+
 std::string name_of(const LawEffect& effect) {
     return effect.cause.side == "none" ? effect.cause.id : effect.cause.id + " (" + effect.cause.side + ")";
 }
@@ -262,6 +275,8 @@ void refuse(const Law& law, const Study& study, Candidate& candidate) {
         if (why.empty()) continue;
         candidate.refused = name_of(law.effects[e]) + ": " + why;
         candidate.unlikely = why == kNoEvidence;
+        const std::string end = stopped_at(law, law.effects[e].parameters, candidate.fit.values);
+        if (!candidate.unlikely && !end.empty()) candidate.stopped = e;
         return;
     }
 }

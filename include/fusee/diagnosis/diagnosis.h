@@ -143,7 +143,8 @@ struct Diagnosis {
     std::vector<Transfer> transfer;          ///< of subsystem cases with few files of different laws
     std::vector<Trace> traces;
     std::vector<NextExperiment> next;
-    std::vector<std::string> remarks;  ///< limitations, disagreeing splits, gaps at the noise floor
+    std::vector<std::string> remarks;      ///< limitations, disagreeing splits, gaps at the noise floor
+    std::vector<std::string> doubts = {};  ///< why a subsystem case has no certain answer: a default that decides, a search that stopped
 };
 
 inline constexpr std::size_t kLargestFile = 50'000'000;  ///< bytes of a diagnosis.json

@@ -43,9 +43,10 @@ struct Case {
     std::string sha256;  ///< over every file of it that was read
     Kind kind = Kind::kFrictionElement;
     std::map<std::string, double> parameters;  ///< numbers of [bench], for every file
+    std::map<std::string, std::string> words;  ///< texts of [bench], for every file: "goals", "motor"
     std::map<std::string, double> sensors;     ///< table [sensors]
-    std::vector<Record> records;
-    std::vector<std::string> remarks;  ///< limitations: thinned rows, few files
+    std::vector<Record> records;               ///< in the order of their files' names
+    std::vector<std::string> remarks;          ///< limitations: thinned rows, few files
 };
 
 /// Reads FOLDER/case.toml and the CSV files that it names.

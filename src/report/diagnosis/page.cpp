@@ -33,11 +33,13 @@ std::string diagnosis_verdict(diagnosis::VerdictKind verdict) {
     return "";
 }
 
-/// The verdict and its probability.
+/// The verdict, its probability and what speaks against it.
 std::string head_sentence(const Diagnosis& diagnosis) {
     const double probability = verdict_probability(diagnosis);
-    if (!std::isfinite(probability)) return verdict_sentence(diagnosis);
-    return fmt::format("{} Probability: {}.", verdict_sentence(diagnosis), chance(probability));
+    std::string out = verdict_sentence(diagnosis);
+    if (std::isfinite(probability)) out += fmt::format(" Probability: {}.", chance(probability));
+    for (const std::string& doubt : diagnosis.doubts) out += " Doubt: " + doubt + ".";
+    return out;
 }
 
 Head diagnosis_head(const Diagnosis& diagnosis) {

@@ -12,7 +12,7 @@ namespace fusee::report {
 
 namespace {
 
-constexpr std::size_t kMostEffects = 4, kMostPlaces = 3;
+constexpr std::size_t kMostEffects = 4, kMostPlaces = 3, kMostDoubts = 2;
 
 std::string effect_line(const diagnosis::FoundEffect& effect) {
     const diagnosis::Parameter p = for_reading(effect.parameter);
@@ -29,6 +29,8 @@ void add_rest(std::vector<std::string>& lines, std::size_t shown, std::size_t al
 
 std::string diagnosis_text(const diagnosis::Diagnosis& diagnosis) {
     std::vector<std::string> lines{diagnosis.case_name + ": " + verdict_sentence(diagnosis)};
+    for (std::size_t i = 0; i < std::min(kMostDoubts, diagnosis.doubts.size()); ++i) lines.push_back("  doubt: " + diagnosis.doubts[i]);
+    add_rest(lines, kMostDoubts, diagnosis.doubts.size(), "doubts");
     const std::size_t effects = std::min(kMostEffects, diagnosis.effects.size());
     for (std::size_t i = 0; i < effects; ++i) lines.push_back(effect_line(diagnosis.effects[i]));
     add_rest(lines, effects, diagnosis.effects.size(), "effects");
@@ -41,7 +43,7 @@ std::string diagnosis_text(const diagnosis::Diagnosis& diagnosis) {
         lines.push_back(fmt::format("  on held-out rows: {} sigma (95 %: {})", change(gap.heldout_before, gap.heldout_after),
                                     span(gap.heldout_after_95)));
     if (!diagnosis.next_experiment.empty()) lines.push_back("  next: " + diagnosis.next_experiment);
-    const std::size_t left = static_cast<std::size_t>(kMostDiagnosisLines) - lines.size();
+    const std::size_t left = std::max<std::size_t>(static_cast<std::size_t>(kMostDiagnosisLines), lines.size() + 1) - lines.size();
     const bool fits = diagnosis.remarks.size() <= left;
     const std::size_t remarks = fits ? diagnosis.remarks.size() : left - 1;
     for (std::size_t i = 0; i < remarks; ++i) lines.push_back("  - " + diagnosis.remarks[i]);

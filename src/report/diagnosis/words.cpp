@@ -152,9 +152,13 @@ std::string verdict_sentence(const diagnosis::Diagnosis& diagnosis) {
         case diagnosis::VerdictKind::kNone:
             return "Model and rig agree within build tolerance and noise.";
         case diagnosis::VerdictKind::kInconclusive:
+            if (!diagnosis.doubts.empty()) return "Model and rig agree, but a doubt forbids a verdict.";
             return fmt::format("Model and rig agree, but these rows would not show a usual size of {} of {} causes.",
                                count_not_shown(diagnosis.power), diagnosis.power.size());
         case diagnosis::VerdictKind::kAmbiguous:
+            if (!diagnosis.doubts.empty() && diagnosis.alternatives.empty())
+                return fmt::format("Model and rig diverge; the likely cause is {}, but a doubt forbids a verdict.",
+                                   causes_name(found_causes(diagnosis), " with "));
             return fmt::format("Model and rig diverge; these experiments do not distinguish the possible causes: {}.",
                                fmt::format("{}", fmt::join(choices(diagnosis), "; or ")));
         case diagnosis::VerdictKind::kUnknown:

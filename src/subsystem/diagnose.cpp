@@ -25,6 +25,7 @@ constexpr double kIndependentStructure = 1.3;  // the same for rows whose sigma 
 constexpr double kDisagreement = 3.0;          // [nats] in favour of a set that the splits refuse
 constexpr double kRefusedShare = 0.25;         // probability given to such a set
 constexpr double kAtFloor = 1.1;               // times the floor: accuracy of a floor from few repeats
+constexpr double kOtherSigma = 1.5;            // times a default of sigma: the rows have another one
 constexpr std::size_t kBins = 8;
 constexpr std::size_t kTraceRows = 400;
 
@@ -104,6 +105,8 @@ const Candidate* beyond_range(const Law& law, const Study& study) {
 std::vector<std::string> doubts_of(const Law& law, const Study& study) {
     const Candidate& best = study.candidates[study.best];
     std::vector<std::string> doubts = law.defaults;
+    if (!law.default_sigma.empty() && (best.seen_gap() < 1.0 / kOtherSigma || best.seen_gap() > kOtherSigma))
+        doubts.push_back(fmt::format("{}, but the fit leaves {:.2g} of it", law.default_sigma, best.seen_gap()));
     if (const Candidate* other = beyond_range(law, study)) {
         const LawEffect& effect = law.effects[*other->stopped];
         doubts.push_back(fmt::format("the rows prefer {} by {:.0f} nats, with {} {}: that is no size of an effect{}",

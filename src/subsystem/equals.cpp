@@ -17,16 +17,10 @@ constexpr double kMostShare = 0.75;  // of the most probable of equal sets
 constexpr double kTie = 0.6;         // of the greatest share
 constexpr double kPlausible = 2.5;   // deviations of a nominal parameter
 constexpr double kNearFloor = 1.1;   // times the floor
-constexpr double kEnd = 1e-6;        // of a parameter's range
 
 bool at_end(const Law& law, const Candidate& set) {
-    for (const std::size_t e : set.effects) {
-        const std::size_t k = law.effects[e].parameters.front();
-        const Parameter& p = law.parameters[k];
-        const double value = set.fit.values[k], slack = kEnd * (p.high - p.low);
-        if (value > p.high - slack || (value < p.low + slack && p.low != p.null_value)) return true;
-    }
-    return false;
+    return std::any_of(set.effects.begin(), set.effects.end(),
+                       [&](std::size_t e) { return !stopped_at(law, law.effects[e].parameters, set.fit.values).empty(); });
 }
 
 bool plausible(const Law& law, const Candidate& set) {

@@ -132,15 +132,14 @@ void FrictionElement::set_preloads(const Case& subsystem_case) {
 void FrictionElement::set_parameters(const Case& subsystem_case, double force) {
     const double a = amplitude_;
     parameters.resize(ElementParameter::kPlaces);
-    double start = 0.7 * force;
-    if (!subsystem_case.records.empty())
-        if (const auto at = subsystem_case.records.front().parameters.find("coulomb_N");
-            at != subsystem_case.records.front().parameters.end())
-            start = at->second;
+    double sum = 0.0, given = 0.0;
+    for (const Record& record : subsystem_case.records)
+        if (const auto at = record.parameters.find("coulomb_N"); at != record.parameters.end()) sum += at->second, given += 1.0;
+    const double start = given > 0.0 ? std::clamp(sum / given, 1e-3 * force, 10.0 * force) : 0.7 * force;
     parameters[ElementParameter::kCoulomb] = {"coulomb", "N", start, 1e-3 * force, 10.0 * force, {}};
     parameters[ElementParameter::kDeflection] = {"deflection", "m", 0.0, 0.0, a, {0.03 * a, 0.15 * a}};
     parameters[ElementParameter::kBacklash] = {"backlash", "m", 0.0, 0.0, a, {0.05 * a, 0.1 * a, 0.2 * a, 0.4 * a}};
-    parameters[ElementParameter::kSeat] = {"seat", "", 0.0, 0.0, 1.0, {0.5}};
+    parameters[ElementParameter::kSeat] = {"seat", "", 0.0, 0.0, 1.0, {0.5}, 0.0, OwnEnds::kBoth};
     parameters[ElementParameter::kAsymmetry] = {"asymmetry", "", 0.0, -0.9, 0.9, {0.05}};
     parameters[ElementParameter::kViscous] = {"viscous", "Ns/m", 0.0, 0.0, 5.0 * force / speed_, {0.05 * force / speed_}};
     parameters[ElementParameter::kStribeck] = {"stribeck", "", 0.0, 0.0, 5.0, {0.1}};

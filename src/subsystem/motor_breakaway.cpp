@@ -14,6 +14,7 @@ namespace fusee::subsystem {
 namespace {
 
 constexpr double kScatter = 0.03;        // relative, of the friction, where neither [sensors] nor repeats tell it
+constexpr double kEnoughRepeats = 10.0;  // degrees of freedom of a scatter
 constexpr double kMostMu = 0.95;         // friction::Law allows no more
 constexpr std::size_t kLeastLevels = 3;  // motor torques that can be held out one by one
 
@@ -119,7 +120,11 @@ void MotorBreakaway::set_targets(const Case& subsystem_case) {
         for (const double f : met) squares += std::pow((f - mean) / friction[key], 2);
         freedom += static_cast<double>(met.size()) - 1.0;
     }
-    const double scatter = sensor("breakaway_scatter", freedom >= 10.0 ? std::sqrt(squares / freedom) : kScatter);
+    const bool given = subsystem_case.sensors.contains("breakaway_scatter"), repeated = freedom >= kEnoughRepeats;
+    const double scatter = given ? subsystem_case.sensors.at("breakaway_scatter") : repeated ? std::sqrt(squares / freedom) : kScatter;
+    if (!given && !repeated)
+        default_sigma = fmt::format("sensors.breakaway_scatter is not given, and no {:g} repeats show it: {:g} of the friction is taken",
+                                    kEnoughRepeats, kScatter);
     unit_sigma = 0.0;
     for (std::size_t r = 0; r < rows_.size(); ++r) {
         Target target{subsystem_case.records[r].columns.at("load_torque_Nm"),
@@ -138,7 +143,9 @@ void MotorBreakaway::set_targets(const Case& subsystem_case) {
         targets.push_back(std::move(target));
     }
     floor_remarks.push_back(fmt::format("sigma is a scatter of {:.3g} of the friction{} and the torque sensor's noise", scatter,
-                                        subsystem_case.sensors.contains("breakaway_scatter") ? "" : " (from the repeats)"));
+                                        given      ? ""
+                                        : repeated ? " (from the repeats)"
+                                                   : " (a default: no sensors.breakaway_scatter is given)"));
 }
 
 /// A motor torque is held out as a whole; with fewer than three of them, every third row.

@@ -18,13 +18,13 @@ namespace {
 using gap_case::likely_unit;
 using gap_case::OtherUnit;
 
-constexpr double kDegree = 180.0 / core::kPi;  // degrees of one radian
-constexpr double kFar = 9.0;                   // a ratio beyond it is a unit, no cause: kgf cm for Nm would be 10.2
-constexpr std::size_t kEnough = 30;            // rows for a statement on steps
+constexpr double kDegrees = 180.0 / core::kPi;  // degrees of one radian
+constexpr double kFar = 9.0;                    // a ratio beyond it is a unit, no cause: kgf cm for Nm would be 10.2
+constexpr std::size_t kEnough = 30;             // rows for a statement on steps
 
-const std::vector<OtherUnit> kAngles{
-    {kDegree, "are these degrees"}, {1000.0, "are these milliradians"}, {4096.0 / (2.0 * core::kPi), "are these counts"}};
-const std::vector<OtherUnit> kTorques{{1000.0, "are these mNm"}, {100.0, "are these Ncm"}, {10.2, "are these kgf cm"}};
+const std::vector<OtherUnit> kOtherAngles{
+    {kDegrees, "are these degrees"}, {1000.0, "are these milliradians"}, {4096.0 / (2.0 * core::kPi), "are these counts"}};
+const std::vector<OtherUnit> kOtherTorques{{1000.0, "are these mNm"}, {100.0, "are these Ncm"}, {10.2, "are these kgf cm"}};
 
 /// One file's figures against each other.
 class Asker {
@@ -97,11 +97,11 @@ private:
         constexpr double kNear = 0.003;
         if (q.size() < kEnough) return;
         const double stated = sensor("encoder_step_rad"), step = step_of(q);
-        for (const OtherUnit& unit : kAngles)
+        for (const OtherUnit& unit : kOtherAngles)
             if (stated > 0.0 && gap_case::counted_in(q, unit.count * stated))
                 throw fault(name, fmt::format("multiples of {:.4g}", unit.count * stated),
                             fmt::format("radians, with the encoder's step of {:.4g} rad; {}?", stated, unit.question));
-        if (stated > 0.0 && gap_case::counted_in(q, stated / kDegree) && std::abs(step * kDegree / stated - 1.0) < kNear)
+        if (stated > 0.0 && gap_case::counted_in(q, stated / kDegrees) && std::abs(step * kDegrees / stated - 1.0) < kNear)
             throw fault("sensors.encoder_step_rad", fmt::format("{:g}", stated),
                         fmt::format("radians: the readings have a step of {:.4g} rad; is it in degrees?", step));
         if (step <= 0.0 || !gap_case::counted_in(q, step)) return;
@@ -124,7 +124,7 @@ private:
         constexpr double kNear = 0.25;
         const double ratio = travel(goal) / travel(q);
         if (!std::isfinite(ratio) || (ratio < kFar && ratio > 1.0 / kFar)) return;
-        for (const OtherUnit& unit : kAngles)
+        for (const OtherUnit& unit : kOtherAngles)
             for (const bool of_goal : {true, false})
                 if (std::abs((of_goal ? ratio : 1.0 / ratio) / unit.count - 1.0) < kNear)
                     throw fault(of_goal ? "q_goal_rad" : "q_rad",
@@ -176,7 +176,7 @@ private:
         if (speed > kMargin * most)
             throw fault("kt_Nm_per_A", fmt::format("{:g}: {:.3g} rad/s at most", number("kt_Nm_per_A"), most),
                         fmt::format("Nm/A that let the arm move at {:.3g} rad/s, as it does{}", speed,
-                                    likely_unit(speed / most, {{1000.0, "is it in mNm/A"}, {kDegree, "or are the angles degrees"}})));
+                                    likely_unit(speed / most, {{1000.0, "is it in mNm/A"}, {kDegrees, "or are the angles degrees"}})));
     }
 
     void ask_element() const {
@@ -218,10 +218,10 @@ private:
         for (std::size_t i = 0; i < motor->size(); ++i) loads += std::abs((*load)[i]), motors += std::abs((*motor)[i]);
         if (loads > kMuchLoad * motors)
             throw fault("load_torque_Nm", fmt::format("{:.3g} times the motor torques", loads / motors),
-                        "Nm at the same shaft as the motor torques" + likely_unit(loads / motors, kTorques));
+                        "Nm at the same shaft as the motor torques" + likely_unit(loads / motors, kOtherTorques));
         if (loads > 0.0 && motors > kMuchLoad * loads)
             throw fault("motor_torque_Nm", fmt::format("{:.3g} times the loads", motors / loads),
-                        "Nm at the same shaft as the loads" + likely_unit(motors / loads, kTorques));
+                        "Nm at the same shaft as the loads" + likely_unit(motors / loads, kOtherTorques));
     }
 
     const Case& case_;

@@ -220,6 +220,60 @@ TEST_F(ServoFolder, AsksAboutOtherUnits) {
     EXPECT_NE(refusal().find("held, straight, jumps"), std::string::npos) << refusal();
 }
 
+class OtherElements : public fixtures::TempFolder {
+protected:
+    /// What a case says whose columns of these names are `factor` times as large.
+    [[nodiscard]] std::string refusal(Case measured, const std::string& toml, const std::vector<std::string>& columns,
+                                      double factor) const {
+        std::string list;
+        for (Record& record : measured.records) {
+            for (const std::string& column : columns)
+                for (double& value : record.columns[column]) value *= factor;
+            list += (list.empty() ? "\"" : ", \"") + record.file + "\"";
+        }
+        write_rows(measured, folder_);
+        write("case.toml", toml + "[" + list + "]\n");
+        try {
+            (void)read_case(folder_);
+        } catch (const core::InputError& e) {
+            return e.what();
+        }
+        return "accepted";
+    }
+};
+
+TEST_F(OtherElements, AskAboutOtherUnits) {
+    const std::string element = "[bench]\nkind = \"friction_element\"\n[sensors]\nforce_noise_N = 20\n[experiments]\nforce_loop = ";
+    const Case loops = fixtures::measure(fixtures::Element{}, 1);
+    EXPECT_EQ(refusal(loops, element, {"x_m"}, 1.0), "accepted");
+    EXPECT_NE(refusal(loops, element, {"x_m"}, 1e3).find("millimetres"), std::string::npos);
+    EXPECT_NE(refusal(loops, element, {"v_m_s"}, 1e2).find("mm/s"), std::string::npos);
+    EXPECT_NE(refusal(loops, element, {"t_s"}, 1e3).find("milliseconds"), std::string::npos);
+    EXPECT_NE(refusal(loops, element, {"F_N"}, 1e-3).find("kN"), std::string::npos);
+    const std::string motor = "[bench]\nkind = \"motor_breakaway\"\n[sensors]\ntorque_noise_Nm = 0.0015\n[experiments]\nbreakaway = ";
+    const Case breaks = fixtures::measure({{"agonist", fixtures::Motor{}}}, 1);
+    EXPECT_EQ(refusal(breaks, motor, {"load_torque_Nm"}, 1.0), "accepted");
+    EXPECT_NE(refusal(breaks, motor, {"load_torque_Nm"}, 1e2).find("Ncm"), std::string::npos);
+    EXPECT_NE(refusal(breaks, motor, {"motor_torque_Nm", "load_torque_Nm"}, 1e3).find("mNm"), std::string::npos);
+    EXPECT_NE(refusal(breaks, motor, {"motor_torque_Nm", "load_torque_Nm"}, 2e2).find("mNm"), std::string::npos) << "by the noise";
+}
+
+// A scatter of the friction that nobody measured: rows that have another one allow no certain answer.
+TEST(DiagnoseSubsystem, ADefaultOfTheScatterIsADoubtUnlessTheRowsHaveIt) {
+    for (const auto& [scatter, doubted] : {std::pair{0.03, false}, {0.003, true}, {0.12, true}}) {
+        Case single = fixtures::measure({{"agonist", fixtures::Motor{.scatter = scatter}}}, 12);
+        single.sensors.clear();
+        Record& record = single.records.front();  // no repeats: each torque is its own
+        for (std::size_t i = 0; i < record.rows(); ++i) record.columns["motor_torque_Nm"][i] *= 1.0 + 1e-9 * static_cast<double>(i);
+        const diagnosis::Diagnosis d = answer(single);
+        EXPECT_EQ(doubts(d, "sensors.breakaway_scatter is not given"), doubted) << scatter;
+        if (doubted) {
+            EXPECT_NE(d.verdict, diagnosis::VerdictKind::kNone) << scatter;
+            EXPECT_NE(d.verdict, diagnosis::VerdictKind::kIdentified) << scatter;
+        }
+    }
+}
+
 // A signal ends a diagnosis within a second, in whatever step it is.
 TEST_F(ServoFolder, EndsSoonAfterASignal) {
     const Case logs = bench_case({.rate = 500.0, .seconds = 30.0}, {swing, steps});

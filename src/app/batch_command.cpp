@@ -116,6 +116,7 @@ int submit(const study::Plan& plan, BatchArguments& arguments, Reply& reply) {
         reply.say(
             fmt::format("submitted: job {} with {} tasks ({})\n", jobs.array_job, jobs.tasks, core::printable(jobs.array_script.string())));
     };
+    options.stopped = [&reply](const std::string& rest) { reply.warn(core::printable(rest) + "\n"); };
     const batch::SlurmJobs jobs = batch::submit_slurm(plan, options);
     reply.result = {{"step", "slurm"}, {"array_job", jobs.array_job}, {"tasks", jobs.tasks}, {"merge_job", jobs.merge_job}};
     reply.say(fmt::format("submitted: job {} for the index ({})\n", jobs.merge_job, core::printable(jobs.merge_script.string())));

@@ -11,6 +11,7 @@
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/core/process.h"
+#include "fusee/core/progress.h"
 #include "fusee/core/text.h"
 #include "study_folder.h"
 
@@ -123,7 +124,9 @@ void write_folder(const study::Plan& plan, const SlurmOptions& options, const Sl
 }  // namespace
 
 SlurmJobs submit_slurm(const study::Plan& plan, const SlurmOptions& options) {
-    const fs::path folder = fs::absolute(claim_study_folder(plan, options.out, options.force).target()) / kFolder;
+    const fs::path folder = fs::absolute(options.out / plan.study().name) / kFolder;
+    (void)merge_script(options, folder);  // refuses a path before anything is written
+    (void)claim_study_folder(plan, options.out, options.force);
     SlurmJobs jobs{folder / kArray, folder / kMerge, options.tasks > 0 ? options.tasks : usual_tasks(plan), {}, {}};
     write_folder(plan, options, jobs);
     if (!core::on_path("sbatch"))
@@ -134,12 +137,17 @@ SlurmJobs submit_slurm(const study::Plan& plan, const SlurmOptions& options) {
     if (options.submitted) options.submitted(jobs);
     std::vector<std::string> after = more;
     after.push_back("--dependency=afterany:" + jobs.array_job);
+    const std::string rest = fmt::format(
+        "job {0} with {1} tasks is submitted, the job of the index is not. Submit it: sbatch --dependency=afterany:{0} {2}; or end the "
+        "first: scancel {0}",
+        jobs.array_job, jobs.tasks, core::shell_word(jobs.merge_script.string()));
     try {
         jobs.merge_job = submit(after, jobs.merge_script, options.patience);
     } catch (const core::IoError& e) {
-        throw core::IoError(e.what(), fmt::format("job {0} with {1} tasks is submitted, the job of the index is not. Submit it: sbatch "
-                                                  "--dependency=afterany:{0} {2}; or end the first: scancel {0}",
-                                                  jobs.array_job, jobs.tasks, core::shell_word(jobs.merge_script.string())));
+        throw core::IoError(e.what(), rest);
+    } catch (const core::Stopped&) {
+        if (options.stopped) options.stopped(rest);
+        throw;
     }
     write_folder(plan, options, jobs);
     return jobs;

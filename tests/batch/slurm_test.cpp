@@ -116,7 +116,10 @@ TEST_F(Slurm, PathsAreQuotedOrRefused) {
               std::string::npos)
         << script;
     EXPECT_NE(script.find("--out '" + (folder_ / "a '\\''b'\\'' \"c\" $(d) `e` 50% #f").string() + "'"), std::string::npos) << script;
-    for (const char* wrong : {"a\nb", "a\\b", "a\tb"}) EXPECT_EQ(field_refused([&] { return submit(wrong); }), "--out") << wrong;
+    for (const char* wrong : {"a\nb", "a\\b", "a\tb"}) {
+        EXPECT_EQ(field_refused([&] { return submit(wrong); }), "--out") << wrong;
+        EXPECT_FALSE(fs::exists(folder_ / wrong)) << wrong;
+    }
 }
 
 }  // namespace

@@ -23,6 +23,7 @@ struct SlurmOptions {
     bool force = false;
     std::chrono::seconds patience{60};                         ///< with sbatch: it waits for a controller that does not answer
     std::function<void(const struct SlurmJobs&)> submitted{};  ///< called when the array is submitted; may be empty
+    std::function<void(const std::string&)> stopped{};         ///< called with what to do if Ctrl-C comes between the jobs; may be empty
 };
 
 /// The scripts of the two jobs, in out/NAME/slurm, and their numbers.
@@ -35,7 +36,7 @@ struct SlurmJobs {
 /// Writes the scripts and submits them: an array of one task for each shard, and a job that writes the index when all tasks have ended.
 /// The numbers of the jobs are kept in out/NAME/slurm/jobs.txt, each as soon as it is known.
 /// @throws core::IoError, also if sbatch is not there, refuses or does not answer: with the array's number if that one is submitted;
-/// core::InvalidInput for a path that a script for Slurm cannot name
+/// core::InvalidInput for a path that a script for Slurm cannot name; core::Stopped
 [[nodiscard]] SlurmJobs submit_slurm(const study::Plan& plan, const SlurmOptions& options);
 
 }  // namespace fusee::batch

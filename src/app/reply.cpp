@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include "exit_codes.h"
+#include "fusee/core/plain_text.h"
 #include "fusee/core/provenance.h"
 #include "fusee/report/findings.h"
 #include "output.h"
@@ -19,7 +20,8 @@ core::Colour colour_of(const std::string& word) {
 
 void put(std::FILE* file, std::string_view text, const std::string& colour) {
     const bool marked = core::is_coloured(colour_of(colour), file == stdout ? STDOUT_FILENO : STDERR_FILENO);
-    const std::string shown = marked ? core::coloured(text) : std::string(text);
+    const std::string safe = core::printable_lines(text);  // names of files, keys and cells are in it
+    const std::string shown = marked ? core::coloured(safe) : safe;
     file == stderr ? core::say_error(shown) : print_out(shown);
 }
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <regex>
-#include <sstream>
 
+#include "fusee/core/plain_text.h"
 #include "fusee/core/text.h"
 
 namespace fusee::core {
@@ -16,14 +16,6 @@ namespace {
 // Characters repeated in a message. A path may have 4096; the allowed values are fusee's text and list at most some hundred names.
 constexpr std::size_t kMostOfValue = 200, kMostOfField = 5000, kMostOfReason = 5000;
 constexpr std::size_t kMostLines = 200;  // of mistakes; a reader that finds more counts them
-
-/// One message with visible control characters, except line ends.
-std::string printable_lines(const std::string& text) {
-    std::istringstream in(text);
-    std::string lines;
-    for (std::string line; std::getline(in, line);) lines += (lines.empty() ? "" : "\n") + printable(line, kMostOfReason);
-    return lines;
-}
 
 std::string all_lines(const std::vector<InvalidInput>& all) {
     std::string text = fmt::format("{} mistakes:", all.size());
@@ -48,7 +40,7 @@ void Mistakes::throw_if_any() const {
 }
 
 IoError::IoError(const std::string& path, const std::string& why)
-    : InputError(fmt::format("{}: {}", printable(path, kMostOfField), printable_lines(why))), path_(path), why_(why) {}
+    : InputError(fmt::format("{}: {}", printable(path, kMostOfField), printable_lines(why, kMostOfReason))), path_(path), why_(why) {}
 
 Location location_of(const std::string& field) {
     static const std::regex kPlace(R"(^(.+?):([0-9]{1,9})(?::([0-9]{1,9}))?(?:: *([^]*))?$)"),

@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include "fusee/core/plain_text.h"
+
 namespace fusee::core {
 
 std::string escape(std::string_view text) {
     std::string out;
-    for (const char c : text) {
+    for (const char c : printable_lines(text)) {
         switch (c) {
             case '&':
                 out += "&amp;";

@@ -10,6 +10,7 @@
 
 #include "fusee/core/error.h"
 #include "fusee/core/open_folder.h"
+#include "fusee/core/plain_text.h"
 #include "fusee/core/temporary_folder.h"
 
 namespace fs = std::filesystem;
@@ -49,6 +50,7 @@ int write_all(int file, std::string_view bytes) {
 }
 
 NewFile::NewFile(fs::path path) : path_(std::move(path)), folder_(folder_of(path_)) {
+    require_plain_name(path_);
     static std::atomic<unsigned> serial{0};
     for (int i = 0; i < kNames && !file_; ++i) {  // a name may have been left by a killed process
         temporary_ = fmt::format(".{}.part-{}-{}", path_.filename().string(), ::getpid(), serial++);

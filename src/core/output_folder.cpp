@@ -15,6 +15,7 @@
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/core/open_folder.h"
+#include "fusee/core/plain_text.h"
 #include "fusee/core/progress.h"
 #include "fusee/core/stop.h"
 #include "fusee/core/temporary_folder.h"
@@ -284,6 +285,8 @@ OutputFolder::OutputFolder(const fs::path& out, const fs::path& below, OutputRun
       place_(below.empty() ? place_of(out) : place_of(out) / below),
       run_(std::move(run)),
       source_(relative_source(run_.source, place_)) {
+    require_plain_name(target_);
+    for (const std::string& name : run_.files) require_plain_name(target_ / name);
     const std::optional<OpenFolder> place = OpenFolder::find(place_, target_);
     if (place) remove_left_behind(place_, kStagingPrefix);
     const Judge judge(target_, place ? &*place : nullptr, run_, source_);

@@ -4,6 +4,10 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
+
+#include "fusee/core/error.h"
+#include "fusee/core/plain_text.h"
 
 namespace fusee::core {
 
@@ -37,31 +41,67 @@ Character first_character(std::string_view text) {
 
 bool is_control(char32_t code) { return code < 0x20 || (code >= 0x7F && code < 0xA0); }
 
-/// Line and paragraph separators, and marks of writing direction.
+/// Characters that are not seen but change what is: marks of writing direction, joiners and blanks without width, separators of lines and
+/// paragraphs, tags. (Unicode's Default_Ignorable_Code_Point but for the variation selectors, which belong to letters.)
 bool is_mark(char32_t code) {
-    return code == 0x200E || code == 0x200F || (code >= 0x2028 && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069);
+    constexpr std::array<std::pair<char32_t, char32_t>, 12> kMarks{{{0xAD, 0xAD},
+                                                                    {0x34F, 0x34F},
+                                                                    {0x61C, 0x61C},
+                                                                    {0x115F, 0x1160},
+                                                                    {0x17B4, 0x17B5},
+                                                                    {0x180E, 0x180E},
+                                                                    {0x200B, 0x200F},
+                                                                    {0x2028, 0x202E},
+                                                                    {0x2060, 0x206F},
+                                                                    {0xFEFF, 0xFEFF},
+                                                                    {0xFFF0, 0xFFFB},
+                                                                    {0xE0000, 0xE0FFF}}};
+    return std::any_of(kMarks.begin(), kMarks.end(), [code](const auto& range) { return code >= range.first && code <= range.second; });
 }
 
-std::string visible(const Character& c, std::string_view bytes) {
+std::string visible(const Character& c, std::string_view bytes, bool tabs) {
     if (!c.valid) return fmt::format("\\x{:02x}", static_cast<unsigned>(c.code));
     if (c.code == '\n') return "\\n";
-    if (c.code == '\t') return "\\t";
+    if (c.code == '\t') return tabs ? "\t" : "\\t";
     if (is_control(c.code)) return fmt::format("\\x{:02x}", static_cast<unsigned>(c.code));
     if (is_mark(c.code)) return fmt::format("\\u{:04x}", static_cast<unsigned>(c.code));
     return std::string(bytes.substr(0, c.bytes));
 }
 
-}  // namespace
-
-std::string printable(std::string_view text, std::size_t most) {
+std::string all_visible(std::string_view text, std::size_t most, bool tabs) {
     std::string out;
     std::size_t count = 0;
     for (std::size_t at = 0; at < text.size(); ++count) {
         const Character c = first_character(text.substr(at));
-        if (count < most) out += visible(c, text.substr(at));
+        if (count < most) out += visible(c, text.substr(at), tabs);
         at += c.bytes;
     }
     return count > most ? fmt::format("{}... ({} characters)", out, count) : out;
+}
+
+}  // namespace
+
+std::string printable(std::string_view text, std::size_t most) { return all_visible(text, most, false); }
+
+std::string printable_lines(std::string_view text, std::size_t most) {
+    std::string lines;
+    while (true) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        lines += all_visible(text.substr(0, end), most, true);
+        if (end == text.size()) return lines;
+        lines += '\n';
+        text.remove_prefix(end + 1);
+    }
+}
+
+void require_plain_name(const std::filesystem::path& path) {
+    const std::string name = path.filename().string();
+    for (std::size_t at = 0; at < name.size();) {
+        const Character c = first_character(std::string_view(name).substr(at));
+        if (c.valid && (is_control(c.code) || is_mark(c.code)) && c.code != '\n' && c.code != '\t')
+            throw IoError(path.string(), "no file is written under a name with characters that are not seen; rename the file that it is from");
+        at += c.bytes;
+    }
 }
 
 std::size_t find_control(std::string_view text) {

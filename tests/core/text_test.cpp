@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "fusee/core/error.h"
+#include "fusee/core/plain_text.h"
 
 namespace fusee::core {
 namespace {
@@ -19,6 +20,24 @@ TEST(Printable, ShowsWhatATerminalWouldObey) {
     EXPECT_EQ(printable(std::string_view("\0", 1)), "\\x00");
     EXPECT_EQ(printable("\xC2\x9B"), "\\x9b") << "the C1 control that begins a sequence as ESC [ does";
     EXPECT_EQ(printable("\xE2\x80\xAE"), "\\u202e") << "text from right to left";
+}
+
+TEST(Printable, ShowsWhatIsNotSeen) {
+    for (const auto& [text, shown] : {std::pair{"\xE2\x80\xAE", "\\u202e"}, {"\xE2\x81\xA6", "\\u2066"}, {"\xE2\x80\x8F", "\\u200f"},
+                                      {"\xEF\xBB\xBF", "\\ufeff"}, {"\xE2\x80\x8B", "\\u200b"}, {"\xD8\x9C", "\\u061c"},
+                                      {"\xC2\xAD", "\\u00ad"}, {"\xF3\xA0\x81\x81", "\\ue0041"}})
+        EXPECT_EQ(printable(std::string("k") + text + "se"), std::string("k") + shown + "se");
+}
+
+TEST(PrintableLines, LeaveLineEndsAndTabs) {
+    EXPECT_EQ(printable_lines("a\tb\n\n\x1b[31mc\r\n"), "a\tb\n\n\\x1b[31mc\\x0d\n");
+    EXPECT_EQ(printable_lines(""), "");
+}
+
+TEST(PlainName, RefusesWhatIsNotSeen) {
+    EXPECT_NO_THROW(require_plain_name("out/\xE2\x80\xAE/\xC3\xA4 b.stl")) << "folders are the user's";
+    EXPECT_THROW(require_plain_name("out/a\xE2\x80\xAElts.3mf"), IoError);
+    EXPECT_THROW(require_plain_name("a\x1b[2J.3mf"), IoError);
 }
 
 TEST(Printable, ShowsBytesThatAreNoUtf8) {

@@ -121,6 +121,13 @@ private:
 
 }  // namespace
 
+void open_no_more_files() {
+    if (kSanitized) return;
+    limit(RLIMIT_NOFILE, 0, 0);
+    limit(RLIMIT_FSIZE, 0, 0);
+    ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
+}
+
 void limit_this_process(const ChildLimits& limits) {
     const auto seconds = static_cast<rlim_t>(limits.time.count());
     limit(RLIMIT_CPU, seconds, seconds + 1);

@@ -18,14 +18,15 @@ namespace {
 
 struct Format {
     const char* ending;
-    MeshFile (*read)(const std::filesystem::path&);
+    MeshFile (*read)(std::string bytes, const std::filesystem::path&);
     const char* library;
+    void (*load)() = nullptr;  ///< the library, where that is not done at the start
 };
 constexpr double kFarthest_mm = 1e9;  // the largest coordinate of a 3MF (lib3mf, NMR_MESH_MAXCOORDINATE)
 
 constexpr std::array kFormats = {Format{".stl", read_foreign_stl, "assimp"}, Format{".obj", read_foreign_obj, "assimp"},
-                                 Format{".3mf", read_foreign_3mf, "lib3mf"}, Format{".step", read_foreign_step, "OpenCASCADE"},
-                                 Format{".stp", read_foreign_step, "OpenCASCADE"}};
+                                 Format{".3mf", read_foreign_3mf, "lib3mf"}, Format{".step", read_foreign_step, "OpenCASCADE", load_step_reader},
+                                 Format{".stp", read_foreign_step, "OpenCASCADE", load_step_reader}};
 
 const Format* format_of(const std::filesystem::path& path) {
     std::string ending = path.extension().string();
@@ -65,9 +66,14 @@ std::string read_foreign_bytes(const std::filesystem::path& path) {
     return bytes;
 }
 
-MeshFile read_mesh_file(const std::filesystem::path& path) {
-    require_mesh_file(path);
-    MeshFile file = format_of(path)->read(path);
+MeshFile read_mesh_file(const std::filesystem::path& path) { return read_mesh_bytes(read_foreign_bytes(path), path); }
+
+void load_mesh_reader(const std::filesystem::path& path) {
+    if (const auto load = format_of(path)->load) load();
+}
+
+MeshFile read_mesh_bytes(std::string bytes, const std::filesystem::path& path) {
+    MeshFile file = format_of(path)->read(std::move(bytes), path);
     if (file.mesh.triangles.empty()) throw core::IoError(path.string(), "contains no triangles");
     if (file.mesh.triangles.size() > kMostTriangles)
         throw core::IoError(path.string(),

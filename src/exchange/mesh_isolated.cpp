@@ -67,7 +67,10 @@ std::optional<MeshFile> mesh_of(std::string_view bytes) {
 /// The message of the reader about this file: the mesh or the error.
 std::string answer(const fs::path& path) {
     try {
-        return message_of(read_mesh_file(path));
+        std::string bytes = read_foreign_bytes(path);
+        load_mesh_reader(path);
+        core::open_no_more_files();
+        return message_of(read_mesh_bytes(std::move(bytes), path));
     } catch (const std::bad_alloc&) {
         return std::string(1, kNoMemory);
     } catch (const std::exception& e) {  // IoError and InvalidInput, and the exceptions of a library

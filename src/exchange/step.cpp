@@ -1,7 +1,11 @@
 #include "fusee/exchange/step.h"
 
+#include <limits>
+
 #include "foreign.h"
 #include "fusee/core/module.h"
+#include "fusee/solid/crossings.h"
+#include "fusee/solid/flat.h"
 #include "step/kernel.h"
 
 namespace fusee::exchange {
@@ -45,6 +49,21 @@ std::vector<Interference> interferences(const std::vector<StepBody>& bodies, dou
     return kernel().interferences(bodies, least_mm3);
 }
 
-MeshFile read_foreign_step(const std::filesystem::path& path) { return kernel().read_mesh(path, read_foreign_bytes(path)); }
+namespace {
+
+/// Removes triangles without area; takes a valid body, which touches itself but is no less a solid, apart where it touches.
+std::size_t settle_mesh(solid::Mesh& mesh, bool valid) {
+    mesh = solid::without_flat_triangles(std::move(mesh));
+    if (valid) mesh = solid::parted(std::move(mesh));
+    if (!solid::is_closed_and_oriented(mesh.triangles)) return std::numeric_limits<std::size_t>::max();
+    const std::vector<std::uint32_t> flat = solid::flat_triangles(mesh);
+    return flat.size() + solid::crossings(mesh, flat).pairs.size();
+}
+
+}  // namespace
+
+MeshFile read_foreign_step(std::string bytes, const std::filesystem::path& path) { return kernel().read_mesh(path, bytes, settle_mesh); }
+
+void load_step_reader() { kernel().load(); }
 
 }  // namespace fusee::exchange

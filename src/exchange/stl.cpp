@@ -1,11 +1,9 @@
 #include "fusee/exchange/stl.h"
 
-#include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <fmt/format.h>
 
 #include <array>
-#include <assimp/Importer.hpp>
 #include <cmath>
 #include <cstring>
 
@@ -55,8 +53,7 @@ void write_stl(const std::filesystem::path& path, const solid::Mesh& mesh, const
     core::write_file(path, bytes);
 }
 
-std::string read_stl_bytes(const std::filesystem::path& path) {
-    std::string bytes = core::read_file(path);
+void require_binary_stl(const std::string& bytes, const std::filesystem::path& path) {
     if (bytes.size() < kStlHeader + 4) throw core::IoError(path.string(), "is not a binary STL: shorter than its header");
     std::uint32_t count = 0;
     std::memcpy(&count, bytes.data() + kStlHeader, sizeof count);
@@ -69,6 +66,11 @@ std::string read_stl_bytes(const std::filesystem::path& path) {
         for (std::size_t k = 3; k < row.size(); ++k)
             if (!std::isfinite(row[k])) throw core::IoError(path.string(), fmt::format("triangle {} has a corner that is not finite", i));
     }
+}
+
+std::string read_stl_bytes(const std::filesystem::path& path) {
+    std::string bytes = core::read_file(path);
+    require_binary_stl(bytes, path);
     return bytes;
 }
 
@@ -92,12 +94,7 @@ solid::Mesh welded(const aiScene& scene, const std::filesystem::path& path) {
 }
 
 solid::Mesh read_stl_assimp(const std::filesystem::path& path) {
-    const std::string bytes = read_stl_bytes(path);
-    Assimp::Importer importer;
-    const aiScene* scene = importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, "stl");
-    if (scene == nullptr || scene->mNumMeshes == 0)
-        throw core::IoError(path.string(), fmt::format("assimp: {}", importer.GetErrorString()));
-    return welded(*scene, path);
+    return mesh_by_assimp(read_stl_bytes(path), "stl", path);
 }
 
 }  // namespace fusee::exchange

@@ -25,8 +25,7 @@ void append_scaled(solid::Mesh& to, const solid::Mesh& more, double scale) {
 
 }  // namespace
 
-MeshFile read_foreign_3mf(const std::filesystem::path& path) {
-    std::string bytes = read_foreign_bytes(path);
+MeshFile read_foreign_3mf(std::string bytes, const std::filesystem::path& path) {
     const std::scoped_lock lock(library_mutex());
     Handle model, reader, merged, objects;
     require(NMR::lib3mf_createmodel(model.out()), model, path, "creating the model");

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
+#include <string>
 #include <unordered_map>
 
 #include "fusee/solid/mesh.h"
@@ -34,6 +35,9 @@ private:
     std::unordered_map<Key, std::uint32_t, Hash> index_;
     solid::Mesh mesh_;
 };
+
+/// The mesh that assimp reads from the bytes of one file; it opens no file. @param format the ending: "stl" @throws core::IoError
+[[nodiscard]] solid::Mesh mesh_by_assimp(const std::string& bytes, const char* format, const std::filesystem::path& path);
 
 /// All triangles of a scene of assimp; corners with the same coordinates become one point. @throws IoError if a face is not a triangle
 [[nodiscard]] solid::Mesh welded(const aiScene& scene, const std::filesystem::path& path);

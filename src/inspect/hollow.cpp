@@ -6,7 +6,7 @@
 #include <optional>
 #include <set>
 
-#include "disjoint_sets.h"
+#include "fusee/core/disjoint_sets.h"
 #include "fusee/core/units.h"
 #include "seam.h"
 #include "vector.h"
@@ -238,7 +238,7 @@ private:
     }
 
     const Body& body_;
-    DisjointSets planes_;
+    core::DisjointSets planes_;
     std::map<std::uint32_t, Facet> facets_;  ///< by their first triangle
     std::vector<bool> used_;                 ///< facets of a hollow, by their first triangle
 };

@@ -3,14 +3,12 @@
 #include <algorithm>
 #include <map>
 
-#include "disjoint_sets.h"
+#include "fusee/core/disjoint_sets.h"
 #include "vector.h"
 
 namespace fusee::inspect {
 
 namespace {
-
-constexpr double kFlat = 1e-9;  ///< twice the area over the square of the longest edge
 
 struct Edge {
     std::uint32_t low, high, triangle;
@@ -30,11 +28,6 @@ std::vector<Edge> edges_of(const solid::Mesh& mesh) {
         return a.low != b.low ? a.low < b.low : a.high != b.high ? a.high < b.high : a.triangle < b.triangle;
     });
     return edges;
-}
-
-bool is_flat(const solid::Mesh& mesh, const solid::Triangle& t) {
-    const Vec3 u = mesh.points_mm[t[1]] - mesh.points_mm[t[0]], v = mesh.points_mm[t[2]] - mesh.points_mm[t[0]], w = v - u;
-    return length(cross(u, v)) <= kFlat * std::max({dot(u, u), dot(v, v), dot(w, w)});
 }
 
 /// Corner 3 t + k is the k-th of triangle t; corners at one point that share an edge are one fan.
@@ -64,10 +57,10 @@ private:
         const solid::Triangle& t = mesh.triangles[triangle];
         return 3 * triangle + (t[0] == point ? 0u : t[1] == point ? 1u : 2u);
     }
-    DisjointSets sets_;
+    core::DisjointSets sets_;
 };
 
-void number_components(const solid::Mesh& mesh, DisjointSets& sets, Topology& topology) {
+void number_components(const solid::Mesh& mesh, core::DisjointSets& sets, Topology& topology) {
     std::map<std::uint32_t, std::uint32_t> number;
     std::vector<double> largest;
     topology.component_of.resize(mesh.triangles.size());
@@ -96,7 +89,7 @@ void make_unique(std::vector<std::uint32_t>& numbers) {
 Topology topology_of(const solid::Mesh& mesh) {
     Topology topology;
     topology.neighbour.assign(mesh.triangles.size(), {kNone, kNone, kNone});
-    DisjointSets sets(mesh.triangles.size());
+    core::DisjointSets sets(mesh.triangles.size());
     Fans fans(mesh.triangles.size());
     const std::vector<Edge> edges = edges_of(mesh);
     for (std::size_t i = 0, j = 0; i < edges.size(); i = j) {
@@ -119,13 +112,6 @@ Topology topology_of(const solid::Mesh& mesh) {
     fans.pinched(mesh, topology);
     number_components(mesh, sets, topology);
     return topology;
-}
-
-std::vector<std::uint32_t> flat_triangles(const solid::Mesh& mesh) {
-    std::vector<std::uint32_t> flat;
-    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
-        if (is_flat(mesh, mesh.triangles[t])) flat.push_back(t);
-    return flat;
 }
 
 }  // namespace fusee::inspect

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cstdlib>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "app/run.h"
@@ -121,6 +123,61 @@ TEST_F(Check, AMeshByLimitsOfItsOwn) {
     refused("[process]\nkind = \"fdm\"\n", {"bad.toml:1:2: process", "has no meaning here"});
     refused("", {"bad.toml", "limits", "missing"});
     EXPECT_EQ(run("check " + pnrvsa() + " --limits ours.toml").code, 2) << "a profile has its own";
+}
+
+/// An OBJ names files of materials: none is opened, neither one with a secret nor a pipe that never ends.
+TEST_F(Check, AMeshReadsNoOtherFile) {
+    write("secret.txt", "token hunter2\n");
+    ASSERT_EQ(std::system(("mkfifo '" + (folder_ / "pipe").string() + "'").c_str()), 0);
+    const std::string cube_text = core::read_file(folder_ / cube("cube.obj"));
+    for (const char* file : {"secret.txt", "pipe", "/dev/zero", "/etc/hostname", "missing", "."}) {
+        write("evil.obj", std::string("mtllib ") + file + "\nusemtl token\n" + cube_text);
+        const Ended ended = run("check evil.obj --process fdm");
+        EXPECT_EQ(ended.code, 0) << file << ended.all();
+        EXPECT_EQ(ended.all().find("hunter2"), std::string::npos) << ended.all();
+    }
+}
+
+TEST_F(Check, OnlyARegularFileIsAMesh) {
+    ASSERT_EQ(std::system(("cd '" + folder_.string() + "' && mkfifo a.stl b.toml && mkdir c.obj && ln -s /dev/zero d.step && ln -s a.stl e.3mf").c_str()), 0);
+    for (const char* file : {"a.stl --process fdm", "b.toml", "c.obj --process fdm", "d.step --process fdm", "e.3mf --process fdm"}) {
+        const Ended ended = run(std::string("check ") + file);
+        EXPECT_EQ(ended.code, 2) << file << ended.all();
+        expect_words(ended.err, {"regular file"});
+    }
+}
+
+/// What would turn the line around, or colour it, is shown; it becomes no name of a file.
+TEST_F(Check, NamesAreShownAsTheyAre) {
+    const std::string rlo = "\xE2\x80\xAE", name = "a" + rlo + "lts\x1b[31m.obj";
+    cube(name);
+    const Ended ended = run("check '" + name + "' --process fdm");
+    EXPECT_EQ(ended.code, 0) << ended.all();
+    expect_words(ended.out, {"a\\u202elts\\x1b[31m"});
+    EXPECT_EQ(ended.all().find(rlo), std::string::npos);
+    EXPECT_EQ(ended.all().find('\x1b'), std::string::npos);
+    const Ended refused = run("check '" + name + "' --process fdm --out shown");
+    EXPECT_EQ(refused.code, 2) << refused.all();
+    expect_words(refused.err, {"a\\u202elts", "not seen"});
+    EXPECT_FALSE(fs::exists(folder_ / "shown"));
+}
+
+/// Parts of other people, and the mesh that their own program exported of one.
+TEST_F(Check, StepAndStlOfOnePartAgree) {
+    const fs::path cases = fs::path(FUSEE_SOURCE_DIR) / "../shared/cases/mesh_step";
+    if (!fs::exists(cases)) GTEST_SKIP() << cases << " is not here";
+    const auto severities = [&](const std::string& file) {
+        const Ended ended = run("check '" + (cases / file).string() + "' --process fdm --json");
+        std::map<std::string, std::string> all;
+        for (const Json& f : result_of(ended).at("processes").at(0).at("parts").at(0).at("findings")) all[f.at("rule")] = f.at("severity");
+        return all;
+    };
+    auto step = severities("motor_holder.step"), stl = severities("motor_holder.stl"), pulley = severities("pulley.step");
+    for (const char* rule : {"mesh.manifold", "mesh.closed", "mesh.orientation", "mesh.self_intersection", "mesh.flat_triangles", "mesh.bodies"}) {
+        EXPECT_EQ(step[rule], "pass") << rule;
+        EXPECT_EQ(stl[rule], "pass") << rule;
+        EXPECT_EQ(pulley[rule], "pass") << rule;
+    }
 }
 
 TEST_F(Check, OneThreadOrThreeSayTheSame) {

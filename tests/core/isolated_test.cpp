@@ -1,10 +1,17 @@
 #include "fusee/core/isolated.h"
 
-#include <gtest/gtest.h>
+#include <fcntl.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
+#include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
+#include <string>
 
+#include "core/sanitizer.h"
 #include "fusee/core/error.h"
 
 // What a child process does to itself does not reach its parent.
@@ -55,6 +62,27 @@ TEST(Isolated, AProgramThatIsMissingNamesTheFile) {
     } catch (const IoError& error) {
         EXPECT_STREQ(error.what(), "part.step: the process that reads it cannot be started: No such file or directory");
     }
+}
+
+/// 0, or the number of the first step that a process could still do after it had closed the door.
+int could_still(const std::string& fifo) {
+    const int before = ::open("/dev/null", O_WRONLY);
+    open_no_more_files();
+    if (::open("/dev/null", O_RDONLY) >= 0 || errno != EMFILE) return 1;
+    if (::open(fifo.c_str(), O_RDONLY) >= 0 || errno != EMFILE) return 2;  // without the limit it would wait for a writer
+    if (::socket(AF_INET, SOCK_STREAM, 0) >= 0) return 3;
+    if (std::system("/bin/cat /dev/null") == 0) return 4;
+    limit_this_process({});
+    if (::open("/dev/null", O_RDONLY) >= 0) return 5;
+    return ::write(before, "a", 1) == 1 ? 0 : 6;
+}
+
+TEST(Isolated, OpensNothingBehindAClosedDoor) {
+    if (kAddressSanitizer || kThreadSanitizer) GTEST_SKIP() << "no limit: the sanitizer opens files itself";
+    const std::string fifo = testing::TempDir() + "fusee_fifo_" + std::to_string(::getpid());
+    ASSERT_EQ(::mkfifo(fifo.c_str(), 0600), 0);
+    EXPECT_EXIT(::_exit(could_still(fifo)), testing::ExitedWithCode(0), "");
+    ::unlink(fifo.c_str());
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
 #include <cstring>
 
 #include "exchange/fixtures/disc.h"
@@ -50,6 +51,22 @@ TEST_F(MeshFileTest, ReadsStlOfBothKinds) {
     write_stl(folder_ / "a.STL", cube_, "foreign");
     expect_cube(read_mesh_file(folder_ / "a.STL"));
     expect_cube(read_mesh_file(write("b.stl", text_stl(cube_))));
+}
+
+/// Keywords in capitals, as some programs write them; a text that begins behind a byte order mark; a binary file whose header says "solid".
+TEST_F(MeshFileTest, ReadsStlWithSolidInAnyPlaceAndCase) {
+    std::string capitals = text_stl(cube_), mixed = capitals;
+    for (char& c : capitals) c = static_cast<char>(std::toupper(c));
+    for (const char* word : {"solid", "facet", "vertex", "loop"})
+        for (std::size_t at = mixed.find(word); at != std::string::npos; at = mixed.find(word, at)) mixed[at] -= 'a' - 'A';
+    expect_cube(read_mesh_file(write("capitals.stl", capitals)));
+    expect_cube(read_mesh_file(write("mixed.stl", mixed)));
+    expect_cube(read_mesh_file(write("mark.stl", "\xEF\xBB\xBF\r\n " + capitals)));
+    write_stl(folder_ / "b.stl", cube_, "foreign");
+    std::string binary = core::read_file(folder_ / "b.stl");
+    for (const char* word : {"solid", "SOLID", "Solid"})
+        expect_cube(read_mesh_file(write("binary.stl", binary.replace(0, 5, word))));
+    fixtures::expect_refusal([&] { (void)read_mesh_file(write("cut.stl", capitals.substr(0, capitals.size() / 2))); }, {"endsolid"});
 }
 
 TEST_F(MeshFileTest, ReadsObjWithFacesOfFourCorners) {

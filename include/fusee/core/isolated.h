@@ -31,6 +31,12 @@ struct ChildResult {
 /// thread that started it ends. The child calls this first.
 void limit_this_process(const ChildLimits& limits);
 
+/// From here on the calling process opens nothing: each open, socket, pipe or memory file fails with "too many open files" before the
+/// system looks at the name, so that no FIFO blocks either; a program that it starts cannot load its libraries. Files that are open stay
+/// usable, and nothing is written to regular ones. It cannot be undone. No limit in builds with a sanitizer, which reads files itself.
+/// @pre libraries that are loaded when they are needed (loaded_function) are there
+void open_no_more_files();
+
 /// Runs a program, without a shell, that may crash, loop or take all memory: only the child ends then, and the result says how.
 /// Its input is empty, its standard error is discarded (kept in builds with a sanitizer, which report there). Thread-safe: posix_spawn
 /// instead of fork. The child itself applies the limits of memory and CPU time.

@@ -22,7 +22,8 @@ inline constexpr const char* kReadMesh = "--read-mesh";
 [[nodiscard]] MeshFile read_mesh_isolated(const std::filesystem::path& path, const std::vector<std::string>& reader);
 
 /// The work of the reader: limits this process, reads the file and writes the mesh or the error to standard output, in a binary form that
-/// only the same version reads. Messages of libraries do not reach standard output. @returns the exit code
+/// only the same version reads. Once it has the bytes of that file it opens no other, whatever these refer to. Messages of libraries do not
+/// reach standard output. @returns the exit code
 int serve_mesh_file(const std::filesystem::path& path);
 
 }  // namespace fusee::exchange

@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "fusee/solid/flat.h"
 #include "fusee/solid/mesh.h"
 
 namespace fusee::inspect {
@@ -34,7 +35,6 @@ struct Topology {
 /// O(triangles log triangles). @pre every triangle names points of the mesh
 [[nodiscard]] Topology topology_of(const solid::Mesh& mesh);
 
-/// Triangles without area: corners that are one point or lie in a line. Ascending.
-[[nodiscard]] std::vector<std::uint32_t> flat_triangles(const solid::Mesh& mesh);
+using solid::flat_triangles;
 
 }  // namespace fusee::inspect

@@ -20,7 +20,7 @@ struct Crossings {
     std::vector<std::array<std::uint32_t, 2>> pairs = {};  ///< ascending
 };
 
-/// Finds them by CGAL's exact predicates. Triangles without area are left out.
+/// Finds them by CGAL's exact predicates. Triangles without area are left out, and those that touch in a corner or an edge of both.
 /// @param flat the triangles without area, ascending
 /// @param most limit of pairs of triangles with overlapping boxes
 [[nodiscard]] Crossings crossings(const Mesh& mesh, const std::vector<std::uint32_t>& flat, std::size_t most = kMostNearPairs);

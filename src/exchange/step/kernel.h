@@ -17,8 +17,11 @@ public:
 
 /// @throws as StepFile's constructor
 [[nodiscard]] std::unique_ptr<StepSolid> read_step(const std::filesystem::path& path);
-/// Tessellates all shapes. @param bytes of the file @throws core::IoError naming it
-[[nodiscard]] MeshFile read_step_mesh(const std::filesystem::path& path, const std::string& bytes);
+/// Mends what a tessellation alone cannot do (settle_mesh of step.cpp). @param valid the kernel calls the body valid
+/// @returns how many faults are left; 0: the mesh is sound
+using SettleMesh = std::size_t (*)(solid::Mesh& mesh, bool valid);
+/// Tessellates all shapes, a body finer where `settle` finds faults. @param bytes of the file @throws core::IoError naming it
+[[nodiscard]] MeshFile read_step_mesh(const std::filesystem::path& path, const std::string& bytes, SettleMesh settle);
 
 /// The functions of this module that call OpenCASCADE, as the library fusee_step.so has them. The module itself has functions of the same
 /// names, which load the library and call these.
@@ -29,6 +32,7 @@ struct StepKernel {
     decltype(&exchange::read_step_assembly) read_assembly;
     decltype(&exchange::interferences) interferences;
     decltype(&exchange::read_step_mesh) read_mesh;
+    void (*load)();  ///< initializes OpenCASCADE's reader, which looks for files of settings
 };
 
 }  // namespace fusee::exchange

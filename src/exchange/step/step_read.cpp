@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
 #include <Message_Printer.hxx>
@@ -5,8 +7,13 @@
 #include <STEPControl_Reader.hxx>
 #include <StepBasic_Product.hxx>
 #include <StepData_StepModel.hxx>
+#include <StepGeom_CartesianTransformationOperator3d.hxx>
+#include <StepGeom_Direction.hxx>
 #include <TopoDS_Shape.hxx>
+#include <cmath>
+#include <gp_Vec.hxx>
 #include <mutex>
+#include <sstream>
 
 #include "fusee/brep/failure.h"
 #include "fusee/brep/measure.h"
@@ -31,6 +38,8 @@ std::mutex& step_session() {
 }
 
 namespace {
+
+constexpr double kScale = 1e-9;  // a scale of a placement that is none
 
 class OpenCascadeSolid : public StepSolid {
 public:
@@ -58,16 +67,42 @@ std::string product_of(const STEPControl_Reader& reader) {
     return "";
 }
 
+/// In place of a direction that is not stated; all three of a placement that mirrors are.
+gp_Vec direction(bool stated, const Handle(StepGeom_Direction) & d, const gp_Vec& otherwise) {
+    if (!stated || d.IsNull() || d->NbDirectionRatios() < 3) return otherwise;
+    return {d->DirectionRatiosValue(1), d->DirectionRatiosValue(2), d->DirectionRatiosValue(3)};
+}
+
+/// OpenCASCADE 7.6 turns a part that is placed as its mirror image, and leaves out a scale: nothing would be where the file has it.
+/// @throws core::IoError
+void require_rigid_placements(const STEPControl_Reader& reader, const std::filesystem::path& path) {
+    const Handle(StepData_StepModel) model = reader.StepModel();
+    for (int i = 1; i <= model->NbEntities(); ++i) {
+        const auto placement = Handle(StepGeom_CartesianTransformationOperator3d)::DownCast(model->Value(i));
+        if (placement.IsNull()) continue;
+        const gp_Vec x = direction(placement->HasAxis1(), placement->Axis1(), {1, 0, 0}),
+                     y = direction(placement->HasAxis2(), placement->Axis2(), {0, 1, 0}),
+                     z = direction(placement->HasAxis3(), placement->Axis3(), x.Crossed(y));
+        const bool mirrors = x.Crossed(y).Dot(z) < 0.0, scales = placement->HasScale() && std::abs(placement->Scale() - 1.0) > kScale;
+        if (!mirrors && !scales) continue;
+        throw core::IoError(path.string(), fmt::format("#{} places a part {} (CARTESIAN_TRANSFORMATION_OPERATOR_3D), which OpenCASCADE does not "
+                                                       "do; export the part as it stands, without its placement",
+                                                       model->IdentLabel(placement), mirrors ? "as its mirror image" : "with a scale"));
+    }
+}
+
 }  // namespace
 
 void with_step_shape(const std::filesystem::path& path, const std::string& bytes,
-                     const std::function<void(const TopoDS_Shape&, const STEPControl_Reader&)>& take) {
+                     const std::function<void(const TopoDS_Shape&, STEPControl_Reader&)>& take) {
     require_sound_step(bytes, path);
     const std::scoped_lock lock(step_session());
     try {
         brep::guard([&] {
             STEPControl_Reader reader;  // converts every unit to millimetres
-            if (reader.ReadFile(path.c_str()) != IFSelect_RetDone) throw core::IoError(path.string(), "is not a STEP file");
+            std::istringstream in(bytes);
+            if (reader.ReadStream(path.c_str(), in) != IFSelect_RetDone) throw core::IoError(path.string(), "is not a STEP file");
+            require_rigid_placements(reader, path);
             if (reader.TransferRoots() == 0) throw core::IoError(path.string(), "contains no shape");
             take(reader.OneShape(), reader);
         });

@@ -12,6 +12,6 @@ namespace fusee::exchange {
 /// @param bytes of the file
 /// @throws core::IoError naming the file, also for exceptions of OpenCASCADE in `take`; std::bad_alloc
 void with_step_shape(const std::filesystem::path& path, const std::string& bytes,
-                     const std::function<void(const TopoDS_Shape&, const STEPControl_Reader&)>& take);
+                     const std::function<void(const TopoDS_Shape&, STEPControl_Reader&)>& take);
 
 }  // namespace fusee::exchange

@@ -3,12 +3,14 @@
 #include <numeric>
 #include <vector>
 
-namespace fusee::inspect {
+namespace fusee::core {
 
 /// Numbers that are joined into sets; its least member names a set, in any order of joining.
 class DisjointSets {
 public:
-    explicit DisjointSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
+    explicit DisjointSets(std::size_t count = 0) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
+    /// A further number, in a set of its own.
+    std::uint32_t add() { return parent_.emplace_back(static_cast<std::uint32_t>(parent_.size())); }
     [[nodiscard]] std::uint32_t find(std::uint32_t i) {
         while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
         return i;
@@ -22,4 +24,4 @@ private:
     std::vector<std::uint32_t> parent_;
 };
 
-}  // namespace fusee::inspect
+}  // namespace fusee::core

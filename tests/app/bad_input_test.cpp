@@ -116,7 +116,7 @@ TEST_F(BadInput, NothingThatATerminalObeysIsPrinted) {
     write("t.toml", "name = \"\\u001b]0;x\"\n");
     write("u.toml", "name = \"t\"\n\"\\u001b[2J\" = 1\n");
     write("v.toml", "[law]\nkind = \"from_dead_band\"\ndead_band_deg = \"tau\\u0000\"\n");
-    write("\x1b[2J.toml", "name = 3\n");
+    fs::rename(write("s.toml", "name = 3\n"), folder_ / "\x1b[2J.toml");  // fusee writes no such name itself
     write("\xff.toml", "name = 3\n");
     for (const char* file : {"t.toml", "u.toml", "v.toml", "'\x1b[2J.toml'", "'\xff.toml'"}) {
         for (const char* command : {"make ", "check "}) {

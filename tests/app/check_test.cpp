@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cstdlib>
-#include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "app/run.h"
 
@@ -150,7 +150,7 @@ TEST_F(Check, OnlyARegularFileIsAMesh) {
 /// What would turn the line around, or colour it, is shown; it becomes no name of a file.
 TEST_F(Check, NamesAreShownAsTheyAre) {
     const std::string rlo = "\xE2\x80\xAE", name = "a" + rlo + "lts\x1b[31m.obj";
-    cube(name);
+    fs::rename(folder_ / cube("a.obj"), folder_ / name);  // fusee writes no such name itself
     const Ended ended = run("check '" + name + "' --process fdm");
     EXPECT_EQ(ended.code, 0) << ended.all();
     expect_words(ended.out, {"a\\u202elts\\x1b[31m"});
@@ -166,18 +166,16 @@ TEST_F(Check, NamesAreShownAsTheyAre) {
 TEST_F(Check, StepAndStlOfOnePartAgree) {
     const fs::path cases = fs::path(FUSEE_SOURCE_DIR) / "../shared/cases/mesh_step";
     if (!fs::exists(cases)) GTEST_SKIP() << cases << " is not here";
-    const auto severities = [&](const std::string& file) {
+    static const std::set<std::string> kTopology{"mesh.manifold",          "mesh.closed",         "mesh.orientation",
+                                                 "mesh.self_intersection", "mesh.flat_triangles", "mesh.bodies"};
+    const auto faults = [&](const std::string& file) {
         const Ended ended = run("check '" + (cases / file).string() + "' --process fdm --json");
-        std::map<std::string, std::string> all;
-        for (const Json& f : result_of(ended).at("processes").at(0).at("parts").at(0).at("findings")) all[f.at("rule")] = f.at("severity");
-        return all;
+        std::set<std::string> found;
+        for (const Json& f : result_of(ended).at("processes").at(0).at("parts").at(0).at("findings"))
+            if (kTopology.contains(f.at("rule"))) found.insert(f.at("rule").get<std::string>());
+        return found;
     };
-    auto step = severities("motor_holder.step"), stl = severities("motor_holder.stl"), pulley = severities("pulley.step");
-    for (const char* rule : {"mesh.manifold", "mesh.closed", "mesh.orientation", "mesh.self_intersection", "mesh.flat_triangles", "mesh.bodies"}) {
-        EXPECT_EQ(step[rule], "pass") << rule;
-        EXPECT_EQ(stl[rule], "pass") << rule;
-        EXPECT_EQ(pulley[rule], "pass") << rule;
-    }
+    for (const char* file : {"motor_holder.step", "motor_holder.stl", "pulley.step"}) EXPECT_EQ(faults(file), std::set<std::string>{}) << file;
 }
 
 TEST_F(Check, OneThreadOrThreeSayTheSame) {

@@ -99,7 +99,8 @@ void require_plain_name(const std::filesystem::path& path) {
     for (std::size_t at = 0; at < name.size();) {
         const Character c = first_character(std::string_view(name).substr(at));
         if (c.valid && (is_control(c.code) || is_mark(c.code)) && c.code != '\n' && c.code != '\t')
-            throw IoError(path.string(), "no file is written under a name with characters that are not seen; rename the file that it is from");
+            throw IoError(path.string(),
+                          "no file is written under a name with characters that are not seen; rename the file that it is from");
         at += c.bytes;
     }
 }

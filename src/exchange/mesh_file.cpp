@@ -25,7 +25,8 @@ struct Format {
 constexpr double kFarthest_mm = 1e9;  // the largest coordinate of a 3MF (lib3mf, NMR_MESH_MAXCOORDINATE)
 
 constexpr std::array kFormats = {Format{".stl", read_foreign_stl, "assimp"}, Format{".obj", read_foreign_obj, "assimp"},
-                                 Format{".3mf", read_foreign_3mf, "lib3mf"}, Format{".step", read_foreign_step, "OpenCASCADE", load_step_reader},
+                                 Format{".3mf", read_foreign_3mf, "lib3mf"},
+                                 Format{".step", read_foreign_step, "OpenCASCADE", load_step_reader},
                                  Format{".stp", read_foreign_step, "OpenCASCADE", load_step_reader}};
 
 const Format* format_of(const std::filesystem::path& path) {

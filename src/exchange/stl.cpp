@@ -93,8 +93,6 @@ solid::Mesh welded(const aiScene& scene, const std::filesystem::path& path) {
     return std::move(welder.mesh());
 }
 
-solid::Mesh read_stl_assimp(const std::filesystem::path& path) {
-    return mesh_by_assimp(read_stl_bytes(path), "stl", path);
-}
+solid::Mesh read_stl_assimp(const std::filesystem::path& path) { return mesh_by_assimp(read_stl_bytes(path), "stl", path); }
 
 }  // namespace fusee::exchange

@@ -95,7 +95,7 @@ private:
         const auto third = *std::find_if(t.begin(), t.end(), [&](std::uint32_t p) { return p != side.low && p != side.high; });
         const Vec3 start = std::abs(axis[0]) <= std::min(std::abs(axis[1]), std::abs(axis[2])) ? Vec3{1, 0, 0}
                            : std::abs(axis[1]) <= std::abs(axis[2])                            ? Vec3{0, 1, 0}
-                                                                                                : Vec3{0, 0, 1};
+                                                                                               : Vec3{0, 0, 1};
         const Vec3 v = cross(axis, start), u = cross(v, axis), to = minus(mesh_.points_mm[third], from);
         return std::atan2(dot(to, v) * std::sqrt(dot(u, u)), dot(to, u) * std::sqrt(dot(v, v)));
     }

@@ -139,7 +139,10 @@ TEST_F(Check, AMeshReadsNoOtherFile) {
 }
 
 TEST_F(Check, OnlyARegularFileIsAMesh) {
-    ASSERT_EQ(std::system(("cd '" + folder_.string() + "' && mkfifo a.stl b.toml && mkdir c.obj && ln -s /dev/zero d.step && ln -s a.stl e.3mf").c_str()), 0);
+    ASSERT_EQ(
+        std::system(
+            ("cd '" + folder_.string() + "' && mkfifo a.stl b.toml && mkdir c.obj && ln -s /dev/zero d.step && ln -s a.stl e.3mf").c_str()),
+        0);
     for (const char* file : {"a.stl --process fdm", "b.toml", "c.obj --process fdm", "d.step --process fdm", "e.3mf --process fdm"}) {
         const Ended ended = run(std::string("check ") + file);
         EXPECT_EQ(ended.code, 2) << file << ended.all();
@@ -175,7 +178,8 @@ TEST_F(Check, StepAndStlOfOnePartAgree) {
             if (kTopology.contains(f.at("rule"))) found.insert(f.at("rule").get<std::string>());
         return found;
     };
-    for (const char* file : {"motor_holder.step", "motor_holder.stl", "pulley.step"}) EXPECT_EQ(faults(file), std::set<std::string>{}) << file;
+    for (const char* file : {"motor_holder.step", "motor_holder.stl", "pulley.step"})
+        EXPECT_EQ(faults(file), std::set<std::string>{}) << file;
 }
 
 TEST_F(Check, OneThreadOrThreeSayTheSame) {

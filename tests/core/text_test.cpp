@@ -23,9 +23,14 @@ TEST(Printable, ShowsWhatATerminalWouldObey) {
 }
 
 TEST(Printable, ShowsWhatIsNotSeen) {
-    for (const auto& [text, shown] : {std::pair{"\xE2\x80\xAE", "\\u202e"}, {"\xE2\x81\xA6", "\\u2066"}, {"\xE2\x80\x8F", "\\u200f"},
-                                      {"\xEF\xBB\xBF", "\\ufeff"}, {"\xE2\x80\x8B", "\\u200b"}, {"\xD8\x9C", "\\u061c"},
-                                      {"\xC2\xAD", "\\u00ad"}, {"\xF3\xA0\x81\x81", "\\ue0041"}})
+    for (const auto& [text, shown] : {std::pair{"\xE2\x80\xAE", "\\u202e"},
+                                      {"\xE2\x81\xA6", "\\u2066"},
+                                      {"\xE2\x80\x8F", "\\u200f"},
+                                      {"\xEF\xBB\xBF", "\\ufeff"},
+                                      {"\xE2\x80\x8B", "\\u200b"},
+                                      {"\xD8\x9C", "\\u061c"},
+                                      {"\xC2\xAD", "\\u00ad"},
+                                      {"\xF3\xA0\x81\x81", "\\ue0041"}})
         EXPECT_EQ(printable(std::string("k") + text + "se"), std::string("k") + shown + "se");
 }
 

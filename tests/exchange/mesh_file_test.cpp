@@ -64,8 +64,7 @@ TEST_F(MeshFileTest, ReadsStlWithSolidInAnyPlaceAndCase) {
     expect_cube(read_mesh_file(write("mark.stl", "\xEF\xBB\xBF\r\n " + capitals)));
     write_stl(folder_ / "b.stl", cube_, "foreign");
     std::string binary = core::read_file(folder_ / "b.stl");
-    for (const char* word : {"solid", "SOLID", "Solid"})
-        expect_cube(read_mesh_file(write("binary.stl", binary.replace(0, 5, word))));
+    for (const char* word : {"solid", "SOLID", "Solid"}) expect_cube(read_mesh_file(write("binary.stl", binary.replace(0, 5, word))));
     fixtures::expect_refusal([&] { (void)read_mesh_file(write("cut.stl", capitals.substr(0, capitals.size() / 2))); }, {"endsolid"});
 }
 

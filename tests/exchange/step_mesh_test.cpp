@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_Copy.hxx>
@@ -26,11 +28,10 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <TopoDS_Wire.hxx>
+#include <cmath>
 #include <gp_Ax2.hxx>
 #include <gp_Circ.hxx>
-#include <fmt/format.h>
 #include <gp_Trsf.hxx>
-#include <cmath>
 #include <map>
 #include <numbers>
 
@@ -174,20 +175,31 @@ INSTANTIATE_TEST_SUITE_P(
         Kind{"fillet_of_fillets", [] { return rounded(fuse(rounded(box(0, 0, 0, 20, 10, 10), 2), cylinder(axis(10, 5, 5), 2, 20)), 0.5); }},
         Kind{"loft", [] { return lofted(false); }}, Kind{"loft_to_a_point", [] { return lofted(true); }},
         Kind{"revolved_on_its_axis",
-             [] { return revolved({gp_Pnt(0, 0, 0), gp_Pnt(10, 0, 0), gp_Pnt(6, 0, 5), gp_Pnt(0, 0, 12)}, 2 * std::numbers::pi); }},
+             [] {
+                 return revolved({gp_Pnt(0, 0, 0), gp_Pnt(10, 0, 0), gp_Pnt(6, 0, 5), gp_Pnt(0, 0, 12)}, 2 * std::numbers::pi);
+             }},
         Kind{"revolved_in_part",
-             [] { return revolved({gp_Pnt(0, 0, 0), gp_Pnt(10, 0, 0), gp_Pnt(6, 0, 5), gp_Pnt(0, 0, 12)}, 4.0); }},
+             [] {
+                 return revolved({gp_Pnt(0, 0, 0), gp_Pnt(10, 0, 0), gp_Pnt(6, 0, 5), gp_Pnt(0, 0, 12)}, 4.0);
+             }},
         Kind{"touches_itself_in_a_point",
-             [] { return revolved({gp_Pnt(0, 0, 0), gp_Pnt(10, 0, -3), gp_Pnt(10, 0, 5)}, 2 * std::numbers::pi); }},
+             [] {
+                 return revolved({gp_Pnt(0, 0, 0), gp_Pnt(10, 0, -3), gp_Pnt(10, 0, 5)}, 2 * std::numbers::pi);
+             }},
         Kind{"touches_itself_in_an_edge",
              [] { return cut(box(0, 0, 0, 30, 30, 10), fuse(box(5, 5, -1, 10, 10, 20), box(15, 15, -1, 10, 10, 20))); }},
-        Kind{"holes_touch", [] { return cut(cut(box(0, 0, 0, 40, 20, 4), cylinder(axis(10, 10, -1), 5, 10)), cylinder(axis(20, 10, -1), 5, 10)); }},
+        Kind{"holes_touch",
+             [] { return cut(cut(box(0, 0, 0, 40, 20, 4), cylinder(axis(10, 10, -1), 5, 10)), cylinder(axis(20, 10, -1), 5, 10)); }},
         Kind{"ring_tangent_inside", [] { return cut(cylinder(axis(0, 0, 0), 10, 5), cylinder(axis(4, 0, -1), 6, 10)); }},
         Kind{"thin_plate", [] { return box(0, 0, 0, 100, 10, 1e-3); }}, Kind{"sliver", [] { return wedge(100, 0.002); }},
         Kind{"thin_ring", [] { return cut(cylinder(axis(0, 0, 0), 10, 5), turned(cylinder(axis(0, 0, -1), 9.995, 10), 0.05)); }},
         Kind{"tiny_step", [] { return fuse(cylinder(axis(0, 0, 0), 10, 10), cylinder(axis(0, 0, 10), 10.00005, 5)); }},
         Kind{"cavity", [] { return cut(BRepPrimAPI_MakeSphere(10).Shape(), BRepPrimAPI_MakeSphere(5).Shape()); }, 2},
-        Kind{"two_that_touch", [] { return compound({box(0, 0, 0, 10, 10, 10), box(10, 10, 0, 10, 10, 10)}); }, 2},
+        Kind{"two_that_touch",
+             [] {
+                 return compound({box(0, 0, 0, 10, 10, 10), box(10, 10, 0, 10, 10, 10)});
+             },
+             2},
         Kind{"instances", instances, 3}, Kind{"mirrored", [] { return mirrored(rounded(box(0, 0, 0, 10, 20, 10), 1)); }},
         Kind{"loose_faces", loose_faces}, Kind{"inch", [] { return rounded(box(0, 0, 0, 1, 0.5, 0.4), 0.1); }, 1, "INCH", 25.4},
         Kind{"metre", [] { return rounded(box(0, 0, 0, 0.0254, 0.0127, 0.01), 0.002); }, 1, "M", 1000.0}),
@@ -216,13 +228,14 @@ std::string mapped(std::string step, const std::string& z, double scale) {
     const std::string number = step.substr(context, step.find(')', context) - context);
     const std::string definition = "SHAPE_DEFINITION_REPRESENTATION(#4,#10)";
     step.replace(step.find(definition), definition.size(), "SHAPE_DEFINITION_REPRESENTATION(#4,#90008)");
-    return step.insert(step.rfind("ENDSEC;"), "#90001=REPRESENTATION_MAP(#11,#10);\n#90002=CARTESIAN_POINT('',(-30.,0.,0.));\n"
-                                              "#90003=DIRECTION('',(1.,0.,0.));\n#90004=DIRECTION('',(0.,1.,0.));\n#90005=DIRECTION('',(" +
-                                                  z + "));\n#90006=CARTESIAN_TRANSFORMATION_OPERATOR_3D('','','',#90003,#90004,#90002," +
-                                                  fmt::format("{:.1f}", scale) +
-                                                  ",#90005);\n#90007=MAPPED_ITEM('',#90001,#90006);\n"
-                                                  "#90008=SHAPE_REPRESENTATION('',(#11,#90007),#" +
-                                                  number + ");\n");
+    return step.insert(step.rfind("ENDSEC;"),
+                       "#90001=REPRESENTATION_MAP(#11,#10);\n#90002=CARTESIAN_POINT('',(-30.,0.,0.));\n"
+                       "#90003=DIRECTION('',(1.,0.,0.));\n#90004=DIRECTION('',(0.,1.,0.));\n#90005=DIRECTION('',(" +
+                           z + "));\n#90006=CARTESIAN_TRANSFORMATION_OPERATOR_3D('','','',#90003,#90004,#90002," +
+                           fmt::format("{:.1f}", scale) +
+                           ",#90005);\n#90007=MAPPED_ITEM('',#90001,#90006);\n"
+                           "#90008=SHAPE_REPRESENTATION('',(#11,#90007),#" +
+                           number + ");\n");
 }
 
 TEST_F(StepMeshFile, APlacementThatMirrorsOrScalesIsRefused) {

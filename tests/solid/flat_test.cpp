@@ -22,8 +22,8 @@ Mesh block_with_a_flat_triangle() {
         return mesh.points_mm[t[0]][2] == 10.0 && mesh.points_mm[t[1]][2] == 10.0 && mesh.points_mm[t[2]][2] == 10.0;
     });
     for (const auto& [x, y] : {std::pair{0, 0}, {10, 0}, {10, 10}, {5, 10}, {0, 10}})
-        upper.push_back(static_cast<std::uint32_t>(std::find(mesh.points_mm.begin(), mesh.points_mm.end(), Vec3{double(x), double(y), 10.0}) -
-                                                   mesh.points_mm.begin()));
+        upper.push_back(static_cast<std::uint32_t>(
+            std::find(mesh.points_mm.begin(), mesh.points_mm.end(), Vec3{double(x), double(y), 10.0}) - mesh.points_mm.begin()));
     mesh.triangles.push_back({upper[0], upper[1], upper[2]});
     mesh.triangles.push_back({upper[0], upper[2], upper[4]});
     mesh.triangles.push_back({upper[2], upper[3], upper[4]});

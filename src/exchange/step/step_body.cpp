@@ -35,16 +35,19 @@ public:
         const Handle(Poly_Triangulation) mesh = BRep_Tool::Triangulation(face, location);
         if (mesh.IsNull()) return false;
         std::vector<std::uint32_t> number(static_cast<std::size_t>(mesh->NbNodes()) + 1, kNone);  // by node, which count from 1
-        for (TopExp_Explorer edge(face, TopAbs_EDGE); edge.More(); edge.Next()) number_edge(TopoDS::Edge(edge.Current()), mesh, location, number);
+        for (TopExp_Explorer edge(face, TopAbs_EDGE); edge.More(); edge.Next())
+            number_edge(TopoDS::Edge(edge.Current()), mesh, location, number);
         for (int i = 1; i <= mesh->NbNodes(); ++i)
-            if (number[static_cast<std::size_t>(i)] == kNone) number[static_cast<std::size_t>(i)] = fresh(mesh->Node(i).Transformed(location));
+            if (number[static_cast<std::size_t>(i)] == kNone)
+                number[static_cast<std::size_t>(i)] = fresh(mesh->Node(i).Transformed(location));
         // A mirrored placement turns the triangles over.
         const bool turned = (face.Orientation() == TopAbs_REVERSED) != (location.Transformation().VectorialPart().Determinant() < 0.0);
         for (int i = 1; i <= mesh->NbTriangles(); ++i) {
             std::array<int, 3> node{};
             mesh->Triangle(i).Get(node[0], node[1], node[2]);
             if (turned) std::swap(node[1], node[2]);
-            triangles_.push_back({number[static_cast<std::size_t>(node[0])], number[static_cast<std::size_t>(node[1])], number[static_cast<std::size_t>(node[2])]});
+            triangles_.push_back({number[static_cast<std::size_t>(node[0])], number[static_cast<std::size_t>(node[1])],
+                                  number[static_cast<std::size_t>(node[2])]});
         }
         return true;
     }
@@ -80,7 +83,8 @@ private:
         return found->second;
     }
     /// The numbers of an edge's nodes in the direction of its parameter; a degenerate edge is its vertex.
-    const std::vector<std::uint32_t>& numbers_of(const TopoDS_Edge& edge, const Handle(Poly_PolygonOnTriangulation)& nodes, const Handle(Poly_Triangulation)& mesh, const TopLoc_Location& location) {
+    const std::vector<std::uint32_t>& numbers_of(const TopoDS_Edge& edge, const Handle(Poly_PolygonOnTriangulation) & nodes,
+                                                 const Handle(Poly_Triangulation) & mesh, const TopLoc_Location& location) {
         const auto [found, first] = edges_.try_emplace(edge, std::vector<std::uint32_t>{});
         if (!first) return found->second;
         const auto count = static_cast<std::size_t>(nodes->NbNodes());
@@ -97,7 +101,8 @@ private:
         }
         return numbers;
     }
-    void number_edge(const TopoDS_Edge& edge, const Handle(Poly_Triangulation)& mesh, const TopLoc_Location& location, std::vector<std::uint32_t>& number) {
+    void number_edge(const TopoDS_Edge& edge, const Handle(Poly_Triangulation) & mesh, const TopLoc_Location& location,
+                     std::vector<std::uint32_t>& number) {
         const Handle(Poly_PolygonOnTriangulation)& nodes = BRep_Tool::PolygonOnTriangulation(edge, mesh, location);
         if (nodes.IsNull()) return;
         const std::vector<std::uint32_t>& numbers = numbers_of(edge, nodes, mesh, location);
@@ -110,7 +115,9 @@ private:
     }
 
     struct Hash {
-        std::size_t operator()(const TopoDS_Shape& s) const { return static_cast<std::size_t>(TopTools_ShapeMapHasher::HashCode(s, std::numeric_limits<int>::max())); }
+        std::size_t operator()(const TopoDS_Shape& s) const {
+            return static_cast<std::size_t>(TopTools_ShapeMapHasher::HashCode(s, std::numeric_limits<int>::max()));
+        }
     };
     struct Same {
         bool operator()(const TopoDS_Shape& a, const TopoDS_Shape& b) const { return a.IsSame(b); }

@@ -85,9 +85,10 @@ void require_rigid_placements(const STEPControl_Reader& reader, const std::files
                      z = direction(placement->HasAxis3(), placement->Axis3(), x.Crossed(y));
         const bool mirrors = x.Crossed(y).Dot(z) < 0.0, scales = placement->HasScale() && std::abs(placement->Scale() - 1.0) > kScale;
         if (!mirrors && !scales) continue;
-        throw core::IoError(path.string(), fmt::format("#{} places a part {} (CARTESIAN_TRANSFORMATION_OPERATOR_3D), which OpenCASCADE does not "
-                                                       "do; export the part as it stands, without its placement",
-                                                       model->IdentLabel(placement), mirrors ? "as its mirror image" : "with a scale"));
+        throw core::IoError(path.string(),
+                            fmt::format("#{} places a part {} (CARTESIAN_TRANSFORMATION_OPERATOR_3D), which OpenCASCADE does not "
+                                        "do; export the part as it stands, without its placement",
+                                        model->IdentLabel(placement), mirrors ? "as its mirror image" : "with a scale"));
     }
 }
 

@@ -207,7 +207,7 @@ TEST_F(Check, BadInputIsNamed) {
     refused("line.obj --process fdm", {"line.obj"});
     write("file", "");
     refused("a.obj --process fdm --out file", {"file: is a file, not a folder"});
-    refused("a.obj --process fdm --out file/x", {"file/x: the folder cannot be created"});
+    refused("a.obj --process fdm --out file/x", {"file: is a file, not a folder"});
     refused(cube("far.obj", 1e10) + " --process fdm", {"far.obj", "1e+10 mm", "1e+09 mm"});
 }
 

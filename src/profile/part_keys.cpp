@@ -33,25 +33,29 @@ std::vector<Key> spring_keys(const std::string& part, PartSpec Profile::*member)
     const std::string t = part + ".spring.";
     std::vector<Key> all;
     if (part == "k_se") {
-        all = {required(number(t + "rate_Nm_per_rad", kNmPerRad, above(0, 1e6), "k_t of the torsion spring, as measured", OF(spring.rate))),
+        all = {required(number(t + "rate_Nm_per_rad", kNmPerRad, above(0, 1e6),
+                               "k_t of the torsion spring, as measured; left out: that of its coils", OF(spring.rate))),
                required(number(t + "preload_rad", kRad, within(0, 1e3), "phi0, wound at the law's lowest load", OF(spring.preload))),
-               number(t + "max_angle_rad", kRad, within(0, 1e3), "largest allowed winding, preload counted; 0 = unknown",
+               number(t + "max_angle_rad", kRad, within(0, 1e3), "largest allowed winding, preload counted; 0 = by the wire's strength",
                       OF(spring.max_state)),
-               number(t + "max_torque_Nm", kNm, within(0, 1e4), "0 = unknown", OF(spring.max_load))};
+               number(t + "max_torque_Nm", kNm, within(0, 1e4), "0 = by the wire's strength", OF(spring.max_load))};
     } else {
-        all = {required(number(t + "rate_N_per_m", kNPerM, above(0, 1e9), "k of the compression spring, as measured", OF(spring.rate))),
+        all = {required(number(t + "rate_N_per_m", kNPerM, above(0, 1e9),
+                               "k of the compression spring, as measured; left out: that of its coils", OF(spring.rate))),
                required(number(t + "preload_mm", kMm, within(0, 1e4), "y0, compressed at the law's lowest load", OF(spring.preload))),
-               number(t + "max_travel_mm", kMm, within(0, 1e4), "travel to solid, preload counted; 0 = unknown", OF(spring.max_state)),
-               number(t + "max_force_N", kNewton, within(0, 1e6), "0 = unknown", OF(spring.max_load))};
+               number(t + "max_travel_mm", kMm, within(0, 1e4), "travel to solid, preload counted; 0 = by coils and strength of the wire",
+                      OF(spring.max_state)),
+               number(t + "max_force_N", kNewton, within(0, 1e6), "0 = by coils and strength of the wire", OF(spring.max_load))};
     }
     all.push_back(choice(t + "rate_origin", {"nominal", "measured"}, "nominal: that of wire, coil and turns; measured: of this spring",
                          OF(spring.rate_origin)));
     all.push_back(
         number(t + "wire_mm", kMm, or_zero(0.02, 100), "wire diameter; 0 = unknown, stress not checked", OF(spring.wire_diameter)));
     all.push_back(number(t + "coil_mm", kMm, or_zero(0.1, 1000), "mean coil diameter; 0 = unknown", OF(spring.coil_diameter)));
-    all.push_back(number(t + "active_coils", kPure, or_zero(0.1, 1000), "0 = unknown", OF(spring.active_coils)));
+    all.push_back(
+        number(t + "active_coils", kPure, or_zero(0.1, 1000), "0 = those that give wire_mm and coil_mm the rate", OF(spring.active_coils)));
     all.push_back(number(t + "free_length_mm", kMm, or_zero(0.1, 1e4),
-                         part == "k_se" ? "axial space for the body; 0 = unknown" : "0 = unknown, buckling not checked",
+                         part == "k_se" ? "axial space for the body; 0 = as the wound coils need" : "0 = as turns and travel need",
                          OF(spring.free_length)));
     all.push_back(
         number(t + "tensile_strength_MPa", kMPa, or_zero(100, 5000), "of the wire; 0 = by wire_class", OF(spring.tensile_strength)));
@@ -113,7 +117,8 @@ std::vector<Key> path_keys(const std::string& part, PartSpec Profile::*member) {
              number(t + "pitch_mm", kMm, within(0, 1000), "height gained per turn; above 0 for a constant pitch", OF(cam.path.pitch))),
         when(kind, {"helix"},
              when(t + "lead", {"constant_pitch"}, choice(t + "hand", {"right", "left"}, "right: like a common screw", OF(cam.path.hand)))),
-        number(t + "margin_deg", kDeg, within(3, 170), "groove beyond the working arc, to the anchor", OF(cam.path.margin)),
+        number(t + "margin_deg", kDeg, within(3, 170),
+               "groove beyond the working arc, to the anchor; left out: the nearest angle at which no rule objects", OF(cam.path.margin)),
         number(t + "min_idle_radius_mm", kMm, above(0, 1000), "least radius of curvature on the idle arc that closes a planar path",
                OF(cam.path.min_idle_curvature_radius)),
     };

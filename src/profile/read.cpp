@@ -10,6 +10,7 @@
 #include "fusee/core/file.h"
 #include "fusee/core/toml.h"
 #include "fusee/formats/format.h"
+#include "fusee/spring/derive.h"
 #include "overrides.h"
 
 namespace fs = std::filesystem;
@@ -110,7 +111,7 @@ private:
             unknown_.insert(key.path);
             if (found != nodes_.end()) (void)convert(key, *found->second, faults_);
         } else if (found == nodes_.end()) {
-            if (applies(key, profile) && key.required) refuse_missing(key);
+            if (applies(key, profile) && key.required && !follows(key)) refuse_missing(key);
         } else if (!applies(key, profile)) {
             refuse_unused(key, *found->second);
         } else if (const std::optional<Value> value = convert(key, *found->second, faults_)) {
@@ -125,6 +126,15 @@ private:
         std::string table = key.table();
         while (!regions_.contains(table)) table = table.substr(0, table.find('.') == std::string::npos ? 0 : table.rfind('.'));
         return regions_.at(table);
+    }
+    /// A rate may be left out where wire, coil and turns give it.
+    [[nodiscard]] bool follows(const Key& key) const {
+        if (!key.leaf().starts_with("rate_") || !key.table().ends_with(".spring")) return false;
+        const auto stated = [&](const char* leaf) {
+            const auto node = nodes_.find(key.table() + leaf);
+            return node == nodes_.end() ? 0.0 : node->second->value<double>().value_or(0.0);
+        };
+        return stated(".wire_mm") > 0.0 && stated(".coil_mm") > stated(".wire_mm") && stated(".active_coils") > 0.0;
     }
     void refuse_missing(const Key& key) {
         unknown_.insert(key.path);
@@ -207,6 +217,7 @@ void distribute(Profile& p) {
     if (!p.places.contains("outputs.formats")) p.outputs.formats = formats::default_formats(p.process);
     p.k_pe.solid.chordal_error = p.k_se.solid.chordal_error;
     p.k_pe.allowance.cable_axis = p.k_se.allowance.cable_axis;
+    for (PartSpec* part : {&p.k_se, &p.k_pe}) spring::derive_coils(part->spring);
     for (PartSpec* part : {&p.k_se, &p.k_pe})
         if (part->cable_length > 0.0) part->allowance.cable_compliance = part->cable_length / p.wrap.stiffness;
     p.k_se.cam.cable_diameter = p.k_pe.cam.cable_diameter = p.cable.diameter;

@@ -7,6 +7,8 @@
 
 #include "fusee/actuator/dead_band.h"
 #include "fusee/pipeline/design.h"
+#include "fusee/spring/coil.h"
+#include "fusee/spring/derive.h"
 #include "fusee/spring/lead_in.h"
 
 namespace fusee::pipeline {
@@ -64,6 +66,17 @@ core::Finding covers(const actuator::Actuator& joint, const char* side, double t
     return core::judged(f, core::Severity::kWarning);
 }
 
+/// Turns, lengths and ratings that the profile does not state. K_PE's cable takes a part of the energy that its spring need not hold.
+void complete_springs(profile::Profile& profile, const spring::SpringLaw& law) {
+    const spring::LawPoint low = law.at_load(law.loads().low), high = law.at_load(law.loads().high);
+    for (const auto& [spec, energy] : {std::pair{&profile.k_se, high.u_se - low.u_se}, {&profile.k_pe, high.u_pe - low.u_pe}}) {
+        spring::BaseSpring& s = spec->spring;
+        spring::derive_coils(s);
+        if (!spring::coil_known(s) || energy < 0.0) continue;
+        spring::derive_length_and_rating(s, pulled_spring(*spec).load(energy) / s.rate);
+    }
+}
+
 }  // namespace
 
 actuator::Actuator actuator_of(const profile::Profile& profile, const spring::SpringLawPtr& law) {
@@ -83,6 +96,7 @@ core::Outcome<ResolvedDesign> resolve(profile::Profile profile) {
     if (!law) return law.refusal();
     if (core::Findings broken = spring::check_law(**law); core::any_error(broken)) return broken;
 
+    complete_springs(profile, **law);
     actuator::Actuator joint = actuator_of(profile, *law);
     core::Findings findings{covers(joint, "least", joint.least_torque, core::Bound::kAtMost),
                             covers(joint, "greatest", joint.overdrive_torque, core::Bound::kAtLeast)};

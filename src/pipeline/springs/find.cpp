@@ -10,6 +10,7 @@
 #include "fusee/core/units.h"
 #include "fusee/pipeline/springs.h"
 #include "fusee/spring/coil.h"
+#include "fusee/spring/derive.h"
 
 namespace fusee::pipeline {
 
@@ -18,11 +19,10 @@ namespace {
 using core::m_from_mm;
 using core::mm_from_m;
 
-constexpr double kThickest_mm = 5.0, kWidest_mm = 40.0, kCoilStep_mm = 0.5, kTurnStep = 0.25, kLengthStep_mm = 0.5;
+constexpr double kThickest_mm = 5.0, kWidest_mm = 40.0, kCoilStep_mm = 0.5, kTurnStep = 0.25;
 constexpr double kMostTurns = 60.0;
 constexpr double kLoosest = 16.0, kTightest = 4.0;  // index
-constexpr double kRodClearance = 1.1, kTravelShare = 0.8, kMostTravel = 0.85;
-constexpr double kRated = 1.0 / 0.9;  // for a rate that is 10 % low
+constexpr double kRodClearance = 1.1;
 constexpr std::array kLegRules = {"assembly.leg_radius", "assembly.leg_width", "assembly.leg_pressure", "assembly.anchor_reach"};
 
 double up_to_step(double value, double step) { return step * std::ceil(value / step - 1e-9); }
@@ -80,11 +80,6 @@ private:
 /// The preload with which a spring of another rate bears the same load at the law's beginning.
 void keep_first_load(spring::BaseSpring& s, const spring::BaseSpring& own) { s.preload = own.rate * own.preload / s.rate; }
 
-/// Space along the axis of a torsion spring wound by `state`.
-double space_of(const spring::BaseSpring& s, double state) {
-    return m_from_mm(up_to_step(mm_from_m(spring::wound_length(s, state)) + kLengthStep_mm, kLengthStep_mm));
-}
-
 /// The rod that the profile states, else the thickest usual one inside the coils at `state`; 0: none fits.
 double rod_inside(const spring::BaseSpring& s, double state, const spring::BaseSpring& own) {
     if (own.rod_diameter > 0.0) return own.rod_diameter;
@@ -95,19 +90,7 @@ double rod_inside(const spring::BaseSpring& s, double state, const spring::BaseS
 /// What a winder states beside wire, coils and turns: rating, length, rod.
 void complete(spring::BaseSpring& s, const Judge& judge, const spring::BaseSpring& own) {
     const double state = judge.largest_state(s);
-    const double bears = spring::allowed_share(s) * spring::tensile_strength(s) / spring::wire_stress(s, 1.0);
-    if (is_torsion(s)) {
-        s.max_load = bears;
-        s.max_state = bears / s.rate;
-        s.free_length = space_of(s, state);
-    } else {
-        const double wire = mm_from_m(s.wire_diameter), coil = mm_from_m(s.coil_diameter);
-        const double gaps = m_from_mm(s.active_coils * (0.0015 * coil * coil / wire + 0.1 * wire));
-        const double travel = std::max({state / kTravelShare, state + gaps, state * kRated / kMostTravel});
-        s.free_length = m_from_mm(up_to_step(mm_from_m((s.active_coils + 2.0) * s.wire_diameter + travel), kLengthStep_mm));
-        s.max_state = std::min(kMostTravel * *spring::travel_to_solid(s), bears / s.rate);
-        s.max_load = s.rate * s.max_state;
-    }
+    spring::derive_length_and_rating(s, state);
     s.rod_diameter = rod_inside(s, state, own);
 }
 
@@ -130,7 +113,7 @@ std::vector<double> coils_of(double wire_mm, const solid::FeatureOptions& featur
 /// The profile's spring without the data of its coils, as the start of every other.
 spring::BaseSpring bare(const spring::BaseSpring& own, const SpringSearchOptions& options, const cam::Cam& cam) {
     spring::BaseSpring s = own;
-    s.tensile_strength = s.leg_bend_radius = 0.0;
+    s.tensile_strength = s.leg_bend_radius = s.free_length = s.max_state = s.max_load = 0.0;
     if (s.wire_class == spring::WireClass::kUnknown) s.wire_class = options.wire_class;
     if (s.cycles <= 0.0) s.cycles = options.cycles;
     if (is_torsion(s)) s.hand = cam.rotation_sign > 0 ? spring::Hand::kLeft : spring::Hand::kRight;
@@ -165,7 +148,7 @@ void try_bought(const spring::BaseSpring& start, const spring::BaseSpring& own, 
         s.cycles = start.cycles, s.motion = start.motion, s.hand = start.hand;
         keep_first_load(s, own);
         const double state = judge.largest_state(s);
-        if (is_torsion(s)) s.free_length = space_of(s, state);
+        if (is_torsion(s)) s.free_length = spring::axial_space(s, state);
         s.rod_diameter = rod_inside(s, state, own);
         if (judge.passes(s)) found.push_back({row.name, s, volume_of(s), true});
     }

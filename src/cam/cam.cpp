@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "contour.h"
+#include "fusee/cam/anchor.h"
 #include "fusee/cam/certificate.h"
 #include "fusee/cam/contact.h"
 #include "fusee/cam/idle_arc.h"
@@ -154,7 +155,6 @@ core::Outcome<Cam> closed(Cam cam, const ArmFunction& arm, const std::shared_ptr
         return joined(working_pieces(arm, options, height), {idle_pieces(closing, begin)});
     };
     cam.groove_psi = {cam.working_psi.low, cam.working_psi.low + core::kTurn};
-    if (cam.anchor_psi < cam.groove_psi.low) cam.anchor_psi += core::kTurn;
     return cam;
 }
 
@@ -185,10 +185,9 @@ core::Outcome<Cam> synthesize_cam(const ArmFunction& asked, const CamOptions& op
     cam.working_psi = arc->psi();
     if (core::Findings findings = check_wrap(arm, cam, scanned.back().arm.angle); !findings.empty()) return findings;
     cam.working = working_rows(asked, arm, options, scanned, height);
-    const double margin = options.path.margin, wound = options.torque_sign > 0 ? cam.working_psi.low : cam.working_psi.high;
-    cam.anchor_psi = wound - options.torque_sign * margin;
+    cam.anchor_psi = anchor_direction(cam, options.path.margin);
     if (!cam.closed()) {
-        cam.groove_psi = open_groove(cam.working_psi, margin);
+        cam.groove_psi = open_groove(cam.working_psi, options.path.margin);
         make_open(cam, arm, arc, height);
         return cam;
     }

@@ -17,12 +17,17 @@ bool is_stated(const Key& key, const Profile& profile, const Profile& untouched)
     return key.required || toml_text(key, profile) != toml_text(key, untouched);
 }
 
+/// A margin that the file leaves out follows from the contour, and would not if it were stated.
+bool follows(const Key& key, const Profile& profile) {
+    return key.leaf() == "margin_deg" && !profile.places.contains(key.path) && !is_stated(key, profile, {});
+}
+
 }  // namespace
 
 std::string to_toml(const Profile& profile) {
     std::string toml, table;
     for (const Key& key : keys()) {
-        if (!applies(key, profile)) continue;
+        if (!applies(key, profile) || follows(key, profile)) continue;
         if (key.table() != table) toml += fmt::format("\n[{}]\n", table = key.table());
         toml += fmt::format("{} = {}\n", key.leaf(), toml_text(key, profile));
     }

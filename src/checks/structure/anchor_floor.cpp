@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "fusee/cam/anchor.h"
 #include "fusee/core/units.h"
 #include "measure.h"
 #include "shape.h"
@@ -10,9 +11,6 @@
 namespace fusee::checks {
 
 namespace {
-
-constexpr double kMarginStep = 5.0;    // [deg] step of the search for a larger margin
-constexpr double kMostMargin = 170.0;  // [deg] largest margin of a profile
 
 struct Clearance {
     double gap = 0.0;  ///< from the hole's edge to the floor of the working arc [m]
@@ -44,11 +42,9 @@ core::Findings measure_structure_anchor_floor(const Design& design, const Allowe
     f.where = where(design, found.at.psi);
     f.place = place(found.at, -0.5 * cam.options.cable_diameter);
     f.suggestion = fmt::format("{}.features.anchor_hole_mm = 0 and a knot or clamp outside the part", name(design));
-    for (double margin = core::deg_from_rad(cam.options.path.margin) + kMarginStep; margin < kMostMargin; margin += kMarginStep) {
-        const double wound = cam.options.torque_sign > 0 ? cam.working_psi.low : cam.working_psi.high;
-        if (clearance(cam, wound - cam.options.torque_sign * core::rad_from_deg(margin), radius).gap < 0.55 * design.cable.diameter)
-            continue;
-        f.suggestion = fmt::format("{}.path.margin_deg = {:.0f}", name(design), margin);
+    for (const double margin : cam::margins_by_distance(cam)) {
+        if (clearance(cam, cam::anchor_direction(cam, margin), radius).gap < 0.55 * design.cable.diameter) continue;
+        f.suggestion = fmt::format("{}.path.margin_deg = {:.0f}", name(design), core::deg_from_rad(margin));
         break;
     }
     return {f};

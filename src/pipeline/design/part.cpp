@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "anchor.h"
 #include "export/compensated.h"
 #include "fusee/cam/arm.h"
 #include "fusee/checks/check.h"
@@ -92,7 +93,9 @@ core::Findings check_cable_length(const cam::Cam& cam, const profile::Profile& p
 }
 
 core::Outcome<cam::Cam> design_cam(cam::PartKind kind, const ResolvedDesign& design) {
-    return cam::synthesize_cam(design.arm(kind), design.spec(kind).cam);
+    auto cam = cam::synthesize_cam(design.arm(kind), design.spec(kind).cam);
+    if (!cam) return cam;
+    return with_anchor_placed(std::move(cam).value(), design);
 }
 
 core::Outcome<cam::Cam> design_checked_cam(cam::PartKind kind, const ResolvedDesign& design) {

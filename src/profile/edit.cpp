@@ -68,12 +68,33 @@ void add_key(std::string& toml, const toml::table& parsed, const Key& key, const
     toml += end + "[" + key.table() + "]" + end + line;
 }
 
+/// The key with its value and, on a line of its own, its comment; in an inline table with one comma.
+void cut_out(std::string& toml, std::size_t begin, std::size_t end) {
+    const std::size_t line = toml.rfind('\n', begin) + 1;  // 0 if there is none
+    const std::size_t comma = toml.find_last_of("{,", begin);
+    if (comma == std::string::npos || comma < line) {  // not in an inline table
+        const std::size_t line_end = toml.find('\n', end);
+        toml.erase(line, line_end == std::string::npos ? line_end : line_end + 1 - line);
+        return;
+    }
+    std::size_t next = std::min(toml.find_first_not_of(" \t", end), toml.size());
+    const bool last = toml[next] != ',', first = toml[comma] == '{';
+    if (!last) next = toml.find_first_not_of(" \t", next + 1);
+    const std::size_t from = last && !first ? comma : toml.find_first_not_of(" \t", comma + 1);
+    toml.erase(from, (last ? end : next) - from);
+}
+
 void make(std::string& toml, const Key& key, const Edit& edit) {
     const toml::table parsed = toml::parse(toml);
     const toml::node_view<const toml::node> node = parsed.at_path(key.path);
-    if (!node) return add_key(toml, parsed, key, edit);
+    if (!node) return edit.value.empty() ? void() : add_key(toml, parsed, key, edit);
     const toml::source_position at = node.node()->source().begin;
     const std::size_t begin = place_of(toml, at), end = value_end(toml, begin);
+    if (edit.value.empty()) {
+        cut_out(toml, begin, end);
+        toml.insert(line_begin(toml, at.line), comment(key, edit, line_end(toml)));
+        return;
+    }
     if (!edit.origin.empty()) replace_comment(toml, end, edit.origin);
     toml.replace(begin, end - begin, edit.value);
     toml.insert(line_begin(toml, at.line), comment(key, edit, line_end(toml)));
@@ -116,6 +137,7 @@ void comment_out(std::string& toml, const Profile& profile, const Key& key, cons
 /// Is the new value the only change of the text?
 bool holds(const std::string& toml, const Key& key, const Edit& edit) {
     try {
+        if (edit.value.empty()) return !toml::parse(toml).at_path(key.path);
         const toml::table parsed = toml::parse(toml), wanted = toml::parse("value = " + edit.value);
         const toml::node_view<const toml::node> node = parsed.at_path(key.path);
         std::ostringstream found, asked;

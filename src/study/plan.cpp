@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <set>
 #include <utility>
@@ -12,7 +13,7 @@
 #include "constraint.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
-#include "fusee/profile/edit.h"
+#include "fusee/profile/follow.h"
 #include "sample.h"
 
 namespace fs = std::filesystem;
@@ -108,13 +109,15 @@ struct Plan::Parts {
     std::vector<std::string> name_keys;          ///< of a grid whose names hold the values; else empty
     bool varies_files = false;                   ///< a key that varies names a CSV file
     std::map<std::string, double> base_numbers;  ///< of the keys that the constraints name
+    std::set<std::string> following;             ///< those among them that follow from keys that vary
     int digits = 1;                              ///< of the greatest index
 
     void read_base();
     void check_constraints();
     [[nodiscard]] std::vector<std::string> values_at(std::size_t index) const;
     [[nodiscard]] std::string name_of(std::size_t index, const std::vector<std::string>& values) const;
-    [[nodiscard]] std::string excluded_by(const std::vector<std::string>& values) const;
+    [[nodiscard]] std::vector<profile::Edit> edits_of(const std::vector<std::string>& values) const;
+    [[nodiscard]] std::string excluded_by(const std::vector<std::string>& values, const std::function<profile::Profile()>& profile) const;
 };
 
 void Plan::Parts::read_base() {
@@ -143,6 +146,14 @@ void Plan::Parts::check_constraints() {
             base_numbers[key] = value;
         }
     }
+    if (base_numbers.empty() || size == 0) return;
+    for (const profile::Edit& edit : profile::following(*base, edits_of(values_at(0)))) following.insert(edit.key);
+}
+
+std::vector<profile::Edit> Plan::Parts::edits_of(const std::vector<std::string>& values) const {
+    std::vector<profile::Edit> edits;
+    for (std::size_t key = 0; key < values.size(); ++key) edits.push_back({study.vary[key].key, values[key], {}, {}});
+    return edits;
 }
 
 std::vector<std::string> Plan::Parts::values_at(std::size_t index) const {
@@ -173,11 +184,15 @@ std::string Plan::Parts::name_of(std::size_t index, const std::vector<std::strin
     return base->name.substr(0, profile::kLongestName - number.size()) + number;
 }
 
-std::string Plan::Parts::excluded_by(const std::vector<std::string>& values) const {
+/// @param profile makes the design's profile, of which only keys that follow are asked
+std::string Plan::Parts::excluded_by(const std::vector<std::string>& values, const std::function<profile::Profile()>& profile) const {
+    std::optional<profile::Profile> made;
     const auto number = [&](const std::string& key) {
         for (std::size_t i = 0; i < values.size(); ++i)
             if (study.vary[i].key == key) return number_in(values[i]);
-        return base_numbers.at(key);
+        if (!following.contains(key)) return base_numbers.at(key);
+        if (!made) made = profile();
+        return number_in(*profile::value_text(*made, key));
     };
     for (const Constraint& constraint : study.constraints)
         if (evaluate(field_of(study, "constraints." + constraint.name), constraint.formula, number) == 0.0) return constraint.name;
@@ -193,7 +208,6 @@ Plan::Plan(Study study) : parts_(std::make_unique<Parts>()) {
         return;
     }
     p.read_base();
-    p.check_constraints();
     p.size = s.count;
     if (s.method == Method::kCsv) p.size = s.rows.size();
     if (s.method == Method::kGrid) {
@@ -203,6 +217,7 @@ Plan::Plan(Study study) : parts_(std::make_unique<Parts>()) {
         p.sample = make_sample(s.method, s.vary.size(), s.count, s.seed);
     }
     p.digits = static_cast<int>(std::to_string(p.size - 1).size());
+    p.check_constraints();
 }
 
 Plan::~Plan() = default;
@@ -222,17 +237,21 @@ Planned Plan::at(std::size_t index) const {
     if (!parts_->study.varies()) return {index, parts_->study.row_names.at(index), {}, {}};
     Planned planned{index, {}, parts_->values_at(index), {}};
     planned.name = parts_->name_of(index, planned.values);
-    planned.excluded_by = parts_->excluded_by(planned.values);
+    planned.excluded_by = parts_->excluded_by(planned.values, [&] { return profile(planned); });
     return planned;
 }
 
 profile::Profile Plan::profile(const Planned& planned) const {
     const Parts& p = *parts_;
     if (!p.study.varies()) return profile::read_profile(p.study.profiles.at(planned.index));
-    std::vector<profile::Edit> edits{{"name", '"' + planned.name + '"', {}, {}}};
-    for (std::size_t key = 0; key < planned.values.size(); ++key) edits.push_back({p.study.vary[key].key, planned.values[key], {}, {}});
+    const std::vector<profile::Edit> moved = p.edits_of(planned.values), following = profile::following(*p.base, moved);
+    std::vector<profile::Edit> edits = moved;
+    edits.insert(edits.end(), following.begin(), following.end());
+    edits.push_back({"name", '"' + planned.name + '"', {}, {}});
     try {
-        return profile::parse_profile(profile::with_edits(p.base_text, *p.base, edits), p.study.profiles.front());
+        profile::Profile made = profile::parse_profile(profile::with_edits(p.base_text, *p.base, edits), p.study.profiles.front());
+        profile::let_anchors_follow(made, moved);
+        return made;
     } catch (const core::InputError&) {
         rethrow_in_study(p.study);
     }

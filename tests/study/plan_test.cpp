@@ -1,6 +1,7 @@
 #include <set>
 
 #include "fixture.h"
+#include "fusee/spring/coil.h"
 #include "refused.h"
 
 namespace fusee::study {
@@ -25,6 +26,25 @@ TEST_F(Plans, AProfileHasTheValuesOfItsDesign) {
     EXPECT_EQ(profile.name, "pnrvsa-diameter_mm-0.6-bore_mm-5.5");
     EXPECT_EQ(profile.cable.diameter, 0.6e-3);
     EXPECT_EQ(profile.k_se.solid.hub.bore_diameter, 5.5e-3);
+}
+
+/// A study of rates kept the turns of its base: 20 of the first 60 designs of the shipped study were refused by spring.rate.
+TEST_F(Plans, ASpringOfAnotherRateHasOtherTurns) {
+    const Plan plan(study("[vary]\nk_pe.spring.rate_N_per_m = [6000.0, 9000.0]\nk_se.spring.wire_mm = [1.0, 1.2]\n"));
+    for (std::size_t i = 0; i < plan.size(); ++i) {
+        const profile::Profile p = plan.profile(plan.at(i));
+        EXPECT_NEAR(spring::rate_of_coils(p.k_pe.spring) / p.k_pe.spring.rate, 1.0, 1e-9) << i;
+        EXPECT_NEAR(spring::rate_of_coils(p.k_se.spring) / 0.0183, 1.0, 1e-9) << i;
+        EXPECT_FALSE(p.places.contains("k_se.path.margin_deg"));
+    }
+}
+
+TEST_F(Plans, AConstraintOnWhatFollowsIsJudgedOnTheDesign) {
+    const Plan plan(
+        study("[vary]\nk_pe.spring.rate_N_per_m = [6000.0, 9000.0]\n"
+              "[constraints]\nfew = \"k_pe.spring.active_coils < 7\"\n"));  // 7.5 and 5 turns; the base has 6
+    EXPECT_EQ(plan.at(0).excluded_by, "few");
+    EXPECT_EQ(plan.at(1).excluded_by, "");
 }
 
 TEST_F(Plans, AConstraintLeavesDesignsOut) {

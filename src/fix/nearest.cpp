@@ -7,6 +7,7 @@
 #include <set>
 
 #include "policy.h"
+#include "standard.h"
 
 namespace fusee::fix {
 
@@ -58,10 +59,12 @@ private:
         }
     }
 
+    /// A spring whose coils did not fit its rate fits it, and does not go back to where its difference is just allowed.
     [[nodiscard]] bool graded(int move) const {
         return std::all_of(result_.choices.begin(), result_.choices.end(), [&](const auto& entry) {
             const auto& [key, choice] = entry;
-            return choice.move != move || (policy_of(key)->graded && number_in(choice.value) && number_in(drafts_.was(key)));
+            return choice.move != move || (choice.because.rule != "spring.rate" && policy_of(key)->graded && number_in(choice.value) &&
+                                           number_in(drafts_.was(key)));
         });
     }
 
@@ -74,7 +77,17 @@ private:
             const double value = from > 0.0 && to > 0.0 ? from * std::pow(to / from, share) : from + (to - from) * share;
             choice.value = fmt::format("{:.4g}", value);
         }
+        settle(choices, move);
         return choices;
+    }
+
+    /// Turns that follow a rate are those of the rate on its way, and not a share of the way to the last ones.
+    void settle(Choices& choices, int move) const {
+        const auto draft = drafts_.read(choices);
+        for (auto& [key, choice] : choices) {
+            if (!draft || choice.move != move || choice.follows.empty()) continue;
+            if (const auto value = settled_follower(key, *draft)) choice.value = fmt::format("{:.6g}", *value);
+        }
     }
 
     void halve(int move) {

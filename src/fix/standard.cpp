@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "fusee/checks/limits.h"
 #include "fusee/checks/standard_sizes.h"
 #include "fusee/core/units.h"
 #include "fusee/pipeline/design.h"
+#include "fusee/spring/coil.h"
 #include "judge.h"
 
 namespace fusee::fix {
@@ -18,9 +20,32 @@ namespace {
 using core::m_from_mm;
 using core::mm_from_m;
 
-constexpr double kSame = 1e-9;  // relative: values that differ by rounding only
+constexpr double kSame = 1e-9;     // relative: values that differ by rounding only
+constexpr double kRounded = 1e-3;  // relative: the turns of a suggestion have four digits
 
 bool below(double a, double b) { return a < b * (1.0 - kSame); }
+
+std::string rate_key(const std::string& part) { return part + (part == "k_se" ? ".spring.rate_Nm_per_rad" : ".spring.rate_N_per_m"); }
+
+/// @param numbers by key, in its unit
+profile::Profile with_numbers(profile::Profile draft, const std::map<std::string, double>& numbers) {
+    for (const auto& [key, value] : numbers) profile::set_number(draft, key, key.ends_with("_mm") ? m_from_mm(value) : value);
+    return draft;
+}
+
+const spring::BaseSpring& spring_of(const std::string& part, const profile::Profile& draft) {
+    return (part == "k_se" ? draft.k_se : draft.k_pe).spring;
+}
+
+/// The turns that give wire and coil the rate; none where they are not known.
+std::optional<double> turns_of_spring(const std::string& part, const profile::Profile& draft) {
+    const spring::BaseSpring& s = spring_of(part, draft);
+    return spring::coil_known(s) && s.rate > 0.0 ? std::optional(spring::turns_for_rate(s)) : std::nullopt;
+}
+std::optional<double> rate_of_spring(const std::string& part, const profile::Profile& draft) {
+    const spring::BaseSpring& s = spring_of(part, draft);
+    return spring::coil_known(s) && s.active_coils > 0.0 ? std::optional(spring::rate_of_coils(s)) : std::nullopt;
+}
 
 /// Rounded down to four digits, so that no strength is overstated.
 std::string floor_text(double value) {
@@ -52,6 +77,8 @@ public:
             take(change);
             if (!held_.refused.empty()) return std::move(held_);
         }
+        for (const char* part : {"k_se", "k_pe"})
+            if (catalogue_springs(part, draft_).empty()) settle(part);
         for (const auto& [key, leader] : held_.follows)
             if (drafts_.keeps(key)) return refused(leader, fmt::format("{}, which follows it, is kept (--keep)", key));
         return std::move(held_);
@@ -164,9 +191,6 @@ private:
         std::vector<core::Changes> springs = catalogue_springs(part, draft_);
         if (springs.empty()) {
             add(change.key, change.value);
-            const std::string coils = part + ".spring.active_coils";
-            const double n = number_in(profile::value_text(draft_, coils).value_or("")).value_or(0.0);
-            if (n > 0.0 && wanted > 0.0) join(change.key, coils, fmt::format("{:.6g}", n * now / wanted));  // rate x coils stays
             return;
         }
         const auto fits = [&](const core::Changes& spring) {
@@ -179,6 +203,26 @@ private:
                                                          wanted < now ? "a rate of at most" : "a rate of at least", wanted));
         add(change.key, found->front().value);
         for (auto with = found->begin() + 1; with != found->end(); ++with) join(change.key, with->key, with->value);
+    }
+
+    /// The spring of a rate, wire or coil that changes has the turns that give them the rate; other turns give another rate.
+    void settle(const std::string& part) {
+        const std::string t = part + ".spring.", turns = t + "active_coils", rate = rate_key(part);
+        std::string leader;
+        std::map<std::string, double> moved;
+        for (const core::Change& change : held_.changes)
+            for (const std::string& key : {rate, t + "wire_mm", t + "coil_mm", turns})
+                if (const auto value = number_in(change.value); value && change.key == key) {
+                    moved[key] = *value;
+                    if (leader.empty() || key == turns) leader = key;
+                }
+        if (leader.empty()) return;
+        const profile::Profile settled = with_numbers(draft_, moved);
+        const std::optional<double> consistent = leader == turns ? rate_of_spring(part, settled) : turns_of_spring(part, settled);
+        const std::string follower = leader == turns ? rate : turns;
+        if (!consistent || moved.contains(follower) || !original_.places.contains(follower)) return;
+        if (std::abs(*consistent / *number_in(*profile::value_text(settled, follower)) - 1.0) > kRounded)
+            join(leader, follower, fmt::format("{:.6g}", *consistent));
     }
 
     static std::string part_of(const std::string& key) {
@@ -194,6 +238,14 @@ private:
 }  // namespace
 
 Held hold(const core::Changes& changes, const profile::Profile& draft, const Drafts& drafts) { return Holder(draft, drafts).run(changes); }
+
+std::optional<double> settled_follower(const std::string& key, const profile::Profile& draft) {
+    for (const std::string part : {"k_se", "k_pe"}) {
+        if (key == part + ".spring.active_coils") return turns_of_spring(part, draft);
+        if (key == rate_key(part)) return rate_of_spring(part, draft);
+    }
+    return std::nullopt;
+}
 
 bool overrates_cable(const profile::Profile& draft, const profile::Profile& original) {
     if (!below(draft.cable.diameter, original.cable.diameter)) return false;

@@ -22,10 +22,14 @@ struct Held {
 ///   - a thinner cable keeps its strength per area; without a stated breaking load a cable does not become thinner; no cable bears more
 ///     than the strongest on sale
 ///   - a key follows its shaft by DIN 6885; a shaft becomes thinner only if steel bears the cam's torque
-///   - coils follow the rate of a spring whose coils are stated
+///   - stated coils follow the rate, wire or coil diameter of their spring, a stated rate other coils, so that they agree
 ///   - keys that the user keeps stay
 /// @param draft the profile that the changes are made to
 [[nodiscard]] Held hold(const core::Changes& changes, const profile::Profile& draft, const Drafts& drafts);
+
+/// The value of a key that follows others of its base spring in `draft`, in its unit: the active coils from rate, wire and coil diameter,
+/// the rate from the coils; none for another key, or where wire or coil diameter is not known.
+[[nodiscard]] std::optional<double> settled_follower(const std::string& key, const profile::Profile& draft);
 
 /// Is the draft's cable thinner than the original's, with more strength per area?
 [[nodiscard]] bool overrates_cable(const profile::Profile& draft, const profile::Profile& original);

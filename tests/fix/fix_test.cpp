@@ -1,12 +1,14 @@
 #include "fusee/fix/fix.h"
 
 #include <algorithm>
+#include <cmath>
 #include <ostream>
 #include <set>
 
 #include "fusee/core/error.h"
 #include "fusee/core/progress.h"
 #include "fusee/report/fix.h"
+#include "fusee/spring/coil.h"
 #include "pipeline/fixture.h"
 
 // Law: what makes a shipped profile impossible is taken away by a change of the keys that are wrong, and of no other; without any one of
@@ -195,6 +197,36 @@ std::string steel_cable(const std::string& breaking_load) {
 const Change* change_of(const Fix& fix, const std::string& key) {
     const auto found = std::find_if(fix.changes.begin(), fix.changes.end(), [&key](const auto& change) { return change.key == key; });
     return found == fix.changes.end() ? nullptr : &*found;
+}
+
+/// Differences of both springs' rates from those of their coils, relative.
+double inconsistency(const std::string& toml, const fs::path& file) {
+    const profile::Profile p = profile::parse_profile(toml, file);
+    const auto off = [](const spring::BaseSpring& s) { return std::abs(spring::rate_of_coils(s) / s.rate - 1.0); };
+    return std::max(off(p.k_se.spring), off(p.k_pe.spring));
+}
+
+/// Turns were scaled in proportion to the rate: a start whose turns did not fit stayed wrong on every step of a scan.
+TEST_F(FixTest, WindsTheSpringOfAnotherRate) {
+    for (const fixtures::Changes& spoiled : {fixtures::Changes{{"k_pe.spring.active_coils", "9"}},
+                                             {{"k_pe.spring.rate_N_per_m", "30000"}, {"k_pe.spring.active_coils", "9"}},
+                                             {{"k_se.spring.rate_Nm_per_rad", "0.004"}, {"k_se.spring.active_coils", "40"}}}) {
+        const std::string toml = fixtures::with_keys(core::read_file(fixtures::shipped("pnrvsa")), spoiled);
+        EXPECT_GT(inconsistency(toml, folder_ / "t.toml"), 0.3);
+        const Fix fixed = drawn(toml, {});
+        ASSERT_EQ(fixed.end, Fix::End::kFixed) << report::fix_text(fixed);
+        EXPECT_LT(inconsistency(fixed.toml, folder_ / "fixed.toml"), 1e-3) << report::fix_text(fixed);  // 3e-4: the shipped ones
+    }
+}
+
+/// A spring whose turns are not stated has those of its rate on every step.
+TEST_F(FixTest, LeavesTurnsThatAreNotStatedToTheRate) {
+    std::string toml = fixtures::with_keys(core::read_file(fixtures::shipped("pnrvsa")), {{"k_se.spring.rate_Nm_per_rad", "0.004"}});
+    toml.erase(toml.find("active_coils = 25.75"), 21);
+    const Fix fixed = drawn(toml, {});
+    ASSERT_EQ(fixed.end, Fix::End::kFixed) << report::fix_text(fixed);
+    EXPECT_EQ(change_of(fixed, "k_se.spring.active_coils"), nullptr);
+    EXPECT_LT(inconsistency(fixed.toml, folder_ / "fixed.toml"), 1e-3);  // 3e-4: K_PE's stated ones
 }
 
 bool says(const std::vector<std::string>& lines, const std::string& words) {

@@ -1,0 +1,72 @@
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <sstream>
+
+#include "fusee/core/file.h"
+#include "fusee/pipeline/check.h"
+#include "fusee/study/plan.h"
+
+// A rule or a limit that breaks a shipped study fails here. tests/batch/studies.txt holds, for each study, the outcomes of its first
+// designs without their meshes ('+' can be made, '-' refused), and the designs that the whole study made: the figure that its page prints.
+// After a change that is meant: make the study again (its file says how), then write outcomes, figure and page anew.
+namespace fusee::study {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kMostRefused = 0.2;  // of a study that its user would call sensible
+
+struct Record {
+    std::string name, outcomes, page;
+    std::size_t made = 0, planned = 0;
+};
+
+std::vector<Record> records() {
+    std::istringstream lines(core::read_file(FUSEE_SOURCE_DIR "/tests/batch/studies.txt"));
+    std::vector<Record> all;
+    for (std::string line; std::getline(lines, line);) {
+        if (line.empty() || line.front() == '#') continue;
+        Record r;
+        std::istringstream(line) >> r.name >> r.outcomes >> r.made >> r.planned >> r.page;
+        all.push_back(r);
+    }
+    return all;
+}
+
+/// "1,740"
+std::string with_comma(std::size_t n) { return n < 1000 ? std::to_string(n) : fmt::format("{},{:03}", n / 1000, n % 1000); }
+
+TEST(ShippedStudies, EachHasARecord) {
+    for (const auto& file : fs::directory_iterator(FUSEE_SOURCE_DIR "/profiles/studies")) {
+        const auto all = records();
+        const auto of_file = [&](const Record& r) { return r.name == file.path().stem(); };
+        EXPECT_TRUE(std::any_of(all.begin(), all.end(), of_file)) << file.path();
+    }
+}
+
+TEST(ShippedStudies, MakeMostOfTheirDesignsAsTheirPagesSay) {
+    ASSERT_FALSE(records().empty());
+    for (const Record& r : records()) {
+        const Plan plan(read_study(fs::path(FUSEE_SOURCE_DIR) / "profiles/studies" / (r.name + ".toml")));
+        ASSERT_GE(r.outcomes.size(), 32U);
+        std::string found, refusals;
+        for (std::size_t i = 0; i < r.outcomes.size(); ++i) {
+            const core::Findings findings = pipeline::outline_findings(plan.profile(plan.at(i)));
+            found += core::any_error(findings) ? '-' : '+';
+            if (core::any_error(findings)) refusals += fmt::format("{}: {}\n", i, core::to_line(*pipeline::binding(findings)));
+        }
+        EXPECT_EQ(found, r.outcomes) << r.name << "\n" << refusals;
+        const auto refused = static_cast<double>(std::count(found.begin(), found.end(), '-'));
+        EXPECT_LE(refused, kMostRefused * static_cast<double>(found.size())) << r.name << "\n" << refusals;
+        EXPECT_EQ(plan.size(), r.planned) << r.name;
+        // Those that a mesh or a file refuses in addition are few.
+        EXPECT_NEAR(static_cast<double>(r.made) / static_cast<double>(r.planned), 1.0 - refused / static_cast<double>(found.size()), 0.1);
+        const std::string figure = fmt::format("{} of {} designs can be made", with_comma(r.made), with_comma(r.planned));
+        EXPECT_NE(core::read_file(fs::path(FUSEE_SOURCE_DIR) / r.page).find(figure), std::string::npos) << r.page << ": " << figure;
+    }
+}
+
+}  // namespace
+}  // namespace fusee::study

@@ -15,7 +15,7 @@ slopes AS (SELECT place, key, (max(x) - min(x))/(avg(x*x) - avg(x)*avg(x)) AS ov
     avg(x*band) AS x_band, avg(band) AS band, avg(x*mass_g) AS x_mass, avg(mass_g) AS mass, avg(x*pe_N) AS x_pe_N, avg(pe_N) AS pe_N,
     avg(x*se_N) AS x_se_N, avg(se_N) AS se_N, avg(x*torque) AS x_torque, avg(torque) AS torque, avg(x*arm) AS x_arm, avg(arm) AS arm
     FROM keys GROUP BY place)
-SELECT 'mean' AS key, round(band, 1) AS band_deg, round(mass, 1) AS mass_g, round(pe_N) AS k_pe_N, round(se_N, 1) AS k_se_N,
+SELECT 'mean' AS key, round(band, 1) AS band_deg, round(mass, 1) AS mass_g, CAST(round(pe_N) AS INTEGER) AS k_pe_N, round(se_N, 1) AS k_se_N,
     round(torque, 3) AS torque_Nm, round(arm, 1) AS arm_error_percent FROM slopes WHERE place = 1
-UNION ALL SELECT key, round((x_band - x*band)*over_range, 1), round((x_mass - x*mass)*over_range, 1), round((x_pe_N - x*pe_N)*over_range),
+UNION ALL SELECT key, round((x_band - x*band)*over_range, 1), round((x_mass - x*mass)*over_range, 1), CAST(round((x_pe_N - x*pe_N)*over_range) AS INTEGER),
     round((x_se_N - x*se_N)*over_range, 1), round((x_torque - x*torque)*over_range, 3), round((x_arm - x*arm)*over_range, 1) FROM slopes

@@ -3,6 +3,7 @@
 #include <charconv>
 #include <type_traits>
 
+#include "fusee/spring/coil.h"
 #include "key.h"
 #include "overrides.h"
 
@@ -17,9 +18,14 @@ bool is_stated(const Key& key, const Profile& profile, const Profile& untouched)
     return key.required || toml_text(key, profile) != toml_text(key, untouched);
 }
 
-/// A margin that the file leaves out follows from the contour, and would not if it were stated.
+/// Does the value follow from others in the file's place? It would not if it were written: a margin that the file leaves out goes where
+/// the contour has room for an anchor; turns that it leaves out are as many as the rate asks for, even too few to be stated.
 bool follows(const Key& key, const Profile& profile) {
-    return key.leaf() == "margin_deg" && !profile.places.contains(key.path) && !is_stated(key, profile, {});
+    if (profile.places.contains(key.path)) return false;
+    if (key.leaf() == "margin_deg") return !is_stated(key, profile, {});
+    if (key.leaf() != "active_coils") return false;
+    const spring::BaseSpring& s = (key.path.starts_with("k_se.") ? profile.k_se : profile.k_pe).spring;
+    return spring::coil_known(s) && s.rate > 0.0 && s.active_coils == spring::turns_for_rate(s);
 }
 
 }  // namespace

@@ -34,6 +34,10 @@ TEST_F(Following, TurnsThatAreNotStatedAreThoseOfTheRate) {
     EXPECT_NEAR(s.active_coils, 6.0, 0.01);
     EXPECT_NEAR(spring::rate_of_coils(s), 7460.0, 1e-6);
     EXPECT_EQ(read(std::string(kShort) + "wire_mm = 2.25\n").k_pe.spring.active_coils, 0.0);
+    // Fewer turns than the key allows are a finding of spring.active_coils, and survive being written.
+    const Profile stiff = read(std::string(kShort) + "wire_mm = 0.6\ncoil_mm = 18\n");
+    EXPECT_LT(stiff.k_pe.spring.active_coils, 0.1);
+    EXPECT_EQ(read(to_toml(stiff)).k_pe.spring.active_coils, stiff.k_pe.spring.active_coils);
 }
 
 TEST_F(Following, ARateMayBeLeftOutWhereItsCoilsAreStated) {

@@ -19,7 +19,7 @@ bool is_stated(const Key& key, const Profile& profile, const Profile& untouched)
 }
 
 /// Does the value follow from others in the file's place? It would not if it were written: a margin that the file leaves out goes where
-/// the contour has room for an anchor; turns that it leaves out are as many as the rate asks for, even too few to be stated.
+/// nothing is in the way of an anchor; turns that it leaves out are as many as the rate asks for, even too few to be stated.
 bool follows(const Key& key, const Profile& profile) {
     if (profile.places.contains(key.path)) return false;
     if (key.leaf() == "margin_deg") return !is_stated(key, profile, {});

@@ -1,7 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-
 #include "fusee/core/file.h"
 #include "gap_case/fixture.h"
 #include "refused.h"
@@ -164,8 +162,7 @@ TEST_F(CamFolder, PredictsAFileOfAnotherCam) {
 
 // Measured by others; the figures are those of docs/subsystem-cases.md.
 TEST_F(CamFolder, DesrCamsHaveAnotherRateAndNoCompliance) {
-    const char* real = std::getenv("FUSEE_GAP_REAL");
-    const fs::path files = (real != nullptr ? fs::path(real) : fs::path(FUSEE_SOURCE_DIR) / "../shared/gap/real") / "cam_joint_desr";
+    const fs::path files = fixtures::real_measurements("cam_joint_desr");
     if (!fs::exists(files)) GTEST_SKIP() << files << " does not exist";
     for (const fs::directory_entry& e : fs::directory_iterator(files)) fs::create_symlink(e.path(), folder_ / e.path().filename());
     ASSERT_EQ(field_of("pull = [\"pull_plantar.csv\", \"pull_dorsal.csv\"]\n"), "accepted");

@@ -1,6 +1,8 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
 #include <random>
 #include <string>
 
@@ -206,6 +208,12 @@ inline subsystem::Case measure(const CamRig& rig, unsigned seed) {
     subsystem_case.records.push_back(cam_pull(rig, false, rig.zero, "first", random));
     subsystem_case.records.push_back(cam_pull(rig, true, -rig.zero, "second", random));
     return subsystem_case;
+}
+
+/// A folder of measurements by others: in that of FUSEE_GAP_REAL, or beside the source tree.
+inline std::filesystem::path real_measurements(const char* name) {
+    const char* real = std::getenv("FUSEE_GAP_REAL");
+    return (real != nullptr ? std::filesystem::path(real) : std::filesystem::path(FUSEE_SOURCE_DIR) / "../shared/gap/real") / name;
 }
 
 inline std::string names_of(const diagnosis::Diagnosis& d) {

@@ -293,7 +293,7 @@ Case weights(const fs::path& file, double stiffness) {
 }
 
 TEST(RealPull, AnydriveHadAnotherRateBeforeItsMakersSetIt) {
-    const fs::path files = fs::path(FUSEE_SOURCE_DIR) / "../shared/gap/real/series_elastic_anydrive";
+    const fs::path files = fixtures::real_measurements("series_elastic_anydrive");
     if (!fs::exists(files)) GTEST_SKIP() << files << " does not exist";
     const diagnosis::Diagnosis before = diagnosed(weights(files / "before.csv", 145.4)),
                                after = diagnosed(weights(files / "after.csv", 160.8));

@@ -4,6 +4,7 @@
 #include <string>
 #include <system_error>
 #include <thread>
+#include <vector>
 
 #include "fusee/core/error.h"
 #include "fusee/core/parallel.h"
@@ -32,6 +33,17 @@ inline void add_force(CLI::App& command, bool& force) {
 
 /// --force of a command that writes a file that the user names.
 inline void add_force_file(CLI::App& command, bool& force) { command.add_flag("--force", force, "Replace the file if it exists"); }
+
+/// --columns of a command that reads a table: core::CsvMapping::of its values.
+inline void add_columns(CLI::App& command, std::vector<std::string>& columns) {
+    command
+        .add_option(
+            "--columns", columns,
+            "A column that is not recognised by its header: NAME=HEADER, or 'NAME=HEADER in UNIT', once for each; decimal=, for a decimal "
+            "comma")
+        ->type_name("NAME=HEADER")
+        ->allow_extra_args(false);
+}
 
 /// Two sets of files of one run go to two folders: in one folder the later set would replace the earlier.
 /// @param allowed completes "a folder other than". @throws core::InvalidInput naming `option`

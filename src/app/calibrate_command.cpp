@@ -23,6 +23,7 @@ constexpr std::size_t kLargestSheet = 10'000'000;  // bytes
 struct CalibrateArguments {
     fs::path sheet, profile, corrected;
     bool force = false;
+    std::vector<std::string> columns;
 };
 
 void require_pair(const CalibrateArguments& arguments) {
@@ -41,13 +42,14 @@ struct Read {
 Read read_sheet(const std::string& bytes, const CalibrateArguments& arguments, const coupon::Present& present) {
     const std::string file = arguments.sheet.string();
     const fs::path& out = arguments.corrected;
-    if (coupon::is_inspection(bytes)) {
-        const coupon::InspectionSheet sheet = coupon::parse_inspection(bytes, file);
+    const core::CsvMapping columns = core::CsvMapping::of(arguments.columns);
+    if (coupon::is_inspection(bytes, columns)) {
+        const coupon::InspectionSheet sheet = coupon::parse_inspection(bytes, file, columns);
         const coupon::Calibration found = coupon::inspect_contour(sheet, present);
         return {found,
                 [=](const auto& profile, const auto& toml) { return pipeline::inspected_profile(profile, toml, sheet, found, out); }};
     }
-    const coupon::Sheet sheet = coupon::parse_sheet(bytes, file);
+    const coupon::Sheet sheet = coupon::parse_sheet(bytes, file, columns);
     const coupon::Calibration found = coupon::calibrate(sheet, present, file);
     return {found, [=](const auto& profile, const auto& toml) { return pipeline::calibrated_profile(profile, toml, sheet, found, out); }};
 }
@@ -85,6 +87,7 @@ void add_calibrate(CLI::App& app, Action& action) {
     command->add_option("--profile", arguments->profile, "Profile of the coupons; its present values are compared with the measured ones")
         ->type_name("FILE.toml");
     command->add_option("--write-profile", arguments->corrected, "File of the calibrated profile; needs --profile")->type_name("FILE.toml");
+    add_columns(*command, arguments->columns);
     add_force_file(*command, arguments->force);
     command->footer(
         "Example:\n  fusee calibrate profiles/examples/coupon.csv --profile profiles/pnrvsa.toml --write-profile /tmp/calibrated.toml\n\n"

@@ -16,6 +16,7 @@ namespace {
 struct IdentifyArguments {
     std::filesystem::path csv, out = "out";
     bool force = false;
+    std::vector<std::string> columns;
 };
 
 int identify(const IdentifyArguments& arguments, Reply& reply) {
@@ -25,9 +26,9 @@ int identify(const IdentifyArguments& arguments, Reply& reply) {
                                .force = arguments.force,
                                .files = {"identification.json", "identification.html"}});
     const std::string bytes = core::read_file(arguments.csv, identification::kLargestBreakAwayFile);
-    const identification::Identification found{
-        arguments.csv.stem().string(), core::sha256_hex(bytes),
-        identification::identify_friction(identification::parse_break_away(bytes, arguments.csv.string()))};
+    const identification::Identification found{arguments.csv.stem().string(), core::sha256_hex(bytes),
+                                               identification::identify_friction(identification::parse_break_away(
+                                                   bytes, arguments.csv.string(), core::CsvMapping::of(arguments.columns)))};
     const std::string json = report::identification_json(found);
     core::write_file(output.path() / "identification.json", json);
     core::write_file(output.path() / "identification.html", report::identification_html(found));
@@ -54,6 +55,7 @@ void add_identify(CLI::App& app, Action& action) {
     command->add_option("-o,--out", arguments->out, "Folder of the results; each file gets a folder in it")
         ->type_name("FOLDER")
         ->capture_default_str();
+    add_columns(*command, arguments->columns);
     add_force(*command, arguments->force);
     command->footer(
         "Example:\n  fusee identify profiles/examples/break_away.csv\n\n"

@@ -27,6 +27,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct InitArguments {
+    std::vector<std::string> columns;
     fs::path profile;
     std::map<std::string, std::string> answers;  // option to text
     bool yes = false;
@@ -71,6 +72,7 @@ void ask(const init::Question& question, init::Answers& answers) {
 /// Options first; then, on a terminal, without --yes and --json, the questions that no option answers.
 init::Answers answers_of(const InitArguments& arguments, const Reply& reply) {
     init::Answers answers;
+    answers.columns = core::CsvMapping::of(arguments.columns);
     core::Mistakes mistakes;
     for (const init::Question& question : init::questions())
         if (const auto given = arguments.answers.find(question.option); given != arguments.answers.end())
@@ -127,6 +129,7 @@ void add_init(CLI::App& app, Action& action) {
                 fmt::format("{}{}{} ({}); default: {}", question.text, question.unit.empty() ? "" : ", ", question.unit, question.allowed,
                             question.shown(defaults)))
             ->type_name("VALUE");
+    add_columns(*command, arguments->columns);
     command->add_flag("-y,--yes", arguments->yes, "Ask nothing: the defaults answer what no option answers");
     add_jobs(*command, arguments->jobs, "Number of threads; 0: one per processor. The result does not depend on it");
     command->footer(

@@ -26,6 +26,7 @@ struct SpringsArguments {
     bool bought = false, force = false;
     double within_percent = 2.0;
     std::string wire_class = "sh";
+    std::vector<std::string> columns;
     pipeline::SpringSearchOptions options;
 };
 
@@ -90,8 +91,9 @@ int run_springs(const SpringsArguments& arguments, Reply& reply) {
     const std::string toml = core::read_file(arguments.profile, profile::kLargestFile);
     const profile::Profile profile = profile::parse_profile(toml, arguments.profile);
     require_new_profile("--out", out, arguments.profile, arguments.force);
-    const spring::Catalogue catalogue =
-        arguments.catalogue.empty() ? profile.co_design.catalogue : spring::read_catalogue(arguments.catalogue);
+    const spring::Catalogue catalogue = arguments.catalogue.empty()
+                                            ? profile.co_design.catalogue
+                                            : spring::read_catalogue(arguments.catalogue, core::CsvMapping::of(arguments.columns));
     return with_places(profile, [&] {
         pipeline::require_parts(profile);
         return search_springs(arguments, out, toml, profile, catalogue, reply);
@@ -109,6 +111,7 @@ void add_springs(CLI::App& app, Action& action) {
         ->type_name("FILE.toml");
     command->add_option("--catalogue", arguments->catalogue, "Springs on sale; default: co_design.catalogue of the profile")
         ->type_name("FILE.csv");
+    add_columns(*command, arguments->columns);
     command->add_flag("--bought", arguments->bought, "Take the springs of the catalogue, not wound ones");
     command->add_option("--wire-class", arguments->wire_class, "Wire of EN 10270-1 where the profile states none")
         ->check(one_of(std::vector<std::string>(spring::kWireClassNames.begin() + 1, spring::kWireClassNames.end())))

@@ -4,50 +4,27 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cctype>
-#include <charconv>
-#include <cmath>
 #include <utility>
 
+#include "csv_decimal.h"
+#include "csv_header.h"
+#include "csv_text.h"
 #include "fusee/core/file.h"
 #include "fusee/core/text.h"
 
 namespace fusee::core {
 
-struct CsvCell {
-    std::string_view text;
-    std::size_t place;  // of its first character, from 1
-};
-
 namespace {
 
-constexpr std::size_t kShown = 60;               // characters of a wrong cell in a message
 constexpr std::size_t kMostFaults = 20;          // that are reported one by one
 constexpr std::size_t kLongestLine = 1'000'000;  // bytes: a file with longer lines is not a table
-
-void split(std::string_view line, std::vector<CsvCell>& cells) {
-    cells.clear();
-    for (std::size_t begin = 0; begin <= line.size();) {
-        const std::size_t end = std::min(line.find(',', begin), line.size());
-        std::size_t first = begin, last = end;
-        while (first < last && (line[first] == ' ' || line[first] == '\t')) ++first;
-        while (last > first && (line[last - 1] == ' ' || line[last - 1] == '\t')) --last;
-        cells.push_back({line.substr(first, last - first), first + 1});
-        begin = end + 1;
-    }
-}
-
-std::string in_quotes(std::string_view text) { return fmt::format("'{}'", printable(text, kShown)); }
+constexpr std::size_t kHead = 300'000;           // bytes whose lines show the form of the table
+constexpr std::size_t kQuotedLines = 20;         // that one row may have in quoted cells
 
 std::string count_of_columns(std::size_t count) {
     constexpr std::array<const char*, 10> kWords{"no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine"};
     return fmt::format("{} column{}", count < kWords.size() ? kWords[count] : fmt::format("{}", count), count == 1 ? "" : "s");
-}
-
-InvalidInput fault_at(const std::string& file, std::size_t line, std::size_t place, std::string_view what, std::string value,
-                      std::string allowed) {
-    return {fmt::format("{}:{}:{}: {}", file, line, place, what), std::move(value), std::move(allowed)};
 }
 
 }  // namespace
@@ -62,21 +39,152 @@ void CsvFaults::throw_if_any() const {
     all.throw_if_any();
 }
 
-/// One pass over the lines, which may come in pieces; the table grows row by row.
+/// One pass over the lines, which may come in pieces; the table grows row by row. The first lines are kept until their form is known.
 class CsvParser {
 public:
     CsvParser(const std::string& file, const std::vector<CsvColumn>& columns, const CsvOptions& options)
         : known_(columns), options_(options), faults_(file) {
         table_.file_ = file;
+        table_.mapping_ = options.mapping;
         for (const CsvColumn& column : known_) names_ += (names_.empty() ? "" : ",") + column.in_header();
     }
 
     /// The next bytes of the file, cut anywhere.
     void take(std::string_view bytes) {
+        std::string_view text = decoder_.utf8(bytes);
+        if (!begun_) {
+            const std::size_t wanted = std::min(text.size(), kHead - head_.size());
+            head_.append(text.substr(0, wanted));
+            text.remove_prefix(wanted);
+            if (head_.size() < kHead) return;
+            begin(false);
+        }
+        take_lines(text);
+    }
+
+    CsvTable finish() {
+        if (!begun_) begin(true);
+        if (!rest_.empty()) read_line(rest_);
+        if (!quoted_.empty()) give_up(fault(1, "row", in_quotes(quoted_), "a quote that is closed"));
+        faults_.throw_if_any();
+        if (table_.rows() < options_.least_rows)
+            throw fault(1, "rows", fmt::format("{}", table_.rows()), fmt::format("at least {}", options_.least_rows));
+        return std::move(table_);
+    }
+
+    /// Has the head a line that names every required column?
+    [[nodiscard]] bool fits(std::string_view bytes) {
+        head_ = decoder_.utf8(bytes.substr(0, kHead));
+        const auto [lines, numbers] = head_lines(bytes.size() < kHead);
+        const auto dialect = find_dialect(lines, known_, options_.mapping);
+        if (!dialect || !splitter_.split(header_text(lines, *dialect), dialect->separator, cells_)) return false;
+        return match_header(cells_, dialect->units, known_, options_.mapping).missing.empty();
+    }
+    [[nodiscard]] std::vector<std::string> header(std::string_view bytes) {
+        std::vector<std::string> cells;
+        head_ = decoder_.utf8(bytes.substr(0, kHead));
+        const auto [lines, numbers] = head_lines(bytes.size() < kHead);
+        if (const auto dialect = find_dialect(lines, known_, options_.mapping);
+            dialect && splitter_.split(lines[dialect->header], dialect->separator, cells_))
+            for (const CsvCell& cell : cells_) cells.emplace_back(cell.text);
+        return cells;
+    }
+
+private:
+    /// A fault after which reading cannot continue.
+    [[noreturn]] void give_up(InvalidInput fault) {
+        faults_.add(fault);
+        faults_.throw_if_any();
+        throw fault;
+    }
+    [[nodiscard]] InvalidInput fault(std::size_t place, std::string_view what, std::string value, std::string allowed) const {
+        return fault_at(table_.file_, line_, place, what, std::move(value), std::move(allowed));
+    }
+
+    /// The lines of the head, a row in several lines as one, each with its number. Without an end of line the last one may be cut.
+    [[nodiscard]] std::pair<std::vector<std::string_view>, std::vector<std::size_t>> head_lines(bool whole) {
+        if (head_.find('\n') == std::string::npos) std::replace(head_.begin(), head_.end(), '\r', '\n');
+        std::vector<std::string_view> lines;
+        std::vector<std::size_t> numbers;
+        std::size_t number = 0;
+        const std::string_view head = head_;
+        for (std::size_t at = 0; at < head.size();) {
+            std::size_t end = head.find('\n', at), count = 1;
+            if (end == std::string_view::npos && !whole && at > 0) break;
+            const auto open = [&] {
+                const std::string_view line = head.substr(at, std::min(end, head.size()) - at);
+                return std::count(line.begin(), line.end(), '"') % 2 == 1;
+            };
+            for (std::size_t longer = end; count < kQuotedLines && longer != std::string_view::npos && open(); ++count)
+                end = longer = head.find('\n', longer + 1);
+            if (open()) end = head.find('\n', at), count = 1;
+            std::string_view line = head.substr(at, std::min(end, head.size()) - at);
+            if (line.ends_with('\r')) line.remove_suffix(1);
+            lines.push_back(line);
+            numbers.push_back(number + 1);
+            number += count;
+            at = end == std::string_view::npos ? head.size() : end + 1;
+        }
+        return {std::move(lines), std::move(numbers)};
+    }
+
+    [[nodiscard]] static std::string_view header_text(const std::vector<std::string_view>& lines, const Dialect& dialect) {
+        const std::string_view line = lines[dialect.header];
+        return dialect.in_comment ? behind_comment_sign(line) : line;
+    }
+
+    /// Recognises the form of the table, then reads the head's rows.
+    void begin(bool whole) {
+        begun_ = true;
+        mac_ = head_.find('\n') == std::string::npos && head_.find('\r') != std::string::npos;
+        {
+            const auto [lines, numbers] = head_lines(whole);
+            const auto dialect = find_dialect(lines, known_, options_.mapping);
+            if (!dialect) give_up(fault_at(table_.file_, 1, 1, "header", "(missing)", in_quotes(names_)));
+            dialect_ = *dialect;
+            line_ = numbers[dialect_.header];
+            read_header(header_text(lines, dialect_));
+            first_row_ = dialect_.rows < numbers.size() ? numbers[dialect_.rows] : std::numeric_limits<std::size_t>::max();
+            if (dialect_.rows == numbers.size()) first_row_ = line_ + (dialect_.rows - dialect_.header);
+            find_decimal(lines, numbers);
+        }
+        const std::string head = std::move(head_);
+        take_lines(head);
+    }
+
+    void find_decimal(const std::vector<std::string_view>& lines, const std::vector<std::size_t>& numbers) {
+        decimal_ = options_.mapping.decimal;
+        if (decimal_ != 0) return;
+        DecimalMark mark;
+        for (std::size_t i = dialect_.rows; i < lines.size(); ++i) {
+            if (says_nothing(lines[i]) || !splitter_.split(lines[i], dialect_.separator, cells_)) continue;
+            for (const CsvTable::Column& column : table_.columns_)
+                if (column.known.kind == CsvColumn::Kind::kNumber && column.cell < cells_.size())
+                    mark.add(column.cell, cells_[column.cell].text, numbers[i], cells_[column.cell].place);
+        }
+        const DecimalMark::Verdict verdict = mark.verdict(dialect_.separator != Separator::kSemicolon);
+        decimal_ = verdict.decimal;
+        if (verdict.value.empty()) return;
+        const auto asked = std::find_if(table_.columns_.begin(), table_.columns_.end(),
+                                        [&](const CsvTable::Column& column) { return column.cell == verdict.column; });
+        line_ = verdict.line;
+        give_up(fault(verdict.place, asked->header, verdict.value,
+                      verdict.mixed ? "one decimal mark in the file"
+                                    : fmt::format("say which is the decimal mark: {} or {}", options_.mapping.lines({{"decimal", ","}}),
+                                                  options_.mapping.lines({{"decimal", "."}}))));
+    }
+
+    void take_lines(std::string_view bytes) {
+        std::string other;
+        if (mac_) {
+            other = bytes;
+            std::replace(other.begin(), other.end(), '\r', '\n');
+            bytes = other;
+        }
         while (!bytes.empty()) {
             const std::size_t end = bytes.find('\n');
             if (rest_.size() + std::min(end, bytes.size()) > kLongestLine)
-                give_up(fault_at(table_.file_, line_ + 1, 1, "line", "longer", fmt::format("at most {} bytes", kLongestLine)));
+                give_up(fault_at(table_.file_, lines_read_ + 1, 1, "line", "longer", fmt::format("at most {} bytes", kLongestLine)));
             if (end == std::string_view::npos) {
                 rest_.append(bytes);
                 return;
@@ -91,65 +199,79 @@ public:
         }
     }
 
-    CsvTable finish() {
-        if (!rest_.empty()) read_line(rest_);
-        if (!headed_) give_up(fault_at(table_.file_, 1, 1, "header", "(missing)", in_quotes(names_)));
-        faults_.throw_if_any();
-        if (table_.rows() < options_.least_rows)
-            throw fault(1, "rows", fmt::format("{}", table_.rows()), fmt::format("at least {}", options_.least_rows));
-        return std::move(table_);
-    }
-
-private:
-    /// A fault after which reading cannot continue.
-    [[noreturn]] void give_up(InvalidInput fault) {
-        faults_.add(fault);
-        faults_.throw_if_any();
-        throw fault;
-    }
-    [[nodiscard]] InvalidInput fault(std::size_t place, std::string_view what, std::string value, std::string allowed) const {
-        return fault_at(table_.file_, line_, place, what, std::move(value), std::move(allowed));
-    }
-
     void read_line(std::string_view text) {
-        if (line_++ == 0 && text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+        ++lines_read_;
+        if (lines_read_ < first_row_) return;
         if (text.ends_with('\r')) text.remove_suffix(1);
-        if (text.find_first_not_of(" \t") == std::string_view::npos || text.starts_with('#')) return;
-        split(text, cells_);
-        headed_ ? read_row(text) : read_header(text);
-        headed_ = true;
+        if (quoted_.empty()) {
+            line_ = lines_read_;
+            if (says_nothing(text)) return;
+            if (splitter_.split(text, dialect_.separator, cells_)) return read_row(text);
+            quoted_ = text;
+            return;
+        }
+        quoted_.append("\n").append(text);
+        if (splitter_.split(quoted_, dialect_.separator, cells_)) {
+            read_row(quoted_);
+            quoted_.clear();
+        } else if (lines_read_ - line_ >= kQuotedLines || quoted_.size() > kLongestLine) {
+            give_up(fault(1, "row", in_quotes(quoted_), "a quote that is closed"));
+        }
     }
 
     void read_header(std::string_view text) {
+        if (!splitter_.split(text, dialect_.separator, cells_)) give_up(fault(1, "header", in_quotes(text), "a quote that is closed"));
+        const HeaderMatch match = match_header(cells_, dialect_.units, known_, options_.mapping);
+        std::vector<bool> used(cells_.size(), false);
+        for (const FoundColumn& found : match.columns) used[found.cell] = true;
+        for (const HeaderFault& f : match.faults) used[f.cell] = true;
         bool repeated = false;  // report once: a file that is not a table has thousands
         for (std::size_t i = 0; i < cells_.size(); ++i) {
             const CsvCell& cell = cells_[i];
-            const auto same = [&cell](const auto& other) { return other.text == cell.text; };
             const auto end = cells_.begin() + static_cast<std::ptrdiff_t>(i);
-            if (!cell.text.empty() && std::find_if(cells_.begin(), end, same) != end && !std::exchange(repeated, true))
+            const auto same = std::find_if(cells_.begin(), end, [&cell](const auto& other) { return other.text == cell.text; });
+            const bool matters = !options_.extra_columns || (same != end && used[static_cast<std::size_t>(same - cells_.begin())]);
+            if (!cell.text.empty() && same != end && matters && !std::exchange(repeated, true))
                 faults_.add(fault(cell.place, "header", in_quotes(cell.text), "every column once"));
-            const auto known =
-                std::find_if(known_.begin(), known_.end(), [&cell](const CsvColumn& c) { return c.in_header() == cell.text; });
-            if (known != known_.end()) {
-                if (known->name == options_.span_column) span_column_ = table_.columns_.size();
-                table_.columns_.push_back({*known, i, {}, {}, {}});
-            }
-            if (known == known_.end() && !options_.extra_columns)
+            if (!used[i] && !options_.extra_columns && !cell.text.empty() &&
+                (same == end || !used[static_cast<std::size_t>(same - cells_.begin())]))
                 faults_.add(fault(cell.place, "header", in_quotes(cell.text), in_quotes(names_)));
         }
+        for (const HeaderFault& f : match.faults) faults_.add(fault(cells_[f.cell].place, "header", f.value, f.allowed));
         std::string missing;
-        for (const CsvColumn& column : known_)
-            if (column.required && !table_.has(column.name)) missing += (missing.empty() ? "" : ",") + column.in_header();
-        if (!missing.empty()) faults_.add(fault(text.size() + 1, "header", in_quotes(missing) + " (missing)", in_quotes(names_)));
+        for (const std::size_t k : match.missing) missing += (missing.empty() ? "" : ",") + known_[k].in_header();
+        if (!missing.empty())
+            faults_.add(fault(text.size() + 1, "header", in_quotes(missing) + " (missing)",
+                              in_quotes(names_) + mapping_to_write(match, cells_, dialect_.units, known_, options_.mapping)));
         faults_.throw_if_any();  // without its columns no row can be read
+        for (const FoundColumn& found : match.columns) {
+            const CsvColumn& known = known_[found.known];
+            if (known.name == options_.span_column) span_column_ = table_.columns_.size();
+            numbers_ += known.kind == CsvColumn::Kind::kNumber ? 1 : 0;
+            table_.columns_.push_back({known,
+                                       found.cell,
+                                       std::string(cells_[found.cell].text),
+                                       found.told,
+                                       found.unit,
+                                       found.numerator,
+                                       found.denominator,
+                                       {},
+                                       {},
+                                       {}});
+        }
         width_ = cells_.size();
     }
 
     void read_row(std::string_view text) {
         if (table_.rows_read_ >= options_.most_rows) give_up(fault(1, "rows", "more", fmt::format("at most {}", options_.most_rows)));
         const std::size_t before = faults_.count();
-        if (cells_.size() > width_)
-            faults_.add(fault(cells_[width_].place, "row", in_quotes(cells_[width_].text), count_of_columns(width_)));
+        while (cells_.size() > width_ && cells_.back().text.empty()) cells_.pop_back();
+        if (cells_.size() > width_) {
+            const bool commas = dialect_.separator == Separator::kComma && cells_.size() == width_ + numbers_;
+            faults_.add(
+                fault(cells_[width_].place, "row", in_quotes(cells_[width_].text),
+                      count_of_columns(width_) + (commas ? "; with decimal commas the cells need semicolons, tabs or quotes" : "")));
+        }
         read_cells(text);
         const bool beyond = is_beyond();
         table_.rows_beyond_ += beyond ? 1 : 0;
@@ -169,8 +291,7 @@ private:
             double value = 0.0;
             if (!lacking || !reported)
                 faults_.collect([&] {
-                    column.known.kind == CsvColumn::Kind::kText ? require_words(cell, column.known.in_header())
-                                                                : void(value = number(cell, column.known));
+                    column.known.kind == CsvColumn::Kind::kText ? require_words(cell, column.header) : void(value = number(cell, column));
                 });
             reported = reported || (lacking && !column.known.gaps);
             values_.push_back(value);
@@ -212,17 +333,14 @@ private:
         table_.stride_ *= 2;
     }
 
-    [[nodiscard]] double number(const CsvCell& cell, const CsvColumn& column) const {
-        const std::string& name = column.in_header();
-        if (column.gaps && is_gap(cell.text)) return std::numeric_limits<double>::quiet_NaN();
-        if (cell.text.empty()) throw fault(cell.place, name, "(missing)", "a finite number in every row");
-        std::string_view digits = cell.text;
-        if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-') digits.remove_prefix(1);
-        double value = 0.0;
-        const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-        if (error != std::errc() || end != digits.data() + digits.size() || !std::isfinite(value))
-            throw fault(cell.place, name, in_quotes(cell.text), "a finite number with a decimal point");
-        return value;
+    [[nodiscard]] double number(const CsvCell& cell, const CsvTable::Column& column) const {
+        if (column.known.gaps && is_gap(cell.text)) return std::numeric_limits<double>::quiet_NaN();
+        if (cell.text.empty()) throw fault(cell.place, column.header, "(missing)", "a finite number in every row");
+        const auto value = parse_number(cell.text, decimal_);
+        if (!value)
+            throw fault(cell.place, column.header, in_quotes(cell.text),
+                        fmt::format("a finite number with a decimal {}", decimal_ == ',' ? "comma" : "point"));
+        return column.numerator == column.denominator ? *value : *value * column.numerator / column.denominator;
     }
 
     /// Empty, or what programs write for no number.
@@ -246,40 +364,20 @@ private:
     CsvTable table_;
     CsvFaults faults_;
     std::string names_;  // of the known columns, as a header line
+    TextDecoder decoder_;
+    CellSplitter splitter_;
+    Dialect dialect_;
+    char decimal_ = '.';
     std::vector<CsvCell> cells_;
     std::vector<double> values_;  // of the known columns' numbers in the row, 0 for texts
     static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
     std::size_t span_column_ = kNone;  // its index among the known columns
     double span_start_ = 0.0;
-    std::string rest_;  // of an incomplete line
-    std::size_t line_ = 0, width_ = 0;
-    bool headed_ = false;
+    std::string head_, rest_, quoted_;  // first bytes; of an incomplete line; of a row whose quote is open
+    std::size_t lines_read_ = 0, first_row_ = 0;
+    std::size_t line_ = 0, width_ = 0, numbers_ = 0;  // line of the row; cells of the header; known columns of numbers
+    bool begun_ = false, mac_ = false;                // mac: lines end with CR
 };
-
-bool CsvTable::has(std::string_view name) const {
-    return std::any_of(columns_.begin(), columns_.end(), [name](const Column& c) { return c.known.name == name; });
-}
-
-const CsvTable::Column& CsvTable::column(std::string_view name) const {
-    const auto found = std::find_if(columns_.begin(), columns_.end(), [name](const Column& c) { return c.known.name == name; });
-    assert(found != columns_.end());
-    return *found;
-}
-
-const std::vector<double>& CsvTable::numbers(std::string_view name) const {
-    assert(column(name).known.kind == CsvColumn::Kind::kNumber);
-    return column(name).numbers;
-}
-
-const std::vector<std::string>& CsvTable::texts(std::string_view name) const {
-    assert(column(name).known.kind == CsvColumn::Kind::kText);
-    return column(name).texts;
-}
-
-InvalidInput CsvTable::fault(std::size_t row, std::string_view name, std::string value, std::string allowed) const {
-    const Column& faulty = column(name);
-    return fault_at(file_, lines_.at(row), faulty.places.at(row), faulty.known.in_header(), std::move(value), std::move(allowed));
-}
 
 CsvTable parse_csv(std::string_view bytes, const std::string& file, const std::vector<CsvColumn>& columns, const CsvOptions& options) {
     CsvParser parser(file, columns, options);
@@ -295,6 +393,18 @@ CsvTable read_csv(const std::filesystem::path& path, const std::vector<CsvColumn
         parser.take(piece);
     });
     return parser.finish();
+}
+
+bool csv_fits(std::string_view bytes, const std::vector<CsvColumn>& columns, const CsvMapping& mapping) {
+    CsvOptions options;
+    options.mapping = mapping;
+    return CsvParser("", columns, options).fits(bytes);
+}
+
+std::vector<std::string> csv_header(std::string_view bytes) {
+    const std::vector<CsvColumn> none;
+    const CsvOptions options;
+    return CsvParser("", none, options).header(bytes);
 }
 
 std::string csv_cell(std::string_view text) {

@@ -103,12 +103,12 @@ std::string row_line(const std::string& part, const InspectionRow& r) {
 
 }  // namespace
 
-bool is_inspection(std::string_view csv) {
-    return csv.find("normal_deg") != std::string_view::npos && csv.find(kMeasured) != std::string_view::npos;
+bool is_inspection(std::string_view csv, const core::CsvMapping& mapping) {
+    return core::csv_fits(csv, {{"normal_deg"}, {kMeasured}}, mapping);
 }
 
-InspectionSheet parse_inspection(std::string_view csv, const std::string& file) {
-    const core::CsvTable table = core::parse_csv(csv, file, kInspectionColumns);
+InspectionSheet parse_inspection(std::string_view csv, const std::string& file, const core::CsvMapping& mapping) {
+    const core::CsvTable table = core::parse_csv(csv, file, kInspectionColumns, {.mapping = mapping});
     const InspectionReader reader(table);
     InspectionSheet sheet;
     core::CsvFaults faults(file);

@@ -124,8 +124,8 @@ std::vector<Row> Sheet::of(Item item) const {
     return some;
 }
 
-Sheet parse_sheet(std::string_view csv, const std::string& file) {
-    const core::CsvTable table = core::parse_csv(csv, file, kColumns);
+Sheet parse_sheet(std::string_view csv, const std::string& file, const core::CsvMapping& mapping) {
+    const core::CsvTable table = core::parse_csv(csv, file, kColumns, {.mapping = mapping});
     const Reader reader(table);
     Sheet sheet;
     core::CsvFaults faults(file);

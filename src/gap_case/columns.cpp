@@ -7,8 +7,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "fields.h"
+#include "fusee/core/measure.h"
 #include "fusee/core/units.h"
 
 namespace fusee::gap_case {
@@ -24,14 +26,16 @@ struct Unit {
 };
 using Units = std::vector<Unit>;
 
+/// The units of a quantity that any table may have, and those of a lab's log alone.
+Units with_measured(const char* quantity, Units units) {
+    const auto measured = core::measure_units(quantity);
+    for (std::size_t i = measured.size(); i-- > 0;) units.insert(units.begin(), {measured[i].name, measured[i].to(measured.front(), 1.0)});
+    return units;
+}
+
 const Units& units_of(Quantity quantity) {
-    static const Units angles{{"rad", 1.0},
-                              {"mrad", 1e-3},
-                              {"deg", core::kPi / 180.0},
-                              {"turn", 2.0 * core::kPi},
-                              {"count", 2.0 * core::kPi, "counts_per_turn", true}},
-        torques{{"Nm", 1.0}, {"mNm", 1e-3}, {"Ncm", 1e-2}, {"kgfcm", 0.0980665}, {"ozfin", 0.00706155181}, {"A", 1.0, "Nm_per_A"}},
-        times{{"s", 1.0}, {"ms", 1e-3}, {"us", 1e-6}}, none;
+    static const Units angles = with_measured("angle", {{"count", 2.0 * core::kPi, "counts_per_turn", true}}),
+                       torques = with_measured("torque", {{"A", 1.0, "Nm_per_A"}}), times = with_measured("time", {}), none;
     switch (quantity) {
         case Quantity::kTime:
             return times;
@@ -58,14 +62,18 @@ double number_at(const CaseToml& toml, const std::string& path, const char* allo
     return value;
 }
 
-double factor_of(const CaseToml& toml, const std::string& path, const Units& units) {
+std::optional<double> factor_of(const CaseToml& toml, const std::string& path, const Units& units) {
+    if (!toml.has(path + ".factor") && !toml.has(path + ".unit")) return {};
     double factor = toml.has(path + ".factor") ? number_at(toml, path + ".factor", "a finite number other than 0") : 1.0;
     if (!toml.has(path + ".unit")) return factor;
     std::vector<const char*> names;
     for (const Unit& unit : units) names.push_back(unit.name);
     const std::string allowed = names.empty() ? "no unit: this column has none" : fmt::format("{}", fmt::join(names, ", "));
     const std::string name = toml.text(path + ".unit", allowed);
-    const auto unit = std::find_if(units.begin(), units.end(), [&](const Unit& u) { return name == u.name; });
+    const core::MeasureUnit* spelt = core::find_measure_unit(name);
+    const auto unit = std::find_if(units.begin(), units.end(), [&](const Unit& u) {
+        return name == u.name || (spelt != nullptr && std::string_view(spelt->name) == u.name);
+    });
     if (unit == units.end()) throw toml.fault(path + ".unit", '"' + name + '"', allowed);
     factor *= unit->factor;
     if (unit->constant == nullptr) return factor;
@@ -75,7 +83,7 @@ double factor_of(const CaseToml& toml, const std::string& path, const Units& uni
 
 ColumnMap map_at(const CaseToml& toml, const std::string& path, const Units& units) {
     const char* const allowed = "the column's name in the file";
-    if (!toml.has_table(path)) return {toml.text(path, allowed), 1.0};
+    if (!toml.has_table(path)) return {toml.text(path, allowed), {}};
     std::vector<std::string> keys{"column", "unit", "factor"};
     for (const Unit& unit : units)
         if (unit.constant != nullptr) keys.emplace_back(unit.constant);

@@ -67,7 +67,7 @@ template <class Row>
 class TableReader {
 public:
     TableReader(const CaseFiles& files, std::string name, const Case& gap_case, Experiment experiment, const TablesOptions& options)
-        : files_(files), name_(std::move(name)), rig_(gap_case.rig), options_(options) {
+        : files_(files), name_(std::move(name)), experiment_(experiment), rig_(gap_case.rig), options_(options) {
         if (const auto own = gap_case.columns.find(experiment); own != gap_case.columns.end()) maps_ = own->second;
         table_ = read();
     }
@@ -97,16 +97,18 @@ private:
                                .kind = field.words.empty() ? core::CsvColumn::Kind::kNumber : core::CsvColumn::Kind::kText,
                                .required = (field.required || maps_.contains(field.column)) && !lax,
                                .gaps = field.measured,
-                               .header = map_of(field.column).header});
+                               .header = map_of(field.column).header,
+                               .scale = map_of(field.column).factor});
         }
         core::CsvOptions limits;
+        limits.mapping.table = std::string("columns.") + to_string(experiment_);
         limits.most_kept = options_.inputs_only ? limits.most_rows : kLongestTable;
         if (!options_.inputs_only) {
             limits.most_rows = kMostRows;
             limits.largest_bytes = kLargestTable;
             if constexpr (std::is_same_v<Row, LogRow>) {
                 limits.span_column = "t_s";
-                limits.longest_span = kLongestLog / map_of("t_s").factor;
+                limits.longest_span = kLongestLog;
             }
         }
         return files_.read_csv(name_, columns, limits, options_.seen);
@@ -125,15 +127,11 @@ private:
     void fill_numbers(std::vector<Row>& rows, const Field<Row>& field) const {
         const std::vector<double>& numbers = table_.numbers(field.column);
         const Allowed limits = allowed(field.quantity, rig_);
-        const double factor = map_of(field.column).factor;
         for (std::size_t i = 0; i < rows.size(); ++i) {
-            const double number = factor == 1.0 ? numbers[i] : factor * numbers[i];
+            const double number = numbers[i];
             const bool whole = field.quantity != Quantity::kCount || number == std::floor(number);
             if (!std::isnan(number) && (!limits.range.holds(number) || !whole))
-                throw table_.fault(i, field.column,
-                                   factor == 1.0 ? fmt::format("{:g}", number)
-                                                 : fmt::format("{:g}, which is {:g} as {}", numbers[i], number, field.column),
-                                   limits.text);
+                throw table_.fault(i, field.column, fmt::format("{:g}", number), limits.text);
             field.set(rows[i], number);
         }
     }
@@ -225,6 +223,7 @@ private:
 
     const CaseFiles& files_;
     std::string name_;
+    Experiment experiment_;
     const NominalRig& rig_;
     const TablesOptions& options_;
     std::map<std::string, ColumnMap> maps_;

@@ -114,6 +114,8 @@ LawSize set_law(profile::Profile& p, const Answers& answers, const Scale& scale,
     if (!answers.law) return set_stiction_law(p, answers, scale, friction, torques);
     p.law.end_torque = std::min(p.law.end_torque, kWithin * (answers.law->series.back() + answers.law->parallel.back()));
     p.law.curves = *answers.law;
+    p.columns = answers.columns;
+    for (const char* of_friction : {"side", "direction", "motor_torque_Nm", "load_torque_Nm"}) p.columns.columns.erase(of_friction);
     return relative(size_of(*answers.law, {p.law.start_torque, p.law.end_torque}));
 }
 

@@ -2,21 +2,40 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "fusee/core/csv.h"
 #include "fusee/core/file.h"
+#include "fusee/core/units.h"
 
 namespace fusee::profile {
 
 namespace {
 const std::vector<core::CsvColumn> kColumns{{"angle_rad"}, {"series_Nm"}, {"parallel_Nm"}};
-const core::CsvOptions kOptions{.extra_columns = false, .least_rows = 8};  // spring::make_tabulated needs as many
-constexpr double kMostAngle = 1e4, kMostTorque = 1e4;                      // as of the keys
+constexpr std::size_t kLeastRows = 8;                  // spring::make_tabulated needs as many
+constexpr double kMostAngle = 1e4, kMostTorque = 1e4;  // as of the keys
+
+/// Angles of more than two turns may be degrees, torques far above those of the law mNm.
+void ask_about_units(const core::CsvTable& rows, double torque) {
+    constexpr double kTurns = 4.0 * core::kPi, kTimes = 50.0, kMostOfAny = 300.0;  // [rad], [1], [Nm]
+    const auto greatest = [&rows](const char* column) {
+        const std::vector<double>& all = rows.numbers(column);
+        const auto less = [](double a, double b) { return std::abs(a) < std::abs(b); };
+        return static_cast<std::size_t>(std::max_element(all.begin(), all.end(), less) - all.begin());
+    };
+    if (const std::size_t row = greatest("angle_rad"); !rows.unit_is_told("angle_rad") && rows.numbers("angle_rad")[row] > kTurns)
+        throw rows.question(row, "angle_rad", "deg", "more than two turns of a capstan");
+    const double most = torque > 0.0 ? kTimes * torque : kMostOfAny;
+    for (const char* column : {"series_Nm", "parallel_Nm"})
+        if (const std::size_t row = greatest(column); !rows.unit_is_told(column) && std::abs(rows.numbers(column)[row]) > most)
+            throw rows.question(row, column, "mNm",
+                                torque > 0.0 ? fmt::format("the law ends at {:g} Nm", torque) : std::string("a large torque for a spring"));
+}
 }  // namespace
 
-void read_table(std::string_view csv, const std::string& file, TablePair& table) {
-    const core::CsvTable rows = core::parse_csv(csv, file, kColumns, kOptions);
+void read_table(std::string_view csv, const std::string& file, TablePair& table, const core::CsvMapping& mapping, double torque) {
+    const core::CsvTable rows = core::parse_csv(csv, file, kColumns, {.least_rows = kLeastRows, .mapping = mapping});
     table.angle = rows.numbers("angle_rad");
     table.series = rows.numbers("series_Nm");
     table.parallel = rows.numbers("parallel_Nm");
@@ -30,12 +49,13 @@ void read_table(std::string_view csv, const std::string& file, TablePair& table)
                 faults.add(rows.fault(i, column, fmt::format("{:g}", value), fmt::format("{:g} to {:g}", -most, most)));
     }
     faults.throw_if_any();
+    ask_about_units(rows, torque);
 }
 
-TablePair read_measured_law(const std::filesystem::path& file) {
+TablePair read_measured_law(const std::filesystem::path& file, const core::CsvMapping& mapping) {
     TablePair table;
     table.file = file;
-    read_table(core::read_file(file, kLargestFile), file.string(), table);
+    read_table(core::read_file(file, kLargestFile), file.string(), table, mapping);
     return table;
 }
 

@@ -1,6 +1,9 @@
 #include "files.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 
 #include "csv.h"
 #include "fusee/core/csv.h"
@@ -16,6 +19,9 @@ namespace {
 
 constexpr double kMostLoad = 1e4, kMost = 1e6, kLeastPositive = 1e-9;  // as of the keys
 
+// The kinds of tables below.
+constexpr const char *kLoad = "load_Nm", *kTau = "tau_Nm";
+
 /// Two columns of one kind of table.
 struct Columns {
     std::string x, y;
@@ -24,9 +30,9 @@ struct Columns {
     double unit = 1.0;     ///< y in SI = unit * y
 };
 
-void read_rows(const std::string& csv, const std::string& file, const Columns& columns, Rows& rows) {
+void read_rows(const std::string& csv, const std::string& file, const Columns& columns, const Profile& profile, Rows& rows) {
     const core::CsvTable table =
-        core::parse_csv(csv, file, {{columns.x}, {columns.y}}, {.extra_columns = true, .least_rows = columns.least_rows});
+        core::parse_csv(csv, file, {{columns.x}, {columns.y}}, {.least_rows = columns.least_rows, .mapping = profile.columns});
     rows.x = table.numbers(columns.x);
     rows.y = table.numbers(columns.y);
     core::CsvFaults faults(file);
@@ -43,6 +49,9 @@ void read_rows(const std::string& csv, const std::string& file, const Columns& c
                                     : fmt::format("at least 0, at most {:g}", kMost));
     }
     faults.throw_if_any();
+    constexpr double kTimes = 50.0;  // the rig's torque: far beyond any use of the table
+    if (const double most = kTimes * profile.rig.overdrive_torque; most > 0.0 && rows.x.back() > most && !table.unit_is_told(columns.x))
+        throw table.question(table.rows() - 1, columns.x, "mNm", fmt::format("the rig has {:g} Nm at most", profile.rig.overdrive_torque));
     for (double& y : rows.y) y *= columns.unit;
 }
 
@@ -63,7 +72,7 @@ public:
         });
     }
     void read(const char* key, Rows& rows, const Columns& columns) {
-        read(key, rows.file, [&](const std::string& bytes, const std::string& path) { read_rows(bytes, path, columns, rows); });
+        read(key, rows.file, [&](const std::string& bytes, const std::string& path) { read_rows(bytes, path, columns, profile_, rows); });
     }
     [[nodiscard]] std::string bytes() && { return std::move(bytes_); }
 
@@ -83,21 +92,56 @@ private:
 
 }  // namespace
 
+void read_columns(const toml::node& node, core::TomlFaults& faults, core::CsvMapping& columns) {
+    std::vector<std::string> known{"angle_rad", "series_Nm",     "parallel_Nm",          kLoad,      "friction_Nm",
+                                   kTau,        "dead_band_deg", "stiffness_Nm_per_rad", "width_deg"};
+    for (const core::CsvColumn& column : spring::catalogue_columns()) known.push_back(column.name);
+    if (!node.is_table()) return faults.add(node.source(), "columns", "no table", "a table [columns] with NAME = \"HEADER in the file\"");
+    for (const auto& [key, value] : *node.as_table()) {
+        const std::string name(key.str()), path = "columns." + name;
+        if (name != "decimal" && std::find(known.begin(), known.end(), name) == known.end())
+            faults.add(key.source(), path, "unknown key", fmt::format("decimal, {}", fmt::join(known, ", ")));
+        else if (const auto* header = value.as_string(); header == nullptr || header->get().empty())
+            faults.add(value.source(), path, "no text", "the header of the column in the file, \"Winkel\" or \"Winkel in deg\"");
+        else
+            faults.collect([&] { columns.add(name, header->get(), core::toml_place(faults.file(), value.source(), path)); });
+    }
+}
+
+std::string columns_toml(const core::CsvMapping& columns) {
+    std::string toml;
+    if (columns.decimal != 0) toml += fmt::format("decimal = \"{}\"\n", columns.decimal);
+    for (const auto& [name, header] : columns.columns) toml += fmt::format("{} = {}\n", name, quoted(header));
+    return toml.empty() ? "" : "\n[columns]\n" + toml;
+}
+
+std::string columns_reference() {
+    return "### `[columns]`\n\n"
+           "| key | allowed | default | meaning |\n|---|---|---|---|\n"
+           "| a column of a CSV file that the profile names | its header in the file, or the header and a unit: `\"Winkel in deg\"` | as "
+           "the file "
+           "shows | for a header or unit that is not recognised ([tables](tables.md)) |\n"
+           "| `decimal` | `\",\"` or `\".\"` | as the file shows | decimal mark of the numbers |\n\n";
+}
+
 std::string read_files(Profile& profile, core::TomlFaults& faults) {
     constexpr double kDegree = core::rad_from_deg(1.0);
     constexpr std::size_t kCurve = 4;  // math::make_interpolant needs as many
     Folder folder(profile, faults);
-    folder.read("rig.gear_friction_table", profile.rig.gear_friction_table, {"load_Nm", "friction_Nm", 2, false});
+    folder.read("rig.gear_friction_table", profile.rig.gear_friction_table, {kLoad, "friction_Nm", 2, false});
     if (auto* table = std::get_if<TablePair>(&profile.law.curves))
-        folder.read("law.file", table->file, [table](const auto& bytes, const std::string& path) { read_table(bytes, path, *table); });
+        folder.read("law.file", table->file, [table, &profile](const auto& bytes, const std::string& path) {
+            read_table(bytes, path, *table, profile.columns, profile.law.end_torque);
+        });
     if (auto* wanted = std::get_if<DeadBandSpec>(&profile.law.curves)) {
-        folder.read("law.dead_band_file", wanted->dead_band.rows, {"tau_Nm", "dead_band_deg", kCurve, true, kDegree});
-        folder.read("law.series_stiffness_file", wanted->series_stiffness.rows, {"tau_Nm", "stiffness_Nm_per_rad", kCurve});
+        folder.read("law.dead_band_file", wanted->dead_band.rows, {kTau, "dead_band_deg", kCurve, true, kDegree});
+        folder.read("law.series_stiffness_file", wanted->series_stiffness.rows, {kTau, "stiffness_Nm_per_rad", kCurve});
     }
     design::CoDesignOptions& co_design = profile.co_design;
-    folder.read("co_design.catalogue", co_design.catalogue_file,
-                [&](const auto& bytes, const std::string& path) { co_design.catalogue = spring::parse_catalogue(bytes, path); });
-    folder.read("simulate.measured", profile.simulate.measured, {"tau_Nm", "width_deg", 1, false, kDegree});
+    folder.read("co_design.catalogue", co_design.catalogue_file, [&](const auto& bytes, const std::string& path) {
+        co_design.catalogue = spring::parse_catalogue(bytes, path, profile.columns);
+    });
+    folder.read("simulate.measured", profile.simulate.measured, {kTau, "width_deg", 1, false, kDegree});
     return std::move(folder).bytes();
 }
 

@@ -47,6 +47,8 @@ public:
             assign(key, profile);
         }
         if (limits_ != nullptr && !of_others) profile.limits = read_overrides(*limits_, design_rules(), faults_);
+        profile.columns.table = "columns";
+        if (columns_ != nullptr) read_columns(*columns_, faults_, profile.columns);
         check_knots(profile);
         if (!of_others) check_companions(profile);
         for (const PartSpec* part : {&profile.k_se, &profile.k_pe}) check_cable(*part, profile);
@@ -65,6 +67,8 @@ private:
                 refuse_unknown(path, name.source(), false);
             } else if (path == "limits") {
                 limits_ = &node;
+            } else if (path == "columns") {
+                columns_ = &node;
             } else if (node.is_table() && is_table(path)) {
                 collect(*node.as_table(), path);
             } else if (find_key(path) != nullptr) {
@@ -205,7 +209,8 @@ private:
 
     core::TomlFaults& faults_;
     std::map<std::string, const toml::node*> nodes_;
-    const toml::node* limits_ = nullptr;  ///< [[limits]]
+    const toml::node* limits_ = nullptr;   ///< [[limits]]
+    const toml::node* columns_ = nullptr;  ///< [columns]
     std::map<std::string, toml::source_region> regions_;
     std::set<std::string> misread_;  ///< keys and tables that were probably misspelt
     std::set<std::string> unknown_;  ///< keys without a value: refused, missing, or of an unknown kind

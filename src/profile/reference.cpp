@@ -3,6 +3,7 @@
 
 #include <set>
 
+#include "files.h"
 #include "fusee/profile/keys.h"
 #include "key.h"
 #include "overrides.h"
@@ -75,6 +76,6 @@ std::string profile_reference(const std::vector<KeyInfo>& shown) {
     return text;
 }
 
-std::string profile_reference() { return profile_reference(key_infos()) + overrides_reference(); }
+std::string profile_reference() { return profile_reference(key_infos()) + columns_reference() + overrides_reference(); }
 
 }  // namespace fusee::profile

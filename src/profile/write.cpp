@@ -3,6 +3,7 @@
 #include <charconv>
 #include <type_traits>
 
+#include "files.h"
 #include "fusee/spring/coil.h"
 #include "key.h"
 #include "overrides.h"
@@ -37,7 +38,7 @@ std::string to_toml(const Profile& profile) {
         if (key.table() != table) toml += fmt::format("\n[{}]\n", table = key.table());
         toml += fmt::format("{} = {}\n", key.leaf(), toml_text(key, profile));
     }
-    return toml + overrides_toml(profile.limits);
+    return toml + columns_toml(profile.columns) + overrides_toml(profile.limits);
 }
 
 std::string to_commented_toml(const Profile& profile) {
@@ -51,7 +52,7 @@ std::string to_commented_toml(const Profile& profile) {
         const std::size_t gap = line.size() < kCommentColumn ? kCommentColumn - line.size() : 1;
         toml += fmt::format("{}{}# {}\n", line, std::string(gap, ' '), key.meaning);
     }
-    return toml + overrides_toml(profile.limits);
+    return toml + columns_toml(profile.columns) + overrides_toml(profile.limits);
 }
 
 Profile rounded(Profile profile, int digits) {

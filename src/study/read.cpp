@@ -6,7 +6,6 @@
 #include <limits>
 #include <map>
 #include <set>
-#include <sstream>
 #include <tuple>
 
 #include "fusee/core/csv.h"
@@ -188,12 +187,7 @@ void read_torques(const Reader& reader, const toml::table& table, std::vector<do
 void read_rows(const fs::path& table, Study& study) {
     const std::string text = core::read_file(table, kLargestStudy);
     std::vector<core::CsvColumn> columns;
-    std::size_t begin = 0;
-    while (begin < text.size() && text[begin] == '#') begin = std::min(text.find('\n', begin), text.size() - 1) + 1;
-    std::istringstream header(text.substr(begin, text.find('\n', begin) - begin));
-    for (std::string name; std::getline(header, name, ',');) {
-        name.erase(0, name.find_first_not_of(" \t\r"));
-        name.erase(name.find_last_not_of(" \t\r") + 1);
+    for (const std::string& name : core::csv_header(text)) {
         columns.push_back({name, core::CsvColumn::Kind::kText});
         if (name != "name") study.vary.emplace_back().key = name;
     }

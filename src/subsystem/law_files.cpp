@@ -38,28 +38,20 @@ core::InvalidInput no_law(const Record& record) { return {record.file + ": law",
 
 }  // namespace
 
-bool is_law_file(const fs::path& file) {
+bool is_law_file(const fs::path& file, const core::CsvMapping& columns) {
     const std::string bytes = core::read_file(file, kLargestLaw);
-    for (std::size_t at = 0; at < bytes.size();) {
-        const std::size_t end = std::min(bytes.find('\n', at), bytes.size());
-        const std::string line = bytes.substr(at, end - at);
-        at = end + 1;
-        if (line.empty() || line.front() == '#' || line == "\r") continue;
-        return line.find("torque_Nm") != std::string::npos && line.find("t_s") == std::string::npos;
-    }
-    return false;
+    return core::csv_fits(bytes, {{"q_rad"}, {"torque_Nm"}}, columns) && !core::csv_fits(bytes, {{"t_s"}}, columns);
 }
 
-LawCurve read_law(const fs::path& folder, const std::string& file, std::string& bytes) {
+LawCurve read_law(const fs::path& folder, const std::string& file, const core::CsvMapping& columns, std::string& bytes) {
     constexpr double kMostAngle = 2.0 * core::kPi, kMostTorque = 1e6;  // one turn; beyond them, the column is in another unit
     const std::string text = core::read_file(folder / file, kLargestLaw);
-    core::CsvOptions options;
-    options.least_rows = 2;
-    const core::CsvTable table = core::parse_csv(text, (folder / file).string(), {{"q_rad"}, {"torque_Nm"}}, options);
+    const core::CsvTable table =
+        core::parse_csv(text, (folder / file).string(), {{"q_rad"}, {"torque_Nm"}}, {.least_rows = 2, .mapping = columns});
     LawCurve law{file, table.numbers("q_rad"), table.numbers("torque_Nm")};
     for (std::size_t i = 0; i < law.q_rad.size(); ++i) {
-        if (std::abs(law.q_rad[i]) > kMostAngle)
-            throw table.fault(i, "q_rad", fmt::format("{:g}", law.q_rad[i]), "one turn at most, -6.28 to 6.28 rad; are these degrees?");
+        if (std::abs(law.q_rad[i]) > kMostAngle && !table.unit_is_told("q_rad"))
+            throw table.question(i, "q_rad", "deg", "one turn at most");
         if (std::abs(law.torque_Nm[i]) > kMostTorque)
             throw table.fault(i, "torque_Nm", fmt::format("{:g}", law.torque_Nm[i]), "-1e+06 to 1e+06 Nm");
         if (i > 0 && !(law.q_rad[i] > law.q_rad[i - 1]))
@@ -85,7 +77,7 @@ std::string take_laws(const gap_case::CaseToml& toml, const fs::path& folder, Ca
         if (file.empty() && !by_name.empty() && named) file = by_name;
         if (file.empty() && !files.empty()) file = files.size() == 1 ? files.front() : files[r];
         if (file.empty()) throw no_law(record);
-        if (!read.contains(file)) read[file] = read_law(folder, file, bytes);
+        if (!read.contains(file)) read[file] = read_law(folder, file, subsystem_case.columns, bytes);
         record.law = read[file];
     }
     return bytes;
@@ -96,7 +88,8 @@ void take_laws_of_inputs(const Case& subsystem_case, const fs::path& folder, con
     for (const Record& record : subsystem_case.records) known[record.law.file] = record.law;
     const bool one_of_case = known.size() == 1;
     std::string ignored;
-    for (const fs::path& law : laws) known[law.filename().string()] = read_law(folder, law.filename().string(), ignored);
+    for (const fs::path& law : laws)
+        known[law.filename().string()] = read_law(folder, law.filename().string(), subsystem_case.columns, ignored);
     for (Record& record : inputs.records) {
         std::string file = named_by_word(record);
         if (!file.empty() && !known.contains(file))

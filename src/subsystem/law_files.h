@@ -10,11 +10,12 @@
 namespace fusee::subsystem {
 
 /// True for a CSV file with the columns of a law and no time. @throws core::IoError
-[[nodiscard]] bool is_law_file(const std::filesystem::path& file);
+[[nodiscard]] bool is_law_file(const std::filesystem::path& file, const core::CsvMapping& columns);
 
 /// @param bytes gets the file's bytes at its end
 /// @throws core::InvalidInput "file:line:column: q_rad" if angles do not ascend; core::IoError
-[[nodiscard]] LawCurve read_law(const std::filesystem::path& folder, const std::string& file, std::string& bytes);
+[[nodiscard]] LawCurve read_law(const std::filesystem::path& folder, const std::string& file, const core::CsvMapping& columns,
+                                std::string& bytes);
 
 /// Gives each record of a case its law: the file of its word `law=FILE`; law_X.csv for pull_X.csv; the file of experiments.law at the same
 /// place, or its only one. @returns the bytes of the files. @throws core::InvalidInput naming the record that has none

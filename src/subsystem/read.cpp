@@ -77,6 +77,19 @@ std::map<std::string, std::string> words_of(const gap_case::CaseToml& toml, cons
     return words;
 }
 
+/// The table [columns]: a column's header in the files, "pos" or "pos in deg".
+core::CsvMapping columns_of(const gap_case::CaseToml& toml, const KindKeys& keys) {
+    core::CsvMapping columns;
+    columns.table = "columns";
+    if (!toml.has("columns")) return columns;
+    std::vector<std::string> names{"decimal"};
+    for (const ColumnKey& key : keys.columns) names.emplace_back(key.name);
+    (void)toml.read_numbers("columns", {}, names);
+    for (const std::string& name : toml.keys_of("columns"))
+        columns.add(name, toml.text("columns." + name, "the column's header in the file, or the header and a unit"), "columns." + name);
+    return columns;
+}
+
 /// A word key=value of a '#' line: a known parameter within its range, or any other word.
 void take_word(std::string_view word, const KindKeys& keys, const std::string& place, Record& record) {
     while (!word.empty() && (word.back() == ',' || word.back() == ';')) word.remove_suffix(1);
@@ -137,14 +150,14 @@ void require_directions(const core::CsvTable& table, const Record& record) {
 }
 
 /// Adds the file's words and columns to `record`. @returns its bytes
-std::string take_file(const fs::path& path, const KindKeys& keys, bool inputs_only, Record& record) {
+std::string take_file(const fs::path& path, const KindKeys& keys, const core::CsvMapping& mapping, bool inputs_only, Record& record) {
     std::string bytes = core::read_file(path, kLargestFile);
     take_words(bytes, keys, path.string(), record);
     std::vector<core::CsvColumn> columns;
     for (const ColumnKey& key : keys.columns)
         columns.push_back({key.name, key.text ? core::CsvColumn::Kind::kText : core::CsvColumn::Kind::kNumber,
                            key.required && !(inputs_only && key.measured)});
-    const core::CsvTable table = core::parse_csv(bytes, path.string(), columns);
+    const core::CsvTable table = core::parse_csv(bytes, path.string(), columns, {.mapping = mapping});
     for (const ColumnKey& key : keys.columns) take_column(table, key, record);
     require_directions(table, record);
     return bytes;
@@ -154,7 +167,7 @@ std::string take_file(const fs::path& path, const KindKeys& keys, bool inputs_on
 
 Case read_case(const fs::path& folder) {
     const gap_case::CaseToml toml(folder);
-    toml.allow_tables({"bench", "sensors", "experiments", "tolerance", "protocol"});
+    toml.allow_tables({"bench", "sensors", "experiments", "columns", "tolerance", "protocol"});
     const KindKeys& keys = kind_of(toml);
     Case subsystem_case;
     subsystem_case.name = fs::absolute(folder / "").parent_path().filename().string();
@@ -164,6 +177,7 @@ Case read_case(const fs::path& folder) {
     subsystem_case.parameters = numbers_of(toml, "bench", keys.parameters, texts);
     subsystem_case.words = words_of(toml, keys);
     subsystem_case.sensors = numbers_of(toml, "sensors", keys.sensors, {});
+    subsystem_case.columns = columns_of(toml, keys);
     for (const char* table : {"tolerance", "protocol"})
         if (toml.has(table)) subsystem_case.remarks.push_back(fmt::format("[{}] is not used by a subsystem case", table));
     for (const std::string& key : toml.keys_of("experiments"))
@@ -172,7 +186,7 @@ Case read_case(const fs::path& folder) {
     std::string all = toml.bytes();
     for (const std::string& file : toml.files(std::string("experiments.") + keys.experiment)) {
         Record record{keys.experiment, file, subsystem_case.parameters, subsystem_case.words, {}, {}};
-        all += take_file(folder / file, keys, false, record);
+        all += take_file(folder / file, keys, subsystem_case.columns, false, record);
         subsystem_case.records.push_back(std::move(record));
     }
     if (keys.laws) all += take_laws(toml, folder, subsystem_case);
@@ -189,7 +203,7 @@ Case read_inputs(const Case& subsystem_case, const fs::path& folder) {
     std::vector<fs::path> files, laws;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
         if (!entry.is_regular_file() || entry.path().extension() != ".csv") continue;
-        (keys.laws && is_law_file(entry.path()) ? laws : files).push_back(entry.path());
+        (keys.laws && is_law_file(entry.path(), subsystem_case.columns) ? laws : files).push_back(entry.path());
     }
     std::sort(files.begin(), files.end());
     Case inputs = subsystem_case;
@@ -198,7 +212,7 @@ Case read_inputs(const Case& subsystem_case, const fs::path& folder) {
         Record record{keys.experiment, file.filename().string(), subsystem_case.parameters, subsystem_case.words, {}, {}};
         for (const Record& known : subsystem_case.records)
             if (known.file == record.file) record.parameters = known.parameters, record.words = known.words;
-        (void)take_file(file, keys, true, record);
+        (void)take_file(file, keys, subsystem_case.columns, true, record);
         inputs.records.push_back(std::move(record));
     }
     if (inputs.records.empty()) throw core::IoError(folder.string(), fmt::format("no CSV file of a {} in this folder", keys.experiment));

@@ -49,7 +49,7 @@ TEST(Csv, RefusesCellsAndNamesThePlace) {
     EXPECT_EQ(csv_refusal(head + "a\n"), "t.csv:2:2: torque_Nm: (missing) (allowed: a finite number in every row)");
     EXPECT_EQ(csv_refusal(head + "a,1\n"), "t.csv:2:4: length_m: (missing) (allowed: a finite number in every row)");
     EXPECT_EQ(csv_refusal(head + "a,1,1\n , 1,1\n"), "t.csv:3:2: side: (missing) (allowed: a text in every row)");
-    EXPECT_EQ(csv_refusal(head + "\"a\",1,1\n"), "t.csv:2:1: side: '\"a\"' (allowed: a text without quotation marks)");
+    EXPECT_EQ(csv_refusal(head + "\"a\"b,1,1\n"), "t.csv:2:1: side: '\"a\"b' (allowed: a text without quotation marks)");
     for (const std::string wrong : {"nan", "inf", "-inf", "1e999", "1 Nm", "0x10", "+-1", "1,5e", "one", "--1", "1.0.0"})
         EXPECT_NE(csv_refusal(head + "a," + wrong + ",1\n").find("t.csv:2:"), std::string::npos) << wrong;
     EXPECT_EQ(csv_refusal(head + "a,1,1,2\n"), "t.csv:2:7: row: '2' (allowed: three columns)");
@@ -68,12 +68,14 @@ TEST(Csv, ReportsAllBadCellsAtOnce) {
               "t.csv:5:7: row: '4' (allowed: three columns)\n"
               "t.csv:6:1: side: (missing) (allowed: a text in every row)\n"
               "t.csv:6:2: torque_Nm: 'nan' (allowed: a finite number with a decimal point)");
-    EXPECT_EQ(csv_refusal("x,x,note,note\n", {.extra_columns = false}),
-              "4 mistakes:\n"
-              "t.csv:1:1: header: 'x' (allowed: 'side,torque_Nm,note,length_m')\n"
-              "t.csv:1:3: header: 'x' (allowed: every column once)\n"
-              "t.csv:1:3: header: 'x' (allowed: 'side,torque_Nm,note,length_m')\n"
-              "t.csv:1:14: header: 'side,torque_Nm' (missing) (allowed: 'side,torque_Nm,note,length_m')");
+    EXPECT_EQ(
+        csv_refusal("x,x,note,note\n", {.extra_columns = false}),
+        "4 mistakes:\n"
+        "t.csv:1:1: header: 'x' (allowed: 'side,torque_Nm,note,length_m')\n"
+        "t.csv:1:3: header: 'x' (allowed: every column once)\n"
+        "t.csv:1:3: header: 'x' (allowed: 'side,torque_Nm,note,length_m')\n"
+        "t.csv:1:14: header: 'side,torque_Nm' (missing) (allowed: 'side,torque_Nm,note,length_m'; in the file: 'x', 'x', 'note', 'note'; "
+        "where one of them is meant: --columns 'side=note' --columns 'torque_Nm=x in UNIT')");
 }
 
 TEST(Csv, OfManyBadCellsTheFirstTwentyAreReported) {
@@ -120,7 +122,9 @@ TEST(Csv, AnEmptyCellMayBeAllowed) {
 TEST(Csv, RefusesHeaders) {
     EXPECT_EQ(csv_refusal(""), "t.csv:1:1: header: (missing) (allowed: 'side,torque_Nm,note,length_m')");
     EXPECT_EQ(csv_refusal("# nothing\n\n"), "t.csv:1:1: header: (missing) (allowed: 'side,torque_Nm,note,length_m')");
-    EXPECT_EQ(csv_refusal("torque_Nm,x\n1,2\n"), "t.csv:1:12: header: 'side' (missing) (allowed: 'side,torque_Nm,note,length_m')");
+    EXPECT_EQ(csv_refusal("torque_Nm,x\n1,2\n"),
+              "t.csv:1:12: header: 'side' (missing) (allowed: 'side,torque_Nm,note,length_m'; in the file: 'torque_Nm', 'x'; "
+              "where one of them is meant: --columns 'side=x')");
     EXPECT_EQ(csv_refusal("side,torque_Nm,side\n"), "t.csv:1:16: header: 'side' (allowed: every column once)");
     EXPECT_EQ(csv_refusal("side,x,torque_Nm\na,1,1\n", {.extra_columns = false}),
               "t.csv:1:6: header: 'x' (allowed: 'side,torque_Nm,note,length_m')");

@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <functional>
 #include <limits>
+#include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -20,8 +22,26 @@ struct CsvColumn {
     Kind kind = Kind::kNumber;
     bool required = true;     ///< an optional column may be absent as a whole; if present, every row fills it
     bool gaps = false;        ///< of numbers: an empty cell, "nan" and "inf" (any case, any sign) are NaN
-    std::string header = {};  ///< other name in the header line; "": `name`
+    std::string header = {};  ///< other name in the header line, as the user gives it; "": `name`
+    /// Of numbers: value = scale * the file's number. None: from the unit in the header, if it names one. @pre not 0
+    std::optional<double> scale = {};
+    /// Of numbers whose name has no unit: the units of the value, of one quantity each; a header may name any unit of these quantities.
+    std::vector<std::string> units = {};
     [[nodiscard]] const std::string& in_header() const { return header.empty() ? name : header; }
+};
+
+/// What the user says of a file that its reader cannot know (docs/tables.md).
+struct CsvMapping {
+    std::map<std::string, std::string>
+        columns;             ///< by a column's name: its header in the file, "Winkel", or with its unit, "Winkel in deg"
+    char decimal = 0;        ///< '.' or ','; 0: as the numbers show
+    std::string table = {};  ///< where a mapping is written: a table of a TOML file; "": the option --columns
+    /// @param entries "angle_rad=Winkel in deg", "decimal=,": the values of --columns @throws InvalidInput
+    [[nodiscard]] static CsvMapping of(const std::vector<std::string>& entries);
+    /// Takes one entry. @param place of it, for messages @throws InvalidInput
+    void add(const std::string& name, const std::string& header, const std::string& place);
+    /// "--columns 'angle_rad=Winkel in deg'", or as one line of TOML: "columns = { angle_rad = "Winkel in deg" }".
+    [[nodiscard]] std::string lines(const std::vector<std::pair<std::string, std::string>>& entries) const;
 };
 
 struct CsvOptions {
@@ -34,6 +54,7 @@ struct CsvOptions {
     /// A column of numbers; rows more than `longest_span` above its first row are checked, but not kept. "": none.
     std::string span_column = {};
     double longest_span = std::numeric_limits<double>::infinity();
+    CsvMapping mapping = {};
 };
 
 /// The known columns of a CSV file; immutable. Rows count from 0.
@@ -45,6 +66,13 @@ public:
     [[nodiscard]] std::size_t rows_beyond_span() const { return rows_beyond_; }
     [[nodiscard]] std::size_t stride() const { return stride_; }
     [[nodiscard]] bool has(std::string_view column) const;
+    /// Does the user's mapping give this column's unit? Then a value is not asked about. @pre has(column)
+    [[nodiscard]] bool unit_is_told(std::string_view column) const { return this->column(column).told; }
+    /// Index in CsvColumn::units of the quantity that the header names; none without a unit. @pre has(column)
+    [[nodiscard]] std::optional<std::size_t> unit(std::string_view column) const { return this->column(column).unit; }
+    /// The question for a column whose values look like another unit: an error at the row, with the line to write for each answer.
+    /// @param asked unit that the values look like @pre has(column), row < rows()
+    [[nodiscard]] InvalidInput question(std::size_t row, std::string_view column, std::string_view asked, std::string_view why) const;
     /// @pre has(column), and it is of that kind
     [[nodiscard]] const std::vector<double>& numbers(std::string_view column) const;
     [[nodiscard]] const std::vector<std::string>& texts(std::string_view column) const;
@@ -58,6 +86,10 @@ private:
     struct Column {
         CsvColumn known;
         std::size_t cell = 0;  // its index in the header line
+        std::string header;    // its text
+        bool told = false;
+        std::optional<std::size_t> unit;
+        double numerator = 1.0, denominator = 1.0;  // value = number * numerator / denominator
         std::vector<double> numbers;
         std::vector<std::string> texts;
         std::vector<std::uint32_t> places;  // where its cell begins in each line, from 1
@@ -65,6 +97,7 @@ private:
     [[nodiscard]] const Column& column(std::string_view name) const;
 
     std::string file_;
+    CsvMapping mapping_;
     std::size_t rows_read_ = 0, rows_beyond_ = 0, stride_ = 1;
     std::vector<std::uint32_t> lines_;  // of each row, from 1
     std::vector<Column> columns_;
@@ -94,9 +127,11 @@ private:
     std::size_t count_ = 0;
 };
 
-/// Reads a header line with the columns' names in any order, then one row per line, cells separated by commas. A byte order mark, CR LF,
-/// spaces around cells, blank lines and lines that begin with '#' are ignored. Numbers are finite, with a decimal point; texts are not
-/// empty and hold no quotation marks. Nothing is guessed.
+/// Reads a header line with the columns' names in any order, then one row per line (docs/tables.md). Recognised are commas, semicolons,
+/// tabs, bars or blanks between the cells; quoted cells; a decimal comma; groups of three figures; UTF-8, UTF-16, Windows-1252; a header in
+/// other capitals or with its unit, "Torque [mNm]", which is converted; a row of units; lines above the header. A byte order mark, CR LF,
+/// spaces around cells, blank lines and comments ('#', '%', "//") are ignored. Numbers are finite; texts are not empty and hold no
+/// quotation marks. What fits twice is asked, with the lines of a mapping to write; nothing is guessed.
 /// @param file the name used in messages
 /// @throws InvalidInput, of several InvalidInputs: "file:line:column: name" for a gap, a text instead of a number, a NaN; "...: header"
 /// for a header that lacks a required column, has one twice or, where extra columns are refused, an unknown one; "...: row", "...: rows"
@@ -109,6 +144,12 @@ private:
 [[nodiscard]] CsvTable read_csv(
     const std::filesystem::path& path, const std::vector<CsvColumn>& columns, const CsvOptions& options = {},
     const std::function<void(std::string_view)>& seen = [](std::string_view) {});
+
+/// Has the file a header with every required column? Reads its beginning only. @throws nothing
+[[nodiscard]] bool csv_fits(std::string_view bytes, const std::vector<CsvColumn>& columns, const CsvMapping& mapping = {});
+
+/// The cells of the header line, quotes removed, whatever they name: the first line that is no comment.
+[[nodiscard]] std::vector<std::string> csv_header(std::string_view bytes);
 
 /// A cell for a CSV file: quoted where it holds a comma, a quote or a line end (RFC 4180). A text that a spreadsheet would take for a
 /// formula (it begins with = + - @, a tab or a carriage return and is no number) gets an apostrophe before it.

@@ -3,6 +3,7 @@
 #include <string_view>
 #include <vector>
 
+#include "fusee/core/csv.h"
 #include "fusee/core/finding.h"
 #include "fusee/coupon/calibration.h"
 
@@ -35,14 +36,14 @@ struct InspectionSheet {
     std::vector<InspectionRow> rows;
 };
 
-/// Is this the text of an inspection sheet, by the columns that no other sheet has?
-[[nodiscard]] bool is_inspection(std::string_view csv);
+/// Is this the text of an inspection sheet, by its columns?
+[[nodiscard]] bool is_inspection(std::string_view csv, const core::CsvMapping& mapping = {});
 /// Columns part, item, number, x_mm, y_mm, z_mm, normal_deg, nominal_mm, allowed_low_mm, allowed_high_mm, measured_deviation_mm; an empty
 /// cell of the last is a row without measurement.
 /// @param file the name used in messages
 /// @throws core::InvalidInput "file:line:column: ...": as core::parse_csv; an unknown item, two parts, a place without normal or arm, a
 /// figure out of range; "file: measured_deviation_mm" if no row of the contour is filled
-[[nodiscard]] InspectionSheet parse_inspection(std::string_view csv, const std::string& file);
+[[nodiscard]] InspectionSheet parse_inspection(std::string_view csv, const std::string& file, const core::CsvMapping& mapping = {});
 /// The sheet to fill in, with a comment at its head. Deviations are empty cells.
 [[nodiscard]] std::string empty_inspection(const InspectionSheet& sheet, const std::string& provenance);
 

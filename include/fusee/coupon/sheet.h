@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "fusee/core/csv.h"
 #include "fusee/core/units.h"
 
 /// Coupons that a workshop makes before the cams, and the sheet with their measurements of process and cable (docs/theory/calibration.md).
@@ -57,7 +58,7 @@ struct Sheet {
 /// @param file the name used in messages
 /// @throws core::InvalidInput "file:line:column: ...": as core::parse_csv; an unknown item, another unit, a figure out of range, a drawn
 /// figure given twice; "file: measured" if no row is filled
-[[nodiscard]] Sheet parse_sheet(std::string_view csv, const std::string& file);
+[[nodiscard]] Sheet parse_sheet(std::string_view csv, const std::string& file, const core::CsvMapping& mapping = {});
 
 /// Nominal values of the coupons of a profile: the rows of their sheet.
 struct Drawn {

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <limits>
 #include <map>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -130,8 +131,8 @@ struct Rows {
 
 /// How a column of a lab's file stands for one of the format. Table [columns.EXPERIMENT].
 struct ColumnMap {
-    std::string header;   ///< its name in the file
-    double factor = 1.0;  ///< from the number in the file to the format's unit
+    std::string header;                 ///< its name in the file
+    std::optional<double> factor = {};  ///< from the number in the file to the format's unit; none: from the unit in the header
 };
 /// Of each experiment, by the format's column name.
 using ColumnMaps = std::map<Experiment, std::map<std::string, ColumnMap>>;

@@ -8,8 +8,8 @@
 namespace fusee::gap_case {
 
 /// The tables [columns.EXPERIMENT] of a case.toml, where a key names a column of the format: `q_rad = "pos"`, or
-/// `q_rad = { column = "pos", unit = "deg", factor = -1 }`. Units: rad, mrad, deg, turn, or count with counts_per_turn; Nm, mNm, Ncm,
-/// kgfcm, ozfin, or A with Nm_per_A, the torque at the capstan (or joint) of an ampere; s, ms, us.
+/// `q_rad = { column = "pos", unit = "deg", factor = -1 }`. Units: those of core/measure.h; also count
+/// with counts_per_turn, and A with Nm_per_A, the torque at the capstan (or joint) of an ampere.
 /// @throws core::InvalidInput "file:line:column: key" for an unknown column, unit or key, a factor of 0, a unit without its constant
 [[nodiscard]] ColumnMaps read_columns(const CaseToml& toml);
 /// The names of all tables that read_columns may read: "columns", "columns.log", "columns.log.q_rad", ...

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "fusee/core/csv.h"
 #include "fusee/core/units.h"
 #include "fusee/math/regression.h"
 
@@ -29,8 +30,8 @@ inline constexpr std::size_t kLargestBreakAwayFile = 200'000'000;  ///< bytes
 
 /// Columns side, direction (drive or backdrive), motor_torque_Nm, load_torque_Nm in any order; other columns are ignored.
 /// @param file the name used in messages
-/// @throws core::InvalidInput "file:line:column: ..."
-[[nodiscard]] std::vector<BreakAway> parse_break_away(std::string_view csv, const std::string& file);
+/// @throws core::InvalidInput "file:line:column: ...": as core::parse_csv; a torque that looks like mNm, unless the mapping gives its unit
+[[nodiscard]] std::vector<BreakAway> parse_break_away(std::string_view csv, const std::string& file, const core::CsvMapping& mapping = {});
 /// The same from a file. @throws core::IoError, also when it is larger than kLargestBreakAwayFile
 [[nodiscard]] std::vector<BreakAway> read_break_away(const std::filesystem::path& path);
 
@@ -53,7 +54,7 @@ struct FrictionLine {
 
 /// A remark on the data, with its probability under pure chance where a test was made.
 struct FrictionRemark {
-    std::string id;    ///< "constant", "directions", "sides", "curvature", "scatter", "outliers", "wrong_way", "law"
+    std::string id;    ///< "constant", "motor_torque", "one_way", "sides", "curvature", "scatter", "outliers", "wrong_way", "law"
     std::string text;  ///< one sentence
     double p = std::numeric_limits<double>::quiet_NaN();
 };
@@ -78,11 +79,39 @@ struct FrictionReport {
     /// Share of the scatter variance that grows with the friction squared: 0 all rows scatter equally, near 1 in proportion to friction.
     double scatter_growth = 0.0;
 
+    /// A motor with both directions: its friction, and the torque that it gives over the stated one, told apart by
+    ///     scale tau_m = load + s (constant + mu load),  s = -1 backdrive, +1 drive          (docs/theory/identification.md, eq. 6)
+    struct Motor {
+        std::string side;
+        std::size_t rows = 0;
+        double scale = 1.0, mu = 0.0, constant = 0.0;  ///< [1], [1], [Nm]
+        core::Range scale_95, mu_95, constant_95;
+        double p = 1.0;  ///< chance of a scale as far from 1 if it is 1
+        /// Is the scale not 1? Then the law counts the motor's torques times `scale`.
+        bool differs = false;
+    };
+    std::vector<Motor> motors;
+    /// A motor with one direction only: friction and an error of the torque constant give the same rows. Each reading explains all of it.
+    struct OneWay {
+        std::string side;
+        bool backdrive = true;
+        std::size_t rows = 0;
+        double mu = 0.0;  ///< with the stated torques
+        core::Range mu_95;
+        double scale = 1.0;  ///< torque over the stated one, without friction
+        core::Range scale_95;
+        /// The rows that would tell: the load of the other direction at the greatest motor torque, in either reading [Nm].
+        double motor_torque = 0.0, load_by_friction = 0.0, load_by_scale = 0.0;
+    };
+    std::vector<OneWay> one_way;
+
     /// A law for a profile: constant + mu load, constant 0 unless the data show one.
     struct Law {
         double mu = 0.0, constant = 0.0;
     };
-    std::optional<Law> law;  ///< none if the data give no friction that friction::Law allows
+    /// Of the motors with both directions. None if there is no such motor, or the data give no friction that friction::Law allows.
+    std::optional<Law> law;
+    std::size_t law_rows = 0;  ///< that the law is from; 0: all
     /// The lines of a profile's table [rig], or "" without a law.
     [[nodiscard]] std::string profile_lines() const;
 };

@@ -16,6 +16,7 @@ struct Answers {
     double ratio = 1.0;                     ///< r_j/r_c: turns of a capstan for one turn of the joint
     double joint_range = 0.0;               ///< between the joint's stops [rad]; 0: what the springs allow
     std::optional<profile::TablePair> law;  ///< measured springs at the capstan, the loading branch; none: a law of the paper's kind
+    core::CsvMapping columns;               ///< of the files of measured springs and of break-away tests
     double joint_stiffness = 0.0;           ///< capstans held, at `torque` of co-contraction [Nm/rad]; 0: chosen
     double friction = 0.28;                 ///< gear friction over the load on the capstan
     double friction_constant = 0.0;         ///< its part that does not depend on the load [Nm]

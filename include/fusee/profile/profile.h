@@ -13,6 +13,7 @@
 #include "fusee/cam/cam.h"
 #include "fusee/cam/wrap_friction.h"
 #include "fusee/checks/check.h"
+#include "fusee/core/csv.h"
 #include "fusee/design/algorithm_1.h"
 #include "fusee/design/codesign_options.h"
 #include "fusee/design/search.h"
@@ -150,6 +151,7 @@ struct Profile {
     Outputs outputs;
     drawing::TitleOptions title;                ///< of the shop drawings
     solid::Compensation compensation;           ///< from measured coupons; the cable's axis is in both parts' allowance
+    core::CsvMapping columns;                   ///< table [columns]: how the profile's CSV files name their columns
     std::map<std::string, std::string> places;  ///< of the keys in the file: "file:line:column: key"
 
     /// Place of a key; file and key if it is not in the file.
@@ -172,7 +174,7 @@ inline constexpr std::size_t kLargestFile = 10'000'000;
 [[nodiscard]] Profile parse_profile(std::string toml, const std::filesystem::path& path);
 
 /// The curves of a CSV file as `law.file` names it, with the default smoothing. @throws core::IoError; as read_profile for its rows
-[[nodiscard]] TablePair read_measured_law(const std::filesystem::path& file);
+[[nodiscard]] TablePair read_measured_law(const std::filesystem::path& file, const core::CsvMapping& mapping = {});
 
 /// The profile as TOML with every key that applies. Read from the same folder it gives the same numbers, bit for bit.
 [[nodiscard]] std::string to_toml(const Profile& profile);

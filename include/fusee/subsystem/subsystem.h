@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "fusee/core/csv.h"
 #include "fusee/diagnosis/diagnose.h"
 #include "fusee/diagnosis/diagnosis.h"
 
@@ -45,6 +46,7 @@ struct Case {
     std::map<std::string, double> parameters;  ///< numbers of [bench], for every file
     std::map<std::string, std::string> words;  ///< texts of [bench], for every file: "goals", "motor"
     std::map<std::string, double> sensors;     ///< table [sensors]
+    core::CsvMapping columns;                  ///< table [columns]: headers of the files
     std::vector<Record> records;               ///< in the order of their files' names
     std::vector<std::string> remarks;          ///< limitations: thinned rows, few files
 };

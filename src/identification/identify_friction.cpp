@@ -7,6 +7,8 @@
 #include <tuple>
 
 #include "fusee/core/error.h"
+#include "fusee/core/text.h"
+#include "motor_torque.h"
 #include "remarks.h"
 
 namespace fusee::identification {
@@ -124,6 +126,25 @@ std::optional<FrictionReport::Law> law_of(const FrictionLine& line) {
     return law;
 }
 
+/// The law of the motors with both directions, with the torque that they give. Rows of one direction alone have none.
+/// @param mu gets that of those rows, if there are any
+void take_torques_into_account(const std::vector<BreakAway>& rows, const RowWeights& weights, FrictionReport& report, double& mu) {
+    Group told{"told apart", {}};
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const auto same = [&](const auto& motor) { return motor.side == rows[i].side; };
+        if (std::none_of(report.one_way.begin(), report.one_way.end(), same) &&
+            !std::binary_search(weights.outliers.begin(), weights.outliers.end(), i))
+            told.rows.push_back(i);
+    }
+    const math::LinearModel model = line_model(with_true_torques(rows, report.motors), told, weights.weights);
+    report.law.reset();
+    report.law_rows = told.rows.size();
+    if (!has_line(model)) return;
+    const FrictionLine line = fit_line(told, model);
+    mu = line.mu;
+    report.law = law_of(line);
+}
+
 void require_rows(const std::vector<BreakAway>& rows, const Group& all) {
     if (rows.size() < 3) throw core::InvalidInput("break-away rows", fmt::format("{}", rows.size()), "at least 3");
     if (!has_line(line_model(rows, all, std::vector<double>(rows.size(), 1.0))))
@@ -135,7 +156,10 @@ void require_rows(const std::vector<BreakAway>& rows, const Group& all) {
 
 std::string FrictionReport::profile_lines() const {
     if (!law) return "";
-    const std::string origin = lines.empty() ? "measured" : fmt::format("measured, {} break-aways", lines.front().rows);
+    const std::size_t count = law_rows > 0 || lines.empty() ? law_rows : lines.front().rows;
+    std::string origin = count == 0 ? "measured" : fmt::format("measured, {} break-aways", count);
+    for (const Motor& motor : motors)
+        if (motor.differs) origin += fmt::format("; torque of {} times {:.4g}", core::printable(motor.side, 40), motor.scale);
     std::string text = fmt::format("[rig]\ngear_friction = {:.4f}  # {}\n", law->mu, origin);
     if (law->constant > 0.0) text += fmt::format("gear_friction_constant_Nm = {:.5f}  # {}\n", law->constant, origin);
     return text;
@@ -171,11 +195,21 @@ FrictionReport identify_friction(const std::vector<BreakAway>& rows) {
                         row_weights.scatter};
     for (const auto& lines : {fitted.directions, fitted.sides, lines_of(rows, by_both, row_weights.weights)})
         report.lines.insert(report.lines.end(), lines.begin(), lines.end());
+    report.motors = motors_of(rows, row_weights.outliers, row_weights.weights);
+    report.one_way = one_way_motors(rows, row_weights.outliers, row_weights.weights);
     report.remarks = remarks_on(fitted);
+    const bool doubtful =
+        !report.one_way.empty() || std::any_of(report.motors.begin(), report.motors.end(), [](const auto& motor) { return motor.differs; });
+    if (doubtful) report.remarks.front().text = "with the stated torques, " + report.remarks.front().text;
+    if (!report.motors.empty()) report.remarks.push_back(remark_on(report.motors));
+    for (const FrictionReport::OneWay& motor : report.one_way) report.remarks.push_back(remark_on(motor));
     report.law = law_of(fitted.trusted);
-    if (!report.law)
-        report.remarks.push_back({"law", fmt::format("mu = {:.4g} is outside the range of a gear (0 to {:g}): no law is stated",
-                                                     fitted.trusted.mu, kLargestMu)});
+    double mu = fitted.trusted.mu;
+    const bool may_be_friction = report.law.has_value() && report.motors.empty();
+    if (doubtful) take_torques_into_account(rows, row_weights, report, mu);
+    if (!report.law && !may_be_friction)
+        report.remarks.push_back(
+            {"law", fmt::format("mu = {:.4g} is outside the range of a gear (0 to {:g}): no law is stated", mu, kLargestMu)});
     return report;
 }
 

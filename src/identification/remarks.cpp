@@ -13,14 +13,7 @@ namespace fusee::identification {
 
 namespace {
 
-constexpr double kChance = 0.01;     // significance level of a remark
-constexpr std::size_t kNamed = 5;    // rows that a remark names
-constexpr double kRounding = 1e-20;  // variance of a coefficient due to rounding, for rows without scatter
-
-/// "0.280 (0.275 to 0.285)"
-std::string with_interval(double value, const core::Range& range) {
-    return fmt::format("{:.4g} ({:.4g} to {:.4g})", value, range.low, range.high);
-}
+constexpr std::size_t kNamed = 5;  // rows that a remark names
 
 std::string places(const std::vector<BreakAway>& rows, const std::vector<std::size_t>& which) {
     std::string out;
@@ -78,19 +71,11 @@ FrictionRemark on_constant(const FrictionLine& line) {
             p};
 }
 
-/// Backdrive: load (1 - mu_b) = motor torque; drive: load (1 + mu_d) = motor torque. One mu with a motor torque s times as large makes
-/// s = 2/(2 + mu_d - mu_b) of them.
 void add_directions(const Fitted& fitted, std::vector<FrictionRemark>& remarks) {
     if (fitted.directions.size() != 2) return;
     const double p = chance_of_difference(fitted.directions);
     if (p >= kChance) return;
-    const double scale = 2.0 / (2.0 + fitted.directions[1].mu - fitted.directions[0].mu);
-    remarks.push_back(
-        {"directions",
-         fmt::format(
-             "the directions differ: {}; one mu for both, {:.3g}, requires motor torques that differ by {:+.1f} % from those stated",
-             each(fitted.directions), 1.0 - scale * (1.0 - fitted.directions[0].mu), 100.0 * (scale - 1.0)),
-         p});
+    remarks.push_back({"directions", fmt::format("the directions differ: {}", each(fitted.directions)), p});
 }
 
 void add_sides(const Fitted& fitted, std::vector<FrictionRemark>& remarks) {
@@ -149,6 +134,10 @@ void add_rows(const Fitted& fitted, std::vector<FrictionRemark>& remarks) {
 }
 
 }  // namespace
+
+std::string with_interval(double value, const core::Range& range) {
+    return fmt::format("{:.4g} ({:.4g} to {:.4g})", value, range.low, range.high);
+}
 
 std::vector<FrictionRemark> remarks_on(const Fitted& fitted) {
     std::vector<FrictionRemark> remarks{on_constant(fitted.trusted)};

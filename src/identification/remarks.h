@@ -14,6 +14,12 @@ struct Fitted {
     Scatter scatter;
 };
 
+inline constexpr double kChance = 0.01;     ///< significance level of a remark
+inline constexpr double kRounding = 1e-20;  ///< variance of a coefficient due to rounding, for rows without scatter
+
+/// "0.280 (0.275 to 0.285)"
+[[nodiscard]] std::string with_interval(double value, const core::Range& range);
+
 [[nodiscard]] std::vector<FrictionRemark> remarks_on(const Fitted& fitted);
 
 }  // namespace fusee::identification

@@ -23,6 +23,32 @@ Json friction_line_json(const identification::FrictionLine& line) {
             {"outlier_rows", line.outliers}};
 }
 
+Json motor_json(const identification::FrictionReport::Motor& m) {
+    return {{"side", m.side},
+            {"rows", m.rows},
+            {"torque_scale", m.scale},
+            {"torque_scale_95", range_json(m.scale_95)},
+            {"mu", m.mu},
+            {"mu_95", range_json(m.mu_95)},
+            {"constant_Nm", m.constant},
+            {"constant_95_Nm", range_json(m.constant_95)},
+            {"p", m.p},
+            {"differs", m.differs}};
+}
+
+Json one_way_json(const identification::FrictionReport::OneWay& m) {
+    return {{"side", m.side},
+            {"direction", m.backdrive ? "backdrive" : "drive"},
+            {"rows", m.rows},
+            {"if_torque_right", {{"mu", m.mu}, {"mu_95", range_json(m.mu_95)}}},
+            {"if_no_friction", {{"torque_scale", m.scale}, {"torque_scale_95", range_json(m.scale_95)}}},
+            {"to_measure",
+             {{"direction", m.backdrive ? "drive" : "backdrive"},
+              {"motor_torque_Nm", m.motor_torque},
+              {"load_if_torque_right_Nm", m.load_by_friction},
+              {"load_if_no_friction_Nm", m.load_by_scale}}}};
+}
+
 Json repeat_json(const identification::FrictionReport::Repeat& r) {
     return {{"side", r.side},
             {"direction", r.backdrive ? "backdrive" : "drive"},
@@ -47,6 +73,8 @@ std::string identification_json(const Identification& identification) {
                                             [](const identification::FrictionRemark& remark) {
                                                 return Json{{"id", remark.id}, {"text", remark.text}, {"p", remark.p}};
                                             })},
+                      {"motors", json_list(friction.motors, motor_json)},
+                      {"one_way", json_list(friction.one_way, one_way_json)},
                       {"scatter_growth", friction.scatter_growth},
                       {"lines", json_list(friction.lines, friction_line_json)},
                       {"repeats", json_list(friction.repeats, repeat_json)}});

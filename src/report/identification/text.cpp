@@ -23,6 +23,8 @@ std::string identification_text(const Identification& identification) {
     if (friction.lines.size() > kMostLines)
         out += fmt::format("... and {} more in identification.json\n", friction.lines.size() - kMostLines);
     for (const identification::FrictionRemark& remark : friction.remarks) out += "- " + remark.text + "\n";
+    if (!friction.law && !friction.one_way.empty())
+        out += "\nNo lines for a profile: no motor has rows of both directions, drive and backdrive.\n";
     if (friction.law) out += "\nFor a profile:\n" + friction.profile_lines();
     return out;
 }

@@ -221,6 +221,9 @@ private:
 
     void read_header(std::string_view text) {
         if (!splitter_.split(text, dialect_.separator, cells_)) give_up(fault(1, "header", in_quotes(text), "a quote that is closed"));
+        const auto is_number = [](const CsvCell& cell) { return parse_number(cell.text, '.') || parse_number(cell.text, ','); };
+        if (std::all_of(cells_.begin(), cells_.end(), is_number))
+            give_up(fault(1, "header", "no names", fmt::format("a line with {} above the numbers", in_quotes(names_))));
         const HeaderMatch match = match_header(cells_, dialect_.units, known_, options_.mapping);
         std::vector<bool> used(cells_.size(), false);
         for (const FoundColumn& found : match.columns) used[found.cell] = true;

@@ -165,10 +165,11 @@ TEST(CsvDialect, AQuoteThatDoesNotCloseIsNamed) {
 
 TEST(CsvDialect, AQuestionNamesTheLineOfEachAnswer) {
     const CsvTable t = parse_csv("angle_rad,series_Nm,parallel_Nm\n90,1,1\n", "t.csv", kLaw);
-    EXPECT_STREQ(t.question(0, "angle_rad", "deg", "more than two turns").what(),
-                 "t.csv:2:1: angle_rad: 90; more than two turns (allowed: are these degrees? Say which: --columns 'angle_rad=angle_rad in deg' "
-                 "or --columns "
-                 "'angle_rad=angle_rad in rad')");
+    EXPECT_STREQ(
+        t.question(0, "angle_rad", "deg", "more than two turns").what(),
+        "t.csv:2:1: angle_rad: 90; more than two turns (allowed: are these degrees? Say which: --columns 'angle_rad=angle_rad in deg' "
+        "or --columns "
+        "'angle_rad=angle_rad in rad')");
 }
 
 TEST(CsvDialect, FitsAndHeader) {

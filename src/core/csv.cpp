@@ -410,17 +410,4 @@ std::vector<std::string> csv_header(std::string_view bytes) {
     return CsvParser("", none, options).header(bytes);
 }
 
-std::string csv_cell(std::string_view text) {
-    // A spreadsheet takes these for a formula, which may start programs; the apostrophe makes it a text there.
-    double number = 0.0;
-    const char* const end = text.data() + text.size();
-    const std::size_t sign = !text.empty() && text.front() == '+' ? 1 : 0;  // from_chars takes no plus
-    const bool is_formula = text.size() > 1 && std::string_view("=+-@\t\r").find(text.front()) != std::string_view::npos &&
-                            std::from_chars(text.data() + sign, end, number).ptr != end;
-    if (!is_formula && text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
-    std::string cell = is_formula ? "\"'" : "\"";
-    for (const char c : text) cell += c == '"' ? "\"\"" : std::string(1, c);
-    return cell + '"';
-}
-
 }  // namespace fusee::core

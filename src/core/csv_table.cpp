@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <charconv>
 
 #include "csv_text.h"
 #include "fusee/core/csv.h"
@@ -84,6 +85,19 @@ std::string CsvMapping::lines(const std::vector<std::pair<std::string, std::stri
                               : fmt::format("{}{} = \"{}\"", text.empty() ? "" : ", ", name, quoted);
     }
     return table.empty() ? text : fmt::format("{} = {{ {} }}", table, text);
+}
+
+std::string csv_cell(std::string_view text) {
+    // A spreadsheet takes these for a formula, which may start programs; the apostrophe makes it a text there.
+    double number = 0.0;
+    const char* const end = text.data() + text.size();
+    const std::size_t sign = !text.empty() && text.front() == '+' ? 1 : 0;  // from_chars takes no plus
+    const bool is_formula = text.size() > 1 && std::string_view("=+-@\t\r").find(text.front()) != std::string_view::npos &&
+                            std::from_chars(text.data() + sign, end, number).ptr != end;
+    if (!is_formula && text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
+    std::string cell = is_formula ? "\"'" : "\"";
+    for (const char c : text) cell += c == '"' ? "\"\"" : std::string(1, c);
+    return cell + '"';
 }
 
 }  // namespace fusee::core

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "fusee/core/error.h"
 #include "refused.h"
 
 namespace fusee::spring {
@@ -40,6 +41,38 @@ TEST(Catalogue, MistakesNameTheirCell) {
     EXPECT_EQ(field_of("compression,D1,5000,1.6,1.5,8,55,28,140,1950\n"), "springs.csv:2:25: coil_mm");
     EXPECT_EQ(field_of("compression,D1,5000,1.6,14,8,0,28,140,1950\n"), "springs.csv:2:30: free_length_mm");
     EXPECT_EQ(field_of("compression,D1,5000,1.6,14,8,55,x,140,1950\n"), "springs.csv:2:33: max_deflection");
+}
+
+// A vendor's list of one kind: newtons per millimetre in the header.
+TEST(Catalogue, UnitsInTheHeaderAreConverted) {
+    std::string header = kHeader;
+    header.replace(header.find("rate"), 4, "Rate [N/mm]").replace(header.find("max_deflection"), 14, "max_deflection (mm)");
+    const Catalogue c = parse_catalogue(header + "compression,D1,3,1.6,14,8,55,28,84,1950\n", "springs.csv");
+    EXPECT_DOUBLE_EQ(c.compression.front().spring.rate, 3000.0);
+    EXPECT_DOUBLE_EQ(c.compression.front().spring.max_state, 28e-3);
+    EXPECT_EQ(field_refused([&] { return parse_catalogue(header + kTorsionRow, "springs.csv"); }), "springs.csv:2:12: Rate [N/mm]");
+}
+
+TEST(Catalogue, FiguresThatLookLikeAnotherUnitAreAskedAbout) {
+    const auto said = [](const std::string& rows) -> std::string {
+        try {
+            (void)parse_catalogue(kHeader + rows, "springs.csv");
+        } catch (const core::InputError& e) {
+            return e.what();
+        }
+        return "none";
+    };
+    EXPECT_NE(said("compression,D1,3,1.6,14,8,55,28,84,1950\n").find("'rate=rate in N/mm'"), std::string::npos);
+    EXPECT_NE(said("compression,D1,3000,1.6,14,8,55,0.028,84,1950\n").find("'max_deflection=max_deflection in m'"), std::string::npos);
+    EXPECT_NE(said("torsion,T1,0.0000767,0.8,10,30,0,700,0.3,2100\n").find("are these Nm/deg"), std::string::npos);
+    EXPECT_NE(said("torsion,T1,0.02,0.8,10,30,0,687,0.24,2100\n").find("are these degrees"), std::string::npos);
+    EXPECT_NE(said("torsion,T1,0.02,0.8,10,30,0,12,240,2100\n").find("are these mNm"), std::string::npos);
+    EXPECT_EQ(
+        parse_catalogue(kHeader + "compression,D1,3,1.6,14,8,55,28,84,1950\n", "springs.csv", core::CsvMapping::of({"rate=rate in N/mm"}))
+            .compression.front()
+            .spring.rate,
+        3000.0);
+    EXPECT_EQ(said(kTorsionRow + kStiff + kSoft), "none");
 }
 
 TEST(Catalogue, TheOneThatComesWithFuseeCanBeRead) {

@@ -9,6 +9,7 @@
 #include "fusee/core/csv.h"
 #include "fusee/core/destination.h"
 #include "fusee/core/file.h"
+#include "fusee/core/text.h"
 #include "fusee/gap_case/toml.h"
 #include "law_files.h"
 #include "units.h"
@@ -152,7 +153,8 @@ void require_directions(const core::CsvTable& table, const Record& record) {
 /// Adds the file's words and columns to `record`. @returns its bytes
 std::string take_file(const fs::path& path, const KindKeys& keys, const core::CsvMapping& mapping, bool inputs_only, Record& record) {
     std::string bytes = core::read_file(path, kLargestFile);
-    take_words(bytes, keys, path.string(), record);
+    const std::size_t mark = bytes.starts_with(core::kByteOrderMark) ? core::kByteOrderMark.size() : 0;
+    take_words(std::string_view(bytes).substr(mark), keys, path.string(), record);
     std::vector<core::CsvColumn> columns;
     for (const ColumnKey& key : keys.columns)
         columns.push_back({key.name, key.text ? core::CsvColumn::Kind::kText : core::CsvColumn::Kind::kNumber,

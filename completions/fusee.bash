@@ -60,9 +60,10 @@ _fusee() {
                 *:--process) ;;
                 *:--material) ;;
                 *:--bed) ;;
+                *:--columns) ;;
                 *:-j | *:--jobs) ;;
                 *:--color) _fusee_words "$word" auto always never ;;
-                -*) _fusee_words "$word" --help --torque --overdrive --least --ratio --range --law --joint-stiffness --friction --friction-constant --cable --breaking-load --shaft --process --material --bed --yes --jobs --json --color --quiet --verbose ;;
+                -*) _fusee_words "$word" --help --torque --overdrive --least --ratio --range --law --joint-stiffness --friction --friction-constant --cable --breaking-load --shaft --process --material --bed --columns --yes --jobs --json --color --quiet --verbose ;;
                 *) _fusee_files "$word" toml ;;
             esac ;;
         ' make')
@@ -137,12 +138,13 @@ _fusee() {
             case $word:$before in
                 *:-o | *:--out) _fusee_files "$word" toml ;;
                 *:--catalogue) _fusee_files "$word" csv ;;
+                *:--columns) ;;
                 *:--wire-class) _fusee_words "$word" sl sm sh dm dh ;;
                 *:--cycles) ;;
                 *:--within) ;;
                 *:--most) ;;
                 *:--color) _fusee_words "$word" auto always never ;;
-                -*) _fusee_words "$word" --help --out --catalogue --bought --wire-class --cycles --within --most --accept-reviews --force --json --color --quiet --verbose ;;
+                -*) _fusee_words "$word" --help --out --catalogue --columns --bought --wire-class --cycles --within --most --accept-reviews --force --json --color --quiet --verbose ;;
                 *) _fusee_files "$word" toml ;;
             esac ;;
         ' budget')
@@ -175,8 +177,9 @@ _fusee() {
             case $word:$before in
                 *:--profile) _fusee_files "$word" toml ;;
                 *:--write-profile) _fusee_files "$word" toml ;;
+                *:--columns) ;;
                 *:--color) _fusee_words "$word" auto always never ;;
-                -*) _fusee_words "$word" --help --profile --write-profile --force --json --color --quiet --verbose ;;
+                -*) _fusee_words "$word" --help --profile --write-profile --columns --force --json --color --quiet --verbose ;;
                 *) _fusee_files "$word" csv ;;
             esac ;;
         ' simulate')
@@ -202,8 +205,9 @@ _fusee() {
         ' identify')
             case $word:$before in
                 *:-o | *:--out) _fusee_folders "$word" ;;
+                *:--columns) ;;
                 *:--color) _fusee_words "$word" auto always never ;;
-                -*) _fusee_words "$word" --help --out --force --json --color --quiet --verbose ;;
+                -*) _fusee_words "$word" --help --out --columns --force --json --color --quiet --verbose ;;
                 *) _fusee_files "$word" csv ;;
             esac ;;
         ' diagnose')

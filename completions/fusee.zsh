@@ -68,6 +68,7 @@ _fusee_init() {
         '(--process)'--process='[How the parts are made (fdm, sla, sls, mill, mill4)]'':VALUE: ' \
         '(--material)'--material='[Material of the parts]'':VALUE: ' \
         '(--bed)'--bed='[Side of the machine'\''s bed, mm (50 to 2000)]'':VALUE: ' \
+        '*'--columns='[A column that is not recognised by its header]'':NAME=HEADER: ' \
         '(-y --yes)'{-y,--yes}'[Ask nothing]' \
         '(-j --jobs)'{-j+,--jobs=}'[Number of threads]'':0 to 1024: ' \
         '(--json)'--json'[Print one JSON object instead of text (docs/json.md)]' \
@@ -191,6 +192,7 @@ _fusee_springs() {
         '(- *)'{-h,--help}'[Print this help message and exit]' \
         '(-o --out)'{-o+,--out=}'[File of the new profile]'':file:_files -g "*.(toml)(-.)"' \
         '(--catalogue)'--catalogue='[Springs on sale]'':file:_files -g "*.(csv)(-.)"' \
+        '*'--columns='[A column that is not recognised by its header]'':NAME=HEADER: ' \
         '(--bought)'--bought'[Take the springs of the catalogue, not wound ones]' \
         '(--wire-class)'--wire-class='[Wire of EN 10270-1 where the profile states none]'':choice:(sl sm sh dm dh)' \
         '(--cycles)'--cycles='[Load cycles where the profile states none]'':1 to 1000000000000: ' \
@@ -251,6 +253,7 @@ _fusee_calibrate() {
         '(- *)'{-h,--help}'[Print this help message and exit]' \
         '(--profile)'--profile='[Profile of the coupons]'':file:_files -g "*.(toml)(-.)"' \
         '(--write-profile)'--write-profile='[File of the calibrated profile]'':file:_files -g "*.(toml)(-.)"' \
+        '*'--columns='[A column that is not recognised by its header]'':NAME=HEADER: ' \
         '(--force)'--force'[Replace the file if it exists]' \
         '(--json)'--json'[Print one JSON object instead of text (docs/json.md)]' \
         '(--color)'--color='[Colour of severity words]'':choice:(auto always never)' \
@@ -293,6 +296,7 @@ _fusee_identify() {
     _arguments -s \
         '(- *)'{-h,--help}'[Print this help message and exit]' \
         '(-o --out)'{-o+,--out=}'[Folder of the results]'':folder:_files -/' \
+        '*'--columns='[A column that is not recognised by its header]'':NAME=HEADER: ' \
         '(--force)'--force'[Also replace files of another source and changed files]' \
         '(--json)'--json'[Print one JSON object instead of text (docs/json.md)]' \
         '(--color)'--color='[Colour of severity words]'':choice:(auto always never)' \

@@ -73,9 +73,14 @@ int refuse(const std::exception& e, Reply& reply) {
 /// What the user's limit of processor time ends (SIGXCPU) is bad input, as other limits are.
 constexpr const char* kOutOfTime = "out of processor time: the limit (ulimit -t) is less than this needs";
 
+constexpr const char* kDropped = "stopped: unfinished work is dropped";
+
 int run(const Action& action, Reply& reply) {
     try {
-        return action(reply);
+        const int code = action(reply);
+        if (code == kInterrupted && core::stop_signal() == SIGXCPU) throw core::Stopped();
+        if (code == kInterrupted && reply.failure().empty()) reply.fail(std::string(kDropped)), reply.warn(fmt::format("{}\n", kDropped));
+        return code;
     } catch (const core::InputError& e) {
         return refuse(e, reply);
     } catch (const std::system_error& e) {  // a full disk, a folder that is a file, no more threads
@@ -122,7 +127,7 @@ std::function<int(int)> farewell(const Settings& settings, const std::string& co
         reply.fail(message);
         return std::pair(message + "\n", settings.json ? reply.envelope(command, code) : "");
     };
-    return [stopped = texts("stopped: unfinished work is dropped", kInterrupted), late = texts(kOutOfTime, kBadInput)](int signal) {
+    return [stopped = texts(kDropped, kInterrupted), late = texts(kOutOfTime, kBadInput)](int signal) {
         const auto& [message, envelope] = signal == SIGXCPU ? late : stopped;
         put_without_waiting(STDERR_FILENO, message);
         if (!envelope.empty()) put_without_waiting(STDOUT_FILENO, envelope);

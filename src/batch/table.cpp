@@ -23,7 +23,7 @@ const char* to_string(Outcome outcome) {
         case Outcome::kFailed:
             return "failed";
         case Outcome::kInterrupted:
-            return "not begun";
+            return "stopped";
     }
     return "";
 }

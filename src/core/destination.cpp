@@ -41,6 +41,8 @@ void remove_parts(const fs::path& file) {
 void require_writable(const fs::path& file) {
     std::error_code error;
     if (file.filename().empty() || fs::is_directory(file, error)) throw IoError(file.string(), "is a folder, not a file");
+    if (const fs::file_status found = fs::status(file, error); fs::exists(found) && !fs::is_regular_file(found))
+        throw IoError(file.string(), "is not a regular file");
     remove_parts(file);
     const StopHold hold;
     const NewFile trial(file);  // removed again
@@ -52,7 +54,6 @@ void require_new_file(const fs::path& file, bool force) {
     const fs::file_status found = fs::symlink_status(file, ignored);
     if (!fs::exists(found)) return;
     if (!force) throw IoError(file.string(), "already exists: use --force to replace it, or choose another name");
-    if (!fs::is_regular_file(fs::status(file, ignored))) throw IoError(file.string(), "is not a regular file");
 }
 
 }  // namespace fusee::core

@@ -44,8 +44,13 @@ fs::path place_of(const fs::path& target) {
     }
 }
 
+/// A file that is a link keeps its name: it is the same source wherever it leads, as a profile in a Kubernetes volume does.
 std::string relative_source(const fs::path& source, const fs::path& place) {
-    return source.empty() ? "" : place_of(source).lexically_relative(place).generic_string();
+    std::error_code ignored;
+    if (source.empty()) return "";
+    const bool link = fs::is_symlink(source, ignored) && fs::is_regular_file(source, ignored);
+    const fs::path found = link ? place_of(fs::absolute(source).parent_path()) / source.filename() : place_of(source);
+    return found.lexically_relative(place).generic_string();
 }
 
 /// The first entry that is not a scratch file of fusee; empty if there is none.

@@ -67,6 +67,9 @@ TEST_F(FileTest, WhatCannotBeWrittenIsKnownBefore) {
     EXPECT_EQ(read_file(folder_ / "a"), "one");
     EXPECT_EQ(entries(), 1u);
     for (const char* wrong : {"", "no/such/folder", "a/b"}) EXPECT_THROW(require_writable(folder_ / wrong), IoError) << wrong;
+    ASSERT_EQ(::mkfifo((folder_ / "pipe").c_str(), 0600), 0);
+    EXPECT_THROW(require_writable(folder_ / "pipe"), IoError) << "a pipe is not replaced by a file";
+    EXPECT_THROW(require_writable("/dev/null"), IoError);
 }
 
 TEST_F(FileTest, MakesFoldersUnlessAFileIsInTheWay) {

@@ -154,6 +154,15 @@ TEST_F(OutputFolderTest, AFileThatFuseeDidNotMakeIsNeverReplaced) {
     EXPECT_EQ(read_file(folder_ / "elsewhere"), "mine");
 }
 
+TEST_F(OutputFolderTest, ASourceThatIsALinkStaysOneSource) {
+    fs::create_symlink("a.toml", folder_ / "link.toml");
+    put({{"k_se.stl", "1"}}, run("make", "link.toml"));
+    fs::remove(folder_ / "link.toml");
+    fs::create_symlink("b.toml", folder_ / "link.toml");
+    put({{"k_se.stl", "2"}}, run("make", "link.toml"));
+    expect_refused({{"k_se.stl", "3"}}, run("make", "b.toml"), {"link.toml"});
+}
+
 TEST_F(OutputFolderTest, AFilledSheetIsNeverReplaced) {
     OutputRun coupons = run("coupons");
     coupons.sheets = {"COUPON.csv"};

@@ -219,11 +219,11 @@ def faults(long):
         "ENOMEM": started(before=limit(memory, 400_000_000)),
         "closed stdout": started(shell='exec "$@" >&-', codes=(0, 2), files=True),
         "full stdout": started(shell='exec "$@" >/dev/full', codes=(0, 2), files=True),
-        "full stdout, --json": started(shell='exec "$@" >/dev/full', codes=(2,), files=True, json=True),
+        "full stdout --json": started(shell='exec "$@" >/dev/full', codes=(2,), files=True, json=True),
         "both closed": started(shell='exec "$@" >&- 2>&-', codes=(0, 2), files=True, silent=True),
         "both full": started(shell='exec "$@" >/dev/full 2>&1', codes=(0, 2), files=True, silent=True),
         "a reader that left": started(shell='exec 3> >(true); wait $!; "$@" >&3', codes=(0,), files=True),
-        "both readers left, --json": started(shell='exec 3> >(true); wait $!; "$@" >&3 2>&3', codes=(0,), files=True, silent=True, json=True),
+        "both readers left --json": started(shell='exec 3> >(true); wait $!; "$@" >&3 2>&3', codes=(0,), files=True, silent=True, json=True),
         "EFBIG": started(before=limit(resource.RLIMIT_FSIZE, 512)),
         "SIGTERM": stopped(signal.SIGTERM, 5 if long else 1),
     }

@@ -25,7 +25,9 @@ LEFT = re.compile(r"fusee-staging-|fusee-temporary-|\.part-|\.trial-|fusee-crash
 ENDLESS = "WITH RECURSIVE n(x) AS (SELECT 1 UNION ALL SELECT x + 1 FROM n) SELECT max(x) FROM n"
 COMMANDS = {
     "make": "make profiles/pnrvsa.toml profiles/free_curve.toml --out o",
-    "make, OpenSCAD that hangs": "make scad.toml --out o",
+    "make, OpenSCAD that hangs": "make scad_stl.toml --out o",
+    "make, LinuxCNC that hangs": "make ngc.toml --out o",
+    "make, PrusaSlicer that hangs": "make sliced.toml --out o",
     "make, a pipe as profile": "make pipe.toml --out o",
     "check PROFILE": "check profiles/pnrvsa.toml --process all",
     "check MESH": "check big.stl --process fdm --out o",
@@ -53,7 +55,7 @@ COMMANDS = {
     "watch, a client that drips": "watch profiles/pnrvsa.toml --serve --out o",
     "query, a reader that does not read": "query index.sqlite|SELECT a.name FROM designs a, designs b, designs c",
 }
-SHORT = ["make, OpenSCAD that hangs", "check MESH", "design", "diagnose", "batch, a pipe among the rows", "batch, a million designs: --dry-run",
+SHORT = ["make, LinuxCNC that hangs", "check MESH", "design", "diagnose", "batch, a pipe among the rows", "batch, a million designs: --dry-run",
          "batch, an sbatch that hangs", "query, an endless statement", "query, a reader that does not read", "watch, a client that drips"]
 
 
@@ -93,7 +95,8 @@ class House:
         self.program, self.work = str(pathlib.Path(program).resolve()), folder
         shutil.copytree(pathlib.Path(source) / "profiles", folder / "profiles")
         text = (folder / "profiles/pnrvsa.toml").read_text()
-        (folder / "scad.toml").write_text(edited(text, formats='["stl", "scad"]'))
+        for name in ("scad_stl", "ngc", "sliced"):
+            (folder / f"{name}.toml").write_text(edited(text, formats=f'["stl", "{name}"]'))
         (folder / "bad.toml").write_text(edited(text, bore_mm="8.0", rate_Nm_per_rad="0.055"))
         (folder / "levels.toml").write_text(text + "\n[simulate]\nlevels = 1000\n")
         (folder / "codesign.toml").write_text(text + '\n[design]\nmethod = "co_design"\n')
@@ -109,7 +112,7 @@ class House:
             database.executescript("CREATE TABLE designs(number, name); CREATE TABLE columns(name, meaning);" +
                                    "INSERT INTO designs VALUES(1, 'a');" * 500)
         (folder / "bin").mkdir()
-        for name in ("openscad", "sbatch"):  # with a child of its own
+        for name in ("openscad", "rs274", "prusa-slicer", "sbatch"):  # with a child of its own
             (folder / "bin" / name).write_text("#!/bin/sh\nsleep 1000 &\nsleep 1000\n")
             (folder / "bin" / name).chmod(0o755)
 
@@ -197,7 +200,7 @@ def main():
     parser.add_argument("--only", default="")
     arguments = parser.parse_args()
     commands = [c for c in COMMANDS if c in arguments.only.split(";")] if arguments.only else list(COMMANDS) if arguments.long else SHORT
-    delays = (0.3, 1.0, 3.0) if arguments.long else (1.0,)
+    delays = (0.3, 1.0, 3.0) if arguments.long else (1.5,)
     trials = [(delay, signal.SIGTERM) for delay in delays] + ([(1.0, signal.SIGHUP), (1.0, signal.SIGINT)] if arguments.long else [])
     failed = False
     print("| command | " + " | ".join(f"{n.name} after {d:g} s" for d, n in trials) + " |\n|" + "---|" * (len(trials) + 1), flush=True)

@@ -17,7 +17,7 @@ enum class Outcome {
     kRefused,      ///< an impossible design: `result.findings` name the binding limits
     kBadInput,     ///< `error` names the value, its place and the values allowed
     kFailed,       ///< internal error: `error`
-    kInterrupted,  ///< not begun: stopped by the user
+    kInterrupted,  ///< stopped by the user, before or while it was made
 };
 [[nodiscard]] const char* to_string(Outcome outcome);
 

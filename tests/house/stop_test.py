@@ -123,7 +123,7 @@ class House:
         if command == "batch, a pipe among the rows":
             subprocess.run([self.program, "batch", "study.toml", "--out", "rows", "--shard", "90/90"], cwd=self.work, capture_output=True)
             rows = self.work / "rows/study/rows"
-            rows.mkdir()
+            rows.mkdir(parents=True, exist_ok=True)
             os.mkfifo(rows / "other.jsonl")
         env = dict(os.environ, TMPDIR=str(self.work / "tmp"), PATH=f"{self.work}/bin:{os.environ['PATH']}")
         words, _, sql = COMMANDS[command].partition("|")

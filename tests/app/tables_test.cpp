@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "app/run.h"
+#include "fusee/core/units.h"
 
 // Tables of spreadsheets and instruments, as a user gives them to each command.
 namespace fusee::app {

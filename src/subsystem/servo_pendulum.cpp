@@ -305,7 +305,7 @@ void ServoPendulum::set_effects() {
     parameters[ServoParameter::kStribeckSpeed] = {"stribeck_speed", "rad/s", 0.5, 0.02, 5.0, {0.5}};
     parameters[ServoParameter::kAsymmetry] = {"asymmetry", "", 0.0, -0.9, 0.9, {0.05}};
     parameters[ServoParameter::kGain] = {"gain", "", 0.0, -0.6, 2.0, {0.05}};
-    parameters[ServoParameter::kDelay] = {"delay", "s", 0.0, 0.0, kLongestDelay, {0.01}};
+    parameters[ServoParameter::kDelay] = {"delay", "s", 0.0, 0.0, kLongestDelay, {0.01, 0.03}};
     effects = {{{"gear.load_friction"}, {ServoParameter::kLoadFriction}, false, ""},
                {{"gear.stribeck"}, {ServoParameter::kStribeck, ServoParameter::kStribeckSpeed}, false, ""},
                {{"gear.asymmetry"}, {ServoParameter::kAsymmetry}, false, ""},

@@ -17,8 +17,8 @@ namespace {
 using diagnosis::Diagnosis;
 using diagnosis::Gap;
 
-std::string diagnosis_verdict(diagnosis::VerdictKind verdict) {
-    switch (verdict) {
+std::string diagnosis_verdict(const Diagnosis& diagnosis) {
+    switch (diagnosis.verdict) {
         case diagnosis::VerdictKind::kIdentified:
             return verdict_tag(core::Severity::kPass, "Cause identified");
         case diagnosis::VerdictKind::kNone:
@@ -26,7 +26,7 @@ std::string diagnosis_verdict(diagnosis::VerdictKind verdict) {
         case diagnosis::VerdictKind::kAmbiguous:
             return verdict_tag(core::Severity::kWarning, "Cause ambiguous");
         case diagnosis::VerdictKind::kInconclusive:
-            return verdict_tag(core::Severity::kWarning, "Too few data for a verdict");
+            return verdict_tag(core::Severity::kWarning, diagnosis.doubts.empty() ? "Too few data for a verdict" : "No certain answer");
         case diagnosis::VerdictKind::kUnknown:
             return verdict_tag(core::Severity::kError, "Cause unknown");
     }
@@ -47,7 +47,7 @@ Head diagnosis_head(const Diagnosis& diagnosis) {
     const bool interval = std::isfinite(gap.heldout_after_95.low) && std::isfinite(gap.heldout_after_95.high);
     return {"fusee diagnosis",
             diagnosis.case_name,
-            diagnosis_verdict(diagnosis.verdict),
+            diagnosis_verdict(diagnosis),
             head_sentence(diagnosis),
             fmt::format("fusee {}, case {}, files {}", core::version(), diagnosis.case_name, diagnosis.case_sha256.substr(0, 12)),
             {{change(gap.before, gap.after) + " sigma", "gap before \u2192 after"},

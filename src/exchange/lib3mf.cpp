@@ -64,6 +64,15 @@ std::string xml_text(std::string_view text) {
     return out;
 }
 
+std::string name_of(const Handle& object, const std::filesystem::path& path) {
+    ULONG bytes = 0;  // without the final 0
+    require(NMR::lib3mf_object_getnameutf8(object.get(), nullptr, 0, &bytes), object, path, "reading a name");
+    std::string name(bytes + 1, '\0');
+    require(NMR::lib3mf_object_getnameutf8(object.get(), name.data(), bytes + 1, &bytes), object, path, "reading a name");
+    name.resize(bytes);
+    return name;
+}
+
 void set_name(const Handle& object, const std::string& name, const std::filesystem::path& path) {
     require(NMR::lib3mf_object_setnameutf8(object.get(), xml_text(name).c_str()), object, path, "naming the object");
 }

@@ -41,6 +41,8 @@ void require(LIB3MFRESULT result, const Handle& object, const std::filesystem::p
 
 /// Sets the object's name. lib3mf escapes it.
 void set_name(const Handle& object, const std::string& name, const std::filesystem::path& path);
+/// The object's name; "" if it has none.
+[[nodiscard]] std::string name_of(const Handle& object, const std::filesystem::path& path);
 /// Sets the model's metadata "Description", escaped: lib3mf writes metadata without escaping.
 void set_description(const Handle& model, const std::string& text, const std::filesystem::path& path);
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <charconv>
 #include <cstdint>
 #include <cstring>
 #include <new>
@@ -26,19 +27,45 @@ namespace {
 constexpr char kMesh = 'M', kRefusal = 'R', kNoMemory = 'O';
 
 struct Sizes {
-    std::uint64_t unit = 0, points = 0, triangles = 0;
+    std::uint64_t unit = 0, items = 0, points = 0, triangles = 0;
     [[nodiscard]] std::uint64_t bytes() const {
-        return 1 + sizeof(Sizes) + unit + points * sizeof(solid::Vec3) + triangles * sizeof(solid::Triangle);
+        return 1 + sizeof(Sizes) + unit + items + points * sizeof(solid::Vec3) + triangles * sizeof(solid::Triangle);
     }
 };
 
+/// "12 4 k_se": triangles, length of the name, name; one after the other.
+std::string text_of(const std::vector<MeshItem>& items) {
+    std::string text;
+    for (const MeshItem& item : items) text += fmt::format("{} {} {}", item.triangles, item.name.size(), item.name);
+    return text;
+}
+/// @returns nothing if a crash has damaged the text
+std::optional<std::vector<MeshItem>> items_of(std::string_view text, std::uint64_t triangles) {
+    std::vector<MeshItem> items;
+    std::uint64_t sum = 0;
+    while (!text.empty()) {
+        std::uint64_t numbers[2] = {0, 0};
+        for (std::uint64_t& number : numbers) {
+            const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+            if (error != std::errc() || end == text.data() + text.size() || *end != ' ') return std::nullopt;
+            text.remove_prefix(static_cast<std::size_t>(end - text.data()) + 1);
+        }
+        if (numbers[1] > text.size() || numbers[0] > triangles) return std::nullopt;
+        items.push_back({std::string(text.substr(0, numbers[1])), numbers[0]});
+        text.remove_prefix(numbers[1]), sum += numbers[0];
+    }
+    return items.empty() || sum == triangles ? std::optional(items) : std::nullopt;
+}
+
 std::string message_of(const MeshFile& file) {
-    const Sizes sizes{file.unit.size(), file.mesh.points_mm.size(), file.mesh.triangles.size()};
+    const std::string items = text_of(file.items);
+    const Sizes sizes{file.unit.size(), items.size(), file.mesh.points_mm.size(), file.mesh.triangles.size()};
     std::string bytes(1, kMesh);
     bytes.reserve(sizes.bytes());
     const auto append = [&bytes](const void* data, std::size_t size) { bytes.append(static_cast<const char*>(data), size); };
     append(&sizes, sizeof sizes);
     append(file.unit.data(), file.unit.size());
+    append(items.data(), items.size());
     append(file.mesh.points_mm.data(), sizes.points * sizeof(solid::Vec3));
     append(file.mesh.triangles.data(), sizes.triangles * sizeof(solid::Triangle));
     return bytes;
@@ -49,11 +76,15 @@ std::optional<MeshFile> mesh_of(std::string_view bytes) {
     Sizes sizes;
     if (bytes.size() < 1 + sizeof sizes) return std::nullopt;
     std::memcpy(&sizes, bytes.data() + 1, sizeof sizes);
-    const bool possible = std::max({sizes.unit, sizes.points, sizes.triangles}) <= bytes.size();
+    const bool possible = std::max({sizes.unit, sizes.items, sizes.points, sizes.triangles}) <= bytes.size();
     if (!possible || sizes.bytes() != bytes.size()) return std::nullopt;
     const char* at = bytes.data() + 1 + sizeof sizes;
     MeshFile file{{}, std::string(at, sizes.unit)};
     at += sizes.unit;
+    auto items = items_of({at, sizes.items}, sizes.triangles);
+    if (!items) return std::nullopt;
+    file.items = std::move(*items);
+    at += sizes.items;
     file.mesh.points_mm.resize(sizes.points);
     file.mesh.triangles.resize(sizes.triangles);
     std::copy_n(at, sizes.points * sizeof(solid::Vec3), reinterpret_cast<char*>(file.mesh.points_mm.data()));

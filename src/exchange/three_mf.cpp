@@ -53,15 +53,6 @@ void add(const Handle& model, const NamedMesh& named, const std::string& seed, c
     require(NMR::lib3mf_builditem_setuuidutf8(item.get(), uuid_from("item" + seed).c_str()), item, path, "naming the build item");
 }
 
-std::string name_of(const Handle& object, const std::filesystem::path& path) {
-    ULONG bytes = 0;  // without the final 0
-    require(NMR::lib3mf_object_getnameutf8(object.get(), nullptr, 0, &bytes), object, path, "reading a name");
-    std::string name(bytes + 1, '\0');
-    require(NMR::lib3mf_object_getnameutf8(object.get(), name.data(), bytes + 1, &bytes), object, path, "reading a name");
-    name.resize(bytes);
-    return name;
-}
-
 /// @param model an empty model
 void read_model(const Handle& model, const std::filesystem::path& path) {
     std::string bytes = core::read_file(path);

@@ -17,17 +17,67 @@ struct Unit {
 constexpr std::array kUnits = {Unit{"micrometre", 1e-3}, Unit{"millimetre", 1.0}, Unit{"centimetre", 10.0},
                                Unit{"inch", 25.4},       Unit{"foot", 304.8},     Unit{"metre", 1000.0}};
 
-void append_scaled(solid::Mesh& to, const solid::Mesh& more, double scale) {
-    const auto first = static_cast<std::uint32_t>(to.points_mm.size());
-    for (const solid::Vec3& p : more.points_mm) to.points_mm.push_back({scale * p[0], scale * p[1], scale * p[2]});
-    for (const solid::Triangle& t : more.triangles) to.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+/// x' = the first three columns times x, plus the fourth.
+using Placement = std::array<std::array<double, 4>, 3>;
+constexpr Placement kInPlace = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
+
+Placement placement_of(const NMR::MODELTRANSFORM& transform) {
+    Placement p{};
+    for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t k = 0; k < 4; ++k) p[i][k] = transform.m_fFields[i][k];
+    return p;
+}
+
+/// First `inner`, then `outer`.
+Placement after(const Placement& outer, const Placement& inner) {
+    Placement both{};
+    for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t k = 0; k < 4; ++k) {
+            both[i][k] = k == 3 ? outer[i][3] : 0.0;
+            for (std::size_t j = 0; j < 3; ++j) both[i][k] += outer[i][j] * inner[j][k];
+        }
+    return both;
+}
+
+bool mirrors(const Placement& p) {
+    return p[0][0] * (p[1][1] * p[2][2] - p[1][2] * p[2][1]) - p[0][1] * (p[1][0] * p[2][2] - p[1][2] * p[2][0]) +
+               p[0][2] * (p[1][0] * p[2][1] - p[1][1] * p[2][0]) <
+           0.0;
+}
+
+/// Appends every mesh of an object, placed; components may be nested. @pre require_few_instances
+void append(solid::Mesh& to, const Handle& object, const Placement& at, double scale, const std::filesystem::path& path) {
+    BOOL composed = 0;
+    require(NMR::lib3mf_object_iscomponentsobject(object.get(), &composed), object, path, "reading an object's kind");
+    if (composed == 0) {
+        const solid::Mesh mesh = take_mesh(object, path);
+        const auto first = static_cast<std::uint32_t>(to.points_mm.size());
+        for (const solid::Vec3& p : mesh.points_mm) {
+            solid::Vec3& q = to.points_mm.emplace_back();
+            for (std::size_t i = 0; i < 3; ++i) q[i] = scale * (at[i][0] * p[0] + at[i][1] * p[1] + at[i][2] * p[2] + at[i][3]);
+        }
+        const bool turned = mirrors(at);  // else its inside would be outside
+        for (const solid::Triangle& t : mesh.triangles)
+            to.triangles.push_back({first + t[0], first + t[turned ? 2 : 1], first + t[turned ? 1 : 2]});
+        return;
+    }
+    DWORD count = 0;
+    require(NMR::lib3mf_componentsobject_getcomponentcount(object.get(), &count), object, path, "counting components");
+    for (DWORD i = 0; i < count; ++i) {
+        Handle component, part;
+        NMR::MODELTRANSFORM transform{};
+        require(NMR::lib3mf_componentsobject_getcomponent(object.get(), i, component.out()), object, path, "taking a component");
+        require(NMR::lib3mf_component_gettransform(component.get(), &transform), component, path, "reading a transform");
+        require(NMR::lib3mf_component_getobjectresource(component.get(), part.out()), component, path, "taking a component's object");
+        append(to, part, after(at, placement_of(transform)), scale, path);
+    }
 }
 
 }  // namespace
 
 MeshFile read_foreign_3mf(std::string bytes, const std::filesystem::path& path) {
     const std::scoped_lock lock(library_mutex());
-    Handle model, reader, merged, objects;
+    Handle model, reader, items;
     require(NMR::lib3mf_createmodel(model.out()), model, path, "creating the model");
     require(NMR::lib3mf_model_queryreader(model.get(), "3mf", reader.out()), model, path, "making the reader");
     require(NMR::lib3mf_reader_readfrombuffer(reader.get(), reinterpret_cast<BYTE*>(bytes.data()), bytes.size()), reader, path, "reading");
@@ -35,15 +85,21 @@ MeshFile read_foreign_3mf(std::string bytes, const std::filesystem::path& path) 
     require(NMR::lib3mf_model_getunit(model.get(), &unit), model, path, "reading the unit");
     if (unit >= kUnits.size()) throw core::IoError(path.string(), "has an unknown unit");
     require_few_instances(model, path);
-    require(NMR::lib3mf_model_mergetomodel(model.get(), merged.out()), model, path, "placing components");
-    require(NMR::lib3mf_model_getmeshobjects(merged.get(), objects.out()), merged, path, "listing the meshes");
+    require(NMR::lib3mf_model_getbuilditems(model.get(), items.out()), model, path, "listing the build");
     MeshFile file{{}, kUnits[unit].name};
     BOOL more = 0;
-    for (require(NMR::lib3mf_resourceiterator_movenext(objects.get(), &more), objects, path, "listing the meshes"); more != 0;
-         require(NMR::lib3mf_resourceiterator_movenext(objects.get(), &more), objects, path, "listing the meshes")) {
-        Handle object;
-        require(NMR::lib3mf_resourceiterator_getcurrent(objects.get(), object.out()), objects, path, "taking a mesh");
-        append_scaled(file.mesh, take_mesh(object, path), kUnits[unit].mm);
+    for (require(NMR::lib3mf_builditemiterator_movenext(items.get(), &more), items, path, "listing the build"); more != 0;
+         require(NMR::lib3mf_builditemiterator_movenext(items.get(), &more), items, path, "listing the build")) {
+        Handle item, object;
+        BOOL placed = 0;
+        NMR::MODELTRANSFORM transform{};
+        require(NMR::lib3mf_builditemiterator_getcurrent(items.get(), item.out()), items, path, "taking the build item");
+        require(NMR::lib3mf_builditem_hasobjecttransform(item.get(), &placed), item, path, "reading a transform");
+        if (placed != 0) require(NMR::lib3mf_builditem_getobjecttransform(item.get(), &transform), item, path, "reading a transform");
+        require(NMR::lib3mf_builditem_getobjectresource(item.get(), object.out()), item, path, "taking the object");
+        const std::size_t before = file.mesh.triangles.size();
+        append(file.mesh, object, placed != 0 ? placement_of(transform) : kInPlace, kUnits[unit].mm, path);
+        file.items.push_back({name_of(object, path), file.mesh.triangles.size() - before});
     }
     return file;
 }

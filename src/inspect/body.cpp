@@ -9,23 +9,25 @@
 #include "edge_ahead.h"
 #include "fusee/core/error.h"
 #include "fusee/core/parallel.h"
+#include "fusee/core/progress.h"
 #include "spread.h"
 #include "vector.h"
 
 namespace fusee::inspect {
 
-namespace {
-
-solid::Mesh sound(solid::Mesh mesh) {
+void require_sound(const solid::Mesh& mesh) {
     for (const solid::Triangle& t : mesh.triangles)
         for (const std::uint32_t point : t)
             if (point >= mesh.points_mm.size())
                 throw core::InvalidInput("mesh.triangles", fmt::format("{}", point), fmt::format("below {}", mesh.points_mm.size()));
-    return mesh;
 }
 
-/// A direction that is parallel to no edge of a usual part.
-const Vec3 kAskew = unit({0.6180339887, 0.3819660113, 0.7320508076});
+namespace {
+
+solid::Mesh sound(solid::Mesh mesh) {
+    require_sound(mesh);
+    return mesh;
+}
 
 /// Number of other components that contain the triangle's middle: surfaces left minus surfaces entered on the way out.
 int held_by(const Body& body, std::uint32_t triangle) {
@@ -63,18 +65,26 @@ double farthest(const solid::Box& box) {
 
 }  // namespace
 
-Body::Body(solid::Mesh mesh, std::size_t samples, unsigned jobs, std::size_t most_visits)
+Body::Body(solid::Mesh mesh, std::size_t samples, unsigned jobs, std::size_t most_visits, std::optional<Topology> topology,
+           const std::function<void(const std::string&)>& stage)
     : mesh_(sound(std::move(mesh))), jobs_(jobs), box_(solid::bounding_box(mesh_)), rays_({}) {
     const auto side_by_side = [jobs](const auto& first, const auto& second) {
         core::parallel_for(2, jobs, [&](std::size_t i) { i == 0 ? first() : second(); });
     };
-    side_by_side([this] { topology_ = topology_of(mesh_); }, [this] { rays_ = Rays(mesh_, jobs_); });
+    const auto say = [&stage](const char* name) {
+        if (core::interrupted()) throw core::Stopped();
+        if (stage) stage(name);
+    };
+    say("tree of boxes");
+    side_by_side([&] { topology_ = topology ? std::move(*topology) : topology_of(mesh_); }, [this] { rays_ = Rays(mesh_, jobs_); });
     if (rays_.empty())
         throw core::InvalidInput("mesh.triangles", fmt::format("{} without area", mesh_.triangles.size()), "at least one with an area");
     measure_facets();
     place_components(most_visits);
+    say("walls and slots");
     samples_ = spread(*this, samples);
     measure_samples(most_visits);
+    say("holes and crossing triangles");
     side_by_side([this] { hollows_ = find_hollows(*this); }, [this] { crossings_ = solid::crossings(mesh_, flat_triangles(mesh_)); });
 }
 
@@ -87,6 +97,7 @@ void Body::measure_samples(std::size_t most_visits) {
         const std::size_t now = std::min(batch, count - done);
         std::vector<std::size_t> cost(now);
         core::parallel_for(now, jobs_, [&](std::size_t i) {
+            if (core::interrupted()) throw core::Stopped();
             const std::size_t before = Rays::visited();
             measure_sample(samples_[(done + i) * step % count]);
             cost[i] = Rays::visited() - before;

@@ -15,6 +15,8 @@ bool is_stacked(const Foreign& part);  ///< plates cut by wire or laser
 
 /// Sets the finding's place and its text: "at (1.20, 0.00, 3.50) mm".
 void set_place(core::Finding& finding, const Vec3& at_mm);
+/// Name of a body in a text.
+std::string named(const File& file, std::size_t piece);
 Vec3 middle_of(const Body& body, std::uint32_t triangle);
 /// The triangles of the samples that `wanted` selects, ascending and once each.
 std::vector<std::uint32_t> triangles_of(const Body& body, const std::function<bool(const Sample&)>& wanted);

@@ -21,6 +21,7 @@ std::string rules_reference() { return checks::reference(rule_infos()); }
 std::vector<Marked> check(const Foreign& part, const std::string& name) {
     std::vector<Marked> all;
     for (const Rule& rule : rules()) {
+        if (rule.of_file != (part.file != nullptr)) continue;
         auto marked = rule.measure(part, Allowed(rule, part.overrides));
         if (!marked) continue;
         core::Finding& f = marked->finding;
@@ -44,6 +45,11 @@ bool is_stacked(const Foreign& part) { return !is_printed(part) && !is_milled(pa
 void set_place(core::Finding& f, const Vec3& at) {
     f.where = fmt::format("at ({:.2f}, {:.2f}, {:.2f}) mm", at[0], at[1], at[2]);
     f.place = core::Place{std::atan2(at[1], at[0]), at};
+}
+
+std::string named(const File& file, std::size_t piece) {
+    const std::string& name = file.pieces()[piece].name;
+    return name.empty() ? "the body" : name;
 }
 
 Vec3 middle_of(const Body& body, std::uint32_t triangle) {

@@ -19,6 +19,8 @@ inline Vec3 unit(const Vec3& a) {
     const double l = length(a);
     return l > 0.0 ? (1.0 / l) * a : a;
 }
+/// A direction that is parallel to no edge of a usual part.
+inline const Vec3 kAskew = unit({0.6180339887, 0.3819660113, 0.7320508076});
 /// Two unit vectors that form a right-handed frame with the unit vector `w`.
 struct Frame {
     Vec3 u, v;

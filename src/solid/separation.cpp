@@ -7,6 +7,7 @@
 #include <exception>
 #include <limits>
 
+#include "fusee/core/progress.h"
 #include "fusee/core/vector.h"
 
 namespace fusee::solid {
@@ -110,6 +111,13 @@ bool without_area(const Mesh& mesh, const Triangle& t) {
 
 using FaceBox = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::uint32_t>;
 
+/// Sheared a little. CGAL's search divides the boxes by their coordinates: the triangles of a flat face along an axis have one in common,
+/// and it compared each with each. What meets meets in any frame.
+Vec3 sheared(const Vec3& p) {
+    constexpr double kShear = 1e-3;
+    return {p[0] + kShear * (p[1] - 0.7 * p[2]), p[1] + kShear * (p[2] + 0.6 * p[0]), p[2] + kShear * (p[0] + 0.8 * p[1])};
+}
+
 /// Of all triangles but those left out.
 std::vector<FaceBox> boxes_of(const Mesh& mesh, const std::vector<std::uint32_t>& left_out) {
     std::vector<FaceBox> boxes;
@@ -118,8 +126,10 @@ std::vector<FaceBox> boxes_of(const Mesh& mesh, const std::vector<std::uint32_t>
         if (std::binary_search(left_out.begin(), left_out.end(), i)) continue;
         FaceBox box(i);
         for (const std::uint32_t v : mesh.triangles[i]) {
-            Vec3 at = mesh.points_mm[v];
-            box.extend(at.data());
+            Vec3 low = sheared(mesh.points_mm[v]), high = low;
+            const double margin = kRounding * size(mesh.points_mm[v]);
+            for (std::size_t k = 0; k < 3; ++k) low[k] -= margin, high[k] += margin;
+            box.extend(low.data()), box.extend(high.data());
         }
         boxes.push_back(box);
     }
@@ -159,6 +169,7 @@ std::optional<std::vector<std::uint32_t>> doubtful_triangles(const Mesh& mesh, c
     std::size_t pairs = 0;
     const auto judge = [&](const FaceBox* a, const FaceBox* b) {
         if (++pairs > most_pairs) throw TooMany();
+        if (core::interrupted()) throw core::Stopped();
         if (!surely_apart(mesh, mesh.triangles[a->info()], mesh.triangles[b->info()])) doubtful[a->info()] = doubtful[b->info()] = true;
     };
     try {

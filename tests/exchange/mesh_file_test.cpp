@@ -7,6 +7,7 @@
 
 #include "exchange/fixtures/disc.h"
 #include "exchange/fixtures/expect_refusal.h"
+#include "exchange/fixtures/zip.h"
 #include "fusee/core/error.h"
 #include "fusee/core/file.h"
 #include "fusee/exchange/step.h"
@@ -96,6 +97,50 @@ TEST_F(MeshFileTest, TessellatesStep) {
     // chords within 0.01 mm of a surface of about 1500 mm^2
     EXPECT_NEAR(solid::volume_mm3(file.mesh), brep.volume_mm3, 15.0);
     EXPECT_EQ(file.unit, "millimetre (STEP)");
+}
+
+/// A block of 1 x 2 x 3, turned by 90 deg about z, beside an item of two, of which one is mirrored.
+TEST_F(MeshFileTest, ItemsOf3mfKeepTheirNamesAndPlaces) {
+    std::string mesh = "<mesh><vertices>";
+    for (int i = 0; i < 8; ++i) mesh += fmt::format("<vertex x=\"{}\" y=\"{}\" z=\"{}\"/>", i & 1, i & 2, (i & 4) * 0.75);
+    mesh += "</vertices><triangles>";
+    const int faces[12][3] = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                              {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+    for (const auto& f : faces) mesh += fmt::format("<triangle v1=\"{}\" v2=\"{}\" v3=\"{}\"/>", f[0], f[1], f[2]);
+    mesh += "</triangles></mesh>";
+    const std::string model =
+        "<model unit=\"centimeter\" xml:lang=\"en-US\" xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\"><resources>"
+        "<object id=\"1\" type=\"model\" name=\"block\">" +
+        mesh +
+        "</object><object id=\"2\" type=\"model\" name=\"pair\"><components>"
+        "<component objectid=\"1\"/><component objectid=\"1\" transform=\"-1 0 0 0 1 0 0 0 1 10 0 0\"/></components></object></resources>"
+        "<build><item objectid=\"1\" transform=\"0 1 0 -1 0 0 0 0 1 5 0 0\"/><item objectid=\"2\" transform=\"1 0 0 0 1 0 0 0 1 0 7 "
+        "0\"/></build></model>";
+    core::write_file(folder_ / "placed.3mf", fixtures::three_mf(model));
+    const MeshFile file = read_mesh_file(folder_ / "placed.3mf");
+    ASSERT_EQ(file.items.size(), 2u);
+    EXPECT_EQ(file.items[0].name, "block");
+    EXPECT_EQ(file.items[1].name, "pair");
+    EXPECT_EQ(file.items[0].triangles, 12u);
+    EXPECT_EQ(file.items[1].triangles, 24u);
+    const auto box_of = [&](std::size_t first, std::size_t count) {
+        solid::Mesh part{file.mesh.points_mm,
+                         {file.mesh.triangles.begin() + static_cast<std::ptrdiff_t>(first),
+                          file.mesh.triangles.begin() + static_cast<std::ptrdiff_t>(first + count)}};
+        EXPECT_NEAR(solid::volume_mm3(part), 500.0 * static_cast<double>(count), 1e-3) << "outward, mirrored or not";
+        solid::Box box{{1e9, 1e9, 1e9}, {-1e9, -1e9, -1e9}};
+        for (const solid::Triangle& t : part.triangles)
+            for (const std::uint32_t p : t)
+                for (std::size_t i = 0; i < 3; ++i) {
+                    box.low_mm[i] = std::min(box.low_mm[i], part.points_mm[p][i]);
+                    box.high_mm[i] = std::max(box.high_mm[i], part.points_mm[p][i]);
+                }
+        return box;
+    };
+    EXPECT_EQ(box_of(0, 12).low_mm, (solid::Vec3{30, 0, 0})) << "x' = 5 - y, y' = x";
+    EXPECT_EQ(box_of(0, 12).high_mm, (solid::Vec3{50, 10, 30}));
+    EXPECT_EQ(box_of(12, 24).low_mm, (solid::Vec3{0, 70, 0}));
+    EXPECT_EQ(box_of(12, 24).high_mm, (solid::Vec3{100, 90, 30}));
 }
 
 TEST_F(MeshFileTest, ColoursOf3mfComeBack) {

@@ -28,16 +28,10 @@ solid::Mesh without_a_triangle() {
     return mesh;
 }
 
-/// Two blocks with one upright edge in common.
-solid::Mesh hinged() {
-    solid::Mesh mesh = block(10, 10, 10);
-    add(mesh, block(10, 10, 10), {10, 10, 0});
-    const std::uint32_t kept[] = {2, 6}, dropped[] = {8, 12};  // (5, 5) of the first, (-5, -5) moved by 10 of the second, low and high
-    for (solid::Triangle& t : mesh.triangles)
-        for (std::uint32_t& p : t)
-            for (int i = 0; i < 2; ++i)
-                if (p == dropped[i]) p = kept[i];
-    return mesh;
+/// A hole that meets a notch of the rim in one upright edge.
+solid::Mesh pinched() {
+    const Ring outer{{20, -20}, {20, 20}, {8, 20}, {0, 4}, {-8, 20}, {-20, 20}, {-20, -20}}, hole{{0, 4}, {-8, -10}, {8, -10}};
+    return welded(sunk(outer, hole, 10));
 }
 
 /// One triangle of the bottom turned over.
@@ -102,7 +96,7 @@ std::vector<Case> cases() {
     const double sides = 4 * 19 * std::sqrt(401.0);
     return {
         {"mesh.closed", "a triangle is missing", kFdm, without_a_triangle(), good, kRequired, 3, 0},
-        {"mesh.manifold", "two blocks share an edge", kFdm, hinged(), good, kRequired, 1, 0},
+        {"mesh.manifold", "a hole meets the rim", kFdm, pinched(), good, kRequired, 1, 0},
         {"mesh.orientation", "inside out", kFdm, reversed(good), good, kRequired, 1, 0},
         {"mesh.orientation", "a triangle turned over", kFdm, one_flipped(), good, kRequired, 3, 0},
         {"mesh.flat_triangles", "sliver", kFdm, with_a_sliver(), good, kReview, 1, 0},
@@ -177,7 +171,8 @@ INSTANTIATE_TEST_SUITE_P(Mesh, KnownBad, testing::ValuesIn(cases()));
 TEST(KnownBadMeshes, EveryRuleHasOne) {
     std::set<std::string> known;
     for (const Case& c : cases()) known.insert(c.rule);
-    known.insert("mesh.samples");  // never broken, but not judged: measure_test.cpp
+    known.insert("mesh.samples");                              // never broken, but not judged: measure_test.cpp
+    known.insert("mesh.contact"), known.insert("mesh.plate");  // with several bodies only: file_test.cpp
     for (const Rule& rule : rules()) EXPECT_TRUE(known.count(rule.id)) << rule.id;
     EXPECT_EQ(known.size(), rules().size());
 }

@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <vector>
 
 #include "fusee/inspect/rule.h"
@@ -93,11 +94,22 @@ inline solid::Mesh reversed(solid::Mesh mesh) {
     return mesh;
 }
 
+/// Corners at one place become one, as when a reader joins them.
+inline solid::Mesh welded(solid::Mesh mesh) {
+    std::map<solid::Vec3, std::uint32_t> first;
+    for (solid::Triangle& t : mesh.triangles)
+        for (std::uint32_t& p : t) p = first.try_emplace(mesh.points_mm[p], p).first->second;
+    return mesh;
+}
+
 inline core::Findings findings_of(const solid::Mesh& mesh, checks::ProcessKind kind) {
     checks::Process process;
     process.kind = kind;
+    const File file(mesh, {}, 20'000, 1);  // 4,000 for one body
     core::Findings findings;
-    for (const Marked& m : check({Body(mesh, 4000, 1), process}, "part")) findings.push_back(m.finding);
+    for (const Marked& m : check({file.pieces().front().body, process, {}, &file}, "file")) findings.push_back(m.finding);
+    for (const Piece& piece : file.pieces())
+        for (const Marked& m : check({piece.body, process}, piece.name.empty() ? "part" : piece.name)) findings.push_back(m.finding);
     return findings;
 }
 

@@ -8,10 +8,17 @@
 
 namespace fusee::exchange {
 
+/// A build item of a 3MF: its triangles follow those of the item before.
+struct MeshItem {
+    std::string name;  ///< of its object; may be empty
+    std::size_t triangles = 0;
+};
+
 /// A third-party mesh as it is in its file; nothing is repaired.
 struct MeshFile {
-    solid::Mesh mesh;  ///< in millimetres; may be open or inside out, or have several bodies
-    std::string unit;  ///< as the file states it: "none, taken as millimetres", "inch", "millimetre (STEP)"
+    solid::Mesh mesh;                  ///< in millimetres; may be open or inside out, or have several bodies
+    std::string unit;                  ///< as the file states it: "none, taken as millimetres", "inch", "millimetre (STEP)"
+    std::vector<MeshItem> items = {};  ///< empty: the format has none
 };
 
 /// Per file; a file with more is refused.

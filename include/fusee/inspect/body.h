@@ -1,7 +1,9 @@
 #pragma once
 #include <array>
+#include <functional>
 #include <limits>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "fusee/inspect/hollow.h"
@@ -38,6 +40,9 @@ struct Sample {
 /// components is a sixteenth.
 inline constexpr std::size_t kMostVisits = 800'000'000;
 
+/// @throws core::InvalidInput naming mesh.triangles if a triangle names a missing point
+void require_sound(const solid::Mesh& mesh);
+
 /// A mesh prepared for measurements. Built once, then constant; every measurement is a pure function.
 class Body {
 public:
@@ -45,8 +50,10 @@ public:
     /// @param samples points at which walls and gaps are measured; half of them are spread by area, half by triangle
     /// @param jobs threads, 0 = one for each processor; the result does not depend on them
     /// @param most_visits budget of the measurement: points are taken in an order that spreads them, the remaining ones are left out
-    /// @throws core::InvalidInput naming mesh.triangles if a triangle names a missing point or none has an area
-    explicit Body(solid::Mesh mesh, std::size_t samples = 20000, unsigned jobs = 0, std::size_t most_visits = kMostVisits);
+    /// @param topology of the mesh, where it is known @param stage called before each long stage, with its name
+    /// @throws core::InvalidInput naming mesh.triangles if a triangle names a missing point or none has an area; core::Stopped at Ctrl-C
+    explicit Body(solid::Mesh mesh, std::size_t samples = 20000, unsigned jobs = 0, std::size_t most_visits = kMostVisits,
+                  std::optional<Topology> topology = {}, const std::function<void(const std::string&)>& stage = {});
 
     [[nodiscard]] const solid::Mesh& mesh() const { return mesh_; }
     [[nodiscard]] const solid::Box& box() const { return box_; }

@@ -6,22 +6,34 @@ namespace fusee::inspect {
 
 namespace {
 
+/// Of a closed body 1; open surfaces may be fragments.
+std::size_t surfaces(const Piece& piece) { return piece.body.topology().open_edges == 0 ? 1 : piece.body.topology().components.size(); }
+
 std::optional<Marked> measure_mesh_bodies(const Foreign& part, const Allowed& allowed) {
-    const Topology& topology = part.body.topology();
-    std::size_t bodies = 0, largest = 0;
-    for (std::size_t c = 0; c < topology.components.size(); ++c) {
-        if (part.body.cavity()[c]) continue;
-        ++bodies;
-        if (part.body.cavity()[largest] || std::abs(topology.components[c].volume_mm3) > std::abs(topology.components[largest].volume_mm3))
-            largest = c;
-    }
-    std::vector<std::uint32_t> others;
-    for (std::uint32_t t = 0; t < topology.component_of.size(); ++t)
-        if (topology.component_of[t] != largest && !part.body.cavity()[topology.component_of[t]]) others.push_back(t);
-    core::Finding f = judge(static_cast<double>(bodies), {allowed("review")});
+    const File& file = *part.file;
+    std::vector<std::size_t> bodies(file.items().size(), 0);
+    for (const Piece& piece : file.pieces()) bodies[piece.item] += surfaces(piece);
+    const auto most = std::max_element(bodies.begin(), bodies.end());
+    const auto item = static_cast<std::size_t>(most - bodies.begin());
+    core::Finding f = judge(static_cast<double>(*most), {allowed("review")});
     f.what = "separate bodies";
-    if (!others.empty()) set_place(f, middle_of(part.body, others.front()));
-    f.suggestion = fmt::format("each of the {} bodies in a file of its own, or joined", bodies);
+    std::string sizes;
+    std::vector<std::uint32_t> others;
+    const Piece* first = nullptr;
+    std::size_t named = 0;
+    for (const Piece& piece : file.pieces()) {
+        if (piece.item != item) continue;
+        if (first) others.insert(others.end(), piece.triangles.begin(), piece.triangles.end());
+        if (!first) first = &piece;
+        const Vec3 size = piece.body.box().high_mm - piece.body.box().low_mm;
+        if (++named <= 4)
+            sizes += fmt::format("{}{} of {:.2f} x {:.2f} x {:.2f} mm", named == 1 ? ": " : ", ", piece.name, size[0], size[1], size[2]);
+        if (named == 5) sizes += ", ...";
+    }
+    if (*most > 1) f.what += sizes;
+    std::sort(others.begin(), others.end());
+    if (file.items().size() > 1 && first && *most > 1) f.where = file.items()[item].name;
+    f.suggestion = fmt::format("each of the {} bodies in a file or 3MF item of its own, or joined; each is judged by itself", *most);
     return Marked{f, others};
 }
 
@@ -29,11 +41,12 @@ std::optional<Marked> measure_mesh_bodies(const Foreign& part, const Allowed& al
 
 Rule mesh_bodies() {
     return {{"mesh.bodies",
-             "several bodies, or loose fragments, in one file",
-             "surfaces that share no edge, cavities not counted",
-             "one part per file (practice)",
+             "several bodies, or loose fragments, as one part",
+             "most closed surfaces, cavities not counted, and loose open ones in one file, or in one build item of a 3MF",
+             "one part per file or item (practice)",
              {review(kAtMost, "bodies", 1.0)}},
-            measure_mesh_bodies};
+            measure_mesh_bodies,
+            true};
 }
 
 }  // namespace fusee::inspect

@@ -10,7 +10,7 @@ namespace fusee::inspect {
 namespace {
 
 constexpr double kFloor = 0.9;                    // cosine of a floor's normal with z
-constexpr double kLift_mm = 0.05;                 // rays towards the tool start this far above the floor
+constexpr double kFloorLift_mm = 0.05;            // rays towards the tool start this far above the floor
 constexpr double kFacing = -0.99;                 // cosine between walls that face each other
 constexpr std::size_t kMostFloors = 3000;         // floor samples that are checked
 constexpr int kPocketWidths = 8, kHalvings = 10;  // over half a turn; of the height
@@ -37,7 +37,7 @@ public:
     [[nodiscard]] Pocket at(const Sample& floor) const {
         Pocket pocket;
         pocket.floor = &floor;
-        const Vec3 from = floor.at_mm + kLift_mm * Vec3{0, 0, 1};
+        const Vec3 from = floor.at_mm + kFloorLift_mm * Vec3{0, 0, 1};
         Vec3 across{};
         for (int i = 0; i < kPocketWidths; ++i) {
             const double a = core::kPi * i / kPocketWidths;
@@ -51,7 +51,7 @@ public:
             const double middle = 0.5 * (shut + open);
             (std::isnan(width(from + middle * Vec3{0, 0, 1}, across)) ? open : shut) = middle;
         }
-        pocket.depth_mm = kLift_mm + shut;
+        pocket.depth_mm = kFloorLift_mm + shut;
         return pocket;
     }
 

@@ -11,9 +11,11 @@ namespace {
 constexpr double kInch = 25.4, kMetre = 1000.0;  // [mm]
 
 std::optional<Marked> measure_mesh_unit(const Foreign& part, const Allowed& allowed) {
-    const solid::Box& box = part.body.box();
-    const Vec3 size = box.high_mm - box.low_mm;
-    const double longest = std::max({size[0], size[1], size[2]});
+    const auto longest_of = [](const Vec3& size) { return std::max({size[0], size[1], size[2]}); };
+    Vec3 size{};
+    for (const Piece& piece : part.file->pieces())
+        if (const Vec3 own = piece.body.box().high_mm - piece.body.box().low_mm; longest_of(own) > longest_of(size)) size = own;
+    const double longest = longest_of(size);
     core::Finding small = judge(longest, {allowed("small_review")}), large = judge(longest, {allowed("large_review")});
     core::Finding f = small.severity != core::Severity::kPass ? small : large;
     f.what = fmt::format("longest side of {:.4g} x {:.4g} x {:.4g} mm, if the file's unit is the millimetre", size[0], size[1], size[2]);
@@ -28,10 +30,11 @@ std::optional<Marked> measure_mesh_unit(const Foreign& part, const Allowed& allo
 Rule mesh_unit() {
     return {{"mesh.unit",
              "a file in a unit other than the millimetre",
-             "the longest side of the bounding box",
+             "the longest side of the bounding box, of several bodies that of the largest",
              "machine parts are 3 mm to 1 m long (practice)",
              {review(kAtLeast, "mm", 3.0, "small_review"), review(kAtMost, "mm", 1000.0, "large_review")}},
-            measure_mesh_unit};
+            measure_mesh_unit,
+            true};
 }
 
 }  // namespace fusee::inspect

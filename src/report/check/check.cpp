@@ -39,7 +39,7 @@ std::string process_table(const Checked& checked) {
     for (const CheckedProcess& p : checked.processes) {
         const std::string process = p.process + (p.own ? " *" : "");
         std::vector<CheckedPart> parts = p.parts;
-        if (binding(p.about) != nullptr) parts.insert(parts.begin(), {"law", p.about});
+        if (binding(p.about) != nullptr) parts.insert(parts.begin(), {checked.input.empty() ? "law" : "file", p.about});
         for (const CheckedPart& part : parts)
             text += fmt::format("{:8} {:10} {:>6} {:>8} {:>10}  {}\n", process, part.name,
                                 core::count(part.findings, core::Severity::kError), core::count(part.findings, core::Severity::kWarning),

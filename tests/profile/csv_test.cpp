@@ -1,3 +1,4 @@
+#include "fusee/core/units.h"
 #include "profile/fixture.h"
 
 namespace fusee::profile {
@@ -28,6 +29,18 @@ TEST_F(CsvTest, ReadsRowsCommentsSpacesAndForeignLineEnds) {
     EXPECT_EQ(t.angle.size(), 8u);
     EXPECT_EQ(t.series.front(), 0.1);
     EXPECT_EQ(t.parallel.back(), 0.9);
+}
+
+TEST_F(CsvTest, ColumnsOfTheProfileAreReadAndWritten) {
+    core::write_file(folder_ / "t.csv", "Winkel;series_Nm;parallel_mNm\n" + std::string("0;0,1;200\n1;0,2;300\n2;0,3;400\n3;0,4;500\n") +
+                                            "4;0,5;600\n5;0,6;700\n6;0,7;800\n7;0,8;900\n");
+    const Profile p = read(toml() + "[columns]\nangle_rad = \"Winkel in deg\"\n");
+    const TablePair& t = std::get<TablePair>(p.law.curves);
+    EXPECT_DOUBLE_EQ(t.angle.back(), core::rad_from_deg(7.0));
+    EXPECT_EQ(t.parallel.back(), 0.9);
+    const std::string written = to_toml(p);
+    EXPECT_NE(written.find("[columns]\nangle_rad = \"Winkel in deg\"\n"), std::string::npos) << written;
+    EXPECT_EQ(std::get<TablePair>(parse_profile(written, p.file).law.curves).angle, t.angle);
 }
 
 TEST_F(CsvTest, LastLineNeedsNoLineEnd) {

@@ -8,8 +8,8 @@
 
 namespace fusee::fixtures {
 
-/// The files below `folder` of the sources that belong to fusee, relative to the sources: those that git tracks, so that a user's own profile
-/// beside them fails no test. Without git or its checkout: all files.
+/// The files below `folder` of the sources that belong to fusee, relative to the sources: those that git tracks, so that a user's own
+/// profile beside them fails no test. Without git or its checkout: all files.
 inline std::vector<std::filesystem::path> shipped_files(const std::string& folder) {
     namespace fs = std::filesystem;
     const fs::path source = FUSEE_SOURCE_DIR;

@@ -191,7 +191,8 @@ Edit text_edit(const Profile& profile, const std::string& path, const std::strin
 std::string derived_name(const std::string& name, const std::string& ending) {
     const std::size_t at = name.rfind(ending);
     const std::string behind = at == std::string::npos ? "" : name.substr(at + ending.size());
-    const bool numbered = behind.size() > 1 && behind.size() < 8 && behind.front() == '-' && behind.find_first_not_of("0123456789", 1) == std::string::npos;
+    const bool numbered =
+        behind.size() > 1 && behind.size() < 8 && behind.front() == '-' && behind.find_first_not_of("0123456789", 1) == std::string::npos;
     const bool again = at != std::string::npos && at > 0 && (behind.empty() || numbered);
     const std::string last = again ? fmt::format("{}-{}", ending, numbered ? std::stol(behind.substr(1)) + 1 : 2) : ending;
     return name.substr(0, std::min(again ? at : name.size(), kLongestName - last.size())) + last;

@@ -34,8 +34,8 @@ void set_number(Profile& profile, const std::string& key, double value);
 [[nodiscard]] Edit number_edit(const Profile& profile, const std::string& key, double value, std::string why);
 /// @pre `key` is a key of text
 [[nodiscard]] Edit text_edit(const Profile& profile, const std::string& key, const std::string& value, std::string why);
-/// The name of a profile made from that of `name`: "x-fixed" for "x", "x-fixed-2" for "x-fixed", so that both can be made into one folder; a long
-/// name is cut.
+/// The name of a profile made from that of `name`: "x-fixed" for "x", "x-fixed-2" for "x-fixed", so that both can be made into one folder;
+/// a long name is cut.
 [[nodiscard]] std::string derived_name(const std::string& name, const std::string& ending);
 /// The profile's new name, derived_name; without a comment.
 [[nodiscard]] Edit name_edit(const Profile& profile, const std::string& ending);

@@ -32,7 +32,7 @@ using asio::ip::tcp;
 using Failure = beast::error_code;
 
 constexpr std::size_t kLargestPage = 200'000'000;
-constexpr std::size_t kMostClients = 128;  // the oldest connection makes room for one more
+constexpr std::size_t kMostClients = 128;  // the oldest connection makes space for one more
 constexpr std::size_t kMostEvents = 16;    // that a page has not taken: it is gone
 constexpr unsigned kLargestHeader = 8192;
 constexpr std::chrono::seconds kToAsk{10}, kToTake{60};  // for a whole request, for a whole answer: a drip of bytes gains nothing

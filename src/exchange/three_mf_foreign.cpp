@@ -46,7 +46,7 @@ bool mirrors(const Placement& p) {
 }
 
 /// Appends every mesh of an object, placed; components may be nested. @pre require_few_instances
-void append(solid::Mesh& to, const Handle& object, const Placement& at, double scale, const std::filesystem::path& path) {
+void append_object(solid::Mesh& to, const Handle& object, const Placement& at, double scale, const std::filesystem::path& path) {
     BOOL composed = 0;
     require(NMR::lib3mf_object_iscomponentsobject(object.get(), &composed), object, path, "reading an object's kind");
     if (composed == 0) {
@@ -69,7 +69,7 @@ void append(solid::Mesh& to, const Handle& object, const Placement& at, double s
         require(NMR::lib3mf_componentsobject_getcomponent(object.get(), i, component.out()), object, path, "taking a component");
         require(NMR::lib3mf_component_gettransform(component.get(), &transform), component, path, "reading a transform");
         require(NMR::lib3mf_component_getobjectresource(component.get(), part.out()), component, path, "taking a component's object");
-        append(to, part, after(at, placement_of(transform)), scale, path);
+        append_object(to, part, after(at, placement_of(transform)), scale, path);
     }
 }
 
@@ -98,7 +98,7 @@ MeshFile read_foreign_3mf(std::string bytes, const std::filesystem::path& path) 
         if (placed != 0) require(NMR::lib3mf_builditem_getobjecttransform(item.get(), &transform), item, path, "reading a transform");
         require(NMR::lib3mf_builditem_getobjectresource(item.get(), object.out()), item, path, "taking the object");
         const std::size_t before = file.mesh.triangles.size();
-        append(file.mesh, object, placed != 0 ? placement_of(transform) : kInPlace, kUnits[unit].mm, path);
+        append_object(file.mesh, object, placed != 0 ? placement_of(transform) : kInPlace, kUnits[unit].mm, path);
         file.items.push_back({name_of(object, path), file.mesh.triangles.size() - before});
     }
     return file;

@@ -129,7 +129,7 @@ std::optional<FrictionReport::Law> law_of(const FrictionLine& line) {
 /// The law of the motors with both directions, with the torque that they give. Rows of one direction alone have none.
 /// @param mu gets that of those rows, if there are any
 void take_torques_into_account(const std::vector<BreakAway>& rows, const RowWeights& weights, FrictionReport& report, double& mu) {
-    Group told{"told apart", {}};
+    Group told{"both directions", {}};
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const auto same = [&](const auto& motor) { return motor.side == rows[i].side; };
         if (std::none_of(report.one_way.begin(), report.one_way.end(), same) &&

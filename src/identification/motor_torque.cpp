@@ -147,7 +147,7 @@ FrictionRemark remark_on(const std::vector<FrictionReport::Motor>& motors) {
                           ". The law below counts that torque: mend the torque constant. A gear whose friction differs between the "
                           "directions would give "
                           "the same rows; a torque meter between motor and gear tells"
-                    : "friction and torque constant are told apart by the two directions: " + said,
+                    : "friction and torque constant are distinguished by the two directions: " + said,
             p};
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 #include "friction_line.h"
 
-/// Friction and an error of the motor's torque constant: told apart where a motor has both directions, and nowhere else.
+/// Friction and an error of the motor's torque constant: distinguished where a motor has both directions, and nowhere else.
 namespace fusee::identification {
 
 /// The motors with both directions, by name; not those with too few rows for an interval.

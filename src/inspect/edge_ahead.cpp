@@ -26,7 +26,7 @@ std::optional<SharpEdge> edge_ahead(const Body& body, Vec3 middle, Vec3 one, Vec
         const Vec3 sum = one + other;
         const double half_sine = std::min(1.0, 0.5 * length(sum)), half_width = 0.5 * width;
         if (i == 0 && half_sine < 0.5 * kParallel) return std::nullopt;
-        if (i == 0 || dot(sum, ahead) > 0.0) ahead = unit(sum);                    // single facets may lean the other way
+        if (i == 0 || dot(sum, ahead) > 0.0) ahead = unit(sum);                    // single facets may be inclined the other way
         const double to_edge = half_width / std::max(half_sine, 0.5 * kParallel);  // if the faces were flat
         if (width <= kEdge * width_mm) edge = SharpEdge{2.0 * std::asin(half_sine), width_mm, way + to_edge};
         if (width <= kAngle * width_mm) return edge;

@@ -19,6 +19,7 @@ constexpr double kLeastReturn = 0.1;               // of a file's range of angle
 constexpr std::size_t kLeastReturnRows = 4;        // in each direction
 constexpr double kLowGain = 0.1, kHighGain = 5.0;  // measured torque over that of the law: beyond them, one of the two has another unit
 constexpr double kFollows = 0.8;                   // explained share of a torque that follows a law
+constexpr double kRounding = 1e-9;                 // unexplained share of a torque that is the law's
 constexpr double kFarBetter = 0.05;                // of the squares that the law leaves as it is read
 constexpr double kDegree = core::kPi / 180.0;
 
@@ -184,6 +185,7 @@ void require_covered(const Record& record) {
 void require_same_units(const Record& record) {
     const Line read = line_of(record, 1.0);
     const bool fits = read.gain >= kLowGain && read.gain <= kHighGain;
+    if (fits && 1.0 - read.explained < kRounding) return;
     std::optional<Question> best;
     for (const Reading& angle : kAngles)
         for (const double sign : {1.0, -1.0}) {

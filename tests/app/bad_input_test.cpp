@@ -94,8 +94,10 @@ TEST_F(BadInput, TablesWithFaults) {
     expect_row_refused("4,0.4,0.4,0.4", {"measured_table.csv:6"});
     expect_row_refused("3,0.4,0.4", {"measured_table.csv:6", "angle_rad"});
     expect_row_refused("four,0.4,0.4", {"measured_table.csv:6", "four"});
-    write("measured_table.csv", "angle_deg,series_Nm,parallel_Nm\n");
+    write("measured_table.csv", "winkel,series_Nm,parallel_Nm\n");
     expect_refused("t.toml", {"measured_table.csv:1", "angle_rad"});
+    write("measured_table.csv", "angle_deg,series_Nm,parallel_Nm\n");  // another unit is converted
+    expect_refused("t.toml", {"measured_table.csv:1", "rows: 0"});
     write("measured_table.csv", "");
     expect_refused("t.toml", {"measured_table.csv"});
 }

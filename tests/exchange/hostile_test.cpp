@@ -130,8 +130,9 @@ TEST_F(Apart, ACrashIsTheFilesFault) {
 
 TEST_F(Apart, TheReaderIsGivenTheFile) {
     write_stl(folder_ / "a b.stl", cube_, "foreign");
-    // What serve_mesh_file would send: no unit, one point, no triangle.
-    const std::string script = "test -f \"$0\" && printf 'M\\0\\0\\0\\0\\0\\0\\0\\0\\1\\0\\0\\0\\0\\0\\0\\0' && head -c 32 /dev/zero";
+    // What serve_mesh_file would send: no unit, no items, one point, no triangle.
+    const std::string script =
+        "test -f \"$0\" && printf 'M\\0\\0\\0\\0\\0\\0\\0\\0\\0\\0\\0\\0\\0\\0\\0\\0\\1\\0\\0\\0\\0\\0\\0\\0' && head -c 32 /dev/zero";
     const MeshFile file = read_mesh_isolated(folder_ / "a b.stl", {"/bin/sh", "-c", script});
     EXPECT_EQ(file.mesh.points_mm, (std::vector<solid::Vec3>{{0, 0, 0}}));
     EXPECT_TRUE(file.mesh.triangles.empty());

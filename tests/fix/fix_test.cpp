@@ -124,11 +124,14 @@ TEST_P(Fixing, ChangesWhatIsWrongAndNothingElse) {
     std::set<std::string> keys;
     for (const Change& change : fixed.changes) keys.insert(change.key);
     EXPECT_EQ(keys, GetParam().cured_by) << report::fix_text(fixed);
-    // Of the profile with every key so many lines are others as keys were changed.
+    // Of the profile with every key so many lines are others as keys were changed, and the name.
     const std::set<std::string> before = all_keys(toml, folder_ / "t.toml"), after = all_keys(fixed.toml, folder_ / "fixed.toml");
     std::vector<std::string> others;
     std::set_difference(after.begin(), after.end(), before.begin(), before.end(), std::back_inserter(others));
-    EXPECT_EQ(others.size(), keys.size()) << testing::PrintToString(others);
+    EXPECT_EQ(others.size(), keys.size() + 1) << testing::PrintToString(others);
+    EXPECT_TRUE(std::any_of(others.begin(), others.end(), [](const std::string& line) {
+        return line.starts_with("name = ") && line.ends_with("-fixed\"");
+    })) << testing::PrintToString(others);
     const bool law = std::any_of(keys.begin(), keys.end(), [](const std::string& key) { return key.starts_with("law."); });
     if (law) return;
     EXPECT_EQ(fixed.band_before, fixed.band_after) << "the law and its dead-band stay where only bodies were wrong";

@@ -155,8 +155,10 @@ def law_sign(out):
         effects = found.get("effects", [])
         expect(f"{name}: law.series 3e-4 rad/Nm", len(effects) == 1 and effects[0]["id"] == "law.series"
                and effects[0]["parameter"]["ci95"][0] <= 3e-4 <= effects[0]["parameter"]["ci95"][1], ended)
-    expect("neg_both: an answer of the rate", [e["id"] for e in (d := diagnose("law_sign/neg_both", out))[1].get("effects", [])] == ["law.scale"], d[0])
-    expect("mNm: the unit is asked about", (d := diagnose("law_sign/mNm", out))[0].code == 2 and "mNm" in d[0].text and "?" in d[0].text, d[0])
+    ended, found = diagnose("law_sign/neg_both", out)
+    expect("neg_both: an answer of the rate", [effect["id"] for effect in found.get("effects", [])] == ["law.scale"], ended)
+    ended, found = diagnose("law_sign/mNm", out)
+    expect("mNm: the unit is asked about", ended.code == 2 and "mNm" in ended.text and "?" in ended.text, ended)
 
 
 @case

@@ -79,7 +79,7 @@ struct FrictionReport {
     /// Share of the scatter variance that grows with the friction squared: 0 all rows scatter equally, near 1 in proportion to friction.
     double scatter_growth = 0.0;
 
-    /// A motor with both directions: its friction, and the torque that it gives over the stated one, told apart by
+    /// A motor with both directions: its friction, and the torque that it gives over the stated one, distinguished by
     ///     scale tau_m = load + s (constant + mu load),  s = -1 backdrive, +1 drive          (docs/theory/identification.md, eq. 6)
     struct Motor {
         std::string side;

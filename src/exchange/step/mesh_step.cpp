@@ -27,10 +27,10 @@ namespace fusee::exchange {
 
 namespace {
 
-constexpr double kSewn_mm = 1e-3;                // edges of loose faces that are one edge
-constexpr double kOfDiagonal = 2e-5;             // chords of a body of metres: a part of its size
+constexpr double kSewn_mm = 1e-3;               // edges of loose faces that are one edge
+constexpr double kOfDiagonal = 2e-5;            // chords of a body of metres: a part of its size
 constexpr std::size_t kManyTriangles = 50'000;  // a finer tessellation of such a body is not tried
-constexpr double kFiner[] = {1, 0.4, 0.1};       // chords where a coarser tessellation is not sound
+constexpr double kFiner[] = {1, 0.4, 0.1};      // chords where a coarser tessellation is not sound
 
 /// All parts of a kind, those within a `outer` left out.
 std::vector<TopoDS_Shape> parts(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind, TopAbs_ShapeEnum outer = TopAbs_SHAPE) {

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "fusee/core/error.h"
@@ -40,7 +41,9 @@ std::string why(const coupon::Figure& figure, const char* source) {
 /// @param source of the figures: "coupons"
 std::string with_figures(const profile::Profile& profile, const std::string& toml, const coupon::Calibration& calibration,
                          const fs::path& file, const char* source) {
-    std::vector<profile::Edit> edits{profile::name_edit(profile, "-calibrated")};
+    std::vector<profile::Edit> edits;
+    const bool changes = std::any_of(calibration.figures.begin(), calibration.figures.end(), [](const auto& f) { return f.changes(); });
+    if (changes || !profile.name.ends_with("-calibrated")) edits.push_back(profile::name_edit(profile, "-calibrated"));
     for (auto f = calibration.figures.rbegin(); f != calibration.figures.rend(); ++f)  // each is inserted below its table's heading
         if (f->changes()) {
             edits.push_back(profile::number_edit(profile, f->key, f->value, why(*f, source)));

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <utility>
 
@@ -17,27 +16,11 @@ namespace fusee::core {
 
 namespace {
 
-constexpr std::size_t kMostFaults = 20;          // that are reported one by one
 constexpr std::size_t kLongestLine = 1'000'000;  // bytes: a file with longer lines is not a table
 constexpr std::size_t kHead = 300'000;           // bytes whose lines show the form of the table
 constexpr std::size_t kQuotedLines = 20;         // that one row may have in quoted cells
 
-std::string count_of_columns(std::size_t count) {
-    constexpr std::array<const char*, 10> kWords{"no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine"};
-    return fmt::format("{} column{}", count < kWords.size() ? kWords[count] : fmt::format("{}", count), count == 1 ? "" : "s");
-}
-
 }  // namespace
-
-void CsvFaults::add(InvalidInput fault) {
-    if (count_++ < kMostFaults) first_.add(std::move(fault));
-}
-
-void CsvFaults::throw_if_any() const {
-    Mistakes all = first_;
-    if (count_ > kMostFaults) all.add(InvalidInput(file_, fmt::format("and {} more", count_ - kMostFaults), "none"));
-    all.throw_if_any();
-}
 
 /// One pass over the lines, which may come in pieces; the table grows row by row. The first lines are kept until their form is known.
 class CsvParser {

@@ -334,4 +334,9 @@ std::optional<Dialect> find_dialect(const std::vector<std::string_view>& lines, 
     return DialectSearch(lines, known, mapping).find();
 }
 
+std::string count_of_columns(std::size_t count) {
+    constexpr std::array<const char*, 10> kWords{"no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine"};
+    return fmt::format("{} column{}", count < kWords.size() ? kWords[count] : fmt::format("{}", count), count == 1 ? "" : "s");
+}
+
 }  // namespace fusee::core

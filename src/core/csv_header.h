@@ -50,4 +50,7 @@ struct Dialect {
 [[nodiscard]] std::optional<Dialect> find_dialect(const std::vector<std::string_view>& lines, const std::vector<CsvColumn>& known,
                                                   const CsvMapping& mapping);
 
+/// "three columns".
+[[nodiscard]] std::string count_of_columns(std::size_t count);
+
 }  // namespace fusee::core

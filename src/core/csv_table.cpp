@@ -11,6 +11,12 @@
 
 namespace fusee::core {
 
+namespace {
+
+constexpr std::size_t kMostFaults = 20;  // that are reported one by one
+
+}  // namespace
+
 bool CsvTable::has(std::string_view name) const {
     return std::any_of(columns_.begin(), columns_.end(), [name](const Column& c) { return c.known.name == name; });
 }
@@ -98,6 +104,16 @@ std::string csv_cell(std::string_view text) {
     std::string cell = is_formula ? "\"'" : "\"";
     for (const char c : text) cell += c == '"' ? "\"\"" : std::string(1, c);
     return cell + '"';
+}
+
+void CsvFaults::add(InvalidInput fault) {
+    if (count_++ < kMostFaults) first_.add(std::move(fault));
+}
+
+void CsvFaults::throw_if_any() const {
+    Mistakes all = first_;
+    if (count_ > kMostFaults) all.add(InvalidInput(file_, fmt::format("and {} more", count_ - kMostFaults), "none"));
+    all.throw_if_any();
 }
 
 }  // namespace fusee::core

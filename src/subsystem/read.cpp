@@ -53,7 +53,8 @@ std::map<std::string, double> numbers_of(const gap_case::CaseToml& toml, const s
 }
 
 std::string allowed_text(double low, double high, const char* unit, const char* other) {
-    return fmt::format("{:g} to {:g} {}{}{}{}", low, high, unit, *other == '\0' ? "" : "; is it in ", other, *other == '\0' ? "" : "?");
+    return fmt::format("{:g} to {:g}{}{}{}{}{}", low, high, *unit == '\0' ? "" : " ", unit, *other == '\0' ? "" : "; is it in ", other,
+                       *other == '\0' ? "" : "?");
 }
 
 /// @param fault makes the error to throw from what is allowed

@@ -18,7 +18,7 @@ void share_among_equals(const Law& law, Study& study);
 /// Effects that some of these sets hold and others do not, ascending; empty: there are no equals.
 [[nodiscard]] std::vector<std::size_t> open_effects(const Study& study);
 
-/// What the rows do not tell apart, and nominal values that are not plausible, a sentence each.
+/// What the rows do not distinguish, and nominal values that are not plausible, a sentence each.
 [[nodiscard]] std::vector<std::string> equals_remarks(const Law& law, const Study& study);
 
 }  // namespace fusee::subsystem

@@ -58,7 +58,7 @@ void put_choice_remark(const Law& law, const Study& study, diagnosis::Diagnosis&
         if (c != study.choice) others.push_back(law.open_input->choices[c].second);
     out.remarks.push_back(fmt::format("{} is not given: {} is taken, tried beside {} and ahead by {:.1f} nats{}", law.open_input->key,
                                       law.open_input->choices[study.choice].second, fmt::join(others, " and "), study.choice_lead,
-                                      study.choice_lead < kDisagreement ? "; the rows hardly tell them apart" : ""));
+                                      study.choice_lead < kDisagreement ? "; the rows hardly distinguish them" : ""));
 }
 
 }  // namespace

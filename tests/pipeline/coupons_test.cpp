@@ -160,6 +160,10 @@ TEST_F(CouponsTest, ACalibratedProfileHoldsTheFiguresAndNothingElseChanges) {
     const coupon::Calibration again = coupon::calibrate(measured(), present_of(fresh), "c.csv");
     for (const coupon::Figure& figure : again.figures) EXPECT_FALSE(figure.changes()) << figure.id;
     EXPECT_EQ(calibrated_profile(fresh, text, measured(), again, folder_ / "new.toml"), text);
+    std::string second = text;  // nor does it where the profile was calibrated more than once
+    second.replace(second.find("pnrvsa-calibrated"), 17, "pnrvsa-calibrated-2");
+    const profile::Profile twice = profile::parse_profile(second, folder_ / "new.toml");
+    EXPECT_EQ(calibrated_profile(twice, second, measured(), again, folder_ / "new.toml"), second);
 }
 
 /// K_PE with a contour that is 0.1 mm too large everywhere.

@@ -14,6 +14,8 @@ namespace fusee::pipeline {
 
 namespace {
 
+constexpr const char* kEnding = "-calibrated";
+
 void require_same_cable(const profile::Profile& profile, const coupon::Sheet& sheet) {
     const double own = core::mm_from_m(profile.cable.diameter), sheets = sheet.cable_diameter_mm;
     if (sheets > 0.0 && std::abs(sheets - own) > 1e-6)
@@ -43,7 +45,8 @@ std::string with_figures(const profile::Profile& profile, const std::string& tom
                          const fs::path& file, const char* source) {
     std::vector<profile::Edit> edits;
     const bool changes = std::any_of(calibration.figures.begin(), calibration.figures.end(), [](const auto& f) { return f.changes(); });
-    if (changes || !profile.name.ends_with("-calibrated")) edits.push_back(profile::name_edit(profile, "-calibrated"));
+    const bool again = profile.name.find(kEnding) != std::string::npos;  // "x-calibrated-2" too
+    if (changes || !again) edits.push_back(profile::name_edit(profile, kEnding));
     for (auto f = calibration.figures.rbegin(); f != calibration.figures.rend(); ++f)  // each is inserted below its table's heading
         if (f->changes()) {
             edits.push_back(profile::number_edit(profile, f->key, f->value, why(*f, source)));

@@ -207,6 +207,8 @@ private:
         const auto is_number = [](const CsvCell& cell) { return parse_number(cell.text, '.') || parse_number(cell.text, ','); };
         if (std::all_of(cells_.begin(), cells_.end(), is_number))
             give_up(fault(1, "header", "no names", fmt::format("a line with {} above the numbers", in_quotes(names_))));
+        if (const std::string name = unknown_name(known_, options_.mapping); !name.empty())
+            faults_.add(InvalidInput("--columns", in_quotes(name), "a column of " + table_.file_ + ": " + in_quotes(names_)));
         const HeaderMatch match = match_header(cells_, dialect_.units, known_, options_.mapping);
         std::vector<bool> used(cells_.size(), false);
         for (const FoundColumn& found : match.columns) used[found.cell] = true;

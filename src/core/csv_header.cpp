@@ -291,6 +291,13 @@ HeaderMatch match_header(const std::vector<CsvCell>& cells, const std::vector<st
     return Matcher(cells, units, known, mapping).match();
 }
 
+std::string unknown_name(const std::vector<CsvColumn>& known, const CsvMapping& mapping) {
+    if (!mapping.table.empty()) return "";
+    for (const auto& [name, header] : mapping.columns)
+        if (std::none_of(known.begin(), known.end(), [&name](const CsvColumn& column) { return column.name == name; })) return name;
+    return "";
+}
+
 std::string mapping_to_write(const HeaderMatch& match, const std::vector<CsvCell>& cells, const std::vector<std::string>& units,
                              const std::vector<CsvColumn>& known, const CsvMapping& mapping) {
     // What has long or unprintable cells is no header.

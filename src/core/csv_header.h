@@ -33,6 +33,8 @@ struct HeaderMatch {
 /// @param units of each cell, from a row of units; may be shorter
 [[nodiscard]] HeaderMatch match_header(const std::vector<CsvCell>& cells, const std::vector<std::string>& units,
                                        const std::vector<CsvColumn>& known, const CsvMapping& mapping);
+/// The first name of --columns that is no known column; "": none. A table of a TOML file may speak of several files.
+[[nodiscard]] std::string unknown_name(const std::vector<CsvColumn>& known, const CsvMapping& mapping);
 /// The missing columns with the lines of a mapping to write, where cells of the header could be them.
 [[nodiscard]] std::string mapping_to_write(const HeaderMatch& match, const std::vector<CsvCell>& cells,
                                            const std::vector<std::string>& units, const std::vector<CsvColumn>& known,

@@ -17,6 +17,7 @@
 #include "fusee/core/units.h"
 #include "fusee/friction/law.h"
 #include "fusee/identification/identification.h"
+#include "scale.h"
 
 namespace fusee::init {
 
@@ -94,7 +95,7 @@ void enter_friction(Answers& a, const std::string& entered) {
         throw core::InvalidInput(kFrictionOption, core::printable(entered, 60),
                                  "a share of the load, 0.005 to 0.6, or a CSV file (.csv) of break-away tests");
     const std::string bytes = core::read_file(entered, identification::kLargestBreakAwayFile);
-    const auto report = identification::identify_friction(identification::parse_break_away(bytes, entered, a.columns));
+    const auto report = identification::identify_friction(identification::parse_break_away(bytes, entered, columns_of_friction(a.columns)));
     if (!report.law)
         throw core::InvalidInput(kFrictionOption, entered, "break-away tests that a friction law fits: fusee identify shows why");
     a.friction = std::stod(plain(report.law->mu));
@@ -107,7 +108,7 @@ void enter_law(Answers& a, const std::string& entered) {
     if (!entered.ends_with(".csv"))
         throw core::InvalidInput(kLawOption, core::printable(entered, 60),
                                  "a CSV file (.csv) with angle_rad,series_Nm,parallel_Nm, or none");
-    a.law = profile::read_measured_law(entered, a.columns);
+    a.law = profile::read_measured_law(entered, columns_of_law(a.columns));
 }
 
 std::vector<std::string> materials() {

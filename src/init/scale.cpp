@@ -114,8 +114,7 @@ LawSize set_law(profile::Profile& p, const Answers& answers, const Scale& scale,
     if (!answers.law) return set_stiction_law(p, answers, scale, friction, torques);
     p.law.end_torque = std::min(p.law.end_torque, kWithin * (answers.law->series.back() + answers.law->parallel.back()));
     p.law.curves = *answers.law;
-    p.columns = answers.columns;
-    for (const char* of_friction : {"side", "direction", "motor_torque_Nm", "load_torque_Nm"}) p.columns.columns.erase(of_friction);
+    p.columns = columns_of_law(answers.columns);
     return relative(size_of(*answers.law, {p.law.start_torque, p.law.end_torque}));
 }
 
@@ -209,6 +208,16 @@ profile::Profile scaled(const std::string& name, const Answers& answers, const S
         kind->end_torque = p.law.end_torque;
     }
     return p;
+}
+
+core::CsvMapping columns_of_law(core::CsvMapping columns) {
+    for (const char* of_friction : {"side", "direction", "motor_torque_Nm", "load_torque_Nm"}) columns.columns.erase(of_friction);
+    return columns;
+}
+
+core::CsvMapping columns_of_friction(core::CsvMapping columns) {
+    for (const char* of_law : {"angle_rad", "series_Nm", "parallel_Nm"}) columns.columns.erase(of_law);
+    return columns;
 }
 
 }  // namespace fusee::init

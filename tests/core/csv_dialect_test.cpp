@@ -188,5 +188,14 @@ TEST(CsvDialect, ALaterRowIsReadInTheSameForm) {
     expect_words(refusal(csv + "0.5;1;2\n"), {"t.csv:30002:1: angle_rad: '0.5'", "decimal comma"});
 }
 
+// A slip in --columns would leave the mapping without effect; [columns] of a profile speaks of all of its files.
+TEST(CsvDialect, ANameOfNoColumnInTheOptionIsRefused) {
+    const std::string csv = "angle_rad,series_Nm,parallel_Nm\n0,1,0.125\n";
+    CsvMapping slip = CsvMapping::of({"serie_Nm=Feder"});
+    expect_words(refusal(csv, kLaw, slip), {"--columns: 'serie_Nm'", "a column of t.csv", "angle_rad,series_Nm,parallel_Nm"});
+    slip.table = "columns";
+    EXPECT_EQ(refusal(csv, kLaw, slip), "none");
+}
+
 }  // namespace
 }  // namespace fusee::core

@@ -28,6 +28,7 @@ constexpr std::chrono::seconds kLongestHold{20};
 volatile std::sig_atomic_t g_signal = 0;
 sem_t g_asked;  // the one call of POSIX's that a handler may use to wake a thread
 bool g_waiting = false;
+int g_grace_of_limit = kGrace_ms;  // [ms] after SIGXCPU: half of what the hard limit leaves when all processors work
 std::function<int(int)> g_farewell;
 
 std::shared_timed_mutex& holds() {
@@ -59,18 +60,22 @@ void close_holds() {
     (void)lock.release();
 }
 
-/// `ulimit -t` sets both limits, and the hard one kills without a word: the soft one comes a second earlier.
-void leave_a_second() {
+/// `ulimit -t` sets both limits, and the hard one kills without a word: the soft one comes earlier, by a second of each processor, for
+/// all of them may be at work, but by no more than half of the time.
+void warn_before_the_kill() {
     rlimit time{};
     if (::getrlimit(RLIMIT_CPU, &time) != 0 || time.rlim_max == RLIM_INFINITY || time.rlim_max < 2) return;
-    time.rlim_cur = std::min(time.rlim_cur, time.rlim_max - 1);
+    const rlim_t processors = std::max(1U, std::thread::hardware_concurrency());
+    const rlim_t left_s = std::min(processors, time.rlim_max / 2);
+    time.rlim_cur = std::min(time.rlim_cur, time.rlim_max - left_s);
     (void)::setrlimit(RLIMIT_CPU, &time);
+    g_grace_of_limit = std::min(kGrace_ms, static_cast<int>(500 * left_s / processors));
 }
 
 void* wait_for_signal(void*) {
     while (::sem_wait(&g_asked) != 0) {
     }
-    std::this_thread::sleep_for(milliseconds(kGrace_ms));
+    std::this_thread::sleep_for(milliseconds(g_signal == SIGXCPU ? g_grace_of_limit : kGrace_ms));
     close_holds();
     end_processes();
     remove_temporary_folders();
@@ -80,7 +85,7 @@ void* wait_for_signal(void*) {
 }  // namespace
 
 void catch_interrupts() {
-    leave_a_second();
+    warn_before_the_kill();
     for (const int signal : {SIGINT, SIGTERM, SIGXCPU}) std::signal(signal, on_signal);
     if (std::signal(SIGHUP, on_signal) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);  // of nohup
     std::signal(SIGXFSZ, SIG_IGN);  // a file above `ulimit -f` is a write that fails: an error as of a full disk

@@ -12,6 +12,7 @@ fusee_gzip("${made}/changelog" "${made}/changelog.gz")
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME fusee)
 set(CPACK_PACKAGE_VERSION "${PROJECT_VERSION}")
+set(CPACK_RESOURCE_FILE_LICENSE "${PROJECT_SOURCE_DIR}/LICENSE")  # of the sources; packaging/copyright is that of the packages
 set(CPACK_PACKAGE_CONTACT "${FUSEE_MAINTAINER}")
 set(CPACK_PACKAGING_INSTALL_PREFIX "/usr")
 set(CPACK_PACKAGE_DIRECTORY "${PROJECT_BINARY_DIR}/packages")

@@ -16,6 +16,7 @@ import sys
 SOURCE = pathlib.Path(__file__).resolve().parent.parent
 USES = {"tool chain": "build", "libraries": "program", "tests and benchmarks": "test", "the Python module and its tests": "python",
         "programs": "called"}
+LICENCE = "GPL-3.0-or-later"  # of fusee: LICENSE
 PAGES = ("three", "three-mesh-bvh", "uplot")  # bundled into the pages; the others only build the bundle
 
 
@@ -95,7 +96,8 @@ def sbom(program):
                                part["version"]))
     version = re.search(r"project\(fusee VERSION (\S+)", (SOURCE / "CMakeLists.txt").read_text()).group(1)
     return {"bomFormat": "CycloneDX", "specVersion": "1.5", "version": 1,
-            "metadata": {"component": {"type": "application", "name": "fusee", "version": version}}, "components": items}
+            "metadata": {"component": {"type": "application", "name": "fusee", "version": version,
+                                       "licenses": [{"license": {"id": LICENCE}}]}}, "components": items}
 
 
 def check(program, files):
@@ -104,6 +106,7 @@ def check(program, files):
     parts = [{(p["name"], p["properties"][0]["value"]) for p in one["components"]} for one in (committed, now)]
     wrong = [f"{name} ({use}) is missing" for name, use in sorted(parts[1] - parts[0])]
     wrong += [f"{name} ({use}) is no part any more" for name, use in sorted(parts[0] - parts[1])]
+    wrong += ["fusee has another licence"] if committed["metadata"] != now["metadata"] else []
     wrong += [f"{p['name']} has no version" for p in committed["components"] if not p.get("version")]
     wrong += [f"{p['name']} has no licence" for p in committed["components"] if p["scope"] == "required" and "licenses" not in p]
     names = {p["name"] for p in committed["components"]}

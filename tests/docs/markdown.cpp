@@ -51,7 +51,8 @@ std::string Block::after(std::string_view word) const {
 }
 
 std::vector<std::filesystem::path> markdown_files(const std::filesystem::path& root) {
-    std::vector<std::filesystem::path> files{root / "README.md", root / "CHANGELOG.md"};
+    std::vector<std::filesystem::path> files;
+    for (const char* page : {"README.md", "CHANGELOG.md", "CONTRIBUTING.md", "SECURITY.md"}) files.push_back(root / page);
     for (const auto& entry : std::filesystem::recursive_directory_iterator(root / "docs"))
         if (entry.path().extension() == ".md") files.push_back(entry.path());
     std::sort(files.begin(), files.end());

@@ -19,7 +19,7 @@ struct Block {
     [[nodiscard]] std::string after(std::string_view word) const;
 };
 
-/// README.md, CHANGELOG.md and docs/**/*.md of the clone in `root`, sorted.
+/// README.md, CHANGELOG.md, CONTRIBUTING.md, SECURITY.md and docs/**/*.md of the clone in `root`, sorted.
 [[nodiscard]] std::vector<std::filesystem::path> markdown_files(const std::filesystem::path& root);
 
 [[nodiscard]] std::vector<Block> blocks_of(const std::string& markdown);

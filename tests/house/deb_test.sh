@@ -20,7 +20,7 @@ for package in fusee libfusee-dev python3-fusee; do
     expect_in "$package" "./usr/share/doc/$package/changelog.gz" "$work/$package.list"
     if grep -v ' root/root ' "$work/$package.list"; then fail "$package: another owner than root"; fi
     if grep -v ' 2023-11-14 ' "$work/$package.list"; then fail "$package: another time than SOURCE_DATE_EPOCH"; fi
-    dpkg-deb --fsys-tarfile "$one" | tar -xOf - "./usr/share/doc/$package/copyright" | grep -q 'No licence has been chosen' || fail "$package: its licence"
+    dpkg-deb --fsys-tarfile "$one" | tar -xOf - "./usr/share/doc/$package/copyright" | grep -q '^License: GPL-3+$' || fail "$package: its licence"
 done
 for file in bin/fusee share/fusee/profiles/pnrvsa.toml share/man/man1/fusee.1.gz share/bash-completion/completions/fusee share/doc/fusee/docs/licences.md; do
     expect_in fusee "./usr/$file" "$work/fusee.list"

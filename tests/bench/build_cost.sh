@@ -42,7 +42,9 @@ report() {
     echo
     echo '| module | units | processor time [s] |'
     echo '|---|---|---|'
-    awk -F '\t' '{ n[$3]++; s[$3] += $2 } END { for (m in n) printf "| %s | %d | %.1f |\n", m, n[m], s[m] }' "$work/table" | sort -t '|' -k 4,4 -rn
+    awk -F '\t' '{ n[$3]++; s[$3] += $2 } END { for (m in n) printf "| %s | %d | %.1f |\n", m, n[m], s[m] }' "$work/table" | sort -t '|' -k 4,4 -rn |
+        awk -F '|' '$4 >= 10 { print; next } { modules++; units += $3; seconds += $4 }
+            END { if (modules) printf "| %d others | %d | %.1f |\n", modules, units, seconds }'
     echo
     echo '| slowest unit | processor time [s] |'
     echo '|---|---|'

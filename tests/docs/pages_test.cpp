@@ -90,7 +90,7 @@ private:
     std::unique_ptr<GRegex, decltype(&g_regex_unref)> regex_;
 };
 
-/// Of the column "not" of the glossary those words that have no other meaning, or that meaning only: matched in any case.
+/// Words that a term of the glossary has replaced and that have no other meaning, or that meaning only: matched in any case.
 const Pattern kReplacedWords(
     R"(foretell|foretold|\bkept[-_ ]?back|by anybody|told apart|\bhangs? on next|failure inside|reckoned|\brecut|required change|)"
     R"(bench case|whereabouts|\bjudgement|hatted|\bgives? way|\bhence\b|\bthereby\b|\bwherefore\b|\bof one's own\b)",

@@ -1,17 +1,20 @@
 #include <fmt/format.h>
 
 #include "fusee/checks/check.h"
+#include "fusee/checks/judge.h"
 
 namespace fusee::checks {
 
 namespace {
 
-/// "error: `required_mm` at least the process's wall; warning: `review_mm` at least 1.2 mm"
+/// "`required_mm` >= the process's wall; `review_mm` >= 1.2 mm": the name tells the severity.
 std::string limits_text(const RuleInfo& rule) {
     std::string text;
-    for (const Limit& limit : rule.limits)
-        text += fmt::format("{}{}: `{}` {}", text.empty() ? "" : "; ", limit.severity == core::Severity::kError ? "error" : "warning",
-                            limit.key(), limit.text());
+    for (const Limit& limit : rule.limits) {
+        const bool least = limit.bound == kAtLeast;
+        const std::size_t words = std::string_view(least ? "at least" : "at most").size();
+        text += fmt::format("{}`{}` {}{}", text.empty() ? "" : "; ", limit.key(), least ? ">=" : "<=", limit.text().substr(words));
+    }
     return text;
 }
 

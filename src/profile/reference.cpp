@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <set>
 
 #include "files.h"
@@ -14,7 +15,9 @@ namespace {
 
 /// One heading and its table; two parts with the same keys share one.
 struct Section {
-    std::string titles, body, first_table;
+    std::string titles, first_table;
+    std::vector<std::string> rows;
+    std::vector<std::string> shared;  ///< names of the keys that stand in the table of K_SE
 };
 
 /// The default is read from the modules' options.
@@ -26,6 +29,14 @@ std::string default_text(const Key& key) {
     return "`" + toml_text(key, untouched) + "`";
 }
 
+/// What is allowed, without the words for a number and for an array.
+std::string short_allowed_text(const Key& key) {
+    std::string text = allowed_text(key);
+    for (const std::string_view words : {"a number, ", "an array of "})
+        if (text.starts_with(words)) text.erase(0, words.size());
+    return text;
+}
+
 std::string row(const Key& key) {
     std::string only;
     for (Condition when : key.when) {
@@ -34,7 +45,7 @@ std::string row(const Key& key) {
         only += fmt::format("{} {}", only.empty() ? "" : ",", when.text("`", "`"));
     }
     if (!only.empty()) only = " (" + only.substr(1) + ")";
-    return fmt::format("| `{}` | {} | {} | {}{} |\n", key.leaf(), allowed_text(key), default_text(key), key.meaning, only);
+    return fmt::format("| `{}` | {} | {} | {}{} |\n", key.leaf(), short_allowed_text(key), default_text(key), key.meaning, only);
 }
 
 /// @param paths of the keys to show
@@ -43,26 +54,42 @@ std::vector<Section> sections(const std::set<std::string>& paths) {
     for (const Key& key : keys()) {
         if (!paths.contains(key.path)) continue;
         const std::string table = key.table();
-        if (all.empty() || all.back().first_table != table) all.push_back({fmt::format("`[{}]`", table), "", table});
+        if (all.empty() || all.back().first_table != table) all.push_back({fmt::format("`[{}]`", table), table, {}, {}});
         if (table.empty()) all.back().titles = "At the top";
-        all.back().body += row(key);
+        all.back().rows.push_back(row(key));
     }
     return all;
 }
 
-/// Joins the k_pe table to the k_se table of the same content.
+/// "k_se.spring" of "k_pe.spring"; empty for other tables
+std::string table_of_k_se(const std::string& table) { return table.starts_with("k_pe") ? "k_se" + table.substr(4) : ""; }
+
+/// A table of K_PE has only the rows that K_SE's table lacks; without any, K_SE's heading names both.
 std::vector<Section> merged(const std::vector<Section>& all) {
     std::vector<Section> out;
-    for (const Section& section : all) {
-        const auto same = std::find_if(out.begin(), out.end(), [&](const Section& s) {
-            return s.first_table.starts_with("k_") && section.first_table.starts_with("k_") && s.body == section.body;
-        });
-        if (same == out.end())
-            out.push_back(section);
-        else
+    for (Section section : all) {
+        const std::string other = table_of_k_se(section.first_table);
+        const auto same = std::find_if(out.begin(), out.end(), [&](const Section& s) { return !other.empty() && s.first_table == other; });
+        if (same != out.end())
+            std::erase_if(section.rows, [&](const std::string& row) {
+                if (std::find(same->rows.begin(), same->rows.end(), row) == same->rows.end()) return false;
+                section.shared.push_back(row.substr(2, row.find(" | ", 2) - 2));
+                return true;
+            });
+        if (same != out.end() && section.rows.empty() && section.shared.size() == same->rows.size())
             same->titles += ", " + section.titles;
+        else
+            out.push_back(section);
     }
     return out;
+}
+
+std::string text_of(const Section& section) {
+    std::string text = fmt::format("### {}\n\n", section.titles);
+    if (!section.shared.empty())
+        text += fmt::format("As in `[{}]`: {}.\n\n", table_of_k_se(section.first_table), fmt::join(section.shared, ", "));
+    if (section.rows.empty()) return text;
+    return text + fmt::format("| key | allowed | default | meaning |\n|---|---|---|---|\n{}\n", fmt::join(section.rows, ""));
 }
 
 }  // namespace
@@ -71,8 +98,7 @@ std::string profile_reference(const std::vector<KeyInfo>& shown) {
     std::set<std::string> paths;
     for (const KeyInfo& key : shown) paths.insert(key.path);
     std::string text;
-    for (const Section& section : merged(sections(paths)))
-        text += fmt::format("### {}\n\n| key | allowed | default | meaning |\n|---|---|---|---|\n{}\n", section.titles, section.body);
+    for (const Section& section : merged(sections(paths))) text += text_of(section);
     return text;
 }
 

@@ -12,8 +12,8 @@ TEST(Reference, StandsInTheDocumentationWordForWord) {
 
 TEST(Reference, NamesDefaultsFromTheRooms) {
     const std::string text = profile_reference();
-    expect_words(text, {"| `radius_ratio` | a number, 0.5 to 2 | `0.53` |", "| `throat_deg` | a number, 0 to 150 deg | `90` |",
-                        "### `[k_se.guide]`, `[k_pe.guide]`", "(only with `kind` = `table`)"});
+    expect_words(text, {"| `radius_ratio` | 0.5 to 2 | `0.53` |", "| `throat_deg` | 0 to 150 deg | `90` |",
+                        "### `[k_se.guide]`, `[k_pe.guide]`", "(only with `kind` = `table`)", "As in `[k_se.spring]`: `rate_origin`"});
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <initializer_list>
 #include <set>
 
 #include "files.h"
@@ -29,11 +30,10 @@ std::string default_text(const Key& key) {
     return "`" + toml_text(key, untouched) + "`";
 }
 
-/// What is allowed, without the words for a number and for an array.
-std::string short_allowed_text(const Key& key) {
-    std::string text = allowed_text(key);
-    for (const std::string_view words : {"a number, ", "an array of "})
-        if (text.starts_with(words)) text.erase(0, words.size());
+/// Without the first of these words with which it begins.
+std::string without_prefix(std::string text, std::initializer_list<std::string_view> words) {
+    for (const std::string_view first : words)
+        if (text.starts_with(first)) return text.substr(first.size());
     return text;
 }
 
@@ -42,10 +42,11 @@ std::string row(const Key& key) {
     for (Condition when : key.when) {
         if (when.key == "k_pe.family" && when.values.front() == "cable") continue;  // stated at the family's key
         when.key = find_key(when.key)->leaf();
-        only += fmt::format("{} {}", only.empty() ? "" : ",", when.text("`", "`"));
+        only += fmt::format("{} {}", only.empty() ? "" : ",", without_prefix(when.text("`", "`"), {"only with ", "only "}));
     }
     if (!only.empty()) only = " (" + only.substr(1) + ")";
-    return fmt::format("| `{}` | {} | {} | {}{} |\n", key.leaf(), short_allowed_text(key), default_text(key), key.meaning, only);
+    return fmt::format("| `{}` | {} | {} | {}{} |\n", key.leaf(), without_prefix(allowed_text(key), {"a number, ", "an array of "}),
+                       default_text(key), key.meaning, only);
 }
 
 /// @param paths of the keys to show

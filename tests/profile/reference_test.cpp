@@ -13,7 +13,7 @@ TEST(Reference, StandsInTheDocumentationWordForWord) {
 TEST(Reference, NamesDefaultsFromTheRooms) {
     const std::string text = profile_reference();
     expect_words(text, {"| `radius_ratio` | 0.5 to 2 | `0.53` |", "| `throat_deg` | 0 to 150 deg | `90` |",
-                        "### `[k_se.guide]`, `[k_pe.guide]`", "(only with `kind` = `table`)", "As in `[k_se.spring]`: `rate_origin`"});
+                        "### `[k_se.guide]`, `[k_pe.guide]`", "(`kind` = `table`)", "As in `[k_se.spring]`: `rate_origin`"});
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ Figures make_design(profile::Profile asked, const study::Study& study, const Stu
             options.out, fs::path(study.name) / "designs" / name,
             core::OutputRun{
                 .command = "make", .source = asked.file, .force = options.force, .sheets = pipeline::sheets_of(asked), .stays = true});
-    const auto made = output ? pipeline::make_parts(asked, *output, {.reported = all}) : pipeline::make_figures(asked);
+    const auto made = all ? pipeline::make_parts(asked, *output) : pipeline::make_figures(asked, output ? &*output : nullptr);
     const core::Findings findings = made ? made->report.all_findings() : made.refusal();
     outcome = made && !core::any_error(findings) ? Outcome::kMade : Outcome::kRefused;
     if (outcome == Outcome::kRefused) return finding_figures(findings);

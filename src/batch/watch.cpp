@@ -15,7 +15,7 @@
 #include "fusee/core/file_watch.h"
 #include "fusee/core/progress.h"
 #include "fusee/core/text.h"
-#include "fusee/pipeline/check.h"
+#include "fusee/pipeline/evaluate.h"
 #include "fusee/profile/edit.h"
 #include "guarded.h"
 
@@ -159,7 +159,7 @@ private:
     }
     static core::Findings with_places_of(const profile::Profile& profile) {
         try {
-            return pipeline::outline_findings(profile);
+            return pipeline::evaluate(profile, pipeline::Depth::kOutline).all();
         } catch (const core::InvalidInput& e) {
             throw core::InvalidInput(profile.place_of(e.field()), e.value(), e.allowed());
         }

@@ -13,7 +13,7 @@
 #include "fusee/core/destination.h"
 #include "fusee/core/units.h"
 #include "fusee/design/evolution.h"
-#include "fusee/pipeline/make.h"
+#include "fusee/pipeline/evaluate.h"
 #include "verdict.h"
 
 namespace fusee::codesign {
@@ -127,8 +127,8 @@ RunResult run_co_design(const profile::Profile& profile, const RunOptions& optio
         return result;
     }
     best = renamed(std::move(best), "-best");
-    const pipeline::Verification made = pipeline::verify(best);
-    for (const core::Finding& f : made.findings)
+    const pipeline::Evaluation made = pipeline::evaluate(best, pipeline::Depth::kFiles);
+    for (const core::Finding& f : made.all())
         if (f.severity != core::Severity::kPass) result.findings.push_back(f);
     if (!made.passed()) return result;
     best = moved(std::move(best), result_folder(profile, options));

@@ -5,9 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "fusee/pipeline/design.h"
 #include "fusee/profile/edit.h"
-#include "fusee/spring/lead_in.h"
 
 namespace fusee::codesign {
 
@@ -47,12 +45,6 @@ profile::Profile finished(Draft draft) {
 profile::Profile renamed(profile::Profile profile, const std::string& ending) {
     profile.name = profile::derived_name(profile.name, ending);
     return profile;
-}
-
-core::Outcome<spring::SpringLawPtr> law_of(const profile::Profile& profile) {
-    const auto law = pipeline::spring_law(profile);
-    if (!law) return law.refusal();
-    return spring::with_lead_in(*law, profile.law.lead_in_travel);
 }
 
 }  // namespace fusee::codesign

@@ -23,7 +23,4 @@ struct Draft {
 /// The profile with `ending` added to its name, which stays a valid name.
 [[nodiscard]] profile::Profile renamed(profile::Profile profile, const std::string& ending);
 
-/// The law of a candidate, lead-in included. Refusals of its makers.
-[[nodiscard]] core::Outcome<spring::SpringLawPtr> law_of(const profile::Profile& profile);
-
 }  // namespace fusee::codesign

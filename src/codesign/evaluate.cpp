@@ -1,14 +1,13 @@
+#include "fusee/pipeline/evaluate.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
-#include "draft.h"
 #include "edges.h"
-#include "fusee/cam/cam.h"
-#include "fusee/checks/check.h"
 #include "fusee/codesign/problem.h"
 #include "fusee/design/robust.h"
-#include "fusee/pipeline/design.h"
 #include "shape.h"
 
 // The cost of a candidate (docs/theory/co_design.md).
@@ -31,13 +30,14 @@ public:
         : options_(options), p_(p), ratio_(p.rig.joint_radius / p.rig.capstan_radius) {}
 
     Trial judge() {
-        const auto law = law_of(p_);
-        if (!law) {
-            refuse(law.refusal(), "law");
+        auto resolved = pipeline::resolve_for_search(p_);
+        if (!resolved) {
+            refuse(resolved.refusal(), "law");
             trial_.violation += kNoLaw;
             return std::move(trial_);
         }
-        law_ = *law;
+        design_ = std::move(resolved).value();
+        law_ = design_->law();
         judge_law();
         judge_dead_band();
         for (const cam::PartKind kind : {cam::PartKind::kSeries, cam::PartKind::kParallel}) judge_shape(kind);
@@ -99,7 +99,7 @@ private:
     /// The dead-band of built joints, and the share of them whose springs cover all of it: a percentile over the others alone would reward
     /// springs that end early.
     void judge_scatter() {
-        const design::Drawing drawing = pipeline::drawing_of(p_, law_);
+        const design::Drawing drawing = design_->drawing();
         double least = 1.0;
         for (const double torque : options_.torques) {
             trial_.bands.push_back(design::robust_dead_band(drawing, torque, options_.scatter));
@@ -117,33 +117,25 @@ private:
         return std::accumulate(all.begin(), all.end(), 0.0) / static_cast<double>(all.size());
     }
 
-    [[nodiscard]] const profile::PartSpec& spec(cam::PartKind kind) const { return kind == cam::PartKind::kSeries ? p_.k_se : p_.k_pe; }
-    [[nodiscard]] cam::ArmFunction arm(cam::PartKind kind) const {
-        return {kind, law_, spec(kind).spring, p_.rig.capstan_radius, spec(kind).allowance};
-    }
-
     void judge_shape(cam::PartKind kind) {
         const std::string part = to_string(kind);
-        const Shape shape = shape_of(arm(kind), spec(kind).cam);
+        const Shape shape = shape_of(design_->arm(kind), design_->spec(kind).cam);
         const double least_rho = kind == cam::PartKind::kSeries ? options_.least_rho_se : options_.least_rho_pe;
         trial_.radius = std::max(trial_.radius, shape.radius);
         keep({"limit.rho " + part, "mm", core::mm_from_m(shape.least_rho), core::mm_from_m(least_rho), Bound::kAtLeast});
         keep({"limit.contour_radius " + part, "mm", core::mm_from_m(shape.radius), core::mm_from_m(options_.contour_radius),
               Bound::kAtMost});
-        if (spec(kind).cam.path.kind == cam::PathKind::kPlanar)
+        if (design_->spec(kind).cam.path.kind == cam::PathKind::kPlanar)
             keep({"limit.wrap " + part, "rad", shape.wrap, kPlanarWrap, Bound::kAtMost});
     }
 
     void judge_part(cam::PartKind kind) {
         const std::string part = to_string(kind);
-        cam::CamOptions options = spec(kind).cam;
-        options.target_rows = kSearchRows;
-        const auto cam = cam::synthesize_cam(arm(kind), options);
-        if (!cam) return refuse(cam.refusal(), part);
-        trial_.radius = std::max(trial_.radius, contour_radius(*cam));
-        const auto body = solid::outline_part(*cam, spec(kind).solid);
-        if (!body) return refuse(body.refusal(), part);
-        for (const core::Finding& f : checks::check_without_mesh({*body, spec(kind).spring, p_.cable, p_.process, p_.limits})) {
+        (kind == cam::PartKind::kSeries ? design_->profile.k_se : design_->profile.k_pe).cam.target_rows = kSearchRows;
+        const pipeline::EvaluatedPart seen = pipeline::evaluate_part(kind, *design_, pipeline::Depth::kOutline);
+        if (seen.cam) trial_.radius = std::max(trial_.radius, contour_radius(*seen.cam));
+        if (seen.reached < pipeline::Depth::kOutline) return refuse(seen.findings, part);
+        for (const core::Finding& f : seen.findings) {
             if (f.severity == core::Severity::kNotJudged) continue;  // measures nothing
             const bool broken = f.severity == core::Severity::kError ||
                                 (f.severity == core::Severity::kWarning && options_.reviews == design::Reviews::kAvoid);
@@ -158,6 +150,7 @@ private:
     const design::CoDesignOptions& options_;
     const profile::Profile& p_;
     double ratio_;
+    std::optional<pipeline::ResolvedDesign> design_;  // none: no law
     spring::SpringLawPtr law_;
     Trial trial_;
 };

@@ -12,7 +12,7 @@
 #include "fusee/codesign/problem.h"
 #include "fusee/core/units.h"
 #include "fusee/design/evolution.h"
-#include "fusee/pipeline/make.h"
+#include "fusee/pipeline/evaluate.h"
 #include "verdict.h"
 
 namespace fs = std::filesystem;
@@ -76,10 +76,10 @@ Made make_all(const Problem& problem, const Front& front, const fs::path& folder
         if (!trial.feasible()) continue;
         const std::string number = fmt::format("{:02}", made.points.size() + 1);
         profile = renamed(std::move(profile), "-" + number);
-        const pipeline::Verification result = pipeline::verify(profile);
+        const pipeline::Evaluation result = pipeline::evaluate(profile, pipeline::Depth::kFiles);
         if (!result.passed()) {
             ++made.dropped;
-            for (const core::Finding& f : result.findings)
+            for (const core::Finding& f : result.all())
                 if (f.severity == core::Severity::kError) made.rules.insert(f.rule);
             continue;
         }

@@ -2,22 +2,19 @@
 
 #include <algorithm>
 
-#include "fusee/cam/arm.h"
-#include "fusee/checks/check.h"
 #include "fusee/core/progress.h"
-#include "fusee/pipeline/design.h"
-#include "fusee/pipeline/make.h"
+#include "fusee/pipeline/evaluate.h"
 
 namespace fusee::fix {
 
 namespace {
 
-constexpr cam::PartKind kKinds[] = {cam::PartKind::kSeries, cam::PartKind::kParallel};
+using pipeline::Depth;
 
 }  // namespace
 
 std::string part_of(const core::Finding& finding) {
-    for (const cam::PartKind kind : kKinds)
+    for (const cam::PartKind kind : pipeline::kBothParts)
         if (finding.where.starts_with(to_string(kind))) return to_string(kind);
     return {};
 }
@@ -37,38 +34,19 @@ void Judge::keep(Verdict& verdict, const core::Findings& findings) const {
                  [least](const core::Finding& f) { return f.severity >= least; });
 }
 
-void Judge::sketch(Verdict& verdict, cam::PartKind kind, const pipeline::ResolvedDesign& design) const {
-    const auto cam = pipeline::design_cam(kind, design);
-    if (!cam) {
-        verdict.unseen += kBehindCam;
-        return keep(verdict, cam.refusal());
-    }
-    const profile::Profile& profile = design.profile;
-    const profile::PartSpec& spec = design.spec(kind);
-    const auto body = solid::outline_part(*cam, spec.solid);
-    if (!body) {
-        verdict.unseen += kBehindBody;
-        return keep(verdict, body.refusal());
-    }
-    keep(verdict, checks::check_without_mesh({*body, spec.spring, profile.cable, profile.process, profile.limits}));
-}
-
-Verdict Judge::drawing(const profile::Profile& profile) { return draw(kKinds, profile); }
+Verdict Judge::drawing(const profile::Profile& profile) { return draw(pipeline::kBothParts, profile); }
 
 Verdict Judge::part(cam::PartKind kind, const profile::Profile& profile) { return draw(std::span(&kind, 1), profile); }
 
 Verdict Judge::draw(std::span<const cam::PartKind> kinds, const profile::Profile& profile) {
     ask_to_stop();
     ++judged_;
+    const pipeline::Evaluation seen = pipeline::evaluate(profile, Depth::kOutline, kinds);
     Verdict verdict;
-    const auto design = pipeline::resolve(profile);
-    if (!design) {
-        verdict.unseen = kBehindLaw;
-        keep(verdict, design.refusal());
-        return verdict;
-    }
-    keep(verdict, design->findings);
-    for (const cam::PartKind kind : kinds) sketch(verdict, kind, *design);
+    if (!seen.design) verdict.unseen = kBehindLaw;
+    for (const pipeline::EvaluatedPart& part : seen.parts)
+        if (part.reached < Depth::kOutline) verdict.unseen += part.reached < Depth::kCam ? kBehindCam : kBehindBody;
+    keep(verdict, seen.all());
     return verdict;
 }
 
@@ -76,7 +54,7 @@ Verdict Judge::making(const profile::Profile& profile) {
     ask_to_stop();
     if (options_.progress) options_.progress("making every file and reading it back");
     ++made_;
-    const core::Findings findings = options_.make ? options_.make(profile) : pipeline::verify(profile).findings;
+    const core::Findings findings = options_.make ? options_.make(profile) : pipeline::evaluate(profile, Depth::kFiles).all();
     Verdict verdict;
     keep(verdict, findings);
     if (!verdict.clear()) return verdict;

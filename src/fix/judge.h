@@ -7,7 +7,6 @@
 #include "fusee/core/error.h"
 #include "fusee/core/finding.h"
 #include "fusee/fix/fix.h"
-#include "fusee/pipeline/design.h"
 
 namespace fusee::fix {
 
@@ -64,7 +63,6 @@ public:
 private:
     [[nodiscard]] Verdict draw(std::span<const cam::PartKind> kinds, const profile::Profile& profile);
     void keep(Verdict& verdict, const core::Findings& findings) const;
-    void sketch(Verdict& verdict, cam::PartKind kind, const pipeline::ResolvedDesign& design) const;
     void ask_to_stop() const;
 
     const Options& options_;

@@ -9,7 +9,7 @@
 #include "fusee/core/progress.h"
 #include "fusee/init/init.h"
 #include "fusee/init/question.h"
-#include "fusee/pipeline/make.h"
+#include "fusee/pipeline/evaluate.h"
 #include "search.h"
 #include "springs.h"
 
@@ -123,7 +123,7 @@ Result find_design(const std::string& name, const Answers& answers, const Option
     result.binding = found.binding;
     if (found.profile) {
         tell(options, kSpringShare, "every file, read back");
-        const core::Findings findings = pipeline::verify(*found.profile).findings;
+        const core::Findings findings = pipeline::evaluate(*found.profile, pipeline::Depth::kFiles).all();
         ask_to_stop(options);
         result.binding = errors_of(findings);
         if (result.binding.empty()) result.design = Design{*found.profile, findings};

@@ -9,7 +9,7 @@
 #include "fusee/checks/limits.h"
 #include "fusee/core/progress.h"
 #include "fusee/design/evolution.h"
-#include "fusee/pipeline/check.h"
+#include "fusee/pipeline/evaluate.h"
 
 namespace fusee::init {
 
@@ -130,7 +130,7 @@ core::Findings binding_limits(const codesign::Trial& trial, const profile::Profi
                !f.rule.starts_with("law.");
     });
     for (core::Finding& f : findings) f.suggestion.clear();  // keys of a search that nobody has written
-    for (const core::Finding& f : pipeline::outline_findings(profile))
+    for (const core::Finding& f : pipeline::evaluate(profile, pipeline::Depth::kOutline).all())
         if (f.severity == core::Severity::kError) findings.push_back(f);
     return findings;
 }

@@ -6,6 +6,7 @@
 
 #include "fusee/checks/limits.h"
 #include "fusee/core/units.h"
+#include "fusee/pipeline/evaluate.h"
 #include "fusee/pipeline/springs.h"
 
 namespace fusee::init {
@@ -57,12 +58,8 @@ core::Finding no_spring(cam::PartKind part, const pipeline::SpringSearch& search
 bool judged_good(const profile::Profile& profile, cam::PartKind part, bool accept_reviews) {
     const auto design = pipeline::resolve(profile);
     if (!design) return false;
-    const auto cam = pipeline::design_cam(part, *design);
-    if (!cam) return false;
-    const profile::PartSpec& spec = design->spec(part);
-    const auto body = solid::outline_part(*cam, spec.solid);
-    if (!body) return false;
-    for (const core::Finding& f : checks::check_without_mesh({*body, spec.spring, profile.cable, profile.process, profile.limits})) {
+    const pipeline::EvaluatedPart seen = pipeline::evaluate_part(part, *design, pipeline::Depth::kOutline);
+    for (const core::Finding& f : seen.findings) {
         if (f.severity == core::Severity::kError) return false;
         const bool of_spring = f.rule.starts_with("spring.") || f.rule.starts_with("assembly.");
         if (of_spring && f.severity != core::Severity::kPass && !(accept_reviews && f.severity == core::Severity::kWarning)) return false;

@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "fusee/core/file.h"
-#include "fusee/pipeline/check.h"
+#include "fusee/pipeline/evaluate.h"
 #include "fusee/study/plan.h"
 
 // A rule or a limit that breaks a shipped study fails here. tests/batch/studies.txt holds, for each study, the outcomes of its first
@@ -53,7 +53,7 @@ TEST(ShippedStudies, MakeMostOfTheirDesignsAsTheirPagesSay) {
         ASSERT_GE(r.outcomes.size(), 32U);
         std::string found, refusals;
         for (std::size_t i = 0; i < r.outcomes.size(); ++i) {
-            const core::Findings findings = pipeline::outline_findings(plan.profile(plan.at(i)));
+            const core::Findings findings = pipeline::evaluate(plan.profile(plan.at(i)), pipeline::Depth::kOutline).all();
             found += core::any_error(findings) ? '-' : '+';
             if (core::any_error(findings)) refusals += fmt::format("{}: {}\n", i, core::to_line(*pipeline::binding(findings)));
         }

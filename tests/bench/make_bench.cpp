@@ -42,7 +42,7 @@ profile::Profile with_formats(const char* formats) {
 void BM_Make(benchmark::State& state, const char* formats) {
     const profile::Profile profile = with_formats(formats);
     for (auto _ : state) {
-        const auto made = batch::make(profile, {out_folder(), pipeline::Via::kCgal});
+        const auto made = batch::make(profile, {.out = out_folder()});
         if (!made.made) state.SkipWithError("the profile was refused");
     }
     count_peak(state);
@@ -59,7 +59,7 @@ FORMATS(stl_step, "'stl', 'step'");
 FORMATS(all, "'stl', '3mf', 'scad', 'dxf', 'drawing', 'ngc', 'step'");
 
 void BM_OpenScad(benchmark::State& state) {
-    const auto made = batch::make(paper_profile(), {out_folder(), pipeline::Via::kCgal});
+    const auto made = batch::make(paper_profile(), {.out = out_folder()});
     for (auto _ : state)
         for (const char* part : {"k_se", "k_pe"})
             exchange::render_scad(made.folder / (std::string(part) + ".scad"), out_folder() / (std::string(part) + "_openscad.stl"));
@@ -83,7 +83,7 @@ void BM_BatchMeshes(benchmark::State& state) {
     const profile::Profile profile = batch_profile(true);
     for (auto _ : state) {
         core::OutputFolder output(out_folder() / "batch", {.command = "make", .source = profile.file});
-        benchmark::DoNotOptimize(pipeline::make_parts(profile, output, {.reported = false}));
+        benchmark::DoNotOptimize(pipeline::make_figures(profile, &output));
         output.commit();
     }
 }

@@ -97,6 +97,17 @@ TEST_F(CoDesignProblem, TheDesignThatWasFoundKeepsEveryLimitAndTheIssuesFigures)
     EXPECT_EQ(problem.options().loads.high, 2.1);
 }
 
+// A search found such cams, and only the make of the best one refused them.
+TEST_F(CoDesignProblem, ACableShorterThanItsWrapBreaksALimit) {
+    profile::Profile found = as_searched("pnrvsa_co_design");
+    found.k_pe.cable_length = 0.04;
+    const Trial trial = Problem(found).evaluate(found);
+    const Limit* cable = find(trial, "cable.length k_pe");
+    ASSERT_NE(cable, nullptr);
+    EXPECT_GT(cable->excess(), 0.0);
+    EXPECT_FALSE(trial.feasible());
+}
+
 TEST_F(CoDesignProblem, AFreeCurveIsClearlyBetterAtTheSameTravelAndStiffness) {
     const profile::Profile found = as_searched("pnrvsa_co_design");
     const profile::Profile free = as_searched("free_curve");

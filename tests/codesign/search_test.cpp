@@ -11,7 +11,7 @@
 #include "fusee/core/units.h"
 #include "fusee/design/robust.h"
 #include "fusee/pipeline/design.h"
-#include "fusee/pipeline/make.h"
+#include "fusee/pipeline/evaluate.h"
 #include "pipeline/fixture.h"
 #include "written.h"
 
@@ -64,7 +64,7 @@ TEST_F(CoDesignRun, FindsADesignThatMakeAcceptsAndSaysWhatLimitsIt) {
     const auto files = files_in(result.folder);
     ASSERT_TRUE(files.contains("small-best.toml") && files.contains("design.json") && files.contains("design.html"));
     const profile::Profile best = profile::read_profile(result.folder / "small-best.toml");
-    const pipeline::Verification made = pipeline::verify(best);
+    const pipeline::Evaluation made = pipeline::evaluate(best, pipeline::Depth::kFiles);
     EXPECT_TRUE(made.passed());
 
     const double width = actuator::dead_band(pipeline::resolve(best)->actuator, 1.0).exact_width;
@@ -128,7 +128,7 @@ TEST_F(CoDesignRun, EachPointOfAFrontIsAProfileThatMakeAccepts) {
     const auto files = files_in(result.folder);
     ASSERT_TRUE(files.contains("pareto.csv") && files.contains("pareto.html") && files.contains("pareto/01.toml"));
     const profile::Profile first = profile::read_profile(result.folder / "pareto/01.toml");
-    EXPECT_TRUE(pipeline::verify(first).passed());
+    EXPECT_TRUE(pipeline::evaluate(first, pipeline::Depth::kFiles).passed());
     // as many rows as profiles; a wider dead-band buys more travel
     const core::CsvTable table = core::read_csv(result.folder / "pareto.csv", {{"figure_deg"}, {"travel_rad"}});
     EXPECT_EQ(table.rows() + 3, files.size());  // and the CSV, the page and the manifest

@@ -191,6 +191,16 @@ TEST_F(FixTest, IsMadeAndReadBack) {
     EXPECT_TRUE(again.toml.empty());
 }
 
+/// Only the make of every file knew it, once for each draft.
+TEST_F(FixTest, SeesAShortCableBeforeAnythingIsMade) {
+    const std::string toml = fixtures::with_key(core::read_file(fixtures::shipped("examples/elastic_cable")), "k_pe.cable_length_mm", "40");
+    const Fix fixed = drawn(toml, {.file = {}, .most_judged = 60});
+    EXPECT_EQ(fixed.end, Fix::End::kCannot) << report::fix_text(fixed);
+    EXPECT_EQ(fixed.made, 0);
+    EXPECT_TRUE(std::any_of(fixed.left.begin(), fixed.left.end(), [](const core::Finding& f) { return f.rule == "cable.length"; }))
+        << report::fix_text(fixed);
+}
+
 /// pnrvsa with a steel cable of 3 mm, as in the shop, on a spool that a fibre cable of 0.8 mm was made for.
 std::string steel_cable(const std::string& breaking_load) {
     return fixtures::with_keys(core::read_file(fixtures::shipped("pnrvsa_co_design")),

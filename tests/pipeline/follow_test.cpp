@@ -1,8 +1,8 @@
 #include <set>
 
 #include "fusee/core/units.h"
-#include "fusee/pipeline/check.h"
 #include "fusee/pipeline/design.h"
+#include "fusee/pipeline/evaluate.h"
 #include "pipeline/fixture.h"
 
 // What a profile does not state follows from the rest: turns, lengths and ratings of springs, and the place of an anchor.
@@ -26,7 +26,7 @@ protected:
 
     static std::set<std::string> broken(const profile::Profile& p) {
         std::set<std::string> rules;
-        for (const core::Finding& f : outline_findings(p))
+        for (const core::Finding& f : evaluate(p, Depth::kOutline).all())
             if (f.severity == core::Severity::kError || f.severity == core::Severity::kNotJudged) rules.insert(f.rule);
         return rules;
     }

@@ -183,7 +183,7 @@ std::optional<double> fixed_point_error(profile::Profile profile) {
     profile.outputs = {.formats = {"stl"}, .pair = false, .plate = false};
     const core::TemporaryFolder folder;
     core::OutputFolder output(folder.path() / "parts", {.command = "make", .source = profile.file});
-    const auto made = pipeline::make_parts(profile, output, {.reported = false});
+    const auto made = pipeline::make_figures(profile, &output);
     if (!made || made->report.parts.size() != 2) return std::nullopt;
     for (const PartKind kind : kParts) {  // an elastic cable or a compensated rig: the arms are not those of the law alone
         const cam::Allowance& allowance = made->resolved.spec(kind).allowance;

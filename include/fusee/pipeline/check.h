@@ -52,11 +52,6 @@ struct OtherProcess {
 /// Source of the figures of a process that the profile does not state: "defaults of sla, build volume 200 x 200 x 200 mm".
 [[nodiscard]] std::string default_figures(const checks::Process& process);
 
-/// Law, contours and every rule that needs no solid, of both parts: the findings that take milliseconds. A rule of solids is not among
-/// them.
-/// @throws core::InvalidInput as make
-[[nodiscard]] core::Findings outline_findings(const profile::Profile& profile);
-
 /// Law, cams, solids and rules for each process, without files: the findings of `make` before it exports.
 /// @throws core::InvalidInput as make
 [[nodiscard]] Checked check(const profile::Profile& profile, std::span<const checks::ProcessKind> kinds);

@@ -26,8 +26,6 @@ namespace fusee::pipeline {
 [[nodiscard]] actuator::Actuator actuator_of(const profile::Profile& profile, const spring::SpringLawPtr& law);
 /// The spring as its cam pulls it: K_PE's in series with its cable; K_SE's cable is on the other side of its spool.
 [[nodiscard]] spring::BaseSpring pulled_spring(const profile::PartSpec& spec);
-/// The joint and the springs that its cams pull: the drawing from which a shop's scatter is computed.
-[[nodiscard]] design::Drawing drawing_of(const profile::Profile& profile, const spring::SpringLawPtr& law);
 
 /// A profile and what follows from it: springs and joint. Computed once for each profile and handed down as const.
 struct ResolvedDesign {
@@ -39,10 +37,14 @@ struct ResolvedDesign {
     [[nodiscard]] const spring::SpringLawPtr& law() const { return actuator.law; }
     [[nodiscard]] const profile::PartSpec& spec(cam::PartKind kind) const { return spec_of(kind, profile); }
     [[nodiscard]] cam::ArmFunction arm(cam::PartKind kind) const;
+    /// The joint and the springs that its cams pull: the drawing from which a shop's scatter is computed.
     [[nodiscard]] design::Drawing drawing() const;
 };
 /// Refusals: findings of the law's maker, of its lead-in or of `spring::check_law`.
 [[nodiscard]] core::Outcome<ResolvedDesign> resolve(profile::Profile profile);
+/// The same for a search that judges many: without the findings on coverage, which it measures itself, and without `spring::check_law`: the
+/// law's maker has judged its stiffnesses, and no cam has an arm where a spring would push.
+[[nodiscard]] core::Outcome<ResolvedDesign> resolve_for_search(profile::Profile profile);
 /// How often `resolve` was called in this process.
 [[nodiscard]] std::size_t resolve_count();
 
@@ -52,13 +54,8 @@ void require_parts(const profile::Profile& profile);
 /// Requires a printed part if it is to be sliced. @throws core::InvalidInput naming outputs.formats
 void require_sliceable(const profile::Profile& profile);
 
-/// A pass if the cable reaches round its cam to the anchor; nothing if the profile does not state its length.
-[[nodiscard]] core::Findings check_cable_length(const cam::Cam& cam, const profile::Profile& profile);
-/// Arm and cam, without a body. Refusal: the cam's. @pre require_parts(profile)
+/// Arm and cam, its anchor placed, without a body. Refusal: the cam's. @pre require_parts(profile)
 [[nodiscard]] core::Outcome<cam::Cam> design_cam(cam::PartKind kind, const ResolvedDesign& design);
-
-/// The same, judged by the rules that need no mesh. Refusal: the cam's, or the findings if one is an error.
-[[nodiscard]] core::Outcome<cam::Cam> design_checked_cam(cam::PartKind kind, const ResolvedDesign& design);
 
 /// One cam as a solid, with the findings of every rule.
 struct DesignedPart {
@@ -69,7 +66,4 @@ struct DesignedPart {
 /// makes a solid, found by making it.
 /// @pre require_parts(profile)
 [[nodiscard]] core::Outcome<DesignedPart> design_part(cam::PartKind kind, const ResolvedDesign& design);
-/// The same of a cam that is designed already.
-[[nodiscard]] core::Outcome<DesignedPart> design_part(const cam::Cam& cam, const ResolvedDesign& design);
-
 }  // namespace fusee::pipeline

@@ -4,12 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <future>
-#include <optional>
 
 #include "fusee/core/units.h"
-#include "fusee/pipeline/assembled.h"
-#include "fusee/pipeline/design.h"
+#include "fusee/pipeline/evaluate.h"
 
 namespace fusee::pipeline {
 
@@ -22,28 +19,18 @@ bool is_of_process(const checks::Override& limit) {
     return declared != nullptr && (rule->group() == "process" || declared->by.find("process's") != std::string::npos);
 }
 
-core::Findings findings_of(const core::Outcome<DesignedPart>& part) { return part ? part->findings : part.refusal(); }
-
-core::Findings joint_findings(const ResolvedDesign& design, const DesignedPart& k_se, const DesignedPart& k_pe) {
-    return assemble(design, std::make_shared<solid::Part>(k_se.part), std::make_shared<solid::Part>(k_pe.part)).findings;
-}
-
-/// @param joint findings of the joint, which no process changes: those of the first process that makes both parts
-CheckedProcess check_process(const profile::Profile& profile, const core::Outcome<ResolvedDesign>& resolved, checks::ProcessKind kind,
-                             std::optional<core::Findings>& joint) {
-    OtherProcess other = by_process(profile, kind);
+CheckedProcess check_process(const profile::Profile& profile, const core::Outcome<ResolvedDesign>& resolved, checks::ProcessKind kind) {
+    OtherProcess other = by_process(resolved ? resolved->profile : profile, kind);  // with the figures that follow for its springs
     CheckedProcess checked{checks::to_string(kind), other.figures, kind == profile.process.kind, {}, {}};
-    checked.about = resolved ? resolved->findings : resolved.refusal();
-    if (!resolved) return checked;
+    if (!resolved) {
+        checked.about = resolved.refusal();
+        return checked;
+    }
     ResolvedDesign design = *resolved;
     design.profile = std::move(other.profile);  // a process changes no law
-    auto series = std::async(std::launch::async | std::launch::deferred, [&design] { return design_part(cam::PartKind::kSeries, design); });
-    const auto k_pe = design_part(cam::PartKind::kParallel, design), k_se = series.get();
-    checked.parts = {{to_string(cam::PartKind::kSeries), findings_of(k_se)}, {to_string(cam::PartKind::kParallel), findings_of(k_pe)}};
-    if (k_se && k_pe) {
-        if (!joint) joint = joint_findings(design, *k_se, *k_pe);
-        core::append(checked.about, *joint);
-    }
+    Evaluation evaluation = evaluate(std::move(design), Depth::kSolid);
+    checked.about = std::move(evaluation.findings);
+    for (EvaluatedPart& part : evaluation.parts) checked.parts.push_back({to_string(part.kind), std::move(part.findings)});
     return checked;
 }
 
@@ -92,32 +79,11 @@ OtherProcess by_process(const profile::Profile& profile, checks::ProcessKind kin
     return other;
 }
 
-core::Findings outline_findings(const profile::Profile& profile) {
-    require_parts(profile);
-    const auto design = resolve(profile);
-    if (!design) return design.refusal();
-    const auto part_findings = [&](cam::PartKind kind) -> core::Findings {
-        const auto cam = design_cam(kind, *design);
-        if (!cam) return cam.refusal();
-        const profile::PartSpec& spec = design->spec(kind);
-        const auto body = solid::outline_part(*cam, spec.solid);
-        if (!body) return body.refusal();
-        return checks::check_without_mesh({*body, spec.spring, profile.cable, profile.process, profile.limits});
-    };
-    auto series = std::async(std::launch::async | std::launch::deferred, part_findings, cam::PartKind::kSeries);
-    const core::Findings parallel = part_findings(cam::PartKind::kParallel);
-    core::Findings all = design->findings;
-    core::append(all, series.get());
-    core::append(all, parallel);
-    return all;
-}
-
 Checked check(const profile::Profile& profile, std::span<const checks::ProcessKind> kinds) {
     require_parts(profile);
     const auto resolved = resolve(profile);
     Checked checked{profile.name, profile.sha256, "", {}};
-    std::optional<core::Findings> joint;
-    for (const checks::ProcessKind kind : kinds) checked.processes.push_back(check_process(profile, resolved, kind, joint));
+    for (const checks::ProcessKind kind : kinds) checked.processes.push_back(check_process(profile, resolved, kind));
     return checked;
 }
 

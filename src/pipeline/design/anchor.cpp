@@ -14,36 +14,42 @@ namespace {
 constexpr std::array kAnchorRules = {"structure.anchor_floor", "structure.anchor", "assembly.anchor_reach", "cable.anchor_load",
                                      "cable.anchor_tail"};
 
-/// What the rules say about the anchor at its present place; none: the body cannot be made for another reason.
-std::optional<core::Severity> judged(const cam::Cam& cam, const ResolvedDesign& design) {
+/// A body, and what the rules say about its anchor.
+struct Placed {
+    std::optional<solid::Part> outline;
+    std::optional<core::Severity> severity;  ///< none: the body cannot be made for another reason
+};
+
+Placed judged(const cam::Cam& cam, const ResolvedDesign& design) {
     const profile::Profile& p = design.profile;
     const profile::PartSpec& spec = design.spec(cam.kind);
-    const auto body = solid::outline_part(cam, spec.solid);
+    auto body = solid::outline_part(cam, spec.solid);
     if (!body) {
-        if (body.refusal().front().rule != "solid.anchor") return std::nullopt;
-        return core::Severity::kError;
+        if (body.refusal().front().rule != "solid.anchor") return {};
+        return {std::nullopt, core::Severity::kError};
     }
-    core::Severity worst = core::Severity::kPass;
+    Placed placed{std::move(body).value(), core::Severity::kPass};
     for (const char* id : kAnchorRules)
-        for (const core::Finding& f : checks::find_rule(id)->run({*body, spec.spring, p.cable, p.process, p.limits}))
-            if (core::is_broken(f)) worst = std::max(worst, f.severity);
-    return worst;
+        for (const core::Finding& f : checks::find_rule(id)->run({*placed.outline, spec.spring, p.cable, p.process, p.limits}))
+            if (core::is_broken(f)) placed.severity = std::max(*placed.severity, f.severity);
+    return placed;
 }
 
 }  // namespace
 
-cam::Cam with_anchor_placed(cam::Cam cam, const ResolvedDesign& design) {
+AnchoredCam with_anchor_placed(cam::Cam cam, const ResolvedDesign& design) {
     const bool stated = design.profile.places.contains(std::string(to_string(cam.kind)) + ".path.margin_deg");
-    if (stated || !cam.closed() || design.spec(cam.kind).solid.features.anchor_hole_diameter <= 0.0) return cam;
-    std::optional<double> without_error;
+    if (stated || !cam.closed() || design.spec(cam.kind).solid.features.anchor_hole_diameter <= 0.0) return {std::move(cam), {}};
+    std::optional<AnchoredCam> without_error;
     for (const double margin : cam::margins_by_distance(cam)) {
-        const cam::Cam moved = cam::with_margin(cam, margin);
-        const auto severity = judged(moved, design);
-        if (!severity) return cam;
-        if (*severity == core::Severity::kPass) return moved;
-        if (*severity != core::Severity::kError && !without_error) without_error = margin;
+        AnchoredCam moved{cam::with_margin(cam, margin), {}};
+        Placed placed = judged(moved.cam, design);
+        if (!placed.severity) return {std::move(cam), {}};
+        moved.outline = std::move(placed.outline);
+        if (*placed.severity == core::Severity::kPass) return moved;
+        if (*placed.severity != core::Severity::kError && !without_error) without_error = std::move(moved);
     }
-    return without_error ? cam::with_margin(std::move(cam), *without_error) : cam;
+    return without_error ? std::move(*without_error) : AnchoredCam{std::move(cam), {}};
 }
 
 }  // namespace fusee::pipeline

@@ -77,6 +77,13 @@ void complete_springs(profile::Profile& profile, const spring::SpringLaw& law) {
     }
 }
 
+/// @param law lead-in included @param design_loads without it
+ResolvedDesign with_law(profile::Profile profile, const spring::SpringLawPtr& law, core::Range design_loads) {
+    complete_springs(profile, *law);
+    actuator::Actuator joint = actuator_of(profile, law);
+    return {std::move(profile), std::move(joint), design_loads, {}};
+}
+
 }  // namespace
 
 actuator::Actuator actuator_of(const profile::Profile& profile, const spring::SpringLawPtr& law) {
@@ -87,6 +94,14 @@ actuator::Actuator actuator_of(const profile::Profile& profile, const spring::Sp
     return joint;
 }
 
+core::Outcome<ResolvedDesign> resolve_for_search(profile::Profile profile) {
+    const auto bare = spring_law(profile);
+    if (!bare) return bare.refusal();
+    const auto law = spring::with_lead_in(*bare, profile.law.lead_in_travel);
+    if (!law) return law.refusal();
+    return with_law(std::move(profile), *law, (*bare)->loads());
+}
+
 core::Outcome<ResolvedDesign> resolve(profile::Profile profile) {
     ++g_resolved;
     const auto bare = spring_law(profile);
@@ -95,12 +110,11 @@ core::Outcome<ResolvedDesign> resolve(profile::Profile profile) {
     const auto law = spring::with_lead_in(*bare, profile.law.lead_in_travel);
     if (!law) return law.refusal();
     if (core::Findings broken = spring::check_law(**law); core::any_error(broken)) return broken;
-
-    complete_springs(profile, **law);
-    actuator::Actuator joint = actuator_of(profile, *law);
-    core::Findings findings{covers(joint, "least", joint.least_torque, core::Bound::kAtMost),
-                            covers(joint, "greatest", joint.overdrive_torque, core::Bound::kAtLeast)};
-    return ResolvedDesign{std::move(profile), std::move(joint), (*bare)->loads(), std::move(findings)};
+    ResolvedDesign design = with_law(std::move(profile), *law, (*bare)->loads());
+    const actuator::Actuator& joint = design.actuator;
+    design.findings = {covers(joint, "least", joint.least_torque, core::Bound::kAtMost),
+                       covers(joint, "greatest", joint.overdrive_torque, core::Bound::kAtLeast)};
+    return design;
 }
 
 std::size_t resolve_count() { return g_resolved; }
@@ -112,10 +126,6 @@ const profile::PartSpec& spec_of(cam::PartKind kind, const profile::Profile& pro
 spring::BaseSpring pulled_spring(const profile::PartSpec& spec) {
     if (spec.spring.kind == spring::BaseKind::kTorsion) return spec.spring;
     return spring::in_series_with_cable(spec.spring, spec.allowance.cable_compliance);
-}
-
-design::Drawing drawing_of(const profile::Profile& profile, const spring::SpringLawPtr& law) {
-    return {actuator_of(profile, law), profile.k_se.spring, pulled_spring(profile.k_pe)};
 }
 
 cam::ArmFunction ResolvedDesign::arm(cam::PartKind kind) const {

@@ -4,15 +4,16 @@
 #include <future>
 #include <iterator>
 
+#include "evaluate/both_parts.h"
 #include "export/joint_files.h"
 #include "export/plate.h"
 #include "fusee/actuator/dead_band.h"
 #include "fusee/core/output_folder.h"
 #include "fusee/core/progress.h"
-#include "fusee/core/temporary_folder.h"
 #include "fusee/formats/format.h"
 #include "fusee/pipeline/as_exported.h"
 #include "fusee/pipeline/assembled.h"
+#include "fusee/pipeline/evaluate.h"
 #include "fusee/pipeline/pair.h"
 #include "fusee/pipeline/simulate.h"
 #include "fusee/spring/potential.h"
@@ -27,14 +28,6 @@ constexpr int kDraws = 200;  // joints sampled for the error budget
 
 constexpr std::size_t kDeadBandLevels = 41;
 constexpr std::size_t kLawSamples = 401;
-
-/// The two parts share only the resolved design: each is made on its own thread.
-template <class Work>
-auto both_parts(const Work& work) {
-    auto series = std::async(std::launch::async | std::launch::deferred, [&] { return work(cam::PartKind::kSeries); });
-    auto parallel = work(cam::PartKind::kParallel);
-    return std::pair{series.get(), std::move(parallel)};
-}
 
 /// The table's rows with the springs smoothed from them; none for other kinds of law.
 std::optional<SmoothedTable> smoothed_table(const profile::LawSpec& law) {
@@ -81,29 +74,35 @@ struct Parts {
 };
 
 /// Refusal: the law's findings and those of both parts.
-core::Outcome<Parts> joined(const ResolvedDesign& design, core::Outcome<DesignedPart> k_se, core::Outcome<DesignedPart> k_pe,
-                            bool both_sides) {
-    if (k_se && k_pe) return Parts{pair_of(std::move(k_se).value(), both_sides), pair_of(std::move(k_pe).value(), both_sides)};
-    core::Findings findings = design.findings;
-    for (const auto* part : {&k_se, &k_pe}) core::append(findings, *part ? (*part)->findings : part->refusal());
-    return findings;
+core::Outcome<Parts> joined(const ResolvedDesign& design, EvaluatedPart series, EvaluatedPart parallel, bool both_sides) {
+    core::Findings refusal = design.findings;
+    for (const auto* part : {&series, &parallel}) core::append(refusal, part->findings);
+    auto k_se = designed(std::move(series)), k_pe = designed(std::move(parallel));
+    if (!k_se || !k_pe) return refusal;
+    return Parts{pair_of(std::move(k_se).value(), both_sides), pair_of(std::move(k_pe).value(), both_sides)};
 }
 
 core::Outcome<Parts> design_parts(const ResolvedDesign& design, bool both_sides) {
-    auto [k_se, k_pe] = both_parts([&](cam::PartKind kind) { return design_part(kind, design); });
+    auto [k_se, k_pe] = both_parts([&](cam::PartKind kind) { return evaluate_part(kind, design, Depth::kSolid); });
     return joined(design, std::move(k_se), std::move(k_pe), both_sides);
 }
 
 /// The same, but a part that the rules without a mesh refuse ends the design before either part is meshed. Refusal: then the findings of
 /// these rules only.
 core::Outcome<Parts> design_parts_outlines_first(const ResolvedDesign& design, bool both_sides) {
-    const auto [series, parallel] = both_parts([&](cam::PartKind kind) { return design_checked_cam(kind, design); });
-    core::Findings refusal = design.findings;
-    for (const auto* cam : {&series, &parallel})
-        if (!*cam) core::append(refusal, cam->refusal());
-    if (!series || !parallel) return refusal;
-    auto [k_se, k_pe] = both_parts(
-        [&, s = &*series, p = &*parallel](cam::PartKind kind) { return design_part(kind == cam::PartKind::kSeries ? *s : *p, design); });
+    auto outlined = both_parts([&](cam::PartKind kind) { return evaluate_part(kind, design, Depth::kOutline); });
+    core::Findings refusal;
+    for (const auto* part : {&outlined.first, &outlined.second})
+        if (core::any_error(part->findings)) core::append(refusal, part->findings);
+    if (!refusal.empty()) {
+        refusal.insert(refusal.begin(), design.findings.begin(), design.findings.end());
+        return refusal;
+    }
+    auto [k_se, k_pe] = both_parts([&](cam::PartKind kind) {
+        EvaluatedPart part = std::move(kind == cam::PartKind::kSeries ? outlined.first : outlined.second);
+        deepen(part, design, Depth::kSolid);
+        return part;
+    });
     return joined(design, std::move(k_se), std::move(k_pe), both_sides);
 }
 
@@ -135,11 +134,20 @@ void export_joint(DesignReport& report, Assembled joint, const ExactSolids& part
     report.files.insert(report.files.end(), written.files.begin(), written.files.end());
 }
 
-/// Nothing unless the reports show it.
-Assembled assemble_pairs(const ResolvedDesign& design, const Parts& parts, bool reported) {
-    if (!reported) return {};
+Assembled assemble_pairs(const ResolvedDesign& design, const Parts& parts) {
     const auto part = [](const Pair& pair) { return std::shared_ptr<const solid::Part>(pair.agonist, &pair.agonist->part); };
     return assemble(design, part(parts.series), part(parts.parallel));
+}
+
+/// A design with its law alone. Refusal: the law's.
+core::Outcome<MadeDesign> begun(const profile::Profile& profile) {
+    auto resolved = resolve(profile);
+    if (!resolved) return resolved.refusal();
+    MadeDesign made{std::move(resolved).value(), {}, {}};
+    made.report.provenance = {profile.name, profile.sha256, ""};
+    made.report.actuator = made.resolved.actuator;
+    made.report.findings = made.resolved.findings;
+    return made;
 }
 
 }  // namespace
@@ -151,29 +159,21 @@ core::Outcome<MadeDesign> make_parts(const profile::Profile& profile, core::Outp
         if (options.stage) options.stage(stage);
     };
     begin("spring law");
-    auto resolved = resolve(profile);
-    if (!resolved) return resolved.refusal();
-    MadeDesign made{std::move(resolved).value(), {}, {}};
+    auto law = begun(profile);
+    if (!law) return law;
+    MadeDesign made = std::move(law).value();
     const ResolvedDesign& design = made.resolved;
-    auto simulation = std::async(std::launch::async | std::launch::deferred, [&] {  // needs no part
-        return options.reported ? simulate(design) : headline_simulation(design);
-    });
+    auto simulation = std::async(std::launch::async | std::launch::deferred, [&] { return simulate(design); });  // needs no part
     begin("cams, solids and rules");
-    const auto parts =
-        options.reported ? design_parts(design, profile.outputs.pair) : design_parts_outlines_first(design, profile.outputs.pair);
+    const auto parts = design_parts(design, profile.outputs.pair);
     if (!parts) return parts.refusal();
     ask_to_stop(options);
 
     DesignReport& report = made.report;
-    report.provenance = {profile.name, profile.sha256, std::string("via=") + to_string(options.via)};
-    report.actuator = design.actuator;
-    report.findings = design.findings;
-    if (options.reported) {
-        report.law = law_report(design);
-        report.dead_band = actuator::dead_band_curve(design.actuator, kDeadBandLevels);
-    }
-    auto assembled =
-        std::async(std::launch::async | std::launch::deferred, [&] { return assemble_pairs(design, *parts, options.reported); });
+    report.provenance.options = std::string("via=") + to_string(options.via);
+    report.law = law_report(design);
+    report.dead_band = actuator::dead_band_curve(design.actuator, kDeadBandLevels);
+    auto assembled = std::async(std::launch::async | std::launch::deferred, [&] { return assemble_pairs(design, *parts); });
     announce(profile, options);
     begin("part files and read-back");
     const ExactSolids exact = export_parts(report, *parts, profile, options.via, output.path());
@@ -183,7 +183,30 @@ core::Outcome<MadeDesign> make_parts(const profile::Profile& profile, core::Outp
     export_joint(report, assembled.get(), exact, profile, output.path());
     begin("simulation and error budget");
     made.simulation = simulation.get();
-    report.headline = headline_of(design, made.simulation, report.parts, options.reported ? kDraws : 0);
+    report.headline = headline_of(design, made.simulation, report.parts, kDraws);
+    return made;
+}
+
+core::Outcome<MadeDesign> make_figures(const profile::Profile& profile, core::OutputFolder* output) {
+    require_parts(profile);
+    if (output != nullptr) require_sliceable(profile);
+    auto law = begun(profile);
+    if (!law) return law;
+    MadeDesign made = std::move(law).value();
+    const ResolvedDesign& design = made.resolved;
+    const auto parts = design_parts_outlines_first(design, output != nullptr && profile.outputs.pair);
+    if (!parts) return parts.refusal();
+    DesignReport& report = made.report;
+    if (output != nullptr) {
+        report.provenance.options = std::string("via=") + to_string(Via::kCgal);
+        (void)export_parts(report, *parts, profile, Via::kCgal, output->path());
+        report.as_exported = as_exported(design, report);
+    } else {
+        for (const Pair* pair : {&parts->series, &parts->parallel})
+            report.parts.push_back(without_files(pair->agonist, design.spec(pair->agonist->part.cam.kind).spring));
+    }
+    made.simulation = headline_simulation(design);
+    report.headline = headline_of(design, made.simulation, report.parts);
     return made;
 }
 
@@ -192,32 +215,6 @@ std::vector<std::string> sheets_of(const profile::Profile& profile) {
     std::vector<std::string> names{"k_se_inspection.csv", "k_pe_inspection.csv"};
     if (profile.outputs.pair) names.insert(names.end(), {"k_se_mirrored_inspection.csv", "k_pe_mirrored_inspection.csv"});
     return names;
-}
-
-core::Outcome<MadeDesign> make_figures(const profile::Profile& profile) {
-    require_parts(profile);
-    auto resolved = resolve(profile);
-    if (!resolved) return resolved.refusal();
-    MadeDesign made{std::move(resolved).value(), {}, {}};
-    const ResolvedDesign& design = made.resolved;
-    const auto parts = design_parts_outlines_first(design, false);
-    if (!parts) return parts.refusal();
-    made.report.provenance = {profile.name, profile.sha256, ""};
-    made.report.actuator = design.actuator;
-    made.report.findings = design.findings;
-    for (const Pair* pair : {&parts->series, &parts->parallel})
-        made.report.parts.push_back(without_files(pair->agonist, design.spec(pair->agonist->part.cam.kind).spring));
-    made.simulation = headline_simulation(design);
-    made.report.headline = headline_of(design, made.simulation, made.report.parts);
-    return made;
-}
-
-Verification verify(const profile::Profile& profile) {
-    const core::TemporaryFolder folder;
-    core::OutputFolder output(folder.path() / "parts", {.command = "make", .source = profile.file});  // never committed
-    const auto made = make_parts(profile, output);
-    if (!made) return {made.refusal(), {}};
-    return {made->report.all_findings(), made->report.file_errors()};
 }
 
 }  // namespace fusee::pipeline

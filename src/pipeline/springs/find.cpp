@@ -8,6 +8,7 @@
 #include "fusee/checks/check.h"
 #include "fusee/checks/standard_sizes.h"
 #include "fusee/core/units.h"
+#include "fusee/pipeline/evaluate.h"
 #include "fusee/pipeline/springs.h"
 #include "fusee/spring/coil.h"
 #include "fusee/spring/derive.h"
@@ -157,7 +158,7 @@ void try_bought(const spring::BaseSpring& start, const spring::BaseSpring& own, 
 /// Does a cam for this spring pass the rules that need no mesh? Its contour may lose its convexity, although the spring passes.
 bool has_cam(cam::PartKind kind, ResolvedDesign design, const spring::BaseSpring& s) {
     (kind == cam::PartKind::kSeries ? design.profile.k_se : design.profile.k_pe).spring = s;
-    return static_cast<bool>(design_checked_cam(kind, design));
+    return !core::any_error(evaluate_part(kind, design, Depth::kOutline).findings);
 }
 
 /// The first `most` springs with a cam.
@@ -173,16 +174,14 @@ void keep(std::vector<FoundSpring>& found, cam::PartKind kind, const ResolvedDes
 core::Outcome<SpringSearch> find_springs(cam::PartKind kind, const ResolvedDesign& design, const spring::Catalogue& catalogue,
                                          const SpringSearchOptions& options) {
     const profile::PartSpec& spec = design.spec(kind);
-    const auto cam = design_cam(kind, design);
-    if (!cam) return cam.refusal();
-    const auto part = solid::outline_part(*cam, spec.solid);
-    if (!part) return part.refusal();
-    Judge judge(design, *part, spec.spring, options.accept_reviews);
+    const EvaluatedPart part = evaluate_part(kind, design, Depth::kOutline);
+    if (part.reached < Depth::kOutline) return part.findings;
+    Judge judge(design, *part.body, spec.spring, options.accept_reviews);
     SpringSearch search;
     search.part = kind;
     search.wanted = spec.spring;
     search.loads = {spec.spring.rate * spec.spring.preload, spec.spring.rate * judge.largest_state(spec.spring)};
-    const spring::BaseSpring start = bare(spec.spring, options, *cam);
+    const spring::BaseSpring start = bare(spec.spring, options, *part.cam);
     try_wound(start, spec.spring, spec.solid.features, options.within, judge, search.wound);
     try_bought(start, spec.spring, catalogue, judge, search.bought);
     std::stable_sort(search.wound.begin(), search.wound.end(), [](const auto& a, const auto& b) { return a.volume < b.volume; });

@@ -1,0 +1,76 @@
+#include "fusee/pipeline/evaluate.h"
+
+#include <memory>
+#include <utility>
+
+#include "both_parts.h"
+#include "fusee/core/output_folder.h"
+#include "fusee/core/temporary_folder.h"
+#include "fusee/pipeline/assembled.h"
+#include "fusee/pipeline/make.h"
+
+namespace fusee::pipeline {
+
+namespace {
+
+std::vector<EvaluatedPart> evaluate_parts(const ResolvedDesign& design, Depth depth, std::span<const cam::PartKind> kinds) {
+    std::vector<EvaluatedPart> parts;
+    if (depth == Depth::kLaw) return parts;
+    if (kinds.size() == 1) return {evaluate_part(kinds.front(), design, depth)};
+    auto [series, parallel] = both_parts([&](cam::PartKind kind) { return evaluate_part(kind, design, depth); });
+    parts.push_back(std::move(series));
+    parts.push_back(std::move(parallel));
+    return parts;
+}
+
+/// Nothing unless both parts stand and break no rule: a joint of other parts would not be this one.
+core::Findings judge_joint(const ResolvedDesign& design, const std::vector<EvaluatedPart>& parts) {
+    std::vector<std::shared_ptr<const solid::Part>> solids;
+    for (const EvaluatedPart& part : parts)
+        if (part.reached == Depth::kSolid && !core::any_error(part.findings)) solids.push_back(std::make_shared<solid::Part>(*part.body));
+    return solids.size() == 2 ? assemble(design, solids[0], solids[1]).findings : core::Findings{};
+}
+
+Evaluation evaluate_files(const profile::Profile& profile) {
+    const core::TemporaryFolder folder;
+    core::OutputFolder output(folder.path() / "parts", {.command = "make", .source = profile.file});  // never committed
+    auto made = make_parts(profile, output);
+    Evaluation all;
+    if (!made) {
+        all.findings = made.refusal();
+        return all;
+    }
+    all.findings = made->report.findings;
+    for (const PartReport* side : made->report.sides())
+        all.parts.push_back({.kind = side->part->cam.kind, .reached = Depth::kFiles, .findings = side->findings});
+    all.file_errors = made->report.file_errors();
+    all.design = std::move(made).value().resolved;
+    return all;
+}
+
+}  // namespace
+
+core::Findings Evaluation::all() const {
+    core::Findings all = findings;
+    for (const EvaluatedPart& part : parts) core::append(all, part.findings);
+    return all;
+}
+
+Evaluation evaluate(ResolvedDesign design, Depth depth, std::span<const cam::PartKind> kinds) {
+    Evaluation all;
+    all.findings = design.findings;
+    all.parts = evaluate_parts(design, depth, kinds);
+    if (depth == Depth::kSolid) core::append(all.findings, judge_joint(design, all.parts));
+    all.design = std::move(design);
+    return all;
+}
+
+Evaluation evaluate(const profile::Profile& profile, Depth depth, std::span<const cam::PartKind> kinds) {
+    if (depth > Depth::kLaw) require_parts(profile);
+    if (depth == Depth::kFiles) return evaluate_files(profile);
+    auto design = resolve(profile);
+    if (!design) return {.findings = design.refusal()};
+    return evaluate(std::move(design).value(), depth, kinds);
+}
+
+}  // namespace fusee::pipeline

@@ -1,0 +1,166 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "design/anchor.h"
+#include "export/compensated.h"
+#include "fusee/cam/arm.h"
+#include "fusee/checks/check.h"
+#include "fusee/core/units.h"
+#include "fusee/drawing/inspection.h"
+#include "fusee/pipeline/evaluate.h"
+
+namespace fusee::pipeline {
+
+namespace {
+
+/// A steeper path, and its key as a profile has it.
+struct SteeperPath {
+    cam::CamOptions options;
+    std::string change;
+};
+
+/// By rising pitch. A groove aimed at its guide may also get a constant pitch.
+std::vector<SteeperPath> steeper(const std::string& part, const cam::CamOptions& from) {
+    const bool aimed = from.path.lead == cam::Lead::kAimedAtGuide;
+    std::vector<SteeperPath> paths;
+    for (const double share : {1.1, 1.25, 1.5, 2.0, 3.0, 4.0}) {
+        cam::CamOptions to = from;
+        double& rise = aimed ? to.guide.z : to.path.pitch;
+        const std::string mm = fmt::format("{:.2f}", share * core::mm_from_m(rise));
+        rise = core::m_from_mm(std::stod(mm));
+        paths.push_back({to, fmt::format("{}.{} = {}", part, aimed ? "guide.z_mm" : "path.pitch_mm", mm)});
+    }
+    for (const double cables : {4.0, 6.0, 10.0, 16.0}) {
+        if (!aimed) break;
+        cam::CamOptions to = from;
+        const std::string mm = fmt::format("{:.2f}", cables * core::mm_from_m(from.cable_diameter));
+        to.path.lead = cam::Lead::kConstantPitch;
+        to.path.pitch = core::m_from_mm(std::stod(mm));
+        paths.push_back({to, fmt::format("{0}.path.lead = \"constant_pitch\" with {0}.path.pitch_mm = {1}", part, mm)});
+    }
+    return paths;
+}
+
+/// A helix that meets itself mostly does so between neighbouring turns of very different arms. Only the solid shows whether they are
+/// separate: the first path that makes one is the suggestion.
+void suggest_pitch(core::Finding& refusal, const cam::ArmFunction& arm, const profile::PartSpec& spec) {
+    if (spec.cam.path.kind != cam::PathKind::kHelix) return;
+    const std::string part = to_string(arm.kind());
+    const std::vector<SteeperPath> paths = steeper(part, spec.cam);
+    const auto found = std::find_if(paths.begin(), paths.end(), [&](const SteeperPath& path) {
+        const auto cam = cam::synthesize_cam(arm, path.options);
+        return cam && solid::build_part(*cam, spec.solid);
+    });
+    refusal.suggestion = found != paths.end() ? found->change
+                                              : fmt::format("a base spring of {} whose arms differ less: even with {} its faces meet", part,
+                                                            paths.back().change);
+}
+
+/// "cable.length": nothing if the profile does not state the length.
+core::Findings check_cable_length(const cam::Cam& cam, const profile::Profile& profile) {
+    const double length = spec_of(cam.kind, profile).cable_length;
+    if (length <= 0.0) return {};
+    const drawing::CableLength wound = drawing::cable_length(cam);
+    const double least = core::mm_from_m(wound.working + wound.to_anchor);
+    const std::string key = std::string(to_string(cam.kind)) + ".cable_length_mm";
+    core::Finding f = core::error_finding("cable.length", "the cable reaches from its anchor round the cam's whole working arc",
+                                          core::mm_from_m(length), core::Bound::kAtLeast, least, "mm");
+    f.where = key;
+    f.suggestion = fmt::format("{} = {:.0f} and the free cable: the length counts from the anchor on the cam", key, std::ceil(least));
+    f.source = "docs/theory/cams.md, eq. 18";
+    return {core::judged(std::move(f), core::Severity::kError)};
+}
+
+/// The findings of every rule that the body's depth allows.
+core::Findings judge_body(const solid::Part& body, const ResolvedDesign& design, Depth depth) {
+    const profile::Profile& profile = design.profile;
+    const checks::Design judged{body, design.spec(body.cam.kind).spring, profile.cable, profile.process, profile.limits};
+    const bool solid = depth == Depth::kSolid;
+    core::Findings findings = solid ? checks::check(judged) : checks::check_without_mesh(judged);
+    core::append(findings, check_cable_length(body.cam, profile));
+    if (solid && !core::any_error(findings)) core::append(findings, check_compensated(body, profile, findings));
+    return findings;
+}
+
+// Each step takes a part from the depth before it to its own; a refusal becomes the part's findings, and the part stays where it is.
+
+void design_contour(EvaluatedPart& part, const ResolvedDesign& design) {
+    auto cam = cam::synthesize_cam(design.arm(part.kind), design.spec(part.kind).cam);
+    if (!cam) {
+        part.findings = cam.refusal();
+        return;
+    }
+    AnchoredCam anchored = with_anchor_placed(std::move(cam).value(), design);
+    part.cam = std::move(anchored.cam);
+    part.body = std::move(anchored.outline);
+    part.reached = Depth::kCam;
+}
+
+void outline(EvaluatedPart& part, const ResolvedDesign& design) {
+    if (!part.body) {
+        auto body = solid::outline_part(*part.cam, design.spec(part.kind).solid);
+        if (!body) {
+            part.findings = body.refusal();
+            return;
+        }
+        part.body = std::move(body).value();
+    }
+    part.reached = Depth::kOutline;
+}
+
+void build(EvaluatedPart& part, const ResolvedDesign& design) {
+    const profile::PartSpec& spec = design.spec(part.kind);
+    auto body = solid::build_part(*part.cam, spec.solid);
+    if (!body) {
+        part.findings = body.refusal();
+        for (core::Finding& f : part.findings)
+            if (f.rule == "solid.validity") suggest_pitch(f, design.arm(part.kind), spec);
+        return;
+    }
+    part.body = std::move(body).value();
+    part.reached = Depth::kSolid;
+}
+
+}  // namespace
+
+void deepen(EvaluatedPart& part, const ResolvedDesign& design, Depth depth) {
+    const auto goes = [&](Depth to) { return part.reached < to && to <= depth; };
+    if (goes(Depth::kCam)) design_contour(part, design);
+    if (part.reached < Depth::kCam) return;
+    if (depth == Depth::kOutline && goes(Depth::kOutline)) {
+        outline(part, design);
+        if (part.reached == Depth::kOutline) part.findings = judge_body(*part.body, design, Depth::kOutline);
+    }
+    if (goes(Depth::kSolid)) {
+        build(part, design);
+        if (part.reached == Depth::kSolid) part.findings = judge_body(*part.body, design, Depth::kSolid);
+    }
+}
+
+EvaluatedPart evaluate_part(cam::PartKind kind, const ResolvedDesign& design, Depth depth) {
+    EvaluatedPart part{.kind = kind};
+    deepen(part, design, depth);
+    return part;
+}
+
+core::Outcome<cam::Cam> design_cam(cam::PartKind kind, const ResolvedDesign& design) {
+    EvaluatedPart part = evaluate_part(kind, design, Depth::kCam);
+    if (!part.cam) return std::move(part.findings);
+    return *std::move(part.cam);
+}
+
+core::Outcome<DesignedPart> design_part(cam::PartKind kind, const ResolvedDesign& design) {
+    return designed(evaluate_part(kind, design, Depth::kSolid));
+}
+
+core::Outcome<DesignedPart> designed(EvaluatedPart part) {
+    if (part.reached < Depth::kSolid || core::any_error(part.findings)) return std::move(part.findings);
+    return DesignedPart{*std::move(part.body), std::move(part.findings)};
+}
+
+}  // namespace fusee::pipeline

@@ -29,10 +29,10 @@ Made in_memory(const profile::Profile& profile) {
     return {std::make_shared<const pipeline::MadeDesign>(std::move(made).value()), std::move(findings), {}};
 }
 
-Made in_folder(const profile::Profile& profile, batch::MakeOptions options) {
+Made in_folder(const profile::Profile& profile, const batch::OutFolder& folder, const pipeline::MakeOptions& options) {
     Made made;
-    options.take = [&made](pipeline::MadeDesign&& design) { made.value = std::make_shared<const pipeline::MadeDesign>(std::move(design)); };
-    batch::MakeResult result = batch::make(profile, options);
+    batch::MakeResult result = batch::make(profile, folder, options);
+    if (result.design) made.value = std::make_shared<const pipeline::MadeDesign>(*std::move(result.design));
     made.findings = std::move(result.findings);
     made.folder = std::move(result.folder);
     return made;
@@ -51,7 +51,7 @@ Made make(const py::object& given, const std::optional<fs::path>& out, const std
         return profile::with_places(loaded.value, [&] {
             if (!out) return in_memory(loaded.value);
             const auto note = [&watch](const std::string& what) { watch.tell(what); };
-            return in_folder(loaded.value, {.out = *out, .via = kernel, .note = note, .force = force});
+            return in_folder(loaded.value, {.out = *out, .force = force}, {.via = kernel, .note = note});
         });
     });
 }

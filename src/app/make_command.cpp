@@ -17,8 +17,8 @@ namespace {
 
 struct MakeArguments {
     std::vector<std::filesystem::path> paths;
-    batch::MakeOptions options;
-    std::string via = to_string(options.via);
+    batch::OutFolder folder;
+    std::string via = to_string(pipeline::Via::kCgal);
     unsigned jobs = 0;
 };
 
@@ -51,7 +51,8 @@ void answer(const std::vector<batch::Row>& rows, Reply& reply) {
 int make(const MakeArguments& arguments, Reply& reply) {
     require_thread();
     if (arguments.paths.empty()) throw core::InvalidInput("make", "no profile", "at least one profile (*.toml) or folder of profiles");
-    const auto rows = batch::make_all(profile::find_profiles(arguments.paths), arguments.options, arguments.jobs);
+    const pipeline::Via via = arguments.via == "cgal" ? pipeline::Via::kCgal : pipeline::Via::kOpenScad;
+    const auto rows = batch::make_all(profile::find_profiles(arguments.paths), arguments.folder, arguments.jobs, via);
     const int code = batch::exit_code(rows);
     answer(rows, reply);
     reply.close(code, batch::closing_table(rows));
@@ -65,23 +66,20 @@ void add_make(CLI::App& app, Action& action) {
     CLI::App* command =
         app.add_subcommand("make", "Make checked cams from profiles: out/NAME with STL, 3MF, DXF, SCAD, PART.json and a report");
     command->add_option("profiles", arguments->paths, "One or more profiles (*.toml) or folders of profiles")->type_name("FILE.toml");
-    command->add_option("-o,--out", arguments->options.out, "Folder of the results; each design gets a folder in it")
+    command->add_option("-o,--out", arguments->folder.out, "Folder of the results; each design gets a folder in it")
         ->type_name("FOLDER")
         ->capture_default_str();
     command->add_option("--via", arguments->via, "Kernel that makes the STL: cgal (direct and fast) or openscad (independent, slower)")
         ->check(one_of({"cgal", "openscad"}))
         ->capture_default_str();
-    add_force(*command, arguments->options.force);
+    add_force(*command, arguments->folder.force);
     add_jobs(*command, arguments->jobs, "Number of designs made at the same time; 0: one per processor");
     command->footer(
         "Example:\n  fusee make profiles/pnrvsa.toml\n  fusee make profiles --out /tmp/cams --jobs 2\n\n"
         "Exit code: 0 all designs are made, 1 a design cannot be made (its binding limit and the nearest feasible change are printed),\n"
         "2 bad input (file, line and key are named), 3 internal error, 130 stopped by Ctrl-C. A design "
         "that is not made leaves no file.");
-    command->callback([arguments, &action] {
-        arguments->options.via = arguments->via == "cgal" ? pipeline::Via::kCgal : pipeline::Via::kOpenScad;
-        action = [arguments](Reply& reply) { return make(*arguments, reply); };
-    });
+    command->callback([arguments, &action] { action = [arguments](Reply& reply) { return make(*arguments, reply); }; });
 }
 
 }  // namespace fusee::app

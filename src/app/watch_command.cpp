@@ -50,12 +50,12 @@ void add_watch(CLI::App& app, Action& action) {
     command->add_option("profile", arguments->profile, "Profile (*.toml); the CSV files that it names are watched too")
         ->type_name("FILE.toml")
         ->required();
-    command->add_option("-o,--out", arguments->options.make.out, "Folder of the results, as of make")
+    command->add_option("-o,--out", arguments->options.folder.out, "Folder of the results, as of make")
         ->type_name("FOLDER")
         ->capture_default_str();
     command->add_flag("--serve", arguments->serve, "Serve out/NAME to a browser on this machine (127.0.0.1); the page reloads itself");
     command->add_option("--port", arguments->port, "Port of --serve; 0: a free one")->check(number_within(0, 65535))->capture_default_str();
-    add_force(*command, arguments->options.make.force);
+    add_force(*command, arguments->options.folder.force);
     command->footer(
         "Example:\n  fusee watch profiles/pnrvsa.toml\n  fusee watch my_joint.toml --serve\n\n"
         "Exit code: 130 stopped by Ctrl-C (a make that has not ended leaves no file), 2 bad input: there is no such profile, or the port "

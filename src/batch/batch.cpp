@@ -86,74 +86,76 @@ std::unique_ptr<core::Progress> bar(const char* title, std::size_t count) {
 class Clock {
 public:
     explicit Clock(std::vector<Stage>& stages) : stages_(stages) {}
-    ~Clock() { end(); }
-    Clock(const Clock&) = delete;
-    Clock& operator=(const Clock&) = delete;
     void begin(const char* stage) {
         end();
         stages_.push_back({stage, 0.0});
     }
-
-private:
     void end() {
         const auto now = std::chrono::steady_clock::now();
         if (!stages_.empty()) stages_.back().seconds = std::chrono::duration<double>(now - began_).count();
         began_ = now;
     }
+
+private:
     std::vector<Stage>& stages_;
     std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
 };
 
-void make_into(MakeResult& result, core::OutputFolder& output, const profile::Profile& profile, const MakeOptions& options) {
-    Clock clock(result.stages);
-    const auto begin = [&](const char* stage) {
-        clock.begin(stage);
-        if (options.stage) options.stage(stage);
-    };
-    auto made = pipeline::make_parts(profile, output, {.via = options.via, .note = options.note, .stage = begin, .stop = options.stop});
-    result.findings = made ? made->report.all_findings() : made.refusal();
-    if (!made) return;
-    result.headline = made->report.headline;
-    result.file_errors = made->report.file_errors();
-    if (options.stop && options.stop()) throw core::Stopped();
-    if (core::any_error(result.findings)) return;  // a file does not carry the law: the files go
-    begin("reports");
-    report::write_design(*made, output.path());
-    output.commit();
-    result.made = true;
-    result.folder = output.target();
-    const actuator::Actuator& joint = made->resolved.actuator;
-    result.dead_band_peak_deg = core::deg_from_rad(actuator::dead_band(joint, joint.peak_torque).exact_width);
-    if (options.take) options.take(std::move(made).value());
+/// The folder of a design's files, checked before the work.
+core::OutputFolder design_folder(const OutFolder& folder, const profile::Profile& profile) {
+    return {folder.out,
+            profile.name,
+            {.command = "make",
+             .source = profile.file,
+             .force = folder.force,
+             .files = {"report.json", "report.html", "springs.csv", "simulation.json", "simulation.html", "dead_band.csv"},
+             .sheets = pipeline::sheets_of(profile),
+             .stays = true}};
 }
 
 }  // namespace
 
-MakeResult make(const profile::Profile& profile, const MakeOptions& options) {
+MakeResult make(const profile::Profile& profile, const OutFolder& folder, const pipeline::MakeOptions& options) {
     pipeline::require_parts(profile);
-    core::OutputFolder output(
-        options.out, profile.name,
-        {.command = "make",
-         .source = profile.file,
-         .force = options.force,
-         .files = {"report.json", "report.html", "springs.csv", "simulation.json", "simulation.html", "dead_band.csv"},
-         .sheets = pipeline::sheets_of(profile),
-         .stays = true});
+    core::OutputFolder output = design_folder(folder, profile);
     MakeResult result;
     result.name = profile.name;
-    make_into(result, output, profile, options);
+    Clock clock(result.stages);
+    pipeline::MakeOptions timed = options;
+    timed.stage = [&](const char* stage) {
+        clock.begin(stage);
+        if (options.stage) options.stage(stage);
+    };
+    auto made = pipeline::make_parts(profile, output, timed);
+    result.findings = made ? made->report.all_findings() : made.refusal();
+    if (made) {
+        if (options.stop && options.stop()) throw core::Stopped();
+        result.headline = made->report.headline;
+        result.file_errors = made->report.file_errors();
+    }
+    if (made && !core::any_error(result.findings)) {  // else a file does not carry the law: the files go
+        timed.stage("reports");
+        report::write_design(*made, output.path());
+        output.commit();
+        result.made = true;
+        result.folder = output.target();
+        const actuator::Actuator& joint = made->resolved.actuator;
+        result.dead_band_peak_deg = core::deg_from_rad(actuator::dead_band(joint, joint.peak_torque).exact_width);
+        result.design = std::move(made).value();
+    }
+    clock.end();
     return result;
 }
 
-std::vector<Row> make_all(const std::vector<fs::path>& profiles, const MakeOptions& options, unsigned jobs) {
+std::vector<Row> make_all(const std::vector<fs::path>& profiles, const OutFolder& folder, unsigned jobs, pipeline::Via via) {
     const bool one = profiles.size() == 1;
     core::Progress progress("make", one ? kStages : profiles.size(), one ? core::Progress::Of::kStages : core::Progress::Of::kItems);
-    MakeOptions watched = options;
-    watched.note = [&](const std::string& what) { progress.note(what); };
+    pipeline::MakeOptions watched{.via = via, .note = [&](const std::string& what) { progress.note(what); }};
     if (one) watched.stage = [&](const char* stage) { progress.advance(stage); };
     std::vector<Row> rows(profiles.size());
     const auto work = [&](const profile::Profile& profile, std::size_t place) {
-        rows[place].result = make(profile, watched);
+        rows[place].result = make(profile, folder, watched);
+        rows[place].result.design.reset();  // many designs would fill the memory
         return rows[place].result.made;
     };
     const std::vector<Ended> ended = run_each(profiles, work, jobs, one ? nullptr : &progress);

@@ -36,9 +36,7 @@ double ms_since(std::chrono::steady_clock::time_point begin) {
 /// The full make of one profile at a time, on its own thread; a newer one waits until the stopped one has ended.
 class Maker {
 public:
-    explicit Maker(const MakeOptions& options) : options_(options) {
-        options_.stop = [this] { return stop_.load() || core::interrupted(); };
-    }
+    explicit Maker(const OutFolder& folder) : folder_(folder) {}
     ~Maker() { cancel(); }  // the thread joins
 
     void start(profile::Profile profile) {
@@ -54,7 +52,7 @@ public:
         std::optional<Row> done;
         if (thread_.joinable() && ended_) {
             thread_.join();
-            if (!stopped_) done = std::move(row_);
+            if (row_.outcome != Outcome::kInterrupted) done = std::move(row_);
         }
         if (!thread_.joinable() && next_) begin(*std::exchange(next_, std::nullopt));
         return done;
@@ -62,29 +60,24 @@ public:
 
 private:
     void begin(const profile::Profile& profile) {
-        stop_ = ended_ = stopped_ = false;
+        stop_ = ended_ = false;
         row_ = Row{};
         row_.profile = profile.file;
         thread_ = std::jthread([this, profile] {
             const auto start = std::chrono::steady_clock::now();
-            guarded(row_, [&] { make_one(profile); });
+            guarded(row_, [&] {
+                row_.result = make(profile, folder_, {.stop = [this] { return stop_.load() || core::interrupted(); }});
+                row_.result.design.reset();
+                row_.outcome = row_.result.made ? Outcome::kMade : Outcome::kRefused;
+            });
             row_.seconds = 1e-3 * ms_since(start);
             ended_ = true;
         });
     }
-    void make_one(const profile::Profile& profile) {
-        try {
-            row_.result = make(profile, options_);
-            row_.outcome = row_.result.made ? Outcome::kMade : Outcome::kRefused;
-        } catch (const core::Stopped&) {
-            stopped_ = true;
-        }
-    }
-
-    MakeOptions options_;
+    OutFolder folder_;
     std::optional<profile::Profile> next_;
     Row row_;  // of the thread until `ended_`
-    std::atomic<bool> stop_ = false, ended_ = false, stopped_ = false;
+    std::atomic<bool> stop_ = false, ended_ = false;
     std::jthread thread_;
 };
 
@@ -122,7 +115,7 @@ std::string clock_text() { return fmt::format("{:%H:%M:%S}", fmt::localtime(std:
 /// Answers each save.
 class Watch {
 public:
-    Watch(const fs::path& file, const WatchOptions& options) : file_(file), options_(options), maker_(options.make) {}
+    Watch(const fs::path& file, const WatchOptions& options) : file_(file), options_(options), maker_(options.folder) {}
 
     void run() {
         (void)core::read_file(file_, profile::kLargestFile);  // a missing profile is refused, not waited for

@@ -52,9 +52,7 @@ std::vector<batch::Row> make_some(std::uint64_t seed, int first, int count, cons
         profiles.push_back(folder / fmt::format("random_{:05}.toml", i));
         core::write_file(profiles.back(), generator(seed, i));
     }
-    batch::MakeOptions options;
-    options.out = folder / "out";
-    return batch::make_all(profiles, options, jobs);
+    return batch::make_all(profiles, {.out = folder / "out"}, jobs);
 }
 
 std::string fault(const batch::Row& row) {

@@ -30,15 +30,10 @@ struct Ended {
     double seconds = 0.0;
 };
 
-struct MakeOptions {
-    std::filesystem::path out = "out";  ///< the design is written to out/NAME, complete or not at all
-    pipeline::Via via = pipeline::Via::kCgal;
-    std::function<void(const std::string&)> note = {};  ///< called when something long begins, on the caller's thread; may be empty
-    bool force = false;  ///< also replace another profile's files in out/NAME, and files changed since (core::OutputRun)
-    std::function<void(const char*)> stage = {};  ///< called when a stage begins, kStages times, on the caller's thread; may be empty
-    /// Receives the design once its files are in place, with its parts; may be empty.
-    std::function<void(pipeline::MadeDesign&&)> take = {};
-    std::function<bool()> stop = {};  ///< asked between the steps of one design; may be empty. True: core::Stopped is thrown
+/// Where designs go.
+struct OutFolder {
+    std::filesystem::path out = "out";  ///< a design is written to out/NAME, complete or not at all
+    bool force = false;                 ///< also replace another profile's files in out/NAME, and files changed since (core::OutputRun)
 };
 inline constexpr std::size_t kStages = pipeline::kStages + 1;
 
@@ -56,13 +51,15 @@ struct MakeResult {
     core::Findings findings;       ///< all of them, passes too; a refusal holds the binding limits
     pipeline::Headline headline;
     pipeline::FileErrors file_errors;
-    double dead_band_peak_deg = 0.0;  ///< exact, full width at the joint, at peak torque
-    std::vector<Stage> stages;        ///< in turn; those of a refused design end at the refusal
+    double dead_band_peak_deg = 0.0;             ///< exact, full width at the joint, at peak torque
+    std::vector<Stage> stages;                   ///< in turn; those of a refused design end at the refusal
+    std::optional<pipeline::MadeDesign> design;  ///< with its parts, once its files are in place; none from make_all
 };
 
 /// One profile in, out/NAME out: part files, simulation and reports. A design that cannot be made writes nothing.
+/// @param options their `stage` is called kStages times, the last time for the reports
 /// @throws core::InvalidInput; core::IoError, also if out/NAME may not be written (core::OutputFolder)
-[[nodiscard]] MakeResult make(const profile::Profile& profile, const MakeOptions& options = {});
+[[nodiscard]] MakeResult make(const profile::Profile& profile, const OutFolder& folder = {}, const pipeline::MakeOptions& options = {});
 
 /// One row of the closing table of `make`.
 struct Row : Ended {
@@ -80,10 +77,11 @@ struct SimulationRow : Ended {
 /// Makes every profile, `jobs` at a time (0: one for each processor); a failure is one row. Rows have the order of the profiles for any
 /// number of jobs. Ctrl-C finishes the running profiles and starts no other. Shows progress for several profiles. Two profiles with one
 /// name would write one folder: the later one is a kBadInput row.
-[[nodiscard]] std::vector<Row> make_all(const std::vector<std::filesystem::path>& profiles, const MakeOptions& options, unsigned jobs);
+[[nodiscard]] std::vector<Row> make_all(const std::vector<std::filesystem::path>& profiles, const OutFolder& folder, unsigned jobs,
+                                        pipeline::Via via = pipeline::Via::kCgal);
 
 /// Simulates every profile in the same manner and writes its files into out/NAME; other files there stay. If one of the paper's relatives
-/// is among them, also writes their comparison, out/relatives.csv. @param force as MakeOptions::force
+/// is among them, also writes their comparison, out/relatives.csv. @param force as OutFolder::force
 /// @param mjcf not empty: the model of each joint for MuJoCo goes to mjcf/NAME
 /// @throws core::IoError if the comparison cannot be written
 [[nodiscard]] std::vector<SimulationRow> simulate_all(const std::vector<std::filesystem::path>& profiles, const std::filesystem::path& out,

@@ -8,7 +8,7 @@
 namespace fusee::batch {
 
 struct WatchOptions {
-    MakeOptions make;
+    OutFolder folder;
     std::function<void(const std::string& text)> say;          ///< one or a few lines, without the last line end
     std::function<void(const std::string& verdict)> answered;  ///< after each fast answer: its first line; may be empty
     std::function<void(const std::filesystem::path&)> made;    ///< after each finished make: out/NAME; may be empty

@@ -140,7 +140,7 @@ Assembled assemble_pairs(const ResolvedDesign& design, const Parts& parts) {
 }
 
 /// A design with its law alone. Refusal: the law's.
-core::Outcome<MadeDesign> begun(const profile::Profile& profile) {
+core::Outcome<MadeDesign> start_design(const profile::Profile& profile) {
     auto resolved = resolve(profile);
     if (!resolved) return resolved.refusal();
     MadeDesign made{std::move(resolved).value(), {}, {}};
@@ -159,7 +159,7 @@ core::Outcome<MadeDesign> make_parts(const profile::Profile& profile, core::Outp
         if (options.stage) options.stage(stage);
     };
     begin("spring law");
-    auto law = begun(profile);
+    auto law = start_design(profile);
     if (!law) return law;
     MadeDesign made = std::move(law).value();
     const ResolvedDesign& design = made.resolved;
@@ -190,7 +190,7 @@ core::Outcome<MadeDesign> make_parts(const profile::Profile& profile, core::Outp
 core::Outcome<MadeDesign> make_figures(const profile::Profile& profile, core::OutputFolder* output) {
     require_parts(profile);
     if (output != nullptr) require_sliceable(profile);
-    auto law = begun(profile);
+    auto law = start_design(profile);
     if (!law) return law;
     MadeDesign made = std::move(law).value();
     const ResolvedDesign& design = made.resolved;

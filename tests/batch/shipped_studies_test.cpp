@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "fusee/core/file.h"
+#include "fusee/pipeline/check.h"
 #include "fusee/pipeline/evaluate.h"
 #include "fusee/study/plan.h"
 

@@ -123,7 +123,7 @@ TEST_F(CoDesignRun, WhatCannotBeNamesTheLimitsAndWritesNothing) {
 }
 
 TEST_F(CoDesignRun, EachPointOfAFrontIsAProfileThatMakeAccepts) {
-    const Written result = written(run_pareto, read({{"design.population", "8"}}), into("out"));
+    const Written result = written(run_pareto, read({{"design.population", "8"}, {"design.generations", "24"}}), into("out"));
     ASSERT_TRUE(result.found());
     const auto files = files_in(result.folder);
     ASSERT_TRUE(files.contains("pareto.csv") && files.contains("pareto.html") && files.contains("pareto/01.toml"));

@@ -42,22 +42,21 @@ core::Range interval_over_folds(const inference::Problem& problem, const Eigen::
 
 std::string names_of(const inference::Causes& causes) {
     std::string names;
-    for (const effects::Cause& cause : causes) names += (names.empty() ? "" : " with ") + cause.id;
+    for (const inference::Cause& cause : causes) names += (names.empty() ? "" : " with ") + cause.id;
     return names;
 }
 
 }  // namespace
 
-Answer::Answer(const inference::Problem& problem, const inference::Search& found, const Verdict& verdict)
+Answer::Answer(const Subject& subject, const inference::Problem& problem, const inference::Search& found, const Verdict& verdict)
     : problem_(problem), found_(found), verdict_(verdict), shown_(&found.best()) {
     sigma_ = tolerance_sigma(problem, found.fits[found.null].jacobian);
     nominal_ = problem.predict({}, problem.start({}));
     before_ = problem.residual(nominal_).cwiseQuotient(sigma_);
-    const gap_case::Case& gap_case = problem.gap_case();
-    diagnosis_.case_name = gap_case.name;
-    diagnosis_.case_sha256 = gap_case.sha256;
+    diagnosis_.case_name = subject.name;
+    diagnosis_.case_sha256 = subject.sha256;
     diagnosis_.verdict = verdict.verdict;
-    diagnosis_.remarks = gap_case.remarks;
+    diagnosis_.remarks = problem.model().remarks();
     diagnosis_.remarks.insert(diagnosis_.remarks.end(), verdict.remarks.begin(), verdict.remarks.end());
 }
 
@@ -72,7 +71,7 @@ void Answer::name(const inference::FoundTerms& terms) {
 void Answer::compare(const inference::Split& kept) {
     const Eigen::VectorXd after = shown_->residual.cwiseQuotient(sigma_), held = kept.residual.cwiseQuotient(sigma_);
     const Eigen::VectorXd floor = sigma_.cwiseInverse(), expected = kept.expected.cwiseQuotient(sigma_);
-    const auto gap = [&](const gap_case::Experiment* only) {
+    const auto gap = [&](const std::size_t* only) {
         Gap g;
         g.before = g.heldout_before = root_mean_square(problem_, before_, only);
         g.after = root_mean_square(problem_, after, only);
@@ -82,11 +81,11 @@ void Answer::compare(const inference::Split& kept) {
     };
     diagnosis_.gap = gap(nullptr);
     diagnosis_.gap.heldout_after_95 = interval_over_folds(problem_, held);
-    for (const gap_case::Experiment experiment : gap_case::kAllExperiments) {
-        const std::size_t rows = problem_.gap_case().rows.size(experiment);
-        if (rows == 0) continue;
-        const Gap own = gap(&experiment);
-        diagnosis_.experiments.push_back({to_string(experiment), rows, own, root_mean_square(problem_, expected, &experiment)});
+    for (std::size_t e = 0; e < problem_.experiments().size(); ++e) {
+        const inference::Experiment& experiment = problem_.experiments()[e];
+        if (experiment.rows == 0) continue;
+        const Gap own = gap(&e);
+        diagnosis_.experiments.push_back({experiment.name, experiment.rows, own, root_mean_square(problem_, expected, &e)});
     }
     diagnosis_.map = gap_map(problem_, before_, after);
     diagnosis_.where =
@@ -98,7 +97,7 @@ void Answer::compare(const inference::Split& kept) {
 void Answer::build() {
     const inference::Fit& best = *shown_;
     for (std::size_t k = 0; k < problem_.build().size(); ++k) {
-        const joint_model::BuildParameter& build = problem_.build()[k];
+        const inference::BuildParameter& build = problem_.build()[k];
         const auto i = static_cast<Eigen::Index>(k);
         const double value = best.x[i] * build.sigma, half = kNormal95 * std::sqrt(best.covariance(i, i)) * build.sigma;
         diagnosis_.build.push_back({build.name, {value, {value - half, value + half}, build.unit}});
@@ -113,7 +112,7 @@ void Answer::rank() {
         if (!left_out.x.empty()) row.left_out = root_mean_square(problem_, left_out.residual.cwiseQuotient(sigma_));
         for (std::size_t c = 0; c < fit.causes.size(); ++c) {
             const int k = problem_.size_at(fit.causes, c);
-            const effects::EffectParameter& size = problem_.effect(fit.causes[c].id).parameters.front();
+            const inference::EffectParameter& size = problem_.effect(fit.causes[c].id).parameters.front();
             row.parameters.push_back(parameter_of(fit.x[k], inference::half_interval(fit, left_out, k), size));
         }
         diagnosis_.ranking.push_back(std::move(row));
@@ -125,7 +124,7 @@ void Answer::found_effects() {
     const inference::Fit& best = found_.best();
     const bool named = diagnosis_.verdict == VerdictKind::kIdentified || diagnosis_.verdict == VerdictKind::kAmbiguous;
     for (std::size_t c = 0; named && c < best.causes.size(); ++c) {
-        const effects::Effect& effect = problem_.effect(best.causes[c].id);
+        const inference::Effect& effect = problem_.effect(best.causes[c].id);
         const auto k = static_cast<std::size_t>(problem_.size_at(best.causes, c));
         FoundEffect found{best.causes[c], 0.0, diagnosis_.ranking.front().parameters[c], {}};
         for (std::size_t h = 0; h < found_.fits.size(); ++h) {
@@ -141,21 +140,21 @@ void Answer::found_effects() {
             diagnosis_.alternatives.push_back({found_.fits[h].causes, found_.probability[h]});
 }
 
-std::vector<effects::Cause> Answer::weigh_power() {
+std::vector<inference::Cause> Answer::weigh_power() {
     if (diagnosis_.verdict != VerdictKind::kNone) return {};
     diagnosis_.power = powers_of(problem_, diagnosis_.isolability);
-    const std::vector<effects::Cause> unseen = not_shown(diagnosis_.power);
+    const std::vector<inference::Cause> unseen = not_shown(diagnosis_.power);
     if (unseen.empty()) return unseen;
     diagnosis_.verdict = VerdictKind::kInconclusive;
     std::vector<std::string> ids;
-    for (const effects::Cause& cause : unseen)
+    for (const inference::Cause& cause : unseen)
         if (ids.empty() || ids.back() != cause.id) ids.push_back(cause.id);
     diagnosis_.remarks.push_back(fmt::format("these rows would not show a usual size of: {}", fmt::join(ids, ", ")));
     return unseen;
 }
 
 void Answer::plan_next_experiment(unsigned jobs) {
-    const std::vector<effects::Cause> causes = inference::possible_causes(problem_.gap_case().rows);
+    const std::vector<inference::Cause> causes = inference::possible_causes(problem_);
     diagnosis_.isolability = isolability(problem_, found_.fits[found_.null], causes, jobs);
     // A refuted nominal rig is not a rival: the question is then which effect comes nearest.
     const bool refuted = verdict_.verdict == VerdictKind::kUnknown && found_.best().causes.empty();
@@ -171,7 +170,7 @@ void Answer::plan_next_experiment(unsigned jobs) {
     if (!diagnosis_.unknown_terms.empty()) {  // what would confirm the form
         const std::vector<double> even{0.5, 0.5};
         diagnosis_.next = next_experiments(problem_, {shown_, &found_.fits[found_.null]}, even, jobs);
-    } else if (const std::vector<effects::Cause> unseen = weigh_power(); !unseen.empty())
+    } else if (const std::vector<inference::Cause> unseen = weigh_power(); !unseen.empty())
         diagnosis_.next = showing_experiments(problem_, found_.fits[found_.null], unseen, jobs);
     else if (rivals.size() > 1)
         diagnosis_.next = next_experiments(problem_, rivals, probabilities, jobs);

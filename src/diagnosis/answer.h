@@ -1,5 +1,5 @@
 #pragma once
-#include "fusee/diagnosis/diagnosis.h"
+#include "fusee/diagnosis/diagnose.h"
 #include "fusee/inference/pursue.h"
 #include "fusee/inference/search.h"
 #include "fusee/inference/splits.h"
@@ -10,7 +10,7 @@ namespace fusee::diagnosis {
 /// Assembles a diagnosis, part by part.
 class Answer {
 public:
-    Answer(const inference::Problem& problem, const inference::Search& found, const Verdict& verdict);
+    Answer(const Subject& subject, const inference::Problem& problem, const inference::Search& found, const Verdict& verdict);
     /// Generic terms explain the gap: the verdict is `unknown`, and all that follows is with these terms.
     void name(const inference::FoundTerms& terms);
     /// The fit that the figures of the gap are of.
@@ -29,15 +29,15 @@ private:
     void build();
     void traces();
     /// Where a usual size of some effect would stay unseen, `none` becomes `inconclusive`. @return those effects
-    [[nodiscard]] std::vector<effects::Cause> weigh_power();
+    [[nodiscard]] std::vector<inference::Cause> weigh_power();
 
     const inference::Problem& problem_;
     const inference::Search& found_;
     const Verdict& verdict_;
-    joint_model::Signals nominal_;  ///< prediction of the nominal rig
-    Eigen::VectorXd sigma_;         ///< of each row, with build tolerances
-    Eigen::VectorXd before_;        ///< (measured - nominal)/sigma
-    const inference::Fit* shown_;   ///< the best hypothesis, or that with generic terms
+    inference::Outputs nominal_;   ///< prediction of the nominal model
+    Eigen::VectorXd sigma_;        ///< of each row, with build tolerances
+    Eigen::VectorXd before_;       ///< (measured - nominal)/sigma
+    const inference::Fit* shown_;  ///< the best hypothesis, or that with generic terms
     Diagnosis diagnosis_;
 };
 

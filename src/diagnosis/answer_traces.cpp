@@ -1,36 +1,12 @@
-#include <fmt/format.h>
-
-#include <array>
 #include <map>
 
 #include "answer.h"
-#include "gap_map.h"
 
 namespace fusee::diagnosis {
 
 namespace {
 
 constexpr std::size_t kMostPoints = 400;  ///< of a trace: enough for a picture
-
-/// Every column of every experiment as one trace, thinned; parts that are drawn apart (a side, a spring, a level) as traces of their own.
-struct TraceMaker {
-    const inference::Problem& problem;
-    const joint_model::Signals before, after;
-    std::map<std::string, Trace> traces;
-
-    void add(gap_case::Experiment experiment, const std::string& label, const std::string& y, double x, std::size_t figure) {
-        Trace& trace = traces[std::to_string(static_cast<int>(experiment)) + label];
-        trace.experiment = to_string(experiment);
-        trace.label = label;
-        trace.x_name = variable_of(experiment);
-        trace.y_name = y;
-        trace.x.push_back(x);
-        trace.measured.push_back(problem.measured()[experiment][figure]);
-        trace.before.push_back(before[experiment][figure]);
-        trace.after.push_back(after[experiment][figure]);
-        trace.sigma.push_back(problem.known().sigma[experiment][figure]);
-    }
-};
 
 Trace thinned(const Trace& trace) {
     const std::size_t stride = (trace.x.size() + kMostPoints - 1) / kMostPoints;
@@ -48,21 +24,27 @@ Trace thinned(const Trace& trace) {
 
 }  // namespace
 
+/// Every column of every experiment as one trace; what is drawn apart (a side, a spring, a level) as traces of their own.
 void Answer::traces() {
-    const gap_case::Rows& rows = problem_.gap_case().rows;
-    const inference::Fit& best = shown();
-    TraceMaker maker{problem_, nominal_, problem_.predict(best.causes, best.x), {}};
-    const std::vector<Place> all = places(rows);
-    std::array<std::size_t, gap_case::kExperiments> next{};
-    for (const Place& place : all) {
-        const std::size_t figure = next[static_cast<std::size_t>(place.experiment)]++;
-        const std::vector<std::string> columns = joint_model::measured_columns(place.experiment, rows);
-        std::string label = place.component;
-        if (place.experiment == gap_case::Experiment::kJointStiffness)
-            label += fmt::format(" at {:g} Nm", rows.joint_stiffness[figure].cocontraction);
-        maker.add(place.experiment, label, columns[figure % columns.size()], place.at, figure);
+    const inference::Outputs after = problem_.predict(shown().causes, shown().x);
+    std::map<std::string, Trace> traces;
+    for (std::size_t e = 0; e < problem_.experiments().size(); ++e) {
+        const inference::Experiment& experiment = problem_.experiments()[e];
+        for (std::size_t i = 0; i < experiment.size(); ++i) {
+            const inference::Place& place = experiment.places[i];
+            Trace& trace = traces[std::to_string(e) + place.curve];
+            trace.experiment = experiment.name;
+            trace.label = place.curve;
+            trace.x_name = experiment.variable;
+            trace.y_name = experiment.outputs[i % experiment.outputs.size()];
+            trace.x.push_back(place.at);
+            trace.measured.push_back(experiment.measured[i]);
+            trace.before.push_back(nominal_[e][i]);
+            trace.after.push_back(after[e][i]);
+            trace.sigma.push_back(experiment.sigma[i]);
+        }
     }
-    for (const auto& [key, trace] : maker.traces) diagnosis_.traces.push_back(thinned(trace));
+    for (const auto& [key, trace] : traces) diagnosis_.traces.push_back(thinned(trace));
 }
 
 }  // namespace fusee::diagnosis

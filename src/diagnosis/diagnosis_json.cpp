@@ -12,9 +12,9 @@ using Json = nlohmann::ordered_json;  // NaN is written as null
 
 Json range(const core::Range& r) { return Json::array({r.low, r.high}); }
 
-Json causes_json(const std::vector<effects::Cause>& causes) {
+Json causes_json(const std::vector<inference::Cause>& causes) {
     Json all = Json::array();
-    for (const effects::Cause& cause : causes) all.push_back({{"id", cause.id}, {"side", cause.side}});
+    for (const inference::Cause& cause : causes) all.push_back({{"id", cause.id}, {"side", cause.side}});
     return all;
 }
 

@@ -57,14 +57,14 @@ struct Mark {
 };
 
 /// 0 is no effect of most parameters; a limit never is 0, and does the more the smaller it is.
-bool is_limit(const effects::EffectParameter& size) { return size.allowed.low > 0.0; }
+bool is_limit(const inference::EffectParameter& size) { return size.allowed.low > 0.0; }
 
 double nearest_to_one(const std::vector<double>& starts) {
     return *std::min_element(starts.begin(), starts.end(), [](double a, double b) { return std::abs(a - 1.0) < std::abs(b - 1.0); });
 }
 
-Mark mark_of_size(const Projection& projection, const inference::Causes& causes, const effects::Effect& effect) {
-    const effects::EffectParameter& size = effect.parameters.front();
+Mark mark_of_size(const Projection& projection, const inference::Causes& causes, const inference::Effect& effect) {
+    const inference::EffectParameter& size = effect.parameters.front();
     const double tried = nearest_to_one(effect.starts);
     Mark mark;
     mark.change = projection.mark(causes, tried) / tried;
@@ -81,7 +81,7 @@ Mark mark_of_size(const Projection& projection, const inference::Causes& causes,
 
 /// The greatest size of a limit of which `enough` of a mark is left, to 2 % of its logarithm. @param seen one that has enough
 template <typename Enough>
-double greatest(const Projection& projection, const inference::Causes& causes, const effects::EffectParameter& size, double seen,
+double greatest(const Projection& projection, const inference::Causes& causes, const inference::EffectParameter& size, double seen,
                 const Enough& enough) {
     double unseen = size.allowed.high / size.scale;
     for (int i = 0; i < kHalvings; ++i) {
@@ -92,8 +92,8 @@ double greatest(const Projection& projection, const inference::Causes& causes, c
 }
 
 /// At the start that is nearest to one scale among those that are seen, or at the strictest.
-Mark mark_of_limit(const Projection& projection, const inference::Causes& causes, const effects::Effect& effect) {
-    const effects::EffectParameter& size = effect.parameters.front();
+Mark mark_of_limit(const Projection& projection, const inference::Causes& causes, const inference::Effect& effect) {
+    const inference::EffectParameter& size = effect.parameters.front();
     std::vector<double> starts = effect.starts;
     std::sort(starts.begin(), starts.end(), std::greater<>());
     starts.erase(starts.begin(), std::find(starts.begin(), starts.end(), nearest_to_one(starts)));
@@ -138,7 +138,7 @@ std::vector<std::vector<std::size_t>> components(const std::vector<std::vector<b
 
 }  // namespace
 
-Isolability isolability(const inference::Problem& problem, const inference::Fit& null, const std::vector<effects::Cause>& causes,
+Isolability isolability(const inference::Problem& problem, const inference::Fit& null, const std::vector<inference::Cause>& causes,
                         unsigned jobs) {
     const Projection projection(problem, null);
     const std::size_t n = causes.size();
@@ -146,7 +146,7 @@ Isolability isolability(const inference::Problem& problem, const inference::Fit&
     core::parallel_for(n, jobs, [&](std::size_t i) {
         inference::Causes all = null.causes;
         all.push_back(causes[i]);
-        const effects::Effect& effect = problem.effect(causes[i].id);
+        const inference::Effect& effect = problem.effect(causes[i].id);
         marks[i] = (is_limit(effect.parameters.front()) ? mark_of_limit : mark_of_size)(projection, all, effect);
     });
     Isolability result{causes, std::vector(n, std::vector<double>(n, 0.0)), {}, {}, {}, {}};

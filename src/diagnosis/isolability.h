@@ -15,6 +15,6 @@ inline constexpr double kSimilar = 0.95;  ///< |cosine| from which one cause rem
 /// of which one leaves less than kSeen of the other's misfit; and what is connected by such pairs. A size that no allowed one reaches is
 /// not detectable: kNoFigure. Of a limit (a stop, a saturation) the detectable size is the greatest.
 [[nodiscard]] Isolability isolability(const inference::Problem& problem, const inference::Fit& null,
-                                      const std::vector<effects::Cause>& causes, unsigned jobs);
+                                      const std::vector<inference::Cause>& causes, unsigned jobs);
 
 }  // namespace fusee::diagnosis

@@ -7,14 +7,15 @@
 #include <type_traits>
 
 #include "fusee/core/error.h"
-#include "next_experiment_menu.h"
+#include "fusee/effects/menu.h"
+#include "next_experiment.h"
 
 namespace fusee::diagnosis {
 
 namespace {
 
 /// The rows of a measurement alone, each as often as it is repeated.
-gap_case::Rows rows_of(const Menu& menu, const Measurement& m) {
+gap_case::Rows rows_of(const effects::MeasurementMenu& menu, const effects::SheetMeasurement& m) {
     const gap_case::Rows& sheet = menu.sheets[m.sheet];
     gap_case::Rows rows;
     const auto take = [&](auto table) {
@@ -36,12 +37,12 @@ gap_case::Rows rows_of(const Menu& menu, const Measurement& m) {
 }
 
 /// Its sentence ends with the sentence of the measurement (none_tells puts words before it).
-bool asks_for(const NextExperiment& next, const Measurement& m) {
-    return next.experiment == to_string(m.experiment) && next.text.ends_with(sentence_of(m, next.information));
+bool asks_for(const NextExperiment& next, const effects::SheetMeasurement& m) {
+    return next.experiment == to_string(m.experiment) && next.text.ends_with(sentence_of(m.offer(), next.information));
 }
 
 /// What to measure, and how the new file joins those of the case.
-std::string purpose_of(const gap_case::Case& measured, const Measurement& m, const std::string& text) {
+std::string purpose_of(const gap_case::Case& measured, const effects::SheetMeasurement& m, const std::string& text) {
     const std::string name = to_string(m.experiment), file = name + "_next.csv";
     std::vector<std::string> files{file};
     if (const auto earlier = measured.files.find(m.experiment); earlier != measured.files.end())
@@ -66,12 +67,12 @@ NextCase next_case(const gap_case::Case& measured, const Diagnosis& found, const
         throw core::InvalidInput(file + ": next", "no measurement",
                                  "a diagnosis that asks for one: this one is " + std::string(to_string(found.verdict)));
     const NextExperiment& next = found.next.front();
-    const Menu menu = measurement_menu(measured);
-    const auto asked =
-        std::find_if(menu.measurements.begin(), menu.measurements.end(), [&](const Measurement& m) { return asks_for(next, m); });
+    const effects::MeasurementMenu menu = effects::measurement_menu(measured);
+    const auto asked = std::find_if(menu.measurements.begin(), menu.measurements.end(),
+                                    [&](const effects::SheetMeasurement& m) { return asks_for(next, m); });
     if (asked == menu.measurements.end())
         throw core::InvalidInput(file + ": next", next.text, "a measurement of this version of fusee: diagnose the case again");
-    NextCase made{template_of(measured), rows_of(menu, *asked), next};
+    NextCase made{effects::template_of(measured), rows_of(menu, *asked), next};
     made.empty.purpose = purpose_of(measured, *asked, next.text);
     return made;
 }

@@ -18,40 +18,12 @@ constexpr double kDecides = 0.9;        ///< share of the entropy
 constexpr double kWorthwhile = 0.1;     ///< the same: less is no answer
 constexpr double kLargestFactor = 1e3;  ///< of a size that is asked for
 
-/// All values of all sheets of a menu as one vector.
-class Layout {
-public:
-    explicit Layout(const std::vector<joint_model::Signals>& sheets) {
-        for (const joint_model::Signals& sheet : sheets) {
-            first_.emplace_back();
-            for (std::size_t e = 0; e < gap_case::kExperiments; ++e) {
-                first_.back()[e] = size_;
-                size_ += sheet.of[e].size();
-            }
-        }
-    }
-    [[nodiscard]] Eigen::VectorXd joined(const std::vector<joint_model::Signals>& sheets) const {
-        Eigen::VectorXd all(static_cast<int>(size_));
-        int next = 0;
-        for (const joint_model::Signals& sheet : sheets)
-            for (const std::vector<double>& figures : sheet.of)
-                for (const double figure : figures) all[next++] = figure;
-        return all;
-    }
-    /// Indices of the values of a measurement.
-    [[nodiscard]] std::vector<int> places(const Menu& menu, const Measurement& m) const {
-        const std::size_t columns = joint_model::measured_columns(m.experiment, menu.sheets[m.sheet]).size();
-        std::vector<int> all;
-        for (const std::size_t row : m.rows)
-            for (std::size_t c = 0; c < columns; ++c)
-                all.push_back(static_cast<int>(first_[m.sheet][static_cast<std::size_t>(m.experiment)] + row * columns + c));
-        return all;
-    }
-
-private:
-    std::vector<std::array<std::size_t, gap_case::kExperiments>> first_;
-    std::size_t size_ = 0;
-};
+/// The outcomes of a hypothesis in all measurements of a menu.
+Eigen::VectorXd predict_menu(const inference::Problem& problem, const inference::Menu& menu, const inference::Causes& causes,
+                             const Eigen::VectorXd& x) {
+    const std::vector<double> all = menu.predict(problem.setting(causes, x));
+    return Eigen::Map<const Eigen::VectorXd>(all.data(), static_cast<Eigen::Index>(all.size()));
+}
 
 /// Prediction of a rival for every value: at its fit, and its change by one sigma along each column of the root of its covariance.
 struct PredictedOutcome {
@@ -59,40 +31,23 @@ struct PredictedOutcome {
     Eigen::MatrixXd spread;
 };
 
-std::vector<joint_model::Signals> predict_sheets(const inference::Problem& problem, const Menu& menu, const inference::Causes& causes,
-                                                 const Eigen::VectorXd& x) {
-    const joint_model::BuiltRig rig = problem.rig(causes, x);
-    std::vector<joint_model::Signals> sheets;
-    for (const gap_case::Rows& rows : menu.sheets) sheets.push_back(joint_model::predict_signals(rig, rows, problem.gap_case().protocol));
-    return sheets;
-}
-
-PredictedOutcome predicted_outcome(const inference::Problem& problem, const Menu& menu, const Layout& layout, const inference::Fit& rival,
+PredictedOutcome predicted_outcome(const inference::Problem& problem, const inference::Menu& menu, const inference::Fit& rival,
                                    unsigned jobs) {
     const Eigen::MatrixXd root = rival.covariance.llt().matrixL();
     PredictedOutcome seen;
-    seen.mean = layout.joined(predict_sheets(problem, menu, rival.causes, rival.x));
+    seen.mean = predict_menu(problem, menu, rival.causes, rival.x);
     seen.spread.resize(seen.mean.size(), root.cols());
     core::parallel_for(static_cast<std::size_t>(root.cols()), jobs, [&](std::size_t k) {
         const auto column = static_cast<int>(k);
-        seen.spread.col(column) = layout.joined(predict_sheets(problem, menu, rival.causes, rival.x + root.col(column))) - seen.mean;
+        seen.spread.col(column) = predict_menu(problem, menu, rival.causes, rival.x + root.col(column)) - seen.mean;
     });
     return seen;
 }
 
-/// sqrt(weight)/sigma of every figure, as a fit of such rows weights it; `sheets` gives the magnitude of the values.
-Eigen::VectorXd precisions(const inference::Problem& problem, const Menu& menu, const Layout& layout,
-                           const std::vector<joint_model::Signals>& sheets) {
-    std::vector<joint_model::Signals> precision;
-    for (std::size_t s = 0; s < sheets.size(); ++s) {
-        gap_case::Case asked = problem.gap_case();
-        asked.rows = joint_model::with_measured(menu.sheets[s], sheets[s]);
-        const inference::Uncertainty known = inference::uncertainty(asked);
-        precision.push_back(known.sigma);
-        for (std::size_t e = 0; e < gap_case::kExperiments; ++e)
-            for (double& sigma : precision.back().of[e]) sigma = std::sqrt(known.weight[e]) / sigma;
-    }
-    return layout.joined(precision);
+/// sqrt(weight)/sigma of every value, as a fit of such rows weights it; `predicted` gives the magnitudes.
+Eigen::VectorXd precisions(const inference::Menu& menu, const Eigen::VectorXd& predicted) {
+    const std::vector<double> all = menu.precisions({predicted.begin(), predicted.end()});
+    return Eigen::Map<const Eigen::VectorXd>(all.data(), static_cast<Eigen::Index>(all.size()));
 }
 
 /// (a - b)^T (I + S)^-1 (a - b) with the mean covariance S of both, by the Woodbury identity.
@@ -107,18 +62,16 @@ double squared_distance(const Eigen::VectorXd& difference, const Eigen::MatrixXd
 }
 
 /// Squared distances of the rivals in each measurement.
-std::vector<Eigen::MatrixXd> distances(const inference::Problem& problem, const Menu& menu,
+std::vector<Eigen::MatrixXd> distances(const inference::Problem& problem, const inference::Menu& menu,
                                        const std::vector<const inference::Fit*>& rivals, unsigned jobs) {
-    const std::vector<joint_model::Signals> first = predict_sheets(problem, menu, rivals[0]->causes, rivals[0]->x);
-    const Layout layout(first);
-    const Eigen::VectorXd precision = precisions(problem, menu, layout, first);
+    const Eigen::VectorXd precision = precisions(menu, predict_menu(problem, menu, rivals[0]->causes, rivals[0]->x));
     std::vector<PredictedOutcome> predicted;
-    for (const inference::Fit* rival : rivals) predicted.push_back(predicted_outcome(problem, menu, layout, *rival, jobs));
+    for (const inference::Fit* rival : rivals) predicted.push_back(predicted_outcome(problem, menu, *rival, jobs));
     const auto n = static_cast<int>(rivals.size());
-    std::vector<Eigen::MatrixXd> all(menu.measurements.size());
+    std::vector<Eigen::MatrixXd> all(menu.measurements().size());
     core::parallel_for(all.size(), jobs, [&](std::size_t m) {
-        const std::vector<int> places = layout.places(menu, menu.measurements[m]);
-        const Eigen::VectorXd weight = precision(places) * std::sqrt(menu.measurements[m].repeats);
+        const std::vector<int>& places = menu.measurements()[m].values;
+        const Eigen::VectorXd weight = precision(places) * std::sqrt(menu.measurements()[m].repeats);
         std::vector<Eigen::VectorXd> means;
         std::vector<Eigen::MatrixXd> spreads;
         for (const PredictedOutcome& seen : predicted) {
@@ -159,23 +112,21 @@ std::vector<NextExperiment> best_of_each(const std::vector<NextExperiment>& all,
 }
 
 /// What a usual size of each cause changes in every value of the menu, all else as in the `null` fit.
-std::vector<Eigen::VectorXd> changes_by(const inference::Problem& problem, const Menu& menu, const inference::Fit& null,
-                                        const std::vector<effects::Cause>& causes, unsigned jobs) {
-    const std::vector<joint_model::Signals> first = predict_sheets(problem, menu, null.causes, null.x);
-    const Layout layout(first);
-    const Eigen::VectorXd without = layout.joined(first);
+std::vector<Eigen::VectorXd> changes_by(const inference::Problem& problem, const inference::Menu& menu, const inference::Fit& null,
+                                        const std::vector<inference::Cause>& causes, unsigned jobs) {
+    const Eigen::VectorXd without = predict_menu(problem, menu, null.causes, null.x);
     std::vector<Eigen::VectorXd> changes(causes.size());
     core::parallel_for(causes.size(), jobs, [&](std::size_t i) {
         Eigen::VectorXd x = problem.start({causes[i]});
         x.head(null.x.size()) = null.x;
         x[null.x.size()] = 1.0;
-        changes[i] = layout.joined(predict_sheets(problem, menu, {causes[i]}, x)) - without;
+        changes[i] = predict_menu(problem, menu, {causes[i]}, x) - without;
     });
     return changes;
 }
 
-NextExperiment offered(const Measurement& m, double bits) {
-    return {sentence_of(m, bits), to_string(m.experiment), m.set_points, m.variable, bits, m.cost};
+NextExperiment offered(const inference::Measurement& m, double bits) {
+    return {sentence_of(m, bits), m.experiment, m.set_points, m.variable, bits, m.cost};
 }
 
 /// Factor by which the rivals would have to differ more to be decided; above kLargestFactor: never.
@@ -195,8 +146,8 @@ std::string enlarged(const inference::Problem& problem, const std::vector<const 
     const inference::Fit& rival =
         *rivals[static_cast<std::size_t>(std::max_element(probabilities.begin(), probabilities.end()) - probabilities.begin())];
     if (rival.causes.empty()) return "";
-    const effects::Cause& cause = rival.causes.front();
-    const effects::EffectParameter& size = problem.effect(cause.id).parameters.front();
+    const inference::Cause& cause = rival.causes.front();
+    const inference::EffectParameter& size = problem.effect(cause.id).parameters.front();
     const double value = factor * size.scale * rival.x[static_cast<int>(problem.build().size())];
     if (size.allowed.low > 0.0 || !size.allowed.holds(value)) return "";
     return fmt::format(": {} ({}) of {:.2g} {}", cause.id, cause.side, value, size.unit);
@@ -214,25 +165,29 @@ NextExperiment none_tells(const inference::Problem& problem, const std::vector<c
 
 }  // namespace
 
-std::vector<double> expected_bits(const inference::Problem& problem, const Menu& menu, const std::vector<const inference::Fit*>& rivals,
-                                  std::span<const double> probabilities, unsigned jobs) {
+std::string sentence_of(const inference::Measurement& measurement, double bits) {
+    return fmt::format("{}: {:.2f} bit, {:.0f} min.", measurement.what, bits, measurement.cost);
+}
+
+std::vector<double> expected_bits(const inference::Problem& problem, const inference::Menu& menu,
+                                  const std::vector<const inference::Fit*>& rivals, std::span<const double> probabilities, unsigned jobs) {
     std::vector<double> bits;
     for (const Eigen::MatrixXd& d : distances(problem, menu, rivals, jobs)) bits.push_back(expected_information(probabilities, d));
     return bits;
 }
 
 std::vector<NextExperiment> showing_experiments(const inference::Problem& problem, const inference::Fit& null,
-                                                const std::vector<effects::Cause>& unseen, unsigned jobs) {
-    const Menu menu = measurement_menu(problem.gap_case());
+                                                const std::vector<inference::Cause>& unseen, unsigned jobs) {
+    const std::unique_ptr<inference::Menu> offers = problem.model().menu();
+    if (offers == nullptr) return {};
+    const inference::Menu& menu = *offers;
     const std::vector<Eigen::VectorXd> changes = changes_by(problem, menu, null, unseen, jobs);
-    const std::vector<joint_model::Signals> first = predict_sheets(problem, menu, null.causes, null.x);
-    const Layout layout(first);
-    const Eigen::VectorXd precision = precisions(problem, menu, layout, first);
-    const Eigen::MatrixXd spread = predicted_outcome(problem, menu, layout, null, jobs).spread;
+    const Eigen::VectorXd precision = precisions(menu, predict_menu(problem, menu, null.causes, null.x));
+    const Eigen::MatrixXd spread = predicted_outcome(problem, menu, null, jobs).spread;
     const std::vector<double> even{0.5, 0.5};
     std::vector<NextExperiment> all;
-    for (const Measurement& m : menu.measurements) {
-        const std::vector<int> places = layout.places(menu, m);
+    for (const inference::Measurement& m : menu.measurements()) {
+        const std::vector<int>& places = m.values;
         const Eigen::VectorXd weight = precision(places) * std::sqrt(m.repeats);
         const Eigen::MatrixXd open = weight.asDiagonal() * spread(places, Eigen::all);
         double bits = 0.0;
@@ -256,12 +211,14 @@ std::vector<NextExperiment> next_experiments(const inference::Problem& problem, 
     for (double& value : p) value /= sum;
     const double most = entropy(p);
     if (rivals.size() < 2 || !(most > 0.0)) return {};
-    const Menu menu = measurement_menu(problem.gap_case());
+    const std::unique_ptr<inference::Menu> offers = problem.model().menu();
+    if (offers == nullptr) return {};
+    const inference::Menu& menu = *offers;
     const std::vector<Eigen::MatrixXd> squared = distances(problem, menu, rivals, jobs);
     std::size_t tells_most = 0;
     std::vector<NextExperiment> all;
     for (std::size_t m = 0; m < squared.size(); ++m) {
-        all.push_back(offered(menu.measurements[m], expected_information(p, squared[m])));
+        all.push_back(offered(menu.measurements()[m], expected_information(p, squared[m])));
         if (all[m].information > all[tells_most].information) tells_most = m;
     }
     std::vector<NextExperiment> best = best_of_each(all, most);

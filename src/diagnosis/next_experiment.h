@@ -4,14 +4,16 @@
 
 #include "fusee/diagnosis/diagnosis.h"
 #include "fusee/inference/fit.h"
-#include "next_experiment_menu.h"
 
 namespace fusee::diagnosis {
+
+/// Instruction, expected information [bit] and cost as one sentence.
+[[nodiscard]] std::string sentence_of(const inference::Measurement& measurement, double bits);
 
 /// Expected information of each measurement of a menu on which of `rivals` is true [bit]. A rival's outcomes are Gaussian: its
 /// prediction at its fit; what its parameters may still be, by its covariance; and the `uncertainty` of such rows.
 /// @pre as many probabilities as rivals, at least two of each, summing to 1
-[[nodiscard]] std::vector<double> expected_bits(const inference::Problem& problem, const Menu& menu,
+[[nodiscard]] std::vector<double> expected_bits(const inference::Problem& problem, const inference::Menu& menu,
                                                 const std::vector<const inference::Fit*>& rivals, std::span<const double> probabilities,
                                                 unsigned jobs);
 
@@ -28,6 +30,6 @@ namespace fusee::diagnosis {
 /// the mean over the causes, what is known of the build parameters is that of the `null` fit. The best of each experiment, in the order of
 /// next_experiments. @pre at least one cause
 [[nodiscard]] std::vector<NextExperiment> showing_experiments(const inference::Problem& problem, const inference::Fit& null,
-                                                              const std::vector<effects::Cause>& unseen, unsigned jobs);
+                                                              const std::vector<inference::Cause>& unseen, unsigned jobs);
 
 }  // namespace fusee::diagnosis

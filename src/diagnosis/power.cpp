@@ -24,9 +24,9 @@ double named_length(double per_scale) {
 
 std::vector<Power> powers_of(const inference::Problem& problem, const Isolability& isolability) {
     std::vector<Power> all;
-    for (const effects::Cause& cause : inference::causes_of_library()) {
-        const effects::Effect& effect = problem.effect(cause.id);
-        const effects::EffectParameter& size = effect.parameters.front();
+    for (const inference::Cause& cause : inference::causes_of(problem.model())) {
+        const inference::Effect& effect = problem.effect(cause.id);
+        const inference::EffectParameter& size = effect.parameters.front();
         Power& own = all.emplace_back(Power{cause, kNoFigure, size.scale, size.unit, false});
         const auto found = std::find(isolability.causes.begin(), isolability.causes.end(), cause);
         if (found == isolability.causes.end()) continue;
@@ -36,8 +36,8 @@ std::vector<Power> powers_of(const inference::Problem& problem, const Isolabilit
     return all;
 }
 
-std::vector<effects::Cause> not_shown(const std::vector<Power>& powers) {
-    std::vector<effects::Cause> causes;
+std::vector<inference::Cause> not_shown(const std::vector<Power>& powers) {
+    std::vector<inference::Cause> causes;
     for (const Power& own : powers)
         if (!own.shown) causes.push_back(own.cause);
     return causes;

@@ -13,6 +13,6 @@ namespace fusee::diagnosis {
 /// The power of a case for every effect of the library on each side; no size of an effect that no experiment of the case sees.
 [[nodiscard]] std::vector<Power> powers_of(const inference::Problem& problem, const Isolability& isolability);
 /// The causes of which a usual size would not have been named.
-[[nodiscard]] std::vector<effects::Cause> not_shown(const std::vector<Power>& powers);
+[[nodiscard]] std::vector<inference::Cause> not_shown(const std::vector<Power>& powers);
 
 }  // namespace fusee::diagnosis

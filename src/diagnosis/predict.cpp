@@ -23,7 +23,7 @@ std::vector<double> values_of(const effects::Effect& effect, const FoundEffect& 
     for (std::size_t k = 1; k < effect.parameters.size(); ++k) {
         const effects::EffectParameter& law = effect.parameters[k];
         const auto known = std::find_if(found.extra.begin(), found.extra.end(), [&](const auto& extra) { return extra.first == law.name; });
-        values.push_back(known == found.extra.end() ? law.on(reference).at_first : known->second);
+        values.push_back(known == found.extra.end() ? effects::on_rig(law, reference).at_first : known->second);
     }
     return values;
 }
@@ -57,7 +57,7 @@ void require_allowed(const std::string& what, const effects::EffectParameter& la
 /// Checks one effect with its further parameters.
 void require_possible(const std::string& place, const FoundEffect& found, const gap_case::Reference& reference) {
     const effects::Effect& law = effects::find_effect_or_term(found.cause.id);
-    const effects::EffectParameter size = law.parameters.front().on(reference);
+    const effects::EffectParameter size = effects::on_rig(law.parameters.front(), reference);
     const std::string name = place + ": " + found.cause.id;
     require_allowed(name, size, found.parameter.value);
     if (const std::string& unit = found.parameter.unit; !unit.empty() && unit != size.unit)
@@ -66,7 +66,7 @@ void require_possible(const std::string& place, const FoundEffect& found, const 
         std::vector<std::string> known;
         for (std::size_t k = 1; k < law.parameters.size(); ++k) {
             known.push_back(law.parameters[k].name);
-            if (extra == known.back()) require_allowed(name + ": " + extra, law.parameters[k].on(reference), value);
+            if (extra == known.back()) require_allowed(name + ": " + extra, effects::on_rig(law.parameters[k], reference), value);
         }
         if (std::find(known.begin(), known.end(), extra) == known.end())
             throw core::InvalidInput(name + ": extra", extra,

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -18,12 +17,9 @@ namespace {
 constexpr double kRival = 0.08;  ///< least probability of an alternative that counts
 constexpr double kSlip = 1.5;    ///< spread of a row that sticks and slips
 constexpr double kSlips = 0.25;  ///< share of such rows from which an experiment is no evidence against the model
-/// T of each experiment above which the model lacks something [sigma]: a break-away scatters with the built friction, spring pulls
-/// are known best, paths that stick and slip least.
-constexpr std::array<double, gap_case::kExperiments> kUnexplained{2.0, 1.35, 3.5, 3.25, 2.0, 2.75};
 
 /// Share of the rows of an experiment whose prediction is ill-conditioned.
-double share_of_slips(const inference::Problem& problem, const inference::Fit& fit, gap_case::Experiment experiment) {
+double share_of_slips(const inference::Problem& problem, const inference::Fit& fit, std::size_t experiment) {
     double slips = 0.0, rows = 0.0;
     for (int i = 0; i < fit.spread.size(); ++i)
         if (problem.experiment_of(i) == experiment) {
@@ -41,24 +37,24 @@ struct Scrutiny {
 };
 
 void look_at_experiments(Scrutiny& said, const inference::Problem& problem, const inference::Fit& best) {
-    const std::array<double, gap_case::kExperiments> left = misfits(problem, best.seen());
-    for (const gap_case::Experiment experiment : gap_case::kAllExperiments) {
-        const double misfit = left[static_cast<std::size_t>(experiment)];
-        const double limit = kUnexplained[static_cast<std::size_t>(experiment)];
+    const std::vector<double> left = misfits(problem, best.seen());
+    for (std::size_t e = 0; e < left.size(); ++e) {
+        const inference::Experiment& experiment = problem.experiments()[e];
+        const double misfit = left[e], limit = experiment.unexplained;
         if (misfit <= limit) {
-            said.evidence = said.evidence || problem.gap_case().rows.size(experiment) > 0;
+            said.evidence = said.evidence || experiment.rows > 0;
             continue;
         }
-        if (const double share = share_of_slips(problem, best, experiment); share > kSlips) {
+        if (const double share = share_of_slips(problem, best, e); share > kSlips) {
             said.remarks.push_back(
                 fmt::format("{}: {:.0f} % of the rows stick and slip, which cannot be predicted row by row ({:.1f} "
                             "sigma): not counted as evidence against the model",
-                            to_string(experiment), 100.0 * share, misfit));
+                            experiment.name, 100.0 * share, misfit));
             continue;
         }
         said.unexplained = true;
         said.remarks.push_back(fmt::format("{}: the best hypothesis leaves a gap of {:.1f} sigma; a correct model leaves at most {:.2f}",
-                                           to_string(experiment), misfit, limit));
+                                           experiment.name, misfit, limit));
     }
 }
 
@@ -75,11 +71,11 @@ void look_at_tolerances(Scrutiny& said, const inference::Problem& problem, const
 /// hypothesis; what only looks like two effects is found by comparing it with generic terms.
 void look_at_sizes(Scrutiny& said, const inference::Problem& problem, const inference::Search& search) {
     const inference::Fit& best = search.best();
-    for (const effects::Cause& cause : inference::contradicted(problem, best, search.left_out.front())) {
+    for (const inference::Cause& cause : inference::contradicted(problem, best, search.left_out.front())) {
         said.unexplained = said.unexplained || best.causes.size() < 2;
         said.remarks.push_back(fmt::format("{} ({}): refits without one experiment each disagree on its size", cause.id, cause.side));
     }
-    for (const effects::Cause& cause : inference::at_bounds(problem, best)) {
+    for (const inference::Cause& cause : inference::at_bounds(problem, best)) {
         said.unexplained = true;
         said.remarks.push_back(
             fmt::format("{} ({}): its size is at a bound of its law, so the true cause is another one", cause.id, cause.side));
@@ -97,9 +93,6 @@ VerdictKind verdict_of(const Scrutiny& said, const inference::Search& search) {
 
 Verdict judge(const inference::Problem& problem, const inference::Search& search) {
     Scrutiny said;
-    if (problem.known().stick_slip)
-        said.remarks.emplace_back(
-            "cocontraction: a capstan sticks and slips; the moment of a slip cannot be predicted, so paths get less weight");
     look_at_experiments(said, problem, search.best());
     look_at_tolerances(said, problem, search.best());
     look_at_sizes(said, problem, search);

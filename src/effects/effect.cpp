@@ -21,18 +21,17 @@ const std::vector<Effect>& effect_library() {
     return library;
 }
 
-EffectParameter EffectParameter::on(const gap_case::Reference& reference) const {
-    EffectParameter own = *this;
-    const double factor = reference.of(unit);
-    for (double* value : {&own.scale, &own.allowed.low, &own.allowed.high, &own.at_first}) *value *= factor;
-    for (double& value : own.tries) value *= factor;
-    return own;
+EffectParameter on_rig(EffectParameter parameter, const gap_case::Reference& reference) {
+    const double factor = reference.of(parameter.unit);
+    for (double* value : {&parameter.scale, &parameter.allowed.low, &parameter.allowed.high, &parameter.at_first}) *value *= factor;
+    for (double& value : parameter.tries) value *= factor;
+    return parameter;
 }
 
 std::vector<Effect> effects_on(const gap_case::Reference& reference) {
     std::vector<Effect> all = effect_library();
     for (Effect& effect : all)
-        for (EffectParameter& parameter : effect.parameters) parameter = parameter.on(reference);
+        for (EffectParameter& parameter : effect.parameters) parameter = on_rig(parameter, reference);
     return all;
 }
 

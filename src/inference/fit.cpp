@@ -44,7 +44,7 @@ public:
     Block(const Problem& problem, const Causes& causes, const Eigen::VectorXd& spread, const Scales& scales, const Eigen::MatrixXd& held,
           unsigned jobs)
         : problem_(problem), causes_(causes), held_(held), mean_(problem.prior_mean(causes)), scale_(spread), jobs_(jobs) {
-        for (int i = 0; i < scale_.size(); ++i) scale_[i] *= scales[static_cast<std::size_t>(problem.experiment_of(i))];
+        for (int i = 0; i < scale_.size(); ++i) scale_[i] *= scales[problem.experiment_of(i)];
         size_ = problem.size(causes);
         set_num_residuals(problem.residuals() + size_);
         mutable_parameter_block_sizes()->push_back(size_);
@@ -145,7 +145,7 @@ Eigen::VectorXd spread_of(const Problem& problem, const Causes& causes, const Ei
 WorstNuisancePull worst_nuisance_pull(const Problem& problem, const Fit& fit) {
     WorstNuisancePull most;
     for (std::size_t k = 0; k < problem.build().size(); ++k)
-        if (const double x = fit.x[static_cast<Eigen::Index>(k)]; problem.build()[k].of_rig && std::abs(x) > std::abs(most.sigmas))
+        if (const double x = fit.x[static_cast<Eigen::Index>(k)]; problem.build()[k].of_workshop && std::abs(x) > std::abs(most.sigmas))
             most = {k, x};
     return most;
 }
@@ -156,24 +156,25 @@ namespace {
 
 /// Of each experiment, T^2 and its number of rows.
 struct Misfit {
-    std::array<double, gap_case::kExperiments> square{}, rows{};
+    std::vector<double> square, rows;
 };
 Misfit misfit(const Problem& problem, const Eigen::VectorXd& residual, const std::vector<bool>* kept) {
-    Misfit m;
+    const std::size_t experiments = problem.experiments().size();
+    Misfit m{std::vector<double>(experiments), std::vector<double>(experiments)};
     for (int i = 0; i < residual.size(); ++i) {
         if (kept != nullptr && !(*kept)[static_cast<std::size_t>(i)]) continue;
-        const auto e = static_cast<std::size_t>(problem.experiment_of(i));
+        const std::size_t e = problem.experiment_of(i);
         m.square[e] += loss(residual[i]);
         m.rows[e] += 1.0;
     }
-    for (std::size_t e = 0; e < gap_case::kExperiments; ++e) m.square[e] /= std::max(1.0, m.rows[e]);
+    for (std::size_t e = 0; e < experiments; ++e) m.square[e] /= std::max(1.0, m.rows[e]);
     return m;
 }
 
 }  // namespace
 
-std::array<double, gap_case::kExperiments> misfits(const Problem& problem, const Eigen::VectorXd& residual) {
-    std::array<double, gap_case::kExperiments> roots = misfit(problem, residual, nullptr).square;
+std::vector<double> misfits(const Problem& problem, const Eigen::VectorXd& residual) {
+    std::vector<double> roots = misfit(problem, residual, nullptr).square;
     for (double& root : roots) root = std::sqrt(root);
     return roots;
 }
@@ -181,7 +182,7 @@ std::array<double, gap_case::kExperiments> misfits(const Problem& problem, const
 Scales scales_of(const Problem& problem, const Eigen::VectorXd& residual, const std::vector<bool>* kept) {
     const Misfit m = misfit(problem, residual, kept);
     Scales scales;
-    for (std::size_t e = 0; e < gap_case::kExperiments; ++e) scales[e] = std::max(1.0, std::sqrt(m.square[e]) / kFair);
+    for (const double square : m.square) scales.push_back(std::max(1.0, std::sqrt(square) / kFair));
     return scales;
 }
 
@@ -189,7 +190,7 @@ Eigen::VectorXd robust_weights(const Problem& problem, const Eigen::VectorXd& re
     const Scales scales = scales_of(problem, residual, kept);
     Eigen::VectorXd w = problem.root_weight();
     for (int i = 0; i < w.size(); ++i) {
-        const double scale = scales[static_cast<std::size_t>(problem.experiment_of(i))], size = std::abs(residual[i]) / scale;
+        const double scale = scales[problem.experiment_of(i)], size = std::abs(residual[i]) / scale;
         w[i] /= scale;
         if (kept != nullptr && !(*kept)[static_cast<std::size_t>(i)]) w[i] = 0.0;
         w[i] *= std::sqrt(cut(size));
@@ -201,9 +202,9 @@ double cost_of(const Problem& problem, const Causes& causes, const Eigen::Vector
                const std::vector<bool>* kept) {
     const Misfit m = misfit(problem, residual, kept);
     double cost = 0.0;
-    for (std::size_t e = 0; e < gap_case::kExperiments; ++e) {
+    for (std::size_t e = 0; e < m.square.size(); ++e) {
         const double fair = kFair * kFair, square = m.square[e];
-        cost += problem.known().weight[e] * m.rows[e] * (square <= fair ? square : fair * (1.0 + std::log(square / fair)));
+        cost += problem.experiments()[e].weight * m.rows[e] * (square <= fair ? square : fair * (1.0 + std::log(square / fair)));
     }
     const Eigen::VectorXd off = x - problem.prior_mean(causes);
     for (int k = 0; k < x.size(); ++k) cost += std::pow(off[k] / problem.prior_sigma(causes, k), 2);

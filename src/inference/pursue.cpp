@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fusee/effects/term.h"
 #include "fusee/inference/interval.h"
 #include "fusee/inference/screen.h"
 #include "refine.h"
@@ -17,12 +16,6 @@ constexpr std::size_t kFitted = 3;     ///< terms fitted in full
 constexpr std::size_t kMostTerms = 2;  ///< of an answer
 constexpr double kHalf = 0.5;          ///< of its cost, which one half of a term on both sides has to be worth alone
 
-std::vector<const char*> sides_of(const effects::Term& term) {
-    if (!term.effect.sided) return {"none"};
-    if (term.effect.has_phase()) return {"agonist", "antagonist"};
-    return {"agonist", "antagonist", "both"};
-}
-
 /// Full fits of the best guesses whose sizes stand.
 std::vector<Fit> standing_fits(const Problem& problem, std::vector<Guess> guesses, const SearchOptions& options) {
     std::erase_if(guesses, [](const Guess& guess) { return !std::isfinite(guess.cost); });
@@ -34,9 +27,9 @@ std::vector<Fit> standing_fits(const Problem& problem, std::vector<Guess> guesse
 }
 
 /// Terms that may join `base`.
-std::vector<effects::Cause> terms_beside(std::vector<effects::Cause> causes, const Fit& base) {
-    std::erase_if(causes, [&](const effects::Cause& cause) {
-        return std::any_of(base.causes.begin(), base.causes.end(), [&](const effects::Cause& there) {
+std::vector<Cause> terms_beside(std::vector<Cause> causes, const Fit& base) {
+    std::erase_if(causes, [&](const Cause& cause) {
+        return std::any_of(base.causes.begin(), base.causes.end(), [&](const Cause& there) {
             return there == cause || (there.id == cause.id && (there.side == "both" || cause.side == "both"));
         });
     });
@@ -44,18 +37,18 @@ std::vector<effects::Cause> terms_beside(std::vector<effects::Cause> causes, con
 }
 
 /// Those of them that are the last term of `base` on its other side.
-std::vector<effects::Cause> on_other_side(std::vector<effects::Cause> causes, const Fit& base) {
-    std::erase_if(causes, [&](const effects::Cause& cause) { return cause.id != base.causes.back().id; });
+std::vector<Cause> on_other_side(std::vector<Cause> causes, const Fit& base) {
+    std::erase_if(causes, [&](const Cause& cause) { return cause.id != base.causes.back().id; });
     return causes;
 }
 
 /// Fits with one term more, the likeliest first: any term upon the best base; upon each other base its own term on the other side,
 /// since of a term on both sides either half alone may look worse than something else.
-std::vector<Fit> fits_upon(const Problem& problem, const std::vector<Fit>& bases, const std::vector<effects::Cause>& terms,
+std::vector<Fit> fits_upon(const Problem& problem, const std::vector<Fit>& bases, const std::vector<Cause>& terms,
                            const SearchOptions& options) {
     std::vector<Fit> fits;
     for (const Fit& base : bases) {
-        std::vector<effects::Cause> causes = terms_beside(terms, base);
+        std::vector<Cause> causes = terms_beside(terms, base);
         if (&base != &bases.front()) causes = on_other_side(std::move(causes), base);
         for (Fit& fit : standing_fits(problem, screen(problem, base, causes, options.jobs, kImproved), options))
             fits.push_back(std::move(fit));
@@ -95,26 +88,18 @@ bool trusted(const Problem& problem, const FoundTerms& found) {
 
 }  // namespace
 
-std::vector<effects::Cause> possible_terms(const gap_case::Rows& rows) {
-    std::vector<effects::Cause> causes;
-    for (const effects::Term& term : effects::term_library()) {
-        const std::vector<effects::Experiment>& seen = term.effect.seen_by;
-        if (std::none_of(seen.begin(), seen.end(), [&](effects::Experiment e) { return rows.size(e) > 0; })) continue;
-        for (const char* side : sides_of(term)) causes.push_back({term.effect.id, side});
-    }
-    return causes;
-}
+std::vector<Cause> possible_terms(const Problem& problem) { return possible_causes(problem, true); }
 
-std::vector<effects::Cause> terms_like(const gap_case::Rows& rows, const std::string& effect) {
-    std::vector<effects::Cause> causes = possible_terms(rows);
-    std::erase_if(causes, [&](const effects::Cause& cause) {
-        const std::vector<std::string>& like = effects::term_or_none(cause.id)->effect.confused_with;
+std::vector<Cause> terms_like(const Problem& problem, const std::string& effect) {
+    std::vector<Cause> causes = possible_terms(problem);
+    std::erase_if(causes, [&](const Cause& cause) {
+        const std::vector<std::string>& like = problem.effect(cause.id).confused_with;
         return std::find(like.begin(), like.end(), effect) == like.end();
     });
     return causes;
 }
 
-std::optional<FoundTerms> pursue_terms(const Problem& problem, const Fit& null, double least, const std::vector<effects::Cause>& terms,
+std::optional<FoundTerms> pursue_terms(const Problem& problem, const Fit& null, double least, const std::vector<Cause>& terms,
                                        const SearchOptions& options) {
     FoundTerms found{null, {}, {}, {}};
     std::optional<FoundTerms> good;

@@ -10,23 +10,20 @@ namespace fusee::inference {
 
 namespace {
 
-constexpr int kDirectRounds = 6;      ///< of steps on break-away and spring pulls
+constexpr int kDirectRounds = 6;      ///< of steps on direct experiments
 constexpr double kDirectStep = 0.01;  ///< of their differences, in scales
 constexpr double kLike = 0.05;        ///< distance, in x, of starts that are one
 constexpr int kScreenRounds = 2;      ///< of steps with the effect's own columns
 
-/// The rows of break-away and spring pulls, of those `kept`.
+/// The rows of direct experiments, of those `kept`.
 std::vector<bool> direct_rows(const Problem& problem, const std::vector<bool>* kept) {
     std::vector<bool> direct(static_cast<std::size_t>(problem.residuals()));
-    for (std::size_t i = 0; i < direct.size(); ++i) {
-        const gap_case::Experiment experiment = problem.experiment_of(static_cast<int>(i));
-        direct[i] = (experiment == gap_case::Experiment::kBreakAway || experiment == gap_case::Experiment::kSpringPull) &&
-                    (kept == nullptr || (*kept)[i]);
-    }
+    for (std::size_t i = 0; i < direct.size(); ++i)
+        direct[i] = problem.experiments()[problem.experiment_of(static_cast<int>(i))].direct && (kept == nullptr || (*kept)[i]);
     return direct;
 }
 
-/// x fitted to the rows `direct`, which need no motion: a far better start where they see the effect.
+/// x fitted to the rows `direct`, which need no simulation: a far better start where they see the effect.
 Eigen::VectorXd directed(const Problem& problem, const Fit& base, const Causes& causes, const std::vector<bool>& direct,
                          Eigen::VectorXd x) {
     const auto first = static_cast<int>(base.x.size());
@@ -61,8 +58,8 @@ void drop_like(std::vector<Eigen::VectorXd>& starts) {
 }
 
 /// `cause` upon `base` from the best of its starts.
-Guess best_start(const Problem& problem, const Fit& base, const effects::Cause& cause, const std::vector<bool>* kept) {
-    const effects::Effect& effect = problem.effect(cause.id);
+Guess best_start(const Problem& problem, const Fit& base, const Cause& cause, const std::vector<bool>* kept) {
+    const Effect& effect = problem.effect(cause.id);
     Causes causes = base.causes;
     causes.push_back(cause);
     Guess best{causes, {}, 1e300};
@@ -71,7 +68,7 @@ Guess best_start(const Problem& problem, const Fit& base, const effects::Cause& 
         joined(base.spread.cwiseInverse().asDiagonal() * base.jacobian, Eigen::MatrixXd::Zero(base.jacobian.rows(), own));
     std::vector<Eigen::VectorXd> starts = starts_upon(problem, base, causes, kept);
     const std::vector<bool> direct = direct_rows(problem, kept);
-    const bool seen = std::any_of(effect.seen_by.begin(), effect.seen_by.end(), [&](gap_case::Experiment e) {
+    const bool seen = std::any_of(effect.seen_by.begin(), effect.seen_by.end(), [&](std::size_t e) {
         for (std::size_t i = 0; i < direct.size(); ++i)
             if (direct[i] && problem.experiment_of(static_cast<int>(i)) == e) return true;
         return false;
@@ -103,30 +100,28 @@ void sort_by_cost(std::vector<Guess>& guesses) {
 
 }  // namespace
 
-std::vector<effects::Cause> causes_of_library() {
-    std::vector<effects::Cause> causes;
-    for (const effects::Effect& effect : effects::effect_library()) {
-        if (!effect.sided) causes.push_back({effect.id, "none"});
-        if (effect.sided)
-            for (const char* side : {"agonist", "antagonist", "both"}) causes.push_back({effect.id, side});
-    }
+std::vector<Cause> causes_of(const Model& model, bool generic) {
+    std::vector<Cause> causes;
+    for (const Effect& effect : model.effects())
+        for (const std::string& side : effect.sides)
+            if (effect.generic == generic) causes.push_back({effect.id, side});
     return causes;
 }
 
-std::vector<effects::Cause> possible_causes(const gap_case::Rows& rows) {
-    std::vector<effects::Cause> causes = causes_of_library();
-    std::erase_if(causes, [&](const effects::Cause& cause) {
-        const effects::Effect& effect = effects::find_effect(cause.id);
-        return std::none_of(effect.seen_by.begin(), effect.seen_by.end(), [&](gap_case::Experiment e) { return rows.size(e) > 0; });
+std::vector<Cause> possible_causes(const Problem& problem, bool generic) {
+    std::vector<Cause> causes = causes_of(problem.model(), generic);
+    std::erase_if(causes, [&](const Cause& cause) {
+        const std::vector<std::size_t>& seen_by = problem.effect(cause.id).seen_by;
+        return std::none_of(seen_by.begin(), seen_by.end(), [&](std::size_t e) { return problem.experiments()[e].rows > 0; });
     });
     return causes;
 }
 
-Guess guess_upon(const Problem& problem, const Fit& base, const effects::Cause& cause, const std::vector<bool>* kept) {
+Guess guess_upon(const Problem& problem, const Fit& base, const Cause& cause, const std::vector<bool>* kept) {
     return improved(problem, base, best_start(problem, base, cause, kept), kept);
 }
 
-std::vector<Guess> screen(const Problem& problem, const Fit& base, const std::vector<effects::Cause>& causes, unsigned jobs,
+std::vector<Guess> screen(const Problem& problem, const Fit& base, const std::vector<Cause>& causes, unsigned jobs,
                           std::size_t improved_ones) {
     std::vector<Guess> guesses(causes.size());
     core::parallel_for(causes.size(), jobs, [&](std::size_t i) { guesses[i] = best_start(problem, base, causes[i], nullptr); });

@@ -1,7 +1,6 @@
 #include "fusee/inference/search.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -37,13 +36,26 @@ void sort_by_score(std::vector<Fit>& fits) {
     std::stable_sort(fits.begin(), fits.end(), [](const Fit& a, const Fit& b) { return score(a) > score(b); });
 }
 
-void append(std::vector<Fit>& fits, std::vector<Fit> more) { std::move(more.begin(), more.end(), std::back_inserter(fits)); }
+/// Hypotheses that the model can simulate.
+std::vector<Fit> simulated(std::vector<Fit> fits) {
+    std::erase_if(fits, [](const Fit& fit) { return !std::isfinite(fit.log_evidence); });
+    return fits;
+}
+std::vector<Guess> simulated(std::vector<Guess> guesses) {
+    std::erase_if(guesses, [](const Guess& guess) { return !std::isfinite(guess.cost); });
+    return guesses;
+}
+
+void append(std::vector<Fit>& fits, std::vector<Fit> more) {
+    more = simulated(std::move(more));
+    std::move(more.begin(), more.end(), std::back_inserter(fits));
+}
 
 /// Causes that may join `base`: of another effect.
-std::vector<effects::Cause> partners(const std::vector<effects::Cause>& causes, const Fit& base) {
-    std::vector<effects::Cause> others;
+std::vector<Cause> partners(const std::vector<Cause>& causes, const Fit& base) {
+    std::vector<Cause> others;
     std::copy_if(causes.begin(), causes.end(), std::back_inserter(others),
-                 [&](const effects::Cause& cause) { return cause.id != base.causes.front().id; });
+                 [&](const Cause& cause) { return cause.id != base.causes.front().id; });
     return others;
 }
 
@@ -58,13 +70,13 @@ std::vector<Guess> unknown_to(const std::vector<Fit>& fits, std::vector<Guess> g
 }
 
 void add_best(const Problem& problem, std::vector<Guess> guesses, const SearchOptions& options, std::vector<Fit>& fits) {
-    guesses = unknown_to(fits, std::move(guesses));
+    guesses = unknown_to(fits, simulated(std::move(guesses)));
     append(fits, fits_of(problem, std::span(guesses).first(std::min(kPairs, guesses.size())), options.jobs));
 }
 
 /// Pairs of any cause with the best single ones.
-void add_pairs(const Problem& problem, const std::vector<effects::Cause>& causes, const std::vector<Fit>& singles,
-               const SearchOptions& options, std::vector<Fit>& fits) {
+void add_pairs(const Problem& problem, const std::vector<Cause>& causes, const std::vector<Fit>& singles, const SearchOptions& options,
+               std::vector<Fit>& fits) {
     for (std::size_t i = 0; i < std::min(kBases, singles.size()); ++i) {
         const Fit& base = singles[i];
         if (score(base) < score(singles.front()) - kWorthAPair) break;
@@ -74,7 +86,7 @@ void add_pairs(const Problem& problem, const std::vector<effects::Cause>& causes
 
 /// Pairs of the single ones with each other: two great effects hide each other, so that each alone may be far from the best.
 void add_pairs_of_singles(const Problem& problem, const std::vector<Fit>& singles, const SearchOptions& options, std::vector<Fit>& fits) {
-    std::vector<effects::Cause> causes;
+    std::vector<Cause> causes;
     for (const Fit& single : singles) causes.push_back(single.causes.front());
     std::vector<Guess> guesses;
     for (const Fit& base : singles)
@@ -105,24 +117,26 @@ void search_again(const Problem& problem, const SearchOptions& options, std::vec
 void step_back(const Problem& problem, const SearchOptions& options, std::vector<Fit>& fits) {
     const Fit best = *std::max_element(fits.begin(), fits.end(), [](const Fit& a, const Fit& b) { return score(a) < score(b); });
     if (best.causes.size() < 2) return;
-    for (const effects::Cause& kept : best.causes) {
+    for (const Cause& kept : best.causes) {
         Fit single = fit(problem, {kept}, problem.without_others(best.causes, best.x, kept), {.jobs = options.jobs});
         const auto known = std::find_if(fits.begin(), fits.end(), [&](const Fit& other) { return other.causes == single.causes; });
         if (known == fits.end())
-            fits.push_back(std::move(single));
+            append(fits, {std::move(single)});
         else if (score(single) > score(*known))
             *known = std::move(single);
     }
 }
 
 /// The best single effects, best first. If one explains all, only those close to it in the screening are rivals.
-std::vector<Fit> singles_of(const Problem& problem, const Fit& null, const std::vector<Guess>& guesses, const SearchOptions& options) {
+std::vector<Fit> singles_of(const Problem& problem, const Fit& null, std::vector<Guess> guesses, const SearchOptions& options) {
+    guesses = simulated(std::move(guesses));
     if (guesses.empty()) return {};
     std::vector<Fit> singles = fits_of(problem, std::span(guesses).first(1), options.jobs);
     const double enough = singles.front().cost + kNearEnough * (null.cost - singles.front().cost);
     std::vector<Guess> rivals(guesses.begin() + 1, guesses.begin() + static_cast<std::ptrdiff_t>(std::min(kSingles, guesses.size())));
     if (explained(problem, singles.front())) std::erase_if(rivals, [&](const Guess& guess) { return guess.cost >= enough; });
     append(singles, fits_of(problem, rivals, options.jobs));
+    singles = simulated(std::move(singles));
     sort_by_score(singles);
     return singles;
 }
@@ -196,7 +210,7 @@ Search ranked(const Problem& problem, std::vector<Fit> fits, const SearchOptions
 
 bool explained(const Problem& problem, const Fit& fit) {
     if (std::abs(worst_nuisance_pull(problem, fit).sigmas) > kStretched) return false;
-    const std::array<double, gap_case::kExperiments> misfit = misfits(problem, fit.seen());
+    const std::vector<double> misfit = misfits(problem, fit.seen());
     return std::all_of(misfit.begin(), misfit.end(), [](double t) { return t < kNothingLeft; });
 }
 
@@ -224,7 +238,7 @@ void discount_unfounded(std::span<const std::size_t> effects, std::span<double> 
 }
 
 Search search(const Problem& problem, const SearchOptions& options) {
-    const std::vector<effects::Cause> causes = possible_causes(problem.gap_case().rows);
+    const std::vector<Cause> causes = possible_causes(problem);
     const auto tell = [&](const char* what) {
         if (options.progress) options.progress(what);
     };

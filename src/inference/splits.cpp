@@ -3,29 +3,13 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "fusee/core/parallel.h"
-#include "fusee/gap_case/reference.h"
 #include "fusee/inference/screen.h"
 
 namespace fusee::inference {
 
 namespace {
-
-constexpr std::size_t kStretch = 8;  ///< rows of a path that are held out together
-constexpr double kLogStretch = 0.5;  ///< of the reference rig [s]
-
-template <typename RowList, typename Figure>
-std::vector<double> levels(const RowList& rows, const Figure& figure) {
-    std::set<double> all;
-    for (const auto& row : rows) all.insert(figure(row));
-    return {all.begin(), all.end()};
-}
-
-int place(const std::vector<double>& levels, double value) {
-    return static_cast<int>(std::lower_bound(levels.begin(), levels.end(), value) - levels.begin());
-}
 
 struct Refit {
     Guess end;
@@ -41,7 +25,7 @@ public:
     [[nodiscard]] Guess from_nominal(const std::vector<bool>& kept) const {
         Fit base = null_;
         base.x = descend(problem_, base.spread, null_.jacobian, {{}, problem_.start({}), 0.0}, {}, &kept).x;
-        for (const effects::Cause& cause : fit_.causes) {
+        for (const Cause& cause : fit_.causes) {
             Guess with = guess_upon(problem_, base, cause, &kept);
             base.causes = std::move(with.causes);
             base.x = std::move(with.x);
@@ -105,18 +89,9 @@ Split by_groups(const Problem& problem, const Fit& null, const Fit& fit, const s
 }  // namespace
 
 std::vector<int> folds(const Problem& problem) {
-    const gap_case::Rows& rows = problem.gap_case().rows;
     std::vector<int> fold;
-    const auto add = [&](int group, int columns) { fold.insert(fold.end(), static_cast<std::size_t>(columns), group % kFolds); };
-    const std::vector<double> torques = levels(rows.breakaway, [](const auto& row) { return row.motor_torque; });
-    for (const identification::BreakAway& row : rows.breakaway) add(place(torques, row.motor_torque), 1);
-    for (std::size_t i = 0; i < rows.spring_pull.size(); ++i) add(static_cast<int>(i / kStretch), 1);
-    const std::vector<double> widths = levels(rows.dead_band, [](const auto& row) { return row.cocontraction; });
-    for (const gap_case::DeadBandRow& row : rows.dead_band) add(place(widths, row.cocontraction), rows.dead_band_width_only ? 1 : 2);
-    for (std::size_t i = 0; i < rows.joint_stiffness.size(); ++i) add(static_cast<int>(i / kStretch), 1);
-    for (std::size_t i = 0; i < rows.cocontraction.size(); ++i) add(static_cast<int>(i / kStretch), 3);
-    const double stretch = kLogStretch * gap_case::reference_of(problem.gap_case().rig).time;
-    for (const gap_case::LogRow& row : rows.log) add(static_cast<int>(std::abs(row.time - rows.log.front().time) / stretch), 3);
+    for (const Experiment& experiment : problem.experiments())
+        for (const Place& place : experiment.places) fold.push_back(place.block % kFolds);
     return fold;
 }
 
@@ -127,7 +102,7 @@ Split held_out(const Problem& problem, const Fit& null, const Fit& fit, unsigned
 Split experiments_left_out(const Problem& problem, const Fit& null, const Fit& fit, unsigned jobs) {
     std::vector<int> group;
     for (int i = 0; i < problem.residuals(); ++i) group.push_back(static_cast<int>(problem.experiment_of(i)));
-    return by_groups(problem, null, fit, group, static_cast<int>(gap_case::kExperiments), jobs);
+    return by_groups(problem, null, fit, group, static_cast<int>(problem.experiments().size()), jobs);
 }
 
 }  // namespace fusee::inference

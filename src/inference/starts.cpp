@@ -16,14 +16,14 @@ constexpr std::size_t kRippleStarts = 3;  ///< counts of a ripple that are tried
 using Starts = std::vector<Eigen::VectorXd>;
 
 /// Every start of the size with every try of the further parameters.
-Starts grid_of(const effects::Effect& effect, Eigen::Index size_at, Eigen::VectorXd first) {
+Starts grid_of(const Effect& effect, Eigen::Index size_at, Eigen::VectorXd first) {
     Starts all;
     for (const double size : effect.starts) {
         first[size_at] = size;
         all.push_back(first);
     }
     for (std::size_t k = 1; k < effect.parameters.size(); ++k) {
-        const effects::EffectParameter& p = effect.parameters[k];
+        const EffectParameter& p = effect.parameters[k];
         if (p.tries.empty()) continue;
         Starts more;
         for (const Eigen::VectorXd& x : all)
@@ -84,7 +84,7 @@ private:
     const Fit& base_;
     const Causes& causes_;
     const std::vector<bool>* kept_;
-    const effects::Effect& effect_;
+    const Effect& effect_;
     Eigen::Index size_at_;
     Eigen::MatrixXd held_;
     Eigen::VectorXd residual_;
@@ -115,7 +115,7 @@ void add_relaxed(const Problem& problem, Starts& starts) {
 }  // namespace
 
 std::vector<Eigen::VectorXd> starts_upon(const Problem& problem, const Fit& base, const Causes& causes, const std::vector<bool>* kept) {
-    const effects::Effect& effect = problem.effect(causes.back().id);
+    const Effect& effect = problem.effect(causes.back().id);
     Eigen::VectorXd first = problem.start(causes);
     first.head(base.x.size()) = base.x;
     Starts starts =

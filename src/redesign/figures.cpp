@@ -47,7 +47,7 @@ void put(const diagnosis::FoundEffect& found, BuiltRig& rig) {
     for (std::size_t i = 1; i < effect.parameters.size(); ++i) {
         const auto given = std::find_if(found.extra.begin(), found.extra.end(),
                                         [&](const auto& named) { return named.first == effect.parameters[i].name; });
-        values.push_back(given != found.extra.end() ? given->second : effect.parameters[i].on(rig.reference).at_first);
+        values.push_back(given != found.extra.end() ? given->second : effects::on_rig(effect.parameters[i], rig.reference).at_first);
     }
     effects::apply_effect(effect, found.cause, values, rig);
 }

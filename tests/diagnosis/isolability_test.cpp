@@ -12,7 +12,7 @@ using namespace fixtures;
 /// Isolability of `causes` on a faultless rig without noise.
 Isolability of(const gap_case::Rows& rows, const std::vector<effects::Cause>& causes, unsigned jobs = 1) {
     const gap_case::Case gap_case = measured_case(rows, {}, {}, 0.0, 1);
-    const inference::Problem problem(gap_case);
+    const JointProblem problem(gap_case);
     return isolability(problem, best_fit(problem, {}), causes, jobs);
 }
 
@@ -30,12 +30,12 @@ TEST(Isolability, LeastSizeIsThreeSigmaOfTheMeanBesideTheTolerances) {
     const int repeats = 4;
     const double torque = 0.8;
     const gap_case::Case gap_case = measured_case(break_aways({torque}, repeats, false), {}, {}, 0.0, 1);
-    const inference::Problem problem(gap_case);
+    const JointProblem problem(gap_case);
     const Isolability found = isolability(problem, best_fit(problem, {}), {kCoulomb}, 1);
     // load = (tau + c)/(1 - mu): dload/dc = 1/(1 - mu), dload/dmu = tau/(1 - mu)^2, dload/dscale = tau/(1 - mu)
     const double mu = gap_case.rig.gear_load_friction, lever = 1.0 - mu;
-    const double sigma = problem.known().sigma[gap_case::Experiment::kBreakAway].front();
-    const double weight = problem.known().weight[static_cast<int>(gap_case::Experiment::kBreakAway)];
+    const double sigma = problem.experiments()[place_of(gap_case::Experiment::kBreakAway)].sigma.front();
+    const double weight = problem.experiments()[place_of(gap_case::Experiment::kBreakAway)].weight;
     const double by_mu = torque / (lever * lever) * mu * gap_case.tolerance.gear_load_friction;
     const double by_scale = torque / lever * gap_case.tolerance.torque_scale;
     const double mean = std::sqrt(sigma * sigma / (weight * repeats) + by_mu * by_mu + by_scale * by_scale);
@@ -75,7 +75,7 @@ TEST(Isolability, ALimitIsSeenUpToWhereTheRigComes) {
     for (const gap_case::DeadBandRow& row : set_points(t).dead_band)
         if (row.repeat == 1 && row.cocontraction > 0.5 && row.cocontraction < 1.0) rows.dead_band.push_back(row);
     const gap_case::Case gap_case = measured_case(rows, {}, {}, 0.0, 1);
-    const inference::Problem problem(gap_case);
+    const JointProblem problem(gap_case);
     const double most = isolability(problem, best_fit(problem, {}), {kStop}, 1).detectable[0];
     double reach = 0.0;
     for (const gap_case::DeadBandRow& row : gap_case.rows.dead_band) reach = std::max({reach, row.q_high, -row.q_low});

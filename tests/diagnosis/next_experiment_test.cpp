@@ -48,7 +48,7 @@ struct Rivals {
         for (const inference::Fit& fit : fits) all.push_back(&fit);
     }
     gap_case::Case gap_case;
-    inference::Problem problem;
+    JointProblem problem;
     std::vector<inference::Fit> fits;
     std::vector<const inference::Fit*> all;
 };
@@ -59,27 +59,28 @@ const Rivals& friction() {
     return rivals;
 }
 /// A menu of break-aways and pulls alone, which cost no motion.
-Menu usual_menu(const gap_case::Case& gap_case) {
-    Menu menu = measurement_menu(gap_case);
+effects::MeasurementMenu usual_sheets(const gap_case::Case& gap_case) {
+    effects::MeasurementMenu menu = effects::measurement_menu(gap_case);
     for (gap_case::Rows& rows : menu.sheets) {
         gap_case::Rows kept;
         kept.breakaway = rows.breakaway;
         kept.spring_pull = rows.spring_pull;
         rows = kept;
     }
-    std::erase_if(menu.measurements, [](const Measurement& m) { return m.experiment > gap_case::Experiment::kSpringPull; });
+    std::erase_if(menu.measurements, [](const effects::SheetMeasurement& m) { return m.experiment > gap_case::Experiment::kSpringPull; });
     return menu;
 }
+effects::JointMenu usual_menu(const JointProblem& problem) { return {problem.joint, usual_sheets(problem.gap_case())}; }
 /// The most that a measurement told of which `words` stand in its text.
-double most_of(const Menu& menu, const std::vector<double>& bits, const std::string& words) {
+double most_of(const inference::Menu& menu, const std::vector<double>& bits, const std::string& words) {
     double most = -1.0;
     for (std::size_t m = 0; m < bits.size(); ++m)
-        if (menu.measurements[m].what.find(words) != std::string::npos) most = std::max(most, bits[m]);
+        if (menu.measurements()[m].what.find(words) != std::string::npos) most = std::max(most, bits[m]);
     return most;
 }
 
 TEST(NextExperiment, FrictionLawsAreSplitByAnotherLoadOnTheirOwnSide) {
-    const Menu menu = usual_menu(friction().gap_case);
+    const effects::JointMenu menu = usual_menu(friction().problem);
     const std::vector<double> bits = expected_bits(friction().problem, menu, friction().all, kEven, 1);
     EXPECT_GT(most_of(menu, bits, "Break the agonist away"), 0.9);
     EXPECT_LT(most_of(menu, bits, "Break the antagonist away"), 0.05);
@@ -89,12 +90,13 @@ TEST(NextExperiment, FrictionLawsAreSplitByAnotherLoadOnTheirOwnSide) {
 TEST(NextExperiment, TheFirstIsTheCheapestThatDecides) {
     const auto next = next_experiments(friction().problem, friction().all, std::vector{3.0, 3.0}, 1);  // any sum
     ASSERT_GE(next.size(), 3U);
-    const Menu menu = measurement_menu(friction().gap_case);
+    const std::unique_ptr<inference::Menu> offers = friction().problem.joint.menu();
+    const inference::Menu& menu = *offers;
     const std::vector<double> bits = expected_bits(friction().problem, menu, friction().all, kEven, 1);
     EXPECT_GE(next[0].information, 0.9);
     for (std::size_t m = 0; m < bits.size(); ++m) {
-        EXPECT_TRUE(bits[m] >= 0.0 && bits[m] <= 1.0) << menu.measurements[m].what;
-        EXPECT_TRUE(bits[m] < 0.9 || menu.measurements[m].cost >= next[0].cost) << menu.measurements[m].what;
+        EXPECT_TRUE(bits[m] >= 0.0 && bits[m] <= 1.0) << menu.measurements()[m].what;
+        EXPECT_TRUE(bits[m] < 0.9 || menu.measurements()[m].cost >= next[0].cost) << menu.measurements()[m].what;
     }
     for (std::size_t i = 2; i < next.size(); ++i) EXPECT_GE(next[i - 1].information / next[i - 1].cost, next[i].information / next[i].cost);
     for (const NextExperiment& n : next) {
@@ -105,22 +107,23 @@ TEST(NextExperiment, TheFirstIsTheCheapestThatDecides) {
 }
 
 TEST(NextExperiment, MoreNoiseTellsLess) {
-    const Menu menu = usual_menu(friction().gap_case);
+    const effects::JointMenu menu = usual_menu(friction().problem);
     gap_case::Case noisy = friction().gap_case;
     noisy.sensors.torque_noise *= 30.0;
     noisy.sensors.breakaway_scatter *= 30.0;
     noisy.sensors.torque_noise_relative *= 30.0;
+    const JointProblem louder(noisy);
     const std::vector<double> bits = expected_bits(friction().problem, menu, friction().all, kEven, 1);
-    const std::vector<double> fewer = expected_bits(inference::Problem(noisy), menu, friction().all, kEven, 1);
-    for (std::size_t m = 0; m < bits.size(); ++m) EXPECT_LE(fewer[m], bits[m] + 1e-12) << menu.measurements[m].what;
+    const std::vector<double> fewer = expected_bits(louder, usual_menu(louder), friction().all, kEven, 1);
+    for (std::size_t m = 0; m < bits.size(); ++m) EXPECT_LE(fewer[m], bits[m] + 1e-12) << menu.measurements()[m].what;
     EXPECT_LT(most_of(menu, fewer, "Break"), most_of(menu, bits, "Break") - 0.01);
 }
 
 /// What a rival may show of a break-away measurement: mean, and root of the covariance.
 struct Outcome {
-    Outcome(const inference::Problem& problem, const inference::Fit& rival, const gap_case::Rows& rows, const Eigen::VectorXd& variance) {
+    Outcome(const JointProblem& problem, const inference::Fit& rival, const gap_case::Rows& rows, const Eigen::VectorXd& variance) {
         const auto progress = [&](const Eigen::VectorXd& x) {
-            const joint_model::BuiltRig rig = problem.rig(rival.causes, x);
+            const joint_model::BuiltRig rig = problem.joint.rig(problem.setting(rival.causes, x));
             const std::vector<double> loads =
                 joint_model::predict_experiment(rig, rows, problem.gap_case().protocol, gap_case::Experiment::kBreakAway);
             return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(loads.data(), static_cast<int>(loads.size())));
@@ -159,28 +162,28 @@ double drawn_bits(const std::array<Outcome, 2>& rivals) {
 TEST(NextExperiment, OutcomesDrawnAtRandomTellAsMuchAsExpected) {
     gap_case::Case noisy = friction().gap_case;
     noisy.sensors.torque_noise = 0.08;  // so that about half a bit can be told
-    const inference::Problem problem(noisy);
-    Menu menu = usual_menu(noisy);
-    std::erase_if(menu.measurements,
-                  [](const Measurement& m) { return m.what.find("the agonist away at 0.16, 0.8 Nm") == std::string::npos; });
-    ASSERT_EQ(menu.measurements.size(), 1U);
-    const Measurement& asked = menu.measurements[0];
+    const JointProblem problem(noisy);
+    effects::MeasurementMenu sheets = usual_sheets(noisy);
+    std::erase_if(sheets.measurements,
+                  [](const effects::SheetMeasurement& m) { return m.what.find("the agonist away at 0.16, 0.8 Nm") == std::string::npos; });
+    ASSERT_EQ(sheets.measurements.size(), 1U);
+    const effects::SheetMeasurement asked = sheets.measurements[0];
     gap_case::Case again = noisy;
     again.rows = gap_case::Rows{};
-    for (const std::size_t i : asked.rows) again.rows.breakaway.push_back(menu.sheets[0].breakaway[i]);
-    const inference::Uncertainty known = inference::uncertainty(again);
+    for (const std::size_t i : asked.rows) again.rows.breakaway.push_back(sheets.sheets[0].breakaway[i]);
+    const joint_model::Uncertainty known = joint_model::uncertainty(again);
     const std::vector<double>& sigma = known.sigma[gap_case::Experiment::kBreakAway];
     const Eigen::VectorXd variance = Eigen::Map<const Eigen::ArrayXd>(sigma.data(), static_cast<int>(sigma.size())).square() /
                                      (known.weight[static_cast<int>(gap_case::Experiment::kBreakAway)] * asked.repeats);
     const double drawn = drawn_bits(
         {Outcome(problem, friction().fits[0], again.rows, variance), Outcome(problem, friction().fits[1], again.rows, variance)});
-    const double expected = expected_bits(problem, menu, friction().all, kEven, 1)[0];
+    const double expected = expected_bits(problem, effects::JointMenu(problem.joint, sheets), friction().all, kEven, 1)[0];
     EXPECT_TRUE(expected > 0.2 && expected < 0.9) << expected;
     EXPECT_NEAR(expected, drawn, 0.03);  // drawing leaves 0.005; the rest is what differs between the two scatters
 }
 
 TEST(NextExperiment, TheSameForAnyThreads) {
-    const Menu menu = usual_menu(friction().gap_case);
+    const effects::JointMenu menu = usual_menu(friction().problem);
     EXPECT_EQ(expected_bits(friction().problem, menu, friction().all, kEven, 1),
               expected_bits(friction().problem, menu, friction().all, kEven, 4));
 }
@@ -196,7 +199,7 @@ TEST(NextExperiment, APullOfItsSeriesSpringSplitsTheSides) {
         fit.covariance = Eigen::MatrixXd::Identity(size + 1, size + 1);
         fit.covariance(size, size) = 0.16;
     }
-    const Menu menu = usual_menu(rivals.gap_case);
+    const effects::JointMenu menu = usual_menu(rivals.problem);
     const std::vector<double> bits = expected_bits(rivals.problem, menu, {&fits[0], &fits[1]}, kEven, 1);
     EXPECT_GT(most_of(menu, bits, "Pull K_SE of the agonist alone"), 0.9);
     EXPECT_LT(most_of(menu, bits, "Pull K_PE"), 0.01);
@@ -245,17 +248,17 @@ TEST(NextExperiment, WhatIsTooSmallIsToldWithTheSizeThatWouldDo) {
 }
 
 TEST(NextExperiment, AMenuAsksForTorquesThatTheMotorsReached) {
-    const Menu menu = measurement_menu(small_case(break_aways({0.8}, 1, false)));
+    const effects::MeasurementMenu menu = effects::measurement_menu(small_case(break_aways({0.8}, 1, false)));
     for (const gap_case::Rows& rows : menu.sheets) {
         for (const identification::BreakAway& row : rows.breakaway) EXPECT_TRUE(row.motor_torque > 0.0 && row.motor_torque <= 0.8);
         for (const gap_case::DeadBandRow& row : rows.dead_band) EXPECT_LE(row.cocontraction, 0.8);
         for (const gap_case::LogRow& row : rows.log) EXPECT_LE(std::max(row.torque_agonist, row.torque_antagonist), 0.8);
     }
     for (const gap_case::Experiment e : gap_case::kAllExperiments)
-        EXPECT_TRUE(
-            std::any_of(menu.measurements.begin(), menu.measurements.end(), [&](const Measurement& m) { return m.experiment == e; }));
-    EXPECT_FALSE(measurement_menu(small_case(pulls(5))).measurements.empty());  // no torque shown: what the springs carry
-    for (const Measurement& m : menu.measurements) EXPECT_GT(m.cost, 0.0);
+        EXPECT_TRUE(std::any_of(menu.measurements.begin(), menu.measurements.end(),
+                                [&](const effects::SheetMeasurement& m) { return m.experiment == e; }));
+    EXPECT_FALSE(effects::measurement_menu(small_case(pulls(5))).measurements.empty());  // no torque shown: what the springs carry
+    for (const effects::SheetMeasurement& m : menu.measurements) EXPECT_GT(m.cost, 0.0);
 }
 
 }  // namespace

@@ -89,7 +89,7 @@ TEST(Power, IsNotStatedBesideACause) {
 
 TEST(ShowingExperiments, ProposeWhatSeesTheCause) {
     const gap_case::Case gap_case = measured_case(only_dead_bands(), {}, {}, 1.0, 4);
-    const inference::Problem problem(gap_case);
+    const JointProblem problem(gap_case);
     const inference::Fit null = best_fit(problem, {});
     const std::vector<NextExperiment> delay = showing_experiments(problem, null, {{"loop.delay", "none"}}, 2);
     ASSERT_FALSE(delay.empty());

@@ -2,6 +2,7 @@
 #include <memory>
 #include <random>
 
+#include "fusee/effects/joint.h"
 #include "fusee/effects/term.h"
 #include "fusee/inference/fit.h"
 #include "gap_case/fixture.h"
@@ -45,7 +46,7 @@ inline gap_case::Case measured_case(const gap_case::Rows& set_points, const infe
     rig.assemble(joint_model::NominalCams(gap_case.rig));
     joint_model::Signals signals = joint_model::predict_signals(rig, gap_case.rows, gap_case.protocol);
     gap_case.rows = joint_model::with_measured(gap_case.rows, signals);
-    const inference::Uncertainty known = inference::uncertainty(gap_case);
+    const joint_model::Uncertainty known = joint_model::uncertainty(gap_case);
     std::mt19937_64 random(seed);
     std::normal_distribution<double> normal(0.0, noise);
     for (std::size_t e = 0; e < gap_case::kExperiments; ++e)
@@ -80,6 +81,19 @@ inline gap_case::Rows short_log(double seconds) {
         if (row.time < seconds) rows.log.push_back(row);
     return rows;
 }
+
+struct JointMember {
+    explicit JointMember(const gap_case::Case& gap_case) : joint(gap_case) {}
+    effects::Joint joint;
+};
+/// The joint of a gap case, prepared for fits.
+struct JointProblem : JointMember, inference::Problem {
+    explicit JointProblem(const gap_case::Case& gap_case) : JointMember(gap_case), inference::Problem(joint) {}
+    [[nodiscard]] const gap_case::Case& gap_case() const { return joint.gap_case(); }
+};
+
+/// Place of an experiment of the joint in the engine.
+inline std::size_t place_of(gap_case::Experiment experiment) { return static_cast<std::size_t>(experiment); }
 
 inline inference::Fit best_fit(const inference::Problem& problem, const inference::Causes& causes) {
     return fit(problem, causes, problem.start(causes));

@@ -15,7 +15,7 @@ using namespace fixtures;
 /// A fit of one effect at `size` (in scales, sigma 0.01) and what refits without each of six experiments find.
 struct Refitted {
     gap_case::Case gap_case = small_case(pulls(5));
-    Problem problem{gap_case};
+    JointProblem problem{gap_case};
     Fit fit;
     Split left_out;
     int k = 0;
@@ -93,7 +93,7 @@ TEST(ExperimentsLeftOut, SayHowWellTheOthersSeeASize) {
     gap_case::Rows rows = pulls(5);
     rows.breakaway = break_aways({0.2, 0.6, 1.0, 1.4}, 3, true).breakaway;
     const gap_case::Case gap_case = measured_case(rows, {kCoulomb}, {0.06}, 1.0, 4);
-    const Problem problem(gap_case);
+    const JointProblem problem(gap_case);
     const Fit fit = best_fit(problem, {kCoulomb});
     const Split left_out = experiments_left_out(problem, best_fit(problem, {}), fit, 1);
     const int k = problem.size_at(fit.causes, 0);

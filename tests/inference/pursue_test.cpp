@@ -19,9 +19,9 @@ gap_case::Rows some_rows() {
 /// The terms of a rig with `cause` at `size`, or of a faultless one.
 std::optional<FoundTerms> pursued(const Causes& causes, const std::vector<double>& sizes, unsigned seed) {
     const gap_case::Case gap_case = measured_case(some_rows(), causes, sizes, 1.0, seed);
-    const Problem problem(gap_case);
+    const JointProblem problem(gap_case);
     const Fit null = best_fit(problem, {});
-    return pursue_terms(problem, null, null.log_evidence, possible_terms(problem.gap_case().rows), {.jobs = 2, .progress = {}});
+    return pursue_terms(problem, null, null.log_evidence, possible_terms(problem), {.jobs = 2, .progress = {}});
 }
 
 TEST(PursueTerms, AFaultlessRigHasNone) { EXPECT_FALSE(pursued({}, {}, 3)); }
@@ -42,10 +42,10 @@ TEST(PursueTerms, AStepOfACamIsFoundOnItsSideWithItsSizeAndPlace) {
 TEST(PursueTerms, FrictionThatDriftsOverTheSessionIsFoundInTheOrderOfTheRows) {
     const effects::Cause drift{"term.gear.drift", "agonist"};
     const gap_case::Case gap_case = measured_case(break_aways({0.2, 0.6, 1.0, 1.4}, 8, true), {drift}, {-0.5}, 1.0, 4);
-    const Problem problem(gap_case);
+    const JointProblem problem(gap_case);
     const Fit null = best_fit(problem, {});
     const std::optional<FoundTerms> found =
-        pursue_terms(problem, null, null.log_evidence, possible_terms(problem.gap_case().rows), {.jobs = 2, .progress = {}});
+        pursue_terms(problem, null, null.log_evidence, possible_terms(problem), {.jobs = 2, .progress = {}});
     ASSERT_TRUE(found);
     EXPECT_EQ(found->fit.causes, Causes{drift});
     EXPECT_NEAR(found->fit.x[found->fit.x.size() - 2] * 0.4, -0.5, 0.15);
@@ -57,26 +57,28 @@ TEST(PursueTerms, ATermOfBothSidesIsFoundOnBoth) {
     gap_case::Rows rows = short_log(4.0);
     rows.cocontraction = set_points(small_template()).cocontraction;
     const gap_case::Case gap_case = measured_case(rows, both, {0.06, 0.06}, 1.0, 6);
-    const Problem problem(gap_case);
+    const JointProblem problem(gap_case);
     const Fit null = best_fit(problem, {});
     const std::optional<FoundTerms> found =
-        pursue_terms(problem, null, null.log_evidence, possible_terms(problem.gap_case().rows), {.jobs = 2, .progress = {}});
+        pursue_terms(problem, null, null.log_evidence, possible_terms(problem), {.jobs = 2, .progress = {}});
     ASSERT_TRUE(found);
     ASSERT_EQ(found->fit.causes.size(), 2U);
     for (const effects::Cause& cause : both) EXPECT_EQ(std::count(found->fit.causes.begin(), found->fit.causes.end(), cause), 1);
     for (std::size_t c = 0; c < 2; ++c) {
         const Eigen::Index size = problem.size_at(found->fit.causes, c);
-        const effects::Effect& effect = problem.effect(both[c].id);
+        const Effect& effect = problem.effect(both[c].id);
         EXPECT_NEAR(found->fit.x[size] * effect.parameters[0].scale, 0.06, 0.006);
     }
 }
 
 TEST(TermsLike, NameTheEffectAmongThoseTheyAreConfusedWith) {
-    gap_case::Rows rows = some_rows();
-    EXPECT_TRUE(terms_like(rows, "joint.gravity").empty());  // no experiment moves the joint
-    rows.dead_band.push_back({});
-    EXPECT_EQ(terms_like(rows, "joint.gravity"), (Causes{{"term.joint.spring", "none"}}));
-    EXPECT_TRUE(terms_like(rows, "joint.stop").empty());
+    const gap_case::Case parts = small_case(some_rows());
+    EXPECT_TRUE(terms_like(JointProblem(parts), "joint.gravity").empty());  // no experiment moves the joint
+    gap_case::Case moving = parts;
+    moving.rows.dead_band.push_back({});
+    const JointProblem problem(moving);
+    EXPECT_EQ(terms_like(problem, "joint.gravity"), (Causes{{"term.joint.spring", "none"}}));
+    EXPECT_TRUE(terms_like(problem, "joint.stop").empty());
 }
 
 TEST(PursueTerms, TwoTermsAreFoundOneAfterTheOther) {

@@ -15,7 +15,7 @@ TEST(Folds, KeepSetPointsAndStretchesTogetherAndFillEveryFold) {
     gap_case::Rows rows = pulls(1);
     rows.breakaway = break_aways({0.2, 0.5, 0.8, 1.1}, 3, true).breakaway;
     const gap_case::Case gap_case = measured_case(rows, {}, {}, 0.0, 1);
-    const std::vector<int> fold = folds(Problem(gap_case));
+    const std::vector<int> fold = folds(JointProblem(gap_case));
     ASSERT_EQ(fold.size(), gap_case.rows.size());
     std::map<double, std::set<int>> of_torque;
     for (std::size_t i = 0; i < gap_case.rows.breakaway.size(); ++i) of_torque[gap_case.rows.breakaway[i].motor_torque].insert(fold[i]);
@@ -34,14 +34,14 @@ TEST(Folds, OfALogWhoseSecondPartCountsTimeFromAnew) {
     rows.log.insert(rows.log.end(), again.begin(), again.end());
     rows.parts[gap_case::Experiment::kLog] = {again.size(), again.size()};
     const gap_case::Case gap_case = measured_case(rows, {}, {}, 0.0, 1);
-    for (const int fold : folds(Problem(gap_case))) EXPECT_TRUE(fold >= 0 && fold < kFolds) << fold;
+    for (const int fold : folds(JointProblem(gap_case))) EXPECT_TRUE(fold >= 0 && fold < kFolds) << fold;
 }
 
 TEST(HeldOut, RowsThatNoRefitSawArePredictedAsWellAsThoseThatItSaw) {
     gap_case::Rows rows = pulls(3);
     rows.breakaway = break_aways({0.2, 0.5, 0.8, 1.1}, 3, true).breakaway;
     const gap_case::Case gap_case = measured_case(rows, {{"gear.coulomb", "agonist"}}, {0.06}, 1.0, 7);
-    const Problem problem(gap_case);
+    const JointProblem problem(gap_case);
     const Fit found = best_fit(problem, {{"gear.coulomb", "agonist"}});
     const Fit null = best_fit(problem, {});
     const Split split = held_out(problem, null, found, 1);
@@ -63,11 +63,11 @@ gap_case::Case with_friction(unsigned seed) {
 TEST(HeldOut, WhatTheRowsOfAFoldSayDoesNotReachItsRefit) {
     const gap_case::Case honest = with_friction(7);
     gap_case::Case spoilt = honest;
-    const std::vector<int> fold = folds(Problem(honest));
+    const std::vector<int> fold = folds(JointProblem(honest));
     for (std::size_t i = 0; i < honest.rows.breakaway.size(); ++i)
         if (fold[i] == 0) spoilt.rows.breakaway[i].load_torque *= 0.7;
     const auto refit_of = [](const gap_case::Case& gap_case) {
-        const Problem problem(gap_case);
+        const JointProblem problem(gap_case);
         return held_out(problem, best_fit(problem, {}), best_fit(problem, {kCoulomb}), 1);
     };
     const Split a = refit_of(honest), b = refit_of(spoilt);
@@ -79,7 +79,7 @@ TEST(HeldOut, TheExpectedResidualIsThatOfManyCases) {
     double measured = 0.0, expected = 0.0;
     for (unsigned seed = 1; seed <= 8; ++seed) {
         const gap_case::Case gap_case = with_friction(seed);
-        const Problem problem(gap_case);
+        const JointProblem problem(gap_case);
         const Split split = held_out(problem, best_fit(problem, {}), best_fit(problem, {kCoulomb}), 1);
         measured += split.residual.squaredNorm();
         expected += split.expected.squaredNorm();

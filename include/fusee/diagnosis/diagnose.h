@@ -5,6 +5,7 @@
 
 #include "fusee/diagnosis/diagnosis.h"
 #include "fusee/gap_case/case.h"
+#include "fusee/inference/model.h"
 #include "fusee/joint_model/built_rig.h"
 
 namespace fusee::diagnosis {
@@ -15,8 +16,17 @@ struct DiagnoseOptions {
     std::function<void(std::size_t, std::size_t, const std::string&)> progress;
 };
 
-/// Where model and rig differ, which unmodelled effect causes it, and how far the gap shrinks with that effect in the model (docs/gap.md).
-/// Deterministic. @throws core::InvalidInput if the case has too few rows
+/// The case that a diagnosis is of.
+struct Subject {
+    std::string name, sha256;
+};
+
+/// Where a model and its measurements differ, which effect causes it, and how far the gap shrinks with that effect in the model.
+/// Deterministic for any number of threads. @pre every experiment has a measured value for each place
+[[nodiscard]] Diagnosis diagnose(const inference::Model& model, const Subject& subject, const DiagnoseOptions& options = {});
+
+/// The same of a joint: where model and rig differ, which unmodelled effect causes it, and how far the gap shrinks with that effect in the
+/// model (docs/gap.md). Deterministic. @throws core::InvalidInput if the case has too few rows
 [[nodiscard]] Diagnosis diagnose(const gap_case::Case& gap_case, const DiagnoseOptions& options = {});
 
 /// Checks a diagnosis from a file against the rig of a case: each effect is known, appears once per side, has a size (and further

@@ -23,13 +23,13 @@ struct Parameter {
     std::string unit;
 };
 struct FoundEffect {
-    effects::Cause cause;
+    inference::Cause cause;
     double probability = 0.0;
     Parameter parameter;
     std::vector<std::pair<std::string, double>> extra;  ///< further parameters of its law by name, for a later prediction
 };
 struct Alternative {
-    std::vector<effects::Cause> effects;  ///< empty: no effect at all
+    std::vector<inference::Cause> effects;  ///< empty: no effect at all
     double probability = 0.0;
 };
 /// Contribution of one experiment to the gap. Shares sum to 1, greatest first.
@@ -49,7 +49,7 @@ struct Gap {
 
 /// One row of the ranking: a hypothesis of one or two effects, or of none.
 struct Hypothesis {
-    std::vector<effects::Cause> effects;
+    std::vector<inference::Cause> effects;
     double log_evidence = 0.0;  ///< relative to the best, <= 0 [nats]
     double probability = 0.0;
     double chi2 = 0.0;                  ///< robust misfit, at the best parameters
@@ -77,7 +77,7 @@ struct Trace {
 };
 /// Which causes the experiments can distinguish. Similarity: |cosine| of two whitened signatures, nuisance parameters projected out.
 struct Isolability {
-    std::vector<effects::Cause> causes;
+    std::vector<inference::Cause> causes;
     std::vector<std::vector<double>> signature_similarity;  ///< [i][j], 1 on the diagonal
     std::vector<double> detectable;                         ///< least size detected at 3 sigma, in the unit of the parameter
     std::vector<double> named;                              ///< least size that would be named in 95 of 100 cases, the same unit
@@ -86,7 +86,7 @@ struct Isolability {
 };
 /// What the rows of a case would have shown of a cause, if it were there.
 struct Power {
-    effects::Cause cause;
+    inference::Cause cause;
     double least =
         kNoFigure;       ///< size that would have been named in 95 of 100 cases (of a limit, as a stop: the greatest); kNoFigure: none
     double usual = 0.0;  ///< size of such an effect on rigs that have it
@@ -95,7 +95,7 @@ struct Power {
 };
 /// What effects fitted on some files of a case do on the file that is held out; a false cause fits its own file alone.
 struct Transfer {
-    std::vector<effects::Cause> effects;
+    std::vector<inference::Cause> effects;
     std::string fitted, heldout;                                   ///< names of files
     double fit_before = kNoFigure, fit_after = kNoFigure;          ///< root mean square error on the files of the fit [unit]
     double heldout_before = kNoFigure, heldout_after = kNoFigure;  ///< on the held-out file [unit]

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "fusee/inference/model.h"
 #include "fusee/joint_model/built_rig.h"
 
 namespace fusee::effects {
@@ -11,28 +12,16 @@ namespace fusee::effects {
 using gap_case::Experiment;
 using joint_model::BuiltRig;
 
-/// An effect and its side: "gear.coulomb" on "agonist", "antagonist" or "both"; "none" for effects without sides.
-struct Cause {
-    std::string id, side = "none";
-    [[nodiscard]] bool operator==(const Cause&) const = default;
-};
+using inference::Cause;            ///< sides: "agonist", "antagonist" or "both"; "none" for effects without sides
+using inference::EffectParameter;  ///< on the reference rig (gap_case::Reference)
 
 /// Experiments that see an effect on a spring or its cable.
 inline std::vector<Experiment> spring_experiments() {
     return {Experiment::kSpringPull, Experiment::kDeadBand, Experiment::kJointStiffness, Experiment::kCocontraction, Experiment::kLog};
 }
 
-/// A parameter of an effect, on the reference rig (gap_case::Reference).
-struct EffectParameter {
-    std::string name, unit;
-    double scale = 1.0;              ///< usual size, in `unit`: the prior is normal with 3 of it
-    core::Range allowed;             ///< hard limits
-    double at_first = 0.0;           ///< start value of a further parameter
-    std::vector<double> tries = {};  ///< values of a further parameter to try before a fit, in `unit`; empty: only at_first
-
-    /// On a rig with this reference.
-    [[nodiscard]] EffectParameter on(const gap_case::Reference& reference) const;
-};
+/// A parameter of the library on a rig with this reference.
+[[nodiscard]] EffectParameter on_rig(EffectParameter parameter, const gap_case::Reference& reference);
 
 /// A possible cause of a gap: behaviour of the rig that the nominal model lacks. Each effect is one file in src/effects, which registers
 /// by its existence (docs/guides/add-an-effect.md).

@@ -15,7 +15,7 @@ inline constexpr double kCauchy = 3.0;
 
 /// How much less accurate each experiment's prediction is than on a faultless rig, >= 1: where all its rows deviate (a path full of
 /// stick-slip, an effect outside the model) they are weighted with that accuracy, so that no experiment outvotes the others.
-using Scales = std::array<double, gap_case::kExperiments>;
+using Scales = std::vector<double>;
 
 /// A hypothesis at its best parameters.
 struct Fit {
@@ -54,7 +54,7 @@ struct WorstNuisancePull {
 inline constexpr double kImpossible = 5.0;  ///< sigmas that no workshop exceeds
 [[nodiscard]] WorstNuisancePull worst_nuisance_pull(const Problem& problem, const Fit& fit);
 /// T of each experiment: the root of the mean loss of its rows (0 without rows).
-[[nodiscard]] std::array<double, gap_case::kExperiments> misfits(const Problem& problem, const Eigen::VectorXd& residual);
+[[nodiscard]] std::vector<double> misfits(const Problem& problem, const Eigen::VectorXd& residual);
 [[nodiscard]] Scales scales_of(const Problem& problem, const Eigen::VectorXd& residual, const std::vector<bool>* kept = nullptr);
 /// Weights of rows in a fit: sqrt(weight) cut by the loss and the scales at `residual`; 0 where `kept` is false.
 [[nodiscard]] Eigen::VectorXd robust_weights(const Problem& problem, const Eigen::VectorXd& residual,

@@ -2,33 +2,31 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "fusee/effects/effect.h"
-#include "fusee/inference/uncertainty.h"
-#include "fusee/joint_model/build_parameters.h"
+#include "fusee/inference/model.h"
 
 namespace fusee::inference {
 
 inline constexpr double kEffectPrior = 3.0;  ///< one sigma of an effect's size, in its scale
 
-/// One or two effects, each on its side; none at all for the nominal rig.
-using Causes = std::vector<effects::Cause>;
+/// One or two effects, each on its side; none at all for the nominal model.
+using Causes = std::vector<Cause>;
 
-/// A case prepared for fits: x = (build parameters in sigmas, then each cause's parameters in their scales).
-/// Residuals are (measured - predicted)/sigma, experiment by experiment, in the order of Signals.
+/// A model prepared for fits: x = (build parameters in sigmas, then each cause's parameters in their scales).
+/// Residuals are (measured - predicted)/sigma, experiment by experiment, in the order of Model::experiments.
 class Problem {
 public:
-    explicit Problem(const gap_case::Case& gap_case);
+    /// @pre the model outlives it
+    explicit Problem(const Model& model);
 
-    [[nodiscard]] const gap_case::Case& gap_case() const { return gap_case_; }
-    [[nodiscard]] const std::vector<joint_model::BuildParameter>& build() const { return build_; }
-    [[nodiscard]] const joint_model::NominalCams& cams() const { return cams_; }
-    /// The library's effect with the parameters of this rig. @throws core::InvalidInput if the id is unknown
-    [[nodiscard]] const effects::Effect& effect(const std::string& id) const;
-    [[nodiscard]] const Uncertainty& known() const { return known_; }
-    [[nodiscard]] const joint_model::Signals& measured() const { return measured_; }
+    [[nodiscard]] const Model& model() const { return model_; }
+    [[nodiscard]] const std::vector<BuildParameter>& build() const { return model_.build(); }
+    [[nodiscard]] const std::vector<Experiment>& experiments() const { return model_.experiments(); }
+    /// @throws core::InvalidInput if the id is unknown
+    [[nodiscard]] const Effect& effect(const std::string& id) const;
     [[nodiscard]] int size(const Causes& causes) const;    ///< of x
     [[nodiscard]] int residuals() const { return rows_; }  ///< how many
-    [[nodiscard]] gap_case::Experiment experiment_of(int residual) const;
+    /// The place in `experiments` of the experiment that a residual belongs to.
+    [[nodiscard]] std::size_t experiment_of(int residual) const { return experiment_of_[static_cast<std::size_t>(residual)]; }
     [[nodiscard]] int size_at(const Causes& causes, std::size_t cause) const;      ///< the place in x of causes[cause]'s size
     [[nodiscard]] core::Range allowed(const Causes& causes, int parameter) const;  ///< of x[parameter]
     /// Start of a fit of these causes: sizes at their first start.
@@ -36,7 +34,7 @@ public:
     /// Prior mean of x: 0 for build parameters and sizes, the start value for further parameters.
     [[nodiscard]] Eigen::VectorXd prior_mean(const Causes& causes) const;
     /// `x` of `causes` reduced to the hypothesis with the cause `kept` only.
-    [[nodiscard]] Eigen::VectorXd without_others(const Causes& causes, const Eigen::VectorXd& x, const effects::Cause& kept) const;
+    [[nodiscard]] Eigen::VectorXd without_others(const Causes& causes, const Eigen::VectorXd& x, const Cause& kept) const;
     [[nodiscard]] double prior_sigma(const Causes& causes, int parameter) const;
     /// The same hypothesis with one of the two ways to write a ripple: its size is positive, its phase within half a turn of 0.
     [[nodiscard]] Eigen::VectorXd with_positive_ripples(const Causes& causes, Eigen::VectorXd x) const;
@@ -44,37 +42,30 @@ public:
     /// What x[parameter] is: a build parameter, the size of an effect, a further parameter of one, or the count or phase of a ripple.
     [[nodiscard]] Role role(const Causes& causes, int parameter) const;
 
-    [[nodiscard]] joint_model::BuiltRig rig(const Causes& causes, const Eigen::VectorXd& x) const;
-    [[nodiscard]] joint_model::Signals predict(const Causes& causes, const Eigen::VectorXd& x) const;
-    [[nodiscard]] Eigen::VectorXd residual(const joint_model::Signals& prediction) const;
+    /// The model's setting at x, within the limits of the effects' parameters.
+    [[nodiscard]] Setting setting(const Causes& causes, const Eigen::VectorXd& x) const;
+    /// NaN where the model refuses.
+    [[nodiscard]] Outputs predict(const Causes& causes, const Eigen::VectorXd& x, Extent extent = Extent::kAll) const;
+    [[nodiscard]] Eigen::VectorXd residual(const Outputs& prediction) const;
     [[nodiscard]] Eigen::VectorXd residual(const Causes& causes, const Eigen::VectorXd& x) const { return residual(predict(causes, x)); }
-    /// The same with one dead-band repeat per level: half the time.
+    /// The same with one prediction for the repeats of a set point (Extent::kOncePerSetPoint).
     [[nodiscard]] Eigen::VectorXd thin_residual(const Causes& causes, const Eigen::VectorXd& x) const {
-        return residual(predict_thin(causes, x));
+        return residual(predict(causes, x, Extent::kOncePerSetPoint));
     }
-    /// The same for break-away and spring pulls, which need no motion; 0 elsewhere.
+    /// The same for experiments with Experiment::direct; 0 elsewhere.
     [[nodiscard]] Eigen::VectorXd direct_residual(const Causes& causes, const Eigen::VectorXd& x) const;
-    /// d residual/dx[parameter], from predictions with one dead-band repeat per level.
+    /// d residual/dx[parameter], from thin residuals.
     [[nodiscard]] Eigen::VectorXd slope(const Causes& causes, const Eigen::VectorXd& x, int parameter) const;
     /// sqrt(weight) of each residual.
     [[nodiscard]] const Eigen::VectorXd& root_weight() const { return root_weight_; }
 
 private:
-    [[nodiscard]] joint_model::Signals predict_thin(const Causes& causes, const Eigen::VectorXd& x) const;
-
     template <typename Visit>
     void visit_parameters(const Causes& causes, const Visit& visit) const;
 
-    const gap_case::Case& gap_case_;
-    std::vector<effects::Effect> library_;  // of this rig
-    joint_model::NominalCams cams_;
-    std::vector<joint_model::BuildParameter> build_;
-    Uncertainty known_;
-    joint_model::Signals measured_;
-    gap_case::Rows thin_;            // one repeat a level
-    std::vector<std::size_t> like_;  // of each dead-band row, its row in thin_
+    const Model& model_;
     int rows_ = 0;
-    std::array<int, gap_case::kExperiments + 1> first_{};
+    std::vector<std::size_t> experiment_of_;
     Eigen::VectorXd root_weight_;
 };
 

@@ -7,10 +7,10 @@ namespace fusee::inference {
 
 inline constexpr double kTermOdds = 25.0;  ///< log odds against a generic term: each has more freedom than an effect [nats]
 
-/// Every generic term on every side that the experiments of the case can see. A ripple has a phase of its own on each side.
-[[nodiscard]] std::vector<effects::Cause> possible_terms(const gap_case::Rows& rows);
+/// Every generic effect on every side that the experiments of the case can see.
+[[nodiscard]] std::vector<Cause> possible_terms(const Problem& problem);
 /// Those of them that are easily confused with the effect of this id.
-[[nodiscard]] std::vector<effects::Cause> terms_like(const gap_case::Rows& rows, const std::string& effect);
+[[nodiscard]] std::vector<Cause> terms_like(const Problem& problem, const std::string& effect);
 
 /// Generic terms that explain what no effect of the library does.
 struct FoundTerms {
@@ -23,7 +23,7 @@ struct FoundTerms {
 /// full; then a second one upon it in the same way, or the same term on the other side upon any of the three. None if they do not exceed
 /// `least` (log evidence to beat) by kTermOdds each, if a size does not stand off 0 or is at a bound, or if experiments that would each
 /// see it disagree about its size.
-[[nodiscard]] std::optional<FoundTerms> pursue_terms(const Problem& problem, const Fit& null, double least,
-                                                     const std::vector<effects::Cause>& terms, const SearchOptions& options);
+[[nodiscard]] std::optional<FoundTerms> pursue_terms(const Problem& problem, const Fit& null, double least, const std::vector<Cause>& terms,
+                                                     const SearchOptions& options);
 
 }  // namespace fusee::inference

@@ -8,20 +8,19 @@ namespace fusee::inference {
 
 inline constexpr double kStrained = 3.0;  ///< sigmas of a build parameter beyond which it may replace the effect under test
 
-/// Every effect of the library on every side.
-[[nodiscard]] std::vector<effects::Cause> causes_of_library();
-/// Every effect on every side that the experiments of the case can see.
-[[nodiscard]] std::vector<effects::Cause> possible_causes(const gap_case::Rows& rows);
+/// Every effect of the model on every side; the generic ones instead, if `generic`.
+[[nodiscard]] std::vector<Cause> causes_of(const Model& model, bool generic = false);
+/// Those of them that the experiments of the case can see.
+[[nodiscard]] std::vector<Cause> possible_causes(const Problem& problem, bool generic = false);
 
 /// Adds `cause` to what `base` has, fitted to the rows `kept` in a few steps from the best of its starts; the parameters of `base` follow
 /// in its linear model. No row that is not kept is looked at.
-[[nodiscard]] Guess guess_upon(const Problem& problem, const Fit& base, const effects::Cause& cause,
-                               const std::vector<bool>* kept = nullptr);
+[[nodiscard]] Guess guess_upon(const Problem& problem, const Fit& base, const Cause& cause, const std::vector<bool>* kept = nullptr);
 
 /// Adds each of `causes` to what `base` has, at its sizes to start with and one Gauss-Newton step, the rest of x following in
 /// the linear model of `base`. Sorted by cost.
 /// @param improved only the best so many make the step
-[[nodiscard]] std::vector<Guess> screen(const Problem& problem, const Fit& base, const std::vector<effects::Cause>& causes, unsigned jobs,
+[[nodiscard]] std::vector<Guess> screen(const Problem& problem, const Fit& base, const std::vector<Cause>& causes, unsigned jobs,
                                         std::size_t improved = static_cast<std::size_t>(-1));
 
 /// Full fits of guesses, in their order. They share the threads.

@@ -6,7 +6,7 @@
 namespace fusee::inference {
 
 inline constexpr int kFolds = 4;
-/// Fold of each residual: whole set points of an experiment, whole runs of a path.
+/// Fold of each residual: the blocks of each experiment (Place::block) in turn.
 [[nodiscard]] std::vector<int> folds(const Problem& problem);
 
 /// Refits, each without one part of the rows.

@@ -34,7 +34,7 @@ std::vector<Effect> terms_on(const gap_case::Reference& reference) {
     std::vector<Effect> all;
     for (const Term& term : term_library()) {
         all.push_back(term.effect);
-        for (EffectParameter& parameter : all.back().parameters) parameter = parameter.on(reference);
+        for (EffectParameter& parameter : all.back().parameters) parameter = on_rig(parameter, reference);
     }
     return all;
 }

@@ -1,4 +1,4 @@
-#include "next_experiment_menu.h"
+#include "fusee/effects/menu.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -12,7 +12,7 @@
 
 #include "fusee/gap_case/reference.h"
 
-namespace fusee::diagnosis {
+namespace fusee::effects {
 
 namespace {
 
@@ -131,7 +131,7 @@ public:
         });
         menu_.sheets = {usual, harder(usual, gap_case.rig), log_at(usual, 0.5, 2), log_at(usual, 2.0, 1)};
     }
-    Menu write() {
+    MeasurementMenu write() {
         break_aways();
         pulls();
         dead_bands(0, "");
@@ -145,7 +145,7 @@ public:
     }
 
 private:
-    void add(Measurement m, int mountings) {
+    void add(SheetMeasurement m, int mountings) {
         const ExperimentCost& cost = kCosts[static_cast<std::size_t>(m.experiment)];
         if (m.rows.empty()) return;
         m.cost = cost.mounting * mountings + cost.reading * static_cast<double>(m.rows.size()) * m.repeats;
@@ -243,7 +243,7 @@ private:
             1);
     }
 
-    Menu menu_;
+    MeasurementMenu menu_;
     int break_away_repeats_ = 1, dead_band_repeats_ = 1;
 };
 
@@ -259,10 +259,6 @@ gap_case::CaseTemplate template_of(const gap_case::Case& gap_case) {
     return t;
 }
 
-std::string sentence_of(const Measurement& measurement, double bits) {
-    return fmt::format("{}: {:.2f} bit, {:.0f} min.", measurement.what, bits, measurement.cost);
-}
+MeasurementMenu measurement_menu(const gap_case::Case& gap_case) { return MenuWriter(gap_case).write(); }
 
-Menu measurement_menu(const gap_case::Case& gap_case) { return MenuWriter(gap_case).write(); }
-
-}  // namespace fusee::diagnosis
+}  // namespace fusee::effects

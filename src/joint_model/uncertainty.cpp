@@ -1,4 +1,4 @@
-#include "fusee/inference/uncertainty.h"
+#include "fusee/joint_model/uncertainty.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include "fusee/gap_case/reference.h"
 
-namespace fusee::inference {
+namespace fusee::joint_model {
 
 namespace {
 
@@ -142,4 +142,4 @@ private:
 
 Uncertainty uncertainty(const gap_case::Case& gap_case) { return Maker(gap_case).make(); }
 
-}  // namespace fusee::inference
+}  // namespace fusee::joint_model

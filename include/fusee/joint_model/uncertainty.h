@@ -1,12 +1,12 @@
 #pragma once
 #include "fusee/joint_model/signals.h"
 
-namespace fusee::inference {
+namespace fusee::joint_model {
 
 /// Expected deviation of a correct model, row by row: sensors and accuracy of the prediction.
 struct Uncertainty {
-    joint_model::Signals sensors;  ///< one sigma of the measurement alone
-    joint_model::Signals sigma;    ///< with the accuracy of the prediction on a faultless rig
+    Signals sensors;  ///< one sigma of the measurement alone
+    Signals sigma;    ///< with the accuracy of the prediction on a faultless rig
     /// Share of independent rows of each experiment: the rows of a path deviate together.
     std::array<double, gap_case::kExperiments> weight{};
     /// A capstan sticks and slips during co-contraction: the moments of its slips are random.
@@ -14,4 +14,4 @@ struct Uncertainty {
 };
 [[nodiscard]] Uncertainty uncertainty(const gap_case::Case& gap_case);
 
-}  // namespace fusee::inference
+}  // namespace fusee::joint_model

@@ -1,0 +1,282 @@
+#include "fusee/effects/joint.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+#include "fusee/effects/term.h"
+
+namespace fusee::effects {
+
+namespace {
+
+constexpr std::size_t kStretch = 8;       ///< rows of a path that are held out together
+constexpr double kLogStretch = 0.5;       ///< of the reference rig [s]
+constexpr std::size_t kFormPoints = 201;  ///< of the curve of a generic term
+/// T of each experiment above which the model lacks something [sigma]: a break-away scatters with the built friction, spring pulls
+/// are known best, paths that stick and slip least.
+constexpr std::array<double, gap_case::kExperiments> kUnexplained{2.0, 1.35, 3.5, 3.25, 2.0, 2.75};
+
+const char* variable_of(gap_case::Experiment experiment) {
+    switch (experiment) {
+        case gap_case::Experiment::kBreakAway:
+            return "motor_torque_Nm";
+        case gap_case::Experiment::kSpringPull:
+            return "deflection_rad";
+        case gap_case::Experiment::kDeadBand:
+            return "cocontraction_Nm";
+        case gap_case::Experiment::kJointStiffness:
+            return "joint_torque_Nm";
+        case gap_case::Experiment::kCocontraction:
+            return "motor_torque_Nm";
+        default:
+            return "t_s";
+    }
+}
+
+/// The place of a value among the different values of the rows.
+class Levels {
+public:
+    template <typename RowList, typename Figure>
+    Levels(const RowList& rows, const Figure& figure) {
+        std::set<double> all;
+        for (const auto& row : rows) all.insert(figure(row));
+        levels_.assign(all.begin(), all.end());
+    }
+    [[nodiscard]] int place(double value) const {
+        return static_cast<int>(std::lower_bound(levels_.begin(), levels_.end(), value) - levels_.begin());
+    }
+
+private:
+    std::vector<double> levels_;
+};
+
+/// Where the values of an experiment stand: whole set points and whole stretches of a path are one block.
+class PlacesOf {
+public:
+    explicit PlacesOf(const gap_case::Case& gap_case) : rows_(gap_case.rows), time_(gap_case::reference_of(gap_case.rig).time) {}
+    [[nodiscard]] std::vector<inference::Place> experiment(gap_case::Experiment experiment) {
+        places_.clear();
+        columns_ = joint_model::measured_columns(experiment, rows_);
+        switch (experiment) {
+            case gap_case::Experiment::kBreakAway: {
+                const Levels torques(rows_.breakaway, [](const auto& row) { return row.motor_torque; });
+                for (const identification::BreakAway& row : rows_.breakaway)
+                    add(row.motor_torque, row.side + (row.backdrive ? " backdrive" : " drive"), "", torques.place(row.motor_torque));
+                break;
+            }
+            case gap_case::Experiment::kSpringPull:
+                for (const gap_case::SpringPull& row : rows_.spring_pull)
+                    add(row.deflection, std::string(row.series ? "se " : "pe ") + to_string(row.side), "", stretch());
+                break;
+            case gap_case::Experiment::kDeadBand: {
+                const Levels levels(rows_.dead_band, [](const auto& row) { return row.cocontraction; });
+                for (const gap_case::DeadBandRow& row : rows_.dead_band) add_columns(row.cocontraction, levels.place(row.cocontraction));
+                break;
+            }
+            case gap_case::Experiment::kJointStiffness:
+                for (const gap_case::StiffnessRow& row : rows_.joint_stiffness)
+                    add(row.joint_torque, "q_rad", fmt::format(" at {:g} Nm", row.cocontraction), stretch());
+                break;
+            case gap_case::Experiment::kCocontraction:
+                for (std::size_t i = 0; i < rows_.cocontraction.size(); ++i)
+                    add_columns(rows_.cocontraction[i].motor_torque, static_cast<int>(i / kStretch));
+                break;
+            case gap_case::Experiment::kLog:
+                for (const gap_case::LogRow& row : rows_.log)
+                    add_columns(row.time, static_cast<int>(std::abs(row.time - rows_.log.front().time) / (kLogStretch * time_)));
+        }
+        return std::move(places_);
+    }
+
+private:
+    [[nodiscard]] int stretch() const { return static_cast<int>(places_.size() / kStretch); }
+    void add(double at, const std::string& component, const std::string& curve, int block) {
+        places_.push_back({at, component, component + curve, block});
+    }
+    void add_columns(double at, int block) {
+        for (const std::string& column : columns_) add(at, column, "", block);
+    }
+
+    const gap_case::Rows& rows_;
+    double time_;
+    std::vector<std::string> columns_;
+    std::vector<inference::Place> places_;
+};
+
+std::vector<inference::Experiment> experiments_of(const gap_case::Case& gap_case, const joint_model::Uncertainty& known) {
+    const joint_model::Signals measured = joint_model::measured(gap_case.rows);
+    std::vector<inference::Experiment> all;
+    for (const gap_case::Experiment experiment : gap_case::kAllExperiments) {
+        const auto e = static_cast<std::size_t>(experiment);
+        inference::Experiment& own = all.emplace_back();
+        own.name = to_string(experiment);
+        own.variable = variable_of(experiment);
+        own.rows = gap_case.rows.size(experiment);
+        own.outputs = joint_model::measured_columns(experiment, gap_case.rows);
+        own.measured = measured[experiment];
+        own.sigma = known.sigma[experiment];
+        own.places = PlacesOf(gap_case).experiment(experiment);
+        own.weight = known.weight[e];
+        own.unexplained = kUnexplained[e];
+        own.direct = experiment == gap_case::Experiment::kBreakAway || experiment == gap_case::Experiment::kSpringPull;
+    }
+    return all;
+}
+
+std::vector<std::string> sides_of(const Effect& effect, bool generic) {
+    if (!effect.sided) return {"none"};
+    if (generic && effect.has_phase()) return {"agonist", "antagonist"};  // a ripple has a phase of its own on each side
+    return {"agonist", "antagonist", "both"};
+}
+
+inference::Effect engine_effect(const Effect& effect, bool generic) {
+    std::vector<std::size_t> seen_by;
+    for (const Experiment experiment : effect.seen_by) seen_by.push_back(static_cast<std::size_t>(experiment));
+    return {effect.id, effect.law, sides_of(effect, generic), effect.parameters, effect.starts, seen_by, effect.confused_with, generic};
+}
+
+}  // namespace
+
+Joint::Joint(const gap_case::Case& gap_case)
+    : gap_case_(gap_case),
+      cams_(gap_case.rig),
+      known_(joint_model::uncertainty(gap_case)),
+      changes_(joint_model::build_parameters(gap_case)),
+      experiments_(experiments_of(gap_case, known_)),
+      thin_(gap_case.rows) {
+    const gap_case::Reference reference = gap_case::reference_of(gap_case.rig);
+    for (const Effect& effect : effects_on(reference)) effects_.push_back(engine_effect(effect, false));
+    for (const Effect& term : terms_on(reference)) effects_.push_back(engine_effect(term, true));
+    for (const joint_model::BuildParameter& build : changes_) build_.push_back({build.name, build.unit, build.sigma, 0.0, build.of_rig});
+    thin_.dead_band.clear();
+    for (const gap_case::DeadBandRow& row : gap_case.rows.dead_band) {
+        const auto same = std::find_if(thin_.dead_band.begin(), thin_.dead_band.end(),
+                                       [&](const gap_case::DeadBandRow& other) { return other.cocontraction == row.cocontraction; });
+        like_.push_back(static_cast<std::size_t>(same - thin_.dead_band.begin()));
+        if (same == thin_.dead_band.end()) thin_.dead_band.push_back(row);
+        thin_.dead_band[like_.back()].row = like_.size();
+    }
+}
+
+joint_model::BuiltRig Joint::rig(const inference::Setting& setting) const {
+    joint_model::BuiltRig rig(gap_case_.rig);
+    for (std::size_t i = 0; i < changes_.size(); ++i) changes_[i].add(rig, setting.build[i]);
+    for (const auto& [cause, values] : setting.effects) apply_effect(find_effect_or_term(cause.id), cause, values, rig);
+    rig.assemble(cams_);
+    return rig;
+}
+
+inference::Outputs Joint::predict(const inference::Setting& setting, inference::Extent extent) const {
+    const joint_model::BuiltRig built = rig(setting);
+    const bool once = extent == inference::Extent::kOncePerSetPoint;
+    inference::Outputs outputs(gap_case::kExperiments);
+    for (const gap_case::Experiment experiment : gap_case::kAllExperiments) {
+        const auto e = static_cast<std::size_t>(experiment);
+        if (extent == inference::Extent::kDirect && !experiments_[e].direct) continue;
+        outputs[e] = joint_model::predict_experiment(built, once ? thin_ : gap_case_.rows, gap_case_.protocol, experiment);
+    }
+    if (!once) return outputs;
+    const std::size_t columns = thin_.dead_band_width_only ? 1 : 2;
+    std::vector<double>& all = outputs[static_cast<std::size_t>(gap_case::Experiment::kDeadBand)];
+    const std::vector<double> levels = std::exchange(all, {});
+    for (const std::size_t level : like_)
+        for (std::size_t c = 0; c < columns; ++c) all.push_back(levels[level * columns + c]);
+    return outputs;
+}
+
+std::vector<std::string> Joint::remarks() const {
+    std::vector<std::string> all = gap_case_.remarks;
+    if (known_.stick_slip)
+        all.emplace_back("cocontraction: a capstan sticks and slips; the moment of a slip cannot be predicted, so paths get less weight");
+    return all;
+}
+
+core::Range Joint::curve_range_of(const std::string& over, const std::vector<double>& values) const {
+    const gap_case::Rows& rows = gap_case_.rows;
+    if (over == "capstan_rad") return {0.0, cams_.end()};
+    if (over == "end_share") return {0.0, 1.0};
+    if (over == "time_s" || over == "session_s") return {0.0, 4.0 * (values.size() > 1 ? values[1] : values[0])};
+    if (over == "torque_Nm") {
+        const gap_case::NominalRig::SpringRow& end = gap_case_.rig.springs.back();
+        return {0.0, end.se_torque + end.pe_torque};
+    }
+    double most = 0.1;  // joint_rad: as far as it was seen
+    for (const gap_case::DeadBandRow& row : rows.dead_band)
+        if (!rows.dead_band_width_only) most = std::max({most, std::abs(row.q_low), std::abs(row.q_high)});
+    for (const gap_case::StiffnessRow& row : rows.joint_stiffness) most = std::max(most, std::abs(row.q));
+    for (const gap_case::LogRow& row : rows.log) most = std::max(most, std::abs(row.q));
+    return {-most, most};
+}
+
+inference::Form Joint::form_of(const Cause& cause, const std::vector<double>& values) const {
+    const Term& term = *term_or_none(cause.id);
+    inference::Form form{term.port, term.depends_on, sentence_of(term, cause.side, values), term.over, term.gives, {}, {}};
+    const core::Range range = curve_range_of(term.over, values);
+    for (std::size_t i = 0; i < kFormPoints; ++i) {
+        form.x.push_back(range.low + range.width() * static_cast<double>(i) / (kFormPoints - 1));
+        form.y.push_back(term.curve(values, form.x.back()));
+    }
+    return form;
+}
+
+std::unique_ptr<inference::Menu> Joint::menu() const { return std::make_unique<JointMenu>(*this, measurement_menu(gap_case_)); }
+
+namespace {
+
+joint_model::Signals signals_of(const gap_case::Rows& rows, const std::vector<double>& all, std::size_t& next) {
+    joint_model::Signals signals = joint_model::measured(rows);
+    for (std::vector<double>& figures : signals.of)
+        for (double& figure : figures) figure = all[next++];
+    return signals;
+}
+
+}  // namespace
+
+JointMenu::JointMenu(const Joint& joint, MeasurementMenu menu) : joint_(joint), menu_(std::move(menu)) {
+    std::vector<std::array<std::size_t, gap_case::kExperiments>> first;  // of each sheet, the first value of each experiment
+    std::size_t size = 0;
+    for (const gap_case::Rows& sheet : menu_.sheets) {
+        const joint_model::Signals signals = joint_model::measured(sheet);
+        first.emplace_back();
+        for (std::size_t e = 0; e < gap_case::kExperiments; ++e) {
+            first.back()[e] = size;
+            size += signals.of[e].size();
+        }
+    }
+    for (const SheetMeasurement& m : menu_.measurements) {
+        const std::size_t columns = joint_model::measured_columns(m.experiment, menu_.sheets[m.sheet]).size();
+        measurements_.push_back(m.offer());
+        for (const std::size_t row : m.rows)
+            for (std::size_t c = 0; c < columns; ++c)
+                measurements_.back().values.push_back(
+                    static_cast<int>(first[m.sheet][static_cast<std::size_t>(m.experiment)] + row * columns + c));
+    }
+}
+
+std::vector<double> JointMenu::predict(const inference::Setting& setting) const {
+    const joint_model::BuiltRig rig = joint_.rig(setting);
+    std::vector<double> all;
+    for (const gap_case::Rows& rows : menu_.sheets)
+        for (const std::vector<double>& figures : joint_model::predict_signals(rig, rows, joint_.gap_case().protocol).of)
+            all.insert(all.end(), figures.begin(), figures.end());
+    return all;
+}
+
+std::vector<double> JointMenu::precisions(const std::vector<double>& predicted) const {
+    std::vector<double> all;
+    std::size_t next = 0;
+    for (const gap_case::Rows& sheet : menu_.sheets) {
+        gap_case::Case asked = joint_.gap_case();
+        asked.rows = joint_model::with_measured(sheet, signals_of(sheet, predicted, next));
+        const joint_model::Uncertainty known = joint_model::uncertainty(asked);
+        for (std::size_t e = 0; e < gap_case::kExperiments; ++e)
+            for (const double sigma : known.sigma.of[e]) all.push_back(std::sqrt(known.weight[e]) / sigma);
+    }
+    return all;
+}
+
+}  // namespace fusee::effects

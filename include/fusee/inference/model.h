@@ -7,8 +7,8 @@
 
 #include "fusee/core/units.h"
 
-/// What the engine of diagnosis asks of a model (docs/theory/model.md). The engine fits, searches, holds rows out and judges; it knows
-/// no experiment, no effect and no unit of a model.
+/// What the engine of diagnosis asks of a model. The engine fits, searches, holds rows out and judges; it knows no experiment, no effect
+/// and no unit of a model. effects::Joint is one; a pendulum in tests/inference/pendulum.h is a small one to begin with.
 namespace fusee::inference {
 
 /// An effect and its side: "gear.coulomb" on "agonist"; "none" for an effect without sides.

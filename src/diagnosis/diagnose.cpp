@@ -5,17 +5,14 @@
 #include <algorithm>
 #include <future>
 #include <numeric>
-#include <optional>
 #include <system_error>
 #include <thread>
 
 #include "answer.h"
 #include "fusee/core/error.h"
 #include "fusee/effects/joint.h"
-#include "fusee/inference/pursue.h"
-#include "fusee/inference/search.h"
-#include "fusee/inference/splits.h"
-#include "verdict.h"
+#include "fusee/inference/screen.h"
+#include "isolability.h"
 #include "workload.h"
 
 namespace fusee::diagnosis {
@@ -51,39 +48,24 @@ DiagnoseOptions with_warning(const gap_case::Case& gap_case, const DiagnoseOptio
             }};
 }
 
-/// Generic terms where the library explains nothing, or only two of its effects together do: one unknown effect often looks like two known
-/// ones. One effect competes with the terms that resemble it. The first term has to beat every hypothesis of the library.
-std::optional<inference::FoundTerms> terms_of(const inference::Problem& problem, const inference::Search& found, VerdictKind verdict,
-                                              unsigned jobs) {
-    const bool named = verdict == VerdictKind::kIdentified || verdict == VerdictKind::kAmbiguous;
-    const std::vector<inference::Cause> terms = named && found.best().causes.size() == 1
-                                                    ? inference::terms_like(problem, found.best().causes.front().id)
-                                                    : inference::possible_terms(problem);
-    if (terms.empty() || (named && found.best().causes.empty())) return std::nullopt;
-    const inference::Fit& null = found.fits[found.null];
-    const double best = null.log_evidence - found.log_posterior[found.null];  // of the library, its odds included
-    return inference::pursue_terms(problem, null, best, terms, {.jobs = jobs, .progress = {}});
-}
-
 }  // namespace
 
 Diagnosis diagnose(const inference::Model& model, const Subject& subject, const DiagnoseOptions& options) {
     Steps progress(options);
     const unsigned jobs = options.jobs;
     const inference::Problem problem(model);
-    const inference::Search found = search(problem, {jobs, std::ref(progress)});
-    const Verdict verdict = judge(problem, found);
-    Answer answer(subject, problem, found, verdict);
-    const inference::Fit& null = found.fits[found.null];
-    const std::optional<inference::FoundTerms> terms = terms_of(problem, found, verdict.verdict, jobs);
-    if (terms) answer.name(*terms);
+    Stages stages;
+    stages.found = search(problem, {jobs, std::ref(progress)});
+    const Scrutiny scrutiny = scrutinize(problem, stages.found);
+    stages.terms = terms_of(problem, stages.found, scrutiny, jobs);
     progress("generic terms");
-    answer.compare(held_out(problem, null, answer.shown(), jobs));
+    stages.isolability = isolability(problem, stages.null(), inference::possible_causes(problem), jobs);
+    stages.decision = decide(problem, stages.found, scrutiny, stages.terms, stages.isolability);
+    stages.held_out = held_out(problem, stages.null(), stages.shown(), jobs);
     progress("held-out rows");
-    answer.rank();
-    answer.plan_next_experiment(jobs);
+    stages.next = plan(problem, stages, jobs);
     progress("next experiment");
-    return answer.take();
+    return answer_of(subject, problem, stages);
 }
 
 Diagnosis diagnose(const gap_case::Case& gap_case, const DiagnoseOptions& options) {

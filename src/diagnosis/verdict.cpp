@@ -1,6 +1,7 @@
 #include "verdict.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "fusee/inference/interval.h"
+#include "power.h"
 
 namespace fusee::diagnosis {
 
@@ -28,13 +30,6 @@ double share_of_slips(const inference::Problem& problem, const inference::Fit& f
         }
     return rows > 0.0 ? slips / rows : 0.0;
 }
-
-/// Findings on the best hypothesis.
-struct Scrutiny {
-    std::vector<std::string> remarks;
-    bool unexplained = false;
-    bool evidence = false;  ///< an experiment can be predicted row by row
-};
 
 void look_at_experiments(Scrutiny& said, const inference::Problem& problem, const inference::Fit& best) {
     const std::vector<double> left = misfits(problem, best.seen());
@@ -82,21 +77,67 @@ void look_at_sizes(Scrutiny& said, const inference::Problem& problem, const infe
     }
 }
 
-VerdictKind verdict_of(const Scrutiny& said, const inference::Search& search) {
-    if (said.unexplained || !said.evidence) return VerdictKind::kUnknown;
-    const bool rivalled = search.probability.size() > 1 && search.probability[1] >= kRival;  // they fall
-    if (search.probability.front() < kSure && rivalled) return VerdictKind::kAmbiguous;
+VerdictKind likely_verdict(const Scrutiny& scrutiny, const inference::Search& search) {
+    if (!scrutiny.holds()) return VerdictKind::kUnknown;
+    if (scrutiny.rivalled) return VerdictKind::kAmbiguous;
     return search.best().causes.empty() ? VerdictKind::kNone : VerdictKind::kIdentified;
+}
+
+std::string names_of(const inference::Causes& causes) {
+    std::string names;
+    for (const inference::Cause& cause : causes) names += (names.empty() ? "" : " with ") + cause.id;
+    return names;
+}
+
+std::string unseen_remark(const std::vector<inference::Cause>& unseen) {
+    std::vector<std::string> ids;
+    for (const inference::Cause& cause : unseen)
+        if (ids.empty() || ids.back() != cause.id) ids.push_back(cause.id);
+    return fmt::format("these rows would not show a usual size of: {}", fmt::join(ids, ", "));
 }
 
 }  // namespace
 
-Verdict judge(const inference::Problem& problem, const inference::Search& search) {
+Scrutiny scrutinize(const inference::Problem& problem, const inference::Search& search) {
     Scrutiny said;
     look_at_experiments(said, problem, search.best());
     look_at_tolerances(said, problem, search.best());
     look_at_sizes(said, problem, search);
-    return {verdict_of(said, search), std::move(said.remarks)};
+    said.rivalled = search.probability.front() < kSure && search.probability.size() > 1 && search.probability[1] >= kRival;  // they fall
+    return said;
+}
+
+std::optional<inference::FoundTerms> terms_of(const inference::Problem& problem, const inference::Search& found, const Scrutiny& scrutiny,
+                                              unsigned jobs) {
+    const inference::Causes& best = found.best().causes;
+    const bool named = scrutiny.holds() && (scrutiny.rivalled || !best.empty());
+    const std::vector<inference::Cause> terms =
+        named && best.size() == 1 ? inference::terms_like(problem, best.front().id) : inference::possible_terms(problem);
+    if (terms.empty() || (named && best.empty())) return std::nullopt;
+    const inference::Fit& null = found.fits[found.null];
+    const double to_beat = null.log_evidence - found.log_posterior[found.null];  // of the library, its odds included
+    return inference::pursue_terms(problem, null, to_beat, terms, {.jobs = jobs, .progress = {}});
+}
+
+Decision decide(const inference::Problem& problem, const inference::Search& search, const Scrutiny& scrutiny,
+                const std::optional<inference::FoundTerms>& terms, const Isolability& isolability) {
+    Decision decision{likely_verdict(scrutiny, search), Shown::kNull, scrutiny.remarks, {}, {}};
+    const bool named = decision.verdict == VerdictKind::kIdentified || decision.verdict == VerdictKind::kAmbiguous;
+    if (terms) {
+        if (named)
+            decision.remarks.push_back(fmt::format("an unknown effect explains the gap better than {}", names_of(search.best().causes)));
+        decision.verdict = VerdictKind::kUnknown;
+        decision.shown = Shown::kTerms;
+        return decision;
+    }
+    if (named) decision.shown = Shown::kBest;
+    if (decision.verdict != VerdictKind::kNone) return decision;
+    decision.power = powers_of(problem, isolability);
+    decision.unseen = not_shown(decision.power);
+    if (decision.unseen.empty()) return decision;
+    decision.verdict = VerdictKind::kInconclusive;
+    decision.remarks.push_back(unseen_remark(decision.unseen));
+    return decision;
 }
 
 }  // namespace fusee::diagnosis

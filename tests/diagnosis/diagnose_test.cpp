@@ -79,6 +79,12 @@ TEST(Diagnose, ABumpInOneSpringIsUnknownAndFoundWhereItIs) {
     ASSERT_FALSE(diagnosis.where.empty());
     EXPECT_EQ(diagnosis.where[0].experiment, "spring_pull");
     EXPECT_EQ(diagnosis.where[0].component, "se agonist");
+    // Effects that are not named are not in the figures either.
+    const JointProblem problem(gap_case);
+    const inference::Fit null = best_fit(problem, {});
+    ASSERT_EQ(diagnosis.build.size(), problem.build().size());
+    for (std::size_t k = 0; k < problem.build().size(); ++k)
+        EXPECT_DOUBLE_EQ(diagnosis.build[k].second.value, null.x[static_cast<Eigen::Index>(k)] * problem.build()[k].sigma);
 }
 
 TEST(Diagnose, OneUnknownEffectThatTwoKnownOnesImitateIsUnknown) {

@@ -25,11 +25,10 @@ Trace thinned(const Trace& trace) {
 }  // namespace
 
 /// Every column of every experiment as one trace; what is drawn apart (a side, a spring, a level) as traces of their own.
-void Answer::traces() {
-    const inference::Outputs after = problem_.predict(shown().causes, shown().x);
+std::vector<Trace> traces_of(const inference::Problem& problem, const inference::Outputs& before, const inference::Outputs& after) {
     std::map<std::string, Trace> traces;
-    for (std::size_t e = 0; e < problem_.experiments().size(); ++e) {
-        const inference::Experiment& experiment = problem_.experiments()[e];
+    for (std::size_t e = 0; e < problem.experiments().size(); ++e) {
+        const inference::Experiment& experiment = problem.experiments()[e];
         for (std::size_t i = 0; i < experiment.size(); ++i) {
             const inference::Place& place = experiment.places[i];
             Trace& trace = traces[std::to_string(e) + place.curve];
@@ -39,12 +38,14 @@ void Answer::traces() {
             trace.y_name = experiment.outputs[i % experiment.outputs.size()];
             trace.x.push_back(place.at);
             trace.measured.push_back(experiment.measured[i]);
-            trace.before.push_back(nominal_[e][i]);
+            trace.before.push_back(before[e][i]);
             trace.after.push_back(after[e][i]);
             trace.sigma.push_back(experiment.sigma[i]);
         }
     }
-    for (const auto& [key, trace] : traces) diagnosis_.traces.push_back(thinned(trace));
+    std::vector<Trace> all;
+    for (const auto& [key, trace] : traces) all.push_back(thinned(trace));
+    return all;
 }
 
 }  // namespace fusee::diagnosis

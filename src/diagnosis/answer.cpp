@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fusee/inference/constants.h"
 #include "fusee/inference/interval.h"
 #include "gap_map.h"
 #include "unknown_terms.h"
@@ -10,9 +11,6 @@
 namespace fusee::diagnosis {
 
 namespace {
-
-constexpr double kNormal95 = 1.959964;
-constexpr double kLeastAlternative = 1e-3;  ///< probability below which an alternative is not listed
 
 /// 95 % interval over the folds of the gap on held-out rows.
 core::Range interval_over_folds(const inference::Problem& problem, const Eigen::VectorXd& held) {
@@ -60,7 +58,7 @@ void put_build(const inference::Problem& problem, const inference::Fit& shown, D
     for (std::size_t k = 0; k < problem.build().size(); ++k) {
         const inference::BuildParameter& build = problem.build()[k];
         const auto i = static_cast<Eigen::Index>(k);
-        const double value = shown.x[i] * build.sigma, half = kNormal95 * std::sqrt(shown.covariance(i, i)) * build.sigma;
+        const double value = shown.x[i] * build.sigma, half = inference::kNormal95 * std::sqrt(shown.covariance(i, i)) * build.sigma;
         out.build.push_back({build.name, {value, {value - half, value + half}, build.unit}});
     }
 }
@@ -108,7 +106,7 @@ std::vector<Alternative> alternatives_of(const inference::Search& found, Verdict
     const bool unknown = verdict == VerdictKind::kUnknown;
     std::vector<Alternative> all;
     for (std::size_t h = unknown ? 0 : 1; h < found.fits.size(); ++h)
-        if (found.probability[h] >= kLeastAlternative || h == 0) all.push_back({found.fits[h].causes, found.probability[h]});
+        if (found.probability[h] >= inference::kLeastAlternative || h == 0) all.push_back({found.fits[h].causes, found.probability[h]});
     return all;
 }
 

@@ -4,13 +4,11 @@
 #include <cmath>
 #include <map>
 
+#include "fusee/inference/constants.h"
+
 namespace fusee::diagnosis {
 
 namespace {
-
-constexpr std::size_t kCells = 4;
-constexpr double kStandsOut = 0.6;    ///< share of an experiment's excess that makes a component worth naming
-constexpr double kLeastShare = 0.02;  ///< of the gap, below which an experiment is not listed
 
 using Places = std::vector<const inference::Place*>;
 
@@ -30,9 +28,9 @@ std::vector<std::vector<int>> cells_of(const inference::Problem& problem, const 
     std::stable_sort(rows.begin(), rows.end(),
                      [&](int a, int b) { return places[static_cast<std::size_t>(a)]->at < places[static_cast<std::size_t>(b)]->at; });
     std::vector<std::vector<int>> cells;
-    for (std::size_t c = 0; c < kCells && rows.size() >= kCells; ++c)
-        cells.emplace_back(rows.begin() + static_cast<std::ptrdiff_t>(c * rows.size() / kCells),
-                           rows.begin() + static_cast<std::ptrdiff_t>((c + 1) * rows.size() / kCells));
+    for (std::size_t c = 0; c < inference::kCells && rows.size() >= inference::kCells; ++c)
+        cells.emplace_back(rows.begin() + static_cast<std::ptrdiff_t>(c * rows.size() / inference::kCells),
+                           rows.begin() + static_cast<std::ptrdiff_t>((c + 1) * rows.size() / inference::kCells));
     if (cells.empty() && !rows.empty()) cells.push_back(rows);
     return cells;
 }
@@ -57,7 +55,7 @@ std::string component_of(const std::vector<int>& rows, const Places& places, con
         sum += e;
     }
     const auto most = std::max_element(excess.begin(), excess.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
-    return excess.size() > 1 && most->second > kStandsOut * sum ? most->first : "";
+    return excess.size() > 1 && most->second > inference::kStandsOut * sum ? most->first : "";
 }
 
 GapContribution contribution_of(const inference::Problem& problem, const Places& places, std::size_t experiment,
@@ -122,7 +120,7 @@ std::vector<GapContribution> gap_contributions(const inference::Problem& problem
         }
     if (sum <= 0.0) return {};
     for (GapContribution& part : where) part.share /= sum;
-    std::erase_if(where, [](const GapContribution& part) { return part.share < kLeastShare; });
+    std::erase_if(where, [](const GapContribution& part) { return part.share < inference::kLeastShare; });
     std::stable_sort(where.begin(), where.end(), [](const GapContribution& a, const GapContribution& b) { return a.share > b.share; });
     return where;
 }

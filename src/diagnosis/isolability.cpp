@@ -6,15 +6,13 @@
 #include <numeric>
 
 #include "fusee/core/parallel.h"
+#include "fusee/inference/constants.h"
 #include "fusee/inference/search.h"
 #include "power.h"
 
 namespace fusee::diagnosis {
 
 namespace {
-
-constexpr double kNothing = 1e-12;  ///< a product of lengths that is rounding alone
-constexpr int kHalvings = 6;        ///< of the range in which a limit's size lies
 
 /// What a cause changes and the fit cannot follow. Priors count as rows of their own, on which no cause leaves a mark: so the least-squares
 /// projection of (change, 0) has the length that the evidence sees, s^T (I - J (J^T J + prior)^-1 J^T) s.
@@ -70,10 +68,10 @@ Mark mark_of_size(const Projection& projection, const inference::Causes& causes,
     mark.change = projection.mark(causes, tried) / tried;
     mark.length = mark.change.norm();
     mark.both_ways = size.allowed.low < 0.0;
-    const double least = kSeen * size.scale / mark.length;
+    const double least = inference::kSeen * size.scale / mark.length;
     const double most = std::max(-size.allowed.low, size.allowed.high);
     if (least <= most) mark.detectable = least;
-    if (!(mark.length > kNothing)) return mark;
+    if (!(mark.length > inference::kNothing)) return mark;
     const double named = size.scale * std::max(inference::kLeastSize, named_length(mark.length) / mark.length);
     if (named <= most) mark.named = named;
     return mark;
@@ -84,7 +82,7 @@ template <typename Enough>
 double greatest(const Projection& projection, const inference::Causes& causes, const inference::EffectParameter& size, double seen,
                 const Enough& enough) {
     double unseen = size.allowed.high / size.scale;
-    for (int i = 0; i < kHalvings; ++i) {
+    for (int i = 0; i < inference::kHalvings; ++i) {
         const double middle = std::sqrt(seen * unseen);
         (enough(projection.mark(causes, middle).norm()) ? seen : unseen) = middle;
     }
@@ -97,8 +95,8 @@ Mark mark_of_limit(const Projection& projection, const inference::Causes& causes
     std::vector<double> starts = effect.starts;
     std::sort(starts.begin(), starts.end(), std::greater<>());
     starts.erase(starts.begin(), std::find(starts.begin(), starts.end(), nearest_to_one(starts)));
-    const auto seen = [](double length) { return length >= kSeen; };
-    const auto named = [](double length) { return length > kNothing && length >= named_length(length); };
+    const auto seen = [](double length) { return length >= inference::kSeen; };
+    const auto named = [](double length) { return length > inference::kNothing && length >= named_length(length); };
     Mark mark;
     for (const double start : starts) {  // the loosest first
         Eigen::VectorXd change = projection.mark(causes, start);
@@ -118,9 +116,9 @@ Mark mark_of_limit(const Projection& projection, const inference::Causes& causes
 /// Could one pass for the other? `cosine` is that of their marks.
 bool cannot_tell(const Mark& a, const Mark& b, double cosine) {
     const double least = std::min(a.length, b.length);
-    if (least < kSeen || std::abs(cosine) < kSimilar) return false;
+    if (least < inference::kSeen || std::abs(cosine) < inference::kSimilar) return false;
     if (cosine < 0.0 && !a.both_ways && !b.both_ways) return false;
-    return least * std::sqrt(std::max(0.0, 1.0 - cosine * cosine)) < kSeen;
+    return least * std::sqrt(std::max(0.0, 1.0 - cosine * cosine)) < inference::kSeen;
 }
 
 /// Connected components of two or more, in the order of their first members.
@@ -158,7 +156,8 @@ Isolability isolability(const inference::Problem& problem, const inference::Fit&
         result.signature_similarity[i][i] = 1.0;
         for (std::size_t j = 0; j < i; ++j) {
             const double lengths = marks[i].length * marks[j].length;
-            const double cosine = lengths > kNothing ? std::clamp(marks[i].change.dot(marks[j].change) / lengths, -1.0, 1.0) : 0.0;
+            const double cosine =
+                lengths > inference::kNothing ? std::clamp(marks[i].change.dot(marks[j].change) / lengths, -1.0, 1.0) : 0.0;
             result.signature_similarity[i][j] = result.signature_similarity[j][i] = std::abs(cosine);
             linked[i][j] = cannot_tell(marks[i], marks[j], cosine);
         }

@@ -8,15 +8,12 @@
 #include <numeric>
 
 #include "fusee/core/parallel.h"
+#include "fusee/inference/constants.h"
 #include "next_experiment_information.h"
 
 namespace fusee::diagnosis {
 
 namespace {
-
-constexpr double kDecides = 0.9;        ///< share of the entropy
-constexpr double kWorthwhile = 0.1;     ///< the same: less is no answer
-constexpr double kLargestFactor = 1e3;  ///< of a size that is asked for
 
 /// The outcomes of a hypothesis in all measurements of a menu.
 Eigen::VectorXd predict_menu(const inference::Problem& problem, const inference::Menu& menu, const inference::Causes& causes,
@@ -97,15 +94,16 @@ bool serves_better(const NextExperiment& a, const NextExperiment& b, double enou
 std::vector<NextExperiment> best_of_each(const std::vector<NextExperiment>& all, double most) {
     std::vector<NextExperiment> best;
     for (const NextExperiment& next : all) {
-        if (next.information < kWorthwhile * most) continue;
+        if (next.information < inference::kWorthwhile * most) continue;
         const auto same = std::find_if(best.begin(), best.end(), [&](const NextExperiment& b) { return b.experiment == next.experiment; });
         if (same == best.end())
             best.push_back(next);
-        else if (serves_better(next, *same, kDecides * most))
+        else if (serves_better(next, *same, inference::kDecides * most))
             *same = next;
     }
     if (best.empty()) return best;
-    std::stable_sort(best.begin(), best.end(), [&](const auto& a, const auto& b) { return serves_better(a, b, kDecides * most); });
+    std::stable_sort(best.begin(), best.end(),
+                     [&](const auto& a, const auto& b) { return serves_better(a, b, inference::kDecides * most); });
     std::stable_sort(best.begin() + 1, best.end(),
                      [](const auto& a, const auto& b) { return a.information * b.cost > b.information * a.cost; });
     return best;
@@ -129,10 +127,10 @@ NextExperiment offered(const inference::Measurement& m, double bits) {
     return {sentence_of(m, bits), m.experiment, m.set_points, m.variable, bits, m.cost};
 }
 
-/// Factor by which the rivals would have to differ more to be decided; above kLargestFactor: never.
+/// Factor by which the rivals would have to differ more to be decided; above inference::kLargestFactor: never.
 double factor_to_decide(std::span<const double> probabilities, const Eigen::MatrixXd& distances, double enough) {
     double low = 1.0, high = 2.0;
-    while (high < kLargestFactor && expected_information(probabilities, high * high * distances) < enough) high *= 2.0;
+    while (high < inference::kLargestFactor && expected_information(probabilities, high * high * distances) < enough) high *= 2.0;
     for (int i = 0; i < 20; ++i) {
         const double middle = std::sqrt(low * high);
         (expected_information(probabilities, middle * middle * distances) < enough ? low : high) = middle;
@@ -155,10 +153,11 @@ std::string enlarged(const inference::Problem& problem, const std::vector<const 
 
 NextExperiment none_tells(const inference::Problem& problem, const std::vector<const inference::Fit*>& rivals,
                           std::span<const double> probabilities, NextExperiment best, const Eigen::MatrixXd& distances) {
-    const double factor = factor_to_decide(probabilities, distances, kDecides * entropy(probabilities));
-    const std::string size = factor < kLargestFactor ? fmt::format("Effects {:.2g} times as large as found could be distinguished{}.",
-                                                                   factor, enlarged(problem, rivals, probabilities, factor))
-                                                     : std::string("Larger effects would not change that.");
+    const double factor = factor_to_decide(probabilities, distances, inference::kDecides * entropy(probabilities));
+    const std::string size = factor < inference::kLargestFactor
+                                 ? fmt::format("Effects {:.2g} times as large as found could be distinguished{}.", factor,
+                                               enlarged(problem, rivals, probabilities, factor))
+                                 : std::string("Larger effects would not change that.");
     best.text = fmt::format("No usual measurement distinguishes these causes. {} The best one is: {}", size, best.text);
     return best;
 }

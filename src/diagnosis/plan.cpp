@@ -1,12 +1,10 @@
 #include "answer.h"
+#include "fusee/inference/constants.h"
 #include "next_experiment.h"
 
 namespace fusee::diagnosis {
 
 namespace {
-
-constexpr std::size_t kMostRivals = 4;  ///< rivals of the next experiment: each costs as much as a fit
-constexpr double kSmallLeak = 0.05;     ///< probability below which a hypothesis gets no further experiment
 
 /// The likely hypotheses. A refuted nominal model is not a rival: the question is then which effect comes nearest.
 std::vector<NextExperiment> between_rivals(const inference::Problem& problem, const Stages& stages, unsigned jobs) {
@@ -15,9 +13,9 @@ std::vector<NextExperiment> between_rivals(const inference::Problem& problem, co
     const double of_all = refuted ? 1.0 - found.probability[found.null] : 1.0;
     std::vector<const inference::Fit*> rivals;
     std::vector<double> probabilities;
-    for (std::size_t h = 0; h < found.fits.size() && rivals.size() < kMostRivals; ++h) {
+    for (std::size_t h = 0; h < found.fits.size() && rivals.size() < inference::kMostRivals; ++h) {
         const double probability = found.probability[h] / of_all;
-        if ((refuted && h == found.null) || probability < kSmallLeak) continue;
+        if ((refuted && h == found.null) || probability < inference::kSmallLeak) continue;
         rivals.push_back(&found.fits[h]);
         probabilities.push_back(probability);
     }

@@ -3,23 +3,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fusee/inference/constants.h"
 #include "fusee/inference/screen.h"
 #include "fusee/inference/search.h"
 #include "verdict.h"
 
 namespace fusee::diagnosis {
 
-namespace {
-
-constexpr double kInMostCases = 1.645;  ///< sigmas of the noise that 95 of 100 cases do not exceed in one direction
-constexpr double kMargin = 1.15;        ///< a cause that shares its mark with those of other sides needs more than the linear model says
-
-}  // namespace
+namespace {}  // namespace
 
 double named_length(double per_scale) {
     const double known = std::pow(inference::kEffectPrior * per_scale, 2);  // information on the size over that of its prior
-    const double needed = inference::kEffectOdds + std::log(kSure / (1.0 - kSure)) + 0.5 * std::log1p(known);
-    return kMargin * (std::sqrt(2.0 * needed * (1.0 + 1.0 / known)) + kInMostCases);
+    const double needed = inference::kEffectOdds + std::log(inference::kSure / (1.0 - inference::kSure)) + 0.5 * std::log1p(known);
+    return inference::kMargin * (std::sqrt(2.0 * needed * (1.0 + 1.0 / known)) + inference::kInMostCases);
 }
 
 std::vector<Power> powers_of(const inference::Problem& problem, const Isolability& isolability) {

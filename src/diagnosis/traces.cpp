@@ -1,15 +1,14 @@
 #include <map>
 
 #include "answer.h"
+#include "fusee/inference/constants.h"
 
 namespace fusee::diagnosis {
 
 namespace {
 
-constexpr std::size_t kMostPoints = 400;  ///< of a trace: enough for a picture
-
 Trace thinned(const Trace& trace) {
-    const std::size_t stride = (trace.x.size() + kMostPoints - 1) / kMostPoints;
+    const std::size_t stride = (trace.x.size() + inference::kMostPoints - 1) / inference::kMostPoints;
     if (stride <= 1) return trace;
     Trace thin{trace.experiment, trace.label, trace.x_name, trace.y_name, {}, {}, {}, {}, {}};
     for (std::size_t i = 0; i < trace.x.size(); i += stride) {

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "fusee/inference/constants.h"
 #include "fusee/inference/interval.h"
 #include "power.h"
 
@@ -16,16 +17,12 @@ namespace fusee::diagnosis {
 
 namespace {
 
-constexpr double kRival = 0.08;  ///< least probability of an alternative that counts
-constexpr double kSlip = 1.5;    ///< spread of a row that sticks and slips
-constexpr double kSlips = 0.25;  ///< share of such rows from which an experiment is no evidence against the model
-
 /// Share of the rows of an experiment whose prediction is ill-conditioned.
 double share_of_slips(const inference::Problem& problem, const inference::Fit& fit, std::size_t experiment) {
     double slips = 0.0, rows = 0.0;
     for (int i = 0; i < fit.spread.size(); ++i)
         if (problem.experiment_of(i) == experiment) {
-            slips += fit.spread[i] > kSlip ? 1.0 : 0.0;
+            slips += fit.spread[i] > inference::kSlip ? 1.0 : 0.0;
             rows += 1.0;
         }
     return rows > 0.0 ? slips / rows : 0.0;
@@ -40,7 +37,7 @@ void look_at_experiments(Scrutiny& said, const inference::Problem& problem, cons
             said.evidence = said.evidence || experiment.rows > 0;
             continue;
         }
-        if (const double share = share_of_slips(problem, best, e); share > kSlips) {
+        if (const double share = share_of_slips(problem, best, e); share > inference::kSlips) {
             said.remarks.push_back(
                 fmt::format("{}: {:.0f} % of the rows stick and slip, which cannot be predicted row by row ({:.1f} "
                             "sigma): not counted as evidence against the model",
@@ -103,7 +100,8 @@ Scrutiny scrutinize(const inference::Problem& problem, const inference::Search& 
     look_at_experiments(said, problem, search.best());
     look_at_tolerances(said, problem, search.best());
     look_at_sizes(said, problem, search);
-    said.rivalled = search.probability.front() < kSure && search.probability.size() > 1 && search.probability[1] >= kRival;  // they fall
+    said.rivalled = search.probability.front() < inference::kSure && search.probability.size() > 1 &&
+                    search.probability[1] >= inference::kRival;  // they fall
     return said;
 }
 

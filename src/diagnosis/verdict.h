@@ -4,12 +4,11 @@
 #include <vector>
 
 #include "fusee/diagnosis/diagnosis.h"
+#include "fusee/inference/constants.h"
 #include "fusee/inference/pursue.h"
 #include "fusee/inference/search.h"
 
 namespace fusee::diagnosis {
-
-inline constexpr double kSure = 0.75;  ///< probability from which one hypothesis is the answer
 
 /// What the ranking, the splits and the remaining gap say of the best hypothesis.
 struct Scrutiny {

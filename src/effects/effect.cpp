@@ -10,17 +10,6 @@
 
 namespace fusee::effects {
 
-#include "effect_registry.h"
-
-const std::vector<Effect>& effect_library() {
-    static const std::vector<Effect> library = [] {
-        std::vector<Effect> made;
-        for (const Registered& file : kRegistered) made.push_back(file.make());
-        return made;
-    }();
-    return library;
-}
-
 EffectParameter on_rig(EffectParameter parameter, const gap_case::Reference& reference) {
     const double factor = reference.of(parameter.unit);
     for (double* value : {&parameter.scale, &parameter.allowed.low, &parameter.allowed.high, &parameter.at_first}) *value *= factor;

@@ -10,19 +10,11 @@
 #include <cstdint>
 
 #include "fusee/core/parallel.h"
+#include "fusee/inference/constants.h"
 
 namespace fusee::inference {
 
 namespace {
-
-constexpr double kFair = 1.5;             ///< T up to which the prediction of an experiment is as accurate as expected
-constexpr std::size_t kPairsOfDraws = 3;  ///< of the spread
-constexpr double kBuildDraw = 0.7;        ///< size of a draw in sigmas of a build parameter
-constexpr double kEffectDraw = 0.03;      ///< in shares of an effect's size or a ripple's count
-constexpr double kFurtherDraw = 0.2;      ///< in shares of its further parameters
-constexpr int kLeastRounds = 2;           ///< of fits, each at the scales and slopes that the last one left
-constexpr int kMostRounds = 6;
-constexpr double kSettled = 1.0;  ///< fall of the cost in a round that ends them: a change of the log evidence by 0.5
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 

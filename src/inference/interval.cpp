@@ -4,15 +4,11 @@
 #include <array>
 #include <cmath>
 
+#include "fusee/inference/constants.h"
+
 namespace fusee::inference {
 
 namespace {
-
-constexpr double kNormal95 = 1.959964;
-constexpr double kLawAccuracy = 0.01;  ///< of a size: what tables and steps of the model leave of it, one sigma
-constexpr double kWitness = 3.0;       ///< sigmas from 0 at which the experiments that are left would see a size
-constexpr double kAtEnd = 1e-6;        ///< of the allowed range
-constexpr double kStandOff = 1.5;      ///< half intervals from 0 that a size has to stand
 
 /// x[k] of the refits without an experiment whose others would see such a size: the rest go back to the prior and say nothing.
 std::vector<double> sizes_without(const Fit& fit, const Split& left_out, int k) {

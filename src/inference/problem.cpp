@@ -10,15 +10,11 @@
 #include "fusee/core/error.h"
 #include "fusee/core/nearest.h"
 #include "fusee/core/units.h"
+#include "fusee/inference/constants.h"
 
 namespace fusee::inference {
 
-namespace {
-
-constexpr double kStep = 0.3;         ///< of a difference: in sigmas of a build parameter
-constexpr double kEffectStep = 0.04;  ///< in scales of an effect's parameter
-
-}  // namespace
+namespace {}  // namespace
 
 Problem::Problem(const Model& model) : model_(model) {
     std::vector<double> roots;

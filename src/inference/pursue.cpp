@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fusee/inference/constants.h"
 #include "fusee/inference/interval.h"
 #include "fusee/inference/screen.h"
 #include "refine.h"
@@ -10,11 +11,6 @@
 namespace fusee::inference {
 
 namespace {
-
-constexpr std::size_t kImproved = 12;  ///< terms that make a step in the screening
-constexpr std::size_t kFitted = 3;     ///< terms fitted in full
-constexpr std::size_t kMostTerms = 2;  ///< of an answer
-constexpr double kHalf = 0.5;          ///< of its cost, which one half of a term on both sides has to be worth alone
 
 /// Full fits of the best guesses whose sizes stand.
 std::vector<Fit> standing_fits(const Problem& problem, std::vector<Guess> guesses, const SearchOptions& options) {

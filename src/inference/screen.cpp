@@ -4,16 +4,12 @@
 #include <cmath>
 
 #include "fusee/core/parallel.h"
+#include "fusee/inference/constants.h"
 #include "starts.h"
 
 namespace fusee::inference {
 
 namespace {
-
-constexpr int kDirectRounds = 6;      ///< of steps on direct experiments
-constexpr double kDirectStep = 0.01;  ///< of their differences, in scales
-constexpr double kLike = 0.05;        ///< distance, in x, of starts that are one
-constexpr int kScreenRounds = 2;      ///< of steps with the effect's own columns
 
 /// The rows of direct experiments, of those `kept`.
 std::vector<bool> direct_rows(const Problem& problem, const std::vector<bool>* kept) {

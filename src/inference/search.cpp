@@ -6,6 +6,7 @@
 #include <limits>
 #include <span>
 
+#include "fusee/inference/constants.h"
 #include "fusee/inference/interval.h"
 #include "fusee/inference/screen.h"
 #include "refine.h"
@@ -13,19 +14,6 @@
 namespace fusee::inference {
 
 namespace {
-
-constexpr double kSecondOdds = 17.0;    ///< against a second one, which also tends to correct errors of the first law
-constexpr std::size_t kSingles = 5;     ///< fitted in full
-constexpr double kNearEnough = 0.5;     ///< of the way from the best back to no effect, within which a rival of what explains all is fitted
-constexpr std::size_t kPairs = 3;       ///< upon each base
-constexpr std::size_t kBases = 2;       ///< single effects upon which pairs are sought
-constexpr std::size_t kRefined = 2;     ///< hypotheses that are searched again
-constexpr double kWorthAPair = 60.0;    ///< a base is left out when it is so far behind the best one [nats]
-constexpr double kNothingLeft = 1.15;   ///< T of every experiment at which no second effect is sought
-constexpr double kStretched = 3.5;      ///< sigmas of a build parameter: among 25, one time in a hundred on a faultless rig
-constexpr double kStandsOff = 3.0;      ///< sigmas from 0 that an effect's size has to stand
-constexpr std::size_t kLeftOut = 4;     ///< hypotheses of the ranking whose experiments are left out
-constexpr double kContradicted = 30.0;  ///< against a hypothesis of which the experiments disagree about a size [nats]
 
 /// docs/theory/diagnosis.md, eq. 13 and 14.
 double score(const Fit& fit) {

@@ -4,14 +4,13 @@
 #include <cmath>
 
 #include "fusee/core/units.h"
+#include "fusee/inference/constants.h"
 #include "fusee/inference/descend.h"
 #include "fusee/inference/screen.h"
 
 namespace fusee::inference {
 
 namespace {
-
-constexpr std::size_t kRippleStarts = 3;  ///< counts of a ripple that are tried further
 
 using Starts = std::vector<Eigen::VectorXd>;
 

@@ -1,10 +1,12 @@
 #include <gtest/gtest.h>
 
+#include <regex>
+#include <set>
 #include <sstream>
 
 #include "fusee/core/file.h"
 
-// docs/theory/diagnosis.md tells the constants that the sources have.
+// docs/theory tells the constants that the sources have, and all of those of the engine.
 namespace fusee::diagnosis {
 namespace {
 
@@ -23,8 +25,8 @@ std::vector<double> numbers(std::string text) {
 struct Constant {
     std::string name, value, source;
 };
-std::vector<Constant> progress() {
-    std::istringstream lines(file("docs/theory/diagnosis.md"));
+std::vector<Constant> told_by(const std::string& page) {
+    std::istringstream lines(file(page));
     std::vector<Constant> all;
     for (std::string line; std::getline(lines, line);) {
         if (line.rfind("| `k", 0) != 0) continue;
@@ -37,9 +39,16 @@ std::vector<Constant> progress() {
     return all;
 }
 
+std::vector<Constant> told() {
+    std::vector<Constant> all;
+    for (const char* page : {"docs/theory/diagnosis.md", "docs/theory/unknown.md"})
+        for (Constant& constant : told_by(page)) all.push_back(std::move(constant));
+    return all;
+}
+
 TEST(DiagnosisPage, TellsTheConstantsOfTheSources) {
-    const std::vector<Constant> constants = progress();
-    EXPECT_GT(constants.size(), 20U);
+    const std::vector<Constant> constants = told();
+    EXPECT_GT(constants.size(), 60U);
     for (const Constant& constant : constants) {
         const std::string source = file(constant.source);
         std::size_t at = source.find(" " + constant.name + " =");
@@ -48,6 +57,17 @@ TEST(DiagnosisPage, TellsTheConstantsOfTheSources) {
         const std::size_t value = at + 1 + constant.name.size();
         EXPECT_EQ(numbers(constant.value), numbers(source.substr(value, source.find(';', value) - value))) << constant.name;
     }
+}
+
+TEST(DiagnosisPage, TellsEveryConstantOfTheEngine) {
+    std::set<std::string> names;
+    for (const Constant& constant : told()) names.insert(constant.name);
+    const std::string table = file("include/fusee/inference/constants.h");
+    const std::regex constant("constexpr [a-z_:]+ (k[A-Za-z0-9]+) =");
+    int constants = 0;
+    for (std::sregex_iterator at(table.begin(), table.end(), constant), end; at != end; ++at, ++constants)
+        EXPECT_TRUE(names.contains((*at)[1])) << (*at)[1];
+    EXPECT_GT(constants, 50);
 }
 
 }  // namespace

@@ -23,8 +23,8 @@ inline std::vector<Experiment> spring_experiments() {
 /// A parameter of the library on a rig with this reference.
 [[nodiscard]] EffectParameter on_rig(EffectParameter parameter, const gap_case::Reference& reference);
 
-/// A possible cause of a gap: behaviour of the rig that the nominal model lacks. Each effect is one file in src/effects, which registers
-/// by its existence (docs/guides/add-an-effect.md).
+/// A possible cause of a gap: behaviour of the rig that the nominal model lacks. Each effect is one function in src/effects/library.cpp
+/// (docs/guides/add-an-effect.md).
 struct Effect {
     std::string id;
     std::string law;                                        ///< one sentence with its symbols

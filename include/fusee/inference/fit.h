@@ -2,6 +2,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "fusee/inference/constants.h"
 #include "fusee/inference/problem.h"
 
 namespace fusee::inference {
@@ -10,7 +11,6 @@ namespace fusee::inference {
 
 /// Cauchy's loss in sigmas, c^2 ln(1 + r^2/c^2) (eq. 9): a slip in the model that the rig did not have puts a run of rows a
 /// hundred sigmas off; the distance does not matter.
-inline constexpr double kCauchy = 3.0;
 [[nodiscard]] double loss(double r);
 
 /// How much less accurate each experiment's prediction is than on a faultless rig, >= 1: where all its rows deviate (a path full of
@@ -51,7 +51,6 @@ struct WorstNuisancePull {
     std::size_t parameter = 0;
     double sigmas = 0.0;  ///< with its sign
 };
-inline constexpr double kImpossible = 5.0;  ///< sigmas that no workshop exceeds
 [[nodiscard]] WorstNuisancePull worst_nuisance_pull(const Problem& problem, const Fit& fit);
 /// T of each experiment: the root of the mean loss of its rows (0 without rows).
 [[nodiscard]] std::vector<double> misfits(const Problem& problem, const Eigen::VectorXd& residual);

@@ -2,11 +2,10 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "fusee/inference/constants.h"
 #include "fusee/inference/model.h"
 
 namespace fusee::inference {
-
-inline constexpr double kEffectPrior = 3.0;  ///< one sigma of an effect's size, in its scale
 
 /// One or two effects, each on its side; none at all for the nominal model.
 using Causes = std::vector<Cause>;

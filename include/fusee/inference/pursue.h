@@ -1,11 +1,10 @@
 #pragma once
 #include <optional>
 
+#include "fusee/inference/constants.h"
 #include "fusee/inference/search.h"
 
 namespace fusee::inference {
-
-inline constexpr double kTermOdds = 25.0;  ///< log odds against a generic term: each has more freedom than an effect [nats]
 
 /// Every generic effect on every side that the experiments of the case can see.
 [[nodiscard]] std::vector<Cause> possible_terms(const Problem& problem);

@@ -2,11 +2,10 @@
 #include <span>
 #include <vector>
 
+#include "fusee/inference/constants.h"
 #include "fusee/inference/descend.h"
 
 namespace fusee::inference {
-
-inline constexpr double kStrained = 3.0;  ///< sigmas of a build parameter beyond which it may replace the effect under test
 
 /// Every effect of the model on every side; the generic ones instead, if `generic`.
 [[nodiscard]] std::vector<Cause> causes_of(const Model& model, bool generic = false);

@@ -4,12 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "fusee/inference/constants.h"
 #include "fusee/inference/splits.h"
 
 namespace fusee::inference {
-
-inline constexpr double kEffectOdds = 15.0;  ///< log odds against an effect: some sixty candidates, and rigs are mostly as designed [nats]
-inline constexpr double kLeastSize = 0.1;    ///< of what is usual: less is what a law leaves open, not an effect
 
 /// Every fully fitted hypothesis, best first by evidence and prior.
 struct Search {

@@ -1,11 +1,11 @@
 #pragma once
 #include <vector>
 
+#include "fusee/inference/constants.h"
 #include "fusee/inference/fit.h"
 
 namespace fusee::inference {
 
-inline constexpr int kFolds = 4;
 /// Fold of each residual: the blocks of each experiment (Place::block) in turn.
 [[nodiscard]] std::vector<int> folds(const Problem& problem);
 

@@ -1,0 +1,91 @@
+#pragma once
+#include <cstddef>
+
+/// The constants of the engine of diagnosis: one table, with unit and meaning. Reasons and sources stand beside the same names in
+/// docs/theory (diagnosis.md, unknown.md, isolability.md); a test compares both. Constants of a model (accuracy of its predictions, usual
+/// sizes of its effects) stand with the model.
+namespace fusee::inference {
+
+// Residuals and loss (docs/theory/diagnosis.md, eq. 7 to 11)
+inline constexpr double kEffectPrior = 3.0;  ///< one sigma of an effect's size, in its scale
+inline constexpr double kStep = 0.3;         ///< of a difference: in sigmas of a build parameter
+inline constexpr double kEffectStep = 0.04;  ///< of a difference: in scales of an effect's parameter
+inline constexpr double kCauchy = 3.0;       ///< sigma at which a residual begins to count less: c of the loss
+inline constexpr double kFair = 1.5;         ///< T up to which the prediction of an experiment is as accurate as expected
+
+// Fit and the spread of its predictions (eq. 8 to 12)
+inline constexpr std::size_t kPairsOfDraws = 3;  ///< pairs of draws of the spread
+inline constexpr double kBuildDraw = 0.7;        ///< size of a draw in sigmas of a build parameter
+inline constexpr double kEffectDraw = 0.03;      ///< of a draw, in shares of an effect's size or a ripple's count
+inline constexpr double kFurtherDraw = 0.2;      ///< of a draw, in shares of its further parameters
+inline constexpr int kLeastRounds = 2;           ///< of fits, each at the scales and slopes that the last one left
+inline constexpr int kMostRounds = 6;            ///< the same, at most
+inline constexpr double kSettled = 1.0;          ///< fall of the cost in a round that ends them: a change of the log evidence by 0.5
+
+// Screening and search (eq. 13 and 14)
+inline constexpr int kDirectRounds = 6;          ///< steps on direct experiments
+inline constexpr double kDirectStep = 0.01;      ///< of the differences of such steps, in scales
+inline constexpr double kLike = 0.05;            ///< distance, in x, of starts that are one
+inline constexpr int kScreenRounds = 2;          ///< steps of a screening with the effect's own columns
+inline constexpr std::size_t kRippleStarts = 3;  ///< counts of a ripple that are tried further
+inline constexpr std::size_t kSingles = 5;       ///< single effects fitted in full
+inline constexpr double kNearEnough =
+    0.5;  ///< of the way from the best back to no effect, within which a rival of what explains all is fitted
+inline constexpr std::size_t kPairs = 3;      ///< pairs fitted upon each base
+inline constexpr std::size_t kBases = 2;      ///< single effects upon which pairs are sought
+inline constexpr std::size_t kRefined = 2;    ///< hypotheses that are searched again
+inline constexpr double kWorthAPair = 60.0;   ///< a base is left out when it is so far behind the best one [nats]
+inline constexpr double kNothingLeft = 1.15;  ///< T of every experiment at which no second effect is sought
+inline constexpr double kStretched = 3.5;     ///< sigmas of a build parameter: among 25, one time in a hundred on a faultless rig
+inline constexpr double kStrained = 3.0;      ///< sigmas of a build parameter beyond which it may replace the effect under test
+inline constexpr double kStandsOff = 3.0;     ///< sigmas from 0 that an effect's size has to stand
+inline constexpr double kLeastSize = 0.1;     ///< of what is usual: less is what a law leaves open, not an effect
+inline constexpr double kEffectOdds = 15.0;   ///< log odds against an effect: some sixty candidates, and rigs are mostly as designed [nats]
+inline constexpr double kSecondOdds =
+    17.0;  ///< log odds against a second effect, which also tends to correct errors of the first law [nats]
+
+// Experiments and rows left out, intervals (eq. 15 and 16)
+inline constexpr int kFolds = 4;               ///< parts of the rows, each held out once
+inline constexpr std::size_t kLeftOut = 4;     ///< hypotheses of the ranking whose experiments are left out
+inline constexpr double kContradicted = 30.0;  ///< against a hypothesis of which the experiments disagree about a size [nats]
+inline constexpr double kWitness = 3.0;        ///< sigmas from 0 at which the experiments that are left would see a size
+inline constexpr double kStandOff = 1.5;       ///< half intervals from 0 that a size has to stand
+inline constexpr double kAtEnd = 1e-6;         ///< of the allowed range
+inline constexpr double kLawAccuracy = 0.01;   ///< of a size: what tables and steps of the model leave of it, one sigma
+inline constexpr double kNormal95 = 1.959964;  ///< sigmas of 95 % of a normal distribution
+
+// Generic terms (docs/theory/unknown.md)
+inline constexpr double kTermOdds = 25.0;     ///< log odds against a generic term: each has more freedom than an effect [nats]
+inline constexpr std::size_t kImproved = 12;  ///< terms that make a step in the screening
+inline constexpr std::size_t kFitted = 3;     ///< terms fitted in full
+inline constexpr std::size_t kMostTerms = 2;  ///< generic terms of an answer
+inline constexpr double kHalf = 0.5;          ///< share of its odds that one half of a term on both sides has to be worth alone
+
+// Verdict
+inline constexpr double kSure = 0.75;          ///< probability from which one hypothesis is the answer
+inline constexpr double kRival = 0.08;         ///< least probability of an alternative that counts
+inline constexpr double kImpossible = 5.0;     ///< sigmas that no workshop exceeds
+inline constexpr double kSlip = 1.5;           ///< spread of a row that sticks and slips
+inline constexpr double kSlips = 0.25;         ///< share of such rows from which an experiment is no evidence against the model
+inline constexpr double kInMostCases = 1.645;  ///< sigmas of the noise that 95 of 100 cases do not exceed in one direction
+inline constexpr double kMargin = 1.15;  ///< a cause that shares its mark with those of other sides needs more than the linear model says
+inline constexpr double kLeastAlternative = 1e-3;  ///< probability below which an alternative is not listed
+
+// Gap map and traces
+inline constexpr std::size_t kCells = 4;         ///< of each experiment in the map of the gap
+inline constexpr double kStandsOut = 0.6;        ///< share of an experiment's excess that makes a component worth naming
+inline constexpr double kLeastShare = 0.02;      ///< of the gap, below which an experiment is not listed
+inline constexpr std::size_t kMostPoints = 400;  ///< of a trace: enough for a picture
+
+// What can be told apart, and what to measure next (docs/theory/isolability.md)
+inline constexpr double kSeen = 3.0;           ///< sigmas from which a misfit is detected
+inline constexpr double kSimilar = 0.95;       ///< |cosine| from which one cause removes 90 % (cosine^2) of the misfit of another
+inline constexpr double kNothing = 1e-12;      ///< a product of lengths that is rounding alone
+inline constexpr int kHalvings = 6;            ///< of the range in which a limit's size lies
+inline constexpr std::size_t kMostRivals = 4;  ///< rivals of the next experiment: each costs as much as a fit
+inline constexpr double kSmallLeak = 0.05;     ///< probability below which a hypothesis gets no further experiment
+inline constexpr double kDecides = 0.9;        ///< share of the entropy from which a measurement decides
+inline constexpr double kWorthwhile = 0.1;     ///< share of the entropy below which a measurement is no answer
+inline constexpr double kLargestFactor = 1e3;  ///< of a size that is asked for
+
+}  // namespace fusee::inference

@@ -46,10 +46,10 @@ core::Findings refusals(const Drive& drive) {
         f.measured = f.allowed = std::nan("");
         if (options.family == cam::Family::kRoller)
             f.rule = "joint.roller", f.what = "an assembly with a roller on the cam is not modelled",
-            f.suggestion = f.where + ".family = \"cable\"";
+            f.suggestion = core::change(f.where + ".family", core::quoted("cable"));
         else if (options.guide.kind == cam::GuideKind::kParallel)
             f.rule = "joint.guide", f.what = "a parallel cable exit has no place for its guide: the assembly is not modelled",
-            f.suggestion = f.where + ".guide.kind = \"point\" and " + f.where + ".guide.distance_mm";
+            f.suggestion = core::change(f.where + ".guide.kind", core::quoted("point")).noted(" and " + f.where + ".guide.distance_mm");
         else
             continue;
         all.push_back(std::move(f));

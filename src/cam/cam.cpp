@@ -75,7 +75,7 @@ SupportState state_of(const PathPoint& p) { return {p.h, p.slope, p.rho}; }
 core::Findings named(core::Findings findings, PartKind kind) {
     for (core::Finding& f : findings) {
         f.where = fmt::format("{}: {}", to_string(kind), f.where);
-        f.suggestion = fmt::format("{}.{}", to_string(kind), f.suggestion);
+        f.suggestion = f.suggestion.of_table(to_string(kind));
     }
     return findings;
 }
@@ -88,8 +88,8 @@ core::Outcome<IdleArc> idle_arc(const ArmFunction& arm, const WorkingArc& arc, c
     if (idle) return idle;
     core::Findings findings = named(idle.refusal(), arm.kind());
     if (options.family != Family::kRoller) return findings;
-    const std::string wider = wider_base(arm, options);
-    findings.front().suggestion = wider.empty() ? "a lower law.end_torque_Nm: no base radius closes this rim" : wider;
+    findings.front().suggestion = wider_base(arm, options);
+    if (findings.front().suggestion.empty()) findings.front().suggestion = "a lower law.end_torque_Nm: no base radius closes this rim";
     return findings;
 }
 

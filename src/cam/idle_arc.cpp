@@ -107,8 +107,9 @@ core::Finding refusal(double width, double least_rho, double possible) {
     core::Finding f = core::error_finding("cam.idle_arc", "no convex idle arc with the least radius closes the contour",
                                           core::mm_from_m(possible), core::Bound::kAtLeast, core::mm_from_m(least_rho), "mm");
     f.where = fmt::format("idle arc of {:.1f} deg", core::deg_from_rad(width));
-    f.suggestion = possible > 0.0 ? fmt::format("path.min_idle_radius_mm = {:.2f}", 0.95 * core::mm_from_m(possible))
-                                  : "path.kind = \"helix\", or less wrap (another spring preload or a smaller travel)";
+    f.suggestion = possible > 0.0
+                       ? core::change("path.min_idle_radius_mm", fmt::format("{:.2f}", 0.95 * core::mm_from_m(possible)))
+                       : core::change("path.kind", core::quoted("helix")).or_else("less wrap (another spring preload or a smaller travel)");
     f.source = "a convex closed curve needs rho > 0 everywhere";
     return f;
 }

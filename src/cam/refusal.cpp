@@ -38,16 +38,18 @@ core::Finding broken(const ArmFunction& arm, const char* rule, const char* what,
     return f;
 }
 
-std::string preload_text(const ArmFunction& arm) {
+std::string key_of(const ArmFunction& arm, const char* key) { return fmt::format("{}.{}", to_string(arm.kind()), key); }
+
+core::Suggestion preload_of(const ArmFunction& arm) {
     const bool torsion = arm.kind() == PartKind::kSeries;
     const double preload = arm.base().preload;
-    return fmt::format("{}.spring.{} = {:.4g}", to_string(arm.kind()), torsion ? "preload_rad" : "preload_mm",
-                       torsion ? preload : core::mm_from_m(preload));
+    return core::change(key_of(arm, torsion ? "spring.preload_rad" : "spring.preload_mm"),
+                        core::number(torsion ? preload : core::mm_from_m(preload), 4));
 }
 
-std::string rate_text(const ArmFunction& arm) {
-    return fmt::format("{}.spring.{} = {:.4g}", to_string(arm.kind()), arm.kind() == PartKind::kSeries ? "rate_Nm_per_rad" : "rate_N_per_m",
-                       arm.base().rate);
+core::Suggestion rate_of(const ArmFunction& arm) {
+    const char* key = arm.kind() == PartKind::kSeries ? "spring.rate_Nm_per_rad" : "spring.rate_N_per_m";
+    return core::change(key_of(arm, key), core::number(arm.base().rate, 4));
 }
 
 /// Is every contact possible?
@@ -63,7 +65,7 @@ bool sound(const ArmFunction& arm, const CamOptions& options) {
 }
 
 /// The preload, or otherwise the rate, nearest to the given one as a ratio, with which all contacts are sound.
-std::string other_spring(const ArmFunction& arm, const CamOptions& options) {
+core::Suggestion other_spring(const ArmFunction& arm, const CamOptions& options) {
     constexpr double kPreloadStep = 1.1, kRateStep = 1.25, kFromNothing = 0.01;  // no preload: first 1 % of the final state
     constexpr int kPreloadSteps = 60, kRateSteps = 160;                          // a factor of 300, of 3e15
     spring::BaseSpring base = arm.base();
@@ -71,19 +73,19 @@ std::string other_spring(const ArmFunction& arm, const CamOptions& options) {
     for (int i = 1; i <= kPreloadSteps; ++i)
         for (const int direction : {1, -1}) {
             base.preload = preload * std::pow(kPreloadStep, direction * i);
-            if (const ArmFunction other = arm.on(base); sound(other, options)) return preload_text(other);
+            if (const ArmFunction other = arm.on(base); sound(other, options)) return preload_of(other);
         }
     base = arm.base();
     for (int i = 1; i <= kRateSteps; ++i)
         for (const int direction : {1, -1}) {
             base.rate = arm.base().rate * std::pow(kRateStep, direction * i);
-            if (const ArmFunction other = arm.on(base); sound(other, options)) return rate_text(other);
+            if (const ArmFunction other = arm.on(base); sound(other, options)) return rate_of(other);
         }
     return {};
 }
 
 /// The end of the law up to which `good` holds: between the last good contact and the first bad one after the start.
-std::string earlier_end(const ArmFunction& arm, const CamOptions& options, const std::vector<Contact>& contacts, const Test& good) {
+core::Suggestion earlier_end(const ArmFunction& arm, const CamOptions& options, const std::vector<Contact>& contacts, const Test& good) {
     const auto bad = std::find_if_not(contacts.begin(), contacts.end(), good);
     if (bad == contacts.begin() || bad == contacts.end()) return {};
     double inside = (bad - 1)->arm.tau, outside = bad->arm.tau;
@@ -92,12 +94,12 @@ std::string earlier_end(const ArmFunction& arm, const CamOptions& options, const
         (good(touch(arm.kind(), arm.at_load(middle), options)) ? inside : outside) = middle;
     }
     if (inside < kWorthwhile * contacts.front().arm.tau) return {};
-    return fmt::format("law.end_torque_Nm = {:.4g}", (1.0 - kInside) * inside);
+    return core::change("law.end_torque_Nm", core::number((1.0 - kInside) * inside, 4));
 }
 
-std::string joined_text(const std::string& a, const std::string& b) {
+core::Suggestion either(core::Suggestion a, const core::Suggestion& b) {
     if (a.empty() && b.empty()) return "another base spring or law: neither preload nor rate alone makes every contact possible";
-    return a.empty() || b.empty() ? a + b : a + ", or " + b;
+    return a.or_else(b);
 }
 
 /// Without cable tension the arm is infinite. The finding then states the tension.
@@ -120,7 +122,7 @@ core::Finding arm_beyond(const ArmFunction& arm, const CamOptions& options, cons
     f.bound = shorter ? core::Bound::kAtLeast : core::Bound::kAtMost;
     if (!std::isfinite(f.measured)) state_tension(f, arm, at);
     f.source = "docs/theory/cams.md, table 1: springs and law of matching size";
-    f.suggestion = joined_text(earlier_end(arm, options, contacts, possible_arm), other_spring(arm, options));
+    f.suggestion = either(earlier_end(arm, options, contacts, possible_arm), other_spring(arm, options));
     return f;
 }
 
@@ -144,15 +146,15 @@ core::Findings check_contacts(const ArmFunction& arm, const CamOptions& options,
     if (!(reach_mm > 0.0)) {
         core::Finding f = broken(arm, "cam.guide", "the guide is too near: no straight cable from cam to guide has the required arm",
                                  *nearest, reach_mm, 0.0);
-        f.suggestion = fmt::format("{}.guide.distance_mm = {:.1f}", to_string(arm.kind()),
-                                   core::mm_from_m(options.guide.distance) + 1.1 * std::abs(reach_mm) + 0.1);
+        f.suggestion = core::change(key_of(arm, "guide.distance_mm"),
+                                    fmt::format("{:.1f}", core::mm_from_m(options.guide.distance) + 1.1 * std::abs(reach_mm) + 0.1));
         return {f};
     }
     if (convex(*sharpest)) return {};
     core::Finding f = broken(arm, "cam.convexity", "no convex contour has this arm: its radius of curvature would not be above 0",
                              *sharpest, core::mm_from_m(sharpest->path.rho), 0.0);
     const bool roller = options.family == Family::kRoller;
-    f.suggestion = joined_text(earlier_end(arm, options, contacts, convex), roller ? wider_base(arm, options) : other_spring(arm, options));
+    f.suggestion = either(earlier_end(arm, options, contacts, convex), roller ? wider_base(arm, options) : other_spring(arm, options));
     return {f};
 }
 
@@ -168,10 +170,10 @@ core::Findings check_wrap(const ArmFunction& arm, const Cam& cam, double travel)
     const double angle = 0.97 * travel * allowed / wrap;
     const core::Range loads = arm.law().loads();
     const double end = solve_between([&](double tau) { return arm.at_load(tau).angle - angle; }, loads.low, loads.high);
-    f.suggestion = fmt::format("law.end_torque_Nm = {:.4g}", end);
     if (cam.closed() && !cam.has_roller())
-        f.suggestion = fmt::format("{0}.path.kind = \"helix\" with {0}.path.pitch_mm = {1:.3g}, or {2}", to_string(arm.kind()),
-                                   kPitch * core::mm_from_m(cam.options.cable_diameter), f.suggestion);
+        f.suggestion = core::change(key_of(arm, "path.kind"), core::quoted("helix"))
+                           .with(key_of(arm, "path.pitch_mm"), core::number(kPitch * core::mm_from_m(cam.options.cable_diameter), 3));
+    f.suggestion.or_else(core::change("law.end_torque_Nm", core::number(end, 4)));
     f.source = cam.closed() ? "geometry: one turn less the idle arc" : "docs/theory/cams.md: arms and law of matching size";
     return {f};
 }

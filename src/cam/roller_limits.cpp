@@ -47,7 +47,7 @@ void validate_roller(PartKind kind, const CamOptions& options) {
                                  fmt::format("less than base and roller radius together, {:.4g} mm, on either side", widest));
 }
 
-std::string wider_base(const ArmFunction& arm, const CamOptions& options) {
+core::Suggestion wider_base(const ArmFunction& arm, const CamOptions& options) {
     constexpr double kGrowth = 1.02, kReserve = 1.002;
     constexpr int kSteps = 233;  // a factor of 100
     CamOptions wider = options;
@@ -55,7 +55,7 @@ std::string wider_base(const ArmFunction& arm, const CamOptions& options) {
         wider.roller.base_radius = options.roller.base_radius * std::pow(kGrowth, i);
         if (!closes(arm, wider)) continue;
         const double tenths = std::ceil(mm_from_m(kReserve * wider.roller.base_radius) * 10.0);
-        return fmt::format("k_pe.roller.base_radius_mm = {:g}", tenths / 10.0);
+        return core::change("k_pe.roller.base_radius_mm", core::number(tenths / 10.0));
     }
     return {};
 }

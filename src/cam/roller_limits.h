@@ -1,7 +1,6 @@
 #pragma once
-#include <string>
-
 #include "fusee/cam/cam.h"
+#include "fusee/core/change.h"
 
 /// Refusals of a roller cam, with the least change of the roller.
 namespace fusee::cam {
@@ -10,7 +9,7 @@ namespace fusee::cam {
 void validate_roller(PartKind kind, const CamOptions& options);
 
 /// "k_pe.roller.base_radius_mm = ...": the least base radius, on steps of a tenth, with which all contacts are convex and the rim closes;
-/// "" if none up to 100 times the given one does.
-[[nodiscard]] std::string wider_base(const ArmFunction& arm, const CamOptions& options);
+/// empty if none up to 100 times the given one does.
+[[nodiscard]] core::Suggestion wider_base(const ArmFunction& arm, const CamOptions& options);
 
 }  // namespace fusee::cam

@@ -43,6 +43,11 @@ Limit review(core::Bound bound, const char* unit, const char* by, const char* na
     return {name, core::Severity::kWarning, bound, unit, kByDesign, by};
 }
 
+Limit of_process(Limit limit) {
+    limit.of_process = true;
+    return limit;
+}
+
 EffectiveLimit Allowed::operator()(std::string_view name, double normal) const {
     EffectiveLimit effective;
     for (const Limit& limit : rule_.limits)

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
 
 #include "fusee/core/units.h"
 
@@ -17,6 +18,16 @@ Rule on_cable(Rule rule) {
 }
 
 std::string name(const Design& design) { return cam::to_string(design.part.cam.kind); }
+
+std::string key_of(const Design& design, const std::string& key) { return name(design) + "." + key; }
+
+core::Suggestion change(const Design& design, const std::string& key, std::string value) {
+    return core::change(key_of(design, key), std::move(value));
+}
+
+core::Suggestion without_anchor_hole(const Design& design) {
+    return change(design, "features.anchor_hole_mm", "0").noted(" and a knot or clamp outside the part");
+}
 
 std::string where(const Design& design, double psi) { return fmt::format("{} at psi {:.1f} deg", name(design), core::deg_from_rad(psi)); }
 

@@ -1,6 +1,4 @@
 #pragma once
-#include <string>
-
 #include "fusee/checks/check.h"
 
 /// The nearest feasible base spring, as keys of the profile. Every change keeps the law: the energy that the spring stores stays the same.
@@ -13,12 +11,12 @@ double largest_state(const Design& design);
 double least_state(const Design& design);
 /// Rate and preload that scale every arm by `factor`. K_SE: r = sqrt((k_t phi0)^2 + 2 k_t U)/U', so k_t f^2 and phi0/f;
 /// K_PE: r = U'/sqrt((k y0)^2 + 2 k U), so k/f^2 and y0 f.
-std::string scale_arms(const Design& design, double factor);
+core::Suggestion scale_arms(const Design& design, double factor);
 
 /// A preload, or a rate, or both in the proportion of `scale_arms`, for a largest state of `state` [rad or m].
-std::string limit_state(const Design& design, double state);
+core::Suggestion limit_state(const Design& design, double state);
 
 /// A preload, or a rate, for a largest load of `load` [Nm or N].
-std::string limit_load(const Design& design, double load);
+core::Suggestion limit_load(const Design& design, double load);
 
 }  // namespace fusee::checks

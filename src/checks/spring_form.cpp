@@ -41,16 +41,16 @@ BaseSpring scaled_to_rate(BaseSpring s, double index) {
 }
 
 /// The coils nearest to the stated ones: their index and turns if the wire allows it, else the tightest or the loosest index.
-std::string nearest_form(const Design& design, const std::string& keys) {
+core::Suggestion nearest_form(const Design& design) {
     BaseSpring s = design.spring;
     s.active_coils = std::max(s.active_coils, kFewestCoils);
     for (const double index : {std::clamp(spring::spring_index(s), kLeastIndex, kMostIndex), kLeastIndex, kMostIndex}) {
         const BaseSpring form = scaled_to_rate(s, index);
         if (within(core::mm_from_m(form.wire_diameter), kThinnest_mm, kThickest_mm))
-            return fmt::format(
-                "neither other turns nor another wire in these coils can be wound; {0}wire_mm = {1:.4g} with {0}coil_mm = "
-                "{2:.4g} and {0}active_coils = {3:.4g}",
-                keys, core::mm_from_m(form.wire_diameter), core::mm_from_m(form.coil_diameter), form.active_coils);
+            return change(design, "spring.wire_mm", number(core::mm_from_m(form.wire_diameter), 4))
+                .with(key_of(design, "spring.coil_mm"), number(core::mm_from_m(form.coil_diameter), 4))
+                .with(key_of(design, "spring.active_coils"), number(form.active_coils, 4))
+                .begun("neither other turns nor another wire in these coils can be wound; ");
     }
     return fmt::format("no wound spring of {:.4g} turns has this rate: index {:g} to {:g}, wire {:g} to {:g} mm", s.active_coils,
                        kLeastIndex, kMostIndex, kThinnest_mm, kThickest_mm);
@@ -58,24 +58,21 @@ std::string nearest_form(const Design& design, const std::string& keys) {
 
 }  // namespace
 
-std::string form_for_rate(const Design& design) {
+core::Suggestion form_for_rate(const Design& design) {
     const BaseSpring &s = design.spring, turns = with_turns(s), wire = with_wire(s);
-    const std::string keys = name(design) + ".spring.";
-    std::string text;
-    const auto add = [&](const std::string& change) { text += (text.empty() ? "" : ", or ") + change; };
-    if (can_be_wound(turns)) add(fmt::format("{}active_coils = {:.4g}", keys, turns.active_coils));
-    if (can_be_wound(wire)) add(fmt::format("{}wire_mm = {:.4g}", keys, core::mm_from_m(wire.wire_diameter)));
-    if (text.empty()) add(nearest_form(design, keys));
-    if (can_be_wound(s))
-        add(fmt::format("{}{} = {:.4g}, which the stated coils have", keys,
-                        s.kind == spring::BaseKind::kTorsion ? "rate_Nm_per_rad" : "rate_N_per_m", spring::rate_of_coils(s)));
-    return text;
+    core::Suggestion changes;
+    if (can_be_wound(turns)) changes.or_else(change(design, "spring.active_coils", number(turns.active_coils, 4)));
+    if (can_be_wound(wire)) changes.or_else(change(design, "spring.wire_mm", number(core::mm_from_m(wire.wire_diameter), 4)));
+    if (changes.empty()) changes = nearest_form(design);
+    const char* rate = s.kind == spring::BaseKind::kTorsion ? "spring.rate_Nm_per_rad" : "spring.rate_N_per_m";
+    if (can_be_wound(s)) changes.or_else(change(design, rate, number(spring::rate_of_coils(s), 4)).noted(", which the stated coils have"));
+    return changes;
 }
 
-std::string stronger_wire(const Design& design, double strength) {
+core::Suggestion stronger_wire(const Design& design, double strength) {
     constexpr double kPascal = 1e6;
     const double wire = design.spring.wire_diameter, strongest = spring::strength_of(spring::WireClass::kDh, wire);
-    if (strength <= strongest) return fmt::format("{}.spring.tensile_strength_MPa = {}", name(design), up(strength / kPascal));
+    if (strength <= strongest) return change(design, "spring.tensile_strength_MPa", up(strength / kPascal));
     return fmt::format("no stronger wire: it would need {:.0f} MPa, and patented wire of {:.3g} mm has {:.0f} MPa at most (EN 10270-1 DH)",
                        strength / kPascal, core::mm_from_m(wire), strongest / kPascal);
 }

@@ -101,8 +101,8 @@ core::Finding not_found(const design::Algorithm1& algorithm, const design::Algor
         f.what = "no candidate (k, u, C) gives both springs a stiffness above 0 at every load";
         f.measured = best.least_stiffness;
         f.unit = "Nm/rad";
-        f.suggestion = fmt::format("algorithm_1.u_Nm = [0, {:.3g}] and algorithm_1.c_Nm = [0, {:.3g}]",
-                                   0.5 * start * std::sqrt(algorithm.rig().mu), 0.5 * start);
+        f.suggestion = core::change("algorithm_1.u_Nm", fmt::format("[0, {:.3g}]", 0.5 * start * std::sqrt(algorithm.rig().mu)))
+                           .with("algorithm_1.c_Nm", fmt::format("[0, {:.3g}]", 0.5 * start));
         return f;
     }
     f.rule = "design.weight";
@@ -110,7 +110,7 @@ core::Finding not_found(const design::Algorithm1& algorithm, const design::Algor
     f.measured = weight;
     f.allowed = least_weight;
     f.unit = "1/rad";
-    f.suggestion = fmt::format("algorithm_1.weight_dead_band_per_rad = {:.3g}", 1.5 * least_weight);
+    f.suggestion = core::change("algorithm_1.weight_dead_band_per_rad", core::number(1.5 * least_weight, 3));
     return f;
 }
 

@@ -76,7 +76,7 @@ std::pair<std::string, std::string> distinct_texts(double measured, double allow
 
 std::string unjudged_line(const Finding& f) {
     return fmt::format("{}: {}: {}{}; missing: {}", to_string(f.severity), f.rule, f.what,
-                       f.where.empty() ? "" : fmt::format(" ({})", f.where), f.suggestion);
+                       f.where.empty() ? "" : fmt::format(" ({})", f.where), f.suggestion.text());
 }
 
 }  // namespace
@@ -88,7 +88,7 @@ std::string to_line(const Finding& f) {
     return fmt::format("{}: {}: {}: measured {}{}, allowed {} {}{}{}{}", to_string(f.severity), f.rule, f.what, measured, unit,
                        f.bound == Bound::kAtMost ? "at most" : "at least", allowed, unit,
                        f.where.empty() ? "" : fmt::format(" ({})", f.where),
-                       f.suggestion.empty() ? "" : fmt::format("; nearest feasible: {}", f.suggestion));
+                       f.suggestion.empty() ? "" : fmt::format("; nearest feasible: {}", f.suggestion.text()));
 }
 
 void append(Findings& to, const Findings& more) { to.insert(to.end(), more.begin(), more.end()); }

@@ -167,7 +167,7 @@ private:
             sheet_.part, 100.0 * as_made, 100.0 * centred, 100.0 * formed));
     }
 
-    void judge(const char* id, std::string what, double measured_mm, double allowed_mm, std::string suggestion) {
+    void judge(const char* id, std::string what, double measured_mm, double allowed_mm, core::Suggestion suggestion) {
         core::Finding f;
         f.rule = std::string("inspection.") + id;
         f.what = std::move(what);
@@ -183,7 +183,8 @@ private:
     void contour() {
         const double most = largest(fit_, [&](std::size_t i) { return fit_.rows[i].deviation; });
         judge("contour", fmt::format("largest deviation of {} rows of the contour", fit_.rows.size()), mm_from_m(most),
-              mm_from_m(allowed()), is_rim() ? "" : fmt::format("{} = {:.3f}", contour_key(sheet_.part), mm_from_m(fit_.offset.value)));
+              mm_from_m(allowed()),
+              is_rim() ? core::Suggestion() : core::change(contour_key(sheet_.part), fmt::format("{:.3f}", mm_from_m(fit_.offset.value))));
     }
     void eccentricity() {
         const double x = mm_from_m(fit_.x.value), y = mm_from_m(fit_.y.value);

@@ -62,7 +62,7 @@ std::vector<profile::Edit> Drafts::edits(const Choices& choices) const {
     std::vector<profile::Edit> all;
     for (const auto& [key, choice] : choices) {
         const std::string from = was(key), reason = choice.follows.empty() ? why(choice.because) : "follows " + choice.follows;
-        all.push_back({key, choice.value, from, reason, fmt::format("changed by fix from {}", from)});
+        all.push_back({{key, choice.value, from}, reason, fmt::format("changed by fix from {}", from)});
     }
     return all;
 }

@@ -23,10 +23,10 @@ std::optional<double> dead_band_of(const profile::Profile& profile) {
     return band.covered ? std::optional(band.exact_width) : std::nullopt;
 }
 
-std::vector<Change> changes_of(const Drafts& drafts, const Choices& choices) {
-    std::vector<Change> changes;
+std::vector<MadeChange> changes_of(const Drafts& drafts, const Choices& choices) {
+    std::vector<MadeChange> changes;
     for (const auto& [key, choice] : choices)
-        changes.push_back({key, drafts.was(key), choice.value, policy_of(key)->asks_for, choice.because, choice.follows});
+        changes.push_back({{key, choice.value, drafts.was(key)}, policy_of(key)->asks_for, choice.because, choice.follows});
     return changes;
 }
 

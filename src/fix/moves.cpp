@@ -43,7 +43,7 @@ std::vector<Move> suggested(const core::Finding& finding, const Verdict& verdict
     const std::string part = part_of(finding);
     const bool spring_stays = is_of_cam(finding) && has_other_spring(part, choices);
     std::vector<Move> moves;
-    for (const core::Changes& changes : core::suggested_changes(finding.suggestion)) {
+    for (const core::Changes& changes : finding.suggestion.changes()) {
         if (!allowed(changes, draft) || (spring_stays && is_of_spring(changes.front().key, part))) continue;
         Held held = hold(changes, draft, drafts);
         if (held.changes.empty())

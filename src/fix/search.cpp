@@ -33,11 +33,11 @@ std::vector<std::string> changed_keys(const Choices& now, const Choices& before)
 
 /// The value of the same key, nearer to the old one, that the broken limit suggests; empty if it suggests none.
 std::string asked_back(const Conflict& conflict) {
-    const std::optional<double> from = number_in(conflict.from), to = number_in(conflict.to);
+    const std::optional<double> from = number_in(conflict.change.was), to = number_in(conflict.change.value);
     if (!from || !to) return {};
-    for (const core::Changes& changes : core::suggested_changes(conflict.other.suggestion))
+    for (const core::Changes& changes : conflict.other.suggestion.changes())
         for (const core::Change& change : changes)
-            if (const auto asks = number_in(change.value); change.key == conflict.key && asks && (*asks - *to) * (*to - *from) < 0.0)
+            if (const auto asks = number_in(change.value); change.key == conflict.change.key && asks && (*asks - *to) * (*to - *from) < 0.0)
                 return change.value;
     return {};
 }
@@ -98,8 +98,8 @@ void Search::note_conflicts(const Node& node) {
         const std::string one = name_of(choice.because), other = name_of(broken);
         if (one == other || has(node.parent->verdict->broken, other)) continue;
         const auto before = node.parent->choices.find(changed.front());
-        Conflict conflict{choice.because, broken, changed.front(), {}, choice.value, {}};
-        conflict.from = before == node.parent->choices.end() ? drafts_.was(conflict.key) : before->second.value;
+        Conflict conflict{choice.because, broken, {changed.front(), choice.value}, {}};
+        conflict.change.was = before == node.parent->choices.end() ? drafts_.was(conflict.change.key) : before->second.value;
         conflict.asks = asked_back(conflict);
         const auto [at, is_new] = broken_by_.try_emplace({one, other}, conflict);
         if (!is_new && at->second.asks.empty() && !conflict.asks.empty()) at->second = conflict;

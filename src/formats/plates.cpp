@@ -14,7 +14,9 @@ core::Finding not_flat(const solid::Part& part) {
     core::Finding f = core::error_finding("stack.boss", "height of the boss below the plates: no plates were drawn", core::mm_from_m(boss),
                                           core::Bound::kAtMost, 0.0, "mm");
     f.where = to_string(part.cam.kind);
-    f.suggestion = fmt::format("{0}.hub.boss_height_mm = 0 and {0}.hub.kind = \"through\", or outputs.formats without \"plates\"", f.where);
+    f.suggestion = core::change(f.where + ".hub.boss_height_mm", "0")
+                       .with(f.where + ".hub.kind", core::quoted("through"))
+                       .or_else("outputs.formats without \"plates\"");
     f.source = "geometry: plates are cut through";
     return core::judged(f, core::Severity::kWarning);
 }

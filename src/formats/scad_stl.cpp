@@ -7,7 +7,7 @@ Format make_scad_stl() {
     return {.name = "scad_stl",
             .extension = ".stl",
             .meaning = "the SCAD file as OpenSCAD renders it",
-            .note = "OpenSCAD renders the solids",
+            .note = kOpenScadRenders,
             .place = 4,
             .write = [](PartExport& out) {
                 const std::filesystem::path stl = out.path("_openscad.stl");

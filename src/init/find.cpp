@@ -66,7 +66,7 @@ std::vector<NearestChange> changes_of(const Answers& answers, std::vector<Answer
             if (q.option != option || q.shown(answers) == text) continue;
             Answers other = answers;
             q.enter(other, text);
-            changes.push_back({option, q.shown(answers), q.shown(other), options_text(other)});
+            changes.push_back({{option, q.shown(other), q.shown(answers)}, options_text(other)});
             changed.push_back(other);
         }
     };
@@ -96,7 +96,7 @@ std::optional<NearestChange> nearest_change(const std::string& name, const Answe
         Options within = options;
         within.progress = {};
         tell(options, kSearchShare + (1.0 - kSearchShare) * double(i) / double(changes.size()),
-             fmt::format("not possible; the same with {} {}", changes[i].option, changes[i].to));
+             fmt::format("not possible; the same with {} {}", changes[i].answer.key, changes[i].answer.value));
         try {
             require_consistent(changed[i]);
         } catch (const core::InvalidInput&) {

@@ -178,14 +178,14 @@ void set_number(Profile& profile, const std::string& key, double value) { find_k
 
 Edit number_edit(const Profile& profile, const std::string& path, double value, std::string why) {
     const Key& key = *find_key(path);
-    return {path, fmt::format("{:.6g}", key.unit.from_si(value)), toml_text(key, profile), std::move(why)};
+    return {{path, core::number(key.unit.from_si(value)), toml_text(key, profile)}, std::move(why)};
 }
 
 Edit text_edit(const Profile& profile, const std::string& path, const std::string& value, std::string why) {
     const Key& key = *find_key(path);
     Profile changed = profile;
     key.set(changed, value);
-    return {path, toml_text(key, changed), toml_text(key, profile), std::move(why)};
+    return {{path, toml_text(key, changed), toml_text(key, profile)}, std::move(why)};
 }
 
 std::string derived_name(const std::string& name, const std::string& ending) {

@@ -147,7 +147,7 @@ Draft Drafter::draft(const std::string& sides, const Edits& own, double share, b
             edit.origin = fmt::format("measured, case {}", plain(gap_case_.name));
             edits.push_back(std::move(edit));
         }
-    for (const profile::Edit& e : edits) draft.report.changes.push_back({e.key, e.was, e.value, e.why});
+    draft.report.changes = edits;
     // Judged as if it were next to the old one: the new folder may not exist yet, and the files that it names are the same.
     draft.profile = profile::parse_profile(profile::with_edits(toml_, profile_, edits), profile_.file.parent_path() / file_.filename());
     const Edits files = profile::file_edits(profile_, fs::absolute(file_).parent_path());

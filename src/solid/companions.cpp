@@ -1,7 +1,5 @@
 #include "fusee/solid/companions.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -16,12 +14,16 @@ constexpr double kWall_mm = 2.0;      // of a boss: sufficient for every process
 constexpr double kLeastWeb_mm = 1.5;  // above a blind bore
 constexpr double kSlack_mm = 0.5;     // between turns, beyond the rib
 
-/// " with k_pe.hub.boss_mm = 13"; empty if the part already has it.
-std::string at_least(const std::string& key, double has, double needed) {
-    return has >= needed ? "" : fmt::format(" with {} = {:g}", key, needed);
+/// Adds the value that is needed unless the part already has as much.
+void add_at_least(core::Suggestion& changes, const std::string& key, double has_mm, double needed_mm) {
+    if (has_mm < needed_mm) changes.with(key, core::number(needed_mm));
 }
-
 double boss_mm(const HubOptions& hub) { return std::ceil(2.0 * (bore_reach_mm(hub) + kWall_mm)); }
+
+void add_boss(core::Suggestion& changes, const std::string& part, const HubOptions& hub, double height_mm) {
+    add_at_least(changes, part + ".hub.boss_mm", core::mm_from_m(hub.boss_diameter), boss_mm(hub));
+    add_at_least(changes, part + ".hub.boss_height_mm", core::mm_from_m(hub.boss_height), height_mm);
+}
 
 double pitch_mm(const GrooveOptions& groove, double cable_diameter) {
     const double d = core::mm_from_m(cable_diameter), floor = 2.0 * groove.radius_ratio * d;
@@ -31,26 +33,29 @@ double pitch_mm(const GrooveOptions& groove, double cable_diameter) {
 
 }  // namespace
 
-std::string overhung_change(const std::string& part, const HubOptions& hub) {
+core::Suggestion overhung_change(const std::string& part, const HubOptions& hub) {
     const double height = std::ceil(core::mm_from_m(hub.bore_diameter) + std::max(kLeastWeb_mm, core::mm_from_m(hub.web)));
-    return fmt::format("{}.hub.kind = \"overhung\"", part) +
-           at_least(part + ".hub.boss_mm", core::mm_from_m(hub.boss_diameter), boss_mm(hub)) +
-           at_least(part + ".hub.boss_height_mm", core::mm_from_m(hub.boss_height), height);
+    core::Suggestion changes(part + ".hub.kind", core::quoted("overhung"));
+    add_boss(changes, part, hub, height);
+    return changes;
 }
 
-std::string set_screw_change(const std::string& part, const HubOptions& hub) {
+core::Suggestion set_screw_change(const std::string& part, const HubOptions& hub) {
     const double screw = std::max(1.0, std::floor(core::mm_from_m(0.5 * hub.bore_diameter)));
-    return fmt::format("{}.hub.lock = \"set_screw\"", part) + at_least(part + ".hub.screw_mm", core::mm_from_m(hub.screw_diameter), screw) +
-           at_least(part + ".hub.boss_mm", core::mm_from_m(hub.boss_diameter), boss_mm(hub)) +
-           at_least(part + ".hub.boss_height_mm", core::mm_from_m(hub.boss_height), screw + 2.0 * kWall_mm);
+    core::Suggestion changes(part + ".hub.lock", core::quoted("set_screw"));
+    add_at_least(changes, part + ".hub.screw_mm", core::mm_from_m(hub.screw_diameter), screw);
+    add_boss(changes, part, hub, screw + 2.0 * kWall_mm);
+    return changes;
 }
 
-std::string constant_pitch_change(const std::string& part, const GrooveOptions& groove, double cable_diameter) {
-    return fmt::format("{0}.path.lead = \"constant_pitch\" with {0}.path.pitch_mm = {1:g}", part, pitch_mm(groove, cable_diameter));
+core::Suggestion constant_pitch_change(const std::string& part, const GrooveOptions& groove, double cable_diameter) {
+    return core::change(part + ".path.lead", core::quoted("constant_pitch"))
+        .with(part + ".path.pitch_mm", core::number(pitch_mm(groove, cable_diameter)));
 }
 
-std::string helix_change(const std::string& part, const GrooveOptions& groove, double cable_diameter) {
-    return fmt::format("{0}.path.kind = \"helix\" with {0}.path.pitch_mm = {1:g}", part, pitch_mm(groove, cable_diameter));
+core::Suggestion helix_change(const std::string& part, const GrooveOptions& groove, double cable_diameter) {
+    return core::change(part + ".path.kind", core::quoted("helix"))
+        .with(part + ".path.pitch_mm", core::number(pitch_mm(groove, cable_diameter)));
 }
 
 }  // namespace fusee::solid

@@ -48,9 +48,9 @@ Refusal turns(const Geometry& geometry) {
     const cam::PathOptions& path = geometry.cam.options.path;
     return refusal("solid.turns", "the land between neighbouring turns is thinner than the rib", gap, rib, geometry.part,
                    path.lead == cam::Lead::kConstantPitch
-                       ? fmt::format("{}.path.pitch_mm = {:.2f}", geometry.part, mm_from_m(path.pitch) + rib - gap + 0.05)
-                       : fmt::format("{}.guide.z_mm larger, or {}", geometry.part,
-                                     constant_pitch_change(geometry.part, geometry.options.groove, geometry.cam.options.cable_diameter)));
+                       ? core::change(geometry.part + ".path.pitch_mm", fmt::format("{:.2f}", mm_from_m(path.pitch) + rib - gap + 0.05))
+                       : core::Suggestion(geometry.part + ".guide.z_mm larger")
+                             .or_else(constant_pitch_change(geometry.part, geometry.options.groove, geometry.cam.options.cable_diameter)));
 }
 
 Refusal floor_folds(const Geometry& geometry) {
@@ -58,7 +58,7 @@ Refusal floor_folds(const Geometry& geometry) {
     if (geometry.least_rho > least) return std::nullopt;
     return refusal("solid.floor", "the groove's floor folds: the radius of the cable's centreline is not above half a cable",
                    geometry.least_rho, least, geometry.part,
-                   fmt::format("cable.diameter_mm = {:.3g}", 0.99 * 2.0 * geometry.least_rho / kSharpestFloor));
+                   core::change("cable.diameter_mm", core::number(0.99 * 2.0 * geometry.least_rho / kSharpestFloor, 3)));
 }
 
 Refusal misses_axis(const Geometry& geometry) {
@@ -66,8 +66,8 @@ Refusal misses_axis(const Geometry& geometry) {
     if (!geometry.cam.closed() || lip >= kLeastLip_mm) return std::nullopt;
     return refusal("solid.axis", "the contour does not enclose the axis: on the idle arc its lips pass the axis on the wrong side", lip,
                    kLeastLip_mm, geometry.part,
-                   helix_change(geometry.part, geometry.options.groove, geometry.cam.options.cable_diameter) +
-                       ", or a base spring whose arms differ less");
+                   helix_change(geometry.part, geometry.options.groove, geometry.cam.options.cable_diameter)
+                       .or_else("a base spring whose arms differ less"));
 }
 
 Refusal anchor_fault(const Geometry& geometry) {
@@ -76,10 +76,11 @@ Refusal anchor_fault(const Geometry& geometry) {
     const double left = mm_from_m(geometry.cam.path(geometry.cam.anchor_psi).h) - inside - kLeastLip_mm, widest = std::max(0.0, left);
     if (hole <= widest) return std::nullopt;
     const double bore = mm_from_m(geometry.options.hub.bore_diameter) - 2.0 * (hole - left + kLeastFloor_mm);
-    std::string suggestion = widest > 0.0 ? fmt::format("{}.features.anchor_hole_mm = {:.2f}", geometry.part, 0.95 * widest)
-                                          : fmt::format("{}.features.anchor_hole_mm = 0 and a clamp outside the part", geometry.part);
+    core::Suggestion suggestion =
+        core::change(geometry.part + ".features.anchor_hole_mm", widest > 0.0 ? fmt::format("{:.2f}", 0.95 * widest) : "0");
+    if (widest <= 0.0) suggestion.noted(" and a clamp outside the part");
     if (geometry.options.hub.kind == HubKind::kThrough && bore > kLeastBore_mm)
-        suggestion += fmt::format(", or {}.hub.bore_mm = {:.2f}", geometry.part, bore);
+        suggestion.or_else(core::change(geometry.part + ".hub.bore_mm", fmt::format("{:.2f}", bore)));
     core::Finding f = refusal("solid.anchor", "the anchor hole is wider than the part there", hole, widest, geometry.part, suggestion);
     f.bound = core::Bound::kAtMost;
     return f;
@@ -89,15 +90,16 @@ Refusal bore(const Geometry& geometry) {
     const double floor = geometry.least_h - geometry.half_cable, reach = bore_reach_mm(geometry.options.hub);
     if (geometry.options.hub.kind == HubKind::kOverhung || floor > reach + kLeastFloor_mm) return std::nullopt;
     const double fitting = mm_from_m(geometry.options.hub.bore_diameter) - 2.0 * (reach + 0.3 - floor);
-    const std::string smaller = fitting > kLeastBore_mm ? fmt::format("{}.hub.bore_mm = {:.2f}, or ", geometry.part, fitting) : "";
+    core::Suggestion smaller;
+    if (fitting > kLeastBore_mm) smaller = core::change(geometry.part + ".hub.bore_mm", fmt::format("{:.2f}", fitting));
     return refusal("solid.bore", "the bore breaks into the groove's floor", floor, reach + kLeastFloor_mm, geometry.part,
-                   smaller + overhung_change(geometry.part, geometry.options.hub));
+                   smaller.or_else(overhung_change(geometry.part, geometry.options.hub)));
 }
 
 }  // namespace
 
 core::Finding refusal(const char* rule, std::string what, double measured, double allowed, const std::string& where,
-                      std::string suggestion) {
+                      core::Suggestion suggestion) {
     core::Finding f = core::error_finding(rule, std::move(what), measured, core::Bound::kAtLeast, allowed, "mm");
     f.where = where;
     f.suggestion = std::move(suggestion);

@@ -9,7 +9,7 @@ namespace fusee::solid {
 
 /// An error about the geometry of a part, in millimetres.
 core::Finding refusal(const char* rule, std::string what, double measured, double allowed, const std::string& where,
-                      std::string suggestion);
+                      core::Suggestion suggestion);
 
 /// Do groove, axis, anchor hole and bore fit into the part at all? The checks judge the remaining material.
 /// Findings "solid.turns", "solid.floor", "solid.axis", "solid.anchor", "solid.bore"; none if they fit.

@@ -20,7 +20,7 @@ bool worse_end(const ColumnMaker& maker) { return maker.run_out_needed(true).wid
 double needed(const ColumnMaker& maker) { return maker.run_out_needed(worse_end(maker)).width; }
 
 /// The margin nearest to the given one, as a ratio, with which the run-out is short enough; empty if there is none.
-std::string other_margin(const Part& part) {
+core::Suggestion other_margin(const Part& part) {
     constexpr double kStep = 1.1, kGrooveOfMargin = 1.6;  // the groove extends this far beyond the working arc
     constexpr int kSteps = 45;                            // a factor of 70: the whole range
     cam::Cam other = part.cam;
@@ -30,7 +30,8 @@ std::string other_margin(const Part& part) {
             if (!kMargins.holds(margin)) continue;
             other.groove_psi = {part.cam.working_psi.low - beyond, part.cam.working_psi.high + beyond};
             if (needed(ColumnMaker(other, part.section, flanges_of(part.options))) < kInside * kLongestRunOut)
-                return fmt::format("{}.path.margin_deg = {:.1f}", to_string(part.cam.kind), core::deg_from_rad(margin));
+                return core::change(std::string(to_string(part.cam.kind)) + ".path.margin_deg",
+                                    fmt::format("{:.1f}", core::deg_from_rad(margin)));
         }
     return {};
 }
@@ -42,20 +43,21 @@ double needed_at(const cam::PathPoint& p, bool high) {
 }
 
 /// The load, nearest to this end of the law, at which the working arc could end; empty if the arc grows too fast everywhere.
-std::string shorter_law(const cam::Cam& cam, bool high) {
+core::Suggestion shorter_law(const cam::Cam& cam, bool high) {
     const std::vector<cam::Contact>& rows = cam.working;
     if (rows.empty()) return {};
     const bool loaded = (rows.back().path.psi > rows.front().path.psi) == high;  // the law's highest load lies at this end
     const auto fits = [&](const cam::Contact& c) { return needed_at(c.path, high) < kInside * kLongestRunOut; };
     if (loaded) {
         const auto last = std::find_if(rows.rbegin(), rows.rend(), fits);
-        return last == rows.rend() ? "" : fmt::format("law.end_torque_Nm = {:.4g}", last->arm.tau);
+        return last == rows.rend() ? core::Suggestion() : core::change("law.end_torque_Nm", core::number(last->arm.tau, 4));
     }
     const auto first = std::find_if(rows.begin(), rows.end(), fits);
     if (first == rows.end()) return {};
     const bool torsion = cam.kind == cam::PartKind::kSeries;
-    return fmt::format("law.start_torque_Nm = {:.4g} with {}.spring.{} = {:.4g}", first->arm.tau, to_string(cam.kind),
-                       torsion ? "preload_rad" : "preload_mm", torsion ? first->arm.state : core::mm_from_m(first->arm.state));
+    return core::change("law.start_torque_Nm", core::number(first->arm.tau, 4))
+        .with(fmt::format("{}.spring.{}", to_string(cam.kind), torsion ? "preload_rad" : "preload_mm"),
+              core::number(torsion ? first->arm.state : core::mm_from_m(first->arm.state), 4));
 }
 
 }  // namespace
@@ -77,8 +79,7 @@ core::Findings check_run_outs(const Part& part, const ColumnMaker& maker) {
     f.bound = core::Bound::kAtMost;
     f.unit = "deg";
     f.source = "docs/theory/cams.md, eq. 8b";
-    const std::string margin = other_margin(part), law = shorter_law(part.cam, high);
-    f.suggestion = margin.empty() || law.empty() ? margin + law : margin + ", or " + law;
+    f.suggestion = other_margin(part).or_else(shorter_law(part.cam, high));
     if (f.suggestion.empty())
         f.suggestion = fmt::format("another base spring: one whose contour has h'/h at most {:.2f} there",
                                    kInside * kLongestRunOut * at.rho / core::m_from_mm(maker.helix_radius_mm()));

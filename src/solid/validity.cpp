@@ -58,7 +58,7 @@ Validity validate(const Mesh& mesh) {
     return validity;
 }
 
-core::Finding invalid_solid(const Validity& validity, const std::string& solid, const std::string& part, std::string suggestion) {
+core::Finding invalid_solid(const Validity& validity, const std::string& solid, const std::string& part, core::Suggestion suggestion) {
     core::Finding f = core::error_finding("solid.validity", solid + " is not valid: " + validity.line(), validity.good() ? 1.0 : 0.0,
                                           core::Bound::kAtLeast, 1.0, "");
     f.where = part;

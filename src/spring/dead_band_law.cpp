@@ -87,10 +87,9 @@ std::optional<core::Finding> find_too_narrow(const Wanted& wanted, core::Range r
     core::Finding finding = core::error_finding("law.dead_band", "a dead-band that vanishes needs an infinitely stiff K_PE",
                                                 core::deg_from_rad(width), core::Bound::kAtLeast, least, "deg");
     finding.where = fmt::format("law at {:.4g} Nm", tau);
-    finding.suggestion = fmt::format(
-        "{} (or law.dead_band_deg above {:.4g} at {:.4g} Nm)",
-        nearest_feasible(points, static_cast<std::size_t>(first - margins.begin()), static_cast<std::size_t>(last - margins.begin())),
-        least, tau);
+    finding.suggestion =
+        nearest_feasible(points, static_cast<std::size_t>(first - margins.begin()), static_cast<std::size_t>(last - margins.begin()))
+            .or_else(fmt::format("law.dead_band_deg above {:.4g} at {:.4g} Nm", least, tau));
     finding.source = "docs/theory/springs.md, eq. 20";
     return finding;
 }

@@ -94,9 +94,9 @@ core::Findings check_stiffnesses(const std::vector<LawPoint>& points) {
     return judge_all(points, std::span(conditions()).first(kOfStiffnesses));
 }
 
-std::string nearest_feasible(const std::vector<LawPoint>& points, std::size_t first, std::size_t last) {
-    if (first > 1) return fmt::format("law.end_torque_Nm = {:.4g}", points[first - 1].tau);
-    if (last + 2 < points.size()) return fmt::format("law.start_torque_Nm = {:.4g}", points[last + 1].tau);
+core::Suggestion nearest_feasible(const std::vector<LawPoint>& points, std::size_t first, std::size_t last) {
+    if (first > 1) return core::change("law.end_torque_Nm", core::number(points[first - 1].tau, 4));
+    if (last + 2 < points.size()) return core::change("law.start_torque_Nm", core::number(points[last + 1].tau, 4));
     return "another law: no part of this one is feasible";
 }
 

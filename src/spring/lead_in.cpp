@@ -120,7 +120,7 @@ core::Finding too_long(const char* spring, double travel, double longest) {
         core::error_finding("law.lead_in", fmt::format("{}'s stiffness and torque must stay above 0 over the lead-in", spring),
                             core::deg_from_rad(travel), core::Bound::kAtMost, core::deg_from_rad(longest), "deg");
     finding.where = "lower end of the law's lead-in";
-    finding.suggestion = fmt::format("law.lead_in_deg = {:.4g}", core::deg_from_rad(safe));
+    finding.suggestion = core::change("law.lead_in_deg", core::number(core::deg_from_rad(safe), 4));
     finding.source = "docs/theory/springs.md, eq. 15";
     return finding;
 }

@@ -110,7 +110,7 @@ core::Finding out_of_range(const char* end, double torque, core::Bound bound, do
     core::Finding finding = refuse("law.range", "the potentials do not reach the law's load", torque, bound, reached, "Nm");
     finding.where = fmt::format("law at its {} torque, potentials at {:.4g} rad", end, x);
     const double nearest = bound == core::Bound::kAtMost ? 0.999 * reached : 1.001 * reached;
-    finding.suggestion = nearest > 0.0 ? fmt::format("law.{}_torque_Nm = {:.6g}", end, nearest)
+    finding.suggestion = nearest > 0.0 ? core::change(fmt::format("law.{}_torque_Nm", end), core::number(nearest))
                                        : fmt::format("potentials whose torque rises to {:.4g} Nm", torque);
     return finding;
 }
@@ -133,7 +133,7 @@ core::Finding falling(const Pair& pair, double x, double start) {
         refuse("law.stiffness", "load must rise with the capstan's angle: S + P > 0", stiffness, core::Bound::kAtLeast, 0.0, "Nm/rad");
     finding.where = fmt::format("law at {:.4g} Nm, potentials at {:.4g} rad", pair.load(x), x);
     const double end = 0.98 * stiff_up_to(pair, x, start);
-    finding.suggestion = end > start ? fmt::format("law.end_torque_Nm = {:.4g}", end)
+    finding.suggestion = end > start ? core::change("law.end_torque_Nm", core::number(end, 4))
                                      : fmt::format("a stiffness higher by {:.4g} Nm/rad there", std::abs(stiffness));
     return finding;
 }

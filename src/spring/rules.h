@@ -1,5 +1,4 @@
 #pragma once
-#include <string>
 #include <vector>
 
 #include "fusee/spring/law.h"
@@ -19,7 +18,7 @@ void validate(const StictionLawOptions& options);
 
 /// The suggestion for a law that fails from point `first` to point `last`: end before the first, or start after the last one if it fails
 /// at its start.
-[[nodiscard]] std::string nearest_feasible(const std::vector<LawPoint>& points, std::size_t first, std::size_t last);
+[[nodiscard]] core::Suggestion nearest_feasible(const std::vector<LawPoint>& points, std::size_t first, std::size_t last);
 
 /// Loads for a scan of a whole range, both ends included.
 [[nodiscard]] std::vector<double> scan_loads(core::Range loads);

@@ -143,9 +143,9 @@ core::Finding start_too_low(const StictionLawOptions& options, double least) {
     core::Finding finding = transmission_finding(options.start_torque, core::Bound::kAtLeast, least,
                                                  "the transmission reaches 1 at the start torque: no K_PE is that soft", "start");
     const double safe = options.start_torque * (1.0 - kMargin);
-    finding.suggestion = fmt::format("law.c_Nm = {:.4g}", safe - options.u * options.u / (options.mu * safe));
     const double start = least * (1.0 + kMargin);
-    if (start < options.end_torque) finding.suggestion = fmt::format("law.start_torque_Nm = {:.4g} (or {})", start, finding.suggestion);
+    if (start < options.end_torque) finding.suggestion = core::change("law.start_torque_Nm", core::number(start, 4));
+    finding.suggestion.or_else(core::change("law.c_Nm", core::number(safe - options.u * options.u / (options.mu * safe), 4)));
     return finding;
 }
 
@@ -154,10 +154,10 @@ core::Finding end_too_high(const StictionLawOptions& options, double highest) {
     core::Finding finding = transmission_finding(options.end_torque, core::Bound::kAtMost, highest,
                                                  "the transmission reaches 0 at the end torque: no K_PE is that stiff", "end");
     const double a = options.u * options.u / options.mu;
-    finding.suggestion = a > 0.0 ? fmt::format("law.c_Nm = {:.4g}", -a / (options.end_torque * (1.0 + kMargin)))
-                                 : fmt::format("law.c_Nm = {:.4g}", options.start_torque * (1.0 - kMargin));
+    const double c = a > 0.0 ? -a / (options.end_torque * (1.0 + kMargin)) : options.start_torque * (1.0 - kMargin);
     const double end = highest * (1.0 - kMargin);
-    if (end > options.start_torque) finding.suggestion = fmt::format("law.end_torque_Nm = {:.4g} (or {})", end, finding.suggestion);
+    if (end > options.start_torque) finding.suggestion = core::change("law.end_torque_Nm", core::number(end, 4));
+    finding.suggestion.or_else(core::change("law.c_Nm", core::number(c, 4)));
     return finding;
 }
 

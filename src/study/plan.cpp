@@ -152,7 +152,7 @@ void Plan::Parts::check_constraints() {
 
 std::vector<profile::Edit> Plan::Parts::edits_of(const std::vector<std::string>& values) const {
     std::vector<profile::Edit> edits;
-    for (std::size_t key = 0; key < values.size(); ++key) edits.push_back({study.vary[key].key, values[key], {}, {}});
+    for (std::size_t key = 0; key < values.size(); ++key) edits.push_back({{study.vary[key].key, values[key]}, {}});
     return edits;
 }
 
@@ -247,7 +247,7 @@ profile::Profile Plan::profile(const Planned& planned) const {
     const std::vector<profile::Edit> moved = p.edits_of(planned.values), following = profile::following(*p.base, moved);
     std::vector<profile::Edit> edits = moved;
     edits.insert(edits.end(), following.begin(), following.end());
-    edits.push_back({"name", '"' + planned.name + '"', {}, {}});
+    edits.push_back({{"name", core::quoted(planned.name)}, {}});
     try {
         profile::Profile made = profile::parse_profile(profile::with_edits(p.base_text, *p.base, edits), p.study.profiles.front());
         profile::let_anchors_follow(made, moved);

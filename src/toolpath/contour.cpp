@@ -79,7 +79,7 @@ core::Finding bore_too_small(const solid::Part& part, const Plate& plate, double
     core::Finding f = core::error_finding("toolpath.bore", "the flat end mill is too wide for a helical move in the bore", cutter,
                                           core::Bound::kAtMost, widest, "mm");
     f.where = to_string(part.cam.kind);
-    f.suggestion = fmt::format("machining.tool_diameter_mm = {:.2f}", 0.99 * widest);
+    f.suggestion = core::change("machining.tool_diameter_mm", fmt::format("{:.2f}", 0.99 * widest));
     f.source = "docs/theory/toolpaths.md";
     return f;
 }

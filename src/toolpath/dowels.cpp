@@ -76,8 +76,8 @@ core::Finding no_place(const solid::Part& part, double pin) {
     f.allowed = 2.0;
     f.unit = "pins";
     f.where = to_string(part.cam.kind);
-    f.suggestion = fmt::format("machining.dowel_diameter_mm = {:.1f}, or machining.{} = \"wrap\"", pin > 1.5 ? pin - 0.5 : 0.8,
-                               to_string(part.cam.kind));
+    f.suggestion = core::change("machining.dowel_diameter_mm", fmt::format("{:.1f}", pin > 1.5 ? pin - 0.5 : 0.8))
+                       .or_else(core::change(fmt::format("machining.{}", to_string(part.cam.kind)), core::quoted("wrap")));
     f.source = "docs/guides/milling.md: dowels, walls of 0.8 mm";
     return core::judged(f, core::Severity::kWarning);
 }

@@ -59,7 +59,7 @@ core::Finding judge_chip_load(const Settings& settings, double asked, double dia
     f.allowed = 1e3 * kLeastChip_mm;
     f.unit = "um";
     f.where = where;
-    f.suggestion = fmt::format("{} = {:.0f}", key, std::ceil(1e3 * kLeastChip_mm / per_um));
+    f.suggestion = core::change(key, fmt::format("{:.0f}", std::ceil(1e3 * kLeastChip_mm / per_um)));
     f.source = "docs/guides/milling.md: chip load";
     return core::judged(f, core::Severity::kWarning);
 }

@@ -82,7 +82,7 @@ TEST(Equilibrium, AnyTorquesRestOnceOrAreRefusedOnce) {
         ++refused;
         const core::Finding& finding = one.refusal().front();
         ASSERT_EQ(finding.rule, other.refusal().front().rule) << i;
-        const Vector3d suggested = torque_in(finding.suggestion);
+        const Vector3d suggested = torque_in(finding.suggestion.text());
         ASSERT_TRUE(find_equilibrium(joint, suggested)) << i << ": " << core::to_line(finding);
     }
     EXPECT_GT(found, 1000);
@@ -122,11 +122,11 @@ TEST(EquilibriumRefusal, SlackAndFreeMotionsAreNamedWithTorquesThatWork) {
     ASSERT_FALSE(slack);
     EXPECT_EQ(slack.refusal().front().rule, "equilibrium.outside");
     EXPECT_EQ(slack.refusal().front().where, "K_SE antagonist");
-    EXPECT_TRUE(find_equilibrium(joint, torque_in(slack.refusal().front().suggestion)));
+    EXPECT_TRUE(find_equilibrium(joint, torque_in(slack.refusal().front().suggestion.text())));
     const auto loose = find_equilibrium(joint, {-0.5, 0.5, 0.0});  // a motor that pays out: nothing stops it
     ASSERT_FALSE(loose);
     EXPECT_EQ(loose.refusal().front().rule, "equilibrium.free");
-    EXPECT_TRUE(find_equilibrium(joint, torque_in(loose.refusal().front().suggestion)));
+    EXPECT_TRUE(find_equilibrium(joint, torque_in(loose.refusal().front().suggestion.text())));
 }
 
 /// Figure 1 with a = b = 0: the whole joint turns through.
@@ -137,7 +137,7 @@ TEST(EquilibriumRefusal, AJointThatFloatsIsFree) {
         const auto floating = find_equilibrium(joint, {1.0, 1.0, push});
         ASSERT_FALSE(floating);
         EXPECT_EQ(floating.refusal().front().rule, "equilibrium.free");
-        EXPECT_NE(floating.refusal().front().suggestion.find("a spring to the ground"), std::string::npos);
+        EXPECT_NE(floating.refusal().front().suggestion.text().find("a spring to the ground"), std::string::npos);
         EXPECT_FALSE(sensitivity(joint, {1.0, 1.0, 0.0}));
     }
     joint.springs.push_back({"K_PE agonist", spring::make_polynomial({0.0, 0.2}), {1.0, 0.0, 0.0}, 0.0});
@@ -157,7 +157,7 @@ TEST(EquilibriumRefusal, ASofteningSpringIsNamedAndStiffeningItWorks) {
     EXPECT_EQ(finding.rule, "equilibrium.convexity");
     EXPECT_LT(finding.measured, 0.0);
     double higher = 0.0;
-    ASSERT_EQ(std::sscanf(finding.suggestion.c_str(), "a spring whose stiffness is higher by %lf Nm/rad", &higher), 1);
+    ASSERT_EQ(std::sscanf(finding.suggestion.text().c_str(), "a spring whose stiffness is higher by %lf Nm/rad", &higher), 1);
     EXPECT_TRUE(find_equilibrium(joint(higher), {2.2, 2.2, 0.0}));
 }
 

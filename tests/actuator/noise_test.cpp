@@ -191,7 +191,7 @@ TEST(PassiveNoise, UnboundedWithoutAPathToGround) {
     EXPECT_EQ(finding.where, "motion: motor 1, joint 1");
     EXPECT_EQ(finding.allowed, 0.01) << "the suggested stiffness";
     EXPECT_LT(finding.measured, 1e-12);
-    EXPECT_NE(finding.suggestion.find("0.01 Nm/rad between"), std::string::npos) << finding.suggestion;
+    EXPECT_NE(finding.suggestion.text().find("0.01 Nm/rad between"), std::string::npos) << finding.suggestion.text();
     path.b = 0.01;
     EXPECT_TRUE(passive_noise(path));
     path.c = 0.0;  // the motor by itself

@@ -195,8 +195,8 @@ TEST(Rules, ACapstanOfMoreThanATurnNeedsAHelicalGroove) {
     const core::Finding f = finding(shipped_joint("paper/new_cams").assembly, "joint.winding");
     EXPECT_EQ(f.severity, core::Severity::kWarning);
     EXPECT_NEAR(f.measured, 525.9, 0.1);
-    EXPECT_NE(f.suggestion.find("1.50 turns, 1 mm apart, which is not modelled; or a law that ends at 315 deg"), std::string::npos)
-        << f.suggestion;
+    EXPECT_NE(f.suggestion.text().find("1.50 turns, 1 mm apart, which is not modelled; or a law that ends at 315 deg"), std::string::npos)
+        << f.suggestion.text();
 }
 
 TEST(Bill, HasEveryCableWithItsLength) {

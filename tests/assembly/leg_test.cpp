@@ -129,8 +129,8 @@ TEST(Legs, WithoutAFittingSlotInTheSpoolAreNotHeld) {
 TEST(Legs, ASuggestedSlotHoldsTheLeg) {
     const Assembly none = changed([](solid::PartOptions& options) { options.features.leg_slot_width = 0.0; });
     const core::Finding bad = legs(none).front();
-    const auto changes = core::suggested_changes(bad.suggestion);
-    ASSERT_EQ(changes.size(), 1U) << bad.suggestion;
+    const auto changes = bad.suggestion.changes();
+    ASSERT_EQ(changes.size(), 1U) << bad.suggestion.text();
     const Assembly cut = changed([&](solid::PartOptions& options) {
         for (const core::Change& change : changes.front()) {
             const double mm = std::stod(change.value);

@@ -105,8 +105,8 @@ TEST(Build, RefusesAMeshTooCoarseForItAndSaysHowFineItHasToBe) {
     EXPECT_NEAR(f.measured, 0.17, 0.08);  // [%]
     EXPECT_EQ(f.allowed, 0.05);
     const std::string key = "tolerances.chordal_error_mm = ";
-    ASSERT_TRUE(f.suggestion.starts_with(key)) << f.suggestion;
-    options.chordal_error = core::m_from_mm(std::stod(f.suggestion.substr(key.size())));
+    ASSERT_TRUE(f.suggestion.text().starts_with(key)) << f.suggestion.text();
+    options.chordal_error = core::m_from_mm(std::stod(f.suggestion.text().substr(key.size())));
     EXPECT_TRUE(build(made(solid::test::disc(0.012), options)));
 }
 

@@ -125,7 +125,7 @@ TEST(Cam, RefusesArmsOfNoSizeAndNamesASpringThatSuits) {
         const core::Finding& f = refused.refusal().front();
         EXPECT_EQ(f.rule, "cam.arm");
         double value = 0.0;
-        EXPECT_EQ(std::sscanf(f.suggestion.c_str(), format, &value), 1) << f.suggestion;
+        EXPECT_EQ(std::sscanf(f.suggestion.text().c_str(), format, &value), 1) << f.suggestion.text();
         return value;
     };
     const auto makes = [](const spring::BaseSpring& base, PartKind kind) {

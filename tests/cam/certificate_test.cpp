@@ -178,7 +178,7 @@ TEST(Certificate, BoundsThePathItself) {
     for (const CertifiedCam& item : cases()) {
         SCOPED_TRACE(item.name);
         const auto made = synthesize_cam(item.arm, item.options);
-        ASSERT_TRUE(made) << made.refusal().front().what << made.refusal().front().suggestion;
+        ASSERT_TRUE(made) << made.refusal().front().what << made.refusal().front().suggestion.text();
         const Cam& cam = *made;
         for (const ContourPiece& s : cam.pieces())
             for (int i = 0; i < 10; ++i) {

@@ -138,9 +138,9 @@ TEST(Roller, HollowRimIsRefusedWithABaseThatIsWideEnough) {
     const core::Finding& f = refused.refusal().front();
     EXPECT_TRUE(f.rule == "cam.convexity" || f.rule == "cam.idle_arc") << f.rule;
     const std::string key = "k_pe.roller.base_radius_mm = ";
-    const auto at = f.suggestion.find(key);
-    ASSERT_NE(at, std::string::npos) << f.suggestion;
-    options.roller.base_radius = 1e-3 * std::stod(f.suggestion.substr(at + key.size()));
+    const auto at = f.suggestion.text().find(key);
+    ASSERT_NE(at, std::string::npos) << f.suggestion.text();
+    options.roller.base_radius = 1e-3 * std::stod(f.suggestion.text().substr(at + key.size()));
     EXPECT_TRUE(synthesize_cam(parallel_arm(), options));
 }
 

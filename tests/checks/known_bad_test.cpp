@@ -27,8 +27,8 @@ TEST_P(KnownBad, TripsTheRule) {
     EXPECT_NEAR(f.measured, GetParam().measured, GetParam().tolerance) << core::to_line(f);
     EXPECT_NEAR(f.allowed, GetParam().allowed, std::max(1e-6, GetParam().tolerance)) << core::to_line(f);
     EXPECT_EQ(f.rule, GetParam().rule);
-    EXPECT_NE(f.suggestion.find_first_of("0123456789"), std::string::npos) << "a change has a number: " << f.suggestion;
-    for (const char* none : {"nan", "inf"}) EXPECT_EQ(f.suggestion.find(none), std::string::npos) << f.suggestion;
+    EXPECT_NE(f.suggestion.text().find_first_of("0123456789"), std::string::npos) << "a change has a number: " << f.suggestion.text();
+    for (const char* none : {"nan", "inf"}) EXPECT_EQ(f.suggestion.text().find(none), std::string::npos) << f.suggestion.text();
     EXPECT_FALSE(f.what.empty());
     EXPECT_FALSE(f.source.empty());
     EXPECT_TRUE(f.where.starts_with("k_se") || f.where.starts_with("k_pe")) << f.where;

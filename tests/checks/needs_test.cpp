@@ -81,7 +81,7 @@ bool expect_need(const Rule& rule, const Need& need, Fixture b) {
     if (!is_not_judged(without)) return true;
     const core::Finding& f = without.front();
     EXPECT_EQ(f.rule, rule.id);
-    EXPECT_NE(f.suggestion.find(need.text(cam::to_string(b.part.cam.kind))), std::string::npos) << core::to_line(f);
+    EXPECT_NE(f.suggestion.text().find(need.text(cam::to_string(b.part.cam.kind))), std::string::npos) << core::to_line(f);
     EXPECT_TRUE(std::isnan(f.measured) && std::isnan(f.allowed)) << rule.id;
     EXPECT_EQ(f.what, rule.title);
     EXPECT_FALSE(core::is_broken(f));
@@ -130,14 +130,15 @@ TEST(Needs, EitherWayToTheTravelIsEnough) {
     b.spring.active_coils = 0.0;
     const core::Findings none = run_rule("spring.travel", b);
     ASSERT_TRUE(is_not_judged(none));
-    EXPECT_EQ(none.front().suggestion,
+    EXPECT_EQ(none.front().suggestion.text(),
               "k_pe.spring.max_travel_mm (or k_pe.spring.free_length_mm and k_pe.spring.active_coils and k_pe.spring.wire_mm)");
 }
 
 TEST(Needs, SeveralMissingKeysAreAllNamed) {
     Fixture b = stated_spool();
     b.spring.wire_diameter = b.spring.tensile_strength = 0.0;
-    EXPECT_EQ(worst("spring.stress", b).suggestion, "k_se.spring.wire_mm and k_se.spring.tensile_strength_MPa (or k_se.spring.wire_class)");
+    EXPECT_EQ(worst("spring.stress", b).suggestion.text(),
+              "k_se.spring.wire_mm and k_se.spring.tensile_strength_MPa (or k_se.spring.wire_class)");
 }
 
 }  // namespace

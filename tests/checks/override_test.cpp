@@ -17,7 +17,7 @@ TEST(Override, StricterLimitsBindToo) {
     EXPECT_DOUBLE_EQ(f.overridden[0].normal, 0.8);
     EXPECT_EQ(f.overridden[0].unit, "mm");
     EXPECT_NE(f.what.find("; the profile's required_mm = 1.5 mm instead of 0.8 mm: a rough workshop"), std::string::npos) << f.what;
-    EXPECT_NE(f.suggestion.find("1.5"), std::string::npos) << "the suggestion keeps the profile's limit: " << f.suggestion;
+    EXPECT_NE(f.suggestion.text().find("1.5"), std::string::npos) << "the suggestion keeps the profile's limit: " << f.suggestion.text();
 }
 
 TEST(Override, TouchesNoOtherRuleAndNoOtherLimit) {

@@ -45,7 +45,7 @@ TEST(SpringRod, JudgesASleeveOrTheAxleTurnedDown) {
 
 TEST(SpringRod, WhatItSuggestsForAThickAxleTurnsItDown) {
     const core::Finding bad = judged(on_axle(9.5, 0.0));
-    ASSERT_EQ(bad.suggestion, "k_se.spring.rod_mm = 9.15") << "rounded down";
+    ASSERT_EQ(bad.suggestion.text(), "k_se.spring.rod_mm = 9.15") << "rounded down";
     EXPECT_NE(judged(on_axle(9.5, 9.15)).severity, core::Severity::kError);
 }
 

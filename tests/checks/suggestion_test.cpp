@@ -12,9 +12,9 @@ namespace {
 
 /// The number behind `key = ` in a suggestion.
 double suggested(const core::Finding& f, const std::string& key) {
-    const std::size_t at = f.suggestion.find(key + " = ");
-    EXPECT_NE(at, std::string::npos) << key << " in " << f.suggestion;
-    return at == std::string::npos ? std::nan("") : std::strtod(f.suggestion.c_str() + at + key.size() + 3, nullptr);
+    const std::size_t at = f.suggestion.text().find(key + " = ");
+    EXPECT_NE(at, std::string::npos) << key << " in " << f.suggestion.text();
+    return at == std::string::npos ? std::nan("") : std::strtod(f.suggestion.text().c_str() + at + key.size() + 3, nullptr);
 }
 
 /// The same law on another base spring: the energy of every position stays.
@@ -80,7 +80,7 @@ void rewind(Fixture& b, const core::Finding& f, const std::string& keys) {
     b.spring.active_coils = suggested(f, keys + "active_coils");
 }
 
-bool names(const core::Finding& f, const std::string& text) { return f.suggestion.find(text) != std::string::npos; }
+bool names(const core::Finding& f, const std::string& text) { return f.suggestion.text().find(text) != std::string::npos; }
 
 // Rates that are far off: turns and wire that nobody can wind are not suggested.
 TEST(Suggestion, CoilsForARateCanBeWound) {
@@ -99,17 +99,17 @@ TEST(Suggestion, CoilsForARateCanBeWound) {
             else if (names(f, "wire_mm"))
                 b.spring.wire_diameter = kMm * suggested(f, keys + "wire_mm");
             else {
-                EXPECT_TRUE(names(f, "no wound spring")) << f.suggestion;
+                EXPECT_TRUE(names(f, "no wound spring")) << f.suggestion.text();
                 continue;
             }
-            EXPECT_EQ(worst("spring.rate", b).severity, core::Severity::kPass) << f.suggestion;
-            EXPECT_NE(worst("spring.index", b).severity, core::Severity::kError) << f.suggestion;
-            EXPECT_NE(worst("spring.active_coils", b).severity, core::Severity::kError) << f.suggestion;
+            EXPECT_EQ(worst("spring.rate", b).severity, core::Severity::kPass) << f.suggestion.text();
+            EXPECT_NE(worst("spring.index", b).severity, core::Severity::kError) << f.suggestion.text();
+            EXPECT_NE(worst("spring.active_coils", b).severity, core::Severity::kError) << f.suggestion.text();
         }
     }
     Fixture far = pusher();
     far.spring.rate = 1e9;
-    EXPECT_TRUE(names(worst("spring.rate", far), "no wound spring")) << worst("spring.rate", far).suggestion;
+    EXPECT_TRUE(names(worst("spring.rate", far), "no wound spring")) << worst("spring.rate", far).suggestion.text();
     EXPECT_FALSE(names(worst("spring.rate", far), "active_coils ="));
 }
 
@@ -121,7 +121,7 @@ TEST(Suggestion, NoWireIsStrongerThanTheStandards) {
     near.spring.tensile_strength = 1100e6;
     EXPECT_TRUE(names(worst("spring.stress", near), "tensile_strength_MPa = "));
     b.spring.wire_diameter *= 0.25;
-    EXPECT_TRUE(names(worst("spring.stress", b), "no stronger wire")) << worst("spring.stress", b).suggestion;
+    EXPECT_TRUE(names(worst("spring.stress", b), "no stronger wire")) << worst("spring.stress", b).suggestion.text();
     EXPECT_FALSE(names(worst("spring.stress", b), "tensile_strength_MPa ="));
 }
 
@@ -130,7 +130,7 @@ TEST(Suggestion, ASlenderSpringIsShortenedOnlyWhereItsTravelFits) {
     b.spring.free_length = 200.0 * kMm;
     EXPECT_TRUE(names(worst("spring.buckling", b), "guide tube"));
     b.spring.active_coils = 200.0;
-    EXPECT_TRUE(names(worst("spring.buckling", b), "no shorter spring")) << worst("spring.buckling", b).suggestion;
+    EXPECT_TRUE(names(worst("spring.buckling", b), "no shorter spring")) << worst("spring.buckling", b).suggestion.text();
     EXPECT_FALSE(names(worst("spring.buckling", b), "free_length_mm ="));
 }
 
@@ -234,7 +234,7 @@ class Followed : public testing::TestWithParam<Case> {};
 /// Each alternative that the rule suggests, as far as it is of such keys, takes the objection away.
 TEST_P(Followed, TakesTheObjectionAway) {
     const core::Finding f = worst(GetParam().rule, bad(GetParam()));
-    for (const core::Changes& changes : core::suggested_changes(f.suggestion)) {
+    for (const core::Changes& changes : f.suggestion.changes()) {
         Fixture b = bad(GetParam());
         std::string followed;
         for (const core::Change& change : changes) {
@@ -257,9 +257,9 @@ TEST_P(Followed, TakesTheObjectionAway) {
 TEST_P(Followed, IsReadByPrograms) {
     const core::Finding f = worst(GetParam().rule, bad(GetParam()));
     std::size_t written = 0, read = 0;
-    for (std::size_t at = f.suggestion.find(" = "); at != std::string::npos; at = f.suggestion.find(" = ", at + 3)) ++written;
-    for (const core::Changes& changes : core::suggested_changes(f.suggestion)) read += changes.size();
-    EXPECT_EQ(read, written) << f.suggestion;
+    for (std::size_t at = f.suggestion.text().find(" = "); at != std::string::npos; at = f.suggestion.text().find(" = ", at + 3)) ++written;
+    for (const core::Changes& changes : f.suggestion.changes()) read += changes.size();
+    EXPECT_EQ(read, written) << f.suggestion.text();
 }
 
 INSTANTIATE_TEST_SUITE_P(Suggestion, Followed, testing::ValuesIn(all_cases()));

@@ -147,7 +147,7 @@ TEST_F(Algorithm1Run, NoSpringsInTheBoxIsAFindingWhoseSuggestionHelps) {
     EXPECT_LT(none.findings[0].measured, 0.0);
     EXPECT_FALSE(fs::exists(folder_ / "out" / "pnrvsa-design"));
     // "algorithm_1.u_Nm = [0, x] and algorithm_1.c_Nm = [0, y]"
-    ASSERT_EQ(std::sscanf(none.findings[0].suggestion.c_str(), "algorithm_1.u_Nm = [0, %lf] and algorithm_1.c_Nm = [0, %lf]",
+    ASSERT_EQ(std::sscanf(none.findings[0].suggestion.text().c_str(), "algorithm_1.u_Nm = [0, %lf] with algorithm_1.c_Nm = [0, %lf]",
                           &profile.algorithm_1.u.high, &profile.algorithm_1.c.high),
               2);
     profile.algorithm_1.u.low = 0.0;
@@ -162,7 +162,7 @@ TEST_F(Algorithm1Run, AWeightTooSmallIsAFindingWhoseSuggestionHelps) {
     ASSERT_EQ(none.findings.size(), 1u);
     EXPECT_EQ(none.findings[0].rule, "design.weight");
     EXPECT_EQ(none.findings[0].measured, 1.0);
-    ASSERT_EQ(std::sscanf(none.findings[0].suggestion.c_str(), "algorithm_1.weight_dead_band_per_rad = %lf",
+    ASSERT_EQ(std::sscanf(none.findings[0].suggestion.text().c_str(), "algorithm_1.weight_dead_band_per_rad = %lf",
                           &profile.algorithm_1.weight_dead_band),
               1);
     EXPECT_TRUE(run_algorithm_1(profile, into("out")).found());

@@ -33,7 +33,7 @@ std::string names(const fix::Fix& fixed) {
     if (fixed.end == fix::Fix::End::kCannot)
         for (const core::Finding& f : fixed.left) all.insert("`" + f.rule + "`");
     else
-        for (const fix::Change& change : fixed.changes) all.insert(fmt::format("`{}` {} -> {}", change.key, change.from, change.to));
+        for (const fix::MadeChange& change : fixed.changes) all.insert(fmt::format("`{}` {} -> {}", change.key, change.was, change.value));
     return fmt::format("{}", fmt::join(all, ", "));
 }
 

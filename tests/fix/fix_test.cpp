@@ -122,7 +122,7 @@ TEST_P(Fixing, ChangesWhatIsWrongAndNothingElse) {
     }
     ASSERT_EQ(fixed.end, Fix::End::kFixed) << report::fix_text(fixed);
     std::set<std::string> keys;
-    for (const Change& change : fixed.changes) keys.insert(change.key);
+    for (const MadeChange& change : fixed.changes) keys.insert(change.key);
     EXPECT_EQ(keys, GetParam().cured_by) << report::fix_text(fixed);
     // Of the profile with every key so many lines are others as keys were changed, and the name.
     const std::set<std::string> before = all_keys(toml, folder_ / "t.toml"), after = all_keys(fixed.toml, folder_ / "fixed.toml");
@@ -149,9 +149,9 @@ class FixingBySeveral : public Fixing {};
 /// Each change alone taken back, the profile is impossible again.
 TEST_P(FixingBySeveral, NoChangeCanBeLeftOut) {
     const Fix fixed = fix_drawing(spoiled(GetParam()), 1000);
-    for (const Change& change : fixed.changes) {
+    for (const MadeChange& change : fixed.changes) {
         if (!change.follows.empty()) continue;  // it goes with the other one
-        const Fix again = fix_drawing(fixtures::with_key(fixed.toml, change.key, change.from), kOnlyLook);
+        const Fix again = fix_drawing(fixtures::with_key(fixed.toml, change.key, change.was), kOnlyLook);
         EXPECT_NE(again.end, Fix::End::kNothingToDo) << change.key;
     }
 }
@@ -207,7 +207,7 @@ std::string steel_cable(const std::string& breaking_load) {
                                {{"cable.diameter_mm", "3.0"}, {"cable.construction", "\"7x7\""}, {"cable.breaking_load_N", breaking_load}});
 }
 
-const Change* change_of(const Fix& fix, const std::string& key) {
+const MadeChange* change_of(const Fix& fix, const std::string& key) {
     const auto found = std::find_if(fix.changes.begin(), fix.changes.end(), [&key](const auto& change) { return change.key == key; });
     return found == fix.changes.end() ? nullptr : &*found;
 }
@@ -265,7 +265,7 @@ TEST_F(FixTest, AThinnerCableKeepsItsStrengthPerArea) {
                                                 {{"cable.diameter_mm", "1.6"}, {"cable.breaking_load_N", "2700"}}),
                             {});
     ASSERT_EQ(thick.end, Fix::End::kFixed) << report::fix_text(thick);
-    const Change *diameter = change_of(thick, "cable.diameter_mm"), *load = change_of(thick, "cable.breaking_load_N");
+    const MadeChange *diameter = change_of(thick, "cable.diameter_mm"), *load = change_of(thick, "cable.breaking_load_N");
     ASSERT_NE(diameter, nullptr);
     ASSERT_NE(load, nullptr);
     EXPECT_EQ(load->follows, "cable.diameter_mm");
@@ -284,7 +284,7 @@ TEST_F(FixTest, AShaftStaysAStandardOne) {
     const Fix fixed = drawn(toml, {});
     ASSERT_EQ(fixed.changes.size(), 1u) << report::fix_text(fixed);
     EXPECT_EQ(fixed.changes.front().key, "k_se.hub.bore_mm");
-    EXPECT_EQ(fixed.changes.front().to, "28");
+    EXPECT_EQ(fixed.changes.front().value, "28");
     EXPECT_EQ(fixed.changes.front().asks_for, "another shaft");
     const Fix kept = drawn(toml, {.file = {}, .keep = {"k_se.hub"}});
     EXPECT_EQ(change_of(kept, "k_se.hub.bore_mm"), nullptr) << report::fix_text(kept);
@@ -308,9 +308,10 @@ TEST_F(FixTest, NamesLimitsThatStandAgainstEachOther) {
     ASSERT_FALSE(fixed.conflicts.empty()) << report::fix_text(fixed);
     const Conflict& conflict = fixed.conflicts.front();
     EXPECT_NE(conflict.one.rule, conflict.other.rule);
-    EXPECT_NE(conflict.from, conflict.to);
+    EXPECT_NE(conflict.change.was, conflict.change.value);
     const std::string text = report::fix_text(fixed);
-    for (const std::string& word : {conflict.one.rule, conflict.other.rule, conflict.key + " = " + conflict.to, std::string("breaks")})
+    for (const std::string& word :
+         {conflict.one.rule, conflict.other.rule, conflict.change.key + " = " + conflict.change.value, std::string("breaks")})
         EXPECT_NE(text.find(word), std::string::npos) << word << " in: " << text;
 }
 
@@ -334,10 +335,10 @@ TEST_F(FixTest, TakesSpringsFromTheCatalogue) {
     const std::string toml = fixtures::with_keys(core::read_file(fixtures::shipped("pnrvsa")),
                                                  {{"co_design.catalogue", "\"springs.csv\""}, {"k_pe.spring.max_force_N", "100"}});
     const Fix fixed = drawn(toml, {.file = {}, .most_judged = 200});
-    const Change* rate = change_of(fixed, "k_pe.spring.rate_N_per_m");
+    const MadeChange* rate = change_of(fixed, "k_pe.spring.rate_N_per_m");
     ASSERT_NE(rate, nullptr) << report::fix_text(fixed);
     EXPECT_TRUE(rate->to == "3000" || rate->to == "9000") << rate->to;
-    const Change* wire = change_of(fixed, "k_pe.spring.wire_mm");
+    const MadeChange* wire = change_of(fixed, "k_pe.spring.wire_mm");
     ASSERT_NE(wire, nullptr) << report::fix_text(fixed);
     EXPECT_EQ(wire->to, rate->to == "3000" ? "2" : "2.5");
     EXPECT_EQ(wire->follows, "k_pe.spring.rate_N_per_m");

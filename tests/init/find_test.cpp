@@ -71,8 +71,8 @@ TEST(FindDesign, AnImpossibleJointNamesLimitAndNearestChange) {
     ASSERT_FALSE(result.binding.empty());
     EXPECT_TRUE(result.binding.front().rule.starts_with("limit.")) << core::to_line(result.binding.front());
     ASSERT_TRUE(result.nearest);
-    EXPECT_NE(result.nearest->from, result.nearest->to);
-    EXPECT_NE(result.nearest->options.find(result.nearest->option), std::string::npos);
+    EXPECT_NE(result.nearest->answer.was, result.nearest->answer.value);
+    EXPECT_NE(result.nearest->options.find(result.nearest->answer.key), std::string::npos);
 }
 
 TEST(FindDesign, AnyNumberOfThreadsGivesTheSameProfile) {

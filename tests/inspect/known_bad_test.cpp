@@ -155,7 +155,7 @@ TEST_P(KnownBad, TripsItAndItAlone) {
         EXPECT_NEAR(f.measured, c.measured, c.tolerance) << core::to_line(f);
         EXPECT_NEAR(f.allowed, c.allowed, 1e-9);
         EXPECT_FALSE(f.suggestion.empty());
-        EXPECT_NE(f.suggestion.find_first_of("0123456789"), std::string::npos) << f.suggestion;
+        EXPECT_NE(f.suggestion.text().find_first_of("0123456789"), std::string::npos) << f.suggestion.text();
         EXPECT_FALSE(f.source.empty());
     }
 }

@@ -100,7 +100,7 @@ TEST_F(Stretched, ACableShorterThanItsWrapIsRefused) {
     bool named = false;
     for (const core::Finding& f : part.refusal())
         named |= f.rule == "cable.length" && f.severity == core::Severity::kError &&
-                 f.suggestion.find("k_pe.cable_length_mm = ") != std::string::npos && f.allowed > 40.0;
+                 f.suggestion.text().find("k_pe.cable_length_mm = ") != std::string::npos && f.allowed > 40.0;
     EXPECT_TRUE(named);
 }
 

@@ -31,7 +31,7 @@ TEST_F(Cover, NamesTheGreatestCoveredTorqueAndItsCureWorks) {
     EXPECT_GT(f.measured, 1.0);
     EXPECT_LT(f.measured, 1.5);
     const std::string key = "law.end_torque_Nm = ";
-    const double cure = std::strtod(f.suggestion.c_str() + f.suggestion.find(key) + key.size(), nullptr);
+    const double cure = std::strtod(f.suggestion.text().c_str() + f.suggestion.text().find(key) + key.size(), nullptr);
     EXPECT_EQ(finding("law.covers_greatest", 0.6, cure).severity, core::Severity::kPass) << cure;
 }
 
@@ -41,7 +41,7 @@ TEST_F(Cover, OfANarrowLawIsToldInLoads) {
         const core::Finding f = finding(rule, 0.9, 1.0);
         EXPECT_EQ(f.severity, core::Severity::kWarning) << rule;
         EXPECT_TRUE(std::isfinite(f.measured) && std::isfinite(f.allowed)) << rule;
-        EXPECT_EQ(f.suggestion.find("nan"), std::string::npos) << f.suggestion;
+        EXPECT_EQ(f.suggestion.text().find("nan"), std::string::npos) << f.suggestion.text();
     }
 }
 

@@ -86,7 +86,7 @@ TEST_F(Judged, EachMissingKeyIsOneThatStatesTheData) {
     for (const core::Finding& f : without) {
         if (f.severity != core::Severity::kNotJudged) continue;
         const bool known =
-            std::any_of(stated.begin(), stated.end(), [&](const auto& key) { return f.suggestion.find(key) != std::string::npos; });
+            std::any_of(stated.begin(), stated.end(), [&](const auto& key) { return f.suggestion.text().find(key) != std::string::npos; });
         EXPECT_TRUE(known) << core::to_line(f);
     }
 }

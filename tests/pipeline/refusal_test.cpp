@@ -71,12 +71,13 @@ const core::Finding* find(const core::Findings& findings, const std::string& rul
 
 /// What stands behind "key = " in a suggestion: a number, or an array.
 std::string suggested(const core::Finding& finding, const std::string& key) {
-    const std::size_t at = finding.suggestion.find(key + " = ");
+    const std::size_t at = finding.suggestion.text().find(key + " = ");
     if (at == std::string::npos) return "";
     const std::size_t begin = at + key.size() + 3;
-    const bool array = finding.suggestion[begin] == '[';
-    const std::size_t end = array ? finding.suggestion.find(']', begin) + 1 : finding.suggestion.find_first_not_of("0123456789.e+-", begin);
-    return finding.suggestion.substr(begin, end == std::string::npos ? end : end - begin);
+    const bool array = finding.suggestion.text()[begin] == '[';
+    const std::size_t end =
+        array ? finding.suggestion.text().find(']', begin) + 1 : finding.suggestion.text().find_first_not_of("0123456789.e+-", begin);
+    return finding.suggestion.text().substr(begin, end == std::string::npos ? end : end - begin);
 }
 
 TEST_P(Impossible, NamesTheLimitAndItsCureAndLeavesNothingBehind) {

@@ -73,7 +73,7 @@ TEST_F(RollerMade, ABaseTooSmallIsRefusedWithALargerOne) {
     const batch::MakeResult result = batch::make(changed("k_pe.roller.base_radius_mm", "0.5"), {.out = folder_ / "out"});
     EXPECT_FALSE(result.made);
     bool named = false;
-    for (const core::Finding& f : result.findings) named |= f.suggestion.find("k_pe.roller.base_radius_mm = ") != std::string::npos;
+    for (const core::Finding& f : result.findings) named |= f.suggestion.text().find("k_pe.roller.base_radius_mm = ") != std::string::npos;
     EXPECT_TRUE(named);
     EXPECT_FALSE(objections(result).empty());
 }

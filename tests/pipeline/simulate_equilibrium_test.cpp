@@ -63,7 +63,7 @@ TEST(SimulateEquilibrium, TorquesBeyondTheLawsAreRefusedWithTheNearest) {
     ASSERT_FALSE(refusals.empty());
     EXPECT_EQ(refusals.front().rule, "equilibrium.outside");
     EXPECT_NE(refusals.front().where.find("at 5, 1, 0 Nm"), std::string::npos);
-    EXPECT_NE(refusals.front().suggestion.find("tau_1 = "), std::string::npos);
+    EXPECT_NE(refusals.front().suggestion.text().find("tau_1 = "), std::string::npos);
 }
 
 TEST(SimulateEquilibrium, RelativesRestToo) {

@@ -21,7 +21,7 @@ std::string refusal(const char* name, const core::Changes& changes) {
     if (!value_text(profile, changes.front().key)) return "";
     if (changes.front().key.starts_with("law.")) return "";  // good for the law of the part, not for this one's
     std::vector<Edit> edits;
-    for (const core::Change& change : changes) edits.push_back({change.key, change.value, "", ""});
+    for (const core::Change& change : changes) edits.push_back({change, ""});
     try {
         (void)parse_profile(with_edits(toml, profile, edits), shipped(name));
         return "";
@@ -34,9 +34,9 @@ class Suggested : public testing::TestWithParam<checks::Case> {};
 
 TEST_P(Suggested, ChangesAreReadAsTheyStand) {
     for (const core::Finding& f : checks::check(checks::bad(GetParam()).design()))
-        for (const core::Changes& changes : core::suggested_changes(f.suggestion))
+        for (const core::Changes& changes : f.suggestion.changes())
             for (const char* name : {"pnrvsa", "first_prototype", "examples/roller_follower", "examples/laser_stack"})
-                EXPECT_EQ(refusal(name, changes), "") << name << ": " << f.suggestion;
+                EXPECT_EQ(refusal(name, changes), "") << name << ": " << f.suggestion.text();
 }
 
 std::string test_name(const testing::TestParamInfo<checks::Case>& instance) {

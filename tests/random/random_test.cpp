@@ -57,9 +57,9 @@ TEST(RandomProfile, AHelixThatMeetsItselfIsToldHowSteepItHasToBe) {
         EXPECT_EQ(refusal[0].rule, "solid.validity");
         EXPECT_TRUE(refusal[0].place) << number;
         const std::string prefix = std::string(key) + " = ";
-        ASSERT_TRUE(refusal[0].suggestion.starts_with(prefix)) << refusal[0].suggestion;
+        ASSERT_TRUE(refusal[0].suggestion.text().starts_with(prefix)) << refusal[0].suggestion.text();
         for (const core::Finding& f :
-             refused(cam::PartKind::kSeries, fixtures::with_key(text, key, refusal[0].suggestion.substr(prefix.size()))))
+             refused(cam::PartKind::kSeries, fixtures::with_key(text, key, refusal[0].suggestion.text().substr(prefix.size()))))
             EXPECT_FALSE(f.rule.starts_with("solid.")) << core::to_line(f);
     }
 }

@@ -2,15 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include "fusee/core/change.h"
-
 namespace fusee::solid {
 namespace {
 
-std::string joined(const std::string& suggestion) {
+std::string joined(const core::Suggestion& suggestion) {
     std::string text;
-    const auto all = core::suggested_changes(suggestion);
-    EXPECT_EQ(all.size(), 1u) << "one alternative: " << suggestion;
+    const auto all = suggestion.changes();
+    EXPECT_EQ(all.size(), 1u) << "one alternative: " << suggestion.text();
     for (const core::Change& c : all.front()) text += c.key + "=" + c.value + ";";
     return text;
 }

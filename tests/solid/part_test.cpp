@@ -153,7 +153,7 @@ TEST(Part, RefusesWithTheBindingLimit) {
     const auto crowded = build_part(snail(1.5, 2e-3, 1e-3), plain());
     ASSERT_FALSE(crowded);
     EXPECT_EQ(crowded.refusal().front().rule, "solid.turns");
-    EXPECT_NE(crowded.refusal().front().suggestion.find("k_pe.path.pitch_mm"), std::string::npos);
+    EXPECT_NE(crowded.refusal().front().suggestion.text().find("k_pe.path.pitch_mm"), std::string::npos);
 }
 
 TEST(Part, NamesTheBadOption) {

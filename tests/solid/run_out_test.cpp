@@ -75,8 +75,8 @@ TEST(RunOut, OfAnArmThatGrowsTooFastIsRefusedWithAMarginThatWouldDo) {
     EXPECT_NEAR(f.allowed, core::deg_from_rad(kLongestRunOut), 1e-9);
     EXPECT_NE(f.where.find("psi"), std::string::npos) << f.where;
     const std::string key = "k_pe.path.margin_deg = ";
-    ASSERT_EQ(f.suggestion.rfind(key, 0), 0u) << f.suggestion;
-    const double margin = core::rad_from_deg(std::stod(f.suggestion.substr(key.size())));
+    ASSERT_EQ(f.suggestion.text().rfind(key, 0), 0u) << f.suggestion.text();
+    const double margin = core::rad_from_deg(std::stod(f.suggestion.text().substr(key.size())));
     cam.groove_psi = {cam.working_psi.low - 1.6 * margin, cam.working_psi.high + 1.6 * margin};
     EXPECT_TRUE(outline_part(cam, plain()));
 }
@@ -93,7 +93,7 @@ TEST(RunOut, OfAWorkingArcThatGrowsTooFastAsksForAShorterLaw) {
     }
     const auto part = outline_part(cam, plain());
     ASSERT_FALSE(part);
-    const std::string& suggestion = part.refusal().front().suggestion;
+    const std::string& suggestion = part.refusal().front().suggestion.text();
     const std::string key = "law.start_torque_Nm = ";
     ASSERT_NE(suggestion.find(key), std::string::npos) << suggestion;
     const double load = std::stod(suggestion.substr(suggestion.find(key) + key.size()));

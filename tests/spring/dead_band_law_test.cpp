@@ -126,8 +126,8 @@ TEST(DeadBandLawRefusal, VanishingDeadBandNamesTheLeastAndBothChangesWork) {
     EXPECT_NEAR(core::rad_from_deg(finding.allowed), 2.0 * 0.28 * 2.0 / (1000.0 * k * 4.0), 1e-12);
     EXPECT_EQ(finding.where, "law at 2 Nm");
     double end = 0.0, width = 0.0;
-    ASSERT_EQ(std::sscanf(finding.suggestion.c_str(), "law.end_torque_Nm = %lf (or law.dead_band_deg above %lf", &end, &width), 2)
-        << finding.suggestion;
+    ASSERT_EQ(std::sscanf(finding.suggestion.text().c_str(), "law.end_torque_Nm = %lf, or law.dead_band_deg above %lf", &end, &width), 2)
+        << finding.suggestion.text();
     options.end_torque = end;
     EXPECT_TRUE(make_dead_band_law(options));
     EXPECT_GT(end, 1.65);
@@ -142,12 +142,12 @@ TEST(DeadBandLawRefusal, ADeadBandThatBeginsBelowZeroAsksForALaterStart) {
     DeadBandLawOptions options{.dead_band = formula("0.3*tau - 0.2"), .start_torque = 0.4, .end_torque = 2.0};
     const auto refused = make_dead_band_law(options);
     ASSERT_FALSE(refused);
-    ASSERT_EQ(std::sscanf(refused.refusal().front().suggestion.c_str(), "law.start_torque_Nm = %lf", &options.start_torque), 1)
-        << refused.refusal().front().suggestion;
+    ASSERT_EQ(std::sscanf(refused.refusal().front().suggestion.text().c_str(), "law.start_torque_Nm = %lf", &options.start_torque), 1)
+        << refused.refusal().front().suggestion.text();
     EXPECT_TRUE(make_dead_band_law(options));
     options.start_torque = 0.4;
     options.dead_band = formula("-0.1");
-    EXPECT_NE(make_dead_band_law(options).refusal().front().suggestion.find("no part"), std::string::npos);
+    EXPECT_NE(make_dead_band_law(options).refusal().front().suggestion.text().find("no part"), std::string::npos);
 }
 
 TEST(DeadBandLawRefusal, NegativeSeriesStiffnessIsItsOwnFinding) {

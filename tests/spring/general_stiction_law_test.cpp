@@ -56,7 +56,7 @@ TEST(GeneralStictionLawRefusal, StartTooLowNamesALoadThatWorks) {
     const auto refused = make_general_stiction_law(o);
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.refusal().front().rule, "law.transmission");
-    ASSERT_EQ(std::sscanf(refused.refusal().front().suggestion.c_str(), "law.start_torque_Nm = %lf", &o.start_torque), 1);
+    ASSERT_EQ(std::sscanf(refused.refusal().front().suggestion.text().c_str(), "law.start_torque_Nm = %lf", &o.start_torque), 1);
     EXPECT_TRUE(make_general_stiction_law(o));
 }
 

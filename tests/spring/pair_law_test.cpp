@@ -62,7 +62,7 @@ TEST(PairLawRefusal, UnreachedLoadsNameWhatIsReached) {
     EXPECT_EQ(low.refusal().front().bound, core::Bound::kAtLeast);
     EXPECT_NEAR(low.refusal().front().allowed, 0.2, 1e-9);
     double start = 0.0;
-    ASSERT_EQ(std::sscanf(low.refusal().front().suggestion.c_str(), "law.start_torque_Nm = %lf", &start), 1);
+    ASSERT_EQ(std::sscanf(low.refusal().front().suggestion.text().c_str(), "law.start_torque_Nm = %lf", &start), 1);
     EXPECT_TRUE(make_pair_law(table, table, start, 0.9));
 }
 
@@ -75,7 +75,7 @@ TEST(PairLawRefusal, FallingLoadIsAStiffnessFindingWhoseChangeWorks) {
     EXPECT_EQ(finding.rule, "law.stiffness");
     EXPECT_LT(finding.measured, 0.0);
     double end = 0.0;
-    ASSERT_EQ(std::sscanf(finding.suggestion.c_str(), "law.end_torque_Nm = %lf", &end), 1) << finding.suggestion;
+    ASSERT_EQ(std::sscanf(finding.suggestion.text().c_str(), "law.end_torque_Nm = %lf", &end), 1) << finding.suggestion.text();
     const double soft = std::sqrt(0.25 / 0.3);  // there K_PE's own stiffness is 0, before the load falls
     EXPECT_NEAR(end, 0.98 * (0.1 + 0.5 * soft - 0.1 * std::pow(soft, 3)), 1e-3);
     EXPECT_TRUE(check_law(**make_pair_law(series, parallel, 0.2, end)).empty());

@@ -123,8 +123,8 @@ TEST(StictionLawRefusal, StartTooLowNamesTheLeastTorqueAndTheChangeWorks) {
     const double least = finding.allowed;
     EXPECT_NEAR(0.03 * 0.03 / (0.28 * least * least) + 0.30 / least, 1.0, 1e-14);
     double start = 0.0, c = 0.0;
-    ASSERT_EQ(std::sscanf(finding.suggestion.c_str(), "law.start_torque_Nm = %lf (or law.c_Nm = %lf)", &start, &c), 2)
-        << finding.suggestion;
+    ASSERT_EQ(std::sscanf(finding.suggestion.text().c_str(), "law.start_torque_Nm = %lf, or law.c_Nm = %lf", &start, &c), 2)
+        << finding.suggestion.text();
     EXPECT_LT(start, least * 1.03);
     o.c = c;
     EXPECT_TRUE(make_stiction_law(o));
@@ -141,7 +141,8 @@ TEST(StictionLawRefusal, EndTooHighNamesTheHighestTorqueAndTheChangeWorks) {
     EXPECT_EQ(finding.measured, 2.0);
     EXPECT_NEAR(finding.allowed, 0.2 * 0.2 / (0.28 * 0.1), 1e-14);
     double end = 0.0, c = 0.0;
-    ASSERT_EQ(std::sscanf(finding.suggestion.c_str(), "law.end_torque_Nm = %lf (or law.c_Nm = %lf)", &end, &c), 2) << finding.suggestion;
+    ASSERT_EQ(std::sscanf(finding.suggestion.text().c_str(), "law.end_torque_Nm = %lf, or law.c_Nm = %lf", &end, &c), 2)
+        << finding.suggestion.text();
     o.end_torque = end;
     EXPECT_TRUE(make_stiction_law(o));
     o.end_torque = 2.0;
@@ -154,7 +155,7 @@ TEST(StictionLawRefusal, NoDeadBandReductionAndNegativeConstantAsksForAnotherCon
     const auto refused = make_stiction_law(o);
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.refusal().front().allowed, 0.0);
-    ASSERT_EQ(std::sscanf(refused.refusal().front().suggestion.c_str(), "law.c_Nm = %lf", &o.c), 1);
+    ASSERT_EQ(std::sscanf(refused.refusal().front().suggestion.text().c_str(), "law.c_Nm = %lf", &o.c), 1);
     EXPECT_TRUE(make_stiction_law(o));
 }
 

@@ -114,7 +114,7 @@ TEST(TransmissionLawRefusal, TransmissionOutsideItsRangeNamesTheLoadAndTheChange
     EXPECT_NEAR(finding.measured, 1.8, 1e-14);
     EXPECT_EQ(finding.allowed, 1.0);
     double end = 0.0;
-    ASSERT_EQ(std::sscanf(finding.suggestion.c_str(), "law.end_torque_Nm = %lf", &end), 1) << finding.suggestion;
+    ASSERT_EQ(std::sscanf(finding.suggestion.text().c_str(), "law.end_torque_Nm = %lf", &end), 1) << finding.suggestion.text();
     EXPECT_NEAR(end, 1.0 / 0.9, 3e-3);
     EXPECT_TRUE(make_transmission_law(square(1.0), rising, 0.5, end));
     const auto falling = math::make_curve([](double tau, int order) { return order == 0 ? 1.5 - tau : -1.0; }, kEverywhere);

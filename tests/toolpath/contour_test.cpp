@@ -70,7 +70,7 @@ TEST(Contour, ACutterWiderThanTheBoreIsRefusedWithOneThatFits) {
         const core::Finding& finding = program.refusal().front();
         EXPECT_EQ(finding.rule, "toolpath.bore");
         EXPECT_NEAR(finding.measured, 6.0, 1e-9);
-        EXPECT_NE(finding.suggestion.find("machining.tool_diameter_mm = 4.9"), std::string::npos) << finding.suggestion;
+        EXPECT_NE(finding.suggestion.text().find("machining.tool_diameter_mm = 4.9"), std::string::npos) << finding.suggestion.text();
     }
     settings.tool_diameter = 4.9e-3;
     EXPECT_TRUE(contour_program(disc(), settings, "test"));

@@ -16,6 +16,8 @@ Limit required(core::Bound bound, const char* unit, double value, const char* na
 Limit required(core::Bound bound, const char* unit, const char* by, const char* name = "required");
 Limit review(core::Bound bound, const char* unit, double value, const char* name = "review");
 Limit review(core::Bound bound, const char* unit, const char* by, const char* name = "review");
+/// The same limit, which belongs to the process: a profile's value in its place holds for the profile's own process only.
+Limit of_process(Limit limit);
 inline constexpr core::Bound kAtLeast = core::Bound::kAtLeast, kAtMost = core::Bound::kAtMost;
 
 /// The limit that applies to one design.

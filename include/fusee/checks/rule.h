@@ -25,6 +25,7 @@ struct Limit {
     std::string unit;         ///< "mm", "deg", "%", "d" (cable diameters), ...; "" = a bare number
     double value;             ///< the default; NaN where it depends on the design
     std::string by;           ///< if value is NaN: the quantity that it depends on, e.g. "the process's wall"
+    bool of_process = false;  ///< a profile's value in its place holds for the profile's own process only
 
     [[nodiscard]] std::string key() const;   ///< "required_mm", "review_percent"
     [[nodiscard]] std::string text() const;  ///< "at least 0.8 mm", "at least the process's wall"

@@ -7,6 +7,8 @@
 #include <variant>
 #include <vector>
 
+#include "fusee/core/change.h"
+
 namespace fusee::core {
 
 enum class Severity {
@@ -45,7 +47,7 @@ struct Finding {
     std::string unit;   ///< of measured and allowed, e.g. "mm"; "": none
     std::string where;  ///< part and place in words, e.g. "k_pe at psi 12.0 deg", "law at 0.5 Nm"
     std::optional<Place> place;
-    std::string suggestion;                        ///< the nearest feasible change, with a number; empty when the rule passes
+    Suggestion suggestion;                         ///< the nearest feasible change, with a number; empty when the rule passes
     std::string source;                            ///< of the limit
     std::vector<OverriddenLimit> overridden = {};  ///< limits of this finding that the profile sets
 };

@@ -11,9 +11,8 @@
 /// The changes that a profile needs so that it can be made (docs/guides/fix.md).
 namespace fusee::fix {
 
-/// One key with its new value, as TOML has them.
-struct Change {
-    std::string key, from, to;
+/// A change of the result, with its reason.
+struct MadeChange : core::Change {
     std::string asks_for;   ///< what the change concerns: "the drawing", "another spring", "the law", ...
     core::Finding because;  ///< the finding against the old value
     std::string follows;    ///< the key that it follows, as a breaking load follows the cable's diameter; empty: none
@@ -22,8 +21,8 @@ struct Change {
 /// Two limits that conflict: a change for the one breaks the other.
 struct Conflict {
     core::Finding one, other;
-    std::string key, from, to;  ///< the change made for `one`, as TOML
-    std::string asks;           ///< the value that `other` then suggests; empty: it suggests another key
+    core::Change change;  ///< made for `one`
+    std::string asks;     ///< the value that `other` then suggests; empty: it suggests another key
 };
 
 /// Loads that the law loses because no cam carries them.
@@ -45,7 +44,7 @@ struct Fix {
     std::string profile_name;
     std::filesystem::path file;  ///< the new profile's; empty unless it is fixed
     std::string toml;            ///< the new profile; empty unless it is fixed
-    std::vector<Change> changes;
+    std::vector<MadeChange> changes;
     std::vector<LostTorque> lost;
     core::Findings left;                 ///< findings that remain: errors, or, if fixed, warnings
     std::vector<Conflict> conflicts;     ///< between the findings left and other limits; empty if it is fixed

@@ -10,6 +10,8 @@
 
 namespace fusee::formats {
 
+inline constexpr const char* kOpenScadRenders = "OpenSCAD renders the solids";  ///< the note of what runs OpenSCAD
+
 /// One export format: one file of src/formats, which registers it.
 struct Format {
     using WriteMesh = void (*)(const std::filesystem::path&, const solid::Mesh&, const std::string& name, const std::string& provenance);

@@ -24,8 +24,8 @@ struct Design {
 
 /// The nearest joint that can be made, if the wanted one cannot.
 struct NearestChange {
-    std::string option, from, to;  ///< "--cable", "fibre 0.8", "fibre 1"
-    std::string options;           ///< all options of the joint that can be made, for a command line
+    core::Change answer;  ///< {"--cable", "fibre 1", "fibre 0.8"}
+    std::string options;  ///< all options of the joint that can be made, for a command line
 };
 
 struct Result {

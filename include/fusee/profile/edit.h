@@ -4,16 +4,14 @@
 #include <string>
 #include <vector>
 
+#include "fusee/core/change.h"
 #include "fusee/profile/profile.h"
 
 /// Changes to a profile's text that keep everything else: comments, order, spacing.
 namespace fusee::profile {
 
-/// One key with its new value.
-struct Edit {
-    std::string key;          ///< "k_se.spring.rate_Nm_per_rad"
-    std::string value;        ///< as TOML, in the key's unit; empty: the key is left out
-    std::string was;          ///< as TOML; the default of a key that is not in the file
+/// A change in the profile's text. An empty value: the key is left out. `was`: the default of a key that is not in the file.
+struct Edit : core::Change {
     std::string why;          ///< one line; empty: the change is not commented
     std::string origin = {};  ///< "measured, case bench_3": replaces the comment behind the old value; empty: that comment stays
 };

@@ -8,16 +8,13 @@
 #include "fusee/diagnosis/diagnosis.h"
 #include "fusee/gap_case/case.h"
 #include "fusee/pipeline/design.h"
+#include "fusee/profile/edit.h"
 #include "fusee/profile/profile.h"
 
 /// The consequences of a diagnosis for the cams: corrected profiles, and the dead-band with the old and the new cams
 /// (docs/guides/close-the-loop.md).
 namespace fusee::redesign {
 
-/// One value of a profile, as its file writes it.
-struct Change {
-    std::string key, was, is, why;
-};
 /// The co-contractions at which the springs reach every resting place that stiction allows, of those that the profile asks for.
 struct Cover {
     core::Range asked{0.0, 0.0};                                         ///< least to overdrive torque [Nm]
@@ -31,7 +28,7 @@ struct CorrectedProfile {
     std::string sides;           ///< whose cams it cuts: "both", "agonist", "antagonist"
     std::filesystem::path file;  ///< where it is to be written
     std::string toml;
-    std::vector<Change> changes;
+    std::vector<profile::Edit> changes;
     core::Findings findings;  ///< as `fusee make` will report them, without passes
     Cover cover;
     [[nodiscard]] bool can_be_cut() const { return !core::any_error(findings); }

@@ -6,8 +6,7 @@
 /// The changes that a profile needs so that it can be made (docs/guides/fix.md).
 namespace fusee::report {
 
-using fix::Fix, fix::LostTorque;
-using FixChange = fix::Change;
+using fix::Fix, fix::LostTorque, fix::MadeChange;
 using FixConflict = fix::Conflict;
 
 /// Keys as docs/guides/fix.md gives them.

@@ -6,8 +6,7 @@
 /// The consequences of a diagnosis for the cams (docs/guides/close-the-loop.md).
 namespace fusee::report {
 
-using redesign::DeadBandWidths, redesign::NotMended, redesign::Redesign;
-using RedesignChange = redesign::Change;
+using profile::Edit, redesign::DeadBandWidths, redesign::NotMended, redesign::Redesign;
 using RedesignCover = redesign::Cover;
 using RedesignLevel = redesign::Level;
 using RedesignProfile = redesign::CorrectedProfile;

@@ -22,6 +22,6 @@ struct Validity {
 
 /// Finding "solid.validity". @param solid "the solid" @param part "k_se"
 [[nodiscard]] core::Finding invalid_solid(const Validity& validity, const std::string& solid, const std::string& part,
-                                          std::string suggestion);
+                                          core::Suggestion suggestion);
 
 }  // namespace fusee::solid

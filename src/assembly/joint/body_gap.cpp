@@ -32,8 +32,9 @@ core::Findings measure_joint_body_gap(const Assembly& assembly, const Allowed& a
     core::Finding f = checks::judge(least.mm, {allowed("required"), allowed("review")});
     f.what = fmt::format("distance of {} and {}, proven between all poses: at least {:.2f} mm", least.a, least.b, least.proven_mm);
     f.where = place_text(least.pose);
-    f.suggestion = assembly.options.motor_distance > 0.0 ? "assembly.motor_distance_mm = 0, which takes the least that the bodies need"
-                                                         : "another assembly.k_pe_direction_deg, or a farther guide";
+    f.suggestion = assembly.options.motor_distance > 0.0
+                       ? core::change("assembly.motor_distance_mm", "0").noted(", which takes the least that the bodies need")
+                       : "another assembly.k_pe_direction_deg, or a farther guide";
     core::Findings all{f};
     if (const auto open = unproven(gaps, enough); open) all.push_back(*open);
     return all;

@@ -60,12 +60,12 @@ core::Finding judged(const Held& held, const char* leg, const char* where, const
 }
 
 /// A slot that fits the leg.
-std::string slot_for(const spring::BaseSpring& s) {
+core::Suggestion slot_for(const spring::BaseSpring& s) {
     const double wire = mm_from_m(s.wire_diameter), width = kSlotStep_mm * std::ceil((wire + kSlotPlay_mm) / kSlotStep_mm - kRounding_mm);
-    return fmt::format(
-        "k_se.features.leg_slot_width_mm = {0:g} with k_se.features.leg_slot_length_mm = {1:.3g} with k_se.features.leg_slot_depth_mm = "
-        "{2:.3g} with k_se.features.leg_slot_radius_mm = {3:.4g}",
-        width, std::max(kSlotLength * wire, 1.2 * width), kSlotDepth * wire, 0.5 * mm_from_m(s.coil_diameter));
+    return core::change("k_se.features.leg_slot_width_mm", core::number(width))
+        .with("k_se.features.leg_slot_length_mm", core::number(std::max(kSlotLength * wire, 1.2 * width), 3))
+        .with("k_se.features.leg_slot_depth_mm", core::number(kSlotDepth * wire, 3))
+        .with("k_se.features.leg_slot_radius_mm", core::number(0.5 * mm_from_m(s.coil_diameter), 4));
 }
 
 core::Findings measure_joint_spring_leg(const Assembly& assembly, const Allowed& allowed) {

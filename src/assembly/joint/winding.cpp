@@ -25,8 +25,8 @@ core::Findings measure_joint_winding(const Assembly& assembly, const Allowed& al
     core::Finding f = checks::judge(kDead_deg + std::max(turn, joint), {allowed("review")});
     f.what = fmt::format("cable wound on the {} in its last pose", on_joint ? "joint's pulley" : "capstan");
     f.where = on_joint ? "joint_pulley" : "capstan";
-    f.suggestion = on_joint ? fmt::format("assembly.joint_range_deg = {}, with stops there", checks::down(f.allowed - kDead_deg))
-                            : capstan_change(assembly, f.measured, f.allowed);
+    f.suggestion = on_joint ? core::change("assembly.joint_range_deg", checks::down(f.allowed - kDead_deg)).noted(", with stops there")
+                            : core::Suggestion(capstan_change(assembly, f.measured, f.allowed));
     return {f};
 }
 

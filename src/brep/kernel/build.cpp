@@ -98,7 +98,7 @@ core::Finding another_volume(const solid::Part& part, const Brep& exact) {
         options.chordal_error *= share;
         const auto finer = solid::build_part(part.cam, options);
         if (!finer || misfit(exact, solid::volume_mm3(finer->mesh)) > kVolume) continue;
-        f.suggestion = fmt::format("tolerances.chordal_error_mm = {:.3g}", core::mm_from_m(options.chordal_error));
+        f.suggestion = core::change("tolerances.chordal_error_mm", core::number(core::mm_from_m(options.chordal_error), 3));
         return f;
     }
     f.suggestion = "outputs.formats without \"step\": finer meshes, down to an eighth of the chordal error, do not agree either";

@@ -45,7 +45,7 @@ core::Outcome<Brep> mirrored(const Brep& solid) {
     }
     if (other.shape) return other;
     core::Finding f = core::error_finding("brep.validity", what, 0.0, core::Bound::kAtLeast, 1.0, "solids");
-    f.suggestion = "outputs.pair = false, or outputs.formats without \"step\"";
+    f.suggestion = core::change("outputs.pair", "false").or_else("outputs.formats without \"step\"");
     f.source = "OpenCASCADE: one valid solid; docs/theory/cams.md";
     return f;
 }

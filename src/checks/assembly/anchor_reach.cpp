@@ -20,8 +20,7 @@ core::Findings measure_assembly_anchor_reach(const Design& design, const Allowed
     f.what = fmt::format("distance from the spring's coils, {:.2f} mm from the axis, to the anchor hole", core::mm_from_m(outside));
     f.where = where(design, hole->at.psi);
     f.place = place(hole->at, -hole->radius);
-    f.suggestion =
-        fmt::format("{}.spring.coil_mm = {}", name(design), down(core::mm_from_m(s.coil_diameter) - 2.0 * (f.allowed - f.measured)));
+    f.suggestion = change(design, "spring.coil_mm", down(core::mm_from_m(s.coil_diameter) - 2.0 * (f.allowed - f.measured)));
     return {f};
 }
 

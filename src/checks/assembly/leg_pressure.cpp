@@ -17,9 +17,9 @@ core::Findings measure_assembly_leg_pressure(const Design& design, const Allowed
     core::Finding f = judge(2.0 * force / (design.spring.wire_diameter * depth) / kPaPerMPa, {allowed("review", most / kPaPerMPa)});
     f.what =
         fmt::format("pressure of the spring's leg on the wall of its slot, {:.1f} N on {:.3g} mm of wire", force, core::mm_from_m(depth));
-    f.suggestion = fmt::format("{0}.features.leg_slot_depth_mm = {1}, or {0}.features.leg_slot_radius_mm = {2}", name(design),
-                               up(core::mm_from_m(depth) * f.measured / f.allowed),
-                               up(core::mm_from_m(slot.leg_slot_radius) * f.measured / f.allowed));
+    f.suggestion =
+        change(design, "features.leg_slot_depth_mm", up(core::mm_from_m(depth) * f.measured / f.allowed))
+            .or_else(change(design, "features.leg_slot_radius_mm", up(core::mm_from_m(slot.leg_slot_radius) * f.measured / f.allowed)));
     return {f};
 }
 

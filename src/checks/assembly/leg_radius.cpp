@@ -20,7 +20,7 @@ core::Findings measure_assembly_leg_radius(const Design& design, const Allowed& 
     core::Finding f = judge(core::mm_from_m(std::max(0.0, aside)), {allowed("review")});
     f.what = fmt::format("protrusion of an axial leg, {:.2f} mm from the axis, beyond its slot", core::mm_from_m(0.5 * s.coil_diameter));
     f.where = fmt::format("{} at body angle {:.1f} deg", name(design), core::deg_from_rad(features.leg_slot_angle));
-    f.suggestion = fmt::format("{}.features.leg_slot_radius_mm = {:.4g}", name(design), core::mm_from_m(0.5 * s.coil_diameter));
+    f.suggestion = change(design, "features.leg_slot_radius_mm", number(core::mm_from_m(0.5 * s.coil_diameter), 4));
     return {f};
 }
 

@@ -15,7 +15,7 @@ core::Findings measure_assembly_leg_width(const Design& design, const Allowed& a
     core::Finding f = judge(core::mm_from_m(features.leg_slot_width - wire), {allowed("required"), allowed("review")});
     f.what = fmt::format("play of the spring's leg of {:g} mm in its slot", core::mm_from_m(wire));
     f.where = fmt::format("{} at body angle {:.1f} deg", name(design), core::deg_from_rad(features.leg_slot_angle));
-    f.suggestion = fmt::format("{}.features.leg_slot_width_mm = {:.4g}", name(design), core::mm_from_m(wire) + f.allowed);
+    f.suggestion = change(design, "features.leg_slot_width_mm", number(core::mm_from_m(wire) + f.allowed, 4));
     return {f};
 }
 

@@ -13,8 +13,8 @@ core::Findings measure_assembly_rotation_gap(const Design& design, const Allowed
     if (!gap || *gap < 0.0) return {};  // collision: cam.contour_radius reports it
     core::Finding f = judge(core::mm_from_m(*gap), {allowed("review")});
     f.what = "gap between the turning part and its guide";
-    f.suggestion = fmt::format("{}.guide.distance_mm = {}", name(design),
-                               up(core::mm_from_m(design.part.cam.options.guide.distance) + f.allowed - f.measured));
+    f.suggestion =
+        change(design, "guide.distance_mm", up(core::mm_from_m(design.part.cam.options.guide.distance) + f.allowed - f.measured));
     return {f};
 }
 

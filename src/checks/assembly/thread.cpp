@@ -13,7 +13,7 @@ core::Findings measure_assembly_thread(const Design& design, const Allowed& allo
     core::Finding f = judge(hole / d, {allowed("required"), allowed("review")});
     f.what = "diameter of the anchor hole, through which the cable is threaded";
     f.where = where(design, design.part.cam.anchor_psi);
-    f.suggestion = fmt::format("{}.features.anchor_hole_mm = {}", name(design), up(core::mm_from_m(f.allowed * d)));
+    f.suggestion = change(design, "features.anchor_hole_mm", up(core::mm_from_m(f.allowed * d)));
     return {f};
 }
 

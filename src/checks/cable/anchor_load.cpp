@@ -27,7 +27,7 @@ core::Findings measure_cable_anchor_load(const Design& design, const Allowed& al
         "safety of the {}, which holds {:.0f} % of the cable's strength: {:.1f} N reach it through {:.0f} deg of wound cable{}",
         to_string(cable.termination), 100.0 * held, at_end(worst), core::deg_from_rad(wound_angle(cam, worst)), load.remark(cable));
     f.where = where(design, cam.anchor_psi);
-    f.suggestion = fmt::format("cable.breaking_load_N = {}", up(f.allowed * at_end(worst) / held));
+    f.suggestion = change("cable.breaking_load_N", up(f.allowed * at_end(worst) / held));
     return {f};
 }
 

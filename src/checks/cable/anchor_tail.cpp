@@ -20,8 +20,7 @@ core::Findings measure_cable_anchor_tail(const Design& design, const Allowed& al
     core::Finding f = judge(core::mm_from_m(length), {allowed("review", core::mm_from_m(2.0 * design.cable.diameter))});
     f.what = "length of cable that stays wound between its anchor and the working arc";
     f.where = where(design, cam.anchor_psi);
-    f.suggestion =
-        fmt::format("{}.path.margin_deg = {}", name(design), up(core::deg_from_rad(cam.options.path.margin) * f.allowed / f.measured));
+    f.suggestion = change(design, "path.margin_deg", up(core::deg_from_rad(cam.options.path.margin) * f.allowed / f.measured));
     return {f};
 }
 

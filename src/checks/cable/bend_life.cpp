@@ -35,7 +35,7 @@ core::Findings measure_cable_bend_life(const Design& design, const Allowed& allo
     f.where = where(design, worst.path.psi);
     f.place = place(worst.path, 0.0);
     if (factor(worst) > 0.0)
-        f.suggestion = fmt::format("cable.breaking_load_N = {}", up(load.newton * f.allowed / f.measured));
+        f.suggestion = change("cable.breaking_load_N", up(load.newton * f.allowed / f.measured));
     else
         f.suggestion = fmt::format("a contour with rho above {} mm", up(core::mm_from_m(0.5 * d)));
     return {f};

@@ -28,8 +28,8 @@ core::Findings measure_cable_bend_ratio(const Design& design, const Allowed& all
     const double needed = 0.5 * d * (1.0 + f.allowed);
     if (worst.rho > 0.0)
         f.suggestion =
-            fmt::format("cable.diameter_mm = {}, or rho {} mm there: {}", down(core::mm_from_m(2.0 * worst.rho / (1.0 + f.allowed))),
-                        up(core::mm_from_m(needed)), scale_arms(design, needed / worst.rho));
+            change("cable.diameter_mm", down(core::mm_from_m(2.0 * worst.rho / (1.0 + f.allowed))))
+                .or_else(scale_arms(design, needed / worst.rho).begun(fmt::format("rho {} mm there: ", up(core::mm_from_m(needed)))));
     else
         f.suggestion = fmt::format("a law or spring whose contour has rho {} mm there", up(core::mm_from_m(needed)));
     f.source = own ? "cable.min_bend_ratio" : table.source;

@@ -23,7 +23,7 @@ core::Findings measure_cable_bend_strength(const Design& design, const Allowed& 
     while (100.0 * strength_left(design.cable.construction, (2.0 * sharpest.rho - thinner) / thinner) < f.allowed &&
            thinner > kThinnest * d)
         thinner *= kStrengthStep;
-    f.suggestion = fmt::format("cable.diameter_mm = {}", down(core::mm_from_m(thinner)));
+    f.suggestion = change("cable.diameter_mm", down(core::mm_from_m(thinner)));
     return {f};
 }
 

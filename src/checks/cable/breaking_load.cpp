@@ -22,7 +22,7 @@ core::Findings measure_cable_breaking_load(const Design& design, const Allowed& 
                          100.0 * left(worst), load.remark(design.cable));
     f.where = where(design, worst.path.psi);
     f.place = place(worst.path, 0.0);
-    f.suggestion = fmt::format("cable.breaking_load_N = {}", up(f.allowed * worst.arm.tension / left(worst)));
+    f.suggestion = change("cable.breaking_load_N", up(f.allowed * worst.arm.tension / left(worst)));
     return {f};
 }
 

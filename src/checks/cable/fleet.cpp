@@ -26,12 +26,12 @@ core::Findings measure_cable_fleet(const Design& design, const Allowed& allowed)
     f.where = where(design, worst.path.psi);
     f.place = place(worst.path, 0.0);
     const double tangent = std::tan(core::rad_from_deg(f.allowed)), farther = std::abs(std::tan(worst.fleet)) / tangent;
-    f.suggestion = fmt::format("a free cable of {} mm there ({}.guide.distance_mm = {})", up(core::mm_from_m(worst.span * farther)),
-                               name(design), up(core::mm_from_m(cam.options.guide.distance + worst.span * (farther - 1.0))));
+    f.suggestion = change(design, "guide.distance_mm", up(core::mm_from_m(cam.options.guide.distance + worst.span * (farther - 1.0))))
+                       .noted(fmt::format(": a free cable of {} mm there", up(core::mm_from_m(worst.span * farther))));
     if (!cam.closed() && cam.options.path.lead == cam::Lead::kConstantPitch && cam.working.size() > 1) {
         const double middle = 0.5 * (cam.working.front().path.z + cam.working.back().path.z);
         if (std::abs(cam.options.guide.z - middle) > 0.5 * cam.options.path.pitch)
-            f.suggestion += fmt::format(", or the guide at half height ({}.guide.z_mm = {:.3g})", name(design), core::mm_from_m(middle));
+            f.suggestion.or_else(change(design, "guide.z_mm", number(core::mm_from_m(middle), 3)).noted(": the guide at half height"));
     }
     if (own) f.source = "cable.max_fleet_deg";
     return {f};

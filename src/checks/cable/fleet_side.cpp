@@ -24,8 +24,8 @@ core::Findings measure_cable_fleet_side(const Design& design, const Allowed& all
                          core::deg_from_rad(above), core::deg_from_rad(below));
     f.where = where(design, worst.path.psi);
     f.place = place(worst.path, 0.0);
-    f.suggestion = fmt::format("{}.guide.z_mm = {:.3g}", name(design),
-                               core::mm_from_m(cam.options.guide.z - worst.span * std::tan(0.5 * (high.fleet + low.fleet))));
+    f.suggestion = change(design, "guide.z_mm",
+                          number(core::mm_from_m(cam.options.guide.z - worst.span * std::tan(0.5 * (high.fleet + low.fleet))), 3));
     return {f};
 }
 

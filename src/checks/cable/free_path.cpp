@@ -73,7 +73,7 @@ core::Findings measure_cable_free_path(const Design& design, const Allowed& allo
     double reach = 0.0;
     for (const auto& q : design.part.mesh.points_mm) reach = std::max(reach, std::hypot(q[0], q[1]));
     const double leaves = std::acos(std::clamp(core::mm_from_m(worst->path.h) / reach, 0.0, 1.0));  // direction in which it passes the rim
-    f.suggestion = fmt::format("a groove open as far as the rim: {}.path.margin_deg = {}", name(design), up(core::deg_from_rad(leaves)));
+    f.suggestion = change(design, "path.margin_deg", up(core::deg_from_rad(leaves))).noted(": a groove open as far as the rim");
     return {f};
 }
 

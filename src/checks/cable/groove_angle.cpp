@@ -13,10 +13,10 @@ namespace {
 constexpr double kGuide_mm = 200.0;  // distance of a guide that had no place
 
 /// A parallel guide has no point to aim at.
-std::string aimed_change(const Design& design) {
-    const std::string aimed = fmt::format("{}.path.lead = \"aimed\"", name(design));
+core::Suggestion aimed_change(const Design& design) {
+    core::Suggestion aimed = change(design, "path.lead", quoted("aimed"));
     if (design.part.cam.options.guide.kind != cam::GuideKind::kParallel) return aimed;
-    return fmt::format("{0} with {1}.guide.kind = \"point\" with {1}.guide.distance_mm = {2:g}", aimed, name(design), kGuide_mm);
+    return aimed.with(key_of(design, "guide.kind"), quoted("point")).with(key_of(design, "guide.distance_mm"), number(kGuide_mm));
 }
 
 /// Cable that is taken in beyond the integral of the arm, since it crosses the groove (docs/theory/cams.md, fleet angle) [m].
@@ -45,12 +45,13 @@ core::Findings measure_cable_groove_angle(const Design& design, const Allowed& a
     f.place = place(worst.path, 0.0);
     if (cam.options.path.lead == cam::Lead::kConstantPitch)
         f.suggestion =
-            fmt::format("{}.path.pitch_mm = {}, or {}", name(design),
-                        down(core::mm_from_m(cam.options.path.pitch) * std::tan(core::rad_from_deg(f.allowed)) / std::tan(angle(worst))),
-                        aimed_change(design));
+            change(design, "path.pitch_mm",
+                   down(core::mm_from_m(cam.options.path.pitch) * std::tan(core::rad_from_deg(f.allowed)) / std::tan(angle(worst))))
+                .or_else(aimed_change(design));
     else
-        f.suggestion = fmt::format("{}.guide.z_mm = {:.3g}: half height", name(design),
-                                   core::mm_from_m(0.5 * (cam.working.front().path.z + cam.working.back().path.z)));
+        f.suggestion =
+            change(design, "guide.z_mm", number(core::mm_from_m(0.5 * (cam.working.front().path.z + cam.working.back().path.z)), 3))
+                .noted(": half height");
     return {f};
 }
 

@@ -16,7 +16,7 @@ core::Findings measure_cable_knot(const Design& design, const Allowed& allowed) 
     f.what = fmt::format("width of the anchor hole with its tolerance, {:g} mm, which the cable's {} has to bridge",
                          core::mm_from_m(tolerance), to_string(design.cable.termination));
     f.where = where(design, design.part.cam.anchor_psi);
-    f.suggestion = fmt::format("{}.features.anchor_hole_mm = {}", name(design), down(core::mm_from_m(f.allowed * d - tolerance)));
+    f.suggestion = change(design, "features.anchor_hole_mm", down(core::mm_from_m(f.allowed * d - tolerance)));
     return {f};
 }
 

@@ -30,7 +30,7 @@ core::Findings measure_cable_pressure(const Design& design, const Allowed& allow
     f.suggestion = fmt::format("a material that allows {} MPa", up(f.measured));
     // D d = (2 rho - d) d = 2T/p: the smaller root; the contour's rho does not depend on d.
     const double rho = worst.path.rho, root = rho * rho - 2.0 * worst.arm.tension / (kPaPerMPa * f.allowed);
-    if (root > 0.0) f.suggestion += fmt::format(", or cable.diameter_mm = {}", up(core::mm_from_m(rho - std::sqrt(root))));
+    if (root > 0.0) f.suggestion.or_else(change("cable.diameter_mm", up(core::mm_from_m(rho - std::sqrt(root)))));
     return {f};
 }
 

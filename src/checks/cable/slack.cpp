@@ -24,10 +24,10 @@ core::Findings measure_cable_slack(const Design& design, const Allowed& allowed)
     f.place = place(least.path, 0.0);
     const double wanted = 0.01 * f.allowed * most;
     if (design.spring.kind == spring::BaseKind::kCompression)
-        f.suggestion = fmt::format("{}.spring.preload_mm = {}", name(design), up(core::mm_from_m(wanted / design.spring.rate)));
+        f.suggestion = change(design, "spring.preload_mm", up(core::mm_from_m(wanted / design.spring.rate)));
     else
-        f.suggestion = fmt::format("law.start_torque_Nm = {}: {} N",
-                                   up(least.arm.tau * wanted / std::max(least.arm.tension, kLeast * most)), up(wanted));
+        f.suggestion = change("law.start_torque_Nm", up(least.arm.tau * wanted / std::max(least.arm.tension, kLeast * most)))
+                           .noted(fmt::format(": {} N", up(wanted)));
     return {f};
 }
 

@@ -46,13 +46,13 @@ Bend bend_at(const cam::PathPoint& a, const cam::PathPoint& b, const cam::PathPo
 }
 
 /// The pitch at which the groove's slope changes slowly enough, or the cable that allows this bend.
-std::string nearest_change(const Design& design, const Bend& bend, double rho, double allowed) {
+core::Suggestion nearest_change(const Design& design, const Bend& bend, double rho, double allowed) {
     const double needed = 0.5 * design.cable.diameter * (1.0 + allowed), ratio = rho / needed;
-    const std::string thinner = fmt::format("cable.diameter_mm = {}", down(core::mm_from_m(2.0 * bend.radius / (1.0 + allowed))));
+    const core::Suggestion thinner = change("cable.diameter_mm", down(core::mm_from_m(2.0 * bend.radius / (1.0 + allowed))));
     const cam::PathOptions& path = design.part.cam.options.path;
     if (path.lead != cam::Lead::kConstantPitch || ratio <= 1.0 || bend.twist <= 0.0) return thinner;
     const double slower = std::min(1.0, std::sqrt(ratio * ratio - 1.0) / bend.twist);
-    return fmt::format("{}.path.pitch_mm = {}, or {}", name(design), down(core::mm_from_m(path.pitch) * slower), thinner);
+    return change(design, "path.pitch_mm", down(core::mm_from_m(path.pitch) * slower)).or_else(thinner);
 }
 
 core::Findings measure_cable_space_bend(const Design& design, const Allowed& allowed) {

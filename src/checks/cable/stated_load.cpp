@@ -17,7 +17,7 @@ core::Findings measure_cable_stated_load(const Design& design, const Allowed& al
     f.what = fmt::format("stated breaking load against that of the strongest {:.3g} mm {} cable on sale", core::mm_from_m(cable.diameter),
                          cable.construction);
     f.where = where(design, design.part.cam.anchor_psi);
-    f.suggestion = fmt::format("cable.breaking_load_N = {}", down(f.allowed));
+    f.suggestion = change("cable.breaking_load_N", down(f.allowed));
     f.source = cable_sizes(cable.construction).source;
     return {f};
 }

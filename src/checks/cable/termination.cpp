@@ -15,7 +15,8 @@ core::Findings measure_cable_termination(const Design& design, const Allowed& al
     f.where = where(design, design.part.cam.anchor_psi);
     Cable crimped = design.cable;
     crimped.termination = Termination::kCrimp;
-    f.suggestion = fmt::format("cable.termination = \"crimp\": a sleeve holds {:.0f} %", 100.0 * termination_limits(crimped).strength);
+    f.suggestion = change("cable.termination", quoted("crimp"))
+                       .noted(fmt::format(": a sleeve holds {:.0f} %", 100.0 * termination_limits(crimped).strength));
     f.source = end.source;
     return {f};
 }

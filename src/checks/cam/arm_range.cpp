@@ -28,8 +28,8 @@ core::Findings measure_cam_arm_range(const Design& design, const Allowed& allowe
     f.place = place(least.path, -half_cable);
     f.suggestion = scale_arms(design, f.allowed / f.measured);
     const double bore = 2.0 * (least.arm.arm - half_cable - wall) - hub.bore_clearance;
-    if (through && bore > 0.0) f.suggestion += fmt::format(", or {}.hub.bore_mm = {}", name(design), down(core::mm_from_m(bore)));
-    if (through && !is_stacked(design)) f.suggestion += ", or " + solid::overhung_change(name(design), hub);
+    if (through && bore > 0.0) f.suggestion.or_else(change(design, "hub.bore_mm", down(core::mm_from_m(bore))));
+    if (through && !is_stacked(design)) f.suggestion.or_else(solid::overhung_change(name(design), hub));
     return {f};
 }
 

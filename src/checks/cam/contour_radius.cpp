@@ -22,7 +22,7 @@ core::Findings measure_cam_contour_radius(const Design& design, const Allowed& a
     f.what = "radius swept by the turning part, against the distance to the guide";
     f.where = where(design, far.psi);
     f.place = place(far, swept - std::hypot(far.h, far.slope));
-    f.suggestion = fmt::format("{}.guide.distance_mm = {}", name(design), up(core::mm_from_m(swept + idler + half_cable)));
+    f.suggestion = change(design, "guide.distance_mm", up(core::mm_from_m(swept + idler + half_cable)));
     return {f};
 }
 

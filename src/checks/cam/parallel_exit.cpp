@@ -34,27 +34,27 @@ bool can_be_cut_for(const cam::Cam& cam, double distance) {
 }
 
 /// A hole for which the cam can be cut: at the stated distance, else at the first common one.
-std::string point_change(const Design& design, double nearest) {
+core::Suggestion point_change(const Design& design, double nearest) {
     const cam::Cam& cam = design.part.cam;
     double hole = cam.options.guide.distance;
     for (const double common : kHoles) {
         if (hole > nearest && can_be_cut_for(cam, hole)) break;
         hole = common;
     }
-    return fmt::format("{0}.guide.kind = \"point\" with {0}.guide.distance_mm = {1:g}", name(design), core::mm_from_m(hole));
+    return change(design, "guide.kind", quoted("point")).with(key_of(design, "guide.distance_mm"), number(core::mm_from_m(hole)));
 }
 
 /// The least distance at which the error meets the limit, as a change; empty: none within the key's limits.
-std::string distance_change(const Design& design, double least) {
-    if (least >= kFarthest) return "";
-    return fmt::format(", or {}.guide.distance_mm = {} if the cable runs straight for so long", name(design), up(core::mm_from_m(least)));
+core::Suggestion distance_change(const Design& design, double least) {
+    if (least >= kFarthest) return {};
+    return change(design, "guide.distance_mm", up(core::mm_from_m(least))).noted(" if the cable runs straight for so long");
 }
 
 core::Finding not_stated(const Design& design, const Allowed& allowed, double nearest, const EffectiveLimit& error) {
     const double least = cam::least_parallel_distance(design.part.cam, 0.01 * error.value(), {nearest, kFarthest});
     core::Finding f = judge(0.0, {allowed("distance_required", core::mm_from_m(least))});
     f.what = "distance of the hole that the cable goes to, not stated: a parallel exit alone cannot be built";
-    f.suggestion = point_change(design, nearest) + distance_change(design, least);
+    f.suggestion = point_change(design, nearest).or_else(distance_change(design, least));
     return f;
 }
 
@@ -71,8 +71,8 @@ core::Findings measure_cam_parallel_exit(const Design& design, const Allowed& al
         fmt::format("largest error of the arm if the cable goes to a hole {:g} mm away instead of straight off", core::mm_from_m(distance));
     f.where = where(design, at.psi);
     f.place = place(at, 0.0);
-    f.suggestion =
-        point_change(design, nearest) + distance_change(design, cam::least_parallel_distance(cam, 0.01 * f.allowed, {nearest, kFarthest}));
+    f.suggestion = point_change(design, nearest)
+                       .or_else(distance_change(design, cam::least_parallel_distance(cam, 0.01 * f.allowed, {nearest, kFarthest})));
     return {f};
 }
 

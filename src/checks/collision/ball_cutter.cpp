@@ -14,7 +14,7 @@ core::Findings measure_collision_ball_cutter(const Design& design, const Allowed
     const double ratio = design.part.options.groove.radius_ratio;
     core::Finding f = judge(core::mm_from_m(ratio * design.cable.diameter), {allowed("required", cutter)});
     f.what = "radius of the groove's floor, which the ball cutter must fit";
-    f.suggestion = fmt::format("process.cutter_radius_mm = {}, or cable.diameter_mm = {}", down(f.measured), up(f.allowed / ratio));
+    f.suggestion = change("process.cutter_radius_mm", down(f.measured)).or_else(change("cable.diameter_mm", up(f.allowed / ratio)));
     return {f};
 }
 

@@ -27,10 +27,10 @@ core::Findings measure_collision_printed_land(const Design& design, const Allowe
     core::Finding f = judge(core::mm_from_m(reach * printed), {allowed("review")});
     f.what = fmt::format("least distance of the guide from {:.2f} turns of {:.2f} mm; the cable alone needs {:.0f} mm", turns,
                          core::mm_from_m(printed), core::mm_from_m(reach * rope));
-    f.suggestion = fmt::format(
-        "{0}.path.lead = \"aimed\" with {0}.guide.kind = \"point\" with {0}.guide.distance_mm = {2:g}, or {0}.path.pitch_mm = {1} with a "
-        "groove and a land of that width",
-        name(design), down(f.allowed / reach), f.allowed);
+    f.suggestion = change(design, "path.lead", quoted("aimed"))
+                       .with(key_of(design, "guide.kind"), quoted("point"))
+                       .with(key_of(design, "guide.distance_mm"), number(f.allowed))
+                       .or_else(change(design, "path.pitch_mm", down(f.allowed / reach)).noted(" with a groove and a land of that width"));
     return {f};
 }
 

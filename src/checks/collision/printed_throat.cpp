@@ -15,7 +15,7 @@ core::Findings measure_collision_printed_throat(const Design& design, const Allo
     core::Finding f = judge(core::deg_from_rad(largest_overhang(design.part)), {allowed("required", core::deg_from_rad(limit))});
     f.what = "overhang of the groove's upper flank, from the vertical, printed with the axis upright";
     f.where = name(design) + " all along the groove";
-    f.suggestion = fmt::format("groove.throat_deg = {:g}, or the part printed with its axis lying", 180.0 - 2.0 * f.allowed);
+    f.suggestion = change("groove.throat_deg", number(180.0 - 2.0 * f.allowed)).or_else("the part printed with its axis lying");
     return {f};
 }
 
@@ -26,7 +26,7 @@ Rule collision_printed_throat() {
             "a rope's throat whose flank sags in printing",
             "FDM, axis upright: angle of the groove's upper flank from the vertical, 90 deg - throat/2",
             "FDM 45 deg: 3dservicesusa, cifproto, arti90, layerx3d; a rope's throat of 35-60 deg has 60 to 72.5",
-            {required(kAtMost, "deg", "the process's overhang")},
+            {of_process(required(kAtMost, "deg", "the process's overhang"))},
             measure_collision_printed_throat};
 }
 

@@ -16,7 +16,7 @@ core::Findings measure_collision_rim_undercut(const Design& design, const Allowe
     f.where = name(design) + " all along the groove";
     f.suggestion =
         fmt::format("a 4th axis, a form cutter of {:.3f} mm radius", core::mm_from_m(groove.radius_ratio * design.cable.diameter));
-    if (design.part.cam.closed()) f.suggestion += ", or two plates split in the plane z 0 mm";
+    if (design.part.cam.closed()) f.suggestion.or_else("two plates split in the plane z 0 mm");
     return {f};
 }
 

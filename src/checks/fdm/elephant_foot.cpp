@@ -12,7 +12,7 @@ core::Findings measure_fdm_elephant_foot(const Design& design, const Allowed& al
     core::Finding f = judge(core::mm_from_m(design.part.options.hub.bore_clearance), {allowed("review")});
     f.what = "clearance of the bore, which the squeezed first layer reduces";
     f.where = name(design) + " at the bore's mouth";
-    f.suggestion = fmt::format("{}.hub.clearance_mm = {:g}, or a chamfer there", name(design), f.allowed);
+    f.suggestion = change(design, "hub.clearance_mm", number(f.allowed)).or_else("a chamfer there");
     return {f};
 }
 

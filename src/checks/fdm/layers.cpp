@@ -16,7 +16,7 @@ core::Findings measure_fdm_layers(const Design& design, const Allowed& allowed) 
     f.what =
         fmt::format("layers of {:g} mm in the radius of the groove's floor, {:.3f} mm", core::mm_from_m(layer), core::mm_from_m(radius));
     f.where = name(design) + " all along the groove";
-    f.suggestion = fmt::format("process.layer_mm = {}", down(core::mm_from_m(radius / f.allowed)));
+    f.suggestion = change("process.layer_mm", down(core::mm_from_m(radius / f.allowed)));
     return {f};
 }
 

@@ -27,8 +27,8 @@ core::Findings measure_groove_creep(const Design& design, const Allowed& allowed
                          core::mm_from_m(rest.arm.arm), material.name, rest.arm.tension, core::mm_from_m(depth));
     f.where = where(design, rest.path.psi);
     f.place = place(rest.path, -0.5 * design.cable.diameter);
-    f.suggestion = fmt::format("material.modulus_MPa = {}, or released cables when the joint rests",
-                               up(material.modulus / kPaPerMPa * f.measured / f.allowed));
+    f.suggestion = change("material.modulus_MPa", up(material.modulus / kPaPerMPa * f.measured / f.allowed))
+                       .or_else("released cables when the joint rests");
     return {f};
 }
 

@@ -40,11 +40,11 @@ core::Findings measure_groove_flank_rub(const Design& design, const Allowed& all
     f.where = where(design, worst.path.psi);
     f.place = place(worst.path, lip);
     const double needed = half + core::m_from_mm(f.allowed - f.measured);
-    f.suggestion = fmt::format("groove.plate_mm = {}", up(core::mm_from_m(2.0 * needed)));
+    f.suggestion = change("groove.plate_mm", up(core::mm_from_m(2.0 * needed)));
     if (stacked) return {f};
     double throat = core::deg_from_rad(design.part.options.groove.throat);
     while (throat < kWidest && half_width(design, core::rad_from_deg(throat)) < needed) throat += 1.0;
-    f.suggestion = fmt::format("groove.throat_deg = {:.0f}", std::min(std::ceil(throat), kWidest));
+    f.suggestion = change("groove.throat_deg", fmt::format("{:.0f}", std::min(std::ceil(throat), kWidest)));
     return {f};
 }
 

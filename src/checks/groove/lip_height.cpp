@@ -15,7 +15,7 @@ core::Findings measure_groove_lip_height(const Design& design, const Allowed& al
     core::Finding f = judge(core::mm_from_m(lip_offset(design.part) - 0.5 * d), {allowed("review", core::mm_from_m(tolerance))});
     f.what = "height of the lips above the outside of the cable";
     f.where = name(design) + " all along the groove";
-    f.suggestion = fmt::format("groove.depth_ratio = {}", up(1.0 + core::m_from_mm(f.allowed) / d));
+    f.suggestion = change("groove.depth_ratio", up(1.0 + core::m_from_mm(f.allowed) / d));
     return {f};
 }
 
@@ -26,7 +26,7 @@ Rule groove_lip_height() {
             "lips that the process may make lower than the cable",
             "height of the lips above the outside of the cable",
             "the process's tolerance of a contour",
-            {review(kAtLeast, "mm", "the process's tolerance")},
+            {of_process(review(kAtLeast, "mm", "the process's tolerance"))},
             measure_groove_lip_height};
 }
 

@@ -90,11 +90,11 @@ core::Findings measure_groove_neighbour_turns(const Design& design, const Allowe
     f.what = "clearance between the free cable and the lips of the other turns";
     f.where = where(design, tightest.contact->path.psi);
     f.place = place(tightest.contact->path, 0.0);
-    f.suggestion = fmt::format("{}.path.pitch_mm = {}", name(design),
-                               up(core::mm_from_m(cam.options.path.pitch) + (f.allowed - f.measured) / std::max(tightest.turns, 0.5)));
+    f.suggestion = change(design, "path.pitch_mm",
+                          up(core::mm_from_m(cam.options.path.pitch) + (f.allowed - f.measured) / std::max(tightest.turns, 0.5)));
     if (cam.options.path.lead == cam::Lead::kAimedAtGuide)
-        f.suggestion = fmt::format("the turns {} mm farther apart: a larger {}.guide.z_mm, now {:.3g}", up(f.allowed - f.measured),
-                                   name(design), core::mm_from_m(cam.options.guide.z));
+        f.suggestion = fmt::format("the turns {} mm farther apart: a larger {}, now {:.3g}", up(f.allowed - f.measured),
+                                   key_of(design, "guide.z_mm"), core::mm_from_m(cam.options.guide.z));
     return {f};
 }
 

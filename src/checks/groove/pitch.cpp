@@ -23,11 +23,10 @@ core::Findings measure_groove_pitch(const Design& design, const Allowed& allowed
                          core::mm_from_m(width), core::mm_from_m(std::max(wall, groove.rib)));
     f.where = where(design, pitch.at.psi);
     f.place = place(pitch.at, 0.0);
-    f.suggestion = fmt::format("{}.path.pitch_mm = {}", name(design),
-                               up(core::mm_from_m(design.part.cam.options.path.pitch) + f.allowed - f.measured));
+    f.suggestion = change(design, "path.pitch_mm", up(core::mm_from_m(design.part.cam.options.path.pitch) + f.allowed - f.measured));
     if (design.part.cam.options.path.lead == cam::Lead::kAimedAtGuide)
-        f.suggestion = fmt::format("{}.guide.z_mm = {}: the groove then rises by {} mm per turn", name(design),
-                                   up(core::mm_from_m(design.part.cam.options.guide.z) * f.allowed / f.measured), up(f.allowed));
+        f.suggestion = change(design, "guide.z_mm", up(core::mm_from_m(design.part.cam.options.guide.z) * f.allowed / f.measured))
+                           .noted(fmt::format(": the groove then rises by {} mm per turn", up(f.allowed)));
     return {f};
 }
 
@@ -38,7 +37,7 @@ Rule groove_pitch() {
             "turns that overlap",
             "helix: least height from turn to turn",
             "groove width and the process's wall; Unirope/Python: at least 2.065 groove radii",
-            {required(kAtLeast, "mm", "groove width + the process's wall, at least 2.065 floor radii"),
+            {of_process(required(kAtLeast, "mm", "groove width + the process's wall, at least 2.065 floor radii")),
              review(kAtLeast, "mm", "groove width + groove.rib_mm")},
             measure_groove_pitch};
 }

@@ -16,8 +16,9 @@ core::Findings measure_groove_radius(const Design& design, const Allowed& allowe
     f.what =
         "radius of the groove's floor: " + std::string(f.bound == core::Bound::kAtLeast ? "pinches the cable" : "lets the cable flatten");
     if (f.severity == core::Severity::kPass) f.what = "radius of the groove's floor";
-    f.suggestion = fmt::format("groove.radius_ratio = {:.2f} ({:.3f} mm)", f.severity == core::Severity::kError ? kGood : f.allowed,
-                               core::mm_from_m((f.severity == core::Severity::kError ? kGood : f.allowed) * design.cable.diameter));
+    const double ratio = f.severity == core::Severity::kError ? kGood : f.allowed;
+    f.suggestion = change("groove.radius_ratio", fmt::format("{:.2f}", ratio))
+                       .noted(fmt::format(" ({:.3f} mm)", core::mm_from_m(ratio * design.cable.diameter)));
     return {f};
 }
 

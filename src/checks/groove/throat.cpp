@@ -29,7 +29,7 @@ core::Findings measure_groove_throat(const Design& design, const Allowed& allowe
     core::Finding f = judge(throat, {allowed("low_review", low), allowed("high_review", high)});
     f.what = fmt::format("throat angle of the groove at {:.1f} deg fleet", fleet);
     if (printed > kWithFleet) f.what += fmt::format("; a rope throat is 35 to 60 deg, printing without supports needs {:.0f}", printed);
-    f.suggestion = fmt::format("groove.throat_deg = {:g}", std::max(f.allowed, printed));
+    f.suggestion = change("groove.throat_deg", number(std::max(f.allowed, printed)));
     return {f};
 }
 

@@ -13,7 +13,7 @@ core::Findings measure_mill_hole_depth(const Design& design, const Allowed& allo
     const Hole deep = slenderest_hole(design.part);
     core::Finding f = judge(deep.depth / deep.diameter, {allowed("required"), allowed("review")});
     f.what = fmt::format("depth of the slenderest hole: {}", deep.what);
-    f.suggestion = fmt::format("{}.{} = {}", name(design), deep.key, up(core::mm_from_m(deep.depth) / f.allowed));
+    f.suggestion = change(design, deep.key, up(core::mm_from_m(deep.depth) / f.allowed));
     return {f};
 }
 

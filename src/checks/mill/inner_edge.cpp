@@ -14,8 +14,8 @@ core::Findings measure_mill_inner_edge(const Design& design, const Allowed& allo
     if (!sharp) return {};
     core::Finding f = judge(0.0, {allowed("review")});
     f.what = fmt::format("radius in the corners of the {}, drawn sharp", lock == solid::HubLock::kKeyway ? "keyway" : "D-flat");
-    f.suggestion = fmt::format("{}, or the bore broached, or corners of {:g} mm accepted",
-                               solid::set_screw_change(name(design), design.part.options.hub), f.allowed);
+    f.suggestion = solid::set_screw_change(name(design), design.part.options.hub);
+    f.suggestion.or_else("the bore broached").or_else(fmt::format("corners of {:g} mm accepted", f.allowed));
     return {f};
 }
 

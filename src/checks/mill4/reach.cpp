@@ -17,8 +17,8 @@ core::Findings measure_mill4_reach(const Design& design, const Allowed& allowed)
     core::Finding f = judge(depth / tool, {allowed("review")});
     f.what = fmt::format("depth of the groove under its flanges for a ball of {:.3f} mm", core::mm_from_m(tool));
     f.where = name(design) + " all along the groove";
-    f.suggestion = fmt::format("{}.flange_height_mm = {}", name(design),
-                               down(std::max(0.0, core::mm_from_m(options.flange_height - depth + f.allowed * tool))));
+    f.suggestion =
+        change(design, "flange_height_mm", down(std::max(0.0, core::mm_from_m(options.flange_height - depth + f.allowed * tool))));
     return {f};
 }
 

@@ -22,17 +22,17 @@ std::size_t tightest(const Size& part, const Size& build) {
 }
 
 /// Arms (in the plane) or pitch (in height) with which the tightest side fits; empty if no such change suffices.
-std::string smaller_part(const Design& design, std::size_t axis, double size, double build) {
+core::Suggestion smaller_part(const Design& design, std::size_t axis, double size, double build) {
     const cam::Cam& cam = design.part.cam;
     if (axis == 2) {
         const double pitch = core::mm_from_m(cam.options.path.pitch), turns = cam.groove_psi.width() / (2.0 * core::kPi);
         const double less = cam.closed() ? 0.0 : pitch - (size - build) / turns;
-        return less > 0.0 ? fmt::format(", or {}.path.pitch_mm = {}", name(design), down(less)) : "";
+        return less > 0.0 ? change(design, "path.pitch_mm", down(less)) : core::Suggestion();
     }
     // Lips and flanges do not shrink with the contour.
     const double lip = design.part.section.empty() ? 0.0 : lip_offset(design.part);
     const double fixed = 2.0 * core::mm_from_m(lip + design.part.options.flange_height);
-    return build > fixed ? fmt::format(", or {}", scale_arms(design, (build - fixed) / (size - fixed))) : "";
+    return build > fixed ? scale_arms(design, (build - fixed) / (size - fixed)) : core::Suggestion();
 }
 
 core::Findings measure_process_build_volume(const Design& design, const Allowed& allowed) {
@@ -47,9 +47,9 @@ core::Findings measure_process_build_volume(const Design& design, const Allowed&
     f.what = fmt::format("part of {:.2f} x {:.2f} x {:.2f} mm in a build volume of {:g} x {:g} x {:g} mm", size[0], size[1], size[2],
                          build[0], build[1], build[2]);
     f.where = fmt::format("{} along {}", name(design), "xyz"[axis]);
-    f.suggestion = fmt::format("process.build_mm = [{}, {}, {}]", up(std::max(size[0], build[0])), up(std::max(size[1], build[1])),
-                               up(std::max(size[2], build[2]))) +
-                   smaller_part(design, axis, size[axis], build[axis]);
+    f.suggestion = change("process.build_mm", fmt::format("[{}, {}, {}]", up(std::max(size[0], build[0])), up(std::max(size[1], build[1])),
+                                                          up(std::max(size[2], build[2]))))
+                       .or_else(smaller_part(design, axis, size[axis], build[axis]));
     return {f};
 }
 
@@ -60,7 +60,7 @@ Rule process_build_volume() {
             "a part larger than the machine or the stock",
             "the bounding box's tightest side",
             "process.build_mm; turning about z by 90 deg allowed",
-            {required(kAtMost, "mm", "process.build_mm")},
+            {of_process(required(kAtMost, "mm", "process.build_mm"))},
             measure_process_build_volume,
             true};
 }

@@ -19,8 +19,8 @@ core::Findings measure_process_contour_error(const Design& design, const Allowed
                          core::mm_from_m(tolerance));
     f.where = where(design, least.path.psi);
     f.place = place(least.path, -0.5 * design.cable.diameter);
-    f.suggestion = fmt::format("process.tolerance_mm = {}: a groove coupon measured and compensated",
-                               down(core::mm_from_m(least.arm.arm) * f.allowed / 100.0));
+    f.suggestion = change("process.tolerance_mm", down(core::mm_from_m(least.arm.arm) * f.allowed / 100.0))
+                       .noted(": a groove coupon measured and compensated");
     return {f};
 }
 
@@ -33,7 +33,7 @@ Rule process_contour_error() {
             "a contour off by t along its normal changes the arm by t: docs/theory/cams.md; 10 %: as far as rates of bought springs "
             "scatter (Lee "
             "Spring, springs3d)",
-            {review(kAtMost, "%", 10.0)},
+            {of_process(review(kAtMost, "%", 10.0))},
             measure_process_contour_error};
 }
 

@@ -18,7 +18,7 @@ core::Findings measure_process_detail(const Design& design, const Allowed& allow
     if (!least || narrowest <= 0.0) return {};
     core::Finding f = judge(core::mm_from_m(narrowest), {*least});
     f.what = fmt::format("width of the {}", slot ? "spring leg's slot" : "timing mark");
-    f.suggestion = fmt::format("{}.features.{} = {}", name(design), slot ? "leg_slot_width_mm" : "mark_width_mm", up(f.allowed));
+    f.suggestion = change(design, slot ? "features.leg_slot_width_mm" : "features.mark_width_mm", up(f.allowed));
     return {f};
 }
 
@@ -29,7 +29,7 @@ Rule process_detail() {
             "a slot or mark too narrow for the process",
             "narrowest of timing mark and spring leg's slot",
             "the process's least detail",
-            {review(kAtLeast, "mm", "the process's detail; none for plates")},
+            {of_process(review(kAtLeast, "mm", "the process's detail; none for plates"))},
             measure_process_detail};
 }
 

@@ -17,7 +17,7 @@ core::Findings measure_process_hole(const Design& design, const Allowed& allowed
     const Hole least = *std::min_element(all.begin(), all.end(), [](const Hole& a, const Hole& b) { return a.diameter < b.diameter; });
     core::Finding f = judge(core::mm_from_m(least.diameter), {allowed("required", core::mm_from_m(process_limits(design.process).hole))});
     f.what = fmt::format("diameter of the smallest hole: {}", least.what);
-    f.suggestion = fmt::format("{}.{} = {}", name(design), least.key, up(f.allowed));
+    f.suggestion = change(design, least.key, up(f.allowed));
     return {f};
 }
 
@@ -28,7 +28,7 @@ Rule process_hole() {
             "a hole too small to make",
             "diameter of the smallest of bore, anchor hole and screw hole",
             "the process's least hole",
-            {required(kAtLeast, "mm", "the process's hole")},
+            {of_process(required(kAtLeast, "mm", "the process's hole"))},
             measure_process_hole};
 }
 

@@ -37,9 +37,9 @@ core::Findings measure_process_wall(const Design& design, const Allowed& allowed
     core::Finding f =
         judge(core::mm_from_m(thinnest.thickness), {allowed("required", core::mm_from_m(process_limits(design.process).wall))});
     f.what = fmt::format("thinnest wall beside the groove: {}", thinnest.what);
-    f.suggestion = fmt::format("groove.rib_mm = {}", up(f.allowed));
+    f.suggestion = change("groove.rib_mm", up(f.allowed));
     if (const Pitch pitch = least_pitch(design.part.cam); pitch.turns && thinnest.thickness < design.part.options.groove.rib)
-        f.suggestion = fmt::format("{}.path.pitch_mm = {}", name(design), up(core::mm_from_m(pitch.least) + f.allowed - f.measured));
+        f.suggestion = change(design, "path.pitch_mm", up(core::mm_from_m(pitch.least) + f.allowed - f.measured));
     return {f};
 }
 
@@ -50,7 +50,7 @@ Rule process_wall() {
                      "a wall too thin to make",
                      "thinnest of rib, flanges and land between turns",
                      "the process's thinnest wall",
-                     {required(kAtLeast, "mm", "the process's wall")},
+                     {of_process(required(kAtLeast, "mm", "the process's wall"))},
                      measure_process_wall});
 }
 

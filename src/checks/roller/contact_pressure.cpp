@@ -20,7 +20,7 @@ core::Findings measure_roller_contact_pressure(const Design& design, const Allow
     f.where = where(design, worst.path.psi);
     f.place = place(worst.path, 0.0);
     const double ratio = f.measured / f.allowed;
-    f.suggestion = fmt::format("k_pe.roller.width_mm = {}", up(core::mm_from_m(roller.width * ratio * ratio)));
+    f.suggestion = change(design, "roller.width_mm", up(core::mm_from_m(roller.width * ratio * ratio)));
     return {f};
 }
 

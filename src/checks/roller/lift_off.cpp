@@ -17,7 +17,7 @@ core::Findings measure_roller_lift_off(const Design& design, const Allowed& allo
     f.what = fmt::format("least force of the spring on the follower, {:.2f} N, of {:.1f} N", least.arm.tension, most);
     f.where = where(design, least.path.psi);
     f.place = place(least.path, 0.0);
-    f.suggestion = fmt::format("k_pe.spring.preload_mm = {}", up(core::mm_from_m(0.01 * f.allowed * most / design.spring.rate)));
+    f.suggestion = change(design, "spring.preload_mm", up(core::mm_from_m(0.01 * f.allowed * most / design.spring.rate)));
     return {f};
 }
 

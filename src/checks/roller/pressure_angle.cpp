@@ -28,8 +28,7 @@ core::Findings measure_roller_pressure_angle(const Design& design, const Allowed
         fmt::format("largest pressure angle; the rim's side force on the follower is {:.1f} N there", worst.arm.tension * std::tan(angle));
     f.where = where(design, worst.path.psi);
     f.place = place(worst.path, 0.0);
-    f.suggestion =
-        fmt::format("k_pe.roller.base_radius_mm = {}", up(core::mm_from_m(base_for(worst.arm, roller, core::rad_from_deg(f.allowed)))));
+    f.suggestion = change(design, "roller.base_radius_mm", up(core::mm_from_m(base_for(worst.arm, roller, core::rad_from_deg(f.allowed)))));
     return {f};
 }
 

@@ -13,7 +13,7 @@ core::Findings measure_roller_rim_width(const Design& design, const Allowed& all
     const double width = design.part.cam.options.roller.width, beside = 2.0 * options.groove.rib;
     core::Finding f = judge(core::mm_from_m(options.rim_width - beside), {allowed("required", core::mm_from_m(width))});
     f.what = "width of the rim between its two ribs, on which the roller runs";
-    f.suggestion = fmt::format("k_pe.roller.rim_width_mm = {}", up(f.allowed + core::mm_from_m(beside)));
+    f.suggestion = change(design, "roller.rim_width_mm", up(f.allowed + core::mm_from_m(beside)));
     return {f};
 }
 

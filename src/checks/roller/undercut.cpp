@@ -18,8 +18,9 @@ core::Findings measure_roller_undercut(const Design& design, const Allowed& allo
     f.what = fmt::format("least radius of curvature of the roller centre's curve, {:.2f} mm, over the roller's", core::mm_from_m(pitch));
     f.where = where(design, sharpest.path.psi);
     f.place = place(sharpest.path, 0.0);
-    f.suggestion = fmt::format("k_pe.roller.radius_mm = {}, or k_pe.roller.base_radius_mm = {}", down(core::mm_from_m(pitch) / f.allowed),
-                               up(core::mm_from_m(roller.base_radius + f.allowed * roller.radius - pitch)));
+    f.suggestion =
+        change(design, "roller.radius_mm", down(core::mm_from_m(pitch) / f.allowed))
+            .or_else(change(design, "roller.base_radius_mm", up(core::mm_from_m(roller.base_radius + f.allowed * roller.radius - pitch))));
     return {f};
 }
 

@@ -14,7 +14,7 @@ core::Findings measure_shaft_bore_fit(const Design& design, const Allowed& allow
     core::Finding f = judge(core::mm_from_m(hub.bore_clearance),
                             {allowed("low_review", core::mm_from_m(fit.low)), allowed("high_review", core::mm_from_m(fit.high))});
     f.what = fmt::format("clearance of the bore on a shaft of {:g} mm", core::mm_from_m(hub.bore_diameter));
-    f.suggestion = fmt::format("{}.hub.clearance_mm = {:g}", name(design), f.allowed);
+    f.suggestion = change(design, "hub.clearance_mm", number(f.allowed));
     return {f};
 }
 
@@ -25,8 +25,8 @@ Rule shaft_bore_fit() {
             "a bore too tight or too loose on its shaft",
             "clearance of the bore on the shaft, in diameter",
             "clearances of printing: 3dservicesusa, cifproto, arti90, layerx3d; the others (practice)",
-            {review(kAtLeast, "mm", "the process's least fit", "low_review"),
-             review(kAtMost, "mm", "the process's largest fit", "high_review")},
+            {of_process(review(kAtLeast, "mm", "the process's least fit", "low_review")),
+             of_process(review(kAtMost, "mm", "the process's largest fit", "high_review"))},
             measure_shaft_bore_fit};
 }
 

@@ -17,7 +17,7 @@ core::Findings measure_shaft_hub_wall(const Design& design, const Allowed& allow
     core::Finding f = judge(core::mm_from_m(0.5 * hub.boss_diameter - radius),
                             {allowed("required", core::mm_from_m(process.wall)), allowed("review", core::mm_from_m(process.loaded_wall))});
     f.what = "wall of the boss around bore and keyway";
-    f.suggestion = fmt::format("{}.hub.boss_mm = {}", name(design), up(2.0 * (core::mm_from_m(radius) + f.allowed)));
+    f.suggestion = change(design, "hub.boss_mm", up(2.0 * (core::mm_from_m(radius) + f.allowed)));
     return {f};
 }
 
@@ -28,7 +28,7 @@ Rule shaft_hub_wall() {
             "a boss that bursts around its shaft",
             "wall of the boss around bore and keyway",
             "the process's walls: thin required, loaded recommended",
-            {required(kAtLeast, "mm", "the process's wall"), review(kAtLeast, "mm", "the process's loaded wall")},
+            {of_process(required(kAtLeast, "mm", "the process's wall")), of_process(review(kAtLeast, "mm", "the process's loaded wall"))},
             measure_shaft_hub_wall};
 }
 

@@ -9,31 +9,31 @@ namespace fusee::checks {
 namespace {
 
 /// A size that should be that of the standard.
-core::Finding exactly(double measured, const EffectiveLimit& least, const EffectiveLimit& most, const std::string& what,
-                      const std::string& key) {
+core::Finding exactly(const Design& design, const char* key, double measured, const EffectiveLimit& least, const EffectiveLimit& most,
+                      const std::string& what) {
     core::Finding f = judge(core::mm_from_m(measured), {least, most});
     f.what = what;
-    f.suggestion = fmt::format("{} = {:g}", key, f.allowed);
+    f.suggestion = change(design, key, number(f.allowed));
     return f;
 }
 
 core::Findings measure_shaft_key(const Design& design, const Allowed& allowed) {
     const solid::HubOptions& hub = design.part.options.hub;
     if (hub.lock != solid::HubLock::kKeyway) return {};
-    const std::string keys = name(design) + ".hub.";
+
     const double bore = core::mm_from_m(hub.bore_diameter);
     if (const KeySize* size = key_size(hub.bore_diameter)) {
         const double b = core::mm_from_m(size->width), t2 = core::mm_from_m(size->hub_depth);
-        return {exactly(hub.key_width, allowed("least_width_review", b), allowed("width_review", b),
-                        fmt::format("width b of the keyway in a {:g} mm bore", bore), keys + "key_width_mm"),
-                exactly(hub.key_depth, allowed("least_depth_review", t2), allowed("depth_review", t2),
-                        fmt::format("depth t2 of the keyway in a {:g} mm bore", bore), keys + "key_depth_mm")};
+        return {exactly(design, "hub.key_width_mm", hub.key_width, allowed("least_width_review", b), allowed("width_review", b),
+                        fmt::format("width b of the keyway in a {:g} mm bore", bore)),
+                exactly(design, "hub.key_depth_mm", hub.key_depth, allowed("least_depth_review", t2), allowed("depth_review", t2),
+                        fmt::format("depth t2 of the keyway in a {:g} mm bore", bore))};
     }
     const double least = core::mm_from_m(key_table().front().above), most = core::mm_from_m(key_table().back().up_to);
     core::Finding f = judge(bore, {allowed("least_bore_review", least), allowed("bore_review", most)});
     f.what = "bore with a keyway: the table has no key for this shaft";
-    f.suggestion = bore < least ? fmt::format("{0}lock = \"d_flat\", or {0}bore_mm = {1:g}", keys, least)
-                                : fmt::format("{}bore_mm = {:g}", keys, most);
+    if (bore < least) f.suggestion = change(design, "hub.lock", quoted("d_flat"));
+    f.suggestion.or_else(change(design, "hub.bore_mm", number(bore < least ? least : most)));
     return {f};
 }
 

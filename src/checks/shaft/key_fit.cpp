@@ -23,7 +23,7 @@ core::Findings measure_shaft_key_fit(const Design& design, const Allowed& allowe
                  : fmt::format("tolerance of a keyway of {:g} mm as made by {}: the part may turn by {:.1f} deg on its key, or not take it",
                                core::mm_from_m(hub.key_width), to_string(design.process.kind),
                                core::deg_from_rad(4.0 * tolerance / hub.bore_diameter));
-    f.suggestion = fmt::format("{}.hub.key_fit = \"by_hand\": filed or broached to +-{:g} mm", name(design), f.allowed);
+    f.suggestion = change(design, "hub.key_fit", quoted("by_hand")).noted(fmt::format(": filed or broached to +-{:g} mm", f.allowed));
     return {f};
 }
 

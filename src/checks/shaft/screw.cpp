@@ -17,12 +17,12 @@ core::Findings measure_shaft_screw(const Design& design, const Allowed& allowed)
     const double screw = core::mm_from_m(hub.screw_diameter), bore = core::mm_from_m(hub.bore_diameter);
     core::Finding size = judge(screw, {allowed("least_review", kThinnest * bore), allowed("most_review", kShare * bore)});
     size.what = fmt::format("set screw in a {:g} mm bore: about half the shaft's diameter", bore);
-    size.suggestion = fmt::format("{}.hub.screw_mm = {:g}", name(design), size.allowed);
+    size.suggestion = change(design, "hub.screw_mm", number(size.allowed));
     const double wall = process_limits(design.process).wall;
     core::Finding boss =
         judge(core::mm_from_m(hub.boss_height), {allowed("boss_required", core::mm_from_m(hub.screw_diameter + 2.0 * wall))});
     boss.what = "height of the boss that holds the set screw and a wall on both sides";
-    boss.suggestion = fmt::format("{}.hub.boss_height_mm = {}", name(design), up(boss.allowed));
+    boss.suggestion = change(design, "hub.boss_height_mm", up(boss.allowed));
     return {size, boss};
 }
 

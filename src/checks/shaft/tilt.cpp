@@ -22,7 +22,7 @@ core::Findings measure_shaft_tilt(const Design& design, const Allowed& allowed) 
     f.what = fmt::format("angle by which the cam can tilt on its shaft: {:g} mm of clearance over {:.3g} mm of bore",
                          core::mm_from_m(hub.bore_clearance), core::mm_from_m(length));
     const double longer = hub.bore_clearance / std::tan(core::rad_from_deg(f.allowed)) - length;
-    f.suggestion = fmt::format("{}.hub.boss_height_mm = {}", name(design), up(core::mm_from_m(hub.boss_height + longer)));
+    f.suggestion = change(design, "hub.boss_height_mm", up(core::mm_from_m(hub.boss_height + longer)));
     return {f};
 }
 

@@ -14,8 +14,9 @@ core::Findings measure_sla_drain(const Design& design, const Allowed& allowed) {
     const double bore = 2.0 * bore_radius(hub);
     core::Finding f = judge(bore_length(design.part) / bore, {allowed("review")});
     f.what = "depth of the blind bore over its diameter: resin stays in it";
-    f.suggestion = fmt::format("a drain hole at its end, or {}.hub.boss_height_mm = {}", name(design),
-                               down(core::mm_from_m(hub.boss_height) - (f.measured - f.allowed) * core::mm_from_m(bore)));
+    f.suggestion = "a drain hole at its end";
+    f.suggestion.or_else(
+        change(design, "hub.boss_height_mm", down(core::mm_from_m(hub.boss_height) - (f.measured - f.allowed) * core::mm_from_m(bore))));
     return {f};
 }
 

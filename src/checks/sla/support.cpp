@@ -13,7 +13,7 @@ core::Findings measure_sla_support(const Design& design, const Allowed& allowed)
     core::Finding f = judge(core::deg_from_rad(largest_overhang(design.part)), {allowed("review")});
     f.what = "angle of the groove's upper flank from the vertical; above the limit it needs supports where the cable runs";
     f.where = name(design) + " all along the groove";
-    f.suggestion = fmt::format("groove.throat_deg = {:g}", 180.0 - 2.0 * f.allowed);
+    f.suggestion = change("groove.throat_deg", number(180.0 - 2.0 * f.allowed));
     return {f};
 }
 

@@ -14,7 +14,7 @@ core::Findings measure_sls_groove(const Design& design, const Allowed& allowed) 
     core::Finding f = judge(core::mm_from_m(width), {allowed("review")});
     f.what = "width of the groove at the height of the cable's centreline";
     f.where = name(design) + " all along the groove";
-    f.suggestion = fmt::format("cable.diameter_mm = {}", up(core::mm_from_m(design.cable.diameter) * f.allowed / f.measured));
+    f.suggestion = change("cable.diameter_mm", up(core::mm_from_m(design.cable.diameter) * f.allowed / f.measured));
     return {f};
 }
 

@@ -10,7 +10,7 @@ namespace {
 core::Findings measure_spring_active_coils(const Design& design, const Allowed& allowed) {
     core::Finding f = judge(design.spring.active_coils, {allowed("required"), allowed("review")});
     f.what = "active coils of the base spring";
-    f.suggestion = fmt::format("{}.spring.active_coils = {}", name(design), up(f.allowed));
+    f.suggestion = change(design, "spring.active_coils", up(f.allowed));
     return {f};
 }
 

@@ -16,7 +16,7 @@ core::Findings measure_spring_body_growth(const Design& design, const Allowed& a
     const double turns = largest_state(design) / (2.0 * core::kPi);
     core::Finding f = judge(core::mm_from_m(spring::wound_length(s, largest_state(design))), {*space});
     f.what = fmt::format("length of the base spring's body when it is wound by {:.2f} turns", turns);
-    f.suggestion = fmt::format("{}.spring.free_length_mm = {}", name(design), up(f.measured));
+    f.suggestion = change(design, "spring.free_length_mm", up(f.measured));
     return {f};
 }
 

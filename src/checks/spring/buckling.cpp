@@ -27,7 +27,7 @@ double critical_compression(const spring::BaseSpring& s) {
 }
 
 /// A shorter spring where its travel still fits in; a guide in any case. The cable runs through the coils, so that a rod is a tube.
-std::string change_of(const Design& design) {
+core::Suggestion change_of(const Design& design) {
     const spring::BaseSpring& s = design.spring;
     const double stable = core::mm_from_m(stable_length(s)), outside = core::mm_from_m(s.coil_diameter + s.wire_diameter);
     const auto travel = spring::travel_to_solid(s);
@@ -39,7 +39,7 @@ std::string change_of(const Design& design) {
     const std::string guides = fmt::format("{}, or a sleeve of more than {:.3g} mm around the coils", guide, outside);
     if (least > stable)
         return fmt::format("{}; no shorter spring: stable below {:.1f} mm, but its turns and travel need {:.1f} mm", guides, stable, least);
-    return fmt::format("{}.spring.free_length_mm = {}, or {}", name(design), down(stable), guides);
+    return change(design, "spring.free_length_mm", down(stable)).or_else(guides);
 }
 
 core::Findings measure_spring_buckling(const Design& design, const Allowed& allowed) {

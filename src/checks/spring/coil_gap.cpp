@@ -19,9 +19,8 @@ core::Findings measure_spring_coil_gap(const Design& design, const Allowed& allo
     const double gaps = s.active_coils * (kCoil * coil * coil / wire + kWire * wire);
     core::Finding f = judge(core::mm_from_m(*solid - largest_state(design)), {allowed("review", gaps)});
     f.what = "remaining travel between the coils of the base spring at its largest compression";
-    f.suggestion =
-        fmt::format("{}.spring.free_length_mm = {}, or {}", name(design), up(core::mm_from_m(s.free_length) + f.allowed - f.measured),
-                    limit_state(design, *solid - core::m_from_mm(f.allowed)));
+    f.suggestion = change(design, "spring.free_length_mm", up(core::mm_from_m(s.free_length) + f.allowed - f.measured))
+                       .or_else(limit_state(design, *solid - core::m_from_mm(f.allowed)));
     return {f};
 }
 

@@ -42,7 +42,7 @@ core::Findings measure_spring_fatigue(const Design& design, const Allowed& allow
     f.what =
         fmt::format("safety of the wire for {:.3g} cycles from {:.4g} to {:.4g} {}: amplitude {:.0f} of {:.0f} MPa, mean {:.0f} of {:.0f}",
                     s.cycles, low, high, torsion ? "Nm" : "N", a / kPaPerMPa, lasting / kPaPerMPa, m / kPaPerMPa, ultimate / kPaPerMPa);
-    f.suggestion = stronger_wire(design, spring::tensile_strength(s) * f.allowed / f.measured) + ", or a thicker wire with more turns";
+    f.suggestion = stronger_wire(design, spring::tensile_strength(s) * f.allowed / f.measured).or_else("a thicker wire with more turns");
     return {f};
 }
 

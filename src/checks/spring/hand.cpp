@@ -14,8 +14,8 @@ core::Findings measure_spring_hand(const Design& design, const Allowed& allowed)
     core::Finding f = judge((left ? 1 : -1) * design.part.cam.rotation_sign, {allowed("required")});
     f.what =
         fmt::format("a {}-hand spring over the top face, {} by the part", left ? "left" : "right", f.measured > 0.0 ? "wound" : "unwound");
-    f.suggestion = fmt::format("{0}.spring.hand = \"{1}\", or {0}.torque_sign = {2}", name(design), left ? "right" : "left",
-                               -design.part.cam.options.torque_sign);
+    f.suggestion = change(design, "spring.hand", quoted(left ? "right" : "left"))
+                       .or_else(change(design, "torque_sign", number(-design.part.cam.options.torque_sign)));
     return {f};
 }
 

@@ -23,7 +23,7 @@ core::Findings measure_spring_leg_bending(const Design& design, const Allowed& a
     f.suggestion = limit_load(design, design.spring.rate * largest_state(design) * f.allowed / f.measured);
     // The moment's lever, less the part that the slot's depth does not change.
     const double depth = 2.0 * (moment / force * f.allowed / f.measured - radius - 0.5 * s.wire_diameter);
-    if (depth > 0.0) f.suggestion += fmt::format(", or {}.features.leg_slot_depth_mm = {}", name(design), down(core::mm_from_m(depth)));
+    if (depth > 0.0) f.suggestion.or_else(change(design, "features.leg_slot_depth_mm", down(core::mm_from_m(depth))));
     return {f};
 }
 

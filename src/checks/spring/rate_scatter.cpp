@@ -19,7 +19,7 @@ core::Findings measure_spring_rate_scatter(const Design& design, const Allowed& 
     core::Finding f = judge(state / (1.0 - kScatter), {*most});
     f.what = fmt::format("largest {} of a base spring whose rate is {:.0f} % low, preload trimmed", torsion ? "winding" : "compression",
                          100.0 * kScatter);
-    f.suggestion = limit_state(design, (1.0 - kScatter) * f.allowed / unit) + ", or the measured rate in the profile";
+    f.suggestion = limit_state(design, (1.0 - kScatter) * f.allowed / unit).or_else("the measured rate in the profile");
     return {f};
 }
 

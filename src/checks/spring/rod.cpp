@@ -24,7 +24,7 @@ core::Findings measure_spring_rod(const Design& design, const Allowed& allowed) 
     const double inside = spring::inside_diameter(design.spring, largest_state(design));
     core::Finding f = judge(inside / inner_rod(design), {allowed("required"), allowed("review")});
     f.what = fmt::format("inside diameter of the loaded coils, {:.2f} mm, over {}", core::mm_from_m(inside), what_stands_inside(design));
-    f.suggestion = fmt::format("{}.spring.rod_mm = {}", name(design), down(core::mm_from_m(inside / f.allowed)));
+    f.suggestion = change(design, "spring.rod_mm", down(core::mm_from_m(inside / f.allowed)));
     return {f};
 }
 

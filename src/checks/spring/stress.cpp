@@ -21,7 +21,7 @@ core::Findings measure_spring_stress(const Design& design, const Allowed& allowe
         judge(spring::wire_stress(s, load) / kPaPerMPa, {allowed("required", share * spring::tensile_strength(s) / kPaPerMPa)});
     f.what = fmt::format("{} stress of the wire at {:.4g} {}, allowed {:.0f} % of its strength", torsion ? "bending" : "shear", load,
                          torsion ? "Nm" : "N", 100.0 * share);
-    f.suggestion = limit_load(design, load * f.allowed / f.measured) + ", or " + stronger_wire(design, f.measured / share * kPaPerMPa);
+    f.suggestion = limit_load(design, load * f.allowed / f.measured).or_else(stronger_wire(design, f.measured / share * kPaPerMPa));
     return {f};
 }
 

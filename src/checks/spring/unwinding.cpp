@@ -13,7 +13,7 @@ core::Findings measure_spring_unwinding(const Design& design, const Allowed& all
     core::Finding f = judge(least.arm.state, {allowed("review")});
     f.what = "least winding of the base spring, preload included: a jerk may unwind it";
     f.where = where(design, least.path.psi);
-    f.suggestion = fmt::format("{}.spring.preload_rad = {}", name(design), up(design.spring.preload + f.allowed - f.measured));
+    f.suggestion = change(design, "spring.preload_rad", up(design.spring.preload + f.allowed - f.measured));
     return {f};
 }
 

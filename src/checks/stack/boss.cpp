@@ -12,7 +12,7 @@ core::Findings measure_stack_boss(const Design& design, const Allowed& allowed) 
     const solid::HubOptions& hub = design.part.options.hub;
     core::Finding f = judge(core::mm_from_m(hub.boss_height), {allowed("required")});
     f.what = "height of the boss below the plates";
-    f.suggestion = fmt::format("{0}.hub.boss_height_mm = {1:g} and {0}.hub.kind = \"through\"", name(design), f.allowed);
+    f.suggestion = change(design, "hub.boss_height_mm", number(f.allowed)).with(key_of(design, "hub.kind"), quoted("through"));
     return {f};
 }
 

@@ -17,7 +17,7 @@ core::Findings measure_stack_climb(const Design& design, const Allowed& allowed)
     const auto [low, high] = std::minmax_element(path.begin(), path.end(), [](const auto& a, const auto& b) { return a.z < b.z; });
     core::Finding f = judge(core::mm_from_m(high->z - low->z), {allowed("required")});
     f.what = "rise of the groove from end to end";
-    f.suggestion = fmt::format("{}.path.kind = \"planar\" without lead, pitch_mm and hand: {:g} mm", name(design), f.allowed);
+    f.suggestion = change(design, "path.kind", quoted("planar")).noted(fmt::format(" without lead, pitch_mm and hand: {:g} mm", f.allowed));
     return {f};
 }
 

@@ -18,10 +18,9 @@ core::Findings measure_stack_dowels(const Design& design, const Allowed& allowed
     core::Finding f = judge(space, {allowed("required", solid::kDowel_mm + 2.0 * wall)});
     f.what = "diameter of the free circles around two opposite dowels, clear of bore, holes and groove floor";
     const double lacking = core::m_from_mm(kMore * (f.allowed - f.measured)), bore = design.part.options.hub.bore_diameter;
-    if (bore > 2.0 * lacking)
-        f.suggestion = fmt::format("{}.hub.bore_mm = {}, or ", name(design), down(core::mm_from_m(bore - 2.0 * lacking)));
+    if (bore > 2.0 * lacking) f.suggestion = change(design, "hub.bore_mm", down(core::mm_from_m(bore - 2.0 * lacking)));
     const double arm = design.part.cam.working.empty() ? bore : design.part.cam.working.front().path.h;
-    f.suggestion += scale_arms(design, (arm + lacking) / arm);
+    f.suggestion.or_else(scale_arms(design, (arm + lacking) / arm));
     return {f};
 }
 

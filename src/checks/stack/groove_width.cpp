@@ -15,7 +15,7 @@ core::Findings measure_stack_groove_width(const Design& design, const Allowed& a
     f.what = fmt::format("thickness of the groove's plate, {:.3f} mm, over the cable's diameter",
                          core::mm_from_m(solid::core_thickness(design.part)));
     const double plate = core::mm_from_m(f.allowed * d);
-    f.suggestion = fmt::format("groove.plate_mm = {}", f.bound == kAtLeast ? up(plate) : down(plate));
+    f.suggestion = change("groove.plate_mm", f.bound == kAtLeast ? up(plate) : down(plate));
     return {f};
 }
 

@@ -18,7 +18,7 @@ core::Findings measure_stack_kerf(const Design& design, const Allowed& allowed) 
     const double kerf = 2.0 * process_limits(design.process).cutter_radius;
     core::Finding f = judge(core::mm_from_m(narrowest), {allowed("review", core::mm_from_m(1.5 * kerf))});
     f.what = fmt::format("narrowest opening of the plates: {}", at_slot ? "spring leg's slot" : "keyway");
-    f.suggestion = fmt::format("{}.{} = {}", name(design), at_slot ? "features.leg_slot_width_mm" : "hub.key_width_mm", up(f.allowed));
+    f.suggestion = change(design, at_slot ? "features.leg_slot_width_mm" : "hub.key_width_mm", up(f.allowed));
     return {f};
 }
 

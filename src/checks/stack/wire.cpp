@@ -17,7 +17,7 @@ core::Findings measure_stack_wire(const Design& design, const Allowed& allowed) 
     core::Finding f = judge(core::mm_from_m(0.5 * (at_slot ? slot : hole)),
                             {allowed("required", core::mm_from_m(process_limits(design.process).cutter_radius))});
     f.what = fmt::format("least inner radius of the plates: {}", at_slot ? "ends of the spring leg's slot" : "anchor hole");
-    f.suggestion = fmt::format("{}.features.{} = {}", name(design), at_slot ? "leg_slot_width_mm" : "anchor_hole_mm", up(2.0 * f.allowed));
+    f.suggestion = change(design, at_slot ? "features.leg_slot_width_mm" : "features.anchor_hole_mm", up(2.0 * f.allowed));
     return {f};
 }
 

@@ -48,12 +48,11 @@ core::Findings measure_structure_anchor(const Design& design, const Allowed& all
     f.where = where(design, cam.anchor_psi);
     f.place = place(anchor, -radius);
     const double smaller = 2.0 * radius - core::m_from_mm(f.allowed - f.measured);  // its far edge stays at the pitch curve
-    f.suggestion = nearest.from_inside && smaller > 0.0
-                       ? fmt::format("{}.features.anchor_hole_mm = {}", name(design), down(core::mm_from_m(smaller)))
-                       : fmt::format("{}.features.anchor_hole_mm = 0 and a knot or clamp outside the part", name(design));
+    f.suggestion = nearest.from_inside && smaller > 0.0 ? change(design, "features.anchor_hole_mm", down(core::mm_from_m(smaller)))
+                                                        : without_anchor_hole(design);
     if (nearest.turns)
-        f.suggestion += fmt::format(", or {}.features.leg_slot_angle_deg = {:.0f}", name(design),
-                                    core::deg_from_rad(std::atan2(-centre[1], -centre[0])));  // opposite the hole
+        f.suggestion.or_else(change(design, "features.leg_slot_angle_deg",
+                                    fmt::format("{:.0f}", core::deg_from_rad(std::atan2(-centre[1], -centre[0])))));  // opposite the hole
     return {f};
 }
 
@@ -64,7 +63,7 @@ Rule structure_anchor() {
                      "the anchor hole breaking into bore, slot or another turn",
                      "least wall from the hole to bore, slot and the turns above",
                      "the process's thinnest wall",
-                     {required(kAtLeast, "mm", "the process's wall")},
+                     {of_process(required(kAtLeast, "mm", "the process's wall"))},
                      measure_structure_anchor});
 }
 

@@ -41,10 +41,10 @@ core::Findings measure_structure_anchor_floor(const Design& design, const Allowe
     f.what = "distance from the anchor hole to the working floor";
     f.where = where(design, found.at.psi);
     f.place = place(found.at, -0.5 * cam.options.cable_diameter);
-    f.suggestion = fmt::format("{}.features.anchor_hole_mm = 0 and a knot or clamp outside the part", name(design));
+    f.suggestion = without_anchor_hole(design);
     for (const double margin : cam::margins_by_distance(cam)) {
         if (clearance(cam, cam::anchor_direction(cam, margin), radius).gap < 0.55 * design.cable.diameter) continue;
-        f.suggestion = fmt::format("{}.path.margin_deg = {:.0f}", name(design), core::deg_from_rad(margin));
+        f.suggestion = change(design, "path.margin_deg", fmt::format("{:.0f}", core::deg_from_rad(margin)));
         break;
     }
     return {f};

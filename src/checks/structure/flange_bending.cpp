@@ -29,7 +29,7 @@ core::Findings measure_structure_flange_bending(const Design& design, const Allo
     f.where = where(design, worst.path.psi);
     f.place = place(worst.path, 0.0);
     const double thicker = thickness * std::sqrt(f.measured / f.allowed) - thickness;
-    f.suggestion = fmt::format("groove.rib_mm = {}", up(core::mm_from_m(rib + thicker)));
+    f.suggestion = change("groove.rib_mm", up(core::mm_from_m(rib + thicker)));
     return {f};
 }
 

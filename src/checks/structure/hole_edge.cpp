@@ -19,8 +19,7 @@ core::Findings measure_structure_hole_edge(const Design& design, const Allowed& 
     f.what = "wall between the cable's anchor hole and the rim of the upper flange";
     f.where = where(design, hole->at.psi);
     f.place = place(hole->at, 0.0);
-    f.suggestion = fmt::format("{}.flange_height_mm = {}", name(design),
-                               up(core::mm_from_m(design.part.options.flange_height) + f.allowed - f.measured));
+    f.suggestion = change(design, "flange_height_mm", up(core::mm_from_m(design.part.options.flange_height) + f.allowed - f.measured));
     return {f};
 }
 
@@ -31,7 +30,7 @@ Rule structure_hole_edge() {
             "the anchor hole tearing out of the rim",
             "planar: wall from the anchor hole to the rim of the flange",
             "the process's thinnest wall",
-            {review(kAtLeast, "mm", "the process's wall")},
+            {of_process(review(kAtLeast, "mm", "the process's wall"))},
             measure_structure_hole_edge};
 }
 

@@ -35,9 +35,8 @@ core::Findings measure_structure_idle_curvature(const Design& design, const Allo
     // An arc that already keeps its least radius elsewhere is as sharp as the ends of the working arc. Then min_idle_radius_mm must be
     // smaller.
     const std::string radius = f.severity == core::Severity::kWarning ? down(f.measured) : up(f.allowed);
-    f.suggestion = cam.closed()
-                       ? fmt::format("{}.path.min_idle_radius_mm = {}", name(design), radius)
-                       : fmt::format("{}.path.margin_deg = {}: a longer run-out has a larger radius", name(design), up(1.5 * margin));
+    f.suggestion = cam.closed() ? change(design, "path.min_idle_radius_mm", radius)
+                                : change(design, "path.margin_deg", up(1.5 * margin)).noted(": a longer run-out has a larger radius");
     return {f};
 }
 

@@ -46,8 +46,7 @@ core::Findings measure_structure_layer_strength(const Design& design, const Allo
                          worst.arm.tension, stress.bending / kPaPerMPa, stress.torsion / kPaPerMPa, material.name);
     f.where = where(design, worst.path.psi);
     f.place = place(worst.path, 0.0);
-    f.suggestion = fmt::format("{}.hub.boss_mm = {}", name(design),
-                               up(core::mm_from_m(part.options.hub.boss_diameter) * std::cbrt(f.allowed / f.measured)));
+    f.suggestion = change(design, "hub.boss_mm", up(core::mm_from_m(part.options.hub.boss_diameter) * std::cbrt(f.allowed / f.measured)));
     return {f};
 }
 

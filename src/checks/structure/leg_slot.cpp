@@ -65,15 +65,16 @@ core::Findings measure_structure_leg_slot(const Design& design, const Allowed& a
     // Move the slot if the other side has the space; otherwise shorten it by the total lack. A slot must be longer than it is wide.
     const double shorter = features.leg_slot_length + space;
     if (shorter < kShortest * features.leg_slot_width) {
-        f.suggestion = fmt::format("{}.features.leg_slot_width_mm = 0 and the leg held outside the part: {} mm are missing for the slot",
-                                   name(design), up(core::mm_from_m(kShortest * features.leg_slot_width - shorter)));
+        f.suggestion = change(design, "features.leg_slot_width_mm", "0")
+                           .noted(fmt::format(" and the leg held outside the part: {} mm are missing for the slot",
+                                              up(core::mm_from_m(kShortest * features.leg_slot_width - shorter))));
         return {f};
     }
-    f.suggestion =
-        space >= 0.0 ? fmt::format("{}.features.leg_slot_radius_mm = {:.3f}", name(design),
-                                   core::mm_from_m(features.leg_slot_radius + (inwards ? lacking : -lacking)))
-                     : fmt::format("{0}.features.leg_slot_length_mm = {1:.3f} with {0}.features.leg_slot_radius_mm = {2:.3f}", name(design),
-                                   core::mm_from_m(shorter), core::mm_from_m(features.leg_slot_radius + 0.5 * (w.outer - w.inner)));
+    const double aside = space >= 0.0 ? (inwards ? lacking : -lacking) : 0.5 * (w.outer - w.inner);
+    const std::string radius = fmt::format("{:.3f}", core::mm_from_m(features.leg_slot_radius + aside));
+    f.suggestion = space >= 0.0 ? change(design, "features.leg_slot_radius_mm", radius)
+                                : change(design, "features.leg_slot_length_mm", fmt::format("{:.3f}", core::mm_from_m(shorter)))
+                                      .with(key_of(design, "features.leg_slot_radius_mm"), radius);
     return {f};
 }
 
@@ -84,7 +85,7 @@ Rule structure_leg_slot() {
             "the spring leg's slot breaking into bore or groove",
             "least wall from the slot to bore and groove floor (to the rim if it lies above the groove)",
             "the process's walls: thin required, loaded recommended",
-            {required(kAtLeast, "mm", "the process's wall"), review(kAtLeast, "mm", "the process's loaded wall")},
+            {of_process(required(kAtLeast, "mm", "the process's wall")), of_process(review(kAtLeast, "mm", "the process's loaded wall"))},
             measure_structure_leg_slot};
 }
 

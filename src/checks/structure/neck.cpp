@@ -47,7 +47,7 @@ Rule structure_neck() {
             "a core so thin that the part breaks in two",
             "least width of the core between two opposite places of the floor",
             "the process's least feature",
-            {review(kAtLeast, "mm", "the process's feature")},
+            {of_process(review(kAtLeast, "mm", "the process's feature"))},
             measure_structure_neck};
 }
 

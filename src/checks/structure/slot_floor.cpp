@@ -18,8 +18,7 @@ core::Findings measure_structure_slot_floor(const Design& design, const Allowed&
                             {allowed("required", core::mm_from_m(process.wall)), allowed("review", core::mm_from_m(process.loaded_wall))});
     f.what = "material under the spring leg's slot";
     f.where = fmt::format("{} at body angle {:.1f} deg", name(design), core::deg_from_rad(features.leg_slot_angle));
-    f.suggestion = fmt::format("{}.features.leg_slot_depth_mm = {}", name(design),
-                               down(core::mm_from_m(features.leg_slot_depth) + f.measured - f.allowed));
+    f.suggestion = change(design, "features.leg_slot_depth_mm", down(core::mm_from_m(features.leg_slot_depth) + f.measured - f.allowed));
     return {f};
 }
 
@@ -30,7 +29,7 @@ Rule structure_slot_floor() {
             "the spring leg's slot breaking through the part",
             "material under the slot",
             "the process's walls: thin required, loaded recommended",
-            {required(kAtLeast, "mm", "the process's wall"), review(kAtLeast, "mm", "the process's loaded wall")},
+            {of_process(required(kAtLeast, "mm", "the process's wall")), of_process(review(kAtLeast, "mm", "the process's loaded wall"))},
             measure_structure_slot_floor};
 }
 

@@ -13,7 +13,7 @@ namespace {
 core::Finding web(const Design& design, const EffectiveLimit& required, const EffectiveLimit& review) {
     core::Finding f = judge(core::mm_from_m(design.part.options.hub.web), {required, review});
     f.what = "web between the blind bore's end and the groove's lower lip";
-    f.suggestion = fmt::format("{}.hub.web_mm = {}", name(design), up(f.allowed));
+    f.suggestion = change(design, "hub.web_mm", up(f.allowed));
     return f;
 }
 
@@ -36,8 +36,8 @@ core::Findings measure_structure_wall_to_bore(const Design& design, const Allowe
     f.where = where(design, nearest.at.psi);
     f.place = place(nearest.at, floor);
     const double lacking = core::m_from_mm(f.allowed) - nearest.distance, bore = hub.bore_diameter - 2.0 * lacking;
-    if (bore > 0.0) f.suggestion = fmt::format("{}.hub.bore_mm = {}, or ", name(design), down(core::mm_from_m(bore)));
-    if (nearest.at.h > 0.0) f.suggestion += scale_arms(design, (nearest.at.h + lacking) / nearest.at.h);
+    if (bore > 0.0) f.suggestion = change(design, "hub.bore_mm", down(core::mm_from_m(bore)));
+    if (nearest.at.h > 0.0) f.suggestion.or_else(scale_arms(design, (nearest.at.h + lacking) / nearest.at.h));
     return {f};
 }
 
@@ -48,7 +48,7 @@ Rule structure_wall_to_bore() {
             "the groove breaking into the bore, its keyway or the blind bore's end",
             "least wall from groove floor to bore or keyway corner; overhung: the web",
             "the process's walls: thin required, loaded recommended",
-            {required(kAtLeast, "mm", "the process's wall"), review(kAtLeast, "mm", "the process's loaded wall")},
+            {of_process(required(kAtLeast, "mm", "the process's wall")), of_process(review(kAtLeast, "mm", "the process's loaded wall"))},
             measure_structure_wall_to_bore};
 }
 

@@ -28,7 +28,7 @@ Rule mesh_gap() {
              "a slot too narrow to make or to keep open",
              "least distance between two faces up to 30 deg off parallel, where a ball outside the material touches both",
              "the process's least detail",
-             {review(kAtLeast, "mm", "the process's detail; none for plates")}},
+             {of_process(review(kAtLeast, "mm", "the process's detail; none for plates"))}},
             measure_mesh_gap};
 }
 

@@ -41,7 +41,7 @@ Rule mesh_hole() {
              "diameter 0.1 % "
              "below its limit meets it",
              "the process's least hole",
-             {required(kAtLeast, "mm", "the process's hole")}},
+             {of_process(required(kAtLeast, "mm", "the process's hole"))}},
             measure_mesh_hole};
 }
 

@@ -58,7 +58,7 @@ Rule mesh_inner_edge() {
              "an inner edge sharper than the cutter",
              "milled, cut: least radius of the inner edges along z; 0 for one that turns by 35 deg or more in one edge",
              "the process's cutter radius",
-             {review(kAtLeast, "mm", "the process's cutter radius; none printed")}},
+             {of_process(review(kAtLeast, "mm", "the process's cutter radius; none printed"))}},
             measure_mesh_inner_edge};
 }
 

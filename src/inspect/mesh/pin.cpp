@@ -59,7 +59,7 @@ Rule mesh_pin() {
              "a pin that breaks off or cannot be made",
              "thickness (as mesh.wall) where the material is at most twice as wide across it; reported only where the limit is broken",
              "the process's least feature",
-             {review(kAtLeast, "mm", "the process's feature")}},
+             {of_process(review(kAtLeast, "mm", "the process's feature"))}},
             measure_mesh_pin};
 }
 

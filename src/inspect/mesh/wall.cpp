@@ -40,7 +40,7 @@ Rule mesh_wall() {
              "least distance between two faces up to 30 deg off parallel, where a ball in the material touches both; none where these "
              "meet in an edge: mesh.feather_edge",
              "the process's walls: thin required, loaded recommended",
-             {required(kAtLeast, "mm", "the process's wall"), review(kAtLeast, "mm", "the process's loaded wall")}},
+             {of_process(required(kAtLeast, "mm", "the process's wall")), of_process(review(kAtLeast, "mm", "the process's loaded wall"))}},
             measure_mesh_wall};
 }
 

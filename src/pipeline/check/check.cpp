@@ -16,7 +16,7 @@ namespace {
 bool is_of_process(const checks::Override& limit) {
     const checks::Rule* rule = checks::find_rule(limit.rule);
     const checks::Limit* declared = rule == nullptr ? nullptr : rule->limit(limit.limit);
-    return declared != nullptr && (rule->group() == "process" || declared->by.find("process's") != std::string::npos);
+    return declared != nullptr && declared->of_process;
 }
 
 CheckedProcess check_process(const profile::Profile& profile, const core::Outcome<ResolvedDesign>& resolved, checks::ProcessKind kind) {

@@ -53,16 +53,16 @@ core::Finding covers(const actuator::Actuator& joint, const char* side, double t
         f.what = fmt::format("the springs reach every resting place that stiction allows at no co-contraction; the {} load", side);
         f.measured = low ? loads.low : loads.high;
         f.allowed = low ? (1.0 - kBeyondRest) * needed.low : (1.0 + kBeyondRest) * needed.high;
-        f.suggestion = fmt::format("law.{}_torque_Nm = {:.3g}", low ? "start" : "end", f.allowed);
+        f.suggestion = core::change(low ? "law.start_torque_Nm" : "law.end_torque_Nm", core::number(f.allowed, 3));
         return core::judged(f, core::Severity::kWarning);
     }
     f.what = fmt::format("the springs must reach every resting place that stiction allows at the {} co-contraction", side);
     f.measured = *covered;
     f.allowed = torque;
     // The load that a law must reach grows about as the torque.
-    f.suggestion = low ? fmt::format("rig.least_torque_Nm = {:.3g}, or law.lead_in_deg larger", 1.005 * *covered)
-                       : fmt::format("law.end_torque_Nm = {:.3g}, or rig.overdrive_torque_Nm = {:.3g}",
-                                     1.01 * loads.high * torque / *covered, 0.995 * *covered);
+    f.suggestion = low ? core::change("rig.least_torque_Nm", core::number(1.005 * *covered, 3)).or_else("law.lead_in_deg larger")
+                       : core::change("law.end_torque_Nm", core::number(1.01 * loads.high * torque / *covered, 3))
+                             .or_else(core::change("rig.overdrive_torque_Nm", core::number(0.995 * *covered, 3)));
     return core::judged(f, core::Severity::kWarning);
 }
 

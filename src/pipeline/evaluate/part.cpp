@@ -18,10 +18,10 @@ namespace fusee::pipeline {
 
 namespace {
 
-/// A steeper path, and its key as a profile has it.
+/// A steeper path, and its change of the profile.
 struct SteeperPath {
     cam::CamOptions options;
-    std::string change;
+    core::Suggestion change;
 };
 
 /// By rising pitch. A groove aimed at its guide may also get a constant pitch.
@@ -33,7 +33,7 @@ std::vector<SteeperPath> steeper(const std::string& part, const cam::CamOptions&
         double& rise = aimed ? to.guide.z : to.path.pitch;
         const std::string mm = fmt::format("{:.2f}", share * core::mm_from_m(rise));
         rise = core::m_from_mm(std::stod(mm));
-        paths.push_back({to, fmt::format("{}.{} = {}", part, aimed ? "guide.z_mm" : "path.pitch_mm", mm)});
+        paths.push_back({to, core::change(part + (aimed ? ".guide.z_mm" : ".path.pitch_mm"), mm)});
     }
     for (const double cables : {4.0, 6.0, 10.0, 16.0}) {
         if (!aimed) break;
@@ -41,7 +41,7 @@ std::vector<SteeperPath> steeper(const std::string& part, const cam::CamOptions&
         const std::string mm = fmt::format("{:.2f}", cables * core::mm_from_m(from.cable_diameter));
         to.path.lead = cam::Lead::kConstantPitch;
         to.path.pitch = core::m_from_mm(std::stod(mm));
-        paths.push_back({to, fmt::format("{0}.path.lead = \"constant_pitch\" with {0}.path.pitch_mm = {1}", part, mm)});
+        paths.push_back({to, core::change(part + ".path.lead", core::quoted("constant_pitch")).with(part + ".path.pitch_mm", mm)});
     }
     return paths;
 }
@@ -56,9 +56,11 @@ void suggest_pitch(core::Finding& refusal, const cam::ArmFunction& arm, const pr
         const auto cam = cam::synthesize_cam(arm, path.options);
         return cam && solid::build_part(*cam, spec.solid);
     });
-    refusal.suggestion = found != paths.end() ? found->change
-                                              : fmt::format("a base spring of {} whose arms differ less: even with {} its faces meet", part,
-                                                            paths.back().change);
+    if (found != paths.end())
+        refusal.suggestion = found->change;
+    else
+        refusal.suggestion =
+            fmt::format("a base spring of {} whose arms differ less: no steeper path that was tried separates its faces", part);
 }
 
 /// "cable.length": nothing if the profile does not state the length.
@@ -71,7 +73,8 @@ core::Findings check_cable_length(const cam::Cam& cam, const profile::Profile& p
     core::Finding f = core::error_finding("cable.length", "the cable reaches from its anchor round the cam's whole working arc",
                                           core::mm_from_m(length), core::Bound::kAtLeast, least, "mm");
     f.where = key;
-    f.suggestion = fmt::format("{} = {:.0f} and the free cable: the length counts from the anchor on the cam", key, std::ceil(least));
+    f.suggestion =
+        core::change(key, core::number(std::ceil(least))).noted(" and the free cable: the length counts from the anchor on the cam");
     f.source = "docs/theory/cams.md, eq. 18";
     return {core::judged(std::move(f), core::Severity::kError)};
 }

@@ -60,7 +60,7 @@ core::Finding judge_bore(const fs::path& stl, const exchange::PartFile& part) {
     f.allowed = kSameBore_mm;
     f.unit = "mm";
     f.where = part.part;
-    f.suggestion = "compensation.bore_offset_mm = 0, and report this error of fusee";
+    f.suggestion = core::change("compensation.bore_offset_mm", "0").noted(", and report this error of fusee");
     f.source = "docs/part-file.md: the file's bore minus the offset of the process";
     return core::judged(f, core::Severity::kError);
 }

@@ -23,15 +23,16 @@ namespace {
 
 /// No arm is off by more than the mesh's chordal error: the suggested error suits the least arm. If no cable can be laid at all, the guide
 /// lies within the part.
-std::string nearest_change(const readback::ArmError& error, const cam::Cam& cam) {
+core::Suggestion nearest_change(const readback::ArmError& error, const cam::Cam& cam) {
     double least = cam.working.front().path.h, farthest = 0.0;
     for (const cam::Contact& c : cam.working)
         least = std::min(least, c.path.h), farthest = std::max(farthest, std::hypot(c.path.h, c.path.slope));
     if (std::isfinite(error.worst_relative))
-        return fmt::format("tolerances.chordal_error_mm = {:.2g}", 0.8 * error.allowed * core::mm_from_m(least));
+        return core::change("tolerances.chordal_error_mm", core::number(0.8 * error.allowed * core::mm_from_m(least), 2));
     const cam::Guide& guide = cam.options.guide;
-    return fmt::format("{}.guide.distance_mm = {:.1f}: the guide lies within the part", to_string(cam.kind),
-                       core::mm_from_m(farthest + guide.radius + 2.0 * cam.options.cable_diameter));
+    const double outside = core::mm_from_m(farthest + guide.radius + 2.0 * cam.options.cable_diameter);
+    return core::change(std::string(to_string(cam.kind)) + ".guide.distance_mm", fmt::format("{:.1f}", outside))
+        .noted(": the guide lies within the part");
 }
 
 /// Every format that the profile asks for, PART.json with the files that carry the law, and the files compensated for the process.

@@ -33,8 +33,8 @@ core::Finding judge_print(const readback::ArmError& error, const solid::Part& pa
                           core::deg_from_rad(error.worst_angle_rad), error.rows);
     constexpr double kWidest = core::kPi / 3.0;
     f.suggestion = part.options.groove.throat < kWidest
-                       ? "groove.throat_deg = 60: on steeper flanks beads stand out by more than half a layer"
-                       : fmt::format("process.layer_mm = {:.2g}", core::mm_from_m(error.allowed * least));
+                       ? core::change("groove.throat_deg", "60").noted(": on steeper flanks beads stand out by more than half a layer")
+                       : core::change("process.layer_mm", core::number(core::mm_from_m(error.allowed * least), 2));
     f.source = "docs/theory/read_back.md, eq. 6";
     return core::judged(f, error.when_broken);
 }

@@ -38,7 +38,8 @@ core::Finding too_small(const std::vector<solid::Size2>& sizes, const std::array
     f.allowed = build[0];
     f.unit = "mm";
     f.where = "bed along x";
-    f.suggestion = fmt::format("process.build_mm = [{:g}, {:g}, {:g}], or print the parts one by one from their own files", x, y, build[2]);
+    f.suggestion = core::change("process.build_mm", fmt::format("[{:g}, {:g}, {:g}]", x, y, build[2]))
+                       .or_else("print the parts one by one from their own files");
     f.source = "process.build_mm; quarter turns about z allowed";
     return core::judged(f, core::Severity::kWarning);
 }

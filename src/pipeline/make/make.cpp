@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <future>
 #include <iterator>
+#include <set>
 
 #include "evaluate/both_parts.h"
 #include "export/joint_files.h"
@@ -58,11 +59,11 @@ LawReport law_report(const ResolvedDesign& design) {
 /// Announces external programs, which take seconds for each part.
 void announce(const profile::Profile& profile, const MakeOptions& options) {
     if (!options.note) return;
-    const std::string by_openscad = "OpenSCAD renders the solids";
-    if (options.via == Via::kOpenScad) options.note(profile.name + ": " + by_openscad);
+    std::set<std::string> notes;  // a program that several formats need is announced once
+    if (options.via == Via::kOpenScad) notes.insert(formats::kOpenScadRenders);
     for (const formats::Format& format : formats::all_formats())
-        if (profile.outputs.has(format.name) && *format.note != '\0' && (options.via != Via::kOpenScad || format.note != by_openscad))
-            options.note(profile.name + ": " + format.note);
+        if (profile.outputs.has(format.name) && *format.note != '\0') notes.insert(format.note);
+    for (const std::string& note : notes) options.note(profile.name + ": " + note);
 }
 
 void ask_to_stop(const MakeOptions& options) {

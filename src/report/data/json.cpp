@@ -10,8 +10,8 @@ namespace fusee::report {
 namespace {
 
 /// The alternatives of a suggestion, each by key.
-Json suggested_changes_json(const std::string& suggestion) {
-    return json_list(core::suggested_changes(suggestion), [](const core::Changes& changes) {
+Json suggested_changes_json(const core::Suggestion& suggestion) {
+    return json_list(suggestion.changes(), [](const core::Changes& changes) {
         Json one;
         for (const core::Change& change : changes) one[change.key] = change.value;
         return one;
@@ -28,7 +28,7 @@ Json finding_json(const core::Finding& f) {
            {"unit", f.unit},
            {"where", f.where}};
     if (f.place) j["place"] = {{"angle_rad", f.place->angle}, {"point_mm", f.place->point_mm}};
-    j["suggestion"] = f.suggestion;
+    j["suggestion"] = f.suggestion.text();
     j["changes"] = suggested_changes_json(f.suggestion);
     j["source"] = f.source;
     for (const core::OverriddenLimit& o : f.overridden)

@@ -33,7 +33,7 @@ std::string measured_text(double value, std::string unit) {
 std::vector<Cell> finding_row(const NumberedFinding& n) {
     const core::Finding& f = n.finding;
     Cell what = plain(f.what);
-    if (!f.suggestion.empty()) what.html += "<br><span class=\"fix\">" + escape(f.suggestion) + "</span>";
+    if (!f.suggestion.empty()) what.html += "<br><span class=\"fix\">" + escape(f.suggestion.text()) + "</span>";
     if (!f.source.empty()) what.html += "<br><span class=\"faint\">" + escape(f.source) + "</span>";
     return {{std::to_string(n.number), "num", fmt::format("finding-{}", n.number)},
             {tag(f.severity, core::to_string(f.severity)), ""},
@@ -66,7 +66,7 @@ std::string not_judged_block(const std::vector<NumberedFinding>& findings) {
                 rows.push_back({{tag(f.severity, "not judged"), "", fmt::format("finding-{}", n.number)},
                                 code(f.rule),
                                 plain(f.what),
-                                code(f.suggestion),
+                                code(f.suggestion.text()),
                                 where_cell(n)});
     return subheading("Not judged") +
            paragraph(not_judged_text(open) +

@@ -37,9 +37,10 @@ std::string lost_text(const LostTorque& lost) {
     return fmt::format("  {} {:g} -> {:g}: {:.3g} Nm lost; binds: {}\n", lost.key, lost.from, lost.to, lost.lost(), reason(lost.binds));
 }
 
-std::string change_text(const FixChange& change) {
-    if (!change.follows.empty()) return fmt::format("  {} = {} (was {}): follows {}\n", change.key, change.to, change.from, change.follows);
-    return fmt::format("  {} = {} (was {}): {}\n      {}\n", change.key, change.to, change.from, change.asks_for, reason(change.because));
+std::string change_text(const MadeChange& change) {
+    if (!change.follows.empty())
+        return fmt::format("  {} = {} (was {}): follows {}\n", change.key, change.value, change.was, change.follows);
+    return fmt::format("  {} = {} (was {}): {}\n      {}\n", change.key, change.value, change.was, change.asks_for, reason(change.because));
 }
 
 /// "cam.convexity (k_se at 3.2 Nm): measured -4.13 mm, allowed at least 0 mm"
@@ -51,9 +52,9 @@ std::string limit_text(core::Finding finding) {
 }
 
 std::string conflict_text(const FixConflict& c) {
-    const std::string asks = c.asks.empty() ? "" : fmt::format("; this rule needs {} = {}", c.key, c.asks);
-    return fmt::format("    {}\n      needs {} = {} (was {})\n      which breaks {}{}\n", limit_text(c.one), c.key, c.to, c.from,
-                       limit_text(c.other), asks);
+    const std::string asks = c.asks.empty() ? "" : fmt::format("; this rule needs {} = {}", c.change.key, c.asks);
+    return fmt::format("    {}\n      needs {} = {} (was {})\n      which breaks {}{}\n", limit_text(c.one), c.change.key, c.change.value,
+                       c.change.was, limit_text(c.other), asks);
 }
 
 /// Suggestions that were not followed, and why.
@@ -70,7 +71,7 @@ std::string not_judged_line(const Fix& fix) {
 
 std::string cannot_text(const Fix& fix) {
     std::string text = fix.changes.empty() ? "  errors of the profile:\n" : "  nearest design found:\n";
-    for (const FixChange& change : fix.changes) text += change_text(change);
+    for (const MadeChange& change : fix.changes) text += change_text(change);
     if (!fix.changes.empty()) text += "  remaining errors:\n";
     for (const core::Finding& finding : fix.left) text += fmt::format("  {}\n", core::to_line(finding));
     text += unchanged_text(fix);
@@ -90,9 +91,9 @@ std::string fix_text(const Fix& fix) {
         return fmt::format("{}: can be made as it is; nothing was changed ({})\n{}", fix.profile_name, tried, not_judged_line(fix));
     if (fix.end == End::kCannot)
         return fmt::format("{}: no combination of the suggested changes can be made ({})\n{}", fix.profile_name, tried, cannot_text(fix));
-    const auto own = std::count_if(fix.changes.begin(), fix.changes.end(), [](const FixChange& c) { return c.follows.empty(); });
+    const auto own = std::count_if(fix.changes.begin(), fix.changes.end(), [](const MadeChange& c) { return c.follows.empty(); });
     std::string text = fmt::format("{}: fixed by {} ({})\n", fix.profile_name, counted(static_cast<std::size_t>(own), "change"), tried);
-    for (const FixChange& change : fix.changes) text += change_text(change);
+    for (const MadeChange& change : fix.changes) text += change_text(change);
     for (const LostTorque& l : fix.lost) text += lost_text(l);
     text += unchanged_text(fix);
     text += band_line(fix);

@@ -20,17 +20,17 @@ const char* end_text(Fix::End end) {
 
 Json one_finding_json(const core::Finding& finding) { return findings_json({finding}).front(); }
 
-Json change_json(const FixChange& c) {
-    return {{"key", c.key},        {"from", c.from}, {"to", c.to}, {"asks_for", c.asks_for}, {"because", one_finding_json(c.because)},
+Json change_json(const MadeChange& c) {
+    return {{"key", c.key},        {"from", c.was}, {"to", c.value}, {"asks_for", c.asks_for}, {"because", one_finding_json(c.because)},
             {"follows", c.follows}};
 }
 
 Json conflict_json(const FixConflict& c) {
     return {{"one", one_finding_json(c.one)},
             {"other", one_finding_json(c.other)},
-            {"key", c.key},
-            {"from", c.from},
-            {"to", c.to},
+            {"key", c.change.key},
+            {"from", c.change.was},
+            {"to", c.change.value},
             {"asks", c.asks}};
 }
 

@@ -59,8 +59,8 @@ std::string open_findings(const core::Findings& findings) {
 std::string nearest_text(const init::Result& result, const std::string& file) {
     if (!result.nearest) return "no change of a single answer was found that gives a joint; nothing is written\n";
     const init::NearestChange& n = *result.nearest;
-    return fmt::format("nearest joint that can be made: {} {} instead of {}\n  fusee init {} {}\nnothing is written\n", n.option,
-                       word(n.to), word(n.from), word(file), n.options);
+    return fmt::format("nearest joint that can be made: {} {} instead of {}\n  fusee init {} {}\nnothing is written\n", n.answer.key,
+                       word(n.answer.value), word(n.answer.was), word(file), n.options);
 }
 
 }  // namespace

@@ -13,8 +13,8 @@ Json redesigned_profile_json(const RedesignProfile& profile) {
             {"asked_Nm", range_json(profile.cover.asked)},
             {"covered_Nm", range_json(profile.cover.covered)},
             {"changes", json_list(profile.changes,
-                                  [](const RedesignChange& c) {
-                                      return Json{{"key", c.key}, {"was", c.was}, {"is", c.is}, {"why", c.why}};
+                                  [](const Edit& c) {
+                                      return Json{{"key", c.key}, {"was", c.was}, {"is", c.value}, {"why", c.why}};
                                   })},
             {"findings", findings_json(profile.findings)}};
 }

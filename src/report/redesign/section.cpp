@@ -71,7 +71,7 @@ std::string coverage(const RedesignCover& cover) {
 
 std::string profile_block(const RedesignProfile& profile) {
     Rows rows;
-    for (const RedesignChange& c : profile.changes) rows.push_back({code(c.key), num(c.was), num(c.is), plain(c.why)});
+    for (const Edit& c : profile.changes) rows.push_back({code(c.key), num(c.was), num(c.value), plain(c.why)});
     std::vector<std::string> findings;
     for (const core::Finding& finding : profile.findings) findings.push_back(core::to_line(finding));
     std::string out = subheading(profile.file.filename().string()) +

@@ -7,7 +7,8 @@
 
 namespace fusee::inspect {
 
-using checks::Allowed, checks::judge, checks::kAtLeast, checks::kAtMost, checks::required, checks::review, checks::up, checks::down;
+using checks::Allowed, checks::judge, checks::kAtLeast, checks::kAtMost, checks::of_process, checks::required, checks::review, checks::up,
+    checks::down;
 
 bool is_printed(const Foreign& part);
 bool is_milled(const Foreign& part);

@@ -16,9 +16,9 @@ core::Findings measure_groove_radius(const Design& design, const Allowed& allowe
     f.what =
         "radius of the groove's floor: " + std::string(f.bound == core::Bound::kAtLeast ? "pinches the cable" : "lets the cable flatten");
     if (f.severity == core::Severity::kPass) f.what = "radius of the groove's floor";
-    const double ratio = f.severity == core::Severity::kError ? kGood : f.allowed;
-    f.suggestion = change("groove.radius_ratio", fmt::format("{:.2f}", ratio))
-                       .noted(fmt::format(" ({:.3f} mm)", core::mm_from_m(ratio * design.cable.diameter)));
+    const double better = f.severity == core::Severity::kError ? kGood : f.allowed;
+    f.suggestion = change("groove.radius_ratio", fmt::format("{:.2f}", better))
+                       .noted(fmt::format(" ({:.3f} mm)", core::mm_from_m(better * design.cable.diameter)));
     return {f};
 }
 

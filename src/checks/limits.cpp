@@ -123,6 +123,10 @@ constexpr double kSameLength = 1e-9;  // [m]: 8e-3 read from millimetres may mis
 
 }  // namespace
 
+bool is_printed(const Process& process) { return !is_milled(process) && !is_stacked(process); }
+bool is_milled(const Process& process) { return process.kind == ProcessKind::kMill || process.kind == ProcessKind::kMill4; }
+bool is_stacked(const Process& process) { return process.kind == ProcessKind::kEdm || process.kind == ProcessKind::kLaser; }
+
 const char* to_string(ProcessKind kind) {
     switch (kind) {
         case ProcessKind::kFdm:

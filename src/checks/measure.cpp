@@ -5,12 +5,11 @@
 #include <cmath>
 #include <utility>
 
+#include "fusee/checks/limits.h"
 #include "fusee/core/units.h"
+#include "shape.h"
 
 namespace fusee::checks {
-
-bool is_milled(const Design& design) { return design.process.kind == ProcessKind::kMill || design.process.kind == ProcessKind::kMill4; }
-bool is_stacked(const Design& design) { return design.process.kind == ProcessKind::kEdm || design.process.kind == ProcessKind::kLaser; }
 
 Rule on_cable(Rule rule) {
     rule.family = cam::Family::kCable;
@@ -31,9 +30,37 @@ core::Suggestion without_anchor_hole(const Design& design) {
 
 std::string where(const Design& design, double psi) { return fmt::format("{} at psi {:.1f} deg", name(design), core::deg_from_rad(psi)); }
 
+std::string at_anchor(const Design& design) { return where(design, design.part.cam.anchor_psi); }
+std::string at_leg_slot(const Design& design) {
+    return fmt::format("{} at body angle {:.1f} deg", name(design), core::deg_from_rad(design.part.options.features.leg_slot_angle));
+}
+std::string along_groove(const Design& design) { return name(design) + " all along the groove"; }
+
 core::Place place(const cam::PathPoint& p, double offset) {
     const double h = p.h + offset, c = std::cos(p.psi), s = std::sin(p.psi);
     return {p.psi, {core::mm_from_m(h * c - p.slope * s), core::mm_from_m(h * s + p.slope * c), core::mm_from_m(p.z)}};
+}
+
+void locate(core::Finding& finding, const Design& design, const cam::PathPoint& point, double offset) {
+    finding.where = where(design, point.psi);
+    finding.place = place(point, offset);
+}
+
+core::Finding judge_bend(double ratio, const Design& design, const Allowed& allowed) {
+    const CableLimits& table = cable_limits(design.cable.construction);
+    const bool own = design.cable.min_bend_ratio > 0.0;
+    core::Finding f = own ? judge(ratio, {allowed("required", design.cable.min_bend_ratio)})
+                          : judge(ratio, {allowed("required", table.critical), allowed("review", table.recommended)});
+    f.source = own ? "cable.min_bend_ratio" : table.source;
+    return f;
+}
+
+core::Finding judge_slenderest_hole(const Design& design, std::initializer_list<EffectiveLimit> limits) {
+    const Hole deep = slenderest_hole(design.part);
+    core::Finding f = judge(deep.depth / deep.diameter, limits);
+    f.what = fmt::format("depth of the slenderest hole: {}", deep.what);
+    f.suggestion = change(design, deep.key, up(core::mm_from_m(deep.depth) / f.allowed));
+    return f;
 }
 
 }  // namespace fusee::checks

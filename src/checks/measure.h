@@ -1,4 +1,5 @@
 #pragma once
+#include <initializer_list>
 #include <string>
 
 #include "fusee/checks/check.h"
@@ -6,9 +7,6 @@
 #include "fusee/core/change.h"
 
 namespace fusee::checks {
-
-bool is_milled(const Design& design);   ///< on three or four axes
-bool is_stacked(const Design& design);  ///< from plates cut by wire or laser
 
 inline constexpr double kPaPerMPa = 1e6;
 
@@ -26,7 +24,18 @@ core::Suggestion change(const Design& design, const std::string& key, std::strin
 core::Suggestion without_anchor_hole(const Design& design);
 /// "k_pe at psi 12.0 deg"
 std::string where(const Design& design, double psi);
+std::string at_anchor(const Design& design);
+std::string at_leg_slot(const Design& design);
+std::string along_groove(const Design& design);  ///< "k_pe all along the groove"
 /// @param offset from the cable's centreline along n [m]; -d/2 is the groove's floor
 core::Place place(const cam::PathPoint& point, double offset);
+/// States a point of the path as the finding's place, in words and as a point. @param offset as for `place`
+void locate(core::Finding& finding, const Design& design, const cam::PathPoint& point, double offset = 0.0);
+
+/// A bend of the cable against cable.min_bend_ratio if the profile states it, else against the construction's figures (table 1), "required"
+/// and "review"; with their source. @param ratio D/d
+core::Finding judge_bend(double ratio, const Design& design, const Allowed& allowed);
+/// Depth of the slenderest hole in its diameters; the change is a wider one.
+core::Finding judge_slenderest_hole(const Design& design, std::initializer_list<EffectiveLimit> limits);
 
 }  // namespace fusee::checks

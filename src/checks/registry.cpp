@@ -3,7 +3,6 @@
 #include <cassert>
 #include <optional>
 
-#include "family.h"
 #include "fusee/checks/check.h"
 #include "fusee/core/error.h"
 
@@ -45,6 +44,18 @@ void validate(const Design& design) {
     core::require_positive("spring.rate", spring.rate);
     if (spring.wire_diameter > 0.0 && spring.coil_diameter > 0.0 && spring.coil_diameter <= spring.wire_diameter)
         throw core::InvalidInput("spring.coil_diameter", std::to_string(spring.coil_diameter), "above the wire's diameter [m]");
+}
+
+/// Rules of cable and groove do not apply to a roller's rim, and the other way round.
+bool suits(const Rule& rule, const Design& design) {
+    return !rule.family || (*rule.family == cam::Family::kRoller) == design.part.cam.has_roller();
+}
+
+/// The cable that rules measure from: on a roller's rim none, so that what they take for the groove's floor is the rim itself.
+Cable cable_on(const Design& design) {
+    Cable cable = design.cable;
+    if (design.part.cam.has_roller()) cable.diameter = 0.0;
+    return cable;
 }
 
 core::Findings run_all(const Design& design, bool has_mesh) {

@@ -112,6 +112,11 @@ Hole slenderest_hole(const solid::Part& part) {
                              [](const Hole& a, const Hole& b) { return a.depth / a.diameter < b.depth / b.diameter; });
 }
 
+Hole smallest_hole(const solid::Part& part) {
+    const std::vector<Hole> all = holes(part);
+    return *std::min_element(all.begin(), all.end(), [](const Hole& a, const Hole& b) { return a.diameter < b.diameter; });
+}
+
 double bore_length(const solid::Part& part) {
     const solid::HubOptions& hub = part.options.hub;
     if (hub.kind == solid::HubKind::kThrough) return part.z_high - part.z_low + hub.boss_height;

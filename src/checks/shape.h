@@ -55,6 +55,7 @@ struct Hole {
 std::vector<Hole> holes(const solid::Part& part);
 /// The hole with the largest depth over diameter.
 Hole slenderest_hole(const solid::Part& part);
+Hole smallest_hole(const solid::Part& part);
 /// Length over which the bore holds the shaft [m].
 double bore_length(const solid::Part& part);
 

@@ -45,6 +45,10 @@ double least_state(const Design& design) {
     return std::min(least, std::max(design.spring.preload, 0.0));
 }
 
+double leg_bend_radius(const spring::BaseSpring& s) { return s.leg_bend_radius > 0.0 ? s.leg_bend_radius : s.wire_diameter; }
+
+double leg_force(const Design& design) { return design.spring.rate * largest_state(design) / design.part.options.features.leg_slot_radius; }
+
 core::Suggestion scale_arms(const Design& design, double factor) {
     const double power = torsion(design) ? 1.0 : -1.0, preload = design.spring.preload * std::pow(factor, -power);
     return rate(design, number(design.spring.rate * std::pow(factor, 2.0 * power), 4))

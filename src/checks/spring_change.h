@@ -9,6 +9,11 @@ double largest_state(const Design& design);
 
 /// Least deflection of the base spring over the working range [rad or m]: its preload if nothing works.
 double least_state(const Design& design);
+/// Inner radius of the bend between coil and axial leg [m]: as stated, else the wire's diameter.
+double leg_bend_radius(const spring::BaseSpring& spring);
+/// Force of the leg on the middle of its slot at the largest torque [N]. @pre the part has a slot
+double leg_force(const Design& design);
+
 /// Rate and preload that scale every arm by `factor`. K_SE: r = sqrt((k_t phi0)^2 + 2 k_t U)/U', so k_t f^2 and phi0/f;
 /// K_PE: r = U'/sqrt((k y0)^2 + 2 k U), so k/f^2 and y0 f.
 core::Suggestion scale_arms(const Design& design, double factor);

@@ -50,7 +50,6 @@ const char* datum_b_of(solid::HubLock lock) {
 
 Tolerances tolerances_of(const Subject& subject) {
     const checks::ProcessLimits limits = checks::process_limits(subject.process);
-    const checks::ProcessKind kind = subject.process.kind;
     Tolerances t;
     t.process = limits.tolerance;
     t.contour = t.position = t.runout = 2.0 * limits.tolerance;
@@ -58,7 +57,7 @@ Tolerances tolerances_of(const Subject& subject) {
     t.edge = std::min(kMostEdge, kEdgeOfRib * subject.part.options.groove.rib);
     t.roughness = limits.roughness;
     t.fine_roughness = limits.fine_roughness;
-    t.removal = kind != checks::ProcessKind::kFdm && kind != checks::ProcessKind::kSla && kind != checks::ProcessKind::kSls;
+    t.removal = !checks::is_printed(subject.process);
     t.general = general_class(limits.tolerance);
     t.datum_b = datum_b_of(subject.part.options.hub.lock);
     t.mark_is_b = subject.part.options.hub.lock == solid::HubLock::kPlain;

@@ -36,10 +36,6 @@ void write_plates(PartExport& out) {
         write(exchange::stack_kerf_drawings(out.part, kerf, out.provenance.line()), "_kerf", out.other_files);
 }
 
-bool is_stacked(const checks::Process& process) {
-    return process.kind == checks::ProcessKind::kEdm || process.kind == checks::ProcessKind::kLaser;
-}
-
 }  // namespace
 
 Format make_plates() {
@@ -47,7 +43,7 @@ Format make_plates() {
             .extension = ".dxf",  // read back as dxf is
             .meaning = "a DXF for each plate of a stack, by default for edm and laser",
             .place = 7,
-            .by_default = is_stacked,
+            .by_default = checks::is_stacked,
             .write = write_plates};
 }
 

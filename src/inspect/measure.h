@@ -1,4 +1,9 @@
 #pragma once
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
 #include "fusee/checks/judge.h"
 #include "fusee/checks/limits.h"
 #include "fusee/core/units.h"
@@ -7,12 +12,8 @@
 
 namespace fusee::inspect {
 
-using checks::Allowed, checks::judge, checks::kAtLeast, checks::kAtMost, checks::of_process, checks::required, checks::review, checks::up,
-    checks::down;
-
-bool is_printed(const Foreign& part);
-bool is_milled(const Foreign& part);
-bool is_stacked(const Foreign& part);  ///< plates cut by wire or laser
+using checks::Allowed, checks::is_milled, checks::is_printed, checks::is_stacked, checks::judge, checks::kAtLeast, checks::kAtMost,
+    checks::of_process, checks::required, checks::review, checks::up, checks::down;
 
 /// Sets the finding's place and its text: "at (1.20, 0.00, 3.50) mm".
 void set_place(core::Finding& finding, const Vec3& at_mm);

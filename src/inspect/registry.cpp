@@ -33,15 +33,6 @@ std::vector<Marked> check(const Foreign& part, const std::string& name) {
     return all;
 }
 
-bool is_printed(const Foreign& part) {
-    using enum checks::ProcessKind;
-    return part.process.kind == kFdm || part.process.kind == kSla || part.process.kind == kSls;
-}
-bool is_milled(const Foreign& part) {
-    return part.process.kind == checks::ProcessKind::kMill || part.process.kind == checks::ProcessKind::kMill4;
-}
-bool is_stacked(const Foreign& part) { return !is_printed(part) && !is_milled(part); }
-
 void set_place(core::Finding& f, const Vec3& at) {
     f.where = fmt::format("at ({:.2f}, {:.2f}, {:.2f}) mm", at[0], at[1], at[2]);
     f.place = core::Place{std::atan2(at[1], at[0]), at};

@@ -57,6 +57,10 @@ struct Process {
     MaterialOptions material;
 };
 
+[[nodiscard]] bool is_printed(const Process& process);
+[[nodiscard]] bool is_milled(const Process& process);   ///< on three or four axes
+[[nodiscard]] bool is_stacked(const Process& process);  ///< from plates cut by wire or laser
+
 /// The input of a rule.
 struct Design {
     const solid::Part& part;

@@ -74,9 +74,9 @@ struct Rule : RuleInfo {
     using Measure = std::function<core::Findings(const Design&, const Allowed&)>;
 
     Measure measure;                           ///< findings without the common fields: id, part, source
-    bool needs_mesh = false;                   ///< uses the solid, not only cam, options and springs
-    std::vector<Need> needs = {};              ///< without one of them the rule is not judged
     bool (*applies)(const Design&) = nullptr;  ///< does it apply to this design? nullptr: `measure` decides, or it always applies
+    std::vector<Need> needs = {};              ///< without one of them the rule is not judged
+    bool needs_mesh = false;                   ///< uses the solid, not only cam, options and springs
     std::optional<cam::Family> family = {};    ///< of the parts that it is about; none: that of its group
 
     /// Applies the rule to one part, with the design's overrides in place of its own limits. If it applies and the profile omits a needed

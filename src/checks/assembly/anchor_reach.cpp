@@ -1,12 +1,4 @@
-#include <fmt/format.h>
-
-#include <cmath>
-
-#include "fusee/core/units.h"
-#include "fusee/spring/coil.h"
-#include "measure.h"
-#include "needs.h"
-#include "shape.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -18,8 +10,7 @@ core::Findings measure_assembly_anchor_reach(const Design& design, const Allowed
     const double outside = 0.5 * (s.coil_diameter + s.wire_diameter);
     core::Finding f = judge(core::mm_from_m(std::hypot(hole->centre[0], hole->centre[1]) - hole->radius - outside), {allowed("review")});
     f.what = fmt::format("distance from the spring's coils, {:.2f} mm from the axis, to the anchor hole", core::mm_from_m(outside));
-    f.where = where(design, hole->at.psi);
-    f.place = place(hole->at, -hole->radius);
+    locate(f, design, hole->at, -hole->radius);
     f.suggestion = change(design, "spring.coil_mm", down(core::mm_from_m(s.coil_diameter) - 2.0 * (f.allowed - f.measured)));
     return {f};
 }
@@ -33,9 +24,8 @@ Rule assembly_anchor_reach() {
                      "geometry: the knot is tied beside the spring",
                      {review(kAtLeast, "mm", 0.0)},
                      measure_assembly_anchor_reach,
-                     false,
-                     {need::kWire, need::kCoil},
-                     has_torsion_anchor});
+                     has_torsion_anchor,
+                     {need::kWire, need::kCoil}});
 }
 
 }  // namespace fusee::checks

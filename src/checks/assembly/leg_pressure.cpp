@@ -1,10 +1,4 @@
-#include <fmt/format.h>
-
-#include "fusee/checks/material.h"
-#include "fusee/core/units.h"
-#include "leg.h"
-#include "measure.h"
-#include "needs.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -32,9 +26,8 @@ Rule assembly_leg_pressure() {
             "triangular contact of a bar in a socket; the material's bearing strength (table 5)",
             {review(kAtMost, "MPa", "cable.max_pressure_MPa, or the material's bearing strength (table 5)")},
             measure_assembly_leg_pressure,
-            false,
-            {need::kWire},
-            has_torsion_leg_slot};
+            has_torsion_leg_slot,
+            {need::kWire}};
 }
 
 }  // namespace fusee::checks

@@ -1,13 +1,4 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-
-#include "fusee/core/units.h"
-#include "fusee/spring/coil.h"
-#include "measure.h"
-#include "needs.h"
-#include "shape.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -19,7 +10,7 @@ core::Findings measure_assembly_leg_radius(const Design& design, const Allowed& 
     const double aside = std::abs(features.leg_slot_radius - 0.5 * s.coil_diameter) + 0.5 * (s.wire_diameter - features.leg_slot_length);
     core::Finding f = judge(core::mm_from_m(std::max(0.0, aside)), {allowed("review")});
     f.what = fmt::format("protrusion of an axial leg, {:.2f} mm from the axis, beyond its slot", core::mm_from_m(0.5 * s.coil_diameter));
-    f.where = fmt::format("{} at body angle {:.1f} deg", name(design), core::deg_from_rad(features.leg_slot_angle));
+    f.where = at_leg_slot(design);
     f.suggestion = change(design, "features.leg_slot_radius_mm", number(core::mm_from_m(0.5 * s.coil_diameter), 4));
     return {f};
 }
@@ -33,9 +24,8 @@ Rule assembly_leg_radius() {
             "geometry: an axial leg stands at D/2",
             {review(kAtMost, "mm", 0.0)},
             measure_assembly_leg_radius,
-            false,
-            {need::kWire, need::kCoil},
-            has_leg_slot};
+            has_leg_slot,
+            {need::kWire, need::kCoil}};
 }
 
 }  // namespace fusee::checks

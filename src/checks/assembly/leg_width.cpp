@@ -1,9 +1,4 @@
-#include <fmt/format.h>
-
-#include "fusee/core/units.h"
-#include "measure.h"
-#include "needs.h"
-#include "shape.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -14,7 +9,7 @@ core::Findings measure_assembly_leg_width(const Design& design, const Allowed& a
     const double wire = design.spring.wire_diameter;
     core::Finding f = judge(core::mm_from_m(features.leg_slot_width - wire), {allowed("required"), allowed("review")});
     f.what = fmt::format("play of the spring's leg of {:g} mm in its slot", core::mm_from_m(wire));
-    f.where = fmt::format("{} at body angle {:.1f} deg", name(design), core::deg_from_rad(features.leg_slot_angle));
+    f.where = at_leg_slot(design);
     f.suggestion = change(design, "features.leg_slot_width_mm", number(core::mm_from_m(wire) + f.allowed, 4));
     return {f};
 }
@@ -28,9 +23,8 @@ Rule assembly_leg_width() {
             "0 to 0.5 mm (practice)",
             {required(kAtLeast, "mm", 0.0), review(kAtMost, "mm", 0.5)},
             measure_assembly_leg_width,
-            false,
-            {need::kWire},
-            has_leg_slot};
+            has_leg_slot,
+            {need::kWire}};
 }
 
 }  // namespace fusee::checks

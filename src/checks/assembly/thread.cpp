@@ -1,7 +1,4 @@
-#include <fmt/format.h>
-
-#include "fusee/core/units.h"
-#include "measure.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -12,7 +9,7 @@ core::Findings measure_assembly_thread(const Design& design, const Allowed& allo
     if (hole <= 0.0) return {};
     core::Finding f = judge(hole / d, {allowed("required"), allowed("review")});
     f.what = "diameter of the anchor hole, through which the cable is threaded";
-    f.where = where(design, design.part.cam.anchor_psi);
+    f.where = at_anchor(design);
     f.suggestion = change(design, "features.anchor_hole_mm", up(core::mm_from_m(f.allowed * d)));
     return {f};
 }

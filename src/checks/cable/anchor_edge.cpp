@@ -1,7 +1,4 @@
-#include <fmt/format.h>
-
-#include "fusee/core/units.h"
-#include "measure.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -13,7 +10,7 @@ core::Findings measure_cable_anchor_edge(const Design& design, const Allowed& al
     const double d = design.cable.diameter;
     core::Finding f = judge(design.part.options.features.anchor_edge_radius / d, {allowed("review")});
     f.what = "radius of the anchor hole's edge, over which the cable bends to its end";
-    f.where = where(design, design.part.cam.anchor_psi);
+    f.where = at_anchor(design);
     f.suggestion = change(design, "features.anchor_edge_mm", up(core::mm_from_m(f.allowed * d))).noted(": round it by hand");
     return {f};
 }
@@ -27,8 +24,6 @@ Rule cable_anchor_edge() {
             "Sava: half the strength is left at D/d 1, the end of its table; Samson: D/d 3 where a rope is deflected",
             {review(kAtLeast, "d", 0.5)},
             measure_cable_anchor_edge,
-            false,
-            {},
             has_anchor};
 }
 

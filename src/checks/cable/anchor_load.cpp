@@ -1,14 +1,4 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-
-#include "fusee/checks/limits.h"
-#include "fusee/core/units.h"
-#include "measure.h"
-#include "needs.h"
-#include "shape.h"
-#include "strength.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -26,7 +16,7 @@ core::Findings measure_cable_anchor_load(const Design& design, const Allowed& al
     f.what = fmt::format(
         "safety of the {}, which holds {:.0f} % of the cable's strength: {:.1f} N reach it through {:.0f} deg of wound cable{}",
         to_string(cable.termination), 100.0 * held, at_end(worst), core::deg_from_rad(wound_angle(cam, worst)), load.remark(cable));
-    f.where = where(design, cam.anchor_psi);
+    f.where = at_anchor(design);
     f.suggestion = change("cable.breaking_load_N", up(f.allowed * at_end(worst) / held));
     return {f};
 }
@@ -41,8 +31,6 @@ Rule cable_anchor_load() {
             "friction: UHMWPE 0.05, wire 0.1, the least; safety 3, at least 1.5 (practice)",
             {required(kAtLeast, "", 1.5), review(kAtLeast, "", 3.0)},
             measure_cable_anchor_load,
-            false,
-            {},
             works};
 }
 

@@ -1,8 +1,4 @@
-#include <fmt/format.h>
-
-#include "fusee/core/units.h"
-#include "measure.h"
-#include "shape.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -19,7 +15,7 @@ core::Findings measure_cable_anchor_tail(const Design& design, const Allowed& al
     for (int i = 0; i < kSteps; ++i) length += cam.path(cam.anchor_psi + (i + 0.5) * step).rho * angle / kSteps;
     core::Finding f = judge(core::mm_from_m(length), {allowed("review", core::mm_from_m(2.0 * design.cable.diameter))});
     f.what = "length of cable that stays wound between its anchor and the working arc";
-    f.where = where(design, cam.anchor_psi);
+    f.where = at_anchor(design);
     f.suggestion = change(design, "path.margin_deg", up(core::deg_from_rad(cam.options.path.margin) * f.allowed / f.measured));
     return {f};
 }

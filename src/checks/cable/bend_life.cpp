@@ -1,13 +1,4 @@
-#include <fmt/format.h>
-
-#include <cmath>
-
-#include "fusee/checks/limits.h"
-#include "fusee/core/units.h"
-#include "measure.h"
-#include "needs.h"
-#include "shape.h"
-#include "strength.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -32,8 +23,7 @@ core::Findings measure_cable_bend_life(const Design& design, const Allowed& allo
     if (!table.is_fibre() && factor(worst) > 0.0)
         f.what += fmt::format(": {:.2g} of the bending life there", std::pow(factor(worst), kExponent));
     f.what += load.remark(cable);
-    f.where = where(design, worst.path.psi);
-    f.place = place(worst.path, 0.0);
+    locate(f, design, worst.path);
     if (factor(worst) > 0.0)
         f.suggestion = change("cable.breaking_load_N", up(load.newton * f.allowed / f.measured));
     else
@@ -52,8 +42,6 @@ Rule cable_bend_life() {
         "(practice)",
         {review(kAtLeast, "", 1.0)},
         measure_cable_bend_life,
-        false,
-        {},
         works};
 }
 

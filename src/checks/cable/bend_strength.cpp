@@ -1,9 +1,4 @@
-#include <fmt/format.h>
-
-#include "fusee/checks/limits.h"
-#include "fusee/core/units.h"
-#include "measure.h"
-#include "shape.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -12,13 +7,11 @@ namespace {
 constexpr double kStrengthStep = 0.99, kThinnest = 0.01;  // step and end of the search for a thinner cable, of d
 
 core::Findings measure_cable_bend_strength(const Design& design, const Allowed& allowed) {
-    if (design.part.cam.working.empty()) return {};
     const double d = design.cable.diameter;
     const cam::PathPoint& sharpest = worst_contact(design.part.cam, [](const cam::Contact& c) { return -c.path.rho; }).path;
     core::Finding f = judge(100.0 * strength_left(design.cable.construction, (2.0 * sharpest.rho - d) / d), {allowed("review")});
     f.what = fmt::format("strength left in the cable at its sharpest bend, rho {:.3f} mm", core::mm_from_m(sharpest.rho));
-    f.where = where(design, sharpest.psi);
-    f.place = place(sharpest, 0.0);
+    locate(f, design, sharpest);
     double thinner = d;
     while (100.0 * strength_left(design.cable.construction, (2.0 * sharpest.rho - thinner) / thinner) < f.allowed &&
            thinner > kThinnest * d)
@@ -35,7 +28,8 @@ Rule cable_bend_strength() {
             "strength left at the sharpest working bend (table 2)",
             "Sava; fibre and 70 % (practice)",
             {review(kAtLeast, "%", 70.0)},
-            measure_cable_bend_strength};
+            measure_cable_bend_strength,
+            works};
 }
 
 }  // namespace fusee::checks

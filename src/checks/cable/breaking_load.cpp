@@ -1,10 +1,4 @@
-#include <fmt/format.h>
-
-#include "fusee/checks/limits.h"
-#include "measure.h"
-#include "needs.h"
-#include "shape.h"
-#include "strength.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -20,8 +14,7 @@ core::Findings measure_cable_breaking_load(const Design& design, const Allowed& 
     core::Finding f = judge(load.newton * left(worst) / worst.arm.tension, {allowed("required"), allowed("review")});
     f.what = fmt::format("safety against breaking at {:.1f} N, with {:.0f} % of the strength left at this bend{}", worst.arm.tension,
                          100.0 * left(worst), load.remark(design.cable));
-    f.where = where(design, worst.path.psi);
-    f.place = place(worst.path, 0.0);
+    locate(f, design, worst.path);
     f.suggestion = change("cable.breaking_load_N", up(f.allowed * worst.arm.tension / left(worst)));
     return {f};
 }
@@ -35,8 +28,6 @@ Rule cable_breaking_load() {
             "safety 5, at least 3 (practice) for running cable; strength left at D/d: Sava",
             {required(kAtLeast, "", 3.0), review(kAtLeast, "", 5.0)},
             measure_cable_breaking_load,
-            false,
-            {},
             works};
 }
 

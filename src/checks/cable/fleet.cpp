@@ -1,10 +1,4 @@
-#include <fmt/format.h>
-
-#include <cmath>
-
-#include "fusee/core/units.h"
-#include "measure.h"
-#include "shape.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -14,7 +8,6 @@ constexpr double kMost = 4.0;  // [deg]
 
 core::Findings measure_cable_fleet(const Design& design, const Allowed& allowed) {
     const cam::Cam& cam = design.part.cam;
-    if (cam.working.empty()) return {};
     const cam::Contact& worst = worst_contact(cam, [&](const cam::Contact& c) { return std::abs(fleet_from_groove(cam, c)); });
     const bool own = design.cable.max_fleet > 0.0;
     const bool aimed = !cam.closed() && cam.options.path.lead == cam::Lead::kAimedAtGuide;
@@ -23,8 +16,7 @@ core::Findings measure_cable_fleet(const Design& design, const Allowed& allowed)
                           : judge(fleet, {allowed("required", kMost), allowed("review")});
     f.what = fmt::format("largest fleet angle{}; the arm in the plane is longer by 1/{:.5f}",
                          aimed ? ", from the direction of the groove" : "", std::cos(worst.fleet));
-    f.where = where(design, worst.path.psi);
-    f.place = place(worst.path, 0.0);
+    locate(f, design, worst.path);
     const double tangent = std::tan(core::rad_from_deg(f.allowed)), farther = std::abs(std::tan(worst.fleet)) / tangent;
     f.suggestion = change(design, "guide.distance_mm", up(core::mm_from_m(cam.options.guide.distance + worst.span * (farther - 1.0))))
                        .noted(fmt::format(": a free cable of {} mm there", up(core::mm_from_m(worst.span * farther))));
@@ -45,7 +37,8 @@ Rule cable_fleet() {
             "largest angle between free cable and the contact's plane; of an aimed helix, between free cable and groove",
             "wirerope.net: 2 deg grooved; 4 deg (practice)",
             {required(kAtMost, "deg", "4 deg, or cable.max_fleet_deg"), review(kAtMost, "deg", 2.0)},
-            measure_cable_fleet};
+            measure_cable_fleet,
+            works};
 }
 
 }  // namespace fusee::checks

@@ -1,11 +1,4 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-
-#include "fusee/core/units.h"
-#include "measure.h"
-#include "shape.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -13,7 +6,6 @@ namespace {
 
 core::Findings measure_cable_fleet_side(const Design& design, const Allowed& allowed) {
     const cam::Cam& cam = design.part.cam;
-    if (cam.working.empty()) return {};
     const auto fleet = [&cam](const cam::Contact& c) { return fleet_from_groove(cam, c); };
     const cam::Contact& high = worst_contact(cam, fleet);
     const cam::Contact& low = worst_contact(cam, [&](const cam::Contact& c) { return -fleet(c); });
@@ -22,8 +14,7 @@ core::Findings measure_cable_fleet_side(const Design& design, const Allowed& all
     core::Finding f = judge(core::deg_from_rad(std::abs(above - below)), {allowed("review")});
     f.what = fmt::format("fleet angle {:.2f} deg upwards, {:.2f} deg downwards: the guide is off the middle of the groove",
                          core::deg_from_rad(above), core::deg_from_rad(below));
-    f.where = where(design, worst.path.psi);
-    f.place = place(worst.path, 0.0);
+    locate(f, design, worst.path);
     f.suggestion = change(design, "guide.z_mm",
                           number(core::mm_from_m(cam.options.guide.z - worst.span * std::tan(0.5 * (high.fleet + low.fleet))), 3));
     return {f};
@@ -37,7 +28,8 @@ Rule cable_fleet_side() {
             "largest fleet angle to one side less the largest to the other",
             "wirerope.net: 1.5 deg on a smooth drum",
             {review(kAtMost, "deg", 1.5)},
-            measure_cable_fleet_side};
+            measure_cable_fleet_side,
+            works};
 }
 
 }  // namespace fusee::checks

@@ -1,12 +1,7 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
 #include <limits>
 #include <vector>
 
-#include "fusee/core/units.h"
-#include "measure.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -68,8 +63,7 @@ core::Findings measure_cable_free_path(const Design& design, const Allowed& allo
         if (const double length = cross(design, cam.working[i], seen).length(); length > longest) longest = length, worst = &cam.working[i];
     core::Finding f = judge(longest, {allowed("required")});
     f.what = "length of the free cable inside the part";
-    f.where = where(design, worst->path.psi);
-    f.place = place(worst->path, 0.0);
+    locate(f, design, worst->path);
     double reach = 0.0;
     for (const auto& q : design.part.mesh.points_mm) reach = std::max(reach, std::hypot(q[0], q[1]));
     const double leaves = std::acos(std::clamp(core::mm_from_m(worst->path.h) / reach, 0.0, 1.0));  // direction in which it passes the rim
@@ -86,6 +80,8 @@ Rule cable_free_path() {
             "geometry: free cable against the mesh",
             {required(kAtMost, "mm", 0.0)},
             measure_cable_free_path,
+            nullptr,
+            {},
             true};
 }
 

@@ -1,10 +1,4 @@
-#include <fmt/format.h>
-
-#include <cmath>
-
-#include "fusee/core/units.h"
-#include "measure.h"
-#include "shape.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -41,8 +35,7 @@ core::Findings measure_cable_groove_angle(const Design& design, const Allowed& a
         "angle between the free cable and its groove: it rubs on a flank, where {:.2g} % of the torque may be lost or gained; over the "
         "range the cable moves by {:.2g} mm more than the arms state",
         100.0 * (1.0 - std::cos(angle(worst))) * worst.path.rho / worst.path.h, core::mm_from_m(excess_intake(cam, angle)));
-    f.where = where(design, worst.path.psi);
-    f.place = place(worst.path, 0.0);
+    locate(f, design, worst.path);
     if (cam.options.path.lead == cam::Lead::kConstantPitch)
         f.suggestion =
             change(design, "path.pitch_mm",

@@ -1,8 +1,4 @@
-#include <fmt/format.h>
-
-#include "fusee/checks/limits.h"
-#include "fusee/core/units.h"
-#include "measure.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -15,7 +11,7 @@ core::Findings measure_cable_knot(const Design& design, const Allowed& allowed) 
     core::Finding f = judge((hole + tolerance) / d, {allowed("review", width)});
     f.what = fmt::format("width of the anchor hole with its tolerance, {:g} mm, which the cable's {} has to bridge",
                          core::mm_from_m(tolerance), to_string(design.cable.termination));
-    f.where = where(design, design.part.cam.anchor_psi);
+    f.where = at_anchor(design);
     f.suggestion = change(design, "features.anchor_hole_mm", down(core::mm_from_m(f.allowed * d - tolerance)));
     return {f};
 }

@@ -1,13 +1,5 @@
-#include <fmt/format.h>
-
-#include <cmath>
-
 #include "fusee/checks/along.h"
-#include "fusee/checks/material.h"
-#include "fusee/core/units.h"
-#include "measure.h"
-#include "needs.h"
-#include "shape.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -25,8 +17,7 @@ core::Findings measure_cable_pressure(const Design& design, const Allowed& allow
                           : judge(pressure(worst) / kPaPerMPa, {allowed("required", kConfined * bears), allowed("review", bears)});
     f.what = fmt::format("bearing pressure 2T/(D d) at {:.1f} N on a floor of {:.2f} mm diameter; strength {}", worst.arm.tension,
                          core::mm_from_m(2.0 * worst.path.rho - d), bearing_origin(design));
-    f.where = where(design, worst.path.psi);
-    f.place = place(worst.path, -0.5 * d);
+    locate(f, design, worst.path, -0.5 * d);
     f.suggestion = fmt::format("a material that allows {} MPa", up(f.measured));
     // D d = (2 rho - d) d = 2T/p: the smaller root; the contour's rho does not depend on d.
     const double rho = worst.path.rho, root = rho * rho - 2.0 * worst.arm.tension / (kPaPerMPa * f.allowed);
@@ -45,8 +36,6 @@ Rule cable_pressure() {
             {required(kAtMost, "MPa", "cable.max_pressure_MPa, or 1.5 times the material's bearing strength (table 5)"),
              review(kAtMost, "MPa", "the material's bearing strength; none beside cable.max_pressure_MPa")},
             measure_cable_pressure,
-            false,
-            {},
             works};
 }
 

@@ -1,10 +1,4 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-
-#include "fusee/core/units.h"
-#include "measure.h"
-#include "shape.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -14,14 +8,12 @@ constexpr double kLeast = 1e-3;  // of the largest tension: below, no start torq
 
 core::Findings measure_cable_slack(const Design& design, const Allowed& allowed) {
     const cam::Cam& cam = design.part.cam;
-    if (cam.working.empty()) return {};
     const cam::Contact& least = worst_contact(cam, [](const cam::Contact& c) { return -c.arm.tension; });
     const double most = worst_contact(cam, [](const cam::Contact& c) { return c.arm.tension; }).arm.tension;
     if (most <= 0.0) return {};
     core::Finding f = judge(100.0 * least.arm.tension / most, {allowed("review")});
     f.what = fmt::format("least tension, {:.2f} N, of {:.1f} N", least.arm.tension, most);
-    f.where = where(design, least.path.psi);
-    f.place = place(least.path, 0.0);
+    locate(f, design, least.path);
     const double wanted = 0.01 * f.allowed * most;
     if (design.spring.kind == spring::BaseKind::kCompression)
         f.suggestion = change(design, "spring.preload_mm", up(core::mm_from_m(wanted / design.spring.rate)));
@@ -39,7 +31,8 @@ Rule cable_slack() {
             "least tension over the largest",
             "1 % (practice)",
             {review(kAtLeast, "%", 1.0)},
-            measure_cable_slack};
+            measure_cable_slack,
+            works};
 }
 
 }  // namespace fusee::checks

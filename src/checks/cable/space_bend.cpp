@@ -1,13 +1,6 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
 #include <vector>
 
-#include "fusee/checks/limits.h"
-#include "fusee/core/units.h"
-#include "measure.h"
-#include "shape.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -65,16 +58,11 @@ core::Findings measure_cable_space_bend(const Design& design, const Allowed& all
         if (const Bend bend = bend_at(path[i - 1], path[i], path[i + 1]); !(bend.radius >= sharpest.radius))
             sharpest = bend, worst = &path[i];
     const double d = design.cable.diameter, ratio = (2.0 * sharpest.radius - d) / d;
-    const CableLimits& table = cable_limits(design.cable.construction);
-    const bool own = design.cable.min_bend_ratio > 0.0;
-    core::Finding f = own ? judge(ratio, {allowed("required", design.cable.min_bend_ratio)})
-                          : judge(ratio, {allowed("required", table.critical), allowed("review", table.recommended)});
+    core::Finding f = judge_bend(ratio, design, allowed);
     f.what = fmt::format("D/d at the groove's sharpest bend in space between anchor and guide, radius {:.3f} mm, {:.3f} mm in the plane",
                          core::mm_from_m(sharpest.radius), core::mm_from_m(worst->rho));
-    f.where = where(design, worst->psi);
-    f.place = place(*worst, 0.0);
+    locate(f, design, *worst);
     f.suggestion = nearest_change(design, sharpest, worst->rho, f.allowed);
-    f.source = own ? "cable.min_bend_ratio" : table.source;
     return {f};
 }
 

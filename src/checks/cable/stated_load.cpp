@@ -1,8 +1,5 @@
-#include <fmt/format.h>
-
 #include "fusee/checks/standard_sizes.h"
-#include "fusee/core/units.h"
-#include "measure.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -16,7 +13,7 @@ core::Findings measure_cable_stated_load(const Design& design, const Allowed& al
     core::Finding f = judge(cable.breaking_load, {allowed("required", strongest)});
     f.what = fmt::format("stated breaking load against that of the strongest {:.3g} mm {} cable on sale", core::mm_from_m(cable.diameter),
                          cable.construction);
-    f.where = where(design, design.part.cam.anchor_psi);
+    f.where = at_anchor(design);
     f.suggestion = change("cable.breaking_load_N", down(f.allowed));
     f.source = cable_sizes(cable.construction).source;
     return {f};
@@ -31,8 +28,6 @@ Rule cable_stated_load() {
             "fibre 2070 N/mm^2 of d^2: oceanbluefishing, UHMWPE braid, 138 lb at 0.545 mm; wire 900: MIL-DTL-83420",
             {required(kAtMost, "N", "strongest cable on sale of this construction and diameter")},
             measure_cable_stated_load,
-            false,
-            {},
             states_load};
 }
 

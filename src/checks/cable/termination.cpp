@@ -1,7 +1,4 @@
-#include <fmt/format.h>
-
-#include "fusee/checks/limits.h"
-#include "measure.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -12,7 +9,7 @@ core::Findings measure_cable_termination(const Design& design, const Allowed& al
     core::Finding f = judge(100.0 * end.strength, {allowed("review")});
     f.what = fmt::format("share of its breaking load that a {} of {} holds with a {}", end.fibre ? "cord" : "wire rope",
                          design.cable.construction, to_string(end.kind));
-    f.where = where(design, design.part.cam.anchor_psi);
+    f.where = at_anchor(design);
     Cable crimped = design.cable;
     crimped.termination = Termination::kCrimp;
     f.suggestion = change("cable.termination", quoted("crimp"))

@@ -1,11 +1,5 @@
-#include <fmt/format.h>
-
-#include "fusee/checks/limits.h"
-#include "fusee/core/units.h"
 #include "fusee/solid/companions.h"
-#include "measure.h"
-#include "shape.h"
-#include "spring_change.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -13,7 +7,6 @@ namespace {
 
 core::Findings measure_cam_arm_range(const Design& design, const Allowed& allowed) {
     const cam::Cam& cam = design.part.cam;
-    if (cam.working.empty()) return {};
     const cam::Contact& least = worst_contact(cam, [](const cam::Contact& c) { return -c.arm.arm; });
     const double largest = worst_contact(cam, [](const cam::Contact& c) { return c.arm.arm; }).arm.arm;
     const solid::HubOptions& hub = design.part.options.hub;
@@ -24,8 +17,7 @@ core::Findings measure_cam_arm_range(const Design& design, const Allowed& allowe
     core::Finding f = judge(core::mm_from_m(least.arm.arm), {allowed("required", core::mm_from_m(needed))});
     f.what = fmt::format("least arm, of {:.2f} to {:.2f} mm (1 : {:.2f}); it must exceed half a cable{}", core::mm_from_m(least.arm.arm),
                          core::mm_from_m(largest), largest / least.arm.arm, through ? ", a wall and the bore" : "");
-    f.where = where(design, least.path.psi);
-    f.place = place(least.path, -half_cable);
+    locate(f, design, least.path, -half_cable);
     f.suggestion = scale_arms(design, f.allowed / f.measured);
     const double bore = 2.0 * (least.arm.arm - half_cable - wall) - hub.bore_clearance;
     if (through && bore > 0.0) f.suggestion.or_else(change(design, "hub.bore_mm", down(core::mm_from_m(bore))));
@@ -41,7 +33,8 @@ Rule cam_arm_range() {
                      "least arm",
                      "geometry: r >= bore + wall + d/2",
                      {required(kAtLeast, "mm", "bore + wall + d/2; overhung: d/2")},
-                     measure_cam_arm_range});
+                     measure_cam_arm_range,
+                     works});
 }
 
 }  // namespace fusee::checks

@@ -1,11 +1,4 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-
-#include "fusee/core/units.h"
-#include "measure.h"
-#include "shape.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -20,8 +13,7 @@ core::Findings measure_cam_contour_radius(const Design& design, const Allowed& a
     const double swept = swept_radius(design.part, far), space = guide.distance - idler - half_cable;
     core::Finding f = judge(core::mm_from_m(swept), {allowed("review", core::mm_from_m(space))});
     f.what = "radius swept by the turning part, against the distance to the guide";
-    f.where = where(design, far.psi);
-    f.place = place(far, swept - std::hypot(far.h, far.slope));
+    locate(f, design, far, swept - std::hypot(far.h, far.slope));
     f.suggestion = change(design, "guide.distance_mm", up(core::mm_from_m(swept + idler + half_cable)));
     return {f};
 }

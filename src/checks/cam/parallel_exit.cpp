@@ -1,15 +1,9 @@
 #include "fusee/cam/parallel_exit.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "fusee/cam/contact.h"
-#include "fusee/core/units.h"
-#include "measure.h"
-#include "shape.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -69,8 +63,7 @@ core::Findings measure_cam_parallel_exit(const Design& design, const Allowed& al
     const cam::PathPoint& at = cam.working[error.row].path;
     f.what =
         fmt::format("largest error of the arm if the cable goes to a hole {:g} mm away instead of straight off", core::mm_from_m(distance));
-    f.where = where(design, at.psi);
-    f.place = place(at, 0.0);
+    locate(f, design, at);
     f.suggestion = point_change(design, nearest)
                        .or_else(distance_change(design, cam::least_parallel_distance(cam, 0.01 * f.allowed, {nearest, kFarthest})));
     return {f};

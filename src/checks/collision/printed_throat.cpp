@@ -1,9 +1,4 @@
-#include <fmt/format.h>
-
-#include "fusee/checks/limits.h"
-#include "fusee/core/units.h"
-#include "measure.h"
-#include "shape.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -14,7 +9,7 @@ core::Findings measure_collision_printed_throat(const Design& design, const Allo
     if (design.process.kind != ProcessKind::kFdm || limit <= 0.0 || design.part.section.size() < 2) return {};
     core::Finding f = judge(core::deg_from_rad(largest_overhang(design.part)), {allowed("required", core::deg_from_rad(limit))});
     f.what = "overhang of the groove's upper flank, from the vertical, printed with the axis upright";
-    f.where = name(design) + " all along the groove";
+    f.where = along_groove(design);
     f.suggestion = change("groove.throat_deg", number(180.0 - 2.0 * f.allowed)).or_else("the part printed with its axis lying");
     return {f};
 }

@@ -1,7 +1,4 @@
-#include <fmt/format.h>
-
-#include "fusee/core/units.h"
-#include "measure.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -13,7 +10,7 @@ core::Findings measure_collision_rim_undercut(const Design& design, const Allowe
     const double depth = core::mm_from_m(groove.depth_ratio * design.cable.diameter);
     core::Finding f = judge(depth, {allowed("review")});
     f.what = "depth of the groove under its upper flange, out of reach of a tool along the axis";
-    f.where = name(design) + " all along the groove";
+    f.where = along_groove(design);
     f.suggestion =
         fmt::format("a 4th axis, a form cutter of {:.3f} mm radius", core::mm_from_m(groove.radius_ratio * design.cable.diameter));
     if (design.part.cam.closed()) f.suggestion.or_else("two plates split in the plane z 0 mm");

@@ -1,8 +1,4 @@
-#include <fmt/format.h>
-
-#include "fusee/checks/limits.h"
-#include "fusee/core/units.h"
-#include "measure.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -15,7 +11,7 @@ core::Findings measure_fdm_layers(const Design& design, const Allowed& allowed) 
     core::Finding f = judge(radius / layer, {allowed("review")});
     f.what =
         fmt::format("layers of {:g} mm in the radius of the groove's floor, {:.3f} mm", core::mm_from_m(layer), core::mm_from_m(radius));
-    f.where = name(design) + " all along the groove";
+    f.where = along_groove(design);
     f.suggestion = change("process.layer_mm", down(core::mm_from_m(radius / f.allowed)));
     return {f};
 }

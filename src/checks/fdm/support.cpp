@@ -1,12 +1,6 @@
 #include "fusee/checks/support.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-
-#include "fusee/checks/limits.h"
-#include "fusee/core/units.h"
-#include "measure.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -36,6 +30,8 @@ Rule fdm_support() {
             "FDM bridge 5-10 mm: 3dservicesusa, cifproto, arti90, layerx3d; a square of 5 mm",
             {review(kAtMost, "mm^2", 25.0)},
             measure_fdm_support,
+            nullptr,
+            {},
             true};
 }
 

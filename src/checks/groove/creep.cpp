@@ -1,13 +1,4 @@
-#include <fmt/format.h>
-
-#include <cmath>
-
-#include "fusee/checks/limits.h"
-#include "fusee/checks/material.h"
-#include "fusee/core/units.h"
-#include "measure.h"
-#include "needs.h"
-#include "shape.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -25,8 +16,7 @@ core::Findings measure_groove_creep(const Design& design, const Allowed& allowed
     core::Finding f = judge(100.0 * depth / rest.arm.arm, {allowed("review")});
     f.what = fmt::format("loss of the arm at rest, {:.2f} mm, by a floor of {} that {:.1f} N press in by {:.3f} mm over years",
                          core::mm_from_m(rest.arm.arm), material.name, rest.arm.tension, core::mm_from_m(depth));
-    f.where = where(design, rest.path.psi);
-    f.place = place(rest.path, -0.5 * design.cable.diameter);
+    locate(f, design, rest.path, -0.5 * design.cable.diameter);
     f.suggestion = change("material.modulus_MPa", up(material.modulus / kPaPerMPa * f.measured / f.allowed))
                        .or_else("released cables when the joint rests");
     return {f};
@@ -43,8 +33,6 @@ Rule groove_creep() {
         "(practice)",
         {review(kAtMost, "%", 2.0)},
         measure_groove_creep,
-        false,
-        {},
         works};
 }
 

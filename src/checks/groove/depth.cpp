@@ -1,4 +1,4 @@
-#include "measure.h"
+#include "means.h"
 
 namespace fusee::checks {
 

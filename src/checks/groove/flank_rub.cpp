@@ -1,12 +1,5 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-
-#include "fusee/core/units.h"
 #include "fusee/solid/stack.h"
-#include "measure.h"
-#include "shape.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -37,8 +30,7 @@ core::Findings measure_groove_flank_rub(const Design& design, const Allowed& all
     core::Finding f = judge(core::mm_from_m(half - radius - aside(worst)), {allowed("review")});
     f.what = fmt::format("clearance between a lip and the cable, which is {:.3f} mm off the groove's middle there",
                          core::mm_from_m(aside(worst)));
-    f.where = where(design, worst.path.psi);
-    f.place = place(worst.path, lip);
+    locate(f, design, worst.path, lip);
     const double needed = half + core::m_from_mm(f.allowed - f.measured);
     f.suggestion = change("groove.plate_mm", up(core::mm_from_m(2.0 * needed)));
     if (stacked) return {f};

@@ -1,9 +1,4 @@
-#include <fmt/format.h>
-
-#include "fusee/checks/limits.h"
-#include "fusee/core/units.h"
-#include "measure.h"
-#include "shape.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -14,7 +9,7 @@ core::Findings measure_groove_lip_height(const Design& design, const Allowed& al
     const double d = design.cable.diameter, tolerance = process_limits(design.process).tolerance;
     core::Finding f = judge(core::mm_from_m(lip_offset(design.part) - 0.5 * d), {allowed("review", core::mm_from_m(tolerance))});
     f.what = "height of the lips above the outside of the cable";
-    f.where = name(design) + " all along the groove";
+    f.where = along_groove(design);
     f.suggestion = change("groove.depth_ratio", up(1.0 + core::m_from_mm(f.allowed) / d));
     return {f};
 }

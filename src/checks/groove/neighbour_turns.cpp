@@ -1,12 +1,6 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
 #include <limits>
 
-#include "fusee/core/units.h"
-#include "measure.h"
-#include "shape.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -88,8 +82,7 @@ core::Findings measure_groove_neighbour_turns(const Design& design, const Allowe
     if (!tightest.contact) return {};
     core::Finding f = judge(core::mm_from_m(tightest.least), {allowed("required")});
     f.what = "clearance between the free cable and the lips of the other turns";
-    f.where = where(design, tightest.contact->path.psi);
-    f.place = place(tightest.contact->path, 0.0);
+    locate(f, design, tightest.contact->path);
     f.suggestion = change(design, "path.pitch_mm",
                           up(core::mm_from_m(cam.options.path.pitch) + (f.allowed - f.measured) / std::max(tightest.turns, 0.5)));
     if (cam.options.path.lead == cam::Lead::kAimedAtGuide)

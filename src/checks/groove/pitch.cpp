@@ -1,11 +1,4 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-
-#include "fusee/checks/limits.h"
-#include "fusee/core/units.h"
-#include "measure.h"
-#include "shape.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -21,8 +14,7 @@ core::Findings measure_groove_pitch(const Design& design, const Allowed& allowed
                                                            allowed("review", core::mm_from_m(width + groove.rib))});
     f.what = fmt::format("height from one turn to the next; the groove is {:.3f} mm wide, the land between turns {:.2f} mm",
                          core::mm_from_m(width), core::mm_from_m(std::max(wall, groove.rib)));
-    f.where = where(design, pitch.at.psi);
-    f.place = place(pitch.at, 0.0);
+    locate(f, design, pitch.at);
     f.suggestion = change(design, "path.pitch_mm", up(core::mm_from_m(design.part.cam.options.path.pitch) + f.allowed - f.measured));
     if (design.part.cam.options.path.lead == cam::Lead::kAimedAtGuide)
         f.suggestion = change(design, "guide.z_mm", up(core::mm_from_m(design.part.cam.options.guide.z) * f.allowed / f.measured))

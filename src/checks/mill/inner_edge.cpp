@@ -1,7 +1,5 @@
-#include <fmt/format.h>
-
 #include "fusee/solid/companions.h"
-#include "measure.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -9,7 +7,6 @@ namespace {
 
 core::Findings measure_mill_inner_edge(const Design& design, const Allowed& allowed) {
     const solid::HubLock lock = design.part.options.hub.lock;
-    if (!is_milled(design)) return {};
     const bool sharp = lock == solid::HubLock::kKeyway || lock == solid::HubLock::kDFlat;
     if (!sharp) return {};
     core::Finding f = judge(0.0, {allowed("review")});
@@ -27,7 +24,8 @@ Rule mill_inner_edge() {
             "milled: radius in the corners of keyway or D-flat",
             "inner edge R >= 0.25 mm feasible: zekes3d, Xometry",
             {review(kAtLeast, "mm", 0.25)},
-            measure_mill_inner_edge};
+            measure_mill_inner_edge,
+            is_milled};
 }
 
 }  // namespace fusee::checks

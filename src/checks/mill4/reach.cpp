@@ -1,9 +1,4 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-
-#include "fusee/core/units.h"
-#include "measure.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -16,7 +11,7 @@ core::Findings measure_mill4_reach(const Design& design, const Allowed& allowed)
     const double depth = options.groove.depth_ratio * design.cable.diameter + options.flange_height;
     core::Finding f = judge(depth / tool, {allowed("review")});
     f.what = fmt::format("depth of the groove under its flanges for a ball of {:.3f} mm", core::mm_from_m(tool));
-    f.where = name(design) + " all along the groove";
+    f.where = along_groove(design);
     f.suggestion =
         change(design, "flange_height_mm", down(std::max(0.0, core::mm_from_m(options.flange_height - depth + f.allowed * tool))));
     return {f};

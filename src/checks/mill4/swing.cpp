@@ -1,10 +1,6 @@
-#include <algorithm>
 #include <vector>
 
-#include "fusee/core/units.h"
-#include "measure.h"
-#include "shape.h"
-#include "spring_change.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -18,8 +14,7 @@ core::Findings measure_mill4_swing(const Design& design, const Allowed& allowed)
     const double space = core::mm_from_m(std::min(design.process.build_x, design.process.build_y));
     core::Finding f = judge(swing, {allowed("required", space)});
     f.what = "diameter that the part sweeps about its axis";
-    f.where = where(design, far.psi);
-    f.place = place(far, 0.0);
+    locate(f, design, far);
     f.suggestion = scale_arms(design, f.allowed / f.measured);
     return {f};
 }

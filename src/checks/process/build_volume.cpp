@@ -1,12 +1,6 @@
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <array>
 
-#include "fusee/core/units.h"
-#include "measure.h"
-#include "shape.h"
-#include "spring_change.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -62,6 +56,8 @@ Rule process_build_volume() {
             "process.build_mm; turning about z by 90 deg allowed",
             {of_process(required(kAtMost, "mm", "process.build_mm"))},
             measure_process_build_volume,
+            nullptr,
+            {},
             true};
 }
 

@@ -1,9 +1,4 @@
-#include <fmt/format.h>
-
-#include "fusee/checks/limits.h"
-#include "fusee/core/units.h"
-#include "measure.h"
-#include "shape.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -17,8 +12,7 @@ core::Findings measure_process_contour_error(const Design& design, const Allowed
     core::Finding f = judge(100.0 * tolerance / least.arm.arm, {allowed("review")});
     f.what = fmt::format("torque error at the least arm, {:.2f} mm, for a contour error of {:g} mm", core::mm_from_m(least.arm.arm),
                          core::mm_from_m(tolerance));
-    f.where = where(design, least.path.psi);
-    f.place = place(least.path, -0.5 * design.cable.diameter);
+    locate(f, design, least.path, -0.5 * design.cable.diameter);
     f.suggestion = change("process.tolerance_mm", down(core::mm_from_m(least.arm.arm) * f.allowed / 100.0))
                        .noted(": a groove coupon measured and compensated");
     return {f};

@@ -1,20 +1,13 @@
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <vector>
 
-#include "fusee/checks/limits.h"
-#include "fusee/core/units.h"
-#include "measure.h"
-#include "shape.h"
+#include "means.h"
 
 namespace fusee::checks {
 
 namespace {
 
 core::Findings measure_process_hole(const Design& design, const Allowed& allowed) {
-    const std::vector<Hole> all = holes(design.part);
-    const Hole least = *std::min_element(all.begin(), all.end(), [](const Hole& a, const Hole& b) { return a.diameter < b.diameter; });
+    const Hole least = smallest_hole(design.part);
     core::Finding f = judge(core::mm_from_m(least.diameter), {allowed("required", core::mm_from_m(process_limits(design.process).hole))});
     f.what = fmt::format("diameter of the smallest hole: {}", least.what);
     f.suggestion = change(design, least.key, up(f.allowed));

@@ -1,9 +1,4 @@
-#include <fmt/format.h>
-
-#include "fusee/core/units.h"
-#include "measure.h"
-#include "needs.h"
-#include "shape.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -17,8 +12,7 @@ core::Findings measure_roller_contact_pressure(const Design& design, const Allow
     const cam::Contact& worst = worst_contact(cam, pressure);
     core::Finding f = judge(pressure(worst) / kPaPerMPa, {*most});
     f.what = fmt::format("largest pressure between rim and roller, at a spring force of {:.1f} N", worst.arm.tension);
-    f.where = where(design, worst.path.psi);
-    f.place = place(worst.path, 0.0);
+    locate(f, design, worst.path);
     const double ratio = f.measured / f.allowed;
     f.suggestion = change(design, "roller.width_mm", up(core::mm_from_m(roller.width * ratio * ratio)));
     return {f};
@@ -33,9 +27,8 @@ Rule roller_contact_pressure() {
             "Hertz: sqrt(N E*/(pi width) (1/R_r + 1/rho)), K. L. Johnson, Contact Mechanics, 1985",
             {required(kAtMost, "MPa", "k_pe.roller.max_pressure_MPa; not judged without it and contact_modulus_MPa")},
             measure_roller_contact_pressure,
-            false,
-            {need::kRollerPressure, need::kContactModulus},
-            works};
+            works,
+            {need::kRollerPressure, need::kContactModulus}};
 }
 
 }  // namespace fusee::checks

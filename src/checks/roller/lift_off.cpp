@@ -1,8 +1,4 @@
-#include <fmt/format.h>
-
-#include "fusee/core/units.h"
-#include "measure.h"
-#include "shape.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -10,13 +6,11 @@ namespace {
 
 core::Findings measure_roller_lift_off(const Design& design, const Allowed& allowed) {
     const cam::Cam& cam = design.part.cam;
-    if (cam.working.empty()) return {};
     const cam::Contact& least = worst_contact(cam, [](const cam::Contact& c) { return -c.arm.tension; });
     const double most = worst_contact(cam, [](const cam::Contact& c) { return c.arm.tension; }).arm.tension;
     core::Finding f = judge(100.0 * least.arm.tension / most, {allowed("review")});
     f.what = fmt::format("least force of the spring on the follower, {:.2f} N, of {:.1f} N", least.arm.tension, most);
-    f.where = where(design, least.path.psi);
-    f.place = place(least.path, 0.0);
+    locate(f, design, least.path);
     f.suggestion = change(design, "spring.preload_mm", up(core::mm_from_m(0.01 * f.allowed * most / design.spring.rate)));
     return {f};
 }
@@ -29,7 +23,8 @@ Rule roller_lift_off() {
             "least force of the spring over the largest",
             "5 %: the follower's own weight and friction in its guide (practice)",
             {review(kAtLeast, "%", 5.0)},
-            measure_roller_lift_off};
+            measure_roller_lift_off,
+            works};
 }
 
 }  // namespace fusee::checks

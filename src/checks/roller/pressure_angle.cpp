@@ -1,10 +1,4 @@
-#include <fmt/format.h>
-
-#include <cmath>
-
-#include "fusee/core/units.h"
-#include "measure.h"
-#include "shape.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -18,7 +12,6 @@ double base_for(const cam::ArmPoint& arm, const cam::Roller& roller, double angl
 
 core::Findings measure_roller_pressure_angle(const Design& design, const Allowed& allowed) {
     const cam::Cam& cam = design.part.cam;
-    if (cam.working.empty()) return {};
     const cam::Roller& roller = cam.options.roller;
     const auto angle_of = [&](const cam::Contact& c) { return std::abs(cam::pressure_angle(c.arm, roller)); };
     const cam::Contact& worst = worst_contact(cam, angle_of);
@@ -26,8 +19,7 @@ core::Findings measure_roller_pressure_angle(const Design& design, const Allowed
     core::Finding f = judge(core::deg_from_rad(angle), {allowed("required"), allowed("review")});
     f.what =
         fmt::format("largest pressure angle; the rim's side force on the follower is {:.1f} N there", worst.arm.tension * std::tan(angle));
-    f.where = where(design, worst.path.psi);
-    f.place = place(worst.path, 0.0);
+    locate(f, design, worst.path);
     f.suggestion = change(design, "roller.base_radius_mm", up(core::mm_from_m(base_for(worst.arm, roller, core::rad_from_deg(f.allowed)))));
     return {f};
 }
@@ -40,7 +32,8 @@ Rule roller_pressure_angle() {
             "largest angle between the rim's normal and the follower's line on the working arc",
             "R. L. Norton, Cam Design and Manufacturing Handbook: to about 30 deg for a translating follower, 35 for one on a pivoted arm",
             {required(kAtMost, "deg", 35.0), review(kAtMost, "deg", 30.0)},
-            measure_roller_pressure_angle};
+            measure_roller_pressure_angle,
+            works};
 }
 
 }  // namespace fusee::checks

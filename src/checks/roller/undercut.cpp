@@ -1,8 +1,4 @@
-#include <fmt/format.h>
-
-#include "fusee/core/units.h"
-#include "measure.h"
-#include "shape.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -10,14 +6,12 @@ namespace {
 
 core::Findings measure_roller_undercut(const Design& design, const Allowed& allowed) {
     const cam::Cam& cam = design.part.cam;
-    if (cam.working.empty()) return {};
     const cam::Roller& roller = cam.options.roller;
     const cam::Contact& sharpest = worst_contact(cam, [](const cam::Contact& c) { return -c.path.rho; });
     const double pitch = sharpest.path.rho + roller.radius;
     core::Finding f = judge(pitch / roller.radius, {allowed("required"), allowed("review")});
     f.what = fmt::format("least radius of curvature of the roller centre's curve, {:.2f} mm, over the roller's", core::mm_from_m(pitch));
-    f.where = where(design, sharpest.path.psi);
-    f.place = place(sharpest.path, 0.0);
+    locate(f, design, sharpest.path);
     f.suggestion =
         change(design, "roller.radius_mm", down(core::mm_from_m(pitch) / f.allowed))
             .or_else(change(design, "roller.base_radius_mm", up(core::mm_from_m(roller.base_radius + f.allowed * roller.radius - pitch))));
@@ -32,7 +26,8 @@ Rule roller_undercut() {
             "least radius of curvature of the roller centre's curve on the working arc, in roller radii",
             "R. L. Norton, Cam Design and Manufacturing Handbook: at least 2 to 3; at 1 the rim is a cusp; 1.1 (practice)",
             {required(kAtLeast, "roller radii", 1.1), review(kAtLeast, "roller radii", 2.0)},
-            measure_roller_undercut};
+            measure_roller_undercut,
+            works};
 }
 
 }  // namespace fusee::checks

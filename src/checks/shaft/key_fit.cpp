@@ -1,8 +1,4 @@
-#include <fmt/format.h>
-
-#include "fusee/checks/limits.h"
-#include "fusee/core/units.h"
-#include "measure.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -36,8 +32,6 @@ Rule shaft_key_fit() {
             "DIN 6885-1: hub keyway P9 or JS9, half of IT9 by ISO 286",
             {review(kAtMost, "mm", "half of IT9: 0.0125 up to 3 mm of width, 0.015 up to 6, else 0.018")},
             measure_shaft_key_fit,
-            false,
-            {},
             has_key};
 }
 

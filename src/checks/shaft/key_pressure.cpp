@@ -1,13 +1,4 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-
-#include "fusee/checks/limits.h"
-#include "fusee/checks/material.h"
-#include "fusee/core/units.h"
-#include "measure.h"
-#include "needs.h"
-#include "shape.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -41,8 +32,6 @@ Rule shaft_key_pressure() {
             "DIN 6885-1: the key stands h - t1 in the hub; strength of the part's material in compression",
             {review(kAtMost, "MPa", "cable.max_pressure_MPa, or the material's bearing strength (table 5)")},
             measure_shaft_key_pressure,
-            false,
-            {},
             is_keyed};
 }
 

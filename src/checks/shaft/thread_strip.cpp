@@ -1,10 +1,4 @@
-#include <fmt/format.h>
-
-#include "fusee/checks/material.h"
-#include "fusee/core/units.h"
-#include "measure.h"
-#include "needs.h"
-#include "shape.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -44,8 +38,6 @@ Rule shaft_thread_strip() {
         "half of the tensile one (practice)",
         {required(kAtLeast, "", 1.0)},
         measure_shaft_thread_strip,
-        false,
-        {},
         has_screw};
 }
 

@@ -1,11 +1,4 @@
-#include <fmt/format.h>
-
-#include <cmath>
-
-#include "fusee/core/units.h"
-#include "measure.h"
-#include "needs.h"
-#include "shape.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -35,8 +28,6 @@ Rule shaft_tilt() {
                      "geometry; limit: that of cable.fleet, wirerope.net",
                      {review(kAtMost, "deg", 2.0)},
                      measure_shaft_tilt,
-                     false,
-                     {},
                      is_overhung});
 }
 

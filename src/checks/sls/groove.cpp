@@ -1,8 +1,4 @@
-#include <fmt/format.h>
-
-#include "fusee/core/units.h"
-#include "measure.h"
-#include "shape.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -13,7 +9,7 @@ core::Findings measure_sls_groove(const Design& design, const Allowed& allowed) 
     const double width = 2.0 * half_width_at_cable(design.part);
     core::Finding f = judge(core::mm_from_m(width), {allowed("review")});
     f.what = "width of the groove at the height of the cable's centreline";
-    f.where = name(design) + " all along the groove";
+    f.where = along_groove(design);
     f.suggestion = change("cable.diameter_mm", up(core::mm_from_m(design.cable.diameter) * f.allowed / f.measured));
     return {f};
 }

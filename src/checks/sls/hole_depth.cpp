@@ -1,8 +1,4 @@
-#include <fmt/format.h>
-
-#include "fusee/core/units.h"
-#include "measure.h"
-#include "shape.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -10,11 +6,7 @@ namespace {
 
 core::Findings measure_sls_hole_depth(const Design& design, const Allowed& allowed) {
     if (design.process.kind != ProcessKind::kSls) return {};
-    const Hole deep = slenderest_hole(design.part);
-    core::Finding f = judge(deep.depth / deep.diameter, {allowed("review")});
-    f.what = fmt::format("depth of the slenderest hole: {}", deep.what);
-    f.suggestion = change(design, deep.key, up(core::mm_from_m(deep.depth) / f.allowed));
-    return {f};
+    return {judge_slenderest_hole(design, {allowed("review")})};
 }
 
 }  // namespace

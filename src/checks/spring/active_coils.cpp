@@ -1,7 +1,4 @@
-#include <fmt/format.h>
-
-#include "measure.h"
-#include "needs.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -23,7 +20,7 @@ Rule spring_active_coils() {
             "EN 15800, EN 13906-3: at least 2; 3 (practice)",
             {required(kAtLeast, "", 2.0), review(kAtLeast, "", 3.0)},
             measure_spring_active_coils,
-            false,
+            nullptr,
             {need::kActiveCoils}};
 }
 

@@ -1,10 +1,4 @@
-#include <fmt/format.h>
-
-#include "fusee/core/units.h"
-#include "fusee/spring/coil.h"
-#include "measure.h"
-#include "needs.h"
-#include "spring_change.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -29,9 +23,8 @@ Rule spring_body_growth() {
             "Newcomb: the body grows by a wire each turn",
             {required(kAtMost, "mm", "spring.free_length_mm, the space along the axis; not judged without it")},
             measure_spring_body_growth,
-            false,
-            {need::kActiveCoils, need::kWire, need::kAxialSpace},
-            is_torsion};
+            is_torsion,
+            {need::kActiveCoils, need::kWire, need::kAxialSpace}};
 }
 
 }  // namespace fusee::checks

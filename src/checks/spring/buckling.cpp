@@ -1,12 +1,4 @@
-#include <fmt/format.h>
-
-#include <cmath>
-
-#include "fusee/core/units.h"
-#include "fusee/spring/coil.h"
-#include "measure.h"
-#include "needs.h"
-#include "spring_change.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -66,9 +58,8 @@ Rule spring_buckling() {
         "roymech, machinecalcs: stable below 5.25 D on flat plates",
         {review(kAtMost, "mm", "5.25 D", "length_review"), review(kAtMost, "mm", "L0 C1 (1 - sqrt(1 - C2/lambda^2)), lambda = L0/(2 D)")},
         measure_spring_buckling,
-        false,
-        {need::kFreeLength, need::kCoil},
-        is_compression};
+        is_compression,
+        {need::kFreeLength, need::kCoil}};
 }
 
 }  // namespace fusee::checks

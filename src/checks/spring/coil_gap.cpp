@@ -1,10 +1,4 @@
-#include <fmt/format.h>
-
-#include "fusee/core/units.h"
-#include "fusee/spring/coil.h"
-#include "measure.h"
-#include "needs.h"
-#include "spring_change.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -33,9 +27,8 @@ Rule spring_coil_gap() {
             "EN 13906-1: n (0.0015 D^2/w + 0.1 w)",
             {review(kAtLeast, "mm", "n (0.0015 D^2/w + 0.1 w), lengths in mm")},
             measure_spring_coil_gap,
-            false,
-            {need::kWire, need::kCoil, need::kActiveCoils, need::kFreeLength},
-            is_compression};
+            is_compression,
+            {need::kWire, need::kCoil, need::kActiveCoils, need::kFreeLength}};
 }
 
 }  // namespace fusee::checks

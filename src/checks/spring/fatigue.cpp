@@ -1,12 +1,4 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-
-#include "fusee/spring/coil.h"
-#include "measure.h"
-#include "needs.h"
-#include "spring_change.h"
+#include "means.h"
 #include "spring_form.h"
 
 namespace fusee::checks {
@@ -58,9 +50,8 @@ Rule spring_fatigue() {
         "1e5 cycles, 50 % at 1e6; shear 36, 33 and 30 % at 1e7 (practice)",
         {required(kAtLeast, "", 1.0)},
         measure_spring_fatigue,
-        false,
-        {need::kWire, need::kCoil, need::kStrength, need::kCycles},
-        may_tire};
+        may_tire,
+        {need::kWire, need::kCoil, need::kStrength, need::kCycles}};
 }
 
 }  // namespace fusee::checks

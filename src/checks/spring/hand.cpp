@@ -1,8 +1,4 @@
-#include <fmt/format.h>
-
-#include "measure.h"
-#include "needs.h"
-#include "shape.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -28,9 +24,8 @@ Rule spring_hand() {
             "geometry: a left-hand coil winds where its lower end turns counter-clockwise",
             {required(kAtLeast, "", 0.0)},
             measure_spring_hand,
-            false,
-            {need::kHand},
-            has_torsion_leg_slot};
+            has_torsion_leg_slot,
+            {need::kHand}};
 }
 
 }  // namespace fusee::checks

@@ -1,9 +1,4 @@
-#include <fmt/format.h>
-
-#include "fusee/core/units.h"
-#include "fusee/spring/coil.h"
-#include "measure.h"
-#include "needs.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -26,7 +21,7 @@ Rule spring_index() {
             "EN 15800, EN 13906-3: 4 to 20; 16 (practice)",
             {required(kAtLeast, "", 4.0, "low_required"), required(kAtMost, "", 20.0, "high_required"), review(kAtMost, "", 16.0)},
             measure_spring_index,
-            false,
+            nullptr,
             {need::kWire, need::kCoil}};
 }
 

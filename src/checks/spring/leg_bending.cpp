@@ -1,11 +1,4 @@
-#include <fmt/format.h>
-
-#include "fusee/core/units.h"
-#include "fusee/spring/coil.h"
-#include "leg.h"
-#include "measure.h"
-#include "needs.h"
-#include "spring_change.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -36,9 +29,8 @@ Rule spring_leg_bending() {
             "EN 13906-3: 0.7 of the strength, q of w = 2 r/d + 1; bend of at least d: Autodesk Inventor, torsion spring calculation",
             {required(kAtMost, "MPa", "stress_share of the wire's strength, 0.7 by default")},
             measure_spring_leg_bending,
-            false,
-            {need::kWire, need::kStrength},
-            has_torsion_leg_slot};
+            has_torsion_leg_slot,
+            {need::kWire, need::kStrength}};
 }
 
 }  // namespace fusee::checks

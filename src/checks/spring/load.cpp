@@ -1,6 +1,4 @@
-#include "measure.h"
-#include "needs.h"
-#include "spring_change.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -25,7 +23,7 @@ Rule spring_load() {
             {required(kAtMost, "Nm", "spring.max_torque_Nm; not judged without it", "torque_required"),
              required(kAtMost, "N", "spring.max_force_N; not judged without it", "force_required")},
             measure_spring_load,
-            false,
+            nullptr,
             {need::kMaxTorque, need::kMaxForce}};
 }
 

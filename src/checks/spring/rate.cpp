@@ -1,11 +1,4 @@
-#include <fmt/format.h>
-
-#include <cmath>
-
-#include "fusee/core/units.h"
-#include "fusee/spring/coil.h"
-#include "measure.h"
-#include "needs.h"
+#include "means.h"
 #include "spring_form.h"
 
 namespace fusee::checks {
@@ -37,7 +30,7 @@ Rule spring_rate() {
             "rate is only reviewed",
             {required(kAtMost, "%", 10.0), review(kAtMost, "%", 5.0), review(kAtMost, "%", 10.0, "measured_review")},
             measure_spring_rate,
-            false,
+            nullptr,
             {need::kWire, need::kCoil, need::kActiveCoils}};
 }
 

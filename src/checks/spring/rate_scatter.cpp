@@ -1,9 +1,4 @@
-#include <fmt/format.h>
-
-#include "fusee/core/units.h"
-#include "measure.h"
-#include "needs.h"
-#include "spring_change.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -33,7 +28,7 @@ Rule spring_rate_scatter() {
             {review(kAtMost, "rad", "spring.max_angle_rad; not judged without it", "angle_review"),
              review(kAtMost, "mm", "spring.max_travel_mm; not judged without it", "travel_review")},
             measure_spring_rate_scatter,
-            false,
+            nullptr,
             {need::kScatterAngle, need::kScatterTravel}};
 }
 

@@ -1,10 +1,4 @@
-#include <fmt/format.h>
-
-#include "fusee/core/units.h"
-#include "fusee/spring/coil.h"
-#include "measure.h"
-#include "needs.h"
-#include "spring_change.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -39,7 +33,7 @@ Rule spring_rod() {
         "arbor clearance about 10 % (Newcomb)",
         {required(kAtLeast, "", 1.0), review(kAtLeast, "", 1.1)},
         measure_spring_rod,
-        false,
+        nullptr,
         {need::kWire, need::kCoil, need::kRod, need::kWoundCoils}};
 }
 

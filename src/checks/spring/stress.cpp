@@ -1,11 +1,4 @@
-#include <fmt/format.h>
-
-#include <cmath>
-
-#include "fusee/spring/coil.h"
-#include "measure.h"
-#include "needs.h"
-#include "spring_change.h"
+#include "means.h"
 #include "spring_form.h"
 
 namespace fusee::checks {
@@ -35,7 +28,7 @@ Rule spring_stress() {
         "EN 13906-3: 0.7 of the strength, q; Wahl, in shear 0.8/sqrt 3; strength: stated, or EN 10270-1 by class",
         {required(kAtMost, "MPa", "stress_share of the wire's strength, 0.7 by default; shear: that share over sqrt 3, 0.46 by default")},
         measure_spring_stress,
-        false,
+        nullptr,
         {need::kWire, need::kCoil, need::kStrength}};
 }
 

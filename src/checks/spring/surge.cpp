@@ -1,10 +1,4 @@
-#include <fmt/format.h>
-
-#include <cmath>
-
-#include "fusee/spring/coil.h"
-#include "measure.h"
-#include "needs.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -28,7 +22,7 @@ Rule spring_surge() {
             "engineersedge: 15 to 20 times; amesweb: at least 13",
             {required(kAtLeast, "", 13.0), review(kAtLeast, "", 20.0)},
             measure_spring_surge,
-            false,
+            nullptr,
             {need::kWire, need::kCoil, need::kActiveCoils}};
 }
 

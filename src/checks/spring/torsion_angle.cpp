@@ -1,6 +1,4 @@
-#include "measure.h"
-#include "needs.h"
-#include "spring_change.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -23,9 +21,8 @@ Rule spring_torsion_angle() {
             "spring.max_angle_rad",
             {required(kAtMost, "rad", "spring.max_angle_rad; not judged without it")},
             measure_spring_torsion_angle,
-            false,
-            {need::kMaxAngle},
-            is_torsion};
+            is_torsion,
+            {need::kMaxAngle}};
 }
 
 }  // namespace fusee::checks

@@ -1,10 +1,4 @@
-#include <fmt/format.h>
-
-#include "fusee/core/units.h"
-#include "fusee/spring/coil.h"
-#include "measure.h"
-#include "needs.h"
-#include "spring_change.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -44,9 +38,8 @@ Rule spring_travel() {
             {required(kAtMost, "mm", "spring.max_travel_mm; not judged without it", "rated_required"),
              required(kAtMost, "mm", "85 % of free length - (active coils + 2) wire"), review(kAtMost, "mm", "80 % of it")},
             measure_spring_travel,
-            false,
-            {need::kTravel},
-            is_compression};
+            is_compression,
+            {need::kTravel}};
 }
 
 }  // namespace fusee::checks

@@ -1,7 +1,4 @@
-#include <fmt/format.h>
-
-#include "measure.h"
-#include "shape.h"
+#include "means.h"
 
 namespace fusee::checks {
 

@@ -1,14 +1,10 @@
-#include <fmt/format.h>
-
-#include "fusee/core/units.h"
-#include "measure.h"
+#include "means.h"
 
 namespace fusee::checks {
 
 namespace {
 
 core::Findings measure_stack_boss(const Design& design, const Allowed& allowed) {
-    if (!is_stacked(design)) return {};
     const solid::HubOptions& hub = design.part.options.hub;
     core::Finding f = judge(core::mm_from_m(hub.boss_height), {allowed("required")});
     f.what = "height of the boss below the plates";
@@ -24,7 +20,8 @@ Rule stack_boss() {
             "plates: height of the boss",
             "geometry: plates are cut through",
             {required(kAtMost, "mm", 0.0)},
-            measure_stack_boss};
+            measure_stack_boss,
+            is_stacked};
 }
 
 }  // namespace fusee::checks

@@ -1,11 +1,6 @@
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <vector>
 
-#include "fusee/core/units.h"
-#include "measure.h"
-#include "shape.h"
+#include "means.h"
 
 namespace fusee::checks {
 

@@ -1,10 +1,5 @@
-#include <fmt/format.h>
-
-#include "fusee/checks/limits.h"
-#include "fusee/core/units.h"
 #include "fusee/solid/stack.h"
-#include "measure.h"
-#include "spring_change.h"
+#include "means.h"
 
 namespace fusee::checks {
 

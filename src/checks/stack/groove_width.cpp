@@ -1,15 +1,11 @@
-#include <fmt/format.h>
-
-#include "fusee/core/units.h"
 #include "fusee/solid/stack.h"
-#include "measure.h"
+#include "means.h"
 
 namespace fusee::checks {
 
 namespace {
 
 core::Findings measure_stack_groove_width(const Design& design, const Allowed& allowed) {
-    if (!is_stacked(design)) return {};
     const double d = design.cable.diameter;
     core::Finding f = judge(solid::core_thickness(design.part) / d, {allowed("required"), allowed("low_review"), allowed("high_review")});
     f.what = fmt::format("thickness of the groove's plate, {:.3f} mm, over the cable's diameter",
@@ -27,7 +23,8 @@ Rule stack_groove_width() {
                      "plates: thickness of the groove's plate over the cable's diameter",
                      "geometry: the cable lies between the flanges; 5 % of clearance, half a cable at most (practice)",
                      {required(kAtLeast, "d", 1.0), review(kAtLeast, "d", 1.05, "low_review"), review(kAtMost, "d", 1.5, "high_review")},
-                     measure_stack_groove_width});
+                     measure_stack_groove_width,
+                     is_stacked});
 }
 
 }  // namespace fusee::checks

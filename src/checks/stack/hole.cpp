@@ -1,21 +1,14 @@
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <vector>
 
-#include "fusee/core/units.h"
 #include "fusee/solid/stack.h"
-#include "measure.h"
-#include "shape.h"
+#include "means.h"
 
 namespace fusee::checks {
 
 namespace {
 
 core::Findings measure_stack_hole(const Design& design, const Allowed& allowed) {
-    if (!is_stacked(design)) return {};
-    const std::vector<Hole> all = holes(design.part);
-    const Hole least = *std::min_element(all.begin(), all.end(), [](const Hole& a, const Hole& b) { return a.diameter < b.diameter; });
+    const Hole least = smallest_hole(design.part);
     const double thickest = std::max(design.part.options.groove.rib, solid::core_thickness(design.part));
     core::Finding f = judge(least.diameter / thickest, {allowed("review")});
     f.what = fmt::format("diameter of the smallest hole over the thickest plate, {:.2f} mm: {}", core::mm_from_m(thickest), least.what);
@@ -33,7 +26,8 @@ Rule stack_hole() {
                      "plates: smallest hole over the thickest plate",
                      "one thickness (practice)",
                      {review(kAtLeast, "thicknesses", 1.0)},
-                     measure_stack_hole});
+                     measure_stack_hole,
+                     is_stacked});
 }
 
 }  // namespace fusee::checks

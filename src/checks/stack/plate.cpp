@@ -1,17 +1,11 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-
-#include "fusee/core/units.h"
 #include "fusee/solid/stack.h"
-#include "measure.h"
+#include "means.h"
 
 namespace fusee::checks {
 
 namespace {
 
 core::Findings measure_stack_plate(const Design& design, const Allowed& allowed) {
-    if (!is_stacked(design)) return {};
     const double flange = design.part.options.groove.rib, middle = solid::core_thickness(design.part);
     core::Finding f = judge(core::mm_from_m(std::min(flange, middle)), {allowed("review")});
     f.what = fmt::format("thinnest plate: {}", flange < middle ? "flange" : "the groove's");
@@ -29,7 +23,8 @@ Rule stack_plate() {
                      "plates: thinnest of the flanges' and the groove's",
                      "0.5 mm (practice)",
                      {review(kAtLeast, "mm", 0.5)},
-                     measure_stack_plate});
+                     measure_stack_plate,
+                     is_stacked});
 }
 
 }  // namespace fusee::checks

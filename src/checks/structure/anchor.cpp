@@ -1,12 +1,4 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-
-#include "fusee/checks/limits.h"
-#include "fusee/core/units.h"
-#include "measure.h"
-#include "shape.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -45,7 +37,7 @@ core::Findings measure_structure_anchor(const Design& design, const Allowed& all
         *std::min_element(all.begin(), all.end(), [](const Neighbour& a, const Neighbour& b) { return a.wall < b.wall; });
     core::Finding f = judge(core::mm_from_m(nearest.wall), {allowed("required", core::mm_from_m(process_limits(design.process).wall))});
     f.what = fmt::format("wall between the cable's anchor hole and the {}", nearest.what);
-    f.where = where(design, cam.anchor_psi);
+    f.where = at_anchor(design);
     f.place = place(anchor, -radius);
     const double smaller = 2.0 * radius - core::m_from_mm(f.allowed - f.measured);  // its far edge stays at the pitch curve
     f.suggestion = nearest.from_inside && smaller > 0.0 ? change(design, "features.anchor_hole_mm", down(core::mm_from_m(smaller)))

@@ -1,12 +1,7 @@
-#include <fmt/format.h>
-
-#include <cmath>
 #include <limits>
 
 #include "fusee/cam/anchor.h"
-#include "fusee/core/units.h"
-#include "measure.h"
-#include "shape.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -39,8 +34,7 @@ core::Findings measure_structure_anchor_floor(const Design& design, const Allowe
     const Clearance found = clearance(cam, cam.anchor_psi, radius);
     core::Finding f = judge(core::mm_from_m(found.gap), {allowed("required", core::mm_from_m(0.5 * design.cable.diameter))});
     f.what = "distance from the anchor hole to the working floor";
-    f.where = where(design, found.at.psi);
-    f.place = place(found.at, -0.5 * cam.options.cable_diameter);
+    locate(f, design, found.at, -0.5 * cam.options.cable_diameter);
     f.suggestion = without_anchor_hole(design);
     for (const double margin : cam::margins_by_distance(cam)) {
         if (clearance(cam, cam::anchor_direction(cam, margin), radius).gap < 0.55 * design.cable.diameter) continue;

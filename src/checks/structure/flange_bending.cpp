@@ -1,12 +1,4 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-
-#include "fusee/checks/material.h"
-#include "fusee/core/units.h"
-#include "measure.h"
-#include "shape.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -26,8 +18,7 @@ core::Findings measure_structure_flange_bending(const Design& design, const Allo
     const cam::Contact& worst = worst_contact(cam, stress);
     core::Finding f = judge(stress(worst) / kPaPerMPa, {allowed("review", material_of(design.process).permanent / kPaPerMPa)});
     f.what = fmt::format("bending stress of the flange beside the cable at {:.1f} N", worst.arm.tension);
-    f.where = where(design, worst.path.psi);
-    f.place = place(worst.path, 0.0);
+    locate(f, design, worst.path);
     const double thicker = thickness * std::sqrt(f.measured / f.allowed) - thickness;
     f.suggestion = change("groove.rib_mm", up(core::mm_from_m(rib + thicker)));
     return {f};

@@ -1,9 +1,4 @@
-#include <fmt/format.h>
-
-#include "fusee/checks/limits.h"
-#include "fusee/core/units.h"
-#include "measure.h"
-#include "shape.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -17,8 +12,7 @@ core::Findings measure_structure_hole_edge(const Design& design, const Allowed& 
     core::Finding f =
         judge(core::mm_from_m(nearest.distance - hole->radius), {allowed("review", core::mm_from_m(process_limits(design.process).wall))});
     f.what = "wall between the cable's anchor hole and the rim of the upper flange";
-    f.where = where(design, hole->at.psi);
-    f.place = place(hole->at, 0.0);
+    locate(f, design, hole->at);
     f.suggestion = change(design, "flange_height_mm", up(core::mm_from_m(design.part.options.flange_height) + f.allowed - f.measured));
     return {f};
 }

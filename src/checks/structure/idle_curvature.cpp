@@ -1,9 +1,5 @@
-#include <fmt/format.h>
-
 #include "fusee/core/turn.h"
-#include "fusee/core/units.h"
-#include "measure.h"
-#include "shape.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -29,8 +25,7 @@ core::Findings measure_structure_idle_curvature(const Design& design, const Allo
     const double cusp = core::mm_from_m(0.5 * design.cable.diameter), wanted = core::mm_from_m(cam.options.path.min_idle_curvature_radius);
     core::Finding f = judge(core::mm_from_m(sharpest->rho) * (1.0 + kSampled), {allowed("required", cusp), allowed("review", wanted)});
     f.what = "least radius of curvature outside the working arc; the groove's floor has a cusp below half a cable";
-    f.where = where(design, sharpest->psi);
-    f.place = place(*sharpest, -0.5 * design.cable.diameter);
+    locate(f, design, *sharpest, -0.5 * design.cable.diameter);
     const double margin = core::deg_from_rad(cam.options.path.margin);
     // An arc that already keeps its least radius elsewhere is as sharp as the ends of the working arc. Then min_idle_radius_mm must be
     // smaller.

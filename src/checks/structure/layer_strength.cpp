@@ -1,12 +1,4 @@
-#include <fmt/format.h>
-
-#include <cmath>
-
-#include "fusee/checks/material.h"
-#include "fusee/core/units.h"
-#include "measure.h"
-#include "needs.h"
-#include "shape.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -44,8 +36,7 @@ core::Findings measure_structure_layer_strength(const Design& design, const Allo
     core::Finding f = judge(kLayerShare * material.strength / stress.equivalent(), {allowed("required"), allowed("review")});
     f.what = fmt::format("safety of the layers at the boss's root at {:.1f} N: {:.2g} MPa of bending and {:.2g} MPa of torsion in {}",
                          worst.arm.tension, stress.bending / kPaPerMPa, stress.torsion / kPaPerMPa, material.name);
-    f.where = where(design, worst.path.psi);
-    f.place = place(worst.path, 0.0);
+    locate(f, design, worst.path);
     f.suggestion = change(design, "hub.boss_mm", up(core::mm_from_m(part.options.hub.boss_diameter) * std::cbrt(f.allowed / f.measured)));
     return {f};
 }
@@ -60,8 +51,6 @@ Rule structure_layer_strength() {
         "strength of PLA across layers 47.8 % below the filament's: doi 10.1089/3dp.2020.0109; Tresca; safety 2 against scatter (practice)",
         {required(kAtLeast, "", 1.0), review(kAtLeast, "", 2.0)},
         measure_structure_layer_strength,
-        false,
-        {},
         has_printed_boss};
 }
 

@@ -1,11 +1,4 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-
-#include "fusee/checks/limits.h"
-#include "fusee/core/units.h"
-#include "measure.h"
-#include "shape.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -56,7 +49,7 @@ core::Findings measure_structure_leg_slot(const Design& design, const Allowed& a
     core::Finding f = judge(core::mm_from_m(inwards ? w.inner : w.outer),
                             {allowed("required", core::mm_from_m(process.wall)), allowed("review", core::mm_from_m(process.loaded_wall))});
     f.what = fmt::format("wall between the spring leg's slot and the {}", inwards ? "bore" : "groove");
-    f.where = fmt::format("{} at body angle {:.1f} deg", name(design), core::deg_from_rad(features.leg_slot_angle));
+    f.where = at_leg_slot(design);
     f.place = core::Place{
         features.leg_slot_angle,
         {core::mm_from_m(leg_slot(features).outer[0]), core::mm_from_m(leg_slot(features).outer[1]), core::mm_from_m(design.part.z_high)}};

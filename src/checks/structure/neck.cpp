@@ -1,11 +1,6 @@
-#include <algorithm>
 #include <vector>
 
-#include "fusee/checks/limits.h"
-#include "fusee/core/units.h"
-#include "measure.h"
-#include "shape.h"
-#include "spring_change.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -33,8 +28,7 @@ core::Findings measure_structure_neck(const Design& design, const Allowed& allow
     if (!narrowest) return {};
     core::Finding f = judge(core::mm_from_m(least), {allowed("review", core::mm_from_m(process_limits(design.process).feature))});
     f.what = "least width of the core between the groove's floors on both sides";
-    f.where = where(design, narrowest->psi);
-    f.place = place(*narrowest, -0.5 * design.cable.diameter);
+    locate(f, design, *narrowest, -0.5 * design.cable.diameter);
     f.suggestion =
         scale_arms(design, (f.allowed + core::mm_from_m(design.cable.diameter)) / (f.measured + core::mm_from_m(design.cable.diameter)));
     return {f};

@@ -1,9 +1,4 @@
-#include <fmt/format.h>
-
-#include "fusee/checks/limits.h"
-#include "fusee/core/units.h"
-#include "measure.h"
-#include "shape.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -17,7 +12,7 @@ core::Findings measure_structure_slot_floor(const Design& design, const Allowed&
     core::Finding f = judge(core::mm_from_m(left),
                             {allowed("required", core::mm_from_m(process.wall)), allowed("review", core::mm_from_m(process.loaded_wall))});
     f.what = "material under the spring leg's slot";
-    f.where = fmt::format("{} at body angle {:.1f} deg", name(design), core::deg_from_rad(features.leg_slot_angle));
+    f.where = at_leg_slot(design);
     f.suggestion = change(design, "features.leg_slot_depth_mm", down(core::mm_from_m(features.leg_slot_depth) + f.measured - f.allowed));
     return {f};
 }

@@ -1,10 +1,4 @@
-#include <fmt/format.h>
-
-#include "fusee/checks/limits.h"
-#include "fusee/core/units.h"
-#include "measure.h"
-#include "shape.h"
-#include "spring_change.h"
+#include "means.h"
 
 namespace fusee::checks {
 
@@ -33,8 +27,7 @@ core::Findings measure_structure_wall_to_bore(const Design& design, const Allowe
         if (const Nearest at = distance_inside(path, floor, corner); at.distance < nearest.distance) nearest = at, key = true;
     core::Finding f = judge(core::mm_from_m(nearest.distance), {required, review});
     f.what = fmt::format("wall between the groove's floor and the {}", key ? "keyway's corner" : "bore");
-    f.where = where(design, nearest.at.psi);
-    f.place = place(nearest.at, floor);
+    locate(f, design, nearest.at, floor);
     const double lacking = core::m_from_mm(f.allowed) - nearest.distance, bore = hub.bore_diameter - 2.0 * lacking;
     if (bore > 0.0) f.suggestion = change(design, "hub.bore_mm", down(core::mm_from_m(bore)));
     if (nearest.at.h > 0.0) f.suggestion.or_else(scale_arms(design, (nearest.at.h + lacking) / nearest.at.h));

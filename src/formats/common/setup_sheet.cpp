@@ -59,7 +59,7 @@ std::string setup_sheet(const Milled& milled, const PartExport& out) {
                         tools_of(milled), milled.result.minutes);
     text += fmt::format("\n## Checks by simulation of stock and holder\n{}", checks_of(milled));
     text += "- not checked: cutting forces, deflection, chatter, the machine's travel\n";
-    if (out.settings.process.kind != checks::ProcessKind::kMill && out.settings.process.kind != checks::ProcessKind::kMill4)
+    if (!checks::is_milled(out.settings.process))
         text += fmt::format(
             "\nThe part was judged for {}; speeds and feeds here are those of milling {}. `fusee check --process mill` or `mill4` lists "
             "what a mill objects to.\n",

@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include "measure.h"
 
 namespace fusee::inspect {
@@ -16,7 +14,7 @@ std::optional<Marked> measure_mesh_cavity(const Foreign& part, const Allowed& al
     for (std::uint32_t t = 0; t < topology.component_of.size(); ++t)
         if (part.body.cavity()[topology.component_of[t]]) triangles.push_back(t);
     core::Finding f = judge(volume, {allowed("required")});
-    f.what = is_printed(part) ? "closed cavity: unhardened material cannot leave it" : "closed cavity, which no tool can reach";
+    f.what = is_printed(part.process) ? "closed cavity: unhardened material cannot leave it" : "closed cavity, which no tool can reach";
     if (!triangles.empty()) set_place(f, middle_of(part.body, triangles.front()));
     f.suggestion =
         fmt::format("two openings of at least {:g} mm, or no cavity", core::mm_from_m(checks::process_limits(part.process).hole));

@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include "measure.h"
 
 namespace fusee::inspect {

@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include "measure.h"
 
 namespace fusee::inspect {
@@ -7,7 +5,7 @@ namespace fusee::inspect {
 namespace {
 
 std::optional<Marked> measure_mesh_hole_depth(const Foreign& part, const Allowed& allowed) {
-    if (!is_milled(part) && part.process.kind != checks::ProcessKind::kSls) return std::nullopt;
+    if (!is_milled(part.process) && part.process.kind != checks::ProcessKind::kSls) return std::nullopt;
     const bool powder = part.process.kind == checks::ProcessKind::kSls;
     std::optional<Hollow> deepest;
     for (const Hollow& h : part.body.hollows()) {

@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include "fusee/core/parallel.h"
 #include "measure.h"
 

@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <numeric>
 
 #include "measure.h"
@@ -11,7 +9,7 @@ namespace {
 constexpr double kDraft = core::rad_from_deg(2.0);  // a cut's own draft, and facets
 
 std::optional<Marked> measure_mesh_plates(const Foreign& part, const Allowed& allowed) {
-    if (!is_stacked(part)) return std::nullopt;
+    if (!is_stacked(part.process)) return std::nullopt;
     const Body& body = part.body;
     double inclined = 0.0;
     std::vector<std::uint32_t> triangles;

@@ -1,7 +1,3 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-
 #include "fusee/core/parallel.h"
 #include "measure.h"
 
@@ -76,7 +72,7 @@ std::vector<Pocket> pockets(const Body& body) {
 }
 
 std::optional<Marked> measure_mesh_pocket(const Foreign& part, const Allowed& allowed) {
-    if (!is_milled(part)) return std::nullopt;
+    if (!is_milled(part.process)) return std::nullopt;
     const std::vector<Pocket> all = pockets(part.body);
     const auto worst = std::max_element(all.begin(), all.end(), [](const Pocket& a, const Pocket& b) { return a.ratio() < b.ratio(); });
     if (worst == all.end() || !(worst->ratio() > 0.0)) return std::nullopt;

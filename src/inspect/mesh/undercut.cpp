@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include "fusee/core/parallel.h"
 #include "measure.h"
 
@@ -26,7 +24,7 @@ bool is_seen(const Body& body, const Sample& s, const std::vector<Vec3>& directi
 }
 
 std::optional<Marked> measure_mesh_undercut(const Foreign& part, const Allowed& allowed) {
-    if (!is_milled(part)) return std::nullopt;
+    if (!is_milled(part.process)) return std::nullopt;
     const Body& body = part.body;
     const std::vector<Vec3> directions = tools(part.process);
     std::vector<char> seen(body.samples().size());

@@ -1,0 +1,17 @@
+#pragma once
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "fusee/checks/limits.h"
+#include "fusee/checks/material.h"
+#include "fusee/core/units.h"
+#include "fusee/spring/coil.h"
+#include "measure.h"
+#include "needs.h"
+#include "shape.h"
+#include "spring_change.h"
+#include "strength.h"
+
+// The one header that a rule's file includes.

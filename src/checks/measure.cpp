@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "fusee/checks/limits.h"
-#include "fusee/core/units.h"
 #include "shape.h"
 
 namespace fusee::checks {
@@ -28,17 +27,17 @@ core::Suggestion without_anchor_hole(const Design& design) {
     return change(design, "features.anchor_hole_mm", "0").noted(" and a knot or clamp outside the part");
 }
 
-std::string where(const Design& design, double psi) { return fmt::format("{} at psi {:.1f} deg", name(design), core::deg_from_rad(psi)); }
+std::string where(const Design& design, double psi) { return fmt::format("{} at psi {:.1f} deg", name(design), deg_from_rad(psi)); }
 
 std::string at_anchor(const Design& design) { return where(design, design.part.cam.anchor_psi); }
 std::string at_leg_slot(const Design& design) {
-    return fmt::format("{} at body angle {:.1f} deg", name(design), core::deg_from_rad(design.part.options.features.leg_slot_angle));
+    return fmt::format("{} at body angle {:.1f} deg", name(design), deg_from_rad(design.part.options.features.leg_slot_angle));
 }
 std::string along_groove(const Design& design) { return name(design) + " all along the groove"; }
 
 core::Place place(const cam::PathPoint& p, double offset) {
     const double h = p.h + offset, c = std::cos(p.psi), s = std::sin(p.psi);
-    return {p.psi, {core::mm_from_m(h * c - p.slope * s), core::mm_from_m(h * s + p.slope * c), core::mm_from_m(p.z)}};
+    return {p.psi, {mm_from_m(h * c - p.slope * s), mm_from_m(h * s + p.slope * c), mm_from_m(p.z)}};
 }
 
 void locate(core::Finding& finding, const Design& design, const cam::PathPoint& point, double offset) {
@@ -59,7 +58,7 @@ core::Finding judge_slenderest_hole(const Design& design, std::initializer_list<
     const Hole deep = slenderest_hole(design.part);
     core::Finding f = judge(deep.depth / deep.diameter, limits);
     f.what = fmt::format("depth of the slenderest hole: {}", deep.what);
-    f.suggestion = change(design, deep.key, up(core::mm_from_m(deep.depth) / f.allowed));
+    f.suggestion = change(design, deep.key, up(mm_from_m(deep.depth) / f.allowed));
     return f;
 }
 

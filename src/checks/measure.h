@@ -5,6 +5,7 @@
 #include "fusee/checks/check.h"
 #include "fusee/checks/judge.h"
 #include "fusee/core/change.h"
+#include "fusee/core/units.h"
 
 namespace fusee::checks {
 
@@ -13,6 +14,7 @@ inline constexpr double kPaPerMPa = 1e6;
 /// The rule for parts of a cable only, in a group that has rules for rollers too.
 Rule on_cable(Rule rule);
 using core::change, core::number, core::quoted;
+using core::deg_from_rad, core::m_from_mm, core::mm_from_m, core::rad_from_deg;
 
 /// "k_pe"
 std::string name(const Design& design);

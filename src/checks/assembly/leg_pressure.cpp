@@ -9,11 +9,10 @@ core::Findings measure_assembly_leg_pressure(const Design& design, const Allowed
     const double force = leg_force(design), depth = slot.leg_slot_depth, most = bearing_strength(design);
     // The wire tilts in its slot: the pressure falls linearly from the mouth to 0 at the bottom.
     core::Finding f = judge(2.0 * force / (design.spring.wire_diameter * depth) / kPaPerMPa, {allowed("review", most / kPaPerMPa)});
-    f.what =
-        fmt::format("pressure of the spring's leg on the wall of its slot, {:.1f} N on {:.3g} mm of wire", force, core::mm_from_m(depth));
+    f.what = fmt::format("pressure of the spring's leg on the wall of its slot, {:.1f} N on {:.3g} mm of wire", force, mm_from_m(depth));
     f.suggestion =
-        change(design, "features.leg_slot_depth_mm", up(core::mm_from_m(depth) * f.measured / f.allowed))
-            .or_else(change(design, "features.leg_slot_radius_mm", up(core::mm_from_m(slot.leg_slot_radius) * f.measured / f.allowed)));
+        change(design, "features.leg_slot_depth_mm", up(mm_from_m(depth) * f.measured / f.allowed))
+            .or_else(change(design, "features.leg_slot_radius_mm", up(mm_from_m(slot.leg_slot_radius) * f.measured / f.allowed)));
     return {f};
 }
 

@@ -10,7 +10,7 @@ core::Findings measure_assembly_thread(const Design& design, const Allowed& allo
     core::Finding f = judge(hole / d, {allowed("required"), allowed("review")});
     f.what = "diameter of the anchor hole, through which the cable is threaded";
     f.where = at_anchor(design);
-    f.suggestion = change(design, "features.anchor_hole_mm", up(core::mm_from_m(f.allowed * d)));
+    f.suggestion = change(design, "features.anchor_hole_mm", up(mm_from_m(f.allowed * d)));
     return {f};
 }
 

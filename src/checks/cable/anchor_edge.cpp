@@ -11,7 +11,7 @@ core::Findings measure_cable_anchor_edge(const Design& design, const Allowed& al
     core::Finding f = judge(design.part.options.features.anchor_edge_radius / d, {allowed("review")});
     f.what = "radius of the anchor hole's edge, over which the cable bends to its end";
     f.where = at_anchor(design);
-    f.suggestion = change(design, "features.anchor_edge_mm", up(core::mm_from_m(f.allowed * d))).noted(": round it by hand");
+    f.suggestion = change(design, "features.anchor_edge_mm", up(mm_from_m(f.allowed * d))).noted(": round it by hand");
     return {f};
 }
 

@@ -27,7 +27,7 @@ core::Findings measure_cable_bend_life(const Design& design, const Allowed& allo
     if (factor(worst) > 0.0)
         f.suggestion = change("cable.breaking_load_N", up(load.newton * f.allowed / f.measured));
     else
-        f.suggestion = fmt::format("a contour with rho above {} mm", up(core::mm_from_m(0.5 * d)));
+        f.suggestion = fmt::format("a contour with rho above {} mm", up(mm_from_m(0.5 * d)));
     return {f};
 }
 

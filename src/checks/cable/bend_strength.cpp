@@ -10,13 +10,13 @@ core::Findings measure_cable_bend_strength(const Design& design, const Allowed& 
     const double d = design.cable.diameter;
     const cam::PathPoint& sharpest = worst_contact(design.part.cam, [](const cam::Contact& c) { return -c.path.rho; }).path;
     core::Finding f = judge(100.0 * strength_left(design.cable.construction, (2.0 * sharpest.rho - d) / d), {allowed("review")});
-    f.what = fmt::format("strength left in the cable at its sharpest bend, rho {:.3f} mm", core::mm_from_m(sharpest.rho));
+    f.what = fmt::format("strength left in the cable at its sharpest bend, rho {:.3f} mm", mm_from_m(sharpest.rho));
     locate(f, design, sharpest);
     double thinner = d;
     while (100.0 * strength_left(design.cable.construction, (2.0 * sharpest.rho - thinner) / thinner) < f.allowed &&
            thinner > kThinnest * d)
         thinner *= kStrengthStep;
-    f.suggestion = change("cable.diameter_mm", down(core::mm_from_m(thinner)));
+    f.suggestion = change("cable.diameter_mm", down(mm_from_m(thinner)));
     return {f};
 }
 

@@ -11,19 +11,19 @@ core::Findings measure_cable_fleet(const Design& design, const Allowed& allowed)
     const cam::Contact& worst = worst_contact(cam, [&](const cam::Contact& c) { return std::abs(fleet_from_groove(cam, c)); });
     const bool own = design.cable.max_fleet > 0.0;
     const bool aimed = !cam.closed() && cam.options.path.lead == cam::Lead::kAimedAtGuide;
-    const double fleet = core::deg_from_rad(std::abs(fleet_from_groove(cam, worst)));
-    core::Finding f = own ? judge(fleet, {allowed("required", core::deg_from_rad(design.cable.max_fleet))})
+    const double fleet = deg_from_rad(std::abs(fleet_from_groove(cam, worst)));
+    core::Finding f = own ? judge(fleet, {allowed("required", deg_from_rad(design.cable.max_fleet))})
                           : judge(fleet, {allowed("required", kMost), allowed("review")});
     f.what = fmt::format("largest fleet angle{}; the arm in the plane is longer by 1/{:.5f}",
                          aimed ? ", from the direction of the groove" : "", std::cos(worst.fleet));
     locate(f, design, worst.path);
-    const double tangent = std::tan(core::rad_from_deg(f.allowed)), farther = std::abs(std::tan(worst.fleet)) / tangent;
-    f.suggestion = change(design, "guide.distance_mm", up(core::mm_from_m(cam.options.guide.distance + worst.span * (farther - 1.0))))
-                       .noted(fmt::format(": a free cable of {} mm there", up(core::mm_from_m(worst.span * farther))));
+    const double tangent = std::tan(rad_from_deg(f.allowed)), farther = std::abs(std::tan(worst.fleet)) / tangent;
+    f.suggestion = change(design, "guide.distance_mm", up(mm_from_m(cam.options.guide.distance + worst.span * (farther - 1.0))))
+                       .noted(fmt::format(": a free cable of {} mm there", up(mm_from_m(worst.span * farther))));
     if (!cam.closed() && cam.options.path.lead == cam::Lead::kConstantPitch && cam.working.size() > 1) {
         const double middle = 0.5 * (cam.working.front().path.z + cam.working.back().path.z);
         if (std::abs(cam.options.guide.z - middle) > 0.5 * cam.options.path.pitch)
-            f.suggestion.or_else(change(design, "guide.z_mm", number(core::mm_from_m(middle), 3)).noted(": the guide at half height"));
+            f.suggestion.or_else(change(design, "guide.z_mm", number(mm_from_m(middle), 3)).noted(": the guide at half height"));
     }
     if (own) f.source = "cable.max_fleet_deg";
     return {f};

@@ -26,15 +26,15 @@ Crossing cross(const Design& design, const cam::Contact& contact, std::vector<Se
     const cam::PathPoint& p = contact.path;
     const int sign = design.part.cam.options.torque_sign;  // the cable leaves along sign * t: its tension then has that torque
     const double c = std::cos(p.psi), s = std::sin(p.psi), rise = std::tan(contact.fleet);
-    const double h = core::mm_from_m(p.h), slope = core::mm_from_m(p.slope), z = core::mm_from_m(p.z);
+    const double h = mm_from_m(p.h), slope = mm_from_m(p.slope), z = mm_from_m(p.z);
     const solid::Mesh& mesh = design.part.mesh;
     for (std::size_t i = 0; i < mesh.points_mm.size(); ++i) {
         const auto& q = mesh.points_mm[i];
         const double along = sign * (-q[0] * s + q[1] * c - slope);
         seen[i] = {q[0] * c + q[1] * s - h, q[2] - z - along * rise, along};
     }
-    const double begin = kStart * core::mm_from_m(design.cable.diameter);
-    const double end = contact.span > 0.0 ? core::mm_from_m(contact.span) : std::numeric_limits<double>::infinity();
+    const double begin = kStart * mm_from_m(design.cable.diameter);
+    const double end = contact.span > 0.0 ? mm_from_m(contact.span) : std::numeric_limits<double>::infinity();
     const auto side = [](const Seen& a, const Seen& b) { return a.across * b.up - a.up * b.across; };
     Crossing crossing;
     for (const solid::Triangle& t : mesh.triangles) {
@@ -66,8 +66,8 @@ core::Findings measure_cable_free_path(const Design& design, const Allowed& allo
     locate(f, design, worst->path);
     double reach = 0.0;
     for (const auto& q : design.part.mesh.points_mm) reach = std::max(reach, std::hypot(q[0], q[1]));
-    const double leaves = std::acos(std::clamp(core::mm_from_m(worst->path.h) / reach, 0.0, 1.0));  // direction in which it passes the rim
-    f.suggestion = change(design, "path.margin_deg", up(core::deg_from_rad(leaves))).noted(": a groove open as far as the rim");
+    const double leaves = std::acos(std::clamp(mm_from_m(worst->path.h) / reach, 0.0, 1.0));  // direction in which it passes the rim
+    f.suggestion = change(design, "path.margin_deg", up(deg_from_rad(leaves))).noted(": a groove open as far as the rim");
     return {f};
 }
 

@@ -30,21 +30,19 @@ core::Findings measure_cable_groove_angle(const Design& design, const Allowed& a
     if (cam.closed() || cam.working.size() < 2) return {};
     const auto angle = [&cam](const cam::Contact& c) { return std::abs(std::atan(groove_slope(cam, c)) - c.fleet); };
     const cam::Contact& worst = worst_contact(cam, angle);
-    core::Finding f = judge(core::deg_from_rad(angle(worst)), {allowed("review")});
+    core::Finding f = judge(deg_from_rad(angle(worst)), {allowed("review")});
     f.what = fmt::format(
         "angle between the free cable and its groove: it rubs on a flank, where {:.2g} % of the torque may be lost or gained; over the "
         "range the cable moves by {:.2g} mm more than the arms state",
-        100.0 * (1.0 - std::cos(angle(worst))) * worst.path.rho / worst.path.h, core::mm_from_m(excess_intake(cam, angle)));
+        100.0 * (1.0 - std::cos(angle(worst))) * worst.path.rho / worst.path.h, mm_from_m(excess_intake(cam, angle)));
     locate(f, design, worst.path);
     if (cam.options.path.lead == cam::Lead::kConstantPitch)
-        f.suggestion =
-            change(design, "path.pitch_mm",
-                   down(core::mm_from_m(cam.options.path.pitch) * std::tan(core::rad_from_deg(f.allowed)) / std::tan(angle(worst))))
-                .or_else(aimed_change(design));
+        f.suggestion = change(design, "path.pitch_mm",
+                              down(mm_from_m(cam.options.path.pitch) * std::tan(rad_from_deg(f.allowed)) / std::tan(angle(worst))))
+                           .or_else(aimed_change(design));
     else
-        f.suggestion =
-            change(design, "guide.z_mm", number(core::mm_from_m(0.5 * (cam.working.front().path.z + cam.working.back().path.z)), 3))
-                .noted(": half height");
+        f.suggestion = change(design, "guide.z_mm", number(mm_from_m(0.5 * (cam.working.front().path.z + cam.working.back().path.z)), 3))
+                           .noted(": half height");
     return {f};
 }
 

@@ -9,10 +9,10 @@ core::Findings measure_cable_knot(const Design& design, const Allowed& allowed) 
     if (hole <= 0.0) return {};
     const double tolerance = process_limits(design.process).tolerance, width = termination_limits(design.cable).width;
     core::Finding f = judge((hole + tolerance) / d, {allowed("review", width)});
-    f.what = fmt::format("width of the anchor hole with its tolerance, {:g} mm, which the cable's {} has to bridge",
-                         core::mm_from_m(tolerance), to_string(design.cable.termination));
+    f.what = fmt::format("width of the anchor hole with its tolerance, {:g} mm, which the cable's {} has to bridge", mm_from_m(tolerance),
+                         to_string(design.cable.termination));
     f.where = at_anchor(design);
-    f.suggestion = change(design, "features.anchor_hole_mm", down(core::mm_from_m(f.allowed * d - tolerance)));
+    f.suggestion = change(design, "features.anchor_hole_mm", down(mm_from_m(f.allowed * d - tolerance)));
     return {f};
 }
 

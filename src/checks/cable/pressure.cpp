@@ -16,12 +16,12 @@ core::Findings measure_cable_pressure(const Design& design, const Allowed& allow
     core::Finding f = own ? judge(pressure(worst) / kPaPerMPa, {allowed("required", bears)})
                           : judge(pressure(worst) / kPaPerMPa, {allowed("required", kConfined * bears), allowed("review", bears)});
     f.what = fmt::format("bearing pressure 2T/(D d) at {:.1f} N on a floor of {:.2f} mm diameter; strength {}", worst.arm.tension,
-                         core::mm_from_m(2.0 * worst.path.rho - d), bearing_origin(design));
+                         mm_from_m(2.0 * worst.path.rho - d), bearing_origin(design));
     locate(f, design, worst.path, -0.5 * d);
     f.suggestion = fmt::format("a material that allows {} MPa", up(f.measured));
     // D d = (2 rho - d) d = 2T/p: the smaller root; the contour's rho does not depend on d.
     const double rho = worst.path.rho, root = rho * rho - 2.0 * worst.arm.tension / (kPaPerMPa * f.allowed);
-    if (root > 0.0) f.suggestion.or_else(change("cable.diameter_mm", up(core::mm_from_m(rho - std::sqrt(root)))));
+    if (root > 0.0) f.suggestion.or_else(change("cable.diameter_mm", up(mm_from_m(rho - std::sqrt(root)))));
     return {f};
 }
 

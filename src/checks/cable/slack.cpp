@@ -16,7 +16,7 @@ core::Findings measure_cable_slack(const Design& design, const Allowed& allowed)
     locate(f, design, least.path);
     const double wanted = 0.01 * f.allowed * most;
     if (design.spring.kind == spring::BaseKind::kCompression)
-        f.suggestion = change(design, "spring.preload_mm", up(core::mm_from_m(wanted / design.spring.rate)));
+        f.suggestion = change(design, "spring.preload_mm", up(mm_from_m(wanted / design.spring.rate)));
     else
         f.suggestion = change("law.start_torque_Nm", up(least.arm.tau * wanted / std::max(least.arm.tension, kLeast * most)))
                            .noted(fmt::format(": {} N", up(wanted)));

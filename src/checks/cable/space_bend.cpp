@@ -41,11 +41,11 @@ Bend bend_at(const cam::PathPoint& a, const cam::PathPoint& b, const cam::PathPo
 /// The pitch at which the groove's slope changes slowly enough, or the cable that allows this bend.
 core::Suggestion nearest_change(const Design& design, const Bend& bend, double rho, double allowed) {
     const double needed = 0.5 * design.cable.diameter * (1.0 + allowed), ratio = rho / needed;
-    const core::Suggestion thinner = change("cable.diameter_mm", down(core::mm_from_m(2.0 * bend.radius / (1.0 + allowed))));
+    const core::Suggestion thinner = change("cable.diameter_mm", down(mm_from_m(2.0 * bend.radius / (1.0 + allowed))));
     const cam::PathOptions& path = design.part.cam.options.path;
     if (path.lead != cam::Lead::kConstantPitch || ratio <= 1.0 || bend.twist <= 0.0) return thinner;
     const double slower = std::min(1.0, std::sqrt(ratio * ratio - 1.0) / bend.twist);
-    return change(design, "path.pitch_mm", down(core::mm_from_m(path.pitch) * slower)).or_else(thinner);
+    return change(design, "path.pitch_mm", down(mm_from_m(path.pitch) * slower)).or_else(thinner);
 }
 
 core::Findings measure_cable_space_bend(const Design& design, const Allowed& allowed) {
@@ -60,7 +60,7 @@ core::Findings measure_cable_space_bend(const Design& design, const Allowed& all
     const double d = design.cable.diameter, ratio = (2.0 * sharpest.radius - d) / d;
     core::Finding f = judge_bend(ratio, design, allowed);
     f.what = fmt::format("D/d at the groove's sharpest bend in space between anchor and guide, radius {:.3f} mm, {:.3f} mm in the plane",
-                         core::mm_from_m(sharpest.radius), core::mm_from_m(worst->rho));
+                         mm_from_m(sharpest.radius), mm_from_m(worst->rho));
     locate(f, design, *worst);
     f.suggestion = nearest_change(design, sharpest, worst->rho, f.allowed);
     return {f};

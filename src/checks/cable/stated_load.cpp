@@ -11,7 +11,7 @@ core::Findings measure_cable_stated_load(const Design& design, const Allowed& al
     const Cable& cable = design.cable;
     const double strongest = strongest_cable(cable.construction, cable.diameter);
     core::Finding f = judge(cable.breaking_load, {allowed("required", strongest)});
-    f.what = fmt::format("stated breaking load against that of the strongest {:.3g} mm {} cable on sale", core::mm_from_m(cable.diameter),
+    f.what = fmt::format("stated breaking load against that of the strongest {:.3g} mm {} cable on sale", mm_from_m(cable.diameter),
                          cable.construction);
     f.where = at_anchor(design);
     f.suggestion = change("cable.breaking_load_N", down(f.allowed));

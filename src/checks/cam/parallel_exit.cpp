@@ -35,18 +35,18 @@ core::Suggestion point_change(const Design& design, double nearest) {
         if (hole > nearest && can_be_cut_for(cam, hole)) break;
         hole = common;
     }
-    return change(design, "guide.kind", quoted("point")).with(key_of(design, "guide.distance_mm"), number(core::mm_from_m(hole)));
+    return change(design, "guide.kind", quoted("point")).with(key_of(design, "guide.distance_mm"), number(mm_from_m(hole)));
 }
 
 /// The least distance at which the error meets the limit, as a change; empty: none within the key's limits.
 core::Suggestion distance_change(const Design& design, double least) {
     if (least >= kFarthest) return {};
-    return change(design, "guide.distance_mm", up(core::mm_from_m(least))).noted(" if the cable runs straight for so long");
+    return change(design, "guide.distance_mm", up(mm_from_m(least))).noted(" if the cable runs straight for so long");
 }
 
 core::Finding not_stated(const Design& design, const Allowed& allowed, double nearest, const EffectiveLimit& error) {
     const double least = cam::least_parallel_distance(design.part.cam, 0.01 * error.value(), {nearest, kFarthest});
-    core::Finding f = judge(0.0, {allowed("distance_required", core::mm_from_m(least))});
+    core::Finding f = judge(0.0, {allowed("distance_required", mm_from_m(least))});
     f.what = "distance of the hole that the cable goes to, not stated: a parallel exit alone cannot be built";
     f.suggestion = point_change(design, nearest).or_else(distance_change(design, least));
     return f;
@@ -61,8 +61,7 @@ core::Findings measure_cam_parallel_exit(const Design& design, const Allowed& al
     const cam::ExitError error = cam::parallel_exit_error(cam, distance);
     core::Finding f = judge(std::isnan(error.relative) ? kNoCable : 100.0 * error.relative, {required, review});
     const cam::PathPoint& at = cam.working[error.row].path;
-    f.what =
-        fmt::format("largest error of the arm if the cable goes to a hole {:g} mm away instead of straight off", core::mm_from_m(distance));
+    f.what = fmt::format("largest error of the arm if the cable goes to a hole {:g} mm away instead of straight off", mm_from_m(distance));
     locate(f, design, at);
     f.suggestion = point_change(design, nearest)
                        .or_else(distance_change(design, cam::least_parallel_distance(cam, 0.01 * f.allowed, {nearest, kFarthest})));

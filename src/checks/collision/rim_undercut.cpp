@@ -7,12 +7,11 @@ namespace {
 core::Findings measure_collision_rim_undercut(const Design& design, const Allowed& allowed) {
     if (design.process.kind != ProcessKind::kMill) return {};
     const solid::GrooveOptions& groove = design.part.options.groove;
-    const double depth = core::mm_from_m(groove.depth_ratio * design.cable.diameter);
+    const double depth = mm_from_m(groove.depth_ratio * design.cable.diameter);
     core::Finding f = judge(depth, {allowed("review")});
     f.what = "depth of the groove under its upper flange, out of reach of a tool along the axis";
     f.where = along_groove(design);
-    f.suggestion =
-        fmt::format("a 4th axis, a form cutter of {:.3f} mm radius", core::mm_from_m(groove.radius_ratio * design.cable.diameter));
+    f.suggestion = fmt::format("a 4th axis, a form cutter of {:.3f} mm radius", mm_from_m(groove.radius_ratio * design.cable.diameter));
     if (design.part.cam.closed()) f.suggestion.or_else("two plates split in the plane z 0 mm");
     return {f};
 }

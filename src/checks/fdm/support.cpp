@@ -15,7 +15,7 @@ core::Findings measure_fdm_support(const Design& design, const Allowed& allowed)
     f.what = fmt::format(
         "downward faces at more than {:g} deg from the vertical, printed with the {} on the bed as in plate.3mf ({} on the bed{}: "
         "{:.0f} mm^2)",
-        core::deg_from_rad(limit), upright <= flipped ? "bottom" : "top", upright <= flipped ? "top" : "bottom",
+        deg_from_rad(limit), upright <= flipped ? "bottom" : "top", upright <= flipped ? "top" : "bottom",
         upright <= flipped ? "" : ", as in the part's own files", std::max(upright, flipped));
     f.suggestion = fmt::format("support material under {} mm^2", up(f.measured));
     return {f};

@@ -27,15 +27,15 @@ core::Findings measure_groove_flank_rub(const Design& design, const Allowed& all
         return past * std::tan(std::abs(std::atan(slope) - c.fleet));
     };
     const cam::Contact& worst = worst_contact(cam, aside);
-    core::Finding f = judge(core::mm_from_m(half - radius - aside(worst)), {allowed("review")});
-    f.what = fmt::format("clearance between a lip and the cable, which is {:.3f} mm off the groove's middle there",
-                         core::mm_from_m(aside(worst)));
+    core::Finding f = judge(mm_from_m(half - radius - aside(worst)), {allowed("review")});
+    f.what =
+        fmt::format("clearance between a lip and the cable, which is {:.3f} mm off the groove's middle there", mm_from_m(aside(worst)));
     locate(f, design, worst.path, lip);
-    const double needed = half + core::m_from_mm(f.allowed - f.measured);
-    f.suggestion = change("groove.plate_mm", up(core::mm_from_m(2.0 * needed)));
+    const double needed = half + m_from_mm(f.allowed - f.measured);
+    f.suggestion = change("groove.plate_mm", up(mm_from_m(2.0 * needed)));
     if (stacked) return {f};
-    double throat = core::deg_from_rad(design.part.options.groove.throat);
-    while (throat < kWidest && half_width(design, core::rad_from_deg(throat)) < needed) throat += 1.0;
+    double throat = deg_from_rad(design.part.options.groove.throat);
+    while (throat < kWidest && half_width(design, rad_from_deg(throat)) < needed) throat += 1.0;
     f.suggestion = change("groove.throat_deg", fmt::format("{:.0f}", std::min(std::ceil(throat), kWidest)));
     return {f};
 }

@@ -17,7 +17,7 @@ struct SurfacePoint {
 /// The groove's section with half of the land on both sides, densely sampled: offsets along n and heights [m].
 std::vector<std::array<double, 2>> dense_section(const solid::Part& part, double spacing) {
     std::vector<std::array<double, 2>> corners;
-    for (const solid::SectionPoint& s : part.section) corners.push_back({core::m_from_mm(s.offset_mm), core::m_from_mm(s.z_mm)});
+    for (const solid::SectionPoint& s : part.section) corners.push_back({m_from_mm(s.offset_mm), m_from_mm(s.z_mm)});
     const double land = 0.5 * part.options.groove.rib;
     corners.insert(corners.begin(), {corners.front()[0], corners.front()[1] - land});
     corners.push_back({corners.back()[0], corners.back()[1] + land});
@@ -80,14 +80,14 @@ core::Findings measure_groove_neighbour_turns(const Design& design, const Allowe
     for (std::size_t i = 0; i < cam.working.size(); i += stride)
         if (const Clearance at = clearance_at(design, cam.working[i], points); at.least < tightest.least) tightest = at;
     if (!tightest.contact) return {};
-    core::Finding f = judge(core::mm_from_m(tightest.least), {allowed("required")});
+    core::Finding f = judge(mm_from_m(tightest.least), {allowed("required")});
     f.what = "clearance between the free cable and the lips of the other turns";
     locate(f, design, tightest.contact->path);
-    f.suggestion = change(design, "path.pitch_mm",
-                          up(core::mm_from_m(cam.options.path.pitch) + (f.allowed - f.measured) / std::max(tightest.turns, 0.5)));
+    f.suggestion =
+        change(design, "path.pitch_mm", up(mm_from_m(cam.options.path.pitch) + (f.allowed - f.measured) / std::max(tightest.turns, 0.5)));
     if (cam.options.path.lead == cam::Lead::kAimedAtGuide)
         f.suggestion = fmt::format("the turns {} mm farther apart: a larger {}, now {:.3g}", up(f.allowed - f.measured),
-                                   key_of(design, "guide.z_mm"), core::mm_from_m(cam.options.guide.z));
+                                   key_of(design, "guide.z_mm"), mm_from_m(cam.options.guide.z));
     return {f};
 }
 

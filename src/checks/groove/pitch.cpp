@@ -10,14 +10,14 @@ core::Findings measure_groove_pitch(const Design& design, const Allowed& allowed
     const solid::GrooveOptions& groove = design.part.options.groove;
     const double width = groove_width(design.part), wall = process_limits(design.process).wall;
     const double rope = kRopePitch * groove.radius_ratio * design.cable.diameter;
-    core::Finding f = judge(core::mm_from_m(pitch.least), {allowed("required", core::mm_from_m(std::max(rope, width + wall))),
-                                                           allowed("review", core::mm_from_m(width + groove.rib))});
+    core::Finding f = judge(mm_from_m(pitch.least), {allowed("required", mm_from_m(std::max(rope, width + wall))),
+                                                     allowed("review", mm_from_m(width + groove.rib))});
     f.what = fmt::format("height from one turn to the next; the groove is {:.3f} mm wide, the land between turns {:.2f} mm",
-                         core::mm_from_m(width), core::mm_from_m(std::max(wall, groove.rib)));
+                         mm_from_m(width), mm_from_m(std::max(wall, groove.rib)));
     locate(f, design, pitch.at);
-    f.suggestion = change(design, "path.pitch_mm", up(core::mm_from_m(design.part.cam.options.path.pitch) + f.allowed - f.measured));
+    f.suggestion = change(design, "path.pitch_mm", up(mm_from_m(design.part.cam.options.path.pitch) + f.allowed - f.measured));
     if (design.part.cam.options.path.lead == cam::Lead::kAimedAtGuide)
-        f.suggestion = change(design, "guide.z_mm", up(core::mm_from_m(design.part.cam.options.guide.z) * f.allowed / f.measured))
+        f.suggestion = change(design, "guide.z_mm", up(mm_from_m(design.part.cam.options.guide.z) * f.allowed / f.measured))
                            .noted(fmt::format(": the groove then rises by {} mm per turn", up(f.allowed)));
     return {f};
 }

@@ -15,7 +15,7 @@ core::Findings measure_groove_radius(const Design& design, const Allowed& allowe
     if (f.severity == core::Severity::kPass) f.what = "radius of the groove's floor";
     const double better = f.severity == core::Severity::kError ? kGood : f.allowed;
     f.suggestion = change("groove.radius_ratio", fmt::format("{:.2f}", better))
-                       .noted(fmt::format(" ({:.3f} mm)", core::mm_from_m(better * design.cable.diameter)));
+                       .noted(fmt::format(" ({:.3f} mm)", mm_from_m(better * design.cable.diameter)));
     return {f};
 }
 

@@ -11,13 +11,13 @@ core::Findings measure_groove_throat(const Design& design, const Allowed& allowe
     if (is_stacked(design)) return {};  // plates have square edges
     double fleet = 0.0;
     for (const cam::Contact& c : design.part.cam.working)
-        fleet = std::max(fleet, core::deg_from_rad(std::abs(fleet_from_groove(design.part.cam, c))));
+        fleet = std::max(fleet, deg_from_rad(std::abs(fleet_from_groove(design.part.cam, c))));
     const bool fleeted = fleet > kSmallFleet;
     const double overhang = process_limits(design.process).overhang;
     // A printer that cannot build a rope throat (process.overhang) needs a wider one, which is accepted.
-    const double printed = design.process.kind == ProcessKind::kFdm ? 180.0 - 2.0 * core::deg_from_rad(overhang) : 0.0;
+    const double printed = design.process.kind == ProcessKind::kFdm ? 180.0 - 2.0 * deg_from_rad(overhang) : 0.0;
     const double low = fleeted ? kWithFleet : kNarrow, high = std::max(fleeted ? kWithFleet : kWide, printed);
-    const double throat = core::deg_from_rad(design.part.options.groove.throat);
+    const double throat = deg_from_rad(design.part.options.groove.throat);
     core::Finding f = judge(throat, {allowed("low_review", low), allowed("high_review", high)});
     f.what = fmt::format("throat angle of the groove at {:.1f} deg fleet", fleet);
     if (printed > kWithFleet) f.what += fmt::format("; a rope throat is 35 to 60 deg, printing without supports needs {:.0f}", printed);

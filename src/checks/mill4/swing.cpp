@@ -10,8 +10,8 @@ core::Findings measure_mill4_swing(const Design& design, const Allowed& allowed)
     const std::vector<cam::PathPoint> path = contour(design.part.cam);
     if (design.process.kind != ProcessKind::kMill4 || path.empty()) return {};
     const cam::PathPoint& far = farthest(design.part, path);
-    const double swing = core::mm_from_m(2.0 * swept_radius(design.part, far));
-    const double space = core::mm_from_m(std::min(design.process.build_x, design.process.build_y));
+    const double swing = mm_from_m(2.0 * swept_radius(design.part, far));
+    const double space = mm_from_m(std::min(design.process.build_x, design.process.build_y));
     core::Finding f = judge(swing, {allowed("required", space)});
     f.what = "diameter that the part sweeps about its axis";
     locate(f, design, far);

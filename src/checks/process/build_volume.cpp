@@ -19,13 +19,13 @@ std::size_t tightest(const Size& part, const Size& build) {
 core::Suggestion smaller_part(const Design& design, std::size_t axis, double size, double build) {
     const cam::Cam& cam = design.part.cam;
     if (axis == 2) {
-        const double pitch = core::mm_from_m(cam.options.path.pitch), turns = cam.groove_psi.width() / (2.0 * core::kPi);
+        const double pitch = mm_from_m(cam.options.path.pitch), turns = cam.groove_psi.width() / (2.0 * core::kPi);
         const double less = cam.closed() ? 0.0 : pitch - (size - build) / turns;
         return less > 0.0 ? change(design, "path.pitch_mm", down(less)) : core::Suggestion();
     }
     // Lips and flanges do not shrink with the contour.
     const double lip = design.part.section.empty() ? 0.0 : lip_offset(design.part);
-    const double fixed = 2.0 * core::mm_from_m(lip + design.part.options.flange_height);
+    const double fixed = 2.0 * mm_from_m(lip + design.part.options.flange_height);
     return build > fixed ? scale_arms(design, (build - fixed) / (size - fixed)) : core::Suggestion();
 }
 
@@ -34,7 +34,7 @@ core::Findings measure_process_build_volume(const Design& design, const Allowed&
     if (design.part.mesh.points_mm.empty() || process.build_x <= 0.0 || process.build_y <= 0.0 || process.build_z <= 0.0) return {};
     const solid::Box box = solid::bounding_box(design.part.mesh);
     Size size{box.high_mm[0] - box.low_mm[0], box.high_mm[1] - box.low_mm[1], box.high_mm[2] - box.low_mm[2]};
-    const Size build{core::mm_from_m(process.build_x), core::mm_from_m(process.build_y), core::mm_from_m(process.build_z)};
+    const Size build{mm_from_m(process.build_x), mm_from_m(process.build_y), mm_from_m(process.build_z)};
     if ((size[0] > size[1]) != (build[0] > build[1])) std::swap(size[0], size[1]);  // turned by 90 deg about z
     const std::size_t axis = tightest(size, build);
     core::Finding f = judge(size[axis], {allowed("required", build[axis])});

@@ -10,10 +10,10 @@ core::Findings measure_process_contour_error(const Design& design, const Allowed
     if (cam.working.empty() || tolerance <= 0.0) return {};
     const cam::Contact& least = worst_contact(cam, [](const cam::Contact& c) { return -c.arm.arm; });
     core::Finding f = judge(100.0 * tolerance / least.arm.arm, {allowed("review")});
-    f.what = fmt::format("torque error at the least arm, {:.2f} mm, for a contour error of {:g} mm", core::mm_from_m(least.arm.arm),
-                         core::mm_from_m(tolerance));
+    f.what = fmt::format("torque error at the least arm, {:.2f} mm, for a contour error of {:g} mm", mm_from_m(least.arm.arm),
+                         mm_from_m(tolerance));
     locate(f, design, least.path, -0.5 * design.cable.diameter);
-    f.suggestion = change("process.tolerance_mm", down(core::mm_from_m(least.arm.arm) * f.allowed / 100.0))
+    f.suggestion = change("process.tolerance_mm", down(mm_from_m(least.arm.arm) * f.allowed / 100.0))
                        .noted(": a groove coupon measured and compensated");
     return {f};
 }

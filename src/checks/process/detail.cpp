@@ -6,12 +6,12 @@ namespace {
 
 core::Findings measure_process_detail(const Design& design, const Allowed& allowed) {
     const solid::FeatureOptions& features = design.part.options.features;
-    const double detail = core::mm_from_m(process_limits(design.process).detail);
+    const double detail = mm_from_m(process_limits(design.process).detail);
     const bool slot = has_slot(features) && (features.mark_width <= 0.0 || features.leg_slot_width < features.mark_width);
     const double narrowest = slot ? features.leg_slot_width : features.mark_width;
     const auto least = allowed.stated("review", detail);
     if (!least || narrowest <= 0.0) return {};
-    core::Finding f = judge(core::mm_from_m(narrowest), {*least});
+    core::Finding f = judge(mm_from_m(narrowest), {*least});
     f.what = fmt::format("width of the {}", slot ? "spring leg's slot" : "timing mark");
     f.suggestion = change(design, slot ? "features.leg_slot_width_mm" : "features.mark_width_mm", up(f.allowed));
     return {f};

@@ -14,7 +14,7 @@ core::Findings measure_roller_contact_pressure(const Design& design, const Allow
     f.what = fmt::format("largest pressure between rim and roller, at a spring force of {:.1f} N", worst.arm.tension);
     locate(f, design, worst.path);
     const double ratio = f.measured / f.allowed;
-    f.suggestion = change(design, "roller.width_mm", up(core::mm_from_m(roller.width * ratio * ratio)));
+    f.suggestion = change(design, "roller.width_mm", up(mm_from_m(roller.width * ratio * ratio)));
     return {f};
 }
 

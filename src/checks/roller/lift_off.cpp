@@ -11,7 +11,7 @@ core::Findings measure_roller_lift_off(const Design& design, const Allowed& allo
     core::Finding f = judge(100.0 * least.arm.tension / most, {allowed("review")});
     f.what = fmt::format("least force of the spring on the follower, {:.2f} N, of {:.1f} N", least.arm.tension, most);
     locate(f, design, least.path);
-    f.suggestion = change(design, "spring.preload_mm", up(core::mm_from_m(0.01 * f.allowed * most / design.spring.rate)));
+    f.suggestion = change(design, "spring.preload_mm", up(mm_from_m(0.01 * f.allowed * most / design.spring.rate)));
     return {f};
 }
 

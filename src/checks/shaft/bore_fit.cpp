@@ -7,9 +7,9 @@ namespace {
 core::Findings measure_shaft_bore_fit(const Design& design, const Allowed& allowed) {
     const solid::HubOptions& hub = design.part.options.hub;
     const core::Range fit = process_limits(design.process).fit;
-    core::Finding f = judge(core::mm_from_m(hub.bore_clearance),
-                            {allowed("low_review", core::mm_from_m(fit.low)), allowed("high_review", core::mm_from_m(fit.high))});
-    f.what = fmt::format("clearance of the bore on a shaft of {:g} mm", core::mm_from_m(hub.bore_diameter));
+    core::Finding f =
+        judge(mm_from_m(hub.bore_clearance), {allowed("low_review", mm_from_m(fit.low)), allowed("high_review", mm_from_m(fit.high))});
+    f.what = fmt::format("clearance of the bore on a shaft of {:g} mm", mm_from_m(hub.bore_diameter));
     f.suggestion = change(design, "hub.clearance_mm", number(f.allowed));
     return {f};
 }

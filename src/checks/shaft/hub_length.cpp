@@ -8,12 +8,12 @@ core::Findings measure_shaft_hub_length(const Design& design, const Allowed& all
     const solid::HubOptions& hub = design.part.options.hub;
     const bool through = hub.kind == solid::HubKind::kThrough;
     core::Finding f = judge(bore_length(design.part) / hub.bore_diameter, {allowed(through ? "through_review" : "overhung_review")});
-    f.what = fmt::format("length of the bore over its diameter of {:g} mm", core::mm_from_m(hub.bore_diameter));
-    f.suggestion = change(design, "hub.boss_height_mm",
-                          up(core::mm_from_m(hub.boss_height) + (f.allowed - f.measured) * core::mm_from_m(hub.bore_diameter)));
+    f.what = fmt::format("length of the bore over its diameter of {:g} mm", mm_from_m(hub.bore_diameter));
+    f.suggestion =
+        change(design, "hub.boss_height_mm", up(mm_from_m(hub.boss_height) + (f.allowed - f.measured) * mm_from_m(hub.bore_diameter)));
     if (hub.boss_diameter <= 0.0)
         f.suggestion.with(key_of(design, "hub.boss_mm"),
-                          up(core::mm_from_m(2.0 * (hub_radius(hub) + process_limits(design.process).loaded_wall))));
+                          up(mm_from_m(2.0 * (hub_radius(hub) + process_limits(design.process).loaded_wall))));
     return {f};
 }
 

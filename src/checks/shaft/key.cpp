@@ -7,7 +7,7 @@ namespace {
 /// A size that should be that of the standard.
 core::Finding exactly(const Design& design, const char* key, double measured, const EffectiveLimit& least, const EffectiveLimit& most,
                       const std::string& what) {
-    core::Finding f = judge(core::mm_from_m(measured), {least, most});
+    core::Finding f = judge(mm_from_m(measured), {least, most});
     f.what = what;
     f.suggestion = change(design, key, number(f.allowed));
     return f;
@@ -17,15 +17,15 @@ core::Findings measure_shaft_key(const Design& design, const Allowed& allowed) {
     const solid::HubOptions& hub = design.part.options.hub;
     if (hub.lock != solid::HubLock::kKeyway) return {};
 
-    const double bore = core::mm_from_m(hub.bore_diameter);
+    const double bore = mm_from_m(hub.bore_diameter);
     if (const KeySize* size = key_size(hub.bore_diameter)) {
-        const double b = core::mm_from_m(size->width), t2 = core::mm_from_m(size->hub_depth);
+        const double b = mm_from_m(size->width), t2 = mm_from_m(size->hub_depth);
         return {exactly(design, "hub.key_width_mm", hub.key_width, allowed("least_width_review", b), allowed("width_review", b),
                         fmt::format("width b of the keyway in a {:g} mm bore", bore)),
                 exactly(design, "hub.key_depth_mm", hub.key_depth, allowed("least_depth_review", t2), allowed("depth_review", t2),
                         fmt::format("depth t2 of the keyway in a {:g} mm bore", bore))};
     }
-    const double least = core::mm_from_m(key_table().front().above), most = core::mm_from_m(key_table().back().up_to);
+    const double least = mm_from_m(key_table().front().above), most = mm_from_m(key_table().back().up_to);
     core::Finding f = judge(bore, {allowed("least_bore_review", least), allowed("bore_review", most)});
     f.what = "bore with a keyway: the table has no key for this shaft";
     if (bore < least) f.suggestion = change(design, "hub.lock", quoted("d_flat"));

@@ -13,12 +13,11 @@ core::Findings measure_shaft_key_fit(const Design& design, const Allowed& allowe
     const solid::HubOptions& hub = design.part.options.hub;
     const bool by_hand = hub.key_fit == solid::KeyFit::kByHand;
     const double tolerance = process_limits(design.process).tolerance;
-    core::Finding f = judge(by_hand ? 0.0 : core::mm_from_m(tolerance), {allowed("review", core::mm_from_m(half_zone(hub.key_width)))});
+    core::Finding f = judge(by_hand ? 0.0 : mm_from_m(tolerance), {allowed("review", mm_from_m(half_zone(hub.key_width)))});
     f.what = by_hand
-                 ? fmt::format("tolerance of a keyway of {:g} mm that is filed or broached to its key", core::mm_from_m(hub.key_width))
+                 ? fmt::format("tolerance of a keyway of {:g} mm that is filed or broached to its key", mm_from_m(hub.key_width))
                  : fmt::format("tolerance of a keyway of {:g} mm as made by {}: the part may turn by {:.1f} deg on its key, or not take it",
-                               core::mm_from_m(hub.key_width), to_string(design.process.kind),
-                               core::deg_from_rad(4.0 * tolerance / hub.bore_diameter));
+                               mm_from_m(hub.key_width), to_string(design.process.kind), deg_from_rad(4.0 * tolerance / hub.bore_diameter));
     f.suggestion = change(design, "hub.key_fit", quoted("by_hand")).noted(fmt::format(": filed or broached to +-{:g} mm", f.allowed));
     return {f};
 }

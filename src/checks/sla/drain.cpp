@@ -12,7 +12,7 @@ core::Findings measure_sla_drain(const Design& design, const Allowed& allowed) {
     f.what = "depth of the blind bore over its diameter: resin stays in it";
     f.suggestion = "a drain hole at its end";
     f.suggestion.or_else(
-        change(design, "hub.boss_height_mm", down(core::mm_from_m(hub.boss_height) - (f.measured - f.allowed) * core::mm_from_m(bore))));
+        change(design, "hub.boss_height_mm", down(mm_from_m(hub.boss_height) - (f.measured - f.allowed) * mm_from_m(bore))));
     return {f};
 }
 

@@ -21,12 +21,12 @@ double critical_compression(const spring::BaseSpring& s) {
 /// A shorter spring where its travel still fits in; a guide in any case. The cable runs through the coils, so that a rod is a tube.
 core::Suggestion change_of(const Design& design) {
     const spring::BaseSpring& s = design.spring;
-    const double stable = core::mm_from_m(stable_length(s)), outside = core::mm_from_m(s.coil_diameter + s.wire_diameter);
+    const double stable = mm_from_m(stable_length(s)), outside = mm_from_m(s.coil_diameter + s.wire_diameter);
     const auto travel = spring::travel_to_solid(s);
-    const double solid = travel ? core::mm_from_m(s.free_length - *travel) : 0.0, least = solid + core::mm_from_m(largest_state(design));
+    const double solid = travel ? mm_from_m(s.free_length - *travel) : 0.0, least = solid + mm_from_m(largest_state(design));
     const std::string guide =
         s.rod_diameter > 0.0
-            ? fmt::format("the stated rod of {:g} mm as a tube around the cable, over the whole spring", core::mm_from_m(s.rod_diameter))
+            ? fmt::format("the stated rod of {:g} mm as a tube around the cable, over the whole spring", mm_from_m(s.rod_diameter))
             : std::string("a guide tube inside, around the cable, over the whole spring");
     const std::string guides = fmt::format("{}, or a sleeve of more than {:.3g} mm around the coils", guide, outside);
     if (least > stable)
@@ -38,11 +38,11 @@ core::Findings measure_spring_buckling(const Design& design, const Allowed& allo
     const spring::BaseSpring& s = design.spring;
     core::Finding f;
     if (s.free_length <= stable_length(s)) {
-        f = judge(core::mm_from_m(s.free_length), {allowed("length_review", core::mm_from_m(stable_length(s)))});
+        f = judge(mm_from_m(s.free_length), {allowed("length_review", mm_from_m(stable_length(s)))});
         f.what = "free length of the base spring: stable at every compression";
         return {f};
     }
-    f = judge(core::mm_from_m(largest_state(design)), {allowed("review", core::mm_from_m(critical_compression(s)))});
+    f = judge(mm_from_m(largest_state(design)), {allowed("review", mm_from_m(critical_compression(s)))});
     f.what = "largest compression of the slender base spring, against its buckling compression between flat plates";
     f.suggestion = change_of(design);
     return {f};

@@ -12,11 +12,11 @@ core::Findings measure_spring_leg_bending(const Design& design, const Allowed& a
     core::Finding f =
         judge(spring::bend_stress(s, moment, radius) / kPaPerMPa, {allowed("required", share * spring::tensile_strength(s) / kPaPerMPa)});
     f.what = fmt::format("bending stress where the leg leaves the coil, {:.1f} N in the middle of its slot, bent to {:.3g} mm inside",
-                         force, core::mm_from_m(radius));
+                         force, mm_from_m(radius));
     f.suggestion = limit_load(design, design.spring.rate * largest_state(design) * f.allowed / f.measured);
     // The moment's lever, less the part that the slot's depth does not change.
     const double depth = 2.0 * (moment / force * f.allowed / f.measured - radius - 0.5 * s.wire_diameter);
-    if (depth > 0.0) f.suggestion.or_else(change(design, "features.leg_slot_depth_mm", down(core::mm_from_m(depth))));
+    if (depth > 0.0) f.suggestion.or_else(change(design, "features.leg_slot_depth_mm", down(mm_from_m(depth))));
     return {f};
 }
 

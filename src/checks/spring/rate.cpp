@@ -14,8 +14,8 @@ core::Findings measure_spring_rate(const Design& design, const Allowed& allowed)
     const bool measured = s.rate_origin == spring::RateOrigin::kMeasured;
     core::Finding f = measured ? judge(off, {allowed("measured_review")}) : judge(off, {allowed("required"), allowed("review")});
     f.what = fmt::format("{} rate {:.4g} {} against {:.4g} {} of {:g} mm wire, {:.4g} mm coils and {:.4g} turns",
-                         measured ? "measured" : "stated", s.rate, unit, coils, unit, core::mm_from_m(s.wire_diameter),
-                         core::mm_from_m(s.coil_diameter), s.active_coils);
+                         measured ? "measured" : "stated", s.rate, unit, coils, unit, mm_from_m(s.wire_diameter),
+                         mm_from_m(s.coil_diameter), s.active_coils);
     f.suggestion = form_for_rate(design);
     return {f};
 }

@@ -8,7 +8,7 @@ constexpr double kScatter = 0.1;
 
 core::Findings measure_spring_rate_scatter(const Design& design, const Allowed& allowed) {
     const bool torsion = design.spring.kind == spring::BaseKind::kTorsion;
-    const double unit = torsion ? 1.0 : core::mm_from_m(1.0), state = unit * largest_state(design);
+    const double unit = torsion ? 1.0 : mm_from_m(1.0), state = unit * largest_state(design);
     const auto most = allowed.stated(torsion ? "angle_review" : "travel_review", unit * design.spring.max_state);
     if (state > most->value()) return {};  // already beyond its range: spring.torsion_angle and spring.travel report it
     core::Finding f = judge(state / (1.0 - kScatter), {*most});

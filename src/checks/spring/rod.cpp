@@ -11,14 +11,14 @@ std::string what_stands_inside(const Design& design) {
                        : inside == axle ? "axle"
                        : inside > axle  ? "sleeve on the axle"
                                         : "axle, turned down there";
-    return fmt::format("that of the {}, {:g} mm", what, core::mm_from_m(inside));
+    return fmt::format("that of the {}, {:g} mm", what, mm_from_m(inside));
 }
 
 core::Findings measure_spring_rod(const Design& design, const Allowed& allowed) {
     const double inside = spring::inside_diameter(design.spring, largest_state(design));
     core::Finding f = judge(inside / inner_rod(design), {allowed("required"), allowed("review")});
-    f.what = fmt::format("inside diameter of the loaded coils, {:.2f} mm, over {}", core::mm_from_m(inside), what_stands_inside(design));
-    f.suggestion = change(design, "spring.rod_mm", down(core::mm_from_m(inside / f.allowed)));
+    f.what = fmt::format("inside diameter of the loaded coils, {:.2f} mm, over {}", mm_from_m(inside), what_stands_inside(design));
+    f.suggestion = change(design, "spring.rod_mm", down(mm_from_m(inside / f.allowed)));
     return {f};
 }
 

@@ -7,21 +7,21 @@ namespace {
 constexpr double kReview = 0.80, kMost = 0.85;  // of the travel to solid; beyond, coils touch and the rate rises
 
 core::Finding against(const Design& design, std::initializer_list<EffectiveLimit> limits, const std::string& what) {
-    core::Finding f = judge(core::mm_from_m(largest_state(design)), limits);
+    core::Finding f = judge(mm_from_m(largest_state(design)), limits);
     f.what = what;
-    f.suggestion = limit_state(design, core::m_from_mm(f.allowed));
+    f.suggestion = limit_state(design, m_from_mm(f.allowed));
     return f;
 }
 
 core::Findings measure_spring_travel(const Design& design, const Allowed& allowed) {
     const spring::BaseSpring& s = design.spring;
     core::Findings findings;
-    if (const auto most = allowed.stated("rated_required", core::mm_from_m(s.max_state))) {
+    if (const auto most = allowed.stated("rated_required", mm_from_m(s.max_state))) {
         findings.push_back(against(design, {*most}, "largest compression of the base spring, preload included"));
         findings.back().source = "spring.max_travel_mm";
     }
     if (const auto travel = spring::travel_to_solid(s)) {
-        const double solid = core::mm_from_m(*travel);
+        const double solid = mm_from_m(*travel);
         findings.push_back(against(design, {allowed("required", kMost * solid), allowed("review", kReview * solid)},
                                    fmt::format("largest compression of the base spring, of {:.2f} mm to solid length", solid)));
     }

@@ -9,8 +9,8 @@ core::Findings measure_stack_wire(const Design& design, const Allowed& allowed) 
     const double hole = features.anchor_hole_diameter, slot = has_slot(features) ? features.leg_slot_width : 0.0;
     if (!is_stacked(design) || (hole <= 0.0 && slot <= 0.0)) return {};
     const bool at_slot = slot > 0.0 && (hole <= 0.0 || slot < hole);
-    core::Finding f = judge(core::mm_from_m(0.5 * (at_slot ? slot : hole)),
-                            {allowed("required", core::mm_from_m(process_limits(design.process).cutter_radius))});
+    core::Finding f =
+        judge(mm_from_m(0.5 * (at_slot ? slot : hole)), {allowed("required", mm_from_m(process_limits(design.process).cutter_radius))});
     f.what = fmt::format("least inner radius of the plates: {}", at_slot ? "ends of the spring leg's slot" : "anchor hole");
     f.suggestion = change(design, at_slot ? "features.leg_slot_width_mm" : "features.anchor_hole_mm", up(2.0 * f.allowed));
     return {f};

@@ -35,16 +35,16 @@ core::Findings measure_structure_anchor(const Design& design, const Allowed& all
     if (all.empty()) return {};
     const Neighbour nearest =
         *std::min_element(all.begin(), all.end(), [](const Neighbour& a, const Neighbour& b) { return a.wall < b.wall; });
-    core::Finding f = judge(core::mm_from_m(nearest.wall), {allowed("required", core::mm_from_m(process_limits(design.process).wall))});
+    core::Finding f = judge(mm_from_m(nearest.wall), {allowed("required", mm_from_m(process_limits(design.process).wall))});
     f.what = fmt::format("wall between the cable's anchor hole and the {}", nearest.what);
     f.where = at_anchor(design);
     f.place = place(anchor, -radius);
-    const double smaller = 2.0 * radius - core::m_from_mm(f.allowed - f.measured);  // its far edge stays at the pitch curve
-    f.suggestion = nearest.from_inside && smaller > 0.0 ? change(design, "features.anchor_hole_mm", down(core::mm_from_m(smaller)))
+    const double smaller = 2.0 * radius - m_from_mm(f.allowed - f.measured);  // its far edge stays at the pitch curve
+    f.suggestion = nearest.from_inside && smaller > 0.0 ? change(design, "features.anchor_hole_mm", down(mm_from_m(smaller)))
                                                         : without_anchor_hole(design);
     if (nearest.turns)
         f.suggestion.or_else(change(design, "features.leg_slot_angle_deg",
-                                    fmt::format("{:.0f}", core::deg_from_rad(std::atan2(-centre[1], -centre[0])))));  // opposite the hole
+                                    fmt::format("{:.0f}", deg_from_rad(std::atan2(-centre[1], -centre[0])))));  // opposite the hole
     return {f};
 }
 

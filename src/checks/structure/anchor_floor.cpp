@@ -20,8 +20,7 @@ Clearance clearance(const cam::Cam& cam, double psi, double radius) {
     for (const cam::Contact& c : cam.working) {
         if (!cam.closed() && std::abs(c.path.psi - psi) > core::kPi) continue;
         const core::Place floor = place(c.path, -0.5 * cam.options.cable_diameter);
-        const double apart =
-            core::m_from_mm(std::hypot(floor.point_mm[0] - hole.point_mm[0], floor.point_mm[1] - hole.point_mm[1])) - radius;
+        const double apart = m_from_mm(std::hypot(floor.point_mm[0] - hole.point_mm[0], floor.point_mm[1] - hole.point_mm[1])) - radius;
         if (apart < least.gap) least = {apart, c.path};
     }
     return least;
@@ -32,13 +31,13 @@ core::Findings measure_structure_anchor_floor(const Design& design, const Allowe
     const double radius = 0.5 * design.part.options.features.anchor_hole_diameter;
     if (radius <= 0.0 || !cam.path || cam.working.empty()) return {};
     const Clearance found = clearance(cam, cam.anchor_psi, radius);
-    core::Finding f = judge(core::mm_from_m(found.gap), {allowed("required", core::mm_from_m(0.5 * design.cable.diameter))});
+    core::Finding f = judge(mm_from_m(found.gap), {allowed("required", mm_from_m(0.5 * design.cable.diameter))});
     f.what = "distance from the anchor hole to the working floor";
     locate(f, design, found.at, -0.5 * cam.options.cable_diameter);
     f.suggestion = without_anchor_hole(design);
     for (const double margin : cam::margins_by_distance(cam)) {
         if (clearance(cam, cam::anchor_direction(cam, margin), radius).gap < 0.55 * design.cable.diameter) continue;
-        f.suggestion = change(design, "path.margin_deg", fmt::format("{:.0f}", core::deg_from_rad(margin)));
+        f.suggestion = change(design, "path.margin_deg", fmt::format("{:.0f}", deg_from_rad(margin)));
         break;
     }
     return {f};

@@ -4,7 +4,7 @@ namespace fusee::checks {
 
 namespace {
 
-constexpr double kLeastFleet = core::rad_from_deg(2.0);
+constexpr double kLeastFleet = rad_from_deg(2.0);
 
 core::Findings measure_structure_flange_bending(const Design& design, const Allowed& allowed) {
     const cam::Cam& cam = design.part.cam;
@@ -20,7 +20,7 @@ core::Findings measure_structure_flange_bending(const Design& design, const Allo
     f.what = fmt::format("bending stress of the flange beside the cable at {:.1f} N", worst.arm.tension);
     locate(f, design, worst.path);
     const double thicker = thickness * std::sqrt(f.measured / f.allowed) - thickness;
-    f.suggestion = change("groove.rib_mm", up(core::mm_from_m(rib + thicker)));
+    f.suggestion = change("groove.rib_mm", up(mm_from_m(rib + thicker)));
     return {f};
 }
 

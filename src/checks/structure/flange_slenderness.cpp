@@ -8,10 +8,10 @@ core::Findings measure_structure_flange_slenderness(const Design& design, const 
     const solid::PartOptions& options = design.part.options;
     const double height = options.groove.depth_ratio * design.cable.diameter + options.flange_height;
     core::Finding f = judge(height / options.groove.rib, {allowed("review")});
-    f.what = fmt::format("height of the flange over the groove's floor, {:.2f} mm, over its thickness", core::mm_from_m(height));
-    f.suggestion = change("groove.rib_mm", up(core::mm_from_m(height / f.allowed)));
+    f.what = fmt::format("height of the flange over the groove's floor, {:.2f} mm, over its thickness", mm_from_m(height));
+    f.suggestion = change("groove.rib_mm", up(mm_from_m(height / f.allowed)));
     const double lower = options.flange_height - height + f.allowed * options.groove.rib;
-    if (options.flange_height > 0.0 && lower >= 0.0) f.suggestion.or_else(change(design, "flange_height_mm", down(core::mm_from_m(lower))));
+    if (options.flange_height > 0.0 && lower >= 0.0) f.suggestion.or_else(change(design, "flange_height_mm", down(mm_from_m(lower))));
     return {f};
 }
 

@@ -22,11 +22,11 @@ core::Findings measure_structure_idle_curvature(const Design& design, const Allo
     for (const cam::PathPoint& p : path)
         if (is_idle(cam, p.psi) && (!sharpest || !(p.rho >= sharpest->rho))) sharpest = &p;
     if (!sharpest) return {};
-    const double cusp = core::mm_from_m(0.5 * design.cable.diameter), wanted = core::mm_from_m(cam.options.path.min_idle_curvature_radius);
-    core::Finding f = judge(core::mm_from_m(sharpest->rho) * (1.0 + kSampled), {allowed("required", cusp), allowed("review", wanted)});
+    const double cusp = mm_from_m(0.5 * design.cable.diameter), wanted = mm_from_m(cam.options.path.min_idle_curvature_radius);
+    core::Finding f = judge(mm_from_m(sharpest->rho) * (1.0 + kSampled), {allowed("required", cusp), allowed("review", wanted)});
     f.what = "least radius of curvature outside the working arc; the groove's floor has a cusp below half a cable";
     locate(f, design, *sharpest, -0.5 * design.cable.diameter);
-    const double margin = core::deg_from_rad(cam.options.path.margin);
+    const double margin = deg_from_rad(cam.options.path.margin);
     // An arc that already keeps its least radius elsewhere is as sharp as the ends of the working arc. Then min_idle_radius_mm must be
     // smaller.
     const std::string radius = f.severity == core::Severity::kWarning ? down(f.measured) : up(f.allowed);

@@ -37,7 +37,7 @@ core::Findings measure_structure_layer_strength(const Design& design, const Allo
     f.what = fmt::format("safety of the layers at the boss's root at {:.1f} N: {:.2g} MPa of bending and {:.2g} MPa of torsion in {}",
                          worst.arm.tension, stress.bending / kPaPerMPa, stress.torsion / kPaPerMPa, material.name);
     locate(f, design, worst.path);
-    f.suggestion = change(design, "hub.boss_mm", up(core::mm_from_m(part.options.hub.boss_diameter) * std::cbrt(f.allowed / f.measured)));
+    f.suggestion = change(design, "hub.boss_mm", up(mm_from_m(part.options.hub.boss_diameter) * std::cbrt(f.allowed / f.measured)));
     return {f};
 }
 

@@ -46,27 +46,25 @@ core::Findings measure_structure_leg_slot(const Design& design, const Allowed& a
     const Walls w = slot_walls(design);
     const ProcessLimits process = process_limits(design.process);
     const bool inwards = w.bored && w.inner < w.outer;
-    core::Finding f = judge(core::mm_from_m(inwards ? w.inner : w.outer),
-                            {allowed("required", core::mm_from_m(process.wall)), allowed("review", core::mm_from_m(process.loaded_wall))});
+    core::Finding f = judge(mm_from_m(inwards ? w.inner : w.outer),
+                            {allowed("required", mm_from_m(process.wall)), allowed("review", mm_from_m(process.loaded_wall))});
     f.what = fmt::format("wall between the spring leg's slot and the {}", inwards ? "bore" : "groove");
     f.where = at_leg_slot(design);
-    f.place = core::Place{
-        features.leg_slot_angle,
-        {core::mm_from_m(leg_slot(features).outer[0]), core::mm_from_m(leg_slot(features).outer[1]), core::mm_from_m(design.part.z_high)}};
-    const double lacking = core::m_from_mm(f.allowed - f.measured),
-                 space = w.bored ? w.inner + w.outer - 2.0 * core::m_from_mm(f.allowed) : lacking;
+    f.place = core::Place{features.leg_slot_angle,
+                          {mm_from_m(leg_slot(features).outer[0]), mm_from_m(leg_slot(features).outer[1]), mm_from_m(design.part.z_high)}};
+    const double lacking = m_from_mm(f.allowed - f.measured), space = w.bored ? w.inner + w.outer - 2.0 * m_from_mm(f.allowed) : lacking;
     // Move the slot if the other side has the space; otherwise shorten it by the total lack. A slot must be longer than it is wide.
     const double shorter = features.leg_slot_length + space;
     if (shorter < kShortest * features.leg_slot_width) {
         f.suggestion = change(design, "features.leg_slot_width_mm", "0")
                            .noted(fmt::format(" and the leg held outside the part: {} mm are missing for the slot",
-                                              up(core::mm_from_m(kShortest * features.leg_slot_width - shorter))));
+                                              up(mm_from_m(kShortest * features.leg_slot_width - shorter))));
         return {f};
     }
     const double aside = space >= 0.0 ? (inwards ? lacking : -lacking) : 0.5 * (w.outer - w.inner);
-    const std::string radius = fmt::format("{:.3f}", core::mm_from_m(features.leg_slot_radius + aside));
+    const std::string radius = fmt::format("{:.3f}", mm_from_m(features.leg_slot_radius + aside));
     f.suggestion = space >= 0.0 ? change(design, "features.leg_slot_radius_mm", radius)
-                                : change(design, "features.leg_slot_length_mm", fmt::format("{:.3f}", core::mm_from_m(shorter)))
+                                : change(design, "features.leg_slot_length_mm", fmt::format("{:.3f}", mm_from_m(shorter)))
                                       .with(key_of(design, "features.leg_slot_radius_mm"), radius);
     return {f};
 }

@@ -5,7 +5,7 @@ namespace fusee::checks {
 namespace {
 
 core::Finding web(const Design& design, const EffectiveLimit& required, const EffectiveLimit& review) {
-    core::Finding f = judge(core::mm_from_m(design.part.options.hub.web), {required, review});
+    core::Finding f = judge(mm_from_m(design.part.options.hub.web), {required, review});
     f.what = "web between the blind bore's end and the groove's lower lip";
     f.suggestion = change(design, "hub.web_mm", up(f.allowed));
     return f;
@@ -14,8 +14,8 @@ core::Finding web(const Design& design, const EffectiveLimit& required, const Ef
 core::Findings measure_structure_wall_to_bore(const Design& design, const Allowed& allowed) {
     const solid::HubOptions& hub = design.part.options.hub;
     const ProcessLimits process = process_limits(design.process);
-    const EffectiveLimit required = allowed("required", core::mm_from_m(process.wall)),
-                         review = allowed("review", core::mm_from_m(process.loaded_wall));
+    const EffectiveLimit required = allowed("required", mm_from_m(process.wall)),
+                         review = allowed("review", mm_from_m(process.loaded_wall));
     if (hub.kind == solid::HubKind::kOverhung) return {web(design, required, review)};
     const std::vector<cam::PathPoint> path = contour(design.part.cam);
     if (path.empty()) return {};
@@ -25,11 +25,11 @@ core::Findings measure_structure_wall_to_bore(const Design& design, const Allowe
     bool key = false;
     for (const Vec2& corner : key_corners(hub))
         if (const Nearest at = distance_inside(path, floor, corner); at.distance < nearest.distance) nearest = at, key = true;
-    core::Finding f = judge(core::mm_from_m(nearest.distance), {required, review});
+    core::Finding f = judge(mm_from_m(nearest.distance), {required, review});
     f.what = fmt::format("wall between the groove's floor and the {}", key ? "keyway's corner" : "bore");
     locate(f, design, nearest.at, floor);
-    const double lacking = core::m_from_mm(f.allowed) - nearest.distance, bore = hub.bore_diameter - 2.0 * lacking;
-    if (bore > 0.0) f.suggestion = change(design, "hub.bore_mm", down(core::mm_from_m(bore)));
+    const double lacking = m_from_mm(f.allowed) - nearest.distance, bore = hub.bore_diameter - 2.0 * lacking;
+    if (bore > 0.0) f.suggestion = change(design, "hub.bore_mm", down(mm_from_m(bore)));
     if (nearest.at.h > 0.0) f.suggestion.or_else(scale_arms(design, (nearest.at.h + lacking) / nearest.at.h));
     return {f};
 }
